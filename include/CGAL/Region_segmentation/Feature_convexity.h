@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_FEATURE_CONVEXITY_H
+#define CGAL_REGION_SEGMENTATION_FEATURE_CONVEXITY_H
+
+namespace CGAL {
+namespace Region_segmentation {
+
+/// Which edges can be feature edges, by the sign of \f$(N_i \times N_j) \cdot d\f$, where \f$d\f$
+/// points along the halfedge of the first face. An edge of sign exactly 0 counts under `ALL` alone.
+enum class Feature_convexity {
+  CONVEX,  ///< ridges
+  CONCAVE, ///< valleys: the joints of scanned and organic models
+  ALL      ///< both: machine parts
+};
+
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_FEATURE_CONVEXITY_H

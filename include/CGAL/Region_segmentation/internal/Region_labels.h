@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_REGION_LABELS_H
+#define CGAL_REGION_SEGMENTATION_INTERNAL_REGION_LABELS_H
+
+#include <CGAL/Region_segmentation/internal/Flat_mesh.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Region_segmentation {
+
+/// One byte a dual edge of a `Flat_mesh`; not zero where the edge is a feature edge.
+using Edge_marks = std::vector<std::uint8_t>;
+
+/// The region of every face: ids 0 .. number_of_regions - 1, numbered by their first face.
+struct Region_labels
+{
+  std::vector<Flat_mesh::Index> of_face;
+  std::size_t number_of_regions = 0;
+};
+
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_INTERNAL_REGION_LABELS_H

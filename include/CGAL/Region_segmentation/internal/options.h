@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_OPTIONS_H
+#define CGAL_REGION_SEGMENTATION_INTERNAL_OPTIONS_H
+
+#include <CGAL/Region_segmentation/Feature_convexity.h>
+#include <CGAL/Region_segmentation/parameters.h>
+
+#include <CGAL/assertions.h>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Region_segmentation {
+namespace internal {
+
+/// The paper's bound, 3.12 rad for the dihedral angle, as a deviation in degrees.
+constexpr double default_maximum_angle = 180 - 3.12 * (180 / CGAL_PI);
+
+template <typename Pack>
+double maximum_angle(const Pack& np)
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  const double degrees = choose_parameter(get_parameter(np, CGAL::internal_np::maximum_angle),
+                                          default_maximum_angle);
+  CGAL_precondition_msg(degrees >= 0 && degrees <= 180, "maximum_angle is in [0, 180] degrees");
+  return degrees;
+}
+
+template <typename Pack>
+Feature_convexity feature_convexity(const Pack& np)
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  return choose_parameter(get_parameter(np, internal_np::feature_convexity),
+                          Feature_convexity::CONCAVE);
+}
+
+} // namespace internal
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_INTERNAL_OPTIONS_H

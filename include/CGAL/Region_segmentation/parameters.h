@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_PARAMETERS_H
+#define CGAL_REGION_SEGMENTATION_PARAMETERS_H
+
+/// \file parameters.h
+/// The named parameters of the package: those of \cgal and its own, chained freely in one pack.
+///
+/// This is the only file that knows the mechanism. A pack derives from
+/// `CGAL::Named_function_parameters`, so \cgal's own look-up functions read it, and packs that were
+/// made by `CGAL::parameters` are taken by every function of the package.
+
+#include <CGAL/Named_function_parameters.h>
+
+#include <functional>
+
+// The parameters that the package adds: tag type, name.
+#define CGAL_REGION_SEGMENTATION_PARAMETERS(ADD)        \
+  ADD(number_of_segments_t, number_of_segments)         \
+  ADD(feature_convexity_t, feature_convexity)           \
+  ADD(edge_is_feature_map_t, edge_is_feature_map)       \
+  ADD(region_map_t, region_map)                         \
+  ADD(region_initializer_t, region_initializer)         \
+  ADD(merging_policy_t, merging_policy)                 \
+  ADD(merge_tree_t, merge_tree)                         \
+  ADD(polyline_output_iterator_t, polyline_output_iterator)
+
+namespace CGAL {
+namespace Region_segmentation {
+
+namespace internal_np {
+#define CGAL_REGION_SEGMENTATION_ADD(TAG, NAME) enum TAG { NAME };
+CGAL_REGION_SEGMENTATION_PARAMETERS(CGAL_REGION_SEGMENTATION_ADD)
+#undef CGAL_REGION_SEGMENTATION_ADD
+} // namespace internal_np
+
+/// A pack of named parameters that can be chained with those of \cgal and those of this package.
+template <typename T, typename Tag, typename Base = CGAL::internal_np::No_property>
+struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
+{
+  using Pack = CGAL::Named_function_parameters<T, Tag, Base>;
+
+  Named_parameters() = default;
+  explicit Named_parameters(const T& value) : Pack(value) {}
+  Named_parameters(const T& value, const Base& base) : Pack(value, base) {}
+
+  const Pack& pack() const { return *this; }
+
+  // CGAL's list has no include guard: it is included once for the member functions here and once for
+  // the free functions below. Later releases of CGAL use more macros than the first in their lists.
+#define CGAL_add_named_parameter(TAG, ENUMERATOR, NAME)                                   \
+  template <typename K>                                                                   \
+  Named_parameters<K, CGAL::internal_np::TAG, Pack> NAME(const K& value) const            \
+  { return Named_parameters<K, CGAL::internal_np::TAG, Pack>(value, pack()); }
+#define CGAL_add_named_parameter_with_compatibility(TAG, ENUMERATOR, NAME)                \
+  CGAL_add_named_parameter(TAG, ENUMERATOR, NAME)
+#define CGAL_add_named_parameter_with_compatibility_cref_only(TAG, ENUMERATOR, NAME)      \
+  template <typename K>                                                                   \
+  Named_parameters<std::reference_wrapper<const K>, CGAL::internal_np::TAG, Pack>         \
+  NAME(const K& value) const                                                              \
+  {                                                                                       \
+    return Named_parameters<std::reference_wrapper<const K>, CGAL::internal_np::TAG,      \
+                            Pack>(std::cref(value), pack());                              \
+  }
+#define CGAL_add_named_parameter_with_compatibility_ref_only(TAG, ENUMERATOR, NAME)       \
+  template <typename K>                                                                   \
+  Named_parameters<std::reference_wrapper<K>, CGAL::internal_np::TAG, Pack>               \
+  NAME(K& value) const                                                                    \
+  {                                                                                       \
+    return Named_parameters<std::reference_wrapper<K>, CGAL::internal_np::TAG, Pack>(     \
+      std::ref(value), pack());                                                           \
+  }
+#define CGAL_add_extra_named_parameter_with_compatibility(TAG, ENUMERATOR, NAME)
+#include <CGAL/STL_Extension/internal/parameters_interface.h>
+#undef CGAL_add_named_parameter
+#undef CGAL_add_named_parameter_with_compatibility
+#undef CGAL_add_named_parameter_with_compatibility_cref_only
+#undef CGAL_add_named_parameter_with_compatibility_ref_only
+#undef CGAL_add_extra_named_parameter_with_compatibility
+
+#define CGAL_REGION_SEGMENTATION_ADD(TAG, NAME)                                           \
+  template <typename K>                                                                   \
+  Named_parameters<K, internal_np::TAG, Pack> NAME(const K& value) const                  \
+  { return Named_parameters<K, internal_np::TAG, Pack>(value, pack()); }
+  CGAL_REGION_SEGMENTATION_PARAMETERS(CGAL_REGION_SEGMENTATION_ADD)
+#undef CGAL_REGION_SEGMENTATION_ADD
+};
+
+/// Where a chain starts: `parameters::number_of_segments(8).vertex_point_map(vpm)`.
+namespace parameters {
+
+using Default_named_parameters = CGAL::parameters::Default_named_parameters;
+
+/// An empty pack.
+inline Default_named_parameters default_values()
+{
+  return {};
+}
+
+#define CGAL_add_named_parameter(TAG, ENUMERATOR, NAME)                                   \
+  template <typename K>                                                                   \
+  Named_parameters<K, CGAL::internal_np::TAG> NAME(const K& value)                        \
+  { return Named_parameters<K, CGAL::internal_np::TAG>(value); }
+#define CGAL_add_named_parameter_with_compatibility(TAG, ENUMERATOR, NAME)                \
+  CGAL_add_named_parameter(TAG, ENUMERATOR, NAME)
+#define CGAL_add_named_parameter_with_compatibility_cref_only(TAG, ENUMERATOR, NAME)      \
+  template <typename K>                                                                   \
+  Named_parameters<std::reference_wrapper<const K>, CGAL::internal_np::TAG>               \
+  NAME(const K& value)                                                                    \
+  {                                                                                       \
+    return Named_parameters<std::reference_wrapper<const K>, CGAL::internal_np::TAG>(     \
+      std::cref(value));                                                                  \
+  }
+#define CGAL_add_named_parameter_with_compatibility_ref_only(TAG, ENUMERATOR, NAME)       \
+  template <typename K>                                                                   \
+  Named_parameters<std::reference_wrapper<K>, CGAL::internal_np::TAG> NAME(K& value)      \
+  {                                                                                       \
+    return Named_parameters<std::reference_wrapper<K>, CGAL::internal_np::TAG>(           \
+      std::ref(value));                                                                   \
+  }
+#define CGAL_add_extra_named_parameter_with_compatibility(TAG, ENUMERATOR, NAME)
+#include <CGAL/STL_Extension/internal/parameters_interface.h>
+#undef CGAL_add_named_parameter
+#undef CGAL_add_named_parameter_with_compatibility
+#undef CGAL_add_named_parameter_with_compatibility_cref_only
+#undef CGAL_add_named_parameter_with_compatibility_ref_only
+#undef CGAL_add_extra_named_parameter_with_compatibility
+
+#define CGAL_REGION_SEGMENTATION_ADD(TAG, NAME)                                           \
+  template <typename K>                                                                   \
+  Named_parameters<K, internal_np::TAG> NAME(const K& value)                              \
+  { return Named_parameters<K, internal_np::TAG>(value); }
+CGAL_REGION_SEGMENTATION_PARAMETERS(CGAL_REGION_SEGMENTATION_ADD)
+#undef CGAL_REGION_SEGMENTATION_ADD
+
+} // namespace parameters
+
+namespace internal {
+
+/// The pack as \cgal's look-up functions deduce it: a chain has one such base for each of its links,
+/// and only the outermost is meant.
+template <typename T, typename Tag, typename Base>
+const CGAL::Named_function_parameters<T, Tag, Base>&
+pack(const Named_parameters<T, Tag, Base>& np)
+{
+  return np.pack();
+}
+
+template <typename T, typename Tag, typename Base>
+const CGAL::Named_function_parameters<T, Tag, Base>&
+pack(const CGAL::Named_function_parameters<T, Tag, Base>& np)
+{
+  return np;
+}
+
+} // namespace internal
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_PARAMETERS_H
