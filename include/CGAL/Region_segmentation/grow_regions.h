@@ -26,8 +26,9 @@ struct Region_growing
 /// grows regions between feature edges: the connected components of the faces across edges that are
 /// not feature edges.
 ///
-/// A degenerate face belongs to the region across its longest edge that is neither a border nor a
-/// feature edge in the map nor constrained; its other edges are no way for growing.
+/// A degenerate face joins the region across its longest edge that is neither a border nor
+/// constrained, unless the map says that this is a feature edge; its other edges are no way for
+/// growing.
 ///
 /// \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam EdgeIsFeatureMap a model of `ReadWritePropertyMap` with the edge descriptor as key and a
@@ -35,8 +36,8 @@ struct Region_growing
 /// \tparam FaceRegionMap a model of `WritablePropertyMap` with the face descriptor as key and an
 ///         integral value type
 /// \param mesh an oriented 2-manifold with or without borders
-/// \param edge_is_feature_map the feature edges; those between two faces of one region are cleared,
-///        borders of the mesh are set
+/// \param edge_is_feature_map the feature edges; those between two faces of one region are cleared
+///        unless they are constrained, borders of the mesh are set
 /// \param region_map every key is written: ids 0 .. r-1, numbered by the first face
 /// \param np optional named parameters:
 ///   - `edge_is_constrained_map`: edges that are not crossed (default: none)

@@ -74,13 +74,14 @@ inline Region_labels label_components(const Flat_mesh& flat, const Edge_marks& i
   return forest.take_labels();
 }
 
-/// Clears the marks of edges between two faces of one region.
+/// Clears the marks of edges between two faces of one region, unless they are constrained.
 inline void clear_marks_within_regions(const Flat_mesh& flat, const Region_labels& regions,
                                        Edge_marks& is_feature)
 {
   for (std::size_t f = 0; f < flat.number_of_faces(); ++f)
     for (std::size_t e = flat.first_edge(f); e < flat.first_edge(f + 1); ++e)
-      if (regions.of_face[f] == regions.of_face[flat.higher_face(e)])
+      if (regions.of_face[f] == regions.of_face[flat.higher_face(e)] &&
+          !flat.has_flag(e, Flat_mesh::CONSTRAINED))
         is_feature[e] = 0;
 }
 

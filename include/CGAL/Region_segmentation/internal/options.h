@@ -37,6 +37,17 @@ Feature_convexity feature_convexity(const Pack& np)
                           Feature_convexity::CONCAVE);
 }
 
+template <typename Pack>
+std::size_t number_of_segments(const Pack& np)
+{
+  using CGAL::parameters::get_parameter;
+  static_assert(!CGAL::parameters::is_default_parameter<Pack, internal_np::number_of_segments_t>::value,
+                "segment() needs the named parameter number_of_segments");
+  const std::size_t k = std::size_t(get_parameter(np, internal_np::number_of_segments));
+  CGAL_precondition_msg(k >= 1, "number_of_segments is at least 1");
+  return k;
+}
+
 } // namespace internal
 } // namespace Region_segmentation
 } // namespace CGAL

@@ -3,6 +3,7 @@
 #ifndef CGAL_REGION_SEGMENTATION_INTERNAL_WRITE_MAPS_H
 #define CGAL_REGION_SEGMENTATION_INTERNAL_WRITE_MAPS_H
 
+#include <CGAL/Region_segmentation/Merge_tree.h>
 #include <CGAL/Region_segmentation/internal/Mesh_walk.h>
 #include <CGAL/Region_segmentation/internal/Region_labels.h>
 
@@ -24,7 +25,7 @@ std::size_t write_edge_map(const Mesh_walk<FaceGraph, Pack>& walk, const Edge_ma
   const FaceGraph& mesh = walk.mesh();
   std::size_t count = 0;
   for (auto e : edges(mesh)) {
-    const bool is_border = CGAL::is_border_edge(halfedge(e, mesh), mesh);
+    const bool is_border = CGAL::is_border(e, mesh);
     put(map, e, Value(is_border));
     count += is_border;
   }
@@ -58,6 +59,29 @@ void write_face_map(const FaceGraph& mesh, FaceMap& map, Label label)
   std::size_t i = 0;
   for (auto f : faces(mesh))
     put(map, f, Value(label(i++)));
+}
+
+/// Writes what led to a segmentation to the outputs that a pack asks for.
+template <typename FaceGraph, typename Pack>
+void write_segmentation_outputs(const Mesh_walk<FaceGraph, Pack>& walk,
+                                const Region_labels& regions, const Edge_marks& is_feature,
+                                const Merge_tree& tree, const Pack& np)
+{
+  using CGAL::parameters::get_parameter;
+  using CGAL::parameters::get_parameter_reference;
+  using CGAL::parameters::is_default_parameter;
+  if constexpr (!is_default_parameter<Pack, internal_np::region_map_t>::value) {
+    auto map = get_parameter(np, internal_np::region_map);
+    write_face_map(walk.mesh(), map, [&](std::size_t i) { return regions.of_face[i]; });
+  }
+  if constexpr (!is_default_parameter<Pack, internal_np::edge_is_feature_map_t>::value) {
+    auto map = get_parameter(np, internal_np::edge_is_feature_map);
+    write_edge_map(walk, is_feature, map);
+  }
+  if constexpr (!is_default_parameter<Pack, internal_np::merge_tree_t>::value) {
+    Merge_tree& output = get_parameter_reference(np, internal_np::merge_tree);
+    output = tree;
+  }
 }
 
 } // namespace internal

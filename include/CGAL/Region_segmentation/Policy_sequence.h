@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_POLICY_SEQUENCE_H
+#define CGAL_REGION_SEGMENTATION_POLICY_SEQUENCE_H
+
+#include <CGAL/Region_segmentation/Merge_candidate.h>
+
+#include <cstddef>
+#include <optional>
+#include <utility>
+
+namespace CGAL {
+namespace Region_segmentation {
+
+/// \ingroup PkgRegionSegmentationPolicies
+/// One policy, then another: the second takes over when the number of regions is at most `factor`
+/// times the wanted number of segments. A model of `RegionMergingPolicy`.
+///
+/// \tparam First, Second models of `RegionMergingPolicy`, a sequence among them
+template <typename First, typename Second>
+class Policy_sequence
+{
+public:
+  /// \pre factor >= 1
+  Policy_sequence(First first, Second second, double factor)
+    : m_first(std::move(first)), m_second(std::move(second)), m_factor(factor)
+  {}
+
+  template <typename Graph>
+  void initialize(const Graph& graph, std::size_t number_of_segments)
+  {
+    m_number_of_segments = number_of_segments;
+    m_is_second = false;
+    m_first.initialize(graph, number_of_segments);
+  }
+
+  template <typename Graph>
+  std::optional<Merge_candidate> next(const Graph& graph)
+  {
+    if (!m_is_second &&
+        double(graph.number_of_regions()) <= m_factor * double(m_number_of_segments)) {
+      m_is_second = true;
+      m_second.initialize(graph, m_number_of_segments);
+    }
+    return m_is_second ? m_second.next(graph) : m_first.next(graph);
+  }
+
+  template <typename Graph>
+  void on_merge(const Graph& graph, const typename Graph::Merge& merge)
+  {
+    if (m_is_second)
+      m_second.on_merge(graph, merge);
+    else
+      m_first.on_merge(graph, merge);
+  }
+
+private:
+  First m_first;
+  Second m_second;
+  double m_factor;
+  std::size_t m_number_of_segments = 1;
+  bool m_is_second = false;
+};
+
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_POLICY_SEQUENCE_H

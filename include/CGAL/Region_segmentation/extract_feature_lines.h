@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_EXTRACT_FEATURE_LINES_H
+#define CGAL_REGION_SEGMENTATION_EXTRACT_FEATURE_LINES_H
+
+#include <CGAL/Region_segmentation/internal/Flat_mesh_builder.h>
+#include <CGAL/Region_segmentation/internal/prune_feature_graph.h>
+#include <CGAL/Region_segmentation/parameters.h>
+
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/split_graph_into_polylines.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <cstddef>
+#include <limits>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Region_segmentation {
+
+namespace internal {
+
+/// The marked edges of a mesh, and those that are barriers for growing though they are not marked,
+/// with their vertices as a graph.
+template <typename Walk, typename EdgeIsFeatureMap>
+auto make_feature_graph(const Walk& walk, const Flat_mesh& flat,
+                        const EdgeIsFeatureMap& edge_is_feature_map)
+{
+  using FaceGraph = std::remove_cv_t<std::remove_reference_t<decltype(walk.mesh())>>;
+  constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
+  const FaceGraph& mesh = walk.mesh();
+  Feature_graph<FaceGraph> graph;
+  std::vector<std::size_t> node_of(walk.number_of_vertices(), none);
+  const auto node = [&](auto h) {
+    std::size_t& n = node_of[walk.source_rank(h)];
+    return n == none ? n = add_vertex(source(h, mesh), graph) : n;
+  };
+  const auto add = [&](auto h, Feature_edge_role role) {
+    const std::size_t from = node(h), to = node(opposite(h, mesh));
+    add_edge(from, to, {edge(h, mesh), role}, graph);
+  };
+
+  for (auto e : edges(mesh))
+    if (CGAL::is_border(e, mesh) && get(edge_is_feature_map, e))
+      add(halfedge(e, mesh), Feature_edge_role::REMOVABLE);
+  walk.for_each_dual_edge([&](auto h, std::size_t dual_edge) {
+    if (flat.has_flag(dual_edge, Flat_mesh::CONSTRAINED))
+      add(h, Feature_edge_role::FIXED);
+    else if (get(edge_is_feature_map, edge(h, mesh)))
+      add(h, Feature_edge_role::REMOVABLE);
+    else if (flat.has_flag(dual_edge, Flat_mesh::CLOSED))
+      add(h, Feature_edge_role::BARRIER);
+  });
+  return graph;
+}
+
+/// Hands the lines of a feature graph on, as lists of mesh vertices.
+template <typename Graph, typename OutputIterator>
+struct Polyline_collector
+{
+  const Graph& graph;
+  OutputIterator& output;
+  std::size_t& count;
+  std::vector<typename boost::vertex_bundle_type<Graph>::type> polyline = {};
+
+  void start_new_polyline() { polyline.clear(); }
+  void add_node(std::size_t node) { polyline.push_back(graph[node]); }
+  void end_polyline()
+  {
+    *output++ = polyline;
+    ++count;
+  }
+};
+
+} // namespace internal
+
+/// \ingroup PkgRegionSegmentationStages
+/// removes the feature lines that end inside the surface, and hands on those that remain.
+///
+/// A *feature line* is a maximal chain of feature edges between vertices where the number of feature
+/// edges is not 2, or a closed chain. A line of which an end has no other feature edge separates
+/// nothing: all such lines are removed at once, and again until there is none. Growing gives the same
+/// regions before and after; to this end the edges of a degenerate face across which nothing grows
+/// hold a line as a feature edge does.
+///
+/// \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \tparam EdgeIsFeatureMap a model of `ReadWritePropertyMap` with the edge descriptor as key and a
+///         value type convertible to and constructible from `bool`
+/// \tparam PolylineOutputIterator a model of `OutputIterator` that takes
+///         `std::vector<vertex_descriptor>`
+/// \param mesh an oriented 2-manifold with or without borders
+/// \param edge_is_feature_map the feature edges; every key is written
+/// \param polylines receives the vertices of every line; a closed one ends with its first vertex
+/// \param np optional named parameters:
+///   - `minimum_length` (a number of edges, default: no line is that long): lines of at least this
+///     length stay, though they end inside the surface
+///   - `edge_is_constrained_map`: feature edges that are never removed (default: none)
+///   - `vertex_point_map`, `face_index_map`, `vertex_index_map`: as everywhere in \cgal
+///
+/// \returns the number of lines that remain
+/// \post every remaining line that is shorter than `minimum_length` is closed or ends at other
+///       feature edges
+/// \throws Invalid_input if a point is not finite; the map is as before then
+///
+/// Complexity: O(F). Deterministic. Calls on different maps may run at the same time.
+///
+/// Source: Yang et al. 2014, section 3.1.
+template <typename FaceGraph, typename EdgeIsFeatureMap, typename PolylineOutputIterator,
+          typename NamedParameters = parameters::Default_named_parameters>
+std::size_t extract_feature_lines(const FaceGraph& mesh, EdgeIsFeatureMap edge_is_feature_map,
+                                  PolylineOutputIterator polylines,
+                                  const NamedParameters& np = parameters::default_values())
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  using Value = typename boost::property_traits<EdgeIsFeatureMap>::value_type;
+  const auto& pack = internal::pack(np);
+  const std::size_t minimum_length =
+    choose_parameter(get_parameter(pack, CGAL::internal_np::minimum_length),
+                     (std::numeric_limits<std::size_t>::max)());
+
+  const auto walk = internal::make_mesh_walk(mesh, pack);
+  const Flat_mesh flat = Flat_mesh_builder::build(walk, pack);
+  auto graph = internal::make_feature_graph(walk, flat, edge_is_feature_map);
+  internal::prune_feature_graph(graph, minimum_length);
+  internal::remove_barriers(graph);
+
+  for (auto e : edges(mesh))
+    put(edge_is_feature_map, e, Value(false));
+  for (auto range = boost::edges(graph); range.first != range.second; ++range.first)
+    put(edge_is_feature_map, graph[*range.first].mesh_edge, Value(true));
+
+  std::size_t number_of_lines = 0;
+  internal::Polyline_collector<decltype(graph), PolylineOutputIterator> collector{
+    graph, polylines, number_of_lines};
+  CGAL::split_graph_into_polylines(graph, collector);
+  return number_of_lines;
+}
+
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_EXTRACT_FEATURE_LINES_H

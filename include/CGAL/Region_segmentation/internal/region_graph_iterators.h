@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_REGION_GRAPH_ITERATORS_H
+#define CGAL_REGION_SEGMENTATION_INTERNAL_REGION_GRAPH_ITERATORS_H
+
+#include <boost/iterator/iterator_facade.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+
+namespace CGAL {
+namespace Region_segmentation {
+
+/// A section as seen from one of its two regions. The two views of a section are equal.
+class Section_descriptor
+{
+public:
+  Section_descriptor() = default;
+  explicit Section_descriptor(std::uint32_t half) : m_half(half) {}
+
+  /// The index of the section, and of its view.
+  std::uint32_t id() const { return m_half / 2; }
+  std::uint32_t half() const { return m_half; }
+
+  friend bool operator==(Section_descriptor a, Section_descriptor b) { return a.id() == b.id(); }
+  friend bool operator!=(Section_descriptor a, Section_descriptor b) { return a.id() != b.id(); }
+  friend bool operator<(Section_descriptor a, Section_descriptor b) { return a.id() < b.id(); }
+  friend std::size_t hash_value(Section_descriptor s) { return s.id(); }
+
+private:
+  std::uint32_t m_half = (std::numeric_limits<std::uint32_t>::max)();
+};
+
+namespace internal {
+
+/// The ids below the upper bound that are not removed.
+template <typename Graph>
+class Region_iterator
+  : public boost::iterator_facade<Region_iterator<Graph>, std::uint32_t,
+                                  boost::forward_traversal_tag, std::uint32_t>
+{
+public:
+  Region_iterator() = default;
+  Region_iterator(const Graph& graph, std::size_t region) : m_graph(&graph), m_region(region)
+  {
+    skip();
+  }
+
+private:
+  friend class boost::iterator_core_access;
+  std::uint32_t dereference() const { return std::uint32_t(m_region); }
+  bool equal(const Region_iterator& other) const { return m_region == other.m_region; }
+  void increment()
+  {
+    ++m_region;
+    skip();
+  }
+  void skip()
+  {
+    while (m_region < m_graph->index_bound_of_regions() && m_graph->is_removed(std::uint32_t(m_region)))
+      ++m_region;
+  }
+
+  const Graph* m_graph = nullptr;
+  std::size_t m_region = 0;
+};
+
+/// The sections that are not removed.
+template <typename Graph>
+class Section_iterator
+  : public boost::iterator_facade<Section_iterator<Graph>, Section_descriptor,
+                                  boost::forward_traversal_tag, Section_descriptor>
+{
+public:
+  Section_iterator() = default;
+  Section_iterator(const Graph& graph, std::size_t section) : m_graph(&graph), m_section(section)
+  {
+    skip();
+  }
+
+private:
+  friend class boost::iterator_core_access;
+  Section_descriptor dereference() const { return Section_descriptor(std::uint32_t(2 * m_section)); }
+  bool equal(const Section_iterator& other) const { return m_section == other.m_section; }
+  void increment()
+  {
+    ++m_section;
+    skip();
+  }
+  void skip()
+  {
+    while (m_section < m_graph->index_bound_of_sections() && m_graph->is_removed(dereference()))
+      ++m_section;
+  }
+
+  const Graph* m_graph = nullptr;
+  std::size_t m_section = 0;
+};
+
+/// The sections of a region, each seen from the region.
+template <typename Graph>
+class Out_section_iterator
+  : public boost::iterator_facade<Out_section_iterator<Graph>, Section_descriptor,
+                                  boost::forward_traversal_tag, Section_descriptor>
+{
+public:
+  Out_section_iterator() = default;
+  Out_section_iterator(const Graph& graph, std::uint32_t half, std::size_t left)
+    : m_graph(&graph), m_half(half), m_left(left)
+  {}
+
+private:
+  friend class boost::iterator_core_access;
+  Section_descriptor dereference() const { return Section_descriptor(m_half); }
+  // The list is circular: what is left tells two places of one walk apart.
+  bool equal(const Out_section_iterator& other) const { return m_left == other.m_left; }
+  void increment()
+  {
+    m_half = m_graph->m_halves[m_half].next;
+    --m_left;
+  }
+
+  const Graph* m_graph = nullptr;
+  std::uint32_t m_half = 0;
+  std::size_t m_left = 0;
+};
+
+/// The regions on the other side of the sections of a region.
+template <typename Graph>
+class Adjacent_region_iterator
+  : public boost::iterator_facade<Adjacent_region_iterator<Graph>, std::uint32_t,
+                                  boost::forward_traversal_tag, std::uint32_t>
+{
+public:
+  Adjacent_region_iterator() = default;
+  Adjacent_region_iterator(const Graph& graph, Out_section_iterator<Graph> section)
+    : m_graph(&graph), m_section(section)
+  {}
+
+private:
+  friend class boost::iterator_core_access;
+  std::uint32_t dereference() const { return m_graph->target(*m_section); }
+  bool equal(const Adjacent_region_iterator& other) const { return m_section == other.m_section; }
+  void increment() { ++m_section; }
+
+  const Graph* m_graph = nullptr;
+  Out_section_iterator<Graph> m_section;
+};
+
+} // namespace internal
+} // namespace Region_segmentation
+} // namespace CGAL
+
+namespace std {
+template <>
+struct hash<CGAL::Region_segmentation::Section_descriptor>
+{
+  std::size_t operator()(CGAL::Region_segmentation::Section_descriptor s) const { return s.id(); }
+};
+} // namespace std
+
+#endif // CGAL_REGION_SEGMENTATION_INTERNAL_REGION_GRAPH_ITERATORS_H

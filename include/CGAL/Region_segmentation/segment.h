@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_SEGMENT_H
+#define CGAL_REGION_SEGMENTATION_SEGMENT_H
+
+#include <CGAL/Region_segmentation/Merge_tree.h>
+#include <CGAL/Region_segmentation/Region_adjacency_graph.h>
+#include <CGAL/Region_segmentation/grow_regions.h>
+#include <CGAL/Region_segmentation/internal/Flat_mesh_builder.h>
+#include <CGAL/Region_segmentation/internal/build_graph.h>
+#include <CGAL/Region_segmentation/internal/label_components.h>
+#include <CGAL/Region_segmentation/internal/mark_feature_edges.h>
+#include <CGAL/Region_segmentation/internal/options.h>
+#include <CGAL/Region_segmentation/internal/progress.h>
+#include <CGAL/Region_segmentation/internal/write_maps.h>
+#include <CGAL/Region_segmentation/merge_regions.h>
+#include <CGAL/Region_segmentation/parameters.h>
+#include <CGAL/Region_segmentation/two_step.h>
+
+#include <CGAL/property_map.h>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Region_segmentation {
+
+/// \ingroup PkgRegionSegmentationMain
+/// segments a surface mesh into parts: regions are grown between feature edges and merged until the
+/// wanted number is left.
+///
+/// \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \tparam FaceSegmentMap a model of `WritablePropertyMap` with the face descriptor as key and an
+///         integral value type that holds the number of segments
+/// \param mesh an oriented 2-manifold with or without borders, its faces polygons of any size
+/// \param segment_map every key is written: ids 0 .. n-1, numbered by the first face
+/// \param np named parameters, of which the first must be given:
+///   - `number_of_segments` (at least 1): the wanted number k
+///   - `maximum_angle` (degrees, default 180 - 3.12 * 180 / pi = 1.2376...): the deviation above which
+///     an edge is a feature edge
+///   - `feature_convexity` (`Feature_convexity`, default `CONCAVE`): which edges can be feature edges
+///   - `region_initializer`: a model of `RegionInitializer` (default: `Region_growing()`)
+///   - `merging_policy`: a model of `RegionMergingPolicy` (default: `Two_step()`)
+///   - `edge_is_constrained_map`: edges that always are borders and are never merged across (none)
+///   - `visitor`: a model of `SegmentationVisitor`; by `std::ref()` if it changes
+///   - `vertex_point_map`, `face_index_map`, `vertex_index_map`: as everywhere in \cgal
+///   - `edge_is_feature_map`: receives the feature edges that separate regions, and the borders
+///   - `region_map`: receives the first regions: ids 0 .. r-1, numbered by the first face
+///   - `merge_tree`: a `std::reference_wrapper<Merge_tree>`: receives the merges
+///
+/// \returns the number n of segments. It is more than k when the mesh has more connected pieces (or
+///          pieces between constrained edges) than k, and less when there are fewer first regions
+///
+/// \pre `number_of_segments` is at least 1, `maximum_angle` in [0, 180]
+/// \post every segment is connected where every first region is
+/// \throws Invalid_input if a point is not finite, `Segmentation_cancelled` if the visitor says so; all
+///         maps are as before then
+///
+/// Complexity: O(F) expected for the regions; merging as its policy, O(R log R + k^2) for `Two_step`.
+/// Deterministic: the same bits from every mesh type. Calls on different maps may run at the same time.
+///
+/// Source: Yang, Zhou, Wang, Liu, Luo, "A fast and efficient mesh segmentation method based on improved
+/// region growing", Appl. Math. J. Chinese Univ. 29(4):468-480, 2014.
+template <typename FaceGraph, typename FaceSegmentMap,
+          typename NamedParameters = parameters::Default_named_parameters>
+std::size_t segment(const FaceGraph& mesh, FaceSegmentMap segment_map,
+                    const NamedParameters& np = parameters::default_values())
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  const auto& pack = internal::pack(np);
+  const std::size_t number_of_segments = internal::number_of_segments(pack);
+  const auto make_regions = choose_parameter(
+    get_parameter(pack, internal_np::region_initializer), Region_growing());
+  auto policy = choose_parameter(get_parameter(pack, internal_np::merging_policy), Two_step());
+  using Graph = internal::Graph_of_policy<decltype(policy)>;
+  internal::check_region_initializer<decltype(make_regions)>();
+
+  internal::Progress reading(pack, "reading", 1);
+  const auto walk = internal::make_mesh_walk(mesh, pack);
+  const Flat_mesh flat = Flat_mesh_builder::build(walk, pack);
+
+  internal::Progress detecting(pack, "features", 1);
+  Edge_marks is_feature = internal::mark_feature_edges(flat, internal::maximum_angle(pack),
+                                                       internal::feature_convexity(pack));
+
+  internal::Progress growing(pack, "regions", 1);
+  const Region_labels regions = make_regions(flat, is_feature);
+  internal::clear_marks_within_regions(flat, regions, is_feature);
+
+  Graph graph = internal::build_graph<Graph>(flat, regions);
+  const Merge_tree tree = merge_regions(graph, policy, number_of_segments,
+                                        Stop_at_count{number_of_segments}, pack);
+  const Merge_tree::Segmentation segments = tree.cut_at_count(number_of_segments);
+
+  internal::write_face_map(mesh, segment_map,
+                           [&](std::size_t i) { return segments.of_region[regions.of_face[i]]; });
+  internal::write_segmentation_outputs(walk, regions, is_feature, tree, pack);
+  return segments.number_of_segments;
+}
+
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_SEGMENT_H
