@@ -22,8 +22,7 @@
   ADD(region_map_t, region_map)                         \
   ADD(region_initializer_t, region_initializer)         \
   ADD(merging_policy_t, merging_policy)                 \
-  ADD(merge_tree_t, merge_tree)                         \
-  ADD(polyline_output_iterator_t, polyline_output_iterator)
+  ADD(merge_tree_t, merge_tree)
 
 namespace CGAL {
 namespace Region_segmentation {

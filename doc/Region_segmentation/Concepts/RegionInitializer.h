@@ -1,0 +1,19 @@
+/*!
+\ingroup PkgRegionSegmentationConcepts
+\cgalConcept
+
+A maker of the regions that merging starts from.
+
+\cgalHasModel `CGAL::Region_segmentation::Region_growing`
+*/
+class RegionInitializer
+{
+public:
+  /*!
+  gives every face of a mesh a region. `is_feature` holds a byte for each dual edge of the mesh, not 0
+  where it is a feature edge.
+
+  \post the ids are 0 .. number_of_regions - 1, numbered by their first face; every region is connected
+  */
+  Region_labels operator()(const Flat_mesh& mesh, const Edge_marks& is_feature) const;
+};

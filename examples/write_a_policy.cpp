@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A section cost of one's own, and a merging policy of one's own.
+
+#include "dumbbell.h"
+
+#include <CGAL/region_segmentation.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <algorithm>
+#include <iostream>
+#include <optional>
+
+using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
+using Mesh = CGAL::Surface_mesh<Point>;
+namespace RS = CGAL::Region_segmentation;
+
+/// A model of `SectionCost`: a deep and short section is dear, and so is one between large regions.
+struct Notch_cost
+{
+  template <typename Graph>
+  double operator()(const Graph& graph, typename Graph::section_descriptor s) const
+  {
+    const double smaller_area = (std::min)(graph[graph.source(s)].area, graph[graph.target(s)].area);
+    return (CGAL_PI - graph[s].mean_angle()) * smaller_area / graph[s].length;
+  }
+};
+
+/// A model of `RegionMergingPolicy`: the flattest section goes next, looked for in all of them.
+struct Flattest_first
+{
+  template <typename Graph>
+  void initialize(const Graph&, std::size_t /* number_of_segments */) {}
+
+  template <typename Graph>
+  std::optional<RS::Merge_candidate> next(const Graph& graph) const
+  {
+    std::optional<RS::Merge_candidate> flattest;
+    for (auto s : CGAL::make_range(edges(graph)))
+      if (const double bend = CGAL_PI - graph[s].mean_angle(); !flattest || bend < flattest->cost)
+        flattest = RS::Merge_candidate{s, bend};
+    return flattest;
+  }
+
+  template <typename Graph>
+  void on_merge(const Graph&, const typename Graph::Merge&) {}
+};
+
+int main()
+{
+  Mesh mesh = make_dumbbell<Mesh, Point>();
+  auto segment_id = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:segment").first;
+  const auto settings = RS::parameters::number_of_segments(3).maximum_angle(5.0);
+
+  std::cout << RS::segment(mesh, segment_id,
+                           settings.merging_policy(RS::Lowest_cost_first<Notch_cost>()))
+            << " segments by a cost\n";
+  std::cout << RS::segment(mesh, segment_id, settings.merging_policy(Flattest_first()))
+            << " segments by a policy\n";
+}
