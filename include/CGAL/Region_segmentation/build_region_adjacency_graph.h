@@ -4,7 +4,7 @@
 #define CGAL_REGION_SEGMENTATION_BUILD_REGION_ADJACENCY_GRAPH_H
 
 #include <CGAL/Region_segmentation/Region_adjacency_graph.h>
-#include <CGAL/Region_segmentation/internal/Flat_mesh_builder.h>
+#include <CGAL/Region_segmentation/internal/read_flat_mesh.h>
 #include <CGAL/Region_segmentation/internal/build_graph.h>
 #include <CGAL/Region_segmentation/parameters.h>
 
@@ -42,7 +42,7 @@ Graph build_region_adjacency_graph(const FaceGraph& mesh, FaceRegionMap region_m
 {
   const auto& pack = internal::pack(np);
   const auto walk = internal::make_mesh_walk(mesh, pack);
-  const Flat_mesh flat = Flat_mesh_builder::build(walk, pack);
+  const Flat_mesh flat = internal::read_flat_mesh(walk, pack);
   Region_labels regions;
   regions.of_face.reserve(flat.number_of_faces());
   for (auto f : faces(mesh)) {

@@ -4,7 +4,7 @@
 #define CGAL_REGION_SEGMENTATION_DETECT_FEATURE_EDGES_H
 
 #include <CGAL/Region_segmentation/Feature_convexity.h>
-#include <CGAL/Region_segmentation/internal/Flat_mesh_builder.h>
+#include <CGAL/Region_segmentation/internal/read_flat_mesh.h>
 #include <CGAL/Region_segmentation/internal/mark_feature_edges.h>
 #include <CGAL/Region_segmentation/internal/options.h>
 #include <CGAL/Region_segmentation/internal/write_maps.h>
@@ -46,10 +46,10 @@ std::size_t detect_feature_edges(const FaceGraph& mesh, EdgeIsFeatureMap edge_is
 {
   const auto& pack = internal::pack(np);
   const auto walk = internal::make_mesh_walk(mesh, pack);
-  const Flat_mesh flat = Flat_mesh_builder::build(walk, pack);
+  const Flat_mesh flat = internal::read_flat_mesh(walk, pack);
   const Edge_marks is_feature = internal::mark_feature_edges(flat, internal::maximum_angle(pack),
                                                              internal::feature_convexity(pack));
-  return internal::write_edge_map(walk, is_feature, edge_is_feature_map);
+  return internal::write_edge_map(walk, flat, is_feature, edge_is_feature_map);
 }
 
 } // namespace Region_segmentation

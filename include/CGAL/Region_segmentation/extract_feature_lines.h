@@ -3,7 +3,7 @@
 #ifndef CGAL_REGION_SEGMENTATION_EXTRACT_FEATURE_LINES_H
 #define CGAL_REGION_SEGMENTATION_EXTRACT_FEATURE_LINES_H
 
-#include <CGAL/Region_segmentation/internal/Flat_mesh_builder.h>
+#include <CGAL/Region_segmentation/internal/read_flat_mesh.h>
 #include <CGAL/Region_segmentation/internal/prune_feature_graph.h>
 #include <CGAL/Region_segmentation/parameters.h>
 
@@ -46,7 +46,7 @@ auto make_feature_graph(const Walk& walk, const Flat_mesh& flat,
   for (auto e : edges(mesh))
     if (CGAL::is_border(e, mesh) && get(edge_is_feature_map, e))
       add(halfedge(e, mesh), Feature_edge_role::REMOVABLE);
-  walk.for_each_dual_edge([&](auto h, std::size_t dual_edge) {
+  walk.for_each_dual_edge(flat, [&](auto h, std::size_t dual_edge) {
     if (flat.has_flag(dual_edge, Flat_mesh::CONSTRAINED))
       add(h, Feature_edge_role::FIXED);
     else if (get(edge_is_feature_map, edge(h, mesh)))
@@ -123,7 +123,7 @@ std::size_t extract_feature_lines(const FaceGraph& mesh, EdgeIsFeatureMap edge_i
                      (std::numeric_limits<std::size_t>::max)());
 
   const auto walk = internal::make_mesh_walk(mesh, pack);
-  const Flat_mesh flat = Flat_mesh_builder::build(walk, pack);
+  const Flat_mesh flat = internal::read_flat_mesh(walk, pack);
   auto graph = internal::make_feature_graph(walk, flat, edge_is_feature_map);
   internal::prune_feature_graph(graph, minimum_length);
   internal::remove_barriers(graph);

@@ -3,7 +3,7 @@
 #ifndef CGAL_REGION_SEGMENTATION_GROW_REGIONS_H
 #define CGAL_REGION_SEGMENTATION_GROW_REGIONS_H
 
-#include <CGAL/Region_segmentation/internal/Flat_mesh_builder.h>
+#include <CGAL/Region_segmentation/internal/read_flat_mesh.h>
 #include <CGAL/Region_segmentation/internal/label_components.h>
 #include <CGAL/Region_segmentation/internal/write_maps.h>
 #include <CGAL/Region_segmentation/parameters.h>
@@ -59,12 +59,12 @@ std::size_t grow_regions(const FaceGraph& mesh, EdgeIsFeatureMap edge_is_feature
 {
   const auto& pack = internal::pack(np);
   const auto walk = internal::make_mesh_walk(mesh, pack);
-  const Flat_mesh flat = Flat_mesh_builder::build(walk, pack);
+  const Flat_mesh flat = internal::read_flat_mesh(walk, pack);
   Edge_marks is_feature = internal::read_edge_map(walk, flat, edge_is_feature_map);
   const Region_labels regions = Region_growing()(flat, is_feature);
   internal::clear_marks_within_regions(flat, regions, is_feature);
 
-  internal::write_edge_map(walk, is_feature, edge_is_feature_map);
+  internal::write_edge_map(walk, flat, is_feature, edge_is_feature_map);
   internal::write_face_map(mesh, region_map, [&](std::size_t i) { return regions.of_face[i]; });
   return regions.number_of_regions;
 }

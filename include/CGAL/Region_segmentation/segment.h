@@ -6,7 +6,7 @@
 #include <CGAL/Region_segmentation/Merge_tree.h>
 #include <CGAL/Region_segmentation/Region_adjacency_graph.h>
 #include <CGAL/Region_segmentation/grow_regions.h>
-#include <CGAL/Region_segmentation/internal/Flat_mesh_builder.h>
+#include <CGAL/Region_segmentation/internal/read_flat_mesh.h>
 #include <CGAL/Region_segmentation/internal/build_graph.h>
 #include <CGAL/Region_segmentation/internal/label_components.h>
 #include <CGAL/Region_segmentation/internal/mark_feature_edges.h>
@@ -77,7 +77,7 @@ std::size_t segment(const FaceGraph& mesh, FaceSegmentMap segment_map,
 
   internal::Progress reading(pack, "reading", 1);
   const auto walk = internal::make_mesh_walk(mesh, pack);
-  const Flat_mesh flat = Flat_mesh_builder::build(walk, pack);
+  const Flat_mesh flat = internal::read_flat_mesh(walk, pack);
 
   internal::Progress detecting(pack, "features", 1);
   Edge_marks is_feature = internal::mark_feature_edges(flat, internal::maximum_angle(pack),
@@ -94,7 +94,7 @@ std::size_t segment(const FaceGraph& mesh, FaceSegmentMap segment_map,
 
   internal::write_face_map(mesh, segment_map,
                            [&](std::size_t i) { return segments.of_region[regions.of_face[i]]; });
-  internal::write_segmentation_outputs(walk, regions, is_feature, tree, pack);
+  internal::write_segmentation_outputs(walk, flat, regions, is_feature, tree, pack);
   return segments.number_of_segments;
 }
 

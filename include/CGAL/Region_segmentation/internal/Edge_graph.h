@@ -17,8 +17,8 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// The vertices and edges of a mesh as arrays, for shortest paths along edges. Made from the range of
-/// edges, so a vertex where several fans of faces meet has the edges of all. 32 bytes an edge.
+/// The vertices and edges of a mesh as arrays, for shortest paths along edges. Made from the range
+/// of edges, so a vertex where several fans of faces meet has the edges of all. 32 bytes an edge.
 class Edge_graph
 {
 public:
@@ -26,10 +26,10 @@ public:
 
   template <typename FaceGraph, typename Pack>
   Edge_graph(const Mesh_walk<FaceGraph, Pack>& walk, const std::vector<Vector_3>& points)
-    : m_starts(walk.number_of_vertices() + 2)
+      : m_starts(walk.number_of_vertices() + 2)
   {
-    // m_starts[v + 2] counts the edges of v, then holds their end; filling moves m_starts[v + 1] from
-    // the start of v to its end, which is the start of the next one.
+    // m_starts[v + 2] counts the edges of v, then holds their end; filling moves m_starts[v + 1]
+    // from the start of v to its end, which is the start of the next one.
     for_each_edge(walk, [&](std::size_t v, std::size_t w) {
       ++m_starts[v + 2];
       ++m_starts[w + 2];
@@ -47,7 +47,8 @@ public:
   /// The sum over `targets`, which are different, of the length of the shortest path along edges to
   /// the nearest of `sources`; infinite where a target has no path. One run of Dijkstra's algorithm
   /// from all sources, up to the last target. O(E log E).
-  double sum_of_distances(const std::vector<Index>& sources, const std::vector<Index>& targets) const
+  double sum_of_distances(const std::vector<Index>& sources,
+                          const std::vector<Index>& targets) const
   {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     using Entry = std::pair<double, Index>;

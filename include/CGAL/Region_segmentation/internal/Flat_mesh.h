@@ -14,11 +14,15 @@
 namespace CGAL {
 namespace Region_segmentation {
 
+namespace internal {
+class Flat_mesh_builder;
+}
+
 /// A mesh as arrays: what every stage after reading works on, so that none depends on the mesh type.
 ///
 /// Faces are numbered in iteration order. The dual edges (one for each edge with two different faces)
 /// are sorted by their lower, then by their higher face; several edges between the same two faces
-/// follow the boundary of the lower one from its vertex of lowest index. Borders of the mesh have no
+/// follow the boundary of the higher one from its vertex of lowest index. Borders of the mesh have no
 /// dual edge. Bytes: 36 a face and 13 a dual edge, so 55.5 a face on a closed triangle mesh.
 class Flat_mesh
 {
@@ -71,7 +75,7 @@ public:
   }
 
 private:
-  friend class Flat_mesh_builder;
+  friend class internal::Flat_mesh_builder;
 
   std::vector<internal::Vector_3> m_normals;   // 24 bytes a face
   std::vector<double> m_areas;                 // 8 bytes a face

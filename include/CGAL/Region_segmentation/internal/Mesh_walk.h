@@ -78,11 +78,17 @@ public:
   using face_descriptor = typename Traits::face_descriptor;
   using halfedge_descriptor = typename Traits::halfedge_descriptor;
 
-  /// A dual edge seen from its lower face.
-  struct Neighbor
+  /// The halfedges around a face; the first one leaves the vertex of lowest number.
+  class Boundary
   {
-    Flat_mesh::Index face;
-    halfedge_descriptor halfedge; // of the lower face
+  public:
+    std::size_t size() const { return m_size; }
+    halfedge_descriptor operator[](std::size_t i) const { return m_halfedges[m_first + i]; }
+
+  private:
+    friend class Mesh_walk;
+    std::vector<halfedge_descriptor> m_halfedges; // the cycle twice: no element is moved to start
+    std::size_t m_first = 0, m_size = 0;
   };
 
   Mesh_walk(const FaceGraph& mesh, const Pack& np)
@@ -98,58 +104,50 @@ public:
 
   std::size_t source_rank(halfedge_descriptor h) const { return m_vertex_ranks[source(h, m_mesh)]; }
 
-  /// The halfedges around `f`, the first of which leaves the vertex of lowest number.
-  void boundary(face_descriptor f, std::vector<halfedge_descriptor>& around) const
+  void read_boundary(face_descriptor f, Boundary& around) const
   {
-    around.clear();
-    std::size_t first = 0, lowest = (std::numeric_limits<std::size_t>::max)();
+    auto& halfedges = around.m_halfedges;
+    halfedges.clear();
+    std::size_t lowest = (std::numeric_limits<std::size_t>::max)();
     const halfedge_descriptor start = halfedge(f, m_mesh);
     halfedge_descriptor h = start;
     do {
       const std::size_t rank = source_rank(h);
-      if (rank < lowest) {
-        lowest = rank;
-        first = around.size();
-      }
-      around.push_back(h);
+      around.m_first = rank < lowest ? halfedges.size() : around.m_first;
+      lowest = (std::min)(rank, lowest);
+      halfedges.push_back(h);
       h = next(h, m_mesh);
     } while (h != start);
-    std::rotate(around.begin(), around.begin() + first, around.end());
+    around.m_size = halfedges.size();
+    for (std::size_t i = 0; i + 1 < around.m_size; ++i)
+      halfedges.push_back(halfedges[i]);
   }
 
-  /// The dual edges of the face numbered `rank`, whose boundary is given, to faces of higher number,
-  /// in the order of `Flat_mesh`.
-  void higher_neighbors(std::size_t rank, const std::vector<halfedge_descriptor>& around,
-                        std::vector<Neighbor>& neighbors) const
+  /// The number of the face on the other side of a halfedge; `no_face` at a border.
+  std::size_t opposite_face_rank(halfedge_descriptor h) const
   {
-    neighbors.clear();
-    for (halfedge_descriptor h : around) {
-      const face_descriptor g = face(opposite(h, m_mesh), m_mesh);
-      if (g == Traits::null_face())
-        continue;
-      const std::size_t g_rank = m_face_ranks[g];
-      if (g_rank <= rank)
-        continue;
-      auto place = neighbors.end(); // a stable insertion sort: there are few
-      while (place != neighbors.begin() && (place - 1)->face > g_rank)
-        --place;
-      neighbors.insert(place, Neighbor{Flat_mesh::Index(g_rank), h});
-    }
+    const face_descriptor f = face(opposite(h, m_mesh), m_mesh);
+    return f == Traits::null_face() ? no_face : m_face_ranks[f];
   }
+  static constexpr std::size_t no_face = (std::numeric_limits<std::size_t>::max)();
 
-  /// Calls `f(halfedge, dual_edge)` for every dual edge of the flat mesh made by this walk; the
-  /// halfedge belongs to the lower face.
+  /// Calls `f(halfedge, dual_edge)` for every dual edge of the flat mesh made by this walk, in the
+  /// order in which it was made.
   template <typename F>
-  void for_each_dual_edge(F f) const
+  void for_each_dual_edge(const Flat_mesh& flat, F f) const
   {
-    std::vector<halfedge_descriptor> around;
-    std::vector<Neighbor> neighbors;
-    std::size_t rank = 0, dual_edge = 0;
+    // The dual edges of a lower face are met in their order: its higher faces come one after another.
+    std::vector<Flat_mesh::Index> next_edges(flat.number_of_faces());
+    for (std::size_t i = 0; i < next_edges.size(); ++i)
+      next_edges[i] = Flat_mesh::Index(flat.first_edge(i));
+    Boundary around;
+    std::size_t rank = 0;
     for (face_descriptor fd : faces(m_mesh)) {
-      boundary(fd, around);
-      higher_neighbors(rank++, around, neighbors);
-      for (const Neighbor& n : neighbors)
-        f(n.halfedge, dual_edge++);
+      read_boundary(fd, around);
+      for (std::size_t i = 0; i < around.size(); ++i)
+        if (const std::size_t lower = opposite_face_rank(around[i]); lower < rank)
+          f(around[i], next_edges[lower]++);
+      ++rank;
     }
   }
 

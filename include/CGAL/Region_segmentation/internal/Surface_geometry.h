@@ -8,6 +8,7 @@
 #include <CGAL/Region_segmentation/internal/Mesh_walk.h>
 #include <CGAL/Region_segmentation/internal/Vector_3.h>
 
+#include <CGAL/boost/graph/iterator.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
@@ -20,8 +21,9 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// Multiplies all coordinates by the power of two that brings the largest into [1, 2). Exact, so that
-/// a measure that does not depend on scale keeps its bits, and no area leaves the range of double.
+/// Multiplies all coordinates by the power of two that brings the largest into [1, 2). Exact, so
+/// that a measure that does not depend on scale keeps its bits, and no area leaves the range of
+/// double.
 inline void normalize_scale(std::vector<Vector_3>& points)
 {
   double largest = 0;
@@ -56,18 +58,23 @@ std::vector<Vector_3> read_normalized_points(const Mesh_walk<FaceGraph, Pack>& w
   return points;
 }
 
-/// Calls `f(polygon)` for each face in order, with its points from the vertex of lowest number on.
+/// Calls `f(polygon)` for each face in order, with its points from the vertex of lowest number on,
+/// so that sums do not depend on the halfedge where a mesh type starts.
 template <typename FaceGraph, typename Pack, typename F>
 void for_each_polygon(const Mesh_walk<FaceGraph, Pack>& walk, const std::vector<Vector_3>& points,
                       F f)
 {
-  std::vector<typename Mesh_walk<FaceGraph, Pack>::halfedge_descriptor> around;
+  const FaceGraph& mesh = walk.mesh();
+  std::vector<std::size_t> corners;
   std::vector<Vector_3> polygon;
-  for (auto fd : faces(walk.mesh())) {
-    walk.boundary(fd, around);
+  for (auto fd : faces(mesh)) {
+    corners.clear();
     polygon.clear();
-    for (auto h : around)
-      polygon.push_back(points[walk.source_rank(h)]);
+    for (auto h : CGAL::halfedges_around_face(halfedge(fd, mesh), mesh))
+      corners.push_back(walk.source_rank(h));
+    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+    for (std::size_t v : corners)
+      polygon.push_back(points[v]);
     f(polygon);
   }
 }
@@ -77,8 +84,7 @@ inline Vector_3 area_vector(const std::vector<Vector_3>& polygon)
 {
   Vector_3 twice_area;
   for (std::size_t i = 2; i < polygon.size(); ++i)
-    twice_area =
-      twice_area + cross(polygon[i - 1] - polygon[0], polygon[i] - polygon[0]);
+    twice_area = twice_area + cross(polygon[i - 1] - polygon[0], polygon[i] - polygon[0]);
   return 0.5 * twice_area;
 }
 
@@ -100,8 +106,9 @@ Face_areas face_areas(const Mesh_walk<FaceGraph, Pack>& walk, const Pack& np)
 {
   Face_areas areas;
   areas.of_face.reserve(walk.number_of_faces());
-  for_each_polygon(walk, read_normalized_points(walk, np),
-                   [&](const auto& polygon) { areas.of_face.push_back(norm(area_vector(polygon))); });
+  for_each_polygon(walk, read_normalized_points(walk, np), [&](const auto& polygon) {
+    areas.of_face.push_back(norm(area_vector(polygon)));
+  });
   return areas;
 }
 

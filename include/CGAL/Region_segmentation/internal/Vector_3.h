@@ -41,6 +41,11 @@ inline Vector_3 cross(const Vector_3& a, const Vector_3& b)
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
+inline double squared_norm(const Vector_3& a)
+{
+  return dot(a, a);
+}
+
 inline bool is_finite(const Vector_3& a)
 {
   return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
@@ -50,7 +55,7 @@ inline bool is_finite(const Vector_3& a)
 /// the slow way is taken then.
 inline double norm(const Vector_3& a)
 {
-  const double square = dot(a, a);
+  const double square = squared_norm(a);
   if (square > 1e-280 && square < std::numeric_limits<double>::infinity())
     return std::sqrt(square);
   return std::hypot(a.x, a.y, a.z);

@@ -18,8 +18,8 @@ namespace internal {
 /// Writes every key of an edge map: the marks of dual edges, true for borders of the mesh, false for
 /// an edge that has the same face on both sides. Returns the number of edges written as true.
 template <typename FaceGraph, typename Pack, typename EdgeMap>
-std::size_t write_edge_map(const Mesh_walk<FaceGraph, Pack>& walk, const Edge_marks& marks,
-                           EdgeMap& map)
+std::size_t write_edge_map(const Mesh_walk<FaceGraph, Pack>& walk, const Flat_mesh& flat,
+                           const Edge_marks& marks, EdgeMap& map)
 {
   using Value = typename boost::property_traits<EdgeMap>::value_type;
   const FaceGraph& mesh = walk.mesh();
@@ -29,7 +29,7 @@ std::size_t write_edge_map(const Mesh_walk<FaceGraph, Pack>& walk, const Edge_ma
     put(map, e, Value(is_border));
     count += is_border;
   }
-  walk.for_each_dual_edge([&](auto h, std::size_t dual_edge) {
+  walk.for_each_dual_edge(flat, [&](auto h, std::size_t dual_edge) {
     if (!marks[dual_edge])
       return;
     put(map, edge(h, mesh), Value(true));
@@ -44,7 +44,7 @@ Edge_marks read_edge_map(const Mesh_walk<FaceGraph, Pack>& walk, const Flat_mesh
                          const EdgeMap& map)
 {
   Edge_marks marks(flat.number_of_edges());
-  walk.for_each_dual_edge([&](auto h, std::size_t dual_edge) {
+  walk.for_each_dual_edge(flat, [&](auto h, std::size_t dual_edge) {
     marks[dual_edge] =
       bool(get(map, edge(h, walk.mesh()))) || flat.has_flag(dual_edge, Flat_mesh::CONSTRAINED);
   });
@@ -63,7 +63,7 @@ void write_face_map(const FaceGraph& mesh, FaceMap& map, Label label)
 
 /// Writes what led to a segmentation to the outputs that a pack asks for.
 template <typename FaceGraph, typename Pack>
-void write_segmentation_outputs(const Mesh_walk<FaceGraph, Pack>& walk,
+void write_segmentation_outputs(const Mesh_walk<FaceGraph, Pack>& walk, const Flat_mesh& flat,
                                 const Region_labels& regions, const Edge_marks& is_feature,
                                 const Merge_tree& tree, const Pack& np)
 {
@@ -76,7 +76,7 @@ void write_segmentation_outputs(const Mesh_walk<FaceGraph, Pack>& walk,
   }
   if constexpr (!is_default_parameter<Pack, internal_np::edge_is_feature_map_t>::value) {
     auto map = get_parameter(np, internal_np::edge_is_feature_map);
-    write_edge_map(walk, is_feature, map);
+    write_edge_map(walk, flat, is_feature, map);
   }
   if constexpr (!is_default_parameter<Pack, internal_np::merge_tree_t>::value) {
     Merge_tree& output = get_parameter_reference(np, internal_np::merge_tree);
