@@ -18,6 +18,7 @@
 #include <CGAL/Region_segmentation/Smallest_region_first.h>
 #include <CGAL/Region_segmentation/build_region_adjacency_graph.h>
 #include <CGAL/Region_segmentation/detect_feature_edges.h>
+#include <CGAL/Region_segmentation/evaluation.h>
 #include <CGAL/Region_segmentation/exceptions.h>
 #include <CGAL/Region_segmentation/extract_feature_lines.h>
 #include <CGAL/Region_segmentation/grow_regions.h>

@@ -75,7 +75,7 @@ void prune_feature_graph(Graph& graph, std::size_t minimum_length)
     std::vector<std::vector<std::size_t>> short_lines;
     for (std::size_t node : free_ends) {
       auto line = line_from(node, graph);
-      if (line.size() - 1 < minimum_length)
+      if (line.size() > 1 && line.size() - 1 < minimum_length)
         short_lines.push_back(std::move(line));
     }
     free_ends.clear();

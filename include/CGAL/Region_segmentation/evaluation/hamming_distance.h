@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_EVALUATION_HAMMING_DISTANCE_H
+#define CGAL_REGION_SEGMENTATION_EVALUATION_HAMMING_DISTANCE_H
+
+#include <CGAL/Region_segmentation/internal/Contingency_table.h>
+#include <CGAL/Region_segmentation/internal/Dense_labels.h>
+#include <CGAL/Region_segmentation/internal/Surface_geometry.h>
+#include <CGAL/Region_segmentation/parameters.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Region_segmentation {
+
+/// \ingroup PkgRegionSegmentationEvaluation
+/// What `hamming_distance()` returns: parts of the area, in [0, 1).
+struct Hamming_distance
+{
+  /// The mean of the two rates.
+  double distance = 0;
+  /// Area of the truth's segments that their best matches miss.
+  double missing_rate = 0;
+  /// Area of the result's segments outside of their best matches.
+  double false_alarm_rate = 0;
+};
+
+namespace internal {
+
+/// sum_i (a_i. - max_j a_ij) / sum_i a_i. : no term is negative.
+inline double unmatched_part(const std::vector<Face_total>& segments,
+                             const std::vector<double>& largest_cell)
+{
+  double unmatched = 0, total = 0;
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    unmatched += segments[i].area - largest_cell[i];
+    total += segments[i].area;
+  }
+  return total > 0 ? unmatched / total : 0;
+}
+
+inline Hamming_distance hamming_distance(const Dense_labels& a, const Dense_labels& b,
+                                         const Face_areas& areas)
+{
+  std::vector<double> largest_in_row(a.number_of_labels), largest_in_column(b.number_of_labels);
+  for_each_cell(a, b, areas, [&](std::size_t i, std::size_t j, const Face_total& cell) {
+    largest_in_row[i] = (std::max)(largest_in_row[i], cell.area);
+    largest_in_column[j] = (std::max)(largest_in_column[j], cell.area);
+  });
+  Hamming_distance result;
+  result.missing_rate = unmatched_part(segment_totals(b, areas), largest_in_column);
+  result.false_alarm_rate = unmatched_part(segment_totals(a, areas), largest_in_row);
+  result.distance = (result.missing_rate + result.false_alarm_rate) / 2;
+  return result;
+}
+
+} // namespace internal
+
+/// \ingroup PkgRegionSegmentationEvaluation
+/// computes the Hamming distance of two segmentations: the part of the area that stays outside when
+/// every segment of one is matched with the segment of the other that covers most of it.
+///
+/// \f[ R_m = 1 - \frac{1}{A} \sum_j \max_i a_{ij}, \quad
+///     R_f = 1 - \frac{1}{A} \sum_i \max_j a_{ij}, \quad
+///     \mathit{distance} = (R_m + R_f) / 2 \f]
+///
+/// where \f$a_{ij}\f$ is the area of the faces with label i in `a` and label j in `b`, and A that
+/// of all faces. With a result as `a` and the truth as `b`, \f$R_m\f$ is the *missing rate* (high
+/// for a result too fine) and \f$R_f\f$ the *false alarm rate* (high for a result too coarse).
+///
+/// All are in [0, 1), and 0 if the segments are the same. The false alarm rate alone is 0 if `a` is
+/// a refinement of `b`, the missing rate if `b` is one of `a`. The distance is symmetric to the
+/// bit; the rates swap with the arguments. A mesh without faces or without area: 0.
+///
+/// \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \tparam FaceLabelMapA a model of `ReadablePropertyMap` with the face descriptor as key and an
+///         integral value type of at most 64 bits
+/// \tparam FaceLabelMapB the same
+/// \param mesh a mesh, with or without borders, of faces of any size; the area of a face that is
+/// not
+///        planar is the length of its area vector (Newell)
+/// \param a the one segmentation, say the result; labels may be sparse or negative
+/// \param b the other one, say the truth; its labels need not be those of `a`
+/// \param np optional named parameters: `vertex_point_map`, `face_index_map`, `vertex_index_map`,
+/// as
+///        everywhere in \cgal
+///
+/// \returns the distance and the two rates it is the mean of
+/// \pre the mesh has fewer than 2^32 - 1 faces
+/// \throws Invalid_input if a point is not finite
+///
+/// Complexity: O(F) expected time (labels are hashed) and O(F) memory, for any number of segments.
+/// Invariant under scaling by powers of two to the bit; areas do not overflow. Deterministic: sums
+/// run in the order of the faces. Only reads; calls may run at the same time where reading the maps
+/// may.
+///
+/// Source: Chen, Golovinskiy, Funkhouser 2009; Q. Huang, B. Dom, "Quantitative Methods
+/// of Evaluating Image Segmentation", ICIP 1995.
+template <typename FaceGraph, typename FaceLabelMapA, typename FaceLabelMapB,
+          typename NamedParameters = parameters::Default_named_parameters>
+Hamming_distance hamming_distance(const FaceGraph& mesh, const FaceLabelMapA& a,
+                                  const FaceLabelMapB& b,
+                                  const NamedParameters& np = parameters::default_values())
+{
+  const auto& pack = internal::pack(np);
+  const auto walk = internal::make_mesh_walk(mesh, pack);
+  return internal::hamming_distance(internal::read_face_labels(mesh, a),
+                                    internal::read_face_labels(mesh, b),
+                                    internal::face_areas(walk, pack));
+}
+
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_EVALUATION_HAMMING_DISTANCE_H

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_EVALUATION_RAND_INDEX_DISTANCE_H
+#define CGAL_REGION_SEGMENTATION_EVALUATION_RAND_INDEX_DISTANCE_H
+
+#include <CGAL/Region_segmentation/exceptions.h>
+#include <CGAL/Region_segmentation/internal/Contingency_table.h>
+#include <CGAL/Region_segmentation/internal/Dense_labels.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+namespace CGAL {
+namespace Region_segmentation {
+
+namespace internal {
+
+/// C(n) = n (n - 1) / 2, exact for n < 2^32.
+inline std::uint64_t number_of_pairs(std::uint64_t n)
+{
+  return n == 0 ? 0 : n * (n - 1) / 2;
+}
+
+/// The number of pairs of faces that share a segment.
+inline std::uint64_t pairs_within(const Dense_labels& labels)
+{
+  std::uint64_t pairs = 0;
+  for (const Face_count& segment : segment_totals(labels, No_areas()))
+    pairs += number_of_pairs(segment.count);
+  return pairs;
+}
+
+/// Exact integers up to the one division: every sum is at most C(F) < 2^63.
+inline double rand_index_distance(const Dense_labels& a, const Dense_labels& b)
+{
+  const std::uint64_t number_of_faces = a.of_face.size();
+  if (number_of_faces < 2)
+    return 0;
+  std::uint64_t together_in_both = 0;
+  for_each_cell(a, b, No_areas(), [&](std::size_t, std::size_t, const Face_count& cell) {
+    together_in_both += number_of_pairs(cell.count);
+  });
+  const std::uint64_t only_in_a = pairs_within(a) - together_in_both;
+  const std::uint64_t only_in_b = pairs_within(b) - together_in_both;
+  return double(only_in_a + only_in_b) / double(number_of_pairs(number_of_faces));
+}
+
+} // namespace internal
+
+/// \ingroup PkgRegionSegmentationEvaluation
+/// computes the Rand index *distance* 1 - RI of two segmentations: the part of all pairs of faces
+/// that are in one segment in one of them, and in two in the other.
+///
+/// \f[ 1 - RI = \frac{\sum_i C(n_{i.}) + \sum_j C(n_{.j}) - 2 \sum_{ij} C(n_{ij})}{C(F)},
+///     \quad C(n) = n (n - 1) / 2 \f]
+///
+/// where \f$n_{ij}\f$ is the number of faces with label i in the first and label j in the second
+/// map, \f$n_{i.}\f$ and \f$n_{.j}\f$ are its sums, and F is the number of faces. Faces are
+/// counted, not weighted by area.
+///
+/// The range is [0, 1]: 0 if and only if the segments are the same, 1 if and only if one map has a
+/// single segment and the other a segment for each face (and F > 1). Symmetric, to the bit. A mesh
+/// with no face or one has no pair: 0.
+///
+/// \tparam FaceGraph a model of `FaceListGraph`
+/// \tparam FaceLabelMapA a model of `ReadablePropertyMap` with the face descriptor as key and an
+///         integral value type of at most 64 bits
+/// \tparam FaceLabelMapB the same
+/// \param mesh a mesh, of faces of any size
+/// \param a the one segmentation; labels may be sparse or negative
+/// \param b the other one; its labels need not be those of `a`
+///
+/// \returns 1 - RI
+/// \pre the mesh has fewer than 2^32 - 1 faces
+///
+/// Complexity: O(F) expected time (labels are hashed) and O(F) memory, for any number of segments.
+/// The sums are exact integers, so the value is that of the formula, rounded once. Deterministic.
+/// Only reads; calls may run at the same time where reading the maps may.
+///
+/// \note The evaluator of the Princeton benchmark halves F - 1 as an integer and so prints values
+/// larger by the factor ((F - 1) / 2) / floor((F - 1) / 2) where F is even. This function does not.
+///
+/// Source: Chen, Golovinskiy, Funkhouser 2009; W. M. Rand, "Objective Criteria for the
+/// Evaluation of Clustering Methods", J. Amer. Stat. Assoc. 66, 1971.
+template <typename FaceGraph, typename FaceLabelMapA, typename FaceLabelMapB>
+double rand_index_distance(const FaceGraph& mesh, const FaceLabelMapA& a, const FaceLabelMapB& b)
+{
+  return internal::rand_index_distance(internal::read_face_labels(mesh, a),
+                                       internal::read_face_labels(mesh, b));
+}
+
+/// \ingroup PkgRegionSegmentationEvaluation
+/// computes the Rand index distance 1 - RI of two labelings that are given as ranges, one label for
+/// each face in the same order: no mesh is needed.
+///
+/// \tparam LabelRangeA a range of forward iterators with an integral value type of at most 64 bits
+/// \tparam LabelRangeB the same
+///
+/// \throws Invalid_input if the ranges are not of one length
+///
+/// All else is as for the maps.
+template <typename LabelRangeA, typename LabelRangeB>
+double rand_index_distance(const LabelRangeA& a, const LabelRangeB& b)
+{
+  const internal::Dense_labels labels_a = internal::read_label_range(a);
+  const internal::Dense_labels labels_b = internal::read_label_range(b);
+  if (labels_a.of_face.size() != labels_b.of_face.size())
+    throw Invalid_input("two labelings have " + std::to_string(labels_a.of_face.size()) + " and " +
+                        std::to_string(labels_b.of_face.size()) + " labels");
+  return internal::rand_index_distance(labels_a, labels_b);
+}
+
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_EVALUATION_RAND_INDEX_DISTANCE_H

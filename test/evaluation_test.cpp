@@ -1,0 +1,823 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Region_segmentation/evaluation.h>
+
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/Euler_operations.h>
+
+#include <boost/property_map/function_property_map.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <list>
+#include <map>
+#include <optional>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace RS = CGAL::Region_segmentation;
+
+namespace {
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Point = Kernel::Point_3;
+using Surface_mesh = CGAL::Surface_mesh<Point>;
+using Polyhedron = CGAL::Polyhedron_3<Kernel>;
+using Face = Surface_mesh::Face_index;
+using Labels = std::vector<int>;
+
+// ---------------------------------------------------------------------------------- fixtures
+
+template <typename Mesh>
+using Face_of = typename boost::graph_traits<Mesh>::face_descriptor;
+
+template <typename Mesh>
+Mesh make_mesh(const std::vector<Point>& points, const std::vector<std::vector<std::size_t>>& faces)
+{
+  using vertex_descriptor = typename boost::graph_traits<Mesh>::vertex_descriptor;
+  Mesh mesh;
+  std::vector<vertex_descriptor> vertices;
+  for (const Point& p : points) {
+    vertices.push_back(add_vertex(mesh));
+    put(get(CGAL::vertex_point, mesh), vertices.back(), p);
+  }
+  for (const std::vector<std::size_t>& face : faces) {
+    std::vector<vertex_descriptor> corners;
+    for (std::size_t i : face)
+      corners.push_back(vertices[i]);
+    CGAL::Euler::add_face(corners, mesh);
+  }
+  return mesh;
+}
+
+/// A strip of quads, with a border; face f has width 1, 2, 3, 4 and height 2:
+///
+///   5---6------7---------8------------9  y = 2
+///   | 0 |  1   |    2    |     3      |
+///   0---1------2---------3------------4  y = 0
+///   x=0 1      3         6            10
+template <typename Mesh>
+Mesh make_strip()
+{
+  std::vector<Point> points;
+  for (double y : {0., 2.})
+    for (double x : {0., 1., 3., 6., 10.})
+      points.emplace_back(x, y, 0);
+  std::vector<std::vector<std::size_t>> faces;
+  for (std::size_t i = 0; i < 4; ++i)
+    faces.push_back({i, i + 1, i + 6, i + 5});
+  return make_mesh<Mesh>(points, faces);
+}
+
+/// A wavy torus of nu x nv quads, every third of them split in two triangles: closed.
+template <typename Mesh>
+Mesh make_torus(std::size_t nu, std::size_t nv)
+{
+  std::vector<Point> points;
+  for (std::size_t i = 0; i < nu; ++i)
+    for (std::size_t j = 0; j < nv; ++j) {
+      const double u = 2 * CGAL_PI * double(i) / double(nu),
+                   v = 2 * CGAL_PI * double(j) / double(nv);
+      const double r = 1 + 0.2 * std::sin(3 * u);
+      points.emplace_back((3 + r * std::cos(v)) * std::cos(u), (3 + r * std::cos(v)) * std::sin(u),
+                          r * std::sin(v));
+    }
+  std::vector<std::vector<std::size_t>> faces;
+  for (std::size_t i = 0; i < nu; ++i)
+    for (std::size_t j = 0; j < nv; ++j) {
+      const std::size_t i1 = (i + 1) % nu, j1 = (j + 1) % nv;
+      const std::array<std::size_t, 4> q = {i * nv + j, i1 * nv + j, i1 * nv + j1, i * nv + j1};
+      if ((i * nv + j) % 3 == 0) {
+        faces.push_back({q[0], q[1], q[2]});
+        faces.push_back({q[0], q[2], q[3]});
+      } else {
+        faces.push_back({q[0], q[1], q[2], q[3]});
+      }
+    }
+  return make_mesh<Mesh>(points, faces);
+}
+
+/// Labels in the order of the faces, as a map that owns them and returns values.
+template <typename Mesh, typename Label = int>
+struct Label_map
+{
+  using key_type = Face_of<Mesh>;
+  using value_type = Label;
+  using reference = Label;
+  using category = boost::readable_property_map_tag;
+
+  template <typename Range>
+  Label_map(const Mesh& mesh, const Range& labels)
+  {
+    auto label = std::begin(labels);
+    for (auto f : faces(mesh))
+      m_labels[f] = Label(*label++);
+  }
+  friend Label get(const Label_map& map, const key_type& f) { return map.m_labels.at(f); }
+
+private:
+  std::map<key_type, Label> m_labels;
+};
+
+template <typename Mesh, typename Label>
+Label_map<Mesh, Label> on(const Mesh& mesh, const std::vector<Label>& labels)
+{
+  return Label_map<Mesh, Label>(mesh, labels);
+}
+
+/// All that the four measures say of two labelings.
+struct Scores
+{
+  double rand;
+  RS::Hamming_distance hamming;
+  RS::Consistency_error consistency;
+  std::optional<double> cut;
+};
+
+template <typename Mesh, typename MapA, typename MapB>
+Scores scores(const Mesh& mesh, const MapA& a, const MapB& b)
+{
+  return {RS::rand_index_distance(mesh, a, b), RS::hamming_distance(mesh, a, b),
+          RS::consistency_error(mesh, a, b), RS::cut_discrepancy(mesh, a, b)};
+}
+
+template <typename Mesh>
+Scores scores(const Mesh& mesh, const Labels& a, const Labels& b)
+{
+  return scores(mesh, on(mesh, a), on(mesh, b));
+}
+
+bool is_same(const Scores& s, const Scores& t)
+{
+  return s.rand == t.rand && s.hamming.distance == t.hamming.distance &&
+         s.hamming.missing_rate == t.hamming.missing_rate &&
+         s.hamming.false_alarm_rate == t.hamming.false_alarm_rate &&
+         s.consistency.global == t.consistency.global &&
+         s.consistency.local == t.consistency.local &&
+         s.consistency.global_by_area == t.consistency.global_by_area &&
+         s.consistency.local_by_area == t.consistency.local_by_area && s.cut == t.cut;
+}
+
+/// The documented ranges and orders.
+bool is_in_range(const Scores& s)
+{
+  const auto is_part = [](double x) { return 0 <= x && x < 1; };
+  return 0 <= s.rand && s.rand <= 1 && is_part(s.hamming.distance) &&
+         is_part(s.hamming.missing_rate) && is_part(s.hamming.false_alarm_rate) &&
+         is_part(s.consistency.global) && is_part(s.consistency.global_by_area) &&
+         0 <= s.consistency.local && s.consistency.local <= s.consistency.global &&
+         0 <= s.consistency.local_by_area &&
+         s.consistency.local_by_area <= s.consistency.global_by_area &&
+         (!s.cut || (0 <= *s.cut && std::isfinite(*s.cut)));
+}
+
+Labels random_labels(std::size_t size, int number_of_labels, std::mt19937& random)
+{
+  Labels labels(size);
+  for (int& label : labels)
+    label = int(random() % unsigned(number_of_labels));
+  return labels;
+}
+
+/// Calls `f(a, b, seed)` for pairs of random labelings, coarse and fine.
+template <typename F>
+void for_random_labelings(std::size_t size, F f)
+{
+  for (unsigned seed = 1; seed <= 40; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937 random(seed);
+    const int ka = 1 + int(random() % 9), kb = 1 + int(random() % 60);
+    const Labels a = random_labels(size, ka, random), b = random_labels(size, kb, random);
+    f(a, b);
+  }
+}
+
+// ------------------------------------------------------------------- oracles: the definitions
+
+double rand_by_pairs_of_faces(const Labels& a, const Labels& b)
+{
+  std::size_t pairs = 0, differ = 0;
+  for (std::size_t f = 0; f < a.size(); ++f)
+    for (std::size_t g = 0; g < f; ++g) {
+      ++pairs;
+      differ += (a[f] == a[g]) != (b[f] == b[g]);
+    }
+  return pairs == 0 ? 0 : double(differ) / double(pairs);
+}
+
+/// Areas of triangles and plane or nearly plane quads, by their diagonals.
+std::vector<double> areas_of(const Surface_mesh& mesh)
+{
+  std::vector<double> areas;
+  for (Face f : faces(mesh)) {
+    std::vector<Point> p;
+    for (auto v : CGAL::vertices_around_face(halfedge(f, mesh), mesh))
+      p.push_back(mesh.point(v));
+    const auto n = CGAL::cross_product(p[2] - p[0], p.back() - p[1]);
+    areas.push_back(p.size() == 3 ? std::sqrt(CGAL::squared_area(p[0], p[1], p[2]))
+                                  : std::sqrt(n.squared_length()) / 2);
+  }
+  return areas;
+}
+
+/// The full contingency table.
+struct Table
+{
+  std::map<std::pair<int, int>, double> cells;
+  std::map<int, double> rows, columns;
+
+  Table(const Labels& a, const Labels& b, const std::vector<double>& weights)
+  {
+    for (std::size_t f = 0; f < a.size(); ++f) {
+      cells[{a[f], b[f]}] += weights[f];
+      rows[a[f]] += weights[f];
+      columns[b[f]] += weights[f];
+    }
+  }
+};
+
+RS::Hamming_distance hamming_by_definition(const Labels& a, const Labels& b,
+                                           const std::vector<double>& areas)
+{
+  const Table t(a, b, areas);
+  double total = 0, rm = 1, rf = 1;
+  for (const auto& [i, area] : t.rows)
+    total += area;
+  for (const auto& [j, of_column] : t.columns) {
+    double largest = 0;
+    for (const auto& [ij, area] : t.cells)
+      if (ij.second == j)
+        largest = (std::max)(largest, area);
+    rm -= largest / total;
+  }
+  for (const auto& [i, of_row] : t.rows) {
+    double largest = 0;
+    for (const auto& [ij, area] : t.cells)
+      if (ij.first == i)
+        largest = (std::max)(largest, area);
+    rf -= largest / total;
+  }
+  return {(rm + rf) / 2, rm, rf};
+}
+
+/// GCE and LCE, face by face.
+std::pair<double, double> consistency_by_faces(const Labels& a, const Labels& b,
+                                               const std::vector<double>& weights)
+{
+  Table t(a, b, weights);
+  double ab = 0, ba = 0, local = 0;
+  for (std::size_t f = 0; f < a.size(); ++f) {
+    const double cell = t.cells[{a[f], b[f]}];
+    const double e_ab = 1 - cell / t.rows[a[f]], e_ba = 1 - cell / t.columns[b[f]];
+    ab += e_ab;
+    ba += e_ba;
+    local += (std::min)(e_ab, e_ba);
+  }
+  const double n = double(a.size());
+  return {(std::min)(ab, ba) / n, local / n};
+}
+
+std::vector<std::size_t> cut_vertices_of(const Surface_mesh& mesh, const Labels& labels)
+{
+  std::vector<std::size_t> result;
+  for (auto e : edges(mesh))
+    if (!is_border(e, mesh) && labels[face(halfedge(e, mesh), mesh).idx()] !=
+                                   labels[face(opposite(halfedge(e, mesh), mesh), mesh).idx()]) {
+      result.push_back(source(e, mesh).idx());
+      result.push_back(target(e, mesh).idx());
+    }
+  std::sort(result.begin(), result.end());
+  result.erase(std::unique(result.begin(), result.end()), result.end());
+  return result;
+}
+
+/// Distances along edges between all pairs of vertices (Floyd and Warshall).
+std::vector<std::vector<double>> all_distances(const Surface_mesh& mesh)
+{
+  const std::size_t n = num_vertices(mesh);
+  std::vector<std::vector<double>> d(
+      n, std::vector<double>(n, std::numeric_limits<double>::infinity()));
+  for (std::size_t v = 0; v < n; ++v)
+    d[v][v] = 0;
+  for (auto e : edges(mesh)) {
+    const auto v = source(e, mesh), w = target(e, mesh);
+    d[v.idx()][w.idx()] = d[w.idx()][v.idx()] =
+        std::sqrt(CGAL::squared_distance(mesh.point(v), mesh.point(w)));
+  }
+  for (std::size_t k = 0; k < n; ++k)
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = 0; j < n; ++j)
+        d[i][j] = (std::min)(d[i][j], d[i][k] + d[k][j]);
+  return d;
+}
+
+/// The mean over all cut vertices, in units of the mesh.
+double mean_cut_distance(const std::vector<std::vector<double>>& distances,
+                         const std::vector<std::size_t>& a, const std::vector<std::size_t>& b)
+{
+  double sum = 0;
+  for (const auto& [from, to] : {std::make_pair(a, b), std::make_pair(b, a)})
+    for (std::size_t v : from) {
+      double nearest = std::numeric_limits<double>::infinity();
+      for (std::size_t w : to)
+        nearest = (std::min)(nearest, distances[v][w]);
+      sum += nearest;
+    }
+  return sum / double(a.size() + b.size());
+}
+
+// ---------------------------------------------------------------------------- hand-computed
+
+template <typename Mesh>
+class On_mesh_type : public testing::Test
+{
+};
+using Mesh_types = testing::Types<Surface_mesh, Polyhedron>;
+TYPED_TEST_SUITE(On_mesh_type, Mesh_types);
+
+/// a: | 0 | 0    | 1       | 1          |    cut at x = 3
+/// b: | 0 | 1    | 1       | 1          |    cut at x = 1
+///
+///   n_ij  j=0 j=1        a_ij / 2  j=0 j=1
+///   i=0    1   1    2    i=0        1   2    3
+///   i=1    0   2    2    i=1        0   7    7
+///          1   3    4               1   9   10
+TYPED_TEST(On_mesh_type, a_strip_by_hand)
+{
+  const TypeParam mesh = make_strip<TypeParam>();
+  const Scores s = scores(mesh, {0, 0, 1, 1}, {0, 1, 1, 1});
+
+  EXPECT_DOUBLE_EQ(s.rand, (2 + 3 - 2 * 1) / 6.);
+
+  EXPECT_DOUBLE_EQ(s.hamming.missing_rate, 1 - (1 + 7) / 10.);
+  EXPECT_DOUBLE_EQ(s.hamming.false_alarm_rate, 1 - (2 + 7) / 10.);
+  EXPECT_DOUBLE_EQ(s.hamming.distance, 0.15);
+
+  // E^ab: 1/2, 1/2, 0; E^ba: 0, 2/3, 1/3; weights 1, 1, 2.
+  EXPECT_DOUBLE_EQ(s.consistency.global, 1 / 4.);
+  EXPECT_DOUBLE_EQ(s.consistency.local, (0 + 1 / 2. + 0) / 4);
+  // E^ab: 2/3, 1/3, 0; E^ba: 0, 7/9, 2/9.
+  EXPECT_DOUBLE_EQ(s.consistency.global_by_area, 1 / 4.);
+  EXPECT_DOUBLE_EQ(s.consistency.local_by_area, (0 + 1 / 3. + 0) / 4);
+
+  // Each of the 2 + 2 cut vertices is 2 from the other cut. Face centers are at x = 0.5, 2, 4.5, 8
+  // and the centroid is at x = 5: R = (1 * 4.5 + 2 * 3 + 3 * 0.5 + 4 * 3) / 10 = 2.4.
+  ASSERT_TRUE(s.cut.has_value());
+  EXPECT_DOUBLE_EQ(*s.cut, 2 / 2.4);
+}
+
+/// a: | 0 | 1    | 1       | 0          |    cuts at x = 1 and 6; 0 is not connected
+/// b: | 0 | 1    | 1       | 1          |    cut at x = 1
+TYPED_TEST(On_mesh_type, cut_vertices_of_both_sides_weigh_the_same)
+{
+  const TypeParam mesh = make_strip<TypeParam>();
+  const Scores s = scores(mesh, {0, 1, 1, 0}, {0, 1, 1, 1});
+  ASSERT_TRUE(s.cut.has_value());
+  EXPECT_DOUBLE_EQ(*s.cut, (0 + 0 + 5 + 5 + 0 + 0) / (6 * 2.4));
+}
+
+TYPED_TEST(On_mesh_type, a_mesh_without_faces_or_with_one)
+{
+  const TypeParam empty;
+  const Scores none = scores(empty, Labels{}, Labels{});
+  EXPECT_EQ(none.rand, 0);
+  EXPECT_EQ(none.hamming.distance, 0);
+  EXPECT_EQ(none.consistency.global, 0);
+  EXPECT_EQ(none.cut, std::nullopt);
+  EXPECT_TRUE(is_in_range(none));
+
+  const TypeParam triangle =
+      make_mesh<TypeParam>({Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0)}, {{0, 1, 2}});
+  const Scores one = scores(triangle, {7}, {-3});
+  EXPECT_TRUE(is_same(none, one));
+}
+
+TEST(Rand_index_distance, is_1_between_one_segment_and_a_segment_a_face)
+{
+  EXPECT_EQ(RS::rand_index_distance(Labels{5, 5, 5, 5}, Labels{0, 1, 2, 3}), 1);
+}
+
+TEST(Rand_index_distance, takes_ranges_of_any_kind)
+{
+  EXPECT_EQ(RS::rand_index_distance(Labels{}, Labels{}), 0);
+  EXPECT_EQ(RS::rand_index_distance(Labels{1}, Labels{2}), 0);
+  const std::list<signed char> a = {-1, -1, 1, 1};
+  const std::vector<bool> b = {false, true, true, true};
+  const std::uint64_t c[] = {0, ~0ull, ~0ull, ~0ull};
+  EXPECT_EQ(RS::rand_index_distance(a, b), 0.5);
+  EXPECT_EQ(RS::rand_index_distance(a, c), 0.5);
+  EXPECT_EQ(RS::rand_index_distance(b, c), 0);
+}
+
+TEST(Rand_index_distance, tells_labels_of_different_number)
+{
+  try {
+    RS::rand_index_distance(Labels{1, 2, 3}, Labels{1, 2});
+    FAIL();
+  } catch (const RS::Invalid_input& error) {
+    EXPECT_STREQ(error.what(), "two labelings have 3 and 2 labels");
+  }
+}
+
+/// Two labels against two halves: every n_ij is F / 4. The numbers of pairs need more than 32 bits.
+TEST(Rand_index_distance, is_exact_and_fast_on_10_million_faces)
+{
+  const std::uint64_t n = 10'000'000;
+  std::vector<int> a(n);
+  std::vector<std::int64_t> b(n);
+  for (std::uint64_t f = 0; f < n; ++f) {
+    a[f] = int(f % 2);
+    b[f] = f < n / 2 ? -1'000'000'000'000 : 1'000'000'000'000;
+  }
+  const auto start = std::chrono::steady_clock::now();
+  const double distance = RS::rand_index_distance(a, b);
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+
+  const auto pairs = [](std::uint64_t m) { return m * (m - 1) / 2; };
+  EXPECT_EQ(distance, double(4 * pairs(n / 2) - 8 * pairs(n / 4)) / double(pairs(n)));
+  RecordProperty("milliseconds", int(1000 * seconds.count()));
+#if defined(__OPTIMIZE__) || defined(NDEBUG)
+  EXPECT_LT(seconds.count(), 2);
+#endif
+}
+
+/// A million segments on either side: nothing may be quadratic in their number.
+TEST(Rand_index_distance, takes_a_segment_a_face)
+{
+  const std::size_t n = 1'000'000;
+  std::vector<std::uint64_t> small(n), large(n);
+  for (std::size_t f = 0; f < n; ++f) {
+    small[f] = n - f;
+    large[f] = f * 0x9e3779b97f4a7c15ull; // an odd factor: all different
+  }
+  EXPECT_EQ(RS::rand_index_distance(small, large), 0);
+  large[0] = large[1];
+  EXPECT_DOUBLE_EQ(RS::rand_index_distance(small, large), 2. / (double(n) * double(n - 1)));
+}
+
+// ------------------------------------------------------------------------- against the oracles
+
+TEST(Measures, agree_with_their_definitions)
+{
+  const Surface_mesh mesh = make_torus<Surface_mesh>(9, 7);
+  const std::vector<double> areas = areas_of(mesh), ones(num_faces(mesh), 1);
+  const auto distances = all_distances(mesh);
+  double unit = 0; // R, which must be the same for all pairs
+  for_random_labelings(num_faces(mesh), [&](const Labels& a, const Labels& b) {
+    const Scores s = scores(mesh, a, b);
+    EXPECT_TRUE(is_in_range(s));
+    EXPECT_DOUBLE_EQ(s.rand, rand_by_pairs_of_faces(a, b));
+
+    const RS::Hamming_distance h = hamming_by_definition(a, b, areas);
+    EXPECT_NEAR(s.hamming.distance, h.distance, 1e-13);
+    EXPECT_NEAR(s.hamming.missing_rate, h.missing_rate, 1e-13);
+    EXPECT_NEAR(s.hamming.false_alarm_rate, h.false_alarm_rate, 1e-13);
+
+    const auto [global, local] = consistency_by_faces(a, b, ones);
+    const auto [global_by_area, local_by_area] = consistency_by_faces(a, b, areas);
+    EXPECT_NEAR(s.consistency.global, global, 1e-13);
+    EXPECT_NEAR(s.consistency.local, local, 1e-13);
+    EXPECT_NEAR(s.consistency.global_by_area, global_by_area, 1e-13);
+    EXPECT_NEAR(s.consistency.local_by_area, local_by_area, 1e-13);
+
+    const auto cut_a = cut_vertices_of(mesh, a), cut_b = cut_vertices_of(mesh, b);
+    ASSERT_EQ(s.cut.has_value(), !cut_a.empty() && !cut_b.empty());
+    if (!s.cut || *s.cut == 0)
+      return;
+    const double r = mean_cut_distance(distances, cut_a, cut_b) / *s.cut;
+    unit = unit == 0 ? r : unit;
+    EXPECT_NEAR(r, unit, 1e-12 * unit);
+  });
+  EXPECT_GT(unit, 0);
+}
+
+/// Few compact segments, so that cuts are far from each other, on a mesh with a border.
+TEST(Measures, cut_discrepancy_follows_shortest_paths)
+{
+  const std::size_t nx = 12, ny = 9;
+  std::vector<Point> points;
+  std::vector<std::vector<std::size_t>> polygons;
+  std::mt19937 random(11);
+  for (std::size_t y = 0; y <= ny; ++y)
+    for (std::size_t x = 0; x <= nx; ++x)
+      points.emplace_back(double(x) + double(random() % 100) / 250,
+                          double(y) + double(random() % 100) / 250, double(random() % 100) / 100);
+  for (std::size_t y = 0; y < ny; ++y)
+    for (std::size_t x = 0; x < nx; ++x) {
+      const std::size_t i = y * (nx + 1) + x;
+      polygons.push_back({i, i + 1, i + nx + 2});
+      polygons.push_back({i, i + nx + 2, i + nx + 1});
+    }
+  const Surface_mesh mesh = make_mesh<Surface_mesh>(points, polygons);
+  const auto distances = all_distances(mesh);
+
+  // Two half planes each: the cuts are two lines across the mesh.
+  const auto half_plane = [&] {
+    const double angle = double(random() % 1000), x = double(random() % nx),
+                 y = double(random() % ny);
+    Labels labels;
+    for (std::size_t f = 0; f < num_faces(mesh); ++f)
+      labels.push_back((double(f / 2 % nx) - x) * std::cos(angle) +
+                           (double(f / 2 / nx) - y) * std::sin(angle) >
+                       0);
+    return labels;
+  };
+  double unit = 0;
+  for (int i = 0; i < 200; ++i) {
+    const Labels a = half_plane(), b = half_plane();
+    const std::optional<double> cut = scores(mesh, a, b).cut;
+    const auto cut_a = cut_vertices_of(mesh, a), cut_b = cut_vertices_of(mesh, b);
+    ASSERT_EQ(cut.has_value(), !cut_a.empty() && !cut_b.empty());
+    if (!cut || *cut == 0)
+      continue;
+    const double r = mean_cut_distance(distances, cut_a, cut_b) / *cut;
+    unit = unit == 0 ? r : unit;
+    EXPECT_NEAR(r, unit, 1e-12 * unit);
+  }
+
+  // R by its definition; all faces are triangles.
+  const std::vector<double> areas = areas_of(mesh);
+  std::vector<CGAL::Vector_3<Kernel>> centers;
+  CGAL::Vector_3<Kernel> center(0, 0, 0);
+  double area = 0, expected = 0;
+  for (Face f : faces(mesh)) {
+    CGAL::Vector_3<Kernel> sum(0, 0, 0);
+    for (auto v : CGAL::vertices_around_face(halfedge(f, mesh), mesh))
+      sum = sum + (mesh.point(v) - CGAL::ORIGIN);
+    centers.push_back(sum / 3);
+    center = center + areas[f.idx()] * centers.back();
+    area += areas[f.idx()];
+  }
+  for (std::size_t f = 0; f < areas.size(); ++f)
+    expected += areas[f] * std::sqrt((centers[f] - center / area).squared_length()) / area;
+  EXPECT_NEAR(unit, expected, 1e-12 * expected);
+}
+
+// ---------------------------------------------------------------------------------- properties
+
+TEST(Measures, are_symmetric)
+{
+  const Surface_mesh mesh = make_torus<Surface_mesh>(20, 12);
+  for_random_labelings(num_faces(mesh), [&](const Labels& a, const Labels& b) {
+    const Scores s = scores(mesh, a, b), t = scores(mesh, b, a);
+    EXPECT_EQ(s.rand, t.rand);
+    EXPECT_EQ(s.hamming.distance, t.hamming.distance);
+    EXPECT_EQ(s.hamming.missing_rate, t.hamming.false_alarm_rate);
+    EXPECT_EQ(s.hamming.false_alarm_rate, t.hamming.missing_rate);
+    EXPECT_EQ(s.cut, t.cut);
+    EXPECT_NEAR(s.consistency.global, t.consistency.global, 1e-14);
+    EXPECT_NEAR(s.consistency.local, t.consistency.local, 1e-14);
+    EXPECT_NEAR(s.consistency.global_by_area, t.consistency.global_by_area, 1e-14);
+    EXPECT_NEAR(s.consistency.local_by_area, t.consistency.local_by_area, 1e-14);
+  });
+}
+
+TEST(Measures, are_0_for_equal_segments)
+{
+  const Surface_mesh mesh = make_torus<Surface_mesh>(20, 12);
+  for_random_labelings(num_faces(mesh), [&](const Labels& a, const Labels& b) {
+    for (const Labels& labels : {a, b}) {
+      const Scores s = scores(mesh, labels, labels);
+      EXPECT_EQ(s.rand, 0);
+      EXPECT_EQ(s.hamming.distance, 0);
+      EXPECT_EQ(s.consistency.global, 0);
+      EXPECT_EQ(s.consistency.global_by_area, 0);
+      EXPECT_EQ(s.cut.value_or(0), 0);
+    }
+  });
+}
+
+TEST(Measures, do_not_depend_on_the_names_of_segments)
+{
+  const Surface_mesh mesh = make_torus<Surface_mesh>(20, 12);
+  for_random_labelings(num_faces(mesh), [&](const Labels& a, const Labels& b) {
+    std::vector<std::int64_t> sparse;
+    for (int label : a)
+      sparse.push_back((std::int64_t(label) - 3) * 0x123456789abcdef);
+    std::vector<unsigned char> reversed;
+    for (int label : b)
+      reversed.push_back(static_cast<unsigned char>(255 - label));
+    EXPECT_TRUE(is_same(scores(mesh, a, b), scores(mesh, on(mesh, sparse), on(mesh, reversed))));
+  });
+}
+
+TEST(Measures, forgive_refinements_where_they_should)
+{
+  const Surface_mesh mesh = make_torus<Surface_mesh>(20, 12);
+  for_random_labelings(num_faces(mesh), [&](const Labels& coarse, const Labels& b) {
+    Labels fine;
+    for (std::size_t f = 0; f < coarse.size(); ++f)
+      fine.push_back(100 * coarse[f] + b[f]);
+    const Scores s = scores(mesh, fine, coarse);
+    EXPECT_EQ(s.consistency.global, 0);
+    EXPECT_EQ(s.consistency.local, 0);
+    EXPECT_EQ(s.consistency.global_by_area, 0);
+    EXPECT_EQ(s.consistency.local_by_area, 0);
+    EXPECT_EQ(s.hamming.false_alarm_rate, 0);
+    EXPECT_EQ(scores(mesh, coarse, fine).hamming.missing_rate, 0);
+  });
+}
+
+/// Each of two parts is refined on another side: GCE sees it, LCE does not.
+TEST(Consistency_error, local_forgives_refinements_in_both_directions)
+{
+  const Surface_mesh mesh = make_strip<Surface_mesh>();
+  const RS::Consistency_error error = scores(mesh, {0, 1, 2, 2}, {5, 5, 6, 7}).consistency;
+  EXPECT_EQ(error.local, 0);
+  EXPECT_EQ(error.local_by_area, 0);
+  EXPECT_DOUBLE_EQ(error.global, 1 / 4.);
+}
+
+TEST(Consistency_error, says_nothing_of_a_single_segment_or_a_segment_a_face)
+{
+  const Surface_mesh mesh = make_torus<Surface_mesh>(20, 12);
+  Labels one(num_faces(mesh), 3), each(num_faces(mesh));
+  for (std::size_t f = 0; f < each.size(); ++f)
+    each[f] = int(f);
+  for_random_labelings(num_faces(mesh), [&](const Labels& a, const Labels&) {
+    for (const Labels& trivial : {one, each}) {
+      const RS::Consistency_error error = scores(mesh, a, trivial).consistency;
+      EXPECT_EQ(error.global, 0);
+      EXPECT_EQ(error.local_by_area, 0);
+    }
+  });
+}
+
+// ------------------------------------------------------------------------- meshes and maps
+
+TEST(Measures, are_the_same_bits_on_every_mesh_type)
+{
+  const Surface_mesh mesh = make_torus<Surface_mesh>(20, 12);
+  const Polyhedron polyhedron = make_torus<Polyhedron>(20, 12);
+  for_random_labelings(num_faces(mesh), [&](const Labels& a, const Labels& b) {
+    EXPECT_TRUE(is_same(scores(mesh, a, b), scores(polyhedron, a, b)));
+  });
+}
+
+TEST(Measures, do_not_depend_on_scale)
+{
+  const Surface_mesh mesh = make_torus<Surface_mesh>(9, 7);
+  std::mt19937 random(5);
+  const Labels a = random_labels(num_faces(mesh), 4, random),
+               b = random_labels(num_faces(mesh), 6, random);
+  const Scores expected = scores(mesh, a, b);
+  for (int exponent :
+       {-1000, -600, -7, 600, 1000}) { // squares of lengths leave the range of double
+    Surface_mesh scaled = mesh;
+    for (auto v : vertices(scaled)) {
+      const Point& p = mesh.point(v);
+      scaled.point(v) = Point(std::ldexp(p.x(), exponent), std::ldexp(p.y(), exponent),
+                              std::ldexp(p.z(), exponent));
+    }
+    const Scores s = scores(scaled, a, b);
+    if (exponent > -1000) { // below, small coordinates lose bits
+      EXPECT_TRUE(is_same(s, expected)) << exponent;
+    }
+    EXPECT_NEAR(*s.cut, *expected.cut, 1e-12) << exponent;
+  }
+}
+
+TEST(Measures, read_points_by_the_map_that_is_given)
+{
+  const Surface_mesh mesh = make_strip<Surface_mesh>();
+  const auto a = on(mesh, Labels{0, 0, 1, 1}), b = on(mesh, Labels{0, 1, 1, 1});
+  // All faces get width 1: x = 0, 1, 3, 6, 10 becomes 0, 1, 2, 3, 4. Values are returned.
+  const auto map = boost::make_function_property_map<Surface_mesh::Vertex_index>(
+      [&](Surface_mesh::Vertex_index v) {
+        return Point(double(v.idx() % 5), mesh.point(v).y(), 0);
+      });
+  const auto np = RS::parameters::vertex_point_map(map);
+  EXPECT_DOUBLE_EQ(RS::hamming_distance(mesh, a, b, np).distance, 0.25);
+  EXPECT_DOUBLE_EQ(RS::consistency_error(mesh, a, b, np).local_by_area, 0.125);
+  // R = (1.5 + 0.5 + 0.5 + 1.5) / 4 = 1.
+  EXPECT_DOUBLE_EQ(RS::cut_discrepancy(mesh, a, b, np).value(), 1);
+  EXPECT_DOUBLE_EQ(RS::cut_discrepancy(mesh, a, b, CGAL::parameters::vertex_point_map(map)).value(),
+                   1);
+}
+
+TEST(Measures, take_maps_that_are_functions)
+{
+  const Surface_mesh mesh = make_strip<Surface_mesh>();
+  const auto a = boost::make_function_property_map<Face>([](Face f) { return f.idx() >= 2; });
+  const auto b = boost::make_function_property_map<Face>(
+      [](Face f) -> long long { return f.idx() == 0 ? -1 : 1; });
+  EXPECT_TRUE(is_same(scores(mesh, a, b), scores(mesh, {0, 0, 1, 1}, {0, 1, 1, 1})));
+}
+
+/// Nothing of a face that was removed, or of a vertex without faces, counts.
+TEST(Measures, ignore_what_was_removed)
+{
+  Surface_mesh mesh = make_torus<Surface_mesh>(9, 7);
+  auto a = mesh.add_property_map<Face, int>("f:a").first;
+  auto b = mesh.add_property_map<Face, int>("f:b").first;
+  for (Face f : mesh.faces()) {
+    a[f] = int(f.idx() % 4);
+    b[f] = int(f.idx() / 9);
+  }
+  for (std::size_t i : {0, 5, 30, 31})
+    CGAL::Euler::remove_face(halfedge(Face(Surface_mesh::size_type(i)), mesh), mesh);
+  ASSERT_TRUE(mesh.has_garbage());
+  const Scores before = scores(mesh, a, b);
+  EXPECT_TRUE(is_in_range(before));
+
+  Labels in_order_a, in_order_b;
+  for (Face f : mesh.faces()) {
+    in_order_a.push_back(a[f]);
+    in_order_b.push_back(b[f]);
+  }
+  EXPECT_EQ(before.rand, rand_by_pairs_of_faces(in_order_a, in_order_b));
+  mesh.collect_garbage();
+  const Scores after = scores(mesh, a, b); // faces may have moved: other orders of sums
+  EXPECT_EQ(before.rand, after.rand);
+  EXPECT_NEAR(before.hamming.distance, after.hamming.distance, 1e-14);
+  EXPECT_NEAR(*before.cut, *after.cut, 1e-14);
+}
+
+TEST(Surface_geometry, the_centroid_of_a_concave_polygon)
+{
+  // 5--4
+  // |  |
+  // |  3--2   area 3: two unit squares below (centroid 1, 1/2), one above (1/2, 3/2)
+  // 0-----1
+  std::vector<RS::internal::Vector_3> polygon = {{0, 0, 7}, {2, 0, 7}, {2, 1, 7},
+                                                 {1, 1, 7}, {1, 2, 7}, {0, 2, 7}};
+  for (std::size_t first = 0; first < polygon.size(); ++first) {
+    const auto area = RS::internal::area_vector(polygon);
+    EXPECT_DOUBLE_EQ(area.z, 3);
+    const auto c = RS::internal::centroid(polygon, area);
+    EXPECT_DOUBLE_EQ(c.x, 2.5 / 3);
+    EXPECT_DOUBLE_EQ(c.y, 2.5 / 3);
+    EXPECT_DOUBLE_EQ(c.z, 7);
+    std::rotate(polygon.begin(), polygon.begin() + 1, polygon.end());
+  }
+}
+
+// ------------------------------------------------------------------------------- special cases
+
+TEST(Cut_discrepancy, there_is_none_when_a_side_has_no_cut)
+{
+  const Surface_mesh mesh = make_strip<Surface_mesh>();
+  EXPECT_EQ(scores(mesh, {0, 0, 0, 0}, {0, 1, 1, 1}).cut, std::nullopt);
+  EXPECT_EQ(scores(mesh, {0, 1, 1, 1}, {0, 0, 0, 0}).cut, std::nullopt);
+  EXPECT_EQ(scores(mesh, {0, 0, 0, 0}, {1, 1, 1, 1}).cut, std::nullopt);
+}
+
+/// Two pieces, of two triangles each; a cut in one has no path to a cut in the other.
+TEST(Cut_discrepancy, there_is_none_without_a_path)
+{
+  std::vector<Point> points;
+  for (double x : {0., 10.})
+    for (const auto& [dx, y] :
+         {std::pair(0., 0.), std::pair(1., 0.), std::pair(1., 1.), std::pair(0., 1.)})
+      points.emplace_back(x + dx, y, 0);
+  const Surface_mesh mesh =
+      make_mesh<Surface_mesh>(points, {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}});
+  EXPECT_EQ(scores(mesh, {0, 1, 2, 2}, {0, 0, 2, 3}).cut, std::nullopt);
+  EXPECT_EQ(scores(mesh, {0, 1, 2, 3}, {0, 1, 2, 2}).cut, std::nullopt);
+  EXPECT_EQ(scores(mesh, {0, 1, 2, 2}, {0, 1, 2, 2}).cut, 0);
+}
+
+TEST(Measures, a_surface_without_area)
+{
+  Surface_mesh mesh = make_strip<Surface_mesh>();
+  for (const Point& p : {Point(0, 0, 0), Point(1, 2, 3)}) {
+    for (auto v : vertices(mesh))
+      mesh.point(v) = p;
+    const Scores s = scores(mesh, {0, 0, 1, 1}, {0, 1, 1, 1});
+    EXPECT_EQ(s.rand, 0.5);
+    EXPECT_EQ(s.hamming.distance, 0);
+    EXPECT_EQ(s.consistency.global, 0.25);
+    EXPECT_EQ(s.consistency.global_by_area, 0);
+    EXPECT_EQ(s.cut, std::nullopt);
+  }
+}
+
+TEST(Measures, tell_a_point_that_is_not_finite)
+{
+  Surface_mesh mesh = make_strip<Surface_mesh>();
+  mesh.point(Surface_mesh::Vertex_index(3)) = Point(0, std::numeric_limits<double>::quiet_NaN(), 0);
+  const auto a = on(mesh, Labels{0, 0, 1, 1});
+  EXPECT_EQ(RS::rand_index_distance(mesh, a, a), 0); // does not look at points
+  EXPECT_THROW(RS::hamming_distance(mesh, a, a), RS::Invalid_input);
+  EXPECT_THROW(RS::consistency_error(mesh, a, a), RS::Invalid_input);
+  try {
+    RS::cut_discrepancy(mesh, a, a);
+    FAIL();
+  } catch (const RS::Invalid_input& error) {
+    EXPECT_STREQ(error.what(), "the point of vertex 3 is not finite");
+  }
+}
+
+} // namespace
