@@ -71,6 +71,19 @@ public:
     m_flat.m_flags[edge] = flags;
   }
 
+  void add_point(const Vector_3& point) { m_flat.m_points.push_back(point); }
+
+  /// Adds the corners of the last face.
+  template <typename VertexOf>
+  void add_corners(std::size_t number_of_corners, const VertexOf& vertex_of)
+  {
+    if (m_flat.m_first_corners.empty())
+      m_flat.m_first_corners.push_back(0);
+    for (std::size_t i = 0; i < number_of_corners; ++i)
+      m_flat.m_corners.push_back(Index(vertex_of(i)));
+    m_flat.m_first_corners.push_back(Index(m_flat.m_corners.size()));
+  }
+
   Flat_mesh finish()
   {
     m_flat.m_higher_faces.resize(m_number_of_edges);

@@ -31,9 +31,10 @@ class Flat_mesh_reader
   using Point_map = typename GetVertexPointMap<FaceGraph, Pack>::const_type;
 
 public:
-  Flat_mesh_reader(const Walk& walk, const Pack& np)
+  Flat_mesh_reader(const Walk& walk, const Pack& np, Flat_mesh::Content content)
     : m_mesh(walk.mesh())
     , m_walk(walk)
+    , m_with_points(content == Flat_mesh::Content::ANGLES_AND_POINTS)
     , m_point_map(CGAL::parameters::choose_parameter(
         CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_point),
         get_const_property_map(vertex_point, walk.mesh())))
@@ -43,8 +44,8 @@ public:
   template <typename EdgeIsConstrainedMap>
   Flat_mesh read(const EdgeIsConstrainedMap& is_constrained)
   {
-    check_points();
     Flat_mesh_builder builder(m_walk.number_of_faces(), num_halfedges(m_mesh) / 2);
+    read_points(builder);
     typename Walk::Boundary around;
     std::vector<Vector_3> polygon;
     std::size_t rank = 0;
@@ -58,6 +59,8 @@ public:
         higher_neighbors += other != Walk::no_face && other > rank;
       }
       builder.add_face(polygon, higher_neighbors);
+      if (m_with_points)
+        builder.add_corners(around.size(), [&](std::size_t i) { return m_walk.source_rank(around[i]); });
       for (std::size_t i = 0; i < around.size(); ++i)
         if (const std::size_t lower = m_walk.opposite_face_rank(around[i]); lower < rank) {
           // From the side of the lower face the edge runs the other way.
@@ -76,28 +79,33 @@ private:
     return {CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2])};
   }
 
-  void check_points() const
+  void read_points(Flat_mesh_builder& builder) const
   {
     std::size_t rank = 0;
     for (auto v : vertices(m_mesh)) {
-      if (!is_finite(point(v)))
+      const Vector_3 p = point(v);
+      if (!is_finite(p))
         throw Invalid_input("the point of vertex " + std::to_string(rank) + " is not finite");
+      if (m_with_points)
+        builder.add_point(p);
       ++rank;
     }
   }
 
   const FaceGraph& m_mesh;
   const Walk& m_walk;
+  bool m_with_points;
   Point_map m_point_map;
 };
 
 /// The flat mesh of a face graph and its constrained edges.
 /// \throws Invalid_input if a point is not finite
 template <typename FaceGraph, typename Pack>
-Flat_mesh read_flat_mesh(const Mesh_walk<FaceGraph, Pack>& walk, const Pack& np)
+Flat_mesh read_flat_mesh(const Mesh_walk<FaceGraph, Pack>& walk, const Pack& np,
+                         Flat_mesh::Content content = Flat_mesh::Content::ANGLES)
 {
   using edge_descriptor = typename boost::graph_traits<FaceGraph>::edge_descriptor;
-  return Flat_mesh_reader<FaceGraph, Pack>(walk, np).read(CGAL::parameters::choose_parameter(
+  return Flat_mesh_reader<FaceGraph, Pack>(walk, np, content).read(CGAL::parameters::choose_parameter(
     CGAL::parameters::get_parameter(np, CGAL::internal_np::edge_is_constrained),
     Static_boolean_property_map<edge_descriptor, false>()));
 }
