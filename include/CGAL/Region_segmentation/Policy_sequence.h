@@ -13,17 +13,41 @@ namespace CGAL {
 namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationPolicies
-/// One policy, then another: the second takes over when the number of regions is at most `factor`
-/// times the wanted number of segments. A model of `RegionMergingPolicy`.
+/// Changes policies when the number of regions is at most a multiple of the wanted number of segments.
+struct Switch_at_multiple
+{
+  double factor; ///< at least 1
+
+  bool operator()(std::size_t number_of_regions, std::size_t number_of_segments) const
+  {
+    return double(number_of_regions) <= factor * double(number_of_segments);
+  }
+};
+
+/// \ingroup PkgRegionSegmentationPolicies
+/// Changes policies at a number of regions, whatever the wanted number of segments.
+struct Switch_at_count
+{
+  std::size_t count;
+
+  bool operator()(std::size_t number_of_regions, std::size_t /* number_of_segments */) const
+  {
+    return number_of_regions <= count;
+  }
+};
+
+/// \ingroup PkgRegionSegmentationPolicies
+/// One policy, then another. A model of `RegionMergingPolicy`.
 ///
 /// \tparam First, Second models of `RegionMergingPolicy`, a sequence among them
-template <typename First, typename Second>
+/// \tparam Switch `Switch_at_multiple`, `Switch_at_count`, or a function object like them: whether the
+///         second policy takes over
+template <typename First, typename Second, typename Switch>
 class Policy_sequence
 {
 public:
-  /// \pre factor >= 1
-  Policy_sequence(First first, Second second, double factor)
-    : m_first(std::move(first)), m_second(std::move(second)), m_factor(factor)
+  Policy_sequence(First first, Second second, Switch is_time)
+    : m_first(std::move(first)), m_second(std::move(second)), m_is_time(is_time)
   {}
 
   template <typename Graph>
@@ -37,8 +61,7 @@ public:
   template <typename Graph>
   std::optional<Merge_candidate> next(const Graph& graph)
   {
-    if (!m_is_second &&
-        double(graph.number_of_regions()) <= m_factor * double(m_number_of_segments)) {
+    if (!m_is_second && m_is_time(graph.number_of_regions(), m_number_of_segments)) {
       m_is_second = true;
       m_second.initialize(graph, m_number_of_segments);
     }
@@ -57,7 +80,7 @@ public:
 private:
   First m_first;
   Second m_second;
-  double m_factor;
+  Switch m_is_time;
   std::size_t m_number_of_segments = 1;
   bool m_is_second = false;
 };

@@ -16,7 +16,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -273,25 +272,6 @@ private:
   std::size_t m_number_of_sections = 0;
 };
 
-namespace internal {
-
-template <typename Policy, typename = void>
-struct Graph_for
-{
-  using type = Region_adjacency_graph<>;
-};
-
-template <typename Policy>
-struct Graph_for<Policy, std::void_t<typename Policy::RegionData, typename Policy::SectionData>>
-{
-  using type = Region_adjacency_graph<typename Policy::RegionData, typename Policy::SectionData>;
-};
-
-/// The graph with the data that a policy or a cost names; area, perimeter, length and angle if none.
-template <typename Policy>
-using Graph_of_policy = typename Graph_for<Policy>::type;
-
-} // namespace internal
 } // namespace Region_segmentation
 } // namespace CGAL
 

@@ -8,6 +8,8 @@
 #include <CGAL/Region_segmentation/grow_regions.h>
 #include <CGAL/Region_segmentation/internal/read_flat_mesh.h>
 #include <CGAL/Region_segmentation/internal/build_graph.h>
+#include <CGAL/Region_segmentation/internal/companions.h>
+#include <CGAL/Region_segmentation/internal/cut.h>
 #include <CGAL/Region_segmentation/internal/label_components.h>
 #include <CGAL/Region_segmentation/internal/mark_feature_edges.h>
 #include <CGAL/Region_segmentation/internal/options.h>
@@ -19,6 +21,7 @@
 
 #include <CGAL/property_map.h>
 
+#include <algorithm>
 #include <cstddef>
 
 namespace CGAL {
@@ -69,15 +72,17 @@ std::size_t segment(const FaceGraph& mesh, FaceSegmentMap segment_map,
   using CGAL::parameters::get_parameter;
   const auto& pack = internal::pack(np);
   const std::size_t number_of_segments = internal::number_of_segments(pack);
-  const auto make_regions = choose_parameter(
-    get_parameter(pack, internal_np::region_initializer), Region_growing());
   auto policy = choose_parameter(get_parameter(pack, internal_np::merging_policy), Two_step());
-  using Graph = internal::Graph_of_policy<decltype(policy)>;
+  using Companions = internal::Companions_of_policy<decltype(policy)>;
+  const auto make_regions = choose_parameter(get_parameter(pack, internal_np::region_initializer),
+                                             typename Companions::RegionInitializer());
+  const typename Companions::GraphAnnotator annotate{};
   internal::check_region_initializer<decltype(make_regions)>();
 
   internal::Progress reading(pack, "reading", 1);
   const auto walk = internal::make_mesh_walk(mesh, pack);
-  const Flat_mesh flat = internal::read_flat_mesh(walk, pack);
+  const Flat_mesh flat = internal::read_flat_mesh(
+    walk, pack, (std::max)(internal::content_for(make_regions), internal::content_for(annotate)));
 
   internal::Progress detecting(pack, "features", 1);
   Edge_marks is_feature = internal::mark_feature_edges(flat, internal::maximum_angle(pack),
@@ -87,15 +92,15 @@ std::size_t segment(const FaceGraph& mesh, FaceSegmentMap segment_map,
   const Region_labels regions = make_regions(flat, is_feature);
   internal::clear_marks_within_regions(flat, regions, is_feature);
 
-  Graph graph = internal::build_graph<Graph>(flat, regions);
+  auto graph = internal::build_graph<typename Companions::Graph>(flat, regions);
+  annotate(graph, flat, regions);
   const Merge_tree tree = merge_regions(graph, policy, number_of_segments,
                                         Stop_at_count{number_of_segments}, pack);
-  const Merge_tree::Segmentation segments = tree.cut_at_count(number_of_segments);
+  const Region_labels segments = internal::cut(regions, tree, number_of_segments);
 
-  internal::write_face_map(mesh, segment_map,
-                           [&](std::size_t i) { return segments.of_region[regions.of_face[i]]; });
+  internal::write_face_map(mesh, segment_map, [&](std::size_t i) { return segments.of_face[i]; });
   internal::write_segmentation_outputs(walk, flat, regions, is_feature, tree, pack);
-  return segments.number_of_segments;
+  return segments.number_of_regions;
 }
 
 } // namespace Region_segmentation

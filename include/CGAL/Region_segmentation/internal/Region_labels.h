@@ -20,6 +20,11 @@ struct Region_labels
 {
   std::vector<Flat_mesh::Index> of_face;
   std::size_t number_of_regions = 0;
+
+  /// Of a maker that can split its regions: the face by which a face came to its region (itself for the
+  /// first one), and how late. Empty otherwise.
+  std::vector<Flat_mesh::Index> predecessor;
+  std::vector<double> lateness;
 };
 
 } // namespace Region_segmentation

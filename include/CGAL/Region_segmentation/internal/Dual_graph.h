@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_DUAL_GRAPH_H
+#define CGAL_REGION_SEGMENTATION_INTERNAL_DUAL_GRAPH_H
+
+#include <CGAL/Region_segmentation/internal/Flat_mesh.h>
+
+#include <CGAL/Iterator_range.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Region_segmentation {
+namespace internal {
+
+/// The faces and their neighbors on both sides, with a length for each step. Constrained edges are no
+/// step. 8 bytes a face and 16 for each side of a dual edge.
+class Dual_graph
+{
+public:
+  using Index = Flat_mesh::Index;
+
+  struct Step
+  {
+    Index face;
+    double length;
+  };
+
+  /// `length(face, edge)`: of a dual edge and its lower face.
+  template <typename Length>
+  Dual_graph(const Flat_mesh& mesh, const Length& length)
+    : m_first(mesh.number_of_faces() + 2)
+  {
+    // Counted two places further on, so that filling moves each start to where it belongs.
+    for_each_step(mesh, [&](std::size_t f, std::size_t g, std::size_t) {
+      ++m_first[f + 2];
+      ++m_first[g + 2];
+    });
+    for (std::size_t f = 2; f < m_first.size(); ++f)
+      m_first[f] += m_first[f - 1];
+    m_steps.resize(m_first.back());
+    for_each_step(mesh, [&](std::size_t f, std::size_t g, std::size_t e) {
+      const double l = length(f, e);
+      m_steps[m_first[f + 1]++] = {Index(g), l};
+      m_steps[m_first[g + 1]++] = {Index(f), l};
+    });
+  }
+
+  /// The steps from a face, those to lower faces first, in order.
+  Iterator_range<const Step*> steps(std::size_t face) const
+  {
+    return {m_steps.data() + m_first[face], m_steps.data() + m_first[face + 1]};
+  }
+
+private:
+  template <typename F>
+  static void for_each_step(const Flat_mesh& mesh, const F& f)
+  {
+    for (std::size_t i = 0; i < mesh.number_of_faces(); ++i)
+      for (std::size_t e = mesh.first_edge(i); e < mesh.first_edge(i + 1); ++e)
+        if (!mesh.has_flag(e, Flat_mesh::CONSTRAINED))
+          f(i, mesh.higher_face(e), e);
+  }
+
+  std::vector<std::size_t> m_first;
+  std::vector<Step> m_steps;
+};
+
+} // namespace internal
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_INTERNAL_DUAL_GRAPH_H

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_COMPANIONS_H
+#define CGAL_REGION_SEGMENTATION_INTERNAL_COMPANIONS_H
+
+#include <CGAL/Region_segmentation/Region_adjacency_graph.h>
+#include <CGAL/Region_segmentation/grow_regions.h>
+#include <CGAL/Region_segmentation/internal/Region_labels.h>
+
+#include <type_traits>
+
+// What a merging policy is used with unless the user says otherwise: each is a nested type of the policy,
+// or a default.
+
+namespace CGAL {
+namespace Region_segmentation {
+namespace internal {
+
+/// The annotator of a policy that needs none.
+struct No_annotation
+{
+  template <typename Graph>
+  void operator()(Graph&, const Flat_mesh&, const Region_labels&) const {}
+};
+
+template <typename T, typename = void>
+struct Initializer_for
+{
+  using type = Region_growing;
+};
+template <typename T>
+struct Initializer_for<T, std::void_t<typename T::RegionInitializer>>
+{
+  using type = typename T::RegionInitializer;
+};
+
+template <typename T, typename = void>
+struct Annotator_for
+{
+  using type = No_annotation;
+};
+template <typename T>
+struct Annotator_for<T, std::void_t<typename T::GraphAnnotator>>
+{
+  using type = typename T::GraphAnnotator;
+};
+
+template <typename T, typename = void>
+struct Graph_for
+{
+  using type = Region_adjacency_graph<>;
+};
+template <typename T>
+struct Graph_for<T, std::void_t<typename T::RegionData, typename T::SectionData>>
+{
+  using type = Region_adjacency_graph<typename T::RegionData, typename T::SectionData>;
+};
+
+template <typename Policy>
+struct Companions_of_policy
+{
+  using RegionInitializer = typename Initializer_for<Policy>::type;
+  using GraphAnnotator = typename Annotator_for<Policy>::type;
+  using Graph = typename Graph_for<Policy>::type;
+};
+
+template <typename T, typename = void>
+struct Content_for
+{
+  static constexpr Flat_mesh::Content value = Flat_mesh::Content::ANGLES;
+};
+template <typename T>
+struct Content_for<T, std::void_t<decltype(T::content)>>
+{
+  static constexpr Flat_mesh::Content value = T::content;
+};
+
+/// What of the mesh a maker of regions or an annotator wants to be read.
+template <typename T>
+constexpr Flat_mesh::Content content_for(const T&)
+{
+  return Content_for<T>::value;
+}
+
+} // namespace internal
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_INTERNAL_COMPANIONS_H
