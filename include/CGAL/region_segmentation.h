@@ -6,6 +6,7 @@
 /// \file region_segmentation.h
 /// Everything of the package.
 
+#include <CGAL/Region_segmentation/Cut_cost.h>
 #include <CGAL/Region_segmentation/Feature_convexity.h>
 #include <CGAL/Region_segmentation/IO/labels.h>
 #include <CGAL/Region_segmentation/Least_compact_region_first.h>
@@ -13,9 +14,13 @@
 #include <CGAL/Region_segmentation/Lowest_cost_first.h>
 #include <CGAL/Region_segmentation/Merge_candidate.h>
 #include <CGAL/Region_segmentation/Merge_tree.h>
+#include <CGAL/Region_segmentation/Number_from_costs.h>
 #include <CGAL/Region_segmentation/Policy_sequence.h>
 #include <CGAL/Region_segmentation/Region_adjacency_graph.h>
+#include <CGAL/Region_segmentation/Sight.h>
 #include <CGAL/Region_segmentation/Smallest_region_first.h>
+#include <CGAL/Region_segmentation/Superfacets.h>
+#include <CGAL/Region_segmentation/best.h>
 #include <CGAL/Region_segmentation/build_region_adjacency_graph.h>
 #include <CGAL/Region_segmentation/detect_feature_edges.h>
 #include <CGAL/Region_segmentation/evaluation.h>
@@ -24,6 +29,7 @@
 #include <CGAL/Region_segmentation/grow_regions.h>
 #include <CGAL/Region_segmentation/merge_regions.h>
 #include <CGAL/Region_segmentation/parameters.h>
+#include <CGAL/Region_segmentation/part_and_cut_data.h>
 #include <CGAL/Region_segmentation/region_and_section_data.h>
 #include <CGAL/Region_segmentation/segment.h>
 #include <CGAL/Region_segmentation/two_step.h>

@@ -5,6 +5,7 @@
 
 #include <CGAL/Region_segmentation/Merge_candidate.h>
 #include <CGAL/Region_segmentation/internal/concept_checks.h>
+#include <CGAL/Region_segmentation/internal/named_data.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -29,9 +30,10 @@ namespace Region_segmentation {
 ///
 /// Complexity: O(d log S) a merge, d the number of sections of the merged region.
 ///
-/// \tparam Cost a model of `SectionCost`; a cost that is not a number is never merged
+/// \tparam Cost a model of `SectionCost`, whose `%RegionData` and `%SectionData`, if it names them, the
+///         policy names, too; a cost that is not a number is never merged
 template <typename Cost>
-class Lowest_cost_first
+class Lowest_cost_first : public internal::Data_named_by<Cost>
 {
 public:
   explicit Lowest_cost_first(Cost cost = Cost()) : m_cost(std::move(cost)) {}

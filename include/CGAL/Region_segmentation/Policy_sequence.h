@@ -4,6 +4,7 @@
 #define CGAL_REGION_SEGMENTATION_POLICY_SEQUENCE_H
 
 #include <CGAL/Region_segmentation/Merge_candidate.h>
+#include <CGAL/Region_segmentation/internal/named_data.h>
 
 #include <cstddef>
 #include <optional>
@@ -37,13 +38,14 @@ struct Switch_at_count
 };
 
 /// \ingroup PkgRegionSegmentationPolicies
-/// One policy, then another. A model of `RegionMergingPolicy`.
+/// One policy, then another. A model of `RegionMergingPolicy`; it needs the data that the first one
+/// names.
 ///
 /// \tparam First, Second models of `RegionMergingPolicy`, a sequence among them
 /// \tparam Switch `Switch_at_multiple`, `Switch_at_count`, or a function object like them: whether the
 ///         second policy takes over
 template <typename First, typename Second, typename Switch>
-class Policy_sequence
+class Policy_sequence : public internal::Data_named_by<First>
 {
 public:
   Policy_sequence(First first, Second second, Switch is_time)

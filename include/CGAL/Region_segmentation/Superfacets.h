@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <cstring>
 #include <functional>
 #include <limits>
 #include <queue>
@@ -145,17 +147,29 @@ private:
       return m_bounds.front().second;
     }
 
+    /// Distance, rounded to float, and face as one number of the same order: the front is compared a
+    /// lot. Rounding cannot change a result, since a face whose distance shrinks is pushed again.
+    static std::uint64_t key(double distance, Index face)
+    {
+      const float rounded = float(distance);
+      std::uint32_t bits;
+      std::memcpy(&bits, &rounded, sizeof bits); // of a float that is not negative: ordered as it
+      return (std::uint64_t(bits) << 32) | face;
+    }
+
     void grow_from(std::size_t seed)
     {
       const Index label = Index(m_number_of_seeds++);
       m_distances[seed] = 0;
       m_seed_of[seed] = label;
       m_predecessors[seed] = Index(seed);
-      m_front.push({0.0, Index(seed)});
+      m_front.push(key(0, Index(seed)));
       while (!m_front.empty()) {
-        const auto [distance, face] = m_front.top();
+        const std::uint64_t top = m_front.top();
         m_front.pop();
-        if (distance != m_distances[face])
+        const Index face = Index(top);
+        const double distance = m_distances[face];
+        if (top != key(distance, face))
           continue;
         for (const auto& step : m_graph.steps(face)) {
           const double longer = distance + step.length;
@@ -163,7 +177,7 @@ private:
             m_distances[step.face] = longer;
             m_seed_of[step.face] = label;
             m_predecessors[step.face] = face;
-            m_front.push({longer, step.face});
+            m_front.push(key(longer, step.face));
           }
         }
       }
@@ -189,7 +203,7 @@ private:
     std::vector<Index> m_seed_of, m_predecessors;
     std::vector<double> m_distances;
     std::vector<Entry> m_bounds;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> m_front;
+    std::priority_queue<std::uint64_t, std::vector<std::uint64_t>, std::greater<std::uint64_t>> m_front;
     std::size_t m_number_of_seeds = 0;
   };
 

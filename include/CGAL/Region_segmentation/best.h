@@ -5,6 +5,7 @@
 
 #include <CGAL/Region_segmentation/Cut_cost.h>
 #include <CGAL/Region_segmentation/Lowest_cost_first.h>
+#include <CGAL/Region_segmentation/Number_from_costs.h>
 #include <CGAL/Region_segmentation/Policy_sequence.h>
 #include <CGAL/Region_segmentation/Sight.h>
 #include <CGAL/Region_segmentation/Superfacets.h>
@@ -16,14 +17,14 @@ namespace Region_segmentation {
 /// The most accurate method of the package: `Superfacets`, annotated by `Sight`, merged at the lowest
 /// `Cut_cost` first, with other constants while there are more than 150 regions.
 ///
-/// The order of merges does not depend on the wanted number: one tree gives every segmentation.
+/// The order of merges does not depend on the wanted number: one tree gives every segmentation, and
+/// `Number_from_costs` finds a number where none is wanted.
 struct Best
   : Policy_sequence<Lowest_cost_first<Cut_cost>, Lowest_cost_first<Cut_cost>, Switch_at_count>
 {
   using RegionInitializer = Superfacets;
   using GraphAnnotator = Sight;
-  using RegionData = Part_data;
-  using SectionData = Cut_data;
+  using NumberChooser = Number_from_costs;
 
   Best()
     : Policy_sequence(Lowest_cost_first<Cut_cost>(Cut_cost::for_many_regions()),

@@ -5,7 +5,7 @@
 
 #include <CGAL/Region_segmentation/Merge_tree.h>
 #include <CGAL/Region_segmentation/Region_adjacency_graph.h>
-#include <CGAL/Region_segmentation/grow_regions.h>
+#include <CGAL/Region_segmentation/best.h>
 #include <CGAL/Region_segmentation/internal/read_flat_mesh.h>
 #include <CGAL/Region_segmentation/internal/build_graph.h>
 #include <CGAL/Region_segmentation/internal/companions.h>
@@ -17,7 +17,6 @@
 #include <CGAL/Region_segmentation/internal/write_maps.h>
 #include <CGAL/Region_segmentation/merge_regions.h>
 #include <CGAL/Region_segmentation/parameters.h>
-#include <CGAL/Region_segmentation/two_step.h>
 
 #include <CGAL/property_map.h>
 
@@ -28,21 +27,23 @@ namespace CGAL {
 namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationMain
-/// segments a surface mesh into parts: regions are grown between feature edges and merged until the
-/// wanted number is left.
+/// segments a surface mesh into parts: first regions are made and merged until the wanted number of
+/// segments is left.
 ///
 /// \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam FaceSegmentMap a model of `WritablePropertyMap` with the face descriptor as key and an
 ///         integral value type that holds the number of segments
 /// \param mesh an oriented 2-manifold with or without borders, its faces polygons of any size
 /// \param segment_map every key is written: ids 0 .. n-1, numbered by the first face
-/// \param np named parameters, of which the first must be given:
-///   - `number_of_segments` (at least 1): the wanted number k
+/// \param np optional named parameters:
+///   - `number_of_segments` (at least 1): the wanted number k; left out, it is chosen by the policy's
+///     `NumberChooser`, if there is one
 ///   - `maximum_angle` (degrees, default 180 - 3.12 * 180 / pi = 1.2376...): the deviation above which
 ///     an edge is a feature edge
 ///   - `feature_convexity` (`Feature_convexity`, default `CONCAVE`): which edges can be feature edges
-///   - `region_initializer`: a model of `RegionInitializer` (default: `Region_growing()`)
-///   - `merging_policy`: a model of `RegionMergingPolicy` (default: `Two_step()`)
+///   - `merging_policy`: a model of `RegionMergingPolicy` (default: `Best()`; `Two_step()` is the
+///     method of the paper)
+///   - `region_initializer`: a model of `RegionInitializer` (default: that of the policy)
 ///   - `edge_is_constrained_map`: edges that always are borders and are never merged across (none)
 ///   - `visitor`: a model of `SegmentationVisitor`; by `std::ref()` if it changes
 ///   - `vertex_point_map`, `face_index_map`, `vertex_index_map`: as everywhere in \cgal
@@ -58,7 +59,8 @@ namespace Region_segmentation {
 /// \throws Invalid_input if a point is not finite, `Segmentation_cancelled` if the visitor says so; all
 ///         maps are as before then
 ///
-/// Complexity: O(F) expected for the regions; merging as its policy, O(R log R + k^2) for `Two_step`.
+/// Complexity: that of its parts; O(F log F) in practice for `Best`, O(F + R log R + k^2) expected for
+/// `Two_step`.
 /// Deterministic: the same bits from every mesh type. Calls on different maps may run at the same time.
 ///
 /// Source: Yang, Zhou, Wang, Liu, Luo, "A fast and efficient mesh segmentation method based on improved
@@ -71,8 +73,8 @@ std::size_t segment(const FaceGraph& mesh, FaceSegmentMap segment_map,
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   const auto& pack = internal::pack(np);
-  const std::size_t number_of_segments = internal::number_of_segments(pack);
-  auto policy = choose_parameter(get_parameter(pack, internal_np::merging_policy), Two_step());
+  const std::size_t wanted = internal::number_of_segments(pack, 1);
+  auto policy = choose_parameter(get_parameter(pack, internal_np::merging_policy), Best());
   using Companions = internal::Companions_of_policy<decltype(policy)>;
   const auto make_regions = choose_parameter(get_parameter(pack, internal_np::region_initializer),
                                              typename Companions::RegionInitializer());
@@ -94,9 +96,9 @@ std::size_t segment(const FaceGraph& mesh, FaceSegmentMap segment_map,
 
   auto graph = internal::build_graph<typename Companions::Graph>(flat, regions);
   annotate(graph, flat, regions);
-  const Merge_tree tree = merge_regions(graph, policy, number_of_segments,
-                                        Stop_at_count{number_of_segments}, pack);
-  const Region_labels segments = internal::cut(regions, tree, number_of_segments);
+  const Merge_tree tree = merge_regions(graph, policy, wanted, Stop_at_count{wanted}, pack);
+  const Region_labels segments =
+    internal::cut(regions, tree, internal::choose_number<Companions>(tree, wanted, pack));
 
   internal::write_face_map(mesh, segment_map, [&](std::size_t i) { return segments.of_face[i]; });
   internal::write_segmentation_outputs(walk, flat, regions, is_feature, tree, pack);

@@ -56,11 +56,27 @@ struct Graph_for<T, std::void_t<typename T::RegionData, typename T::SectionData>
   using type = Region_adjacency_graph<typename T::RegionData, typename T::SectionData>;
 };
 
+/// Stands for the chooser of a policy whose order depends on the wanted number.
+struct No_chooser
+{};
+
+template <typename T, typename = void>
+struct Chooser_for
+{
+  using type = No_chooser;
+};
+template <typename T>
+struct Chooser_for<T, std::void_t<typename T::NumberChooser>>
+{
+  using type = typename T::NumberChooser;
+};
+
 template <typename Policy>
 struct Companions_of_policy
 {
   using RegionInitializer = typename Initializer_for<Policy>::type;
   using GraphAnnotator = typename Annotator_for<Policy>::type;
+  using NumberChooser = typename Chooser_for<Policy>::type;
   using Graph = typename Graph_for<Policy>::type;
 };
 

@@ -4,11 +4,13 @@
 #define CGAL_REGION_SEGMENTATION_INTERNAL_CUT_H
 
 #include <CGAL/Region_segmentation/Merge_tree.h>
+#include <CGAL/Region_segmentation/internal/companions.h>
 #include <CGAL/Region_segmentation/internal/label_components.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -49,6 +51,21 @@ inline Region_labels cut(const Region_labels& regions, const Merge_tree& tree,
   for (Flat_mesh::Index r : regions.of_face)
     result.of_face.push_back(segments.of_region[r]);
   return result;
+}
+
+/// The wanted number of segments, or the one that a chooser finds where none is wanted.
+template <typename Companions, typename Pack>
+std::size_t choose_number(const Merge_tree& tree, std::size_t wanted, const Pack&)
+{
+  using Number = internal_np::number_of_segments_t;
+  if constexpr (!CGAL::parameters::is_default_parameter<Pack, Number>::value)
+    return wanted;
+  else {
+    using Chooser = typename Companions::NumberChooser;
+    static_assert(!std::is_same<Chooser, No_chooser>::value,
+                  "segment() with this merging policy needs the named parameter number_of_segments");
+    return Chooser()(tree);
+  }
 }
 
 } // namespace internal

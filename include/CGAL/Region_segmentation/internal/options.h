@@ -37,13 +37,14 @@ Feature_convexity feature_convexity(const Pack& np)
                           Feature_convexity::CONCAVE);
 }
 
+/// The wanted number of segments; `otherwise` if the pack has none.
 template <typename Pack>
-std::size_t number_of_segments(const Pack& np)
+std::size_t number_of_segments(const Pack& np, std::size_t otherwise)
 {
+  using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  static_assert(!CGAL::parameters::is_default_parameter<Pack, internal_np::number_of_segments_t>::value,
-                "segment() needs the named parameter number_of_segments");
-  const std::size_t k = std::size_t(get_parameter(np, internal_np::number_of_segments));
+  const std::size_t k =
+    std::size_t(choose_parameter(get_parameter(np, internal_np::number_of_segments), otherwise));
   CGAL_precondition_msg(k >= 1, "number_of_segments is at least 1");
   return k;
 }

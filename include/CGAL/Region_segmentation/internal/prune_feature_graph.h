@@ -81,7 +81,8 @@ void prune_feature_graph(Graph& graph, std::size_t minimum_length)
     free_ends.clear();
     for (const auto& line : short_lines)
       for (std::size_t i = 1; i < line.size(); ++i)
-        boost::remove_edge(line[i - 1], line[i], graph); // nothing if the other free end was first
+        if (const auto e = boost::edge(line[i - 1], line[i], graph); e.second)
+          boost::remove_edge(e.first, graph); // else it went from the other free end
     for (const auto& line : short_lines)
       if (boost::degree(line.back(), graph) == 1)
         free_ends.push_back(line.back());

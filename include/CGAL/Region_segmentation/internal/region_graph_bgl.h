@@ -145,6 +145,17 @@ struct property_map<CGAL::Region_segmentation::Region_adjacency_graph<R, S>, edg
   using const_type = type;
 };
 
+// Boost's own forwarding covers graphs of its own alone.
+template <typename R, typename S>
+struct property_map<const CGAL::Region_segmentation::Region_adjacency_graph<R, S>, vertex_index_t>
+  : property_map<CGAL::Region_segmentation::Region_adjacency_graph<R, S>, vertex_index_t>
+{};
+
+template <typename R, typename S>
+struct property_map<const CGAL::Region_segmentation::Region_adjacency_graph<R, S>, edge_index_t>
+  : property_map<CGAL::Region_segmentation::Region_adjacency_graph<R, S>, edge_index_t>
+{};
+
 } // namespace boost
 
 #endif // CGAL_REGION_SEGMENTATION_INTERNAL_REGION_GRAPH_BGL_H
