@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -36,7 +37,8 @@ public:
   explicit Merge_tree(std::size_t number_of_regions = 0) : m_number_of_regions(number_of_regions) {}
 
   std::size_t number_of_regions() const { return m_number_of_regions; }
-  const std::vector<Merge>& merges() const { return m_merges; }
+  const std::vector<Merge>& merges() const& { return m_merges; }
+  std::vector<Merge> merges() && { return std::move(m_merges); }
 
   /// \pre `kept < removed < number_of_regions()`, and neither was removed before
   void push_back(const Merge& merge)

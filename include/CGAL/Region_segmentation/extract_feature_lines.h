@@ -23,8 +23,8 @@ namespace Region_segmentation {
 
 namespace internal {
 
-/// The marked edges of a mesh, and those that are barriers for growing though they are not marked,
-/// with their vertices as a graph.
+/// The marked edges of a mesh, its borders, and the edges that are barriers for growing though they are
+/// not marked, with their vertices as a graph.
 template <typename Walk, typename EdgeIsFeatureMap>
 auto make_feature_graph(const Walk& walk, const Flat_mesh& flat,
                         const EdgeIsFeatureMap& edge_is_feature_map)
@@ -44,8 +44,8 @@ auto make_feature_graph(const Walk& walk, const Flat_mesh& flat,
   };
 
   for (auto e : edges(mesh))
-    if (CGAL::is_border(e, mesh) && get(edge_is_feature_map, e))
-      add(halfedge(e, mesh), Feature_edge_role::REMOVABLE);
+    if (CGAL::is_border(e, mesh))
+      add(halfedge(e, mesh), Feature_edge_role::FIXED);
   walk.for_each_dual_edge(flat, [&](auto h, std::size_t dual_edge) {
     if (flat.has_flag(dual_edge, Flat_mesh::CONSTRAINED))
       add(h, Feature_edge_role::FIXED);
@@ -70,6 +70,8 @@ struct Polyline_collector
   void add_node(std::size_t node) { polyline.push_back(graph[node]); }
   void end_polyline()
   {
+    if (polyline.size() < 2) // a vertex whose lines are removed
+      return;
     *output++ = polyline;
     ++count;
   }
@@ -92,7 +94,8 @@ struct Polyline_collector
 /// \tparam PolylineOutputIterator a model of `OutputIterator` that takes
 ///         `std::vector<vertex_descriptor>`
 /// \param mesh an oriented 2-manifold with or without borders
-/// \param edge_is_feature_map the feature edges; every key is written
+/// \param edge_is_feature_map the feature edges; every key is written. Borders of the mesh always are
+///        feature edges
 /// \param polylines receives the vertices of every line; a closed one ends with its first vertex
 /// \param np optional named parameters:
 ///   - `minimum_length` (a number of edges, default: no line is that long): lines of at least this

@@ -17,7 +17,7 @@ namespace internal {
 /// What pruning may do to an edge.
 enum class Feature_edge_role {
   REMOVABLE, ///< a feature edge
-  FIXED,     ///< a feature edge that is constrained
+  FIXED,     ///< a feature edge that is a border of the mesh or constrained
   BARRIER    ///< no feature edge, but closed to growing: it holds the lines that end at it
 };
 
