@@ -6,6 +6,7 @@ What a region carries. It is filled from the mesh before merging, so that polici
 and copy constructible; `absorb()` is associative and commutative.
 
 \cgalHasModel `CGAL::Region_segmentation::Region_geometry`
+\cgalHasModel `CGAL::Region_segmentation::Part_data`
 */
 class RegionData
 {

@@ -4,7 +4,11 @@
 
 A maker of the regions that merging starts from.
 
+A type that needs the points of the mesh says so by
+`static constexpr Flat_mesh::Content content = Flat_mesh::Content::ANGLES_AND_POINTS`.
+
 \cgalHasModel `CGAL::Region_segmentation::Region_growing`
+\cgalHasModel `CGAL::Region_segmentation::Superfacets`
 */
 class RegionInitializer
 {

@@ -4,13 +4,16 @@
 
 Which section goes next. A policy may name the data that it needs by the types `%RegionData` and
 `%SectionData`; without them it gets `CGAL::Region_segmentation::Region_geometry` and
-`CGAL::Region_segmentation::Section_geometry`.
+`CGAL::Region_segmentation::Section_geometry`. It may name what `CGAL::Region_segmentation::segment()` uses
+it with by the types `%RegionInitializer`, `%GraphAnnotator` and `%NumberChooser`; without them these are
+`CGAL::Region_segmentation::Region_growing`, none, and none.
 
 \cgalHasModel `CGAL::Region_segmentation::Smallest_region_first`
 \cgalHasModel `CGAL::Region_segmentation::Least_compact_region_first`
 \cgalHasModel `CGAL::Region_segmentation::Lowest_cost_first`
 \cgalHasModel `CGAL::Region_segmentation::Policy_sequence`
 \cgalHasModel `CGAL::Region_segmentation::Two_step`
+\cgalHasModel `CGAL::Region_segmentation::Best`
 */
 class RegionMergingPolicy
 {

@@ -5,6 +5,8 @@
 What it costs to merge across a section. It depends on the section and on its two regions alone.
 `CGAL::Region_segmentation::Lowest_cost_first` turns it into a policy. It may name the data that it needs
 by the types `%RegionData` and `%SectionData`.
+
+\cgalHasModel `CGAL::Region_segmentation::Cut_cost`
 */
 class SectionCost
 {

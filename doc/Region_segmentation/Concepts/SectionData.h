@@ -6,6 +6,7 @@ What a section, all edges that two regions share, carries. Default and copy cons
 associative and commutative.
 
 \cgalHasModel `CGAL::Region_segmentation::Section_geometry`
+\cgalHasModel `CGAL::Region_segmentation::Cut_data`
 */
 class SectionData
 {

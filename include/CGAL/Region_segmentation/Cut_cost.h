@@ -13,18 +13,35 @@ namespace CGAL {
 namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationPolicies
-/// What a cut along a section is worth. A model of `SectionCost`.
+/// What keeps the regions on the two sides of a section apart: the logarithm of a product of powers. A
+/// model of `SectionCost`, for graphs annotated by `Sight`.
+///
+/// A section of length \f$L\f$ between regions of areas \f$a_i, a_j\f$, \f$m\f$ the smaller and \f$h\f$
+/// their harmonic mean (all relative, see `Sight`), costs
+/// \f[ p_d \ln d + p_a ((1 - \eta) \ln m + \eta \ln h) - p_l \ln \frac{L^2}{m}
+///    + p_t \ln (t_0 + |t_i - t_j|) - p_s \ln \left(s_0 + \frac{s_{ij}}{\min(s_i, s_j)}\right), \f]
+/// \f$d = \max(0, (C - w_x X + w_b B) / L) + d_0\f$: how deep the valley is along the section, from
+/// the integrals of concave and convex deviations \f$C, X\f$ and of the bend \f$B\f$; \f$t\f$ the mean
+/// thickness of a region; \f$s_{ij}\f$ the rays between the regions and \f$s_i\f$ those that end in one.
+/// It has no unit. It is not a number for a section without edges.
+///
+/// The constants were chosen on half of the Princeton benchmark, see `doc/accuracy.md`.
 struct Cut_cost
 {
   using RegionData = Part_data;
   using SectionData = Cut_data;
 
-  double depth_exponent = 3.83, depth_offset = 0.0233;
-  double area_exponent = 1.74, harmonic_share = 0.13;
-  double length_exponent = 0.873;
-  double thickness_exponent = 1, thickness_offset = 0.168;
-  double sight_exponent = 0.215, sight_offset = 0.012;
-  double convex_weight = 0.293, bend_weight = 0.065;
+  double depth_exponent = 3.83;     ///< p_d
+  double depth_offset = 0.0233;     ///< d_0, radian
+  double area_exponent = 1.74;      ///< p_a
+  double harmonic_share = 0.13;     ///< eta
+  double length_exponent = 0.873;   ///< p_l
+  double thickness_exponent = 1;    ///< p_t: 1 sets the scale of the cost
+  double thickness_offset = 0.168;  ///< t_0
+  double sight_exponent = 0.215;    ///< p_s
+  double sight_offset = 0.012;      ///< s_0
+  double convex_weight = 0.293;     ///< w_x
+  double bend_weight = 0.065;       ///< w_b
 
   /// The constants while regions are many and small: what sees each other belongs together.
   static Cut_cost for_many_regions()

@@ -172,7 +172,7 @@ private:
         if (top != key(distance, face))
           continue;
         for (const auto& step : m_graph.steps(face)) {
-          const double longer = distance + step.length;
+          const double longer = distance + double(step.length);
           if (longer < m_distances[step.face]) {
             m_distances[step.face] = longer;
             m_seed_of[step.face] = label;

@@ -15,7 +15,8 @@ namespace Region_segmentation {
 namespace internal {
 
 /// The faces and their neighbors on both sides, with a length for each step. Constrained edges are no
-/// step. 8 bytes a face and 16 for each side of a dual edge.
+/// step. 4 bytes a face and 8 for each side of a dual edge: searches are bound by memory, so lengths are
+/// float.
 class Dual_graph
 {
 public:
@@ -24,7 +25,7 @@ public:
   struct Step
   {
     Index face;
-    double length;
+    float length;
   };
 
   /// `length(face, edge)`: of a dual edge and its lower face.
@@ -41,7 +42,7 @@ public:
       m_first[f] += m_first[f - 1];
     m_steps.resize(m_first.back());
     for_each_step(mesh, [&](std::size_t f, std::size_t g, std::size_t e) {
-      const double l = length(f, e);
+      const float l = float(length(f, e));
       m_steps[m_first[f + 1]++] = {Index(g), l};
       m_steps[m_first[g + 1]++] = {Index(f), l};
     });
@@ -63,7 +64,7 @@ private:
           f(i, mesh.higher_face(e), e);
   }
 
-  std::vector<std::size_t> m_first;
+  std::vector<Index> m_first;
   std::vector<Step> m_steps;
 };
 
