@@ -39,7 +39,7 @@ struct Cut_cost
   double thickness_exponent = 1;    ///< p_t: 1 sets the scale of the cost
   double thickness_offset = 0.168;  ///< t_0
   double sight_exponent = 0.215;    ///< p_s
-  double sight_offset = 0.012;      ///< s_0
+  double sight_offset = 0.01;       ///< s_0
   double convex_weight = 0.293;     ///< w_x
   double bend_weight = 0.065;       ///< w_b
 
@@ -48,10 +48,12 @@ struct Cut_cost
   {
     Cut_cost cost;
     cost.depth_exponent = 3.14;
-    cost.depth_offset = 0.053;
+    cost.depth_offset = 0.0535;
     cost.area_exponent = 1.24;
     cost.thickness_exponent = 0.78;
     cost.sight_exponent = 0.486;
+    cost.bend_weight = 0.103;
+    cost.harmonic_share = 0;
     return cost;
   }
 
