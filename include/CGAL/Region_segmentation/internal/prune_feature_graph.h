@@ -6,6 +6,7 @@
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/graph_traits.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -36,13 +37,13 @@ using Feature_graph =
                         Feature_edge<FaceGraph>>;
 
 template <typename Graph>
-bool is_removable(std::size_t from, std::size_t to, const Graph& graph)
+Feature_edge_role role(std::size_t from, std::size_t to, const Graph& graph)
 {
-  return graph[boost::edge(from, to, graph).first].role == Feature_edge_role::REMOVABLE;
+  return graph[boost::edge(from, to, graph).first].role;
 }
 
-/// The nodes of the removable line that starts at a free end, up to the first node that does not have
-/// two edges or from where it goes on as another kind; just the free end if it starts as such.
+/// The nodes of the line that starts at a free end, up to the first node that does not have two edges
+/// or from where it goes on as a barrier; just the free end if it starts as one.
 template <typename Graph>
 std::vector<std::size_t> line_from(std::size_t free_end, const Graph& graph)
 {
@@ -52,7 +53,7 @@ std::vector<std::size_t> line_from(std::size_t free_end, const Graph& graph)
     auto next = boost::adjacent_vertices(node, graph).first;
     if (node != free_end && *next == previous)
       ++next;
-    if (!is_removable(node, *next, graph))
+    if (role(node, *next, graph) == Feature_edge_role::BARRIER)
       break;
     previous = std::exchange(node, *next);
     nodes.push_back(node);
@@ -60,9 +61,20 @@ std::vector<std::size_t> line_from(std::size_t free_end, const Graph& graph)
   return nodes;
 }
 
-/// Removes the lines with a free end that have fewer edges than `minimum_length`: all at once, so that
-/// the order does not count, and again while that makes new free ends. O(E): a line that stays can only
-/// become longer, and is not walked again.
+/// Removes an edge if it may go and is still there; tells whether it did.
+template <typename Graph>
+bool remove_if_removable(std::size_t from, std::size_t to, Graph& graph)
+{
+  const auto e = boost::edge(from, to, graph);
+  if (!e.second || graph[e.first].role != Feature_edge_role::REMOVABLE)
+    return false;
+  boost::remove_edge(e.first, graph);
+  return true;
+}
+
+/// Removes the lines with a free end that have fewer edges than `minimum_length`, but for their fixed
+/// edges: all at once, so that the order does not count, and again while that makes new free ends. O(E):
+/// a line that stays can only become longer, and is not walked again.
 template <typename Graph>
 void prune_feature_graph(Graph& graph, std::size_t minimum_length)
 {
@@ -79,13 +91,16 @@ void prune_feature_graph(Graph& graph, std::size_t minimum_length)
         short_lines.push_back(std::move(line));
     }
     free_ends.clear();
-    for (const auto& line : short_lines)
+    for (const auto& line : short_lines) {
+      bool is_last_removed = false;
       for (std::size_t i = 1; i < line.size(); ++i)
-        if (const auto e = boost::edge(line[i - 1], line[i], graph); e.second)
-          boost::remove_edge(e.first, graph); // else it went from the other free end
-    for (const auto& line : short_lines)
-      if (boost::degree(line.back(), graph) == 1)
+        is_last_removed = remove_if_removable(line[i - 1], line[i], graph);
+      if (is_last_removed)
         free_ends.push_back(line.back());
+    }
+    free_ends.erase(std::remove_if(free_ends.begin(), free_ends.end(),
+                                   [&graph](std::size_t n) { return boost::degree(n, graph) != 1; }),
+                    free_ends.end());
   }
 }
 
