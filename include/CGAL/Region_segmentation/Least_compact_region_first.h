@@ -7,7 +7,7 @@
 #include <CGAL/Region_segmentation/Merge_candidate.h>
 #include <CGAL/Region_segmentation/internal/share.h>
 
-#include <CGAL/number_utils.h>
+#include <CGAL/number_type_config.h>
 
 #include <algorithm>
 #include <cmath>

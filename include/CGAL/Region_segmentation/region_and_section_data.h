@@ -5,6 +5,8 @@
 
 #include <CGAL/Region_segmentation/internal/Flat_mesh.h>
 
+#include <CGAL/number_type_config.h>
+
 #include <cstddef>
 
 namespace CGAL {

@@ -6,6 +6,8 @@
 #include <CGAL/Region_segmentation/Feature_convexity.h>
 #include <CGAL/Region_segmentation/internal/Region_labels.h>
 
+#include <CGAL/number_type_config.h>
+
 #include <cmath>
 
 namespace CGAL {

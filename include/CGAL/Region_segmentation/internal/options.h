@@ -7,6 +7,7 @@
 #include <CGAL/Region_segmentation/parameters.h>
 
 #include <CGAL/assertions.h>
+#include <CGAL/number_type_config.h>
 
 #include <cstddef>
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -73,17 +74,20 @@ bool remove_if_removable(std::size_t from, std::size_t to, Graph& graph)
 }
 
 /// Removes the lines with a free end that have fewer edges than `minimum_length`, but for their fixed
-/// edges: all at once, so that the order does not count, and again while that makes new free ends. O(E):
-/// a line that stays can only become longer, and is not walked again.
+/// edges: all at once, so that the order does not count, and again while that makes new free ends or
+/// lets a line of fixed edges go on. O(E) without fixed edges: a line that is long enough can only become
+/// longer, and is not walked again.
 template <typename Graph>
 void prune_feature_graph(Graph& graph, std::size_t minimum_length)
 {
+  const auto is_free = [&graph](std::size_t node) { return boost::degree(node, graph) == 1; };
   std::vector<std::size_t> free_ends;
   for (std::size_t node = 0; node < boost::num_vertices(graph); ++node)
-    if (boost::degree(node, graph) == 1)
+    if (is_free(node))
       free_ends.push_back(node);
 
-  while (!free_ends.empty()) {
+  for (bool is_changed = true; is_changed;) {
+    is_changed = false;
     std::vector<std::vector<std::size_t>> short_lines;
     for (std::size_t node : free_ends) {
       auto line = line_from(node, graph);
@@ -92,14 +96,11 @@ void prune_feature_graph(Graph& graph, std::size_t minimum_length)
     }
     free_ends.clear();
     for (const auto& line : short_lines) {
-      bool is_last_removed = false;
       for (std::size_t i = 1; i < line.size(); ++i)
-        is_last_removed = remove_if_removable(line[i - 1], line[i], graph);
-      if (is_last_removed)
-        free_ends.push_back(line.back());
+        is_changed |= remove_if_removable(line[i - 1], line[i], graph);
+      free_ends.insert(free_ends.end(), line.begin(), line.end());
     }
-    free_ends.erase(std::remove_if(free_ends.begin(), free_ends.end(),
-                                   [&graph](std::size_t n) { return boost::degree(n, graph) != 1; }),
+    free_ends.erase(std::remove_if(free_ends.begin(), free_ends.end(), std::not_fn(is_free)),
                     free_ends.end());
   }
 }

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_SEGMENT_MESH_SEGMENTATION_SETTINGS_H
+#define CGAL_REGION_SEGMENTATION_SEGMENT_MESH_SEGMENTATION_SETTINGS_H
+
+#include <CGAL/Region_segmentation/Feature_convexity.h>
+
+#include <cstddef>
+#include <optional>
+
+namespace segment_mesh {
+
+/// The mesh type that the segmentation runs on. All have double coordinates; the labels are the
+/// same.
+enum class Mesh_type { SURFACE_MESH, POLYHEDRON, OPENMESH };
+
+/// Whether the program was built with what a mesh type needs.
+bool is_available(Mesh_type type);
+
+/// The paper's method, or the most accurate one.
+enum class Method { TWO_STEP, BEST };
+
+/// What is wanted beside the labels.
+enum class Detail { LABELS, ALL };
+
+struct Segmentation_settings
+{
+  Method method = Method::BEST;
+  std::optional<std::size_t> number_of_segments; ///< if empty, the method chooses: `BEST` can
+  CGAL::Region_segmentation::Feature_convexity features =
+    CGAL::Region_segmentation::Feature_convexity::CONCAVE;
+  std::optional<double> maximum_angle; ///< in degrees; the method's own if empty
+  Mesh_type mesh_type = Mesh_type::SURFACE_MESH;
+  Detail detail = Detail::ALL;
+};
+
+} // namespace segment_mesh
+
+#endif // CGAL_REGION_SEGMENTATION_SEGMENT_MESH_SEGMENTATION_SETTINGS_H

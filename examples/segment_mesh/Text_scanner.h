@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_SEGMENT_MESH_TEXT_SCANNER_H
+#define CGAL_REGION_SEGMENTATION_SEGMENT_MESH_TEXT_SCANNER_H
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace segment_mesh {
+
+/// Reads words line by line, and fails with the line that it stands on.
+class Text_scanner
+{
+public:
+  static constexpr char no_comments = '\0';
+
+  /// `file` names the file in messages; `text` must live as long as the scanner. What follows
+  /// `comment` on a line is not seen. `first_line` is the number of the first line of `text`.
+  Text_scanner(const std::string& file, std::string_view text, char comment,
+               std::size_t first_line = 1);
+
+  /// Goes to the next line that has a word; false, and at the last line, if there is none.
+  bool next_line();
+  /// The next word of this line; empty if there is none.
+  std::string_view word();
+  /// The next word of this or a later line; empty at the end of the text.
+  std::string_view word_of_any_line();
+  bool has_word();
+
+  /// The number of this line, from 1.
+  std::size_t line_number() const { return m_line_number; }
+  /// Where the line after this one starts.
+  std::size_t offset_of_next_line() const { return m_next; }
+
+  /// \throws Input_error naming file and line
+  [[noreturn]] void fail(const std::string& cause) const;
+
+  /// The value of a word.
+  /// \throws Input_error if it is not a number, or not a finite one
+  double finite_number(std::string_view word) const;
+  /// The value of a word that stands for `what`, such as "an index".
+  /// \throws Input_error if it is not an integer
+  std::int64_t integer(std::string_view word, const char* what) const;
+
+private:
+  std::string m_file;
+  std::string_view m_text;
+  char m_comment;
+  std::string_view m_line; // what is left of this line
+  std::size_t m_next = 0;
+  std::size_t m_line_number;
+  std::size_t m_next_line_number;
+};
+
+/// A word in quotes, shortened if it is long.
+std::string in_quotes(std::string_view word);
+/// "1 face", "2 faces".
+std::string counted(std::size_t count, const std::string& singular);
+
+} // namespace segment_mesh
+
+#endif // CGAL_REGION_SEGMENTATION_SEGMENT_MESH_TEXT_SCANNER_H

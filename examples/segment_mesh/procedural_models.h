@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_SEGMENT_MESH_PROCEDURAL_MODELS_H
+#define CGAL_REGION_SEGMENTATION_SEGMENT_MESH_PROCEDURAL_MODELS_H
+
+#include "Polygon_soup.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace segment_mesh {
+
+/// A closed mesh whose parts are known, because it was made of them.
+struct Labelled_model
+{
+  std::string name;
+  Polygon_soup soup;
+  std::vector<std::size_t> labels; ///< the part of each face, below `number_of_parts`
+  std::size_t number_of_parts = 0;
+};
+
+/// How a model is made. The same call gives the same model, to the bit.
+struct Model_recipe
+{
+  std::string name;
+  Labelled_model (*make)();
+};
+
+/// All models that the program can make. The first is the one that it shows without an input.
+const std::vector<Model_recipe>& procedural_models();
+
+} // namespace segment_mesh
+
+#endif // CGAL_REGION_SEGMENTATION_SEGMENT_MESH_PROCEDURAL_MODELS_H

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_SEGMENT_MESH_SEGMENT_COLORS_H
+#define CGAL_REGION_SEGMENTATION_SEGMENT_MESH_SEGMENT_COLORS_H
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+
+namespace segment_mesh {
+
+/// Red, green, blue.
+using Color = std::array<std::uint8_t, 3>;
+
+/// A color from hue in turns, saturation and value, each in [0, 1].
+inline Color color_from_hsv(double hue, double saturation, double value)
+{
+  const auto channel = [=](double offset) {
+    const double h = std::fmod(hue * 6 + offset, 6.0);
+    const double ramp = std::fmax(0.0, std::fmin(std::fmin(h, 4 - h), 1.0));
+    return std::uint8_t(std::lround(255 * value * (1 - saturation * ramp)));
+  };
+  return {channel(5), channel(3), channel(1)};
+}
+
+/// The color of a segment, the same in every output and on every machine. The first twelve are far
+/// apart also for most color-blind eyes (Paul Tol's and Okabe and Ito's hues, by alternating
+/// lightness); further ones step round the hues by the golden ratio, so that no two are equal.
+inline Color segment_color(std::size_t segment)
+{
+  constexpr Color first[] = {{68, 119, 170},  {238, 102, 119}, {34, 136, 51}, {204, 187, 68},
+                             {102, 204, 238}, {170, 51, 119},  {230, 159, 0}, {153, 221, 155},
+                             {136, 34, 85},   {187, 187, 187}, {51, 34, 136}, {255, 170, 187}};
+  constexpr std::size_t number_of_first = std::size(first);
+  if (segment < number_of_first)
+    return first[segment];
+  const std::size_t i = segment - number_of_first;
+  const double golden_ratio = 0.6180339887498949;
+  const double saturations[] = {0.55, 0.85, 0.4}, values[] = {0.95, 0.7, 0.85};
+  return color_from_hsv(std::fmod(double(i) * golden_ratio, 1.0), saturations[i % 3],
+                        values[(i / 3) % 3]);
+}
+
+} // namespace segment_mesh
+
+#endif // CGAL_REGION_SEGMENTATION_SEGMENT_MESH_SEGMENT_COLORS_H

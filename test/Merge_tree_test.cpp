@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "oracles.h"
+
+#include <CGAL/Region_segmentation/Merge_tree.h>
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using CGAL::Region_segmentation::Merge_tree;
+using namespace test;
+using Ids = std::vector<std::uint32_t>;
+
+//     0  1  2  3  4
+//     |  |  +--+  |    cost 1
+//     |  +-----|--+    cost 5
+//     +--------+       cost 3: a cost may go down again
+Merge_tree small_tree()
+{
+  Merge_tree tree(5);
+  tree.push_back({2, 3, 1});
+  tree.push_back({1, 4, 5});
+  tree.push_back({0, 2, 3});
+  return tree;
+}
+
+TEST(Merge_tree_test, cut_at_count)
+{
+  const Merge_tree tree = small_tree();
+  EXPECT_EQ(tree.cut_at_count(5).of_region, (Ids{0, 1, 2, 3, 4}));
+  EXPECT_EQ(tree.cut_at_count(4).of_region, (Ids{0, 1, 2, 2, 3}));
+  EXPECT_EQ(tree.cut_at_count(3).of_region, (Ids{0, 1, 2, 2, 1}));
+  EXPECT_EQ(tree.cut_at_count(2).of_region, (Ids{0, 1, 0, 0, 1}));
+  EXPECT_EQ(tree.cut_at_count(3).number_of_segments, 3u);
+}
+
+TEST(Merge_tree_test, cut_at_a_count_that_the_tree_does_not_have)
+{
+  const Merge_tree tree = small_tree();
+  EXPECT_EQ(tree.cut_at_count(1).number_of_segments, 2u);
+  EXPECT_EQ(tree.cut_at_count(0).number_of_segments, 2u);
+  EXPECT_EQ(tree.cut_at_count(1000).number_of_segments, 5u);
+}
+
+TEST(Merge_tree_test, cut_at_cost_ends_before_the_first_dearer_merge)
+{
+  const Merge_tree tree = small_tree();
+  EXPECT_EQ(tree.cut_at_cost(0.5).number_of_segments, 5u);
+  EXPECT_EQ(tree.cut_at_cost(1).number_of_segments, 4u);
+  EXPECT_EQ(tree.cut_at_cost(4).number_of_segments, 4u);
+  EXPECT_EQ(tree.cut_at_cost(5).number_of_segments, 2u);
+}
+
+TEST(Merge_tree_test, without_merges_or_regions)
+{
+  EXPECT_EQ(Merge_tree().cut_at_count(3).number_of_segments, 0u);
+  EXPECT_EQ(Merge_tree(3).cut_at_count(1).of_region, (Ids{0, 1, 2}));
+  EXPECT_EQ(Merge_tree(3).cut_at_cost(1e300).number_of_segments, 3u);
+}
+
+TEST(Merge_tree_test, random_trees_nest_and_agree_with_sets)
+{
+  for (unsigned seed = 0; seed < 100; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937 random(seed);
+    const std::size_t n = 1 + random() % 40;
+    Merge_tree tree(n);
+    std::map<std::size_t, std::set<std::size_t>> live; // by its lowest region
+    for (std::size_t r = 0; r < n; ++r)
+      live[r] = {r};
+    Labels finer;
+    for (std::size_t left = n;; --left) {
+      Labels expected(n);
+      std::size_t label = 0;
+      for (const auto& [lowest, members] : live) {
+        for (std::size_t r : members)
+          expected[r] = label;
+        ++label;
+      }
+      // The merges to come must not matter: cut the finished tree later, the growing one now.
+      const auto cut = tree.cut_at_count(left);
+      ASSERT_EQ(cut.number_of_segments, left);
+      const Labels labels(cut.of_region.begin(), cut.of_region.end());
+      ASSERT_EQ(labels, expected);
+      ASSERT_TRUE(finer.empty() || nests(finer, labels));
+      finer = labels;
+      if (left == 1)
+        break;
+      auto a = std::next(live.begin(), std::ptrdiff_t(random() % live.size()));
+      auto b = std::next(live.begin(), std::ptrdiff_t(random() % live.size()));
+      while (a == b)
+        b = std::next(live.begin(), std::ptrdiff_t(random() % live.size()));
+      if (a->first > b->first)
+        std::swap(a, b);
+      tree.push_back({std::uint32_t(a->first), std::uint32_t(b->first), double(n - left)});
+      a->second.insert(b->second.begin(), b->second.end());
+      live.erase(b);
+    }
+    for (std::size_t k = 1; k <= n; ++k)
+      EXPECT_EQ(tree.cut_at_count(k).number_of_segments, k);
+  }
+}
+
+} // namespace

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_TEST_ACCURACY_MODEL_RESULT_H
+#define CGAL_REGION_SEGMENTATION_TEST_ACCURACY_MODEL_RESULT_H
+
+#include "Measures.h"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+namespace princeton_benchmark {
+
+/// Seconds of the stages as the paper divides them.
+struct Stage_seconds
+{
+  double features = 0; ///< with reading the mesh into arrays, where the normals are computed
+  double growing = 0;  ///< with building the graph of regions
+  double merging = 0;  ///< to the labels
+
+  double total() const { return features + growing + merging; }
+};
+
+/// A picture of a result beside one of a truth, as a PNG file.
+struct Picture
+{
+  std::string png;
+  std::size_t width = 0, height = 0; ///< in pixels
+};
+
+/// What is kept of a model.
+struct Model_result
+{
+  std::string name, category;
+  std::string failure; ///< why there is nothing below; empty if there is
+
+  std::size_t number_of_faces = 0, number_of_truths = 0;
+  std::size_t wanted_segments = 0;
+  std::size_t number_of_segments = 0, number_of_regions = 0; ///< 0 for the method `people`
+  Stage_seconds seconds;
+
+  Measures standard; ///< the mean over all truths
+  /// Against the first of the truths with the wanted number of segments, and against the nearest
+  /// one of them by the Rand index; empty if no truth has this number.
+  std::optional<Measures> first, nearest;
+  std::size_t undefined_cuts = 0; ///< comparisons without a cut discrepancy
+
+  std::string nearest_truth; ///< of all truths, by the Rand index
+  double nearest_distance = 0;
+  Picture picture; ///< only for a report
+};
+
+} // namespace princeton_benchmark
+
+#endif // CGAL_REGION_SEGMENTATION_TEST_ACCURACY_MODEL_RESULT_H

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_TEST_ACCURACY_BENCHMARK_OPTIONS_H
+#define CGAL_REGION_SEGMENTATION_TEST_ACCURACY_BENCHMARK_OPTIONS_H
+
+#include <cstddef>
+#include <string>
+#include <variant>
+
+namespace princeton_benchmark {
+
+struct Benchmark_options
+{
+  std::string data_folder; ///< empty: the procedural models
+  std::string method = "best";
+  std::size_t number_of_threads = 1;
+  std::string csv_file, report_file; ///< empty: none
+};
+
+/// The options, or the exit status where the program has nothing left to do: help was shown (0), or
+/// the command line makes no sense (2).
+std::variant<Benchmark_options, int> parse_command_line(int argc, char** argv);
+
+} // namespace princeton_benchmark
+
+#endif // CGAL_REGION_SEGMENTATION_TEST_ACCURACY_BENCHMARK_OPTIONS_H

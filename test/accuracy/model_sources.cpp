@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "model_sources.h"
+
+#include "procedural_models.h"
+#include "read_mesh.h"
+
+#include <set>
+#include <stdexcept>
+
+namespace princeton_benchmark {
+
+namespace {
+
+Truth make_truth(std::string name, std::vector<int> labels)
+{
+  const std::size_t number_of_segments = std::set<int>(labels.begin(), labels.end()).size();
+  return {std::move(name), std::move(labels), number_of_segments};
+}
+
+Model load_princeton_model(const Princeton_data& data, int number)
+{
+  Model model;
+  model.soup = segment_mesh::read_mesh(data.mesh_file(number).string()).soup;
+  model.number_of_segments = std::size_t(data.number_of_segments(number));
+  for (int j : data.human_segmentations(number))
+    model.truths.push_back(make_truth(data.segmentation_file(number, j).stem().string(),
+                                      data.labels(number, j, model.soup.polygons.size())));
+  if (model.truths.empty())
+    throw std::runtime_error(data.mesh_file(number).string() + ": no human segmentation");
+  return model;
+}
+
+Model make_procedural_model(const segment_mesh::Model_recipe& recipe)
+{
+  segment_mesh::Labelled_model made = recipe.make();
+  Model model;
+  model.soup = std::move(made.soup);
+  model.number_of_segments = made.number_of_parts;
+  model.truths.push_back(make_truth("its parts", {made.labels.begin(), made.labels.end()}));
+  return model;
+}
+
+} // namespace
+
+std::vector<Model_source> princeton_sources(const Princeton_data& data)
+{
+  std::vector<Model_source> sources;
+  for (int number : data.models())
+    sources.push_back({std::to_string(number),
+                       Princeton_data::category_name(Princeton_data::category(number)),
+                       [&data, number] { return load_princeton_model(data, number); }});
+  return sources;
+}
+
+std::vector<Model_source> procedural_sources()
+{
+  std::vector<Model_source> sources;
+  for (const segment_mesh::Model_recipe& recipe : segment_mesh::procedural_models())
+    sources.push_back(
+        {recipe.name, recipe.name, [&recipe] { return make_procedural_model(recipe); }});
+  return sources;
+}
+
+} // namespace princeton_benchmark

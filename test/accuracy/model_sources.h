@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_TEST_ACCURACY_MODEL_SOURCES_H
+#define CGAL_REGION_SEGMENTATION_TEST_ACCURACY_MODEL_SOURCES_H
+
+#include "Princeton_data.h"
+
+#include "Polygon_soup.h"
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace princeton_benchmark {
+
+/// What a result is compared with.
+struct Truth
+{
+  std::string name;
+  std::vector<int> labels; ///< of each face, in the order of the file
+  std::size_t number_of_segments = 0;
+};
+
+/// A model in memory.
+struct Model
+{
+  segment_mesh::Polygon_soup soup;
+  std::size_t number_of_segments = 0; ///< the number k that a method is given
+  std::vector<Truth> truths;
+};
+
+/// Where a model comes from. It is loaded by the thread that works on it.
+struct Model_source
+{
+  std::string name, category;
+  std::function<Model()> load; ///< \throws std::exception with a message that names the file
+};
+
+/// All models of a copy of the Princeton benchmark, by number. \pre `data` lives as long as the
+/// result
+std::vector<Model_source> princeton_sources(const Princeton_data& data);
+
+/// The models that segment_mesh can make, each a category of its own with one truth.
+std::vector<Model_source> procedural_sources();
+
+} // namespace princeton_benchmark
+
+#endif // CGAL_REGION_SEGMENTATION_TEST_ACCURACY_MODEL_SOURCES_H

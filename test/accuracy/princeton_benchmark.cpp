@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Where the methods of the package stand on the Princeton Segmentation Benchmark, in one command.
+
+#include "Princeton_data.h"
+#include "Summary.h"
+#include "benchmark_options.h"
+#include "run_benchmark.h"
+#include "score_model.h"
+#include "score_tables.h"
+#include "write_csv.h"
+#include "write_report.h"
+
+#include "Progress_bar.h"
+#include "Whole_file.h"
+#include "errors.h"
+
+#include <exception>
+#include <iostream>
+#include <optional>
+#include <string>
+
+namespace princeton_benchmark {
+
+namespace {
+
+Model_scorer make_scorer(const Benchmark_options& options)
+{
+  if (options.method == "people")
+    return score_people;
+  const Segmenter segmenter = options.method == "best" ? segment_by_best : segment_by_two_step;
+  const Pictures pictures = options.report_file.empty() ? Pictures::NONE : Pictures::NEAREST_TRUTH;
+  return [=](const Model& model) { return score_segmentation(model, segmenter, pictures); };
+}
+
+Run run(const Benchmark_options& options)
+{
+  std::optional<Princeton_data> data;
+  if (!options.data_folder.empty())
+    data.emplace(options.data_folder);
+  const std::vector<Model_source> sources = data ? princeton_sources(*data) : procedural_sources();
+
+  std::optional<segment_mesh::Progress_bar> bar;
+  if (segment_mesh::is_terminal())
+    bar.emplace();
+  const auto show = [&](std::size_t done) {
+    const std::string words = std::to_string(done) + " of " + counted(sources.size(), "model");
+    if (bar)
+      bar->show(words.c_str(), double(done) / double(sources.size()));
+  };
+  return {options.method, data.has_value(), options.method != "people",
+          run_benchmark(sources, make_scorer(options), options.number_of_threads, show)};
+}
+
+template <typename Writer>
+void write_file(const std::string& file, Writer write)
+{
+  if (file.empty())
+    return;
+  segment_mesh::Whole_file whole(file);
+  write(whole.stream());
+  whole.commit();
+}
+
+/// A line on stderr for each failure. The exit status.
+int report_failures(const Run& run)
+{
+  for (const Model_result& r : run.results)
+    if (!r.failure.empty())
+      std::cerr << "princeton_benchmark: "
+                << segment_mesh::one_line("model " + r.name + ": " + r.failure) << "\n";
+  const std::size_t failures = number_of_failures(run.results);
+  if (failures > 0)
+    std::cerr << "princeton_benchmark: " << failures << " of "
+              << counted(run.results.size(), "model") << " failed\n";
+  return failures > 0 ? 1 : 0;
+}
+
+int run_program(int argc, char** argv)
+{
+  const auto parsed = parse_command_line(argc, argv);
+  if (const int* exit_status = std::get_if<int>(&parsed))
+    return *exit_status;
+  const Benchmark_options& options = std::get<Benchmark_options>(parsed);
+  const Run result = run(options);
+  for (const Table& table : score_tables(result))
+    write_text(std::cout, table);
+  std::cout.flush();
+  write_file(options.csv_file, [&](std::ostream& out) { write_csv(out, result.results); });
+  write_file(options.report_file, [&](std::ostream& out) { write_report(out, result); });
+  return report_failures(result);
+}
+
+} // namespace
+
+} // namespace princeton_benchmark
+
+int main(int argc, char** argv)
+{
+  try {
+    return princeton_benchmark::run_program(argc, argv);
+  } catch (const std::exception& error) {
+    std::cerr << "princeton_benchmark: " << segment_mesh::one_line(error.what()) << "\n";
+    return 1;
+  }
+}

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// For the tests that must not compile. Each file compiles without WITH_FAULT, so that it is the
+// fault that is refused, and with it fails with the message of its line `expect:`.
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/region_segmentation.h>
+
+#include <optional>
+
+namespace RS = CGAL::Region_segmentation;
+using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+using Labels = Mesh::Property_map<Mesh::Face_index, std::size_t>;
+using Graph = RS::Region_adjacency_graph<>;

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "meshes.h"
+#include "oracles.h"
+
+#include <CGAL/Region_segmentation/detect_feature_edges.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace {
+
+namespace RS = CGAL::Region_segmentation;
+using RS::Feature_convexity;
+using namespace test;
+
+/// The edges that are detected, over a map that was all true.
+template <typename Parameters>
+std::set<Edge> features(const Soup& soup, const Parameters& np)
+{
+  const Surface_mesh mesh = to_surface_mesh(soup);
+  auto map = edge_map(mesh, std::uint8_t(1));
+  const std::size_t n = RS::detect_feature_edges(mesh, map, np);
+  std::set<Edge> result;
+  for (const auto& [edge, is_feature] : flags_of(mesh, map))
+    if (is_feature)
+      result.insert(edge);
+  EXPECT_EQ(n, result.size());
+  return result;
+}
+
+std::size_t number_of_features(const Soup& soup, Feature_convexity convexity, double maximum_angle)
+{
+  return features(soup, RS::parameters::feature_convexity(convexity).maximum_angle(maximum_angle))
+      .size();
+}
+
+TEST(Detect_feature_edges_test, cube_has_twelve_convex_edges)
+{
+  for (const Soup& soup : {cube(), triangulated(cube())}) { // the diagonals are flat
+    EXPECT_EQ(number_of_features(soup, Feature_convexity::ALL, 30), 12u);
+    EXPECT_EQ(number_of_features(soup, Feature_convexity::CONVEX, 30), 12u);
+    EXPECT_EQ(number_of_features(soup, Feature_convexity::CONCAVE, 30), 0u);
+  }
+}
+
+TEST(Detect_feature_edges_test, inside_out_convex_is_concave)
+{
+  EXPECT_EQ(number_of_features(reversed(cube()), Feature_convexity::CONVEX, 30), 0u);
+  EXPECT_EQ(number_of_features(reversed(cube()), Feature_convexity::CONCAVE, 30), 12u);
+}
+
+TEST(Detect_feature_edges_test, the_bound_is_a_deviation_in_degrees)
+{
+  for (double angle : {0.0, 45.0, 89.999})
+    EXPECT_EQ(number_of_features(cube(), Feature_convexity::ALL, angle), 12u) << angle;
+  for (double angle : {90.001, 135.0, 180.0})
+    EXPECT_EQ(number_of_features(cube(), Feature_convexity::ALL, angle), 0u) << angle;
+}
+
+TEST(Detect_feature_edges_test, defaults_are_concave_and_the_bound_of_the_paper)
+{
+  // A valley of deviation d along the middle of a sheet, then the same as a ridge.
+  const auto valley = [](double degrees) {
+    const double slope = std::tan(degrees / 2 * std::acos(-1.0) / 180);
+    return mapped(grid(2, 1), [=](const Point& p) {
+      return Point{p[0], p[1], slope * std::abs(p[0] - 1)};
+    });
+  };
+  const double bound = 180 - 3.12 * 180 / std::acos(-1.0);
+  const std::size_t borders = 6;
+  const auto defaults = RS::parameters::default_values();
+  EXPECT_EQ(features(valley(bound - 1e-6), defaults).size(), borders);
+  EXPECT_EQ(features(valley(bound + 1e-6), defaults).size(), borders + 1);
+  EXPECT_EQ(features(valley(-bound - 1e-6), defaults).size(), borders) << "a ridge";
+}
+
+TEST(Detect_feature_edges_test, l_shape_has_one_concave_edge)
+{
+  const Soup soup = l_shape();
+  const auto found = features(soup, RS::parameters::maximum_angle(30.0));
+  ASSERT_EQ(found.size(), 1u);
+  for (std::size_t v : {found.begin()->first, found.begin()->second}) {
+    EXPECT_EQ(soup.points[v][0], 1);
+    EXPECT_EQ(soup.points[v][1], 1);
+  }
+}
+
+TEST(Detect_feature_edges_test, borders_are_features_and_nothing_else_of_a_flat_sheet)
+{
+  for (Feature_convexity c :
+       {Feature_convexity::ALL, Feature_convexity::CONVEX, Feature_convexity::CONCAVE})
+    EXPECT_EQ(number_of_features(grid(4, 2), c, 0), 12u); // of 22
+}
+
+TEST(Detect_feature_edges_test, sign_zero_counts_under_all_alone)
+{
+  // Folded flat: the normals are opposite, their product is 0.
+  EXPECT_EQ(number_of_features(pillow(), Feature_convexity::ALL, 30), 4u);
+  EXPECT_EQ(number_of_features(pillow(), Feature_convexity::CONVEX, 30), 0u);
+  EXPECT_EQ(number_of_features(pillow(), Feature_convexity::CONCAVE, 30), 0u);
+}
+
+TEST(Detect_feature_edges_test, edges_of_a_degenerate_face_are_no_features)
+{
+  EXPECT_EQ(number_of_features(cap(), Feature_convexity::ALL, 0), 4u); // the borders
+  // On the ridge 2 3 = 2 4, both edges belong to the needle; 3 4 is a border.
+  const auto found =
+      features(needle_on_crease(), RS::parameters::feature_convexity(Feature_convexity::ALL));
+  EXPECT_FALSE(found.count({2, 3}));
+  EXPECT_FALSE(found.count({2, 4}));
+  EXPECT_TRUE(found.count({3, 4}));
+  EXPECT_EQ(found.size(), 7u);
+}
+
+TEST(Detect_feature_edges_test, constrained_edges_are_features)
+{
+  const Soup soup = grid(4, 2);
+  const Surface_mesh mesh = to_surface_mesh(soup);
+  const auto found = features(
+      soup, RS::parameters::edge_is_constrained_map(edge_map(mesh, std::set<Edge>{{2, 7}})));
+  EXPECT_TRUE(found.count({2, 7}));
+  EXPECT_EQ(found.size(), 13u);
+}
+
+TEST(Detect_feature_edges_test, a_polygon_has_one_normal)
+{
+  // A pentagon whose first corner lies on the line of its neighbors; a normal from the first corner
+  // alone would be 0 or noise.
+  const Soup soup{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0.5, 0}, {-1, 0, 0}, {-1, 1, 0}},
+                  {{4, 0, 1, 2, 3}, {4, 3, 6, 5, 0}}};
+  EXPECT_EQ(number_of_features(soup, Feature_convexity::ALL, 0),
+            6u); // borders; 0-4 and 4-3 are flat
+}
+
+TEST(Detect_feature_edges_test, takes_an_empty_mesh)
+{
+  EXPECT_EQ(features(Soup(), RS::parameters::default_values()).size(), 0u);
+}
+
+// An edge that ends inside a face has that face on both sides.
+//     3-----2
+//     |  4  |      the face is 0 1 2 3 0 4; the edge 0-4 ends inside it
+//     | /   |
+//     0-----1
+TEST(Detect_feature_edges_test, an_edge_inside_a_face_is_no_feature)
+{
+  Surface_mesh mesh;
+  std::vector<Surface_mesh::Vertex_index> v;
+  for (const Point& p : {Point{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {1, 1, 0}})
+    v.push_back(mesh.add_vertex(Kernel::Point_3(p[0], p[1], p[2])));
+  const auto f = mesh.add_face(v[0], v[1], v[2], v[3]);
+  const auto into = halfedge(v[3], v[0], mesh).first; // the halfedge of f that ends at 0
+  const auto spike = mesh.add_edge(v[0], v[4]);
+  const auto after = mesh.next(into);
+  mesh.set_next(into, spike);
+  mesh.set_next(spike, mesh.opposite(spike));
+  mesh.set_next(mesh.opposite(spike), after);
+  mesh.set_face(spike, f);
+  mesh.set_face(mesh.opposite(spike), f);
+  mesh.set_halfedge(v[4], spike);
+  ASSERT_TRUE(mesh.is_valid());
+
+  auto map = edge_map(mesh, std::uint8_t(1));
+  EXPECT_EQ(
+      RS::detect_feature_edges(
+          mesh, map, RS::parameters::feature_convexity(Feature_convexity::ALL).maximum_angle(0)),
+      4u);
+  EXPECT_FALSE(get(map, mesh.edge(spike)));
+}
+
+} // namespace

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "meshes.h"
+#include "oracles.h"
+
+#include <CGAL/Region_segmentation/detect_feature_edges.h>
+#include <CGAL/Region_segmentation/extract_feature_lines.h>
+#include <CGAL/Region_segmentation/grow_regions.h>
+
+#include <boost/iterator/function_output_iterator.hpp>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <iterator>
+
+namespace {
+
+namespace RS = CGAL::Region_segmentation;
+using namespace test;
+using Line = std::vector<std::size_t>;
+
+struct Lines
+{
+  std::set<Edge> features; // that remain
+  std::vector<Line> lines;
+};
+
+template <typename Parameters>
+Lines extract(const Soup& soup, const std::set<Edge>& features, const Parameters& np)
+{
+  const Surface_mesh mesh = to_surface_mesh(soup);
+  auto map = edge_map(mesh, features);
+  std::vector<std::vector<Surface_mesh::Vertex_index>> polylines;
+  Lines result;
+  const std::size_t n = RS::extract_feature_lines(mesh, map, std::back_inserter(polylines), np);
+  EXPECT_EQ(n, polylines.size());
+  for (const auto& [edge, is_feature] : flags_of(mesh, map))
+    if (is_feature)
+      result.features.insert(edge);
+  for (const auto& polyline : polylines)
+    result.lines.emplace_back(polyline.begin(), polyline.end());
+  return result;
+}
+
+Lines extract(const Soup& soup, const std::set<Edge>& features)
+{
+  return extract(soup, features, RS::parameters::default_values());
+}
+
+std::set<Edge> borders(const Soup& soup)
+{
+  std::set<Edge> result;
+  for (const auto& [edge, faces] : faces_of_edges(soup))
+    if (faces.size() == 1)
+      result.insert(edge);
+  return result;
+}
+
+std::set<Edge> both(std::set<Edge> a, const std::set<Edge>& b)
+{
+  a.insert(b.begin(), b.end());
+  return a;
+}
+
+// Vertices of the sheet that most tests use:
+//     15-16-17-18-19
+//      |  |  |  |  |
+//     10-11-12-13-14
+//      |  |  |  |  |
+//      5--6--7--8--9
+//      |  |  |  |  |
+//      0--1--2--3--4
+const Soup sheet = grid(4, 3);
+
+TEST(Extract_feature_lines_test, a_line_inside_goes)
+{
+  const auto result = extract(sheet, both(borders(sheet), {{6, 7}, {7, 8}}));
+  EXPECT_EQ(result.features, borders(sheet));
+  ASSERT_EQ(result.lines.size(), 1u);
+  EXPECT_EQ(result.lines[0].size(), 15u); // closed: 14 edges, the first vertex again
+  EXPECT_EQ(result.lines[0].front(), result.lines[0].back());
+}
+
+TEST(Extract_feature_lines_test, a_line_from_border_to_border_stays)
+{
+  const std::set<Edge> across = {{2, 7}, {7, 12}, {12, 17}};
+  const auto result = extract(sheet, both(borders(sheet), across));
+  EXPECT_EQ(result.features, both(borders(sheet), across));
+  ASSERT_EQ(result.lines.size(), 3u);
+  EXPECT_EQ(std::count_if(result.lines.begin(), result.lines.end(),
+                          [](const Line& l) {
+                            return l == Line{2, 7, 12, 17} || l == Line{17, 12, 7, 2};
+                          }),
+            1);
+}
+
+TEST(Extract_feature_lines_test, what_a_removed_line_held_goes_too)
+{
+  // A comb: 6-7-8 with teeth 7-12 and 8-13; nothing closed.
+  EXPECT_EQ(extract(sheet, {{6, 7}, {7, 8}, {7, 12}, {8, 13}}).features, borders(sheet));
+  // A ring with a tail keeps the ring.
+  const std::set<Edge> ring = {{6, 7}, {7, 12}, {11, 12}, {6, 11}};
+  const auto result = extract(sheet, both(ring, {{7, 8}, {8, 13}}));
+  EXPECT_EQ(result.features, both(borders(sheet), ring));
+  EXPECT_EQ(result.lines.size(), 2u);
+}
+
+TEST(Extract_feature_lines_test, two_rings_and_the_line_between_stay)
+{
+  // A line that separates nothing but has no free end: by the definition it stays.
+  //     19--20  21  22  23--24
+  //      |   |           |   |
+  //     10--11--12--13--14--15
+  const Soup wide = grid(8, 4);
+  const std::set<Edge> rings = {{10, 11}, {11, 20}, {19, 20}, {10, 19}, {11, 12}, {12, 13},
+                                {13, 14}, {14, 15}, {15, 24}, {23, 24}, {14, 23}};
+  EXPECT_EQ(extract(wide, rings).features, both(borders(wide), rings));
+  EXPECT_EQ(extract(wide, rings).lines.size(), 3u + 1u); // the border is a line too
+}
+
+TEST(Extract_feature_lines_test, minimum_length_saves_lines_by_their_edges)
+{
+  const std::set<Edge> two = {{6, 7}, {7, 8}}, one = {{11, 12}};
+  const auto with = [&](std::size_t length) {
+    return extract(sheet, both(two, one), RS::parameters::minimum_length(length)).features;
+  };
+  EXPECT_EQ(with(1), both(borders(sheet), both(two, one)));
+  EXPECT_EQ(with(2), both(borders(sheet), two));
+  EXPECT_EQ(with(3), borders(sheet));
+}
+
+TEST(Extract_feature_lines_test, short_lines_go_at_once)
+{
+  // Two lines of one edge and one of two from the border meet in 7. Of the short ones neither may
+  // save the other, as a part of a line of three edges: both go.
+  //          12
+  //           |
+  //     5--6--7--8
+  const std::set<Edge> features = {{5, 6}, {6, 7}, {7, 8}, {7, 12}};
+  EXPECT_EQ(extract(sheet, features, RS::parameters::minimum_length(std::size_t(2))).features,
+            both(borders(sheet), {{5, 6}, {6, 7}}));
+}
+
+TEST(Extract_feature_lines_test, constrained_edges_stay_and_hold_nothing_up)
+{
+  const Surface_mesh mesh = to_surface_mesh(sheet);
+  for (const std::set<Edge>& constrained : {std::set<Edge>{{7, 8}}, {{6, 7}, {7, 8}}, {{2, 7}}}) {
+    const auto result =
+        extract(sheet, both(borders(sheet), constrained),
+                RS::parameters::edge_is_constrained_map(edge_map(mesh, constrained)));
+    EXPECT_EQ(result.features, both(borders(sheet), constrained));
+  }
+  // A line with a free end goes, but for its constrained edges.
+  const auto result =
+      extract(sheet, {{6, 7}, {7, 8}},
+              RS::parameters::edge_is_constrained_map(edge_map(mesh, std::set<Edge>{{7, 8}})));
+  EXPECT_EQ(result.features, both(borders(sheet), {{7, 8}}));
+}
+
+TEST(Extract_feature_lines_test, degenerate_faces_hold_lines)
+{
+  // The cap 0 1 2 is closed towards 0 2 and 2 1, so the line 2 3 between the faces 1 and 2
+  // separates them, though 2 has no other feature edge.
+  const Soup soup = cap();
+  const auto features = both(borders(soup), {{2, 3}});
+  EXPECT_EQ(extract(soup, features).features, features);
+}
+
+TEST(Extract_feature_lines_test, a_mesh_without_features_has_no_lines)
+{
+  const auto result = extract(cube(), {});
+  EXPECT_TRUE(result.features.empty());
+  EXPECT_TRUE(result.lines.empty());
+}
+
+TEST(Extract_feature_lines_test, lines_cover_the_features_once)
+{
+  for (Family family : all_families)
+    for (unsigned seed = 0; seed < 15; ++seed) {
+      SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
+      const Soup soup = random_mesh(family, seed);
+      std::mt19937 random(seed);
+      const auto result = extract(soup, random_edges(soup, 2, random));
+      std::vector<Edge> covered;
+      std::map<std::size_t, std::size_t> degree;
+      for (const Edge& e : result.features)
+        ++degree[e.first], ++degree[e.second];
+      for (const Line& line : result.lines) {
+        ASSERT_GE(line.size(), 2u);
+        for (std::size_t i = 1; i < line.size(); ++i)
+          covered.push_back(make_edge(line[i - 1], line[i]));
+        for (std::size_t i = 1; i + 1 < line.size(); ++i)
+          EXPECT_EQ(degree[line[i]], 2u) << "inside a line";
+        if (line.front() != line.back()) {
+          EXPECT_NE(degree[line.front()], 2u);
+          EXPECT_NE(degree[line.back()], 2u);
+        }
+      }
+      std::sort(covered.begin(), covered.end());
+      EXPECT_EQ(covered, std::vector<Edge>(result.features.begin(), result.features.end()));
+    }
+}
+
+/// The regions between the edges of a set.
+Labels regions(const Soup& soup, const std::set<Edge>& features, const std::set<Edge>& constrained)
+{
+  const Surface_mesh mesh = to_surface_mesh(soup);
+  auto feature_map = edge_map(mesh, features);
+  auto region_map = face_map(mesh);
+  RS::grow_regions(mesh, feature_map, region_map,
+                   RS::parameters::edge_is_constrained_map(edge_map(mesh, constrained)));
+  return labels_of(mesh, region_map);
+}
+
+TEST(Extract_feature_lines_test, pruning_leaves_the_regions_alone)
+{
+  for (Family family : all_families)
+    for (unsigned seed = 0; seed < 25; ++seed) {
+      SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
+      const Soup soup = random_mesh(family, seed);
+      std::mt19937 random(seed);
+      const Surface_mesh mesh = to_surface_mesh(soup);
+      const std::set<Edge> constrained =
+          seed % 2 ? random_edges(soup, 12, random) : std::set<Edge>();
+      const std::set<Edge> before =
+          both(both(borders(soup), random_edges(soup, 2 + seed % 3, random)), constrained);
+      const auto after = extract(
+          soup, before, RS::parameters::edge_is_constrained_map(edge_map(mesh, constrained)));
+      EXPECT_TRUE(std::includes(before.begin(), before.end(), after.features.begin(),
+                                after.features.end()));
+      EXPECT_EQ(regions(soup, before, constrained), regions(soup, after.features, constrained));
+    }
+}
+
+// Borders always are feature edges, whether the map of a user says so or not.
+TEST(Extract_feature_lines_test, borders_hold_lines_though_they_are_not_marked)
+{
+  const std::set<Edge> across = {{2, 7}, {7, 12}, {12, 17}};
+  const auto result = extract(sheet, across);
+  EXPECT_EQ(regions(sheet, result.features, {}), regions(sheet, across, {}));
+}
+
+} // namespace

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "meshes.h"
+#include "oracles.h"
+
+#include <CGAL/Region_segmentation/Lowest_cost_first.h>
+#include <CGAL/Region_segmentation/merge_regions.h>
+
+#include <gtest/gtest.h>
+
+namespace {
+
+namespace RS = CGAL::Region_segmentation;
+using Graph = RS::Region_adjacency_graph<>;
+
+struct Length_cost
+{
+  double operator()(const Graph& g, Graph::section_descriptor s) const { return g[s].length; }
+};
+using Shortest_first = RS::Lowest_cost_first<Length_cost>;
+
+/// A path of n regions; section i, between i and i + 1, has length i + 1.
+Graph path(std::size_t n)
+{
+  Graph g;
+  for (std::uint32_t r = 0; r < n; ++r) {
+    g.add_region();
+    RS::Section_geometry data;
+    data.length = double(r);
+    data.number_of_edges = 1;
+    if (r > 0)
+      g.add_section(r - 1, r, data);
+  }
+  return g;
+}
+
+TEST(Merge_regions_test, stops_at_a_count)
+{
+  Graph g = path(6);
+  Shortest_first policy;
+  const auto tree = RS::merge_regions(g, policy, 4, RS::Stop_at_count{4});
+  EXPECT_EQ(g.number_of_regions(), 4u);
+  EXPECT_EQ(tree.number_of_regions(), 6u);
+  ASSERT_EQ(tree.merges().size(), 2u);
+  EXPECT_EQ(tree.merges()[1].removed, 2u);
+  EXPECT_EQ(tree.merges()[1].cost, 2);
+}
+
+TEST(Merge_regions_test, stops_before_what_costs_more)
+{
+  Graph g = path(6);
+  Shortest_first policy;
+  RS::merge_regions(g, policy, 1, RS::Stop_at_cost{3});
+  EXPECT_EQ(g.number_of_regions(), 3u); // costs 1, 2 and 3 are paid
+}
+
+TEST(Merge_regions_test, ends_when_nothing_is_left_to_merge)
+{
+  Graph g = path(6);
+  g.forbid_merge(*g.section(2, 3));
+  Shortest_first policy;
+  RS::merge_regions(g, policy, 1, RS::Stop_at_count{1});
+  EXPECT_EQ(g.number_of_regions(), 2u);
+  Graph empty;
+  EXPECT_TRUE(RS::merge_regions(empty, policy, 1, RS::Stop_at_count{1}).merges().empty());
+}
+
+TEST(Merge_regions_test, goes_on_with_a_graph_that_is_partly_merged)
+{
+  Graph g = path(6), at_once = path(6);
+  Shortest_first policy;
+  const auto first = RS::merge_regions(g, policy, 4, RS::Stop_at_count{4});
+  const auto second = RS::merge_regions(g, policy, 2, RS::Stop_at_count{2});
+  const auto all = RS::merge_regions(at_once, policy, 2, RS::Stop_at_count{2});
+  ASSERT_EQ(first.merges().size() + second.merges().size(), all.merges().size());
+  EXPECT_EQ(second.merges().back().removed, all.merges().back().removed);
+}
+
+struct Counting_visitor
+{
+  std::vector<double> fractions;
+  std::size_t cancel_at = 1000000;
+
+  bool go_further(const char* stage, double fraction)
+  {
+    EXPECT_STREQ(stage, "merging");
+    fractions.push_back(fraction);
+    return fractions.size() < cancel_at;
+  }
+};
+
+TEST(Merge_regions_test, tells_a_visitor_about_a_hundred_times)
+{
+  Graph g = path(5000);
+  Shortest_first policy;
+  Counting_visitor visitor;
+  RS::merge_regions(g, policy, 1, RS::Stop_at_count{1}, RS::parameters::visitor(std::ref(visitor)));
+  EXPECT_GE(visitor.fractions.size(), 50u);
+  EXPECT_LE(visitor.fractions.size(), 200u);
+  EXPECT_EQ(visitor.fractions.front(), 0);
+  EXPECT_GT(visitor.fractions.back(), 0.97);
+  EXPECT_TRUE(std::is_sorted(visitor.fractions.begin(), visitor.fractions.end()));
+  EXPECT_LE(visitor.fractions.back(), 1);
+}
+
+TEST(Merge_regions_test, a_cancelled_run_leaves_a_whole_graph)
+{
+  Graph g = path(50);
+  Shortest_first policy;
+  Counting_visitor visitor;
+  visitor.cancel_at = 10;
+  EXPECT_THROW(RS::merge_regions(g, policy, 1, RS::Stop_at_count{1},
+                                 RS::parameters::visitor(std::ref(visitor))),
+               RS::Segmentation_cancelled);
+  EXPECT_GT(g.number_of_regions(), 1u);
+  EXPECT_LT(g.number_of_regions(), 50u);
+  EXPECT_EQ(g.number_of_sections(), g.number_of_regions() - 1); // still a path
+  RS::merge_regions(g, policy, 1, RS::Stop_at_count{1});
+  EXPECT_EQ(g.number_of_regions(), 1u);
+}
+
+} // namespace

@@ -1,0 +1,343 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The matrix of mesh types and kernels. Coordinates of the random meshes are multiples of 2^-16
+// below 2^7, so float holds them, and every type must give the same labels.
+
+#ifdef TEST_OPENMESH
+// Before CGAL, as its manual says of OpenMesh's own headers.
+#include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
+#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
+#endif
+
+#include "meshes.h"
+#include "oracles.h"
+
+#include <CGAL/Linear_cell_complex_for_bgl_combinatorial_map_helper.h>
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/Polyhedron_items_with_id_3.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/boost/graph/Face_filtered_graph.h>
+#include <CGAL/boost/graph/graph_traits_Linear_cell_complex_for_combinatorial_map.h>
+#include <CGAL/boost/graph/graph_traits_Polyhedron_3.h>
+#ifdef TEST_OPENMESH
+#include <CGAL/boost/graph/graph_traits_PolyMesh_ArrayKernelT.h>
+#include <CGAL/boost/graph/graph_traits_TriMesh_ArrayKernelT.h>
+#endif
+#include <CGAL/Region_segmentation/build_region_adjacency_graph.h>
+#include <CGAL/Region_segmentation/detect_feature_edges.h>
+#include <CGAL/Region_segmentation/extract_feature_lines.h>
+#include <CGAL/Region_segmentation/grow_regions.h>
+#include <CGAL/Region_segmentation/merge_regions.h>
+#include <CGAL/Region_segmentation/segment.h>
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace {
+
+namespace RS = CGAL::Region_segmentation;
+using namespace test;
+using Double_kernel = CGAL::Simple_cartesian<double>;
+using Float_kernel = CGAL::Simple_cartesian<float>;
+using Lcc_traits = CGAL::Linear_cell_complex_traits<3, Kernel>;
+using Lcc = CGAL::Linear_cell_complex_for_bgl_combinatorial_map_helper<2, 3, Lcc_traits>::type;
+
+#ifdef TEST_OPENMESH
+struct Double_traits : OpenMesh::DefaultTraits
+{
+  using Point = OpenMesh::Vec3d;
+  using Normal = OpenMesh::Vec3d;
+};
+using Double_poly_mesh = OpenMesh::PolyMesh_ArrayKernelT<Double_traits>;
+using Double_tri_mesh = OpenMesh::TriMesh_ArrayKernelT<Double_traits>;
+using Float_poly_mesh = OpenMesh::PolyMesh_ArrayKernelT<>;
+using Float_tri_mesh = OpenMesh::TriMesh_ArrayKernelT<>;
+#endif
+
+// How each type is made, and how its points are read.
+
+template <typename Mesh>
+struct Maker
+{
+  static Mesh make(const Soup& soup) { return to_mesh<Mesh>(soup); }
+  static bool takes(const Soup&) { return true; }
+};
+
+template <>
+struct Maker<Lcc>
+{
+  static Lcc make(const Soup& soup)
+  {
+    Lcc mesh;
+    fill_mesh(soup, mesh, [](Lcc& m, const Point& p) {
+      const auto v = add_vertex(m);
+      v->point() = Lcc::Point(p[0], p[1], p[2]);
+      return v;
+    });
+    return mesh;
+  }
+  static bool takes(const Soup&) { return true; }
+};
+
+#ifdef TEST_OPENMESH
+template <typename Mesh>
+struct Openmesh_maker // CGAL's put() of a point would cast to float
+{
+  static Mesh make(const Soup& soup)
+  {
+    Mesh mesh;
+    fill_mesh(soup, mesh, [](Mesh& m, const Point& p) {
+      using Number = typename Mesh::Scalar;
+      return m.add_vertex(typename Mesh::Point(Number(p[0]), Number(p[1]), Number(p[2])));
+    });
+    return mesh;
+  }
+};
+template <>
+struct Maker<Double_poly_mesh> : Openmesh_maker<Double_poly_mesh>
+{
+  static bool takes(const Soup&) { return true; }
+};
+template <>
+struct Maker<Float_poly_mesh> : Openmesh_maker<Float_poly_mesh>
+{
+  static bool takes(const Soup&) { return true; }
+};
+bool has_triangles_alone(const Soup& soup)
+{
+  return std::all_of(soup.polygons.begin(), soup.polygons.end(),
+                     [](const Polygon& p) { return p.size() == 3; });
+}
+template <>
+struct Maker<Double_tri_mesh> : Openmesh_maker<Double_tri_mesh>
+{
+  static bool takes(const Soup& soup) { return has_triangles_alone(soup); }
+};
+template <>
+struct Maker<Float_tri_mesh> : Openmesh_maker<Float_tri_mesh>
+{
+  static bool takes(const Soup& soup) { return has_triangles_alone(soup); }
+};
+#endif
+
+void expect_same(const Result& a, const Result& b)
+{
+  EXPECT_EQ(a.number_of_segments, b.number_of_segments);
+  EXPECT_EQ(a.regions, b.regions);
+  EXPECT_EQ(a.segments, b.segments);
+  EXPECT_EQ(a.features, b.features);
+}
+
+/// The stages one by one.
+template <typename Mesh, typename Parameters>
+Result run_stages(const Mesh& mesh, const Parameters& np)
+{
+  Result result;
+  auto features = edge_map(mesh, std::uint8_t(1));
+  auto regions = face_map(mesh);
+  RS::detect_feature_edges(mesh, features, np);
+  RS::extract_feature_lines(mesh, features, CGAL::Emptyset_iterator(), np);
+  RS::grow_regions(mesh, features, regions, np);
+  auto graph = RS::build_region_adjacency_graph(mesh, regions, np);
+  RS::Two_step policy;
+  const std::size_t k = 4;
+  result.tree = RS::merge_regions(graph, policy, k, RS::Stop_at_count{k});
+  result.regions = labels_of(mesh, regions);
+  result.features = flags_of(mesh, features);
+  result.number_of_segments = graph.number_of_regions();
+  const auto cut = result.tree.cut_at_count(k);
+  for (std::size_t r : result.regions)
+    result.segments.push_back(cut.of_region[r]);
+  return result;
+}
+
+/// Whatever the type and the order of its elements: as the `Surface_mesh` made from what it
+/// iterates over.
+template <typename Mesh>
+void expect_as_surface_mesh(const Mesh& mesh, const Options& options)
+{
+  expect_same(run(mesh, options.named()), run(soup_of(mesh), options));
+}
+
+template <typename Mesh>
+struct Mesh_types_test : ::testing::Test
+{
+};
+
+using Mesh_types =
+    ::testing::Types<Surface_mesh, CGAL::Surface_mesh<Double_kernel::Point_3>,
+                     CGAL::Surface_mesh<Float_kernel::Point_3>, CGAL::Polyhedron_3<Kernel>,
+                     CGAL::Polyhedron_3<Kernel, CGAL::Polyhedron_items_with_id_3>,
+                     CGAL::Polyhedron_3<Double_kernel>, Lcc
+#ifdef TEST_OPENMESH
+                     ,
+                     Double_poly_mesh, Double_tri_mesh, Float_poly_mesh, Float_tri_mesh
+#endif
+                     >;
+
+struct Type_names
+{
+  template <typename Mesh>
+  static std::string GetName(int)
+  {
+#ifdef TEST_OPENMESH
+    if (std::is_same<Mesh, Double_poly_mesh>::value)
+      return "OpenMesh_PolyMesh_double";
+    if (std::is_same<Mesh, Double_tri_mesh>::value)
+      return "OpenMesh_TriMesh_double";
+    if (std::is_same<Mesh, Float_poly_mesh>::value)
+      return "OpenMesh_PolyMesh_float";
+    if (std::is_same<Mesh, Float_tri_mesh>::value)
+      return "OpenMesh_TriMesh_float";
+#endif
+    if (std::is_same<Mesh, Surface_mesh>::value)
+      return "Surface_mesh_epick";
+    if (std::is_same<Mesh, CGAL::Surface_mesh<Double_kernel::Point_3>>::value)
+      return "Surface_mesh_double";
+    if (std::is_same<Mesh, CGAL::Surface_mesh<Float_kernel::Point_3>>::value)
+      return "Surface_mesh_float";
+    if (std::is_same<Mesh, CGAL::Polyhedron_3<Kernel>>::value)
+      return "Polyhedron_epick";
+    if (std::is_same<Mesh, CGAL::Polyhedron_3<Double_kernel>>::value)
+      return "Polyhedron_double";
+    if (std::is_same<Mesh, Lcc>::value)
+      return "Linear_cell_complex";
+    return "Polyhedron_with_ids";
+  }
+};
+
+TYPED_TEST_SUITE(Mesh_types_test, Mesh_types, Type_names);
+
+TYPED_TEST(Mesh_types_test, gives_the_same_labels)
+{
+  std::size_t meshes = 0;
+  for (Family family : all_families)
+    for (unsigned seed = 0; seed < 4; ++seed) {
+      SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
+      const Soup soup = random_mesh(family, seed);
+      if (!Maker<TypeParam>::takes(soup))
+        continue;
+      ++meshes;
+      std::mt19937 random(seed);
+      Options options = random_options(random);
+      options.k = 4;
+      const TypeParam mesh = Maker<TypeParam>::make(soup);
+      expect_as_surface_mesh(mesh, options);
+      expect_same(run_stages(mesh, options.named()), run(mesh, options.named()));
+      // The types keep the order in which they were made, so these are the labels of the soup.
+      expect_same(run(mesh, options.named()), run(soup, options));
+    }
+  EXPECT_GE(meshes, 12u); // triangles alone come from three families
+}
+
+TYPED_TEST(Mesh_types_test, takes_constrained_edges)
+{
+  for (unsigned seed = 0; seed < 4; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937 random(seed);
+    const TypeParam mesh = Maker<TypeParam>::make(random_mesh(Family::SPHERE, seed));
+    Options options(3, reference::Convexity::all, 20);
+    const Soup soup = soup_of(mesh);
+    options.constrained_edges = random_edges(soup, 8, random);
+    const auto constrained = edge_map(mesh, options.constrained_edges);
+    expect_same(run(mesh, options.named().edge_is_constrained_map(constrained)),
+                run(soup, options));
+  }
+}
+
+TYPED_TEST(Mesh_types_test, takes_an_empty_mesh)
+{
+  const TypeParam mesh;
+  EXPECT_EQ(run(mesh, Options(3).named()).number_of_segments, 0u);
+}
+
+// Removed faces that are still there: sizes count them, ranges do not.
+
+/// Faces 0 and 5 of a sheet, then every fifth; none of them share a vertex with another.
+template <typename Mesh>
+void remove_some_faces(Mesh& mesh)
+{
+  std::vector<typename boost::graph_traits<Mesh>::face_descriptor> doomed;
+  std::size_t i = 0;
+  for (auto f : faces(mesh)) {
+    const std::size_t x = i % 9, y = i / 9;
+    if (x % 3 == 1 && y % 3 == 1)
+      doomed.push_back(f);
+    ++i;
+  }
+  for (auto f : doomed)
+    CGAL::Euler::remove_face(halfedge(f, mesh), mesh);
+}
+
+template <typename Mesh>
+struct Garbage_test : ::testing::Test
+{
+};
+using Garbage_types = ::testing::Types<Surface_mesh, CGAL::Polyhedron_3<Kernel>,
+                                       CGAL::Polyhedron_3<Kernel, CGAL::Polyhedron_items_with_id_3>
+#ifdef TEST_OPENMESH
+                                       ,
+                                       Double_poly_mesh
+#endif
+                                       >;
+TYPED_TEST_SUITE(Garbage_test, Garbage_types);
+
+TYPED_TEST(Garbage_test, gives_the_labels_of_what_is_left)
+{
+  for (unsigned seed = 0; seed < 10; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937 random(seed);
+    Soup soup = grid(9, 9);
+    bump(soup, 0.3, random);
+    TypeParam mesh = Maker<TypeParam>::make(soup);
+    remove_some_faces(mesh);
+    ASSERT_EQ(soup_of(mesh).polygons.size(), 81u - 9u);
+    Options options(4, reference::Convexity::all, 15);
+    expect_as_surface_mesh(mesh, options);
+  }
+}
+
+TEST(Garbage_of_surface_mesh_test, is_really_there)
+{
+  Surface_mesh mesh = to_surface_mesh(grid(9, 9));
+  remove_some_faces(mesh);
+  EXPECT_TRUE(mesh.has_garbage());
+  EXPECT_EQ(num_faces(mesh), 81u);
+}
+
+// Part of a mesh
+
+TEST(Face_filtered_graph_test, gives_the_labels_of_its_part)
+{
+  for (unsigned seed = 0; seed < 10; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937 random(seed);
+    Soup soup = grid(12, 9);
+    bump(soup, 0.3, random);
+    Surface_mesh mesh = to_surface_mesh(soup);
+    std::vector<Surface_mesh::Face_index> part; // a ring, open to the left
+    for (auto f : faces(mesh)) {
+      const std::size_t x = std::size_t(f) % 12, y = std::size_t(f) / 12;
+      if (y < 3 || y >= 6 || x >= 8)
+        part.push_back(f);
+    }
+    const CGAL::Face_filtered_graph<Surface_mesh> filtered(mesh, part);
+    ASSERT_EQ(soup_of(filtered).polygons.size(), part.size());
+    for (std::size_t k : {1, 4})
+      expect_as_surface_mesh(filtered, Options(k, reference::Convexity::all, 15));
+  }
+}
+
+// Points in float: what the mesh holds counts, not what it was made from.
+TEST(Float_test, is_read_once_into_double)
+{
+  std::mt19937 random(3);
+  Soup soup = sphere(2); // its points are no floats
+  const auto mesh = Maker<CGAL::Surface_mesh<Float_kernel::Point_3>>::make(soup);
+  ASSERT_NE(soup_of(mesh).points, soup.points);
+  for (auto convexity : {reference::Convexity::all, reference::Convexity::convex})
+    expect_as_surface_mesh(mesh, Options(6, convexity, 14));
+}
+
+} // namespace

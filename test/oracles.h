@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_TEST_ORACLES_H
+#define CGAL_REGION_SEGMENTATION_TEST_ORACLES_H
+
+// What must hold for labels, told from polygon soups alone, and how to get labels from the package.
+
+#include "meshes.h"
+#include "reference_two_step.h"
+
+#include <CGAL/Region_segmentation/Merge_tree.h>
+#include <CGAL/Region_segmentation/parameters.h>
+#include <CGAL/Region_segmentation/segment.h>
+#include <CGAL/Region_segmentation/two_step.h>
+#include <CGAL/boost/graph/properties.h>
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <set>
+#include <vector>
+
+namespace test {
+
+using Labels = std::vector<std::size_t>; // by face
+using Edge_flags = std::map<Edge, bool>; // every edge
+
+// Predicates
+
+/// The labels are 0 .. n-1, and in this order where they come first.
+::testing::AssertionResult is_numbered_by_first_face(const Labels& labels, std::size_t n);
+/// The faces of each label hang together across edges, none of which is in `uncrossed`.
+::testing::AssertionResult is_connected(const Soup& soup, const Labels& labels,
+                                        const std::set<Edge>& uncrossed = {});
+/// Every label of `fine` lies in one label of `coarse`.
+::testing::AssertionResult nests(const Labels& fine, const Labels& coarse);
+/// The two sides of every such edge that has two faces, of different regions, have different
+/// labels.
+::testing::AssertionResult separates(const Soup& soup, const std::set<Edge>& edges,
+                                     const Labels& regions, const Labels& labels);
+
+/// The same partition with labels by first face.
+Labels renumbered(const Labels& labels);
+std::map<Edge, std::vector<std::size_t>> faces_of_edges(const Soup& soup);
+std::size_t number_of_components(const Soup& soup);
+std::size_t count(const Edge_flags& flags);
+/// Some edges, borders among them.
+std::set<Edge> random_edges(const Soup& soup, std::size_t one_of, std::mt19937& random);
+
+// Ranks
+
+/// The vertices and faces of a mesh of any type, numbered by iteration.
+template <typename Mesh>
+struct Ranks
+{
+  using Traits = boost::graph_traits<Mesh>;
+
+  explicit Ranks(const Mesh& mesh)
+      : m_mesh(&mesh), m_rank_of(get(CGAL::dynamic_vertex_property_t<std::size_t>(), mesh))
+  {
+    std::size_t rank = 0;
+    for (auto v : vertices(mesh))
+      put(m_rank_of, v, rank++);
+  }
+
+  std::size_t operator()(typename Traits::vertex_descriptor v) const { return get(m_rank_of, v); }
+
+  Edge operator()(typename Traits::edge_descriptor e) const
+  {
+    return make_edge((*this)(source(e, *m_mesh)), (*this)(target(e, *m_mesh)));
+  }
+
+private:
+  const Mesh* m_mesh;
+  typename boost::property_map<Mesh, CGAL::dynamic_vertex_property_t<std::size_t>>::const_type
+      m_rank_of;
+};
+
+/// The soup of a mesh of any type, in the order of iteration.
+template <typename Mesh>
+Soup soup_of(const Mesh& mesh)
+{
+  Soup soup;
+  const Ranks<Mesh> rank(mesh);
+  const auto point_map = get(CGAL::vertex_point, mesh);
+  for (auto v : vertices(mesh)) {
+    const auto& p = get(point_map, v);
+    soup.points.push_back({double(p[0]), double(p[1]), double(p[2])});
+  }
+  for (auto f : faces(mesh)) {
+    soup.polygons.emplace_back();
+    const auto start = halfedge(f, mesh);
+    auto h = start;
+    do {
+      soup.polygons.back().push_back(rank(source(h, mesh)));
+      h = next(h, mesh);
+    } while (h != start);
+  }
+  return soup;
+}
+
+template <typename Mesh, typename Map>
+Labels labels_of(const Mesh& mesh, const Map& map)
+{
+  Labels labels;
+  for (auto f : faces(mesh))
+    labels.push_back(get(map, f));
+  return labels;
+}
+
+template <typename Mesh, typename Map>
+Edge_flags flags_of(const Mesh& mesh, const Map& map)
+{
+  Edge_flags flags;
+  const Ranks<Mesh> rank(mesh);
+  for (auto e : edges(mesh))
+    flags[rank(e)] = bool(get(map, e));
+  return flags;
+}
+
+/// A map of the mesh's own with the given value for every edge.
+template <typename Mesh>
+auto edge_map(const Mesh& mesh, std::uint8_t value = 0)
+{
+  auto map = get(CGAL::dynamic_edge_property_t<std::uint8_t>(), mesh);
+  for (auto e : edges(mesh))
+    put(map, e, value);
+  return map;
+}
+
+template <typename Mesh>
+auto edge_map(const Mesh& mesh, const std::set<Edge>& marked)
+{
+  auto map = edge_map(mesh);
+  const Ranks<Mesh> rank(mesh);
+  for (auto e : edges(mesh))
+    put(map, e, std::uint8_t(marked.count(rank(e))));
+  return map;
+}
+
+template <typename Mesh>
+auto face_map(const Mesh& mesh, std::size_t value = 12345)
+{
+  auto map = get(CGAL::dynamic_face_property_t<std::size_t>(), mesh);
+  for (auto f : faces(mesh))
+    put(map, f, value);
+  return map;
+}
+
+// The pipeline with all its outputs
+
+struct Result
+{
+  Labels segments, regions;
+  Edge_flags features;
+  CGAL::Region_segmentation::Merge_tree tree;
+  std::size_t number_of_segments = 0;
+};
+
+template <typename Mesh, typename Parameters>
+Result run(const Mesh& mesh, const Parameters& np)
+{
+  Result result;
+  // Stale values everywhere: what is not written shows.
+  auto segment_map = face_map(mesh), region_map = face_map(mesh);
+  auto feature_map = edge_map(mesh, std::uint8_t(1));
+  result.number_of_segments = CGAL::Region_segmentation::segment(
+      mesh, segment_map,
+      np.region_map(region_map).edge_is_feature_map(feature_map).merge_tree(std::ref(result.tree)));
+  result.segments = labels_of(mesh, segment_map);
+  result.regions = labels_of(mesh, region_map);
+  result.features = flags_of(mesh, feature_map);
+  return result;
+}
+
+/// The options of the reference implementation, and the same as named parameters.
+struct Options : reference::Two_step_options
+{
+  Options(std::size_t k_, reference::Convexity convexity_ = reference::Convexity::concave,
+          double maximum_angle_ = 180. - 3.12 * 180. / reference::pi)
+  {
+    k = k_;
+    convexity = convexity_;
+    maximum_angle = maximum_angle_;
+  }
+
+  CGAL::Region_segmentation::Feature_convexity feature_convexity() const
+  {
+    using CGAL::Region_segmentation::Feature_convexity;
+    return convexity == reference::Convexity::convex    ? Feature_convexity::CONVEX
+           : convexity == reference::Convexity::concave ? Feature_convexity::CONCAVE
+                                                        : Feature_convexity::ALL;
+  }
+
+  auto named() const
+  {
+    return CGAL::Region_segmentation::parameters::number_of_segments(k)
+        .maximum_angle(maximum_angle)
+        .feature_convexity(feature_convexity())
+        .merging_policy(CGAL::Region_segmentation::Two_step(beta, gamma, factor));
+  }
+};
+
+/// Angle bounds and convexities in turn.
+Options random_options(std::mt19937& random);
+
+Result run(const Soup& soup, const Options& options);
+
+} // namespace test
+
+#endif // CGAL_REGION_SEGMENTATION_TEST_ORACLES_H

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// With two_units_b.cpp: everything in the headers may be in two translation units of one program.
+
+#include <CGAL/region_segmentation.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+
+std::size_t segments_of_other_unit(const Mesh& mesh);
+
+int main()
+{
+  Mesh mesh;
+  const auto a = mesh.add_vertex({0, 0, 0}), b = mesh.add_vertex({1, 0, 0}),
+             c = mesh.add_vertex({0, 1, 0});
+  mesh.add_face(a, b, c);
+  auto labels = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:label").first;
+  const std::size_t n = CGAL::Region_segmentation::segment(
+      mesh, labels, CGAL::Region_segmentation::parameters::number_of_segments(1));
+  return n == 1 && segments_of_other_unit(mesh) == 1 ? 0 : 1;
+}

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/region_segmentation.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+
+std::size_t segments_of_other_unit(const Mesh& mesh)
+{
+  auto labels = get(CGAL::dynamic_face_property_t<std::size_t>(), mesh);
+  return CGAL::Region_segmentation::segment(
+      mesh, labels, CGAL::Region_segmentation::parameters::number_of_segments(1));
+}

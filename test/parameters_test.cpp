@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Named parameters: chains in any order, packs of CGAL's own, each one does what it says.
+
+#include "meshes.h"
+#include "oracles.h"
+
+#include <CGAL/Region_segmentation/Smallest_region_first.h>
+#include <CGAL/Region_segmentation/parameters.h>
+#include <CGAL/Region_segmentation/segment.h>
+#include <CGAL/Region_segmentation/version.h>
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+
+namespace {
+
+namespace RS = CGAL::Region_segmentation;
+namespace RP = CGAL::Region_segmentation::parameters;
+using namespace test;
+
+TEST(Parameters_test, chain_in_any_order)
+{
+  const Soup soup = dumbbell();
+  const Surface_mesh mesh = to_surface_mesh(soup);
+  const auto points = get(CGAL::vertex_point, mesh);
+  const auto all = RS::Feature_convexity::ALL;
+  const RS::Two_step two_step;
+  const Result expected = run(
+      mesh,
+      RP::number_of_segments(4).feature_convexity(all).maximum_angle(30).merging_policy(two_step));
+  EXPECT_EQ(expected.tree.number_of_regions(), 16u);
+  // Ours after CGAL's, CGAL's after ours, twice.
+  for (const Result& result : {run(mesh, RP::merging_policy(two_step)
+                                             .vertex_point_map(points)
+                                             .number_of_segments(4)
+                                             .maximum_angle(30)
+                                             .feature_convexity(all)),
+                               run(mesh, RP::maximum_angle(30)
+                                             .feature_convexity(all)
+                                             .vertex_point_map(points)
+                                             .number_of_segments(4)
+                                             .merging_policy(two_step)),
+                               run(mesh, RP::feature_convexity(all)
+                                             .number_of_segments(4)
+                                             .geom_traits(Kernel())
+                                             .merging_policy(two_step)
+                                             .maximum_angle(30.0f))}) {
+    EXPECT_EQ(result.segments, expected.segments);
+    EXPECT_EQ(result.number_of_segments, 4u);
+  }
+}
+
+TEST(Parameters_test, packs_of_cgal_are_taken)
+{
+  const Surface_mesh mesh = to_surface_mesh(l_shape());
+  auto map = edge_map(mesh);
+  EXPECT_EQ(RS::detect_feature_edges(mesh, map, CGAL::parameters::maximum_angle(30)), 1u);
+  EXPECT_EQ(
+      RS::detect_feature_edges(
+          mesh, map,
+          CGAL::parameters::vertex_point_map(get(CGAL::vertex_point, mesh)).maximum_angle(120)),
+      0u);
+}
+
+TEST(Parameters_test, a_pack_can_be_kept_and_used_again)
+{
+  const Surface_mesh mesh = to_surface_mesh(dumbbell());
+  const auto pack = RP::number_of_segments(2).maximum_angle(30);
+  EXPECT_EQ(run(mesh, pack).segments, run(mesh, pack).segments);
+}
+
+TEST(Parameters_test, every_integral_type_is_a_number_of_segments)
+{
+  const Surface_mesh mesh = to_surface_mesh(dumbbell());
+  auto map = face_map(mesh);
+  EXPECT_EQ(RS::segment(mesh, map, RP::number_of_segments(2)), 2u);
+  EXPECT_EQ(RS::segment(mesh, map, RP::number_of_segments(2u)), 2u);
+  EXPECT_EQ(RS::segment(mesh, map, RP::number_of_segments(std::size_t(2))), 2u);
+  EXPECT_EQ(RS::segment(mesh, map, RP::number_of_segments(short(2))), 2u);
+}
+
+TEST(Version_test, the_number_and_the_text_say_the_same)
+{
+  char text[32];
+  std::snprintf(text, sizeof text, "%d.%d.%d", CGAL_REGION_SEGMENTATION_VERSION_NUMBER / 10000,
+                CGAL_REGION_SEGMENTATION_VERSION_NUMBER / 100 % 100,
+                CGAL_REGION_SEGMENTATION_VERSION_NUMBER % 100);
+  EXPECT_STREQ(text, CGAL_REGION_SEGMENTATION_VERSION);
+}
+
+} // namespace

@@ -1,0 +1,389 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The policies, on graphs whose numbers are given directly.
+
+#include "oracles.h"
+
+#include <CGAL/Region_segmentation/Least_compact_region_first.h>
+#include <CGAL/Region_segmentation/Longest_flattest_section.h>
+#include <CGAL/Region_segmentation/Lowest_cost_first.h>
+#include <CGAL/Region_segmentation/Policy_sequence.h>
+#include <CGAL/Region_segmentation/Region_adjacency_graph.h>
+#include <CGAL/Region_segmentation/Smallest_region_first.h>
+#include <CGAL/Region_segmentation/merge_regions.h>
+#include <CGAL/Region_segmentation/two_step.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace {
+
+namespace RS = CGAL::Region_segmentation;
+using Graph = RS::Region_adjacency_graph<>;
+const double pi = std::acos(-1.0);
+
+void add_region(Graph& g, double area, double perimeter = 1)
+{
+  RS::Region_geometry data;
+  data.area = area;
+  data.perimeter = perimeter;
+  g.add_region(data);
+}
+
+RS::Section_descriptor add_section(Graph& g, std::uint32_t a, std::uint32_t b, double length,
+                                   double angle = pi / 2)
+{
+  RS::Section_geometry data;
+  data.length = length;
+  data.sum_of_angles = angle;
+  data.number_of_edges = 1;
+  return g.add_section(a, b, data);
+}
+
+/// Region 0 and neighbors 1, 2, ... with the given length and angle.
+Graph star(const std::vector<std::pair<double, double>>& sections)
+{
+  Graph g;
+  for (std::size_t i = 0; i <= sections.size(); ++i)
+    add_region(g, double(i + 1));
+  for (std::size_t i = 0; i < sections.size(); ++i)
+    add_section(g, 0, std::uint32_t(i + 1), sections[i].first, sections[i].second);
+  return g;
+}
+
+std::uint32_t chosen(const Graph& g, double beta, std::uint32_t region = 0)
+{
+  return target(*RS::Longest_flattest_section(beta)(g, region), g);
+}
+
+using Merges = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+
+template <typename Policy>
+Merges merges(Graph g, Policy policy, std::size_t k = 1)
+{
+  Merges result;
+  const auto tree = RS::merge_regions(g, policy, k, RS::Stop_at_count{k});
+  for (const auto& m : tree.merges())
+    result.push_back({m.kept, m.removed});
+  return result;
+}
+
+TEST(Longest_flattest_section_test, weighs_length_against_angle)
+{
+  const Graph g = star({{4, 1}, {1, 3}});
+  EXPECT_EQ(chosen(g, 1), 1u) << "length alone";
+  EXPECT_EQ(chosen(g, 0), 2u) << "angle alone";
+  // 0.8 b + 0.25 (1 - b) against 0.2 b + 0.75 (1 - b): equal at 5/11.
+  EXPECT_EQ(chosen(g, 0.46), 1u);
+  EXPECT_EQ(chosen(g, 0.45), 2u);
+}
+
+TEST(Longest_flattest_section_test, equal_sums_go_to_the_lower_neighbor)
+{
+  EXPECT_EQ(chosen(star({{2, 1}, {2, 1}, {2, 1}}), 0.1), 1u);
+  EXPECT_EQ(chosen(star({{1, 1}, {2, 1}, {2, 1}}), 0.1), 2u);
+}
+
+TEST(Longest_flattest_section_test, zero_over_zero_is_a_half)
+{
+  EXPECT_EQ(chosen(star({{0, 0}, {0, 0}}), 0.1), 1u);
+  EXPECT_EQ(chosen(star({{0, 0}, {0, 1}}), 0.1), 2u);
+}
+
+TEST(Longest_flattest_section_test, what_may_not_be_merged_still_counts)
+{
+  Graph g = star({{100, pi}, {1, 1}, {2, 1}});
+  g.forbid_merge(*g.section(0, 1));
+  EXPECT_EQ(chosen(g, 0.5), 3u);
+  g.forbid_merge(*g.section(0, 2));
+  g.forbid_merge(*g.section(0, 3));
+  EXPECT_FALSE(RS::Longest_flattest_section()(g, 0));
+  Graph alone;
+  add_region(alone, 1);
+  EXPECT_FALSE(RS::Longest_flattest_section()(alone, 0));
+}
+
+TEST(Longest_flattest_section_test, agrees_with_all_pairs)
+{
+  for (unsigned seed = 0; seed < 300; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937 random(seed);
+    const auto uniform = [&] { return double(random()) / 4294967296.0; };
+    std::vector<std::pair<double, double>> sections(1 + random() % 20);
+    for (auto& s : sections)
+      s = {uniform(), uniform() * pi};
+    Graph g = star(sections);
+    std::vector<bool> is_mergeable(sections.size(), true);
+    for (std::size_t i = 1; i < sections.size(); ++i)
+      if (random() % 4 == 0) {
+        is_mergeable[i] = false;
+        g.forbid_merge(*g.section(0, std::uint32_t(i + 1)));
+      }
+    const double beta = uniform();
+    std::size_t best = 0;
+    double best_sum = -1;
+    for (std::size_t i = 0; i < sections.size(); ++i) {
+      double sum = 0;
+      for (std::size_t j = 0; j < sections.size(); ++j)
+        if (j != i)
+          sum += beta * sections[i].first / (sections[i].first + sections[j].first) +
+                 (1 - beta) * sections[i].second / (sections[i].second + sections[j].second);
+      if (is_mergeable[i] && sum > best_sum) {
+        best_sum = sum;
+        best = i + 1;
+      }
+    }
+    EXPECT_EQ(chosen(g, beta), best);
+  }
+}
+
+TEST(Smallest_region_first_test, goes_by_area_then_by_id)
+{
+  // A path 0 - 1 - 2 - 3 with lengths that leave no choice open.
+  Graph g;
+  for (double area : {5, 1, 3, 1})
+    add_region(g, area);
+  add_section(g, 0, 1, 1);
+  add_section(g, 1, 2, 2);
+  add_section(g, 2, 3, 1);
+  // 1 and 3 are equal: 1 first, across the longer section. Then areas 5, 4, 1: 3; then 0 and 1 (5,
+  // 5).
+  EXPECT_EQ(merges(g, RS::Smallest_region_first()), (Merges{{1, 2}, {1, 3}, {0, 1}}));
+}
+
+TEST(Smallest_region_first_test, passes_over_regions_without_sections)
+{
+  Graph g;
+  for (double area : {0.1, 1.0, 2.0, 0.2})
+    add_region(g, area);
+  add_section(g, 1, 2, 1);
+  add_section(g, 3, 1, 1);
+  g.forbid_merge(*g.section(3, 1));
+  EXPECT_EQ(merges(g, RS::Smallest_region_first()), (Merges{{1, 2}}));
+}
+
+TEST(Smallest_region_first_test, the_cost_is_the_area)
+{
+  Graph g = star({{1, 1}, {2, 2}});
+  RS::Smallest_region_first policy;
+  const auto tree = RS::merge_regions(g, policy, 1, RS::Stop_at_count{1});
+  ASSERT_EQ(tree.merges().size(), 2u);
+  EXPECT_EQ(tree.merges()[0].cost, 1);
+  EXPECT_EQ(tree.merges()[1].cost, 2); // region 1, not the merged one of area 1 + 3
+}
+
+TEST(Planarity_test, is_one_for_a_disc_and_infinite_without_area)
+{
+  RS::Region_geometry disc;
+  disc.area = pi * 9;
+  disc.perimeter = 2 * pi * 3;
+  EXPECT_NEAR(RS::planarity(disc), 1, 1e-15);
+  RS::Region_geometry square;
+  square.area = 4;
+  square.perimeter = 8;
+  EXPECT_NEAR(RS::planarity(square), 4 / pi, 1e-15);
+  EXPECT_EQ(RS::planarity(RS::Region_geometry()), std::numeric_limits<double>::infinity());
+}
+
+TEST(Least_compact_region_first_test, follows_equation_4)
+{
+  // A triangle of regions: areas 1, 2, 4; planarities by perimeters.
+  const auto triangle = [](std::vector<double> areas, std::vector<double> perimeters) {
+    Graph g;
+    for (std::size_t i = 0; i < 3; ++i)
+      add_region(g, areas[i], perimeters[i]);
+    add_section(g, 0, 1, 1);
+    add_section(g, 1, 2, 1);
+    add_section(g, 0, 2, 1);
+    return g;
+  };
+  // Equal planarity: the smallest area goes, to its lower neighbor.
+  EXPECT_EQ(merges(triangle({4, 2, 1}, {4, std::sqrt(8), 2}), RS::Least_compact_region_first(), 2),
+            (Merges{{0, 2}}));
+  // Equal areas: the largest planarity.
+  EXPECT_EQ(merges(triangle({1, 1, 1}, {2, 9, 3}), RS::Least_compact_region_first(), 2),
+            (Merges{{0, 1}}));
+  // gamma = 0: area alone; gamma = 1: planarity alone.
+  const Graph both = triangle({4, 2, 1}, {30, 2, 1});
+  EXPECT_EQ(merges(both, RS::Least_compact_region_first(0.1, 0), 2), (Merges{{0, 2}}));
+  EXPECT_EQ(merges(both, RS::Least_compact_region_first(0.1, 1), 2), (Merges{{0, 1}}));
+}
+
+TEST(Least_compact_region_first_test, takes_planarities_of_any_size)
+{
+  Graph g;
+  for (double area : {0.0, 1e-300, 1.0, 0.0, 1e300})
+    add_region(g, area, 1e3);
+  for (std::uint32_t r = 1; r < 5; ++r)
+    add_section(g, r - 1, r, 1);
+  RS::Least_compact_region_first policy;
+  const auto tree = RS::merge_regions(g, policy, 1, RS::Stop_at_count{1});
+  ASSERT_EQ(tree.merges().size(), 4u);
+  for (const auto& m : tree.merges()) {
+    EXPECT_GE(m.cost, 0);
+    EXPECT_LE(m.cost, 1);
+  }
+}
+
+TEST(Least_compact_region_first_test, other_components_count_though_they_never_merge)
+{
+  Graph g;
+  for (double area : {1e-3, 1.0, 2.0})
+    add_region(g, area, 0);
+  add_section(g, 1, 2, 1);
+  EXPECT_EQ(merges(g, RS::Least_compact_region_first()), (Merges{{1, 2}}));
+}
+
+struct Length_cost
+{
+  double operator()(const Graph& g, Graph::section_descriptor s) const { return g[s].length; }
+};
+
+TEST(Lowest_cost_first_test, is_the_greedy_order)
+{
+  for (unsigned seed = 0; seed < 100; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937 random(seed);
+    Graph g;
+    const std::size_t n = 2 + random() % 25;
+    for (std::size_t r = 0; r < n; ++r)
+      add_region(g, 1);
+    for (std::size_t i = 3 * n; i > 0; --i) {
+      const std::uint32_t a = random() % n, b = random() % n;
+      if (a != b && !g.section(a, b)) {
+        const auto s = add_section(g, a, b, double(1 + random() % 6)); // with ties
+        if (random() % 8 == 0)
+          g.forbid_merge(s);
+      }
+    }
+    Graph slow = g;
+    Merges expected;
+    while (true) {
+      std::tuple<double, std::uint32_t, std::uint32_t> best{1e300, 0, 0};
+      for (auto [it, end] = edges(slow); it != end; ++it) {
+        const auto [low, high] = std::minmax({source(*it, slow), target(*it, slow)});
+        if (slow.is_mergeable(*it))
+          best = (std::min)(best, std::make_tuple(slow[*it].length, low, high));
+      }
+      if (std::get<0>(best) == 1e300)
+        break;
+      expected.push_back({std::get<1>(best), std::get<2>(best)});
+      slow.merge(*slow.section(std::get<1>(best), std::get<2>(best)));
+    }
+    EXPECT_EQ(merges(g, RS::Lowest_cost_first<Length_cost>()), expected);
+  }
+}
+
+struct Nan_for_long
+{
+  double operator()(const Graph& g, Graph::section_descriptor s) const
+  {
+    return g[s].length > 1 ? std::nan("") : g[s].length;
+  }
+};
+
+TEST(Lowest_cost_first_test, what_costs_no_number_is_never_merged)
+{
+  EXPECT_EQ(merges(star({{1, 1}, {2, 1}, {0.5, 1}}), RS::Lowest_cost_first<Nan_for_long>()),
+            (Merges{{0, 3}, {0, 1}}));
+}
+
+/// Takes any section, and remembers what it was told.
+struct Recording_policy
+{
+  std::vector<std::string>* calls;
+  std::string name;
+
+  template <typename G>
+  void initialize(const G& g, std::size_t k)
+  {
+    calls->push_back(name + " initialize " + std::to_string(g.number_of_regions()) + " " +
+                     std::to_string(k));
+  }
+  template <typename G>
+  std::optional<RS::Merge_candidate> next(const G& g)
+  {
+    const auto range = edges(g);
+    if (range.first == range.second)
+      return std::nullopt;
+    return RS::Merge_candidate{*range.first, 0};
+  }
+  template <typename G>
+  void on_merge(const G& g, const typename G::Merge&)
+  {
+    calls->push_back(name + " merge " + std::to_string(g.number_of_regions()));
+  }
+};
+
+using Recording_sequence =
+    RS::Policy_sequence<Recording_policy, Recording_policy, RS::Switch_at_multiple>;
+
+std::vector<std::string> calls_of(std::size_t regions, std::size_t k, double factor)
+{
+  std::vector<std::string> calls;
+  Graph g = star(std::vector<std::pair<double, double>>(regions - 1, {1, 1}));
+  Recording_sequence policy({&calls, "first"}, {&calls, "second"}, RS::Switch_at_multiple{factor});
+  RS::merge_regions(g, policy, k, RS::Stop_at_count{k});
+  return calls;
+}
+
+TEST(Policy_sequence_test, the_second_takes_over_at_factor_times_k)
+{
+  EXPECT_EQ(calls_of(6, 2, 2), (std::vector<std::string>{"first initialize 6 2", "first merge 5",
+                                                         "first merge 4", "second initialize 4 2",
+                                                         "second merge 3", "second merge 2"}));
+  // 2.5 * 2 = 5 regions; with 1.9 it is 3, the first number that is at most 3.8.
+  EXPECT_EQ(calls_of(6, 2, 2.5)[2], "second initialize 5 2");
+  EXPECT_EQ(calls_of(6, 2, 1.9)[4], "second initialize 3 2");
+  EXPECT_EQ(calls_of(3, 2, 2)[1], "second initialize 3 2") << "at once";
+}
+
+TEST(Policy_sequence_test, is_used_again_from_the_start)
+{
+  std::vector<std::string> calls;
+  Recording_sequence policy({&calls, "first"}, {&calls, "second"}, RS::Switch_at_multiple{2});
+  for (int i = 0; i < 2; ++i) {
+    calls.clear();
+    Graph g = star(std::vector<std::pair<double, double>>(5, {1, 1}));
+    RS::merge_regions(g, policy, 2, RS::Stop_at_count{2});
+    EXPECT_EQ(calls.front(), "first initialize 6 2");
+    EXPECT_EQ(calls.size(), 6u);
+  }
+}
+
+TEST(Policy_sequence_test, can_change_at_a_number_whatever_k)
+{
+  for (std::size_t k : {1, 3}) {
+    std::vector<std::string> calls;
+    Graph g = star(std::vector<std::pair<double, double>>(5, {1, 1}));
+    RS::Policy_sequence policy(Recording_policy{&calls, "first"},
+                               Recording_policy{&calls, "second"}, RS::Switch_at_count{4});
+    RS::merge_regions(g, policy, k, RS::Stop_at_count{k});
+    EXPECT_EQ(calls[3], "second initialize 4 " + std::to_string(k));
+  }
+}
+
+TEST(Two_step_test, is_the_sequence_of_its_steps)
+{
+  std::mt19937 random(7);
+  Graph g;
+  for (std::size_t r = 0; r < 40; ++r)
+    add_region(g, 1 + double(random() % 1000) / 100, 1 + double(random() % 1000) / 100);
+  for (std::uint32_t r = 1; r < 40; ++r)
+    for (std::uint32_t q : {r - 1, std::uint32_t(random() % r)})
+      if (!g.section(q, r))
+        add_section(g, q, r, 1 + double(random() % 1000) / 100, double(1 + random() % 300) / 100);
+  const auto sequence = [](double factor) {
+    return RS::Policy_sequence(RS::Smallest_region_first(0.1),
+                               RS::Least_compact_region_first(0.1, 0.6),
+                               RS::Switch_at_multiple{factor});
+  };
+  EXPECT_EQ(merges(g, RS::Two_step(), 5), merges(g, sequence(2), 5));
+  EXPECT_EQ(merges(g, RS::Two_step(0.1, 0.6, 3), 5), merges(g, sequence(3), 5));
+  EXPECT_NE(merges(g, RS::Two_step(), 5), merges(g, RS::Smallest_region_first(), 5));
+  EXPECT_NE(merges(g, RS::Two_step(), 5), merges(g, RS::Least_compact_region_first(), 5));
+}
+
+} // namespace

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "read_mesh.h"
+
+#include "Temporary_folder.h"
+#include "errors.h"
+#include "sample_files.h"
+
+#include <gtest/gtest.h>
+
+#include <ostream>
+
+using namespace segment_mesh;
+using sample::with;
+
+namespace {
+
+/// The tetrahedron of sample_files.h, whatever the order of its points.
+void expect_tetrahedron(const Input_mesh& input)
+{
+  ASSERT_EQ(input.soup.points.size(), 4u);
+  ASSERT_EQ(input.soup.polygons.size(), 4u);
+  for (std::size_t f = 0; f < 4; ++f) {
+    ASSERT_EQ(input.soup.polygons[f].size(), 3u);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double* expected = sample::points[sample::faces[f][i]];
+      const Point& p = input.soup.points[input.soup.polygons[f][i]];
+      EXPECT_EQ(p, (Point{expected[0], expected[1], expected[2]})) << "face " << f;
+    }
+  }
+  EXPECT_EQ(input.mesh_soup.polygons, input.soup.polygons);
+  EXPECT_EQ(input.mesh_face_of_face, (std::vector<std::size_t>{0, 1, 2, 3}));
+  EXPECT_EQ(input.point_of_mesh_point, (std::vector<std::size_t>{0, 1, 2, 3}));
+  EXPECT_TRUE(input.remarks.empty());
+}
+
+struct Sample
+{
+  const char* name;
+  const char* file;
+  std::string bytes;
+};
+
+std::ostream& operator<<(std::ostream& out, const Sample& s)
+{
+  return out << s.name;
+}
+
+class Well_formed : public testing::TestWithParam<Sample>
+{
+};
+
+TEST_P(Well_formed, is_read)
+{
+  const Temporary_folder folder;
+  expect_tetrahedron(read_mesh(folder.write(GetParam().file, GetParam().bytes)));
+}
+
+const std::string crlf_off =
+  "OFF\r\n4 4 6\r\n0 0 0\r\n1 0 0\r\n0 1 0\r\n0 0 1\r\n3 0 2 1\r\n3 0 1 3\r\n"
+  "3 1 2 3\r\n3 0 3 2";
+const std::string colored_off = "# a comment\n\nSTCNOFF # textures, colors, normals\n# another\n4 "
+                                "4\n0\n0 0 0 0 0 1 255 0 0 255 0 0\n\n"
+                                "1 0 0\n0 1 0 0 0 1 -7\n0 0 1 0 0 1 3 4 5 # no more\n3 0 2 1 255 0 "
+                                "0\n3 0 1 3\n3 1 2 3 -5\n3 0 3 2 0.5 0.5\n";
+const std::string rich_obj =
+  "# a comment\nmtllib x.mtl\no thing\nv 0 0 0 1 0 0\nv\t1\t0\t0\nvt 0 0\nvn 0 0 1\nv 0 1 \\\n0\n"
+  "g a\nusemtl red\ns off\nf 1/1/1 3/1/1 2/1/1\nf\t1//1\t2//1\t4//1\nv 0 0 1\nf -3 -2 -1\nf 1/1 "
+  "4/1 3/1\n"
+  "l 1 2 3\n";
+const std::string rich_ply = "ply\ncomment before the format\nformat ascii 1.0\nobj_info "
+                             "x\n\nelement vertices 4\nproperty uchar red\n"
+                             "property double x\nproperty double y\nproperty double z\nelement "
+                             "halfedge 1\nproperty int source\n"
+                             "property list uchar float uv\nelement faces 4\nproperty list int "
+                             "uint vertex_index\nproperty int id\n"
+                             "end_header\n9 0 0 0 9 1 0\n0 9 0 1 0 9 0 0 1\n7 2 0.5 0.5\n3 0 2 1 0 "
+                             "3 0 1 3 0\n3 1 2 3 0 3 0 3 2 0\n";
+
+INSTANTIATE_TEST_SUITE_P(
+  Input, Well_formed,
+  testing::Values(
+    Sample{"off", "a.off", sample::off()}, Sample{"ending", "A.OFF", sample::off()},
+    Sample{"off_crlf", "a.off", crlf_off}, Sample{"off_colored", "a.off", colored_off},
+    Sample{"off_one_header_line", "a.off", with(sample::off(), "OFF\n", "OFF ")},
+    Sample{"off_homogeneous", "a.off",
+           "4OFF\n4 4 0\n0 0 0 1\n2 0 0 2\n0 1 0 1\n0 0 3 3\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n"},
+    Sample{"obj", "a.obj", sample::obj()}, Sample{"obj_rich", "a.obj", rich_obj},
+    Sample{"ply", "a.ply", sample::ply()}, Sample{"ply_rich", "a.ply", rich_ply},
+    Sample{"ply_little", "a.ply", sample::binary_ply("binary_little_endian")},
+    Sample{"ply_big", "a.ply", sample::binary_ply("binary_big_endian")},
+    Sample{"stl", "a.stl", sample::stl()}, Sample{"stl_binary", "a.stl", sample::binary_stl()},
+    Sample{"stl_name", "a.stl", with(sample::stl(), "tetrahedron", "facet vertex endsolid")},
+    Sample{"stl_normal", "a.stl", with(sample::stl(), "normal 0 0 0", "normal nan nan nan")},
+    Sample{"stl_solid_binary", "a.stl", sample::binary_stl("solid facet vertex")}),
+  [](const auto& info) { return info.param.name; });
+
+TEST(Bad_file, is_told)
+{
+  const Temporary_folder folder;
+  const auto message = [](const std::string& file) -> std::string {
+    try {
+      read_mesh(file);
+    } catch (const Input_error& error) {
+      return error.what();
+    }
+    return "was read";
+  };
+  EXPECT_EQ(message(folder.path("none.off")), folder.path("none.off") + ": no such file");
+  std::filesystem::create_directory(folder.path("folder.off"));
+  EXPECT_EQ(message(folder.path("folder.off")), folder.path("folder.off") + ": is a directory");
+}
+
+} // namespace

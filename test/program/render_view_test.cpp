@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The pictures: what must show does, what must not change does not.
+
+#include "choose_viewpoint.h"
+#include "render_view.h"
+#include "vector_algebra.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <stdexcept>
+
+namespace segment_mesh {
+
+namespace {
+
+constexpr Color background = {250, 240, 230};
+
+View_options small_view()
+{
+  View_options options;
+  options.width = 160;
+  options.height = 120;
+  options.background = background;
+  return options;
+}
+
+/// Quads in the order -x, +x, -y, +y, -z, +z.
+Polygon_soup make_cube()
+{
+  Polygon_soup soup;
+  for (std::size_t i = 0; i < 8; ++i)
+    soup.points.push_back({double(i & 1), double(i >> 1 & 1), double(i >> 2)});
+  soup.polygons = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4},
+                   {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
+  return soup;
+}
+
+const std::vector<std::size_t> cube_labels = {0, 1, 2, 3, 4, 5};
+
+/// From where -z is forward and y is up.
+const Viewpoint front = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+
+std::size_t number_of_pixels(const Image& image, const Color& color)
+{
+  return std::size_t(std::count(image.pixels.begin(), image.pixels.end(), color));
+}
+
+/// Whether a pixel is a shade of a color: its channels are in the same proportion, or mixed with
+/// white.
+bool is_shade_of(const Color& pixel, const Color& color)
+{
+  const auto hue = [](const Color& c) {
+    const int low = (std::min)({c[0], c[1], c[2]}), high = (std::max)({c[0], c[1], c[2]});
+    Point p = {double(c[0] - low), double(c[1] - low), double(c[2] - low)};
+    return high > low ? times(1.0 / (high - low), p) : p;
+  };
+  const Point difference = minus(hue(pixel), hue(color));
+  return inner_product(difference, difference) < 0.01;
+}
+
+/// The segments whose color covers at least 40 pixels.
+std::set<std::size_t> visible_segments(const Image& image, std::size_t number_of_segments)
+{
+  std::set<std::size_t> result;
+  for (std::size_t s = 0; s < number_of_segments; ++s)
+    if (std::count_if(image.pixels.begin(), image.pixels.end(),
+                      [s](const Color& p) { return is_shade_of(p, segment_color(s)); }) >= 40)
+      result.insert(s);
+  return result;
+}
+
+std::size_t number_of_dark_pixels(const Image& image)
+{
+  return std::size_t(std::count_if(image.pixels.begin(), image.pixels.end(),
+                                   [](const Color& p) { return p[0] + p[1] + p[2] < 150; }));
+}
+
+bool is_empty(const Image& image)
+{
+  return number_of_pixels(image, background) == image.pixels.size();
+}
+
+} // namespace
+
+TEST(Render_view, a_cube_shows_three_sides_in_their_colors_with_dark_borders)
+{
+  const Image image = render_view(make_cube(), cube_labels, {}, small_view());
+  const std::set<std::size_t> visible = visible_segments(image, 6);
+  EXPECT_EQ(visible.size(), 3u);
+  EXPECT_EQ(visible.count(3), 1u) << "it is seen from above";
+  EXPECT_GT(number_of_dark_pixels(image), 50u);
+}
+
+TEST(Render_view, is_the_same_each_time_whatever_place_and_size)
+{
+  const Image image = render_view(make_cube(), cube_labels, {}, small_view());
+  EXPECT_EQ(image.pixels, render_view(make_cube(), cube_labels, {}, small_view()).pixels);
+  Polygon_soup moved = make_cube();
+  for (Point& p : moved.points)
+    p = {1024 * p[0] + 4096, 1024 * p[1] - 512, 1024 * p[2]}; // without rounding
+  EXPECT_EQ(image.pixels, render_view(moved, cube_labels, {}, small_view()).pixels);
+}
+
+TEST(Render_view, the_order_of_faces_does_not_matter)
+{
+  Polygon_soup reversed = make_cube();
+  std::reverse(reversed.polygons.begin(), reversed.polygons.end());
+  EXPECT_EQ(render_view(make_cube(), cube_labels, {}, small_view()).pixels,
+            render_view(reversed, {5, 4, 3, 2, 1, 0}, {}, small_view()).pixels);
+}
+
+TEST(Render_view, background_is_untouched)
+{
+  const Image image = render_view(make_cube(), cube_labels, {}, small_view());
+  for (std::size_t y = 0; y < image.height; ++y)
+    for (std::size_t x = 0; x < image.width; ++x)
+      if (x == 0 || y == 0 || x + 1 == image.width || y + 1 == image.height) {
+        EXPECT_EQ(image.at(x, y), background) << x << " " << y;
+      }
+}
+
+TEST(Render_view, a_side_seen_from_the_front_fills_its_square)
+{
+  View_options options = small_view();
+  options.viewpoint = front;
+  const Image image = render_view(make_cube(), cube_labels, {}, options);
+  const double side = 120 * 0.92; // the margin is 4 % of the height, on both sides
+  const std::size_t drawn = image.pixels.size() - number_of_pixels(image, background);
+  EXPECT_NEAR(double(drawn), side * side, 2 * side);
+  EXPECT_EQ(visible_segments(image, 6), std::set<std::size_t>{5});
+}
+
+TEST(Render_view, what_is_nearer_hides_what_is_behind_it)
+{
+  Polygon_soup soup;
+  for (double z : {0.0, 1.0})
+    for (const auto& corner : {Point{0, 0, z}, Point{1, 0, z}, Point{1, 1, z}, Point{0, 1, z}})
+      soup.points.push_back(corner);
+  soup.polygons = {{0, 1, 2, 3}, {4, 5, 6, 7}};
+  View_options options = small_view();
+  options.viewpoint = front;
+  EXPECT_EQ(visible_segments(render_view(soup, {0, 1}, {}, options), 2), std::set<std::size_t>{1});
+  EXPECT_EQ(render_view(soup, {0, 1}, {{0, 2}}, options).pixels,
+            render_view(soup, {0, 1}, {}, options).pixels)
+      << "a feature edge behind a face is not seen";
+  EXPECT_NE(render_view(soup, {0, 1}, {{4, 6}}, options).pixels,
+            render_view(soup, {0, 1}, {}, options).pixels);
+}
+
+TEST(Render_view, a_polygon_that_is_not_convex_keeps_its_notch)
+{
+  Polygon_soup soup;
+  soup.points = {{0, 0, 0}, {3, 0, 0}, {3, 3, 0}, {2, 3, 0},
+                 {2, 1, 0}, {1, 1, 0}, {1, 3, 0}, {0, 3, 0}};
+  soup.polygons = {{0, 1, 2, 3, 4, 5, 6, 7}};
+  View_options options = small_view();
+  options.viewpoint = front;
+  const Image image = render_view(soup, {0}, {}, options);
+  EXPECT_EQ(image.at(image.width / 2, 20), background);
+  EXPECT_TRUE(is_shade_of(image.at(image.width / 2, 100), segment_color(0)));
+}
+
+TEST(Render_view, faces_that_share_edges_leave_no_gap)
+{
+  constexpr std::size_t n = 37;
+  Polygon_soup soup;
+  for (std::size_t i = 0; i <= n; ++i)
+    for (std::size_t j = 0; j <= n; ++j)
+      soup.points.push_back(
+          {double(i) + 0.3 * std::sin(double(i * j)), double(j), 0.1 * double(i)});
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j) {
+      const std::size_t a = i * (n + 1) + j, b = a + n + 1;
+      soup.polygons.push_back({a, b, b + 1});
+      soup.polygons.push_back({a, b + 1, a + 1});
+    }
+  View_options options = small_view();
+  options.viewpoint = front;
+  const Image image = render_view(soup, std::vector<std::size_t>(2 * n * n), {}, options);
+  for (std::size_t y = 12; y < 108; ++y)
+    for (std::size_t x = 32; x < 128; ++x)
+      ASSERT_TRUE(is_shade_of(image.at(x, y), segment_color(0))) << x << " " << y;
+}
+
+TEST(Render_view, a_face_turned_the_wrong_way_looks_the_same)
+{
+  Polygon_soup turned = make_cube();
+  std::reverse(turned.polygons[5].begin(), turned.polygons[5].end());
+  View_options options = small_view();
+  options.viewpoint = front;
+  EXPECT_EQ(render_view(make_cube(), cube_labels, {}, options).pixels,
+            render_view(turned, cube_labels, {}, options).pixels);
+}
+
+TEST(Render_view, the_viewpoint_shows_the_segments)
+{
+  // One side in four parts, which only a viewer in front of it sees.
+  Polygon_soup soup = make_cube();
+  soup.points.push_back({0, 0.5, 0.5});
+  soup.polygons[0] = {0, 4, 8};
+  soup.polygons.insert(soup.polygons.end(), {{4, 6, 8}, {6, 2, 8}, {2, 0, 8}});
+  const Image image = render_view(soup, {0, 1, 2, 3, 4, 5, 6, 7, 8}, {}, small_view());
+  const std::set<std::size_t> visible = visible_segments(image, 9);
+  for (std::size_t s : {0, 6, 7, 8})
+    EXPECT_EQ(visible.count(s), 1u) << s;
+}
+
+TEST(Render_view, a_viewpoint_is_orthonormal_and_right_handed)
+{
+  for (const Viewpoint& v : candidate_viewpoints()) {
+    EXPECT_NEAR(inner_product(v.right, v.right), 1, 1e-12);
+    EXPECT_NEAR(inner_product(v.up, v.up), 1, 1e-12);
+    EXPECT_NEAR(inner_product(v.right, v.up), 0, 1e-12);
+    const Point difference = minus(cross_product(v.right, v.up), v.toward_viewer);
+    EXPECT_NEAR(inner_product(difference, difference), 0, 1e-12);
+  }
+}
+
+TEST(Render_view, degenerate_meshes_do_no_harm)
+{
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN(), huge = 1.7e308;
+  EXPECT_TRUE(is_empty(render_view({}, {}, {}, small_view())));
+  EXPECT_TRUE(is_empty(render_view({{{0, 0, 0}}, {}}, {}, {{0, 0}}, small_view())));
+  EXPECT_TRUE(is_empty(render_view({{{1, 1, 1}}, {{0, 0, 0}}}, {7}, {}, small_view())));
+  EXPECT_TRUE(is_empty(render_view({{{1, 1, 1}, {2, 2, 2}}, {{0, 1}}}, {7}, {}, small_view())));
+  EXPECT_TRUE(is_empty(
+      render_view({{{nan, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}, {0}, {}, small_view())));
+  render_view({{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}}}, {0}, {{0, 2}}, small_view());
+
+  Polygon_soup cube = make_cube();
+  for (Point& p : cube.points)
+    p = {(p[0] - 0.5) * 2 * huge, (p[1] - 0.5) * 2 * huge, (p[2] - 0.5) * 2 * huge};
+  EXPECT_EQ(visible_segments(render_view(cube, cube_labels, {}, small_view()), 6).size(), 3u);
+  View_options no_pixels;
+  no_pixels.width = 0;
+  EXPECT_TRUE(render_view(make_cube(), cube_labels, {}, no_pixels).pixels.empty());
+}
+
+TEST(Render_view, wrong_sizes_are_refused)
+{
+  EXPECT_THROW(render_view(make_cube(), {0, 1}, {}), std::invalid_argument);
+  EXPECT_THROW(render_view({{{0, 0, 0}}, {{0, 1, 2}}}, {0}, {}), std::invalid_argument);
+}
+
+} // namespace segment_mesh

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_TEST_SAMPLE_FILES_H
+#define CGAL_REGION_SEGMENTATION_TEST_SAMPLE_FILES_H
+
+#include "little_endian.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+
+// A tetrahedron in every format, as its file may stand on a disk. Points 0 (0,0,0), 1 (1,0,0),
+// 2 (0,1,0), 3 (0,0,1); faces 0 2 1, 0 1 3, 1 2 3, 0 3 2.
+
+namespace sample {
+
+constexpr double points[4][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+constexpr std::int32_t faces[4][3] = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}};
+
+inline std::string off()
+{
+  return "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n";
+}
+
+inline std::string obj()
+{
+  return "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
+}
+
+inline std::string ply_header(const std::string& format)
+{
+  return "ply\nformat " + format +
+         " 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+         "element face 4\nproperty list uchar int vertex_indices\nend_header\n";
+}
+
+inline std::string ply()
+{
+  return ply_header("ascii") + "0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n";
+}
+
+template <typename T>
+void append(std::string& bytes, T value, const std::string& format)
+{
+  const std::size_t start = bytes.size();
+  segment_mesh::append_little_endian(bytes, value);
+  if (format == "binary_big_endian")
+    std::reverse(bytes.begin() + std::ptrdiff_t(start), bytes.end());
+}
+
+inline std::string binary_ply(const std::string& format)
+{
+  std::string bytes = ply_header(format);
+  for (const auto& p : points)
+    for (double x : p)
+      append(bytes, float(x), format);
+  for (const auto& f : faces) {
+    bytes += '\3';
+    for (std::int32_t i : f)
+      append(bytes, i, format);
+  }
+  return bytes;
+}
+
+inline std::string stl()
+{
+  std::string text = "solid tetrahedron\n";
+  for (const auto& f : faces) {
+    text += "facet normal 0 0 0\nouter loop\n";
+    for (std::int32_t i : f) {
+      text += "vertex";
+      for (double x : points[i])
+        text += " " + std::to_string(x);
+      text += "\n";
+    }
+    text += "endloop\nendfacet\n";
+  }
+  return text + "endsolid tetrahedron\n";
+}
+
+inline std::string binary_stl(std::string header = "binary")
+{
+  header.resize(80, ' ');
+  segment_mesh::append_little_endian(header, std::uint32_t(4));
+  for (const auto& f : faces) {
+    header.append(12, '\0');
+    for (std::int32_t i : f)
+      for (double x : points[i])
+        segment_mesh::append_little_endian(header, float(x));
+    header.append(2, '\0');
+  }
+  return header;
+}
+
+/// The text with the first `from` in it replaced.
+inline std::string with(std::string text, const std::string& from, const std::string& to)
+{
+  return text.replace(text.find(from), from.size(), to);
+}
+
+} // namespace sample
+
+#endif // CGAL_REGION_SEGMENTATION_TEST_SAMPLE_FILES_H

@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The program as its users meet it: what it prints, writes and returns.
+
+#include "Temporary_folder.h"
+#include "sample_files.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <regex>
+
+#include <sys/wait.h>
+
+namespace {
+
+/// One call of the program in a folder of its own.
+class Program : public testing::Test
+{
+protected:
+  struct Outcome
+  {
+    int status;
+    std::string out, err;
+  };
+
+  Outcome run(const std::string& arguments, const std::string& before = "") const
+  {
+    const std::string command = "cd '" + folder.path("") + "' && " + before +
+                                " '" SEGMENT_MESH "' " + arguments + " > out 2> err";
+    const int status = std::system(command.c_str());
+    const Outcome outcome = {WEXITSTATUS(status), folder.read("out"), folder.read("err")};
+    std::filesystem::remove(folder.path("out"));
+    std::filesystem::remove(folder.path("err"));
+    return outcome;
+  }
+
+  void expect_wrong_usage(const std::string& arguments, const std::string& message) const
+  {
+    const std::vector<std::string> before = folder.names();
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.status, 2) << arguments;
+    EXPECT_EQ(outcome.out, "") << arguments;
+    EXPECT_EQ(outcome.err, "segment_mesh: " + message + " (see segment_mesh --help)\n")
+      << arguments;
+    EXPECT_EQ(folder.names(), before) << arguments;
+  }
+
+  using Names = std::vector<std::string>;
+  Temporary_folder folder;
+};
+
+const std::string time_at_end = ", [0-9]+\\.[0-9]{3} s\n";
+
+TEST_F(Program, segments_its_own_model)
+{
+  const Outcome outcome = run("-o '{stem}.seg'");
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_TRUE(std::regex_match(
+    outcome.out,
+    std::regex("articulated_figure: [0-9]+ faces, [0-9]+ regions, 10 segments" + time_at_end +
+               "  true parts: Rand index distance 0\\.0[0-9]{3}, cut discrepancy .*\n")))
+    << outcome.out;
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_EQ(folder.names(), Names{"articulated_figure.seg"});
+}
+
+TEST_F(Program, prints_a_line_for_an_input)
+{
+  folder.write("a.off", sample::off());
+  const Outcome outcome = run("a.off -k 1 --method two-step");
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_TRUE(std::regex_match(outcome.out,
+                               std::regex("a\\.off: 4 faces, 1 region, 1 segment" + time_at_end)))
+    << outcome.out;
+  EXPECT_EQ(outcome.err, "");
+}
+
+TEST_F(Program, says_why_it_gives_fewer_or_more_segments)
+{
+  folder.write("a.off", sample::off());
+  EXPECT_TRUE(std::regex_match(
+    run("a.off -k 3 --method two-step").out,
+    std::regex("a\\.off: 4 faces, 1 region, 1 segment of 3 \\(growing gave 1 region\\)" +
+               time_at_end)));
+  EXPECT_TRUE(std::regex_match(
+    run("a.off -k 5").out,
+    std::regex("a\\.off: 4 faces, 4 regions, 4 segments of 5 \\(the mesh has 4 faces\\)" +
+               time_at_end)));
+
+  folder.write("b.off", "OFF\n6 2 0\n0 0 0\n1 0 0\n0 1 0\n5 0 0\n6 0 0\n5 1 0\n3 0 1 2\n3 3 4 5\n");
+  EXPECT_TRUE(std::regex_match(
+    run("b.off -k 1").out,
+    std::regex(
+      "b\\.off: 2 faces, 2 regions, 2 segments of 1 \\(the mesh has 2 connected pieces\\)" +
+      time_at_end)));
+}
+
+TEST_F(Program, chooses_the_number_of_segments)
+{
+  ASSERT_EQ(run("-o a.off").status, 0);
+  const Outcome outcome = run("a.off -o a.json");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_TRUE(std::regex_match(
+    outcome.out,
+    std::regex("a\\.off: [0-9]+ faces, [0-9]+ regions, [0-9]+ segments" + time_at_end)))
+    << outcome.out;
+  EXPECT_NE(folder.read("a.json").find("\"method\": \"best\", \"segments\": null"),
+            std::string::npos);
+}
+
+TEST_F(Program, runs_both_methods)
+{
+  const Outcome best = run("--method best"), two_step = run("--method two-step"),
+                standard = run("");
+  const auto line_without_time = [](const Outcome& o) {
+    return o.out.substr(0, o.out.find(" segments"));
+  };
+  EXPECT_EQ(line_without_time(best), line_without_time(standard));
+  EXPECT_NE(line_without_time(two_step), line_without_time(standard));
+}
+
+TEST_F(Program, writes_every_format)
+{
+  folder.write("a.off", sample::off());
+  const Outcome outcome = run("a.off -k 4 --method two-step --features all --max-angle 20 -o a.seg "
+                              "-o b.ply -o b.off -o b.obj -o b.json");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(folder.names(), (Names{"a.off", "a.seg", "b.json", "b.obj", "b.off", "b.ply"}));
+  EXPECT_EQ(folder.read("a.seg"), "0\n1\n2\n3\n");
+}
+
+TEST_F(Program, gives_the_same_labels_on_every_mesh_type)
+{
+  ASSERT_EQ(run("-o a.seg").status, 0);
+  for (const std::string type : {"polyhedron", "openmesh"}) {
+    const Outcome outcome = run("-o b.seg --mesh " + type);
+    if (outcome.status == 2 && type == "openmesh")
+      continue; // built without
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(folder.read("b.seg"), folder.read("a.seg")) << type;
+  }
+}
+
+TEST_F(Program, goes_on_after_a_bad_input)
+{
+  folder.write("a.off", sample::off());
+  folder.write("c.obj", sample::obj());
+  folder.write("b.off", sample::with(sample::off(), "3 1 2 3", "3 1 2 9"));
+  const Outcome outcome = run("a.off b.off none.off c.obj -k 1 -o '{stem}.seg'");
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_EQ(outcome.err, "b.off:9: index 9 is out of range: there are 4 vertices, from 0\n"
+                         "none.off: no such file\n");
+  EXPECT_EQ(std::count(outcome.out.begin(), outcome.out.end(), '\n'), 2);
+  EXPECT_EQ(folder.names(), (Names{"a.off", "a.seg", "b.off", "c.obj", "c.seg"}));
+}
+
+TEST_F(Program, is_quiet_about_repair_if_asked)
+{
+  folder.write("a.off", sample::with(sample::off(), "3 1 2 3", "3 1 3 2"));
+  const Outcome loud = run("a.off -k 1 -o a.seg");
+  EXPECT_EQ(loud.status, 0);
+  EXPECT_EQ(loud.err.rfind("a.off: not an oriented 2-manifold, repaired: 0 faces dropped", 0), 0u)
+    << loud.err;
+  EXPECT_EQ(folder.read("a.seg"), "0\n0\n0\n0\n");
+  const Outcome quiet = run("a.off -k 1 --quiet");
+  EXPECT_EQ(quiet.status, 0);
+  EXPECT_EQ(quiet.err, "");
+  EXPECT_NE(quiet.out, "");
+}
+
+TEST_F(Program, compares_with_truths)
+{
+  folder.write("a.off", sample::off());
+  folder.write("a.seg", "7\n7\n7\n7\n");
+  folder.write("b.seg", "0\n1\n2\n3\n");
+  const Outcome outcome = run("a.off -k 1 --truth '{stem}.seg' --truth b.seg");
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(
+    outcome.out.substr(outcome.out.find('\n') + 1),
+    "  a.seg: Rand index distance 0.0000, cut discrepancy undefined, Hamming distance 0.0000, "
+    "global consistency error 0.0000, local consistency error 0.0000\n"
+    "  b.seg: Rand index distance 1.0000, cut discrepancy undefined, Hamming distance 0.3170, "
+    "global consistency error 0.0000, local consistency error 0.0000\n"
+    "  mean: Rand index distance 0.5000, cut discrepancy undefined, Hamming distance 0.1585, "
+    "global consistency error 0.0000, local consistency error 0.0000\n");
+  folder.write("b.seg", "0\nx\n");
+  EXPECT_EQ(run("a.off -k 1 --truth b.seg").err, "b.seg:2: 'x' is not a label\n");
+  folder.write("b.seg", "0\n1\n");
+  const Outcome short_truth = run("a.off -k 1 --truth b.seg");
+  EXPECT_EQ(short_truth.err, "b.seg: 2 labels for 4 faces\n");
+  EXPECT_EQ(short_truth.status, 1);
+}
+
+TEST_F(Program, leaves_nothing_half_written)
+{
+  folder.write("a.off", sample::off());
+  Outcome outcome = run("a.off -k 1 -o none/a.seg -o a.seg");
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_EQ(outcome.err, "none/a.seg: cannot be opened: No such file or directory\n");
+  EXPECT_EQ(folder.names(), (Names{"a.off", "a.seg"}));
+
+  folder.write("figure.ply", "old");
+  outcome = run("-o figure.ply", "ulimit -f 8 &&");
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_EQ(outcome.err, "figure.ply: cannot be written: File too large\n");
+  EXPECT_EQ(folder.read("figure.ply"), "old");
+  EXPECT_EQ(folder.names(), (Names{"a.off", "a.seg", "figure.ply"}));
+}
+
+TEST_F(Program, knows_wrong_usage)
+{
+  folder.write("a.off", sample::off());
+  folder.write("b.off", sample::off());
+  const std::string endings = ": unknown ending of an output, not .seg, .ply, .off, .obj or .json";
+  expect_wrong_usage("a.off --method two-step",
+                     "--method two-step needs the number of segments: -k N");
+  expect_wrong_usage("a.off -k 0", "-k: at least 1 segment");
+  expect_wrong_usage("a.off -k 2 --max-angle 181", "--max-angle: an angle from 0 to 180 degrees");
+  expect_wrong_usage("a.off -k 2 --max-angle nan", "--max-angle: an angle from 0 to 180 degrees");
+  expect_wrong_usage("a.off -k 2 -o a.xyz", "a.xyz" + endings);
+  expect_wrong_usage("a.off -k 2 -o a.png", "a.png" + endings);
+  expect_wrong_usage("a.off -k 2 -o ./a.off", "-o ./a.off: would replace an input");
+  expect_wrong_usage("a.off b.off -k 2 -o c.seg", "-o c.seg: with several inputs it holds {stem}");
+  expect_wrong_usage("a.off b.off -k 2 --truth c.seg",
+                     "--truth c.seg: with several inputs it holds {stem}");
+  expect_wrong_usage("a.off a.off -k 2 -o '{stem}.seg'", "-o a.seg: would be written twice");
+  expect_wrong_usage("a.off -k 2 -o a.seg -o ./a.seg", "-o ./a.seg: would be written twice");
+  for (const char* arguments :
+       {"a.off -k", "a.off -k many", "a.off -k -1", "--frobnicate", "--mesh soup",
+        "a.off -k 2 --features some", "a.off -k 2 --method magic"}) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.status, 2) << arguments;
+    EXPECT_EQ(outcome.out, "") << arguments;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  }
+}
+
+TEST_F(Program, helps)
+{
+  const Outcome help = run("--help"), version = run("--version");
+  EXPECT_EQ(help.status, 0);
+  EXPECT_NE(help.out.find("Examples:"), std::string::npos);
+  EXPECT_EQ(version.status, 0);
+  EXPECT_TRUE(std::regex_match(version.out, std::regex("segment_mesh [0-9.]+\n"))) << version.out;
+}
+
+TEST_F(Program, fails_when_stdout_is_full)
+{
+  if (!std::filesystem::exists("/dev/full"))
+    GTEST_SKIP() << "no /dev/full here";
+  const Outcome outcome = run("> /dev/full; exit $?; true");
+  EXPECT_EQ(outcome.status, 1);
+}
+
+} // namespace

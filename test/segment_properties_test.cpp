@@ -1,0 +1,453 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What the design promises of every segmentation, over random meshes.
+
+#include "meshes.h"
+#include "oracles.h"
+
+#include <CGAL/Region_segmentation/Lowest_cost_first.h>
+#include <CGAL/Region_segmentation/best.h>
+#include <CGAL/Region_segmentation/build_region_adjacency_graph.h>
+#include <CGAL/Region_segmentation/extract_feature_lines.h>
+#include <CGAL/Region_segmentation/segment.h>
+
+#include <boost/property_map/function_property_map.hpp>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace {
+
+namespace RS = CGAL::Region_segmentation;
+namespace RP = CGAL::Region_segmentation::parameters;
+using namespace test;
+
+struct Properties_test : ::testing::TestWithParam<Family>
+{
+  /// Calls `f(soup, options, random)` for meshes of the family, with their seeds in the trace.
+  template <typename F>
+  void for_each_mesh(unsigned seeds, F f) const
+  {
+    for (unsigned seed = 0; seed < seeds; ++seed) {
+      SCOPED_TRACE(name(GetParam()) + ", seed " + std::to_string(seed));
+      std::mt19937 random(seed + 5000);
+      const Soup soup = random_mesh(GetParam(), seed + 5000);
+      f(soup, random_options(random), random);
+      if (HasFatalFailure())
+        return;
+    }
+  }
+};
+
+TEST_P(Properties_test, labels_are_dense_ordered_and_connected)
+{
+  for_each_mesh(25, [](const Soup& soup, Options options, std::mt19937& random) {
+    if (random() % 2)
+      options.constrained_edges = random_edges(soup, 10, random);
+    const Result result = run(soup, options);
+    const std::size_t n = result.number_of_segments;
+    EXPECT_TRUE(is_numbered_by_first_face(result.segments, n));
+    EXPECT_TRUE(is_numbered_by_first_face(result.regions, result.tree.number_of_regions()));
+    EXPECT_TRUE(is_connected(soup, result.regions, options.constrained_edges));
+    EXPECT_TRUE(is_connected(soup, result.segments, options.constrained_edges));
+    EXPECT_TRUE(nests(result.regions, result.segments));
+    EXPECT_TRUE(separates(soup, options.constrained_edges, result.regions, result.segments));
+    EXPECT_LE(n, result.tree.number_of_regions());
+    EXPECT_GE(n, number_of_components(soup));
+    if (options.constrained_edges.empty()) {
+      const std::size_t reachable = (std::max)(options.k, number_of_components(soup));
+      EXPECT_EQ(n, (std::min)(reachable, result.tree.number_of_regions()));
+    } else if (n != options.k) {
+      EXPECT_EQ(result.tree.merges().size(), result.tree.number_of_regions() - n);
+    }
+  });
+}
+
+TEST_P(Properties_test, features_are_borders_of_regions)
+{
+  for_each_mesh(15, [](const Soup& soup, const Options& options, std::mt19937&) {
+    const Result result = run(soup, options);
+    for (const auto& [edge, faces] : faces_of_edges(soup)) {
+      if (faces.size() == 1) {
+        EXPECT_TRUE(result.features.at(edge));
+      } else if (result.features.at(edge)) {
+        EXPECT_NE(result.regions[faces[0]], result.regions[faces[1]]);
+      }
+    }
+  });
+}
+
+TEST_P(Properties_test, segmentations_of_one_tree_nest)
+{
+  for_each_mesh(10, [](const Soup& soup, Options options, std::mt19937&) {
+    options.k = 1;
+    const Result result = run(soup, options);
+    Labels finer = result.regions;
+    for (std::size_t k = result.tree.number_of_regions(); k >= result.number_of_segments && k > 0;
+         --k) {
+      const auto cut = result.tree.cut_at_count(k);
+      ASSERT_EQ(cut.number_of_segments, k);
+      Labels labels;
+      for (std::size_t r : result.regions)
+        labels.push_back(cut.of_region[r]);
+      ASSERT_TRUE(is_numbered_by_first_face(labels, k));
+      ASSERT_TRUE(is_connected(soup, labels));
+      ASSERT_TRUE(nests(finer, labels));
+      finer = labels;
+    }
+    EXPECT_EQ(finer, result.segments);
+  });
+}
+
+TEST_P(Properties_test, hold_for_the_best_method_too)
+{
+  for_each_mesh(8, [](const Soup& soup, Options options, std::mt19937& random) {
+    if (random() % 2)
+      options.constrained_edges = random_edges(soup, 10, random);
+    const Surface_mesh mesh = to_surface_mesh(soup);
+    const Result result =
+        run(mesh, options.named()
+                      .merging_policy(RS::Best())
+                      .edge_is_constrained_map(edge_map(mesh, options.constrained_edges)));
+    EXPECT_TRUE(is_numbered_by_first_face(result.segments, result.number_of_segments));
+    EXPECT_TRUE(is_numbered_by_first_face(result.regions, result.tree.number_of_regions()));
+    EXPECT_TRUE(is_connected(soup, result.regions, options.constrained_edges));
+    EXPECT_TRUE(is_connected(soup, result.segments, options.constrained_edges));
+    EXPECT_TRUE(separates(soup, options.constrained_edges, result.regions, result.segments));
+    if (options.constrained_edges.empty()) {
+      EXPECT_EQ(
+          result.number_of_segments,
+          (std::min)(soup.polygons.size(), (std::max)(options.k, number_of_components(soup))));
+    }
+  });
+}
+
+struct Length_cost
+{
+  template <typename Graph>
+  double operator()(const Graph& g, typename Graph::section_descriptor s) const
+  {
+    return -g[s].length;
+  }
+};
+
+TEST_P(Properties_test, a_policy_that_does_not_know_k_gives_one_tree)
+{
+  for_each_mesh(5, [](const Soup& soup, Options options, std::mt19937&) {
+    const Surface_mesh mesh = to_surface_mesh(soup);
+    const auto with = [&](std::size_t k) {
+      options.k = k;
+      return run(mesh, options.named().merging_policy(RS::Lowest_cost_first<Length_cost>()));
+    };
+    const Result whole = with(1);
+    for (std::size_t k : {2, 3, 7, 20}) {
+      const auto cut = whole.tree.cut_at_count(k);
+      const Result direct = with(k);
+      for (std::size_t f = 0; f < soup.polygons.size(); ++f)
+        ASSERT_EQ(cut.of_region[whole.regions[f]], direct.segments[f]);
+    }
+  });
+}
+
+// The same from foreign property maps
+
+TEST_P(Properties_test, foreign_maps_give_the_same_labels)
+{
+  for_each_mesh(6, [](const Soup& soup, const Options& options, std::mt19937& random) {
+    Surface_mesh mesh = to_surface_mesh(soup);
+    const Result expected = run(mesh, options.named());
+    using Vertex = Surface_mesh::Vertex_index;
+    using Face = Surface_mesh::Face_index;
+
+    std::map<Vertex, Kernel::Point_3> stored;
+    for (auto v : vertices(mesh))
+      stored[v] = mesh.point(v);
+    const auto by_value =
+        boost::make_function_property_map<Vertex>([&stored](Vertex v) { return stored.at(v); });
+    // The points of the mesh itself must not matter then.
+    for (auto v : vertices(mesh))
+      mesh.point(v) = Kernel::Point_3(0, 0, 0);
+    const auto same = [&](const Result& result) {
+      EXPECT_EQ(result.regions, expected.regions);
+      EXPECT_EQ(result.segments, expected.segments);
+      EXPECT_EQ(result.features, expected.features);
+    };
+    same(run(mesh, options.named().vertex_point_map(boost::make_assoc_property_map(stored))));
+    same(run(mesh, options.named().vertex_point_map(by_value)));
+
+    std::map<Face, std::size_t> face_index;
+    std::map<Vertex, std::size_t> vertex_index;
+    std::vector<std::size_t> numbers(mesh.number_of_vertices() + mesh.number_of_faces());
+    const auto shuffle = [&](std::size_t n) {
+      numbers.resize(n);
+      for (std::size_t i = 0; i < n; ++i)
+        numbers[i] = i;
+      std::shuffle(numbers.begin(), numbers.end(), random);
+    };
+    shuffle(mesh.number_of_faces());
+    for (auto f : faces(mesh))
+      face_index[f] = numbers[face_index.size()];
+    shuffle(mesh.number_of_vertices());
+    for (auto v : vertices(mesh))
+      vertex_index[v] = numbers[vertex_index.size()];
+    same(run(mesh, options.named()
+                       .vertex_point_map(by_value)
+                       .face_index_map(boost::make_assoc_property_map(face_index))
+                       .vertex_index_map(boost::make_assoc_property_map(vertex_index))));
+    same(run(mesh, options.named().vertex_point_map(by_value).face_index_map(
+                       boost::make_function_property_map<Face>(
+                           [&](Face f) { return face_index.at(f); }))));
+  });
+}
+
+// The same under changes of the mesh
+
+void expect_same(const Result& a, const Result& b)
+{
+  EXPECT_EQ(a.regions, b.regions);
+  EXPECT_EQ(a.segments, b.segments);
+  EXPECT_EQ(a.features, b.features);
+}
+
+TEST_P(Properties_test, scaling_by_a_power_of_two_changes_no_bit)
+{
+  for_each_mesh(5, [](const Soup& soup, const Options& options, std::mt19937&) {
+    const Result expected = run(soup, options);
+    for (int exponent : {-100, -1, 1, 10, 100}) {
+      const Result result = run(scaled(soup, std::ldexp(1, exponent)), options);
+      expect_same(result, expected);
+      ASSERT_EQ(result.tree.merges().size(), expected.tree.merges().size());
+      for (std::size_t i = 0; i < expected.tree.merges().size(); ++i)
+        EXPECT_EQ(result.tree.merges()[i].removed, expected.tree.merges()[i].removed);
+    }
+  });
+}
+
+TEST_P(Properties_test, an_exact_offset_of_a_million_diameters_changes_no_bit)
+{
+  // Coordinates are multiples of 2^-16 below 2^7; the offsets keep them within 53 bits.
+  for_each_mesh(8, [](const Soup& soup, const Options& options, std::mt19937&) {
+    expect_same(run(translated(soup, 1 << 27, -(1 << 26), 3 * (1 << 25)), options),
+                run(soup, options));
+  });
+}
+
+// A flat cap is degenerate by its exact coordinates; moved, it may be so no more.
+bool is_stable(Family family)
+{
+  return !has_degenerate_faces(family);
+}
+
+TEST_P(Properties_test, motion_and_scaling_change_no_label)
+{
+  if (!is_stable(GetParam()))
+    GTEST_SKIP() << "flat caps do not survive rounding";
+  for_each_mesh(8, [](const Soup& soup, const Options& options, std::mt19937& random) {
+    const Result expected = run(soup, options);
+    const double a = double(random() % 1000), b = double(random() % 1000);
+    const auto rotated = mapped(soup, [=](const Point& p) {
+      const double x = std::cos(a) * p[0] - std::sin(a) * p[1],
+                   y = std::sin(a) * p[0] + std::cos(a) * p[1];
+      return Point{x, std::cos(b) * y - std::sin(b) * p[2], std::sin(b) * y + std::cos(b) * p[2]};
+    });
+    const Soup& base = soup;
+    for (const Soup& moved :
+         {rotated, translated(rotated, 0.1, 1000.3, -7), translated(base, 1.1e7, -2.3e7, 0.7e7),
+          scaled(rotated, 1e-30), scaled(base, 1e30), scaled(base, 3), scaled(base, 1e-90),
+          scaled(base, 1e90)})
+      expect_same(run(moved, options), expected);
+  });
+}
+
+TEST_P(Properties_test, renumbering_renames)
+{
+  if (!is_stable(GetParam()))
+    GTEST_SKIP() << "degenerate faces have ties, which go by number";
+  for_each_mesh(8, [](const Soup& soup, const Options& options, std::mt19937& random) {
+    const Result expected = run(soup, options);
+    Soup other = soup;
+    std::vector<std::size_t> new_of_old;
+    shuffle_vertices(other, random, new_of_old);
+    const Soup unshuffled = other;
+    // Faces as pairs of polygon and old label, in a new order.
+    std::vector<std::size_t> order(soup.polygons.size());
+    for (std::size_t f = 0; f < order.size(); ++f)
+      order[f] = f;
+    std::shuffle(order.begin(), order.end(), random);
+    Labels segments, regions;
+    for (std::size_t f = 0; f < order.size(); ++f) {
+      Polygon p = unshuffled.polygons[order[f]];
+      std::rotate(p.begin(), p.begin() + std::ptrdiff_t(random() % p.size()), p.end());
+      other.polygons[f] = p;
+      segments.push_back(expected.segments[order[f]]);
+      regions.push_back(expected.regions[order[f]]);
+    }
+    const Result result = run(other, options);
+    EXPECT_EQ(result.regions, renumbered(regions));
+    EXPECT_EQ(result.segments, renumbered(segments));
+    for (const auto& [edge, is_feature] : expected.features)
+      EXPECT_EQ(result.features.at(make_edge(new_of_old[edge.first], new_of_old[edge.second])),
+                is_feature);
+  });
+}
+
+TEST_P(Properties_test, the_first_corner_of_a_face_changes_no_bit)
+{
+  for_each_mesh(8, [](const Soup& soup, const Options& options, std::mt19937& random) {
+    Soup rotated = soup;
+    for (Polygon& p : rotated.polygons)
+      std::rotate(p.begin(), p.begin() + std::ptrdiff_t(random() % p.size()), p.end());
+    expect_same(run(rotated, options), run(soup, options));
+  });
+}
+
+TEST_P(Properties_test, a_run_is_repeatable)
+{
+  for_each_mesh(3, [](const Soup& soup, const Options& options, std::mt19937&) {
+    expect_same(run(soup, options), run(soup, options));
+  });
+}
+
+std::string parameter_name(const ::testing::TestParamInfo<Family>& info)
+{
+  std::string result = name(info.param);
+  std::replace(result.begin(), result.end(), ' ', '_');
+  return result;
+}
+INSTANTIATE_TEST_SUITE_P(families, Properties_test, ::testing::ValuesIn(all_families),
+                         parameter_name);
+
+// Bad input, and outputs that stay as they were
+
+struct Outputs
+{
+  explicit Outputs(const Surface_mesh& m)
+      : mesh(m), segments(face_map(m, 77)), regions(face_map(m, 78)),
+        features(edge_map(m, std::uint8_t(1)))
+  {
+    tree.push_back({0, 1, 5});
+  }
+
+  template <typename Parameters>
+  std::size_t run(const Parameters& np)
+  {
+    return RS::segment(
+        mesh, segments,
+        np.region_map(regions).edge_is_feature_map(features).merge_tree(std::ref(tree)));
+  }
+
+  void expect_untouched() const
+  {
+    EXPECT_EQ(labels_of(mesh, segments), Labels(num_faces(mesh), 77));
+    EXPECT_EQ(labels_of(mesh, regions), Labels(num_faces(mesh), 78));
+    EXPECT_EQ(count(flags_of(mesh, features)), num_edges(mesh));
+    EXPECT_EQ(tree.merges().size(), 1u);
+    EXPECT_EQ(tree.number_of_regions(), 2u);
+  }
+
+  using Face_map = decltype(face_map(std::declval<Surface_mesh>()));
+  using Edge_map = decltype(edge_map(std::declval<Surface_mesh>()));
+  const Surface_mesh& mesh;
+  Face_map segments, regions;
+  Edge_map features;
+  RS::Merge_tree tree{2};
+};
+
+TEST(Bad_input_test, a_point_that_is_not_finite_is_named)
+{
+  for (double bad : {std::nan(""), std::numeric_limits<double>::infinity(),
+                     -std::numeric_limits<double>::infinity()})
+    for (int coordinate = 0; coordinate < 3; ++coordinate) {
+      Soup soup = dumbbell();
+      soup.points[7][coordinate] = bad;
+      const Surface_mesh mesh = to_surface_mesh(soup);
+      Outputs outputs(mesh);
+      try {
+        outputs.run(Options(2).named());
+        ADD_FAILURE() << "taken";
+      } catch (const RS::Invalid_input& e) {
+        EXPECT_NE(std::string(e.what()).find("vertex 7 "), std::string::npos) << e.what();
+      }
+      outputs.expect_untouched();
+      EXPECT_THROW(RS::detect_feature_edges(mesh, outputs.features), RS::Invalid_input);
+      EXPECT_THROW(RS::extract_feature_lines(mesh, outputs.features, CGAL::Emptyset_iterator()),
+                   RS::Invalid_input);
+      EXPECT_THROW(RS::grow_regions(mesh, outputs.features, outputs.regions), RS::Invalid_input);
+      EXPECT_THROW(RS::build_region_adjacency_graph(mesh, face_map(mesh, 0)), RS::Invalid_input);
+      outputs.expect_untouched();
+    }
+}
+
+struct Visitor
+{
+  std::vector<std::pair<std::string, double>> calls;
+  std::size_t cancel_at = 1000000;
+
+  bool go_further(const char* stage, double fraction)
+  {
+    calls.push_back({stage, fraction});
+    return calls.size() < cancel_at;
+  }
+};
+
+TEST(Visitor_test, sees_the_stages_in_order_with_progress)
+{
+  const Surface_mesh mesh = to_surface_mesh(dumbbell());
+  Visitor visitor;
+  Outputs(mesh).run(Options(2, reference::Convexity::all).named().visitor(std::ref(visitor)));
+  std::vector<std::string> stages;
+  double last = 0;
+  for (const auto& [stage, fraction] : visitor.calls) {
+    EXPECT_GE(fraction, 0);
+    EXPECT_LE(fraction, 1);
+    if (stages.empty() || stages.back() != stage) {
+      stages.push_back(stage);
+      last = 0;
+    }
+    EXPECT_GE(fraction, last);
+    last = fraction;
+  }
+  EXPECT_EQ(stages, (std::vector<std::string>{"reading", "features", "regions", "merging"}));
+  EXPECT_GT(visitor.calls.size(), 10u) << "merging tells about its steps";
+}
+
+TEST(Visitor_test, can_cancel_anywhere_and_nothing_is_written)
+{
+  const Surface_mesh mesh = to_surface_mesh(dumbbell());
+  const auto named = Options(2, reference::Convexity::all).named();
+  Visitor whole;
+  Outputs(mesh).run(named.visitor(std::ref(whole)));
+  ASSERT_GT(whole.calls.size(), 4u);
+  for (std::size_t i = 1; i <= whole.calls.size(); ++i) {
+    Visitor visitor;
+    visitor.cancel_at = i;
+    Outputs outputs(mesh);
+    EXPECT_THROW(outputs.run(named.visitor(std::ref(visitor))), RS::Segmentation_cancelled);
+    EXPECT_EQ(visitor.calls.size(), i);
+    outputs.expect_untouched();
+  }
+}
+
+TEST(Visitor_test, changes_nothing)
+{
+  const Surface_mesh mesh = to_surface_mesh(random_mesh(Family::BLOCKS, 1));
+  const auto named = Options(3, reference::Convexity::all, 20).named();
+  Visitor visitor;
+  expect_same(run(mesh, named.visitor(std::ref(visitor))), run(mesh, named));
+}
+
+// Overflow is a degenerate face, not an error.
+TEST(Extreme_input_test, areas_that_overflow)
+{
+  const Soup soup = scaled(random_mesh(Family::SPHERE, 1), 1e200);
+  const Result result = run(soup, Options(3, reference::Convexity::all));
+  EXPECT_TRUE(is_numbered_by_first_face(result.segments, result.number_of_segments));
+  EXPECT_TRUE(is_connected(soup, result.segments));
+  const Soup tiny = scaled(soup, 1e-320);
+  const Result small = run(scaled(tiny, 1e-150), Options(3, reference::Convexity::all));
+  EXPECT_TRUE(is_numbered_by_first_face(small.segments, small.number_of_segments));
+}
+
+} // namespace

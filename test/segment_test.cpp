@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The pipeline on small meshes, with answers found by hand.
+
+#include "meshes.h"
+#include "oracles.h"
+
+#include <CGAL/Region_segmentation/Lowest_cost_first.h>
+#include <CGAL/Region_segmentation/segment.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace {
+
+namespace RS = CGAL::Region_segmentation;
+using namespace test;
+constexpr auto all = reference::Convexity::all;
+
+TEST(Segment_test, cube)
+{
+  // By hand, faces -x +x -y +y -z +z, ids 0..5, all sections equal. 6 regions, k = 1: step one down
+  // to
+  // 2. All areas are 1: 0 goes, to its lowest neighbor 2 (1 is opposite). Then 1 is the smallest;
+  // of its neighbors 0 (one edge, as the others) the lowest: 0. Then 3: 0 by its three edges; 4: 0.
+  // Step two: 5 is left with 0.
+  const Result result = run(cube(), Options(1, all));
+  ASSERT_EQ(result.tree.merges().size(), 5u);
+  const std::vector<std::uint32_t> removed = {2, 1, 3, 4, 5};
+  for (std::size_t i = 0; i < 5; ++i) {
+    EXPECT_EQ(result.tree.merges()[i].kept, 0u);
+    EXPECT_EQ(result.tree.merges()[i].removed, removed[i]);
+  }
+  EXPECT_EQ(run(cube(), Options(6, all)).segments, (Labels{0, 1, 2, 3, 4, 5}));
+  EXPECT_EQ(run(cube(), Options(3, all)).number_of_segments, 3u);
+  EXPECT_EQ(run(cube(), Options(6)).number_of_segments, 1u) << "no concave edge";
+}
+
+TEST(Segment_test, dumbbell)
+{
+  // Concave: cube of 53 squares, bar of 8, cube of 53. k = 2: step two at once; the bar counts
+  // least, both its sections are equal: the lower neighbor.
+  const Result three = run(dumbbell(), Options(3));
+  Labels expected(53, 0);
+  expected.insert(expected.end(), 8, 1);
+  expected.insert(expected.end(), 53, 2);
+  EXPECT_EQ(three.segments, expected);
+  EXPECT_EQ(three.number_of_segments, 3u);
+  EXPECT_EQ(count(three.features), 8u);
+
+  const Result two = run(dumbbell(), Options(2));
+  std::fill(expected.begin(), expected.begin() + 61, 0);
+  std::fill(expected.begin() + 61, expected.end(), 1);
+  EXPECT_EQ(two.segments, expected);
+  EXPECT_EQ(count(two.features), 8u) << "the features separate regions, not segments";
+}
+
+TEST(Segment_test, more_components_than_segments)
+{
+  const Soup soup = joined(cube(), translated(l_shape(), 5, 0, 0));
+  const Result result = run(soup, Options(1, all));
+  EXPECT_EQ(result.number_of_segments, 2u);
+  EXPECT_EQ(result.tree.merges().size(), 14u - 2u);
+  EXPECT_TRUE(is_connected(soup, result.segments));
+}
+
+TEST(Segment_test, fewer_regions_than_segments)
+{
+  EXPECT_EQ(run(l_shape(), Options(5)).number_of_segments, 1u);
+  EXPECT_EQ(run(box_on_plate(), Options(1000)).number_of_segments, 2u);
+  EXPECT_EQ(run(grid(4, 2), Options(3)).number_of_segments, 1u);
+}
+
+TEST(Segment_test, meshes_without_faces_or_with_one)
+{
+  EXPECT_EQ(run(Soup(), Options(3)).number_of_segments, 0u);
+  EXPECT_EQ(run(grid(1, 1), Options(3)).segments, (Labels{0}));
+}
+
+TEST(Segment_test, isolated_vertices_do_not_matter)
+{
+  Surface_mesh mesh = to_surface_mesh(dumbbell());
+  mesh.add_vertex(Kernel::Point_3(100, 100, 100));
+  EXPECT_EQ(run(mesh, Options(3).named()).segments, run(dumbbell(), Options(3)).segments);
+}
+
+TEST(Segment_test, faces_that_share_several_edges)
+{
+  EXPECT_EQ(run(pillow(), Options(2, all)).segments, (Labels{0, 1}));
+  EXPECT_EQ(run(pillow(), Options(1, all)).segments, (Labels{0, 0}));
+}
+
+TEST(Segment_test, constrained_edges_are_never_merged_across)
+{
+  //     10-11-12-13-14
+  //      | 4| 5| 6| 7|     2-7-12 is constrained
+  //      5--6--7--8--9
+  //      | 0| 1| 2| 3|
+  //      0--1--2--3--4
+  Options options(1, all);
+  options.constrained_edges = {{2, 7}, {7, 12}};
+  const Result result = run(grid(4, 2), options);
+  EXPECT_EQ(result.segments, (Labels{0, 0, 1, 1, 0, 0, 1, 1}));
+  EXPECT_EQ(result.number_of_segments, 2u);
+  EXPECT_TRUE(result.features.at({2, 7}));
+  // Half of the line is no border: the regions meet above it.
+  options.constrained_edges = {{2, 7}};
+  EXPECT_EQ(run(grid(4, 2), options).number_of_segments, 1u);
+  // All edges of a cube.
+  Options closed(1, all);
+  for (const auto& entry : faces_of_edges(cube()))
+    closed.constrained_edges.insert(entry.first);
+  EXPECT_EQ(run(cube(), closed).number_of_segments, 6u);
+}
+
+/// Every face is a region of its own.
+struct Single_faces
+{
+  RS::Region_labels operator()(const RS::Flat_mesh& flat, const RS::Edge_marks&) const
+  {
+    RS::Region_labels labels;
+    for (std::size_t f = 0; f < flat.number_of_faces(); ++f)
+      labels.of_face.push_back(RS::Flat_mesh::Index(f));
+    labels.number_of_regions = flat.number_of_faces();
+    return labels;
+  }
+};
+
+TEST(Segment_test, takes_other_makers_of_regions)
+{
+  const Surface_mesh mesh = to_surface_mesh(l_shape());
+  const Result result = run(mesh, Options(14).named().region_initializer(Single_faces()));
+  EXPECT_EQ(result.number_of_segments, 14u);
+  EXPECT_TRUE(is_numbered_by_first_face(result.regions, 14));
+  EXPECT_EQ(run(mesh, Options(4).named().region_initializer(Single_faces())).number_of_segments,
+            4u);
+}
+
+struct Angle_cost // flat sections first
+{
+  template <typename Graph>
+  double operator()(const Graph& g, typename Graph::section_descriptor s) const
+  {
+    return -g[s].mean_angle();
+  }
+};
+
+TEST(Segment_test, takes_other_policies)
+{
+  // Single squares of a dumbbell, merged by angle: first all that is flat.
+  const Surface_mesh mesh = to_surface_mesh(dumbbell());
+  const Result result = run(mesh, Options(16)
+                                      .named()
+                                      .region_initializer(Single_faces())
+                                      .merging_policy(RS::Lowest_cost_first<Angle_cost>()));
+  EXPECT_EQ(result.segments, run(dumbbell(), Options(16, all)).regions);
+}
+
+TEST(Segment_test, labels_of_any_integral_type)
+{
+  Surface_mesh mesh = to_surface_mesh(dumbbell());
+  auto small = mesh.add_property_map<Surface_mesh::Face_index, std::uint8_t>("f:s").first;
+  auto sign = mesh.add_property_map<Surface_mesh::Face_index, int>("f:i").first;
+  RS::segment(mesh, small, Options(3).named());
+  RS::segment(mesh, sign, Options(3).named());
+  const Labels expected = run(dumbbell(), Options(3)).segments;
+  EXPECT_EQ(labels_of(mesh, small), expected);
+  EXPECT_EQ(labels_of(mesh, sign), expected);
+}
+
+} // namespace
