@@ -86,7 +86,7 @@ void add_file_options(CLI::App& app, Raw_options& raw)
   app.add_option("-o,--output", raw.options.outputs)
     ->description("Repeatable; {stem} is the input's name. Written by its ending: .seg (a label a "
                   "line), .ply (colors, int segment), .off (colors), .obj (groups, feature lines), "
-                  ".json (regions, sections, segments, settings, times)")
+                  ".json (regions, sections, segments, settings, times), .png (a view)")
     ->allow_extra_args(false)
     ->type_name("FILE");
   app.add_option("--truth", raw.options.truths)

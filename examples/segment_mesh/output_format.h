@@ -8,7 +8,7 @@
 namespace segment_mesh {
 
 /// The formats that are written.
-enum class Output_format { SEG, PLY, OFF, OBJ, JSON };
+enum class Output_format { SEG, PLY, OFF, OBJ, JSON, PNG };
 
 /// The format that the ending of `file` names, in upper or lower case.
 /// \throws Usage_error for another ending

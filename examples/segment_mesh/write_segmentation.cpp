@@ -5,7 +5,9 @@
 #include "Text_buffer.h"
 #include "Whole_file.h"
 #include "little_endian.h"
+#include "render_view.h"
 #include "segment_colors.h"
+#include "write_png.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -63,7 +65,8 @@ void write_segmentation(const std::string& file, const Result& result)
 {
   using Writer = void (*)(std::ostream&, const Result&);
   // In the order of Output_format.
-  constexpr Writer writers[] = {write_seg, write_ply, write_off, write_obj, write_json};
+  constexpr Writer writers[] = {write_seg, write_ply, write_off, write_obj, write_json,
+                                write_view};
   const Writer write = writers[std::size_t(output_format(file))];
   Whole_file whole(file);
   write(whole.stream(), result);
@@ -147,6 +150,15 @@ void write_obj(std::ostream& out, const Result& result)
       text << " " << result.input.point_of_mesh_point[i] + 1;
     text << "\n";
   }
+}
+
+void write_view(std::ostream& out, const Result& result)
+{
+  std::vector<Vertex_pair> edges = edges_of_lines(result.segmentation.feature_lines);
+  for (Vertex_pair& e : edges)
+    for (std::size_t& point : e)
+      point = result.input.point_of_mesh_point[point];
+  write_png_view(out, result.input.soup, labels_of_faces(result.input, result.segmentation), edges);
 }
 
 } // namespace segment_mesh

@@ -45,6 +45,8 @@ void write_off(std::ostream& out, const Result& result);
 void write_obj(std::ostream& out, const Result& result);
 /// See write_json.cpp.
 void write_json(std::ostream& out, const Result& result);
+/// A picture of the segments and the feature lines, see `render_view()`.
+void write_view(std::ostream& out, const Result& result);
 /// @}
 
 } // namespace segment_mesh

@@ -124,9 +124,9 @@ TEST_F(Program, writes_every_format)
 {
   folder.write("a.off", sample::off());
   const Outcome outcome = run("a.off -k 4 --method two-step --features all --max-angle 20 -o a.seg "
-                              "-o b.ply -o b.off -o b.obj -o b.json");
+                              "-o b.ply -o b.off -o b.obj -o b.json -o b.png");
   EXPECT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_EQ(folder.names(), (Names{"a.off", "a.seg", "b.json", "b.obj", "b.off", "b.ply"}));
+  EXPECT_EQ(folder.names(), (Names{"a.off", "a.seg", "b.json", "b.obj", "b.off", "b.ply", "b.png"}));
   EXPECT_EQ(folder.read("a.seg"), "0\n1\n2\n3\n");
 }
 
@@ -212,14 +212,14 @@ TEST_F(Program, knows_wrong_usage)
 {
   folder.write("a.off", sample::off());
   folder.write("b.off", sample::off());
-  const std::string endings = ": unknown ending of an output, not .seg, .ply, .off, .obj or .json";
+  const std::string endings = ": unknown ending of an output, not .seg, .ply, .off, .obj, .json or .png";
   expect_wrong_usage("a.off --method two-step",
                      "--method two-step needs the number of segments: -k N");
   expect_wrong_usage("a.off -k 0", "-k: at least 1 segment");
   expect_wrong_usage("a.off -k 2 --max-angle 181", "--max-angle: an angle from 0 to 180 degrees");
   expect_wrong_usage("a.off -k 2 --max-angle nan", "--max-angle: an angle from 0 to 180 degrees");
   expect_wrong_usage("a.off -k 2 -o a.xyz", "a.xyz" + endings);
-  expect_wrong_usage("a.off -k 2 -o a.png", "a.png" + endings);
+  expect_wrong_usage("a.off -k 2 -o a.gif", "a.gif" + endings);
   expect_wrong_usage("a.off -k 2 -o ./a.off", "-o ./a.off: would replace an input");
   expect_wrong_usage("a.off b.off -k 2 -o c.seg", "-o c.seg: with several inputs it holds {stem}");
   expect_wrong_usage("a.off b.off -k 2 --truth c.seg",
