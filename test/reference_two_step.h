@@ -5,11 +5,11 @@
 #ifndef CGAL_REGION_SEGMENTATION_TEST_REFERENCE_TWO_STEP_H
 #define CGAL_REGION_SEGMENTATION_TEST_REFERENCE_TWO_STEP_H
 
-// A slow and obvious implementation of `two-step` (design, section 3), to compare the package with.
+// A slow and obvious implementation of `two-step` (user manual, "The Two Steps, Exactly"), to compare the package with.
 // It knows polygon soups and the standard library only, and shares no code with the package.
 //
 // Source: Yang, Zhou, Wang, Liu, Luo, "A fast and efficient mesh segmentation method based on improved
-// region growing", Appl. Math. J. Chinese Univ. 29(4):468-480, 2014, with the choices of the design.
+// region growing", Appl. Math. J. Chinese Univ. 29(4):468-480, 2014, with the choices of the manual.
 //
 // Bits: two implementations break ties alike only if they do the same floating-point operations in the
 // same order. Wherever an order or a form was chosen here, the comment begins with "Choice:". Compile

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What the design promises of every segmentation, over random meshes.
+// What the package promises of every segmentation, over random meshes.
 
 #include "meshes.h"
 #include "oracles.h"

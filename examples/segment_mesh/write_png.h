@@ -16,8 +16,7 @@ namespace segment_mesh {
 /// Writes an image by libpng; with a palette, and so in a third of the bytes, if it has at most 256
 /// colors. No time and no name of a program is in it: the same bytes for the same image.
 /// \throws std::runtime_error for an image without pixels, or if libpng fails; a failure to write
-/// sets
-///         the state of `out`
+///         sets the state of `out`
 void write_png(const Image& image, std::ostream& out);
 
 /// Renders and writes a view of a segmented mesh; see `render_view()`.

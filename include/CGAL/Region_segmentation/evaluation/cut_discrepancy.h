@@ -72,13 +72,11 @@ std::vector<Edge_graph::Index> cut_vertices(const Mesh_walk<FaceGraph, Pack>& wa
 /// \tparam FaceLabelMapA a model of `ReadablePropertyMap` with the face descriptor as key and an
 ///         integral value type
 /// \tparam FaceLabelMapB the same
-/// \param mesh a mesh, with or without borders, of faces of any size; the area of a face that is
-/// not
+/// \param mesh a mesh, with or without borders, of faces of any size; the area of a face that is not
 ///        planar is the length of its area vector (Newell)
 /// \param a the one segmentation; labels may be sparse or negative
 /// \param b the other one; its labels need not be those of `a`
-/// \param np optional named parameters: `vertex_point_map`, `face_index_map`, `vertex_index_map`,
-/// as
+/// \param np optional named parameters: `vertex_point_map`, `face_index_map`, `vertex_index_map`, as
 ///        everywhere in \cgal
 ///
 /// \returns the cut discrepancy, or none
