@@ -3,13 +3,29 @@
 #include "procedural_models.h"
 
 #include "articulated_figure.h"
+#include "block_models.h"
+#include "implicit_models.h"
+#include "revolution_models.h"
 
 namespace segment_mesh {
 
 const std::vector<Model_recipe>& procedural_models()
 {
-  static const std::vector<Model_recipe> recipes = {
-    {"articulated_figure", make_articulated_figure}};
+  static const std::vector<Model_recipe> recipes = {{"articulated_figure", make_articulated_figure},
+                                                    {"vase", make_vase},
+                                                    {"goblet", make_goblet},
+                                                    {"snowman", make_snowman},
+                                                    {"shaft", make_shaft},
+                                                    {"screwdriver", make_screwdriver},
+                                                    {"table", make_table},
+                                                    {"chair", make_chair},
+                                                    {"bracket", make_bracket},
+                                                    {"gear", make_gear},
+                                                    {"mug", make_mug},
+                                                    {"hammer", make_hammer},
+                                                    {"octopus", make_octopus},
+                                                    {"hand", make_hand},
+                                                    {"quadruped", make_quadruped}};
   return recipes;
 }
 

@@ -4,7 +4,7 @@
 #define CGAL_REGION_SEGMENTATION_H
 
 /// \file region_segmentation.h
-/// Everything of the package.
+/// Everything of the package but `Spectral_partitioner`, which needs Eigen.
 
 #include <CGAL/Region_segmentation/Cut_cost.h>
 #include <CGAL/Region_segmentation/Feature_convexity.h>
@@ -30,8 +30,10 @@
 #include <CGAL/Region_segmentation/merge_regions.h>
 #include <CGAL/Region_segmentation/parameters.h>
 #include <CGAL/Region_segmentation/part_and_cut_data.h>
+#include <CGAL/Region_segmentation/partition_into_segments.h>
 #include <CGAL/Region_segmentation/region_and_section_data.h>
 #include <CGAL/Region_segmentation/segment.h>
+#include <CGAL/Region_segmentation/smooth_borders.h>
 #include <CGAL/Region_segmentation/two_step.h>
 #include <CGAL/Region_segmentation/version.h>
 

@@ -102,6 +102,15 @@ TEST_P(Every_model, is_the_same_each_time)
   EXPECT_EQ(a.labels, b.labels);
 }
 
+TEST(Procedural_models, begin_with_the_figure_and_have_names_of_their_own)
+{
+  EXPECT_EQ(procedural_models().front().name, "articulated_figure");
+  std::set<std::string> names;
+  for (const Model_recipe& recipe : procedural_models())
+    names.insert(recipe.name);
+  EXPECT_EQ(names.size(), procedural_models().size());
+}
+
 INSTANTIATE_TEST_SUITE_P(Procedural_models, Every_model, testing::ValuesIn(procedural_models()),
                          [](const auto& info) { return info.param.name; });
 

@@ -100,13 +100,11 @@ inline Consistency_error consistency_error(const Dense_labels& a, const Dense_la
 /// \tparam FaceLabelMapA a model of `ReadablePropertyMap` with the face descriptor as key and an
 ///         integral value type of at most 64 bits
 /// \tparam FaceLabelMapB the same
-/// \param mesh a mesh, with or without borders, of faces of any size; the area of a face that is
-/// not
+/// \param mesh a mesh, with or without borders, of faces of any size; the area of a face that is not
 ///        planar is the length of its area vector (Newell)
 /// \param a the one segmentation; labels may be sparse or negative
 /// \param b the other one; its labels need not be those of `a`
-/// \param np optional named parameters: `vertex_point_map`, `face_index_map`, `vertex_index_map`,
-/// as
+/// \param np optional named parameters: `vertex_point_map`, `face_index_map`, `vertex_index_map`, as
 ///        everywhere in \cgal
 ///
 /// \returns the global and the local error, by number of faces and by area

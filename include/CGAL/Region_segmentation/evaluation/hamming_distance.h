@@ -78,13 +78,11 @@ inline Hamming_distance hamming_distance(const Dense_labels& a, const Dense_labe
 /// \tparam FaceLabelMapA a model of `ReadablePropertyMap` with the face descriptor as key and an
 ///         integral value type of at most 64 bits
 /// \tparam FaceLabelMapB the same
-/// \param mesh a mesh, with or without borders, of faces of any size; the area of a face that is
-/// not
+/// \param mesh a mesh, with or without borders, of faces of any size; the area of a face that is not
 ///        planar is the length of its area vector (Newell)
 /// \param a the one segmentation, say the result; labels may be sparse or negative
 /// \param b the other one, say the truth; its labels need not be those of `a`
-/// \param np optional named parameters: `vertex_point_map`, `face_index_map`, `vertex_index_map`,
-/// as
+/// \param np optional named parameters: `vertex_point_map`, `face_index_map`, `vertex_index_map`, as
 ///        everywhere in \cgal
 ///
 /// \returns the distance and the two rates it is the mean of

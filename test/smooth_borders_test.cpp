@@ -1,0 +1,330 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "meshes.h"
+#include "oracles.h"
+
+#include <CGAL/Region_segmentation/internal/Minimum_cut.h>
+#include <CGAL/Region_segmentation/smooth_borders.h>
+
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/boost/graph/graph_traits_Polyhedron_3.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <bitset>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <random>
+#include <set>
+#include <string>
+
+namespace RS = CGAL::Region_segmentation;
+using namespace test;
+
+namespace {
+
+const RS::Minimum_cut_borders wide(0.2, 0.5);
+
+template <typename Mesh>
+Labels smoothed_on(const Soup& soup, const Labels& labels, const RS::Minimum_cut_borders& smoother,
+                   const std::set<Edge>& constrained)
+{
+  const Mesh mesh = to_mesh<Mesh>(soup);
+  auto map = face_map(mesh);
+  std::size_t i = 0;
+  for (auto f : faces(mesh))
+    put(map, f, labels[i++]);
+  const std::size_t changed = RS::smooth_borders(
+    mesh, map, smoother, RS::parameters::edge_is_constrained_map(edge_map(mesh, constrained)));
+  const Labels result = labels_of(mesh, map);
+  EXPECT_EQ(changed, std::inner_product(labels.begin(), labels.end(), result.begin(), std::size_t(0),
+                                        std::plus<>(), std::not_equal_to<>()));
+  return result;
+}
+
+Labels smoothed(const Soup& soup, const Labels& labels, const RS::Minimum_cut_borders& smoother = wide,
+                const std::set<Edge>& constrained = {})
+{
+  return smoothed_on<Surface_mesh>(soup, labels, smoother, constrained);
+}
+
+/// Connected segments of a random mesh: balls of faces around some, as ragged as they come.
+Labels random_segments(const Soup& soup, std::size_t number, std::mt19937& random,
+                       const std::set<Edge>& uncrossed = {})
+{
+  std::vector<std::vector<std::size_t>> neighbors(soup.polygons.size());
+  for (const auto& [edge, both] : faces_of_edges(soup))
+    if (both.size() == 2 && !uncrossed.count(edge)) {
+      neighbors[both[0]].push_back(both[1]);
+      neighbors[both[1]].push_back(both[0]);
+    }
+  const std::size_t none = soup.polygons.size();
+  Labels labels(soup.polygons.size(), none);
+  std::vector<std::size_t> front;
+  for (std::size_t s = 0; s < number; ++s)
+    if (const std::size_t f = random() % labels.size(); labels[f] == none) {
+      labels[f] = s;
+      front.push_back(f);
+    }
+  std::size_t next_label = number;
+  for (std::size_t next_face = 0; true;) {
+    if (front.empty()) { // a piece that has no segment yet
+      next_face = std::size_t(std::find(labels.begin(), labels.end(), none) - labels.begin());
+      if (next_face == labels.size())
+        return labels;
+      labels[next_face] = next_label++;
+      front.push_back(next_face);
+    }
+    std::swap(front[random() % front.size()], front.back());
+    const std::size_t f = front.back();
+    front.pop_back();
+    for (std::size_t g : neighbors[f])
+      if (labels[g] == none) {
+        labels[g] = labels[f];
+        front.push_back(g);
+      }
+  }
+}
+
+double border_length(const Soup& soup, const Labels& labels, const std::set<Edge>& left_out = {})
+{
+  double length = 0;
+  for (const auto& [edge, both] : faces_of_edges(soup))
+    if (both.size() == 2 && labels[both[0]] != labels[both[1]] && !left_out.count(edge)) {
+      const Point &p = soup.points[edge.first], &q = soup.points[edge.second];
+      length += std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+    }
+  return length;
+}
+
+/// A sheet of 16 x 8 squares, divided at x = 8, with teeth of one square.
+Labels toothed(std::size_t nx = 16, std::size_t ny = 8)
+{
+  Labels labels;
+  for (std::size_t y = 0; y < ny; ++y)
+    for (std::size_t x = 0; x < nx; ++x)
+      labels.push_back(x < nx / 2 + y % 2 ? 0 : 1);
+  return labels;
+}
+
+Edge vertical_edge(std::size_t x, std::size_t y, std::size_t nx = 16)
+{
+  return make_edge(y * (nx + 1) + x, (y + 1) * (nx + 1) + x);
+}
+
+} // namespace
+
+TEST(Minimum_cut_test, finds_the_cheapest_of_all_cuts_and_moves_few_nodes)
+{
+  for (unsigned seed = 1; seed <= 200; ++seed) {
+    SCOPED_TRACE(seed);
+    std::mt19937 random(seed);
+    const std::uint32_t nodes = 2 + random() % 7; // and two terminals
+    RS::internal::Minimum_cut cut;
+    std::uint32_t before = 1;
+    for (std::uint32_t n = 2; n < nodes + 2; ++n) {
+      const std::uint8_t side = random() % 2;
+      EXPECT_EQ(cut.add_node(side), n);
+      before |= std::uint32_t(side) << n;
+    }
+    std::vector<std::array<std::uint32_t, 3>> edges;
+    for (int i = 0; i < 20; ++i) {
+      const std::uint32_t a = random() % (nodes + 2), b = random() % (nodes + 2), c = 1 + random() % 4;
+      cut.add_edge(a, b, c);
+      if (a != b && std::max(a, b) > 1)
+        edges.push_back({a, b, c});
+    }
+    const auto capacity = [&](std::uint32_t sides) {
+      std::uint32_t sum = 0;
+      for (const auto& [a, b, c] : edges)
+        sum += ((sides >> a) ^ (sides >> b)) & 1 ? c : 0;
+      return sum;
+    };
+    const auto quality = [&](std::uint32_t sides) { // and the number of nodes moved
+      return std::make_pair(capacity(sides), std::bitset<32>(sides ^ before).count());
+    };
+    auto best = quality(before);
+    for (std::uint32_t others = 0; others < 1u << nodes; ++others)
+      best = std::min(best, quality(others << 2 | 1));
+
+    EXPECT_EQ(cut.improve(), best.first < capacity(before));
+    std::uint32_t after = 0;
+    for (std::uint32_t n = 0; n < nodes + 2; ++n)
+      after |= std::uint32_t(cut.is_on_source_side(n)) << n;
+    EXPECT_EQ(quality(after), best);
+    EXPECT_EQ(after & 3, 1u);
+  }
+}
+
+TEST(Smooth_borders_test, teeth_are_cut_off)
+{
+  const Labels labels = smoothed(grid(16, 8), toothed());
+  // Any straight line is the shortest; two of them move only the teeth.
+  for (std::size_t f = 0; f < labels.size(); ++f)
+    EXPECT_EQ(labels[f], labels[f % 16]) << f;
+  EXPECT_EQ(border_length(grid(16, 8), labels), 8);
+  EXPECT_EQ(std::abs(std::count(labels.begin(), labels.end(), 0u) - 68), 4);
+}
+
+TEST(Smooth_borders_test, a_straight_border_stays)
+{
+  Labels labels;
+  for (std::size_t f = 0; f < 128; ++f)
+    labels.push_back(f % 16 < 9 ? 7 : 3);
+  EXPECT_EQ(smoothed(grid(16, 8), labels), labels);
+}
+
+TEST(Smooth_borders_test, a_border_falls_into_a_valley)
+{
+  // The sheet is bent up along x = 7, one column beside the straight border.
+  const Soup valley = mapped(grid(16, 8), [](const Point& p) {
+    return Point{p[0], p[1], std::max(0.0, p[0] - 7)};
+  });
+  Labels labels;
+  for (std::size_t f = 0; f < 128; ++f)
+    labels.push_back(f % 16 < 9 ? 0 : 1);
+  const Labels result = smoothed(valley, labels, RS::Minimum_cut_borders(0.3, 1));
+  for (std::size_t f = 0; f < result.size(); ++f)
+    EXPECT_EQ(result[f], f % 16 < 7 ? 0u : 1u) << f;
+  // Seen from the other side it is a ridge, and no edge is cheaper than another.
+  EXPECT_EQ(smoothed(reversed(valley), labels, RS::Minimum_cut_borders(0.3, 1)), labels);
+  EXPECT_EQ(smoothed(valley, labels, RS::Minimum_cut_borders(0.3, 1, 0)), labels);
+}
+
+TEST(Smooth_borders_test, faces_beyond_the_band_stay)
+{
+  // A tooth of 3 x 3 squares; one square is 1 / sqrt(128) = 0.088 wide. A band of no width is the faces
+  // beside the border: that in the middle of the tooth stays, and holds the others.
+  Labels labels;
+  for (std::size_t f = 0; f < 128; ++f)
+    labels.push_back(f % 16 < 8 || (f % 16 < 11 && f / 16 >= 3 && f / 16 < 6) ? 0 : 1);
+  EXPECT_EQ(border_length(grid(16, 8), smoothed(grid(16, 8), labels, RS::Minimum_cut_borders(0.3, 1))),
+            8);
+  EXPECT_EQ(smoothed(grid(16, 8), labels, RS::Minimum_cut_borders(0, 1)), labels);
+  EXPECT_EQ(smoothed(grid(16, 8), labels, RS::Minimum_cut_borders(1, 0)), labels);
+}
+
+TEST(Smooth_borders_test, a_constrained_line_keeps_its_border)
+{
+  // The teeth are constrained in the lower half of the sheet.
+  std::set<Edge> constrained;
+  for (std::size_t y = 0; y < 4; ++y) {
+    constrained.insert(vertical_edge(8 + y % 2, y));
+    constrained.insert(make_edge((y + 1) * 17 + 8, (y + 1) * 17 + 9));
+  }
+  const Labels labels = smoothed(grid(16, 8), toothed(), wide, constrained);
+  for (std::size_t y = 0; y < 4; ++y)
+    for (std::size_t x = 0; x < 16; ++x)
+      EXPECT_EQ(labels[y * 16 + x], toothed()[y * 16 + x]);
+  EXPECT_LT(border_length(grid(16, 8), labels), border_length(grid(16, 8), toothed()));
+}
+
+TEST(Smooth_borders_test, a_neck_is_not_cut_through)
+{
+  // Segment 0 is two fields and a path of one square along the end of the sheet; cutting it off would
+  // make the border shorter.
+  const std::size_t nx = 21, ny = 10;
+  Labels labels;
+  for (std::size_t y = 0; y < ny; ++y)
+    for (std::size_t x = 0; x < nx; ++x)
+      labels.push_back(x < 8 || x >= 13 || y == 0 ? 0 : 1);
+  const Soup soup = grid(nx, ny);
+  for (double width : {0.05, 0.1, 0.15, 0.2, 0.4}) {
+    const Labels result = smoothed(soup, labels, RS::Minimum_cut_borders(width, 1));
+    EXPECT_TRUE(is_connected(soup, result)) << width;
+  }
+}
+
+TEST(Smooth_borders_test, keeps_its_promises_on_random_meshes)
+{
+  for (Family family : all_families)
+    for (unsigned seed = 1; seed <= 8; ++seed) {
+      SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
+      const Soup soup = random_mesh(family, seed);
+      std::mt19937 random(seed);
+      const std::set<Edge> constrained =
+        seed % 2 ? std::set<Edge>() : random_edges(soup, 10, random);
+      const Labels labels = random_segments(soup, 2 + seed, random, constrained);
+      ASSERT_TRUE(is_connected(soup, labels, constrained));
+      const Labels result = smoothed(soup, labels, wide, constrained);
+
+      EXPECT_TRUE(is_connected(soup, result, constrained));
+      EXPECT_EQ(std::set<std::size_t>(labels.begin(), labels.end()),
+                std::set<std::size_t>(result.begin(), result.end()));
+      EXPECT_TRUE(separates(soup, constrained, labels, result));
+      EXPECT_EQ(smoothed_on<CGAL::Polyhedron_3<Kernel>>(soup, labels, wide, constrained), result);
+      const RS::Minimum_cut_borders by_length(0.2, 0.5, 0);
+      EXPECT_LE(border_length(soup, smoothed(soup, labels, by_length, constrained), constrained),
+                border_length(soup, labels, constrained) * (1 + 1e-6));
+    }
+}
+
+TEST(Smooth_borders_test, pieces_of_one_label_stay_pieces)
+{
+  // Label 0 on both ends of the sheet, ragged.
+  Labels labels = toothed(24, 8);
+  for (std::size_t f = 0; f < labels.size(); ++f)
+    if (f % 24 >= 16 + f / 24 % 2)
+      labels[f] = 0;
+  const Labels result = smoothed(grid(24, 8), labels);
+  EXPECT_EQ(border_length(grid(24, 8), result), 16);
+  EXPECT_EQ(result[0], 0u);
+  EXPECT_EQ(result[12], 1u);
+  EXPECT_EQ(result[23], 0u);
+}
+
+TEST(Smooth_borders_test, takes_any_labels)
+{
+  const Surface_mesh mesh = to_surface_mesh(grid(16, 8));
+  const Labels teeth = toothed(), expected = smoothed(grid(16, 8), teeth);
+  std::map<Surface_mesh::Face_index, long long> labels;
+  for (auto f : mesh.faces())
+    labels[f] = teeth[f] ? -1000000000000 : 5;
+  EXPECT_GT(RS::smooth_borders(mesh, boost::make_assoc_property_map(labels), wide), 0u);
+  for (auto f : mesh.faces())
+    EXPECT_EQ(labels[f], expected[f] ? -1000000000000 : 5);
+}
+
+TEST(Smooth_borders_test, has_constants_of_its_own)
+{
+  const Soup soup = grid(100, 50); // fine enough for a band of 0.03
+  const Labels expected = smoothed(soup, toothed(100, 50), RS::Minimum_cut_borders());
+  EXPECT_EQ(border_length(soup, expected), 50);
+  const Surface_mesh mesh = to_surface_mesh(soup);
+  const auto restart = [&](auto& map) {
+    std::size_t i = 0;
+    const Labels labels = toothed(100, 50);
+    for (auto f : mesh.faces())
+      put(map, f, labels[i++]);
+  };
+  auto map = face_map(mesh);
+  restart(map);
+  RS::smooth_borders(mesh, map);
+  EXPECT_EQ(labels_of(mesh, map), expected);
+  restart(map);
+  RS::smooth_borders(mesh, map, CGAL::parameters::vertex_point_map(mesh.points()));
+  EXPECT_EQ(labels_of(mesh, map), expected);
+}
+
+TEST(Smooth_borders_test, bears_meshes_with_nothing_to_do)
+{
+  EXPECT_EQ(smoothed(Soup(), {}), Labels());
+  EXPECT_EQ(smoothed(cube(), {0, 1, 2, 3, 4, 5}), (Labels{0, 1, 2, 3, 4, 5}));
+  EXPECT_EQ(smoothed(cube(), Labels(6, 9)), Labels(6, 9));
+  Soup point;
+  point.points = {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
+  point.polygons = {{0, 1, 2}, {0, 2, 3}};
+  EXPECT_EQ(smoothed(point, {0, 1}), (Labels{0, 1}));
+}
+
+TEST(Smooth_borders_test, refuses_points_that_are_not_finite)
+{
+  Soup soup = grid(2, 1);
+  soup.points[3][0] = std::numeric_limits<double>::infinity();
+  EXPECT_THROW(smoothed(soup, {0, 1}), RS::Invalid_input);
+}
