@@ -38,9 +38,12 @@ struct Flattest_first
   std::optional<RS::Merge_candidate> next(const Graph& graph) const
   {
     std::optional<RS::Merge_candidate> flattest;
-    for (auto s : CGAL::make_range(edges(graph)))
-      if (const double bend = CGAL_PI - graph[s].mean_angle(); !flattest || bend < flattest->cost)
+    for (auto s : CGAL::make_range(edges(graph))) {
+      const double bend = CGAL_PI - graph[s].mean_angle();
+      // A section that holds a constrained edge is not mergeable, and must not be proposed.
+      if (graph.is_mergeable(s) && (!flattest || bend < flattest->cost))
         flattest = RS::Merge_candidate{s, bend};
+    }
     return flattest;
   }
 

@@ -26,7 +26,7 @@ constexpr const char* footer =
   "  segment_mesh\n"
   "  segment_mesh armadillo.off -k 9 -o armadillo.seg -o armadillo_parts.ply\n"
   "  segment_mesh *.off -k 7 -o 'parts/{stem}.obj' --quiet\n"
-  "  segment_mesh gear.stl -k 30 --features all --max-angle 20 -o gear.json\n"
+  "  segment_mesh gear.stl -k 30 --method two-step --features all --max-angle 20 -o gear.json\n"
   "\nExit status: 0 done; 1 an input or an output failed; 2 wrong usage.";
 
 const std::map<std::string, Method> methods = {{"best", Method::BEST},
@@ -70,7 +70,8 @@ void add_run_options(CLI::App& app, Raw_options& raw)
       "best (default: the most accurate) or two-step (Yang et al. 2014; needs -k)")
     ->check(one_of(methods));
   add("--features", raw.features, "KIND",
-      "Edges that can part regions: concave (default), convex, all (machine parts)")
+      "Edges that can be features: concave (default), convex, all (machine parts). They part the "
+      "regions of two-step; with best they are only written, as lines")
     ->check(one_of(features));
   add("--max-angle", raw.maximum_angle, "DEG",
       "Angle between the normals of two faces above which their edge is a feature; default 1.2376");

@@ -39,7 +39,7 @@ void check_placeholders(const std::vector<std::string>& files, const char* optio
 fs::path canonical_name(const std::string& file)
 {
   std::error_code error;
-  const fs::path name = fs::weakly_canonical(fs::absolute(file), error);
+  const fs::path name = fs::weakly_canonical(fs::absolute(file, error), error);
   return error ? fs::path(file) : name;
 }
 

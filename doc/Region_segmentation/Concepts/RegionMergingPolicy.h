@@ -22,7 +22,7 @@ public:
   /// second argument.
   void initialize(const Graph& graph, std::size_t number_of_segments);
 
-  /// proposes the next merge, of a section that is mergeable; empty when nothing is left. It may be
+  /// proposes the next merge, of a section for which `graph.is_mergeable(section)`; empty when nothing is left. It may be
   /// asked again before the proposal was carried out, and then proposes the same.
   std::optional<Merge_candidate> next(const Graph& graph);
 

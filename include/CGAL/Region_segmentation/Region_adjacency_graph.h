@@ -135,6 +135,7 @@ public:
 
   bool is_removed(region_descriptor r) const { return m_place_of[r] == none; }
   bool is_removed(section_descriptor s) const { return m_halves[s.half()].place == none; }
+  /// Whether regions may be merged across a section: it holds no constrained edge.
   bool is_mergeable(section_descriptor s) const { return m_is_mergeable[s.id()] != 0; }
 
   /// The region that a descriptor, as it comes from `out_edges(r, g)`, starts from and leads to.
@@ -164,7 +165,8 @@ public:
   /// \pre the section is there and mergeable
   Merge merge(section_descriptor s)
   {
-    CGAL_precondition(!is_removed(s) && is_mergeable(s));
+    CGAL_precondition_msg(!is_removed(s) && is_mergeable(s),
+                          "a section that is removed, or holds a constrained edge, is not merged");
     const Merge result{(std::min)(source(s), target(s)), (std::max)(source(s), target(s))};
     m_region_data[result.kept].absorb(m_region_data[result.removed], m_section_data[s.id()]);
     remove_section(s.id());

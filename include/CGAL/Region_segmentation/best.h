@@ -10,6 +10,8 @@
 #include <CGAL/Region_segmentation/Sight.h>
 #include <CGAL/Region_segmentation/Superfacets.h>
 
+#include <cstddef>
+
 namespace CGAL {
 namespace Region_segmentation {
 
@@ -26,9 +28,11 @@ struct Best
   using GraphAnnotator = Sight;
   using NumberChooser = Number_from_costs;
 
-  Best()
-    : Policy_sequence(Lowest_cost_first<Cut_cost>(Cut_cost::for_many_regions()),
-                      Lowest_cost_first<Cut_cost>(), Switch_at_count{150})
+  /// `cost`: of few regions; `cost_of_many`: while there are more than `many` of them
+  explicit Best(const Cut_cost& cost = Cut_cost(),
+                const Cut_cost& cost_of_many = Cut_cost::for_many_regions(), std::size_t many = 150)
+    : Policy_sequence(Lowest_cost_first<Cut_cost>(cost_of_many), Lowest_cost_first<Cut_cost>(cost),
+                      Switch_at_count{many})
   {}
 };
 

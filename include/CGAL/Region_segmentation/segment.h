@@ -39,7 +39,8 @@ namespace Region_segmentation {
 ///   - `number_of_segments` (at least 1): the wanted number k; left out, it is chosen by the policy's
 ///     `NumberChooser`, if there is one
 ///   - `maximum_angle` (degrees, default 180 - 3.12 * 180 / pi = 1.2376...): the deviation above which
-///     an edge is a feature edge
+///     an edge is a feature edge. `Two_step` grows its regions between feature edges; `Best` does not
+///     look at them
 ///   - `feature_convexity` (`Feature_convexity`, default `CONCAVE`): which edges can be feature edges
 ///   - `merging_policy`: a model of `RegionMergingPolicy` (default: `Best()`; `Two_step()` is the
 ///     method of the paper)
@@ -49,7 +50,9 @@ namespace Region_segmentation {
 ///   - `vertex_point_map`, `face_index_map`, `vertex_index_map`: as everywhere in \cgal
 ///   - `edge_is_feature_map`: receives the feature edges that separate regions, and the borders
 ///   - `region_map`: receives the first regions: ids 0 .. r-1, numbered by the first face
-///   - `merge_tree`: a `std::reference_wrapper<Merge_tree>`: receives the merges
+///   - `merge_tree`: a `std::reference_wrapper<Merge_tree>`: receives the merges of the first regions
+///     down to k; ask for 1 segment to get them all. (Beyond the number of first regions `segment()`
+///     itself splits those of `Superfacets`.)
 ///
 /// \returns the number n of segments. It is more than k when the mesh has more connected pieces (or
 ///          pieces between constrained edges) than k, and less when there are fewer first regions

@@ -44,10 +44,9 @@ std::size_t number_of_segments(const Pack& np, std::size_t otherwise)
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  const std::size_t k =
-    std::size_t(choose_parameter(get_parameter(np, internal_np::number_of_segments), otherwise));
+  const auto k = choose_parameter(get_parameter(np, internal_np::number_of_segments), otherwise);
   CGAL_precondition_msg(k >= 1, "number_of_segments is at least 1");
-  return k;
+  return std::size_t(k);
 }
 
 } // namespace internal
