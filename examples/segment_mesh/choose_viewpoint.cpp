@@ -4,6 +4,7 @@
 
 #include "Projection.h"
 #include "Sample_buffer.h"
+#include "draw_faces.h"
 #include "vector_algebra.h"
 
 #include <cmath>
@@ -16,31 +17,19 @@ namespace {
 constexpr double pi = 3.14159265358979323846;
 
 /// A small picture of which face is seen where.
-Sample_buffer draw_faces(const Scene& scene, const Viewpoint& viewpoint)
+Sample_buffer draw_thumbnail(const Scene& scene, const Viewpoint& viewpoint)
 {
   constexpr std::size_t size = 64;
   Sample_buffer buffer(size, size);
   const Projection projection(viewpoint, size, size, size / 2.0);
-  std::vector<Screen_point> screen;
-  screen.reserve(scene.points.size());
-  for (const Point& p : scene.points)
-    screen.push_back(projection(p));
-  std::vector<Sample_buffer::Corner> corners;
-  for (std::size_t f = 0; f < scene.number_of_faces(); ++f) {
-    corners.clear();
-    for (Scene::Index c = scene.first_corners[f]; c < scene.first_corners[f + 1]; ++c) {
-      const Screen_point& s = screen[scene.corners[c]];
-      corners.push_back({s.x, s.y, s.depth, 1});
-    }
-    buffer.draw_polygon(corners, Sample_buffer::Index(f));
-  }
+  draw_faces(scene, projection, [](Scene::Index) { return 1.0; }, buffer);
   return buffer;
 }
 
 /// The roots are added in the order in which the segments appear in the picture, not by a hash.
 double worth(const Scene& scene, const Viewpoint& viewpoint)
 {
-  const Sample_buffer buffer = draw_faces(scene, viewpoint);
+  const Sample_buffer buffer = draw_thumbnail(scene, viewpoint);
   std::unordered_map<std::size_t, std::size_t> position_of_label;
   std::vector<std::size_t> visible;
   for (std::size_t i = 0; i < buffer.width() * buffer.height(); ++i) {

@@ -7,6 +7,7 @@
 #include "Sample_buffer.h"
 #include "Scene.h"
 #include "choose_viewpoint.h"
+#include "draw_faces.h"
 #include "light_corners.h"
 
 #include <algorithm>
@@ -15,25 +16,6 @@
 namespace segment_mesh {
 
 namespace {
-
-void draw_faces(const Scene& scene, const Viewpoint& viewpoint, const Projection& projection,
-                Sample_buffer& buffer)
-{
-  const std::vector<float> light = light_corners(scene, viewpoint);
-  std::vector<Screen_point> screen;
-  screen.reserve(scene.points.size());
-  for (const Point& p : scene.points)
-    screen.push_back(projection(p));
-  std::vector<Sample_buffer::Corner> corners;
-  for (std::size_t f = 0; f < scene.number_of_faces(); ++f) {
-    corners.clear();
-    for (Scene::Index c = scene.first_corners[f]; c < scene.first_corners[f + 1]; ++c) {
-      const Screen_point& s = screen[scene.corners[c]];
-      corners.push_back({s.x, s.y, s.depth, double(light[c])});
-    }
-    buffer.draw_polygon(corners, Sample_buffer::Index(f));
-  }
-}
 
 /// A channel of a color in light: toward black below 1, toward white above.
 float lit(float channel, float light)
@@ -113,7 +95,8 @@ Image render_view(const Polygon_soup& soup, const std::vector<std::size_t>& labe
   Sample_buffer buffer(options.width * samples, options.height * samples);
   const Projection projection(scene, viewpoint, double(buffer.width()), double(buffer.height()),
                               margin);
-  draw_faces(scene, viewpoint, projection, buffer);
+  const std::vector<float> light = light_corners(scene, viewpoint);
+  draw_faces(scene, projection, [&light](Scene::Index c) { return double(light[c]); }, buffer);
 
   // Widths follow the size of the picture: 2 pixels for borders at a height of 600.
   const double line = double(samples) * std::sqrt(double(options.height) / 600);
