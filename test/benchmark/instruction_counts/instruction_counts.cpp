@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Segments meshes that are made here, for callgrind, which counts and dumps each call by its name.
+
+#include "make_triangles.h"
+
+#include <CGAL/Region_segmentation/segment.h>
+#include <CGAL/Region_segmentation/two_step.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <valgrind/callgrind.h>
+
+#include <cstdint>
+#include <cstdlib>
+#include <iostream>
+
+namespace {
+
+namespace RS = CGAL::Region_segmentation;
+using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+
+Mesh make_mesh(const speed_benchmark::Triangles& triangles)
+{
+  using Vertex = Mesh::Vertex_index;
+  Mesh mesh;
+  for (const auto& p : triangles.points)
+    mesh.add_vertex({p[0], p[1], p[2]});
+  for (const auto& t : triangles.corners)
+    mesh.add_face(Vertex(t[0]), Vertex(t[1]), Vertex(t[2]));
+  return mesh;
+}
+
+/// \returns whether there are 8 segments
+template <typename Policy>
+bool count(const char* name, const Mesh& mesh, const Policy& policy)
+{
+  std::vector<std::uint32_t> segments(num_faces(mesh));
+  const auto map = boost::make_iterator_property_map(segments.begin(), get(CGAL::face_index, mesh));
+  const auto np = RS::parameters::number_of_segments(8).merging_policy(policy);
+  CALLGRIND_START_INSTRUMENTATION;
+  const std::size_t number = RS::segment(mesh, map, np);
+  CALLGRIND_STOP_INSTRUMENTATION;
+  CALLGRIND_DUMP_STATS_AT(name);
+  std::cout << name << ": " << number << " segments\n";
+  return number == 8;
+}
+
+} // namespace
+
+int main()
+{
+  // 20,000 faces with the creases of 1,250; and with a crease at every edge.
+  const auto torus = subdivided(subdivided(speed_benchmark::wavy_torus(1250)));
+  const Mesh smooth = make_mesh(torus), noisy = make_mesh(roughened(torus, 0.2));
+  const bool is_right = count("two-step smooth", smooth, RS::Two_step()) &
+                        count("two-step noisy", noisy, RS::Two_step()) &
+                        count("best smooth", smooth, RS::Best());
+  return is_right ? EXIT_SUCCESS : EXIT_FAILURE;
+}

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "cgal_methods.h"
+#include "run_on_mesh.h"
+
+#include <CGAL/Region_segmentation/detect_feature_edges.h>
+#include <CGAL/Region_segmentation/extract_feature_lines.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/iterator.h>
+
+#include <algorithm>
+
+namespace speed_benchmark {
+
+namespace {
+
+Surface_mesh::Vertex_index add_point(Surface_mesh& mesh, const Triangles::Point& p)
+{
+  return mesh.add_vertex(Kernel::Point_3(p[0], p[1], p[2]));
+}
+
+class On_surface_mesh : public Mesh_subject<Surface_mesh, Surface_mesh_subject>
+{
+public:
+  explicit On_surface_mesh(const Triangles& triangles)
+    : Mesh_subject(triangles, add_point)
+    , m_edge_marks(num_edges(m_mesh))
+    , m_face_numbers(num_faces(m_mesh))
+    , m_curvatures(num_vertices(m_mesh))
+  {}
+
+  void detect_sharp_edges() override
+  {
+    clear_edge_marks();
+    speed_benchmark::detect_sharp_edges(m_mesh, m_edge_marks);
+  }
+  void connected_components() override
+  {
+    speed_benchmark::connected_components(m_mesh, m_edge_marks, m_face_numbers);
+  }
+  void sharp_edges_segmentation() override
+  {
+    clear_edge_marks();
+    speed_benchmark::sharp_edges_segmentation(m_mesh, m_edge_marks, m_face_numbers);
+  }
+  void shape_diameter_segmentation(std::size_t number_of_segments) override
+  {
+    speed_benchmark::shape_diameter_segmentation(m_mesh, number_of_segments, m_face_numbers);
+  }
+  void shape_approximation(std::size_t number_of_segments) override
+  {
+    speed_benchmark::shape_approximation(m_mesh, number_of_segments, m_face_numbers);
+  }
+  void principal_curvatures() override
+  {
+    speed_benchmark::principal_curvatures(m_mesh, m_curvatures);
+  }
+  void feature_lines() override
+  {
+    namespace RS = CGAL::Region_segmentation;
+    const auto is_feature =
+      boost::make_iterator_property_map(m_edge_marks.begin(), get(CGAL::edge_index, m_mesh));
+    RS::detect_feature_edges(m_mesh, is_feature);
+    RS::extract_feature_lines(m_mesh, is_feature, CGAL::Emptyset_iterator());
+  }
+
+private:
+  /// CGAL does not.
+  void clear_edge_marks() { std::fill(m_edge_marks.begin(), m_edge_marks.end(), std::uint8_t(0)); }
+
+  std::vector<std::uint8_t> m_edge_marks;
+  std::vector<std::size_t> m_face_numbers;
+  std::vector<double> m_curvatures;
+};
+
+} // namespace
+
+std::unique_ptr<Surface_mesh_subject> make_surface_mesh_subject(const Triangles& triangles)
+{
+  return std::make_unique<On_surface_mesh>(triangles);
+}
+
+} // namespace speed_benchmark
