@@ -19,7 +19,7 @@ namespace {
 std::string gibibytes(double bytes)
 {
   char buffer[32];
-  std::snprintf(buffer, sizeof buffer, "%.1f GiB", bytes / (1u << 30));
+  std::snprintf(buffer, sizeof buffer, "%.2f GiB", bytes / (1u << 30));
   return buffer;
 }
 

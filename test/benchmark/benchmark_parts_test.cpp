@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The parts of the benchmark that do not measure: its meshes, medians, the count of bytes, the table.
+
+#include "Measurement.h"
+#include "Table.h"
+#include "allocated_bytes.h"
+#include "make_triangles.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace speed_benchmark;
+using Edge = std::pair<std::uint32_t, std::uint32_t>;
+
+/// How often every edge is there in its direction.
+std::map<Edge, int> directed_edges(const Triangles& triangles)
+{
+  std::map<Edge, int> count;
+  for (const auto& t : triangles.corners)
+    for (std::size_t i = 0; i < 3; ++i)
+      ++count[{t[i], t[(i + 1) % 3]}];
+  return count;
+}
+
+/// Closed and oriented: every edge once in each direction.
+bool is_closed(const Triangles& triangles)
+{
+  const auto count = directed_edges(triangles);
+  for (const auto& [edge, n] : count)
+    if (n != 1 || count.count({edge.second, edge.first}) == 0)
+      return false;
+  return !count.empty();
+}
+
+long euler_characteristic(const Triangles& triangles)
+{
+  return long(triangles.points.size()) - long(directed_edges(triangles).size() / 2) +
+         long(triangles.corners.size());
+}
+
+double area(const Triangles& triangles)
+{
+  double sum = 0;
+  for (const auto& t : triangles.corners) {
+    double u[3], v[3];
+    for (std::size_t i = 0; i < 3; ++i) {
+      u[i] = triangles.points[t[1]][i] - triangles.points[t[0]][i];
+      v[i] = triangles.points[t[2]][i] - triangles.points[t[0]][i];
+    }
+    sum += std::hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]) / 2;
+  }
+  return sum;
+}
+
+TEST(Wavy_torus, is_a_closed_torus)
+{
+  const Triangles torus = wavy_torus(800);
+  EXPECT_EQ(torus.corners.size(), 800u);
+  EXPECT_TRUE(is_closed(torus));
+  EXPECT_EQ(euler_characteristic(torus), 0);
+}
+
+TEST(Subdivided, is_the_same_surface_in_four_times_as_many_triangles)
+{
+  const Triangles coarse = wavy_torus(200), fine = subdivided(coarse);
+  EXPECT_EQ(fine.corners.size(), 4 * coarse.corners.size());
+  EXPECT_EQ(fine.points.size(), coarse.points.size() + coarse.corners.size() * 3 / 2);
+  EXPECT_TRUE(is_closed(fine));
+  EXPECT_EQ(euler_characteristic(fine), euler_characteristic(coarse));
+  EXPECT_NEAR(area(fine), area(coarse), 1e-12 * area(coarse));
+  EXPECT_TRUE(std::equal(coarse.points.begin(), coarse.points.end(), fine.points.begin()));
+}
+
+TEST(Subdivided, keeps_borders)
+{
+  const Triangles two{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
+  const Triangles fine = subdivided(two);
+  EXPECT_EQ(fine.points.size(), 9u);
+  EXPECT_EQ(fine.corners.size(), 8u);
+  EXPECT_DOUBLE_EQ(area(fine), 1);
+}
+
+TEST(Roughened, moves_every_coordinate_a_little_and_always_the_same_way)
+{
+  const Triangles flat{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
+  const double most = 0.1 * (2 + std::sqrt(2.0)) / 3;
+  const Triangles rough = roughened(flat, 0.1);
+  EXPECT_EQ(rough.points, roughened(flat, 0.1).points);
+  std::set<double> moves;
+  for (std::size_t v = 0; v < 3; ++v)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double move = rough.points[v][i] - flat.points[v][i];
+      EXPECT_LE(std::abs(move), most);
+      EXPECT_NE(move, 0);
+      moves.insert(move);
+    }
+  EXPECT_GT(moves.size(), 6u);
+}
+
+TEST(Read_triangles, names_a_file_that_is_not_right)
+{
+  for (const char* content : {"", "OFF 3 1 0\n0 0 0 1 0 0 0 1 0\n4 0 1 2 0\n", "OFF 3 1 0\n0 0 0 1 0 0 0 1 0\n3 0 1 3\n",
+                              "OFF 3 1 0\n0 0 0 1 0 0\n"}) {
+    const auto file = std::filesystem::path(testing::TempDir()) / "benchmark_parts_test.off";
+    std::ofstream(file) << content;
+    try {
+      read_triangles(file.string());
+      ADD_FAILURE() << "was read: " << content;
+    } catch (const std::runtime_error& error) {
+      EXPECT_NE(std::string(error.what()).find(file.string()), std::string::npos);
+    }
+    std::filesystem::remove(file);
+  }
+}
+
+TEST(Median, is_in_the_middle)
+{
+  EXPECT_EQ(median({7}), 7);
+  EXPECT_EQ(median({9, 1, 2}), 2);
+  EXPECT_EQ(median({4, 1, 100, 2}), 3);
+}
+
+TEST(Peak_of_allocated_bytes, is_that_of_what_is_held_at_once)
+{
+  std::vector<char> before(1 << 16);
+  const std::size_t peak = peak_of_allocated_bytes([&] {
+    { const std::vector<char> first(100000); }
+    const std::vector<char> second(200000), third(300000);
+    before = std::vector<char>(); // frees what was there before
+  });
+  EXPECT_GE(peak, 500000u);
+  EXPECT_LE(peak, 500000u + 2 * 4096); // malloc rounds large blocks up to pages
+  EXPECT_EQ(peak_of_allocated_bytes([] {}), 0u);
+}
+
+/// A contest in which nothing takes time: what the clocks say is made up.
+TEST(Measure, takes_ratios_in_each_round)
+{
+  double n = 0;
+  Contest contest;
+  contest.floor = [&] { return ++n; }; // every round is slower than the one before
+  contest.subject = [&] {
+    Stage_seconds s;
+    s.of_stage = {n, n, n, 0, n};
+    s.number_of_regions = 5;
+    return s;
+  };
+  contest.reference = [&] { return 2 * n; };
+  contest.compared_until = Stage::FEATURES;
+  const Measurement m = measure(contest, 0);
+  EXPECT_EQ(m.rounds, 3u);
+  EXPECT_EQ(m.number_of_regions, 5u);
+  EXPECT_EQ(m.floor_seconds, 3); // of 2, 3, 4; the first was not timed
+  EXPECT_EQ(m.seconds, 12);
+  EXPECT_EQ(m.regions_by_floor, 3);
+  EXPECT_EQ(m.whole_by_floor, 4);
+  EXPECT_EQ(m.by_reference, 1);
+  EXPECT_FALSE(m.gain_of_floor);
+}
+
+std::string content_of(const std::string& file)
+{
+  std::ostringstream content;
+  content << std::ifstream(file).rdbuf();
+  return content.str();
+}
+
+TEST(Table, has_the_same_lines_as_csv_and_markdown)
+{
+  const Case c{{Shape::NOISY, 1000, Mesh_type::OPENMESH}, "two-step, k = 9", 2, false, {}, {}, "best"};
+  Measurement m;
+  m.rounds = 3;
+  m.seconds = 0.00012345;
+  m.peak_bytes = 64000;
+  const std::string stem = testing::TempDir() + "benchmark_parts_test";
+  Table table(stem, {{"compiler", "some"}});
+  table.add_line(c, numbers(c, 1000, m));
+  table.write({{"memory", "much"}});
+  const std::string csv = content_of(stem + ".csv"), markdown = content_of(stem + ".md");
+  EXPECT_EQ(csv.rfind("# compiler: some\n# memory: much\nmesh,type,threads,what,reference,faces,", 0), 0u);
+  EXPECT_NE(csv.find("\nnoisy,OpenMesh,2,\"two-step, k = 9\",best,1000,0,0,0,0,0,0,123,64,"), std::string::npos);
+  EXPECT_EQ(markdown.rfind("- compiler: some\n- memory: much\n\n| mesh | type |", 0), 0u);
+  EXPECT_NE(markdown.find("\n| noisy | OpenMesh | 2 | two-step, k = 9 | best | 1000 |"), std::string::npos);
+  for (const char* ending : {".csv", ".md"})
+    std::filesystem::remove(stem + ending);
+}
+
+} // namespace
