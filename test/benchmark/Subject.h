@@ -21,6 +21,7 @@ struct Pipeline
   std::size_t number_of_segments = 8;
   /// With `CGAL::Parallel_tag`, where the library has it.
   bool is_parallel = false;
+  Clock clock = Clock::PROCESSOR;
 };
 
 /// A mesh of some type, and what is timed on it.
@@ -38,6 +39,9 @@ public:
 class Surface_mesh_subject : public Subject
 {
 public:
+  /// Makes room for the results of the calls below, so that it is not counted with them.
+  virtual void prepare_calls() = 0;
+
   virtual void detect_sharp_edges() = 0;
   /// The components between the edges that `detect_sharp_edges()` found last.
   virtual void connected_components() = 0;

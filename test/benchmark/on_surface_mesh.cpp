@@ -22,12 +22,14 @@ Surface_mesh::Vertex_index add_point(Surface_mesh& mesh, const Triangles::Point&
 class On_surface_mesh : public Mesh_subject<Surface_mesh, Surface_mesh_subject>
 {
 public:
-  explicit On_surface_mesh(const Triangles& triangles)
-    : Mesh_subject(triangles, add_point)
-    , m_edge_marks(num_edges(m_mesh))
-    , m_face_numbers(num_faces(m_mesh))
-    , m_curvatures(num_vertices(m_mesh))
-  {}
+  explicit On_surface_mesh(const Triangles& triangles) : Mesh_subject(triangles, add_point) {}
+
+  void prepare_calls() override
+  {
+    m_edge_marks.resize(num_edges(m_mesh));
+    m_face_numbers.resize(num_faces(m_mesh));
+    m_curvatures.resize(num_vertices(m_mesh));
+  }
 
   void detect_sharp_edges() override
   {

@@ -81,6 +81,7 @@ void add_pipelines(std::vector<Case>& cases, const Mesh_wanted& mesh, std::size_
     const Case c = pipeline(mesh, what, settings);
     cases.push_back(mesh.type == Mesh_type::SURFACE_MESH ? c : compared_with_surface_mesh(c, settings));
     if (threads > 1 && mesh.type == Mesh_type::SURFACE_MESH) {
+      settings.clock = Clock::WALL;
       settings.is_parallel = true;
       cases.push_back(in_parallel(pipeline(mesh, what, settings), settings, threads));
     }

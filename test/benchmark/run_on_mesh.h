@@ -11,6 +11,7 @@
 #include <CGAL/Region_segmentation/segment.h>
 #include <CGAL/Region_segmentation/two_step.h>
 #include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/tags.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -104,8 +105,7 @@ private:
   {
     using namespace CGAL::Region_segmentation;
     const bool is_whole = pipeline.method != Method::REGIONS;
-    Stage_clock clock(pipeline.is_parallel ? Clock::WALL : Clock::PROCESSOR,
-                      is_whole ? Stage::MERGING : Stage::GRAPH);
+    Stage_clock clock(pipeline.clock, is_whole ? Stage::MERGING : Stage::GRAPH);
     const auto np = CGAL::Region_segmentation::parameters::number_of_segments(
                       pipeline.number_of_segments)
                       .merging_policy(policy)

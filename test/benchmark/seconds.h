@@ -8,7 +8,7 @@
 namespace speed_benchmark {
 
 /// One thread is timed by the processor time of the process, so others on the machine disturb
-/// little; several threads by the time that goes by.
+/// little; several threads, and what they are compared with, by the time that goes by.
 enum class Clock { PROCESSOR, WALL };
 
 inline double seconds(Clock clock)

@@ -72,6 +72,8 @@ void run(benchmark::State& state, const Case& c, const Options& options, Mesh_st
     state.SkipWithError("this mesh type is missing");
     return;
   }
+  if (c.is_call)
+    subjects->surface_mesh.prepare_calls();
   const std::size_t faces = subjects->subject.number_of_faces();
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, c.threads);
   const Contest contest = make_contest(c, *subjects, c.threads > 1 ? &store.sums() : nullptr);
