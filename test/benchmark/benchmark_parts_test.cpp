@@ -111,8 +111,8 @@ TEST(Roughened, moves_every_coordinate_a_little_and_always_the_same_way)
 
 TEST(Read_triangles, names_a_file_that_is_not_right)
 {
-  for (const char* content : {"", "OFF 3 1 0\n0 0 0 1 0 0 0 1 0\n4 0 1 2 0\n", "OFF 3 1 0\n0 0 0 1 0 0 0 1 0\n3 0 1 3\n",
-                              "OFF 3 1 0\n0 0 0 1 0 0\n"}) {
+  const std::string head = "OFF 3 1 0\n0 0 0 1 0 0 ";
+  for (const std::string& content : {std::string(), head, head + "0 1 0\n4 0 1 2 0\n", head + "0 1 0\n3 0 1 3\n"}) {
     const auto file = std::filesystem::path(testing::TempDir()) / "benchmark_parts_test.off";
     std::ofstream(file) << content;
     try {

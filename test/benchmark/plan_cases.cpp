@@ -40,7 +40,7 @@ Case pipeline(const Mesh_wanted& mesh, const std::string& what, const Pipeline& 
 /// Against the same on a `Surface_mesh`.
 Case compared_with_surface_mesh(Case c, const Pipeline& settings)
 {
-  c.reference = "Surface_mesh";
+  c.reference = name(Mesh_type::SURFACE_MESH);
   c.run_reference = [settings](const Subjects& s) { return s.surface_mesh.segment(settings).whole(); };
   return c;
 }
@@ -55,6 +55,22 @@ Case in_parallel(Case c, Pipeline settings, std::size_t threads)
   c.run_reference = [settings](const Subjects& s) {
     return s.surface_mesh.segment(settings).until(Stage::GROWING);
   };
+  return c;
+}
+
+/// The floor in another mesh type: how much slower than a `Surface_mesh` the type itself is.
+Case floor_in_type(const Mesh_wanted& mesh)
+{
+  Case c{mesh, "compute_face_normals", 1, true, {}, {}, name(Mesh_type::SURFACE_MESH)};
+  const auto time = [](Subject& s) {
+    return seconds_of(Clock::PROCESSOR, [&] { s.compute_face_normals(); });
+  };
+  c.run = [time](const Subjects& s) {
+    Stage_seconds result;
+    result.of_stage.back() = time(s.subject);
+    return result;
+  };
+  c.run_reference = [time](const Subjects& s) { return time(s.surface_mesh); };
   return c;
 }
 
@@ -135,8 +151,10 @@ std::vector<Case> plan_cases(const Plan& plan)
       add_slow_methods(cases, mesh);
     if (faces <= most_faces_for_curvatures)
       add_curvatures(cases, mesh);
-    for (Mesh_type type : {Mesh_type::POLYHEDRON, Mesh_type::OPENMESH})
+    for (Mesh_type type : {Mesh_type::POLYHEDRON, Mesh_type::OPENMESH}) {
+      cases.push_back(floor_in_type({Shape::SMOOTH, faces, type}));
       add_pipelines(cases, {Shape::SMOOTH, faces, type}, 1);
+    }
   }
   for (std::size_t faces : plan.noisy_sizes) {
     const Mesh_wanted mesh{Shape::NOISY, faces, Mesh_type::SURFACE_MESH};

@@ -2,7 +2,8 @@
 # The environment variable RECORD_INSTRUCTION_COUNTS, if set, has them recorded instead.
 set(tolerance 3) # percent
 set(recorded_file ${CMAKE_CURRENT_LIST_DIR}/recorded.txt)
-set(remedy "If this is meant to be, record the counts anew: RECORD_INSTRUCTION_COUNTS=1 ctest -R instruction_counts")
+set(how_to_record "RECORD_INSTRUCTION_COUNTS=1 ctest -R instruction_counts")
+set(remedy "If this is meant to be, record the counts anew: ${how_to_record}")
 
 file(STRINGS ${recorded_file} recorded_lines REGEX "^[^#]")
 list(POP_FRONT recorded_lines recorded_versions)
@@ -68,7 +69,7 @@ foreach(line IN LISTS counts)
   if(permille GREATER most)
     list(APPEND failed "${name}")
   elseif(permille LESS least)
-    message("  Fewer: well done. Record them, so that they stay: RECORD_INSTRUCTION_COUNTS=1 ctest -R instruction_counts")
+    message("  Fewer: well done. Record them, so that they stay: ${how_to_record}")
   endif()
 endforeach()
 if(failed)
