@@ -4,6 +4,7 @@
 
 #include "make_triangles.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <stdexcept>
@@ -53,12 +54,24 @@ Triangles make_subdivided(const std::string& folder, std::size_t faces)
   return triangles;
 }
 
+/// With the creases of at most 100,000 faces: alone, a fine torus would have none.
+Triangles make_torus(std::size_t faces)
+{
+  int levels = 0;
+  for (; faces > 100000; faces /= 4)
+    ++levels;
+  Triangles triangles = wavy_torus(faces);
+  for (; levels > 0; --levels)
+    triangles = subdivided(triangles);
+  return triangles;
+}
+
 } // namespace
 
 Triangles Mesh_store::make_triangles(const Mesh_wanted& mesh) const
 {
   if (mesh.shape == Shape::TORUS)
-    return wavy_torus(mesh.faces);
+    return make_torus(mesh.faces);
   Triangles triangles = make_subdivided(m_folder, mesh.faces);
   return mesh.shape == Shape::NOISY ? roughened(std::move(triangles), amplitude_of_noise) : triangles;
 }

@@ -143,9 +143,6 @@ std::vector<Case> plan_cases(const Plan& plan)
   for (std::size_t faces : plan.sizes) {
     const Mesh_wanted mesh{Shape::SMOOTH, faces, Mesh_type::SURFACE_MESH};
     add_pipelines(cases, mesh, plan.threads);
-    if (faces >= 700000 && faces <= 1500000)
-      cases.push_back(pipeline(mesh, "two-step, k = " + std::to_string(plan.many_segments),
-                               {Method::TWO_STEP, plan.many_segments}));
     add_edge_methods(cases, mesh);
     if (faces <= most_faces_for_slow_methods)
       add_slow_methods(cases, mesh);
@@ -159,6 +156,9 @@ std::vector<Case> plan_cases(const Plan& plan)
   for (std::size_t faces : plan.noisy_sizes) {
     const Mesh_wanted mesh{Shape::NOISY, faces, Mesh_type::SURFACE_MESH};
     add_pipelines(cases, mesh, plan.threads);
+    if (faces >= 700000 && faces <= 1500000)
+      cases.push_back(pipeline(mesh, "two-step, k = " + std::to_string(plan.many_segments),
+                               {Method::TWO_STEP, plan.many_segments}));
     add_edge_methods(cases, mesh);
   }
   if (plan.huge > 0)

@@ -13,7 +13,7 @@ sh "$root/cmake/install_packages.sh" g++ make cmake git libcgal-dev libcgal-demo
   libcli11-dev libtbb-dev libbenchmark-dev
 
 sizes=10000,40000,160000,1000000,4000000,16000000
-noisy_sizes=4000000,16000000
+noisy_sizes=1000000,4000000,16000000
 if [ "${1:-}" = --quick ]; then
   shift
   sizes=10000,160000
