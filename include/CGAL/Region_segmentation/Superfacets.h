@@ -88,7 +88,7 @@ private:
                                    const std::vector<internal::Vector_3>& centroids)
   {
     // Relative to a point of the mesh, so that nothing cancels far from the origin.
-    internal::Vector_3 center;
+    internal::Vector_3 center{};
     for (std::size_t f = 0; f < centroids.size(); ++f)
       center = center + mesh.area(f) * (centroids[f] - centroids[0]);
     center = centroids[0] + (1 / total_area(mesh)) * center;

@@ -19,6 +19,7 @@ namespace Region_segmentation {
 /// builds the graph of the regions of a mesh and the sections between them.
 ///
 /// \tparam Graph a `Region_adjacency_graph`, with data of any kind
+/// \tparam ConcurrencyTag `Sequential_tag` or, with \ref thirdpartyTBB, `Parallel_tag`; see `segment()`
 /// \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam FaceRegionMap a model of `ReadablePropertyMap` with the face descriptor as key and an
 ///         integral value type
@@ -35,14 +36,15 @@ namespace Region_segmentation {
 /// by higher face, whatever the mesh type.
 ///
 /// Source: Yang et al. 2014, section 3.3 (EdgeSection).
-template <typename Graph = Region_adjacency_graph<>, typename FaceGraph, typename FaceRegionMap,
+template <typename Graph = Region_adjacency_graph<>, typename ConcurrencyTag = CGAL::Sequential_tag,
+          typename FaceGraph, typename FaceRegionMap,
           typename NamedParameters = parameters::Default_named_parameters>
 Graph build_region_adjacency_graph(const FaceGraph& mesh, FaceRegionMap region_map,
                                    const NamedParameters& np = parameters::default_values())
 {
   const auto& pack = internal::pack(np);
   const auto walk = internal::make_mesh_walk(mesh, pack);
-  const Flat_mesh flat = internal::read_flat_mesh(walk, pack);
+  const Flat_mesh flat = internal::read_flat_mesh<ConcurrencyTag>(walk, pack);
   Region_labels regions;
   regions.of_face.reserve(flat.number_of_faces());
   for (auto f : faces(mesh)) {
@@ -52,7 +54,7 @@ Graph build_region_adjacency_graph(const FaceGraph& mesh, FaceRegionMap region_m
     regions.of_face.push_back(Flat_mesh::Index(id));
     regions.number_of_regions = (std::max)(regions.number_of_regions, std::size_t(id) + 1);
   }
-  return internal::build_graph<Graph>(flat, regions);
+  return internal::build_graph<Graph, ConcurrencyTag>(flat, regions);
 }
 
 } // namespace Region_segmentation

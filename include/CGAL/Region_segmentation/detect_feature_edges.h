@@ -21,6 +21,7 @@ namespace Region_segmentation {
 /// its faces, \f$\pi - \theta\f$ for the dihedral angle \f$\theta\f$ (paper, eq. 1). Edges of a
 /// degenerate face have no angle and are no feature edges, unless they are borders or constrained.
 ///
+/// \tparam ConcurrencyTag `Sequential_tag` or, with \ref thirdpartyTBB, `Parallel_tag`; see `segment()`
 /// \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam EdgeIsFeatureMap a model of `WritablePropertyMap` with the edge descriptor as key and a
 ///         value type that is constructible from `bool`
@@ -39,16 +40,16 @@ namespace Region_segmentation {
 /// Complexity: O(F). Deterministic. Calls on different maps may run at the same time.
 ///
 /// Source: Yang et al. 2014, section 3.1.
-template <typename FaceGraph, typename EdgeIsFeatureMap,
+template <typename ConcurrencyTag = CGAL::Sequential_tag, typename FaceGraph, typename EdgeIsFeatureMap,
           typename NamedParameters = parameters::Default_named_parameters>
 std::size_t detect_feature_edges(const FaceGraph& mesh, EdgeIsFeatureMap edge_is_feature_map,
                                  const NamedParameters& np = parameters::default_values())
 {
   const auto& pack = internal::pack(np);
   const auto walk = internal::make_mesh_walk(mesh, pack);
-  const Flat_mesh flat = internal::read_flat_mesh(walk, pack);
-  const Edge_marks is_feature = internal::mark_feature_edges(flat, internal::maximum_angle(pack),
-                                                             internal::feature_convexity(pack));
+  const Flat_mesh flat = internal::read_flat_mesh<ConcurrencyTag>(walk, pack);
+  const Edge_marks is_feature = internal::mark_feature_edges<ConcurrencyTag>(
+    flat, internal::maximum_angle(pack), internal::feature_convexity(pack));
   return internal::write_edge_map(walk, flat, is_feature, edge_is_feature_map);
 }
 

@@ -46,7 +46,7 @@ auto make_feature_graph(const Walk& walk, const Flat_mesh& flat,
   for (auto e : edges(mesh))
     if (CGAL::is_border(e, mesh))
       add(halfedge(e, mesh), Feature_edge_role::FIXED);
-  walk.for_each_dual_edge(flat, [&](auto h, std::size_t dual_edge) {
+  walk.for_each_dual_edge([&](auto h, std::size_t dual_edge) {
     if (flat.has_flag(dual_edge, Flat_mesh::CONSTRAINED))
       add(h, Feature_edge_role::FIXED);
     else if (get(edge_is_feature_map, edge(h, mesh)))
@@ -88,6 +88,7 @@ struct Polyline_collector
 /// regions before and after; to this end the edges of a degenerate face across which nothing grows
 /// hold a line as a feature edge does.
 ///
+/// \tparam ConcurrencyTag `Sequential_tag` or, with \ref thirdpartyTBB, `Parallel_tag`; see `segment()`
 /// \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam EdgeIsFeatureMap a model of `ReadWritePropertyMap` with the edge descriptor as key and a
 ///         value type convertible to and constructible from `bool`
@@ -111,7 +112,8 @@ struct Polyline_collector
 /// Complexity: O(F). Deterministic. Calls on different maps may run at the same time.
 ///
 /// Source: Yang et al. 2014, section 3.1.
-template <typename FaceGraph, typename EdgeIsFeatureMap, typename PolylineOutputIterator,
+template <typename ConcurrencyTag = CGAL::Sequential_tag, typename FaceGraph, typename EdgeIsFeatureMap,
+          typename PolylineOutputIterator,
           typename NamedParameters = parameters::Default_named_parameters>
 std::size_t extract_feature_lines(const FaceGraph& mesh, EdgeIsFeatureMap edge_is_feature_map,
                                   PolylineOutputIterator polylines,
@@ -126,7 +128,7 @@ std::size_t extract_feature_lines(const FaceGraph& mesh, EdgeIsFeatureMap edge_i
                      (std::numeric_limits<std::size_t>::max)());
 
   const auto walk = internal::make_mesh_walk(mesh, pack);
-  const Flat_mesh flat = internal::read_flat_mesh(walk, pack);
+  const Flat_mesh flat = internal::read_flat_mesh<ConcurrencyTag>(walk, pack);
   auto graph = internal::make_feature_graph(walk, flat, edge_is_feature_map);
   internal::prune_feature_graph(graph, minimum_length);
   internal::remove_barriers(graph);

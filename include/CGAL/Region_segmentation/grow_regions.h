@@ -16,9 +16,11 @@ namespace Region_segmentation {
 /// feature edges. A model of `RegionInitializer`.
 struct Region_growing
 {
-  Region_labels operator()(const Flat_mesh& flat, const Edge_marks& is_feature) const
+  template <typename ConcurrencyTag = CGAL::Sequential_tag>
+  Region_labels operator()(const Flat_mesh& flat, const Edge_marks& is_feature,
+                           ConcurrencyTag = ConcurrencyTag()) const
   {
-    return internal::label_components(flat, is_feature);
+    return internal::label_components<ConcurrencyTag>(flat, is_feature);
   }
 };
 
@@ -30,6 +32,7 @@ struct Region_growing
 /// constrained, unless the map says that this is a feature edge; its other edges are no way for
 /// growing.
 ///
+/// \tparam ConcurrencyTag `Sequential_tag` or, with \ref thirdpartyTBB, `Parallel_tag`; see `segment()`
 /// \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam EdgeIsFeatureMap a model of `ReadWritePropertyMap` with the edge descriptor as key and a
 ///         value type convertible to and constructible from `bool`
@@ -51,7 +54,8 @@ struct Region_growing
 /// Complexity: O(F). Deterministic. Calls on different maps may run at the same time.
 ///
 /// Source: Yang et al. 2014, section 3.2.
-template <typename FaceGraph, typename EdgeIsFeatureMap, typename FaceRegionMap,
+template <typename ConcurrencyTag = CGAL::Sequential_tag, typename FaceGraph, typename EdgeIsFeatureMap,
+          typename FaceRegionMap,
           typename NamedParameters = parameters::Default_named_parameters>
 std::size_t grow_regions(const FaceGraph& mesh, EdgeIsFeatureMap edge_is_feature_map,
                          FaceRegionMap region_map,
@@ -59,10 +63,10 @@ std::size_t grow_regions(const FaceGraph& mesh, EdgeIsFeatureMap edge_is_feature
 {
   const auto& pack = internal::pack(np);
   const auto walk = internal::make_mesh_walk(mesh, pack);
-  const Flat_mesh flat = internal::read_flat_mesh(walk, pack);
+  const Flat_mesh flat = internal::read_flat_mesh<ConcurrencyTag>(walk, pack);
   Edge_marks is_feature = internal::read_edge_map(walk, flat, edge_is_feature_map);
-  const Region_labels regions = Region_growing()(flat, is_feature);
-  internal::clear_marks_within_regions(flat, regions, is_feature);
+  const Region_labels regions = Region_growing()(flat, is_feature, ConcurrencyTag());
+  internal::clear_marks_within_regions<ConcurrencyTag>(flat, regions, is_feature);
 
   internal::write_edge_map(walk, flat, is_feature, edge_is_feature_map);
   internal::write_face_map(mesh, region_map, [&](std::size_t i) { return regions.of_face[i]; });

@@ -30,6 +30,9 @@ namespace Region_segmentation {
 /// segments a surface mesh into parts: first regions are made and merged until the wanted number of
 /// segments is left.
 ///
+/// \tparam ConcurrencyTag `Sequential_tag` or, with \ref thirdpartyTBB, `Parallel_tag`: what touches every
+///         face or edge runs in parallel, to the same bits. Maps that are read must allow several readers then;
+///         maps that are written are written by one thread
 /// \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam FaceSegmentMap a model of `WritablePropertyMap` with the face descriptor as key and an
 ///         integral value type that holds the number of segments
@@ -68,7 +71,7 @@ namespace Region_segmentation {
 ///
 /// Source: Yang, Zhou, Wang, Liu, Luo, "A fast and efficient mesh segmentation method based on improved
 /// region growing", Appl. Math. J. Chinese Univ. 29(4):468-480, 2014.
-template <typename FaceGraph, typename FaceSegmentMap,
+template <typename ConcurrencyTag = CGAL::Sequential_tag, typename FaceGraph, typename FaceSegmentMap,
           typename NamedParameters = parameters::Default_named_parameters>
 std::size_t segment(const FaceGraph& mesh, FaceSegmentMap segment_map,
                     const NamedParameters& np = parameters::default_values())
@@ -79,29 +82,28 @@ std::size_t segment(const FaceGraph& mesh, FaceSegmentMap segment_map,
   const std::size_t wanted = internal::number_of_segments(pack, 1);
   auto policy = choose_parameter(get_parameter(pack, internal_np::merging_policy), Best());
   using Companions = internal::Companions_of_policy<decltype(policy)>;
-  const auto make_regions = choose_parameter(get_parameter(pack, internal_np::region_initializer),
-                                             typename Companions::RegionInitializer());
-  const typename Companions::GraphAnnotator annotate{};
-  internal::check_region_initializer<decltype(make_regions)>();
+  const auto initializer = choose_parameter(get_parameter(pack, internal_np::region_initializer),
+                                            typename Companions::RegionInitializer());
+  const typename Companions::GraphAnnotator annotator{};
 
   internal::Progress reading(pack, "reading", 1);
   const auto walk = internal::make_mesh_walk(mesh, pack);
-  const Flat_mesh flat = internal::read_flat_mesh(
-    walk, pack, (std::max)(internal::content_for(make_regions), internal::content_for(annotate)));
+  const Flat_mesh flat = internal::read_flat_mesh<ConcurrencyTag>(
+    walk, pack, (std::max)(internal::content_for(initializer), internal::content_for(annotator)));
 
   internal::Progress detecting(pack, "features", 1);
-  Edge_marks is_feature = internal::mark_feature_edges(flat, internal::maximum_angle(pack),
-                                                       internal::feature_convexity(pack));
+  Edge_marks is_feature = internal::mark_feature_edges<ConcurrencyTag>(
+    flat, internal::maximum_angle(pack), internal::feature_convexity(pack));
 
   internal::Progress growing(pack, "regions", 1);
-  const Region_labels regions = make_regions(flat, is_feature);
-  internal::clear_marks_within_regions(flat, regions, is_feature);
+  const Region_labels regions = internal::make_regions<ConcurrencyTag>(initializer, flat, is_feature);
+  internal::clear_marks_within_regions<ConcurrencyTag>(flat, regions, is_feature);
 
-  auto graph = internal::build_graph<typename Companions::Graph>(flat, regions);
-  annotate(graph, flat, regions);
+  auto graph = internal::build_graph<typename Companions::Graph, ConcurrencyTag>(flat, regions);
+  internal::annotate<ConcurrencyTag>(annotator, graph, flat, regions);
   const Merge_tree tree = merge_regions(graph, policy, wanted, Stop_at_count{wanted}, pack);
-  const Region_labels segments =
-    internal::cut(regions, tree, internal::choose_number<Companions>(tree, wanted, pack));
+  const Region_labels segments = internal::cut<ConcurrencyTag>(
+    regions, tree, internal::choose_number<Companions>(tree, wanted, pack));
 
   internal::write_face_map(mesh, segment_map, [&](std::size_t i) { return segments.of_face[i]; });
   internal::write_segmentation_outputs(walk, flat, regions, is_feature, tree, pack);

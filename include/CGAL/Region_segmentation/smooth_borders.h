@@ -5,7 +5,7 @@
 
 #include <CGAL/Region_segmentation/internal/Border_smoothing.h>
 #include <CGAL/Region_segmentation/internal/Dense_labels.h>
-#include <CGAL/Region_segmentation/internal/label_components.h>
+#include <CGAL/Region_segmentation/internal/Lowest_root_forest.h>
 #include <CGAL/Region_segmentation/internal/read_flat_mesh.h>
 #include <CGAL/Region_segmentation/parameters.h>
 
@@ -101,7 +101,7 @@ private:
   static Region_labels pieces_of_segments(const Flat_mesh& mesh,
                                           const std::vector<Flat_mesh::Index>& label_of_face)
   {
-    internal::Lowest_root_forest forest(mesh.number_of_faces());
+    internal::Lowest_root_forest<> forest(mesh.number_of_faces());
     for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
       for (std::size_t e = mesh.first_edge(f); e < mesh.first_edge(f + 1); ++e)
         if (label_of_face[f] == label_of_face[mesh.higher_face(e)] &&

@@ -3,13 +3,13 @@
 #ifndef CGAL_REGION_SEGMENTATION_INTERNAL_FLAT_MESH_H
 #define CGAL_REGION_SEGMENTATION_INTERNAL_FLAT_MESH_H
 
+#include <CGAL/Region_segmentation/internal/Large_array.h>
 #include <CGAL/Region_segmentation/internal/Vector_3.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 namespace CGAL {
 namespace Region_segmentation {
@@ -95,7 +95,7 @@ public:
   /// The mean of the corners of a face.
   internal::Vector_3 centroid(std::size_t face) const
   {
-    internal::Vector_3 sum;
+    internal::Vector_3 sum{};
     for (Index c = m_first_corners[face]; c < m_first_corners[face + 1]; ++c)
       sum = sum + m_points[m_corners[c]];
     return (1.0 / double(number_of_corners(face))) * sum;
@@ -105,15 +105,15 @@ public:
 private:
   friend class internal::Flat_mesh_builder;
 
-  std::vector<internal::Vector_3> m_normals;   // 24 bytes a face
-  std::vector<double> m_areas;                 // 8 bytes a face
-  std::vector<Index> m_first_edges;            // 4 bytes a face, and one more at the end
-  std::vector<Index> m_higher_faces;           // 4 bytes a dual edge
-  std::vector<double> m_lengths;               // 8 bytes a dual edge
-  std::vector<std::uint8_t> m_flags;           // 1 byte a dual edge
-  std::vector<internal::Vector_3> m_points;    // 24 bytes a vertex
-  std::vector<Index> m_first_corners;          // 4 bytes a face, and one more at the end
-  std::vector<Index> m_corners;                // 4 bytes a corner
+  internal::Large_array<internal::Vector_3> m_normals;   // 24 bytes a face
+  internal::Large_array<double> m_areas;                 // 8 bytes a face
+  internal::Large_array<Index> m_first_edges;            // 4 bytes a face, and one more at the end
+  internal::Large_array<Index> m_higher_faces;           // 4 bytes a dual edge
+  internal::Large_array<double> m_lengths;               // 8 bytes a dual edge
+  internal::Large_array<std::uint8_t> m_flags;           // 1 byte a dual edge
+  internal::Large_array<internal::Vector_3> m_points;    // 24 bytes a vertex
+  internal::Large_array<Index> m_first_corners;          // 4 bytes a face, and one more at the end
+  internal::Large_array<Index> m_corners;                // 4 bytes a corner
 };
 
 } // namespace Region_segmentation

@@ -3,12 +3,13 @@
 #ifndef CGAL_REGION_SEGMENTATION_INTERNAL_FLAT_MESH_BUILDER_H
 #define CGAL_REGION_SEGMENTATION_INTERNAL_FLAT_MESH_BUILDER_H
 
+#include <CGAL/Region_segmentation/internal/Area_vector_sum.h>
 #include <CGAL/Region_segmentation/internal/Flat_mesh.h>
+#include <CGAL/Region_segmentation/internal/blocks.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -16,64 +17,63 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// Makes a `Flat_mesh` from faces in order, and from the dual edges of each to lower faces.
+/// Fills the arrays of a `Flat_mesh`: faces and dual edges, each of them in any order, but an edge after its
+/// two faces.
 class Flat_mesh_builder
 {
   using Index = Flat_mesh::Index;
 
 public:
   Flat_mesh_builder(std::size_t number_of_faces, std::size_t maximum_number_of_edges)
+    : m_closed_edges(number_of_blocks(number_of_faces))
   {
-    m_flat.m_normals.reserve(number_of_faces);
-    m_flat.m_areas.reserve(number_of_faces);
-    m_flat.m_first_edges.reserve(number_of_faces + 1);
+    m_flat.m_normals.resize(number_of_faces);
+    m_flat.m_areas.resize(number_of_faces);
+    m_flat.m_first_edges.resize(number_of_faces + 1);
+    m_flat.m_first_edges.back() = Index(maximum_number_of_edges);
     m_flat.m_higher_faces.resize(maximum_number_of_edges);
     m_flat.m_lengths.resize(maximum_number_of_edges);
     m_flat.m_flags.resize(maximum_number_of_edges);
   }
 
-  /// Adds the next face. Its area vector is Newell's formula relative to the first vertex,
-  /// A = 1/2 sum (p_i - p_0) x (p_i+1 - p_0): there is no cancellation far from the origin.
-  void add_face(const std::vector<Vector_3>& polygon, std::size_t number_of_higher_neighbors)
+  void set_face(std::size_t face, const Area_vector_sum& sum)
   {
-    Vector_3 twice_area, to_previous;
-    double longest = squared_norm(polygon.front() - polygon.back());
-    for (std::size_t i = 1; i < polygon.size(); ++i) {
-      const Vector_3 to_current = polygon[i] - polygon[0];
-      twice_area = twice_area + cross(to_previous, to_current);
-      longest = (std::max)(longest, squared_norm(polygon[i] - polygon[i - 1]));
-      to_previous = to_current;
-    }
-    const Vector_3 area_vector = 0.5 * twice_area;
+    const Vector_3 area_vector = sum.area_vector();
     const double area = norm(area_vector);
-    const bool is_degenerate = !(area > 1e-12 * longest) || !std::isfinite(area);
-    m_flat.m_normals.push_back(is_degenerate ? Vector_3{} : (1 / area) * area_vector);
-    m_flat.m_areas.push_back(std::isfinite(area) ? area : 0);
-    m_flat.m_first_edges.push_back(m_number_of_edges);
-    m_number_of_edges += Index(number_of_higher_neighbors);
+    const bool is_finite = std::isfinite(area);
+    const bool is_degenerate = !is_finite || !(area > 1e-12 * sum.squared_longest_edge());
+    m_flat.m_normals[face] = is_degenerate ? Vector_3{} : (1 / area) * area_vector;
+    m_flat.m_areas[face] = is_finite ? area : 0;
   }
 
-  /// Adds an edge between the last face, `higher`, and a lower one; `d` runs along the halfedge of the
-  /// lower one. While faces are read, `m_first_edges` holds the next free place of each.
-  void add_edge(std::size_t lower, std::size_t higher, const Vector_3& d, bool is_constrained)
+  std::size_t maximum_number_of_edges() const { return m_flat.m_higher_faces.size(); }
+  void set_first_edge(std::size_t face, std::size_t edge) { m_flat.m_first_edges[face] = Index(edge); }
+
+  /// `d` runs along the halfedge of the lower face.
+  void set_edge(std::size_t edge, std::size_t lower, std::size_t higher, const Vector_3& d,
+                bool is_constrained)
   {
-    const Index edge = m_flat.m_first_edges[lower]++;
-    std::uint8_t flags = is_constrained ? Flat_mesh::CONSTRAINED : 0;
-    if (m_flat.is_degenerate(lower) || m_flat.is_degenerate(higher)) {
+    const double sign = dot(cross(m_flat.normal(lower), m_flat.normal(higher)), d);
+    const bool is_convex = sign > 0, is_concave = sign < 0;
+    int flags = is_convex * Flat_mesh::CONVEX + is_concave * Flat_mesh::CONCAVE +
+                is_constrained * Flat_mesh::CONSTRAINED;
+    // The normal of a degenerate face is zero, and then the edge has no sign.
+    if (!is_convex && !is_concave && (m_flat.is_degenerate(lower) || m_flat.is_degenerate(higher))) {
       flags |= Flat_mesh::CLOSED;
-      m_degenerate_edges.push_back({Index(lower), edge});
-    } else {
-      const double sign = dot(cross(m_flat.normal(lower), m_flat.normal(higher)), d);
-      flags |= sign > 0 ? Flat_mesh::CONVEX : sign < 0 ? Flat_mesh::CONCAVE : 0;
+      m_closed_edges[lower / block_size].push_back({Index(lower), Index(edge)});
     }
     m_flat.m_higher_faces[edge] = Index(higher);
     m_flat.m_lengths[edge] = norm(d);
-    m_flat.m_flags[edge] = flags;
+    m_flat.m_flags[edge] = std::uint8_t(flags);
   }
 
-  void add_point(const Vector_3& point) { m_flat.m_points.push_back(point); }
+  /// \name Points
+  /// With `Content::ANGLES_AND_POINTS` alone.
+  /// @{
+  void resize_points(std::size_t number_of_points) { m_flat.m_points.resize(number_of_points); }
+  void set_point(std::size_t vertex, const Vector_3& point) { m_flat.m_points[vertex] = point; }
 
-  /// Adds the corners of the last face.
+  /// Adds the corners of the next face.
   template <typename VertexOf>
   void add_corners(std::size_t number_of_corners, const VertexOf& vertex_of)
   {
@@ -83,19 +83,22 @@ public:
       m_flat.m_corners.push_back(Index(vertex_of(i)));
     m_flat.m_first_corners.push_back(Index(m_flat.m_corners.size()));
   }
+  /// @}
 
-  Flat_mesh finish()
+  /// `first_edge`: the place of the first edge; before it is nothing.
+  Flat_mesh finish(std::size_t first_edge)
   {
-    m_flat.m_higher_faces.resize(m_number_of_edges);
-    m_flat.m_lengths.resize(m_number_of_edges);
-    m_flat.m_flags.resize(m_number_of_edges);
-    // By now the place of each face is where the next one starts.
-    m_flat.m_first_edges.insert(m_flat.m_first_edges.begin(), 0);
     join_degenerate_faces();
+    remove_edges_before(first_edge);
     return std::move(m_flat);
   }
 
 private:
+  struct Closed_edge
+  {
+    Index lower, edge;
+  };
+
   /// Each degenerate face joins across its longest dual edge that is not constrained; of several, the
   /// one to the lower face, and of several to that face the first.
   void join_degenerate_faces()
@@ -105,15 +108,16 @@ private:
       Index face, other, edge;
     };
     std::vector<Way> ways;
-    for (const Degenerate_edge& e : m_degenerate_edges) {
-      if (m_flat.has_flag(e.edge, Flat_mesh::CONSTRAINED))
-        continue;
-      const Index higher = m_flat.higher_face(e.edge);
-      if (m_flat.is_degenerate(e.lower))
-        ways.push_back({e.lower, higher, e.edge});
-      if (m_flat.is_degenerate(higher))
-        ways.push_back({higher, e.lower, e.edge});
-    }
+    for (const auto& block : m_closed_edges)
+      for (const Closed_edge& e : block) {
+        if (m_flat.has_flag(e.edge, Flat_mesh::CONSTRAINED))
+          continue;
+        const Index higher = m_flat.higher_face(e.edge);
+        if (m_flat.is_degenerate(e.lower))
+          ways.push_back({e.lower, higher, e.edge});
+        if (m_flat.is_degenerate(higher))
+          ways.push_back({higher, e.lower, e.edge});
+      }
     std::sort(ways.begin(), ways.end(), [this](const Way& a, const Way& b) {
       const double a_length = m_flat.length(a.edge), b_length = m_flat.length(b.edge);
       if (a.face != b.face)
@@ -129,14 +133,20 @@ private:
       }
   }
 
-  struct Degenerate_edge
+  void remove_edges_before(std::size_t first_edge)
   {
-    Index lower, edge;
-  };
+    if (first_edge == 0)
+      return;
+    const auto erase = [first_edge](auto& array) { array.erase(array.begin(), array.begin() + first_edge); };
+    erase(m_flat.m_higher_faces);
+    erase(m_flat.m_lengths);
+    erase(m_flat.m_flags);
+    for (Index& edge : m_flat.m_first_edges)
+      edge -= Index(first_edge);
+  }
 
   Flat_mesh m_flat;
-  Index m_number_of_edges = 0;
-  std::vector<Degenerate_edge> m_degenerate_edges;
+  std::vector<std::vector<Closed_edge>> m_closed_edges; // by the block of their lower face
 };
 
 } // namespace internal

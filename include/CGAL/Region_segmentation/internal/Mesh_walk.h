@@ -4,40 +4,53 @@
 #define CGAL_REGION_SEGMENTATION_INTERNAL_MESH_WALK_H
 
 #include <CGAL/Region_segmentation/internal/Flat_mesh.h>
+#include <CGAL/Region_segmentation/internal/blocks.h>
 #include <CGAL/Region_segmentation/parameters.h>
 
+#include <CGAL/Iterator_range.h>
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
+#include <boost/config.hpp>
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <cstdint>
+#include <iterator>
 #include <limits>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// The position of a descriptor in its range, found by way of an index map of any numbering.
-/// Takes 4 bytes an element where the index is not the position itself, and nothing else.
-template <typename IndexMap>
+/// The position of a descriptor in its range, found by way of an index map of any numbering, and the range
+/// in blocks. Takes 4 bytes an element where the index is not the position itself, and hardly anything else.
+template <typename IndexMap, typename Range>
 class Iteration_ranks
 {
+  using Iterator = decltype(std::begin(std::declval<const Range&>()));
+
 public:
   using Descriptor = typename boost::property_traits<IndexMap>::key_type;
 
   /// `capacity`: an upper bound of the indices, removed elements of the mesh included.
-  template <typename Range>
   Iteration_ranks(IndexMap index_map, const Range& range, std::size_t capacity)
     : m_index_map(index_map)
   {
     bool is_identity = true;
-    for (const auto& d : range)
-      is_identity = (std::size_t(get(m_index_map, d)) == m_size++) && is_identity;
+    for (Iterator it = std::begin(range); it != std::end(range); ++it) {
+      if (m_size % block_size == 0)
+        m_block_starts.push_back(it);
+      is_identity = (std::size_t(get(m_index_map, *it)) == m_size++) && is_identity;
+    }
+    m_block_starts.push_back(std::end(range));
     CGAL_precondition_msg(m_size < (std::numeric_limits<Flat_mesh::Index>::max)(),
                           "a mesh has fewer than 2^32 - 1 vertices, faces and edges");
     if (is_identity)
@@ -59,36 +72,69 @@ public:
     return m_ranks.empty() ? index : m_ranks[index];
   }
 
+  /// The elements of a block, and the position of the first.
+  CGAL::Iterator_range<Iterator> block(std::size_t i) const
+  {
+    return {m_block_starts[i], m_block_starts[i + 1]};
+  }
+
 private:
   IndexMap m_index_map;
   std::size_t m_size = 0;
   std::vector<Flat_mesh::Index> m_ranks;
+  std::vector<Iterator> m_block_starts; // and the end
 };
 
 /// A face graph walked in an order that does not depend on its type: faces and vertices are numbered
 /// by iteration, and the boundary of a face starts at its vertex of lowest number.
+///
+/// What is done for every face is done for triangles in registers and without branches that depend on the
+/// numbering, since these cannot be predicted.
 template <typename FaceGraph, typename Pack>
 class Mesh_walk
 {
   using Traits = boost::graph_traits<FaceGraph>;
   using Face_index_map = typename GetInitializedFaceIndexMap<FaceGraph, Pack>::const_type;
   using Vertex_index_map = typename GetInitializedVertexIndexMap<FaceGraph, Pack>::const_type;
+  using Face_range = std::decay_t<decltype(faces(std::declval<const FaceGraph&>()))>;
+  using Vertex_range = std::decay_t<decltype(vertices(std::declval<const FaceGraph&>()))>;
 
 public:
   using face_descriptor = typename Traits::face_descriptor;
   using halfedge_descriptor = typename Traits::halfedge_descriptor;
 
-  /// The halfedges around a face; the first one leaves the vertex of lowest number.
-  class Boundary
+  /// The halfedges around a face.
+  using Triangle = std::array<halfedge_descriptor, 3>;
+  using Polygon = std::vector<halfedge_descriptor>;
+
+  static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
+
+  /// Memory that a walk keeps while it goes from face to face.
+  class Scratch
+  {
+    friend class Mesh_walk;
+    Polygon polygon;
+    std::vector<std::uint64_t> keys;
+  };
+
+  /// The neighbors of a face that have a higher number, in order. Several halfedges to one neighbor follow its
+  /// boundary from its vertex of lowest number.
+  class Higher_neighbors
   {
   public:
     std::size_t size() const { return m_size; }
-    halfedge_descriptor operator[](std::size_t i) const { return m_halfedges[m_first + i]; }
+    /// The number of the neighbor.
+    std::size_t face_rank(std::size_t i) const { return std::size_t(key(i) >> 32); }
+    /// The position in the boundary of the halfedge to it.
+    std::size_t position(std::size_t i) const { return std::size_t(key(i) & 0xffffffffu); }
 
   private:
     friend class Mesh_walk;
-    std::vector<halfedge_descriptor> m_halfedges; // the cycle twice: no element is moved to start
-    std::size_t m_first = 0, m_size = 0;
+    std::uint64_t key(std::size_t i) const { return m_many ? m_many[i] : m_few[i]; }
+
+    std::array<std::uint64_t, 3> m_few = {};
+    const std::uint64_t* m_many = nullptr; // where there can be more than three
+    std::size_t m_size = 0;
   };
 
   Mesh_walk(const FaceGraph& mesh, const Pack& np)
@@ -103,58 +149,170 @@ public:
   std::size_t number_of_vertices() const { return m_vertex_ranks.size(); }
 
   std::size_t source_rank(halfedge_descriptor h) const { return m_vertex_ranks[source(h, m_mesh)]; }
+  std::size_t target_rank(halfedge_descriptor h) const { return m_vertex_ranks[target(h, m_mesh)]; }
 
-  void read_boundary(face_descriptor f, Boundary& around) const
-  {
-    auto& halfedges = around.m_halfedges;
-    halfedges.clear();
-    std::size_t lowest = (std::numeric_limits<std::size_t>::max)();
-    const halfedge_descriptor start = halfedge(f, m_mesh);
-    halfedge_descriptor h = start;
-    do {
-      const std::size_t rank = source_rank(h);
-      around.m_first = rank < lowest ? halfedges.size() : around.m_first;
-      lowest = (std::min)(rank, lowest);
-      halfedges.push_back(h);
-      h = next(h, m_mesh);
-    } while (h != start);
-    around.m_size = halfedges.size();
-    for (std::size_t i = 0; i + 1 < around.m_size; ++i)
-      halfedges.push_back(halfedges[i]);
-  }
-
-  /// The number of the face on the other side of a halfedge; `no_face` at a border.
+  /// The number of the face on the other side of a halfedge; `none` at a border.
   std::size_t opposite_face_rank(halfedge_descriptor h) const
   {
     const face_descriptor f = face(opposite(h, m_mesh), m_mesh);
-    return f == Traits::null_face() ? no_face : m_face_ranks[f];
+    return f == Traits::null_face() ? none : m_face_ranks[f];
   }
-  static constexpr std::size_t no_face = (std::numeric_limits<std::size_t>::max)();
 
-  /// Calls `f(halfedge, dual_edge)` for every dual edge of the flat mesh made by this walk, in the
-  /// order in which it was made.
+  /// The faces and vertices with the numbers of one block.
+  auto faces_of_block(std::size_t block) const { return m_face_ranks.block(block); }
+  auto vertices_of_block(std::size_t block) const { return m_vertex_ranks.block(block); }
+
+  /// Calls `f(boundary)` with the halfedges around a face, a `Triangle` or a `Polygon`; the first one leaves
+  /// the vertex of lowest number.
   template <typename F>
-  void for_each_dual_edge(const Flat_mesh& flat, F f) const
+  BOOST_FORCEINLINE void with_boundary(face_descriptor face, Scratch& scratch, const F& f) const
   {
-    // The dual edges of a lower face are met in their order: its higher faces come one after another.
-    std::vector<Flat_mesh::Index> next_edges(flat.number_of_faces());
-    for (std::size_t i = 0; i < next_edges.size(); ++i)
-      next_edges[i] = Flat_mesh::Index(flat.first_edge(i));
-    Boundary around;
-    std::size_t rank = 0;
+    const halfedge_descriptor a = halfedge(face, m_mesh), b = next(a, m_mesh), c = next(b, m_mesh);
+    if (next(c, m_mesh) != a) {
+      f(read_polygon(a, scratch));
+      return;
+    }
+    const std::size_t to_a = target_rank(a), to_b = target_rank(b), to_c = target_rank(c);
+    const bool from_b = (to_a < to_b) & (to_a < to_c), from_c = !from_b & (to_b < to_c);
+    f(Triangle{from_b ? b : from_c ? c : a, from_b ? c : from_c ? a : b, from_b ? a : from_c ? b : c});
+  }
+
+  /// How many neighbors of the face `rank` have a higher number.
+  template <typename Boundary>
+  std::size_t number_of_higher_neighbors(std::size_t rank, const Boundary& around) const
+  {
+    std::size_t n = 0;
+    for (std::size_t i = 0; i < around.size(); ++i)
+      n += is_higher(opposite_face_rank(around[i]), rank);
+    return n;
+  }
+
+  /// Those of the face `rank`; valid until `scratch` is used again.
+  BOOST_FORCEINLINE Higher_neighbors higher_neighbors(std::size_t rank, const Triangle& around, Scratch&) const
+  {
+    Higher_neighbors result;
+    auto& [x, y, z] = result.m_few;
+    x = key(rank, around, 0);
+    y = key(rank, around, 1);
+    z = key(rank, around, 2);
+    sort(x, y);
+    sort(y, z);
+    sort(x, y);
+    result.m_size = (x != no_key) + (y != no_key) + (z != no_key);
+    order_parallel_edges(rank, around, result.m_few.data(), result.m_size);
+    return result;
+  }
+
+  Higher_neighbors higher_neighbors(std::size_t rank, const Polygon& around, Scratch& scratch) const
+  {
+    std::vector<Key>& keys = scratch.keys;
+    keys.clear();
+    for (std::size_t i = 0; i < around.size(); ++i)
+      if (const Key k = key(rank, around, i); k != no_key)
+        keys.push_back(k);
+    std::sort(keys.begin(), keys.end());
+    order_parallel_edges(rank, around, keys.data(), keys.size());
+    Higher_neighbors result;
+    result.m_many = keys.data();
+    result.m_size = keys.size();
+    return result;
+  }
+
+  /// Calls `f(halfedge, dual_edge)` for every dual edge of the flat mesh made by this walk, in order, with the
+  /// halfedge of its lower face.
+  template <typename F>
+  void for_each_dual_edge(const F& f) const
+  {
+    Scratch scratch;
+    std::size_t rank = 0, dual_edge = 0;
     for (face_descriptor fd : faces(m_mesh)) {
-      read_boundary(fd, around);
-      for (std::size_t i = 0; i < around.size(); ++i)
-        if (const std::size_t lower = opposite_face_rank(around[i]); lower < rank)
-          f(around[i], next_edges[lower]++);
+      with_boundary(fd, scratch, [&](const auto& around) {
+        const Higher_neighbors neighbors = higher_neighbors(rank, around, scratch);
+        for (std::size_t i = 0; i < neighbors.size(); ++i)
+          f(around[neighbors.position(i)], dual_edge++);
+      });
       ++rank;
     }
   }
 
 private:
+  /// A neighbor and the position in the boundary of the halfedge to it, ordered by the neighbor.
+  using Key = std::uint64_t;
+  static constexpr Key no_key = (std::numeric_limits<Key>::max)();
+
+  static std::size_t other(Key k) { return std::size_t(k >> 32); }
+  static std::size_t position(Key k) { return std::size_t(k & 0xffffffffu); }
+  static Key make_key(std::size_t other, std::size_t position) { return Key(other) << 32 | position; }
+
+  static bool is_higher(std::size_t other, std::size_t rank) { return (other > rank) & (other != none); }
+
+  template <typename Boundary>
+  Key key(std::size_t rank, const Boundary& around, std::size_t i) const
+  {
+    const std::size_t other = opposite_face_rank(around[i]);
+    return is_higher(other, rank) ? make_key(other, i) : no_key;
+  }
+
+  static void sort(Key& a, Key& b)
+  {
+    const Key lower = (std::min)(a, b), higher = (std::max)(a, b);
+    a = lower;
+    b = higher;
+  }
+
+  const Polygon& read_polygon(halfedge_descriptor start, Scratch& scratch) const
+  {
+    Polygon& around = scratch.polygon;
+    around.clear();
+    std::size_t lowest = none, first = 0;
+    halfedge_descriptor h = start;
+    do {
+      const std::size_t rank = source_rank(h);
+      first = rank < lowest ? around.size() : first;
+      lowest = (std::min)(rank, lowest);
+      around.push_back(h);
+      h = next(h, m_mesh);
+    } while (h != start);
+    std::rotate(around.begin(), around.begin() + first, around.end());
+    return around;
+  }
+
+  /// Puts the keys of several halfedges to one face in the order of the boundary of that face.
+  template <typename Boundary>
+  void order_parallel_edges(std::size_t rank, const Boundary& around, Key* keys, std::size_t n) const
+  {
+    for (std::size_t i = 1; i < n; ++i)
+      if (other(keys[i]) == other(keys[i - 1])) {
+        std::size_t end = i + 1;
+        while (end < n && other(keys[end]) == other(keys[i]))
+          ++end;
+        order_parallel_edges(rank, around, keys + (i - 1));
+        i = end;
+      }
+  }
+
+  template <typename Boundary>
+  void order_parallel_edges(std::size_t rank, const Boundary& around, Key* keys) const
+  {
+    const halfedge_descriptor across = opposite(around[position(*keys)], m_mesh);
+    const std::size_t higher = other(*keys);
+    Scratch scratch;
+    with_boundary(face(across, m_mesh), scratch, [&](const auto& around_higher) {
+      // Most often both boundaries hold the edges in opposite order: then one turn finds them all.
+      std::size_t i = 0;
+      for (halfedge_descriptor h : around_higher) {
+        if (opposite_face_rank(h) != rank)
+          continue;
+        while (around[i] != opposite(h, m_mesh))
+          i = (i ? i : around.size()) - 1;
+        *keys++ = make_key(higher, i);
+      }
+    });
+  }
+
   const FaceGraph& m_mesh;
-  Iteration_ranks<Face_index_map> m_face_ranks;
-  Iteration_ranks<Vertex_index_map> m_vertex_ranks;
+  Iteration_ranks<Face_index_map, Face_range> m_face_ranks;
+  Iteration_ranks<Vertex_index_map, Vertex_range> m_vertex_ranks;
 };
 
 template <typename FaceGraph, typename Pack>

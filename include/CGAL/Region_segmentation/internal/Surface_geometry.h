@@ -82,7 +82,7 @@ void for_each_polygon(const Mesh_walk<FaceGraph, Pack>& walk, const std::vector<
 /// Newell's formula relative to the first vertex: 1/2 sum (p_i - p_0) x (p_i+1 - p_0).
 inline Vector_3 area_vector(const std::vector<Vector_3>& polygon)
 {
-  Vector_3 twice_area;
+  Vector_3 twice_area{};
   for (std::size_t i = 2; i < polygon.size(); ++i)
     twice_area = twice_area + cross(polygon[i - 1] - polygon[0], polygon[i] - polygon[0]);
   return 0.5 * twice_area;
@@ -92,7 +92,7 @@ inline Vector_3 area_vector(const std::vector<Vector_3>& polygon)
 /// with its area as seen along the area vector, so that it may be concave.
 inline Vector_3 centroid(const std::vector<Vector_3>& polygon, const Vector_3& area_vector)
 {
-  Vector_3 sum; // relative to the first vertex
+  Vector_3 sum{}; // relative to the first vertex
   for (std::size_t i = 2; i < polygon.size(); ++i) {
     const Vector_3 u = polygon[i - 1] - polygon[0], v = polygon[i] - polygon[0];
     sum = sum + dot(cross(u, v), area_vector) * (u + v);
@@ -126,7 +126,7 @@ double mean_distance_to_centroid(const Mesh_walk<FaceGraph, Pack>& walk,
   std::vector<Weighted_point> centers;
   centers.reserve(walk.number_of_faces());
   double total = 0;
-  Vector_3 sum;
+  Vector_3 sum{};
   for_each_polygon(walk, points, [&](const std::vector<Vector_3>& polygon) {
     const Vector_3 area = area_vector(polygon);
     if (!(dot(area, area) > 0))

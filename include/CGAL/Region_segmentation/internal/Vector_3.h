@@ -10,10 +10,10 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// Three doubles. After a mesh is read, every computation is in double, whatever its kernel.
+/// Three doubles; as such not initialized. After a mesh is read, every computation is in double, whatever its kernel.
 struct Vector_3
 {
-  double x = 0, y = 0, z = 0;
+  double x, y, z;
 };
 
 inline Vector_3 operator-(const Vector_3& a, const Vector_3& b)

@@ -6,6 +6,7 @@
 #include <CGAL/Region_segmentation/Region_adjacency_graph.h>
 #include <CGAL/Region_segmentation/grow_regions.h>
 #include <CGAL/Region_segmentation/internal/Region_labels.h>
+#include <CGAL/Region_segmentation/internal/concept_checks.h>
 
 #include <type_traits>
 
@@ -15,6 +16,29 @@
 namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
+
+/// Calls a maker of regions, with the concurrency tag if it takes one.
+template <typename ConcurrencyTag, typename Initializer>
+Region_labels make_regions(const Initializer& initializer, const Flat_mesh& flat, const Edge_marks& is_feature)
+{
+  check_region_initializer<Initializer>();
+  if constexpr (std::is_invocable<const Initializer&, const Flat_mesh&, const Edge_marks&,
+                                  ConcurrencyTag>::value)
+    return initializer(flat, is_feature, ConcurrencyTag());
+  else
+    return initializer(flat, is_feature);
+}
+
+/// Calls an annotator, with the concurrency tag if it takes one.
+template <typename ConcurrencyTag, typename Annotator, typename Graph>
+void annotate(const Annotator& annotator, Graph& graph, const Flat_mesh& flat, const Region_labels& regions)
+{
+  if constexpr (std::is_invocable<const Annotator&, Graph&, const Flat_mesh&, const Region_labels&,
+                                  ConcurrencyTag>::value)
+    annotator(graph, flat, regions, ConcurrencyTag());
+  else
+    annotator(graph, flat, regions);
+}
 
 /// The annotator of a policy that needs none.
 struct No_annotation

@@ -5,7 +5,8 @@
 
 #include <CGAL/Region_segmentation/Merge_tree.h>
 #include <CGAL/Region_segmentation/internal/companions.h>
-#include <CGAL/Region_segmentation/internal/label_components.h>
+#include <CGAL/Region_segmentation/internal/Lowest_root_forest.h>
+#include <CGAL/Region_segmentation/internal/blocks.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -28,7 +29,7 @@ inline Region_labels split_regions(const Region_labels& regions, std::size_t num
                                                       : a < b;
   });
   std::size_t to_join = order.size() - (std::min)(number_of_segments, order.size());
-  Lowest_root_forest forest(order.size());
+  Lowest_root_forest<> forest(order.size());
   for (Flat_mesh::Index f : order)
     if (to_join > 0 && regions.predecessor[f] != f) {
       forest.unite(f, regions.predecessor[f]);
@@ -39,7 +40,8 @@ inline Region_labels split_regions(const Region_labels& regions, std::size_t num
 
 /// The segments of the faces when a tree is cut at a number; below its leaves the regions are split, if
 /// their maker tells how.
-inline Region_labels cut(const Region_labels& regions, const Merge_tree& tree,
+template <typename ConcurrencyTag>
+Region_labels cut(const Region_labels& regions, const Merge_tree& tree,
                          std::size_t number_of_segments)
 {
   if (number_of_segments > regions.number_of_regions && !regions.predecessor.empty())
@@ -47,9 +49,12 @@ inline Region_labels cut(const Region_labels& regions, const Merge_tree& tree,
   const Merge_tree::Segmentation segments = tree.cut_at_count(number_of_segments);
   Region_labels result;
   result.number_of_regions = segments.number_of_segments;
-  result.of_face.reserve(regions.of_face.size());
-  for (Flat_mesh::Index r : regions.of_face)
-    result.of_face.push_back(segments.of_region[r]);
+  result.of_face.resize(regions.of_face.size());
+  for_each_block<ConcurrencyTag>(
+    result.of_face.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
+      for (std::size_t f = begin; f < end; ++f)
+        result.of_face[f] = segments.of_region[regions.of_face[f]];
+    });
   return result;
 }
 

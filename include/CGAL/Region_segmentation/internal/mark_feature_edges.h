@@ -5,10 +5,14 @@
 
 #include <CGAL/Region_segmentation/Feature_convexity.h>
 #include <CGAL/Region_segmentation/internal/Region_labels.h>
+#include <CGAL/Region_segmentation/internal/blocks.h>
 
 #include <CGAL/number_type_config.h>
 
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
 
 namespace CGAL {
 namespace Region_segmentation {
@@ -16,22 +20,29 @@ namespace internal {
 
 /// Marks the dual edges whose deviation is above `maximum_angle` (degrees) and whose sign is wanted,
 /// and the constrained ones. Only cosines are compared. O(F).
-inline Edge_marks mark_feature_edges(const Flat_mesh& flat, double maximum_angle,
-                                     Feature_convexity convexity)
+template <typename ConcurrencyTag = CGAL::Sequential_tag>
+Edge_marks mark_feature_edges(const Flat_mesh& flat, double maximum_angle, Feature_convexity convexity)
 {
-  const double bound = std::cos(maximum_angle * (CGAL_PI / 180));
-  const bool any_sign = convexity == Feature_convexity::ALL;
-  const std::uint8_t wanted =
-    convexity == Feature_convexity::CONVEX ? Flat_mesh::CONVEX : Flat_mesh::CONCAVE;
+  // Nothing deviates by more than 180 degrees, though a cosine may be rounded to less than -1.
+  const double bound = maximum_angle < 180 ? std::cos(maximum_angle * (CGAL_PI / 180))
+                                           : -std::numeric_limits<double>::infinity();
+  const int any_sign = convexity == Feature_convexity::ALL;
+  const int wanted = convexity == Feature_convexity::CONVEX ? Flat_mesh::CONVEX : Flat_mesh::CONCAVE;
 
   Edge_marks is_feature(flat.number_of_edges());
-  for (std::size_t f = 0; f < flat.number_of_faces(); ++f)
-    for (std::size_t e = flat.first_edge(f); e < flat.first_edge(f + 1); ++e) {
-      const bool is_sharp = (any_sign || flat.has_flag(e, wanted)) &&
-                            !flat.has_flag(e, Flat_mesh::JOINING | Flat_mesh::CLOSED) &&
-                            flat.cosine(f, e) < bound;
-      is_feature[e] = is_sharp || flat.has_flag(e, Flat_mesh::CONSTRAINED);
-    }
+  for_each_block<ConcurrencyTag>(
+    flat.number_of_faces(), [&](std::size_t, std::size_t begin, std::size_t end) {
+      for (std::size_t f = begin; f < end; ++f)
+        for (std::size_t e = flat.first_edge(f); e < flat.first_edge(f + 1); ++e) {
+          // No branch: the sign of an edge cannot be predicted.
+          const int flags = flat.flags(e);
+          const int has_sign = any_sign | ((flags & wanted) != 0);
+          const int has_angle = (flags & (Flat_mesh::JOINING | Flat_mesh::CLOSED)) == 0;
+          const int is_sharp = dot(flat.normal(f), flat.normal(flat.higher_face(e))) < bound;
+          const int is_constrained = (flags & Flat_mesh::CONSTRAINED) != 0;
+          is_feature[e] = std::uint8_t((has_sign & has_angle & is_sharp) | is_constrained);
+        }
+    });
   return is_feature;
 }
 

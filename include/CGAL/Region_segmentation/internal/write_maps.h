@@ -29,7 +29,7 @@ std::size_t write_edge_map(const Mesh_walk<FaceGraph, Pack>& walk, const Flat_me
     put(map, e, Value(is_border));
     count += is_border;
   }
-  walk.for_each_dual_edge(flat, [&](auto h, std::size_t dual_edge) {
+  walk.for_each_dual_edge([&](auto h, std::size_t dual_edge) {
     if (!marks[dual_edge])
       return;
     put(map, edge(h, mesh), Value(true));
@@ -44,7 +44,7 @@ Edge_marks read_edge_map(const Mesh_walk<FaceGraph, Pack>& walk, const Flat_mesh
                          const EdgeMap& map)
 {
   Edge_marks marks(flat.number_of_edges());
-  walk.for_each_dual_edge(flat, [&](auto h, std::size_t dual_edge) {
+  walk.for_each_dual_edge([&](auto h, std::size_t dual_edge) {
     marks[dual_edge] =
       bool(get(map, edge(h, walk.mesh()))) || flat.has_flag(dual_edge, Flat_mesh::CONSTRAINED);
   });
