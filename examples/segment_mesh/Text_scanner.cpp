@@ -12,7 +12,10 @@ namespace segment_mesh {
 
 namespace {
 
-constexpr const char* blanks = " \t\r\v\f";
+bool is_blank(char c)
+{
+  return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
+}
 
 } // namespace
 
@@ -41,7 +44,10 @@ bool Text_scanner::next_line()
 
 bool Text_scanner::has_word()
 {
-  m_line.remove_prefix((std::min)(m_line.find_first_not_of(blanks), m_line.size()));
+  std::size_t start = 0;
+  while (start < m_line.size() && is_blank(m_line[start]))
+    ++start;
+  m_line.remove_prefix(start);
   return !m_line.empty();
 }
 
@@ -49,8 +55,11 @@ std::string_view Text_scanner::word()
 {
   if (!has_word())
     return {};
-  const std::string_view result = m_line.substr(0, m_line.find_first_of(blanks));
-  m_line.remove_prefix(result.size());
+  std::size_t end = 1;
+  while (end < m_line.size() && !is_blank(m_line[end]))
+    ++end;
+  const std::string_view result = m_line.substr(0, end);
+  m_line.remove_prefix(end);
   return result;
 }
 
@@ -66,6 +75,12 @@ void Text_scanner::fail(const std::string& cause) const
 
 double Text_scanner::finite_number(std::string_view word) const
 {
+  // strtod() takes some words more, with a sign or too close to 0, but has to copy them.
+  double fast_value = 0;
+  const auto [fast_end, error] = std::from_chars(word.data(), word.data() + word.size(), fast_value);
+  if (error == std::errc() && fast_end == word.data() + word.size() && std::isfinite(fast_value))
+    return fast_value;
+
   const std::string text(word);
   char* end = nullptr;
   const double value = std::strtod(text.c_str(), &end);

@@ -3,6 +3,7 @@
 #include "Face_matching.h"
 #include "Text_scanner.h"
 #include "errors.h"
+#include "is_oriented_manifold.h"
 #include "read_mesh.h"
 #include "repair_soup.h"
 

@@ -45,6 +45,7 @@ bool read_by_cgal(std::istream& in, Mesh_format format, Polygon_soup& soup)
 {
   std::vector<Kernel::Point_3> points;
   const bool is_read = read_by_cgal(in, format, points, soup.polygons);
+  soup.points.reserve(points.size());
   for (const Kernel::Point_3& p : points)
     soup.points.push_back({p.x(), p.y(), p.z()});
   return is_read;

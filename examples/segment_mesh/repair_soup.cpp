@@ -4,7 +4,6 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
-#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
 
 namespace segment_mesh {
@@ -46,11 +45,6 @@ Repair repair_soup(Polygon_soup& soup)
   for (const Point_3& p : points)
     soup.points.push_back({p.x(), p.y(), p.z()});
   return {count_turned_faces(points, before, soup.polygons), points.size() - number_of_points};
-}
-
-bool is_oriented_manifold(const Polygon_soup& soup)
-{
-  return PMP::is_polygon_soup_a_polygon_mesh(soup.polygons);
 }
 
 } // namespace segment_mesh

@@ -20,9 +20,6 @@ struct Repair
 /// have the coordinates that they had; there may be no face left.
 Repair repair_soup(Polygon_soup& soup);
 
-/// Whether the faces form an oriented 2-manifold.
-bool is_oriented_manifold(const Polygon_soup& soup);
-
 } // namespace segment_mesh
 
 #endif // CGAL_REGION_SEGMENTATION_SEGMENT_MESH_REPAIR_SOUP_H

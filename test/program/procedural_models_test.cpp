@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "is_oriented_manifold.h"
 #include "procedural_models.h"
-
-#include "repair_soup.h"
 
 #include <gtest/gtest.h>
 
