@@ -77,7 +77,8 @@ double Text_scanner::finite_number(std::string_view word) const
 {
   // strtod() takes some words more, with a sign or too close to 0, but has to copy them.
   double fast_value = 0;
-  const auto [fast_end, error] = std::from_chars(word.data(), word.data() + word.size(), fast_value);
+  const auto [fast_end, error] =
+    std::from_chars(word.data(), word.data() + word.size(), fast_value);
   if (error == std::errc() && fast_end == word.data() + word.size() && std::isfinite(fast_value))
     return fast_value;
 

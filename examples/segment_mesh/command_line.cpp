@@ -8,8 +8,11 @@
 
 #include <CLI/CLI.hpp>
 
+#include <charconv>
 #include <iostream>
+#include <limits>
 #include <map>
+#include <system_error>
 
 namespace segment_mesh {
 
@@ -40,12 +43,16 @@ const std::map<std::string, Mesh_type> mesh_types = {{"surface_mesh", Mesh_type:
                                                      {"polyhedron", Mesh_type::POLYHEDRON},
                                                      {"openmesh", Mesh_type::OPENMESH}};
 
+/// More would be a slip of the hand.
+constexpr std::size_t most_threads = 1024;
+
 /// The options as CLI11 fills them.
 struct Raw_options
 {
   Options options;
-  long long number_of_segments = 0;
   double maximum_angle = 0;
+  std::string number_of_segments,
+    number_of_threads = "0"; // words: CLI11 takes too large ones as it can
   std::string method = "best", features = "concave", mesh_type = "surface_mesh";
   bool is_quiet = false;
 };
@@ -101,20 +108,42 @@ void add_options(CLI::App& app, Raw_options& raw)
 {
   add_file_options(app, raw);
   add_run_options(app, raw);
+  app.add_option("--threads", raw.number_of_threads)
+    ->description(
+      "Most threads, and most meshes of a batch in memory at a time; default 0: one for "
+      "each core. A mesh also waits while it and those in work, at 32 times the size of "
+      "their files, would take more than half of the machine's memory")
+    ->type_name("N");
   app.add_flag("--quiet", raw.is_quiet, "No progress and remarks on stderr");
   app.set_help_flag("--help", "Print this and exit");
   app.set_version_flag("--version", "segment_mesh " CGAL_REGION_SEGMENTATION_VERSION,
                        "Print the version and exit");
 }
 
+struct Range
+{
+  std::size_t least, greatest;
+};
+
+/// \throws Usage_error unless `word` is a whole number within the range
+std::size_t whole_number(const std::string& option, const std::string& word, const Range& range)
+{
+  std::size_t value = 0;
+  const char* const end = word.data() + word.size();
+  const auto [rest, error] = std::from_chars(word.data(), end, value);
+  if (error != std::errc() || rest != end || value < range.least || value > range.greatest)
+    throw Usage_error(option + " " + word + ": not a whole number from " +
+                      std::to_string(range.least) + " to " + std::to_string(range.greatest));
+  return value;
+}
+
 Options checked(const CLI::App& app, const Raw_options& raw)
 {
   Options options = raw.options;
-  if (app.count("--segments") > 0) {
-    if (raw.number_of_segments < 1)
-      throw Usage_error("-k: at least 1 segment");
-    options.settings.number_of_segments = std::size_t(raw.number_of_segments);
-  }
+  if (app.count("--segments") > 0)
+    options.settings.number_of_segments =
+      whole_number("-k", raw.number_of_segments, {1, (std::numeric_limits<std::size_t>::max)()});
+  options.number_of_threads = whole_number("--threads", raw.number_of_threads, {0, most_threads});
   if (app.count("--max-angle") > 0) {
     if (!(raw.maximum_angle >= 0 && raw.maximum_angle <= 180))
       throw Usage_error("--max-angle: an angle from 0 to 180 degrees");

@@ -5,6 +5,7 @@
 
 #include "Segmentation_settings.h"
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,6 +21,7 @@ struct Options
   std::vector<std::string> outputs;
   std::vector<std::string> truths;
   Segmentation_settings settings; ///< all but `detail`
+  std::size_t number_of_threads = 0; ///< 0: one for each core
   Verbosity verbosity = Verbosity::NORMAL;
 };
 

@@ -6,6 +6,7 @@
 #include "output_format.h"
 
 #include <filesystem>
+#include <regex>
 #include <set>
 #include <system_error>
 
@@ -25,6 +26,17 @@ std::vector<std::string> with_stem(std::vector<std::string> files, const std::st
          at = file.find(to_replace, at + stem.size()))
       file.replace(at, to_replace.size(), stem);
   return files;
+}
+
+/// \throws Usage_error for a `{name}` that stands for nothing
+void check_names(const std::vector<std::string>& files, const char* option)
+{
+  const std::regex name("\\{[^{}]*\\}");
+  for (const std::string& file : files)
+    for (std::sregex_iterator found(file.begin(), file.end(), name), end; found != end; ++found)
+      if (found->str() != placeholder)
+        throw Usage_error(std::string(option) + " " + file + ": unknown " + found->str() +
+                          "; there is " + placeholder + " alone");
 }
 
 void check_placeholders(const std::vector<std::string>& files, const char* option)
@@ -65,6 +77,8 @@ std::vector<Job> plan_jobs(const Options& options, const std::string& default_mo
 {
   for (const std::string& output : options.outputs)
     output_format(output);
+  check_names(options.outputs, "-o");
+  check_names(options.truths, "--truth");
   const Segmentation_settings& settings = options.settings;
   if (!options.inputs.empty() && !settings.number_of_segments &&
       settings.method == Method::TWO_STEP)

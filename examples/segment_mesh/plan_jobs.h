@@ -23,7 +23,7 @@ struct Job
 /// in the names of outputs and truths becomes the name of the input without folder and ending.
 /// \throws Usage_error for an unknown ending of an output, a number of segments that is neither
 ///         given nor can be chosen, two outputs in one file, an output in the place of an input,
-///         and a batch without `{stem}`
+///         a batch without `{stem}`, and any other `{name}`
 std::vector<Job> plan_jobs(const Options& options, const std::string& default_model);
 
 } // namespace segment_mesh

@@ -131,17 +131,13 @@ void write_obj(std::ostream& out, const Result& result)
     write_point(text, p);
   }
   const std::vector<std::size_t> labels = labels_of_faces(result.input, result.segmentation);
-  std::vector<std::vector<std::size_t>> faces_of_segment(result.segmentation.number_of_segments);
-  for (std::size_t f = 0; f < labels.size(); ++f)
-    faces_of_segment[labels[f]].push_back(f);
-  for (std::size_t segment = 0; segment < faces_of_segment.size(); ++segment) {
-    text << "g segment_" << segment << "\n";
-    for (std::size_t f : faces_of_segment[segment]) {
-      text << "f";
-      for (std::size_t i : soup.polygons[f])
-        text << " " << i + 1;
-      text << "\n";
-    }
+  for (std::size_t f = 0; f < labels.size(); ++f) {
+    if (f == 0 || labels[f] != labels[f - 1])
+      text << "g segment_" << labels[f] << "\n";
+    text << "f";
+    for (std::size_t i : soup.polygons[f])
+      text << " " << i + 1;
+    text << "\n";
   }
   text << "g feature_lines\n";
   for (const std::vector<std::size_t>& line : result.segmentation.feature_lines) {

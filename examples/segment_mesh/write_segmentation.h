@@ -41,7 +41,8 @@ void write_seg(std::ostream& out, const Result& result);
 void write_ply(std::ostream& out, const Result& result);
 /// Colored faces: red, green and blue from 0 to 255 after the indices.
 void write_off(std::ostream& out, const Result& result);
-/// A group `segment_I` for each segment, and a group `feature_lines` of `l` elements.
+/// A group `segment_I` for each segment, entered again wherever the order of the faces comes back to
+/// it, and a group `feature_lines` of `l` elements.
 void write_obj(std::ostream& out, const Result& result);
 /// See write_json.cpp.
 void write_json(std::ostream& out, const Result& result);

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_SEGMENT_MESH_RUN_BATCH_H
+#define CGAL_REGION_SEGMENTATION_SEGMENT_MESH_RUN_BATCH_H
+
+#include "plan_jobs.h"
+#include "run_job.h"
+
+#include <vector>
+
+namespace segment_mesh {
+
+/// Runs the jobs by the threads of this arena, a mesh a thread, and prints their lines in the order
+/// of the jobs, each as soon as those before it are printed.
+///
+/// The memory: as many meshes as threads at most, and no mesh is begun while the estimates for those
+/// in work and for itself add up to more than half of the memory of the machine, unless it is alone.
+/// The estimate is 32 times the size of the file: what a binary PLY of triangles takes, the densest
+/// format, with something to spare.
+/// \returns the worst status
+Exit_status run_batch(const std::vector<Job>& jobs, const Options& options);
+
+} // namespace segment_mesh
+
+#endif // CGAL_REGION_SEGMENTATION_SEGMENT_MESH_RUN_BATCH_H
