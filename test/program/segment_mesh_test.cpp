@@ -2,53 +2,10 @@
 
 // The program as its users meet it: what it prints, writes and returns.
 
-#include "Temporary_folder.h"
+#include "Program.h"
 #include "sample_files.h"
 
-#include <gtest/gtest.h>
-
-#include <cstdlib>
-#include <regex>
-
-#include <sys/wait.h>
-
 namespace {
-
-/// One call of the program in a folder of its own.
-class Program : public testing::Test
-{
-protected:
-  struct Outcome
-  {
-    int status;
-    std::string out, err;
-  };
-
-  Outcome run(const std::string& arguments, const std::string& before = "") const
-  {
-    const std::string command = "cd '" + folder.path("") + "' && " + before +
-                                " '" SEGMENT_MESH "' " + arguments + " > out 2> err";
-    const int status = std::system(command.c_str());
-    const Outcome outcome = {WEXITSTATUS(status), folder.read("out"), folder.read("err")};
-    std::filesystem::remove(folder.path("out"));
-    std::filesystem::remove(folder.path("err"));
-    return outcome;
-  }
-
-  void expect_wrong_usage(const std::string& arguments, const std::string& message) const
-  {
-    const std::vector<std::string> before = folder.names();
-    const Outcome outcome = run(arguments);
-    EXPECT_EQ(outcome.status, 2) << arguments;
-    EXPECT_EQ(outcome.out, "") << arguments;
-    EXPECT_EQ(outcome.err, "segment_mesh: " + message + " (see segment_mesh --help)\n")
-      << arguments;
-    EXPECT_EQ(folder.names(), before) << arguments;
-  }
-
-  using Names = std::vector<std::string>;
-  Temporary_folder folder;
-};
 
 const std::string time_at_end = ", [0-9]+\\.[0-9]{3} s\n";
 
@@ -109,6 +66,15 @@ TEST_F(Program, chooses_the_number_of_segments)
             std::string::npos);
 }
 
+TEST_F(Program, takes_the_largest_number_of_segments)
+{
+  folder.write("a.off", sample::off());
+  const std::string number = std::to_string(std::size_t(-1));
+  const Outcome outcome = run("a.off -k " + number);
+  EXPECT_EQ(without_times(outcome.out),
+            "a.off: 4 faces, 4 regions, 4 segments of " + number + " (the mesh has 4 faces)\n");
+}
+
 TEST_F(Program, runs_both_methods)
 {
   const Outcome best = run("--method best"), two_step = run("--method two-step"),
@@ -126,7 +92,8 @@ TEST_F(Program, writes_every_format)
   const Outcome outcome = run("a.off -k 4 --method two-step --features all --max-angle 20 -o a.seg "
                               "-o b.ply -o b.off -o b.obj -o b.json -o b.png");
   EXPECT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_EQ(folder.names(), (Names{"a.off", "a.seg", "b.json", "b.obj", "b.off", "b.ply", "b.png"}));
+  EXPECT_EQ(folder.names(),
+            (Names{"a.off", "a.seg", "b.json", "b.obj", "b.off", "b.ply", "b.png"}));
   EXPECT_EQ(folder.read("a.seg"), "0\n1\n2\n3\n");
 }
 
@@ -195,27 +162,71 @@ TEST_F(Program, compares_with_truths)
 TEST_F(Program, leaves_nothing_half_written)
 {
   folder.write("a.off", sample::off());
-  Outcome outcome = run("a.off -k 1 -o none/a.seg -o a.seg");
-  EXPECT_EQ(outcome.status, 1);
-  EXPECT_EQ(outcome.err, "none/a.seg: cannot be opened: No such file or directory\n");
-  EXPECT_EQ(folder.names(), (Names{"a.off", "a.seg"}));
-
   folder.write("figure.ply", "old");
-  outcome = run("-o figure.ply", "ulimit -f 8 &&");
+  const Outcome outcome = run("-o figure.ply", "ulimit -f 8 &&");
   EXPECT_EQ(outcome.status, 1);
   EXPECT_EQ(outcome.err, "figure.ply: cannot be written: File too large\n");
   EXPECT_EQ(folder.read("figure.ply"), "old");
-  EXPECT_EQ(folder.names(), (Names{"a.off", "a.seg", "figure.ply"}));
+  EXPECT_EQ(folder.names(), (Names{"a.off", "figure.ply"}));
+}
+
+TEST_F(Program, tells_of_folders_before_the_work)
+{
+  folder.write("a.off", sample::off());
+  folder.write("b.off", sample::off());
+  std::filesystem::create_directory(folder.path("b"));
+  const Outcome outcome = run("none.off a.off b.off -k 1 -o '{stem}.seg' -o '{stem}/c.seg'");
+  EXPECT_EQ(outcome.status, 1);
+  // A file that is not there is found out by the work, so it would come first if that came first.
+  EXPECT_EQ(outcome.err, "none/c.seg: cannot be written: No such file or directory\n"
+                         "a/c.seg: cannot be written: No such file or directory\n");
+  EXPECT_EQ(without_times(outcome.out), "b.off: 4 faces, 4 regions, 1 segment\n");
+  EXPECT_EQ(folder.names(), (Names{"a.off", "b", "b.off", "b.seg"}));
+
+  EXPECT_EQ(run("a.off -k 1 -o a.off/c.seg").err,
+            "a.off/c.seg: cannot be written: Not a directory\n");
+  const Outcome folder_as_output = run("a.off -k 1 -o b/../b.seg/../b");
+  EXPECT_EQ(folder_as_output.status, 2); // without an ending
+  std::filesystem::create_directory(folder.path("d.seg"));
+  const Outcome taken = run("a.off -k 1 -o d.seg");
+  EXPECT_EQ(taken.status, 1);
+  EXPECT_EQ(taken.out, "");
+  EXPECT_EQ(taken.err, "d.seg: is a directory\n");
+}
+
+TEST_F(Program, tells_of_a_folder_where_it_may_not_write)
+{
+  folder.write("a.off", sample::off());
+  std::filesystem::create_directory(folder.path("b"));
+  std::filesystem::permissions(folder.path("b"), std::filesystem::perms::owner_read |
+                                                   std::filesystem::perms::owner_exec);
+  if (std::ofstream(folder.path("b/probe")))
+    GTEST_SKIP() << "whoever runs this may write everywhere";
+  const Outcome outcome = run("a.off -k 1 -o b/a.seg");
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_EQ(outcome.err, "b/a.seg: cannot be written: Permission denied\n");
 }
 
 TEST_F(Program, knows_wrong_usage)
 {
   folder.write("a.off", sample::off());
   folder.write("b.off", sample::off());
-  const std::string endings = ": unknown ending of an output, not .seg, .ply, .off, .obj, .json or .png";
+  const std::string endings =
+    ": unknown ending of an output, not .seg, .ply, .off, .obj, .json or .png";
   expect_wrong_usage("a.off --method two-step",
                      "--method two-step needs the number of segments: -k N");
-  expect_wrong_usage("a.off -k 0", "-k: at least 1 segment");
+  for (const std::string number : {"0", "-1", "many", "2.5", "18446744073709551616"})
+    expect_wrong_usage("a.off -k " + number, "-k " + number + ": not a whole number from 1 to " +
+                                               std::to_string(std::size_t(-1)));
+  for (const std::string number : {"-1", "all", "1025"})
+    expect_wrong_usage("a.off --threads " + number,
+                       "--threads " + number + ": not a whole number from 0 to 1024");
+  expect_wrong_usage("a.off -o '{stm}.seg'", "-o {stm}.seg: unknown {stm}; there is {stem} alone");
+  expect_wrong_usage("a.off -o '{stem}_{}.seg'",
+                     "-o {stem}_{}.seg: unknown {}; there is {stem} alone");
+  expect_wrong_usage("a.off --truth '{name}.seg'",
+                     "--truth {name}.seg: unknown {name}; there is {stem} alone");
   expect_wrong_usage("a.off -k 2 --max-angle 181", "--max-angle: an angle from 0 to 180 degrees");
   expect_wrong_usage("a.off -k 2 --max-angle nan", "--max-angle: an angle from 0 to 180 degrees");
   expect_wrong_usage("a.off -k 2 -o a.xyz", "a.xyz" + endings);
@@ -226,9 +237,8 @@ TEST_F(Program, knows_wrong_usage)
                      "--truth c.seg: with several inputs it holds {stem}");
   expect_wrong_usage("a.off a.off -k 2 -o '{stem}.seg'", "-o a.seg: would be written twice");
   expect_wrong_usage("a.off -k 2 -o a.seg -o ./a.seg", "-o ./a.seg: would be written twice");
-  for (const char* arguments :
-       {"a.off -k", "a.off -k many", "a.off -k -1", "--frobnicate", "--mesh soup",
-        "a.off -k 2 --features some", "a.off -k 2 --method magic"}) {
+  for (const char* arguments : {"a.off -k", "--frobnicate", "--mesh soup",
+                                "a.off -k 2 --features some", "a.off -k 2 --method magic"}) {
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.status, 2) << arguments;
     EXPECT_EQ(outcome.out, "") << arguments;

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "is_oriented_manifold.h"
+
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+using namespace segment_mesh;
+
+namespace {
+
+/// An n x n grid of squares, each whole or as two triangles, rolled up at random.
+Polygon_soup random_grid(std::mt19937& random)
+{
+  const std::size_t n = 2 + random() % 3;
+  const std::size_t columns = random() % 2 ? n : n + 1, rows = random() % 2 ? n : n + 1;
+  const auto point = [=](std::size_t i, std::size_t j) {
+    return i % columns + columns * (j % rows);
+  };
+  Polygon_soup soup;
+  soup.points.resize(columns * rows);
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j) {
+      const std::size_t a = point(i, j), b = point(i + 1, j), c = point(i + 1, j + 1),
+                        d = point(i, j + 1);
+      if (random() % 2)
+        soup.polygons.push_back({a, b, c, d});
+      else
+        soup.polygons.insert(soup.polygons.end(), {{a, b, c}, {a, c, d}});
+    }
+  return soup;
+}
+
+/// Drops a face, turns one, moves one of its corners, doubles it, or merges two points.
+void damage(Polygon_soup& soup, std::mt19937& random)
+{
+  Polygon_soup::Polygon& face = soup.polygons[random() % soup.polygons.size()];
+  const std::size_t p = random() % soup.points.size(), q = random() % soup.points.size();
+  switch (random() % 5) {
+  case 0:
+    if (soup.polygons.size() > 1)
+      std::swap(face, soup.polygons.back()), soup.polygons.pop_back();
+    break;
+  case 1:
+    std::reverse(face.begin(), face.end());
+    break;
+  case 2:
+    face[random() % face.size()] = p;
+    break;
+  case 3:
+    soup.polygons.push_back(Polygon_soup::Polygon(face));
+    break;
+  default:
+    for (Polygon_soup::Polygon& polygon : soup.polygons)
+      std::replace(polygon.begin(), polygon.end(), p, q);
+  }
+}
+
+TEST(Is_oriented_manifold, says_what_cgal_says)
+{
+  const unsigned seed = std::random_device()();
+  std::mt19937 random(seed);
+  std::size_t count[2] = {0, 0};
+  for (int round = 0; round < 4000; ++round) {
+    Polygon_soup soup = random_grid(random);
+    for (std::size_t i = random() % 4; i > 0; --i)
+      damage(soup, random);
+    const bool expected =
+      CGAL::Polygon_mesh_processing::is_polygon_soup_a_polygon_mesh(soup.polygons);
+    ASSERT_EQ(is_oriented_manifold(soup), expected) << "seed " << seed << ", round " << round;
+    ++count[expected];
+  }
+  EXPECT_GT(count[false], 400u) << "seed " << seed;
+  EXPECT_GT(count[true], 400u) << "seed " << seed;
+}
+
+TEST(Is_oriented_manifold, wants_three_corners_and_one_fan_a_point)
+{
+  const auto is_manifold = [](std::size_t points, std::vector<Polygon_soup::Polygon> polygons) {
+    return is_oriented_manifold({std::vector<Point>(points), std::move(polygons)});
+  };
+  EXPECT_FALSE(is_manifold(2, {{0, 1}}));
+  EXPECT_FALSE(is_manifold(1, {{}}));
+  EXPECT_TRUE(is_manifold(6, {{0, 1, 2}, {3, 4, 5}}));
+  EXPECT_FALSE(is_manifold(5, {{0, 1, 2}, {0, 3, 4}}));
+  // A fan and a disc, two discs at one point.
+  EXPECT_FALSE(is_manifold(6, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {0, 4, 5}}));
+  EXPECT_FALSE(is_manifold(7, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {0, 4, 5}, {0, 5, 6}, {0, 6, 4}}));
+}
+
+} // namespace
