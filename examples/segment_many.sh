@@ -10,7 +10,7 @@
 #
 # GNU parallel takes its own options from PARALLEL: "-j 8", "--memfree 4G", or, where the machines share their
 # files, "--sshloginfile FILE --workdir .". As a task of a Slurm array it takes its share of the list and its
-# CPUs; every task gets the whole list, in the same order:
+# CPUs; every task gets the whole list, in the same order. `--threads 4` beside the options gives each mesh four.
 #
 #   sbatch --array=0-15 --cpus-per-task=4 --requeue --wrap \
 #     "sh examples/segment_many.sh parts seg -k 7 < list.txt"
@@ -36,13 +36,13 @@ program=${SEGMENT_MESH:-$root/build/bin/segment_mesh}
   fail "no segment_mesh: sh examples/run.sh builds it"
 command -v parallel >/dev/null || sh "$root/cmake/install_packages.sh" parallel
 
-
 list=$(cat)
 twice=$(printf '%s\n' "$list" | sed 's|.*/||; s|\.[^.]*$||' | sort | uniq -d | head -n 1)
 [ -z "$twice" ] || fail "two meshes would be written to $folder/$twice"
 
 share() {
-  printf '%s\n' "$list" | awk -v n="${SLURM_ARRAY_TASK_COUNT:-1}" -v i="${SLURM_ARRAY_TASK_ID:-0}" 'NF && NR % n == i % n'
+  printf '%s\n' "$list" |
+    awk -v n="${SLURM_ARRAY_TASK_COUNT:-1}" -v i="${SLURM_ARRAY_TASK_ID:-0}" 'NF && NR % n == i % n'
 }
 
 # The meshes of this share that lack an output, or have one that is older than the mesh.

@@ -59,8 +59,8 @@ TEST_F(Program, gets_through_a_batch_that_needs_more_than_the_memory)
 #ifdef __SANITIZE_ADDRESS__
   GTEST_SKIP() << "no limit on the address space with the address sanitizer";
 #endif
-  // By the estimate, 32 times their size, each of two files takes more than half of the limit.
-  const std::string comment = "#" + std::string(24 << 20, 'x') + "\n";
+  // By the estimate, 16 times their size, each of two files takes more than half of the limit.
+  const std::string comment = "#" + std::string(48 << 20, 'x') + "\n";
   for (const char* name : {"a.off", "b.off"})
     folder.write(name, comment + sample::off());
   folder.write("c.off", sample::off());
