@@ -57,9 +57,6 @@ private:
   std::uint64_t m_number_of_shares = 0;
 };
 
-/// The memory of the machine, or what the limit on address space (`ulimit -v`) leaves of it.
-std::uint64_t memory_of_machine();
-
 } // namespace segment_mesh
 
 #endif // CGAL_REGION_SEGMENTATION_SEGMENT_MESH_MEMORY_BUDGET_H

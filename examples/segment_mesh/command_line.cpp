@@ -111,8 +111,8 @@ void add_options(CLI::App& app, Raw_options& raw)
     ->description(
       "Most threads, and most meshes of a batch in memory at a time; default 0: one for each core. "
       "Unless it is alone, a mesh waits while it and those in work would take more than half of "
-      "the "
-      "machine's memory, at 36 times the size of a .ply file and 16 times that of others")
+      "the memory "
+      "there is, at 36 times the size of a .ply file and 16 times that of others")
     ->take_last()
     ->type_name("N");
   app.add_flag("--quiet", raw.is_quiet, "No progress and remarks on stderr");

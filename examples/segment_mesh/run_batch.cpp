@@ -6,6 +6,7 @@
 #include "Progress_bar.h"
 #include "diagnose_input.h"
 #include "errors.h"
+#include "memory_limit.h"
 #include "try_output_folders.h"
 
 #include <tbb/parallel_pipeline.h>
@@ -47,7 +48,7 @@ class Batch
 public:
   Batch(const std::vector<Job>& jobs, const Options& options)
       : m_jobs(jobs), m_options(options), m_obstacles(try_output_folders(jobs)),
-        m_budget(memory_of_machine() / 2)
+        m_budget(memory_limit() / 2)
   {
     if (options.verbosity == Verbosity::NORMAL && is_terminal())
       m_bar.emplace();

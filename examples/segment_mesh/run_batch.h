@@ -14,7 +14,7 @@ namespace segment_mesh {
 /// of the jobs, each as soon as those before it are printed.
 ///
 /// The memory: as many meshes as threads at most, and no mesh is begun while the estimates for those
-/// in work and for itself add up to more than half of the memory of the machine, unless it is alone.
+/// in work and for itself add up to more than half of `memory_limit()`, unless it is alone.
 /// The estimate is 36 times the size of a .ply file and 16 times that of others, see run_batch.cpp.
 /// \returns the worst status
 Exit_status run_batch(const std::vector<Job>& jobs, const Options& options);

@@ -2,6 +2,9 @@
 
 #include "Memory_budget.h"
 
+#include "Temporary_folder.h"
+#include "memory_limit.h"
+
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -45,9 +48,35 @@ TEST(Memory_budget, is_kept_but_by_who_is_alone)
   EXPECT_GT(too_large, 0u) << "seed " << seed;
 }
 
-TEST(Memory_budget, knows_the_machine)
+TEST(Memory_limit, is_that_of_a_machine)
 {
-  EXPECT_GT(memory_of_machine(), std::uint64_t(1) << 26);
+  EXPECT_GT(memory_limit(), std::uint64_t(1) << 26);
+  EXPECT_LT(memory_limit(), std::uint64_t(1) << 60);
+}
+
+TEST(Memory_limit, is_the_least_of_the_control_groups)
+{
+  const Temporary_folder folder;
+  std::filesystem::create_directories(folder.path("a/b"));
+  std::filesystem::create_directories(folder.path("memory/c"));
+  const auto limit = [&folder](const std::string& groups) {
+    return control_group_memory_limit(folder.write("groups", groups), folder.path(""));
+  };
+  const std::uint64_t none = std::uint64_t(-1);
+  EXPECT_EQ(control_group_memory_limit(folder.path("no file"), folder.path("")), none);
+  EXPECT_EQ(limit("0::/a/b\n"), none);
+  folder.write("a/b/memory.max", "max\n");
+  EXPECT_EQ(limit("0::/a/b\n"), none);
+  folder.write("a/memory.max", "5000\n");
+  EXPECT_EQ(limit("0::/a/b\n"), 5000u);
+  EXPECT_EQ(limit("0::/\n"), none);
+  folder.write("memory.max", "4000\n");
+  EXPECT_EQ(limit("0::/unknown/here\n"), 4000u);
+
+  folder.write("memory/c/memory.limit_in_bytes", "3000\n");
+  EXPECT_EQ(limit("5:cpu,cpuacct:/a\n4:memory:/c\n"), 3000u);
+  EXPECT_EQ(limit("5:cpu,cpuacct:/a\n4:freezer,memory:/c/d\n0::/a/b\n"), 3000u);
+  EXPECT_EQ(limit("4:memory\nnonsense\n"), none);
 }
 
 } // namespace
