@@ -7,6 +7,9 @@
 #include <limits>
 #include <string>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 #if defined(__unix__) || defined(__APPLE__)
 #include <sys/resource.h>
 #include <unistd.h>
@@ -60,6 +63,13 @@ std::uint64_t control_group_memory_limit(const fs::path& groups, const fs::path&
       least = (std::min)(least, least_limit(root / "memory", group, "memory.limit_in_bytes"));
   }
   return least;
+}
+
+void return_freed_memory()
+{
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
 }
 
 std::uint64_t memory_limit()

@@ -12,6 +12,10 @@ namespace segment_mesh {
 /// space (`ulimit -v`) or that of a control group (of a container, or of a job of a cluster) is less.
 std::uint64_t memory_limit();
 
+/// Gives freed memory back to the machine. glibc keeps it for the thread that had it; another thread
+/// would come to hold as much again.
+void return_freed_memory();
+
 /// The least limit of the control groups that a process is in; the largest number if there is none.
 /// \param groups the file that names them, `/proc/self/cgroup`
 /// \param root the folder of all control groups, `/sys/fs/cgroup`; both versions are known

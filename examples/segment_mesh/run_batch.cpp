@@ -43,6 +43,9 @@ std::uint64_t estimated_memory(const Job& job)
   return error ? 0 : (is_ply(job.input) ? 36 : 16) * std::uint64_t(size);
 }
 
+/// Bytes. To walk the heaps after each small mesh would not pay.
+constexpr std::uint64_t worth_returning = std::uint64_t(1) << 26;
+
 class Batch
 {
 public:
@@ -90,7 +93,8 @@ private:
     if (!m_obstacles[i].empty())
       return {};
     Job_report report;
-    const Memory_budget::Share share(m_budget, estimated_memory(m_jobs[i]));
+    const std::uint64_t memory = estimated_memory(m_jobs[i]);
+    const Memory_budget::Share share(m_budget, memory);
     // A thread that waits inside of a mesh must not begin another one.
     tbb::this_task_arena::isolate([&] {
       report = run_job(m_jobs[i], m_options, [this](const char* stage, double fraction) {
@@ -98,6 +102,8 @@ private:
         return true;
       });
     });
+    if (memory > worth_returning)
+      return_freed_memory();
     ++m_number_of_done;
     return report;
   }
