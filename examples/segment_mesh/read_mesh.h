@@ -6,6 +6,7 @@
 #include "Polygon_soup.h"
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,11 +15,14 @@ namespace segment_mesh {
 /// A mesh as its file has it, and as the segmentation takes it.
 struct Input_mesh
 {
-  Polygon_soup soup;      ///< faces in the order of the file: what labels and outputs refer to
-  Polygon_soup mesh_soup; ///< an oriented 2-manifold, without points that no face uses
-  std::vector<std::size_t> mesh_face_of_face;   ///< for each face of `soup`, one of `mesh_soup`
-  std::vector<std::size_t> point_of_mesh_point; ///< for each of `mesh_soup`, its place in `soup`
+  Polygon_soup soup; ///< faces in the order of the file: what labels and outputs refer to
+  std::optional<Polygon_soup> other_soup;       ///< what is segmented, if it is not `soup`
+  std::vector<std::size_t> mesh_face_of_face;   ///< for each face of `soup`, one of `mesh_soup()`
+  std::vector<std::size_t> point_of_mesh_point; ///< for each of `mesh_soup()`, its place in `soup`
   std::vector<std::string> remarks;             ///< what the user should know, a line each
+
+  /// What is segmented: an oriented 2-manifold, without points that no face uses.
+  const Polygon_soup& mesh_soup() const { return other_soup ? *other_soup : soup; }
 };
 
 /// Reads a .off, .obj, .ply or .stl file by \cgal. A mesh that is not an oriented 2-manifold is

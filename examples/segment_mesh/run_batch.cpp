@@ -32,7 +32,7 @@ bool is_ply(const std::string& file)
   }
 }
 
-/// Bytes. Measured for 1.5 million triangles: up to 34 times the size of a binary PLY file, 16 times
+/// Bytes. Measured for 1.5 million triangles: up to 31 times the size of a binary PLY file, 14 times
 /// that of the others.
 std::uint64_t estimated_memory(const Job& job)
 {

@@ -49,7 +49,7 @@ Segmentation segment(const Job& job, const Case& input, const Segmentation_setti
                      const Progress_listener& listener)
 {
   try {
-    return run_segmentation(input.mesh.mesh_soup, settings, listener);
+    return run_segmentation(input.mesh.mesh_soup(), settings, listener);
   } catch (const CGAL::Region_segmentation::Invalid_input& error) {
     throw Input_error(job.input, error.what());
   }

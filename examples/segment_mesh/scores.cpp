@@ -84,7 +84,7 @@ std::string line(const std::string& name, const Scores& scores)
 std::vector<std::int64_t> labels_of_mesh_faces(const Input_mesh& input,
                                                const std::vector<std::int64_t>& labels)
 {
-  std::vector<std::int64_t> result(input.mesh_soup.polygons.size());
+  std::vector<std::int64_t> result(input.mesh_soup().polygons.size());
   for (std::size_t f = labels.size(); f-- > 0;)
     result[input.mesh_face_of_face[f]] = labels[f];
   return result;
@@ -115,8 +115,8 @@ std::string describe_scores(const Input_mesh& input,
   if (truths.empty())
     return {};
   Mesh mesh;
-  CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(input.mesh_soup.points,
-                                                              input.mesh_soup.polygons, mesh);
+  CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(input.mesh_soup().points,
+                                                              input.mesh_soup().polygons, mesh);
   std::string text;
   std::vector<Scores> all;
   for (const Truth& truth : truths) {

@@ -25,7 +25,7 @@ Truth read_truth(const std::string& file, std::size_t number_of_faces);
 
 /// The four measures against each truth, a line each, and a line of means if there are several;
 /// each line ends with a newline. They are taken on the faces of the mesh that was segmented.
-/// \param segment_of_face one for each face of `input.mesh_soup`
+/// \param segment_of_face one for each face of `input.mesh_soup()`
 std::string describe_scores(const Input_mesh& input,
                             const std::vector<std::size_t>& segment_of_face,
                             const std::vector<Truth>& truths);

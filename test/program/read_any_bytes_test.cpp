@@ -48,7 +48,7 @@ void expect_read_or_refused(const std::string& file)
     ASSERT_FALSE(input.soup.polygons.empty());
     ASSERT_EQ(input.mesh_face_of_face.size(), input.soup.polygons.size());
     for (std::size_t f : input.mesh_face_of_face)
-      ASSERT_LT(f, input.mesh_soup.polygons.size());
+      ASSERT_LT(f, input.mesh_soup().polygons.size());
     for (std::size_t p : input.point_of_mesh_point)
       ASSERT_LT(p, input.soup.points.size());
   } catch (const Input_error& error) {

@@ -59,7 +59,7 @@ TEST(Reading_time, is_near_that_of_cgal)
   const Input_mesh square = bumpy_square(200);
   Segmentation one_segment;
   one_segment.number_of_segments = 1;
-  one_segment.segment_of_face.resize(square.mesh_soup.polygons.size());
+  one_segment.segment_of_face.resize(square.mesh_soup().polygons.size());
   for (const char* name : {"a.off", "a.ply"}) {
     const std::string file = folder.path(name);
     write_segmentation(file, {"square", square, {}, one_segment});
@@ -70,7 +70,7 @@ TEST(Reading_time, is_near_that_of_cgal)
     });
     const double ours = time_of([&] {
       const Input_mesh input = read_mesh(file);
-      ASSERT_EQ(input.mesh_soup.polygons.size(), square.soup.polygons.size());
+      ASSERT_EQ(input.mesh_soup().polygons.size(), square.soup.polygons.size());
     });
     std::cout << name << ": " << ours / cgal << " times as long as CGAL's reader\n";
     // It was 2 to 3 when all edges were sorted to see whether the mesh is a manifold.

@@ -23,15 +23,15 @@ TEST(Repair, leaves_an_oriented_manifold_alone)
 {
   const Polygons polygons = {{0, 1, 2, 3}, {1, 4, 5, 2}};
   const Input_mesh input = make_input_mesh("x", {ladder, polygons});
-  EXPECT_EQ(input.mesh_soup.polygons, polygons);
-  EXPECT_EQ(input.mesh_soup.points, ladder);
+  EXPECT_EQ(input.mesh_soup().polygons, polygons);
+  EXPECT_EQ(input.mesh_soup().points, ladder);
   EXPECT_TRUE(input.remarks.empty());
 }
 
 TEST(Repair, leaves_out_unused_points_without_a_word)
 {
   const Input_mesh input = make_input_mesh("x", {ladder, {{1, 4, 5, 2}}});
-  EXPECT_EQ(input.mesh_soup.polygons, (Polygons{{0, 2, 3, 1}}));
+  EXPECT_EQ(input.mesh_soup().polygons, (Polygons{{0, 2, 3, 1}}));
   EXPECT_EQ(input.point_of_mesh_point, (Indices{1, 2, 4, 5}));
   EXPECT_EQ(input.soup.points, ladder);
   EXPECT_TRUE(input.remarks.empty());
@@ -40,7 +40,7 @@ TEST(Repair, leaves_out_unused_points_without_a_word)
 TEST(Repair, turns_faces)
 {
   const Input_mesh input = make_input_mesh("x", {ladder, {{0, 1, 2, 3}, {1, 2, 5, 4}}});
-  EXPECT_TRUE(is_oriented_manifold(input.mesh_soup));
+  EXPECT_TRUE(is_oriented_manifold(input.mesh_soup()));
   EXPECT_EQ(input.mesh_face_of_face, (Indices{0, 1}));
   EXPECT_EQ(
     input.remarks,
@@ -53,19 +53,19 @@ TEST(Repair, splits_an_edge_of_three_faces)
   std::vector<Point> points = ladder;
   points.push_back({1, 0, 1});
   const Input_mesh input = make_input_mesh("x", {points, {{0, 1, 2, 3}, {1, 4, 5, 2}, {1, 2, 6}}});
-  EXPECT_TRUE(is_oriented_manifold(input.mesh_soup));
-  EXPECT_EQ(input.mesh_soup.polygons.size(), 3u);
-  EXPECT_GT(input.mesh_soup.points.size(), points.size());
+  EXPECT_TRUE(is_oriented_manifold(input.mesh_soup()));
+  EXPECT_EQ(input.mesh_soup().polygons.size(), 3u);
+  EXPECT_GT(input.mesh_soup().points.size(), points.size());
   EXPECT_EQ(input.mesh_face_of_face, (Indices{0, 1, 2}));
-  for (std::size_t i = 0; i < input.mesh_soup.points.size(); ++i)
-    EXPECT_EQ(input.mesh_soup.points[i], points[input.point_of_mesh_point[i]]);
+  for (std::size_t i = 0; i < input.mesh_soup().points.size(); ++i)
+    EXPECT_EQ(input.mesh_soup().points[i], points[input.point_of_mesh_point[i]]);
 }
 
 TEST(Repair, gives_a_second_copy_of_a_face_the_label_of_the_first)
 {
   const Input_mesh input =
     make_input_mesh("x", {ladder, {{0, 1, 2, 3}, {1, 4, 5, 2}, {2, 3, 0, 1}}});
-  EXPECT_EQ(input.mesh_soup.polygons.size(), 2u);
+  EXPECT_EQ(input.mesh_soup().polygons.size(), 2u);
   EXPECT_EQ(input.mesh_face_of_face[2], input.mesh_face_of_face[0]);
   EXPECT_NE(input.mesh_face_of_face[1], input.mesh_face_of_face[0]);
   EXPECT_EQ(
@@ -82,7 +82,7 @@ TEST(Repair, gives_a_dropped_face_the_label_of_a_neighbor)
                              {5, 5, 5},  // shares a vertex with the second
                              {6, 6, 6}}; // shares nothing
   const Input_mesh input = make_input_mesh("x", {points, polygons});
-  ASSERT_EQ(input.mesh_soup.polygons.size(), 2u);
+  ASSERT_EQ(input.mesh_soup().polygons.size(), 2u);
   const Indices& face = input.mesh_face_of_face;
   EXPECT_NE(face[0], face[1]);
   EXPECT_EQ(face[2], face[0]);
@@ -95,7 +95,7 @@ TEST(Repair, gives_a_dropped_face_the_label_of_a_neighbor)
 TEST(Repair, keeps_a_face_with_a_doubled_corner)
 {
   const Input_mesh input = make_input_mesh("x", {ladder, {{0, 1, 1, 2}, {0, 2, 3}}});
-  EXPECT_EQ(input.mesh_soup.polygons.size(), 2u);
+  EXPECT_EQ(input.mesh_soup().polygons.size(), 2u);
   EXPECT_NE(input.mesh_face_of_face[0], input.mesh_face_of_face[1]);
   EXPECT_EQ(
     input.remarks.front().rfind("x: not an oriented 2-manifold, repaired: 0 faces dropped", 0), 0u);

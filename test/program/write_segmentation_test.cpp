@@ -27,7 +27,7 @@ protected:
     s_input = make_input_mesh("figure", procedural_models().front().make().soup);
     s_settings.number_of_segments = 10;
     s_settings.method = Method::TWO_STEP;
-    s_segmentation = run_segmentation(s_input.mesh_soup, s_settings, {});
+    s_segmentation = run_segmentation(s_input.mesh_soup(), s_settings, {});
     s_labels = labels_of_faces(s_input, s_segmentation);
   }
 
@@ -173,7 +173,7 @@ TEST_F(Written, all_mesh_types_give_the_same)
       continue;
     Segmentation_settings settings = s_settings;
     settings.mesh_type = type;
-    const Segmentation other = run_segmentation(s_input.mesh_soup, settings, {});
+    const Segmentation other = run_segmentation(s_input.mesh_soup(), settings, {});
     EXPECT_EQ(other.segment_of_face, s_segmentation.segment_of_face);
     EXPECT_EQ(other.region_of_face, s_segmentation.region_of_face);
     EXPECT_EQ(other.feature_lines.size(), s_segmentation.feature_lines.size());
