@@ -14,7 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <numeric>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -60,74 +60,153 @@ public:
   template <typename Graph>
   void initialize(const Graph& graph, std::size_t /* number_of_segments */)
   {
-    m_items.clear();
-    for (auto range = vertices(graph); range.first != range.second; ++range.first)
-      m_items.push_back(item(graph, *range.first));
-    for (Item& i : m_items)
-      i.weight = weight(i);
+    m_regions.clear();
+    m_slots.resize(graph.index_bound_of_regions());
+    for (auto range = vertices(graph); range.first != range.second; ++range.first) {
+      m_slots[*range.first] = std::uint32_t(m_regions.size());
+      m_regions.push_back(*range.first);
+    }
+    const std::size_t n = m_regions.size();
+    m_areas.resize(n);
+    m_planarities.resize(n);
+    m_compactness.resize(n);
+    m_weights.resize(n);
+    for (std::size_t i = 0; i < n; ++i)
+      set_shape(i, shape(graph, m_regions[i]));
+    for (std::size_t i = 0; i < n; ++i)
+      m_weights[i] = weight(i);
   }
 
   template <typename Graph>
   std::optional<Merge_candidate> next(const Graph& graph)
   {
     while (true) {
-      const auto best = std::min_element(m_items.begin(), m_items.end(), goes_before);
-      if (best == m_items.end() || best->is_settled)
+      const std::size_t best = slot_of_lowest_weight();
+      if (best == m_regions.size() || m_weights[best] == settled)
         return std::nullopt;
-      if (const auto section = m_section_of(graph, best->region)) {
-        const double others = double((std::max)(m_items.size(), std::size_t(2)) - 1);
-        return Merge_candidate{*section, (best->weight - 0.5) / others};
+      if (const auto section = m_section_of(graph, m_regions[best])) {
+        const double others = double((std::max)(m_regions.size(), std::size_t(2)) - 1);
+        return Merge_candidate{*section, (m_weights[best] - 0.5) / others};
       }
-      best->is_settled = true; // it never gets a section, but goes on to count for the others
+      m_weights[best] = settled; // it never gets a section, but goes on to count for the others
     }
   }
 
   template <typename Graph>
   void on_merge(const Graph& graph, const typename Graph::Merge& merge)
   {
-    const auto kept = find(merge.kept), removed = find(merge.removed);
-    const Item before = *kept, gone = *removed, after = item(graph, merge.kept);
-    *kept = after;
-    m_items.erase(removed);
-    for (Item& i : m_items)
-      i.weight += term(i, after) - term(i, before) - term(i, gone);
-    find(merge.kept)->weight = weight(after);
+    const std::size_t kept = m_slots[merge.kept];
+    const Shape before = shape_in(kept), gone = shape_in(m_slots[merge.removed]);
+    const Shape after = shape(graph, merge.kept);
+    set_shape(kept, after);
+    remove(m_slots[merge.removed]);
+    change_weights(after, before, gone);
+    m_weights[m_slots[merge.kept]] = weight(m_slots[merge.kept]);
   }
 
 private:
-  struct Item
+  static constexpr double settled = std::numeric_limits<double>::infinity();
+
+  /// From here on e^-rho comes near the lowest double, so that its shares must be taken from rho itself.
+  static constexpr double ragged = 650;
+
+  struct Shape
   {
-    std::uint32_t region;
-    bool is_settled;
     double area, planarity;
-    double weight; // the sum over all regions j, itself included as 1/2, of what P_j subtracts from 1
+    double compactness; // e^-planarity
+
+    /// Whether the share of anything with it can be taken from area and compactness.
+    bool is_regular() const { return area > 0 && planarity < ragged; }
   };
 
   template <typename Graph>
-  static Item item(const Graph& graph, std::uint32_t region)
+  static Shape shape(const Graph& graph, std::uint32_t region)
   {
-    return {region, false, graph[region].area, planarity(graph[region]), 0};
+    const double rho = planarity(graph[region]);
+    return {graph[region].area, rho, std::exp(-rho)};
+  }
+
+  Shape shape_in(std::size_t slot) const
+  {
+    return {m_areas[slot], m_planarities[slot], m_compactness[slot]};
+  }
+
+  void set_shape(std::size_t slot, const Shape& shape)
+  {
+    m_areas[slot] = shape.area;
+    m_planarities[slot] = shape.planarity;
+    m_compactness[slot] = shape.compactness;
+  }
+
+  /// Moves the last slot here.
+  void remove(std::size_t slot)
+  {
+    const std::uint32_t moved = m_regions.back();
+    m_slots[moved] = std::uint32_t(slot);
+    const auto move_last = [slot](auto& array) {
+      array[slot] = array.back();
+      array.pop_back();
+    };
+    move_last(m_regions);
+    move_last(m_areas);
+    move_last(m_planarities);
+    move_last(m_compactness);
+    move_last(m_weights);
   }
 
   /// The largest sum of P_j is the smallest sum of what it subtracts.
-  static bool goes_before(const Item& a, const Item& b)
+  std::size_t slot_of_lowest_weight() const
   {
-    if (a.is_settled != b.is_settled)
-      return b.is_settled;
-    return a.weight != b.weight ? a.weight < b.weight : a.region < b.region;
+    std::size_t best = m_regions.size();
+    for (std::size_t i = 0; i < m_regions.size(); ++i)
+      if (best == m_regions.size() || m_weights[i] < m_weights[best] ||
+          (m_weights[i] == m_weights[best] && m_regions[i] < m_regions[best]))
+        best = i;
+    return best;
   }
 
-  double term(const Item& i, const Item& j) const
+  /// What P_j subtracts from 1.
+  double term(const Shape& i, const Shape& j) const
   {
     return m_gamma * softmax(i.planarity, j.planarity) +
            (1 - m_gamma) * internal::share(i.area, j.area);
   }
 
-  double weight(const Item& i) const
+  /// The sum over all regions j, itself included as 1/2.
+  double weight(std::size_t slot) const
   {
-    return std::accumulate(m_items.begin(), m_items.end(), 0.0, [&](double sum, const Item& j) {
-      return sum + term(i, j);
-    });
+    const Shape i = shape_in(slot);
+    double sum = 0;
+    if (i.is_regular())
+      for (std::size_t j = 0; j < m_regions.size(); ++j)
+        sum += m_gamma * (i.compactness / (i.compactness + m_compactness[j])) +
+               (1 - m_gamma) * (i.area / (i.area + m_areas[j]));
+    else
+      for (std::size_t j = 0; j < m_regions.size(); ++j)
+        sum += term(i, shape_in(j));
+    return sum;
+  }
+
+  /// The loop over all regions, once for each merge: without branches, so that it is vectorized.
+  void change_weights(const Shape& after, const Shape& before, const Shape& gone)
+  {
+    if (!after.is_regular() || !before.is_regular() || !gone.is_regular()) {
+      for (std::size_t i = 0; i < m_regions.size(); ++i) {
+        const Shape shape = shape_in(i);
+        m_weights[i] += term(shape, after) - term(shape, before) - term(shape, gone);
+      }
+      return;
+    }
+    const double* areas = m_areas.data();
+    const double* compactness = m_compactness.data();
+    double* weights = m_weights.data();
+    for (std::size_t i = 0, n = m_regions.size(); i < n; ++i) {
+      const double c = compactness[i], a = areas[i];
+      const double by_planarity = c / (c + after.compactness) - c / (c + before.compactness) -
+                                  c / (c + gone.compactness);
+      const double by_area = a / (a + after.area) - a / (a + before.area) - a / (a + gone.area);
+      weights[i] += m_gamma * by_planarity + (1 - m_gamma) * by_area;
+    }
   }
 
   /// e^-a / (e^-a + e^-b) with an exponential that is at most 1, for a and b up to infinity.
@@ -139,15 +218,11 @@ private:
     return a < b ? 1 / (1 + e) : e / (1 + e);
   }
 
-  std::vector<Item>::iterator find(std::uint32_t region)
-  {
-    return std::lower_bound(m_items.begin(), m_items.end(), region,
-                            [](const Item& i, std::uint32_t r) { return i.region < r; });
-  }
-
   Longest_flattest_section m_section_of;
   double m_gamma;
-  std::vector<Item> m_items; // by region
+  std::vector<std::uint32_t> m_slots;   // by region
+  std::vector<std::uint32_t> m_regions; // by slot, and so the rest
+  std::vector<double> m_areas, m_planarities, m_compactness, m_weights;
 };
 
 } // namespace Region_segmentation

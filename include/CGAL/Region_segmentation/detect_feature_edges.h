@@ -50,7 +50,7 @@ std::size_t detect_feature_edges(const FaceGraph& mesh, EdgeIsFeatureMap edge_is
   const Flat_mesh flat = internal::read_flat_mesh<ConcurrencyTag>(walk, pack);
   const Edge_marks is_feature = internal::mark_feature_edges<ConcurrencyTag>(
     flat, internal::maximum_angle(pack), internal::feature_convexity(pack));
-  return internal::write_edge_map(walk, flat, is_feature, edge_is_feature_map);
+  return internal::write_edge_map(walk, is_feature, edge_is_feature_map);
 }
 
 } // namespace Region_segmentation

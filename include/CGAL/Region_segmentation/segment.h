@@ -106,7 +106,7 @@ std::size_t segment(const FaceGraph& mesh, FaceSegmentMap segment_map,
     regions, tree, internal::choose_number<Companions>(tree, wanted, pack));
 
   internal::write_face_map(mesh, segment_map, [&](std::size_t i) { return segments.of_face[i]; });
-  internal::write_segmentation_outputs(walk, flat, regions, is_feature, tree, pack);
+  internal::write_segmentation_outputs(walk, regions, is_feature, tree, pack);
   return segments.number_of_regions;
 }
 

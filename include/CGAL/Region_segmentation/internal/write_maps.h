@@ -18,8 +18,7 @@ namespace internal {
 /// Writes every key of an edge map: the marks of dual edges, true for borders of the mesh, false for
 /// an edge that has the same face on both sides. Returns the number of edges written as true.
 template <typename FaceGraph, typename Pack, typename EdgeMap>
-std::size_t write_edge_map(const Mesh_walk<FaceGraph, Pack>& walk, const Flat_mesh& flat,
-                           const Edge_marks& marks, EdgeMap& map)
+std::size_t write_edge_map(const Mesh_walk<FaceGraph, Pack>& walk, const Edge_marks& marks, EdgeMap& map)
 {
   using Value = typename boost::property_traits<EdgeMap>::value_type;
   const FaceGraph& mesh = walk.mesh();
@@ -63,9 +62,8 @@ void write_face_map(const FaceGraph& mesh, FaceMap& map, Label label)
 
 /// Writes what led to a segmentation to the outputs that a pack asks for.
 template <typename FaceGraph, typename Pack>
-void write_segmentation_outputs(const Mesh_walk<FaceGraph, Pack>& walk, const Flat_mesh& flat,
-                                const Region_labels& regions, const Edge_marks& is_feature,
-                                const Merge_tree& tree, const Pack& np)
+void write_segmentation_outputs(const Mesh_walk<FaceGraph, Pack>& walk, const Region_labels& regions,
+                                const Edge_marks& is_feature, const Merge_tree& tree, const Pack& np)
 {
   using CGAL::parameters::get_parameter;
   using CGAL::parameters::get_parameter_reference;
@@ -76,7 +74,7 @@ void write_segmentation_outputs(const Mesh_walk<FaceGraph, Pack>& walk, const Fl
   }
   if constexpr (!is_default_parameter<Pack, internal_np::edge_is_feature_map_t>::value) {
     auto map = get_parameter(np, internal_np::edge_is_feature_map);
-    write_edge_map(walk, flat, is_feature, map);
+    write_edge_map(walk, is_feature, map);
   }
   if constexpr (!is_default_parameter<Pack, internal_np::merge_tree_t>::value) {
     Merge_tree& output = get_parameter_reference(np, internal_np::merge_tree);
