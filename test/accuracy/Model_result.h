@@ -11,7 +11,7 @@
 
 namespace princeton_benchmark {
 
-/// Seconds of the stages as the paper divides them.
+/// Seconds of CPU time of the stages as the paper divides them.
 struct Stage_seconds
 {
   double features = 0; ///< with reading the mesh into arrays, where the normals are computed
@@ -39,7 +39,15 @@ struct Model_result
   std::size_t number_of_segments = 0, number_of_regions = 0; ///< 0 for the method `people`
   Stage_seconds seconds;
 
-  Measures standard; ///< the mean over all truths
+  /// The mean over all truths of the result with the wanted number, or with the chosen one where the
+  /// method takes none. What is below is of the same result, unless it says otherwise.
+  Measures standard;
+  /// The same of the number that the method chooses; empty if it cannot.
+  std::optional<Measures> automatic;
+  std::size_t automatic_segments = 0;
+  /// The mean over the truths, each against the result with its own number of segments; empty if the
+  /// method takes none.
+  std::optional<Measures> own_number;
   /// Against the first of the truths with the wanted number of segments, and against the nearest
   /// one of them by the Rand index; empty if no truth has this number.
   std::optional<Measures> first, nearest;

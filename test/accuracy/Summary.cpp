@@ -31,6 +31,16 @@ std::optional<Measures> standard_protocol(const Model_result& result)
   return result.standard;
 }
 
+std::optional<Measures> automatic_protocol(const Model_result& result)
+{
+  return result.automatic;
+}
+
+std::optional<Measures> own_number_protocol(const Model_result& result)
+{
+  return result.own_number;
+}
+
 std::optional<Measures> paper_first_protocol(const Model_result& result)
 {
   return result.first;

@@ -17,6 +17,10 @@ using Protocol = std::optional<Measures> (*)(const Model_result&);
 
 /// One result a model against every truth.
 std::optional<Measures> standard_protocol(const Model_result& result);
+/// The same with the number of segments that the method chooses.
+std::optional<Measures> automatic_protocol(const Model_result& result);
+/// Each truth against the result that has as many segments as it.
+std::optional<Measures> own_number_protocol(const Model_result& result);
 /// Against the first truth with the most common number of segments.
 std::optional<Measures> paper_first_protocol(const Model_result& result);
 /// Against the nearest of these.

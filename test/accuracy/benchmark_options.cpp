@@ -41,11 +41,16 @@ std::variant<Benchmark_options, int> parse_command_line(int argc, char** argv)
   app.add_flag("--procedural", is_procedural, "The models that segment_mesh makes (default)")
       ->excludes(data);
   app.add_option("--method", options.method,
-                 "best (default), two-step, or people: each human segmentation against the others")
-      ->check(CLI::IsMember({"best", "two-step", "people"}))
+                 "best (default), two-step, sdf (CGAL's SDF segmentation, which chooses the number of "
+                 "segments), or people: each human segmentation against the others")
+      ->check(CLI::IsMember({"best", "two-step", "sdf", "people"}))
       ->type_name("METHOD");
   app.add_option("--threads", options.number_of_threads, "Models at a time; default: all cores")
       ->check(CLI::Range(1, 1024))
+      ->type_name("N");
+  app.add_option("--runs", options.number_of_runs,
+                 "Runs of each model; the times are CPU times of the fastest. Default: 1")
+      ->check(CLI::Range(1, 1000))
       ->type_name("N");
   app.add_option("--csv", options.csv_file, "A line for each model")->type_name("FILE");
   app.add_option("--report", options.report_file,

@@ -13,7 +13,7 @@ struct Benchmark_options
 {
   std::string data_folder; ///< empty: the procedural models
   std::string method = "best";
-  std::size_t number_of_threads = 1;
+  std::size_t number_of_threads = 1, number_of_runs = 1;
   std::string csv_file, report_file; ///< empty: none
 };
 

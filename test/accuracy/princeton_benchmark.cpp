@@ -28,9 +28,12 @@ Model_scorer make_scorer(const Benchmark_options& options)
 {
   if (options.method == "people")
     return score_people;
-  const Segmenter segmenter = options.method == "best" ? segment_by_best : segment_by_two_step;
-  const Pictures pictures = options.report_file.empty() ? Pictures::NONE : Pictures::NEAREST_TRUTH;
-  return [=](const Model& model) { return score_segmentation(model, segmenter, pictures); };
+  const Method& method = find_method(options.method);
+  const Scoring scoring = {options.report_file.empty() ? Pictures::NONE : Pictures::NEAREST_TRUTH,
+                           options.number_of_runs};
+  return [&method, scoring](const Model& model) {
+    return score_segmentation(model, method, scoring);
+  };
 }
 
 Run run(const Benchmark_options& options)
@@ -48,7 +51,9 @@ Run run(const Benchmark_options& options)
     if (bar)
       bar->show(words.c_str(), double(done) / double(sources.size()));
   };
-  return {options.method, data.has_value(), options.method != "people",
+  const bool is_people = options.method == "people";
+  return {options.method, data.has_value(),
+          is_people ? std::nullopt : std::make_optional(find_method(options.method).numbers),
           run_benchmark(sources, make_scorer(options), options.number_of_threads, show)};
 }
 

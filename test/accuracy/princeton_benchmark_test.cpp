@@ -51,13 +51,17 @@ Model make_model()
   return model;
 }
 
-Timed_segmentation like_the_second_truth(const Benchmark_mesh&, std::size_t number_of_segments)
+/// Like the second truth; of three segments like the first one, of a number of its own like the third.
+Timed_segmentation segment_like_truths(const Benchmark_mesh&, Wanted_number number)
 {
   Timed_segmentation result;
-  result.labels = {0, 0, 0, 1, 1, 1};
-  result.number_of_segments = number_of_segments;
+  result.number_of_segments = number.value_or(2);
+  const std::vector<Truth> truths = make_model().truths;
+  result.labels = truths[!number ? 2 : *number == 3 ? 0 : 1].labels;
   return result;
 }
+
+const Method like_truths{"like truths", segment_like_truths, Numbers::BOTH};
 
 Model_result make_result(const std::string& name, const std::string& category, double rand_index)
 {
@@ -78,7 +82,7 @@ double rand_index(const std::optional<Measures>& measures)
 
 TEST(Score_model, compares_with_all_truths_and_with_those_of_the_wanted_number)
 {
-  const Model_result r = score_segmentation(make_model(), like_the_second_truth, Pictures::NONE);
+  const Model_result r = score_segmentation(make_model(), like_truths);
   EXPECT_NEAR(r.standard[RAND_INDEX], (2. / 15 + 0 + 8. / 15) / 3, 1e-15);
   EXPECT_EQ(rand_index(r.first), 0);
   EXPECT_EQ(rand_index(r.nearest), 0);
@@ -90,7 +94,7 @@ TEST(Score_model, the_first_truth_of_the_wanted_number_need_not_be_the_nearest)
 {
   Model model = make_model();
   std::reverse(model.truths.begin(), model.truths.end());
-  const Model_result r = score_segmentation(model, like_the_second_truth, Pictures::NONE);
+  const Model_result r = score_segmentation(model, like_truths);
   EXPECT_NEAR(rand_index(r.first), 8. / 15, 1e-15);
   EXPECT_EQ(rand_index(r.nearest), 0);
 }
@@ -99,8 +103,26 @@ TEST(Score_model, a_model_without_a_truth_of_the_wanted_number_is_not_in_the_pap
 {
   Model model = make_model();
   model.number_of_segments = 5;
-  EXPECT_FALSE(score_segmentation(model, like_the_second_truth, Pictures::NONE).first);
+  EXPECT_FALSE(score_segmentation(model, like_truths).first);
   EXPECT_FALSE(score_people(model).nearest);
+}
+
+TEST(Score_model, the_chosen_number_and_those_of_the_truths_have_scores_of_their_own)
+{
+  const Model_result both = score_segmentation(make_model(), like_truths);
+  EXPECT_NEAR(rand_index(both.automatic), (6. / 15 + 8. / 15 + 0) / 3, 1e-15);
+  EXPECT_NEAR(rand_index(both.own_number), (0 + 0 + 8. / 15) / 3, 1e-15);
+
+  const Model_result given =
+      score_segmentation(make_model(), {"", segment_like_truths, Numbers::GIVEN});
+  EXPECT_FALSE(given.automatic);
+  EXPECT_EQ(rand_index(given.own_number), rand_index(both.own_number));
+
+  const Model_result chosen =
+      score_segmentation(make_model(), {"", segment_like_truths, Numbers::CHOSEN});
+  EXPECT_FALSE(chosen.own_number);
+  EXPECT_EQ(rand_index(chosen.automatic), rand_index(both.automatic));
+  EXPECT_EQ(chosen.standard[RAND_INDEX], rand_index(both.automatic));
 }
 
 TEST(Score_model, people_are_compared_with_each_other)
@@ -127,7 +149,7 @@ TEST(Run_benchmark, keeps_the_order_and_every_failure)
                          return make_model();
                        }});
   const auto score = [](const Model& model) {
-    return score_segmentation(model, like_the_second_truth, Pictures::NONE);
+    return score_segmentation(model, like_truths);
   };
   for (std::size_t threads : {1, 2, 7, 100}) {
     std::size_t latest = 0;
@@ -162,7 +184,7 @@ TEST(Run_benchmark, reads_the_layout_of_the_benchmark_and_tells_of_a_bad_file)
   const auto results = run_benchmark(
       princeton_sources(data),
       [](const Model& model) {
-        return score_segmentation(model, segment_by_two_step, Pictures::NONE);
+        return score_segmentation(model, find_method("two-step"));
       },
       1, [](std::size_t) {});
   ASSERT_EQ(results.size(), 2u);
@@ -221,7 +243,7 @@ TEST(Write_csv, every_line_has_all_fields)
   std::istringstream lines(out.str());
   std::size_t number_of_lines = 0;
   for (std::string line; std::getline(lines, line); ++number_of_lines)
-    EXPECT_EQ(std::count(line.begin(), line.end(), ','), 39) << line;
+    EXPECT_EQ(std::count(line.begin(), line.end(), ','), 58) << line;
   EXPECT_EQ(number_of_lines, 3u);
   EXPECT_NE(out.str().find("\"a \"\"word\"\" and another\""), std::string::npos);
 }
@@ -229,8 +251,8 @@ TEST(Write_csv, every_line_has_all_fields)
 TEST(Write_report, needs_no_other_file_and_has_the_worst_first)
 {
   const Model_result drawn =
-      score_segmentation(make_model(), like_the_second_truth, Pictures::NEAREST_TRUTH);
-  princeton_benchmark::Run run{"two-step", true, true, {drawn, drawn, drawn}};
+      score_segmentation(make_model(), like_truths, {Pictures::NEAREST_TRUTH});
+  princeton_benchmark::Run run{"two-step", true, Numbers::GIVEN, {drawn, drawn, drawn}};
   run.results[0].name = "good";
   run.results[1].name = "bad";
   run.results[1].standard.values[RAND_INDEX] = 0.9;

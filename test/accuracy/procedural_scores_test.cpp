@@ -38,17 +38,15 @@ constexpr Bound bounds[] = {{"articulated_figure", 0.016, 0.015},
                             {"hand", 0.026, 0.025},
                             {"quadruped", 0.030, 0.030}};
 
-class Method : public testing::TestWithParam<bool>
+class Procedural : public testing::TestWithParam<bool>
 {
 };
 
-TEST_P(Method, is_as_close_to_the_true_parts_as_it_was)
+TEST_P(Procedural, is_as_close_to_the_true_parts_as_it_was)
 {
   const bool is_best = GetParam();
-  const Segmenter segmenter = is_best ? segment_by_best : segment_by_two_step;
-  const auto score = [segmenter](const Model& model) {
-    return score_segmentation(model, segmenter, Pictures::NONE);
-  };
+  const Method& method = find_method(is_best ? "best" : "two-step");
+  const auto score = [&method](const Model& model) { return score_segmentation(model, method); };
   const auto results = run_benchmark(procedural_sources(), score, 2, [](std::size_t) {});
   ASSERT_EQ(results.size(), std::size(bounds));
   for (std::size_t i = 0; i < results.size(); ++i) {
@@ -60,7 +58,7 @@ TEST_P(Method, is_as_close_to_the_true_parts_as_it_was)
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Procedural_scores, Method, testing::Bool(),
+INSTANTIATE_TEST_SUITE_P(Scores, Procedural, testing::Bool(),
                          [](const auto& info) { return info.param ? "best" : "two_step"; });
 
 } // namespace

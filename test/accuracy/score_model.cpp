@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <stdexcept>
 
 namespace princeton_benchmark {
@@ -115,16 +116,82 @@ std::vector<Comparisons> compare_all_pairs(const Model& model)
   return result;
 }
 
-} // namespace
-
-Model_result score_segmentation(const Model& model, Segmenter segmenter, Pictures pictures)
+/// Of several runs the one that took the least time: the labels of all are the same.
+Timed_segmentation run_fastest(const Benchmark_mesh& mesh, const Method& method,
+                               Wanted_number number, std::size_t runs)
 {
-  const Benchmark_mesh mesh = make_mesh(model.soup);
-  const Timed_segmentation segmentation = segmenter(mesh, model.number_of_segments);
+  Timed_segmentation fastest = method.segment(mesh, number);
+  for (std::size_t i = 1; i < runs; ++i) {
+    const Timed_segmentation other = method.segment(mesh, number);
+    if (other.seconds.total() < fastest.seconds.total())
+      fastest.seconds = other.seconds;
+  }
+  return fastest;
+}
 
+Comparisons compare_with_all(const Model& model, const Benchmark_mesh& mesh,
+                             const Timed_segmentation& segmentation)
+{
   Comparisons comparisons(model);
   for (std::size_t i = 0; i < model.truths.size(); ++i)
     comparisons.add(i, compare_labels(mesh, segmentation.labels, model.truths[i].labels));
+  return comparisons;
+}
+
+void add_automatic(const Model& model, const Benchmark_mesh& mesh, const Method& method,
+                   Model_result& result)
+{
+  result.automatic = result.standard;
+  result.automatic_segments = result.number_of_segments;
+  if (!method.takes_number())
+    return;
+  const Timed_segmentation segmentation = method.segment(mesh, std::nullopt);
+  result.automatic = compare_with_all(model, mesh, segmentation).mean();
+  result.automatic_segments = segmentation.number_of_segments;
+}
+
+/// The results of a method by their numbers of segments, each made when it is first asked for.
+class Results_by_number
+{
+public:
+  Results_by_number(const Method& method, const Benchmark_mesh& mesh) : m_method(method), m_mesh(mesh)
+  {
+  }
+
+  void add(std::size_t number, const std::vector<int>& labels) { m_labels.emplace(number, labels); }
+
+  const std::vector<int>& labels(std::size_t number)
+  {
+    const auto found = m_labels.find(number);
+    return found != m_labels.end()
+             ? found->second
+             : m_labels.emplace(number, m_method.segment(m_mesh, number).labels).first->second;
+  }
+
+private:
+  const Method& m_method;
+  const Benchmark_mesh& m_mesh;
+  std::map<std::size_t, std::vector<int>> m_labels;
+};
+
+Measures mean_of_own_numbers(const Model& model, const Benchmark_mesh& mesh,
+                             Results_by_number& results)
+{
+  Mean_measures mean;
+  for (const Truth& truth : model.truths)
+    mean.add(compare_labels(mesh, results.labels(truth.number_of_segments), truth.labels));
+  return mean.mean();
+}
+
+} // namespace
+
+Model_result score_segmentation(const Model& model, const Method& method, const Scoring& scoring)
+{
+  const Benchmark_mesh mesh = make_mesh(model.soup);
+  const Wanted_number wanted = method.takes_number() ? Wanted_number(model.number_of_segments)
+                                                     : std::nullopt;
+  const Timed_segmentation segmentation = run_fastest(mesh, method, wanted, scoring.runs);
+  const Comparisons comparisons = compare_with_all(model, mesh, segmentation);
 
   Model_result result = describe(model);
   result.number_of_segments = segmentation.number_of_segments;
@@ -134,10 +201,17 @@ Model_result score_segmentation(const Model& model, Segmenter segmenter, Picture
   result.first = measures_of(comparisons.first_of_wanted_number());
   result.nearest = measures_of(comparisons.nearest_of_wanted_number());
   result.undefined_cuts = comparisons.undefined_cuts();
+  if (method.chooses_number())
+    add_automatic(model, mesh, method, result);
+  if (method.takes_number()) {
+    Results_by_number results(method, mesh);
+    results.add(model.number_of_segments, segmentation.labels);
+    result.own_number = mean_of_own_numbers(model, mesh, results);
+  }
   const Comparisons::Entry& nearest = comparisons.nearest();
   result.nearest_truth = model.truths[nearest.truth].name;
   result.nearest_distance = nearest.measures[RAND_INDEX];
-  if (pictures == Pictures::NEAREST_TRUTH)
+  if (scoring.pictures == Pictures::NEAREST_TRUTH)
     result.picture =
         draw_comparison(model.soup, segmentation.labels, model.truths[nearest.truth].labels);
   return result;

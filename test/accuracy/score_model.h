@@ -15,9 +15,17 @@ enum class Pictures
   NEAREST_TRUTH
 };
 
-/// Runs a method with the model's number of segments, and compares its result with all truths.
-/// Fills all but the names. \throws std::exception
-Model_result score_segmentation(const Model& model, Segmenter segmenter, Pictures pictures);
+struct Scoring
+{
+  Pictures pictures = Pictures::NONE;
+  std::size_t runs = 1; ///< the times are those of the fastest; at least 1
+};
+
+/// Runs a method with the model's number of segments, with the number that the method chooses, and
+/// with that of each truth, as far as it can, and compares the results with the truths. Fills all but
+/// the names. \throws std::exception
+Model_result score_segmentation(const Model& model, const Method& method,
+                                const Scoring& scoring = {});
 
 /// Compares each truth with all others. The standard protocol's score is the mean over the pairs.
 /// In the paper's protocol each truth is a result, compared with the first, and with the nearest,

@@ -5,7 +5,9 @@
 
 #include "Model_result.h"
 #include "Table.h"
+#include "segment_with.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,7 +18,9 @@ struct Run
 {
   std::string method;
   bool is_princeton = true; ///< else the procedural models, for which nothing is published
-  bool has_segments = true; ///< else the method compares truths alone, as `people`
+  /// Which numbers of segments the method can be asked for; empty where it compares truths alone, as
+  /// `people`.
+  std::optional<Numbers> numbers;
   std::vector<Model_result> results;
 };
 
@@ -27,6 +31,7 @@ std::vector<Table> score_tables(const Run& run);
 /// @{
 Table published_standard_table(const Run& run);
 Table standard_categories_table(const Run& run);
+Table numbers_table(const Run& run);
 Table paper_measures_table(const Run& run);
 Table paper_categories_table(const Run& run);
 Table times_table(const Run& run);

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "segment_with.h"
+#include "thread_seconds.h"
 
 #include <CGAL/Region_segmentation/best.h>
 #include <CGAL/Region_segmentation/segment.h>
 #include <CGAL/Region_segmentation/two_step.h>
 
-#include <chrono>
+#include <algorithm>
 #include <functional>
 #include <string>
 
@@ -32,16 +33,14 @@ public:
 
   Stage_seconds finish()
   {
-    const Clock::time_point now = Clock::now();
+    const double now = thread_seconds();
     if (!m_stage.empty())
-      place() += std::chrono::duration<double>(now - m_start).count();
+      place() += now - m_start;
     m_start = now;
     return m_seconds;
   }
 
 private:
-  using Clock = std::chrono::steady_clock;
-
   double& place()
   {
     if (m_stage == "merging")
@@ -50,38 +49,52 @@ private:
   }
 
   std::string m_stage;
-  Clock::time_point m_start;
+  double m_start = 0;
   Stage_seconds m_seconds;
 };
 
-template <typename Policy>
-Timed_segmentation segment_by(const Benchmark_mesh& mesh, std::size_t number_of_segments,
-                              const Policy& policy)
+template <typename Parameters>
+Timed_segmentation segment_with(const Parameters& parameters, const Benchmark_mesh& mesh)
 {
   Timed_segmentation result;
   result.labels.resize(num_faces(mesh));
   RS::Merge_tree tree;
   Stage_timer timer;
-  result.number_of_segments = RS::segment(mesh, face_map(mesh, result.labels),
-                                          RS::parameters::number_of_segments(number_of_segments)
-                                              .merging_policy(policy)
-                                              .merge_tree(std::ref(tree))
-                                              .visitor(std::ref(timer)));
+  result.number_of_segments =
+      RS::segment(mesh, face_map(mesh, result.labels),
+                  parameters.merge_tree(std::ref(tree)).visitor(std::ref(timer)));
   result.seconds = timer.finish();
   result.number_of_regions = tree.number_of_regions();
   return result;
 }
 
-} // namespace
-
-Timed_segmentation segment_by_two_step(const Benchmark_mesh& mesh, std::size_t number_of_segments)
+Timed_segmentation segment_by_two_step(const Benchmark_mesh& mesh, Wanted_number number)
 {
-  return segment_by(mesh, number_of_segments, RS::Two_step());
+  return segment_with(
+      RS::parameters::merging_policy(RS::Two_step()).number_of_segments(number.value()), mesh);
 }
 
-Timed_segmentation segment_by_best(const Benchmark_mesh& mesh, std::size_t number_of_segments)
+Timed_segmentation segment_by_best(const Benchmark_mesh& mesh, Wanted_number number)
 {
-  return segment_by(mesh, number_of_segments, RS::Best());
+  const auto parameters = RS::parameters::merging_policy(RS::Best());
+  return number ? segment_with(parameters.number_of_segments(*number), mesh)
+                : segment_with(parameters, mesh);
+}
+
+} // namespace
+
+const std::vector<Method>& methods()
+{
+  static const std::vector<Method> all = {{"best", segment_by_best, Numbers::BOTH},
+                                          {"two-step", segment_by_two_step, Numbers::GIVEN},
+                                          {"sdf", segment_by_sdf, Numbers::CHOSEN}};
+  return all;
+}
+
+const Method& find_method(const std::string& name)
+{
+  return *std::find_if(methods().begin(), methods().end(),
+                       [&](const Method& m) { return m.name == name; });
 }
 
 } // namespace princeton_benchmark

@@ -7,6 +7,8 @@
 #include "Model_result.h"
 
 #include <cstddef>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace princeton_benchmark {
@@ -19,12 +21,36 @@ struct Timed_segmentation
   Stage_seconds seconds;
 };
 
-/// A segmentation method of the library, with all its constants as they are by default.
-using Segmenter = Timed_segmentation (*)(const Benchmark_mesh& mesh,
-                                         std::size_t number_of_segments);
+/// The wanted number of segments; empty: the method chooses it.
+using Wanted_number = std::optional<std::size_t>;
 
-Timed_segmentation segment_by_two_step(const Benchmark_mesh& mesh, std::size_t number_of_segments);
-Timed_segmentation segment_by_best(const Benchmark_mesh& mesh, std::size_t number_of_segments);
+using Segmenter = Timed_segmentation (*)(const Benchmark_mesh& mesh, Wanted_number number);
+
+/// Which numbers of segments a method can be asked for.
+enum class Numbers { GIVEN, CHOSEN, BOTH };
+
+/// A segmentation method, with all its constants as they are by default.
+struct Method
+{
+  std::string name;
+  Segmenter segment;
+  Numbers numbers;
+
+  bool takes_number() const { return numbers != Numbers::CHOSEN; }
+  bool chooses_number() const { return numbers != Numbers::GIVEN; }
+};
+
+/// `best` and `two-step` of the library, and `sdf`, CGAL's own segmentation.
+const std::vector<Method>& methods();
+
+/// \pre there is such a method
+const Method& find_method(const std::string& name);
+
+/// CGAL's segmentation by the shape diameter function (`CGAL::sdf_values()`,
+/// `CGAL::segmentation_from_sdf_values()`), all parameters as they are by default: 25 rays in a cone
+/// of 2/3 pi, 5 clusters, a smoothing of 0.26. Its clusters are not its segments: there is no number
+/// to give. Regions are not known. \throws std::runtime_error if a face is not a triangle
+Timed_segmentation segment_by_sdf(const Benchmark_mesh& mesh, Wanted_number);
 
 } // namespace princeton_benchmark
 

@@ -31,10 +31,10 @@ void write_header(std::ostream& out)
 {
   out << "model,category,faces,truths,k,segments,regions,seconds_features,seconds_growing,"
          "seconds_merging";
-  for (const char* protocol : {"standard", "first", "nearest"})
+  for (const char* protocol : {"standard", "first", "nearest", "automatic", "own_number"})
     for (const char* column : measure_columns)
       out << "," << protocol << "_" << column;
-  out << ",nearest_truth,nearest_truth_distance,failure\n";
+  out << ",automatic_segments,nearest_truth,nearest_truth_distance,failure\n";
 }
 
 } // namespace
@@ -52,9 +52,11 @@ void write_csv(std::ostream& out, const std::vector<Model_result>& results)
       write_scores(out, r.standard);
       write_scores(out, r.first);
       write_scores(out, r.nearest);
-      out << "," << quoted(r.nearest_truth) << "," << r.nearest_distance << ",";
+      write_scores(out, r.automatic);
+      write_scores(out, r.own_number);
+      out << "," << r.automatic_segments << "," << quoted(r.nearest_truth) << "," << r.nearest_distance << ",";
     } else {
-      out << std::string(8 + 3 * number_of_measures + 3, ',') << quoted(r.failure);
+      out << std::string(8 + 5 * number_of_measures + 4, ',') << quoted(r.failure);
     }
     out << "\n";
   }
