@@ -31,9 +31,9 @@ Distance body(const Limb& limb, double mirror)
 
 } // namespace
 
-Labelled_model make_articulated_figure()
+Labelled_model make_articulated_figure(const Making& making)
 {
-  const double softness_of_joints = 0.06, edge_length = 0.04;
+  const double softness_of_joints = 0.06, edge_length = 0.04 / making.fineness;
   Implicit_shape shape(softness_of_joints);
   std::size_t part = 0;
   for (const Limb& limb : trunk_and_head)

@@ -9,7 +9,7 @@ namespace segment_mesh {
 
 /// A figure of ten parts that meet in concave joints: trunk, head, and two of each of upper arm,
 /// forearm, thigh and shin.
-Labelled_model make_articulated_figure();
+Labelled_model make_articulated_figure(const Making& making);
 
 } // namespace segment_mesh
 

@@ -5,7 +5,9 @@
 #include "Quad_model.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <utility>
 
@@ -23,23 +25,55 @@ struct Block
   std::size_t part;
 };
 
-/// Where a corner of the grid is.
-using Bend = Point (*)(const Cell& corner);
+/// Where a corner of the grid is, from its place in the usual grid.
+using Bend = Point (*)(const Point& corner);
+
+/// The planes of the grid across an axis: those at the ends of blocks stay, whatever the fineness.
+class Planes
+{
+public:
+  Planes(const std::vector<Block>& blocks, std::size_t axis, double fineness)
+  {
+    for (const Block& block : blocks) {
+      m_index_at[block.low[axis]] = 0;
+      m_index_at[block.high[axis]] = 0;
+    }
+    for (auto end = m_index_at.begin(); end != m_index_at.end(); ++end) {
+      if (end != m_index_at.begin())
+        fill_between(std::prev(end)->first, end->first, fineness);
+      end->second = int(m_positions.size());
+      m_positions.push_back(end->first);
+    }
+  }
+
+  int index_at(int end_of_block) const { return m_index_at.at(end_of_block); }
+  double position(int index) const { return m_positions[std::size_t(index)]; }
+
+private:
+  void fill_between(int low, int high, double fineness)
+  {
+    const long steps = (std::max)(1l, std::lround((high - low) * fineness));
+    for (long i = 1; i < steps; ++i)
+      m_positions.push_back(low + double(i) * (high - low) / double(steps));
+  }
+
+  std::map<int, int> m_index_at; // of the ends of blocks
+  std::vector<double> m_positions;
+};
 
 /// Collects the faces between full and empty cells.
 class Grid
 {
 public:
-  /// \param period the number of cells after which the first axis returns to its start; 0: none
-  explicit Grid(int period) : m_period(period) {}
-
-  void fill(const Block& block)
+  /// Of two blocks in the same place, the later one counts.
+  /// \param period the end of the blocks where the first axis returns to its start; 0: none
+  Grid(const std::vector<Block>& blocks, int period, double fineness)
+      : m_planes{Planes(blocks, 0, fineness), Planes(blocks, 1, fineness),
+                 Planes(blocks, 2, fineness)},
+        m_period(period > 0 ? m_planes[0].index_at(period) : 0)
   {
-    for (int i = block.low[0]; i < block.high[0]; ++i)
-      for (int j = block.low[1]; j < block.high[1]; ++j)
-        for (int k = block.low[2]; k < block.high[2]; ++k)
-          m_part_of_cell[wrapped({i, j, k})] = block.part;
-    m_model.number_of_parts = (std::max)(m_model.number_of_parts, block.part + 1);
+    for (const Block& block : blocks)
+      fill({index_of(block.low), index_of(block.high), block.part});
   }
 
   Labelled_model surface(Bend bend)
@@ -56,6 +90,21 @@ public:
   }
 
 private:
+  Cell index_of(const Cell& ends) const
+  {
+    return {m_planes[0].index_at(ends[0]), m_planes[1].index_at(ends[1]),
+            m_planes[2].index_at(ends[2])};
+  }
+
+  void fill(const Block& block)
+  {
+    for (int i = block.low[0]; i < block.high[0]; ++i)
+      for (int j = block.low[1]; j < block.high[1]; ++j)
+        for (int k = block.low[2]; k < block.high[2]; ++k)
+          m_part_of_cell[wrapped({i, j, k})] = block.part;
+    m_model.number_of_parts = (std::max)(m_model.number_of_parts, block.part + 1);
+  }
+
   Cell wrapped(Cell cell) const
   {
     if (m_period > 0)
@@ -65,9 +114,11 @@ private:
 
   std::size_t point_at(const Cell& corner, Bend bend)
   {
-    const auto entry = m_point_of_corner.emplace(wrapped(corner), m_model.soup.points.size());
+    const Cell c = wrapped(corner);
+    const auto entry = m_point_of_corner.emplace(c, m_model.soup.points.size());
     if (entry.second)
-      m_model.soup.points.push_back(bend(corner));
+      m_model.soup.points.push_back(bend(
+        {m_planes[0].position(c[0]), m_planes[1].position(c[1]), m_planes[2].position(c[2])}));
     return entry.first->second;
   }
 
@@ -86,31 +137,29 @@ private:
     m_model.labels.push_back(part);
   }
 
-  int m_period;
+  std::array<Planes, 3> m_planes;
+  int m_period; // in cells
   std::map<Cell, std::size_t> m_part_of_cell, m_point_of_corner;
   Labelled_model m_model;
 };
 
-/// Of two blocks in the same place, the later one counts.
-Labelled_model build(const char* name, const std::vector<Block>& blocks, Bend bend, int period = 0)
+Labelled_model build(const char* name, const std::vector<Block>& blocks, Bend bend,
+                     const Making& making, int period = 0)
 {
-  Grid grid(period);
-  for (const Block& block : blocks)
-    grid.fill(block);
-  Labelled_model model = grid.surface(bend);
+  Labelled_model model = Grid(blocks, period, making.fineness).surface(bend);
   model.name = name;
   return model;
 }
 
 /// A cell is a cube.
-Point as_it_is(const Cell& corner)
+Point as_it_is(const Point& corner)
 {
-  return {double(corner[0]), double(corner[1]), double(corner[2])};
+  return corner;
 }
 
 } // namespace
 
-Labelled_model make_table()
+Labelled_model make_table(const Making& making)
 {
   Labelled_model model = build("table",
                                {{{0, 0, 14}, {26, 16, 16}, 0},
@@ -118,18 +167,18 @@ Labelled_model make_table()
                                 {{23, 1, 0}, {25, 3, 14}, 2},
                                 {{1, 13, 0}, {3, 15, 14}, 3},
                                 {{23, 13, 0}, {25, 15, 14}, 4}},
-                               as_it_is);
+                               as_it_is, making);
   split_quads(model, Diagonals::AT_RANDOM);
   return model;
 }
 
-Labelled_model make_chair()
+Labelled_model make_chair(const Making& making)
 {
   // The lower, the farther from the middle; the back leans.
-  const Bend splay = [](const Cell& c) {
-    const double below = (std::max)(0, 10 - c[2]), above = (std::max)(0, c[2] - 12);
+  const Bend splay = [](const Point& c) {
+    const double below = (std::max)(0.0, 10 - c[2]), above = (std::max)(0.0, c[2] - 12);
     const double wider = 1 + 0.02 * below;
-    return Point{(c[0] - 6) * wider, (c[1] - 6) * wider + 0.15 * above, double(c[2])};
+    return Point{(c[0] - 6) * wider, (c[1] - 6) * wider + 0.15 * above, c[2]};
   };
   Labelled_model model = build("chair",
                                {{{0, 0, 10}, {12, 12, 12}, 0},
@@ -138,37 +187,37 @@ Labelled_model make_chair()
                                 {{10, 0, 0}, {12, 2, 10}, 3},
                                 {{0, 10, 0}, {2, 12, 10}, 4},
                                 {{10, 10, 0}, {12, 12, 10}, 5}},
-                               splay);
+                               splay, making);
   split_quads(model, Diagonals::ALTERNATING);
-  add_noise(model, 0.08);
+  add_noise(model, making.noise * 0.08 / making.fineness);
   return model;
 }
 
-Labelled_model make_bracket()
+Labelled_model make_bracket(const Making& making)
 {
   Labelled_model model =
     build("bracket",
           {{{0, 0, 0}, {20, 12, 3}, 0}, {{0, 0, 3}, {3, 12, 16}, 1}, {{10, 3, 3}, {16, 9, 9}, 2}},
-          as_it_is);
+          as_it_is, making);
   split_quads(model, Diagonals::FIRST);
-  add_noise(model, 0.03);
+  add_noise(model, making.noise * 0.03 / making.fineness);
   return model;
 }
 
-Labelled_model make_gear()
+Labelled_model make_gear(const Making& making)
 {
   // Clockwise around the axis, outwards, along the axis.
   const int teeth = 8, period = 6 * teeth;
-  const Bend polar = [](const Cell& c) {
+  const Bend polar = [](const Point& c) {
     const double angle = 6.283185307179586 * c[0] / period;
-    return Point{c[1] * std::sin(angle), c[1] * std::cos(angle), double(c[2])};
+    return Point{c[1] * std::sin(angle), c[1] * std::cos(angle), c[2]};
   };
   std::vector<Block> blocks = {{{0, 3, 0}, {period, 9, 4}, 0}, {{0, 3, 4}, {period, 5, 9}, 1}};
   for (int i = 0; i < teeth; ++i)
     blocks.push_back({{6 * i, 9, 0}, {6 * i + 3, 12, 4}, std::size_t(2 + i)});
-  Labelled_model model = build("gear", blocks, polar, period);
+  Labelled_model model = build("gear", blocks, polar, making, period);
   split_quads(model, Diagonals::ALTERNATING);
-  add_noise(model, 0.03);
+  add_noise(model, making.noise * 0.03 / making.fineness);
   return model;
 }
 

@@ -40,17 +40,18 @@ Distance rounded_box(const Point& center, const Point& half_sides, double radius
   };
 }
 
+/// \param edge_length the usual one
 Labelled_model mesh(const char* name, const Implicit_shape& shape, const Ball& bounds,
-                    double edge_length)
+                    double edge_length, const Making& making)
 {
-  Labelled_model model = make_labelled_model(shape, bounds, edge_length);
+  Labelled_model model = make_labelled_model(shape, bounds, edge_length / making.fineness);
   model.name = name;
   return model;
 }
 
 } // namespace
 
-Labelled_model make_mug()
+Labelled_model make_mug(const Making& making)
 {
   // The wall in a half plane through the axis: a line to the corner, and up; with a thickness.
   const double radius = 0.6, height = 1.2, half_thickness = 0.1;
@@ -70,18 +71,18 @@ Labelled_model make_mug()
   Implicit_shape shape(0.04);
   shape.add(cup, 0);
   shape.add(handle, 1);
-  return mesh("mug", shape, {{0, 0, 0}, 2.5}, 0.07);
+  return mesh("mug", shape, {{0, 0, 0}, 2.5}, 0.07, making);
 }
 
-Labelled_model make_hammer()
+Labelled_model make_hammer(const Making& making)
 {
   Implicit_shape shape(0.03);
   shape.add(rounded_box({0, 0, 2}, {0.55, 0.16, 0.16}, 0.06), 0);
   shape.add(capsule({0, 0, 0}, {0, 0, 2}, 0.14), 1);
-  return mesh("hammer", shape, {{0, 0, 2}, 4}, 0.06);
+  return mesh("hammer", shape, {{0, 0, 2}, 4}, 0.06, making);
 }
 
-Labelled_model make_octopus()
+Labelled_model make_octopus(const Making& making)
 {
   Implicit_shape shape(0.06);
   shape.add(ellipsoid({0, 0, -0.25}, {0, 0, 1.2}, 0.55), 0);
@@ -93,10 +94,10 @@ Labelled_model make_octopus()
     shape.add(capsule(shoulder, elbow, 0.13), i + 1);
     shape.add(capsule(elbow, end, 0.12), i + 1);
   }
-  return mesh("octopus", shape, {{0, 0, 0.3}, 3}, 0.08);
+  return mesh("octopus", shape, {{0, 0, 0.3}, 3}, 0.08, making);
 }
 
-Labelled_model make_hand()
+Labelled_model make_hand(const Making& making)
 {
   Implicit_shape shape(0.05);
   shape.add(rounded_box({0, 0, 0}, {0.38, 0.06, 0.4}, 0.1), 0);
@@ -106,12 +107,12 @@ Labelled_model make_hand()
     shape.add(capsule({x, 0, 0.4}, {x + spread, 0, 0.55 + lengths[i]}, 0.105), i + 1);
   }
   shape.add(capsule({-0.35, 0, -0.2}, {-0.95, 0.1, 0.25}, 0.12), 5);
-  Labelled_model model = mesh("hand", shape, {{0, 0, 0}, 3}, 0.06);
-  add_noise(model, 0.004);
+  Labelled_model model = mesh("hand", shape, {{0, 0, 0}, 3}, 0.06, making);
+  add_noise(model, making.noise * 0.004 / making.fineness);
   return model;
 }
 
-Labelled_model make_quadruped()
+Labelled_model make_quadruped(const Making& making)
 {
   Implicit_shape shape(0.05);
   shape.add(ellipsoid({-0.85, 0, 0}, {0.85, 0, 0}, 0.4), 0);
@@ -121,7 +122,7 @@ Labelled_model make_quadruped()
   for (const double x : {-0.45, 0.45})
     for (const double y : {-0.17, 0.17})
       shape.add(capsule({x, y, -0.2}, {1.1 * x, 1.3 * y, -0.95}, 0.11), part++);
-  return mesh("quadruped", shape, {{0, 0, 0}, 3}, 0.08);
+  return mesh("quadruped", shape, {{0, 0, 0}, 3}, 0.08, making);
 }
 
 } // namespace segment_mesh

@@ -20,11 +20,20 @@ struct Labelled_model
   std::size_t number_of_parts = 0;
 };
 
-/// How a model is made. The same call gives the same model, to the bit.
+/// How a model is made.
+struct Making
+{
+  double fineness = 1; ///< faces along a line, relative to the usual ones
+  double noise = 1;    ///< relative to the usual one of the model, which may be none
+};
+
+/// The same call gives the same model, to the bit.
 struct Model_recipe
 {
   std::string name;
-  Labelled_model (*make)();
+  Labelled_model (*make_as)(const Making& making);
+
+  Labelled_model make(const Making& making = {}) const { return make_as(making); }
 };
 
 /// All models that the program can make. The first is the one that it shows without an input.

@@ -96,15 +96,25 @@ private:
   Labelled_model m_model;
 };
 
-/// \param step about the distance of the rings along the profile
-Labelled_model turn(const char* name, const Profile& profile, std::size_t sectors, double step)
+struct Spacing
 {
-  Lathe lathe(sectors, profile.lowest);
+  double sectors; ///< their number
+  double step;    ///< about the distance of the rings along the profile
+
+  Spacing(double usual_sectors, double usual_step, const Making& making)
+      : sectors(usual_sectors * making.fineness), step(usual_step / making.fineness)
+  {
+  }
+};
+
+Labelled_model turn(const char* name, const Profile& profile, const Spacing& spacing)
+{
+  Lathe lathe(std::size_t(std::lround(spacing.sectors)), profile.lowest);
   Place start = {0, profile.lowest};
   for (const Stretch& stretch : profile.stretches) {
     const double length =
       std::hypot(stretch.end.radius - start.radius, stretch.end.height - start.height);
-    const std::size_t steps = (std::max)(std::size_t(1), std::size_t(std::lround(length / step)));
+    const std::size_t steps = (std::max)(std::size_t(1), std::size_t(std::lround(length / spacing.step)));
     const bool is_last = &stretch == &profile.stretches.back();
     for (std::size_t i = 1; i <= steps - is_last; ++i)
       lathe.add_ring(place_on(start, stretch, double(i) / double(steps)), stretch.part);
@@ -117,7 +127,7 @@ Labelled_model turn(const char* name, const Profile& profile, std::size_t sector
 
 } // namespace
 
-Labelled_model make_vase()
+Labelled_model make_vase(const Making& making)
 {
   const Profile profile = {0,
                            {{{0.5, 0}, 0, 0},
@@ -125,10 +135,10 @@ Labelled_model make_vase()
                             {{0.25, 1.6}, 0.5, 1},
                             {{0.42, 2.1}, -0.07, 2},
                             {{0, 2.1}, 0, 2}}};
-  return turn("vase", profile, 40, 0.06);
+  return turn("vase", profile, {40, 0.06, making});
 }
 
-Labelled_model make_goblet()
+Labelled_model make_goblet(const Making& making)
 {
   const Profile profile = {0,
                            {{{0.6, 0}, 0, 0},
@@ -138,23 +148,23 @@ Labelled_model make_goblet()
                             {{0.6, 1.9}, 0.22, 2},
                             {{0.52, 1.9}, 0, 2},
                             {{0, 1.2}, -0.25, 2}}};
-  Labelled_model model = turn("goblet", profile, 36, 0.05);
+  Labelled_model model = turn("goblet", profile, {36, 0.05, making});
   split_quads(model, Diagonals::AT_RANDOM);
-  add_noise(model, 0.006);
+  add_noise(model, making.noise * 0.006 / making.fineness);
   return model;
 }
 
-Labelled_model make_snowman()
+Labelled_model make_snowman(const Making& making)
 {
   const Profile profile = {
     0, {{{0.38, 1.288}, 0.502, 0}, {{0.28, 2.027}, 0.167, 1}, {{0, 2.613}, 0.2045, 2}}};
-  Labelled_model model = turn("snowman", profile, 48, 0.06);
+  Labelled_model model = turn("snowman", profile, {48, 0.06, making});
   split_quads(model, Diagonals::ALTERNATING);
-  add_noise(model, 0.004);
+  add_noise(model, making.noise * 0.004 / making.fineness);
   return model;
 }
 
-Labelled_model make_shaft()
+Labelled_model make_shaft(const Making& making)
 {
   const Profile profile = {0,
                            {{{0.3, 0}, 0, 0},
@@ -168,12 +178,12 @@ Labelled_model make_shaft()
                             {{0.2, 2.8}, 0, 3},
                             {{0.2, 3.6}, 0, 4},
                             {{0, 3.6}, 0, 4}}};
-  Labelled_model model = turn("shaft", profile, 20, 0.15);
+  Labelled_model model = turn("shaft", profile, {20, 0.15, making});
   split_quads(model, Diagonals::FIRST);
   return model;
 }
 
-Labelled_model make_screwdriver()
+Labelled_model make_screwdriver(const Making& making)
 {
   const Profile profile = {0,
                            {{{0.3, 0.15}, 0.08, 0},
@@ -182,7 +192,7 @@ Labelled_model make_screwdriver()
                             {{0.1, 3.4}, 0, 1},
                             {{0.05, 3.6}, 0, 1},
                             {{0, 3.6}, 0, 1}}};
-  Labelled_model model = turn("screwdriver", profile, 32, 0.1);
+  Labelled_model model = turn("screwdriver", profile, {32, 0.1, making});
   split_quads(model, Diagonals::FIRST);
   return model;
 }

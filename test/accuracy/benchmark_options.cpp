@@ -21,6 +21,7 @@ constexpr const char* footer =
     "  princeton_benchmark --data psb --method two-step --report two-step.html\n"
     "  princeton_benchmark --data psb --method people\n"
     "  princeton_benchmark --procedural --csv scores.csv\n"
+    "  princeton_benchmark --variants 1\n"
     "\nExit status: 0 done; 1 a model failed, or a file could not be written; 2 wrong usage.";
 
 } // namespace
@@ -40,11 +41,18 @@ std::variant<Benchmark_options, int> parse_command_line(int argc, char** argv)
                           ->type_name("DIR");
   app.add_flag("--procedural", is_procedural, "The models that segment_mesh makes (default)")
       ->excludes(data);
-  app.add_option("--method", options.method,
+  CLI::Option* variants =
+      app.add_option("--variants", options.variants_seed,
+                     "best beside two-step on those models with noise, finer, coarser and triangulated "
+                     "otherwise; SEED: of what is random there")
+          ->excludes(data)
+          ->type_name("SEED");
+  CLI::Option* method = app.add_option("--method", options.method,
                  "best (default), two-step, sdf (CGAL's SDF segmentation, which chooses the number of "
                  "segments), or people: each human segmentation against the others")
       ->check(CLI::IsMember({"best", "two-step", "sdf", "people"}))
       ->type_name("METHOD");
+  variants->excludes(method);
   app.add_option("--threads", options.number_of_threads, "Models at a time; default: all cores")
       ->check(CLI::Range(1, 1024))
       ->type_name("N");

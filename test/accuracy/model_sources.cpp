@@ -31,9 +31,8 @@ Model load_princeton_model(const Princeton_data& data, int number)
   return model;
 }
 
-Model make_procedural_model(const segment_mesh::Model_recipe& recipe)
+Model make_procedural_model(segment_mesh::Labelled_model made)
 {
-  segment_mesh::Labelled_model made = recipe.make();
   Model model;
   model.soup = std::move(made.soup);
   model.number_of_segments = made.number_of_parts;
@@ -58,7 +57,18 @@ std::vector<Model_source> procedural_sources()
   std::vector<Model_source> sources;
   for (const segment_mesh::Model_recipe& recipe : segment_mesh::procedural_models())
     sources.push_back(
-        {recipe.name, recipe.name, [&recipe] { return make_procedural_model(recipe); }});
+        {recipe.name, recipe.name, [&recipe] { return make_procedural_model(recipe.make()); }});
+  return sources;
+}
+
+std::vector<Model_source> variant_sources(const std::vector<Variant>& variants)
+{
+  std::vector<Model_source> sources;
+  for (const Variant& variant : variants)
+    for (const segment_mesh::Model_recipe& recipe : segment_mesh::procedural_models())
+      sources.push_back({recipe.name, variant.name, [make = variant.make, &recipe] {
+                           return make_procedural_model(make(recipe));
+                         }});
   return sources;
 }
 

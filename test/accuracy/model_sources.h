@@ -4,6 +4,7 @@
 #define CGAL_REGION_SEGMENTATION_TEST_ACCURACY_MODEL_SOURCES_H
 
 #include "Princeton_data.h"
+#include "model_variants.h"
 
 #include "Polygon_soup.h"
 
@@ -43,6 +44,9 @@ std::vector<Model_source> princeton_sources(const Princeton_data& data);
 
 /// The models that segment_mesh can make, each a category of its own with one truth.
 std::vector<Model_source> procedural_sources();
+
+/// The same in every variant, which is their category.
+std::vector<Model_source> variant_sources(const std::vector<Variant>& variants);
 
 } // namespace princeton_benchmark
 
