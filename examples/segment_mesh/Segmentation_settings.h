@@ -27,7 +27,8 @@ struct Segmentation_settings
 {
   Method method = Method::BEST;
   std::optional<std::size_t> number_of_segments; ///< if empty, the method chooses: `BEST` can
-  CGAL::Region_segmentation::Feature_convexity features =
+  /// Which edges can be features; if empty, the surface decides.
+  std::optional<CGAL::Region_segmentation::Feature_convexity> features =
     CGAL::Region_segmentation::Feature_convexity::CONCAVE;
   std::optional<double> maximum_angle; ///< in degrees; the method's own if empty
   Mesh_type mesh_type = Mesh_type::SURFACE_MESH;

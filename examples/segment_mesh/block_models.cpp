@@ -197,7 +197,7 @@ Labelled_model make_bracket(const Making& making)
 {
   Labelled_model model =
     build("bracket",
-          {{{0, 0, 0}, {20, 12, 3}, 0}, {{0, 0, 3}, {3, 12, 16}, 1}, {{10, 3, 3}, {16, 9, 9}, 2}},
+          {{{0, 0, 0}, {20, 12, 3}, 0}, {{2, 0, 3}, {5, 12, 16}, 1}, {{10, 3, 3}, {16, 9, 9}, 2}},
           as_it_is, making);
   split_quads(model, Diagonals::FIRST);
   add_noise(model, making.noise * 0.03 / making.fineness);

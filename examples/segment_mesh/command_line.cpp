@@ -35,9 +35,11 @@ constexpr const char* footer =
 const std::map<std::string, Method> methods = {{"best", Method::BEST},
                                                {"two-step", Method::TWO_STEP}};
 
-const std::map<std::string, Feature_convexity> features = {{"concave", Feature_convexity::CONCAVE},
-                                                           {"convex", Feature_convexity::CONVEX},
-                                                           {"all", Feature_convexity::ALL}};
+const std::map<std::string, std::optional<Feature_convexity>> features = {
+  {"concave", Feature_convexity::CONCAVE},
+  {"convex", Feature_convexity::CONVEX},
+  {"all", Feature_convexity::ALL},
+  {"auto", std::nullopt}};
 
 const std::map<std::string, Mesh_type> mesh_types = {{"surface_mesh", Mesh_type::SURFACE_MESH},
                                                      {"polyhedron", Mesh_type::POLYHEDRON},
@@ -76,7 +78,8 @@ void add_run_options(CLI::App& app, Raw_options& raw)
       "best (default: the most accurate) or two-step (Yang et al. 2014; needs -k)")
     ->check(one_of(methods));
   add("--features", raw.features, "KIND",
-      "Edges that can be features: concave (default), convex, all (machine parts). They part the "
+      "Edges that can be features: concave (default), convex, all (machine parts), auto (all or concave, "
+      "by what is beside the creases of the surface; told on stderr and in .json). They part the "
       "regions of two-step; with best they are only written, as lines")
     ->check(one_of(features));
   add("--max-angle", raw.maximum_angle, "DEG",

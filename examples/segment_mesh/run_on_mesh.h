@@ -11,6 +11,7 @@
 #include <CGAL/Region_segmentation/Number_from_costs.h>
 #include <CGAL/Region_segmentation/best.h>
 #include <CGAL/Region_segmentation/build_region_adjacency_graph.h>
+#include <CGAL/Region_segmentation/choose_feature_convexity.h>
 #include <CGAL/Region_segmentation/extract_feature_lines.h>
 #include <CGAL/Region_segmentation/segment.h>
 #include <CGAL/Region_segmentation/two_step.h>
@@ -125,7 +126,7 @@ void segment_by(const Policy& policy, const Mesh& mesh, const Segmentation_setti
                 RS::parameters::number_of_segments(settings.number_of_segments.value_or(1))
                   .merging_policy(policy)
                   .maximum_angle(result.maximum_angle)
-                  .feature_convexity(settings.features)
+                  .feature_convexity(result.features)
                   .region_map(make_face_map(mesh, result.region_of_face))
                   .edge_is_feature_map(feature_map)
                   .merge_tree(std::ref(tree))
@@ -142,6 +143,20 @@ void segment_by(const Policy& policy, const Mesh& mesh, const Segmentation_setti
   }
 }
 
+/// Needs `result.maximum_angle`.
+template <typename Mesh>
+void choose_features(const Mesh& mesh, const Segmentation_settings& settings, Segmentation& result)
+{
+  if (settings.features) {
+    result.features = *settings.features;
+    return;
+  }
+  const RS::Feature_convexity_choice choice = RS::choose_feature_convexity(
+    mesh, RS::parameters::maximum_angle(result.maximum_angle));
+  result.features = choice.convexity;
+  result.flatness_beside_creases = choice.flatness_beside_creases;
+}
+
 /// \pre the indices of faces and vertices are those of the soup that the mesh was made of
 template <typename Mesh>
 Segmentation run_on_mesh(const Mesh& mesh, const Segmentation_settings& settings,
@@ -149,6 +164,7 @@ Segmentation run_on_mesh(const Mesh& mesh, const Segmentation_settings& settings
 {
   Segmentation result;
   result.maximum_angle = settings.maximum_angle.value_or(RS::internal::default_maximum_angle);
+  choose_features(mesh, settings, result);
   result.segment_of_face.resize(num_faces(mesh));
   result.region_of_face.resize(num_faces(mesh));
   std::vector<std::uint8_t> marks(num_halfedges(mesh) / 2);

@@ -43,6 +43,10 @@ struct Segmentation
   std::size_t number_of_regions = 0;
   std::size_t number_of_segments = 0;
   double maximum_angle = 0; ///< the one that was used, in degrees
+  /// The one that was used.
+  CGAL::Region_segmentation::Feature_convexity features =
+    CGAL::Region_segmentation::Feature_convexity::CONCAVE;
+  double flatness_beside_creases = 0; ///< why it was chosen; 0 if it was given
   std::vector<std::size_t> segment_of_face;
   std::vector<std::size_t> region_of_face;
   double seconds = 0; ///< from the mesh in memory to the labels

@@ -7,7 +7,8 @@
 //   program       version of the program
 //   input         name, faces, points
 //   settings      method: "best" or "two-step"; segments: the wanted number, null if it was chosen;
-//                 features: "concave", "convex" or "all"; max_angle: in degrees; mesh: the mesh
+//                 features: "concave", "convex" or "all"; features_chosen: whether the surface
+//                 decided them; max_angle: in degrees; mesh: the mesh
 //                 type
 //   times         in seconds: total, from the mesh in memory to the labels, and its stages, each
 //                 with stage and seconds, in order
@@ -110,8 +111,9 @@ void write_head(Text_buffer& out, const Result& result)
       << "},\n  \"settings\": {\"method\": \""
       << (result.settings.method == Method::BEST ? "best" : "two-step")
       << "\", \"segments\": " << (wanted ? std::to_string(*wanted) : "null") << ", \"features\": \""
-      << name_of(result.settings.features)
-      << "\", \"max_angle\": " << result.segmentation.maximum_angle << ", \"mesh\": \""
+      << name_of(result.segmentation.features)
+      << "\", \"features_chosen\": " << (result.settings.features ? "false" : "true")
+      << ", \"max_angle\": " << result.segmentation.maximum_angle << ", \"mesh\": \""
       << name_of(result.settings.mesh_type)
       << "\"},\n  \"times\": {\"total\": " << result.segmentation.seconds;
   write_array(out, "stages", result.segmentation.stages, a_line_each, [&](const Stage_time& time) {

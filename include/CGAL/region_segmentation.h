@@ -22,6 +22,7 @@
 #include <CGAL/Region_segmentation/Superfacets.h>
 #include <CGAL/Region_segmentation/best.h>
 #include <CGAL/Region_segmentation/build_region_adjacency_graph.h>
+#include <CGAL/Region_segmentation/choose_feature_convexity.h>
 #include <CGAL/Region_segmentation/detect_feature_edges.h>
 #include <CGAL/Region_segmentation/evaluation.h>
 #include <CGAL/Region_segmentation/exceptions.h>

@@ -97,6 +97,17 @@ TEST_F(Program, writes_every_format)
   EXPECT_EQ(folder.read("a.seg"), "0\n1\n2\n3\n");
 }
 
+TEST_F(Program, tells_which_edges_it_chose)
+{
+  folder.write("a.off", sample::off());
+  const Outcome outcome = run("a.off -k 4 --method two-step --features auto -o a.json");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("a.off: features: all edges (100 %"), std::string::npos) << outcome.err;
+  EXPECT_NE(folder.read("a.json").find("\"features\": \"all\", \"features_chosen\": true"),
+            std::string::npos);
+  EXPECT_EQ(run("a.off -k 4 --features auto --quiet").err, "");
+}
+
 TEST_F(Program, gives_the_same_labels_on_every_mesh_type)
 {
   ASSERT_EQ(run("-o a.seg").status, 0);

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_CHOOSE_FEATURE_CONVEXITY_H
+#define CGAL_REGION_SEGMENTATION_CHOOSE_FEATURE_CONVEXITY_H
+
+#include <CGAL/Region_segmentation/Feature_convexity.h>
+#include <CGAL/Region_segmentation/internal/options.h>
+#include <CGAL/Region_segmentation/internal/read_flat_mesh.h>
+#include <CGAL/Region_segmentation/parameters.h>
+
+#include <CGAL/number_type_config.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Region_segmentation {
+
+/// \ingroup PkgRegionSegmentationStages
+/// What `choose_feature_convexity()` chose, and why.
+struct Feature_convexity_choice
+{
+  Feature_convexity convexity = Feature_convexity::CONCAVE; ///< `CONCAVE` or `ALL`
+  /// The share of the length of edges beside creases that is flat, in [0, 1]; 0 without a crease, 1 where
+  /// those have creases alone, as a cube of squares.
+  double flatness_beside_creases = 0;
+};
+
+namespace internal {
+
+inline Feature_convexity_choice choose_feature_convexity(const Flat_mesh& flat,
+                                                         double maximum_angle)
+{
+  const double crease_angle = 30; // degrees
+  const double crease_bound = std::cos(crease_angle * (CGAL_PI / 180));
+  const double flat_bound = std::cos(maximum_angle * (CGAL_PI / 180));
+  const auto for_each_edge = [&](auto visit) {
+    for (std::size_t f = 0; f < flat.number_of_faces(); ++f)
+      for (std::size_t e = flat.first_edge(f); e < flat.first_edge(f + 1); ++e)
+        if (!flat.has_flag(e, Flat_mesh::JOINING | Flat_mesh::CLOSED))
+          visit(f, e, flat.cosine(f, e));
+  };
+  std::vector<std::uint8_t> has_crease(flat.number_of_faces());
+  bool any_crease = false;
+  for_each_edge([&](std::size_t f, std::size_t e, double cosine) {
+    if (cosine < crease_bound)
+      any_crease = has_crease[f] = has_crease[flat.higher_face(e)] = true;
+  });
+  double length = 0, flat_length = 0;
+  for_each_edge([&](std::size_t f, std::size_t e, double cosine) {
+    if (cosine < crease_bound || !(has_crease[f] || has_crease[flat.higher_face(e)]))
+      return;
+    length += flat.length(e);
+    if (cosine >= flat_bound)
+      flat_length += flat.length(e);
+  });
+
+  Feature_convexity_choice choice;
+  choice.flatness_beside_creases = length > 0 ? flat_length / length : any_crease ? 1 : 0;
+  if (choice.flatness_beside_creases > 0.5)
+    choice.convexity = Feature_convexity::ALL;
+  return choice;
+}
+
+} // namespace internal
+
+/// \ingroup PkgRegionSegmentationStages
+/// chooses which edges can be feature edges, by the surface itself: all on a machine part, the concave
+/// ones on a scanned or organic model.
+///
+/// A *crease* is an edge whose deviation is above 30 degrees. A machine part is mostly flat right beside
+/// its creases; elsewhere the surface bends there, too, or bears noise. So all edges are chosen if more than half of the length of the other edges of the faces
+/// that have a crease is flat, its deviation at most `maximum_angle`. Edges of degenerate faces do not
+/// count. Without a crease the concave edges are chosen.
+///
+/// What it says is what the surface is like, not which edges part a model as people would: with the
+/// concave edges `Two_step` comes nearer to people on machine parts, too, unless those close no region
+/// (figures in `doc/accuracy.md`). So no function of the package calls it on its own; the choice is
+/// handed on as `feature_convexity`. Choose `ALL` to get the smooth faces of a machine part.
+///
+/// \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \param mesh an oriented 2-manifold with or without borders, its faces polygons of any size
+/// \param np optional named parameters:
+///   - `maximum_angle` (degrees, default 180 - 3.12 * 180 / pi = 1.2376...): the deviation up to which
+///     an edge is flat, the bound of `detect_feature_edges()`
+///   - `vertex_point_map`, `face_index_map`, `vertex_index_map`: as everywhere in \cgal
+///
+/// \pre `maximum_angle` is in [0, 180]
+/// \throws Invalid_input if a point is not finite
+///
+/// Complexity: O(F). Deterministic. Calls may run at the same time.
+template <typename FaceGraph, typename NamedParameters = parameters::Default_named_parameters>
+Feature_convexity_choice
+choose_feature_convexity(const FaceGraph& mesh,
+                         const NamedParameters& np = parameters::default_values())
+{
+  const auto& pack = internal::pack(np);
+  const auto walk = internal::make_mesh_walk(mesh, pack);
+  return internal::choose_feature_convexity(internal::read_flat_mesh(walk, pack),
+                                            internal::maximum_angle(pack));
+}
+
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_CHOOSE_FEATURE_CONVEXITY_H
