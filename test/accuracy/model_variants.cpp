@@ -70,7 +70,8 @@ public:
     for (std::size_t i = edges.size(); i > 1; --i)
       std::swap(edges[i - 1], edges[m_engine() % i]);
     for (const Edge& edge : edges)
-      flip(edge);
+      if (m_engine() % 2 == 0)
+        flip(edge);
   }
 
 private:

@@ -31,29 +31,28 @@ struct Cut_cost
   using RegionData = Part_data;
   using SectionData = Cut_data;
 
-  double depth_exponent = 3.83;     ///< p_d
-  double depth_offset = 0.0233;     ///< d_0, radian
+  double depth_exponent = 4;        ///< p_d
+  double depth_offset = 0.022;      ///< d_0, radian
   double area_exponent = 1.74;      ///< p_a
-  double harmonic_share = 0.13;     ///< eta
-  double length_exponent = 0.873;   ///< p_l
+  double harmonic_share = 0.16;     ///< eta
+  double length_exponent = 0.95;    ///< p_l
   double thickness_exponent = 1;    ///< p_t: 1 sets the scale of the cost
-  double thickness_offset = 0.168;  ///< t_0
-  double sight_exponent = 0.215;    ///< p_s
+  double thickness_offset = 0.18;   ///< t_0
+  double sight_exponent = 0.195;    ///< p_s
   double sight_offset = 0.01;       ///< s_0
-  double convex_weight = 0.293;     ///< w_x
-  double bend_weight = 0.065;       ///< w_b
+  double convex_weight = 0.3;       ///< w_x
+  double bend_weight = 0.08;        ///< w_b
 
-  /// The constants while regions are many and small: what sees each other belongs together.
+  /// The constants while regions are many and small: what sees each other belongs together, and less
+  /// hangs on depth and area.
   static Cut_cost for_many_regions()
   {
     Cut_cost cost;
     cost.depth_exponent = 3.14;
-    cost.depth_offset = 0.0535;
-    cost.area_exponent = 1.24;
-    cost.thickness_exponent = 0.78;
-    cost.sight_exponent = 0.486;
-    cost.bend_weight = 0.103;
-    cost.harmonic_share = 0;
+    cost.depth_offset = 0.055;
+    cost.area_exponent = 1.2;
+    cost.length_exponent = 0.87;
+    cost.sight_exponent = 0.49;
     return cost;
   }
 

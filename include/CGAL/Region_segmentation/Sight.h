@@ -22,7 +22,7 @@ namespace Region_segmentation {
 ///
 /// From three faces of each region, that at its centroid, and those at 3/10 and 6/10 in the order of
 /// the distance to it, six rays go into the body: one against the normal, and five on a spiral in a
-/// cone of 0.9 rad around it.
+/// cone of 0.9 rad around it. A region of one or two faces sends as many rays, from those.
 /// - The *thickness* of a region is the mean of \f$\ln(x / \sqrt{A} + 10^{-4})\f$, \f$x\f$ the lengths of
 ///   its rays; that of a region whose rays all leave the body is the mean of the others.
 /// - Each ray joins the region where it starts to the one where it ends, with the share of the area
@@ -55,7 +55,7 @@ public:
   }
 
 private:
-  static constexpr int faces_per_region = 3, rays_per_face = 6;
+  static constexpr std::size_t faces_per_region = 3, rays_per_region = 18;
 
   /// Area, area vector and centroid of every region.
   struct Shapes
@@ -122,14 +122,16 @@ private:
     std::vector<std::pair<double, std::size_t>> thickness(regions.number_of_regions); // sum, hits
     for (std::size_t r = 0; r < regions.number_of_regions; ++r) {
       const auto& all = faces[r];
-      const std::size_t samples = (std::min)(all.size(), std::size_t(faces_per_region));
-      const double weight = graph[Index(r)].area / double(samples * rays_per_face);
+      const std::size_t samples = (std::min)(all.size(), faces_per_region);
+      const std::size_t rays = rays_per_region / samples; // of a face
+      const double weight = graph[Index(r)].area / double(rays_per_region);
       for (std::size_t k = 0; k < samples; ++k) {
         const Index face = all[k * all.size() * 9 / (10 * samples)];
         if (mesh.is_degenerate(face))
           continue;
-        for (int q = 0; q < rays_per_face; ++q) {
-          const auto hit = tree.first_hit(mesh.centroid(face), direction(mesh, face, k, q), face);
+        for (std::size_t q = 0; q < rays; ++q) {
+          const auto hit =
+            tree.first_hit(mesh.centroid(face), direction(mesh, face, {k, q, rays}), face);
           if (hit.face == internal::Ray_tree::no_face)
             continue;
           thickness[r].first += std::log(hit.distance / unit + 1e-4);
@@ -160,9 +162,14 @@ private:
     return faces;
   }
 
+  struct Ray
+  {
+    std::size_t k, q, number; ///< the q-th of a number of rays from the k-th face
+  };
+
   /// The q-th ray from the k-th face of a region: on a spiral of the golden angle around the inward
   /// normal, which starts in the direction of the first edge of the face.
-  static Vector_3 direction(const Flat_mesh& mesh, Index face, std::size_t k, int q)
+  static Vector_3 direction(const Flat_mesh& mesh, Index face, const Ray& ray)
   {
     constexpr double golden_angle = 2.399963229728653, half_cone = 0.9; // radian
     const Vector_3 inward = -1.0 * mesh.normal(face);
@@ -172,8 +179,8 @@ private:
     if (length == 0)
       return inward;
     u = (1 / length) * u;
-    const double away = half_cone * std::sqrt(q / (rays_per_face - 1.0));
-    const double around = golden_angle * q + double(k);
+    const double away = half_cone * std::sqrt(double(ray.q) / double(ray.number - 1));
+    const double around = golden_angle * double(ray.q) + double(ray.k);
     return std::cos(away) * inward +
            std::sin(away) * (std::cos(around) * u + std::sin(around) * cross(inward, u));
   }
