@@ -36,9 +36,8 @@ std::vector<double> distances_from(const RS::Flat_mesh& mesh, std::size_t seed, 
   distances[seed] = 0;
   for (bool changed = true; changed;) {
     changed = false;
-    for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
-      for (std::size_t e = mesh.first_edge(f); e < mesh.first_edge(f + 1); ++e) {
-        const std::size_t g = mesh.higher_face(e);
+    for (std::size_t e = 0; e < mesh.number_of_edges(); ++e) {
+        const std::size_t f = mesh.lower_face(e), g = mesh.higher_face(e);
         const double concavity =
           mesh.has_flag(e, RS::Flat_mesh::CONCAVE) ? std::min(mesh.deviation(f, e), 0.6) : 0;
         const double step =

@@ -102,12 +102,12 @@ std::size_t segment(const FaceGraph& mesh, FaceSegmentMap segment_map,
   auto graph = internal::build_graph<typename Companions::Graph, ConcurrencyTag>(flat, regions);
   internal::annotate<ConcurrencyTag>(annotator, graph, flat, regions);
   const Merge_tree tree = merge_regions(graph, policy, wanted, Stop_at_count{wanted}, pack);
-  const Region_labels segments = internal::cut<ConcurrencyTag>(
+  const internal::Segment_labels segments(
     regions, tree, internal::choose_number<Companions>(tree, wanted, pack));
 
-  internal::write_face_map(mesh, segment_map, [&](std::size_t i) { return segments.of_face[i]; });
+  internal::write_face_map(mesh, segment_map, segments);
   internal::write_segmentation_outputs(walk, regions, is_feature, tree, pack);
-  return segments.number_of_regions;
+  return segments.number_of_segments();
 }
 
 } // namespace Region_segmentation

@@ -102,11 +102,11 @@ private:
                                           const std::vector<Flat_mesh::Index>& label_of_face)
   {
     internal::Lowest_root_forest<> forest(mesh.number_of_faces());
-    for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
-      for (std::size_t e = mesh.first_edge(f); e < mesh.first_edge(f + 1); ++e)
-        if (label_of_face[f] == label_of_face[mesh.higher_face(e)] &&
-            !mesh.has_flag(e, Flat_mesh::CONSTRAINED))
-          forest.unite(Flat_mesh::Index(f), mesh.higher_face(e));
+    for (std::size_t e = 0; e < mesh.number_of_edges(); ++e) {
+      const Flat_mesh::Index f = mesh.lower_face(e), g = mesh.higher_face(e);
+      if (label_of_face[f] == label_of_face[g] && !mesh.has_flag(e, Flat_mesh::CONSTRAINED))
+        forest.unite(f, g);
+    }
     return forest.take_labels();
   }
 

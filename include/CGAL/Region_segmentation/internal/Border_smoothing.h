@@ -88,12 +88,11 @@ private:
 
   void collect_constrained_edges(const Flat_mesh& mesh)
   {
-    for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
-      for (std::size_t e = mesh.first_edge(f); e < mesh.first_edge(f + 1); ++e)
-        if (mesh.has_flag(e, Flat_mesh::CONSTRAINED)) {
-          m_constrained.push_back({Index(f), mesh.higher_face(e)});
-          m_constrained.push_back({mesh.higher_face(e), Index(f)});
-        }
+    for (std::size_t e = 0; e < mesh.number_of_edges(); ++e)
+      if (mesh.has_flag(e, Flat_mesh::CONSTRAINED)) {
+        m_constrained.push_back({mesh.lower_face(e), mesh.higher_face(e)});
+        m_constrained.push_back({mesh.higher_face(e), mesh.lower_face(e)});
+      }
     std::sort(m_constrained.begin(), m_constrained.end());
   }
 

@@ -58,10 +58,9 @@ private:
   template <typename F>
   static void for_each_step(const Flat_mesh& mesh, const F& f)
   {
-    for (std::size_t i = 0; i < mesh.number_of_faces(); ++i)
-      for (std::size_t e = mesh.first_edge(i); e < mesh.first_edge(i + 1); ++e)
-        if (!mesh.has_flag(e, Flat_mesh::CONSTRAINED))
-          f(i, mesh.higher_face(e), e);
+    for (std::size_t e = 0; e < mesh.number_of_edges(); ++e)
+      if (!mesh.has_flag(e, Flat_mesh::CONSTRAINED))
+        f(mesh.lower_face(e), mesh.higher_face(e), e);
   }
 
   std::vector<Index> m_first;

@@ -24,17 +24,25 @@ class Flat_mesh_builder
   using Index = Flat_mesh::Index;
 
 public:
+  struct Edge
+  {
+    Index lower, higher;
+    Vector_3 d; // along the halfedge of the lower face
+    bool is_constrained;
+  };
+
   Flat_mesh_builder(std::size_t number_of_faces, std::size_t maximum_number_of_edges)
     : m_closed_edges(number_of_blocks(number_of_faces))
   {
     m_flat.m_normals.resize(number_of_faces);
     m_flat.m_areas.resize(number_of_faces);
-    m_flat.m_first_edges.resize(number_of_faces + 1);
-    m_flat.m_first_edges.back() = Index(maximum_number_of_edges);
+    m_flat.m_lower_faces.resize(maximum_number_of_edges);
     m_flat.m_higher_faces.resize(maximum_number_of_edges);
     m_flat.m_lengths.resize(maximum_number_of_edges);
     m_flat.m_flags.resize(maximum_number_of_edges);
   }
+
+  std::size_t maximum_number_of_edges() const { return m_flat.m_higher_faces.size(); }
 
   void set_face(std::size_t face, const Area_vector_sum& sum)
   {
@@ -46,24 +54,20 @@ public:
     m_flat.m_areas[face] = is_finite ? area : 0;
   }
 
-  std::size_t maximum_number_of_edges() const { return m_flat.m_higher_faces.size(); }
-  void set_first_edge(std::size_t face, std::size_t edge) { m_flat.m_first_edges[face] = Index(edge); }
-
-  /// `d` runs along the halfedge of the lower face.
-  void set_edge(std::size_t edge, std::size_t lower, std::size_t higher, const Vector_3& d,
-                bool is_constrained)
+  void set_edge(std::size_t edge, const Edge& e)
   {
-    const double sign = dot(cross(m_flat.normal(lower), m_flat.normal(higher)), d);
+    const double sign = dot(cross(m_flat.normal(e.lower), m_flat.normal(e.higher)), e.d);
     const bool is_convex = sign > 0, is_concave = sign < 0;
     int flags = is_convex * Flat_mesh::CONVEX + is_concave * Flat_mesh::CONCAVE +
-                is_constrained * Flat_mesh::CONSTRAINED;
+                e.is_constrained * Flat_mesh::CONSTRAINED;
     // The normal of a degenerate face is zero, and then the edge has no sign.
-    if (!is_convex && !is_concave && (m_flat.is_degenerate(lower) || m_flat.is_degenerate(higher))) {
+    if (!is_convex && !is_concave && (m_flat.is_degenerate(e.lower) || m_flat.is_degenerate(e.higher))) {
       flags |= Flat_mesh::CLOSED;
-      m_closed_edges[lower / block_size].push_back({Index(lower), Index(edge)});
+      m_closed_edges[e.lower / block_size].push_back(Index(edge));
     }
-    m_flat.m_higher_faces[edge] = Index(higher);
-    m_flat.m_lengths[edge] = norm(d);
+    m_flat.m_lower_faces[edge] = e.lower;
+    m_flat.m_higher_faces[edge] = e.higher;
+    m_flat.m_lengths[edge] = norm(e.d);
     m_flat.m_flags[edge] = std::uint8_t(flags);
   }
 
@@ -94,11 +98,6 @@ public:
   }
 
 private:
-  struct Closed_edge
-  {
-    Index lower, edge;
-  };
-
   /// Each degenerate face joins across its longest dual edge that is not constrained; of several, the
   /// one to the lower face, and of several to that face the first.
   void join_degenerate_faces()
@@ -109,14 +108,14 @@ private:
     };
     std::vector<Way> ways;
     for (const auto& block : m_closed_edges)
-      for (const Closed_edge& e : block) {
-        if (m_flat.has_flag(e.edge, Flat_mesh::CONSTRAINED))
+      for (Index edge : block) {
+        if (m_flat.has_flag(edge, Flat_mesh::CONSTRAINED))
           continue;
-        const Index higher = m_flat.higher_face(e.edge);
-        if (m_flat.is_degenerate(e.lower))
-          ways.push_back({e.lower, higher, e.edge});
+        const Index lower = m_flat.lower_face(edge), higher = m_flat.higher_face(edge);
+        if (m_flat.is_degenerate(lower))
+          ways.push_back({lower, higher, edge});
         if (m_flat.is_degenerate(higher))
-          ways.push_back({higher, e.lower, e.edge});
+          ways.push_back({higher, lower, edge});
       }
     std::sort(ways.begin(), ways.end(), [this](const Way& a, const Way& b) {
       const double a_length = m_flat.length(a.edge), b_length = m_flat.length(b.edge);
@@ -138,15 +137,14 @@ private:
     if (first_edge == 0)
       return;
     const auto erase = [first_edge](auto& array) { array.erase(array.begin(), array.begin() + first_edge); };
+    erase(m_flat.m_lower_faces);
     erase(m_flat.m_higher_faces);
     erase(m_flat.m_lengths);
     erase(m_flat.m_flags);
-    for (Index& edge : m_flat.m_first_edges)
-      edge -= Index(first_edge);
   }
 
   Flat_mesh m_flat;
-  std::vector<std::vector<Closed_edge>> m_closed_edges; // by the block of their lower face
+  std::vector<std::vector<Index>> m_closed_edges; // by the block of their lower face
 };
 
 } // namespace internal

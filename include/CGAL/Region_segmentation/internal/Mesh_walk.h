@@ -109,32 +109,18 @@ public:
 
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
 
+  /// A neighbor of a face, and the position in the boundary of the halfedge to it.
+  struct Neighbor
+  {
+    std::size_t face_rank, position;
+  };
+
   /// Memory that a walk keeps while it goes from face to face.
   class Scratch
   {
     friend class Mesh_walk;
     Polygon polygon;
-    std::vector<std::uint64_t> keys;
-  };
-
-  /// The neighbors of a face that have a higher number, in order. Several halfedges to one neighbor follow its
-  /// boundary from its vertex of lowest number.
-  class Higher_neighbors
-  {
-  public:
-    std::size_t size() const { return m_size; }
-    /// The number of the neighbor.
-    std::size_t face_rank(std::size_t i) const { return std::size_t(key(i) >> 32); }
-    /// The position in the boundary of the halfedge to it.
-    std::size_t position(std::size_t i) const { return std::size_t(key(i) & 0xffffffffu); }
-
-  private:
-    friend class Mesh_walk;
-    std::uint64_t key(std::size_t i) const { return m_many ? m_many[i] : m_few[i]; }
-
-    std::array<std::uint64_t, 3> m_few = {};
-    const std::uint64_t* m_many = nullptr; // where there can be more than three
-    std::size_t m_size = 0;
+    std::vector<Neighbor> neighbors;
   };
 
   Mesh_walk(const FaceGraph& mesh, const Pack& np)
@@ -177,45 +163,43 @@ public:
     f(Triangle{from_b ? b : from_c ? c : a, from_b ? c : from_c ? a : b, from_b ? a : from_c ? b : c});
   }
 
+  /// The number of the face on the other side of a halfedge of the face `rank`; `none` if it is lower.
+  std::size_t higher_face_rank(std::size_t rank, halfedge_descriptor h) const
+  {
+    const std::size_t other = opposite_face_rank(h);
+    return other > rank ? other : none;
+  }
+
   /// How many neighbors of the face `rank` have a higher number.
   template <typename Boundary>
   std::size_t number_of_higher_neighbors(std::size_t rank, const Boundary& around) const
   {
     std::size_t n = 0;
-    for (std::size_t i = 0; i < around.size(); ++i)
-      n += is_higher(opposite_face_rank(around[i]), rank);
+    for (halfedge_descriptor h : around)
+      n += higher_face_rank(rank, h) != none;
     return n;
   }
 
-  /// Those of the face `rank`; valid until `scratch` is used again.
-  BOOST_FORCEINLINE Higher_neighbors higher_neighbors(std::size_t rank, const Triangle& around, Scratch&) const
+  /// The neighbors of the face `rank` that have a higher number, in order. Several halfedges to one neighbor
+  /// follow its boundary from its vertex of lowest number. Valid until `scratch` is used again.
+  template <typename Boundary>
+  const std::vector<Neighbor>& higher_neighbors(std::size_t rank, const Boundary& around,
+                                                Scratch& scratch) const
   {
-    Higher_neighbors result;
-    auto& [x, y, z] = result.m_few;
-    x = key(rank, around, 0);
-    y = key(rank, around, 1);
-    z = key(rank, around, 2);
-    sort(x, y);
-    sort(y, z);
-    sort(x, y);
-    result.m_size = (x != no_key) + (y != no_key) + (z != no_key);
-    order_parallel_edges(rank, around, result.m_few.data(), result.m_size);
-    return result;
-  }
-
-  Higher_neighbors higher_neighbors(std::size_t rank, const Polygon& around, Scratch& scratch) const
-  {
-    std::vector<Key>& keys = scratch.keys;
-    keys.clear();
+    std::vector<Neighbor>& neighbors = scratch.neighbors;
+    neighbors.clear();
     for (std::size_t i = 0; i < around.size(); ++i)
-      if (const Key k = key(rank, around, i); k != no_key)
-        keys.push_back(k);
-    std::sort(keys.begin(), keys.end());
-    order_parallel_edges(rank, around, keys.data(), keys.size());
-    Higher_neighbors result;
-    result.m_many = keys.data();
-    result.m_size = keys.size();
-    return result;
+      if (const std::size_t other = higher_face_rank(rank, around[i]); other != none)
+        neighbors.push_back({other, i});
+    const auto goes_before = [](const Neighbor& a, const Neighbor& b) { return a.face_rank < b.face_rank; };
+    std::sort(neighbors.begin(), neighbors.end(), goes_before);
+    for (auto first = neighbors.begin(); first != neighbors.end();) {
+      const auto last = std::upper_bound(first, neighbors.end(), *first, goes_before);
+      if (last - first > 1)
+        order_parallel_edges(rank, around, &*first);
+      first = last;
+    }
+    return neighbors;
   }
 
   /// Calls `f(halfedge, dual_edge)` for every dual edge of the flat mesh made by this walk, in order, with the
@@ -227,39 +211,14 @@ public:
     std::size_t rank = 0, dual_edge = 0;
     for (face_descriptor fd : faces(m_mesh)) {
       with_boundary(fd, scratch, [&](const auto& around) {
-        const Higher_neighbors neighbors = higher_neighbors(rank, around, scratch);
-        for (std::size_t i = 0; i < neighbors.size(); ++i)
-          f(around[neighbors.position(i)], dual_edge++);
+        for (const Neighbor& neighbor : higher_neighbors(rank, around, scratch))
+          f(around[neighbor.position], dual_edge++);
       });
       ++rank;
     }
   }
 
 private:
-  /// A neighbor and the position in the boundary of the halfedge to it, ordered by the neighbor.
-  using Key = std::uint64_t;
-  static constexpr Key no_key = (std::numeric_limits<Key>::max)();
-
-  static std::size_t other(Key k) { return std::size_t(k >> 32); }
-  static std::size_t position(Key k) { return std::size_t(k & 0xffffffffu); }
-  static Key make_key(std::size_t other, std::size_t position) { return Key(other) << 32 | position; }
-
-  static bool is_higher(std::size_t other, std::size_t rank) { return (other > rank) & (other != none); }
-
-  template <typename Boundary>
-  Key key(std::size_t rank, const Boundary& around, std::size_t i) const
-  {
-    const std::size_t other = opposite_face_rank(around[i]);
-    return is_higher(other, rank) ? make_key(other, i) : no_key;
-  }
-
-  static void sort(Key& a, Key& b)
-  {
-    const Key lower = (std::min)(a, b), higher = (std::max)(a, b);
-    a = lower;
-    b = higher;
-  }
-
   const Polygon& read_polygon(halfedge_descriptor start, Scratch& scratch) const
   {
     Polygon& around = scratch.polygon;
@@ -277,25 +236,11 @@ private:
     return around;
   }
 
-  /// Puts the keys of several halfedges to one face in the order of the boundary of that face.
+  /// Puts several halfedges to one neighbor in the order of its boundary.
   template <typename Boundary>
-  void order_parallel_edges(std::size_t rank, const Boundary& around, Key* keys, std::size_t n) const
+  void order_parallel_edges(std::size_t rank, const Boundary& around, Neighbor* neighbors) const
   {
-    for (std::size_t i = 1; i < n; ++i)
-      if (other(keys[i]) == other(keys[i - 1])) {
-        std::size_t end = i + 1;
-        while (end < n && other(keys[end]) == other(keys[i]))
-          ++end;
-        order_parallel_edges(rank, around, keys + (i - 1));
-        i = end;
-      }
-  }
-
-  template <typename Boundary>
-  void order_parallel_edges(std::size_t rank, const Boundary& around, Key* keys) const
-  {
-    const halfedge_descriptor across = opposite(around[position(*keys)], m_mesh);
-    const std::size_t higher = other(*keys);
+    const halfedge_descriptor across = opposite(around[neighbors->position], m_mesh);
     Scratch scratch;
     with_boundary(face(across, m_mesh), scratch, [&](const auto& around_higher) {
       // Most often both boundaries hold the edges in opposite order: then one turn finds them all.
@@ -305,7 +250,7 @@ private:
           continue;
         while (around[i] != opposite(h, m_mesh))
           i = (i ? i : around.size()) - 1;
-        *keys++ = make_key(higher, i);
+        (neighbors++)->position = i;
       }
     });
   }

@@ -6,7 +6,6 @@
 #include <CGAL/Region_segmentation/Merge_tree.h>
 #include <CGAL/Region_segmentation/internal/companions.h>
 #include <CGAL/Region_segmentation/internal/Lowest_root_forest.h>
-#include <CGAL/Region_segmentation/internal/blocks.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -38,25 +37,35 @@ inline Region_labels split_regions(const Region_labels& regions, std::size_t num
   return forest.take_labels();
 }
 
-/// The segments of the faces when a tree is cut at a number; below its leaves the regions are split, if
-/// their maker tells how.
-template <typename ConcurrencyTag>
-Region_labels cut(const Region_labels& regions, const Merge_tree& tree,
-                         std::size_t number_of_segments)
+/// The segment of every face, looked up by way of its region: no label is stored a second time.
+class Segment_labels
 {
-  if (number_of_segments > regions.number_of_regions && !regions.predecessor.empty())
-    return split_regions(regions, number_of_segments);
-  const Merge_tree::Segmentation segments = tree.cut_at_count(number_of_segments);
-  Region_labels result;
-  result.number_of_regions = segments.number_of_segments;
-  result.of_face.resize(regions.of_face.size());
-  for_each_block<ConcurrencyTag>(
-    result.of_face.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
-      for (std::size_t f = begin; f < end; ++f)
-        result.of_face[f] = segments.of_region[regions.of_face[f]];
-    });
-  return result;
-}
+public:
+  /// When a tree is cut at a number; below its leaves the regions are split, if their maker tells how.
+  Segment_labels(const Region_labels& regions, const Merge_tree& tree, std::size_t number_of_segments)
+    : m_regions(regions)
+  {
+    if (number_of_segments > regions.number_of_regions && !regions.predecessor.empty()) {
+      m_split = split_regions(regions, number_of_segments);
+      m_number = m_split.number_of_regions;
+    } else {
+      m_merged = tree.cut_at_count(number_of_segments);
+      m_number = m_merged.number_of_segments;
+    }
+  }
+
+  std::size_t number_of_segments() const { return m_number; }
+  std::size_t operator()(std::size_t face) const
+  {
+    return m_split.of_face.empty() ? m_merged.of_region[m_regions.of_face[face]] : m_split.of_face[face];
+  }
+
+private:
+  const Region_labels& m_regions;
+  Merge_tree::Segmentation m_merged;
+  Region_labels m_split;
+  std::size_t m_number;
+};
 
 /// The wanted number of segments, or the one that a chooser finds where none is wanted.
 template <typename Companions, typename Pack>

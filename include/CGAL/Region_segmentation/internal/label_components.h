@@ -20,11 +20,10 @@ Region_labels label_components(const Flat_mesh& flat, const Edge_marks& is_featu
 {
   Lowest_root_forest<ConcurrencyTag> forest(flat.number_of_faces());
   for_each_block<ConcurrencyTag>(
-    flat.number_of_faces(), [&](std::size_t, std::size_t begin, std::size_t end) {
-      for (std::size_t f = begin; f < end; ++f)
-        for (std::size_t e = flat.first_edge(f); e < flat.first_edge(f + 1); ++e)
-          if (!is_feature[e] && !flat.has_flag(e, Flat_mesh::CLOSED))
-            forest.unite(Flat_mesh::Index(f), flat.higher_face(e));
+    flat.number_of_edges(), [&](std::size_t, std::size_t begin, std::size_t end) {
+      for (std::size_t e = begin; e < end; ++e)
+        if (!is_feature[e] && !flat.has_flag(e, Flat_mesh::CLOSED))
+          forest.unite(flat.lower_face(e), flat.higher_face(e));
     });
   return forest.take_labels();
 }
@@ -34,12 +33,11 @@ template <typename ConcurrencyTag>
 void clear_marks_within_regions(const Flat_mesh& flat, const Region_labels& regions, Edge_marks& is_feature)
 {
   for_each_block<ConcurrencyTag>(
-    flat.number_of_faces(), [&](std::size_t, std::size_t begin, std::size_t end) {
-      for (std::size_t f = begin; f < end; ++f)
-        for (std::size_t e = flat.first_edge(f); e < flat.first_edge(f + 1); ++e)
-          if (is_feature[e] && regions.of_face[f] == regions.of_face[flat.higher_face(e)] &&
-              !flat.has_flag(e, Flat_mesh::CONSTRAINED))
-            is_feature[e] = 0;
+    flat.number_of_edges(), [&](std::size_t, std::size_t begin, std::size_t end) {
+      for (std::size_t e = begin; e < end; ++e)
+        if (is_feature[e] && !flat.has_flag(e, Flat_mesh::CONSTRAINED) &&
+            regions.of_face[flat.lower_face(e)] == regions.of_face[flat.higher_face(e)])
+          is_feature[e] = 0;
     });
 }
 

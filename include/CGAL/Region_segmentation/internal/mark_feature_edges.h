@@ -29,19 +29,22 @@ Edge_marks mark_feature_edges(const Flat_mesh& flat, double maximum_angle, Featu
   const int any_sign = convexity == Feature_convexity::ALL;
   const int wanted = convexity == Feature_convexity::CONVEX ? Flat_mesh::CONVEX : Flat_mesh::CONCAVE;
 
+  const Vector_3* const normals = flat.normals();
+  const Flat_mesh::Index *const lower = flat.lower_faces(), *const higher = flat.higher_faces();
+  const std::uint8_t* const edge_flags = flat.edge_flags();
   Edge_marks is_feature(flat.number_of_edges());
+  std::uint8_t* const marks = is_feature.data();
   for_each_block<ConcurrencyTag>(
-    flat.number_of_faces(), [&](std::size_t, std::size_t begin, std::size_t end) {
-      for (std::size_t f = begin; f < end; ++f)
-        for (std::size_t e = flat.first_edge(f); e < flat.first_edge(f + 1); ++e) {
-          // No branch: the sign of an edge cannot be predicted.
-          const int flags = flat.flags(e);
-          const int has_sign = any_sign | ((flags & wanted) != 0);
-          const int has_angle = (flags & (Flat_mesh::JOINING | Flat_mesh::CLOSED)) == 0;
-          const int is_sharp = dot(flat.normal(f), flat.normal(flat.higher_face(e))) < bound;
-          const int is_constrained = (flags & Flat_mesh::CONSTRAINED) != 0;
-          is_feature[e] = std::uint8_t((has_sign & has_angle & is_sharp) | is_constrained);
-        }
+    flat.number_of_edges(), [=](std::size_t, std::size_t begin, std::size_t end) {
+      for (std::size_t e = begin; e < end; ++e) {
+        // No branch: the sign of an edge cannot be predicted.
+        const int flags = edge_flags[e];
+        const int has_sign = any_sign | ((flags & wanted) != 0);
+        const int has_angle = (flags & (Flat_mesh::JOINING | Flat_mesh::CLOSED)) == 0;
+        const int is_sharp = dot(normals[lower[e]], normals[higher[e]]) < bound;
+        const int is_constrained = (flags & Flat_mesh::CONSTRAINED) != 0;
+        marks[e] = std::uint8_t((has_sign & has_angle & is_sharp) | is_constrained);
+      }
     });
   return is_feature;
 }

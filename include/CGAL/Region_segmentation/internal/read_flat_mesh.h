@@ -13,6 +13,7 @@
 #include <CGAL/property_map.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <string>
 #include <utility>
@@ -22,15 +23,41 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
+/// The dual edges of a block of faces, whose place is known when they are counted.
+class Edge_buffer
+{
+public:
+  using Edge = Flat_mesh_builder::Edge;
+
+  void clear() { m_size = 0; }
+  std::size_t size() const { return m_size; }
+  const Edge& operator[](std::size_t i) const { return m_edges[i]; }
+
+  /// The places of the next `n` edges; `add()` says how many of them were used.
+  Edge* next(std::size_t n)
+  {
+    if (m_edges.size() < m_size + n)
+      m_edges.resize(2 * (m_size + n));
+    return m_edges.data() + m_size;
+  }
+  void add(std::size_t n) { m_size += n; }
+
+private:
+  std::vector<Edge> m_edges;
+  std::size_t m_size = 0;
+};
+
 /// Reads a face graph, once, into a `Flat_mesh`.
 ///
-/// The dual edges of a face, those to higher faces, need the normals of these. In sequence faces are read from
-/// the last one down, each with its edges, and the arrays of edges are filled from their end. In parallel all
-/// faces are read and their edges counted, then all edges are read.
+/// The dual edges of a face, those to higher faces, need the normals of these. In sequence the blocks of faces
+/// are read from the last one down, each with its edges, and the arrays of edges are filled from their end. In
+/// parallel all faces are read and their edges counted, then all edges are read.
 template <typename ConcurrencyTag, typename FaceGraph, typename Pack>
 class Flat_mesh_reader
 {
   using Walk = Mesh_walk<FaceGraph, Pack>;
+  using Triangle = typename Walk::Triangle;
+  using Polygon = typename Walk::Polygon;
   using Scratch = typename Walk::Scratch;
   using Point_map = typename GetVertexPointMap<FaceGraph, Pack>::const_type;
 
@@ -56,17 +83,25 @@ public:
         edge -= std::exchange(ends[block], edge);
       for_each_block<ConcurrencyTag>(
         m_walk.number_of_faces(), [&](std::size_t block, std::size_t, std::size_t) {
-          std::size_t end = ends[block];
-          for_each_face_down(block, [&](std::size_t rank, const auto& around, Scratch& scratch) {
-            end = read_edges_of_face(rank, around, scratch, end, is_constrained);
+          Edge_buffer edges;
+          for_each_face(
+            block, [&](std::size_t rank, const auto& around, const auto& points, Scratch& scratch) {
+              collect_edges(rank, around, points, scratch, is_constrained, edges);
+            });
+          set_edges(ends[block], edges);
+        });
+    } else {
+      Edge_buffer edges;
+      for (std::size_t block = number_of_blocks(m_walk.number_of_faces()); block-- > 0;) {
+        edges.clear();
+        for_each_face(
+          block, [&](std::size_t rank, const auto& around, const auto& points, Scratch& scratch) {
+            m_builder.set_face(rank, area_of(points));
+            collect_edges(rank, around, points, scratch, is_constrained, edges);
           });
-        });
-    } else
-      for (std::size_t block = number_of_blocks(m_walk.number_of_faces()); block-- > 0;)
-        for_each_face_down(block, [&](std::size_t rank, const auto& around, Scratch& scratch) {
-          m_builder.set_face(rank, area_of(around));
-          edge = read_edges_of_face(rank, around, scratch, edge, is_constrained);
-        });
+        edge = set_edges(edge, edges);
+      }
+    }
     if (m_with_points)
       read_corners();
     return m_builder.finish(edge);
@@ -100,27 +135,45 @@ private:
         throw Invalid_input("the point of vertex " + std::to_string(vertex) + " is not finite");
   }
 
-  /// The area of a face, from its vertex of lowest number on.
-  template <typename Boundary>
-  Area_vector_sum area_of(const Boundary& around) const
+  /// The points at the sources of the halfedges around a face. Those of a triangle are values, which stay in
+  /// registers.
+  std::array<Vector_3, 3> points_of(const Triangle& around, std::vector<Vector_3>&) const
   {
     const FaceGraph& mesh = m_walk.mesh();
-    Area_vector_sum sum(point(target(around.back(), mesh)), point(target(around[0], mesh)));
-    for (std::size_t i = 1; i + 1 < around.size(); ++i)
-      sum.add(point(target(around[i], mesh)));
+    return {point(target(around[2], mesh)), point(target(around[0], mesh)), point(target(around[1], mesh))};
+  }
+
+  const std::vector<Vector_3>& points_of(const Polygon& around, std::vector<Vector_3>& points) const
+  {
+    points.clear();
+    for (auto h : around)
+      points.push_back(point(source(h, m_walk.mesh())));
+    return points;
+  }
+
+  template <typename Points>
+  static Area_vector_sum area_of(const Points& points)
+  {
+    Area_vector_sum sum(points[0], points[1]);
+    for (std::size_t i = 2; i < points.size(); ++i)
+      sum.add(points[i]);
     return sum;
   }
 
-  /// Calls `f(rank, boundary, scratch)` for the faces of a block, the last one first.
+  /// Calls `f(rank, boundary, points, scratch)` for the faces of a block.
   template <typename F>
-  void for_each_face_down(std::size_t block, const F& f) const
+  void for_each_face(std::size_t block, const F& f) const
   {
-    const auto range = m_walk.faces_of_block(block);
-    const std::vector<typename Walk::face_descriptor> faces(range.begin(), range.end());
     Scratch scratch;
-    for (std::size_t i = faces.size(); i-- > 0;)
-      m_walk.with_boundary(
-        faces[i], scratch, [&](const auto& around) { f(block * block_size + i, around, scratch); });
+    std::vector<Vector_3> memory;
+    std::size_t rank = block * block_size;
+    for (auto face : m_walk.faces_of_block(block)) {
+      m_walk.with_boundary(face, scratch, [&](const auto& around) {
+        const auto& points = points_of(around, memory);
+        f(rank, around, points, scratch);
+      });
+      ++rank;
+    }
   }
 
   /// Reads all faces in parallel; returns the number of their dual edges by block.
@@ -130,8 +183,8 @@ private:
     std::vector<std::size_t> numbers(number_of_blocks(size));
     for_each_block<ConcurrencyTag>(size, [&](std::size_t block, std::size_t, std::size_t) {
       std::size_t number = 0;
-      for_each_face_down(block, [&](std::size_t rank, const auto& around, Scratch&) {
-        m_builder.set_face(rank, area_of(around));
+      for_each_face(block, [&](std::size_t rank, const auto& around, const auto& points, Scratch&) {
+        m_builder.set_face(rank, area_of(points));
         number += m_walk.number_of_higher_neighbors(rank, around);
       });
       numbers[block] = number;
@@ -139,22 +192,48 @@ private:
     return numbers;
   }
 
-  /// Reads the dual edges of a face into the places before `end`; returns the first place.
-  template <typename Boundary, typename EdgeIsConstrainedMap>
-  std::size_t read_edges_of_face(std::size_t rank, const Boundary& around, Scratch& scratch,
-                                 std::size_t end, const EdgeIsConstrainedMap& is_constrained)
+  /// Appends the dual edges of a face, in order.
+  template <typename Points, typename EdgeIsConstrainedMap>
+  void collect_edges(std::size_t rank, const Polygon& around, const Points& points, Scratch& scratch,
+                     const EdgeIsConstrainedMap& is_constrained, Edge_buffer& edges) const
   {
-    const FaceGraph& mesh = m_walk.mesh();
-    const auto neighbors = m_walk.higher_neighbors(rank, around, scratch);
-    const std::size_t first = end - neighbors.size();
-    m_builder.set_first_edge(rank, first);
-    for (std::size_t i = 0; i < neighbors.size(); ++i) {
-      const std::size_t j = neighbors.position(i);
-      const Vector_3 d =
-        point(target(around[j], mesh)) - point(target(around[(j ? j : around.size()) - 1], mesh));
-      m_builder.set_edge(first + i, rank, neighbors.face_rank(i), d,
-                         bool(get(is_constrained, edge(around[j], mesh))));
+    for (const auto& [higher, i] : m_walk.higher_neighbors(rank, around, scratch)) {
+      const Vector_3 d = points[i + 1 < points.size() ? i + 1 : 0] - points[i];
+      *edges.next(1) = {Flat_mesh::Index(rank), Flat_mesh::Index(higher), d,
+                        bool(get(is_constrained, edge(around[i], m_walk.mesh())))};
+      edges.add(1);
     }
+  }
+
+  /// The same for a triangle: every side is written to its place in the order, those that lead nowhere
+  /// behind the others, where the edges of the next face replace them.
+  template <typename EdgeIsConstrainedMap>
+  void collect_edges(std::size_t rank, const Triangle& around, const std::array<Vector_3, 3>& points,
+                     Scratch& scratch, const EdgeIsConstrainedMap& is_constrained, Edge_buffer& edges) const
+  {
+    const std::size_t a = m_walk.higher_face_rank(rank, around[0]), b = m_walk.higher_face_rank(rank, around[1]),
+                      c = m_walk.higher_face_rank(rank, around[2]);
+    if ((a == b && a != Walk::none) || (b == c && b != Walk::none) || (a == c && c != Walk::none)) {
+      collect_edges(rank, Polygon(around.begin(), around.end()), points, scratch, is_constrained, edges);
+      return;
+    }
+    const auto make_edge = [&](std::size_t higher, std::size_t i, const Vector_3& d) -> Edge_buffer::Edge {
+      return {Flat_mesh::Index(rank), Flat_mesh::Index(higher), d,
+              bool(get(is_constrained, edge(around[i], m_walk.mesh())))};
+    };
+    Edge_buffer::Edge* next = edges.next(3);
+    next[(b < a) + (c < a)] = make_edge(a, 0, points[1] - points[0]);
+    next[(a <= b) + (c < b)] = make_edge(b, 1, points[2] - points[1]);
+    next[(a <= c) + (b <= c)] = make_edge(c, 2, points[0] - points[2]);
+    edges.add((a != Walk::none) + (b != Walk::none) + (c != Walk::none));
+  }
+
+  /// Puts edges into the places before `end`; returns the first place.
+  std::size_t set_edges(std::size_t end, const Edge_buffer& edges)
+  {
+    const std::size_t first = end - edges.size();
+    for (std::size_t i = 0; i < edges.size(); ++i)
+      m_builder.set_edge(first + i, edges[i]);
     return first;
   }
 

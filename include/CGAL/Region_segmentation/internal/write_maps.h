@@ -52,7 +52,7 @@ Edge_marks read_edge_map(const Mesh_walk<FaceGraph, Pack>& walk, const Flat_mesh
 
 /// Writes every key of a face map; `label(i)` is the value of the i-th face.
 template <typename FaceGraph, typename FaceMap, typename Label>
-void write_face_map(const FaceGraph& mesh, FaceMap& map, Label label)
+void write_face_map(const FaceGraph& mesh, FaceMap& map, const Label& label)
 {
   using Value = typename boost::property_traits<FaceMap>::value_type;
   std::size_t i = 0;
