@@ -3,6 +3,7 @@
 #ifndef CGAL_REGION_SEGMENTATION_REGION_ADJACENCY_GRAPH_H
 #define CGAL_REGION_SEGMENTATION_REGION_ADJACENCY_GRAPH_H
 
+#include <CGAL/Region_segmentation/internal/Large_array.h>
 #include <CGAL/Region_segmentation/internal/Pair_index.h>
 #include <CGAL/Region_segmentation/internal/region_graph_iterators.h>
 #include <CGAL/Region_segmentation/region_and_section_data.h>
@@ -263,12 +264,12 @@ private:
     m_index.insert(s, ends());
   }
 
-  std::vector<Index> m_place_of; // by region
-  std::vector<Place> m_places;
-  std::vector<Half> m_halves;
-  std::vector<RegionData> m_region_data;
-  std::vector<SectionData> m_section_data;
-  std::vector<std::uint8_t> m_is_mergeable;
+  internal::Large_array<Index> m_place_of; // by region
+  internal::Large_array<Place> m_places;
+  internal::Large_array<Half> m_halves;
+  internal::Large_array<RegionData> m_region_data;
+  internal::Large_array<SectionData> m_section_data;
+  internal::Large_array<std::uint8_t> m_is_mergeable;
   internal::Pair_index m_index;
   std::size_t m_number_of_regions = 0;
   std::size_t m_number_of_sections = 0;

@@ -3,11 +3,12 @@
 #ifndef CGAL_REGION_SEGMENTATION_INTERNAL_PAIR_INDEX_H
 #define CGAL_REGION_SEGMENTATION_INTERNAL_PAIR_INDEX_H
 
+#include <CGAL/Region_segmentation/internal/Large_array.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Region_segmentation {
@@ -88,14 +89,14 @@ private:
   template <typename Ends>
   void grow(const Ends& ends)
   {
-    std::vector<Id> items = std::move(m_cells);
+    Large_array<Id> items = std::move(m_cells);
     m_cells.assign(items.empty() ? 16 : 2 * items.size(), none);
     for (Id item : items)
       if (item != none)
         m_cells[position(ends(item), ends)] = item;
   }
 
-  std::vector<Id> m_cells;
+  Large_array<Id> m_cells;
   std::size_t m_size = 0;
 };
 
