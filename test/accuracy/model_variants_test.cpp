@@ -2,6 +2,7 @@
 
 #include "model_sources.h"
 #include "model_variants.h"
+#include "is_oriented_manifold.h"
 #include "score_model.h"
 
 #include "repair_soup.h"

@@ -71,8 +71,12 @@ public:
     m_planarities.resize(n);
     m_compactness.resize(n);
     m_weights.resize(n);
-    for (std::size_t i = 0; i < n; ++i)
+    double total_area = 0;
+    for (std::size_t i = 0; i < n; ++i) {
       set_shape(i, shape(graph, m_regions[i]));
+      total_area += m_areas[i];
+    }
+    m_areas_are_regular = total_area < highest_area;
     for (std::size_t i = 0; i < n; ++i)
       m_weights[i] = weight(i);
   }
@@ -107,16 +111,15 @@ public:
 private:
   static constexpr double settled = std::numeric_limits<double>::infinity();
 
-  /// From here on e^-rho comes near the lowest double, so that its shares must be taken from rho itself.
-  static constexpr double ragged = 650;
+  // Products of three areas, and of three of e^-rho, must be doubles where shares are taken together.
+  static constexpr double lowest_area = 1e-100, highest_area = 1e100, ragged = 200;
 
   struct Shape
   {
     double area, planarity;
     double compactness; // e^-planarity
 
-    /// Whether the share of anything with it can be taken from area and compactness.
-    bool is_regular() const { return area > 0 && planarity < ragged; }
+    bool is_regular() const { return area > lowest_area && planarity < ragged; }
   };
 
   template <typename Graph>
@@ -177,36 +180,41 @@ private:
   {
     const Shape i = shape_in(slot);
     double sum = 0;
-    if (i.is_regular())
-      for (std::size_t j = 0; j < m_regions.size(); ++j)
-        sum += m_gamma * (i.compactness / (i.compactness + m_compactness[j])) +
-               (1 - m_gamma) * (i.area / (i.area + m_areas[j]));
+    if (m_areas_are_regular && i.is_regular())
+      for (std::size_t j = 0; j < m_regions.size(); ++j) {
+        const double c = i.compactness + m_compactness[j], a = i.area + m_areas[j];
+        sum += (m_gamma * i.compactness * a + (1 - m_gamma) * i.area * c) / (c * a);
+      }
     else
       for (std::size_t j = 0; j < m_regions.size(); ++j)
         sum += term(i, shape_in(j));
     return sum;
   }
 
-  /// The loop over all regions, once for each merge: without branches, so that it is vectorized.
+  /// x / (x + after) - x / (x + before) - x / (x + gone): divisions are what the loop over all regions waits
+  /// for.
+  static double change(double x, double after, double before, double gone)
+  {
+    const double p = x + after, q = x + before, r = x + gone;
+    return x * (q * r - p * (q + r)) / (p * q * r);
+  }
+
+  /// The loop over all regions, once for each merge; without branches, so that it is vectorized.
   void change_weights(const Shape& after, const Shape& before, const Shape& gone)
   {
-    if (!after.is_regular() || !before.is_regular() || !gone.is_regular()) {
-      for (std::size_t i = 0; i < m_regions.size(); ++i) {
-        const Shape shape = shape_in(i);
-        m_weights[i] += term(shape, after) - term(shape, before) - term(shape, gone);
-      }
-      return;
-    }
-    const double* areas = m_areas.data();
-    const double* compactness = m_compactness.data();
+    const double *areas = m_areas.data(), *compactness = m_compactness.data();
     double* weights = m_weights.data();
-    for (std::size_t i = 0, n = m_regions.size(); i < n; ++i) {
-      const double c = compactness[i], a = areas[i];
-      const double by_planarity = c / (c + after.compactness) - c / (c + before.compactness) -
-                                  c / (c + gone.compactness);
-      const double by_area = a / (a + after.area) - a / (a + before.area) - a / (a + gone.area);
-      weights[i] += m_gamma * by_planarity + (1 - m_gamma) * by_area;
-    }
+    const std::size_t n = m_regions.size();
+    if (m_areas_are_regular && after.is_regular() && before.is_regular() && gone.is_regular())
+      for (std::size_t i = 0; i < n; ++i)
+        weights[i] +=
+          m_gamma * change(compactness[i], after.compactness, before.compactness, gone.compactness) +
+          (1 - m_gamma) * change(areas[i], after.area, before.area, gone.area);
+    else
+      for (std::size_t i = 0; i < n; ++i) {
+        const Shape shape = shape_in(i);
+        weights[i] += term(shape, after) - term(shape, before) - term(shape, gone);
+      }
   }
 
   /// e^-a / (e^-a + e^-b) with an exponential that is at most 1, for a and b up to infinity.
@@ -220,6 +228,7 @@ private:
 
   Longest_flattest_section m_section_of;
   double m_gamma;
+  bool m_areas_are_regular = true;
   std::vector<std::uint32_t> m_slots;   // by region
   std::vector<std::uint32_t> m_regions; // by slot, and so the rest
   std::vector<double> m_areas, m_planarities, m_compactness, m_weights;

@@ -37,16 +37,17 @@ inline Feature_convexity_choice choose_feature_convexity(const Flat_mesh& flat,
   const double crease_bound = std::cos(crease_angle * (CGAL_PI / 180));
   const double flat_bound = std::cos(maximum_angle * (CGAL_PI / 180));
   const auto for_each_edge = [&](auto visit) {
-    for (std::size_t f = 0; f < flat.number_of_faces(); ++f)
-      for (std::size_t e = flat.first_edge(f); e < flat.first_edge(f + 1); ++e)
-        if (!flat.has_flag(e, Flat_mesh::JOINING | Flat_mesh::CLOSED))
-          visit(f, e, flat.cosine(f, e));
+    for (std::size_t e = 0; e < flat.number_of_edges(); ++e)
+      if (!flat.has_flag(e, Flat_mesh::JOINING | Flat_mesh::CLOSED))
+        visit(flat.lower_face(e), e, flat.cosine(flat.lower_face(e), e));
   };
   std::vector<std::uint8_t> has_crease(flat.number_of_faces());
   bool any_crease = false;
   for_each_edge([&](std::size_t f, std::size_t e, double cosine) {
-    if (cosine < crease_bound)
-      any_crease = has_crease[f] = has_crease[flat.higher_face(e)] = true;
+    if (cosine >= crease_bound)
+      return;
+    has_crease[f] = has_crease[flat.higher_face(e)] = 1;
+    any_crease = true;
   });
   double length = 0, flat_length = 0;
   for_each_edge([&](std::size_t f, std::size_t e, double cosine) {
@@ -71,9 +72,10 @@ inline Feature_convexity_choice choose_feature_convexity(const Flat_mesh& flat,
 /// ones on a scanned or organic model.
 ///
 /// A *crease* is an edge whose deviation is above 30 degrees. A machine part is mostly flat right beside
-/// its creases; elsewhere the surface bends there, too, or bears noise. So all edges are chosen if more than half of the length of the other edges of the faces
-/// that have a crease is flat, its deviation at most `maximum_angle`. Edges of degenerate faces do not
-/// count. Without a crease the concave edges are chosen.
+/// its creases; elsewhere the surface bends there, too, or bears noise. So all edges are chosen if, of the
+/// other edges of the faces that have a crease, more than half of the length is flat: its deviation is at
+/// most `maximum_angle`. Edges of degenerate faces do not count. Without a crease the concave edges are
+/// chosen.
 ///
 /// What it says is what the surface is like, not which edges part a model as people would: with the
 /// concave edges `Two_step` comes nearer to people on machine parts, too, unless those close no region

@@ -40,8 +40,14 @@ public:
     CONCAVE = 2,     ///< (N_i x N_j) . d < 0
     CONSTRAINED = 4, ///< always a border, never merged across
     JOINING = 8,     ///< the longest edge of a degenerate face: always a way for growing
-    CLOSED = 16      ///< another edge of a degenerate face: has no angle, never a way for growing
+    CLOSED = 16,     ///< another edge of a degenerate face: has no angle, never a way for growing
+    NEARLY_FLAT = 32, ///< N_i . N_j > `nearly_flat`
+    NOT_FLAT = 64     ///< N_i . N_j < `not_flat`
   };
+
+  /// The cosines of 1 and 1.5 degrees, on both sides of the usual bound of feature edges: so most often the
+  /// flags alone say which side an edge is on, and its normals are not fetched.
+  static constexpr double nearly_flat = 0.99984769515639124, not_flat = 0.99965732497555726;
 
   std::size_t number_of_faces() const { return m_normals.size(); }
   std::size_t number_of_edges() const { return m_higher_faces.size(); }
@@ -55,15 +61,6 @@ public:
     const internal::Vector_3& n = m_normals[face];
     return n.x == 0 && n.y == 0 && n.z == 0;
   }
-
-  /// \name Arrays
-  /// For loops that write bytes: the compiler must take it that these change everything but its own copies.
-  /// @{
-  const internal::Vector_3* normals() const { return m_normals.data(); }
-  const Index* lower_faces() const { return m_lower_faces.data(); }
-  const Index* higher_faces() const { return m_higher_faces.data(); }
-  const std::uint8_t* edge_flags() const { return m_flags.data(); }
-  /// @}
 
   Index lower_face(std::size_t edge) const { return m_lower_faces[edge]; }
   Index higher_face(std::size_t edge) const { return m_higher_faces[edge]; }

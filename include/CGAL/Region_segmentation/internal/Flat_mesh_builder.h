@@ -56,10 +56,13 @@ public:
 
   void set_edge(std::size_t edge, const Edge& e)
   {
-    const double sign = dot(cross(m_flat.normal(e.lower), m_flat.normal(e.higher)), e.d);
+    const Vector_3 &n = m_flat.normal(e.lower), &m = m_flat.normal(e.higher);
+    const double cosine = dot(n, m), sign = dot(cross(n, m), e.d);
     const bool is_convex = sign > 0, is_concave = sign < 0;
     int flags = is_convex * Flat_mesh::CONVEX + is_concave * Flat_mesh::CONCAVE +
-                e.is_constrained * Flat_mesh::CONSTRAINED;
+                e.is_constrained * Flat_mesh::CONSTRAINED +
+                (cosine > Flat_mesh::nearly_flat) * Flat_mesh::NEARLY_FLAT +
+                (cosine < Flat_mesh::not_flat) * Flat_mesh::NOT_FLAT;
     // The normal of a degenerate face is zero, and then the edge has no sign.
     if (!is_convex && !is_concave && (m_flat.is_degenerate(e.lower) || m_flat.is_degenerate(e.higher))) {
       flags |= Flat_mesh::CLOSED;
