@@ -2,9 +2,9 @@
 
 #include "model_sources.h"
 #include "model_variants.h"
-#include "is_oriented_manifold.h"
 #include "score_model.h"
 
+#include "is_oriented_manifold.h"
 #include "repair_soup.h"
 
 #include <gtest/gtest.h>

@@ -9,3 +9,7 @@ using Tag = CGAL::Parallel_tag;
 using Tag = CGAL::Sequential_tag;
 #endif
 
+void test(const Mesh& mesh, Labels labels)
+{
+  RS::segment<Tag>(mesh, labels, RS::parameters::number_of_segments(3));
+}

@@ -5,9 +5,11 @@
 
 #include <CGAL/Region_segmentation/internal/Ray_tree.h>
 #include <CGAL/Region_segmentation/internal/Region_labels.h>
+#include <CGAL/Region_segmentation/internal/blocks.h>
 #include <CGAL/Region_segmentation/part_and_cut_data.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -43,15 +45,17 @@ class Sight
 public:
   static constexpr Flat_mesh::Content content = Flat_mesh::Content::ANGLES_AND_POINTS;
 
-  template <typename Graph>
-  void operator()(Graph& graph, const Flat_mesh& mesh, const Region_labels& regions) const
+  /// With `Parallel_tag` the rays are traced in parallel.
+  template <typename Graph, typename ConcurrencyTag = CGAL::Sequential_tag>
+  void operator()(Graph& graph, const Flat_mesh& mesh, const Region_labels& regions,
+                  ConcurrencyTag = ConcurrencyTag()) const
   {
     const Shapes shapes(mesh, regions);
     if (shapes.total_area == 0)
       return;
     make_relative(graph, shapes.total_area);
     add_bends(graph, shapes);
-    add_rays(graph, mesh, regions, shapes);
+    add_rays(graph, regions, trace_rays<ConcurrencyTag>(mesh, regions, shapes), shapes);
   }
 
 private:
@@ -112,34 +116,57 @@ private:
     }
   }
 
-  template <typename Graph>
-  static void add_rays(Graph& graph, const Flat_mesh& mesh, const Region_labels& regions,
-                       const Shapes& shapes)
+  /// What the rays of a region hit.
+  using Hits = std::array<internal::Ray_tree::Hit, rays_per_region>;
+
+  template <typename ConcurrencyTag>
+  static std::vector<Hits> trace_rays(const Flat_mesh& mesh, const Region_labels& regions,
+                                      const Shapes& shapes)
   {
     const internal::Ray_tree tree(mesh);
     const auto faces = faces_by_distance(mesh, regions, shapes);
+    std::vector<Hits> hits(regions.number_of_regions);
+    internal::for_each_block<ConcurrencyTag>(
+      hits.size(),
+      [&](std::size_t, std::size_t begin, std::size_t end) {
+        for (std::size_t r = begin; r < end; ++r)
+          hits[r] = hits_of_region(mesh, tree, faces[r]);
+      },
+      16);
+    return hits;
+  }
+
+  static Hits hits_of_region(const Flat_mesh& mesh, const internal::Ray_tree& tree,
+                             const std::vector<Index>& faces)
+  {
+    Hits hits;
+    hits.fill({internal::Ray_tree::no_face, 0});
+    const std::size_t samples = (std::min)(faces.size(), faces_per_region);
+    const std::size_t rays = rays_per_region / samples; // of a face
+    for (std::size_t k = 0; k < samples; ++k) {
+      const Index face = faces[k * faces.size() * 9 / (10 * samples)];
+      if (!mesh.is_degenerate(face))
+        for (std::size_t q = 0; q < rays; ++q)
+          hits[k * rays + q] =
+            tree.first_hit(mesh.centroid(face), direction(mesh, face, {k, q, rays}), face);
+    }
+    return hits;
+  }
+
+  template <typename Graph>
+  static void add_rays(Graph& graph, const Region_labels& regions, const std::vector<Hits>& hits,
+                       const Shapes& shapes)
+  {
     const double unit = std::sqrt(shapes.total_area);
     std::vector<std::pair<double, std::size_t>> thickness(regions.number_of_regions); // sum, hits
-    for (std::size_t r = 0; r < regions.number_of_regions; ++r) {
-      const auto& all = faces[r];
-      const std::size_t samples = (std::min)(all.size(), faces_per_region);
-      const std::size_t rays = rays_per_region / samples; // of a face
-      const double weight = graph[Index(r)].area / double(rays_per_region);
-      for (std::size_t k = 0; k < samples; ++k) {
-        const Index face = all[k * all.size() * 9 / (10 * samples)];
-        if (mesh.is_degenerate(face))
-          continue;
-        for (std::size_t q = 0; q < rays; ++q) {
-          const auto hit =
-            tree.first_hit(mesh.centroid(face), direction(mesh, face, {k, q, rays}), face);
-          if (hit.face == internal::Ray_tree::no_face)
-            continue;
+    for (std::size_t r = 0; r < regions.number_of_regions; ++r)
+      for (const internal::Ray_tree::Hit& hit : hits[r])
+        if (hit.face != internal::Ray_tree::no_face) {
           thickness[r].first += std::log(hit.distance / unit + 1e-4);
           ++thickness[r].second;
-          add_ray(graph, Index(r), regions.of_face[hit.face], weight);
+          add_ray(graph, Index(r), regions.of_face[hit.face],
+                  graph[Index(r)].area / double(rays_per_region));
         }
-      }
-    }
     set_thickness(graph, thickness);
   }
 

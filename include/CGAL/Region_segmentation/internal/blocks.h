@@ -22,31 +22,33 @@ namespace internal {
 
 constexpr std::size_t block_size = 1 << 12;
 
-inline std::size_t number_of_blocks(std::size_t number_of_elements)
+inline std::size_t number_of_blocks(std::size_t number_of_elements, std::size_t size = block_size)
 {
-  return (number_of_elements + block_size - 1) / block_size;
+  return (number_of_elements + size - 1) / size;
 }
 
 template <typename ConcurrencyTag>
 constexpr bool is_parallel = std::is_convertible<ConcurrencyTag, CGAL::Parallel_tag>::value;
 
-/// Calls `f(block, begin, end)` for every block of the elements 0 .. n-1, in order or in parallel.
+/// Calls `f(block, begin, end)` for every block of the elements 0 .. n-1, in order or in parallel. Elements that
+/// take long go in blocks of another size.
 template <typename ConcurrencyTag, typename F>
-void for_each_block(std::size_t number_of_elements, const F& f)
+void for_each_block(std::size_t number_of_elements, const F& f, std::size_t size = block_size)
 {
+  const std::size_t number = number_of_blocks(number_of_elements, size);
   const auto work_on = [&](std::size_t block) {
-    const std::size_t begin = block * block_size;
-    f(block, begin, (std::min)(begin + block_size, number_of_elements));
+    const std::size_t begin = block * size;
+    f(block, begin, (std::min)(begin + size, number_of_elements));
   };
 #ifdef CGAL_LINKED_WITH_TBB
   if constexpr (is_parallel<ConcurrencyTag>) {
-    tbb::parallel_for(std::size_t(0), number_of_blocks(number_of_elements), work_on);
+    tbb::parallel_for(std::size_t(0), number, work_on);
     return;
   }
 #else
   static_assert(!is_parallel<ConcurrencyTag>, "Parallel_tag needs TBB: link CGAL::TBB_support");
 #endif
-  for (std::size_t block = 0; block < number_of_blocks(number_of_elements); ++block)
+  for (std::size_t block = 0; block < number; ++block)
     work_on(block);
 }
 
