@@ -51,9 +51,9 @@ struct Clocked : Maker
   Clocked(const Maker& maker, Stage_clock& c) : Maker(maker), clock(&c) {}
 
   template <typename... Arguments>
-  CGAL::Region_segmentation::Region_labels operator()(Arguments&&... arguments) const
+  auto operator()(const Arguments&... arguments) const -> decltype(std::declval<const Maker&>()(arguments...))
   {
-    auto regions = Maker::operator()(std::forward<Arguments>(arguments)...);
+    auto regions = Maker::operator()(arguments...);
     clock->set_number_of_regions(regions.number_of_regions);
     clock->enter(Stage::GRAPH);
     return regions;
