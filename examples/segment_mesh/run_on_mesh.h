@@ -122,15 +122,16 @@ void segment_by(const Policy& policy, const Mesh& mesh, const Segmentation_setti
   RS::Merge_tree tree;
   Stage_clock clock(listener);
   result.number_of_segments =
-    RS::segment(mesh, make_face_map(mesh, result.segment_of_face),
-                RS::parameters::number_of_segments(settings.number_of_segments.value_or(1))
-                  .merging_policy(policy)
-                  .maximum_angle(result.maximum_angle)
-                  .feature_convexity(result.features)
-                  .region_map(make_face_map(mesh, result.region_of_face))
-                  .edge_is_feature_map(feature_map)
-                  .merge_tree(std::ref(tree))
-                  .visitor(std::ref(clock)));
+    RS::segment<CGAL::Parallel_tag>(
+      mesh, make_face_map(mesh, result.segment_of_face),
+      RS::parameters::number_of_segments(settings.number_of_segments.value_or(1))
+        .merging_policy(policy)
+        .maximum_angle(result.maximum_angle)
+        .feature_convexity(result.features)
+        .region_map(make_face_map(mesh, result.region_of_face))
+        .edge_is_feature_map(feature_map)
+        .merge_tree(std::ref(tree))
+        .visitor(std::ref(clock)));
   if (!settings.number_of_segments)
     cut_tree(tree, RS::Number_from_costs()(tree), result);
   result.seconds = clock.seconds();

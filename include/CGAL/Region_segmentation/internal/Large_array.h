@@ -10,6 +10,7 @@
 #endif
 
 #include <cstddef>
+#include <memory>
 #include <new>
 #include <vector>
 
@@ -17,9 +18,8 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// Allocates large blocks at the border of a huge page, and on Linux asks for huge pages: with pages of 4 kB
-/// their first use takes up to a third of the time of reading a mesh, and jumping about in them misses the
-/// table of pages almost every time.
+/// Asks for huge pages for large blocks, on Linux: with pages of 4 kB the first use of fresh memory takes a
+/// quarter of the time of `two-step` (`doc/performance.md`), and jumps miss the table of pages.
 template <typename T>
 struct Large_page_allocator
 {
@@ -31,29 +31,21 @@ struct Large_page_allocator
 
   T* allocate(std::size_t n)
   {
-    if (!is_large(n))
-      return static_cast<T*>(::operator new(n * sizeof(T)));
-    void* memory = ::operator new(n * sizeof(T), std::align_val_t(page_size));
+    void* const block = ::operator new(n * sizeof(T));
 #if defined(__linux__) && defined(MADV_HUGEPAGE)
-    madvise(memory, n * sizeof(T), MADV_HUGEPAGE); // a wish: nothing is lost where it is not granted
+    constexpr std::size_t large = std::size_t(1) << 22, multiple_of_pages = std::size_t(1) << 16;
+    void* first = block;
+    std::size_t size = n * sizeof(T);
+    if (size >= large && std::align(multiple_of_pages, large / 2, first, size))
+      madvise(first, size, MADV_HUGEPAGE); // a wish: nothing is lost where it is not granted
 #endif
-    return static_cast<T*>(memory);
+    return static_cast<T*>(block);
   }
 
-  void deallocate(T* memory, std::size_t n)
-  {
-    if (is_large(n))
-      ::operator delete(memory, std::align_val_t(page_size));
-    else
-      ::operator delete(memory);
-  }
+  void deallocate(T* block, std::size_t) { ::operator delete(block); }
 
   friend bool operator==(const Large_page_allocator&, const Large_page_allocator&) { return true; }
   friend bool operator!=(const Large_page_allocator&, const Large_page_allocator&) { return false; }
-
-private:
-  static constexpr std::size_t page_size = std::size_t(1) << 21;
-  static bool is_large(std::size_t n) { return n >= 2 * page_size / sizeof(T); }
 };
 
 /// A vector for elements by the face, edge or section: in large pages, and `resize()` leaves trivial elements
