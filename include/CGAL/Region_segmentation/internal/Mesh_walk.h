@@ -72,7 +72,7 @@ public:
     return m_ranks.empty() ? index : m_ranks[index];
   }
 
-  /// The elements of a block, and the position of the first.
+  /// The elements of a block.
   CGAL::Iterator_range<Iterator> block(std::size_t i) const
   {
     return {m_block_starts[i], m_block_starts[i + 1]};
