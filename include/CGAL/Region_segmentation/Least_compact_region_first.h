@@ -14,7 +14,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <limits>
 #include <optional>
 #include <vector>
 

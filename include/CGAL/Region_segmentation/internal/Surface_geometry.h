@@ -4,6 +4,7 @@
 #define CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_GEOMETRY_H
 
 #include <CGAL/Region_segmentation/exceptions.h>
+#include <CGAL/Region_segmentation/internal/Area_vector_sum.h>
 #include <CGAL/Region_segmentation/internal/Contingency_table.h>
 #include <CGAL/Region_segmentation/internal/Mesh_walk.h>
 #include <CGAL/Region_segmentation/internal/Vector_3.h>
@@ -79,13 +80,12 @@ void for_each_polygon(const Mesh_walk<FaceGraph, Pack>& walk, const std::vector<
   }
 }
 
-/// Newell's formula relative to the first vertex: 1/2 sum (p_i - p_0) x (p_i+1 - p_0).
 inline Vector_3 area_vector(const std::vector<Vector_3>& polygon)
 {
-  Vector_3 twice_area{};
+  Area_vector_sum sum(polygon[0], polygon[1]);
   for (std::size_t i = 2; i < polygon.size(); ++i)
-    twice_area = twice_area + cross(polygon[i - 1] - polygon[0], polygon[i] - polygon[0]);
-  return 0.5 * twice_area;
+    sum.add(polygon[i]);
+  return sum.area_vector();
 }
 
 /// The centroid of a polygon whose area vector is not zero: that of the triangles of its fan, each
