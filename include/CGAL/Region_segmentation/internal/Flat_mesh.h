@@ -21,7 +21,7 @@ class Flat_mesh_builder;
 /// A mesh as arrays: what every stage after reading works on, so that none depends on the mesh type.
 ///
 /// Faces are numbered in iteration order. The dual edges (one for each edge with two different faces)
-/// are sorted by their lower, then by their higher face; several edges between the same two faces
+/// are sorted by their higher, then by their lower face; several edges between the same two faces
 /// follow the boundary of the higher one from its vertex of lowest index. Borders of the mesh have no
 /// dual edge. Both faces are stored with each dual edge: a loop over the edges of every face would be as
 /// short as its end is hard to predict. Bytes: 32 a face and 17 a dual edge, so 57.5 a face on a closed

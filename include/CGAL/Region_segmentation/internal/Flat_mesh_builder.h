@@ -3,13 +3,15 @@
 #ifndef CGAL_REGION_SEGMENTATION_INTERNAL_FLAT_MESH_BUILDER_H
 #define CGAL_REGION_SEGMENTATION_INTERNAL_FLAT_MESH_BUILDER_H
 
-#include <CGAL/Region_segmentation/internal/Area_vector_sum.h>
 #include <CGAL/Region_segmentation/internal/Flat_mesh.h>
+#include <CGAL/Region_segmentation/internal/Face_block.h>
 #include <CGAL/Region_segmentation/internal/blocks.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -17,20 +19,13 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// Fills the arrays of a `Flat_mesh`: faces and dual edges, each of them in any order, but an edge after its
-/// two faces.
+/// Fills the arrays of a `Flat_mesh`: faces, dual edges and corners, each of them in any order, but an edge
+/// after its two faces.
 class Flat_mesh_builder
 {
   using Index = Flat_mesh::Index;
 
 public:
-  struct Edge
-  {
-    Index lower, higher;
-    Vector_3 d; // along the halfedge of the lower face
-    bool is_constrained;
-  };
-
   Flat_mesh_builder(std::size_t number_of_faces, std::size_t maximum_number_of_edges)
     : m_closed_edges(number_of_blocks(number_of_faces))
   {
@@ -42,65 +37,81 @@ public:
     m_flat.m_flags.resize(maximum_number_of_edges);
   }
 
-  std::size_t maximum_number_of_edges() const { return m_flat.m_higher_faces.size(); }
-
-  void set_face(std::size_t face, const Area_vector_sum& sum)
+  void set_face(std::size_t face, const Vector_3& area_vector, double squared_longest_edge)
   {
-    const Vector_3 area_vector = sum.area_vector();
     const double area = norm(area_vector);
-    const bool is_finite = std::isfinite(area);
-    const bool is_degenerate = !is_finite || !(area > 1e-12 * sum.squared_longest_edge());
+    const bool is_finite = area <= (std::numeric_limits<double>::max)();
+    const bool is_degenerate = !is_finite || !(area > 1e-12 * squared_longest_edge);
     m_flat.m_normals[face] = is_degenerate ? Vector_3{} : (1 / area) * area_vector;
     m_flat.m_areas[face] = is_finite ? area : 0;
   }
 
-  void set_edge(std::size_t edge, const Edge& e)
+  /// Puts `n` dual edges into the places from `first` on.
+  void set_edges(std::size_t first, const Side_edge* edges, std::size_t n, const Face_block& block)
   {
-    const Vector_3 &n = m_flat.normal(e.lower), &m = m_flat.normal(e.higher);
-    const double cosine = dot(n, m), sign = dot(cross(n, m), e.d);
-    const bool is_convex = sign > 0, is_concave = sign < 0;
-    int flags = is_convex * Flat_mesh::CONVEX + is_concave * Flat_mesh::CONCAVE +
-                e.is_constrained * Flat_mesh::CONSTRAINED +
-                (cosine > Flat_mesh::nearly_flat) * Flat_mesh::NEARLY_FLAT +
-                (cosine < Flat_mesh::not_flat) * Flat_mesh::NOT_FLAT;
-    // The normal of a degenerate face is zero, and then the edge has no sign.
-    if (!is_convex && !is_concave && (m_flat.is_degenerate(e.lower) || m_flat.is_degenerate(e.higher))) {
-      flags |= Flat_mesh::CLOSED;
-      m_closed_edges[e.lower / block_size].push_back(Index(edge));
+    const Vector_3* const normals = m_flat.m_normals.data();
+    Index* const lower_faces = m_flat.m_lower_faces.data() + first;
+    Index* const higher_faces = m_flat.m_higher_faces.data() + first;
+    double* const lengths = m_flat.m_lengths.data() + first;
+    std::uint8_t* const flags = m_flat.m_flags.data() + first;
+    for (std::size_t i = 0; i < n; ++i) {
+      const Index lower = edges[i].lower(), higher = edges[i].higher;
+      // Both factors of the sign have the opposite of their direction in section 2: its value is the same.
+      const Vector_3 a = normals[higher], b = normals[lower], d = block.direction(edges[i].side());
+      const double cosine = dot(a, b), sign = dot(cross(a, b), d);
+      lower_faces[i] = lower;
+      higher_faces[i] = higher;
+      lengths[i] = norm(d);
+      flags[i] = std::uint8_t((sign > 0) * Flat_mesh::CONVEX + (sign < 0) * Flat_mesh::CONCAVE +
+                              (cosine > Flat_mesh::nearly_flat) * Flat_mesh::NEARLY_FLAT +
+                              (cosine < Flat_mesh::not_flat) * Flat_mesh::NOT_FLAT);
+      // The normal of a degenerate face is zero, and so is the cosine then.
+      if (cosine == 0 && (m_flat.is_degenerate(lower) || m_flat.is_degenerate(higher)))
+        close_edge(first + i);
     }
-    m_flat.m_lower_faces[edge] = e.lower;
-    m_flat.m_higher_faces[edge] = e.higher;
-    m_flat.m_lengths[edge] = norm(e.d);
-    m_flat.m_flags[edge] = std::uint8_t(flags);
   }
+
+  void set_constrained(std::size_t edge) { m_flat.m_flags[edge] |= Flat_mesh::CONSTRAINED; }
 
   /// \name Points
   /// With `Content::ANGLES_AND_POINTS` alone.
   /// @{
-  void resize_points(std::size_t number_of_points) { m_flat.m_points.resize(number_of_points); }
-  void set_point(std::size_t vertex, const Vector_3& point) { m_flat.m_points[vertex] = point; }
-
-  /// Adds the corners of the next face.
-  template <typename VertexOf>
-  void add_corners(std::size_t number_of_corners, const VertexOf& vertex_of)
+  void resize_points(std::size_t number_of_points, std::size_t maximum_number_of_corners)
   {
-    if (m_flat.m_first_corners.empty())
-      m_flat.m_first_corners.push_back(0);
-    for (std::size_t i = 0; i < number_of_corners; ++i)
-      m_flat.m_corners.push_back(Index(vertex_of(i)));
-    m_flat.m_first_corners.push_back(Index(m_flat.m_corners.size()));
+    m_flat.m_points.resize(number_of_points);
+    m_flat.m_first_corners.resize(m_flat.number_of_faces() + 1);
+    m_flat.m_corners.resize(maximum_number_of_corners);
+    m_flat.m_first_corners.front() = 0;
+  }
+  void set_point(std::size_t vertex, const Vector_3& point) { m_flat.m_points[vertex] = point; }
+  /// Puts the corners of a block of faces into the places from `first` on.
+  void set_corners(std::size_t first, const Face_block& block)
+  {
+    for (std::size_t i = 0; i < block.number_of_faces(); ++i) {
+      for (std::size_t j = 0; j < block.number_of_corners(i); ++j)
+        m_flat.m_corners[first++] = block.corners(i)[j].vertex;
+      m_flat.m_first_corners[block.first_face() + i + 1] = Index(first);
+    }
   }
   /// @}
 
-  /// `first_edge`: the place of the first edge; before it is nothing.
-  Flat_mesh finish(std::size_t first_edge)
+  Flat_mesh finish(std::size_t number_of_edges)
   {
+    m_flat.m_lower_faces.resize(number_of_edges);
+    m_flat.m_higher_faces.resize(number_of_edges);
+    m_flat.m_lengths.resize(number_of_edges);
+    m_flat.m_flags.resize(number_of_edges);
     join_degenerate_faces();
-    remove_edges_before(first_edge);
     return std::move(m_flat);
   }
 
 private:
+  void close_edge(std::size_t edge)
+  {
+    m_flat.m_flags[edge] |= Flat_mesh::CLOSED;
+    m_closed_edges[m_flat.m_higher_faces[edge] / block_size].push_back(Index(edge));
+  }
+
   /// Each degenerate face joins across its longest dual edge that is not constrained; of several, the
   /// one to the lower face, and of several to that face the first.
   void join_degenerate_faces()
@@ -135,19 +146,8 @@ private:
       }
   }
 
-  void remove_edges_before(std::size_t first_edge)
-  {
-    if (first_edge == 0)
-      return;
-    const auto erase = [first_edge](auto& array) { array.erase(array.begin(), array.begin() + first_edge); };
-    erase(m_flat.m_lower_faces);
-    erase(m_flat.m_higher_faces);
-    erase(m_flat.m_lengths);
-    erase(m_flat.m_flags);
-  }
-
   Flat_mesh m_flat;
-  std::vector<std::vector<Index>> m_closed_edges; // by the block of their lower face
+  std::vector<std::vector<Index>> m_closed_edges; // by the block of their higher face
 };
 
 } // namespace internal

@@ -53,6 +53,7 @@ public:
     m_block_starts.push_back(std::end(range));
     CGAL_precondition_msg(m_size < (std::numeric_limits<Flat_mesh::Index>::max)(),
                           "a mesh has fewer than 2^32 - 1 vertices, faces and edges");
+    m_is_identity = is_identity;
     if (is_identity)
       return;
     m_ranks.resize(capacity);
@@ -69,7 +70,7 @@ public:
   std::size_t operator[](const Descriptor& d) const
   {
     const std::size_t index = get(m_index_map, d);
-    return m_ranks.empty() ? index : m_ranks[index];
+    return m_is_identity ? index : m_ranks[index];
   }
 
   /// The elements of a block.
@@ -81,12 +82,13 @@ public:
 private:
   IndexMap m_index_map;
   std::size_t m_size = 0;
+  bool m_is_identity;
   std::vector<Flat_mesh::Index> m_ranks;
   std::vector<Iterator> m_block_starts; // and the end
 };
 
 /// A face graph walked in an order that does not depend on its type: faces and vertices are numbered
-/// by iteration, and the boundary of a face starts at its vertex of lowest number.
+/// by iteration, and the boundary of a face begins at its vertex of lowest number.
 ///
 /// What is done for every face is done for triangles in registers and without branches that depend on the
 /// numbering, since these cannot be predicted.
@@ -109,17 +111,17 @@ public:
 
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
 
-  /// A neighbor of a face, and the position in the boundary of the halfedge to it.
-  struct Neighbor
-  {
-    std::size_t face_rank, position;
-  };
-
   /// Memory that a walk keeps while it goes from face to face.
   class Scratch
   {
     friend class Mesh_walk;
+    struct Neighbor
+    {
+      std::size_t face_rank, place;
+      halfedge_descriptor halfedge;
+    };
     Polygon polygon;
+    std::size_t first = 0;
     std::vector<Neighbor> neighbors;
   };
 
@@ -134,6 +136,7 @@ public:
   std::size_t number_of_faces() const { return m_face_ranks.size(); }
   std::size_t number_of_vertices() const { return m_vertex_ranks.size(); }
 
+  std::size_t vertex_rank(typename Traits::vertex_descriptor v) const { return m_vertex_ranks[v]; }
   std::size_t source_rank(halfedge_descriptor h) const { return m_vertex_ranks[source(h, m_mesh)]; }
   std::size_t target_rank(halfedge_descriptor h) const { return m_vertex_ranks[target(h, m_mesh)]; }
 
@@ -148,58 +151,20 @@ public:
   auto faces_of_block(std::size_t block) const { return m_face_ranks.block(block); }
   auto vertices_of_block(std::size_t block) const { return m_vertex_ranks.block(block); }
 
-  /// Calls `f(boundary)` with the halfedges around a face, a `Triangle` or a `Polygon`; the first one leaves
-  /// the vertex of lowest number.
+  /// Calls `f(boundary, first)` with the halfedges around a face, a `Triangle` or a `Polygon`: the boundary begins at
+  /// the position `first`, where a halfedge leaves the vertex of lowest number.
   template <typename F>
   BOOST_FORCEINLINE void with_boundary(face_descriptor face, Scratch& scratch, const F& f) const
   {
     const halfedge_descriptor a = halfedge(face, m_mesh), b = next(a, m_mesh), c = next(b, m_mesh);
     if (next(c, m_mesh) != a) {
-      f(read_polygon(a, scratch));
+      read_polygon(a, scratch);
+      f(scratch.polygon, scratch.first);
       return;
     }
     const std::size_t to_a = target_rank(a), to_b = target_rank(b), to_c = target_rank(c);
     const bool from_b = (to_a < to_b) & (to_a < to_c), from_c = !from_b & (to_b < to_c);
-    f(Triangle{from_b ? b : from_c ? c : a, from_b ? c : from_c ? a : b, from_b ? a : from_c ? b : c});
-  }
-
-  /// The number of the face on the other side of a halfedge of the face `rank`; `none` if it is lower.
-  std::size_t higher_face_rank(std::size_t rank, halfedge_descriptor h) const
-  {
-    const std::size_t other = opposite_face_rank(h);
-    return other > rank ? other : none;
-  }
-
-  /// How many neighbors of the face `rank` have a higher number.
-  template <typename Boundary>
-  std::size_t number_of_higher_neighbors(std::size_t rank, const Boundary& around) const
-  {
-    std::size_t n = 0;
-    for (halfedge_descriptor h : around)
-      n += higher_face_rank(rank, h) != none;
-    return n;
-  }
-
-  /// The neighbors of the face `rank` that have a higher number, in order. Several halfedges to one neighbor
-  /// follow its boundary from its vertex of lowest number. Valid until `scratch` is used again.
-  template <typename Boundary>
-  const std::vector<Neighbor>& higher_neighbors(std::size_t rank, const Boundary& around,
-                                                Scratch& scratch) const
-  {
-    std::vector<Neighbor>& neighbors = scratch.neighbors;
-    neighbors.clear();
-    for (std::size_t i = 0; i < around.size(); ++i)
-      if (const std::size_t other = higher_face_rank(rank, around[i]); other != none)
-        neighbors.push_back({other, i});
-    const auto goes_before = [](const Neighbor& a, const Neighbor& b) { return a.face_rank < b.face_rank; };
-    std::sort(neighbors.begin(), neighbors.end(), goes_before);
-    for (auto first = neighbors.begin(); first != neighbors.end();) {
-      const auto last = std::upper_bound(first, neighbors.end(), *first, goes_before);
-      if (last - first > 1)
-        order_parallel_edges(rank, around, &*first);
-      first = last;
-    }
-    return neighbors;
+    f(Triangle{a, b, c}, std::size_t(from_b + 2 * from_c));
   }
 
   /// Calls `f(halfedge, dual_edge)` for every dual edge of the flat mesh made by this walk, in order, with the
@@ -210,48 +175,44 @@ public:
     Scratch scratch;
     std::size_t rank = 0, dual_edge = 0;
     for (face_descriptor fd : faces(m_mesh)) {
-      with_boundary(fd, scratch, [&](const auto& around) {
-        for (const Neighbor& neighbor : higher_neighbors(rank, around, scratch))
-          f(around[neighbor.position], dual_edge++);
+      with_boundary(fd, scratch, [&](const auto& around, std::size_t first) {
+        read_lower_neighbors(rank, around, first, scratch.neighbors);
+        for (const auto& neighbor : scratch.neighbors)
+          f(opposite(neighbor.halfedge, m_mesh), dual_edge++);
       });
       ++rank;
     }
   }
 
 private:
-  const Polygon& read_polygon(halfedge_descriptor start, Scratch& scratch) const
+  void read_polygon(halfedge_descriptor start, Scratch& scratch) const
   {
     Polygon& around = scratch.polygon;
     around.clear();
-    std::size_t lowest = none, first = 0;
+    std::size_t lowest = none;
     halfedge_descriptor h = start;
     do {
       const std::size_t rank = source_rank(h);
-      first = rank < lowest ? around.size() : first;
+      scratch.first = rank < lowest ? around.size() : scratch.first;
       lowest = (std::min)(rank, lowest);
       around.push_back(h);
       h = next(h, m_mesh);
     } while (h != start);
-    std::rotate(around.begin(), around.begin() + first, around.end());
-    return around;
   }
 
-  /// Puts several halfedges to one neighbor in the order of its boundary.
+  /// The lower neighbors of the face `rank`, in order; several halfedges to one of them follow the boundary.
   template <typename Boundary>
-  void order_parallel_edges(std::size_t rank, const Boundary& around, Neighbor* neighbors) const
+  void read_lower_neighbors(std::size_t rank, const Boundary& around, std::size_t first,
+                            std::vector<typename Scratch::Neighbor>& neighbors) const
   {
-    const halfedge_descriptor across = opposite(around[neighbors->position], m_mesh);
-    Scratch scratch;
-    with_boundary(face(across, m_mesh), scratch, [&](const auto& around_higher) {
-      // Most often both boundaries hold the edges in opposite order: then one turn finds them all.
-      std::size_t i = 0;
-      for (halfedge_descriptor h : around_higher) {
-        if (opposite_face_rank(h) != rank)
-          continue;
-        while (around[i] != opposite(h, m_mesh))
-          i = (i ? i : around.size()) - 1;
-        (neighbors++)->position = i;
-      }
+    neighbors.clear();
+    for (std::size_t i = 0; i < around.size(); ++i) {
+      const halfedge_descriptor h = around[(first + i) % around.size()];
+      if (const std::size_t other = opposite_face_rank(h); other < rank)
+        neighbors.push_back({other, i, h});
+    }
+    std::sort(neighbors.begin(), neighbors.end(), [](const auto& a, const auto& b) {
+      return a.face_rank != b.face_rank ? a.face_rank < b.face_rank : a.place < b.place;
     });
   }
 

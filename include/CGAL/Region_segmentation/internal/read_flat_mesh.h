@@ -4,18 +4,20 @@
 #define CGAL_REGION_SEGMENTATION_INTERNAL_READ_FLAT_MESH_H
 
 #include <CGAL/Region_segmentation/exceptions.h>
-#include <CGAL/Region_segmentation/internal/Area_vector_sum.h>
 #include <CGAL/Region_segmentation/internal/Flat_mesh_builder.h>
 #include <CGAL/Region_segmentation/internal/Mesh_walk.h>
+#include <CGAL/Region_segmentation/internal/Face_block.h>
 #include <CGAL/Region_segmentation/internal/blocks.h>
 
 #include <CGAL/number_utils.h>
 #include <CGAL/property_map.h>
 
+#include <boost/config.hpp>
+
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -23,35 +25,11 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// The dual edges of a block of faces, whose place is known when they are counted.
-class Edge_buffer
-{
-public:
-  using Edge = Flat_mesh_builder::Edge;
-
-  void clear() { m_size = 0; }
-  std::size_t size() const { return m_size; }
-  const Edge& operator[](std::size_t i) const { return m_edges[i]; }
-
-  /// The places of the next `n` edges; `add()` says how many of them were used.
-  Edge* next(std::size_t n)
-  {
-    if (m_edges.size() < m_size + n)
-      m_edges.resize(2 * (m_size + n));
-    return m_edges.data() + m_size;
-  }
-  void add(std::size_t n) { m_size += n; }
-
-private:
-  std::vector<Edge> m_edges;
-  std::size_t m_size = 0;
-};
-
 /// Reads a face graph, once, into a `Flat_mesh`.
 ///
-/// The dual edges of a face, those to higher faces, need the normals of these. In sequence the blocks of faces
-/// are read from the last one down, each with its edges, and the arrays of edges are filled from their end. In
-/// parallel all faces are read and their edges counted, then all edges are read.
+/// The dual edges of a face, those to lower faces, need the normals of these. So in sequence the blocks of faces are
+/// read from the first one on, each with its edges; in parallel all faces are read and their edges counted, then all
+/// edges are read.
 template <typename ConcurrencyTag, typename FaceGraph, typename Pack>
 class Flat_mesh_reader
 {
@@ -60,6 +38,13 @@ class Flat_mesh_reader
   using Polygon = typename Walk::Polygon;
   using Scratch = typename Walk::Scratch;
   using Point_map = typename GetVertexPointMap<FaceGraph, Pack>::const_type;
+  using halfedge_descriptor = typename Walk::halfedge_descriptor;
+  using No_constraints =
+    Static_boolean_property_map<typename boost::graph_traits<FaceGraph>::edge_descriptor, false>;
+  using Constraint_map =
+    typename CGAL::internal_np::Lookup_named_param_def<CGAL::internal_np::edge_is_constrained_t, Pack,
+                                                       No_constraints>::type;
+  static constexpr bool has_constraints = !std::is_same<Constraint_map, No_constraints>::value;
 
 public:
   Flat_mesh_reader(const Walk& walk, const Pack& np, Flat_mesh::Content content)
@@ -67,47 +52,65 @@ public:
     , m_point_map(CGAL::parameters::choose_parameter(
         CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_point),
         get_const_property_map(vertex_point, walk.mesh())))
+    , m_is_constrained(CGAL::parameters::choose_parameter(
+        CGAL::parameters::get_parameter(np, CGAL::internal_np::edge_is_constrained), No_constraints()))
     , m_with_points(content == Flat_mesh::Content::ANGLES_AND_POINTS)
     , m_builder(walk.number_of_faces(), num_halfedges(walk.mesh()) / 2)
   {}
 
   /// \throws Invalid_input if a point is not finite
-  template <typename EdgeIsConstrainedMap>
-  Flat_mesh read(const EdgeIsConstrainedMap& is_constrained)
+  Flat_mesh read()
   {
     read_points();
-    std::size_t edge = m_builder.maximum_number_of_edges();
-    if constexpr (is_parallel<ConcurrencyTag>) {
-      std::vector<std::size_t> ends = read_faces_and_count_edges();
-      for (std::size_t block = ends.size(); block-- > 0;)
-        edge -= std::exchange(ends[block], edge);
-      for_each_block<ConcurrencyTag>(
-        m_walk.number_of_faces(), [&](std::size_t block, std::size_t, std::size_t) {
-          Edge_buffer edges;
-          for_each_face(
-            block, [&](std::size_t rank, const auto& around, const auto& points, Scratch& scratch) {
-              collect_edges(rank, around, points, scratch, is_constrained, edges);
-            });
-          set_edges(ends[block], edges);
-        });
-    } else {
-      Edge_buffer edges;
-      for (std::size_t block = number_of_blocks(m_walk.number_of_faces()); block-- > 0;) {
-        edges.clear();
-        for_each_face(
-          block, [&](std::size_t rank, const auto& around, const auto& points, Scratch& scratch) {
-            m_builder.set_face(rank, area_of(points));
-            collect_edges(rank, around, points, scratch, is_constrained, edges);
-          });
-        edge = set_edges(edge, edges);
-      }
-    }
-    if (m_with_points)
-      read_corners();
-    return m_builder.finish(edge);
+    if constexpr (is_parallel<ConcurrencyTag>)
+      return m_builder.finish(read_in_two_passes());
+    else
+      return m_builder.finish(read_in_one_pass());
   }
 
 private:
+  /// Of what belongs to the faces of a block, in the arrays.
+  struct Place
+  {
+    std::size_t edge, corner;
+  };
+
+  /// Returns the number of dual edges.
+  std::size_t read_in_one_pass()
+  {
+    Place place = {0, 0};
+    Face_block block;
+    for (std::size_t i = 0; i < number_of_blocks(m_walk.number_of_faces()); ++i) {
+      read_block(i, block);
+      set_faces(block);
+      place.edge += set_edges_and_corners(place, block);
+      place.corner += block.number_of_corners();
+    }
+    return place.edge;
+  }
+
+  /// Returns the number of dual edges.
+  std::size_t read_in_two_passes()
+  {
+    const std::size_t size = m_walk.number_of_faces();
+    std::vector<Place> places(number_of_blocks(size));
+    for_each_block<ConcurrencyTag>(size, [&](std::size_t i, std::size_t, std::size_t) {
+      Face_block block;
+      read_block(i, block);
+      set_faces(block);
+      places[i] = {block.count_edges(), block.number_of_corners()};
+    });
+    Place end = {0, 0};
+    for (Place& place : places)
+      end = {end.edge + place.edge, end.corner + std::exchange(place, end).corner};
+    for_each_block<ConcurrencyTag>(size, [&](std::size_t i, std::size_t, std::size_t) {
+      Face_block block;
+      read_block(i, block);
+      set_edges_and_corners(places[i], block);
+    });
+    return end.edge;
+  }
+
   Vector_3 point(typename boost::graph_traits<FaceGraph>::vertex_descriptor v) const
   {
     const auto& p = get(m_point_map, v);
@@ -118,7 +121,7 @@ private:
   {
     const std::size_t size = m_walk.number_of_vertices();
     if (m_with_points)
-      m_builder.resize_points(size);
+      m_builder.resize_points(size, num_halfedges(m_walk.mesh()));
     std::vector<std::size_t> first_bad(number_of_blocks(size), Walk::none);
     for_each_block<ConcurrencyTag>(size, [&](std::size_t block, std::size_t rank, std::size_t) {
       for (auto v : m_walk.vertices_of_block(block)) {
@@ -135,119 +138,80 @@ private:
         throw Invalid_input("the point of vertex " + std::to_string(vertex) + " is not finite");
   }
 
-  /// The points at the sources of the halfedges around a face. Those of a triangle are values, which stay in
-  /// registers.
-  std::array<Vector_3, 3> points_of(const Triangle& around, std::vector<Vector_3>&) const
-  {
-    const FaceGraph& mesh = m_walk.mesh();
-    return {point(target(around[2], mesh)), point(target(around[0], mesh)), point(target(around[1], mesh))};
-  }
-
-  const std::vector<Vector_3>& points_of(const Polygon& around, std::vector<Vector_3>& points) const
-  {
-    points.clear();
-    for (auto h : around)
-      points.push_back(point(source(h, m_walk.mesh())));
-    return points;
-  }
-
-  template <typename Points>
-  static Area_vector_sum area_of(const Points& points)
-  {
-    Area_vector_sum sum(points[0], points[1]);
-    for (std::size_t i = 2; i < points.size(); ++i)
-      sum.add(points[i]);
-    return sum;
-  }
-
-  /// Calls `f(rank, boundary, points, scratch)` for the faces of a block.
-  template <typename F>
-  void for_each_face(std::size_t block, const F& f) const
+  void read_block(std::size_t i, Face_block& block) const
   {
     Scratch scratch;
-    std::vector<Vector_3> memory;
-    std::size_t rank = block * block_size;
-    for (auto face : m_walk.faces_of_block(block)) {
-      m_walk.with_boundary(face, scratch, [&](const auto& around) {
-        const auto& points = points_of(around, memory);
-        f(rank, around, points, scratch);
+    block.clear(i * block_size);
+    for (auto face : m_walk.faces_of_block(i))
+      m_walk.with_boundary(face, scratch, [&](const auto& around, std::size_t first) {
+        read_face(around, first, block);
+        read_constraints(around, first, block);
       });
-      ++rank;
-    }
   }
 
-  /// Reads all faces in parallel; returns the number of their dual edges by block.
-  std::vector<std::size_t> read_faces_and_count_edges()
+  /// Reads from where the mesh begins and writes to where the boundary does: reading waits for nothing then.
+  void read_face(const Triangle& around, std::size_t first, Face_block& block) const
   {
-    const std::size_t size = m_walk.number_of_faces();
-    std::vector<std::size_t> numbers(number_of_blocks(size));
-    for_each_block<ConcurrencyTag>(size, [&](std::size_t block, std::size_t, std::size_t) {
-      std::size_t number = 0;
-      for_each_face(block, [&](std::size_t rank, const auto& around, const auto& points, Scratch&) {
-        m_builder.set_face(rank, area_of(points));
-        number += m_walk.number_of_higher_neighbors(rank, around);
-      });
-      numbers[block] = number;
+    static constexpr unsigned char places[3][3] = {{0, 1, 2}, {2, 0, 1}, {1, 2, 0}};
+    Corner* const c = block.add_face(3);
+    read_corner(around[0], around[2], c[places[first][0]]);
+    read_corner(around[1], around[0], c[places[first][1]]);
+    read_corner(around[2], around[1], c[places[first][2]]);
+  }
+
+  void read_face(const Polygon& around, std::size_t first, Face_block& block) const
+  {
+    const std::size_t n = around.size();
+    Corner* const c = block.add_face(n);
+    for (std::size_t i = 0; i < n; ++i)
+      read_corner(around[(first + i) % n], around[(first + i + n - 1) % n], c[i]);
+  }
+
+  void read_corner(halfedge_descriptor h, halfedge_descriptor previous, Corner& corner) const
+  {
+    const auto v = target(previous, m_walk.mesh());
+    corner.point = point(v);
+    const std::size_t neighbor = m_walk.opposite_face_rank(h);
+    corner.neighbor = Flat_mesh::Index(neighbor); // `none` becomes `no_neighbor`
+    corner.vertex = Flat_mesh::Index(m_walk.vertex_rank(v));
+  }
+
+  template <typename Boundary>
+  void read_constraints(const Boundary& around, std::size_t first, Face_block& block) const
+  {
+    if constexpr (has_constraints)
+      for (std::size_t i = 0; i < around.size(); ++i)
+        if (get(m_is_constrained, edge(around[(first + i) % around.size()], m_walk.mesh())))
+          block.set_constrained(i);
+  }
+
+  void set_faces(const Face_block& block)
+  {
+    block.for_each_area_vector([this](std::size_t face, const Vector_3& area_vector, double squared_longest_edge) {
+      m_builder.set_face(face, area_vector, squared_longest_edge);
     });
-    return numbers;
   }
 
-  /// Appends the dual edges of a face, in order.
-  template <typename Points, typename EdgeIsConstrainedMap>
-  void collect_edges(std::size_t rank, const Polygon& around, const Points& points, Scratch& scratch,
-                     const EdgeIsConstrainedMap& is_constrained, Edge_buffer& edges) const
+  /// Returns the number of edges.
+  std::size_t set_edges_and_corners(const Place& place, Face_block& block)
   {
-    for (const auto& [higher, i] : m_walk.higher_neighbors(rank, around, scratch)) {
-      const Vector_3 d = points[i + 1 < points.size() ? i + 1 : 0] - points[i];
-      *edges.next(1) = {Flat_mesh::Index(rank), Flat_mesh::Index(higher), d,
-                        bool(get(is_constrained, edge(around[i], m_walk.mesh())))};
-      edges.add(1);
-    }
-  }
-
-  /// The same for a triangle: every side is written to its place in the order, those that lead nowhere
-  /// behind the others, where the edges of the next face replace them.
-  template <typename EdgeIsConstrainedMap>
-  void collect_edges(std::size_t rank, const Triangle& around, const std::array<Vector_3, 3>& points,
-                     Scratch& scratch, const EdgeIsConstrainedMap& is_constrained, Edge_buffer& edges) const
-  {
-    const std::size_t a = m_walk.higher_face_rank(rank, around[0]), b = m_walk.higher_face_rank(rank, around[1]),
-                      c = m_walk.higher_face_rank(rank, around[2]);
-    if ((a == b && a != Walk::none) || (b == c && b != Walk::none) || (a == c && c != Walk::none)) {
-      collect_edges(rank, Polygon(around.begin(), around.end()), points, scratch, is_constrained, edges);
-      return;
-    }
-    const auto make_edge = [&](std::size_t higher, std::size_t i, const Vector_3& d) -> Edge_buffer::Edge {
-      return {Flat_mesh::Index(rank), Flat_mesh::Index(higher), d,
-              bool(get(is_constrained, edge(around[i], m_walk.mesh())))};
-    };
-    Edge_buffer::Edge* next = edges.next(3);
-    next[(b < a) + (c < a)] = make_edge(a, 0, points[1] - points[0]);
-    next[(a <= b) + (c < b)] = make_edge(b, 1, points[2] - points[1]);
-    next[(a <= c) + (b <= c)] = make_edge(c, 2, points[0] - points[2]);
-    edges.add((a != Walk::none) + (b != Walk::none) + (c != Walk::none));
-  }
-
-  /// Puts edges into the places before `end`; returns the first place.
-  std::size_t set_edges(std::size_t end, const Edge_buffer& edges)
-  {
-    const std::size_t first = end - edges.size();
-    for (std::size_t i = 0; i < edges.size(); ++i)
-      m_builder.set_edge(first + i, edges[i]);
-    return first;
-  }
-
-  void read_corners()
-  {
-    typename Walk::Scratch scratch;
-    for (auto f : faces(m_walk.mesh()))
-      m_walk.with_boundary(f, scratch, [&](const auto& around) {
-        m_builder.add_corners(around.size(), [&](std::size_t i) { return m_walk.source_rank(around[i]); });
-      });
+    if (m_with_points)
+      m_builder.set_corners(place.corner, block);
+    std::size_t number = 0;
+    block.with_edges([&](const Side_edge* edges, std::size_t n) {
+      m_builder.set_edges(place.edge, edges, n, block);
+      if constexpr (has_constraints)
+        for (std::size_t i = 0; i < n; ++i)
+          if (block.is_constrained(edges[i].side()))
+            m_builder.set_constrained(place.edge + i);
+      number = n;
+    });
+    return number;
   }
 
   const Walk& m_walk;
   Point_map m_point_map;
+  Constraint_map m_is_constrained;
   bool m_with_points;
   Flat_mesh_builder m_builder;
 };
@@ -258,11 +222,7 @@ template <typename ConcurrencyTag = CGAL::Sequential_tag, typename FaceGraph, ty
 Flat_mesh read_flat_mesh(const Mesh_walk<FaceGraph, Pack>& walk, const Pack& np,
                          Flat_mesh::Content content = Flat_mesh::Content::ANGLES)
 {
-  using edge_descriptor = typename boost::graph_traits<FaceGraph>::edge_descriptor;
-  Flat_mesh_reader<ConcurrencyTag, FaceGraph, Pack> reader(walk, np, content);
-  return reader.read(CGAL::parameters::choose_parameter(
-    CGAL::parameters::get_parameter(np, CGAL::internal_np::edge_is_constrained),
-    Static_boolean_property_map<edge_descriptor, false>()));
+  return Flat_mesh_reader<ConcurrencyTag, FaceGraph, Pack>(walk, np, content).read();
 }
 
 } // namespace internal
