@@ -39,14 +39,15 @@ struct Side_edge
   Flat_mesh::Index side() const { return Flat_mesh::Index(lower_and_side); }
 };
 
-/// The faces of a block as they are read. What is computed of them is computed in short loops over all: a face
-/// waits longer for points, roots and divisions than its work takes, and others can be worked on meanwhile.
+/// The faces of a block as they are read, each with its corners from that of lowest number on. What is computed of
+/// them is computed in short loops over all: a face waits longer for points, roots and divisions than its work takes,
+/// and others can be worked on meanwhile.
 class Face_block
 {
   using Index = Flat_mesh::Index;
 
 public:
-  Face_block() : m_first_sides(block_size + 1), m_corners(5 * block_size) {}
+  Face_block() : m_first_sides(block_size + 1) {}
 
   void clear(std::size_t first_face)
   {
@@ -54,39 +55,43 @@ public:
     m_number_of_faces = 0;
     m_first_sides[0] = 0;
     m_polygons.clear();
-    m_constrained_sides.clear();
   }
 
-  /// Takes in the next face; returns the places of its `n` corners. There are at most `block_size` faces.
-  Corner* add_face(std::size_t n)
+  /// \name Faces in order
+  /// There are at most `block_size` of them. Behind the corners of each there is a place for the first one again.
+  /// @{
+
+  /// The places of the corners of triangles that follow, four for each of them.
+  Corner* places_of_triangles() { return places(4 * (block_size - m_number_of_faces)); }
+
+  /// Takes in triangles whose corners are in their places.
+  void add_triangles(std::size_t n)
   {
-    const std::size_t first = m_first_sides[m_number_of_faces], end = first + n + 1;
-    if (m_corners.size() < end)
-      m_corners.resize(2 * end);
-    if (n != 3)
-      m_polygons.push_back(Index(m_number_of_faces));
-    m_first_sides[++m_number_of_faces] = Index(end);
-    return m_corners.data() + first;
+    Index* const first_sides = &m_first_sides[m_number_of_faces];
+    const Index first = first_sides[0];
+    for (std::size_t i = 1; i <= n; ++i)
+      first_sides[i] = first + Index(4 * i);
+    m_number_of_faces += n;
   }
 
-  /// Says of a side of the face taken in last that its edge is constrained.
-  void set_constrained(std::size_t position)
+  /// Takes in a face; returns the places of its `n` corners.
+  Corner* add_polygon(std::size_t n)
   {
-    m_constrained_sides.push_back(m_first_sides[m_number_of_faces - 1] + Index(position));
+    Corner* const corners = places(n + 1);
+    m_polygons.push_back(m_number_of_faces);
+    m_first_sides[m_number_of_faces + 1] = m_first_sides[m_number_of_faces] + Index(n + 1);
+    ++m_number_of_faces;
+    return corners;
   }
+  /// @}
 
   std::size_t first_face() const { return m_first_face; }
   std::size_t number_of_faces() const { return m_number_of_faces; }
   std::size_t number_of_corners() const { return m_first_sides[m_number_of_faces] - m_number_of_faces; }
 
-  /// Of the i-th face of the block. Behind its corners there is a place for the first one again.
+  /// Of the i-th face of the block.
   std::size_t number_of_corners(std::size_t i) const { return m_first_sides[i + 1] - m_first_sides[i] - 1; }
   const Corner* corners(std::size_t i) const { return m_corners.data() + m_first_sides[i]; }
-
-  bool is_constrained(std::size_t side) const
-  {
-    return std::binary_search(m_constrained_sides.begin(), m_constrained_sides.end(), Index(side));
-  }
 
   /// Calls `f(face, area_vector, squared_longest_edge)` for all faces.
   template <typename F>
@@ -112,57 +117,64 @@ public:
     return n;
   }
 
-  /// Calls `f(edges, n)` with these dual edges, in order. The points are closed then: `direction()` can be asked.
+  /// Calls `f(edges, n)` with these dual edges, in order; returns n. `direction()` can be asked then.
   template <typename F>
-  void with_edges(const F& f)
+  std::size_t with_edges(const F& f)
   {
     m_edges.resize(number_of_corners() + 3);
     Side_edge* end = m_edges.data();
     std::size_t begin_face = 0;
-    for (Index polygon : m_polygons) {
+    for (std::size_t polygon : m_polygons) {
       end = put_triangles(begin_face, polygon, end);
       end = put_polygon(polygon, end);
       begin_face = polygon + 1;
     }
     end = put_triangles(begin_face, m_number_of_faces, end);
-    f(m_edges.data(), std::size_t(end - m_edges.data()));
+    const std::size_t n = std::size_t(end - m_edges.data());
+    f(m_edges.data(), n);
+    return n;
   }
 
   /// Along the halfedge of a side.
   Vector_3 direction(std::size_t side) const { return m_corners[side + 1].point - m_corners[side].point; }
 
 private:
-  static std::uint64_t key(std::size_t face, std::size_t side) { return (std::uint64_t(face) << 32) | side; }
+  Corner* places(std::size_t n)
+  {
+    const std::size_t first = m_first_sides[m_number_of_faces];
+    if (m_corners.size() < first + n)
+      m_corners.resize((std::max)(first + n, 2 * m_corners.size()));
+    return m_corners.data() + first;
+  }
+
+  static std::uint64_t key(Index lower, std::size_t side) { return (std::uint64_t(lower) << 32) | side; }
+
+  /// The key of a side, or the highest number if it does not lead to a lower face.
+  static std::uint64_t key_or_none(Index neighbor, std::size_t side, Index face)
+  {
+    return key(neighbor, side) | (std::uint64_t(0) - std::uint64_t(neighbor >= face));
+  }
 
   /// Puts the edges of triangles from `end` on; returns the new end. Which sides of a triangle lead to lower faces,
   /// and in which order, cannot be predicted: so there is no branch. All three are written, those that lead to none
   /// behind the others, where the next face replaces them.
   Side_edge* put_triangles(std::size_t begin_face, std::size_t end_face, Side_edge* end)
   {
-    constexpr std::uint64_t none = (std::numeric_limits<std::uint64_t>::max)();
     std::size_t side = m_first_sides[begin_face];
     for (std::size_t i = begin_face; i < end_face; ++i, side += 4) {
-      Corner* const c = m_corners.data() + side;
-      c[3].point = c[0].point;
-      const Index face = Index(m_first_face + i), p = c[0].neighbor, q = c[1].neighbor, r = c[2].neighbor;
-      std::uint64_t a = p < face ? key(p, side) : none, b = q < face ? key(q, side + 1) : none,
-                    d = r < face ? key(r, side + 2) : none;
-      order(a, b);
-      order(b, d);
-      order(a, b);
-      end[0] = {a, face};
-      end[1] = {b, face};
-      end[2] = {d, face};
+      Corner* const corners = m_corners.data() + side;
+      corners[3].point = corners[0].point;
+      const Index face = Index(m_first_face + i);
+      const Index p = corners[0].neighbor, q = corners[1].neighbor, r = corners[2].neighbor;
+      const std::uint64_t a = key_or_none(p, side, face), b = key_or_none(q, side + 1, face),
+                          c = key_or_none(r, side + 2, face);
+      const unsigned b_a = b < a, c_a = c < a, c_b = c < b;
+      end[b_a + c_a] = {a, face};
+      end[1 - b_a + c_b] = {b, face};
+      end[2 - c_a - c_b] = {c, face};
       end += (p < face) + (q < face) + (r < face);
     }
     return end;
-  }
-
-  static void order(std::uint64_t& a, std::uint64_t& b)
-  {
-    const std::uint64_t lower = (std::min)(a, b), higher = (std::max)(a, b);
-    a = lower;
-    b = higher;
   }
 
   Side_edge* put_polygon(std::size_t i, Side_edge* end)
@@ -180,9 +192,8 @@ private:
   }
 
   std::size_t m_first_face = 0, m_number_of_faces = 0;
-  std::vector<Index> m_first_sides; // by the face, and the end
-  std::vector<Index> m_polygons;    // the faces that are no triangles
-  std::vector<Index> m_constrained_sides;
+  std::vector<Index> m_first_sides;    // by the face, and the end
+  std::vector<std::size_t> m_polygons; // the faces that were not taken in as triangles
   Large_array<Corner> m_corners;
   Large_array<Side_edge> m_edges;
 };

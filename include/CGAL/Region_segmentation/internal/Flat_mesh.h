@@ -44,6 +44,7 @@ public:
     NEARLY_FLAT = 32, ///< N_i . N_j > `nearly_flat`
     NOT_FLAT = 64     ///< N_i . N_j < `not_flat`
   };
+  static constexpr int number_of_flags = 7;
 
   /// The cosines of 1 and 1.5 degrees, on both sides of the usual bound of feature edges: so most often the
   /// flags alone say which side an edge is on, and its normals are not fetched.
@@ -65,7 +66,11 @@ public:
   Index lower_face(std::size_t edge) const { return m_lower_faces[edge]; }
   Index higher_face(std::size_t edge) const { return m_higher_faces[edge]; }
   /// The length of the mesh edge, in units of the mesh.
-  double length(std::size_t edge) const { return m_lengths[edge]; }
+  double length(std::size_t edge) const
+  {
+    const double square = m_squared_lengths[edge];
+    return square >= 0 ? std::sqrt(square) : -square;
+  }
   std::uint8_t flags(std::size_t edge) const { return m_flags[edge]; }
   bool has_flag(std::size_t edge, std::uint8_t any) const { return (m_flags[edge] & any) != 0; }
 
@@ -115,7 +120,7 @@ private:
   internal::Large_array<double> m_areas;                 // 8 bytes a face
   internal::Large_array<Index> m_lower_faces;            // 4 bytes a dual edge
   internal::Large_array<Index> m_higher_faces;           // 4 bytes a dual edge
-  internal::Large_array<double> m_lengths;               // 8 bytes a dual edge
+  internal::Large_array<double> m_squared_lengths;       // 8 bytes a dual edge; less 0: the length, negated
   internal::Large_array<std::uint8_t> m_flags;           // 1 byte a dual edge
   internal::Large_array<internal::Vector_3> m_points;    // 24 bytes a vertex
   internal::Large_array<Index> m_first_corners;          // 4 bytes a face, and one more at the end

@@ -33,17 +33,20 @@ public:
     m_flat.m_areas.resize(number_of_faces);
     m_flat.m_lower_faces.resize(maximum_number_of_edges);
     m_flat.m_higher_faces.resize(maximum_number_of_edges);
-    m_flat.m_lengths.resize(maximum_number_of_edges);
+    m_flat.m_squared_lengths.resize(maximum_number_of_edges);
     m_flat.m_flags.resize(maximum_number_of_edges);
   }
 
   void set_face(std::size_t face, const Vector_3& area_vector, double squared_longest_edge)
   {
     const double area = norm(area_vector);
-    const bool is_finite = area <= (std::numeric_limits<double>::max)();
-    const bool is_degenerate = !is_finite || !(area > 1e-12 * squared_longest_edge);
-    m_flat.m_normals[face] = is_degenerate ? Vector_3{} : (1 / area) * area_vector;
-    m_flat.m_areas[face] = is_finite ? area : 0;
+    if (area > 1e-12 * squared_longest_edge && area <= (std::numeric_limits<double>::max)()) {
+      m_flat.m_normals[face] = (1 / area) * area_vector;
+      m_flat.m_areas[face] = area;
+    } else {
+      m_flat.m_normals[face] = {};
+      m_flat.m_areas[face] = area <= (std::numeric_limits<double>::max)() ? area : 0;
+    }
   }
 
   /// Puts `n` dual edges into the places from `first` on.
@@ -52,16 +55,16 @@ public:
     const Vector_3* const normals = m_flat.m_normals.data();
     Index* const lower_faces = m_flat.m_lower_faces.data() + first;
     Index* const higher_faces = m_flat.m_higher_faces.data() + first;
-    double* const lengths = m_flat.m_lengths.data() + first;
+    double* const squared_lengths = m_flat.m_squared_lengths.data() + first;
     std::uint8_t* const flags = m_flat.m_flags.data() + first;
     for (std::size_t i = 0; i < n; ++i) {
       const Index lower = edges[i].lower(), higher = edges[i].higher;
       // Both factors of the sign have the opposite of their direction in section 2: its value is the same.
       const Vector_3 a = normals[higher], b = normals[lower], d = block.direction(edges[i].side());
-      const double cosine = dot(a, b), sign = dot(cross(a, b), d);
+      const double cosine = dot(a, b), sign = dot(cross(a, b), d), square = squared_norm(d);
       lower_faces[i] = lower;
       higher_faces[i] = higher;
-      lengths[i] = norm(d);
+      squared_lengths[i] = is_square_of_norm(square) ? square : -norm(d);
       flags[i] = std::uint8_t((sign > 0) * Flat_mesh::CONVEX + (sign < 0) * Flat_mesh::CONCAVE +
                               (cosine > Flat_mesh::nearly_flat) * Flat_mesh::NEARLY_FLAT +
                               (cosine < Flat_mesh::not_flat) * Flat_mesh::NOT_FLAT);
@@ -99,7 +102,7 @@ public:
   {
     m_flat.m_lower_faces.resize(number_of_edges);
     m_flat.m_higher_faces.resize(number_of_edges);
-    m_flat.m_lengths.resize(number_of_edges);
+    m_flat.m_squared_lengths.resize(number_of_edges);
     m_flat.m_flags.resize(number_of_edges);
     join_degenerate_faces();
     return std::move(m_flat);

@@ -8,6 +8,7 @@
 
 #include <boost/atomic/atomic_ref.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -28,12 +29,22 @@ class Lowest_root_forest
 public:
   using Index = Flat_mesh::Index;
 
-  explicit Lowest_root_forest(std::size_t size) : m_parents(size)
+  explicit Lowest_root_forest(std::size_t size) : m_parents(size + 1)
   {
     for_each_block<ConcurrencyTag>(size, [this](std::size_t, std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
         m_parents[i] = Index(i);
     });
+  }
+
+  /// Unites the tree of `a` with that of the root `r`; returns their root. In sequence only. Whether they are
+  /// united already cannot be predicted: so there is no branch, and a cell that nobody reads is written if they are.
+  Index unite_with_root(Index r, Index a)
+  {
+    a = root(a);
+    const Index lower = (std::min)(a, r);
+    m_parents[a == r ? m_parents.size() - 1 : (std::max)(a, r)] = lower;
+    return lower;
   }
 
   void unite(Index a, Index b)
@@ -54,6 +65,7 @@ public:
   Region_labels take_labels()
   {
     Region_labels labels;
+    m_parents.pop_back();
     if constexpr (is_parallel<ConcurrencyTag>)
       labels.number_of_regions = number_in_parallel();
     else
@@ -96,12 +108,13 @@ private:
 
   Index root(Index i)
   {
-    for (Index p = parent(i); p != i; p = parent(i)) {
-      const Index above = parent(p);
+    Index p = parent(i);
+    for (Index above = parent(p); above != p; above = parent(p)) {
       set_parent(i, above); // path halving
       i = above;
+      p = parent(i);
     }
-    return i;
+    return p;
   }
 
   /// Replaces parents by numbers: those of the roots first, since they are looked up there.
@@ -133,7 +146,7 @@ private:
     return number;
   }
 
-  std::vector<Index> m_parents;
+  std::vector<Index> m_parents; // and a cell that nobody reads
 };
 
 } // namespace internal

@@ -10,18 +10,18 @@
 #include <CGAL/Iterator_range.h>
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
-#include <boost/config.hpp>
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
 #include <limits>
+#include <memory>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -40,23 +40,41 @@ class Iteration_ranks
 public:
   using Descriptor = typename boost::property_traits<IndexMap>::key_type;
 
+  /// Maps a descriptor to its position; a small object, whose copy a loop holds in registers.
+  class Rank_of
+  {
+  public:
+    Rank_of(IndexMap index_map, const Flat_mesh::Index* ranks) : m_index_map(index_map), m_ranks(ranks) {}
+
+    std::size_t operator()(const Descriptor& d) const
+    {
+      const std::size_t index = get(m_index_map, d);
+      return m_ranks ? m_ranks[index] : index;
+    }
+
+  private:
+    IndexMap m_index_map;
+    const Flat_mesh::Index* m_ranks; // null where an index is the position
+  };
+
   /// `capacity`: an upper bound of the indices, removed elements of the mesh included.
   Iteration_ranks(IndexMap index_map, const Range& range, std::size_t capacity)
     : m_index_map(index_map)
   {
     bool is_identity = true;
-    for (Iterator it = std::begin(range); it != std::end(range); ++it) {
-      if (m_size % block_size == 0)
-        m_block_starts.push_back(it);
-      is_identity = (std::size_t(get(m_index_map, *it)) == m_size++) && is_identity;
+    for (Iterator it = std::begin(range), end = std::end(range); it != end;) {
+      m_block_starts.push_back(it);
+      std::size_t i = 0;
+      for (; i < block_size && it != end; ++i, ++it)
+        is_identity &= std::size_t(get(m_index_map, *it)) == m_size + i;
+      m_size += i;
     }
     m_block_starts.push_back(std::end(range));
     CGAL_precondition_msg(m_size < (std::numeric_limits<Flat_mesh::Index>::max)(),
                           "a mesh has fewer than 2^32 - 1 vertices, faces and edges");
-    m_is_identity = is_identity;
     if (is_identity)
       return;
-    m_ranks.resize(capacity);
+    m_ranks = std::make_unique<Flat_mesh::Index[]>(capacity);
     Flat_mesh::Index rank = 0;
     for (const auto& d : range) {
       const std::size_t index = get(m_index_map, d);
@@ -67,11 +85,8 @@ public:
 
   std::size_t size() const { return m_size; }
 
-  std::size_t operator[](const Descriptor& d) const
-  {
-    const std::size_t index = get(m_index_map, d);
-    return m_is_identity ? index : m_ranks[index];
-  }
+  Rank_of rank_of() const { return Rank_of(m_index_map, m_ranks.get()); }
+  std::size_t operator[](const Descriptor& d) const { return rank_of()(d); }
 
   /// The elements of a block.
   CGAL::Iterator_range<Iterator> block(std::size_t i) const
@@ -82,16 +97,12 @@ public:
 private:
   IndexMap m_index_map;
   std::size_t m_size = 0;
-  bool m_is_identity;
-  std::vector<Flat_mesh::Index> m_ranks;
+  std::unique_ptr<Flat_mesh::Index[]> m_ranks;
   std::vector<Iterator> m_block_starts; // and the end
 };
 
 /// A face graph walked in an order that does not depend on its type: faces and vertices are numbered
 /// by iteration, and the boundary of a face begins at its vertex of lowest number.
-///
-/// What is done for every face is done for triangles in registers and without branches that depend on the
-/// numbering, since these cannot be predicted.
 template <typename FaceGraph, typename Pack>
 class Mesh_walk
 {
@@ -106,24 +117,9 @@ public:
   using halfedge_descriptor = typename Traits::halfedge_descriptor;
 
   /// The halfedges around a face.
-  using Triangle = std::array<halfedge_descriptor, 3>;
-  using Polygon = std::vector<halfedge_descriptor>;
+  using Boundary = std::vector<halfedge_descriptor>;
 
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
-
-  /// Memory that a walk keeps while it goes from face to face.
-  class Scratch
-  {
-    friend class Mesh_walk;
-    struct Neighbor
-    {
-      std::size_t face_rank, place;
-      halfedge_descriptor halfedge;
-    };
-    Polygon polygon;
-    std::size_t first = 0;
-    std::vector<Neighbor> neighbors;
-  };
 
   Mesh_walk(const FaceGraph& mesh, const Pack& np)
     : m_mesh(mesh)
@@ -136,9 +132,10 @@ public:
   std::size_t number_of_faces() const { return m_face_ranks.size(); }
   std::size_t number_of_vertices() const { return m_vertex_ranks.size(); }
 
-  std::size_t vertex_rank(typename Traits::vertex_descriptor v) const { return m_vertex_ranks[v]; }
+  auto rank_of_face() const { return m_face_ranks.rank_of(); }
+  auto rank_of_vertex() const { return m_vertex_ranks.rank_of(); }
+
   std::size_t source_rank(halfedge_descriptor h) const { return m_vertex_ranks[source(h, m_mesh)]; }
-  std::size_t target_rank(halfedge_descriptor h) const { return m_vertex_ranks[target(h, m_mesh)]; }
 
   /// The number of the face on the other side of a halfedge; `none` at a border.
   std::size_t opposite_face_rank(halfedge_descriptor h) const
@@ -151,71 +148,54 @@ public:
   auto faces_of_block(std::size_t block) const { return m_face_ranks.block(block); }
   auto vertices_of_block(std::size_t block) const { return m_vertex_ranks.block(block); }
 
-  /// Calls `f(boundary, first)` with the halfedges around a face, a `Triangle` or a `Polygon`: the boundary begins at
-  /// the position `first`, where a halfedge leaves the vertex of lowest number.
-  template <typename F>
-  BOOST_FORCEINLINE void with_boundary(face_descriptor face, Scratch& scratch, const F& f) const
+  /// Replaces what is in `boundary` by that of a face.
+  void read_boundary(face_descriptor face, Boundary& boundary) const
   {
-    const halfedge_descriptor a = halfedge(face, m_mesh), b = next(a, m_mesh), c = next(b, m_mesh);
-    if (next(c, m_mesh) != a) {
-      read_polygon(a, scratch);
-      f(scratch.polygon, scratch.first);
-      return;
+    boundary.clear();
+    std::size_t lowest = none, first = 0;
+    for (halfedge_descriptor h : CGAL::halfedges_around_face(halfedge(face, m_mesh), m_mesh)) {
+      const std::size_t rank = source_rank(h);
+      if (rank < lowest) {
+        lowest = rank;
+        first = boundary.size();
+      }
+      boundary.push_back(h);
     }
-    const std::size_t to_a = target_rank(a), to_b = target_rank(b), to_c = target_rank(c);
-    const bool from_b = (to_a < to_b) & (to_a < to_c), from_c = !from_b & (to_b < to_c);
-    f(Triangle{a, b, c}, std::size_t(from_b + 2 * from_c));
+    std::rotate(boundary.begin(), boundary.begin() + std::ptrdiff_t(first), boundary.end());
   }
 
-  /// Calls `f(halfedge, dual_edge)` for every dual edge of the flat mesh made by this walk, in order, with the
-  /// halfedge of its lower face.
+  /// Calls `f(halfedge, dual_edge)` for the dual edges of the faces of a block, from `dual_edge` on, as the flat mesh
+  /// made by this walk has them, with the halfedge of the lower face. Returns the dual edge that follows.
+  template <typename F>
+  std::size_t for_each_dual_edge_of_block(std::size_t block, std::size_t dual_edge, const F& f) const
+  {
+    std::vector<std::pair<std::size_t, halfedge_descriptor>> lower_neighbors;
+    Boundary boundary;
+    std::size_t rank = block * block_size;
+    for (face_descriptor fd : faces_of_block(block)) {
+      read_boundary(fd, boundary);
+      lower_neighbors.clear();
+      for (halfedge_descriptor h : boundary)
+        if (const std::size_t other = opposite_face_rank(h); other < rank)
+          lower_neighbors.push_back({other, opposite(h, m_mesh)});
+      std::stable_sort(lower_neighbors.begin(), lower_neighbors.end(),
+                       [](const auto& a, const auto& b) { return a.first < b.first; });
+      for (const auto& neighbor : lower_neighbors)
+        f(neighbor.second, dual_edge++);
+      ++rank;
+    }
+    return dual_edge;
+  }
+
   template <typename F>
   void for_each_dual_edge(const F& f) const
   {
-    Scratch scratch;
-    std::size_t rank = 0, dual_edge = 0;
-    for (face_descriptor fd : faces(m_mesh)) {
-      with_boundary(fd, scratch, [&](const auto& around, std::size_t first) {
-        read_lower_neighbors(rank, around, first, scratch.neighbors);
-        for (const auto& neighbor : scratch.neighbors)
-          f(opposite(neighbor.halfedge, m_mesh), dual_edge++);
-      });
-      ++rank;
-    }
+    std::size_t dual_edge = 0;
+    for (std::size_t block = 0; block < number_of_blocks(number_of_faces()); ++block)
+      dual_edge = for_each_dual_edge_of_block(block, dual_edge, f);
   }
 
 private:
-  void read_polygon(halfedge_descriptor start, Scratch& scratch) const
-  {
-    Polygon& around = scratch.polygon;
-    around.clear();
-    std::size_t lowest = none;
-    halfedge_descriptor h = start;
-    do {
-      const std::size_t rank = source_rank(h);
-      scratch.first = rank < lowest ? around.size() : scratch.first;
-      lowest = (std::min)(rank, lowest);
-      around.push_back(h);
-      h = next(h, m_mesh);
-    } while (h != start);
-  }
-
-  /// The lower neighbors of the face `rank`, in order; several halfedges to one of them follow the boundary.
-  template <typename Boundary>
-  void read_lower_neighbors(std::size_t rank, const Boundary& around, std::size_t first,
-                            std::vector<typename Scratch::Neighbor>& neighbors) const
-  {
-    neighbors.clear();
-    for (std::size_t i = 0; i < around.size(); ++i) {
-      const halfedge_descriptor h = around[(first + i) % around.size()];
-      if (const std::size_t other = opposite_face_rank(h); other < rank)
-        neighbors.push_back({other, i, h});
-    }
-    std::sort(neighbors.begin(), neighbors.end(), [](const auto& a, const auto& b) {
-      return a.face_rank != b.face_rank ? a.face_rank < b.face_rank : a.place < b.place;
-    });
-  }
-
   const FaceGraph& m_mesh;
   Iteration_ranks<Face_index_map, Face_range> m_face_ranks;
   Iteration_ranks<Vertex_index_map, Vertex_range> m_vertex_ranks;

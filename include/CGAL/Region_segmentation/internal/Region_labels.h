@@ -4,6 +4,7 @@
 #define CGAL_REGION_SEGMENTATION_INTERNAL_REGION_LABELS_H
 
 #include <CGAL/Region_segmentation/internal/Flat_mesh.h>
+#include <CGAL/Region_segmentation/internal/Large_array.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -12,8 +13,9 @@
 namespace CGAL {
 namespace Region_segmentation {
 
-/// One byte a dual edge of a `Flat_mesh`; not zero where the edge is a feature edge.
-using Edge_marks = std::vector<std::uint8_t>;
+/// One byte a dual edge of a `Flat_mesh`; not zero where the edge is a feature edge. A vector that does not set
+/// what it is resized to.
+using Edge_marks = internal::Large_array<std::uint8_t>;
 
 /// The region of every face: ids 0 .. number_of_regions - 1, numbered by their first face.
 struct Region_labels

@@ -3,6 +3,8 @@
 #ifndef CGAL_REGION_SEGMENTATION_INTERNAL_VECTOR_3_H
 #define CGAL_REGION_SEGMENTATION_INTERNAL_VECTOR_3_H
 
+#include <boost/config.hpp>
+
 #include <cmath>
 #include <limits>
 
@@ -51,14 +53,23 @@ inline bool is_finite(const Vector_3& a)
   return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
 }
 
-/// The length. The square of a component may leave the range of double where the length does not;
-/// the slow way is taken then.
+/// Whether the square of a length tells the length: the square of a component may leave the range of double where
+/// the length does not.
+inline bool is_square_of_norm(double square)
+{
+  return square > 1e-280 && square < std::numeric_limits<double>::infinity();
+}
+
+BOOST_NOINLINE inline double norm_far_from_1(const Vector_3& a)
+{
+  return std::hypot(a.x, a.y, a.z);
+}
+
+/// The length.
 inline double norm(const Vector_3& a)
 {
   const double square = squared_norm(a);
-  if (square > 1e-280 && square < std::numeric_limits<double>::infinity())
-    return std::sqrt(square);
-  return std::hypot(a.x, a.y, a.z);
+  return is_square_of_norm(square) ? std::sqrt(square) : norm_far_from_1(a);
 }
 
 } // namespace internal

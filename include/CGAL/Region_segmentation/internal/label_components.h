@@ -18,13 +18,27 @@ namespace internal {
 template <typename ConcurrencyTag>
 Region_labels label_components(const Flat_mesh& flat, const Edge_marks& is_feature)
 {
+  using Index = Flat_mesh::Index;
+  const auto is_way = [&](std::size_t e) { return !is_feature[e] && !flat.has_flag(e, Flat_mesh::CLOSED); };
   Lowest_root_forest<ConcurrencyTag> forest(flat.number_of_faces());
-  for_each_block<ConcurrencyTag>(
-    flat.number_of_edges(), [&](std::size_t, std::size_t begin, std::size_t end) {
-      for (std::size_t e = begin; e < end; ++e)
-        if (!is_feature[e] && !flat.has_flag(e, Flat_mesh::CLOSED))
-          forest.unite(flat.lower_face(e), flat.higher_face(e));
-    });
+  if constexpr (is_parallel<ConcurrencyTag>)
+    for_each_block<ConcurrencyTag>(
+      flat.number_of_edges(), [&](std::size_t, std::size_t begin, std::size_t end) {
+        for (std::size_t e = begin; e < end; ++e)
+          if (is_way(e))
+            forest.unite(flat.lower_face(e), flat.higher_face(e));
+      });
+  else {
+    // Edges follow their higher face: it is its own root at the first one, and its root is at hand then.
+    Index face = 0, root = 0;
+    for (std::size_t e = 0; e < flat.number_of_edges(); ++e) {
+      const Index higher = flat.higher_face(e);
+      root = higher == face ? root : higher;
+      face = higher;
+      if (is_way(e))
+        root = forest.unite_with_root(root, flat.lower_face(e));
+    }
+  }
   return forest.take_labels();
 }
 

@@ -9,6 +9,7 @@
 
 #include <CGAL/number_type_config.h>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -26,24 +27,26 @@ Edge_marks mark_feature_edges(const Flat_mesh& flat, double maximum_angle, Featu
   const int wanted_signs = convexity == Feature_convexity::CONVEX    ? Flat_mesh::CONVEX
                            : convexity == Feature_convexity::CONCAVE ? Flat_mesh::CONCAVE
                                                                      : 0;
-  // What the flags say of the cosine: whether it is below the bound, or nothing.
-  enum Answer { NO, YES, ASK };
-  const Answer of_nearly_flat = bound <= Flat_mesh::nearly_flat ? NO : ASK;
-  const Answer of_not_flat = bound >= Flat_mesh::not_flat ? YES : ASK;
-  const Answer of_others = bound > Flat_mesh::nearly_flat ? YES : bound <= Flat_mesh::not_flat ? NO : ASK;
+  // What the flags alone say of an edge.
+  enum Answer : std::uint8_t { NO, YES, ASK };
+  std::array<Answer, 1 << Flat_mesh::number_of_flags> answers;
+  for (std::size_t flags = 0; flags < answers.size(); ++flags) {
+    const Answer is_sharp = flags & Flat_mesh::NEARLY_FLAT ? (bound <= Flat_mesh::nearly_flat ? NO : ASK)
+                            : flags & Flat_mesh::NOT_FLAT  ? (bound >= Flat_mesh::not_flat ? YES : ASK)
+                            : bound > Flat_mesh::nearly_flat ? YES
+                            : bound <= Flat_mesh::not_flat   ? NO
+                                                             : ASK;
+    const bool has_sign = wanted_signs == 0 || (flags & wanted_signs) != 0;
+    const bool has_angle = (flags & (Flat_mesh::JOINING | Flat_mesh::CLOSED)) == 0;
+    answers[flags] = flags & Flat_mesh::CONSTRAINED ? YES : has_sign && has_angle ? is_sharp : NO;
+  }
 
   Edge_marks is_feature(flat.number_of_edges());
   for_each_block<ConcurrencyTag>(
     flat.number_of_edges(), [&](std::size_t, std::size_t begin, std::size_t end) {
       for (std::size_t e = begin; e < end; ++e) {
-        const int flags = flat.flags(e);
-        const Answer answer = flags & Flat_mesh::NEARLY_FLAT ? of_nearly_flat
-                              : flags & Flat_mesh::NOT_FLAT  ? of_not_flat
-                                                             : of_others;
-        const bool is_sharp = answer == ASK ? flat.cosine(flat.lower_face(e), e) < bound : answer == YES;
-        const bool has_sign = wanted_signs == 0 || (flags & wanted_signs) != 0;
-        const bool has_angle = (flags & (Flat_mesh::JOINING | Flat_mesh::CLOSED)) == 0;
-        is_feature[e] = (is_sharp & has_sign & has_angle) | ((flags & Flat_mesh::CONSTRAINED) != 0);
+        const Answer answer = answers[flat.flags(e)];
+        is_feature[e] = answer == ASK ? flat.cosine(flat.lower_face(e), e) < bound : answer == YES;
       }
     });
   return is_feature;

@@ -34,9 +34,7 @@ template <typename ConcurrencyTag, typename FaceGraph, typename Pack>
 class Flat_mesh_reader
 {
   using Walk = Mesh_walk<FaceGraph, Pack>;
-  using Triangle = typename Walk::Triangle;
-  using Polygon = typename Walk::Polygon;
-  using Scratch = typename Walk::Scratch;
+  using Boundary = typename Walk::Boundary;
   using Point_map = typename GetVertexPointMap<FaceGraph, Pack>::const_type;
   using halfedge_descriptor = typename Walk::halfedge_descriptor;
   using No_constraints =
@@ -83,7 +81,7 @@ private:
     for (std::size_t i = 0; i < number_of_blocks(m_walk.number_of_faces()); ++i) {
       read_block(i, block);
       set_faces(block);
-      place.edge += set_edges_and_corners(place, block);
+      place.edge += set_edges_and_corners(i, place, block);
       place.corner += block.number_of_corners();
     }
     return place.edge;
@@ -106,14 +104,15 @@ private:
     for_each_block<ConcurrencyTag>(size, [&](std::size_t i, std::size_t, std::size_t) {
       Face_block block;
       read_block(i, block);
-      set_edges_and_corners(places[i], block);
+      set_edges_and_corners(i, places[i], block);
     });
     return end.edge;
   }
 
-  Vector_3 point(typename boost::graph_traits<FaceGraph>::vertex_descriptor v) const
+  template <typename Vertex>
+  static Vector_3 point(const Point_map& map, const Vertex& v)
   {
-    const auto& p = get(m_point_map, v);
+    const auto& p = get(map, v);
     return {CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2])};
   }
 
@@ -125,7 +124,7 @@ private:
     std::vector<std::size_t> first_bad(number_of_blocks(size), Walk::none);
     for_each_block<ConcurrencyTag>(size, [&](std::size_t block, std::size_t rank, std::size_t) {
       for (auto v : m_walk.vertices_of_block(block)) {
-        const Vector_3 p = point(v);
+        const Vector_3 p = point(m_point_map, v);
         if (!is_finite(p))
           first_bad[block] = (std::min)(first_bad[block], rank);
         if (m_with_points)
@@ -140,49 +139,70 @@ private:
 
   void read_block(std::size_t i, Face_block& block) const
   {
-    Scratch scratch;
+    Boundary boundary;
     block.clear(i * block_size);
-    for (auto face : m_walk.faces_of_block(i))
-      m_walk.with_boundary(face, scratch, [&](const auto& around, std::size_t first) {
-        read_face(around, first, block);
-        read_constraints(around, first, block);
-      });
+    const auto range = m_walk.faces_of_block(i);
+    for (auto it = range.begin(); it != range.end();) {
+      it = read_triangles(it, range.end(), block);
+      if (it != range.end()) {
+        m_walk.read_boundary(*it++, boundary);
+        read_polygon(boundary, block);
+      }
+    }
   }
 
-  /// Reads from where the mesh begins and writes to where the boundary does: reading waits for nothing then.
-  void read_face(const Triangle& around, std::size_t first, Face_block& block) const
+  /// Reads faces up to the first one that is no triangle. What the loop uses is at hand in registers. A face is read
+  /// from where the mesh begins it and written to where its boundary begins, so that no reading waits for the order.
+  template <typename Iterator>
+  Iterator read_triangles(Iterator it, Iterator end, Face_block& block) const
   {
-    static constexpr unsigned char places[3][3] = {{0, 1, 2}, {2, 0, 1}, {1, 2, 0}};
-    Corner* const c = block.add_face(3);
-    read_corner(around[0], around[2], c[places[first][0]]);
-    read_corner(around[1], around[0], c[places[first][1]]);
-    read_corner(around[2], around[1], c[places[first][2]]);
+    const FaceGraph& mesh = m_walk.mesh();
+    const auto rank_of_face = m_walk.rank_of_face();
+    const auto rank_of_vertex = m_walk.rank_of_vertex();
+    const Point_map point_map = m_point_map;
+    const auto put = [&](const auto& v, std::size_t rank, halfedge_descriptor h, Corner& corner) {
+      const auto f = face(opposite(h, mesh), mesh);
+      const bool is_border = f == boost::graph_traits<FaceGraph>::null_face();
+      corner.point = point(point_map, v);
+      corner.vertex = Flat_mesh::Index(rank);
+      corner.neighbor = is_border ? Corner::no_neighbor : Flat_mesh::Index(rank_of_face(f));
+    };
+
+    Corner *const begin = block.places_of_triangles(), *corners = begin;
+    for (; it != end; ++it, corners += 4) {
+      const halfedge_descriptor a = halfedge(*it, mesh), b = next(a, mesh), c = next(b, mesh);
+      if (next(c, mesh) != a)
+        break;
+      const auto p = target(c, mesh), q = target(a, mesh), r = target(b, mesh);
+      const std::size_t rank_of_p = rank_of_vertex(p), rank_of_q = rank_of_vertex(q), rank_of_r = rank_of_vertex(r);
+      const auto place = places_in_triangle(rank_of_p, rank_of_q, rank_of_r);
+      put(p, rank_of_p, a, corners[place[0]]);
+      put(q, rank_of_q, b, corners[place[1]]);
+      put(r, rank_of_r, c, corners[place[2]]);
+    }
+    block.add_triangles(std::size_t(corners - begin) / 4);
+    return it;
   }
 
-  void read_face(const Polygon& around, std::size_t first, Face_block& block) const
+  /// The places of p, q and r in a boundary that begins at the lowest of these ranks. Which it is cannot be predicted:
+  /// so there is no branch.
+  static const unsigned char* places_in_triangle(std::size_t p, std::size_t q, std::size_t r)
   {
-    const std::size_t n = around.size();
-    Corner* const c = block.add_face(n);
-    for (std::size_t i = 0; i < n; ++i)
-      read_corner(around[(first + i) % n], around[(first + i + n - 1) % n], c[i]);
+    static constexpr unsigned char places[8][3] = {{0, 1, 2}, {2, 0, 1}, {}, {2, 0, 1},
+                                                   {0, 1, 2}, {}, {1, 2, 0}, {1, 2, 0}};
+    return places[unsigned(q < p) + 2 * unsigned(r < p) + 4 * unsigned(r < q)];
   }
 
-  void read_corner(halfedge_descriptor h, halfedge_descriptor previous, Corner& corner) const
+  void read_polygon(const Boundary& boundary, Face_block& block) const
   {
-    const auto v = target(previous, m_walk.mesh());
-    corner.point = point(v);
-    const std::size_t neighbor = m_walk.opposite_face_rank(h);
-    corner.neighbor = Flat_mesh::Index(neighbor); // `none` becomes `no_neighbor`
-    corner.vertex = Flat_mesh::Index(m_walk.vertex_rank(v));
-  }
-
-  template <typename Boundary>
-  void read_constraints(const Boundary& around, std::size_t first, Face_block& block) const
-  {
-    if constexpr (has_constraints)
-      for (std::size_t i = 0; i < around.size(); ++i)
-        if (get(m_is_constrained, edge(around[(first + i) % around.size()], m_walk.mesh())))
-          block.set_constrained(i);
+    const std::size_t n = boundary.size();
+    Corner* const c = block.add_polygon(n);
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::size_t neighbor = m_walk.opposite_face_rank(boundary[i]);
+      c[i].point = point(m_point_map, source(boundary[i], m_walk.mesh()));
+      c[i].vertex = Flat_mesh::Index(m_walk.source_rank(boundary[i]));
+      c[i].neighbor = neighbor == Walk::none ? Corner::no_neighbor : Flat_mesh::Index(neighbor);
+    }
   }
 
   void set_faces(const Face_block& block)
@@ -193,19 +213,18 @@ private:
   }
 
   /// Returns the number of edges.
-  std::size_t set_edges_and_corners(const Place& place, Face_block& block)
+  std::size_t set_edges_and_corners(std::size_t i, const Place& place, Face_block& block)
   {
     if (m_with_points)
       m_builder.set_corners(place.corner, block);
-    std::size_t number = 0;
-    block.with_edges([&](const Side_edge* edges, std::size_t n) {
+    const std::size_t number = block.with_edges([&](const Side_edge* edges, std::size_t n) {
       m_builder.set_edges(place.edge, edges, n, block);
-      if constexpr (has_constraints)
-        for (std::size_t i = 0; i < n; ++i)
-          if (block.is_constrained(edges[i].side()))
-            m_builder.set_constrained(place.edge + i);
-      number = n;
     });
+    if constexpr (has_constraints)
+      m_walk.for_each_dual_edge_of_block(i, place.edge, [&](halfedge_descriptor h, std::size_t dual_edge) {
+        if (get(m_is_constrained, edge(h, m_walk.mesh())))
+          m_builder.set_constrained(dual_edge);
+      });
     return number;
   }
 
