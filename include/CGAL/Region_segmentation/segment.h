@@ -97,7 +97,6 @@ std::size_t segment(const FaceGraph& mesh, FaceSegmentMap segment_map,
 
   internal::Progress growing(pack, "regions", 1);
   const Region_labels regions = internal::make_regions<ConcurrencyTag>(initializer, flat, is_feature);
-  internal::clear_marks_within_regions<ConcurrencyTag>(flat, regions, is_feature);
 
   auto graph = internal::build_graph<typename Companions::Graph, ConcurrencyTag>(flat, regions);
   internal::annotate<ConcurrencyTag>(annotator, graph, flat, regions);
@@ -106,7 +105,7 @@ std::size_t segment(const FaceGraph& mesh, FaceSegmentMap segment_map,
     regions, tree, internal::choose_number<Companions>(tree, wanted, pack));
 
   internal::write_face_map(mesh, segment_map, segments);
-  internal::write_segmentation_outputs(walk, regions, is_feature, tree, pack);
+  internal::write_segmentation_outputs<ConcurrencyTag>(walk, flat, regions, is_feature, tree, pack);
   return segments.number_of_segments();
 }
 

@@ -9,6 +9,8 @@
 
 #include <boost/sort/spreadsort/integer_sort.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -17,29 +19,46 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
+/// The lower face of a dual edge, then its id: edges are sorted by their higher face.
+using Border_key = std::uint64_t;
+
+/// Appends the keys of those edges `begin` .. `end - 1` that are between two regions; at most `block_size` are looked
+/// at. On a noisy mesh nobody could predict which these are: so there is no branch.
+inline void append_border_keys(const Flat_mesh& flat, const Region_labels& regions, std::size_t begin, std::size_t end,
+                               Large_array<Border_key>& keys)
+{
+  std::array<Border_key, block_size> found;
+  const Flat_mesh::Index* const region = regions.of_face.data();
+  std::size_t n = 0;
+  for (std::size_t e = begin; e < end; ++e) {
+    const Flat_mesh::Index lower = flat.lower_face(e);
+    found[n] = (Border_key(lower) << 32) | e;
+    n += region[lower] != region[flat.higher_face(e)];
+  }
+  keys.insert(keys.end(), found.begin(), found.begin() + std::ptrdiff_t(n));
+}
+
 /// The dual edges between two regions, by their lower, then by their higher face: the order in which sums run.
 template <typename ConcurrencyTag>
 Large_array<Flat_mesh::Index> border_edges(const Flat_mesh& flat, const Region_labels& regions)
 {
-  using Key = std::uint64_t; // the lower face, then the edge: edges are sorted by their higher face
-  std::vector<Large_array<Key>> found(is_parallel<ConcurrencyTag> ? number_of_blocks(flat.number_of_edges()) : 1);
-  for_each_block<ConcurrencyTag>(
-    flat.number_of_edges(), [&](std::size_t block, std::size_t begin, std::size_t end) {
-      Large_array<Key>& keys = found[is_parallel<ConcurrencyTag> ? block : 0];
-      for (std::size_t e = begin; e < end; ++e)
-        if (regions.of_face[flat.lower_face(e)] != regions.of_face[flat.higher_face(e)])
-          keys.push_back((Key(flat.lower_face(e)) << 32) | e);
+  const std::size_t size = flat.number_of_edges();
+  Large_array<Border_key> keys;
+  if constexpr (is_parallel<ConcurrencyTag>) {
+    std::vector<Large_array<Border_key>> found(number_of_blocks(size));
+    for_each_block<ConcurrencyTag>(size, [&](std::size_t block, std::size_t begin, std::size_t end) {
+      append_border_keys(flat, regions, begin, end, found[block]);
     });
-  for (std::size_t block = 1; block < found.size(); ++block)
-    found[0].insert(found[0].end(), found[block].begin(), found[block].end());
+    for (const auto& of_block : found)
+      keys.insert(keys.end(), of_block.begin(), of_block.end());
+  } else
+    for_each_block<ConcurrencyTag>(size, [&](std::size_t, std::size_t begin, std::size_t end) {
+      append_border_keys(flat, regions, begin, end, keys);
+    });
 
-  Large_array<Flat_mesh::Index> edges;
-  if (found.empty())
-    return edges;
-  boost::sort::spreadsort::integer_sort(found[0].begin(), found[0].end());
-  edges.reserve(found[0].size());
-  for (const Key key : found[0])
-    edges.push_back(Flat_mesh::Index(key));
+  boost::sort::spreadsort::integer_sort(keys.begin(), keys.end());
+  Large_array<Flat_mesh::Index> edges(keys.size());
+  std::transform(keys.begin(), keys.end(), edges.begin(), [](Border_key key) { return Flat_mesh::Index(key); });
   return edges;
 }
 

@@ -8,6 +8,7 @@
 #include <CGAL/Region_segmentation/internal/concept_checks.h>
 
 #include <cstddef>
+#include <utility>
 
 namespace CGAL {
 namespace Region_segmentation {
@@ -29,6 +30,19 @@ void add_border_edge(Graph& graph, const Flat_mesh& flat, const Region_labels& r
     graph.forbid_merge(*section);
 }
 
+/// Accounts for all faces. Most often one face after another has the same region, whose data is at hand then.
+template <typename Graph>
+void add_faces(Graph& graph, const Flat_mesh& flat, const Region_labels& regions)
+{
+  for (std::size_t f = 0; f < flat.number_of_faces();) {
+    const Flat_mesh::Index r = regions.of_face[f];
+    typename Graph::RegionData data = std::move(graph[r]);
+    for (; f < flat.number_of_faces() && regions.of_face[f] == r; ++f)
+      data.add_face(flat, f);
+    graph[r] = std::move(data);
+  }
+}
+
 /// The graph of labelled regions. Sections are numbered by their first dual edge. O(F) expected.
 ///
 /// Sums run over the faces and edges in order. In parallel the edges between regions are found; on a mesh
@@ -41,8 +55,7 @@ Graph build_graph(const Flat_mesh& flat, const Region_labels& regions)
   graph.reserve(regions.number_of_regions, 0);
   for (std::size_t r = 0; r < regions.number_of_regions; ++r)
     graph.add_region();
-  for (std::size_t f = 0; f < flat.number_of_faces(); ++f)
-    graph[regions.of_face[f]].add_face(flat, f);
+  add_faces(graph, flat, regions);
 
   for (Flat_mesh::Index edge : border_edges<ConcurrencyTag>(flat, regions))
     add_border_edge(graph, flat, regions, edge);

@@ -6,6 +6,7 @@
 #include <CGAL/Region_segmentation/Merge_tree.h>
 #include <CGAL/Region_segmentation/internal/Mesh_walk.h>
 #include <CGAL/Region_segmentation/internal/Region_labels.h>
+#include <CGAL/Region_segmentation/internal/label_components.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -60,10 +61,12 @@ void write_face_map(const FaceGraph& mesh, FaceMap& map, const Label& label)
     put(map, f, Value(label(i++)));
 }
 
-/// Writes what led to a segmentation to the outputs that a pack asks for.
-template <typename FaceGraph, typename Pack>
-void write_segmentation_outputs(const Mesh_walk<FaceGraph, Pack>& walk, const Region_labels& regions,
-                                const Edge_marks& is_feature, const Merge_tree& tree, const Pack& np)
+/// Writes what led to a segmentation to the outputs that a pack asks for. The marks of edges within regions are
+/// cleared if they are asked for.
+template <typename ConcurrencyTag, typename FaceGraph, typename Pack>
+void write_segmentation_outputs(const Mesh_walk<FaceGraph, Pack>& walk, const Flat_mesh& flat,
+                                const Region_labels& regions, Edge_marks& is_feature, const Merge_tree& tree,
+                                const Pack& np)
 {
   using CGAL::parameters::get_parameter;
   using CGAL::parameters::get_parameter_reference;
@@ -74,6 +77,7 @@ void write_segmentation_outputs(const Mesh_walk<FaceGraph, Pack>& walk, const Re
   }
   if constexpr (!is_default_parameter<Pack, internal_np::edge_is_feature_map_t>::value) {
     auto map = get_parameter(np, internal_np::edge_is_feature_map);
+    clear_marks_within_regions<ConcurrencyTag>(flat, regions, is_feature);
     write_edge_map(walk, is_feature, map);
   }
   if constexpr (!is_default_parameter<Pack, internal_np::merge_tree_t>::value) {
