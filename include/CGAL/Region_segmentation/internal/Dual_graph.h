@@ -4,11 +4,11 @@
 #define CGAL_REGION_SEGMENTATION_INTERNAL_DUAL_GRAPH_H
 
 #include <CGAL/Region_segmentation/internal/Flat_mesh.h>
+#include <CGAL/Region_segmentation/internal/Large_array.h>
 
 #include <CGAL/Iterator_range.h>
 
 #include <cstddef>
-#include <vector>
 
 namespace CGAL {
 namespace Region_segmentation {
@@ -31,7 +31,7 @@ public:
   /// `length(face, edge)`: of a dual edge and its lower face.
   template <typename Length>
   Dual_graph(const Flat_mesh& mesh, const Length& length)
-    : m_first(mesh.number_of_faces() + 2)
+    : m_first(mesh.number_of_faces() + 2, 0)
   {
     // Counted two places further on, so that filling moves each start to where it belongs.
     for_each_step(mesh, [&](std::size_t f, std::size_t g, std::size_t) {
@@ -63,8 +63,8 @@ private:
         f(mesh.lower_face(e), mesh.higher_face(e), e);
   }
 
-  std::vector<Index> m_first;
-  std::vector<Step> m_steps;
+  Large_array<Index> m_first;
+  Large_array<Step> m_steps;
 };
 
 } // namespace internal
