@@ -4,17 +4,14 @@
 #define CGAL_REGION_SEGMENTATION_SUPERFACETS_H
 
 #include <CGAL/Region_segmentation/internal/Dual_graph.h>
+#include <CGAL/Region_segmentation/internal/Front_queue.h>
 #include <CGAL/Region_segmentation/internal/Large_array.h>
 #include <CGAL/Region_segmentation/internal/Region_labels.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
-#include <cstring>
-#include <functional>
 #include <limits>
-#include <queue>
 #include <utility>
 #include <vector>
 
@@ -107,6 +104,7 @@ private:
     Seeding(const internal::Dual_graph& graph, std::size_t number_of_faces)
       : m_graph(graph)
       , m_reached(number_of_faces, Reached{unreached, 0, 0})
+      , m_front(graph.mean_length() / slices_of_mean_step)
     {}
 
     Region_labels run(std::size_t first_seed, std::size_t number)
@@ -132,6 +130,7 @@ private:
       double distance;
       Index seed, predecessor;
     };
+    using Queue = internal::Front_queue;
     using Entry = std::pair<double, Index>; // distance, face
 
     /// The farthest of all, the lower face of several, as the last of a heap's order.
@@ -164,34 +163,24 @@ private:
       return m_bounds.front().second;
     }
 
-    /// Distance, rounded to float, and face as one number of the same order: the front is compared a
-    /// lot. Rounding cannot change a result, since a face whose distance shrinks is pushed again.
-    static std::uint64_t key(double distance, Index face)
-    {
-      const float rounded = float(distance);
-      std::uint32_t bits;
-      std::memcpy(&bits, &rounded, sizeof bits); // of a float that is not negative: ordered as it
-      return (std::uint64_t(bits) << 32) | face;
-    }
-
     void grow_from(std::size_t seed)
     {
       const Index label = Index(m_number_of_seeds++);
       m_reached[seed] = {0, label, Index(seed)};
-      m_front.push(key(0, Index(seed)));
+      m_front.push(Queue::key(0, Index(seed)));
       while (!m_front.empty()) {
-        const std::uint64_t top = m_front.top();
-        m_front.pop();
-        const Index face = Index(top);
+        const Queue::Key top = m_front.pop();
+        const Index face = Queue::face(top);
         const double distance = m_reached[face].distance;
-        if (top != key(distance, face))
+        if (top != Queue::key(distance, face))
           continue;
         for (const auto& step : m_graph.steps(face)) {
           const double longer = distance + double(step.length);
           Reached& next = m_reached[step.face];
           if (longer < next.distance) {
             next = {longer, label, face};
-            m_front.push(key(longer, step.face));
+            m_front.push(Queue::key(longer, step.face));
+            m_graph.prefetch_steps(step.face);
           }
         }
       }
@@ -215,12 +204,13 @@ private:
       return regions;
     }
 
-    static constexpr std::size_t faces_per_bound = 32;
+    static constexpr std::size_t faces_per_bound = 64;
+    static constexpr double slices_of_mean_step = 100; // by trial; across flat edges steps are far shorter
 
     const internal::Dual_graph& m_graph;
     internal::Large_array<Reached> m_reached;
     std::vector<Entry> m_bounds; // a block of faces each
-    std::priority_queue<std::uint64_t, std::vector<std::uint64_t>, std::greater<std::uint64_t>> m_front;
+    Queue m_front;
     std::size_t m_number_of_seeds = 0;
   };
 

@@ -43,11 +43,11 @@ struct Box
   }
 };
 
-/// Boxes with numbers, to be split into parts whose boxes are small. 36 bytes each.
+/// Boxes with names, to be split into parts whose boxes are small. 48 bytes each.
 class Box_partition
 {
 public:
-  using Number = std::uint32_t;
+  using Name = std::array<std::uint32_t, 2>;
   static constexpr std::size_t leaf_size = 4; ///< what is looked at together, so costs as much as one
 
   /// The boxes `first` .. `last - 1` and the box around them.
@@ -60,8 +60,9 @@ public:
   };
 
   void reserve(std::size_t number) { m_items.reserve(number); }
-  void add(const Box& box, Number number) { m_items.push_back({box, number}); }
-  Number number(std::size_t i) const { return m_items[i].number; }
+  void add(const Box& box, const Name& name) { m_items.push_back({box, name}); }
+  std::size_t size() const { return m_items.size(); }
+  const Name& name(std::size_t i) const { return m_items[i].name; }
 
   Part whole() const { return make_part(0, m_items.size()); }
 
@@ -89,7 +90,7 @@ private:
   struct Item
   {
     Box box;
-    Number number;
+    Name name;
 
     /// Twice the center of the box, along one axis.
     float position(int axis) const { return box.low[axis] + box.high[axis]; }
@@ -180,7 +181,7 @@ private:
     std::nth_element(m_items.begin() + part.first, m_items.begin() + middle, m_items.begin() + part.last,
                      [axis](const Item& a, const Item& b) {
                        const float p = a.position(axis), q = b.position(axis);
-                       return p != q ? p < q : a.number < b.number;
+                       return p != q ? p < q : a.name < b.name;
                      });
     return {make_part(part.first, middle), make_part(middle, part.last)};
   }
