@@ -10,8 +10,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdint>
-#include <cstring>
 #include <functional>
 #include <limits>
 #include <map>
@@ -73,7 +71,7 @@ TEST(Front_queue_test, gives_what_a_heap_gives)
       for (int round = 0; round < 2; ++round) {
         std::priority_queue<Queue::Key, std::vector<Queue::Key>, std::greater<>> heap;
         const auto push = [&](double distance) {
-          const Queue::Key key = Queue::key(distance, Queue::Index(random() % 1000));
+          const Queue::Key key = RS::internal::make_float_key(float(distance), random() % 1000);
           queue.push(key);
           heap.push(key);
         };
@@ -85,9 +83,7 @@ TEST(Front_queue_test, gives_what_a_heap_gives)
           const Queue::Key top = queue.pop();
           ASSERT_EQ(top, heap.top());
           heap.pop();
-          float distance;
-          const std::uint32_t bits = std::uint32_t(top >> 32);
-          std::memcpy(&distance, &bits, sizeof distance);
+          const float distance = RS::internal::value_of(top);
           for (int i = 0; i < 3 && pushed < 2000; ++i, ++pushed)
             push(distance + (random() % 8 == 0 ? 0.0 : random() % 50 == 0 ? 1e4 * step(random) : step(random)));
         }

@@ -130,7 +130,6 @@ private:
       double distance;
       Index seed, predecessor;
     };
-    using Queue = internal::Front_queue;
     using Entry = std::pair<double, Index>; // distance, face
 
     /// The farthest of all, the lower face of several, as the last of a heap's order.
@@ -163,23 +162,25 @@ private:
       return m_bounds.front().second;
     }
 
+    /// The front is ordered by distances rounded to float. That cannot change a result, since a face whose
+    /// distance shrinks is pushed again.
     void grow_from(std::size_t seed)
     {
       const Index label = Index(m_number_of_seeds++);
       m_reached[seed] = {0, label, Index(seed)};
-      m_front.push(Queue::key(0, Index(seed)));
+      m_front.push(internal::make_float_key(0, Index(seed)));
       while (!m_front.empty()) {
-        const Queue::Key top = m_front.pop();
-        const Index face = Queue::face(top);
+        const internal::Float_key top = m_front.pop();
+        const Index face = internal::index_of(top);
         const double distance = m_reached[face].distance;
-        if (top != Queue::key(distance, face))
+        if (top != internal::make_float_key(float(distance), face))
           continue;
         for (const auto& step : m_graph.steps(face)) {
           const double longer = distance + double(step.length);
           Reached& next = m_reached[step.face];
           if (longer < next.distance) {
             next = {longer, label, face};
-            m_front.push(Queue::key(longer, step.face));
+            m_front.push(internal::make_float_key(float(longer), step.face));
             m_graph.prefetch_steps(step.face);
           }
         }
@@ -210,7 +211,7 @@ private:
     const internal::Dual_graph& m_graph;
     internal::Large_array<Reached> m_reached;
     std::vector<Entry> m_bounds; // a block of faces each
-    Queue m_front;
+    internal::Front_queue m_front;
     std::size_t m_number_of_seeds = 0;
   };
 

@@ -33,22 +33,22 @@ struct Mask_4 : std::array<std::int32_t, 4> ///< not zero in a lane where someth
 {};
 
 template <typename Result, typename Four, typename F>
-Result in_each_lane(const Four& a, const Four& b, const F& f)
+Result each_lane(const Four& a, const Four& b, const F& f)
 {
   return {{f(a[0], b[0]), f(a[1], b[1]), f(a[2], b[2]), f(a[3], b[3])}};
 }
 
 // clang-format off
-inline Float_4 operator+(const Float_4& a, const Float_4& b) { return in_each_lane<Float_4>(a, b, std::plus<>()); }
-inline Float_4 operator-(const Float_4& a, const Float_4& b) { return in_each_lane<Float_4>(a, b, std::minus<>()); }
-inline Float_4 operator*(const Float_4& a, const Float_4& b) { return in_each_lane<Float_4>(a, b, std::multiplies<>()); }
-inline Float_4 operator/(const Float_4& a, const Float_4& b) { return in_each_lane<Float_4>(a, b, std::divides<>()); }
-inline Mask_4 operator<(const Float_4& a, const Float_4& b) { return in_each_lane<Mask_4>(a, b, std::less<>()); }
-inline Mask_4 operator>(const Float_4& a, const Float_4& b) { return in_each_lane<Mask_4>(a, b, std::greater<>()); }
-inline Mask_4 operator<=(const Float_4& a, const Float_4& b) { return in_each_lane<Mask_4>(a, b, std::less_equal<>()); }
-inline Mask_4 operator!=(const Float_4& a, const Float_4& b) { return in_each_lane<Mask_4>(a, b, std::not_equal_to<>()); }
-inline Mask_4 operator&(const Mask_4& a, const Mask_4& b) { return in_each_lane<Mask_4>(a, b, std::bit_and<>()); }
-inline Mask_4 operator|(const Mask_4& a, const Mask_4& b) { return in_each_lane<Mask_4>(a, b, std::bit_or<>()); }
+inline Float_4 operator+(const Float_4& a, const Float_4& b) { return each_lane<Float_4>(a, b, std::plus<>()); }
+inline Float_4 operator-(const Float_4& a, const Float_4& b) { return each_lane<Float_4>(a, b, std::minus<>()); }
+inline Float_4 operator*(const Float_4& a, const Float_4& b) { return each_lane<Float_4>(a, b, std::multiplies<>()); }
+inline Float_4 operator/(const Float_4& a, const Float_4& b) { return each_lane<Float_4>(a, b, std::divides<>()); }
+inline Mask_4 operator<(const Float_4& a, const Float_4& b) { return each_lane<Mask_4>(a, b, std::less<>()); }
+inline Mask_4 operator>(const Float_4& a, const Float_4& b) { return each_lane<Mask_4>(a, b, std::greater<>()); }
+inline Mask_4 operator<=(const Float_4& a, const Float_4& b) { return each_lane<Mask_4>(a, b, std::less_equal<>()); }
+inline Mask_4 operator!=(const Float_4& a, const Float_4& b) { return each_lane<Mask_4>(a, b, std::not_equal_to<>()); }
+inline Mask_4 operator&(const Mask_4& a, const Mask_4& b) { return each_lane<Mask_4>(a, b, std::bit_and<>()); }
+inline Mask_4 operator|(const Mask_4& a, const Mask_4& b) { return each_lane<Mask_4>(a, b, std::bit_or<>()); }
 // clang-format on
 
 inline Float_4 select(const Mask_4& mask, const Float_4& a, const Float_4& b)

@@ -3,11 +3,12 @@
 #ifndef CGAL_REGION_SEGMENTATION_INTERNAL_FRONT_QUEUE_H
 #define CGAL_REGION_SEGMENTATION_INTERNAL_FRONT_QUEUE_H
 
+#include <CGAL/Region_segmentation/internal/Float_key.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <functional>
 #include <limits>
 #include <vector>
@@ -25,8 +26,7 @@ class Front_queue
 {
 public:
   using Index = std::uint32_t;
-  /// Distance, rounded to float, and face as one number of the same order.
-  using Key = std::uint64_t;
+  using Key = Float_key; ///< distance, rounded to float, and face
 
   /// `width`: of a slice; with 0 there is one slice
   explicit Front_queue(double width)
@@ -34,16 +34,6 @@ public:
   {
     m_slices.fill(none);
   }
-
-  /// \pre `distance` is not negative
-  static Key key(double distance, Index face)
-  {
-    const float rounded = float(distance);
-    std::uint32_t bits;
-    std::memcpy(&bits, &rounded, sizeof bits); // of a float that is not negative: ordered as it
-    return (Key(bits) << 32) | face;
-  }
-  static Index face(Key key) { return Index(key); }
 
   bool empty() const { return m_heap.empty() && m_waiting.empty(); }
 
@@ -84,10 +74,7 @@ private:
 
   std::size_t slice_of(Key key) const
   {
-    const std::uint32_t bits = std::uint32_t(key >> 32);
-    float distance;
-    std::memcpy(&distance, &bits, sizeof distance);
-    return std::size_t((std::min)(distance * m_scale, 1e9f));
+    return std::size_t((std::min)(1e9f, value_of(key) * m_scale)); // also what is not a number (infinity * 0)
   }
 
   void wait(Key key, std::size_t slice)

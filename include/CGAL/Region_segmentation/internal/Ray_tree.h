@@ -6,13 +6,12 @@
 #include <CGAL/Region_segmentation/internal/Box_partition.h>
 #include <CGAL/Region_segmentation/internal/Flat_mesh.h>
 #include <CGAL/Region_segmentation/internal/Float_4.h>
+#include <CGAL/Region_segmentation/internal/Float_key.h>
 #include <CGAL/Region_segmentation/internal/Four_triangles.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdint>
-#include <cstring>
 #include <limits>
 #include <tuple>
 #include <vector>
@@ -153,26 +152,10 @@ private:
     return Child(2 * (m_leaves.size() - 1) + 1);
   }
 
-  // Where a ray enters a box, as the bits of a float that is not negative, which are ordered as it; and below
-  // them the child.
-  using Waiting = std::uint64_t;
+  using Waiting = Float_key; // where the ray enters a box, and the child
   static constexpr Waiting never = Waiting(0x7f800000) << 32; // infinity
 
-  static Waiting make_waiting(float entry, Child child)
-  {
-    std::uint32_t bits;
-    std::memcpy(&bits, &entry, sizeof bits);
-    return (Waiting(bits) << 32) | child;
-  }
-  static float entry(Waiting w)
-  {
-    const std::uint32_t bits = std::uint32_t(w >> 32);
-    float entry;
-    std::memcpy(&entry, &bits, sizeof entry);
-    return entry;
-  }
-
-  /// What the slab test wants of a ray.
+  /// What the test of boxes wants of a ray.
   struct Slopes
   {
     Float_3 inverse;            // of the direction; infinite for 0
@@ -191,22 +174,28 @@ private:
   {
     const Slopes slopes(ray.direction);
     // A node leaves at most three more waiting than it found; below the cheap splits are halves, of at most 2^32.
-    std::array<Waiting, 3 * (maximum_depth_of_cheap_splits + 32) + 2> stack;
+    std::array<Waiting, 3 * (maximum_depth_of_cheap_splits + 32)> stack;
     std::size_t size = 0;
-    stack[size++] = make_waiting(0, 0);
-    while (size > 0) {
-      const Waiting w = stack[--size];
-      if (!(entry(w) <= ray.distance))
-        continue;
-      const Child child = Child(w);
-      if (child % 2 == 1) {
+    Waiting nearest = make_float_key(0, 0);
+    while (true) {
+      const Child child = index_of(nearest);
+      if (child % 2 == 1)
         m_leaves[child / 2].intersect(ray);
-        continue;
+      else {
+        const std::array<Waiting, width> c = children(m_nodes[child / 2], ray, slopes);
+        for (int i = 0; i < width - 1; ++i) {
+          stack[size] = c[i];
+          size += c[i] < never ? 1 : 0;
+        }
+        nearest = c[width - 1];
+        if (nearest < never)
+          continue;
       }
-      for (Waiting next : children(m_nodes[child / 2], ray, slopes)) {
-        stack[size] = next;
-        size += next < never ? 1 : 0;
-      }
+      do {
+        if (size == 0)
+          return;
+        nearest = stack[--size];
+      } while (!(value_of(nearest) <= ray.distance));
     }
   }
 
@@ -224,7 +213,7 @@ private:
     const Float_4 entries = select(in <= out, in, all_lanes(std::numeric_limits<float>::infinity()));
     std::array<Waiting, width> w;
     for (int i = 0; i < width; ++i)
-      w[i] = make_waiting(entries[i], node.child[i]);
+      w[i] = make_float_key(entries[i], node.child[i]);
     const auto order = [&](int i, int j) {
       const Waiting a = w[i], b = w[j];
       w[i] = a > b ? a : b;
