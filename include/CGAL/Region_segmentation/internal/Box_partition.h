@@ -43,7 +43,7 @@ struct Box
   }
 };
 
-/// Boxes with names, to be split into parts whose boxes are small. 48 bytes each.
+/// Boxes with names, to be split into parts whose boxes are small. 32 bytes each.
 class Box_partition
 {
 public:
@@ -60,7 +60,10 @@ public:
   };
 
   void reserve(std::size_t number) { m_items.reserve(number); }
-  void add(const Box& box, const Name& name) { m_items.push_back({box, name}); }
+  void add(const Box& box, const Name& name)
+  {
+    m_items.push_back({{box.low[0], box.low[1], box.low[2]}, {box.high[0], box.high[1], box.high[2]}, name});
+  }
   std::size_t size() const { return m_items.size(); }
   const Name& name(std::size_t i) const { return m_items[i].name; }
 
@@ -87,13 +90,21 @@ public:
 private:
   static constexpr float smallest_width = 1e-30f; // so that its inverse is finite
 
+  /// Packed, since there is one for each triangle.
   struct Item
   {
-    Box box;
+    std::array<float, 3> low, high;
     Name name;
 
+    Box box() const
+    {
+      Box box;
+      box.low = Float_4{low[0], low[1], low[2], 0};
+      box.high = Float_4{high[0], high[1], high[2], 0};
+      return box;
+    }
     /// Twice the center of the box, along one axis.
-    float position(int axis) const { return box.low[axis] + box.high[axis]; }
+    float position(int axis) const { return low[axis] + high[axis]; }
   };
 
   /// The axis on which the centers of a part differ most, and where on it they are.
@@ -105,8 +116,10 @@ private:
     Slicing(const Box_partition& boxes, const Part& part)
     {
       Box positions;
-      for (std::size_t i = part.first; i < part.last; ++i)
-        positions.add(boxes.m_items[i].box.low + boxes.m_items[i].box.high);
+      for (std::size_t i = part.first; i < part.last; ++i) {
+        const Box box = boxes.m_items[i].box();
+        positions.add(box.low + box.high);
+      }
       const Float_4 side = positions.high - positions.low;
       axis = side[0] >= side[1] && side[0] >= side[2] ? 0 : side[1] >= side[2] ? 1 : 2;
       low = positions.low[axis];
@@ -118,7 +131,7 @@ private:
   {
     Part part{first, last, Box()};
     for (std::size_t i = first; i < last; ++i)
-      part.box.add(m_items[i].box);
+      part.box.add(m_items[i].box());
     return part;
   }
 
@@ -149,7 +162,7 @@ private:
     std::array<Slice, slices> slice;
     for (std::size_t i = part.first; i < part.last; ++i) {
       Slice& s = slice[slice_of(m_items[i])];
-      s.box.add(m_items[i].box);
+      s.box.add(m_items[i].box());
       ++s.size;
     }
     std::array<Slice, slices> behind = slice; // each bound

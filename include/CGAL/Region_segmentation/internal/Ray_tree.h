@@ -27,7 +27,7 @@ namespace internal {
 /// A node has up to four children, which are tested together, and a leaf up to four triangles: so it takes few steps
 /// that the processor cannot foresee. What is hit does not depend on the shape of the tree.
 ///
-/// About 62 bytes a triangle, 48 more while it is built; O(T log T) to build, O(log T) a ray in practice.
+/// About 62 bytes a triangle, 32 more while it is built; O(T log T) to build, O(log T) a ray in practice.
 class Ray_tree
 {
   using Index = Flat_mesh::Index;
