@@ -92,6 +92,27 @@ TEST(Ray_tree_test, finds_what_a_look_at_every_triangle_finds)
     }
 }
 
+TEST(Ray_tree_test, of_faces_hit_at_the_same_distance_it_is_the_lowest)
+{
+  // Rays straight down on edges and corners of a plate of unit squares: without the face that was hit, another one is,
+  // and not a lower one at the same distance.
+  const RS::Flat_mesh mesh = flat_mesh_of(voxel_surface(voxel_block({0, 0, 0}, {16, 16, 1})));
+  const RS::internal::Ray_tree tree(mesh);
+  std::size_t ties = 0;
+  for (double x = 1; x < 16; x += 0.5)
+    for (double y = 1; y < 16; y += 0.5) {
+      const auto hit = tree.first_hit({x, y, 3}, {0, 0, -1}, RS::internal::Ray_tree::no_face);
+      const auto next = tree.first_hit({x, y, 3}, {0, 0, -1}, hit.face);
+      ASSERT_NE(next.face, RS::internal::Ray_tree::no_face);
+      EXPECT_GE(next.distance, hit.distance);
+      if (next.distance == hit.distance) {
+        ++ties;
+        EXPECT_GT(next.face, hit.face) << x << ' ' << y;
+      }
+    }
+  EXPECT_GT(ties, 100u);
+}
+
 TEST(Sight_test, the_thickness_of_a_plate_is_its_height)
 {
   // A plate of 20 x 20 x 1: rays against the normal go 1 deep, those 0.9 rad away 1 / cos(0.9).

@@ -3,13 +3,10 @@
 #ifndef CGAL_REGION_SEGMENTATION_SIGHT_H
 #define CGAL_REGION_SEGMENTATION_SIGHT_H
 
-#include <CGAL/Region_segmentation/internal/Ray_tree.h>
+#include <CGAL/Region_segmentation/internal/Inward_rays.h>
 #include <CGAL/Region_segmentation/internal/Region_labels.h>
-#include <CGAL/Region_segmentation/internal/blocks.h>
 #include <CGAL/Region_segmentation/part_and_cut_data.h>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -55,12 +52,11 @@ public:
       return;
     make_relative(graph, shapes.total_area);
     add_bends(graph, shapes);
-    add_rays(graph, regions, trace_rays<ConcurrencyTag>(mesh, regions, shapes), shapes);
+    internal::Inward_rays rays(mesh, regions, shapes.centroids);
+    add_rays(graph, regions, rays.trace<ConcurrencyTag>(), shapes);
   }
 
 private:
-  static constexpr std::size_t faces_per_region = 3, rays_per_region = 18;
-
   /// Area, area vector and centroid of every region.
   struct Shapes
   {
@@ -116,46 +112,9 @@ private:
     }
   }
 
-  /// What the rays of a region hit.
-  using Hits = std::array<internal::Ray_tree::Hit, rays_per_region>;
-
-  template <typename ConcurrencyTag>
-  static std::vector<Hits> trace_rays(const Flat_mesh& mesh, const Region_labels& regions,
-                                      const Shapes& shapes)
-  {
-    const internal::Ray_tree tree(mesh);
-    const auto faces = faces_by_distance(mesh, regions, shapes);
-    std::vector<Hits> hits(regions.number_of_regions);
-    internal::for_each_block<ConcurrencyTag>(
-      hits.size(),
-      [&](std::size_t, std::size_t begin, std::size_t end) {
-        for (std::size_t r = begin; r < end; ++r)
-          hits[r] = hits_of_region(mesh, tree, faces[r]);
-      },
-      16);
-    return hits;
-  }
-
-  static Hits hits_of_region(const Flat_mesh& mesh, const internal::Ray_tree& tree,
-                             const std::vector<Index>& faces)
-  {
-    Hits hits;
-    hits.fill({internal::Ray_tree::no_face, 0});
-    const std::size_t samples = (std::min)(faces.size(), faces_per_region);
-    const std::size_t rays = rays_per_region / samples; // of a face
-    for (std::size_t k = 0; k < samples; ++k) {
-      const Index face = faces[k * faces.size() * 9 / (10 * samples)];
-      if (!mesh.is_degenerate(face))
-        for (std::size_t q = 0; q < rays; ++q)
-          hits[k * rays + q] =
-            tree.first_hit(mesh.centroid(face), direction(mesh, face, {k, q, rays}), face);
-    }
-    return hits;
-  }
-
   template <typename Graph>
-  static void add_rays(Graph& graph, const Region_labels& regions, const std::vector<Hits>& hits,
-                       const Shapes& shapes)
+  static void add_rays(Graph& graph, const Region_labels& regions,
+                       const std::vector<internal::Inward_rays::Hits>& hits, const Shapes& shapes)
   {
     const double unit = std::sqrt(shapes.total_area);
     std::vector<std::pair<double, std::size_t>> thickness(regions.number_of_regions); // sum, hits
@@ -165,51 +124,9 @@ private:
           thickness[r].first += std::log(hit.distance / unit + 1e-4);
           ++thickness[r].second;
           add_ray(graph, Index(r), regions.of_face[hit.face],
-                  graph[Index(r)].area / double(rays_per_region));
+                  graph[Index(r)].area / double(internal::Inward_rays::rays_per_region));
         }
     set_thickness(graph, thickness);
-  }
-
-  /// The faces of every region by their distance to its centroid; of several, the lower one first.
-  static std::vector<std::vector<Index>> faces_by_distance(const Flat_mesh& mesh,
-                                                           const Region_labels& regions,
-                                                           const Shapes& shapes)
-  {
-    std::vector<std::vector<Index>> faces(regions.number_of_regions);
-    std::vector<double> distances(mesh.number_of_faces());
-    for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
-      const Index r = regions.of_face[f];
-      distances[f] = squared_norm(mesh.centroid(f) - shapes.centroids[r]);
-      faces[r].push_back(Index(f));
-    }
-    for (auto& of_region : faces)
-      std::sort(of_region.begin(), of_region.end(), [&](Index a, Index b) {
-        return distances[a] != distances[b] ? distances[a] < distances[b] : a < b;
-      });
-    return faces;
-  }
-
-  struct Ray
-  {
-    std::size_t k, q, number; ///< the q-th of a number of rays from the k-th face
-  };
-
-  /// The q-th ray from the k-th face of a region: on a spiral of the golden angle around the inward
-  /// normal, which starts in the direction of the first edge of the face.
-  static Vector_3 direction(const Flat_mesh& mesh, Index face, const Ray& ray)
-  {
-    constexpr double golden_angle = 2.399963229728653, half_cone = 0.9; // radian
-    const Vector_3 inward = -1.0 * mesh.normal(face);
-    const Vector_3 along = mesh.point(mesh.corner(face, 1)) - mesh.point(mesh.corner(face, 0));
-    Vector_3 u = along - dot(along, inward) * inward;
-    const double length = norm(u);
-    if (length == 0)
-      return inward;
-    u = (1 / length) * u;
-    const double away = half_cone * std::sqrt(double(ray.q) / double(ray.number - 1));
-    const double around = golden_angle * double(ray.q) + double(ray.k);
-    return std::cos(away) * inward +
-           std::sin(away) * (std::cos(around) * u + std::sin(around) * cross(inward, u));
   }
 
   template <typename Graph>

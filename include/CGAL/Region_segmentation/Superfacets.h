@@ -4,16 +4,14 @@
 #define CGAL_REGION_SEGMENTATION_SUPERFACETS_H
 
 #include <CGAL/Region_segmentation/internal/Dual_graph.h>
+#include <CGAL/Region_segmentation/internal/Front_queue.h>
+#include <CGAL/Region_segmentation/internal/Large_array.h>
 #include <CGAL/Region_segmentation/internal/Region_labels.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
-#include <cstring>
-#include <functional>
 #include <limits>
-#include <queue>
 #include <utility>
 #include <vector>
 
@@ -105,20 +103,19 @@ private:
   public:
     Seeding(const internal::Dual_graph& graph, std::size_t number_of_faces)
       : m_graph(graph)
-      , m_seed_of(number_of_faces)
-      , m_predecessors(number_of_faces)
-      , m_distances(number_of_faces, unreached)
+      , m_reached(number_of_faces, Reached{unreached, 0, 0})
+      , m_front(graph.mean_length() / slices_of_mean_step)
     {}
 
     Region_labels run(std::size_t first_seed, std::size_t number)
     {
       grow_from(first_seed);
-      for (std::size_t f = 0; f < m_distances.size(); ++f)
-        m_bounds.push_back({m_distances[f], Index(f)});
+      for (std::size_t f = 0; f < m_reached.size(); f += faces_per_bound)
+        m_bounds.push_back(farthest_in_block(f));
       std::make_heap(m_bounds.begin(), m_bounds.end(), is_nearer);
       while (true) {
         const std::size_t seed = farthest();
-        const double distance = m_distances[seed];
+        const double distance = m_reached[seed].distance;
         if (distance <= 0 || (m_number_of_seeds >= number && distance != unreached))
           break;
         grow_from(seed);
@@ -127,6 +124,12 @@ private:
     }
 
   private:
+    /// What is known of a face, side by side: it is met at random places.
+    struct Reached
+    {
+      double distance;
+      Index seed, predecessor;
+    };
     using Entry = std::pair<double, Index>; // distance, face
 
     /// The farthest of all, the lower face of several, as the last of a heap's order.
@@ -135,75 +138,80 @@ private:
       return a.first != b.first ? a.first < b.first : a.second > b.second;
     }
 
-    /// Distances only shrink, so an entry of the heap is an upper bound: it is corrected when it comes
-    /// up.
+    /// Of the block of faces that `face` is in.
+    Entry farthest_in_block(std::size_t face) const
+    {
+      const std::size_t first = face - face % faces_per_bound;
+      const std::size_t last = (std::min)(first + faces_per_bound, m_reached.size());
+      std::size_t farthest = first;
+      for (std::size_t f = first + 1; f < last; ++f)
+        if (m_reached[f].distance > m_reached[farthest].distance)
+          farthest = f;
+      return {m_reached[farthest].distance, Index(farthest)};
+    }
+
+    /// Distances only shrink, so what once was the farthest face of a block is an upper bound: it is
+    /// corrected when it comes up.
     std::size_t farthest()
     {
-      while (m_bounds.front().first != m_distances[m_bounds.front().second]) {
+      while (m_bounds.front().first != m_reached[m_bounds.front().second].distance) {
         std::pop_heap(m_bounds.begin(), m_bounds.end(), is_nearer);
-        m_bounds.back().first = m_distances[m_bounds.back().second];
+        m_bounds.back() = farthest_in_block(m_bounds.back().second);
         std::push_heap(m_bounds.begin(), m_bounds.end(), is_nearer);
       }
       return m_bounds.front().second;
     }
 
-    /// Distance, rounded to float, and face as one number of the same order: the front is compared a
-    /// lot. Rounding cannot change a result, since a face whose distance shrinks is pushed again.
-    static std::uint64_t key(double distance, Index face)
-    {
-      const float rounded = float(distance);
-      std::uint32_t bits;
-      std::memcpy(&bits, &rounded, sizeof bits); // of a float that is not negative: ordered as it
-      return (std::uint64_t(bits) << 32) | face;
-    }
-
+    /// The front is ordered by distances rounded to float. That cannot change a result, since a face whose
+    /// distance shrinks is pushed again.
     void grow_from(std::size_t seed)
     {
       const Index label = Index(m_number_of_seeds++);
-      m_distances[seed] = 0;
-      m_seed_of[seed] = label;
-      m_predecessors[seed] = Index(seed);
-      m_front.push(key(0, Index(seed)));
+      m_reached[seed] = {0, label, Index(seed)};
+      m_front.push(internal::make_float_key(0, Index(seed)));
       while (!m_front.empty()) {
-        const std::uint64_t top = m_front.top();
-        m_front.pop();
-        const Index face = Index(top);
-        const double distance = m_distances[face];
-        if (top != key(distance, face))
+        const internal::Float_key top = m_front.pop();
+        const Index face = internal::index_of(top);
+        const double distance = m_reached[face].distance;
+        if (top != internal::make_float_key(float(distance), face))
           continue;
         for (const auto& step : m_graph.steps(face)) {
           const double longer = distance + double(step.length);
-          if (longer < m_distances[step.face]) {
-            m_distances[step.face] = longer;
-            m_seed_of[step.face] = label;
-            m_predecessors[step.face] = face;
-            m_front.push(key(longer, step.face));
+          Reached& next = m_reached[step.face];
+          if (longer < next.distance) {
+            next = {longer, label, face};
+            m_front.push(internal::make_float_key(float(longer), step.face));
+            m_graph.prefetch_steps(step.face);
           }
         }
       }
     }
 
-    Region_labels number_by_first_face()
+    Region_labels number_by_first_face() const
     {
       constexpr Index none = (std::numeric_limits<Index>::max)();
       std::vector<Index> id_of(m_number_of_seeds, none);
       Region_labels regions;
-      for (Index& label : m_seed_of) {
-        if (id_of[label] == none)
-          id_of[label] = Index(regions.number_of_regions++);
-        label = id_of[label];
+      regions.of_face.reserve(m_reached.size());
+      regions.predecessor.reserve(m_reached.size());
+      regions.lateness.reserve(m_reached.size());
+      for (const Reached& r : m_reached) {
+        if (id_of[r.seed] == none)
+          id_of[r.seed] = Index(regions.number_of_regions++);
+        regions.of_face.push_back(id_of[r.seed]);
+        regions.predecessor.push_back(r.predecessor);
+        regions.lateness.push_back(r.distance);
       }
-      regions.of_face = std::move(m_seed_of);
-      regions.predecessor = std::move(m_predecessors);
-      regions.lateness = std::move(m_distances);
       return regions;
     }
 
+    static constexpr std::size_t faces_per_bound = 64;
+    static constexpr double slices_of_mean_step = 100; // by trial; across flat edges steps are far shorter
+
     const internal::Dual_graph& m_graph;
-    std::vector<Index> m_seed_of, m_predecessors;
-    std::vector<double> m_distances;
-    std::vector<Entry> m_bounds;
-    std::priority_queue<std::uint64_t, std::vector<std::uint64_t>, std::greater<std::uint64_t>> m_front;
+    internal::Large_array<Reached> m_reached;
+    std::vector<Entry> m_bounds; // a block of faces each
+    internal::Front_queue m_front;
     std::size_t m_number_of_seeds = 0;
   };
 

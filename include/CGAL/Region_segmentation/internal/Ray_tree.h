@@ -3,14 +3,17 @@
 #ifndef CGAL_REGION_SEGMENTATION_INTERNAL_RAY_TREE_H
 #define CGAL_REGION_SEGMENTATION_INTERNAL_RAY_TREE_H
 
+#include <CGAL/Region_segmentation/internal/Box_partition.h>
 #include <CGAL/Region_segmentation/internal/Flat_mesh.h>
+#include <CGAL/Region_segmentation/internal/Float_4.h>
+#include <CGAL/Region_segmentation/internal/Float_key.h>
+#include <CGAL/Region_segmentation/internal/Four_triangles.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
+#include <tuple>
 #include <vector>
 
 namespace CGAL {
@@ -21,11 +24,14 @@ namespace internal {
 /// (polygons as fans). In float, relative to the first point of the mesh and in units of its extent:
 /// what is wanted are distances to a few digits. (CGAL's AABB tree is exact, and GPL.)
 ///
-/// About 60 bytes a triangle; O(T log T) to build, O(log T) a ray in practice.
+/// A node has up to four children, which are tested together, and a leaf up to four triangles: so it takes few steps
+/// that the processor cannot foresee. What is hit does not depend on the shape of the tree.
+///
+/// About 62 bytes a triangle, 32 more while it is built; O(T log T) to build, O(log T) a ray in practice.
 class Ray_tree
 {
   using Index = Flat_mesh::Index;
-  using Float_3 = std::array<float, 3>;
+  using Part = Box_partition::Part;
 
 public:
   struct Hit
@@ -33,279 +39,194 @@ public:
     Index face;
     double distance; // in units of the mesh
   };
-  static constexpr Index no_face = (std::numeric_limits<Index>::max)();
+  static constexpr Index no_face = Ray::no_face;
 
   /// \pre the mesh was read with its points
   explicit Ray_tree(const Flat_mesh& mesh)
   {
     if (mesh.number_of_points() > 0)
       m_origin = mesh.point(0);
+    double unit = 0;
     for (std::size_t v = 0; v < mesh.number_of_points(); ++v)
-      m_unit = (std::max)(m_unit, norm(mesh.point(v) - m_origin));
-    if (m_unit == 0)
-      m_unit = 1;
-    add_triangles(mesh);
-    if (!m_triangles.empty()) {
-      m_nodes.reserve(m_triangles.size());
-      m_nodes.emplace_back();
-      split(0, 0, m_triangles.size(), 0);
-    }
+      unit = (std::max)(unit, norm(mesh.point(v) - m_origin));
+    if (unit > 0)
+      m_unit = unit;
+    m_scale = 1 / m_unit;
+    if (mesh.number_of_faces() == 0)
+      return;
+    Box_partition boxes = make_boxes(mesh);
+    m_leaves.reserve(boxes.size() * 3 / 10);
+    m_nodes.reserve(boxes.size() * 3 / 20);
+    add_node(mesh, boxes, boxes.whole(), 0);
   }
 
   /// The first face other than `skipped` that is hit in front of `source`; `direction` has length 1.
   Hit first_hit(const Vector_3& source, const Vector_3& direction, Index skipped) const
   {
-    const Vector_3 relative = (1 / m_unit) * (source - m_origin);
-    Search search{to_float(relative), to_float(direction), {}, skipped, no_face,
-                  (std::numeric_limits<float>::max)()};
-    for (int i = 0; i < 3; ++i)
-      search.inverse[i] = 1 / search.direction[i]; // infinite for 0, as the slab test wants it
+    Ray ray{relative(source), to_float(direction), skipped};
     if (!m_nodes.empty())
-      descend(search);
-    return {search.face, search.face == no_face ? 0.0 : double(search.distance) * m_unit};
+      descend(ray);
+    return {ray.face, ray.face == no_face ? 0.0 : double(ray.distance) * m_unit};
   }
 
 private:
+  static constexpr int width = 4; // children of a node, triangles of a leaf
+  static_assert(width == Box_partition::leaf_size, "parts of this size become leaves");
   static constexpr int maximum_depth_of_cheap_splits = 48;
 
-  struct Triangle
-  {
-    Float_3 corner, edge_1, edge_2;
-    Index face;
-  };
+  /// Twice the index of a node, or twice that of a leaf and one.
+  using Child = Index;
   struct Node
   {
-    Float_3 low, high;
-    Index first;                // the first triangle of a leaf, or the first of two children
-    std::uint32_t size;         // of a leaf; 0 for an inner node
-  };
-  struct Search
-  {
-    Float_3 source, direction, inverse;
-    Index skipped, face;
-    float distance;
+    std::array<Float_4_3, 2> bounds; // lower and upper ones; upside down where there are fewer children
+    std::array<Child, width> child;
   };
 
   static Float_3 to_float(const Vector_3& v) { return {float(v.x), float(v.y), float(v.z)}; }
-  static Float_3 minus(const Float_3& a, const Float_3& b)
+  Float_3 relative(const Vector_3& point) const { return to_float(m_scale * (point - m_origin)); }
+
+  /// The corners of a triangle of the fan of a face: the first one, and two others from the i-th on.
+  std::array<Float_3, 3> triangle(const Flat_mesh& mesh, Index face, Index i) const
   {
-    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-  }
-  static float dot(const Float_3& a, const Float_3& b)
-  {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-  }
-  static Float_3 cross(const Float_3& a, const Float_3& b)
-  {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+    const auto corner = [&](std::size_t j) { return relative(mesh.point(mesh.corner(face, j))); };
+    return {corner(0), corner(i), corner(i + 1)};
   }
 
-  void add_triangles(const Flat_mesh& mesh)
+  /// The boxes of all triangles, somewhat too large, so that rounding hides no triangle.
+  Box_partition make_boxes(const Flat_mesh& mesh) const
   {
-    const auto relative = [&](std::size_t f, std::size_t i) {
-      return to_float((1 / m_unit) * (mesh.point(mesh.corner(f, i)) - m_origin));
-    };
-    m_triangles.reserve(mesh.number_of_faces());
-    for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
-      const Float_3 a = relative(f, 0);
-      for (std::size_t i = 2; i < mesh.number_of_corners(f); ++i)
-        m_triangles.push_back(
-          {a, minus(relative(f, i - 1), a), minus(relative(f, i), a), Index(f)});
+    const Float_4 margin = all_lanes(5e-7f);
+    Box_partition boxes;
+    boxes.reserve(mesh.number_of_faces());
+    for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
+      for (std::size_t i = 1; i + 1 < mesh.number_of_corners(f); ++i) {
+        Box box;
+        for (const Float_3& corner : triangle(mesh, Index(f), Index(i)))
+          box.add(Float_4{corner[0], corner[1], corner[2], 0});
+        box.low = box.low - margin;
+        box.high = box.high + margin;
+        boxes.add(box, {Index(f), Index(i)});
+      }
+    return boxes;
+  }
+
+  /// Adds a node for a part, and what is below it.
+  Child add_node(const Flat_mesh& mesh, Box_partition& boxes, const Part& part, int depth)
+  {
+    std::array<Part, width> parts{part, {}, {}, {}};
+    int size = 1;
+    for (; size < width; ++size) {
+      const auto largest = std::max_element(parts.begin(), parts.begin() + size, [](const Part& a, const Part& b) {
+        return area_to_split(a) < area_to_split(b);
+      });
+      if (largest->size() <= width)
+        break;
+      std::tie(*largest, parts[size]) =
+        depth < maximum_depth_of_cheap_splits ? boxes.split(*largest) : boxes.split_at_median(*largest);
     }
-  }
-
-  /// Three times the centroid of a triangle, along one axis.
-  static float position(const Triangle& t, int axis)
-  {
-    return 3 * t.corner[axis] + t.edge_1[axis] + t.edge_2[axis];
-  }
-
-  struct Box
-  {
-    Float_3 low, high;
-
-    Box()
-    {
-      low.fill((std::numeric_limits<float>::max)());
-      high.fill(std::numeric_limits<float>::lowest());
+    const std::size_t n = m_nodes.size();
+    m_nodes.emplace_back();
+    for (int i = 0; i < width; ++i)
+      for (int k = 0; k < 3; ++k) {
+        m_nodes[n].bounds[0][k][i] = parts[i].box.low[k];
+        m_nodes[n].bounds[1][k][i] = parts[i].box.high[k];
+      }
+    for (int i = 0; i < size; ++i) {
+      const Child child =
+        parts[i].size() > width ? add_node(mesh, boxes, parts[i], depth + 1) : add_leaf(mesh, boxes, parts[i]);
+      m_nodes[n].child[i] = child;
     }
+    return Child(2 * n);
+  }
 
-    void add(const Float_3& point)
+  static float area_to_split(const Part& part) { return part.size() > width ? part.box.half_area() : -1; }
+
+  Child add_leaf(const Flat_mesh& mesh, const Box_partition& boxes, const Part& part)
+  {
+    Four_triangles leaf;
+    for (std::size_t i = 0; i < part.size(); ++i) {
+      const Box_partition::Name& name = boxes.name(part.first + i);
+      leaf.set(int(i), triangle(mesh, name[0], name[1]), name[0]);
+    }
+    m_leaves.push_back(leaf);
+    return Child(2 * (m_leaves.size() - 1) + 1);
+  }
+
+  using Waiting = Float_key; // where the ray enters a box, and the child
+  static constexpr Waiting never = Waiting(0x7f800000) << 32; // infinity
+
+  /// What the test of boxes wants of a ray.
+  struct Slopes
+  {
+    Float_3 inverse;            // of the direction; infinite for 0
+    std::array<int, 3> entered; // by which of the two bounds the ray enters a box, by axis
+
+    explicit Slopes(const Float_3& direction)
     {
       for (int k = 0; k < 3; ++k) {
-        low[k] = (std::min)(low[k], point[k]);
-        high[k] = (std::max)(high[k], point[k]);
+        inverse[k] = 1 / direction[k];
+        entered[k] = inverse[k] < 0 ? 1 : 0;
       }
-    }
-
-    void add(const Box& other)
-    {
-      for (int k = 0; k < 3; ++k) {
-        low[k] = (std::min)(low[k], other.low[k]);
-        high[k] = (std::max)(high[k], other.high[k]);
-      }
-    }
-
-    float half_area() const
-    {
-      const Float_3 side = minus(high, low);
-      return side[0] * side[1] + side[1] * side[2] + side[2] * side[0];
     }
   };
 
-  static Box box_of(const Triangle& t)
+  void descend(Ray& ray) const
   {
-    Box box;
-    box.add(t.corner);
-    box.add({t.corner[0] + t.edge_1[0], t.corner[1] + t.edge_1[1], t.corner[2] + t.edge_1[2]});
-    box.add({t.corner[0] + t.edge_2[0], t.corner[1] + t.edge_2[1], t.corner[2] + t.edge_2[2]});
-    return box;
-  }
-
-  /// Splits a node until its leaves hold at most four triangles.
-  void split(std::size_t n, std::size_t first, std::size_t last, int depth)
-  {
-    Box box, positions;
-    for (std::size_t i = first; i < last; ++i) {
-      box.add(box_of(m_triangles[i]));
-      positions.add(Float_3{position(m_triangles[i], 0), position(m_triangles[i], 1), position(m_triangles[i], 2)});
-    }
-    m_nodes[n] = {box.low, box.high, Index(first), std::uint32_t(last - first)};
-    if (last - first <= 4)
-      return;
-    const Float_3 side = minus(positions.high, positions.low);
-    const int axis = int(std::max_element(side.begin(), side.end()) - side.begin());
-    std::size_t middle = first;
-    if (depth < maximum_depth_of_cheap_splits && side[axis] > 0)
-      middle = split_cheaply(first, last, axis, positions.low[axis], side[axis]);
-    if (middle == first || middle == last)
-      middle = split_at_median(first, last, axis);
-    const std::size_t child = m_nodes.size();
-    m_nodes.resize(child + 2);
-    m_nodes[n].first = Index(child);
-    m_nodes[n].size = 0;
-    split(child, first, middle, depth + 1);
-    split(child + 1, middle, last, depth + 1);
-  }
-
-  /// Where a ray is expected to meet the fewest triangles: of the bounds between slices of equal width, the
-  /// one with the lowest sum over both sides of surface area times number of triangles (Wald 2007).
-  std::size_t split_cheaply(std::size_t first, std::size_t last, int axis, float low, float width)
-  {
-    constexpr int slices = 16;
-    struct Slice
-    {
-      Box box;
-      std::size_t size = 0;
-    };
-    const auto slice_of = [=](const Triangle& t) {
-      return (std::min)(slices - 1, int(float(slices) * ((position(t, axis) - low) / width)));
-    };
-    std::array<Slice, slices> slice;
-    for (std::size_t i = first; i < last; ++i) {
-      Slice& s = slice[slice_of(m_triangles[i])];
-      s.box.add(box_of(m_triangles[i]));
-      ++s.size;
-    }
-    std::array<float, slices> cost; // of what is behind each bound
-    Slice behind, before;
-    for (int i = slices - 1; i > 0; --i) {
-      behind.box.add(slice[i].box);
-      behind.size += slice[i].size;
-      cost[i] = behind.size > 0 ? behind.box.half_area() * float(behind.size) : 0;
-    }
-    int best = 1;
-    float best_cost = (std::numeric_limits<float>::max)();
-    for (int i = 1; i < slices; ++i) {
-      before.box.add(slice[i - 1].box);
-      before.size += slice[i - 1].size;
-      const float sum = cost[i] + (before.size > 0 ? before.box.half_area() * float(before.size) : 0);
-      if (sum < best_cost && before.size > 0 && before.size < last - first) {
-        best_cost = sum;
-        best = i;
-      }
-    }
-    return std::size_t(std::partition(m_triangles.begin() + first, m_triangles.begin() + last,
-                                      [&](const Triangle& t) { return slice_of(t) < best; }) -
-                       m_triangles.begin());
-  }
-
-  std::size_t split_at_median(std::size_t first, std::size_t last, int axis)
-  {
-    const std::size_t middle = first + (last - first) / 2;
-    std::nth_element(m_triangles.begin() + first, m_triangles.begin() + middle,
-                     m_triangles.begin() + last, [axis](const Triangle& a, const Triangle& b) {
-                       const float p = position(a, axis), q = position(b, axis);
-                       return p != q ? p < q : a.face < b.face;
-                     });
-    return middle;
-  }
-
-  /// Where the ray enters a box; beyond everything if it misses it or the box is behind the best hit.
-  static float entry(const Node& node, const Search& s)
-  {
-    float in = 0, out = s.distance;
-    for (int k = 0; k < 3; ++k) {
-      const float a = (node.low[k] - s.source[k]) * s.inverse[k];
-      const float b = (node.high[k] - s.source[k]) * s.inverse[k];
-      in = (std::max)(in, (std::min)(a, b)); // comparisons with NaN (0 * infinity) leave it as it is
-      out = (std::min)(out, (std::max)(a, b));
-    }
-    return in <= out ? in : (std::numeric_limits<float>::infinity)();
-  }
-
-  void descend(Search& s) const
-  {
-    struct Waiting
-    {
-      Index node;
-      float entry;
-    };
-    std::array<Waiting, maximum_depth_of_cheap_splits + 34> stack; // below them halves, of at most 2^32
+    const Slopes slopes(ray.direction);
+    // A node leaves at most three more waiting than it found; below the cheap splits are halves, of at most 2^32.
+    std::array<Waiting, 3 * (maximum_depth_of_cheap_splits + 32)> stack;
     std::size_t size = 0;
-    stack[size++] = {0, entry(m_nodes[0], s)};
-    while (size > 0) {
-      const Waiting w = stack[--size];
-      if (!(w.entry < s.distance))
-        continue;
-      const Node& node = m_nodes[w.node];
-      for (Index i = node.first; i < node.first + node.size; ++i)
-        intersect(m_triangles[i], s);
-      if (node.size > 0)
-        continue;
-      const Waiting a{node.first, entry(m_nodes[node.first], s)};
-      const Waiting b{node.first + 1, entry(m_nodes[node.first + 1], s)};
-      stack[size++] = a.entry <= b.entry ? b : a; // the nearer one goes first
-      stack[size++] = a.entry <= b.entry ? a : b;
+    Waiting nearest = make_float_key(0, 0);
+    while (true) {
+      const Child child = index_of(nearest);
+      if (child % 2 == 1)
+        m_leaves[child / 2].intersect(ray);
+      else {
+        const std::array<Waiting, width> c = children(m_nodes[child / 2], ray, slopes);
+        for (int i = 0; i < width - 1; ++i) {
+          stack[size] = c[i];
+          size += c[i] < never ? 1 : 0;
+        }
+        nearest = c[width - 1];
+        if (nearest < never)
+          continue;
+      }
+      do {
+        if (size == 0)
+          return;
+        nearest = stack[--size];
+      } while (!(value_of(nearest) <= ray.distance));
     }
   }
 
-  /// Moeller and Trumbore 1997, with a rim of one millionth against gaps.
-  static void intersect(const Triangle& t, Search& s)
+  /// The children that the ray enters before its best hit, the nearest last; those that it does not enter come first.
+  static std::array<Waiting, width> children(const Node& node, const Ray& ray, const Slopes& slopes)
   {
-    constexpr float rim = 1e-6f;
-    const Float_3 p = cross(s.direction, t.edge_2);
-    const float determinant = dot(t.edge_1, p);
-    if (t.face == s.skipped || determinant == 0)
-      return;
-    const float inverse = 1 / determinant;
-    const Float_3 to_source = minus(s.source, t.corner);
-    const float u = dot(to_source, p) * inverse;
-    const Float_3 q = cross(to_source, t.edge_1);
-    const float v = dot(s.direction, q) * inverse;
-    if (u < -rim || v < -rim || u + v > 1 + rim)
-      return;
-    const float distance = dot(t.edge_2, q) * inverse;
-    if (distance > 0 && (distance < s.distance || (distance == s.distance && t.face < s.face))) {
-      s.distance = distance;
-      s.face = t.face;
+    Float_4 in = all_lanes(0), out = all_lanes(ray.distance);
+    for (int k = 0; k < 3; ++k) {
+      const Float_4 source = all_lanes(ray.source[k]), inverse = all_lanes(slopes.inverse[k]);
+      const Float_4 near = (node.bounds[slopes.entered[k]][k] - source) * inverse;
+      const Float_4 far = (node.bounds[1 - slopes.entered[k]][k] - source) * inverse;
+      in = larger(near, in); // a bound that is not a number (0 * infinity) is none
+      out = smaller(far, out);
     }
+    const Float_4 entries = select(in <= out, in, all_lanes(std::numeric_limits<float>::infinity()));
+    std::array<Waiting, width> w;
+    for (int i = 0; i < width; ++i)
+      w[i] = make_float_key(entries[i], node.child[i]);
+    const auto order = [&](int i, int j) {
+      const Waiting a = w[i], b = w[j];
+      w[i] = a > b ? a : b;
+      w[j] = a > b ? b : a;
+    };
+    order(0, 1), order(2, 3), order(0, 2), order(1, 3), order(1, 2);
+    return w;
   }
 
-  std::vector<Triangle> m_triangles;
   std::vector<Node> m_nodes;
-  Vector_3 m_origin;
-  double m_unit = 0;
+  std::vector<Four_triangles> m_leaves;
+  Vector_3 m_origin{};
+  double m_unit = 1, m_scale = 1;
 };
 
 } // namespace internal
