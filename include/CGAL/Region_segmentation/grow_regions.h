@@ -69,7 +69,7 @@ std::size_t grow_regions(const FaceGraph& mesh, EdgeIsFeatureMap edge_is_feature
   internal::clear_marks_within_regions<ConcurrencyTag>(flat, regions, is_feature);
 
   internal::write_edge_map(walk, is_feature, edge_is_feature_map);
-  internal::write_face_map(mesh, region_map, [&](std::size_t i) { return regions.of_face[i]; });
+  internal::write_face_map(walk, region_map, [&](std::size_t i) { return regions.of_face[i]; });
   return regions.number_of_regions;
 }
 

@@ -79,7 +79,7 @@ std::size_t partition_into_segments(const FaceGraph& mesh, FaceSegmentMap segmen
   Sight()(graph, flat, regions);
   const Merge_tree::Segmentation segments = partitioner(graph, wanted);
 
-  internal::write_face_map(mesh, segment_map,
+  internal::write_face_map(walk, segment_map,
                            [&](std::size_t i) { return segments.of_region[regions.of_face[i]]; });
   return segments.number_of_segments;
 }

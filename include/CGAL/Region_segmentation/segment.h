@@ -104,7 +104,7 @@ std::size_t segment(const FaceGraph& mesh, FaceSegmentMap segment_map,
   const internal::Segment_labels segments(
     regions, tree, internal::choose_number<Companions>(tree, wanted, pack));
 
-  internal::write_face_map(mesh, segment_map, segments);
+  internal::write_face_map(walk, segment_map, segments);
   internal::write_segmentation_outputs<ConcurrencyTag>(walk, flat, regions, is_feature, tree, pack);
   return segments.number_of_segments();
 }

@@ -31,7 +31,10 @@ namespace Region_segmentation {
 namespace internal {
 
 /// The position of a descriptor in its range, found by way of an index map of any numbering, and the range
-/// in blocks. Takes 4 bytes an element where the index is not the position itself, and hardly anything else.
+/// in blocks. Takes 4 bytes an element where the index is not the position itself.
+///
+/// Descriptors that are handles and not indices are listed, in 8 bytes an element: whoever follows a list waits for
+/// the memory of one element after another, and of several handles at once.
 template <typename IndexMap, typename Range>
 class Iteration_ranks
 {
@@ -40,6 +43,12 @@ class Iteration_ranks
 public:
   using Descriptor = typename boost::property_traits<IndexMap>::key_type;
 
+private:
+  static constexpr bool are_handles = sizeof(Descriptor) > sizeof(Flat_mesh::Index);
+  using Block_iterator =
+    std::conditional_t<are_handles, typename std::vector<Descriptor>::const_iterator, Iterator>;
+
+public:
   /// Maps a descriptor to its position; a small object, whose copy a loop holds in registers.
   class Rank_of
   {
@@ -63,13 +72,19 @@ public:
   {
     bool is_identity = true;
     for (Iterator it = std::begin(range), end = std::end(range); it != end;) {
-      m_block_starts.push_back(it);
+      if constexpr (!are_handles)
+        m_block_starts.push_back(it);
       std::size_t i = 0;
-      for (; i < block_size && it != end; ++i, ++it)
-        is_identity &= std::size_t(get(m_index_map, *it)) == m_size + i;
+      for (; i < block_size && it != end; ++i, ++it) {
+        const Descriptor d = *it;
+        is_identity &= std::size_t(get(m_index_map, d)) == m_size + i;
+        if constexpr (are_handles)
+          m_handles.push_back(d);
+      }
       m_size += i;
     }
-    m_block_starts.push_back(std::end(range));
+    if constexpr (!are_handles)
+      m_block_starts.push_back(std::end(range));
     CGAL_precondition_msg(m_size < (std::numeric_limits<Flat_mesh::Index>::max)(),
                           "a mesh has fewer than 2^32 - 1 vertices, faces and edges");
     if (is_identity)
@@ -89,16 +104,21 @@ public:
   std::size_t operator[](const Descriptor& d) const { return rank_of()(d); }
 
   /// The elements of a block.
-  CGAL::Iterator_range<Iterator> block(std::size_t i) const
+  CGAL::Iterator_range<Block_iterator> block(std::size_t i) const
   {
-    return {m_block_starts[i], m_block_starts[i + 1]};
+    if constexpr (are_handles)
+      return {m_handles.begin() + std::ptrdiff_t(i * block_size),
+              m_handles.begin() + std::ptrdiff_t((std::min)((i + 1) * block_size, m_size))};
+    else
+      return {m_block_starts[i], m_block_starts[i + 1]};
   }
 
 private:
   IndexMap m_index_map;
   std::size_t m_size = 0;
   std::unique_ptr<Flat_mesh::Index[]> m_ranks;
-  std::vector<Iterator> m_block_starts; // and the end
+  std::vector<Iterator> m_block_starts; // and the end; of indices alone
+  std::vector<Descriptor> m_handles;
 };
 
 /// A face graph walked in an order that does not depend on its type: faces and vertices are numbered
@@ -185,6 +205,15 @@ public:
       ++rank;
     }
     return dual_edge;
+  }
+
+  /// Calls `f(face)` in order.
+  template <typename F>
+  void for_each_face(const F& f) const
+  {
+    for (std::size_t block = 0; block < number_of_blocks(number_of_faces()); ++block)
+      for (face_descriptor fd : faces_of_block(block))
+        f(fd);
   }
 
   template <typename F>

@@ -52,13 +52,12 @@ Edge_marks read_edge_map(const Mesh_walk<FaceGraph, Pack>& walk, const Flat_mesh
 }
 
 /// Writes every key of a face map; `label(i)` is the value of the i-th face.
-template <typename FaceGraph, typename FaceMap, typename Label>
-void write_face_map(const FaceGraph& mesh, FaceMap& map, const Label& label)
+template <typename FaceGraph, typename Pack, typename FaceMap, typename Label>
+void write_face_map(const Mesh_walk<FaceGraph, Pack>& walk, FaceMap& map, const Label& label)
 {
   using Value = typename boost::property_traits<FaceMap>::value_type;
   std::size_t i = 0;
-  for (auto f : faces(mesh))
-    put(map, f, Value(label(i++)));
+  walk.for_each_face([&](const auto& face) { put(map, face, Value(label(i++))); });
 }
 
 /// Writes what led to a segmentation to the outputs that a pack asks for. The marks of edges within regions are
@@ -73,7 +72,7 @@ void write_segmentation_outputs(const Mesh_walk<FaceGraph, Pack>& walk, const Fl
   using CGAL::parameters::is_default_parameter;
   if constexpr (!is_default_parameter<Pack, internal_np::region_map_t>::value) {
     auto map = get_parameter(np, internal_np::region_map);
-    write_face_map(walk.mesh(), map, [&](std::size_t i) { return regions.of_face[i]; });
+    write_face_map(walk, map, [&](std::size_t i) { return regions.of_face[i]; });
   }
   if constexpr (!is_default_parameter<Pack, internal_np::edge_is_feature_map_t>::value) {
     auto map = get_parameter(np, internal_np::edge_is_feature_map);
