@@ -287,6 +287,108 @@ TEST(Region_adjacency_graph_test, agrees_with_maps_over_random_merges)
   }
 }
 
+/// Pairs of regions, each once; some regions are neighbors of most.
+std::vector<std::pair<Region, Region>> random_pairs(std::size_t regions, std::size_t hubs, std::mt19937& random)
+{
+  std::set<std::pair<Region, Region>> pairs;
+  for (std::size_t i = 0; i < 3 * regions; ++i) {
+    const Region a = random() % regions, b = random() % (random() % 2 ? hubs : regions);
+    if (a != b)
+      pairs.insert({(std::min)(a, b), (std::max)(a, b)});
+  }
+  std::vector<std::pair<Region, Region>> result(pairs.begin(), pairs.end());
+  std::shuffle(result.begin(), result.end(), random);
+  return result;
+}
+
+TEST(Region_adjacency_graph_test, agrees_with_maps_where_some_regions_have_very_many_sections)
+{
+  for (unsigned seed = 0; seed < 10; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937 random(seed);
+    const std::size_t n = 250;
+    Graph g;
+    Oracle oracle;
+    for (Region r = 0; r < n; ++r)
+      oracle.area[g.add_region(region(r))] = r;
+    for (const auto& [a, b] : random_pairs(n, 3, random)) {
+      g.add_section(a, b, section(a + b));
+      oracle.sections[{a, b}] = {double(a + b), 1, true};
+    }
+    EXPECT_GT(degree(0, g), 64u);
+    while (!oracle.sections.empty()) {
+      // Among the hubs, or any.
+      auto way = oracle.sections.begin();
+      if (random() % 20)
+        std::advance(way, random() % oracle.sections.size());
+      const auto [a, b] = way->first;
+      g.merge(*g.section(b, a));
+      oracle.merge(a, b);
+      if (oracle.area.size() % 16 == 0 || oracle.sections.size() < 16) {
+        ASSERT_NO_FATAL_FAILURE(expect_equal(g, oracle));
+      }
+    }
+  }
+}
+
+std::vector<std::uint32_t> halves_in_order(const Graph& g)
+{
+  std::vector<std::uint32_t> result;
+  for (auto [r, last] = vertices(g); r != last; ++r)
+    for (Section s : g.sections(*r))
+      result.push_back(s.half());
+  return result;
+}
+
+TEST(Region_adjacency_graph_test, sections_added_at_once_are_those_added_one_by_one)
+{
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937 random(seed);
+    const std::size_t n = 2 + random() % 200;
+    const auto pairs = random_pairs(n, 2, random);
+    Graph slow, fast;
+    for (std::size_t r = 0; r < n; ++r) {
+      slow.add_region(region(1));
+      fast.add_region(region(1));
+    }
+    for (const auto& [a, b] : pairs)
+      slow.add_section(a, b, section(1));
+    fast.add_sections(pairs);
+    for (auto [it, end] = edges(fast); it != end; ++it)
+      fast[*it] = section(1);
+    while (true) {
+      ASSERT_EQ(halves_in_order(fast), halves_in_order(slow));
+      ASSERT_EQ(fast.number_of_sections(), slow.number_of_sections());
+      if (fast.number_of_sections() == 0)
+        break;
+      const Section s = *std::next(edges(fast).first, random() % fast.number_of_sections());
+      ASSERT_EQ(fast[s].length, slow[s].length);
+      ASSERT_EQ(fast.merge(s).kept, slow.merge(s).kept);
+    }
+  }
+}
+
+// What is quadratic here takes hours.
+TEST(Region_adjacency_graph_test, hubs_take_in_a_hundred_thousand_neighbors)
+{
+  const Region n = 100000;
+  Graph g;
+  for (Region r = 0; r < n; ++r)
+    g.add_region(region(1));
+  for (Region r = 2; r < n; ++r) {
+    g.add_section(0, r, section(1));
+    g.add_section(1, r, section(1));
+  }
+  for (Region r = 2; r < n; ++r) {
+    g.merge(*g.section(r % 2, r));
+    ASSERT_TRUE(g.section(0, 1));
+  }
+  EXPECT_EQ(g.number_of_sections(), 1u);
+  EXPECT_EQ(g[*g.section(1, 0)].length, double(n - 2));
+  EXPECT_EQ(g[0].area + g[1].area, double(n));
+}
+
 // build_region_adjacency_graph()
 
 template <typename Parameters>

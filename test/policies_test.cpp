@@ -15,8 +15,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <random>
+#include <set>
 
 namespace {
 
@@ -151,6 +154,65 @@ TEST(Smallest_region_first_test, goes_by_area_then_by_id)
   // 1 and 3 are equal: 1 first, across the longer section. Then areas 5, 4, 1: 3; then 0 and 1 (5,
   // 5).
   EXPECT_EQ(merges(g, RS::Smallest_region_first()), (Merges{{1, 2}, {1, 3}, {0, 1}}));
+}
+
+/// Areas with ties, without any area, of any size, all equal, and infinite.
+double area_of_kind(unsigned kind, std::mt19937& random)
+{
+  switch (kind) {
+  case 0: return 1 + double(random() % 20);
+  case 1: return random() % 3 ? double(random() % 100) : 0;
+  case 2: return std::pow(10, double(random() % 6000) / 10 - 300);
+  case 3: return 2.5;
+  default: return random() % 2 ? 1 + 1e-12 * double(random() % 1000) : std::numeric_limits<double>::infinity();
+  }
+}
+
+TEST(Smallest_region_first_test, is_the_greedy_order)
+{
+  for (unsigned seed = 0; seed < 30; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937 random(seed);
+    Graph g;
+    const std::size_t n = 2 + random() % 500;
+    for (std::size_t r = 0; r < n; ++r)
+      add_region(g, area_of_kind(seed % 5, random));
+    for (std::size_t i = 3 * n; i > 0; --i) {
+      const std::uint32_t a = random() % n, b = random() % (random() % 4 ? n : 2); // two hubs
+      if (a != b && !g.section(a, b)) {
+        const auto s = add_section(g, a, b, double(1 + random() % 6), double(1 + random() % 3));
+        if (random() % 8 == 0)
+          g.forbid_merge(s);
+      }
+    }
+    Graph slow = g;
+    RS::Longest_flattest_section section_of;
+    Merges expected;
+    while (true) {
+      std::set<std::pair<double, std::uint32_t>> regions;
+      for (auto [it, end] = vertices(slow); it != end; ++it)
+        regions.insert({slow[*it].area, *it});
+      const auto best = std::find_if(regions.begin(), regions.end(),
+                                     [&](const auto& r) { return section_of(slow, r.second).has_value(); });
+      if (best == regions.end())
+        break;
+      const auto merge = slow.merge(*section_of(slow, best->second));
+      expected.push_back({merge.kept, merge.removed});
+    }
+    EXPECT_GT(expected.size(), n / 2);
+    EXPECT_EQ(merges(g, RS::Smallest_region_first()), expected);
+  }
+}
+
+TEST(Smallest_region_first_test, leaves_out_what_has_no_number_as_area)
+{
+  Graph g;
+  for (double area : {std::nan(""), 2.0, 1.0, std::nan("")})
+    add_region(g, area);
+  add_section(g, 0, 1, 1);
+  add_section(g, 1, 2, 2);
+  add_section(g, 0, 3, 2);
+  EXPECT_EQ(merges(g, RS::Smallest_region_first()), (Merges{{1, 2}, {0, 1}}));
 }
 
 TEST(Smallest_region_first_test, passes_over_regions_without_sections)

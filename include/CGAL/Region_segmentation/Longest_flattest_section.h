@@ -23,7 +23,7 @@ namespace Region_segmentation {
 /// \f$L\f$ the length and \f$A\f$ the mean dihedral angle of a section; 0/0 is 1/2; the lower neighbor
 /// id of equal sums. Sections that are not mergeable count as \f$j\f$ alone.
 ///
-/// Complexity: O(d log d + d p) for d sections, p of which are not outdone by another one in both
+/// Complexity: O(d p) for d sections, p of which are not outdone by another one in both
 /// length and angle: usually a few.
 ///
 /// Source: Yang et al. 2014, eq. 3.
@@ -38,69 +38,81 @@ public:
   std::optional<Section_descriptor> operator()(const Graph& graph, std::uint32_t region)
   {
     read_sections(graph, region);
-    const Item* best = nullptr;
+    find_front(graph);
+    if (m_front.empty())
+      return std::nullopt;
+    std::size_t best = m_front.front();
     double best_sum = 0;
-    for (std::size_t i : front()) {
+    for (std::size_t i : m_front) {
+      if (m_front.size() == 1)
+        break;
       const double sum = sum_over_others(i);
-      const Item& item = m_items[i];
-      if (!best || sum > best_sum || (sum == best_sum && item.neighbor < best->neighbor)) {
-        best = &item;
+      if (i == m_front.front() || sum > best_sum ||
+          (sum == best_sum && graph.target(m_sections[i]) < graph.target(m_sections[best]))) {
+        best = i;
         best_sum = sum;
       }
     }
-    return best ? std::optional<Section_descriptor>(best->section) : std::nullopt;
+    return m_sections[best];
   }
 
 private:
-  struct Item
-  {
-    double length, angle;
-    std::uint32_t neighbor;
-    Section_descriptor section;
-  };
-
   template <typename Graph>
   void read_sections(const Graph& graph, std::uint32_t region)
   {
-    m_items.clear();
-    m_mergeable.clear();
+    const std::size_t size = graph.degree(region);
+    m_sections.resize(size);
+    m_lengths.resize(size);
+    m_angles.resize(size);
+    m_terms.resize(size);
+    std::size_t i = 0;
     for (Section_descriptor s : graph.sections(region)) {
-      if (graph.is_mergeable(s))
-        m_mergeable.push_back(m_items.size());
-      m_items.push_back({graph[s].length, graph[s].mean_angle(), graph.target(s), s});
+      m_sections[i] = s;
+      m_lengths[i] = graph[s].length;
+      m_angles[i++] = graph[s].mean_angle();
     }
   }
 
-  /// P_ij increases with length and with angle, so a section that is outdone in both cannot win: what
-  /// remains is found by a scan in the order of length.
-  const std::vector<std::size_t>& front()
+  /// P_ij increases with length and with angle, so a section that is outdone in both, by one that is mergeable,
+  /// cannot win; of equal ones, that to the lower neighbor does.
+  template <typename Graph>
+  void find_front(const Graph& graph)
   {
-    std::sort(m_mergeable.begin(), m_mergeable.end(), [this](std::size_t a, std::size_t b) {
-      const Item &x = m_items[a], &y = m_items[b];
-      if (x.length != y.length)
-        return x.length > y.length;
-      return x.angle != y.angle ? x.angle > y.angle : x.neighbor < y.neighbor;
-    });
     m_front.clear();
-    for (std::size_t i : m_mergeable)
-      if (m_front.empty() || m_items[i].angle > m_items[m_front.back()].angle)
-        m_front.push_back(i);
-    return m_front;
+    for (std::size_t i = 0; i < m_sections.size(); ++i) {
+      if (!graph.is_mergeable(m_sections[i]))
+        continue;
+      const auto outdoes = [&](std::size_t a, std::size_t b) {
+        return m_lengths[a] >= m_lengths[b] && m_angles[a] >= m_angles[b] &&
+               (m_lengths[a] > m_lengths[b] || m_angles[a] > m_angles[b] ||
+                graph.target(m_sections[a]) < graph.target(m_sections[b]));
+      };
+      if (std::any_of(m_front.begin(), m_front.end(), [&](std::size_t j) { return outdoes(j, i); }))
+        continue;
+      m_front.erase(std::remove_if(m_front.begin(), m_front.end(), [&](std::size_t j) { return outdoes(i, j); }),
+                    m_front.end());
+      m_front.push_back(i);
+    }
   }
 
-  double sum_over_others(std::size_t i) const
+  double sum_over_others(std::size_t i)
   {
+    const double length = m_lengths[i], angle = m_angles[i];
+    const std::size_t size = m_sections.size();
+    for (std::size_t j = 0; j < size; ++j)
+      m_terms[j] = m_beta * internal::share(length, m_lengths[j]) +
+                   (1 - m_beta) * internal::share(angle, m_angles[j]);
+    m_terms[i] = 0;
     double sum = 0;
-    for (std::size_t j = 0; j < m_items.size(); ++j)
-      if (j != i)
-        sum += m_beta * internal::share(m_items[i].length, m_items[j].length) +
-               (1 - m_beta) * internal::share(m_items[i].angle, m_items[j].angle);
+    for (double term : m_terms)
+      sum += term;
     return sum;
   }
 
   double m_beta;
-  std::vector<Item> m_items;
-  std::vector<std::size_t> m_mergeable, m_front;
+  std::vector<Section_descriptor> m_sections; // of the region, and so the rest
+  std::vector<double> m_lengths, m_angles, m_terms;
+  std::vector<std::size_t> m_front;
 };
 
 } // namespace Region_segmentation

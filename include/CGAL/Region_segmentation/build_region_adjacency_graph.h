@@ -32,8 +32,9 @@ namespace Region_segmentation {
 /// \pre the ids are from 0 and dense: their number is the largest id + 1
 /// \throws Invalid_input if a point is not finite
 ///
-/// Complexity: O(F) expected. Deterministic: the sums over the edges of a section run by lower, then
-/// by higher face, whatever the mesh type.
+/// Complexity: O(F) where regions are connected and the surface has few handles, O(F sqrt(F)) at worst.
+/// Deterministic: the sums over the edges of a section run by lower, then by higher face, whatever the mesh
+/// type.
 ///
 /// Source: Yang et al. 2014, section 3.3 (EdgeSection).
 template <typename Graph = Region_adjacency_graph<>, typename ConcurrencyTag = CGAL::Sequential_tag,

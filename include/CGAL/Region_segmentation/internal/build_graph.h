@@ -3,31 +3,34 @@
 #ifndef CGAL_REGION_SEGMENTATION_INTERNAL_BUILD_GRAPH_H
 #define CGAL_REGION_SEGMENTATION_INTERNAL_BUILD_GRAPH_H
 
+#include <CGAL/Region_segmentation/internal/Large_array.h>
 #include <CGAL/Region_segmentation/internal/Region_labels.h>
+#include <CGAL/Region_segmentation/internal/Section_finder.h>
 #include <CGAL/Region_segmentation/internal/border_edges.h>
 #include <CGAL/Region_segmentation/internal/concept_checks.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 
 namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// Accounts for a dual edge between two regions.
-template <typename Graph>
-void add_border_edge(Graph& graph, const Flat_mesh& flat, const Region_labels& regions, std::size_t edge)
+/// Adds the sections to which edges belong. Returns the section of each.
+template <typename Graph, typename Edges>
+Large_array<std::uint32_t> add_sections(Graph& graph, const Flat_mesh& flat, const Region_labels& regions,
+                                        const Edges& edges)
 {
-  const std::size_t face = flat.lower_face(edge);
-  const Flat_mesh::Index r = regions.of_face[face], q = regions.of_face[flat.higher_face(edge)];
-  graph[r].add_border_edge(flat, face, edge);
-  graph[q].add_border_edge(flat, face, edge);
-  auto section = graph.section(r, q);
-  if (!section)
-    section = graph.add_section(r, q);
-  graph[*section].add_edge(flat, face, edge);
-  if (flat.has_flag(edge, Flat_mesh::CONSTRAINED))
-    graph.forbid_merge(*section);
+  Section_finder finder(regions.number_of_regions);
+  for (Flat_mesh::Index e : edges)
+    finder.count(regions.of_face[flat.lower_face(e)], regions.of_face[flat.higher_face(e)]);
+  Large_array<std::uint32_t> result(edges.size());
+  for (std::size_t i = 0; i < edges.size(); ++i)
+    result[i] = finder.find_or_add(regions.of_face[flat.lower_face(edges[i])],
+                                   regions.of_face[flat.higher_face(edges[i])]);
+  graph.add_sections(finder.sections());
+  return result;
 }
 
 /// Accounts for all faces. Most often one face after another has the same region, whose data is at hand then.
@@ -43,10 +46,10 @@ void add_faces(Graph& graph, const Flat_mesh& flat, const Region_labels& regions
   }
 }
 
-/// The graph of labelled regions. Sections are numbered by their first dual edge. O(F) expected.
+/// The graph of labelled regions. Sections are numbered by their first dual edge. Sums run over the faces and
+/// edges in order. O(F) in practice, see `Section_finder`.
 ///
-/// Sums run over the faces and edges in order. In parallel the edges between regions are found; on a mesh
-/// without noise they are few.
+/// In parallel the edges between regions are found; on a mesh without noise they are few.
 template <typename Graph, typename ConcurrencyTag = CGAL::Sequential_tag>
 Graph build_graph(const Flat_mesh& flat, const Region_labels& regions)
 {
@@ -57,8 +60,17 @@ Graph build_graph(const Flat_mesh& flat, const Region_labels& regions)
     graph.add_region();
   add_faces(graph, flat, regions);
 
-  for (Flat_mesh::Index edge : border_edges<ConcurrencyTag>(flat, regions))
-    add_border_edge(graph, flat, regions, edge);
+  const auto edges = border_edges<ConcurrencyTag>(flat, regions);
+  const auto section_of = add_sections(graph, flat, regions, edges);
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const std::size_t edge = edges[i], face = flat.lower_face(edge);
+    const typename Graph::section_descriptor section(2 * section_of[i]);
+    graph[regions.of_face[face]].add_border_edge(flat, face, edge);
+    graph[regions.of_face[flat.higher_face(edge)]].add_border_edge(flat, face, edge);
+    graph[section].add_edge(flat, face, edge);
+    if (flat.has_flag(edge, Flat_mesh::CONSTRAINED))
+      graph.forbid_merge(section);
+  }
   return graph;
 }
 

@@ -100,30 +100,33 @@ private:
 };
 
 /// The sections of a region, each seen from the region.
-template <typename Graph>
+template <typename Lists>
 class Out_section_iterator
-  : public boost::iterator_facade<Out_section_iterator<Graph>, Section_descriptor,
+  : public boost::iterator_facade<Out_section_iterator<Lists>, Section_descriptor,
                                   boost::forward_traversal_tag, Section_descriptor>
 {
 public:
   Out_section_iterator() = default;
-  Out_section_iterator(const Graph& graph, std::uint32_t half, std::size_t left)
-    : m_graph(&graph), m_half(half), m_left(left)
-  {}
+  Out_section_iterator(const Lists& lists, std::uint32_t place)
+    : m_lists(&lists), m_left(lists.degree(place))
+  {
+    if (m_left > 0)
+      m_position = lists.first(place);
+  }
 
 private:
   friend class boost::iterator_core_access;
-  Section_descriptor dereference() const { return Section_descriptor(m_half); }
-  // The list is circular: what is left tells two places of one walk apart.
+  Section_descriptor dereference() const { return Section_descriptor(m_lists->half(m_position)); }
+  // What is left tells two places of one walk apart.
   bool equal(const Out_section_iterator& other) const { return m_left == other.m_left; }
   void increment()
   {
-    m_half = m_graph->m_halves[m_half].next;
-    --m_left;
+    if (--m_left > 0)
+      m_position = m_lists->following(m_position);
   }
 
-  const Graph* m_graph = nullptr;
-  std::uint32_t m_half = 0;
+  const Lists* m_lists = nullptr;
+  std::size_t m_position = 0;
   std::size_t m_left = 0;
 };
 
@@ -135,7 +138,7 @@ class Adjacent_region_iterator
 {
 public:
   Adjacent_region_iterator() = default;
-  Adjacent_region_iterator(const Graph& graph, Out_section_iterator<Graph> section)
+  Adjacent_region_iterator(const Graph& graph, typename Graph::out_edge_iterator section)
     : m_graph(&graph), m_section(section)
   {}
 
@@ -146,7 +149,7 @@ private:
   void increment() { ++m_section; }
 
   const Graph* m_graph = nullptr;
-  Out_section_iterator<Graph> m_section;
+  typename Graph::out_edge_iterator m_section;
 };
 
 } // namespace internal
