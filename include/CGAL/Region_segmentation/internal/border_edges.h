@@ -7,12 +7,12 @@
 #include <CGAL/Region_segmentation/internal/Region_labels.h>
 #include <CGAL/Region_segmentation/internal/blocks.h>
 
-#include <boost/sort/spreadsort/integer_sort.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -38,6 +38,24 @@ inline void append_border_keys(const Flat_mesh& flat, const Region_labels& regio
   keys.insert(keys.end(), found.begin(), found.begin() + std::ptrdiff_t(n));
 }
 
+/// The edges by their lower, then by their higher face, of keys by the higher one. Few are sorted, many counted.
+inline Large_array<Flat_mesh::Index> edges_by_lower_face(Large_array<Border_key> keys, std::size_t number_of_faces)
+{
+  Large_array<Flat_mesh::Index> edges(keys.size());
+  if (keys.size() < number_of_faces / 64) {
+    std::sort(keys.begin(), keys.end());
+    std::transform(keys.begin(), keys.end(), edges.begin(), [](Border_key key) { return Flat_mesh::Index(key); });
+    return edges;
+  }
+  std::vector<Flat_mesh::Index> places(number_of_faces + 1); // of the next edge of a face
+  for (const Border_key key : keys)
+    ++places[(key >> 32) + 1];
+  std::partial_sum(places.begin(), places.end(), places.begin());
+  for (const Border_key key : keys)
+    edges[places[key >> 32]++] = Flat_mesh::Index(key);
+  return edges;
+}
+
 /// The dual edges between two regions, by their lower, then by their higher face: the order in which sums run.
 template <typename ConcurrencyTag>
 Large_array<Flat_mesh::Index> border_edges(const Flat_mesh& flat, const Region_labels& regions)
@@ -56,10 +74,7 @@ Large_array<Flat_mesh::Index> border_edges(const Flat_mesh& flat, const Region_l
       append_border_keys(flat, regions, begin, end, keys);
     });
 
-  boost::sort::spreadsort::integer_sort(keys.begin(), keys.end());
-  Large_array<Flat_mesh::Index> edges(keys.size());
-  std::transform(keys.begin(), keys.end(), edges.begin(), [](Border_key key) { return Flat_mesh::Index(key); });
-  return edges;
+  return edges_by_lower_face(std::move(keys), flat.number_of_faces());
 }
 
 } // namespace internal
