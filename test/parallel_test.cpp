@@ -59,11 +59,11 @@ Outputs run(const Surface_mesh& mesh, const Policy& policy, RS::Feature_convexit
   return result;
 }
 
-/// A sheet of several blocks of faces, some of them without area, numbered at random.
+/// A sheet of several ranges of faces, some of them without area, numbered at random.
 Soup large_sheet(unsigned seed)
 {
   std::mt19937 random(seed);
-  Soup soup = triangulated(grid(140, 70));
+  Soup soup = triangulated(grid(420, 170));
   bump(soup, 0.02, random);
   flatten_some(soup, 50, random);
   shuffle_faces(soup, random);
@@ -79,7 +79,7 @@ class Parallel_test : public ::testing::TestWithParam<unsigned>
 TEST_P(Parallel_test, two_step_gives_the_same_bits)
 {
   const Surface_mesh mesh = to_surface_mesh(large_sheet(GetParam()));
-  ASSERT_GT(num_faces(mesh), 4 * RS::internal::block_size);
+  ASSERT_GT(num_faces(mesh), 2 * RS::internal::blocks_in_range * RS::internal::block_size);
   for (const auto convexity : {RS::Feature_convexity::CONCAVE, RS::Feature_convexity::ALL}) {
     const Outputs expected = run<CGAL::Sequential_tag>(mesh, RS::Two_step(), convexity);
     for (const std::size_t threads : {1, 2, 5}) {
@@ -143,9 +143,17 @@ TEST_P(Parallel_test, the_forest_numbers_components_by_their_lowest_element)
       a = std::uint32_t(random() % size);
       b = std::uint32_t(random() % size);
     }
-    RS::internal::Lowest_root_forest<CGAL::Parallel_tag> forest(size);
-    tbb::parallel_for(std::size_t(0), pairs.size(),
-                      [&](std::size_t i) { forest.unite(pairs[i].first, pairs[i].second); });
+    RS::internal::Lowest_root_forest forest(size);
+    constexpr std::size_t size_of_range = 10000;
+    const auto is_within = [&](const auto& pair) { return pair.first / size_of_range == pair.second / size_of_range; };
+    tbb::parallel_for(std::size_t(0), size / size_of_range, [&](std::size_t range) {
+      for (const auto& pair : pairs)
+        if (is_within(pair) && pair.first / size_of_range == range)
+          forest.unite(pair.first, pair.second);
+    });
+    for (const auto& pair : pairs)
+      if (!is_within(pair))
+        forest.unite(pair.first, pair.second);
     const RS::Region_labels labels = forest.take_labels();
     EXPECT_EQ(labels.of_face, labels_by_search(size, pairs)) << "seed " << GetParam();
     EXPECT_EQ(labels.number_of_regions,

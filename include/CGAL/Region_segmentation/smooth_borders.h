@@ -101,7 +101,7 @@ private:
   static Region_labels pieces_of_segments(const Flat_mesh& mesh,
                                           const std::vector<Flat_mesh::Index>& label_of_face)
   {
-    internal::Lowest_root_forest<> forest(mesh.number_of_faces());
+    internal::Lowest_root_forest forest(mesh.number_of_faces());
     for (std::size_t e = 0; e < mesh.number_of_edges(); ++e) {
       const Flat_mesh::Index f = mesh.lower_face(e), g = mesh.higher_face(e);
       if (label_of_face[f] == label_of_face[g] && !mesh.has_flag(e, Flat_mesh::CONSTRAINED))

@@ -107,17 +107,8 @@ public:
     }
   }
 
-  /// How many dual edges lead from the faces to lower ones.
-  std::size_t count_edges() const
-  {
-    std::size_t n = 0;
-    for (std::size_t i = 0; i < m_number_of_faces; ++i)
-      for (std::size_t j = 0; j < number_of_corners(i); ++j)
-        n += corners(i)[j].neighbor < m_first_face + i;
-    return n;
-  }
-
-  /// Calls `f(edges, n)` with these dual edges, in order; returns n. `direction()` can be asked then.
+  /// Calls `f(edges, n)` with the dual edges from the faces to lower ones, in order; returns n. `direction()` can be
+  /// asked then.
   template <typename F>
   std::size_t with_edges(const F& f)
   {

@@ -63,6 +63,12 @@ public:
     return n.x == 0 && n.y == 0 && n.z == 0;
   }
 
+  /// The first dual edge whose higher face is not below `face`. O(log F).
+  std::size_t first_edge(std::size_t face) const
+  {
+    return std::size_t(std::lower_bound(m_higher_faces.begin(), m_higher_faces.end(), face) - m_higher_faces.begin());
+  }
+
   Index lower_face(std::size_t edge) const { return m_lower_faces[edge]; }
   Index higher_face(std::size_t edge) const { return m_higher_faces[edge]; }
   /// The length of the mesh edge, in units of the mesh.

@@ -49,8 +49,17 @@ public:
     }
   }
 
-  /// Puts `n` dual edges into the places from `first` on.
-  void set_edges(std::size_t first, const Side_edge* edges, std::size_t n, const Face_block& block)
+  /// A dual edge whose lower face was not known when it was set.
+  struct Late_edge
+  {
+    std::size_t edge;
+    Vector_3 direction;
+  };
+
+  /// Puts `n` dual edges into the places from `first` on. Those that lead to faces below `first_known_face` go to
+  /// `late_edges`, too.
+  void set_edges(std::size_t first, const Side_edge* edges, std::size_t n, const Face_block& block,
+                 std::size_t first_known_face, std::vector<Late_edge>& late_edges)
   {
     const Vector_3* const normals = m_flat.m_normals.data();
     Index* const lower_faces = m_flat.m_lower_faces.data() + first;
@@ -59,19 +68,31 @@ public:
     std::uint8_t* const flags = m_flat.m_flags.data() + first;
     for (std::size_t i = 0; i < n; ++i) {
       const Index lower = edges[i].lower(), higher = edges[i].higher;
-      // Both factors of the sign have the opposite of their direction in section 2: its value is the same.
-      const Vector_3 a = normals[higher], b = normals[lower], d = block.direction(edges[i].side());
-      const double cosine = dot(a, b), sign = dot(cross(a, b), d), square = squared_norm(d);
+      const Vector_3 direction = block.direction(edges[i].side());
+      const double square = squared_norm(direction);
       lower_faces[i] = lower;
       higher_faces[i] = higher;
-      squared_lengths[i] = is_square_of_norm(square) ? square : -norm(d);
-      flags[i] = std::uint8_t((sign > 0) * Flat_mesh::CONVEX + (sign < 0) * Flat_mesh::CONCAVE +
-                              (cosine > Flat_mesh::nearly_flat) * Flat_mesh::NEARLY_FLAT +
-                              (cosine < Flat_mesh::not_flat) * Flat_mesh::NOT_FLAT);
-      // The normal of a degenerate face is zero, and so is the cosine then.
-      if (cosine == 0 && (m_flat.is_degenerate(lower) || m_flat.is_degenerate(higher)))
-        close_edge(first + i);
+      squared_lengths[i] = is_square_of_norm(square) ? square : -norm(direction);
+      if (lower < first_known_face) {
+        flags[i] = 0;
+        late_edges.push_back({first + i, direction});
+        continue;
+      }
+      const Vector_3 a = normals[higher], b = normals[lower];
+      const double cosine = dot(a, b);
+      flags[i] = flags_of(a, b, cosine, direction);
+      if (cosine == 0)
+        close_at_degenerate_face(first + i);
     }
+  }
+
+  void set_late_edge(const Late_edge& late)
+  {
+    const Vector_3 a = m_flat.normal(m_flat.higher_face(late.edge)), b = m_flat.normal(m_flat.lower_face(late.edge));
+    const double cosine = dot(a, b);
+    m_flat.m_flags[late.edge] |= flags_of(a, b, cosine, late.direction);
+    if (cosine == 0)
+      close_at_degenerate_face(late.edge);
   }
 
   void set_constrained(std::size_t edge) { m_flat.m_flags[edge] |= Flat_mesh::CONSTRAINED; }
@@ -109,10 +130,24 @@ public:
   }
 
 private:
-  void close_edge(std::size_t edge)
+  /// Of the normals of the higher and the lower face, and the halfedge of the higher one. Both factors of the sign
+  /// have the opposite of their direction in the definition: its value is the same.
+  static std::uint8_t flags_of(const Vector_3& a, const Vector_3& b, double cosine, const Vector_3& direction)
   {
+    const double sign = dot(cross(a, b), direction);
+    return std::uint8_t((sign > 0) * Flat_mesh::CONVEX + (sign < 0) * Flat_mesh::CONCAVE +
+                        (cosine > Flat_mesh::nearly_flat) * Flat_mesh::NEARLY_FLAT +
+                        (cosine < Flat_mesh::not_flat) * Flat_mesh::NOT_FLAT);
+  }
+
+  /// The normal of a degenerate face is zero, and so is the cosine of its edges then.
+  void close_at_degenerate_face(std::size_t edge)
+  {
+    const Index lower = m_flat.lower_face(edge), higher = m_flat.higher_face(edge);
+    if (!m_flat.is_degenerate(lower) && !m_flat.is_degenerate(higher))
+      return;
     m_flat.m_flags[edge] |= Flat_mesh::CLOSED;
-    m_closed_edges[m_flat.m_higher_faces[edge] / block_size].push_back(Index(edge));
+    m_closed_edges[higher / block_size].push_back(Index(edge));
   }
 
   /// Each degenerate face joins across its longest dual edge that is not constrained; of several, the

@@ -11,7 +11,7 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <utility>
+#include <type_traits>
 
 namespace CGAL {
 namespace Region_segmentation {
@@ -33,16 +33,20 @@ Large_array<std::uint32_t> add_sections(Graph& graph, const Flat_mesh& flat, con
   return result;
 }
 
-/// Accounts for all faces. Most often one face after another has the same region, whose data is at hand then.
+/// Accounts for all faces. Most often one face after another has the same region: small data is in registers then.
 template <typename Graph>
 void add_faces(Graph& graph, const Flat_mesh& flat, const Region_labels& regions)
 {
+  using Data = typename Graph::RegionData;
+  constexpr bool is_small =
+    std::is_trivially_copyable<Data>::value && std::is_copy_assignable<Data>::value && sizeof(Data) <= 64;
   for (std::size_t f = 0; f < flat.number_of_faces();) {
     const Flat_mesh::Index r = regions.of_face[f];
-    typename Graph::RegionData data = std::move(graph[r]);
+    std::conditional_t<is_small, Data, Data&> data = graph[r];
     for (; f < flat.number_of_faces() && regions.of_face[f] == r; ++f)
       data.add_face(flat, f);
-    graph[r] = std::move(data);
+    if constexpr (is_small)
+      graph[r] = data;
   }
 }
 

@@ -28,7 +28,7 @@ inline Region_labels split_regions(const Region_labels& regions, std::size_t num
                                                       : a < b;
   });
   std::size_t to_join = order.size() - (std::min)(number_of_segments, order.size());
-  Lowest_root_forest<> forest(order.size());
+  Lowest_root_forest forest(order.size());
   for (Flat_mesh::Index f : order)
     if (to_join > 0 && regions.predecessor[f] != f) {
       forest.unite(f, regions.predecessor[f]);

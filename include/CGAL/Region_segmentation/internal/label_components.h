@@ -8,6 +8,7 @@
 #include <CGAL/Region_segmentation/internal/blocks.h>
 
 #include <cstddef>
+#include <vector>
 
 namespace CGAL {
 namespace Region_segmentation {
@@ -15,30 +16,39 @@ namespace internal {
 
 /// The connected components of the faces across edges that are neither marked nor closed by a
 /// degenerate face. O(F) in practice (inverse Ackermann is replaced by a logarithm at worst).
+///
+/// In parallel each thread unites the faces of a range of its own; edges between two ranges follow.
 template <typename ConcurrencyTag>
 Region_labels label_components(const Flat_mesh& flat, const Edge_marks& is_feature)
 {
   using Index = Flat_mesh::Index;
-  const auto is_way = [&](std::size_t e) { return !is_feature[e] && !flat.has_flag(e, Flat_mesh::CLOSED); };
-  Lowest_root_forest<ConcurrencyTag> forest(flat.number_of_faces());
-  if constexpr (is_parallel<ConcurrencyTag>)
-    for_each_block<ConcurrencyTag>(
-      flat.number_of_edges(), [&](std::size_t, std::size_t begin, std::size_t end) {
-        for (std::size_t e = begin; e < end; ++e)
-          if (is_way(e))
-            forest.unite(flat.lower_face(e), flat.higher_face(e));
-      });
-  else {
-    // Edges follow their higher face: it is its own root at the first one, and its root is at hand then.
-    Index face = 0, root = 0;
-    for (std::size_t e = 0; e < flat.number_of_edges(); ++e) {
-      const Index higher = flat.higher_face(e);
-      root = higher == face ? root : higher;
-      face = higher;
-      if (is_way(e))
-        root = forest.unite_with_root(root, flat.lower_face(e));
-    }
-  }
+  constexpr std::size_t size_of_range = blocks_in_range * block_size;
+  const std::size_t size = flat.number_of_faces();
+  std::vector<std::vector<Index>> between_ranges(number_of_blocks(size, size_of_range));
+  Lowest_root_forest forest(size);
+  for_each_block<ConcurrencyTag>(
+    size,
+    [&](std::size_t range, std::size_t begin, std::size_t end) {
+      const std::size_t first_of_range = is_parallel<ConcurrencyTag> ? begin : 0;
+      const std::size_t end_edge = flat.first_edge(end);
+      // Edges follow their higher face: it is its own root at the first one, and its root is at hand then.
+      Index face = 0, root = 0;
+      for (std::size_t e = flat.first_edge(begin); e < end_edge; ++e) {
+        const Index lower = flat.lower_face(e), higher = flat.higher_face(e);
+        root = higher == face ? root : higher;
+        face = higher;
+        if (is_feature[e] || flat.has_flag(e, Flat_mesh::CLOSED))
+          continue;
+        if (lower >= first_of_range)
+          root = forest.unite_with_root(root, lower);
+        else
+          between_ranges[range].push_back(Index(e));
+      }
+    },
+    size_of_range);
+  for (const auto& edges : between_ranges)
+    for (Index e : edges)
+      forest.unite(flat.lower_face(e), flat.higher_face(e));
   return forest.take_labels();
 }
 
