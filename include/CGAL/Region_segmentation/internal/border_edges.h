@@ -42,7 +42,7 @@ inline void append_border_keys(const Flat_mesh& flat, const Region_labels& regio
 inline Large_array<Flat_mesh::Index> edges_by_lower_face(Large_array<Border_key> keys, std::size_t number_of_faces)
 {
   Large_array<Flat_mesh::Index> edges(keys.size());
-  if (keys.size() < number_of_faces / 64) {
+  if (keys.size() < number_of_faces / 16) {
     std::sort(keys.begin(), keys.end());
     std::transform(keys.begin(), keys.end(), edges.begin(), [](Border_key key) { return Flat_mesh::Index(key); });
     return edges;
