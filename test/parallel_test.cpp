@@ -90,6 +90,39 @@ TEST_P(Parallel_test, two_step_gives_the_same_bits)
   }
 }
 
+/// What is known of every dual edge, and every corner.
+template <typename ConcurrencyTag, typename Pack>
+std::vector<double> numbers_read(const Surface_mesh& mesh, const Pack& np)
+{
+  const RS::Flat_mesh flat = RS::internal::read_flat_mesh<ConcurrencyTag>(
+    RS::internal::make_mesh_walk(mesh, np), np, RS::Flat_mesh::Content::ANGLES_AND_POINTS);
+  std::vector<double> result;
+  for (std::size_t e = 0; e < flat.number_of_edges(); ++e)
+    result.insert(result.end(), {double(flat.lower_face(e)), double(flat.higher_face(e)), flat.length(e),
+                                 double(flat.flags(e)), flat.cosine(flat.lower_face(e), e)});
+  for (std::size_t f = 0; f < flat.number_of_faces(); ++f)
+    for (std::size_t i = 0; i < flat.number_of_corners(f); ++i)
+      result.push_back(flat.corner(f, i));
+  return result;
+}
+
+TEST_P(Parallel_test, reading_gives_the_same_bits)
+{
+  const Surface_mesh mesh = to_surface_mesh(large_sheet(GetParam()));
+  std::mt19937 random(GetParam());
+  std::vector<char> constrained(num_edges(mesh));
+  for (char& c : constrained)
+    c = random() % 10 == 0;
+  const auto np = RS::internal::pack(RS::parameters::edge_is_constrained_map(
+    boost::make_iterator_property_map(constrained.begin(), get(boost::edge_index, mesh))));
+  const auto expected = numbers_read<CGAL::Sequential_tag>(mesh, np);
+  for (const std::size_t threads : {1, 3}) {
+    const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+    EXPECT_TRUE(numbers_read<CGAL::Parallel_tag>(mesh, np) == expected)
+        << "seed " << GetParam() << ", " << threads << " threads";
+  }
+}
+
 TEST_P(Parallel_test, best_gives_the_same_bits)
 {
   Soup soup = torus(150, 60);
