@@ -10,7 +10,6 @@
 #include <CGAL/Region_segmentation/internal/build_graph.h>
 #include <CGAL/Region_segmentation/internal/companions.h>
 #include <CGAL/Region_segmentation/internal/cut.h>
-#include <CGAL/Region_segmentation/internal/label_components.h>
 #include <CGAL/Region_segmentation/internal/mark_feature_edges.h>
 #include <CGAL/Region_segmentation/internal/options.h>
 #include <CGAL/Region_segmentation/internal/progress.h>

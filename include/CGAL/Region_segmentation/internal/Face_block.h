@@ -107,10 +107,8 @@ public:
     }
   }
 
-  /// Calls `f(edges, n)` with the dual edges from the faces to lower ones, in order; returns n. `direction()` can be
-  /// asked then.
-  template <typename F>
-  std::size_t with_edges(const F& f)
+  /// Finds the dual edges from the faces to lower ones, in order; returns their number.
+  std::size_t collect_edges()
   {
     m_edges.resize(number_of_corners() + 3);
     Side_edge* end = m_edges.data();
@@ -121,13 +119,16 @@ public:
       begin_face = polygon + 1;
     }
     end = put_triangles(begin_face, m_number_of_faces, end);
-    const std::size_t n = std::size_t(end - m_edges.data());
-    f(m_edges.data(), n);
-    return n;
+    m_edges.resize(std::size_t(end - m_edges.data()));
+    return m_edges.size();
   }
 
+  /// \name After `collect_edges()`
+  /// @{
+  const Large_array<Side_edge>& edges() const { return m_edges; }
   /// Along the halfedge of a side.
   Vector_3 direction(std::size_t side) const { return m_corners[side + 1].point - m_corners[side].point; }
+  /// @}
 
 private:
   Corner* places(std::size_t n)

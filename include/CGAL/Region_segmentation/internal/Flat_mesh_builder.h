@@ -56,11 +56,13 @@ public:
     Vector_3 direction;
   };
 
-  /// Puts `n` dual edges into the places from `first` on. Those that lead to faces below `first_known_face` go to
-  /// `late_edges`, too.
-  void set_edges(std::size_t first, const Side_edge* edges, std::size_t n, const Face_block& block,
-                 std::size_t first_known_face, std::vector<Late_edge>& late_edges)
+  /// Puts the dual edges of a block into the places from `first` on. Those that lead to faces below
+  /// `first_known_face` go to `late_edges`, too.
+  void set_edges(std::size_t first, const Face_block& block, std::size_t first_known_face,
+                 std::vector<Late_edge>& late_edges)
   {
+    const Side_edge* const edges = block.edges().data();
+    const std::size_t n = block.edges().size();
     const Vector_3* const normals = m_flat.m_normals.data();
     Index* const lower_faces = m_flat.m_lower_faces.data() + first;
     Index* const higher_faces = m_flat.m_higher_faces.data() + first;

@@ -6,7 +6,6 @@
 #include <CGAL/tags.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 #endif
 
@@ -54,26 +53,6 @@ void for_each_block(std::size_t number_of_elements, const F& f, std::size_t size
 #endif
   for (std::size_t block = 0; block < number; ++block)
     work_on(block);
-}
-
-/// The same with a first argument for `f`: a `Scratch`, whose memory serves one block after another; each thread has
-/// its own.
-template <typename ConcurrencyTag, typename Scratch, typename F>
-void for_each_block_with(std::size_t number_of_elements, const F& f, std::size_t size = block_size)
-{
-#ifdef CGAL_LINKED_WITH_TBB
-  if constexpr (is_parallel<ConcurrencyTag>) {
-    tbb::enumerable_thread_specific<Scratch> scratch;
-    for_each_block<ConcurrencyTag>(
-      number_of_elements,
-      [&](std::size_t block, std::size_t begin, std::size_t end) { f(scratch.local(), block, begin, end); }, size);
-    return;
-  }
-#endif
-  Scratch scratch;
-  for_each_block<ConcurrencyTag>(
-    number_of_elements,
-    [&](std::size_t block, std::size_t begin, std::size_t end) { f(scratch, block, begin, end); }, size);
 }
 
 } // namespace internal

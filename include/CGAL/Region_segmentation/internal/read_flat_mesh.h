@@ -89,9 +89,10 @@ private:
     std::vector<Place> places(number_of_blocks(m_walk.number_of_faces()));
     const Place end = count_edges_and_corners(places);
     std::vector<Late_edges> late_edges(number_of_blocks(places.size(), blocks_in_range));
-    for_each_block_with<ConcurrencyTag, Face_block>(
+    for_each_block<ConcurrencyTag>(
       places.size(),
-      [&](Face_block& faces, std::size_t range, std::size_t begin, std::size_t end) {
+      [&](std::size_t range, std::size_t begin, std::size_t end) {
+        Face_block faces;
         for (std::size_t block = begin; block < end; ++block)
           read_block(block, places[block], begin * block_size, faces, late_edges[range]);
       },
@@ -166,9 +167,8 @@ private:
     });
     if (m_with_points)
       m_builder.set_corners(place.corner, faces);
-    const std::size_t number = faces.with_edges([&](const Side_edge* edges, std::size_t n) {
-      m_builder.set_edges(place.edge, edges, n, faces, first_known_face, late_edges);
-    });
+    const std::size_t number = faces.collect_edges();
+    m_builder.set_edges(place.edge, faces, first_known_face, late_edges);
     if constexpr (has_constraints)
       m_walk.for_each_dual_edge_of_block(block, place.edge, [&](halfedge_descriptor h, std::size_t dual_edge) {
         if (get(m_is_constrained, edge(h, m_walk.mesh())))
