@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <sstream>
 
 namespace {
@@ -46,6 +47,12 @@ TEST(Labels_test, a_refusal_names_the_line)
   for (const std::string bad : {"x", "1.5", "1 2", "99999999999999999999", "0x1", "--1"})
     EXPECT_NE(refusal("1\n2\n" + bad + "\n4\n").find("line 3"), std::string::npos) << bad;
   EXPECT_NE(refusal("1\n\n\n2\n").find("line 2"), std::string::npos) << "an empty line inside";
+}
+
+TEST(Labels_test, a_file_that_is_not_there_is_refused)
+{
+  std::ifstream in("there/is/no/such.seg");
+  EXPECT_THROW(RS::IO::read_labels(in), RS::Invalid_input);
 }
 
 TEST(Labels_test, a_label_must_fit_its_type)

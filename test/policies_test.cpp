@@ -204,6 +204,30 @@ TEST(Smallest_region_first_test, is_the_greedy_order)
   }
 }
 
+// Entries that were left in the queue once took part in the next run, outside of its buckets.
+TEST(Smallest_region_first_test, can_be_used_again_after_a_run_that_was_stopped)
+{
+  const auto chain = [](std::size_t size, double unit) {
+    Graph g;
+    for (std::size_t i = 0; i < size; ++i)
+      add_region(g, unit * double(1 + i * 7919 % size));
+    for (std::uint32_t i = 0; i + 1 < size; ++i)
+      add_section(g, i, i + 1, 1);
+    return g;
+  };
+  RS::Two_step policy;
+  Graph first = chain(20000, 1e6);
+  RS::merge_regions(first, policy, 1, RS::Stop_at_count{10000});
+  for (const std::size_t size : {300, 3000, 30000}) {
+    Graph again = chain(size, 1e-3);
+    const RS::Merge_tree tree = RS::merge_regions(again, policy, 5, RS::Stop_at_count{5});
+    Merges pairs;
+    for (const auto& m : tree.merges())
+      pairs.push_back({m.kept, m.removed});
+    EXPECT_EQ(pairs, merges(chain(size, 1e-3), RS::Two_step(), 5)) << size;
+  }
+}
+
 TEST(Smallest_region_first_test, leaves_out_what_has_no_number_as_area)
 {
   Graph g;

@@ -25,10 +25,13 @@ namespace IO {
 /// line for each face. Empty lines at the end are taken.
 ///
 /// \tparam Label an integral type
-/// \throws Invalid_input if a line is not an integer that `Label` holds; the message names the line
+/// \throws Invalid_input if the stream cannot be read (a file that is not there), or a line is not an integer that
+///         `Label` holds; the message names the line
 template <typename Label = long long>
 std::vector<Label> read_labels(std::istream& in)
 {
+  if (!in)
+    throw Invalid_input("the stream of labels cannot be read");
   std::vector<Label> labels;
   std::string line;
   std::size_t first_empty_line = 0;
@@ -47,6 +50,8 @@ std::vector<Label> read_labels(std::istream& in)
       throw Invalid_input("line " + std::to_string(number) + ": not a label: '" + line + "'");
     labels.push_back(label);
   }
+  if (in.bad())
+    throw Invalid_input("the stream of labels cannot be read to its end");
   return labels;
 }
 

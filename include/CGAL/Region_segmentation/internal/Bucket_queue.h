@@ -37,6 +37,7 @@ public:
   /// \pre no value is NaN, here and later
   void assign(std::vector<Entry> entries)
   {
+    m_levels.clear(); // entries that an earlier use left behind would have no place in the new buckets
     m_depth = 0;
     m_batch.clear();
     m_early = Heap();

@@ -31,7 +31,7 @@ struct Large_page_allocator
 
   T* allocate(std::size_t n)
   {
-    void* const block = ::operator new(n * sizeof(T));
+    void* const block = new_block(n * sizeof(T));
 #if defined(__linux__) && defined(MADV_HUGEPAGE)
     constexpr std::size_t large = std::size_t(1) << 22, multiple_of_pages = std::size_t(1) << 16;
     void* first = block;
@@ -42,10 +42,27 @@ struct Large_page_allocator
     return static_cast<T*>(block);
   }
 
-  void deallocate(T* block, std::size_t) { ::operator delete(block); }
+  void deallocate(T* block, std::size_t)
+  {
+    if constexpr (is_over_aligned)
+      ::operator delete(block, std::align_val_t(alignof(T)));
+    else
+      ::operator delete(block);
+  }
 
   friend bool operator==(const Large_page_allocator&, const Large_page_allocator&) { return true; }
   friend bool operator!=(const Large_page_allocator&, const Large_page_allocator&) { return false; }
+
+private:
+  static constexpr bool is_over_aligned = alignof(T) > __STDCPP_DEFAULT_NEW_ALIGNMENT__;
+
+  static void* new_block(std::size_t bytes)
+  {
+    if constexpr (is_over_aligned)
+      return ::operator new(bytes, std::align_val_t(alignof(T)));
+    else
+      return ::operator new(bytes);
+  }
 };
 
 /// A vector for elements by the face, edge or section: in large pages, and `resize()` leaves trivial elements
