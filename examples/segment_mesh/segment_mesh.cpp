@@ -2,12 +2,12 @@
 
 // The command-line program: see --help.
 
-#include "Temporary_file.h"
-#include "command_line.h"
-#include "errors.h"
-#include "plan_jobs.h"
-#include "procedural_models.h"
-#include "run_batch.h"
+#include "batch/plan_jobs.h"
+#include "batch/run_batch.h"
+#include "command_line/command_line.h"
+#include "demo/articulated_figure.h"
+#include "io/Temporary_file.h"
+#include "io/errors.h"
 
 #include <tbb/global_control.h>
 #include <tbb/info.h>
@@ -46,7 +46,7 @@ int main(int argc, char** argv)
     const std::optional<Options> options = parse_command_line(argc, argv);
     if (!options)
       return DONE;
-    const std::vector<Job> jobs = plan_jobs(*options, procedural_models().front().name);
+    const std::vector<Job> jobs = plan_jobs(*options, articulated_figure);
     const Exit_status status =
       run_with_threads(options->number_of_threads, [&] { return run_batch(jobs, *options); });
     if (std::cout)

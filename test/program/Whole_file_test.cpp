@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "Whole_file.h"
+#include "io/Whole_file.h"
 
 #include "Temporary_folder.h"
-#include "errors.h"
+#include "io/errors.h"
 
 #include <gtest/gtest.h>
 

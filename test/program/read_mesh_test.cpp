@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "read_mesh.h"
+#include "io/read_mesh.h"
 
 #include "Temporary_folder.h"
-#include "errors.h"
+#include "io/errors.h"
 #include "sample_files.h"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "errors.h"
-#include "is_oriented_manifold.h"
-#include "read_mesh.h"
+#include "io/errors.h"
+#include "io/read_mesh.h"
+#include "soup/is_oriented_manifold.h"
 
 #include <gtest/gtest.h>
 
