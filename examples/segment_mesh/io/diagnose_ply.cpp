@@ -29,6 +29,11 @@ std::string cut_off(const Ply_element& element, std::uint64_t item)
          in_quotes(element.name) + ", the file ends after " + std::to_string(item);
 }
 
+std::string list_of_negative_size(std::int64_t size)
+{
+  return "a list of " + std::to_string(size) + " values";
+}
+
 /// The data of a text file, where an item may span lines.
 class Ply_text
 {
@@ -71,6 +76,8 @@ private:
       size = integer(word(element, item), property.size_type);
     if (property.is_face && size < 3)
       m_scan.fail("a face with " + std::to_string(size) + " vertices, fewer than 3");
+    if (size < 0)
+      m_scan.fail(list_of_negative_size(size));
     for (std::int64_t i = 0; i < size; ++i) {
       const std::string_view value = word(element, item);
       if (is_floating_point(property.type)) {
@@ -103,6 +110,9 @@ public:
   void check()
   {
     for (const Ply_element& element : m_header.elements) {
+      // Without properties there are no items either, see read_ply_header().
+      if (element.properties.empty())
+        continue;
       if (!element.has_lists() && element.count > available() / element.size_of_item())
         throw Input_error(m_file, cut_off(element, available() / element.size_of_item()));
       for (std::uint64_t i = 0; i < element.count; ++i)
@@ -154,7 +164,7 @@ private:
         throw Input_error(m_file, cut_off(element, item));
       size = take_integer(property.size_type);
       if (size < 0)
-        fail(element, item, "a list of " + std::to_string(size) + " values");
+        fail(element, item, list_of_negative_size(size));
     }
     if (available() / size_of(property.type) < std::uint64_t(size))
       throw Input_error(m_file, cut_off(element, item));
