@@ -49,8 +49,12 @@ std::string load_file(const std::string& file)
     throw Input_error(file, "cannot be opened: " + std::generic_category().message(errno));
   std::string bytes(std::size_t(in.tellg()), '\0');
   in.seekg(0);
+  errno = 0; // the end of the file, which is an error here, leaves it alone
   if (!in.read(bytes.data(), std::streamsize(bytes.size())))
-    throw Input_error(file, "cannot be read: " + std::generic_category().message(errno));
+    throw Input_error(file, errno == 0
+                              ? "was cut off while it was read: " + std::to_string(in.gcount()) +
+                                  " of " + std::to_string(bytes.size()) + " bytes"
+                              : "cannot be read: " + std::generic_category().message(errno));
   if (bytes.empty())
     throw Input_error(file, "is empty");
   return bytes;
