@@ -243,6 +243,9 @@ TEST_F(Program, knows_wrong_usage)
   expect_wrong_usage("a.off -k 2 -o a.xyz", "a.xyz" + endings);
   expect_wrong_usage("a.off -k 2 -o a.gif", "a.gif" + endings);
   expect_wrong_usage("a.off -k 2 -o ./a.off", "-o ./a.off: would replace an input");
+  expect_wrong_usage("a.off -k 2 --truth b.seg -o ./b.seg", "-o ./b.seg: would replace a truth");
+  expect_wrong_usage("a.off b.off -k 2 --truth '{stem}.seg' -o '{stem}.seg'",
+                     "-o a.seg: would replace a truth");
   expect_wrong_usage("a.off b.off -k 2 -o c.seg", "-o c.seg: with several inputs it holds {stem}");
   expect_wrong_usage("a.off b.off -k 2 --truth c.seg",
                      "--truth c.seg: with several inputs it holds {stem}");
@@ -255,6 +258,14 @@ TEST_F(Program, knows_wrong_usage)
     EXPECT_EQ(outcome.out, "") << arguments;
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
   }
+}
+
+TEST_F(Program, knows_wrong_usage_of_any_length)
+{
+  folder.write("a.off", sample::off());
+  const std::string name = "{" + std::string(60000, 'x') + "}";
+  expect_wrong_usage("a.off -o '{" + name + ".seg'",
+                     "-o {" + name + ".seg: unknown " + name + "; there is {stem} alone");
 }
 
 TEST_F(Program, helps)

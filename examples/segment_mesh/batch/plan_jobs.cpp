@@ -6,7 +6,6 @@
 #include "io/output_format.h"
 
 #include <filesystem>
-#include <regex>
 #include <set>
 #include <system_error>
 
@@ -31,12 +30,16 @@ std::vector<std::string> with_stem(std::vector<std::string> files, const std::st
 /// \throws Usage_error for a `{name}` that stands for nothing
 void check_names(const std::vector<std::string>& files, const char* option)
 {
-  const std::regex name("\\{[^{}]*\\}");
   for (const std::string& file : files)
-    for (std::sregex_iterator found(file.begin(), file.end(), name), end; found != end; ++found)
-      if (found->str() != placeholder)
-        throw Usage_error(std::string(option) + " " + file + ": unknown " + found->str() +
-                          "; there is " + placeholder + " alone");
+    for (std::size_t at = file.find('{'); at != std::string::npos; at = file.find('{', at + 1)) {
+      const std::size_t end = file.find_first_of("{}", at + 1);
+      if (end == std::string::npos || file[end] == '{')
+        continue;
+      const std::string name = file.substr(at, end + 1 - at);
+      if (name != placeholder)
+        throw Usage_error(std::string(option) + " " + file + ": unknown " + name + "; there is " +
+                          placeholder + " alone");
+    }
 }
 
 void check_placeholders(const std::vector<std::string>& files, const char* option)
@@ -57,15 +60,20 @@ fs::path canonical_name(const std::string& file)
 
 void check_outputs(const std::vector<Job>& jobs)
 {
-  std::set<fs::path> inputs, outputs;
-  for (const Job& job : jobs)
+  std::set<fs::path> inputs, truths, outputs;
+  for (const Job& job : jobs) {
     if (!job.is_model)
       inputs.insert(canonical_name(job.input));
+    for (const std::string& truth : job.truths)
+      truths.insert(canonical_name(truth));
+  }
   for (const Job& job : jobs)
     for (const std::string& output : job.outputs) {
       const fs::path name = canonical_name(output);
       if (inputs.count(name) > 0)
         throw Usage_error("-o " + output + ": would replace an input");
+      if (truths.count(name) > 0)
+        throw Usage_error("-o " + output + ": would replace a truth");
       if (!outputs.insert(name).second)
         throw Usage_error("-o " + output + ": would be written twice");
     }

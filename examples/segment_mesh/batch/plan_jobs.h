@@ -22,8 +22,8 @@ struct Job
 /// A job for each input, in order, or one for the model `default_model` if there is none. `{stem}`
 /// in the names of outputs and truths becomes the name of the input without folder and ending.
 /// \throws Usage_error for an unknown ending of an output, a number of segments that is neither
-///         given nor can be chosen, two outputs in one file, an output in the place of an input,
-///         a batch without `{stem}`, and any other `{name}`
+///         given nor can be chosen, two outputs in one file, an output in the place of an input
+///         or a truth, a batch without `{stem}`, and any other `{name}`
 std::vector<Job> plan_jobs(const Options& options, const std::string& default_model);
 
 } // namespace segment_mesh
