@@ -56,7 +56,8 @@ void repair(const std::string& name, Input_mesh& input)
   input.remarks.push_back(one_line(name + ": not an oriented 2-manifold, repaired: " +
                                    counted(matching.number_of_dropped_faces, "face") +
                                    " dropped, " + std::to_string(repair.turned_faces) +
-                                   " turned, " + counted(repair.split_points, "point") + " added"));
+                                   " turned, " + counted(repair.merged_points, "point") +
+                                   " merged, " + std::to_string(repair.split_points) + " added"));
 }
 
 } // namespace

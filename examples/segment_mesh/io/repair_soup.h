@@ -13,6 +13,7 @@ namespace segment_mesh {
 struct Repair
 {
   std::size_t turned_faces;
+  std::size_t merged_points; ///< points of faces that went into another one at the same place
   std::size_t split_points; ///< points that were added where the surface was not a manifold
 };
 
