@@ -5,6 +5,8 @@
 #include "Program.h"
 #include "sample_files.h"
 
+#include <sys/stat.h>
+
 namespace {
 
 const std::string time_at_end = ", [0-9]+\\.[0-9]{3} s\n";
@@ -179,6 +181,22 @@ TEST_F(Program, leaves_nothing_half_written)
   EXPECT_EQ(outcome.err, "figure.ply: cannot be written: File too large\n");
   EXPECT_EQ(folder.read("figure.ply"), "old");
   EXPECT_EQ(folder.names(), (Names{"a.off", "figure.ply"}));
+}
+
+/// Under the names that its temporary files had when they could be foreseen.
+TEST_F(Program, does_not_follow_what_is_planted)
+{
+  folder.write("a.off", sample::off());
+  folder.write("victim", "mine");
+  for (const char* planted : {".a.seg.part", ".segment_mesh.part"})
+    std::filesystem::create_symlink("victim", folder.path(planted));
+  ASSERT_EQ(mkfifo(folder.path(".a.obj.part").c_str(), 0600), 0);
+  const Outcome outcome = run("a.off -k 1 -o a.seg -o a.obj");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(folder.read("victim"), "mine");
+  EXPECT_FALSE(std::filesystem::is_symlink(folder.path("a.seg")));
+  EXPECT_EQ(folder.read("a.seg"), "0\n0\n0\n0\n");
+  EXPECT_TRUE(std::filesystem::is_regular_file(folder.path("a.obj")));
 }
 
 TEST_F(Program, tells_of_folders_before_the_work)

@@ -8,6 +8,7 @@
 
 #include <filesystem>
 #include <map>
+#include <set>
 #include <system_error>
 
 namespace segment_mesh {
@@ -20,11 +21,9 @@ namespace {
 std::string try_folder(const fs::path& folder)
 {
   try {
-    const Temporary_file file(folder / ".segment_mesh.part");
+    const Temporary_file file(folder / "segment_mesh");
   } catch (const std::system_error& error) {
-    // Another run that tries the same at this moment could make its file.
-    if (!Temporary_file::is_locked(error.code()))
-      return error.code().message();
+    return error.code().message();
   }
   return "";
 }
@@ -35,16 +34,29 @@ public:
   /// \throws Output_error
   void check(const std::string& output)
   {
-    const fs::path folder = Whole_file::target(output).parent_path();
-    const auto [entry, is_new] = m_causes.try_emplace(folder);
+    const fs::path target = Whole_file::target(output);
+    const auto [entry, is_new] = m_folders.try_emplace(target.parent_path());
     if (is_new)
-      entry->second = try_folder(folder);
-    if (!entry->second.empty())
-      throw Output_error(output, "cannot be written: " + entry->second);
+      entry->second.obstacle = try_folder(entry->first);
+    if (!entry->second.obstacle.empty())
+      throw Output_error(output, "cannot be written: " + entry->second.obstacle);
+    entry->second.names.insert(target.filename().string());
+  }
+
+  void remove_leftovers() const
+  {
+    for (const auto& [path, folder] : m_folders)
+      Temporary_file::remove_leftovers(path, folder.names);
   }
 
 private:
-  std::map<fs::path, std::string> m_causes;
+  struct Folder
+  {
+    std::string obstacle;
+    std::set<std::string> names; ///< of the outputs
+  };
+
+  std::map<fs::path, Folder> m_folders;
 };
 
 } // namespace
@@ -61,6 +73,7 @@ std::vector<std::vector<std::string>> try_output_folders(const std::vector<Job>&
         result[i].push_back(error.what());
       }
     }
+  folders.remove_leftovers();
   return result;
 }
 

@@ -11,7 +11,8 @@
 namespace segment_mesh {
 
 /// Tries, before work is spent on them, whether files can be made where the outputs are to be: once
-/// in each folder. For each job what stands in the way, a line for an output: `file: cause`.
+/// in each folder. Removes there what killed runs left of these outputs. For each job what stands in
+/// the way, a line for an output: `file: cause`.
 std::vector<std::vector<std::string>> try_output_folders(const std::vector<Job>& jobs);
 
 } // namespace segment_mesh

@@ -2,18 +2,19 @@
 
 #include "io/Temporary_file.h"
 
-#include <fstream>
+#include "io/exclusive_file.h"
+
+#include <cstdint>
 #include <mutex>
-#include <set>
+#include <random>
+#include <string_view>
 #include <system_error>
+#include <utility>
 
 #if defined(__unix__) || defined(__APPLE__)
 #include <csignal>
 #include <thread>
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <sys/stat.h>
 #include <unistd.h>
 #endif
 
@@ -37,53 +38,46 @@ Registry& registry()
   return instance;
 }
 
-std::system_error last_error()
+constexpr std::string_view ending = ".part";
+constexpr std::size_t number_of_digits = 16;
+
+/// `.NAME.`, cut off so that with digits and ending it is a name of at most 255 bytes.
+std::string start_of_name(const std::string& name)
 {
-  return std::system_error(errno, std::generic_category());
+  return "." + name.substr(0, 255 - 2 - number_of_digits - ending.size()) + ".";
+}
+
+std::string random_digits()
+{
+  std::random_device random;
+  std::string digits;
+  while (digits.size() < number_of_digits)
+    digits += "0123456789abcdef"[random() % 16];
+  return digits;
+}
+
+/// What `start_of_name()` gave for the name of a temporary file; empty for the name of another one.
+std::string start_of_temporary(const std::string& name)
+{
+  const std::size_t rest = number_of_digits + ending.size();
+  const bool has_form = name.size() > rest && name.compare(name.size() - ending.size(),
+                                                           ending.size(), ending) == 0;
+  return has_form && name.find_first_not_of("0123456789abcdef", name.size() - rest) ==
+                       name.size() - ending.size()
+           ? name.substr(0, name.size() - rest)
+           : "";
 }
 
 #if defined(__unix__) || defined(__APPLE__)
-
-/// Whether a path still leads to an open file.
-bool is_at(const fs::path& path, int descriptor)
-{
-  struct stat file, entry;
-  return fstat(descriptor, &file) == 0 && stat(path.c_str(), &entry) == 0 &&
-         file.st_dev == entry.st_dev && file.st_ino == entry.st_ino;
-}
-
-/// Whoever has the lock may remove or rename the file before it lets go of the lock. So a lock counts
-/// only if the path leads to the locked file after it was taken.
-int open_locked(const fs::path& path)
-{
-  for (;;) {
-    const int descriptor = open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-    if (descriptor < 0)
-      throw last_error();
-    const bool has_failed = flock(descriptor, LOCK_EX | LOCK_NB) != 0;
-    const std::system_error error = last_error();
-    if (has_failed && Temporary_file::is_locked(error.code())) {
-      close(descriptor);
-      throw error;
-    }
-    if (has_failed || is_at(path, descriptor))
-      return descriptor;
-    close(descriptor);
-  }
-}
-
-void close_locked(int descriptor)
-{
-  close(descriptor);
-}
 
 sigset_t signals_that_end()
 {
   sigset_t set;
   sigemptyset(&set);
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+  for (const int signal :
+       {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGXCPU, SIGALRM, SIGUSR1, SIGUSR2}) {
     struct sigaction action;
-    if (sigaction(signal, nullptr, &action) == 0 && action.sa_handler != SIG_IGN)
+    if (sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_DFL)
       sigaddset(&set, signal);
   }
   return set;
@@ -103,25 +97,18 @@ void end_on_signal(sigset_t set)
   raise(signal);
 }
 
-#else
-
-int open_locked(const fs::path& path)
-{
-  if (!std::ofstream(path))
-    throw last_error();
-  return -1;
-}
-
-void close_locked(int) {}
-
 #endif
 
 } // namespace
 
-Temporary_file::Temporary_file(fs::path path) : m_path(std::move(path))
+Temporary_file::Temporary_file(fs::path target) : m_target(std::move(target))
 {
+  const std::string start = start_of_name(m_target.filename().string());
   const std::lock_guard<std::mutex> lock(registry().mutex);
-  m_descriptor = open_locked(m_path);
+  while (m_file == nullptr) {
+    m_path = m_target.parent_path() / (start + random_digits() + std::string(ending));
+    m_file = open_exclusively(m_path, m_target);
+  }
   registry().paths.insert(m_path);
 }
 
@@ -132,19 +119,31 @@ Temporary_file::~Temporary_file()
     std::error_code ignored;
     fs::remove(m_path, ignored);
   }
-  close_locked(m_descriptor);
+  std::fclose(m_file);
 }
 
-void Temporary_file::rename_to(const fs::path& target)
+void Temporary_file::replace_target()
 {
-  const std::lock_guard<std::mutex> lock(registry().mutex);
-  fs::rename(m_path, target);
-  registry().paths.erase(m_path);
+  copy_permissions(m_target, m_file);
+  write_to_disk(m_file);
+  {
+    const std::lock_guard<std::mutex> lock(registry().mutex);
+    fs::rename(m_path, m_target);
+    registry().paths.erase(m_path);
+  }
+  write_folder_to_disk(m_target.parent_path());
 }
 
-bool Temporary_file::is_locked(const std::error_code& error)
+void Temporary_file::remove_leftovers(const fs::path& folder, const std::set<std::string>& names)
 {
-  return error == std::errc::operation_would_block;
+  std::set<std::string> starts;
+  for (const std::string& name : names)
+    starts.insert(start_of_name(name));
+  std::error_code error;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
+       entry.increment(error))
+    if (starts.count(start_of_temporary(entry->path().filename().string())) > 0)
+      remove_if_left_behind(entry->path());
 }
 
 void Temporary_file::remove_all_on_signals()
@@ -152,7 +151,11 @@ void Temporary_file::remove_all_on_signals()
 #if defined(__unix__) || defined(__APPLE__)
   const sigset_t set = signals_that_end();
   pthread_sigmask(SIG_BLOCK, &set, nullptr);
-  std::thread(end_on_signal, set).detach();
+  try {
+    std::thread(end_on_signal, set).detach();
+  } catch (const std::system_error&) {
+    pthread_sigmask(SIG_UNBLOCK, &set, nullptr);
+  }
 #endif
 }
 

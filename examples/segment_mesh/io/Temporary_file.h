@@ -3,40 +3,49 @@
 #ifndef CGAL_REGION_SEGMENTATION_SEGMENT_MESH_TEMPORARY_FILE_H
 #define CGAL_REGION_SEGMENTATION_SEGMENT_MESH_TEMPORARY_FILE_H
 
+#include <cstdio>
 #include <filesystem>
+#include <set>
+#include <string>
 
 namespace segment_mesh {
 
-/// A file that is there until it is renamed or the object goes.
+/// A file beside its target that is there until it takes the target's place or the object goes.
 ///
-/// It is locked: of two runs that want it at the same time the second is told so. A file of that
-/// name without a lock was left behind by a run that was killed, and is taken over. Where the file
-/// system knows no locks, nobody may want it twice at a time.
+/// Its name, `.NAME.RANDOM.part`, cannot be foreseen, and nothing that is there already is opened,
+/// written to or followed. It is locked, which tells it from what a killed run left.
 class Temporary_file
 {
 public:
-  /// Makes an empty file.
-  /// \throws std::system_error, with `is_locked()` if another object has the file
-  explicit Temporary_file(std::filesystem::path path);
+  /// Makes an empty file in the folder of `target`.
+  /// \throws std::system_error
+  explicit Temporary_file(std::filesystem::path target);
   Temporary_file(const Temporary_file&) = delete;
   Temporary_file& operator=(const Temporary_file&) = delete;
   ~Temporary_file();
 
-  const std::filesystem::path& path() const { return m_path; }
+  /// For writing.
+  std::FILE* file() const { return m_file; }
 
-  /// Gives the file its final name; it stays then.
+  /// Puts the file, with all that was written, in the place of its target, whose permissions it
+  /// takes over. Both the file and its name are on the disk then.
   /// \throws std::system_error
-  void rename_to(const std::filesystem::path& target);
+  void replace_target();
 
-  static bool is_locked(const std::error_code& error);
+  /// Removes the temporary files that killed runs left in `folder` for targets of these names.
+  static void remove_leftovers(const std::filesystem::path& folder,
+                               const std::set<std::string>& names);
 
-  /// From now on SIGINT, SIGTERM and SIGHUP, where they are not ignored, remove all temporary files
-  /// before they end the program as they always do. To be called before a thread is started.
+  /// From now on the signals that end a program on demand or at a limit (SIGINT, SIGTERM, SIGHUP,
+  /// SIGQUIT, SIGXCPU, SIGALRM, SIGUSR1, SIGUSR2), where they are not ignored or handled, remove all
+  /// temporary files before they end the program as they always do; where no thread can be started
+  /// they only end it. To be called before a thread is started.
   static void remove_all_on_signals();
 
 private:
+  std::filesystem::path m_target;
   std::filesystem::path m_path;
-  int m_descriptor = -1; ///< holds the lock
+  std::FILE* m_file = nullptr;
 };
 
 } // namespace segment_mesh

@@ -3,17 +3,19 @@
 #ifndef CGAL_REGION_SEGMENTATION_SEGMENT_MESH_WHOLE_FILE_H
 #define CGAL_REGION_SEGMENTATION_SEGMENT_MESH_WHOLE_FILE_H
 
+#include "io/File_buffer.h"
 #include "io/Temporary_file.h"
 
 #include <filesystem>
-#include <fstream>
-#include <optional>
+#include <memory>
+#include <ostream>
 #include <string>
 
 namespace segment_mesh {
 
-/// A file that appears whole or not at all: a temporary one beside it is written, `.NAME.part`, and
-/// renamed when all is written. Until then, and for good if that fails, what was there before stays.
+/// A file that appears whole or not at all: a temporary one beside it is written, and takes its place
+/// when all is on the disk. Until then, and for good if that fails, what was there before stays. Of two
+/// that write one file at the same time the last one stays.
 class Whole_file
 {
 public:
@@ -30,12 +32,10 @@ public:
   static std::filesystem::path target(const std::string& file);
 
 private:
-  [[noreturn]] void fail(const std::string& what, int error_number) const;
-
   std::string m_file;
-  std::filesystem::path m_target;
-  std::optional<Temporary_file> m_temporary;
-  std::ofstream m_out; ///< closed before the temporary file goes
+  std::unique_ptr<Temporary_file> m_temporary;
+  File_buffer m_buffer;
+  std::ostream m_out;
 };
 
 } // namespace segment_mesh
