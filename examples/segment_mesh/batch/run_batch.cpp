@@ -4,6 +4,7 @@
 
 #include "batch/Memory_budget.h"
 #include "batch/Progress_bar.h"
+#include "batch/Standard_output.h"
 #include "batch/memory_limit.h"
 #include "batch/try_output_folders.h"
 #include "io/diagnose_input.h"
@@ -54,7 +55,7 @@ public:
         m_budget(memory_limit() / 2)
   {
     if (options.verbosity == Verbosity::NORMAL && is_terminal())
-      m_bar.emplace();
+      start_bar();
   }
 
   /// A job whose outputs cannot be written is not begun; that is told before all others are.
@@ -85,9 +86,24 @@ public:
                                            [this](const Job_report& report) { print(report); }));
   }
 
-  Exit_status status() const { return m_status; }
+  /// The worst of all jobs, after a word if not all that they had to say could be printed.
+  Exit_status status() const
+  {
+    if (!m_output.has_failed())
+      return m_status;
+    std::cerr << "segment_mesh: standard output cannot be written" << std::endl;
+    return FAILED;
+  }
 
 private:
+  void start_bar()
+  {
+    try {
+      m_bar.emplace();
+    } catch (const std::system_error&) { // no thread for it
+    }
+  }
+
   Job_report work(std::size_t i)
   {
     if (!m_obstacles[i].empty())
@@ -123,8 +139,8 @@ private:
 
   void print(const Job_report& report)
   {
-    const auto print_lines = [&report] {
-      std::cout << report.out << std::flush;
+    const auto print_lines = [this, &report] {
+      m_output.print(report.out);
       std::cerr << report.err << std::flush;
     };
     if (m_bar)
@@ -139,6 +155,7 @@ private:
   const std::vector<std::vector<std::string>> m_obstacles; ///< for each job
   Memory_budget m_budget;
   std::optional<Progress_bar> m_bar;
+  Standard_output m_output;
   std::atomic<std::size_t> m_number_of_done{0};
   Exit_status m_status = DONE;
 };
