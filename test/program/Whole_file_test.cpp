@@ -163,7 +163,8 @@ TEST_P(Whole_file_on_signal, leaves_nothing)
   EXPECT_EQ(folder.read("a.seg"), "old");
 }
 
-INSTANTIATE_TEST_SUITE_P(Signals, Whole_file_on_signal, testing::Values(SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGXCPU, SIGALRM,
+INSTANTIATE_TEST_SUITE_P(Signals, Whole_file_on_signal,
+                         testing::Values(SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGXCPU, SIGALRM,
                                          SIGUSR1, SIGUSR2));
 
 TEST(Whole_file, lives_on_where_a_signal_is_ignored)

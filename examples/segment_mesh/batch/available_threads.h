@@ -7,8 +7,9 @@
 
 namespace segment_mesh {
 
-/// How many threads, this one among them and at most `wanted`, can run at a time within the limits on
-/// threads and address space. Found by starting them: TBB ends the program where it cannot start one.
+/// How many threads, this one among them and at most `wanted`, can run at a time within the limits
+/// on threads and address space. Found by starting them: TBB ends the program where it cannot start
+/// one.
 std::size_t available_threads(std::size_t wanted);
 
 } // namespace segment_mesh

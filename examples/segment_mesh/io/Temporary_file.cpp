@@ -60,8 +60,8 @@ std::string random_digits()
 std::string start_of_temporary(const std::string& name)
 {
   const std::size_t rest = number_of_digits + ending.size();
-  const bool has_form = name.size() > rest && name.compare(name.size() - ending.size(),
-                                                           ending.size(), ending) == 0;
+  const bool has_form =
+    name.size() > rest && name.compare(name.size() - ending.size(), ending.size(), ending) == 0;
   return has_form && name.find_first_not_of("0123456789abcdef", name.size() - rest) ==
                        name.size() - ending.size()
            ? name.substr(0, name.size() - rest)
@@ -74,8 +74,7 @@ sigset_t signals_that_end()
 {
   sigset_t set;
   sigemptyset(&set);
-  for (const int signal :
-       {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGXCPU, SIGALRM, SIGUSR1, SIGUSR2}) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGXCPU, SIGALRM, SIGUSR1, SIGUSR2}) {
     struct sigaction action;
     if (sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_DFL)
       sigaddset(&set, signal);

@@ -13,9 +13,9 @@
 
 namespace segment_mesh {
 
-/// A file that appears whole or not at all: a temporary one beside it is written, and takes its place
-/// when all is on the disk. Until then, and for good if that fails, what was there before stays. Of two
-/// that write one file at the same time the last one stays.
+/// A file that appears whole or not at all: a temporary one beside it is written, and takes its
+/// place when all is on the disk. Until then, and for good if that fails, what was there before
+/// stays. Of two that write one file at the same time the last one stays.
 class Whole_file
 {
 public:

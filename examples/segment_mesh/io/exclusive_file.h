@@ -8,8 +8,8 @@
 
 namespace segment_mesh {
 
-/// Makes a file that is locked until it is closed, and opens it for writing. Only its owner may read
-/// it if `target` is there, which may be private; else those whom the umask lets.
+/// Makes a file that is locked until it is closed, and opens it for writing. Only its owner may
+/// read it if `target` is there, which may be private; else those whom the umask lets.
 /// \returns null if something of that name is there, which is neither opened nor followed
 /// \throws std::system_error
 std::FILE* open_exclusively(const std::filesystem::path& path, const std::filesystem::path& target);
@@ -24,8 +24,8 @@ void write_to_disk(std::FILE* file);
 /// \throws std::system_error
 void write_folder_to_disk(const std::filesystem::path& folder);
 
-/// Removes a file that `open_exclusively()` made for this user, unless it is locked: whoever made it
-/// is gone. Where the file system has no locks nothing is removed.
+/// Removes a file that `open_exclusively()` made for this user, unless it is locked: whoever made
+/// it is gone. Where the file system has no locks nothing is removed.
 void remove_if_left_behind(const std::filesystem::path& path);
 
 } // namespace segment_mesh

@@ -14,8 +14,8 @@ namespace segment_mesh {
 /// that comes to a point again is split there. The first piece takes the place of the polygon, the
 /// others follow behind all polygons. Pieces may have one or two corners.
 ///
-/// In linear time. The step of \cgal's `repair_polygon_soup()` that does the same begins the rest of
-/// a polygon anew after each split: a polygon of 80,000 corners with 40,000 points takes it a minute.
+/// In linear time. The step of \cgal's `repair_polygon_soup()` that does the same begins the rest
+/// of a polygon anew after each split: one of 300,000 corners on three points takes it 20 s.
 /// \pre equal points have the same index; indices are below `number_of_points`
 void split_pinched_polygons(std::size_t number_of_points,
                             std::vector<Polygon_soup::Polygon>& polygons);
