@@ -2,12 +2,13 @@
 
 // The command-line program: see --help.
 
-#include "Temporary_file.h"
-#include "command_line.h"
-#include "errors.h"
-#include "plan_jobs.h"
-#include "procedural_models.h"
-#include "run_batch.h"
+#include "batch/available_threads.h"
+#include "batch/plan_jobs.h"
+#include "batch/run_batch.h"
+#include "command_line/command_line.h"
+#include "demo/articulated_figure.h"
+#include "io/Temporary_file.h"
+#include "io/errors.h"
 
 #include <tbb/global_control.h>
 #include <tbb/info.h>
@@ -15,7 +16,11 @@
 
 #include <algorithm>
 #include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
 #include <iostream>
+#include <new>
 #include <optional>
 
 namespace {
@@ -28,31 +33,56 @@ Exit_status run_with_threads(std::size_t wanted, Work work)
 {
   const std::size_t number =
     wanted > 0 ? wanted : std::size_t((std::max)(tbb::info::default_concurrency(), 1));
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, number);
-  tbb::task_arena arena{int(number)};
+  // One more is for the progress bar.
+  const std::size_t available = (std::max)(available_threads(number + 1), std::size_t(2)) - 1;
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, available);
+  tbb::task_arena arena{int(available)};
   return arena.execute(work);
+}
+
+/// A full disk, and a reader of stdout that is gone, are to be errors where they are met.
+void ignore_signals_of_writing()
+{
+#ifdef SIGXFSZ
+  std::signal(SIGXFSZ, SIG_IGN);
+#endif
+#ifdef SIGPIPE
+  std::signal(SIGPIPE, SIG_IGN);
+#endif
+}
+
+/// The end of what no job has caught, also in a thread of TBB: a line instead of an abort.
+void end_with_a_line()
+{
+  const auto end = [](const char* cause) {
+    std::fprintf(stderr, "segment_mesh: %s\n", cause);
+    std::_Exit(FAILED);
+  };
+  try {
+    if (const std::exception_ptr exception = std::current_exception())
+      std::rethrow_exception(exception);
+  } catch (const std::bad_alloc&) {
+    end("not enough memory");
+  } catch (const std::exception& error) {
+    end(error.what());
+  } catch (...) {
+  }
+  end("unknown error");
 }
 
 } // namespace
 
 int main(int argc, char** argv)
 {
-#ifdef SIGXFSZ
-  // A limit on the size of files is to be an error like a full disk.
-  std::signal(SIGXFSZ, SIG_IGN);
-#endif
+  std::set_terminate(end_with_a_line);
+  ignore_signals_of_writing();
   Temporary_file::remove_all_on_signals();
   try {
     const std::optional<Options> options = parse_command_line(argc, argv);
     if (!options)
       return DONE;
-    const std::vector<Job> jobs = plan_jobs(*options, procedural_models().front().name);
-    const Exit_status status =
-      run_with_threads(options->number_of_threads, [&] { return run_batch(jobs, *options); });
-    if (std::cout)
-      return status;
-    std::cerr << "segment_mesh: standard output cannot be written" << std::endl;
-    return FAILED;
+    const std::vector<Job> jobs = plan_jobs(*options, articulated_figure);
+    return run_with_threads(options->number_of_threads, [&] { return run_batch(jobs, *options); });
   } catch (const Usage_error& error) {
     std::cerr << "segment_mesh: " << error.what() << " (see segment_mesh --help)" << std::endl;
     return WRONG_USAGE;

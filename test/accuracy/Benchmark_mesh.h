@@ -3,7 +3,7 @@
 #ifndef CGAL_REGION_SEGMENTATION_TEST_ACCURACY_BENCHMARK_MESH_H
 #define CGAL_REGION_SEGMENTATION_TEST_ACCURACY_BENCHMARK_MESH_H
 
-#include "Polygon_soup.h"
+#include "soup/Polygon_soup.h"
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

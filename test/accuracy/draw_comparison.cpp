@@ -2,10 +2,10 @@
 
 #include "draw_comparison.h"
 
-#include "choose_viewpoint.h"
-#include "reduce_colors.h"
-#include "render_view.h"
-#include "write_png.h"
+#include "view/choose_viewpoint.h"
+#include "view/reduce_colors.h"
+#include "view/render_view.h"
+#include "view/write_png.h"
 
 #include <algorithm>
 #include <map>

@@ -5,7 +5,7 @@
 
 #include "Model_result.h"
 
-#include "Polygon_soup.h"
+#include "soup/Polygon_soup.h"
 
 #include <vector>
 

@@ -2,8 +2,8 @@
 
 #include "model_sources.h"
 
-#include "procedural_models.h"
-#include "read_mesh.h"
+#include "io/read_mesh.h"
+#include "models/procedural_models.h"
 
 #include <set>
 #include <stdexcept>

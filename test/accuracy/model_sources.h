@@ -6,7 +6,7 @@
 #include "Princeton_data.h"
 #include "model_variants.h"
 
-#include "Polygon_soup.h"
+#include "soup/Polygon_soup.h"
 
 #include <cstddef>
 #include <functional>

@@ -2,8 +2,8 @@
 
 #include "model_variants.h"
 
-#include "Quad_model.h"
-#include "vector_algebra.h"
+#include "models/Quad_model.h"
+#include "soup/vector_algebra.h"
 
 #include <algorithm>
 #include <array>

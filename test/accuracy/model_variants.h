@@ -3,7 +3,7 @@
 #ifndef CGAL_REGION_SEGMENTATION_TEST_ACCURACY_MODEL_VARIANTS_H
 #define CGAL_REGION_SEGMENTATION_TEST_ACCURACY_MODEL_VARIANTS_H
 
-#include "procedural_models.h"
+#include "models/procedural_models.h"
 
 #include <cstdint>
 #include <functional>

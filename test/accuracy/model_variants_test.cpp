@@ -4,8 +4,8 @@
 #include "model_variants.h"
 #include "score_model.h"
 
-#include "is_oriented_manifold.h"
-#include "repair_soup.h"
+#include "io/repair_soup.h"
+#include "soup/is_oriented_manifold.h"
 
 #include <gtest/gtest.h>
 

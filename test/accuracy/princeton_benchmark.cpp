@@ -13,9 +13,9 @@
 #include "write_csv.h"
 #include "write_report.h"
 
-#include "Progress_bar.h"
-#include "Whole_file.h"
-#include "errors.h"
+#include "batch/Progress_bar.h"
+#include "io/Whole_file.h"
+#include "io/errors.h"
 
 #include <exception>
 #include <iostream>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "Memory_budget.h"
+#include "batch/Memory_budget.h"
 
 #include "Temporary_folder.h"
-#include "memory_limit.h"
+#include "batch/memory_limit.h"
 
 #include <gtest/gtest.h>
 

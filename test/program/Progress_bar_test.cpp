@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "Progress_bar.h"
+#include "batch/Progress_bar.h"
 
 #include <gtest/gtest.h>
 

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "Whole_file.h"
+#include "io/Whole_file.h"
 
 #include "Temporary_folder.h"
-#include "errors.h"
+#include "io/errors.h"
 
 #include <gtest/gtest.h>
 
 #include <csignal>
 
+#include <sys/stat.h>
 #include <unistd.h>
 
 using namespace segment_mesh;
@@ -62,36 +63,81 @@ TEST(Whole_file, writes_through_a_symbolic_link)
   EXPECT_EQ(folder.read("target.seg"), "new");
 }
 
-TEST(Whole_file, takes_over_what_a_killed_run_left)
+TEST(Whole_file, writes_names_of_any_legal_length)
 {
   const Temporary_folder folder;
-  folder.write(".a.seg.part", "much more than the new file has");
-  Whole_file whole(folder.path("a.seg"));
+  const std::string name(255, 'a');
+  Whole_file whole(folder.path(name));
   whole.stream() << "new";
   whole.commit();
-  EXPECT_EQ(folder.read("a.seg"), "new");
+  EXPECT_EQ(folder.read(name), "new");
+}
+
+TEST(Whole_file, of_two_writers_leaves_the_last)
+{
+  const Temporary_folder folder;
+  Whole_file first(folder.path("a.seg")), second(folder.path("a.seg"));
+  first.stream() << "first, and longer";
+  second.stream() << "second";
+  first.commit();
+  EXPECT_EQ(folder.read("a.seg"), "first, and longer");
+  second.commit();
+  EXPECT_EQ(folder.read("a.seg"), "second");
   EXPECT_EQ(folder.names(), std::vector<std::string>{"a.seg"});
 }
 
-TEST(Whole_file, is_for_one_writer_at_a_time)
+std::filesystem::perms permissions(const std::string& file)
+{
+  return std::filesystem::status(file).permissions();
+}
+
+TEST(Whole_file, keeps_the_permissions_of_what_it_replaces)
+{
+  using std::filesystem::perms;
+  const Temporary_folder folder;
+  for (const perms mode : {perms(0600), perms(0640), perms(0444), perms(0755)}) {
+    const std::string file = folder.write("a.seg", "old");
+    std::filesystem::permissions(file, mode);
+    Whole_file whole(file);
+    whole.stream() << "new";
+    const std::vector<std::string> temporary = folder.temporary_names("a.seg");
+    ASSERT_EQ(temporary.size(), 1u);
+    EXPECT_EQ(permissions(folder.path(temporary[0])), perms(0600));
+    whole.commit();
+    EXPECT_EQ(folder.read("a.seg"), "new");
+    EXPECT_EQ(permissions(file), mode);
+    std::filesystem::remove(file);
+  }
+}
+
+TEST(Whole_file, leaves_the_permissions_of_a_new_file_to_the_umask)
 {
   const Temporary_folder folder;
-  const std::string file = folder.path("a.seg");
+  const mode_t before = umask(027);
+  Whole_file whole(folder.path("a.seg"));
+  whole.commit();
+  umask(before);
+  EXPECT_EQ(permissions(folder.path("a.seg")), std::filesystem::perms(0640));
+}
+
+TEST(Temporary_file, of_a_killed_run_is_removed)
+{
+  const Temporary_folder folder;
+  folder.write(".a.seg.0123456789abcdef.part", "left");
+  const std::vector<std::string> others = {".a.seg.part", ".b.seg.0123456789abcdef.part",
+                                           ".a.seg.0123456789abcdeX.part", "a.seg"};
+  for (const std::string& name : others)
+    folder.write(name, "not left by this target");
+  std::filesystem::create_symlink("a.seg", folder.path(".a.seg.aaaaaaaaaaaaaaaa.part"));
+  mkfifo(folder.path(".a.seg.bbbbbbbbbbbbbbbb.part").c_str(), 0600);
+  const std::size_t before = folder.names().size();
   {
-    Whole_file first(file);
-    try {
-      Whole_file second(file);
-      ADD_FAILURE() << "two write one file";
-    } catch (const Output_error& error) {
-      EXPECT_EQ(error.what(), file + ": is being written by another run");
-    }
-    first.stream() << "first";
-    first.commit();
+    const Temporary_file in_work(folder.path("a.seg"));
+    Temporary_file::remove_leftovers(folder.path(""), {"a.seg"});
+    EXPECT_EQ(folder.names().size(), before); // one more, one less
+    EXPECT_FALSE(folder.has(".a.seg.0123456789abcdef.part"));
   }
-  Whole_file second(file);
-  second.stream() << "second";
-  second.commit();
-  EXPECT_EQ(folder.read("a.seg"), "second");
+  EXPECT_EQ(folder.names().size(), before - 1);
 }
 
 class Whole_file_on_signal : public testing::TestWithParam<int>
@@ -106,7 +152,7 @@ TEST_P(Whole_file_on_signal, leaves_nothing)
     Temporary_file::remove_all_on_signals();
     Whole_file first(old), second(folder.path("b.seg"));
     first.stream() << "half" << std::flush;
-    if (!folder.has(".a.seg.part") || !folder.has(".b.seg.part"))
+    if (folder.temporary_names("a.seg").empty() || folder.temporary_names("b.seg").empty())
       std::_Exit(1);
     kill(getpid(), GetParam());
     for (;;)
@@ -117,7 +163,9 @@ TEST_P(Whole_file_on_signal, leaves_nothing)
   EXPECT_EQ(folder.read("a.seg"), "old");
 }
 
-INSTANTIATE_TEST_SUITE_P(Signals, Whole_file_on_signal, testing::Values(SIGINT, SIGTERM, SIGHUP));
+INSTANTIATE_TEST_SUITE_P(Signals, Whole_file_on_signal,
+                         testing::Values(SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGXCPU, SIGALRM,
+                                         SIGUSR1, SIGUSR2));
 
 TEST(Whole_file, lives_on_where_a_signal_is_ignored)
 {

@@ -126,7 +126,7 @@ TEST_F(Killed_program, leaves_nothing_after_a_signal)
 TEST_F(Killed_program, leaves_nothing_after_the_next_run)
 {
   kill_runs("KILL");
-  folder.write(".b.json.part", "what a killed run may leave");
+  folder.write(".b.json.0123456789abcdef.part", "what a killed run may leave");
   EXPECT_EQ(run(arguments).status, 0);
   EXPECT_EQ(folder.names(), (Names{"a.json", "b.json", "c.json", "figure.off"}));
 }

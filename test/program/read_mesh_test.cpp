@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "read_mesh.h"
+#include "io/read_mesh.h"
 
 #include "Temporary_folder.h"
-#include "errors.h"
+#include "io/errors.h"
 #include "sample_files.h"
 
 #include <gtest/gtest.h>
@@ -88,6 +88,11 @@ INSTANTIATE_TEST_SUITE_P(
     Sample{"obj", "a.obj", sample::obj()}, Sample{"obj_rich", "a.obj", rich_obj},
     Sample{"ply", "a.ply", sample::ply()}, Sample{"ply_rich", "a.ply", rich_ply},
     Sample{"ply_little", "a.ply", sample::binary_ply("binary_little_endian")},
+    Sample{"ply_no_properties", "a.ply",
+           with(sample::ply(), "element vertex", "element empty 0\nelement vertex")},
+    Sample{"ply_binary_no_properties", "a.ply",
+           with(sample::binary_ply("binary_little_endian"), "element vertex",
+                "element empty 0\nelement vertex")},
     Sample{"ply_big", "a.ply", sample::binary_ply("binary_big_endian")},
     Sample{"stl", "a.stl", sample::stl()}, Sample{"stl_binary", "a.stl", sample::binary_stl()},
     Sample{"stl_name", "a.stl", with(sample::stl(), "tetrahedron", "facet vertex endsolid")},
@@ -109,6 +114,23 @@ TEST(Bad_file, is_told)
   EXPECT_EQ(message(folder.path("none.off")), folder.path("none.off") + ": no such file");
   std::filesystem::create_directory(folder.path("folder.off"));
   EXPECT_EQ(message(folder.path("folder.off")), folder.path("folder.off") + ": is a directory");
+}
+
+/// A file of sysfs has the size of a page, whatever it holds.
+TEST(Bad_file, that_ends_while_it_is_read_is_told)
+{
+  const char* const shorter_than_its_size = "/sys/devices/system/cpu/online";
+  if (!std::filesystem::exists(shorter_than_its_size))
+    GTEST_SKIP() << "no sysfs here";
+  const Temporary_folder folder;
+  std::filesystem::create_symlink(shorter_than_its_size, folder.path("a.off"));
+  try {
+    read_mesh(folder.path("a.off"));
+    ADD_FAILURE() << "was read";
+  } catch (const Input_error& error) {
+    const std::string start = folder.path("a.off") + ": was cut off while it was read: ";
+    EXPECT_EQ(std::string(error.what()).substr(0, start.size()), start);
+  }
 }
 
 } // namespace

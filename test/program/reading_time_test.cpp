@@ -3,8 +3,8 @@
 // Reading must not take much longer than CGAL's own reader does.
 
 #include "Temporary_folder.h"
-#include "read_mesh.h"
-#include "write_segmentation.h"
+#include "io/read_mesh.h"
+#include "io/write_segmentation.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>

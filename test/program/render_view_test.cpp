@@ -2,9 +2,9 @@
 //
 // The pictures: what must show does, what must not change does not.
 
-#include "choose_viewpoint.h"
-#include "render_view.h"
-#include "vector_algebra.h"
+#include "soup/vector_algebra.h"
+#include "view/choose_viewpoint.h"
+#include "view/render_view.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "errors.h"
-#include "is_oriented_manifold.h"
-#include "read_mesh.h"
+#include "io/errors.h"
+#include "io/read_mesh.h"
+#include "soup/is_oriented_manifold.h"
 
 #include <gtest/gtest.h>
+
+#include <ctime>
 
 using namespace segment_mesh;
 
@@ -45,7 +47,7 @@ TEST(Repair, turns_faces)
   EXPECT_EQ(
     input.remarks,
     (std::vector<std::string>{
-      "x: not an oriented 2-manifold, repaired: 0 faces dropped, 1 turned, 0 points added"}));
+      "x: not an oriented 2-manifold, repaired: 0 faces dropped, 1 turned, 0 points merged, 0 added"}));
 }
 
 TEST(Repair, splits_an_edge_of_three_faces)
@@ -99,6 +101,39 @@ TEST(Repair, keeps_a_face_with_a_doubled_corner)
   EXPECT_NE(input.mesh_face_of_face[0], input.mesh_face_of_face[1]);
   EXPECT_EQ(
     input.remarks.front().rfind("x: not an oriented 2-manifold, repaired: 0 faces dropped", 0), 0u);
+}
+
+TEST(Repair, tells_of_merged_points)
+{
+  std::vector<Point> points = ladder;
+  points.insert(points.end(), {ladder[1], ladder[2], ladder[2]}); // the last is of no face
+  const Input_mesh input = make_input_mesh("x", {points, {{0, 1, 2, 3}, {6, 7, 5, 4}, {0, 0, 1}}});
+  EXPECT_EQ(input.mesh_soup().points.size(), ladder.size());
+  EXPECT_EQ(
+    input.remarks,
+    (std::vector<std::string>{
+      "x: not an oriented 2-manifold, repaired: 1 face dropped, 1 turned, 2 points merged, 0 added"}));
+}
+
+/// There and back along a line of points: a polygon that a repair in quadratic time takes a minute for.
+TEST(Repair, splits_large_pinched_polygons_in_time)
+{
+  const std::size_t n = 40000;
+  Polygon_soup soup;
+  soup.polygons.resize(2);
+  for (std::size_t i = 0; i < n; ++i) {
+    soup.points.push_back({double(i), double(i * i % 97), 0});
+    soup.polygons[0].push_back(i);
+  }
+  soup.polygons[0].insert(soup.polygons[0].end(), soup.polygons[0].rbegin(),
+                          soup.polygons[0].rend());
+  for (std::size_t i = 0; i < n; ++i)
+    soup.polygons[1].insert(soup.polygons[1].end(), {0, 1, 2});
+  const std::clock_t start = std::clock();
+  const Input_mesh input = make_input_mesh("x", soup);
+  EXPECT_LT(double(std::clock() - start) / CLOCKS_PER_SEC, 5);
+  EXPECT_EQ(input.mesh_soup().polygons.size(), 1u);
+  EXPECT_EQ(input.mesh_soup().points.size(), 3u);
 }
 
 TEST(Repair, tells_when_nothing_is_left)

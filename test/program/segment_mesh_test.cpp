@@ -5,6 +5,8 @@
 #include "Program.h"
 #include "sample_files.h"
 
+#include <sys/stat.h>
+
 namespace {
 
 const std::string time_at_end = ", [0-9]+\\.[0-9]{3} s\n";
@@ -181,6 +183,22 @@ TEST_F(Program, leaves_nothing_half_written)
   EXPECT_EQ(folder.names(), (Names{"a.off", "figure.ply"}));
 }
 
+/// Under the names that its temporary files had when they could be foreseen.
+TEST_F(Program, does_not_follow_what_is_planted)
+{
+  folder.write("a.off", sample::off());
+  folder.write("victim", "mine");
+  for (const char* planted : {".a.seg.part", ".segment_mesh.part"})
+    std::filesystem::create_symlink("victim", folder.path(planted));
+  ASSERT_EQ(mkfifo(folder.path(".a.obj.part").c_str(), 0600), 0);
+  const Outcome outcome = run("a.off -k 1 -o a.seg -o a.obj");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(folder.read("victim"), "mine");
+  EXPECT_FALSE(std::filesystem::is_symlink(folder.path("a.seg")));
+  EXPECT_EQ(folder.read("a.seg"), "0\n0\n0\n0\n");
+  EXPECT_TRUE(std::filesystem::is_regular_file(folder.path("a.obj")));
+}
+
 TEST_F(Program, tells_of_folders_before_the_work)
 {
   folder.write("a.off", sample::off());
@@ -243,6 +261,9 @@ TEST_F(Program, knows_wrong_usage)
   expect_wrong_usage("a.off -k 2 -o a.xyz", "a.xyz" + endings);
   expect_wrong_usage("a.off -k 2 -o a.gif", "a.gif" + endings);
   expect_wrong_usage("a.off -k 2 -o ./a.off", "-o ./a.off: would replace an input");
+  expect_wrong_usage("a.off -k 2 --truth b.seg -o ./b.seg", "-o ./b.seg: would replace a truth");
+  expect_wrong_usage("a.off b.off -k 2 --truth '{stem}.seg' -o '{stem}.seg'",
+                     "-o a.seg: would replace a truth");
   expect_wrong_usage("a.off b.off -k 2 -o c.seg", "-o c.seg: with several inputs it holds {stem}");
   expect_wrong_usage("a.off b.off -k 2 --truth c.seg",
                      "--truth c.seg: with several inputs it holds {stem}");
@@ -255,6 +276,14 @@ TEST_F(Program, knows_wrong_usage)
     EXPECT_EQ(outcome.out, "") << arguments;
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
   }
+}
+
+TEST_F(Program, knows_wrong_usage_of_any_length)
+{
+  folder.write("a.off", sample::off());
+  const std::string name = "{" + std::string(60000, 'x') + "}";
+  expect_wrong_usage("a.off -o '{" + name + ".seg'",
+                     "-o {" + name + ".seg: unknown " + name + "; there is {stem} alone");
 }
 
 TEST_F(Program, helps)

@@ -2,8 +2,8 @@
 //
 // Pictures as files: few colors take few bytes.
 
-#include "reduce_colors.h"
-#include "write_png.h"
+#include "view/reduce_colors.h"
+#include "view/write_png.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "write_segmentation.h"
+#include "io/write_segmentation.h"
 
 #include "Temporary_folder.h"
-#include "procedural_models.h"
-#include "segment_colors.h"
+#include "demo/articulated_figure.h"
+#include "view/segment_colors.h"
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -24,7 +24,7 @@ class Written : public testing::Test
 protected:
   static void SetUpTestSuite()
   {
-    s_input = make_input_mesh("figure", procedural_models().front().make().soup);
+    s_input = make_input_mesh("figure", make_articulated_figure().soup);
     s_settings.number_of_segments = 10;
     s_settings.method = Method::TWO_STEP;
     s_segmentation = run_segmentation(s_input.mesh_soup(), s_settings, {});

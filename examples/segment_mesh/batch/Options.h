@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_SEGMENT_MESH_OPTIONS_H
+#define CGAL_REGION_SEGMENTATION_SEGMENT_MESH_OPTIONS_H
+
+#include "segmentation/Segmentation_settings.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace segment_mesh {
+
+enum class Verbosity { NORMAL, QUIET };
+
+/// What the user asks for.
+struct Options
+{
+  std::vector<std::string> inputs; ///< none: the model that the program builds
+  std::vector<std::string> outputs;
+  std::vector<std::string> truths;
+  Segmentation_settings settings; ///< all but `detail`
+  std::size_t number_of_threads = 0; ///< 0: one for each core
+  Verbosity verbosity = Verbosity::NORMAL;
+};
+
+} // namespace segment_mesh
+
+#endif // CGAL_REGION_SEGMENTATION_SEGMENT_MESH_OPTIONS_H

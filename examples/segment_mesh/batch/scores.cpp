@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "batch/scores.h"
+
+#include "io/Text_scanner.h"
+#include "io/diagnose_input.h"
+#include "io/errors.h"
+
+#include <CGAL/Region_segmentation/evaluation.h>
+
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <array>
+#include <cstdio>
+#include <optional>
+
+namespace segment_mesh {
+
+namespace {
+
+namespace RS = CGAL::Region_segmentation;
+
+using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+
+constexpr std::size_t number_of_measures = 5;
+constexpr const char* names[number_of_measures] = {"Rand index distance", "cut discrepancy",
+                                                   "Hamming distance", "global consistency error",
+                                                   "local consistency error"};
+
+/// The cut discrepancy is not defined where a side has no cut.
+using Scores = std::array<std::optional<double>, number_of_measures>;
+
+template <typename Label>
+auto face_map(const Mesh& mesh, const std::vector<Label>& labels)
+{
+  return boost::make_iterator_property_map(labels.begin(), get(boost::face_index, mesh));
+}
+
+Scores compare(const Mesh& mesh, const std::vector<std::size_t>& labels,
+               const std::vector<std::int64_t>& truth)
+{
+  const auto a = face_map(mesh, labels);
+  const auto b = face_map(mesh, truth);
+  const RS::Consistency_error consistency = RS::consistency_error(mesh, a, b);
+  return {RS::rand_index_distance(mesh, a, b), RS::cut_discrepancy(mesh, a, b),
+          RS::hamming_distance(mesh, a, b).distance, consistency.global, consistency.local};
+}
+
+Scores mean(const std::vector<Scores>& all)
+{
+  Scores result;
+  for (std::size_t m = 0; m < number_of_measures; ++m) {
+    double sum = 0;
+    std::size_t count = 0;
+    for (const Scores& scores : all)
+      if (scores[m]) {
+        sum += *scores[m];
+        ++count;
+      }
+    if (count > 0)
+      result[m] = sum / double(count);
+  }
+  return result;
+}
+
+std::string line(const std::string& name, const Scores& scores)
+{
+  std::string text = "  " + one_line(name) + ":";
+  for (std::size_t m = 0; m < number_of_measures; ++m) {
+    char value[32] = "undefined";
+    if (scores[m])
+      std::snprintf(value, sizeof value, "%.4f", *scores[m]);
+    text += std::string(m == 0 ? " " : ", ") + names[m] + " " + value;
+  }
+  return text + "\n";
+}
+
+/// The labels of the faces of the mesh; of several faces of the file that became one, the first
+/// counts.
+std::vector<std::int64_t> labels_of_mesh_faces(const Input_mesh& input,
+                                               const std::vector<std::int64_t>& labels)
+{
+  std::vector<std::int64_t> result(input.mesh_soup().polygons.size());
+  for (std::size_t f = labels.size(); f-- > 0;)
+    result[input.mesh_face_of_face[f]] = labels[f];
+  return result;
+}
+
+} // namespace
+
+Truth read_truth(const std::string& file, std::size_t number_of_faces)
+{
+  const std::string bytes = load_file(file);
+  Text_scanner scan(file, bytes, '#');
+  Truth truth{file, {}};
+  while (scan.next_line()) {
+    truth.labels.push_back(scan.integer(scan.word(), "a label"));
+    if (scan.has_word())
+      scan.fail("more than one label on a line");
+  }
+  if (truth.labels.size() != number_of_faces)
+    throw Input_error(file, counted(truth.labels.size(), "label") + " for " +
+                              counted(number_of_faces, "face"));
+  return truth;
+}
+
+std::string describe_scores(const Input_mesh& input,
+                            const std::vector<std::size_t>& segment_of_face,
+                            const std::vector<Truth>& truths)
+{
+  if (truths.empty())
+    return {};
+  Mesh mesh;
+  CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(input.mesh_soup().points,
+                                                              input.mesh_soup().polygons, mesh);
+  std::string text;
+  std::vector<Scores> all;
+  for (const Truth& truth : truths) {
+    all.push_back(compare(mesh, segment_of_face, labels_of_mesh_faces(input, truth.labels)));
+    text += line(truth.name, all.back());
+  }
+  return truths.size() > 1 ? text + line("mean", mean(all)) : text;
+}
+
+} // namespace segment_mesh

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_SEGMENT_MESH_SCORES_H
+#define CGAL_REGION_SEGMENTATION_SEGMENT_MESH_SCORES_H
+
+#include "io/read_mesh.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace segment_mesh {
+
+/// A segmentation to be compared with.
+struct Truth
+{
+  std::string name;
+  std::vector<std::int64_t> labels; ///< one for each face of the input's file
+};
+
+/// Reads a .seg file: a label a line.
+/// \throws Input_error unless it has a label for each of `number_of_faces` faces
+Truth read_truth(const std::string& file, std::size_t number_of_faces);
+
+/// The four measures against each truth, a line each, and a line of means if there are several;
+/// each line ends with a newline. They are taken on the faces of the mesh that was segmented.
+/// \param segment_of_face one for each face of `input.mesh_soup()`
+std::string describe_scores(const Input_mesh& input,
+                            const std::vector<std::size_t>& segment_of_face,
+                            const std::vector<Truth>& truths);
+
+} // namespace segment_mesh
+
+#endif // CGAL_REGION_SEGMENTATION_SEGMENT_MESH_SCORES_H

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "io/Text_scanner.h"
+
+#include "io/errors.h"
+
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+
+namespace segment_mesh {
+
+namespace {
+
+bool is_blank(char c)
+{
+  return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
+}
+
+} // namespace
+
+Text_scanner::Text_scanner(const std::string& file, std::string_view text, char comment,
+                           std::size_t first_line)
+    : m_file(file), m_text(text), m_comment(comment), m_line_number(first_line),
+      m_next_line_number(first_line)
+{
+}
+
+bool Text_scanner::next_line()
+{
+  while (m_next < m_text.size()) {
+    const std::size_t end = (std::min)(m_text.find('\n', m_next), m_text.size());
+    m_line = m_text.substr(m_next, end - m_next);
+    m_next = (std::min)(end + 1, m_text.size());
+    m_line_number = m_next_line_number++;
+    if (m_comment != no_comments)
+      m_line = m_line.substr(0, m_line.find(m_comment));
+    if (has_word())
+      return true;
+  }
+  m_line = {};
+  return false;
+}
+
+bool Text_scanner::has_word()
+{
+  std::size_t start = 0;
+  while (start < m_line.size() && is_blank(m_line[start]))
+    ++start;
+  m_line.remove_prefix(start);
+  return !m_line.empty();
+}
+
+std::string_view Text_scanner::word()
+{
+  if (!has_word())
+    return {};
+  std::size_t end = 1;
+  while (end < m_line.size() && !is_blank(m_line[end]))
+    ++end;
+  const std::string_view result = m_line.substr(0, end);
+  m_line.remove_prefix(end);
+  return result;
+}
+
+std::string_view Text_scanner::word_of_any_line()
+{
+  return has_word() || next_line() ? word() : std::string_view();
+}
+
+void Text_scanner::fail(const std::string& cause) const
+{
+  throw Input_error(m_file, m_line_number, cause);
+}
+
+double Text_scanner::finite_number(std::string_view word) const
+{
+  // strtod() takes some words more, with a sign or too close to 0, but has to copy them.
+  double fast_value = 0;
+  const auto [fast_end, error] =
+    std::from_chars(word.data(), word.data() + word.size(), fast_value);
+  if (error == std::errc() && fast_end == word.data() + word.size() && std::isfinite(fast_value))
+    return fast_value;
+
+  const std::string text(word);
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  // strtod() also takes hexadecimal numbers, which CGAL's readers do not.
+  const bool is_number = !text.empty() && *end == '\0' &&
+                         text.size() == std::size_t(end - &text[0]) &&
+                         text.find_first_of("xX") == std::string::npos;
+  if (!is_number)
+    fail(in_quotes(word) + " is not a number");
+  if (!std::isfinite(value))
+    fail(in_quotes(word) + " is not a finite number");
+  return value;
+}
+
+std::int64_t Text_scanner::integer(std::string_view word, const char* what) const
+{
+  const std::string_view digits = word.substr(!word.empty() && word[0] == '+' ? 1 : 0);
+  std::int64_t value = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (error != std::errc() || end != digits.data() + digits.size())
+    fail(in_quotes(word) + " is not " + what);
+  return value;
+}
+
+std::string in_quotes(std::string_view word)
+{
+  constexpr std::size_t longest = 24;
+  const std::string text(word.substr(0, longest));
+  return "'" + text + (word.size() > longest ? "...'" : "'");
+}
+
+std::string counted(std::size_t count, const std::string& singular)
+{
+  if (count == 1)
+    return "1 " + singular;
+  const bool is_irregular = singular == "vertex";
+  return std::to_string(count) + " " + (is_irregular ? "vertices" : singular + "s");
+}
+
+} // namespace segment_mesh

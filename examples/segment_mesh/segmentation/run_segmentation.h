@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_SEGMENT_MESH_RUN_SEGMENTATION_H
+#define CGAL_REGION_SEGMENTATION_SEGMENT_MESH_RUN_SEGMENTATION_H
+
+#include "segmentation/Segmentation_settings.h"
+#include "soup/Polygon_soup.h"
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace segment_mesh {
+
+/// A region that merging started from.
+struct Region
+{
+  std::size_t number_of_faces = 0;
+  double area = 0;      ///< in squared units of the mesh
+  double perimeter = 0; ///< shared with other regions, in units of the mesh
+  std::size_t segment = 0;
+};
+
+/// All edges that two regions share.
+struct Section
+{
+  std::size_t regions[2];
+  std::size_t number_of_edges = 0;
+  double length = 0;     ///< in units of the mesh
+  double mean_angle = 0; ///< the dihedral angle, in radians; pi is flat
+};
+
+struct Stage_time
+{
+  std::string stage;
+  double seconds;
+};
+
+/// Faces and points have the indices that they have in the soup.
+struct Segmentation
+{
+  std::size_t number_of_regions = 0;
+  std::size_t number_of_segments = 0;
+  double maximum_angle = 0; ///< the one that was used, in degrees
+  /// The one that was used.
+  CGAL::Region_segmentation::Feature_convexity features =
+    CGAL::Region_segmentation::Feature_convexity::CONCAVE;
+  double flatness_beside_creases = 0; ///< why it was chosen; 0 if it was given
+  std::vector<std::size_t> segment_of_face;
+  std::vector<std::size_t> region_of_face;
+  double seconds = 0; ///< from the mesh in memory to the labels
+  std::vector<Stage_time> stages;
+
+  /// \name With `Detail::ALL`
+  /// @{
+  std::vector<std::vector<std::size_t>>
+    feature_lines; ///< the points of each, with borders of the mesh
+  std::vector<Region> regions;
+  std::vector<Section> sections;
+  /// @}
+};
+
+/// Hears of a stage and of how much of it is done, from 0 to 1; false cancels.
+using Progress_listener = std::function<bool(const char* stage, double fraction)>;
+
+/// Segments a soup that is an oriented 2-manifold without isolated points.
+/// \pre `is_available(settings.mesh_type)`, and a number of segments is given or can be chosen
+Segmentation run_segmentation(const Polygon_soup& soup, const Segmentation_settings& settings,
+                              const Progress_listener& listener);
+
+/// \name The same on one mesh type
+/// @{
+Segmentation run_on_surface_mesh(const Polygon_soup& soup, const Segmentation_settings& settings,
+                                 const Progress_listener& listener);
+Segmentation run_on_polyhedron(const Polygon_soup& soup, const Segmentation_settings& settings,
+                               const Progress_listener& listener);
+Segmentation run_on_openmesh(const Polygon_soup& soup, const Segmentation_settings& settings,
+                             const Progress_listener& listener);
+/// @}
+
+} // namespace segment_mesh
+
+#endif // CGAL_REGION_SEGMENTATION_SEGMENT_MESH_RUN_SEGMENTATION_H

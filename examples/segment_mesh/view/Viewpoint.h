@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_SEGMENT_MESH_VIEWPOINT_H
+#define CGAL_REGION_SEGMENTATION_SEGMENT_MESH_VIEWPOINT_H
+
+#include "soup/Polygon_soup.h"
+
+namespace segment_mesh {
+
+/// From where a mesh is seen, without perspective: three unit vectors in space, orthogonal to each
+/// other and right-handed.
+struct Viewpoint
+{
+  Point right, up, toward_viewer;
+};
+
+} // namespace segment_mesh
+
+#endif // CGAL_REGION_SEGMENTATION_SEGMENT_MESH_VIEWPOINT_H

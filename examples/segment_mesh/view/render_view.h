@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_SEGMENT_MESH_RENDER_VIEW_H
+#define CGAL_REGION_SEGMENTATION_SEGMENT_MESH_RENDER_VIEW_H
+
+#include "soup/Polygon_soup.h"
+#include "view/Image.h"
+#include "view/Viewpoint.h"
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace segment_mesh {
+
+/// An edge by the indices of its points in the soup.
+using Vertex_pair = std::array<std::size_t, 2>;
+
+/// The edges of lines of points.
+std::vector<Vertex_pair> edges_of_lines(const std::vector<std::vector<std::size_t>>& lines);
+
+struct View_options
+{
+  std::size_t width = 800, height = 600; ///< in pixels
+  std::size_t samples = 2; ///< a side of a pixel, so that lines and outlines are smooth
+  Color background = {255, 255, 255};
+  std::optional<Viewpoint> viewpoint; ///< by `choose_viewpoint()` if empty
+};
+
+/// Draws a mesh: each segment shaded in its `segment_color()`, its borders as dark lines, feature
+/// edges within segments as thinner ones. Without a display or a GPU; the same picture for the same
+/// input. Faces may be of any size, need not be convex or planar, and may be turned either way;
+/// those that have no inside are not seen. \throws std::invalid_argument unless there is a label
+/// for each face and a point for each corner
+Image render_view(const Polygon_soup& soup, const std::vector<std::size_t>& labels,
+                  const std::vector<Vertex_pair>& feature_edges, const View_options& options = {});
+
+} // namespace segment_mesh
+
+#endif // CGAL_REGION_SEGMENTATION_SEGMENT_MESH_RENDER_VIEW_H

@@ -1,0 +1,28 @@
+# cmake -D PROGRAM=examples/segment_mesh -P check_includes.cmake: no folder of the program includes a later one.
+cmake_minimum_required(VERSION 3.16)
+
+set(folders soup demo view segmentation io batch command_line)
+
+file(GLOB entries RELATIVE ${PROGRAM} ${PROGRAM}/*)
+foreach(entry IN LISTS entries)
+  if(IS_DIRECTORY ${PROGRAM}/${entry} AND NOT entry IN_LIST folders)
+    message(SEND_ERROR "${entry}/ has no place in the order of the folders: ${folders}")
+  endif()
+endforeach()
+
+set(later ${folders})
+foreach(folder IN LISTS folders)
+  list(REMOVE_ITEM later ${folder})
+  file(GLOB files ${PROGRAM}/${folder}/*.h ${PROGRAM}/${folder}/*.cpp)
+  foreach(file IN LISTS files)
+    file(STRINGS ${file} lines REGEX "^#include \"")
+    foreach(line IN LISTS lines)
+      string(REGEX MATCH "\"(([^/\"]*)/)?[^\"]*\"" _ "${line}")
+      if(NOT CMAKE_MATCH_2 IN_LIST folders)
+        message(SEND_ERROR "${file}: ${line} does not name its folder")
+      elseif(CMAKE_MATCH_2 IN_LIST later)
+        message(SEND_ERROR "${file}: ${folder}/ may not include ${CMAKE_MATCH_2}/")
+      endif()
+    endforeach()
+  endforeach()
+endforeach()
