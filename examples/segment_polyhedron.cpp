@@ -23,7 +23,7 @@ int main()
 
   std::unordered_map<Face, int> labels;
   const std::size_t n = RS::segment(mesh, boost::make_assoc_property_map(labels),
-                                    RS::parameters::number_of_segments(3).maximum_angle(5.0));
+                                    RS::parameters::number_of_segments(3));
 
   std::cout << labels.size() << " faces in " << n << " segments\n";
 }

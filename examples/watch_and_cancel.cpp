@@ -33,7 +33,7 @@ int main()
   Impatient_visitor visitor;
   try {
     RS::segment(mesh, segment_id,
-                RS::parameters::number_of_segments(1).maximum_angle(5.0).visitor(std::ref(visitor)));
+                RS::parameters::number_of_segments(1).visitor(std::ref(visitor)));
   } catch (const RS::Segmentation_cancelled& e) {
     std::cout << e.what() << '\n';
     return 0;

@@ -17,7 +17,7 @@ using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
 using Mesh = CGAL::Surface_mesh<Point>;
 namespace RS = CGAL::Region_segmentation;
 
-/// A model of `SectionCost`: a deep and short section is dear, and so is one between large regions.
+/// A model of `SectionCost`: high for a deep and short section, and for one between large regions.
 struct Notch_cost
 {
   template <typename Graph>
@@ -28,11 +28,12 @@ struct Notch_cost
   }
 };
 
-/// A model of `RegionMergingPolicy`: the flattest section goes next, looked for in all of them.
+/// A model of `RegionMergingPolicy`: the flattest section of all goes next. Its order does not depend on the wanted
+/// number of segments, so `initialize()` does not take it.
 struct Flattest_first
 {
   template <typename Graph>
-  void initialize(const Graph&, std::size_t /* number_of_segments */) {}
+  void initialize(const Graph&) {}
 
   template <typename Graph>
   std::optional<RS::Merge_candidate> next(const Graph& graph) const
@@ -55,11 +56,14 @@ int main()
 {
   Mesh mesh = make_dumbbell<Mesh, Point>();
   auto segment_id = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:segment").first;
-  const auto settings = RS::parameters::number_of_segments(3).maximum_angle(5.0);
 
-  std::cout << RS::segment(mesh, segment_id,
-                           settings.merging_policy(RS::Lowest_cost_first<Notch_cost>()))
+  RS::Region_growing growing;
+  growing.maximum_angle = 5; // degrees
+  const auto by_cost = RS::make_segmentation_method(growing, RS::Geometry_annotator<>(),
+                                                    RS::Lowest_cost_first<Notch_cost>());
+  std::cout << RS::segment(mesh, segment_id, RS::parameters::number_of_segments(3).method(by_cost))
             << " segments by a cost\n";
-  std::cout << RS::segment(mesh, segment_id, settings.merging_policy(Flattest_first()))
+  const auto by_policy = by_cost.with_policy(Flattest_first());
+  std::cout << RS::segment(mesh, segment_id, RS::parameters::number_of_segments(3).method(by_policy))
             << " segments by a policy\n";
 }

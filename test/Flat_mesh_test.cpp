@@ -5,7 +5,8 @@
 #include "meshes.h"
 #include "oracles.h"
 
-#include <CGAL/Region_segmentation/internal/read_flat_mesh.h>
+#include <CGAL/Region_segmentation/internal/support/blocks.h>
+#include <CGAL/Region_segmentation/read_flat_mesh.h>
 
 #include <gtest/gtest.h>
 
@@ -14,16 +15,17 @@
 #include <map>
 #include <random>
 #include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
 namespace RS = CGAL::Region_segmentation;
 using namespace test;
-using RS::internal::Vector_3;
+using RS::Double_3;
 
 namespace {
 
-Vector_3 vector(const Point& p)
+Double_3 vector(const Point& p)
 {
   return {p[0], p[1], p[2]};
 }
@@ -47,9 +49,9 @@ Soup mixed_sheet(std::mt19937& random)
 }
 
 /// Half the sum of the cross products around the mean of the corners.
-Vector_3 area_vector(const Soup& soup, const Polygon& polygon)
+Double_3 area_vector(const Soup& soup, const Polygon& polygon)
 {
-  Vector_3 center{}, sum{};
+  Double_3 center{}, sum{};
   for (std::size_t v : polygon)
     center = center + (1.0 / double(polygon.size())) * vector(soup.points[v]);
   for (std::size_t i = 0; i < polygon.size(); ++i)
@@ -78,9 +80,9 @@ protected:
     soup = mixed_sheet(random);
     constrained = random_edges(soup, 9, random);
     const Surface_mesh mesh = to_surface_mesh(soup);
-    const auto np = RS::internal::pack(RS::parameters::edge_is_constrained_map(edge_map(mesh, constrained)));
-    flat = RS::internal::read_flat_mesh(RS::internal::make_mesh_walk(mesh, np), np,
-                                        RS::Flat_mesh::Content::ANGLES_AND_POINTS);
+    flat = RS::read_flat_mesh(mesh,
+                              RS::Mesh_data::POINTS | RS::Mesh_data::CENTROIDS | RS::Mesh_data::SURFACE_AREA,
+                              RS::parameters::edge_is_constrained_map(edge_map(mesh, constrained)));
     ASSERT_GT(flat.number_of_faces(), 2 * RS::internal::block_size);
     ASSERT_EQ(flat.number_of_faces(), soup.polygons.size());
   }
@@ -96,10 +98,10 @@ TEST_P(Flat_mesh_test, faces_have_their_corners_areas_and_normals)
     Polygon expected = soup.polygons[f];
     std::rotate(expected.begin(), std::min_element(expected.begin(), expected.end()), expected.end());
     Polygon corners;
-    for (std::size_t i = 0; i < flat.number_of_corners(f); ++i)
-      corners.push_back(flat.corner(f, i));
+    for (std::size_t i = 0; i < flat.points().number_of_corners(f); ++i)
+      corners.push_back(flat.points().corner(f, i));
     ASSERT_EQ(corners, expected) << "face " << f << ", seed " << GetParam();
-    const Vector_3 a = area_vector(soup, expected);
+    const Double_3 a = area_vector(soup, expected);
     ASSERT_NEAR(flat.area(f), norm(a), 1e-12) << "face " << f << ", seed " << GetParam();
     ASSERT_LT(norm(flat.area(f) * flat.normal(f) - a), 1e-12) << "face " << f << ", seed " << GetParam();
   }
@@ -119,7 +121,7 @@ TEST_P(Flat_mesh_test, dual_edges_are_those_of_the_soup_by_higher_then_by_lower_
     ASSERT_EQ(flat.higher_face(e), higher) << "edge " << e << ", seed " << GetParam();
     ASSERT_EQ(flat.lower_face(e), lower) << "edge " << e << ", seed " << GetParam();
     const auto [u, v] = side_of(soup.polygons[lower], edge);
-    const Vector_3 d = vector(soup.points[v]) - vector(soup.points[u]);
+    const Double_3 d = vector(soup.points[v]) - vector(soup.points[u]);
     const double sign = dot(cross(flat.normal(lower), flat.normal(higher)), d);
     ASSERT_GT(std::abs(sign), 1e-12) << "the oracle cannot tell";
     ASSERT_NEAR(flat.length(e), norm(d), 1e-14);
@@ -146,6 +148,92 @@ TEST_P(Flat_mesh_test, the_first_edge_of_a_face_is_found)
   }
 }
 
+TEST_P(Flat_mesh_test, points_centroids_and_the_area_of_the_surface)
+{
+  ASSERT_EQ(flat.unit(), 1);
+  ASSERT_EQ(flat.points().number_of_points(), soup.points.size());
+  for (std::size_t v = 0; v < soup.points.size(); ++v)
+    for (double d : {flat.points()[v].x - soup.points[v][0], flat.points()[v].y - soup.points[v][1],
+                     flat.points()[v].z - soup.points[v][2]})
+      ASSERT_EQ(d, 0) << "vertex " << v;
+  double area = 0;
+  for (std::size_t f = 0; f < flat.number_of_faces(); ++f) {
+    Double_3 center{};
+    for (std::size_t v : soup.polygons[f])
+      center = center + (1.0 / double(soup.polygons[f].size())) * vector(soup.points[v]);
+    ASSERT_LT(norm(flat.centroid(f) - center), 1e-12) << "face " << f;
+    area += flat.area(f);
+  }
+  EXPECT_EQ(flat.surface_area(), area);
+  EXPECT_EQ(flat.relative_unit(), std::sqrt(area));
+}
+
+TEST_P(Flat_mesh_test, a_constraint_can_be_set_and_taken_back)
+{
+  const std::size_t e = 17;
+  const auto flags = flat.flags(e);
+  flat.constrain(e);
+  EXPECT_TRUE(flat.has_flag(e, RS::Flat_mesh::CONSTRAINED));
+  flat.release(e);
+  EXPECT_FALSE(flat.has_flag(e, RS::Flat_mesh::CONSTRAINED));
+  EXPECT_EQ(flat.flags(e), flags & ~RS::Flat_mesh::CONSTRAINED);
+}
+
 INSTANTIATE_TEST_SUITE_P(seeds, Flat_mesh_test, ::testing::Values(1u, 2u));
+
+TEST(Mesh_data_test, what_was_not_asked_for_cannot_be_read)
+{
+  using RS::Mesh_data;
+  const Surface_mesh mesh = to_surface_mesh(cube());
+  for (int set = 0; set < 8; ++set) {
+    const auto data = Mesh_data(set);
+    const RS::Flat_mesh flat = RS::read_flat_mesh(mesh, data);
+    EXPECT_EQ(flat.data(), data);
+    const auto expect = [&](Mesh_data one, const char* name, auto read) {
+      if (includes(data, one))
+        EXPECT_NO_THROW(read());
+      else
+        try {
+          read();
+          ADD_FAILURE() << name << " was read";
+        } catch (const RS::Invalid_method& error) {
+          EXPECT_NE(std::string(error.what()).find(std::string("Mesh_data::") + name), std::string::npos)
+            << error.what();
+        }
+    };
+    expect(Mesh_data::POINTS, "POINTS", [&] { flat.points(); });
+    expect(Mesh_data::CENTROIDS, "CENTROIDS", [&] { flat.centroid(0); });
+    expect(Mesh_data::SURFACE_AREA, "SURFACE_AREA", [&] { flat.surface_area(); });
+    expect(Mesh_data::SURFACE_AREA, "SURFACE_AREA", [&] { flat.relative_unit(); });
+    EXPECT_EQ(flat.area(0), 1);
+  }
+}
+
+TEST(Unit_test, is_that_of_the_mesh_unless_coordinates_are_extreme)
+{
+  const Soup soup = random_mesh(Family::SPHERE, 2);
+  const auto read = [](const Soup& s) { return RS::read_flat_mesh(to_surface_mesh(s)); };
+  const RS::Flat_mesh expected = read(soup);
+  ASSERT_EQ(expected.unit(), 1);
+  for (int exponent : {-900, -300, -10, 0, 10, 300, 900}) {
+    SCOPED_TRACE(exponent);
+    const double scale = std::ldexp(1, exponent);
+    const RS::Flat_mesh flat = read(scaled(soup, scale));
+    if (std::abs(exponent) <= 10) {
+      EXPECT_EQ(flat.unit(), 1);
+    } else if (std::abs(exponent) >= 900) {
+      EXPECT_NE(flat.unit(), 1);
+    }
+    int power = 0;
+    EXPECT_EQ(std::frexp(flat.unit(), &power), 0.5) << "a power of two";
+    // In mesh units lengths are the same bits, times the scale.
+    for (std::size_t e = 0; e < flat.number_of_edges(); ++e) {
+      ASSERT_EQ(flat.length(e) * flat.unit(), expected.length(e) * scale);
+      ASSERT_EQ(flat.flags(e), expected.flags(e));
+    }
+    for (std::size_t f = 0; f < flat.number_of_faces(); ++f)
+      ASSERT_EQ(norm(flat.normal(f) - expected.normal(f)), 0);
+  }
+}
 
 } // namespace

@@ -2,7 +2,7 @@
 
 #include "oracles.h"
 
-#include <CGAL/Region_segmentation/Merge_tree.h>
+#include <CGAL/Region_segmentation/Graph/Merge_tree.h>
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,6 @@ namespace {
 
 using CGAL::Region_segmentation::Merge_tree;
 using namespace test;
-using Ids = std::vector<std::uint32_t>;
 
 //     0  1  2  3  4
 //     |  |  +--+  |    cost 1
@@ -25,38 +24,38 @@ Merge_tree small_tree()
   return tree;
 }
 
-TEST(Merge_tree_test, cut_at_count)
+TEST(Merge_tree_test, partition_at_count)
 {
   const Merge_tree tree = small_tree();
-  EXPECT_EQ(tree.cut_at_count(5).of_region, (Ids{0, 1, 2, 3, 4}));
-  EXPECT_EQ(tree.cut_at_count(4).of_region, (Ids{0, 1, 2, 2, 3}));
-  EXPECT_EQ(tree.cut_at_count(3).of_region, (Ids{0, 1, 2, 2, 1}));
-  EXPECT_EQ(tree.cut_at_count(2).of_region, (Ids{0, 1, 0, 0, 1}));
-  EXPECT_EQ(tree.cut_at_count(3).number_of_segments, 3u);
+  EXPECT_EQ(labels_of(tree.partition_at_count(5)), (Labels{0, 1, 2, 3, 4}));
+  EXPECT_EQ(labels_of(tree.partition_at_count(4)), (Labels{0, 1, 2, 2, 3}));
+  EXPECT_EQ(labels_of(tree.partition_at_count(3)), (Labels{0, 1, 2, 2, 1}));
+  EXPECT_EQ(labels_of(tree.partition_at_count(2)), (Labels{0, 1, 0, 0, 1}));
+  EXPECT_EQ(tree.partition_at_count(3).number_of_parts(), 3u);
 }
 
-TEST(Merge_tree_test, cut_at_a_count_that_the_tree_does_not_have)
+TEST(Merge_tree_test, partition_at_a_count_that_the_tree_does_not_have)
 {
   const Merge_tree tree = small_tree();
-  EXPECT_EQ(tree.cut_at_count(1).number_of_segments, 2u);
-  EXPECT_EQ(tree.cut_at_count(0).number_of_segments, 2u);
-  EXPECT_EQ(tree.cut_at_count(1000).number_of_segments, 5u);
+  EXPECT_EQ(tree.partition_at_count(1).number_of_parts(), 2u);
+  EXPECT_EQ(tree.partition_at_count(0).number_of_parts(), 2u);
+  EXPECT_EQ(tree.partition_at_count(1000).number_of_parts(), 5u);
 }
 
-TEST(Merge_tree_test, cut_at_cost_ends_before_the_first_dearer_merge)
+TEST(Merge_tree_test, partition_at_cost_ends_before_the_first_dearer_merge)
 {
   const Merge_tree tree = small_tree();
-  EXPECT_EQ(tree.cut_at_cost(0.5).number_of_segments, 5u);
-  EXPECT_EQ(tree.cut_at_cost(1).number_of_segments, 4u);
-  EXPECT_EQ(tree.cut_at_cost(4).number_of_segments, 4u);
-  EXPECT_EQ(tree.cut_at_cost(5).number_of_segments, 2u);
+  EXPECT_EQ(tree.partition_at_cost(0.5).number_of_parts(), 5u);
+  EXPECT_EQ(tree.partition_at_cost(1).number_of_parts(), 4u);
+  EXPECT_EQ(tree.partition_at_cost(4).number_of_parts(), 4u);
+  EXPECT_EQ(tree.partition_at_cost(5).number_of_parts(), 2u);
 }
 
 TEST(Merge_tree_test, without_merges_or_regions)
 {
-  EXPECT_EQ(Merge_tree().cut_at_count(3).number_of_segments, 0u);
-  EXPECT_EQ(Merge_tree(3).cut_at_count(1).of_region, (Ids{0, 1, 2}));
-  EXPECT_EQ(Merge_tree(3).cut_at_cost(1e300).number_of_segments, 3u);
+  EXPECT_EQ(Merge_tree().partition_at_count(3).number_of_parts(), 0u);
+  EXPECT_EQ(labels_of(Merge_tree(3).partition_at_count(1)), (Labels{0, 1, 2}));
+  EXPECT_EQ(Merge_tree(3).partition_at_cost(1e300).number_of_parts(), 3u);
 }
 
 TEST(Merge_tree_test, random_trees_nest_and_agree_with_sets)
@@ -78,10 +77,10 @@ TEST(Merge_tree_test, random_trees_nest_and_agree_with_sets)
           expected[r] = label;
         ++label;
       }
-      // The merges to come must not matter: cut the finished tree later, the growing one now.
-      const auto cut = tree.cut_at_count(left);
-      ASSERT_EQ(cut.number_of_segments, left);
-      const Labels labels(cut.of_region.begin(), cut.of_region.end());
+      // The merges to come must not matter: ask the finished tree later, the growing one now.
+      const auto partition = tree.partition_at_count(left);
+      ASSERT_EQ(partition.number_of_parts(), left);
+      const Labels labels = labels_of(partition);
       ASSERT_EQ(labels, expected);
       ASSERT_TRUE(finer.empty() || nests(finer, labels));
       finer = labels;
@@ -98,7 +97,7 @@ TEST(Merge_tree_test, random_trees_nest_and_agree_with_sets)
       live.erase(b);
     }
     for (std::size_t k = 1; k <= n; ++k)
-      EXPECT_EQ(tree.cut_at_count(k).number_of_segments, k);
+      EXPECT_EQ(tree.partition_at_count(k).number_of_parts(), k);
   }
 }
 

@@ -3,9 +3,13 @@
 #include "meshes.h"
 #include "oracles.h"
 
-#include <CGAL/Region_segmentation/Spectral_partitioner.h>
+#include <CGAL/Region_segmentation/Methods/Spectral_partitioner.h>
+#include <CGAL/Region_segmentation/Methods/Superfacets.h>
+#include <CGAL/Region_segmentation/Methods/Visibility_annotator.h>
+#include <CGAL/Region_segmentation/Segmenter.h>
 #include <CGAL/Region_segmentation/evaluation.h>
-#include <CGAL/Region_segmentation/partition_into_segments.h>
+#include <CGAL/Region_segmentation/internal/regions/Lowest_root_forest.h>
+#include <CGAL/Region_segmentation/segment.h>
 
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/boost/graph/graph_traits_Polyhedron_3.h>
@@ -53,7 +57,6 @@ struct Minus_logarithm
 
 using Graph = RS::Region_adjacency_graph<Nothing, Bond>;
 using Partitioner = RS::Spectral_partitioner<Minus_logarithm>;
-using Ids = std::vector<std::uint32_t>;
 
 Graph graph_of(std::size_t regions)
 {
@@ -94,16 +97,21 @@ Graph sheet(std::uint32_t nx, std::uint32_t ny, std::uint32_t block, double weak
   return graph;
 }
 
-bool is_each_connected(const Graph& graph, const RS::Merge_tree::Segmentation& segments)
+bool is_each_connected(const Graph& graph, const RS::Partition& segments)
 {
   RS::internal::Lowest_root_forest forest(graph.index_bound_of_regions());
-  std::size_t removed = graph.index_bound_of_regions() - graph.number_of_regions();
   for (auto range = edges(graph); range.first != range.second; ++range.first) {
     const auto a = graph.source(*range.first), b = graph.target(*range.first);
-    if (segments.of_region[a] == segments.of_region[b] && graph.is_mergeable(*range.first))
+    if (segments[a] == segments[b] && graph.is_mergeable(*range.first))
       forest.unite(a, b);
   }
-  return forest.take_labels().number_of_regions - removed == segments.number_of_segments;
+  return forest.take_partition().number_of_parts() == segments.number_of_parts();
+}
+
+/// The method of the partitioner on the regions of the default method.
+auto spectral_method()
+{
+  return RS::make_partitioning_method(RS::Superfacets(), RS::Visibility_annotator(), RS::Spectral_partitioner<>());
 }
 
 } // namespace
@@ -111,8 +119,8 @@ bool is_each_connected(const Graph& graph, const RS::Merge_tree::Segmentation& s
 TEST(Spectral_partitioner_test, two_cliques_part_at_the_weak_link)
 {
   const auto segments = Partitioner()(row_of_cliques(2, 3, 0.1), 2);
-  EXPECT_EQ(segments.number_of_segments, 2u);
-  EXPECT_EQ(segments.of_region, (Ids{0, 0, 0, 1, 1, 1}));
+  EXPECT_EQ(segments.number_of_parts(), 2u);
+  EXPECT_EQ(labels_of(segments), (Labels{0, 0, 0, 1, 1, 1}));
 }
 
 TEST(Spectral_partitioner_test, cliques_in_a_row_part_at_all_weak_links)
@@ -120,9 +128,9 @@ TEST(Spectral_partitioner_test, cliques_in_a_row_part_at_all_weak_links)
   // Small ones go to the dense solver, large ones to the sparse one.
   for (std::uint32_t size : {3u, 5u, 25u}) {
     const auto segments = Partitioner()(row_of_cliques(5, size, 0.05), 5);
-    EXPECT_EQ(segments.number_of_segments, 5u);
+    EXPECT_EQ(segments.number_of_parts(), 5u);
     for (std::uint32_t r = 0; r < 5 * size; ++r)
-      EXPECT_EQ(segments.of_region[r], r / size);
+      EXPECT_EQ(segments[r], r / size);
   }
 }
 
@@ -131,7 +139,7 @@ TEST(Spectral_partitioner_test, a_path_parts_at_its_weak_link)
   Graph path = graph_of(9);
   for (std::uint32_t r = 1; r < 9; ++r)
     path.add_section(r - 1, r, {r == 3 ? 0.05 : 1.0});
-  EXPECT_EQ(Partitioner()(path, 2).of_region, (Ids{0, 0, 0, 1, 1, 1, 1, 1, 1}));
+  EXPECT_EQ(labels_of(Partitioner()(path, 2)), (Labels{0, 0, 0, 1, 1, 1, 1, 1, 1}));
 }
 
 TEST(Spectral_partitioner_test, weighs_a_cut_against_what_it_cuts_off)
@@ -141,7 +149,7 @@ TEST(Spectral_partitioner_test, weighs_a_cut_against_what_it_cuts_off)
   Graph graph = row_of_cliques(2, 4, 0.4);
   const auto last = graph.add_region();
   graph.add_section(7, last, {0.3});
-  EXPECT_EQ(Partitioner()(graph, 2).of_region, (Ids{0, 0, 0, 0, 1, 1, 1, 1, 1}));
+  EXPECT_EQ(labels_of(Partitioner()(graph, 2)), (Labels{0, 0, 0, 0, 1, 1, 1, 1, 1}));
 }
 
 TEST(Spectral_partitioner_test, finds_the_second_eigenvector_of_a_path)
@@ -151,7 +159,7 @@ TEST(Spectral_partitioner_test, finds_the_second_eigenvector_of_a_path)
     std::vector<RS::internal::Affinity> bonds;
     for (std::size_t i = 1; i < n; ++i)
       bonds.push_back({i - 1, i, 0.25});
-    const Eigen::MatrixXd points = RS::internal::commute_time_embedding(n, bonds, 4);
+    const Eigen::MatrixXd points = RS::internal::commute_time_embedding<RS::internal::Eigen_solver>(n, bonds, 4);
     ASSERT_EQ(points.cols(), 4);
     const double angle = CGAL_PI / double(n - 1), scale = points(0, 1);
     // y^T D y = 1, D = 1/2 but for the ends, and the coordinate is y over the root of lambda.
@@ -176,7 +184,7 @@ TEST(Spectral_partitioner_test, dense_and_sparse_solvers_agree)
   Eigen::SparseMatrix<double> matrix(n, n);
   matrix.setFromTriplets(entries.begin(), entries.end());
   const auto dense = RS::internal::dense_lowest_eigenpairs(matrix, 6);
-  const auto any = RS::internal::lowest_eigenpairs(matrix, 6);
+  const auto any = RS::internal::Eigen_solver()(matrix, 6);
   for (Eigen::Index j = 0; j < 6; ++j) {
     EXPECT_NEAR(dense.values[j], any.values[j], 1e-9);
     EXPECT_NEAR(std::abs(dense.vectors.col(j).dot(any.vectors.col(j))), 1, 1e-6);
@@ -190,11 +198,10 @@ TEST(Spectral_partitioner_test, segments_are_connected_and_as_many_as_wanted)
     for (std::size_t k : {1, 2, 3, 7, 40, 152, 153, 400}) {
       SCOPED_TRACE(k);
       const auto segments = Partitioner()(graph, k);
-      EXPECT_EQ(segments.number_of_segments, std::min<std::size_t>(k, 153));
-      EXPECT_TRUE(is_numbered_by_first_face(
-        Labels(segments.of_region.begin(), segments.of_region.end()), segments.number_of_segments));
+      EXPECT_EQ(segments.number_of_parts(), std::min<std::size_t>(k, 153));
+      EXPECT_TRUE(is_numbered_by_first_face(labels_of(segments), segments.number_of_parts()));
       EXPECT_TRUE(is_each_connected(graph, segments));
-      EXPECT_EQ(Partitioner()(graph, k).of_region, segments.of_region);
+      EXPECT_EQ(Partitioner()(graph, k), segments);
     }
   }
 }
@@ -203,10 +210,10 @@ TEST(Spectral_partitioner_test, does_not_depend_on_the_scale_of_affinities)
 {
   for (double scale : {std::exp2(-500), std::exp2(500)}) {
     Graph graph = sheet(12, 8, 4, 0.1);
-    const auto expected = Partitioner()(graph, 5).of_region;
+    const auto expected = Partitioner()(graph, 5);
     for (auto range = edges(graph); range.first != range.second; ++range.first)
       graph[*range.first].affinity *= scale;
-    EXPECT_EQ(Partitioner()(graph, 5).of_region, expected);
+    EXPECT_EQ(Partitioner()(graph, 5), expected);
   }
 }
 
@@ -215,23 +222,13 @@ TEST(Spectral_partitioner_test, keeps_pieces_and_barred_sections_apart)
   Graph graph = row_of_cliques(4, 4, 1);
   graph.forbid_merge(*graph.section(7, 8));
   graph[*graph.section(3, 4)].affinity = 0; // no connection either
-  EXPECT_EQ(Partitioner()(graph, 1).of_region, (Ids{0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 2, 2, 2, 2}));
+  EXPECT_EQ(labels_of(Partitioner()(graph, 1)), (Labels{0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 2, 2, 2, 2}));
   const auto four = Partitioner()(graph, 4);
-  EXPECT_EQ(four.number_of_segments, 4u);
+  EXPECT_EQ(four.number_of_parts(), 4u);
   EXPECT_TRUE(is_each_connected(graph, four));
-  EXPECT_EQ(Partitioner()(graph_of(3), 2).of_region, (Ids{0, 1, 2}));
-  EXPECT_EQ(Partitioner()(graph_of(1), 2).of_region, (Ids{0}));
-  EXPECT_EQ(Partitioner()(Graph(), 2).number_of_segments, 0u);
-}
-
-TEST(Spectral_partitioner_test, takes_a_graph_where_regions_were_merged)
-{
-  Graph graph = row_of_cliques(2, 4, 0.1);
-  graph.merge(*graph.section(0, 2));
-  graph.merge(*graph.section(4, 5));
-  const auto segments = Partitioner()(graph, 2);
-  constexpr auto none = Partitioner::no_segment;
-  EXPECT_EQ(segments.of_region, (Ids{0, 0, none, 0, 1, none, 1, 1}));
+  EXPECT_EQ(labels_of(Partitioner()(graph_of(3), 2)), (Labels{0, 1, 2}));
+  EXPECT_EQ(labels_of(Partitioner()(graph_of(1), 2)), (Labels{0}));
+  EXPECT_EQ(Partitioner()(Graph(), 2).number_of_parts(), 0u);
 }
 
 TEST(Spectral_partitioner_test, finds_the_balls_of_a_row)
@@ -252,19 +249,22 @@ TEST(Spectral_partitioner_test, finds_the_balls_of_a_row)
       x += soup.points[v][0] / double(polygon.size());
     truth.push_back(x < -0.85 ? 0 : x < 0.85 ? 1 : 2);
   }
-  const auto np = RS::parameters::number_of_segments(3);
+  const auto np = RS::parameters::number_of_segments(3).method(spectral_method());
   const Surface_mesh mesh = to_surface_mesh(soup);
-  auto map = face_map(mesh);
-  EXPECT_EQ(RS::partition_into_segments(mesh, map, RS::Spectral_partitioner<>(), np), 3u);
-  const Labels labels = labels_of(mesh, map);
+  const Labels labels = segments_of(mesh, np);
   EXPECT_LT(RS::rand_index_distance(labels, truth), 0.06);
   EXPECT_TRUE(is_numbered_by_first_face(labels, 3));
   EXPECT_TRUE(is_connected(soup, labels));
+  EXPECT_EQ(segments_of(to_mesh<CGAL::Polyhedron_3<Kernel>>(soup), np), labels);
 
-  const auto polyhedron = to_mesh<CGAL::Polyhedron_3<Kernel>>(soup);
-  auto other_map = face_map(polyhedron);
-  RS::partition_into_segments(polyhedron, other_map, RS::Spectral_partitioner<>(), np);
-  EXPECT_EQ(labels_of(polyhedron, other_map), labels);
+  // Prepared once, asked for several numbers.
+  const RS::Segmenter segmenter(mesh, RS::parameters::method(spectral_method()));
+  for (std::size_t k : {3, 2, 9, 3}) {
+    auto map = face_map(mesh);
+    EXPECT_EQ(segmenter.segment(map, k), k);
+    EXPECT_EQ(labels_of(mesh, map),
+              segments_of(mesh, RS::parameters::number_of_segments(k).method(spectral_method())));
+  }
 }
 
 TEST(Spectral_partitioner_test, gives_connected_segments_on_random_meshes)
@@ -276,13 +276,10 @@ TEST(Spectral_partitioner_test, gives_connected_segments_on_random_meshes)
       std::mt19937 random(seed);
       const std::set<Edge> constrained = random_edges(soup, 8, random);
       const Surface_mesh mesh = to_surface_mesh(soup);
-      auto map = face_map(mesh);
-      const std::size_t n = RS::partition_into_segments(
-        mesh, map, RS::Spectral_partitioner<>(),
-        RS::parameters::number_of_segments(6).edge_is_constrained_map(edge_map(mesh, constrained)));
-      const Labels labels = labels_of(mesh, map);
-      EXPECT_GE(n, 6u);
-      EXPECT_TRUE(is_numbered_by_first_face(labels, n));
+      const Labels labels = segments_of(mesh, RS::parameters::number_of_segments(6)
+                                                .method(spectral_method())
+                                                .edge_is_constrained_map(edge_map(mesh, constrained)));
+      EXPECT_GE(std::set<std::size_t>(labels.begin(), labels.end()).size(), 6u);
       EXPECT_TRUE(is_connected(soup, labels, constrained));
     }
 }

@@ -9,6 +9,9 @@
 
 #include <CGAL/assertions_behaviour.h>
 #include <CGAL/region_segmentation.h>
+#ifdef TEST_EIGEN
+#include <CGAL/Region_segmentation/Methods/Spectral_partitioner.h>
+#endif
 
 #include <boost/property_map/property_map.hpp>
 #include <gtest/gtest.h>
@@ -59,18 +62,43 @@ struct Debug_checks_test : ::testing::Test
 
 TEST_F(Debug_checks_test, number_of_segments_is_at_least_one)
 {
-  EXPECT_THROW(RS::segment(mesh, labels, RP::number_of_segments(0).edge_is_feature_map(features)),
+  EXPECT_THROW(RS::segment(mesh, labels, RP::number_of_segments(0)),
                Precondition_exception);
 }
 
 TEST_F(Debug_checks_test, maximum_angle_is_between_0_and_180)
 {
   for (double angle : {-0.001, 180.001, std::nan("")}) {
-    EXPECT_THROW(RS::segment(mesh, labels, RP::number_of_segments(2).maximum_angle(angle)),
-                 Precondition_exception);
-    EXPECT_THROW(RS::detect_feature_edges(mesh, features, RP::maximum_angle(angle)),
-                 Precondition_exception);
+    RS::Two_step method;
+    method.initializer.maximum_angle = angle;
+    EXPECT_THROW(RS::segment(mesh, labels, RP::number_of_segments(2).method(method)), Precondition_exception);
+    EXPECT_THROW(RS::detect_feature_edges(mesh, features, RP::maximum_angle(angle)), Precondition_exception);
+    EXPECT_THROW(RS::choose_feature_convexity(mesh, RP::maximum_angle(angle)), Precondition_exception);
   }
+}
+
+TEST_F(Debug_checks_test, constants_of_superfacets)
+{
+  for (const RS::Superfacets& wrong :
+       {RS::Superfacets(0), RS::Superfacets(10, -1), RS::Superfacets(10, 80, -1), RS::Superfacets(10, std::nan(""))}) {
+    RS::Visibility_merging method;
+    method.initializer = wrong;
+    EXPECT_THROW(RS::segment(mesh, labels, RP::number_of_segments(2).method(method)), Precondition_exception);
+  }
+}
+
+TEST_F(Debug_checks_test, a_segmenter_gives_at_least_one_segment)
+{
+  const RS::Segmenter segmenter(mesh);
+  EXPECT_THROW(segmenter.segment(labels, 0), Precondition_exception);
+  EXPECT_THROW(RS::Segmenter(mesh, RP::number_of_segments(0)), Precondition_exception);
+}
+
+TEST_F(Debug_checks_test, composed_partitions_fit)
+{
+  const auto fine = RS::Partition::from_labels(std::vector<int>{0, 1, 0});
+  EXPECT_THROW(composed(fine, RS::Partition::from_labels(std::vector<int>{0})), Precondition_exception);
+  EXPECT_EQ(composed(fine, RS::Partition::from_labels(std::vector<int>{0, 0})).number_of_parts(), 1u);
 }
 
 TEST_F(Debug_checks_test, index_maps_stay_within_the_size)
@@ -85,15 +113,26 @@ TEST_F(Debug_checks_test, index_maps_stay_within_the_size)
       CGAL::Failure_exception);
 }
 
-TEST_F(Debug_checks_test, region_ids_are_dense)
+// Labels of regions need not be dense: see Region_adjacency_graph_test.cpp.
+
+#ifdef TEST_EIGEN
+TEST_F(Debug_checks_test, a_partitioner_takes_a_whole_graph_and_a_number)
 {
-  for (int bad : {-1, 6, 1000}) {
-    auto map =
-        mesh.add_property_map<Surface_mesh::Face_index, int>("f:" + std::to_string(bad), 0).first;
-    map[Surface_mesh::Face_index(3)] = bad;
-    EXPECT_THROW(RS::build_region_adjacency_graph(mesh, map), Precondition_exception);
-  }
+  struct Equal_cost
+  {
+    double operator()(const RS::Region_adjacency_graph<>&, RS::Section_descriptor) const { return 0; }
+  };
+  RS::Region_adjacency_graph<> g;
+  for (int i = 0; i < 3; ++i)
+    g.add_region();
+  const auto a = g.add_section(0, 1);
+  g.add_section(1, 2);
+  const RS::Spectral_partitioner<Equal_cost> partitioner;
+  EXPECT_THROW(partitioner(g, 0), Precondition_exception);
+  g.merge(a);
+  EXPECT_THROW(partitioner(g, 2), Precondition_exception) << "a region was removed";
 }
+#endif
 
 TEST_F(Debug_checks_test, the_graph_refuses_what_is_not_there)
 {
@@ -124,12 +163,17 @@ TEST_F(Debug_checks_test, a_tree_takes_the_lower_region_first)
 
 TEST(Checked_build_test, right_use_passes)
 {
+  RS::Two_step all_edges;
+  all_edges.initializer.feature_convexity = RS::Feature_convexity::ALL;
   for (test::Family family : test::all_families) {
     const Surface_mesh mesh = test::to_surface_mesh(test::random_mesh(family, 3));
     auto map = get(CGAL::dynamic_face_property_t<std::size_t>(), mesh);
     EXPECT_GE(RS::segment(mesh, map,
-                          RP::number_of_segments(3).feature_convexity(RS::Feature_convexity::ALL)),
+                          RP::number_of_segments(3).method(all_edges)),
               1u);
+    EXPECT_GE(RS::segment(mesh, map), 1u);
+    EXPECT_GE(RS::segment(mesh, map, RP::number_of_segments(3)), 1u);
+    EXPECT_GE(RS::segment(mesh, map, RP::number_of_segments(1000000)), 1u);
   }
 }
 

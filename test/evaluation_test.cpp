@@ -751,7 +751,7 @@ TEST(Surface_geometry, the_centroid_of_a_concave_polygon)
   // |  |
   // |  3--2   area 3: two unit squares below (centroid 1, 1/2), one above (1/2, 3/2)
   // 0-----1
-  std::vector<RS::internal::Vector_3> polygon = {{0, 0, 7}, {2, 0, 7}, {2, 1, 7},
+  std::vector<RS::Double_3> polygon = {{0, 0, 7}, {2, 0, 7}, {2, 1, 7},
                                                  {1, 1, 7}, {1, 2, 7}, {0, 2, 7}};
   for (std::size_t first = 0; first < polygon.size(); ++first) {
     const auto area = RS::internal::area_vector(polygon);

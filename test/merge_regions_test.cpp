@@ -3,7 +3,7 @@
 #include "meshes.h"
 #include "oracles.h"
 
-#include <CGAL/Region_segmentation/Lowest_cost_first.h>
+#include <CGAL/Region_segmentation/Methods/Lowest_cost_first.h>
 #include <CGAL/Region_segmentation/merge_regions.h>
 
 #include <gtest/gtest.h>
@@ -117,6 +117,41 @@ TEST(Merge_regions_test, a_cancelled_run_leaves_a_whole_graph)
   EXPECT_EQ(g.number_of_sections(), g.number_of_regions() - 1); // still a path
   RS::merge_regions(g, policy, 1, RS::Stop_at_count{1});
   EXPECT_EQ(g.number_of_regions(), 1u);
+}
+
+/// Proposes the same section again and again.
+struct Stubborn_policy
+{
+  Graph::section_descriptor section;
+
+  void initialize(const Graph&) {}
+  std::optional<RS::Merge_candidate> next(const Graph&) { return RS::Merge_candidate{section, 0}; }
+  void on_merge(const Graph&, const Graph::Merge&) {}
+};
+
+TEST(Merge_regions_test, a_policy_that_proposes_what_cannot_be_merged_is_an_error)
+{
+  Graph g = path(4);
+  const auto s = *g.section(1, 2);
+  EXPECT_THROW(RS::merge_regions(g, Stubborn_policy{s}, 1, RS::Stop_at_count{1}), RS::Invalid_method) << "removed";
+  EXPECT_EQ(g.number_of_regions(), 3u);
+  g.forbid_merge(*g.section(0, 1));
+  EXPECT_THROW(RS::merge_regions(g, Stubborn_policy{*g.section(0, 1)}, 1, RS::Stop_at_count{1}), RS::Invalid_method)
+      << "barred";
+  EXPECT_EQ(g.number_of_regions(), 3u);
+}
+
+TEST(Merge_regions_test, the_policy_is_initialized_and_may_be_a_temporary)
+{
+  Graph g = path(6), other = path(6);
+  const auto tree = RS::merge_regions(g, Shortest_first(), 2, RS::Stop_at_count{2});
+  Shortest_first policy;
+  RS::merge_regions(other, policy, 4, RS::Stop_at_count{4});
+  Graph again = path(6);
+  const auto second = RS::merge_regions(again, policy, 2, RS::Stop_at_count{2});
+  ASSERT_EQ(tree.merges().size(), second.merges().size());
+  for (std::size_t i = 0; i < tree.merges().size(); ++i)
+    EXPECT_EQ(tree.merges()[i].removed, second.merges()[i].removed);
 }
 
 } // namespace

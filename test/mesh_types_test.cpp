@@ -23,6 +23,8 @@
 #include <CGAL/boost/graph/graph_traits_PolyMesh_ArrayKernelT.h>
 #include <CGAL/boost/graph/graph_traits_TriMesh_ArrayKernelT.h>
 #endif
+#include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
+#include <CGAL/Region_segmentation/Segmenter.h>
 #include <CGAL/Region_segmentation/build_region_adjacency_graph.h>
 #include <CGAL/Region_segmentation/detect_feature_edges.h>
 #include <CGAL/Region_segmentation/extract_feature_lines.h>
@@ -130,26 +132,51 @@ void expect_same(const Result& a, const Result& b)
 }
 
 /// The stages one by one.
-template <typename Mesh, typename Parameters>
-Result run_stages(const Mesh& mesh, const Parameters& np)
+template <typename Mesh>
+Result run_stages(const Mesh& mesh, const Options& options)
 {
   Result result;
   auto features = edge_map(mesh, std::uint8_t(1));
   auto regions = face_map(mesh);
-  RS::detect_feature_edges(mesh, features, np);
-  RS::extract_feature_lines(mesh, features, CGAL::Emptyset_iterator(), np);
-  RS::grow_regions(mesh, features, regions, np);
-  auto graph = RS::build_region_adjacency_graph(mesh, regions, np);
-  RS::Two_step policy;
-  const std::size_t k = 4;
-  result.tree = RS::merge_regions(graph, policy, k, RS::Stop_at_count{k});
+  RS::detect_feature_edges(mesh, features, options.named_features());
+  RS::extract_feature_lines(mesh, features, CGAL::Emptyset_iterator());
+  RS::grow_regions(mesh, features, regions);
+  auto graph = RS::build_region_adjacency_graph(mesh, regions);
+  RS::Two_step_merging policy;
+  result.tree = RS::merge_regions(graph, policy, options.k, RS::Stop_at_count{options.k});
   result.regions = labels_of(mesh, regions);
   result.features = flags_of(mesh, features);
   result.number_of_segments = graph.number_of_regions();
-  const auto cut = result.tree.cut_at_count(k);
-  for (std::size_t r : result.regions)
-    result.segments.push_back(cut.of_region[r]);
+  result.segments = labels_of(result.regions, result.tree.partition_at_count(options.k));
   return result;
+}
+
+/// With the default method, for a number and for one that is chosen.
+template <typename Mesh>
+std::vector<Result> run_default(const Mesh& mesh, const Options& options)
+{
+  const RS::Visibility_merging method;
+  std::vector<Result> results;
+  const auto add = [&](const auto& np) {
+    results.push_back(options.constrained_edges.empty()
+                        ? run(mesh, np)
+                        : run(mesh, np.edge_is_constrained_map(edge_map(mesh, options.constrained_edges))));
+  };
+  add(RS::parameters::number_of_segments(options.k).method(method));
+  add(RS::parameters::method(method));
+  return results;
+}
+
+template <typename Mesh>
+void expect_default_as_surface_mesh(const Mesh& mesh, const Options& options)
+{
+  const auto results = run_default(mesh, options), expected = run_default(to_surface_mesh(soup_of(mesh)), options);
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    expect_same(results[i], expected[i]);
+    ASSERT_EQ(results[i].tree.merges().size(), expected[i].tree.merges().size());
+    for (std::size_t m = 0; m < results[i].tree.merges().size(); ++m)
+      ASSERT_EQ(results[i].tree.merges()[m].cost, expected[i].tree.merges()[m].cost);
+  }
 }
 
 /// Whatever the type and the order of its elements: as the `Surface_mesh` made from what it
@@ -157,7 +184,27 @@ Result run_stages(const Mesh& mesh, const Parameters& np)
 template <typename Mesh>
 void expect_as_surface_mesh(const Mesh& mesh, const Options& options)
 {
-  expect_same(run(mesh, options.named()), run(soup_of(mesh), options));
+  expect_same(run(mesh, options), run(soup_of(mesh), options));
+  expect_default_as_surface_mesh(mesh, options);
+}
+
+/// A segmenter gives what segment() gives, for each method and number.
+template <typename Mesh>
+void expect_as_segmenter(const Mesh& mesh, const Options& options)
+{
+  const RS::Segmenter by_default(mesh);
+  const RS::Segmenter two_step(mesh, RS::parameters::method(options.method()));
+  for (std::size_t k : {options.k, std::size_t(2), std::size_t(9)}) {
+    auto map = face_map(mesh);
+    by_default.segment(map, k);
+    EXPECT_EQ(labels_of(mesh, map), segments_of(mesh, RS::parameters::number_of_segments(k)));
+    two_step.segment(map, k);
+    EXPECT_EQ(labels_of(mesh, map),
+              segments_of(mesh, RS::parameters::number_of_segments(k).method(options.method())));
+  }
+  auto map = face_map(mesh);
+  by_default.segment(map);
+  EXPECT_EQ(labels_of(mesh, map), segments_of(mesh, RS::parameters::default_values()));
 }
 
 template <typename Mesh>
@@ -224,9 +271,11 @@ TYPED_TEST(Mesh_types_test, gives_the_same_labels)
       options.k = 4;
       const TypeParam mesh = Maker<TypeParam>::make(soup);
       expect_as_surface_mesh(mesh, options);
-      expect_same(run_stages(mesh, options.named()), run(mesh, options.named()));
+      expect_same(run_stages(mesh, options), run(mesh, options));
       // The types keep the order in which they were made, so these are the labels of the soup.
-      expect_same(run(mesh, options.named()), run(soup, options));
+      expect_same(run(mesh, options), run(soup, options));
+      if (seed == 0)
+        expect_as_segmenter(mesh, options);
     }
   EXPECT_GE(meshes, 12u); // triangles alone come from three families
 }
@@ -240,16 +289,38 @@ TYPED_TEST(Mesh_types_test, takes_constrained_edges)
     Options options(3, reference::Convexity::all, 20);
     const Soup soup = soup_of(mesh);
     options.constrained_edges = random_edges(soup, 8, random);
-    const auto constrained = edge_map(mesh, options.constrained_edges);
-    expect_same(run(mesh, options.named().edge_is_constrained_map(constrained)),
-                run(soup, options));
+    expect_as_surface_mesh(mesh, options);
+  }
+}
+
+TYPED_TEST(Mesh_types_test, takes_seeds)
+{
+  const Options options(3);
+  for (unsigned seed = 0; seed < 3; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const TypeParam mesh = Maker<TypeParam>::make(random_mesh(Family::SPHERE, seed));
+    const auto segments = [&](const auto& any_mesh, const auto& method) {
+      auto seeds = face_map(any_mesh, std::size_t(-1));
+      std::size_t i = 0;
+      for (auto f : faces(any_mesh)) {
+        if (i % 20 == 3)
+          put(seeds, f, i < 60 ? 5 : i);
+        ++i;
+      }
+      return segments_of(any_mesh, RS::parameters::number_of_segments(4).method(method).face_seed_map(seeds));
+    };
+    const Surface_mesh same = to_surface_mesh(soup_of(mesh));
+    EXPECT_EQ(segments(mesh, RS::Visibility_merging()), segments(same, RS::Visibility_merging()));
+    EXPECT_EQ(segments(mesh, options.method()), segments(same, options.method()));
   }
 }
 
 TYPED_TEST(Mesh_types_test, takes_an_empty_mesh)
 {
   const TypeParam mesh;
-  EXPECT_EQ(run(mesh, Options(3).named()).number_of_segments, 0u);
+  EXPECT_EQ(run(mesh, Options(3)).number_of_segments, 0u);
+  EXPECT_EQ(run(mesh, RS::parameters::number_of_segments(3)).number_of_segments, 0u);
+  EXPECT_EQ(segments_of(mesh, RS::parameters::default_values()).size(), 0u);
 }
 
 // Removed faces that are still there: sizes count them, ranges do not.

@@ -135,11 +135,7 @@ Options random_options(std::mt19937& random)
 
 Result run(const Soup& soup, const Options& options)
 {
-  const Surface_mesh mesh = to_surface_mesh(soup);
-  if (options.constrained_edges.empty())
-    return run(mesh, options.named());
-  return run(mesh,
-             options.named().edge_is_constrained_map(edge_map(mesh, options.constrained_edges)));
+  return run(to_surface_mesh(soup), options);
 }
 
 } // namespace test

@@ -8,10 +8,13 @@
 #include "meshes.h"
 #include "reference_two_step.h"
 
-#include <CGAL/Region_segmentation/Merge_tree.h>
+#include <CGAL/Region_segmentation/Graph/Merge_tree.h>
+#include <CGAL/Region_segmentation/Methods/Two_step.h>
+#include <CGAL/Region_segmentation/Partition.h>
+#include <CGAL/Region_segmentation/detect_feature_edges.h>
+#include <CGAL/Region_segmentation/grow_regions.h>
 #include <CGAL/Region_segmentation/parameters.h>
 #include <CGAL/Region_segmentation/segment.h>
-#include <CGAL/Region_segmentation/two_step.h>
 #include <CGAL/boost/graph/properties.h>
 
 #include <gtest/gtest.h>
@@ -149,12 +152,28 @@ auto face_map(const Mesh& mesh, std::size_t value = 12345)
   return map;
 }
 
+// Partitions
+
+inline Labels labels_of(const CGAL::Region_segmentation::Partition& partition)
+{
+  return Labels(partition.begin(), partition.end());
+}
+
+/// The labels of faces whose regions are dealt out to segments.
+inline Labels labels_of(const Labels& regions, const CGAL::Region_segmentation::Partition& segment_of_region)
+{
+  Labels labels;
+  for (std::size_t r : regions)
+    labels.push_back(segment_of_region[r]);
+  return labels;
+}
+
 // The pipeline with all its outputs
 
 struct Result
 {
   Labels segments, regions;
-  Edge_flags features;
+  Edge_flags features; // those that remain after growing; of the method of the paper alone
   CGAL::Region_segmentation::Merge_tree tree;
   std::size_t number_of_segments = 0;
 };
@@ -165,17 +184,25 @@ Result run(const Mesh& mesh, const Parameters& np)
   Result result;
   // Stale values everywhere: what is not written shows.
   auto segment_map = face_map(mesh), region_map = face_map(mesh);
-  auto feature_map = edge_map(mesh, std::uint8_t(1));
   result.number_of_segments = CGAL::Region_segmentation::segment(
-      mesh, segment_map,
-      np.region_map(region_map).edge_is_feature_map(feature_map).merge_tree(std::ref(result.tree)));
+      mesh, segment_map, np.region_map(region_map).merge_tree(std::ref(result.tree)));
   result.segments = labels_of(mesh, segment_map);
   result.regions = labels_of(mesh, region_map);
-  result.features = flags_of(mesh, feature_map);
   return result;
 }
 
-/// The options of the reference implementation, and the same as named parameters.
+/// The same with seeds, or a method, that have no merge tree.
+template <typename Mesh, typename Parameters>
+Labels segments_of(const Mesh& mesh, const Parameters& np)
+{
+  auto segment_map = face_map(mesh);
+  const std::size_t n = CGAL::Region_segmentation::segment(mesh, segment_map, np);
+  const Labels labels = labels_of(mesh, segment_map);
+  EXPECT_TRUE(is_numbered_by_first_face(labels, n));
+  return labels;
+}
+
+/// The options of the reference implementation, and the same as a method and as named parameters.
 struct Options : reference::Two_step_options
 {
   Options(std::size_t k_, reference::Convexity convexity_ = reference::Convexity::concave,
@@ -194,14 +221,51 @@ struct Options : reference::Two_step_options
                                                         : Feature_convexity::ALL;
   }
 
+  CGAL::Region_segmentation::Two_step method() const
+  {
+    CGAL::Region_segmentation::Two_step method(beta, gamma, factor);
+    method.initializer.maximum_angle = maximum_angle;
+    method.initializer.feature_convexity = feature_convexity();
+    return method;
+  }
+
+  /// Of segment().
   auto named() const
   {
-    return CGAL::Region_segmentation::parameters::number_of_segments(k)
-        .maximum_angle(maximum_angle)
-        .feature_convexity(feature_convexity())
-        .merging_policy(CGAL::Region_segmentation::Two_step(beta, gamma, factor));
+    return CGAL::Region_segmentation::parameters::number_of_segments(k).method(method());
+  }
+
+  /// Of detect_feature_edges().
+  auto named_features() const
+  {
+    return CGAL::Region_segmentation::parameters::maximum_angle(maximum_angle).feature_convexity(feature_convexity());
   }
 };
+
+/// The method of the paper, and its feature edges by the stage functions. `with(np)` adds to a pack what all of these
+/// take: the maps of the mesh, and constrained edges.
+template <typename Mesh, typename With>
+Result run(const Mesh& mesh, const Options& options, const With& with)
+{
+  namespace RS = CGAL::Region_segmentation;
+  Result result = run(mesh, with(options.named()));
+  auto features = edge_map(mesh, std::uint8_t(1));
+  auto regions = face_map(mesh);
+  RS::detect_feature_edges(mesh, features, with(options.named_features()));
+  RS::grow_regions(mesh, features, regions, with(RS::parameters::default_values()));
+  EXPECT_EQ(labels_of(mesh, regions), result.regions) << "the stages and segment() differ";
+  result.features = flags_of(mesh, features);
+  return result;
+}
+
+template <typename Mesh>
+Result run(const Mesh& mesh, const Options& options)
+{
+  if (options.constrained_edges.empty())
+    return run(mesh, options, [](const auto& np) { return np; });
+  const auto constrained = edge_map(mesh, options.constrained_edges);
+  return run(mesh, options, [&](const auto& np) { return np.edge_is_constrained_map(constrained); });
+}
 
 /// Angle bounds and convexities in turn.
 Options random_options(std::mt19937& random);

@@ -27,35 +27,51 @@ struct Outputs
 {
   std::size_t number_of_segments;
   std::vector<std::size_t> segments, regions;
-  std::vector<bool> features;
+  std::vector<double> costs;
 
   bool operator==(const Outputs& other) const
   {
     return number_of_segments == other.number_of_segments && segments == other.segments &&
-           regions == other.regions && features == other.features;
+           regions == other.regions && costs == other.costs;
   }
 };
 
-template <typename ConcurrencyTag, typename Policy>
-Outputs run(const Surface_mesh& mesh, const Policy& policy, RS::Feature_convexity convexity)
+auto by_face(const Surface_mesh& mesh, std::vector<std::size_t>& values)
+{
+  values.resize(num_faces(mesh));
+  return boost::make_iterator_property_map(values.begin(), get(boost::face_index, mesh));
+}
+
+template <typename ConcurrencyTag, typename Parameters>
+Outputs run(const Surface_mesh& mesh, const Parameters& np)
 {
   Outputs result;
-  result.segments.resize(num_faces(mesh));
-  result.regions.resize(num_faces(mesh));
-  result.features.resize(num_edges(mesh));
-  const auto by_face = [&mesh](std::vector<std::size_t>& values) {
-    return boost::make_iterator_property_map(values.begin(), get(boost::face_index, mesh));
-  };
-  const auto features =
-      boost::make_iterator_property_map(result.features.begin(), get(boost::edge_index, mesh));
+  RS::Merge_tree tree;
   result.number_of_segments = RS::segment<ConcurrencyTag>(
-      mesh, by_face(result.segments),
-      RS::parameters::number_of_segments(7)
-          .merging_policy(policy)
-          .feature_convexity(convexity)
-          .maximum_angle(3)
-          .region_map(by_face(result.regions))
-          .edge_is_feature_map(features));
+    mesh, by_face(mesh, result.segments), np.region_map(by_face(mesh, result.regions)).merge_tree(std::ref(tree)));
+  for (const auto& merge : tree.merges())
+    result.costs.push_back(merge.cost);
+  return result;
+}
+
+RS::Two_step two_step(RS::Feature_convexity convexity)
+{
+  RS::Two_step method;
+  method.initializer.maximum_angle = 3;
+  method.initializer.feature_convexity = convexity;
+  return method;
+}
+
+/// The feature edges that remain, by the stage functions.
+template <typename ConcurrencyTag>
+std::vector<bool> features(const Surface_mesh& mesh, RS::Feature_convexity convexity)
+{
+  std::vector<bool> result(num_edges(mesh));
+  std::vector<std::size_t> regions;
+  const auto map = boost::make_iterator_property_map(result.begin(), get(boost::edge_index, mesh));
+  RS::detect_feature_edges<ConcurrencyTag>(mesh, map,
+                                           RS::parameters::maximum_angle(3).feature_convexity(convexity));
+  RS::grow_regions<ConcurrencyTag>(mesh, map, by_face(mesh, regions));
   return result;
 }
 
@@ -81,28 +97,38 @@ TEST_P(Parallel_test, two_step_gives_the_same_bits)
   const Surface_mesh mesh = to_surface_mesh(large_sheet(GetParam()));
   ASSERT_GT(num_faces(mesh), 2 * RS::internal::blocks_in_range * RS::internal::block_size);
   for (const auto convexity : {RS::Feature_convexity::CONCAVE, RS::Feature_convexity::ALL}) {
-    const Outputs expected = run<CGAL::Sequential_tag>(mesh, RS::Two_step(), convexity);
+    const auto np = RS::parameters::number_of_segments(7).method(two_step(convexity));
+    const Outputs expected = run<CGAL::Sequential_tag>(mesh, np);
+    const auto expected_features = features<CGAL::Sequential_tag>(mesh, convexity);
     for (const std::size_t threads : {1, 2, 5}) {
       const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
-      EXPECT_EQ(run<CGAL::Parallel_tag>(mesh, RS::Two_step(), convexity), expected)
+      EXPECT_EQ(run<CGAL::Parallel_tag>(mesh, np), expected)
+          << "seed " << GetParam() << ", " << threads << " threads";
+      EXPECT_EQ(features<CGAL::Parallel_tag>(mesh, convexity), expected_features)
           << "seed " << GetParam() << ", " << threads << " threads";
     }
   }
 }
 
 /// What is known of every dual edge, and every corner.
-template <typename ConcurrencyTag, typename Pack>
-std::vector<double> numbers_read(const Surface_mesh& mesh, const Pack& np)
+template <typename ConcurrencyTag, typename Parameters>
+std::vector<double> numbers_read(const Surface_mesh& mesh, const Parameters& np)
 {
-  const RS::Flat_mesh flat = RS::internal::read_flat_mesh<ConcurrencyTag>(
-    RS::internal::make_mesh_walk(mesh, np), np, RS::Flat_mesh::Content::ANGLES_AND_POINTS);
-  std::vector<double> result;
+  const RS::Flat_mesh flat = RS::read_flat_mesh<ConcurrencyTag>(
+    mesh, RS::Mesh_data::POINTS | RS::Mesh_data::CENTROIDS | RS::Mesh_data::SURFACE_AREA, np);
+  std::vector<double> result = {flat.unit(), flat.surface_area()};
+  const auto add = [&](const RS::Double_3& p) { result.insert(result.end(), {p.x, p.y, p.z}); };
   for (std::size_t e = 0; e < flat.number_of_edges(); ++e)
     result.insert(result.end(), {double(flat.lower_face(e)), double(flat.higher_face(e)), flat.length(e),
                                  double(flat.flags(e)), flat.cosine(flat.lower_face(e), e)});
-  for (std::size_t f = 0; f < flat.number_of_faces(); ++f)
-    for (std::size_t i = 0; i < flat.number_of_corners(f); ++i)
-      result.push_back(flat.corner(f, i));
+  for (std::size_t f = 0; f < flat.number_of_faces(); ++f) {
+    add(flat.normal(f));
+    add(flat.centroid(f));
+    for (std::size_t i = 0; i < flat.points().number_of_corners(f); ++i)
+      result.push_back(flat.points().corner(f, i));
+  }
+  for (std::size_t v = 0; v < flat.points().number_of_points(); ++v)
+    add(flat.points()[v]);
   return result;
 }
 
@@ -113,8 +139,8 @@ TEST_P(Parallel_test, reading_gives_the_same_bits)
   std::vector<char> constrained(num_edges(mesh));
   for (char& c : constrained)
     c = random() % 10 == 0;
-  const auto np = RS::internal::pack(RS::parameters::edge_is_constrained_map(
-    boost::make_iterator_property_map(constrained.begin(), get(boost::edge_index, mesh))));
+  const auto np = RS::parameters::edge_is_constrained_map(
+    boost::make_iterator_property_map(constrained.begin(), get(boost::edge_index, mesh)));
   const auto expected = numbers_read<CGAL::Sequential_tag>(mesh, np);
   for (const std::size_t threads : {1, 3}) {
     const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
@@ -123,16 +149,53 @@ TEST_P(Parallel_test, reading_gives_the_same_bits)
   }
 }
 
-TEST_P(Parallel_test, best_gives_the_same_bits)
+TEST_P(Parallel_test, the_default_method_gives_the_same_bits)
 {
   Soup soup = torus(150, 60);
   std::mt19937 random(GetParam());
   bump(soup, 0.01, random);
   const Surface_mesh mesh = to_surface_mesh(soup);
   ASSERT_GT(num_faces(mesh), 2 * RS::internal::block_size);
-  EXPECT_EQ(run<CGAL::Parallel_tag>(mesh, RS::Best(), RS::Feature_convexity::CONCAVE),
-            run<CGAL::Sequential_tag>(mesh, RS::Best(), RS::Feature_convexity::CONCAVE))
-      << "seed " << GetParam();
+  const auto np = RS::parameters::number_of_segments(7);
+  EXPECT_EQ(run<CGAL::Parallel_tag>(mesh, np), run<CGAL::Sequential_tag>(mesh, np)) << "seed " << GetParam();
+}
+
+TEST_P(Parallel_test, a_segmenter_gives_the_same_labels)
+{
+  Soup soup = torus(150, 60);
+  std::mt19937 random(GetParam());
+  bump(soup, 0.01, random);
+  const Surface_mesh mesh = to_surface_mesh(soup);
+  const RS::Segmenter parallel(mesh, RS::parameters::default_values(), CGAL::Parallel_tag());
+  const RS::Segmenter sequential(mesh);
+  for (std::size_t k : {2, 7, 1000}) {
+    std::vector<std::size_t> a, b;
+    parallel.segment(by_face(mesh, a), k);
+    sequential.segment(by_face(mesh, b), k);
+    EXPECT_EQ(a, b) << "seed " << GetParam() << ", k " << k;
+  }
+}
+
+TEST(Parallel, a_segmenter_is_asked_from_several_threads)
+{
+  const Surface_mesh mesh = to_surface_mesh(torus(60, 30));
+  RS::Two_step method;
+  method.initializer.maximum_angle = 1;
+  method.initializer.feature_convexity = RS::Feature_convexity::ALL;
+  const RS::Segmenter by_default(mesh);
+  const RS::Segmenter two_step(mesh, RS::parameters::method(method));
+  constexpr std::size_t n = 24;
+  std::vector<std::vector<std::size_t>> labels(2 * n), expected(2 * n);
+  for (std::size_t k = 0; k < n; ++k) {
+    by_default.segment(by_face(mesh, expected[2 * k]), 1 + k);
+    two_step.segment(by_face(mesh, expected[2 * k + 1]), 1 + k);
+  }
+  const tbb::global_control control(tbb::global_control::max_allowed_parallelism, 4);
+  tbb::parallel_for(std::size_t(0), n, [&](std::size_t k) {
+    by_default.segment(by_face(mesh, labels[2 * k]), 1 + k);
+    two_step.segment(by_face(mesh, labels[2 * k + 1]), 1 + k);
+  });
+  EXPECT_EQ(labels, expected);
 }
 
 /// The lowest index of each tree, by search.
@@ -187,10 +250,10 @@ TEST_P(Parallel_test, the_forest_numbers_components_by_their_lowest_element)
     for (const auto& pair : pairs)
       if (!is_within(pair))
         forest.unite(pair.first, pair.second);
-    const RS::Region_labels labels = forest.take_labels();
-    EXPECT_EQ(labels.of_face, labels_by_search(size, pairs)) << "seed " << GetParam();
-    EXPECT_EQ(labels.number_of_regions,
-              1 + *std::max_element(labels.of_face.begin(), labels.of_face.end()));
+    const RS::Partition partition = forest.take_partition();
+    EXPECT_EQ(std::vector<std::uint32_t>(partition.begin(), partition.end()), labels_by_search(size, pairs))
+      << "seed " << GetParam();
+    EXPECT_EQ(partition.number_of_parts(), 1 + *std::max_element(partition.begin(), partition.end()));
   }
 }
 

@@ -5,7 +5,7 @@
 #include "meshes.h"
 #include "oracles.h"
 
-#include <CGAL/Region_segmentation/Smallest_region_first.h>
+#include <CGAL/Region_segmentation/detect_feature_edges.h>
 #include <CGAL/Region_segmentation/parameters.h>
 #include <CGAL/Region_segmentation/segment.h>
 #include <CGAL/Region_segmentation/version.h>
@@ -25,31 +25,33 @@ TEST(Parameters_test, chain_in_any_order)
   const Soup soup = dumbbell();
   const Surface_mesh mesh = to_surface_mesh(soup);
   const auto points = get(CGAL::vertex_point, mesh);
-  const auto all = RS::Feature_convexity::ALL;
-  const RS::Two_step two_step;
-  const Result expected = run(
-      mesh,
-      RP::number_of_segments(4).feature_convexity(all).maximum_angle(30).merging_policy(two_step));
+  const RS::Two_step two_step = Options(4, reference::Convexity::all, 30).method();
+  const Result expected = run(mesh, RP::number_of_segments(4).method(two_step));
   EXPECT_EQ(expected.tree.number_of_regions(), 16u);
   // Ours after CGAL's, CGAL's after ours, twice.
-  for (const Result& result : {run(mesh, RP::merging_policy(two_step)
-                                             .vertex_point_map(points)
-                                             .number_of_segments(4)
-                                             .maximum_angle(30)
-                                             .feature_convexity(all)),
-                               run(mesh, RP::maximum_angle(30)
-                                             .feature_convexity(all)
-                                             .vertex_point_map(points)
-                                             .number_of_segments(4)
-                                             .merging_policy(two_step)),
-                               run(mesh, RP::feature_convexity(all)
-                                             .number_of_segments(4)
-                                             .geom_traits(Kernel())
-                                             .merging_policy(two_step)
-                                             .maximum_angle(30.0f))}) {
+  for (const Result& result :
+       {run(mesh, RP::method(two_step).vertex_point_map(points).number_of_segments(4).geom_traits(Kernel())),
+        run(mesh, RP::vertex_point_map(points).number_of_segments(4).geom_traits(Kernel()).method(two_step)),
+        run(mesh, RP::number_of_segments(4).geom_traits(Kernel()).method(two_step).vertex_point_map(points))}) {
     EXPECT_EQ(result.segments, expected.segments);
     EXPECT_EQ(result.number_of_segments, 4u);
   }
+}
+
+TEST(Parameters_test, parameters_of_stages_chain_in_any_order)
+{
+  const Surface_mesh mesh = to_surface_mesh(dumbbell());
+  const auto points = get(CGAL::vertex_point, mesh);
+  const auto concave = RS::Feature_convexity::CONCAVE;
+  auto map = edge_map(mesh);
+  EXPECT_EQ(RS::detect_feature_edges(mesh, map, RP::feature_convexity(concave).maximum_angle(30)), 8u);
+  EXPECT_EQ(RS::detect_feature_edges(
+                mesh, map, RP::maximum_angle(30).vertex_point_map(points).feature_convexity(concave)),
+            8u);
+  EXPECT_EQ(RS::detect_feature_edges(
+                mesh, map, RP::vertex_point_map(points).feature_convexity(concave).maximum_angle(30.0f)),
+            8u);
+  EXPECT_EQ(RS::detect_feature_edges(mesh, map, RP::feature_convexity(concave).maximum_angle(120)), 0u);
 }
 
 TEST(Parameters_test, packs_of_cgal_are_taken)
@@ -67,7 +69,7 @@ TEST(Parameters_test, packs_of_cgal_are_taken)
 TEST(Parameters_test, a_pack_can_be_kept_and_used_again)
 {
   const Surface_mesh mesh = to_surface_mesh(dumbbell());
-  const auto pack = RP::number_of_segments(2).maximum_angle(30);
+  const auto pack = RP::number_of_segments(2).method(Options(2, reference::Convexity::all, 30).method());
   EXPECT_EQ(run(mesh, pack).segments, run(mesh, pack).segments);
 }
 

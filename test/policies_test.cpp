@@ -4,20 +4,23 @@
 
 #include "oracles.h"
 
-#include <CGAL/Region_segmentation/Least_compact_region_first.h>
-#include <CGAL/Region_segmentation/Longest_flattest_section.h>
-#include <CGAL/Region_segmentation/Lowest_cost_first.h>
-#include <CGAL/Region_segmentation/Policy_sequence.h>
-#include <CGAL/Region_segmentation/Region_adjacency_graph.h>
-#include <CGAL/Region_segmentation/Smallest_region_first.h>
+#include <CGAL/Region_segmentation/Methods/Least_compact_region_first.h>
+#include <CGAL/Region_segmentation/Methods/Longest_flattest_section.h>
+#include <CGAL/Region_segmentation/Methods/Lowest_cost_first.h>
+#include <CGAL/Region_segmentation/Methods/Policy_sequence.h>
+#include <CGAL/Region_segmentation/Graph/Region_adjacency_graph.h>
+#include <CGAL/Region_segmentation/Methods/Smallest_region_first.h>
+#include <CGAL/Region_segmentation/internal/graph/Batch_queue.h>
 #include <CGAL/Region_segmentation/merge_regions.h>
-#include <CGAL/Region_segmentation/two_step.h>
+#include <CGAL/Region_segmentation/Methods/Two_step.h>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <queue>
 #include <random>
 #include <set>
 
@@ -215,7 +218,7 @@ TEST(Smallest_region_first_test, can_be_used_again_after_a_run_that_was_stopped)
       add_section(g, i, i + 1, 1);
     return g;
   };
-  RS::Two_step policy;
+  RS::Two_step_merging policy;
   Graph first = chain(20000, 1e6);
   RS::merge_regions(first, policy, 1, RS::Stop_at_count{10000});
   for (const std::size_t size : {300, 3000, 30000}) {
@@ -224,7 +227,7 @@ TEST(Smallest_region_first_test, can_be_used_again_after_a_run_that_was_stopped)
     Merges pairs;
     for (const auto& m : tree.merges())
       pairs.push_back({m.kept, m.removed});
-    EXPECT_EQ(pairs, merges(chain(size, 1e-3), RS::Two_step(), 5)) << size;
+    EXPECT_EQ(pairs, merges(chain(size, 1e-3), RS::Two_step_merging(), 5)) << size;
   }
 }
 
@@ -258,6 +261,38 @@ TEST(Smallest_region_first_test, the_cost_is_the_area)
   ASSERT_EQ(tree.merges().size(), 2u);
   EXPECT_EQ(tree.merges()[0].cost, 1);
   EXPECT_EQ(tree.merges()[1].cost, 2); // region 1, not the merged one of area 1 + 3
+}
+
+TEST(Batch_queue_test, gives_what_a_heap_gives)
+{
+  using Queue = RS::internal::Batch_queue;
+  Queue queue; // of all rounds, since it starts anew with new entries
+  for (unsigned seed = 1; seed <= 50; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937 random(seed);
+    std::exponential_distribution<double> step(1);
+    const auto value = [&] { return random() % 50 == 0 ? 1e300 * step(random) : random() % 8 == 0 ? 0 : step(random); };
+    std::vector<Queue::Entry> entries(random() % 3000);
+    for (Queue::Entry& entry : entries)
+      entry = {value(), random() % 1000};
+    std::priority_queue<Queue::Entry, std::vector<Queue::Entry>, std::greater<>> heap(std::greater<>(), entries);
+    queue.assign(entries);
+    for (std::size_t popped = 0; queue.has_top() || queue.next_batch([](auto&) {}); ++popped) {
+      if (seed % 5 == 0 && popped == 1000)
+        break; // something is left
+      const Queue::Entry top = queue.top();
+      ASSERT_FALSE(heap.empty());
+      ASSERT_EQ(top, heap.top());
+      queue.pop();
+      heap.pop();
+      if (popped < 5000) {
+        const Queue::Entry entry(seed % 2 ? top.first + value() : value(), random() % 1000);
+        queue.push(entry);
+        heap.push(entry);
+      }
+    }
+    EXPECT_TRUE(seed % 5 == 0 || heap.empty());
+  }
 }
 
 TEST(Planarity_test, is_one_for_a_disc_and_infinite_without_area)
@@ -451,7 +486,37 @@ TEST(Policy_sequence_test, can_change_at_a_number_whatever_k)
   }
 }
 
-TEST(Two_step_test, is_the_sequence_of_its_steps)
+TEST(Policy_sequence_test, depends_on_the_number_if_a_policy_or_the_switch_does)
+{
+  using RS::internal::depends_on_number;
+  using Fixed = RS::Lowest_cost_first<Length_cost>;
+  using Any_number = RS::Policy_sequence<Fixed, Fixed, RS::Switch_at_count>;
+  EXPECT_FALSE((depends_on_number<Fixed, Graph>));
+  EXPECT_FALSE((depends_on_number<RS::Smallest_region_first, Graph>));
+  EXPECT_FALSE((depends_on_number<RS::Least_compact_region_first, Graph>));
+  EXPECT_FALSE((depends_on_number<Any_number, Graph>));
+  EXPECT_FALSE((depends_on_number<RS::Policy_sequence<Any_number, Fixed, RS::Switch_at_count>, Graph>));
+  EXPECT_TRUE((depends_on_number<RS::Policy_sequence<Fixed, Fixed, RS::Switch_at_multiple>, Graph>));
+  EXPECT_TRUE((depends_on_number<RS::Policy_sequence<Recording_policy, Fixed, RS::Switch_at_count>, Graph>));
+  EXPECT_TRUE((depends_on_number<RS::Policy_sequence<Fixed, Recording_policy, RS::Switch_at_count>, Graph>));
+  EXPECT_TRUE((depends_on_number<RS::Two_step_merging, Graph>));
+}
+
+TEST(Policy_sequence_test, of_policies_that_do_not_know_the_number_gives_one_tree)
+{
+  Graph g = star({{3, 1}, {1, 1}, {2, 1}, {5, 1}, {4, 1}});
+  const RS::Policy_sequence policy(RS::Smallest_region_first(), RS::Lowest_cost_first<Length_cost>(),
+                                   RS::Switch_at_count{4});
+  const Merges whole = merges(g, policy);
+  ASSERT_EQ(whole.size(), 5u);
+  // Areas 1 .. 6: region 0 goes across its longest section; then the smallest is 2, which has one section. Then by
+  // length: 1, 2, 4.
+  EXPECT_EQ(whole, (Merges{{0, 4}, {0, 1}, {0, 2}, {0, 3}, {0, 5}}));
+  for (std::size_t k = 2; k <= 6; ++k)
+    EXPECT_EQ(merges(g, policy, k), Merges(whole.begin(), whole.begin() + std::ptrdiff_t(6 - k)));
+}
+
+TEST(Two_step_merging_test, is_the_sequence_of_its_steps)
 {
   std::mt19937 random(7);
   Graph g;
@@ -466,10 +531,10 @@ TEST(Two_step_test, is_the_sequence_of_its_steps)
                                RS::Least_compact_region_first(0.1, 0.6),
                                RS::Switch_at_multiple{factor});
   };
-  EXPECT_EQ(merges(g, RS::Two_step(), 5), merges(g, sequence(2), 5));
-  EXPECT_EQ(merges(g, RS::Two_step(0.1, 0.6, 3), 5), merges(g, sequence(3), 5));
-  EXPECT_NE(merges(g, RS::Two_step(), 5), merges(g, RS::Smallest_region_first(), 5));
-  EXPECT_NE(merges(g, RS::Two_step(), 5), merges(g, RS::Least_compact_region_first(), 5));
+  EXPECT_EQ(merges(g, RS::Two_step_merging(), 5), merges(g, sequence(2), 5));
+  EXPECT_EQ(merges(g, RS::Two_step_merging(0.1, 0.6, 3), 5), merges(g, sequence(3), 5));
+  EXPECT_NE(merges(g, RS::Two_step_merging(), 5), merges(g, RS::Smallest_region_first(), 5));
+  EXPECT_NE(merges(g, RS::Two_step_merging(), 5), merges(g, RS::Least_compact_region_first(), 5));
 }
 
 } // namespace

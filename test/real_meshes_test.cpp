@@ -39,7 +39,7 @@ void check(const Surface_mesh& mesh)
   const Soup soup = soup_of(mesh);
   for (const auto& options : {Options(8), Options(5, reference::Convexity::all, 30),
                               Options(1, reference::Convexity::convex, 10)}) {
-    const Result result = run(mesh, options.named());
+    const Result result = run(mesh, options);
     const std::size_t regions = result.tree.number_of_regions();
     EXPECT_TRUE(is_numbered_by_first_face(result.segments, result.number_of_segments));
     EXPECT_TRUE(is_numbered_by_first_face(result.regions, regions));
@@ -87,7 +87,7 @@ TEST(Real_meshes, agree_with_the_reference_where_they_are_small)
     const Options options(8);
     try {
       const auto expected = reference::two_step(soup.points, soup.polygons, options);
-      EXPECT_EQ(run(mesh, options.named()).regions, expected.region_id);
+      EXPECT_EQ(run(mesh, options).regions, expected.region_id);
       return true;
     } catch (const std::invalid_argument&) {
       return false; // two edges between the same vertices, which the reference does not know

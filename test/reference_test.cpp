@@ -121,7 +121,7 @@ TEST_P(Reference_test, gives_the_same_features_and_lines)
     const auto constrained = edge_map(mesh, options.constrained_edges);
     auto is_feature = edge_map(mesh, std::uint8_t(1));
     const std::size_t n = RS::detect_feature_edges(
-        mesh, is_feature, options.named().edge_is_constrained_map(constrained));
+        mesh, is_feature, options.named_features().edge_is_constrained_map(constrained));
     ASSERT_EQ(flags_of(mesh, is_feature), expected.is_feature_detected);
     EXPECT_EQ(n, count(expected.is_feature_detected));
 
@@ -174,9 +174,7 @@ TEST_P(Reference_test, gives_the_same_segments_with_other_parameters)
     options.gamma = double(random() % 11) / 10;
     options.factor = 1 + double(random() % 7) / 2;
     const auto expected = reference::two_step(soup.points, soup.polygons, options);
-    const Surface_mesh mesh = to_surface_mesh(soup);
-    const Result result = run(
-        mesh, options.named().edge_is_constrained_map(edge_map(mesh, options.constrained_edges)));
+    const Result result = run(soup, options);
     if (differs_by_a_tie(soup, options, expected, result.tree))
       ++ties;
     else

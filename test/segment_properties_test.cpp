@@ -5,8 +5,8 @@
 #include "meshes.h"
 #include "oracles.h"
 
-#include <CGAL/Region_segmentation/Lowest_cost_first.h>
-#include <CGAL/Region_segmentation/best.h>
+#include <CGAL/Region_segmentation/Methods/Lowest_cost_first.h>
+#include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
 #include <CGAL/Region_segmentation/build_region_adjacency_graph.h>
 #include <CGAL/Region_segmentation/extract_feature_lines.h>
 #include <CGAL/Region_segmentation/segment.h>
@@ -87,11 +87,9 @@ TEST_P(Properties_test, segmentations_of_one_tree_nest)
     Labels finer = result.regions;
     for (std::size_t k = result.tree.number_of_regions(); k >= result.number_of_segments && k > 0;
          --k) {
-      const auto cut = result.tree.cut_at_count(k);
-      ASSERT_EQ(cut.number_of_segments, k);
-      Labels labels;
-      for (std::size_t r : result.regions)
-        labels.push_back(cut.of_region[r]);
+      const auto partition = result.tree.partition_at_count(k);
+      ASSERT_EQ(partition.number_of_parts(), k);
+      const Labels labels = labels_of(result.regions, partition);
       ASSERT_TRUE(is_numbered_by_first_face(labels, k));
       ASSERT_TRUE(is_connected(soup, labels));
       ASSERT_TRUE(nests(finer, labels));
@@ -101,16 +99,15 @@ TEST_P(Properties_test, segmentations_of_one_tree_nest)
   });
 }
 
-TEST_P(Properties_test, hold_for_the_best_method_too)
+TEST_P(Properties_test, hold_for_the_default_method_too)
 {
   for_each_mesh(8, [](const Soup& soup, Options options, std::mt19937& random) {
     if (random() % 2)
       options.constrained_edges = random_edges(soup, 10, random);
     const Surface_mesh mesh = to_surface_mesh(soup);
-    const Result result =
-        run(mesh, options.named()
-                      .merging_policy(RS::Best())
-                      .edge_is_constrained_map(edge_map(mesh, options.constrained_edges)));
+    const Result result = run(mesh, RP::number_of_segments(options.k)
+                                        .method(RS::Visibility_merging())
+                                        .edge_is_constrained_map(edge_map(mesh, options.constrained_edges)));
     EXPECT_TRUE(is_numbered_by_first_face(result.segments, result.number_of_segments));
     EXPECT_TRUE(is_numbered_by_first_face(result.regions, result.tree.number_of_regions()));
     EXPECT_TRUE(is_connected(soup, result.regions, options.constrained_edges));
@@ -137,16 +134,16 @@ TEST_P(Properties_test, a_policy_that_does_not_know_k_gives_one_tree)
 {
   for_each_mesh(5, [](const Soup& soup, Options options, std::mt19937&) {
     const Surface_mesh mesh = to_surface_mesh(soup);
-    const auto with = [&](std::size_t k) {
-      options.k = k;
-      return run(mesh, options.named().merging_policy(RS::Lowest_cost_first<Length_cost>()));
-    };
+    const auto method = options.method().with_policy(RS::Lowest_cost_first<Length_cost>());
+    const auto with = [&](std::size_t k) { return run(mesh, RP::number_of_segments(k).method(method)); };
     const Result whole = with(1);
     for (std::size_t k : {2, 3, 7, 20}) {
-      const auto cut = whole.tree.cut_at_count(k);
       const Result direct = with(k);
-      for (std::size_t f = 0; f < soup.polygons.size(); ++f)
-        ASSERT_EQ(cut.of_region[whole.regions[f]], direct.segments[f]);
+      ASSERT_EQ(labels_of(whole.regions, whole.tree.partition_at_count(k)), direct.segments);
+      // The tree is the whole one, whatever k.
+      ASSERT_EQ(direct.tree.merges().size(), whole.tree.merges().size());
+      for (std::size_t i = 0; i < whole.tree.merges().size(); ++i)
+        ASSERT_EQ(direct.tree.merges()[i].removed, whole.tree.merges()[i].removed);
     }
   });
 }
@@ -157,7 +154,7 @@ TEST_P(Properties_test, foreign_maps_give_the_same_labels)
 {
   for_each_mesh(6, [](const Soup& soup, const Options& options, std::mt19937& random) {
     Surface_mesh mesh = to_surface_mesh(soup);
-    const Result expected = run(mesh, options.named());
+    const Result expected = run(mesh, options);
     using Vertex = Surface_mesh::Vertex_index;
     using Face = Surface_mesh::Face_index;
 
@@ -174,8 +171,9 @@ TEST_P(Properties_test, foreign_maps_give_the_same_labels)
       EXPECT_EQ(result.segments, expected.segments);
       EXPECT_EQ(result.features, expected.features);
     };
-    same(run(mesh, options.named().vertex_point_map(boost::make_assoc_property_map(stored))));
-    same(run(mesh, options.named().vertex_point_map(by_value)));
+    same(run(mesh, options,
+             [&](const auto& np) { return np.vertex_point_map(boost::make_assoc_property_map(stored)); }));
+    same(run(mesh, options, [&](const auto& np) { return np.vertex_point_map(by_value); }));
 
     std::map<Face, std::size_t> face_index;
     std::map<Vertex, std::size_t> vertex_index;
@@ -192,13 +190,15 @@ TEST_P(Properties_test, foreign_maps_give_the_same_labels)
     shuffle(mesh.number_of_vertices());
     for (auto v : vertices(mesh))
       vertex_index[v] = numbers[vertex_index.size()];
-    same(run(mesh, options.named()
-                       .vertex_point_map(by_value)
-                       .face_index_map(boost::make_assoc_property_map(face_index))
-                       .vertex_index_map(boost::make_assoc_property_map(vertex_index))));
-    same(run(mesh, options.named().vertex_point_map(by_value).face_index_map(
-                       boost::make_function_property_map<Face>(
-                           [&](Face f) { return face_index.at(f); }))));
+    same(run(mesh, options, [&](const auto& np) {
+      return np.vertex_point_map(by_value)
+          .face_index_map(boost::make_assoc_property_map(face_index))
+          .vertex_index_map(boost::make_assoc_property_map(vertex_index));
+    }));
+    same(run(mesh, options, [&](const auto& np) {
+      return np.vertex_point_map(by_value).face_index_map(
+          boost::make_function_property_map<Face>([&](Face f) { return face_index.at(f); }));
+    }));
   });
 }
 
@@ -334,8 +334,7 @@ struct Outputs
   std::size_t run(const Parameters& np)
   {
     return RS::segment(
-        mesh, segments,
-        np.region_map(regions).edge_is_feature_map(features).merge_tree(std::ref(tree)));
+        mesh, segments, np.region_map(regions).merge_tree(std::ref(tree)));
   }
 
   void expect_untouched() const
@@ -392,11 +391,9 @@ struct Visitor
   }
 };
 
-TEST(Visitor_test, sees_the_stages_in_order_with_progress)
+/// The stages in order; within each of them progress never falls.
+std::vector<std::string> stages_of(const Visitor& visitor)
 {
-  const Surface_mesh mesh = to_surface_mesh(dumbbell());
-  Visitor visitor;
-  Outputs(mesh).run(Options(2, reference::Convexity::all).named().visitor(std::ref(visitor)));
   std::vector<std::string> stages;
   double last = 0;
   for (const auto& [stage, fraction] : visitor.calls) {
@@ -406,26 +403,93 @@ TEST(Visitor_test, sees_the_stages_in_order_with_progress)
       stages.push_back(stage);
       last = 0;
     }
-    EXPECT_GE(fraction, last);
+    EXPECT_GE(fraction, last) << stage;
     last = fraction;
   }
-  EXPECT_EQ(stages, (std::vector<std::string>{"reading", "features", "regions", "merging"}));
-  EXPECT_GT(visitor.calls.size(), 10u) << "merging tells about its steps";
+  return stages;
 }
 
-TEST(Visitor_test, can_cancel_anywhere_and_nothing_is_written)
+const std::vector<std::string> all_stages = {"reading", "regions", "graph", "merging"};
+
+TEST(Visitor_test, sees_the_stages_in_order_with_progress)
 {
   const Surface_mesh mesh = to_surface_mesh(dumbbell());
-  const auto named = Options(2, reference::Convexity::all).named();
+  Visitor visitor;
+  Outputs(mesh).run(Options(2, reference::Convexity::all).named().visitor(std::ref(visitor)));
+  EXPECT_EQ(stages_of(visitor), all_stages);
+  EXPECT_GT(visitor.calls.size(), 10u) << "merging tells about its steps";
+
+  Visitor of_default;
+  Outputs(mesh).run(RP::number_of_segments(2).visitor(std::ref(of_default)));
+  EXPECT_EQ(stages_of(of_default), all_stages);
+}
+
+TEST(Visitor_test, sees_the_stages_of_stage_functions)
+{
+  const Surface_mesh mesh = to_surface_mesh(dumbbell());
+  Outputs outputs(mesh);
+  using Stages = std::vector<std::string>;
+  Visitor detecting, growing, building;
+  RS::detect_feature_edges(mesh, outputs.features, RP::visitor(std::ref(detecting)));
+  EXPECT_EQ(stages_of(detecting), (Stages{"reading", "features"}));
+  RS::grow_regions(mesh, outputs.features, outputs.regions, RP::visitor(std::ref(growing)));
+  EXPECT_EQ(stages_of(growing), (Stages{"reading", "regions"}));
+  RS::build_region_adjacency_graph(mesh, outputs.regions, RP::visitor(std::ref(building)));
+  EXPECT_EQ(stages_of(building), (Stages{"reading", "graph"}));
+}
+
+TEST(Visitor_test, sees_progress_inside_long_stages)
+{
+  const Surface_mesh mesh = to_surface_mesh(sphere(6)); // 32,768 faces
+  Visitor visitor;
+  RS::segment(mesh, face_map(mesh), RP::visitor(std::ref(visitor)));
+  EXPECT_EQ(stages_of(visitor), all_stages);
+  std::map<std::string, std::size_t> calls;
+  for (const auto& call : visitor.calls)
+    ++calls[call.first];
+  for (const std::string& stage : all_stages)
+    EXPECT_GT(calls[stage], 1u) << stage;
+}
+
+/// Cancels at every call in turn.
+template <typename Parameters>
+void expect_that_cancelling_writes_nothing(const Surface_mesh& mesh, const Parameters& np)
+{
   Visitor whole;
-  Outputs(mesh).run(named.visitor(std::ref(whole)));
+  Outputs(mesh).run(np.visitor(std::ref(whole)));
   ASSERT_GT(whole.calls.size(), 4u);
   for (std::size_t i = 1; i <= whole.calls.size(); ++i) {
     Visitor visitor;
     visitor.cancel_at = i;
     Outputs outputs(mesh);
-    EXPECT_THROW(outputs.run(named.visitor(std::ref(visitor))), RS::Segmentation_cancelled);
+    EXPECT_THROW(outputs.run(np.visitor(std::ref(visitor))), RS::Segmentation_cancelled);
     EXPECT_EQ(visitor.calls.size(), i);
+    outputs.expect_untouched();
+  }
+}
+
+TEST(Visitor_test, can_cancel_anywhere_and_nothing_is_written)
+{
+  const Surface_mesh mesh = to_surface_mesh(dumbbell());
+  expect_that_cancelling_writes_nothing(mesh, Options(2, reference::Convexity::all).named());
+  expect_that_cancelling_writes_nothing(mesh, RP::number_of_segments(2));
+}
+
+TEST(Visitor_test, can_cancel_stage_functions_and_nothing_is_written)
+{
+  const Surface_mesh mesh = to_surface_mesh(dumbbell());
+  for (std::size_t i = 1; i <= 2; ++i) {
+    Visitor visitor;
+    visitor.cancel_at = i;
+    Outputs outputs(mesh);
+    EXPECT_THROW(RS::detect_feature_edges(mesh, outputs.features, RP::visitor(std::ref(visitor))),
+                 RS::Segmentation_cancelled);
+    visitor.calls.clear();
+    EXPECT_THROW(RS::grow_regions(mesh, outputs.features, outputs.regions, RP::visitor(std::ref(visitor))),
+                 RS::Segmentation_cancelled);
+    visitor.calls.clear();
+    EXPECT_THROW(RS::build_region_adjacency_graph(mesh, outputs.regions, RP::visitor(std::ref(visitor))),
+                 RS::Segmentation_cancelled);
     outputs.expect_untouched();
   }
 }
@@ -433,9 +497,10 @@ TEST(Visitor_test, can_cancel_anywhere_and_nothing_is_written)
 TEST(Visitor_test, changes_nothing)
 {
   const Surface_mesh mesh = to_surface_mesh(random_mesh(Family::BLOCKS, 1));
-  const auto named = Options(3, reference::Convexity::all, 20).named();
+  const Options options(3, reference::Convexity::all, 20);
   Visitor visitor;
-  expect_same(run(mesh, named.visitor(std::ref(visitor))), run(mesh, named));
+  expect_same(run(mesh, options, [&](const auto& np) { return np.visitor(std::ref(visitor)); }), run(mesh, options));
+  EXPECT_FALSE(visitor.calls.empty());
 }
 
 // Overflow is a degenerate face, not an error.

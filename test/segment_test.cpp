@@ -5,12 +5,13 @@
 #include "meshes.h"
 #include "oracles.h"
 
-#include <CGAL/Region_segmentation/Lowest_cost_first.h>
+#include <CGAL/Region_segmentation/Methods/Lowest_cost_first.h>
 #include <CGAL/Region_segmentation/segment.h>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numeric>
 
 namespace {
 
@@ -82,7 +83,7 @@ TEST(Segment_test, isolated_vertices_do_not_matter)
 {
   Surface_mesh mesh = to_surface_mesh(dumbbell());
   mesh.add_vertex(Kernel::Point_3(100, 100, 100));
-  EXPECT_EQ(run(mesh, Options(3).named()).segments, run(dumbbell(), Options(3)).segments);
+  EXPECT_EQ(run(mesh, Options(3)).segments, run(dumbbell(), Options(3)).segments);
 }
 
 TEST(Segment_test, faces_that_share_several_edges)
@@ -117,24 +118,22 @@ TEST(Segment_test, constrained_edges_are_never_merged_across)
 /// Every face is a region of its own.
 struct Single_faces
 {
-  RS::Region_labels operator()(const RS::Flat_mesh& flat, const RS::Edge_marks&) const
+  RS::Partition operator()(const RS::Flat_mesh& flat) const
   {
-    RS::Region_labels labels;
-    for (std::size_t f = 0; f < flat.number_of_faces(); ++f)
-      labels.of_face.push_back(RS::Flat_mesh::Index(f));
-    labels.number_of_regions = flat.number_of_faces();
-    return labels;
+    std::vector<RS::Partition::Index> numbers(flat.number_of_faces());
+    std::iota(numbers.begin(), numbers.end(), RS::Partition::Index(0));
+    return RS::Partition(numbers, numbers.size());
   }
 };
 
 TEST(Segment_test, takes_other_makers_of_regions)
 {
   const Surface_mesh mesh = to_surface_mesh(l_shape());
-  const Result result = run(mesh, Options(14).named().region_initializer(Single_faces()));
+  const auto method = Options(1).method().with_initializer(Single_faces());
+  const Result result = run(mesh, RS::parameters::number_of_segments(14).method(method));
   EXPECT_EQ(result.number_of_segments, 14u);
   EXPECT_TRUE(is_numbered_by_first_face(result.regions, 14));
-  EXPECT_EQ(run(mesh, Options(4).named().region_initializer(Single_faces())).number_of_segments,
-            4u);
+  EXPECT_EQ(run(mesh, RS::parameters::number_of_segments(4).method(method)).number_of_segments, 4u);
 }
 
 struct Angle_cost // flat sections first
@@ -150,10 +149,9 @@ TEST(Segment_test, takes_other_policies)
 {
   // Single squares of a dumbbell, merged by angle: first all that is flat.
   const Surface_mesh mesh = to_surface_mesh(dumbbell());
-  const Result result = run(mesh, Options(16)
-                                      .named()
-                                      .region_initializer(Single_faces())
-                                      .merging_policy(RS::Lowest_cost_first<Angle_cost>()));
+  const auto method =
+      RS::Two_step().with_initializer(Single_faces()).with_policy(RS::Lowest_cost_first<Angle_cost>());
+  const Result result = run(mesh, RS::parameters::number_of_segments(16).method(method));
   EXPECT_EQ(result.segments, run(dumbbell(), Options(16, all)).regions);
 }
 

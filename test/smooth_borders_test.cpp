@@ -3,7 +3,7 @@
 #include "meshes.h"
 #include "oracles.h"
 
-#include <CGAL/Region_segmentation/internal/Minimum_cut.h>
+#include <CGAL/Region_segmentation/internal/cuts/Minimum_cut.h>
 #include <CGAL/Region_segmentation/smooth_borders.h>
 
 #include <CGAL/Polyhedron_3.h>

@@ -6,36 +6,47 @@
 /// \file region_segmentation.h
 /// Everything of the package but `Spectral_partitioner`, which needs Eigen.
 
-#include <CGAL/Region_segmentation/Cut_cost.h>
+#include <CGAL/Region_segmentation/Double_3.h>
+#include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/Feature_convexity.h>
+#include <CGAL/Region_segmentation/Flat_mesh.h>
+#include <CGAL/Region_segmentation/Graph/Merge_candidate.h>
+#include <CGAL/Region_segmentation/Graph/Merge_tree.h>
+#include <CGAL/Region_segmentation/Graph/Region_adjacency_graph.h>
+#include <CGAL/Region_segmentation/Graph/Section_descriptor.h>
+#include <CGAL/Region_segmentation/Graph/geometry_data.h>
 #include <CGAL/Region_segmentation/IO/labels.h>
-#include <CGAL/Region_segmentation/Least_compact_region_first.h>
-#include <CGAL/Region_segmentation/Longest_flattest_section.h>
-#include <CGAL/Region_segmentation/Lowest_cost_first.h>
-#include <CGAL/Region_segmentation/Merge_candidate.h>
-#include <CGAL/Region_segmentation/Merge_tree.h>
-#include <CGAL/Region_segmentation/Number_from_costs.h>
-#include <CGAL/Region_segmentation/Policy_sequence.h>
-#include <CGAL/Region_segmentation/Region_adjacency_graph.h>
-#include <CGAL/Region_segmentation/Sight.h>
-#include <CGAL/Region_segmentation/Smallest_region_first.h>
-#include <CGAL/Region_segmentation/Superfacets.h>
-#include <CGAL/Region_segmentation/best.h>
+#include <CGAL/Region_segmentation/Mesh_data.h>
+#include <CGAL/Region_segmentation/Methods/Geometry_annotator.h>
+#include <CGAL/Region_segmentation/Methods/Least_compact_region_first.h>
+#include <CGAL/Region_segmentation/Methods/Longest_flattest_section.h>
+#include <CGAL/Region_segmentation/Methods/Lowest_cost_first.h>
+#include <CGAL/Region_segmentation/Methods/Number_from_costs.h>
+#include <CGAL/Region_segmentation/Methods/Policy_sequence.h>
+#include <CGAL/Region_segmentation/Methods/Region_growing.h>
+#include <CGAL/Region_segmentation/Methods/Segmentation_method.h>
+#include <CGAL/Region_segmentation/Methods/Smallest_region_first.h>
+#include <CGAL/Region_segmentation/Methods/Superfacets.h>
+#include <CGAL/Region_segmentation/Methods/Two_step.h>
+#include <CGAL/Region_segmentation/Methods/Visibility_annotator.h>
+#include <CGAL/Region_segmentation/Methods/Visibility_cost.h>
+#include <CGAL/Region_segmentation/Methods/Visibility_data.h>
+#include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
+#include <CGAL/Region_segmentation/Partition.h>
+#include <CGAL/Region_segmentation/Segmenter.h>
 #include <CGAL/Region_segmentation/build_region_adjacency_graph.h>
 #include <CGAL/Region_segmentation/choose_feature_convexity.h>
 #include <CGAL/Region_segmentation/detect_feature_edges.h>
 #include <CGAL/Region_segmentation/evaluation.h>
 #include <CGAL/Region_segmentation/exceptions.h>
 #include <CGAL/Region_segmentation/extract_feature_lines.h>
+#include <CGAL/Region_segmentation/face_values.h>
 #include <CGAL/Region_segmentation/grow_regions.h>
 #include <CGAL/Region_segmentation/merge_regions.h>
 #include <CGAL/Region_segmentation/parameters.h>
-#include <CGAL/Region_segmentation/part_and_cut_data.h>
-#include <CGAL/Region_segmentation/partition_into_segments.h>
-#include <CGAL/Region_segmentation/region_and_section_data.h>
+#include <CGAL/Region_segmentation/read_flat_mesh.h>
 #include <CGAL/Region_segmentation/segment.h>
 #include <CGAL/Region_segmentation/smooth_borders.h>
-#include <CGAL/Region_segmentation/two_step.h>
 #include <CGAL/Region_segmentation/version.h>
 
 #endif // CGAL_REGION_SEGMENTATION_H

@@ -11,14 +11,15 @@
 
 namespace princeton_benchmark {
 
-/// Seconds of CPU time of the stages as the paper divides them.
+/// Seconds of CPU time of the stages.
 struct Stage_seconds
 {
-  double features = 0; ///< with reading the mesh into arrays, where the normals are computed
-  double growing = 0;  ///< with building the graph of regions
-  double merging = 0;  ///< to the labels
+  double reading = 0; ///< the mesh into arrays, where the normals are computed
+  double regions = 0; ///< the first ones
+  double graph = 0;   ///< of the regions, with its annotation
+  double merging = 0; ///< to the labels
 
-  double total() const { return features + growing + merging; }
+  double total() const { return reading + regions + graph + merging; }
 };
 
 /// A picture of a result beside one of a truth, as a PNG file.

@@ -14,9 +14,9 @@ namespace princeton_benchmark {
 struct Benchmark_options
 {
   std::string data_folder; ///< empty: the procedural models
-  /// Given: `best` beside `two-step` on variants of the procedural models instead, random with it.
+  /// Given: `visibility` beside `two-step` on variants of the procedural models instead, random with it.
   std::optional<std::uint32_t> variants_seed;
-  std::string method = "best";
+  std::string method = "visibility";
   std::size_t number_of_threads = 1, number_of_runs = 1;
   std::string csv_file, report_file; ///< empty: none
 };

@@ -93,7 +93,7 @@ int run_variants(const Benchmark_options& options)
   const std::vector<Model_source> sources = variant_sources(model_variants(*options.variants_seed));
   std::vector<Variants_run> runs;
   std::vector<Model_result> all;
-  for (const char* name : {"best", "two-step"}) {
+  for (const char* name : {"visibility", "two-step"}) {
     const Method& method = find_method(name);
     const auto score = [&](const Model& model) { return score_segmentation(model, method); };
     runs.push_back({name, run_with_progress(sources, score, options.number_of_threads)});

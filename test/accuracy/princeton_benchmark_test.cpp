@@ -243,7 +243,7 @@ TEST(Write_csv, every_line_has_all_fields)
   std::istringstream lines(out.str());
   std::size_t number_of_lines = 0;
   for (std::string line; std::getline(lines, line); ++number_of_lines)
-    EXPECT_EQ(std::count(line.begin(), line.end(), ','), 58) << line;
+    EXPECT_EQ(std::count(line.begin(), line.end(), ','), 59) << line;
   EXPECT_EQ(number_of_lines, 3u);
   EXPECT_NE(out.str().find("\"a \"\"word\"\" and another\""), std::string::npos);
 }

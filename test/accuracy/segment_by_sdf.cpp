@@ -24,7 +24,7 @@ Timed_segmentation segment_by_sdf(const Benchmark_mesh& mesh, Wanted_number)
   const double middle = thread_seconds();
   result.number_of_segments =
       CGAL::segmentation_from_sdf_values(mesh, diameter_map, face_map(mesh, result.labels));
-  result.seconds.features = middle - start;
+  result.seconds.regions = middle - start;
   result.seconds.merging = thread_seconds() - middle;
   return result;
 }

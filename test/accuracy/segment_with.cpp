@@ -3,9 +3,9 @@
 #include "segment_with.h"
 #include "thread_seconds.h"
 
-#include <CGAL/Region_segmentation/best.h>
+#include <CGAL/Region_segmentation/Methods/Two_step.h>
+#include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
 #include <CGAL/Region_segmentation/segment.h>
-#include <CGAL/Region_segmentation/two_step.h>
 
 #include <algorithm>
 #include <functional>
@@ -43,9 +43,10 @@ public:
 private:
   double& place()
   {
-    if (m_stage == "merging")
-      return m_seconds.merging;
-    return m_stage == "regions" ? m_seconds.growing : m_seconds.features;
+    return m_stage == "reading"   ? m_seconds.reading
+           : m_stage == "regions" ? m_seconds.regions
+           : m_stage == "graph"   ? m_seconds.graph
+                                  : m_seconds.merging;
   }
 
   std::string m_stage;
@@ -62,7 +63,7 @@ Timed_segmentation segment_with(const Parameters& parameters, const Benchmark_me
   Stage_timer timer;
   result.number_of_segments =
       RS::segment(mesh, face_map(mesh, result.labels),
-                  parameters.merge_tree(std::ref(tree)).visitor(std::ref(timer)));
+                  parameters.merge_tree(tree).visitor(std::ref(timer)));
   result.seconds = timer.finish();
   result.number_of_regions = tree.number_of_regions();
   return result;
@@ -71,12 +72,12 @@ Timed_segmentation segment_with(const Parameters& parameters, const Benchmark_me
 Timed_segmentation segment_by_two_step(const Benchmark_mesh& mesh, Wanted_number number)
 {
   return segment_with(
-      RS::parameters::merging_policy(RS::Two_step()).number_of_segments(number.value()), mesh);
+      RS::parameters::method(RS::Two_step()).number_of_segments(number.value()), mesh);
 }
 
-Timed_segmentation segment_by_best(const Benchmark_mesh& mesh, Wanted_number number)
+Timed_segmentation segment_by_visibility(const Benchmark_mesh& mesh, Wanted_number number)
 {
-  const auto parameters = RS::parameters::merging_policy(RS::Best());
+  const auto parameters = RS::parameters::method(RS::Visibility_merging());
   return number ? segment_with(parameters.number_of_segments(*number), mesh)
                 : segment_with(parameters, mesh);
 }
@@ -85,7 +86,7 @@ Timed_segmentation segment_by_best(const Benchmark_mesh& mesh, Wanted_number num
 
 const std::vector<Method>& methods()
 {
-  static const std::vector<Method> all = {{"best", segment_by_best, Numbers::BOTH},
+  static const std::vector<Method> all = {{"visibility", segment_by_visibility, Numbers::BOTH},
                                           {"two-step", segment_by_two_step, Numbers::GIVEN},
                                           {"sdf", segment_by_sdf, Numbers::CHOSEN}};
   return all;

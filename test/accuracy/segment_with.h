@@ -40,7 +40,7 @@ struct Method
   bool chooses_number() const { return numbers != Numbers::GIVEN; }
 };
 
-/// `best` and `two-step` of the library, and `sdf`, CGAL's own segmentation.
+/// `visibility` and `two-step` of the library, and `sdf`, CGAL's own segmentation.
 const std::vector<Method>& methods();
 
 /// \pre there is such a method

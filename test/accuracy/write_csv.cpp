@@ -29,8 +29,8 @@ void write_scores(std::ostream& out, const std::optional<Measures>& measures)
 
 void write_header(std::ostream& out)
 {
-  out << "model,category,faces,truths,k,segments,regions,seconds_features,seconds_growing,"
-         "seconds_merging";
+  out << "model,category,faces,truths,k,segments,regions,seconds_reading,seconds_regions,"
+         "seconds_graph,seconds_merging";
   for (const char* protocol : {"standard", "first", "nearest", "automatic", "own_number"})
     for (const char* column : measure_columns)
       out << "," << protocol << "_" << column;
@@ -47,8 +47,8 @@ void write_csv(std::ostream& out, const std::vector<Model_result>& results)
     out << quoted(r.name) << "," << quoted(r.category);
     if (r.failure.empty()) {
       out << "," << r.number_of_faces << "," << r.number_of_truths << "," << r.wanted_segments
-          << "," << r.number_of_segments << "," << r.number_of_regions << "," << r.seconds.features
-          << "," << r.seconds.growing << "," << r.seconds.merging;
+          << "," << r.number_of_segments << "," << r.number_of_regions << "," << r.seconds.reading
+          << "," << r.seconds.regions << "," << r.seconds.graph << "," << r.seconds.merging;
       write_scores(out, r.standard);
       write_scores(out, r.first);
       write_scores(out, r.nearest);
@@ -56,7 +56,7 @@ void write_csv(std::ostream& out, const std::vector<Model_result>& results)
       write_scores(out, r.own_number);
       out << "," << r.automatic_segments << "," << quoted(r.nearest_truth) << "," << r.nearest_distance << ",";
     } else {
-      out << std::string(8 + 5 * number_of_measures + 4, ',') << quoted(r.failure);
+      out << std::string(9 + 5 * number_of_measures + 4, ',') << quoted(r.failure);
     }
     out << "\n";
   }

@@ -12,10 +12,9 @@
 
 namespace speed_benchmark {
 
-/// Reading is what makes the flat mesh; `GRAPH` begins with the clearing of marks within regions, and
-/// with `Best` includes thickness and sight; `MERGING` ends when the labels are written.
-enum class Stage { READING, FEATURES, GROWING, GRAPH, MERGING };
-constexpr std::size_t number_of_stages = 5;
+/// Reading is what makes the flat mesh; `GRAPH` includes the annotation; `MERGING` ends when the labels are written.
+enum class Stage { READING, REGIONS, GRAPH, MERGING };
+constexpr std::size_t number_of_stages = 4;
 
 struct Stage_seconds
 {
@@ -46,15 +45,6 @@ public:
     return stage <= m_last;
   }
 
-  /// For what the visitor does not hear of.
-  void enter(Stage stage)
-  {
-    const double now = seconds(m_clock);
-    m_seconds.of_stage[std::size_t(m_stage)] += now - m_start;
-    m_start = now;
-    m_stage = stage;
-  }
-
   void set_number_of_regions(std::size_t number) { m_seconds.number_of_regions = number; }
 
   Stage_seconds stop()
@@ -65,9 +55,17 @@ public:
   }
 
 private:
+  void enter(Stage stage)
+  {
+    const double now = seconds(m_clock);
+    m_seconds.of_stage[std::size_t(m_stage)] += now - m_start;
+    m_start = now;
+    m_stage = stage;
+  }
+
   static Stage stage_of(const char* name)
   {
-    constexpr const char* names[] = {"reading", "features", "regions"};
+    constexpr const char* names[] = {"reading", "regions", "graph"};
     for (std::size_t i = 0; i < 3; ++i)
       if (std::strcmp(name, names[i]) == 0)
         return Stage(i);

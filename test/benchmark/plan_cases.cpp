@@ -49,11 +49,11 @@ Case compared_with_surface_mesh(Case c, const Pipeline& settings)
 Case in_parallel(Case c, Pipeline settings, std::size_t threads)
 {
   c.threads = threads;
-  c.reference = "1 thread, to growing";
-  c.compared_until = Stage::GROWING;
+  c.reference = "1 thread, to regions";
+  c.compared_until = Stage::REGIONS;
   settings.is_parallel = false;
   c.run_reference = [settings](const Subjects& s) {
-    return s.surface_mesh.segment(settings).until(Stage::GROWING);
+    return s.surface_mesh.segment(settings).until(Stage::REGIONS);
   };
   return c;
 }
@@ -91,7 +91,7 @@ Case call(const Mesh_wanted& mesh, const std::string& what, const Call& run, con
 
 void add_pipelines(std::vector<Case>& cases, const Mesh_wanted& mesh, std::size_t threads)
 {
-  const std::pair<Method, const char*> methods[] = {{Method::TWO_STEP, "two-step"}, {Method::BEST, "best"}};
+  const std::pair<Method, const char*> methods[] = {{Method::TWO_STEP, "two-step"}, {Method::VISIBILITY, "visibility"}};
   for (const auto& [method, what] : methods) {
     Pipeline settings{method};
     const Case c = pipeline(mesh, what, settings);
@@ -118,11 +118,11 @@ void add_edge_methods(std::vector<Case>& cases, const Mesh_wanted& mesh)
 
 void add_slow_methods(std::vector<Case>& cases, const Mesh_wanted& mesh)
 {
-  const auto best = [](Subject& s) { return s.segment({Method::BEST}).whole(); };
+  const auto visibility = [](Subject& s) { return s.segment({Method::VISIBILITY}).whole(); };
   cases.push_back(call(
-    mesh, "sdf_values + segmentation", [](auto& s) { s.shape_diameter_segmentation(8); }, "best", best));
+    mesh, "sdf_values + segmentation", [](auto& s) { s.shape_diameter_segmentation(8); }, "visibility", visibility));
   cases.push_back(call(
-    mesh, "Surface_mesh_approximation", [](auto& s) { s.shape_approximation(8); }, "best", best));
+    mesh, "Surface_mesh_approximation", [](auto& s) { s.shape_approximation(8); }, "visibility", visibility));
 }
 
 void add_curvatures(std::vector<Case>& cases, const Mesh_wanted& mesh)

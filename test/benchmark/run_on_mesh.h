@@ -7,9 +7,9 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/compute_normal.h>
-#include <CGAL/Region_segmentation/best.h>
+#include <CGAL/Region_segmentation/Methods/Two_step.h>
+#include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
 #include <CGAL/Region_segmentation/segment.h>
-#include <CGAL/Region_segmentation/two_step.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/tags.h>
 
@@ -18,6 +18,7 @@
 #include <cstdint>
 #include <functional>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -42,20 +43,20 @@ void fill_mesh(const Triangles& triangles, Mesh& mesh, AddPoint add_point)
   }
 }
 
-/// A maker of regions that tells the clock when it is done; it takes what the maker takes.
-template <typename Maker>
-struct Clocked : Maker
+/// An initializer that counts its regions.
+template <typename Initializer>
+struct Counting : Initializer
 {
   Stage_clock* clock;
 
-  Clocked(const Maker& maker, Stage_clock& c) : Maker(maker), clock(&c) {}
+  Counting(const Initializer& initializer, Stage_clock& c) : Initializer(initializer), clock(&c) {}
 
-  template <typename... Arguments>
-  auto operator()(const Arguments&... arguments) const -> decltype(std::declval<const Maker&>()(arguments...))
+  template <typename ConcurrencyTag>
+  auto operator()(const CGAL::Region_segmentation::Flat_mesh& mesh,
+                  const CGAL::Region_segmentation::Execution<ConcurrencyTag>& execution) const
   {
-    auto regions = Maker::operator()(arguments...);
-    clock->set_number_of_regions(regions.number_of_regions);
-    clock->enter(Stage::GRAPH);
+    auto regions = Initializer::operator()(mesh, execution);
+    clock->set_number_of_regions(regions.number_of_parts());
     return regions;
   }
 };
@@ -85,9 +86,12 @@ public:
   Stage_seconds segment(const Pipeline& pipeline) override
   {
     using namespace CGAL::Region_segmentation;
-    if (pipeline.method == Method::BEST)
-      return segment_by(Best(), Best::RegionInitializer(), pipeline);
-    return segment_by(Two_step(), Two_step::RegionInitializer(), pipeline);
+    if (pipeline.method == Method::VISIBILITY)
+      return segment_by(Visibility_merging(), pipeline);
+    Two_step method;
+    if (pipeline.method == Method::REGIONS)
+      method.initializer.feature_convexity = Feature_convexity::ALL;
+    return segment_by(method, pipeline);
   }
 
 protected:
@@ -100,18 +104,16 @@ protected:
   }
 
 private:
-  template <typename Policy, typename Maker>
-  Stage_seconds segment_by(const Policy& policy, const Maker& maker, const Pipeline& pipeline)
+  template <typename SegmentationMethod>
+  Stage_seconds segment_by(const SegmentationMethod& method, const Pipeline& pipeline)
   {
     using namespace CGAL::Region_segmentation;
-    const bool is_whole = pipeline.method != Method::REGIONS;
-    Stage_clock clock(pipeline.clock, is_whole ? Stage::MERGING : Stage::GRAPH);
-    const auto np = CGAL::Region_segmentation::parameters::number_of_segments(
-                      pipeline.number_of_segments)
-                      .merging_policy(policy)
-                      .region_initializer(Clocked<Maker>(maker, clock))
-                      .feature_convexity(is_whole ? Feature_convexity::CONCAVE : Feature_convexity::ALL)
-                      .visitor(std::ref(clock));
+    using Initializer = decltype(method.initializer);
+    Stage_clock clock(pipeline.clock, pipeline.method == Method::REGIONS ? Stage::GRAPH : Stage::MERGING);
+    const auto np =
+      CGAL::Region_segmentation::parameters::number_of_segments(pipeline.number_of_segments)
+        .method(method.with_initializer(Counting<std::decay_t<Initializer>>(method.initializer, clock)))
+        .visitor(std::ref(clock));
     try {
 #ifdef REGION_SEGMENTATION_BENCHMARK_PARALLEL
       if (pipeline.is_parallel)

@@ -8,6 +8,7 @@
 #include <CGAL/region_segmentation.h>
 
 #include <optional>
+#include <vector>
 
 namespace RS = CGAL::Region_segmentation;
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;

@@ -4,17 +4,14 @@
 struct Policy
 {
 #ifdef WITH_FAULT
-  void initialize(const Graph&) {}
+  void initialize(Graph&, int, int) {}
 #else
-  void initialize(const Graph&, std::size_t) {}
+  void initialize(const Graph&) {}
 #endif
-  std::optional<RS::Merge_candidate> next(const Graph&)
-  {
-    return std::nullopt;
-  }
+  std::optional<RS::Merge_candidate> next(const Graph&) { return std::nullopt; }
   void on_merge(const Graph&, const Graph::Merge&) {}
 };
 void test(const Mesh& mesh, Labels labels)
 {
-  RS::segment(mesh, labels, RS::parameters::number_of_segments(3).merging_policy(Policy()));
+  RS::segment(mesh, labels, RS::parameters::number_of_segments(3).method(RS::Two_step().with_policy(Policy())));
 }

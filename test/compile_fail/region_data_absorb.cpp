@@ -16,5 +16,5 @@ struct Region_data
 };
 void test(const Mesh& mesh, Labels labels)
 {
-  RS::build_region_adjacency_graph<RS::Region_adjacency_graph<Region_data>>(mesh, labels);
+  RS::build_region_adjacency_graph(mesh, labels, RS::Geometry_annotator<Region_data>());
 }

@@ -1,22 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// expect: a RegionInitializer needs: Region_labels operator()
+// expect: a RegionInitializer needs: Partition operator()
 #include "common.h"
 struct Initializer
 {
 #ifdef WITH_FAULT
-  RS::Region_labels operator()(const RS::Flat_mesh&) const
-  {
-    return {};
-  }
+  void operator()(const RS::Flat_mesh&, std::vector<int>&) const {}
 #else
-  RS::Region_labels operator()(const RS::Flat_mesh&, const RS::Edge_marks&) const
-  {
-    return {};
-  }
+  RS::Partition operator()(const RS::Flat_mesh&) const { return {}; }
 #endif
 };
 void test(const Mesh& mesh, Labels labels)
 {
   RS::segment(mesh, labels,
-              RS::parameters::number_of_segments(3).region_initializer(Initializer()));
+              RS::parameters::number_of_segments(3).method(RS::Two_step().with_initializer(Initializer())));
 }

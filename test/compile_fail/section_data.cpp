@@ -11,6 +11,5 @@ struct Section_data
 };
 void test(const Mesh& mesh, Labels labels)
 {
-  RS::build_region_adjacency_graph<RS::Region_adjacency_graph<RS::Region_geometry, Section_data>>(
-      mesh, labels);
+  RS::build_region_adjacency_graph(mesh, labels, RS::Geometry_annotator<RS::Region_geometry, Section_data>());
 }

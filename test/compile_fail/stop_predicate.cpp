@@ -17,6 +17,6 @@ struct Stop
 };
 void test(Graph& graph)
 {
-  RS::Two_step policy;
+  RS::Two_step_merging policy;
   RS::merge_regions(graph, policy, 3, Stop());
 }

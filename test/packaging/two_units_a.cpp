@@ -4,6 +4,10 @@
 
 #include <CGAL/region_segmentation.h>
 
+#if defined CGAL_REGION_SEGMENTATION_PARAMETERS || defined CGAL_REGION_SEGMENTATION_ADD || defined CGAL_add_named_parameter
+#error "a macro of the named parameters is left defined"
+#endif
+
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 

@@ -64,7 +64,7 @@ TEST_F(Program, chooses_the_number_of_segments)
     outcome.out,
     std::regex("a\\.off: [0-9]+ faces, [0-9]+ regions, [0-9]+ segments" + time_at_end)))
     << outcome.out;
-  EXPECT_NE(folder.read("a.json").find("\"method\": \"best\", \"segments\": null"),
+  EXPECT_NE(folder.read("a.json").find("\"method\": \"visibility\", \"segments\": null"),
             std::string::npos);
 }
 
@@ -79,12 +79,12 @@ TEST_F(Program, takes_the_largest_number_of_segments)
 
 TEST_F(Program, runs_both_methods)
 {
-  const Outcome best = run("--method best"), two_step = run("--method two-step"),
+  const Outcome visibility = run("--method visibility"), two_step = run("--method two-step"),
                 standard = run("");
   const auto line_without_time = [](const Outcome& o) {
     return o.out.substr(0, o.out.find(" segments"));
   };
-  EXPECT_EQ(line_without_time(best), line_without_time(standard));
+  EXPECT_EQ(line_without_time(visibility), line_without_time(standard));
   EXPECT_NE(line_without_time(two_step), line_without_time(standard));
 }
 
@@ -107,7 +107,7 @@ TEST_F(Program, tells_which_edges_it_chose)
   EXPECT_NE(outcome.err.find("a.off: features: all edges (100 %"), std::string::npos) << outcome.err;
   EXPECT_NE(folder.read("a.json").find("\"features\": \"all\", \"features_chosen\": true"),
             std::string::npos);
-  EXPECT_EQ(run("a.off -k 4 --features auto --quiet").err, "");
+  EXPECT_EQ(run("a.off -k 4 --method two-step --features auto --quiet").err, "");
 }
 
 TEST_F(Program, gives_the_same_labels_on_every_mesh_type)
@@ -256,8 +256,10 @@ TEST_F(Program, knows_wrong_usage)
                      "-o {stem}_{}.seg: unknown {}; there is {stem} alone");
   expect_wrong_usage("a.off --truth '{name}.seg'",
                      "--truth {name}.seg: unknown {name}; there is {stem} alone");
-  expect_wrong_usage("a.off -k 2 --max-angle 181", "--max-angle: an angle from 0 to 180 degrees");
-  expect_wrong_usage("a.off -k 2 --max-angle nan", "--max-angle: an angle from 0 to 180 degrees");
+  expect_wrong_usage("a.off -k 2 --method two-step --max-angle 181", "--max-angle: an angle from 0 to 180 degrees");
+  expect_wrong_usage("a.off -k 2 --max-angle 5", "--max-angle: --method visibility has no feature edges");
+  expect_wrong_usage("a.off -k 2 --features all", "--features: --method visibility has no feature edges");
+  expect_wrong_usage("a.off -k 2 --method two-step --max-angle nan", "--max-angle: an angle from 0 to 180 degrees");
   expect_wrong_usage("a.off -k 2 -o a.xyz", "a.xyz" + endings);
   expect_wrong_usage("a.off -k 2 -o a.gif", "a.gif" + endings);
   expect_wrong_usage("a.off -k 2 -o ./a.off", "-o ./a.off: would replace an input");

@@ -2,9 +2,9 @@
 \ingroup PkgRegionSegmentationConcepts
 \cgalConcept
 
-Deals the regions of a graph out to segments, all at once: for what is no sequence of merges. It may name the
-data that it needs by the types `%RegionData` and `%SectionData`.
-`CGAL::Region_segmentation::partition_into_segments()` runs it on a mesh.
+Deals the regions of a graph out to segments, all at once: for what is no sequence of merges. It takes the place of
+policy and chooser in a `SegmentationMethod`. It may name the data that it reads by the types `%RegionData` and
+`%SectionData`.
 
 \cgalHasModel `CGAL::Region_segmentation::Spectral_partitioner`
 */
@@ -12,12 +12,11 @@ class GraphPartitioner
 {
 public:
   /*!
-  gives every region of the graph a segment. `%Merge_tree::Segmentation::of_region` has an entry for each index
-  of a region; that of a removed region has no meaning.
+  gives every region of the graph a segment.
 
-  \post the ids are 0 .. number_of_segments - 1, numbered by the first region that is not removed; the number
-  is the wanted one where the graph can be partitioned so. Every segment is connected by sections that are
-  mergeable.
+  \pre no region was removed
+  \post there is an element for each region; the number of parts is the wanted one where the graph can be partitioned so.
+        Every segment is connected by sections that are mergeable.
   */
-  Merge_tree::Segmentation operator()(const Graph& graph, std::size_t number_of_segments) const;
+  Partition operator()(const Graph& graph, std::size_t number_of_segments) const;
 };

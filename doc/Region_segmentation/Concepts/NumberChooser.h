@@ -2,14 +2,16 @@
 \ingroup PkgRegionSegmentationConcepts
 \cgalConcept
 
-Chooses the number of segments where none is wanted. A merging policy whose order does not depend on the
-number names its chooser by the nested type `%NumberChooser`.
+Chooses the number of segments where none is given, from the merges of a policy whose order does not depend on it.
+
+A chooser with a constant in the units of a cost names this cost as `%MergeCost`; a policy that merges by another one does
+not fit.
 
 \cgalHasModel `CGAL::Region_segmentation::Number_from_costs`
 */
 class NumberChooser
 {
 public:
-  /// the number at which the tree, merged to the end, is to be cut.
+  /// the number of segments. The tree holds all merges, down to one segment for each connected piece.
   std::size_t operator()(const Merge_tree& tree) const;
 };

@@ -2,10 +2,11 @@
 \ingroup PkgRegionSegmentationConcepts
 \cgalConcept
 
-A maker of the regions that merging starts from.
+Makes the regions that merging starts from.
 
-A type that needs the points of the mesh says so by
-`static constexpr Flat_mesh::Content content = Flat_mesh::Content::ANGLES_AND_POINTS`.
+A type that needs more of the mesh than normals, areas, lengths and angles states it:
+`static constexpr Mesh_data required_mesh_data = Mesh_data::POINTS | Mesh_data::CENTROIDS`. Data that were not asked for
+cannot be read: `CGAL::Region_segmentation::Invalid_method` is thrown.
 
 \cgalHasModel `CGAL::Region_segmentation::Region_growing`
 \cgalHasModel `CGAL::Region_segmentation::Superfacets`
@@ -14,13 +15,22 @@ class RegionInitializer
 {
 public:
   /*!
-  gives every face of a mesh a region. `is_feature` holds a byte for each dual edge of the mesh, not 0
-  where it is a feature edge.
+  gives every face of a mesh a region.
 
-  A maker that can work in parallel takes a third argument, a concurrency tag, and is called with that of
-  `segment()`; it gives the same regions with either.
+  A type may take a second argument instead, `const Execution<ConcurrencyTag>&`, with which it works in parallel, reports
+  progress and lets itself be cancelled; the regions are the same whatever the tag.
 
-  \post the ids are 0 .. number_of_regions - 1, numbered by their first face; every region is connected
+  \post there is an element for each face, no edge with the flag `CONSTRAINED` joins two faces of a region by itself,
+        and every region is connected
   */
-  Region_labels operator()(const Flat_mesh& mesh, const Edge_marks& is_feature) const;
+  Partition operator()(const Flat_mesh& mesh) const;
+
+  /*!
+  splits the regions of a mesh into a larger number of segments. Optional: without it, there are never more segments than
+  first regions.
+
+  \post each part lies in a region that `operator()` makes of the mesh
+  */
+  template <typename ConcurrencyTag>
+  Partition split(const Flat_mesh& mesh, std::size_t number_of_segments, const Execution<ConcurrencyTag>& execution) const;
 };

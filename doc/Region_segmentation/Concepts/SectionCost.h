@@ -2,11 +2,12 @@
 \ingroup PkgRegionSegmentationConcepts
 \cgalConcept
 
-What it costs to merge across a section. It depends on the section and on its two regions alone.
-`CGAL::Region_segmentation::Lowest_cost_first` turns it into a policy. It may name the data that it needs
-by the types `%RegionData` and `%SectionData`.
+The cost of merging across a section. It depends on the section and on its two regions alone.
+`CGAL::Region_segmentation::Lowest_cost_first` turns it into a policy. It may name the data that it reads
+by the types `%RegionData` and `%SectionData`: the data of the graph are or derive from these, or the combination does not
+compile.
 
-\cgalHasModel `CGAL::Region_segmentation::Cut_cost`
+\cgalHasModel `CGAL::Region_segmentation::Visibility_cost`
 */
 class SectionCost
 {

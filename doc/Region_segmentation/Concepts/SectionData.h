@@ -2,16 +2,16 @@
 \ingroup PkgRegionSegmentationConcepts
 \cgalConcept
 
-What a section, all edges that two regions share, carries. Default and copy constructible; `absorb()` is
-associative and commutative.
+The data of a section, all edges that two regions share. Default and copy constructible; `absorb()` is
+associative and commutative. What is said of annotators and of the mesh at `RegionData` holds for them, too.
 
 \cgalHasModel `CGAL::Region_segmentation::Section_geometry`
-\cgalHasModel `CGAL::Region_segmentation::Cut_data`
+\cgalHasModel `CGAL::Region_segmentation::Visibility_section_data`
 */
 class SectionData
 {
 public:
-  /// accounts for a dual edge of the mesh; called in the order of dual edges.
+  /// accounts for a dual edge of the mesh; called by the lower, then by the higher face of the edges.
   void add_edge(const Flat_mesh& mesh, std::size_t lower_face, std::size_t edge);
 
   /// takes in another section between the same two regions.

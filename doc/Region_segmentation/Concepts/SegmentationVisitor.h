@@ -2,16 +2,18 @@
 \ingroup PkgRegionSegmentationConcepts
 \cgalConcept
 
-Is told how far a segmentation is, and can end it.
+Follows the progress of a segmentation, and can cancel it. It is called by the thread that called the function, also where
+stages run in parallel.
 */
 class SegmentationVisitor
 {
 public:
   /*!
-  is called at the start of each stage, and about a hundred times in a long one: "reading", "features",
-  "regions", "merging". `fraction` is in [0, 1] and does not fall within a stage.
+  is called at the start of each stage, and now and then within it: "reading", "regions", "graph", "merging"; in
+  `detect_feature_edges()` "features", in `smooth_borders()` "borders". `fraction` is in [0, 1] and does not decrease within
+  a stage.
 
-  \returns false to end the run by `CGAL::Region_segmentation::Segmentation_cancelled`
+  \returns false to end the run by `CGAL::Region_segmentation::Segmentation_cancelled`; nothing is written then
   */
   bool go_further(const char* stage, double fraction);
 };

@@ -77,13 +77,13 @@ std::string describe(const Job& job, const Case& input, const Segmentation& segm
 }
 
 /// `gear.off: features: all edges (81 % of the edge length beside creases is flat)`
-std::string describe_features(const Job& job, const Segmentation& segmentation)
+std::string describe_features(const Job& job, const Feature_settings& features)
 {
   using CGAL::Region_segmentation::Feature_convexity;
   char share[32];
-  std::snprintf(share, sizeof share, "%.0f %%", 100 * segmentation.flatness_beside_creases);
+  std::snprintf(share, sizeof share, "%.0f %%", 100 * features.flatness_beside_creases);
   return one_line(job.input) + ": features: " +
-         (segmentation.features == Feature_convexity::ALL ? "all" : "concave") + " edges (" + share +
+         (features.convexity == Feature_convexity::ALL ? "all" : "concave") + " edges (" + share +
          " of the edge length beside creases is flat)\n";
 }
 
@@ -117,8 +117,8 @@ void run(const Job& job, const Options& options, const Progress_listener& listen
   settings.detail = has_details ? Detail::ALL : Detail::LABELS;
   const Segmentation segmentation = segment(job, input, settings, listener);
 
-  if (!settings.features && options.verbosity == Verbosity::NORMAL)
-    report.err += describe_features(job, segmentation);
+  if (!settings.features && segmentation.features && options.verbosity == Verbosity::NORMAL)
+    report.err += describe_features(job, *segmentation.features);
   report.out = describe(job, input, segmentation, settings) +
                describe_scores(input.mesh, segmentation.segment_of_face, input.truths);
   listener("writing", 0);

@@ -32,7 +32,7 @@ constexpr const char* footer =
   "  segment_mesh gear.stl -k 30 --method two-step --features all --max-angle 20 -o gear.json\n"
   "\nExit status: 0 done; 1 an input or an output failed; 2 wrong usage.";
 
-const std::map<std::string, Method> methods = {{"best", Method::BEST},
+const std::map<std::string, Method> methods = {{"visibility", Method::VISIBILITY},
                                                {"two-step", Method::TWO_STEP}};
 
 const std::map<std::string, std::optional<Feature_convexity>> features = {
@@ -54,7 +54,7 @@ struct Raw_options
   Options options;
   double maximum_angle = 0;
   std::string number_of_segments, number_of_threads = "0"; ///< CLI11 would cut off large numbers
-  std::string method = "best", features = "concave", mesh_type = "surface_mesh";
+  std::string method = "visibility", features = "concave", mesh_type = "surface_mesh";
   bool is_quiet = false;
 };
 
@@ -75,15 +75,14 @@ void add_run_options(CLI::App& app, Raw_options& raw)
   add("-k,--segments", raw.number_of_segments, "N",
       "Number of segments; left out: chosen automatically, or the true one of the figure");
   add("--method", raw.method, "METHOD",
-      "best (default: the most accurate) or two-step (Yang et al. 2014; needs -k)")
+      "visibility (default) or two-step (Yang et al. 2014; needs -k)")
     ->check(one_of(methods));
   add("--features", raw.features, "KIND",
-      "Edges that can be features: concave (default), convex, all (machine parts), auto (all or concave, "
-      "by what is beside the creases of the surface; told on stderr and in .json). They part the "
-      "regions of two-step; with best they are only written, as lines")
+      "Of two-step: edges that can be features: concave (default), convex, all (machine parts), auto (all or concave, "
+      "by what is beside the creases of the surface; told on stderr and in .json)")
     ->check(one_of(features));
   add("--max-angle", raw.maximum_angle, "DEG",
-      "Angle between the normals of two faces above which their edge is a feature; default 1.2376");
+      "Of two-step: angle between the normals of two faces above which their edge is a feature; default 1.2372");
   add("--mesh", raw.mesh_type, "TYPE",
       "Mesh type to run on, with the same labels: surface_mesh (default), polyhedron, openmesh")
     ->check(one_of(mesh_types));
@@ -154,6 +153,9 @@ Options checked(const CLI::App& app, const Raw_options& raw)
     options.settings.maximum_angle = raw.maximum_angle;
   }
   options.settings.method = methods.at(raw.method);
+  for (const char* option : {"--features", "--max-angle"})
+    if (options.settings.method != Method::TWO_STEP && app.count(option) > 0)
+      throw Usage_error(std::string(option) + ": --method " + raw.method + " has no feature edges");
   options.settings.features = features.at(raw.features);
   options.settings.mesh_type = mesh_types.at(raw.mesh_type);
   if (!is_available(options.settings.mesh_type))

@@ -3,13 +3,12 @@
 // The .json output. One object:
 //
 //   format        "segment_mesh"
-//   version       1; grows when a member changes its meaning or goes, not when one is added
+//   version       2; grows when a member changes its meaning or goes, not when one is added
 //   program       version of the program
 //   input         name, faces, points
-//   settings      method: "best" or "two-step"; segments: the wanted number, null if it was chosen;
-//                 features: "concave", "convex" or "all"; features_chosen: whether the surface
-//                 decided them; max_angle: in degrees; mesh: the mesh
-//                 type
+//   settings      method: "visibility" or "two-step"; segments: the wanted number, null if it was chosen;
+//                 mesh: the mesh type; and of two-step features: "concave", "convex" or "all";
+//                 features_chosen: whether the surface decided them; max_angle: in degrees
 //   times         in seconds: total, from the mesh in memory to the labels, and its stages, each
 //                 with stage and seconds, in order
 //   segments      for each segment, by its id: faces, area (in squared units of the mesh)
@@ -103,19 +102,20 @@ const char* name_of(Mesh_type type)
 void write_head(Text_buffer& out, const Result& result)
 {
   const std::optional<std::size_t>& wanted = result.settings.number_of_segments;
-  out << "{\n  \"format\": \"segment_mesh\",\n  \"version\": 1,\n  \"program\": \""
+  out << "{\n  \"format\": \"segment_mesh\",\n  \"version\": 2,\n  \"program\": \""
       << CGAL_REGION_SEGMENTATION_VERSION
       << "\",\n  \"input\": {\"name\": " << Json_text{result.name}
       << ", \"faces\": " << result.input.soup.polygons.size()
       << ", \"points\": " << result.input.soup.points.size()
       << "},\n  \"settings\": {\"method\": \""
-      << (result.settings.method == Method::BEST ? "best" : "two-step")
-      << "\", \"segments\": " << (wanted ? std::to_string(*wanted) : "null") << ", \"features\": \""
-      << name_of(result.segmentation.features)
-      << "\", \"features_chosen\": " << (result.settings.features ? "false" : "true")
-      << ", \"max_angle\": " << result.segmentation.maximum_angle << ", \"mesh\": \""
-      << name_of(result.settings.mesh_type)
-      << "\"},\n  \"times\": {\"total\": " << result.segmentation.seconds;
+      << (result.settings.method == Method::VISIBILITY ? "visibility" : "two-step")
+      << "\", \"segments\": " << (wanted ? std::to_string(*wanted) : "null") << ", \"mesh\": \""
+      << name_of(result.settings.mesh_type) << "\"";
+  if (const auto& features = result.segmentation.features)
+    out << ", \"features\": \"" << name_of(features->convexity)
+        << "\", \"features_chosen\": " << (result.settings.features ? "false" : "true")
+        << ", \"max_angle\": " << features->maximum_angle;
+  out << "},\n  \"times\": {\"total\": " << result.segmentation.seconds;
   write_array(out, "stages", result.segmentation.stages, a_line_each, [&](const Stage_time& time) {
     out << "{\"stage\": " << Json_text{time.stage} << ", \"seconds\": " << time.seconds << "}";
   });

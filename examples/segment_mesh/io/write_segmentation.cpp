@@ -139,7 +139,8 @@ void write_obj(std::ostream& out, const Result& result)
       text << " " << i + 1;
     text << "\n";
   }
-  text << "g feature_lines\n";
+  if (!result.segmentation.feature_lines.empty())
+    text << "g feature_lines\n";
   for (const std::vector<std::size_t>& line : result.segmentation.feature_lines) {
     text << "l";
     for (std::size_t i : line)

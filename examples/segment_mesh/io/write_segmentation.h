@@ -42,7 +42,7 @@ void write_ply(std::ostream& out, const Result& result);
 /// Colored faces: red, green and blue from 0 to 255 after the indices.
 void write_off(std::ostream& out, const Result& result);
 /// A group `segment_I` for each segment, entered again wherever the order of the faces comes back to
-/// it, and a group `feature_lines` of `l` elements.
+/// it, and, of two-step, a group `feature_lines` of `l` elements.
 void write_obj(std::ostream& out, const Result& result);
 /// See write_json.cpp.
 void write_json(std::ostream& out, const Result& result);

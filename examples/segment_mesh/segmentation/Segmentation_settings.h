@@ -17,17 +17,16 @@ enum class Mesh_type { SURFACE_MESH, POLYHEDRON, OPENMESH };
 /// Whether the program was built with what a mesh type needs.
 bool is_available(Mesh_type type);
 
-/// The paper's method, or the most accurate one.
-enum class Method { TWO_STEP, BEST };
+enum class Method { TWO_STEP, VISIBILITY };
 
 /// What is wanted beside the labels.
 enum class Detail { LABELS, ALL };
 
 struct Segmentation_settings
 {
-  Method method = Method::BEST;
-  std::optional<std::size_t> number_of_segments; ///< if empty, the method chooses: `BEST` can
-  /// Which edges can be features; if empty, the surface decides.
+  Method method = Method::VISIBILITY;
+  std::optional<std::size_t> number_of_segments; ///< if empty, the method chooses: `VISIBILITY` can
+  /// Which edges can be features, of a method that has them; if empty, the surface decides.
   std::optional<CGAL::Region_segmentation::Feature_convexity> features =
     CGAL::Region_segmentation::Feature_convexity::CONCAVE;
   std::optional<double> maximum_angle; ///< in degrees; the method's own if empty

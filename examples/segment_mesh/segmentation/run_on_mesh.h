@@ -8,13 +8,14 @@
 
 #include <CGAL/number_type_config.h>
 
-#include <CGAL/Region_segmentation/Number_from_costs.h>
-#include <CGAL/Region_segmentation/best.h>
+#include <CGAL/Region_segmentation/Methods/Two_step.h>
+#include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
 #include <CGAL/Region_segmentation/build_region_adjacency_graph.h>
 #include <CGAL/Region_segmentation/choose_feature_convexity.h>
+#include <CGAL/Region_segmentation/detect_feature_edges.h>
 #include <CGAL/Region_segmentation/extract_feature_lines.h>
+#include <CGAL/Region_segmentation/grow_regions.h>
 #include <CGAL/Region_segmentation/segment.h>
-#include <CGAL/Region_segmentation/two_step.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/graph/properties.hpp>
@@ -23,6 +24,7 @@
 #include <cstdint>
 #include <functional>
 #include <iterator>
+#include <type_traits>
 
 namespace segment_mesh {
 
@@ -103,37 +105,24 @@ void describe_regions(const Mesh& mesh, Segmentation& result)
   }
 }
 
-/// The labels for one number of segments, from a tree that serves all.
-inline void cut_tree(const RS::Merge_tree& tree, std::size_t number_of_segments,
-                     Segmentation& result)
-{
-  const RS::Merge_tree::Segmentation segments = tree.cut_at_count(number_of_segments);
-  for (std::size_t f = 0; f < result.segment_of_face.size(); ++f)
-    result.segment_of_face[f] = segments.of_region[result.region_of_face[f]];
-  result.number_of_segments = segments.number_of_segments;
-}
-
 /// Fills everything but the details of `result`, whose arrays have their sizes.
-template <typename Mesh, typename Policy>
-void segment_by(const Policy& policy, const Mesh& mesh, const Segmentation_settings& settings,
-                Edge_mark_map<Mesh> feature_map, const Progress_listener& listener,
-                Segmentation& result)
+template <typename Mesh, typename SegmentationMethod>
+void segment_by(const SegmentationMethod& method, const Mesh& mesh, const Segmentation_settings& settings,
+                const Progress_listener& listener, Segmentation& result)
 {
   RS::Merge_tree tree;
   Stage_clock clock(listener);
-  result.number_of_segments =
-    RS::segment<CGAL::Parallel_tag>(
-      mesh, make_face_map(mesh, result.segment_of_face),
-      RS::parameters::number_of_segments(settings.number_of_segments.value_or(1))
-        .merging_policy(policy)
-        .maximum_angle(result.maximum_angle)
-        .feature_convexity(result.features)
-        .region_map(make_face_map(mesh, result.region_of_face))
-        .edge_is_feature_map(feature_map)
-        .merge_tree(std::ref(tree))
-        .visitor(std::ref(clock)));
-  if (!settings.number_of_segments)
-    cut_tree(tree, RS::Number_from_costs()(tree), result);
+  const auto segment = [&](const auto& np) {
+    return RS::segment<CGAL::Parallel_tag>(mesh, make_face_map(mesh, result.segment_of_face),
+                                           np.method(method)
+                                             .region_map(make_face_map(mesh, result.region_of_face))
+                                             .merge_tree(tree)
+                                             .visitor(std::ref(clock)));
+  };
+  if (settings.number_of_segments)
+    result.number_of_segments = segment(RS::parameters::number_of_segments(*settings.number_of_segments));
+  else if constexpr (std::is_base_of<RS::Visibility_merging, SegmentationMethod>::value)
+    result.number_of_segments = segment(RS::parameters::default_values());
   result.seconds = clock.seconds();
   result.stages = clock.stages();
   result.number_of_regions = tree.number_of_regions();
@@ -144,18 +133,33 @@ void segment_by(const Policy& policy, const Mesh& mesh, const Segmentation_setti
   }
 }
 
-/// Needs `result.maximum_angle`.
 template <typename Mesh>
-void choose_features(const Mesh& mesh, const Segmentation_settings& settings, Segmentation& result)
+Feature_settings choose_features(const Mesh& mesh, const Segmentation_settings& settings)
 {
-  if (settings.features) {
-    result.features = *settings.features;
-    return;
+  Feature_settings result;
+  result.maximum_angle = settings.maximum_angle.value_or(RS::default_maximum_angle);
+  if (settings.features)
+    result.convexity = *settings.features;
+  else {
+    const RS::Feature_convexity_choice choice =
+      RS::choose_feature_convexity(mesh, RS::parameters::maximum_angle(result.maximum_angle));
+    result.convexity = choice.convexity;
+    result.flatness_beside_creases = choice.flatness_beside_creases;
   }
-  const RS::Feature_convexity_choice choice = RS::choose_feature_convexity(
-    mesh, RS::parameters::maximum_angle(result.maximum_angle));
-  result.features = choice.convexity;
-  result.flatness_beside_creases = choice.flatness_beside_creases;
+  return result;
+}
+
+/// The feature edges that separate regions, as lines.
+template <typename Mesh>
+std::vector<std::vector<std::size_t>> feature_lines_of_regions(const Mesh& mesh, const Feature_settings& features)
+{
+  std::vector<std::uint8_t> marks(num_halfedges(mesh) / 2);
+  const Edge_mark_map<Mesh> is_feature(mesh, marks);
+  std::vector<std::size_t> regions(num_faces(mesh));
+  RS::detect_feature_edges(
+    mesh, is_feature, RS::parameters::maximum_angle(features.maximum_angle).feature_convexity(features.convexity));
+  RS::grow_regions(mesh, is_feature, make_face_map(mesh, regions));
+  return feature_lines(mesh, is_feature);
 }
 
 /// \pre the indices of faces and vertices are those of the soup that the mesh was made of
@@ -164,19 +168,20 @@ Segmentation run_on_mesh(const Mesh& mesh, const Segmentation_settings& settings
                          const Progress_listener& listener)
 {
   Segmentation result;
-  result.maximum_angle = settings.maximum_angle.value_or(RS::internal::default_maximum_angle);
-  choose_features(mesh, settings, result);
   result.segment_of_face.resize(num_faces(mesh));
   result.region_of_face.resize(num_faces(mesh));
-  std::vector<std::uint8_t> marks(num_halfedges(mesh) / 2);
-  const Edge_mark_map<Mesh> feature_map(mesh, marks);
-  if (settings.method == Method::TWO_STEP)
-    segment_by(RS::Two_step(), mesh, settings, feature_map, listener, result);
-  else
-    segment_by(RS::Best(), mesh, settings, feature_map, listener, result);
+  if (settings.method == Method::TWO_STEP) {
+    result.features = choose_features(mesh, settings);
+    RS::Two_step method;
+    method.initializer.maximum_angle = result.features->maximum_angle;
+    method.initializer.feature_convexity = result.features->convexity;
+    segment_by(method, mesh, settings, listener, result);
+  } else
+    segment_by(RS::Visibility_merging(), mesh, settings, listener, result);
 
   if (settings.detail == Detail::ALL) {
-    result.feature_lines = feature_lines(mesh, feature_map);
+    if (result.features)
+      result.feature_lines = feature_lines_of_regions(mesh, *result.features);
     describe_regions(mesh, result);
   }
   return result;

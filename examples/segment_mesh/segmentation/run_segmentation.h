@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,16 +38,21 @@ struct Stage_time
   double seconds;
 };
 
+/// Which edges were feature edges.
+struct Feature_settings
+{
+  double maximum_angle = 0; ///< in degrees
+  CGAL::Region_segmentation::Feature_convexity convexity =
+    CGAL::Region_segmentation::Feature_convexity::CONCAVE;
+  double flatness_beside_creases = 0; ///< why the convexity was chosen; 0 if it was given
+};
+
 /// Faces and points have the indices that they have in the soup.
 struct Segmentation
 {
   std::size_t number_of_regions = 0;
   std::size_t number_of_segments = 0;
-  double maximum_angle = 0; ///< the one that was used, in degrees
-  /// The one that was used.
-  CGAL::Region_segmentation::Feature_convexity features =
-    CGAL::Region_segmentation::Feature_convexity::CONCAVE;
-  double flatness_beside_creases = 0; ///< why it was chosen; 0 if it was given
+  std::optional<Feature_settings> features; ///< of a method that has feature edges
   std::vector<std::size_t> segment_of_face;
   std::vector<std::size_t> region_of_face;
   double seconds = 0; ///< from the mesh in memory to the labels
@@ -55,7 +61,7 @@ struct Segmentation
   /// \name With `Detail::ALL`
   /// @{
   std::vector<std::vector<std::size_t>>
-    feature_lines; ///< the points of each, with borders of the mesh
+    feature_lines; ///< the points of each, with borders of the mesh; of a method that has feature edges
   std::vector<Region> regions;
   std::vector<Section> sections;
   /// @}

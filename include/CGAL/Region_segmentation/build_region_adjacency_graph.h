@@ -3,59 +3,107 @@
 #ifndef CGAL_REGION_SEGMENTATION_BUILD_REGION_ADJACENCY_GRAPH_H
 #define CGAL_REGION_SEGMENTATION_BUILD_REGION_ADJACENCY_GRAPH_H
 
-#include <CGAL/Region_segmentation/Region_adjacency_graph.h>
-#include <CGAL/Region_segmentation/internal/read_flat_mesh.h>
-#include <CGAL/Region_segmentation/internal/build_graph.h>
+#include <CGAL/Region_segmentation/Execution.h>
+#include <CGAL/Region_segmentation/Flat_mesh.h>
+#include <CGAL/Region_segmentation/Graph/Region_adjacency_graph.h>
+#include <CGAL/Region_segmentation/Methods/Geometry_annotator.h>
+#include <CGAL/Region_segmentation/Partition.h>
+#include <CGAL/Region_segmentation/exceptions.h>
+#include <CGAL/Region_segmentation/internal/segmenting/check_annotator.h>
+#include <CGAL/Region_segmentation/internal/segmenting/check_method.h>
+#include <CGAL/Region_segmentation/internal/graph/build_graph.h>
+#include <CGAL/Region_segmentation/internal/support/read_face_labels.h>
+#include <CGAL/Region_segmentation/internal/support/visitor.h>
 #include <CGAL/Region_segmentation/parameters.h>
+#include <CGAL/Region_segmentation/read_flat_mesh.h>
 
-#include <CGAL/assertions.h>
+#include <CGAL/tags.h>
 
-#include <algorithm>
+#include <string>
+#include <type_traits>
 
 namespace CGAL {
 namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationStages
+/// builds the graph of the regions of a flat mesh and the sections between them, with the data of an annotator.
+///
+/// \tparam GraphAnnotator a model of `GraphAnnotator`
+/// \param mesh what `read_flat_mesh()` made, with the data that the annotator needs
+/// \param regions the region of every face
+/// \param annotator fills the data
+/// \param execution how it runs, and who follows its progress
+///
+/// \returns a `Region_adjacency_graph` with the data of the annotator; its regions are the parts of `regions`
+/// \throws Invalid_input if there are not as many elements in `regions` as faces
+///
+/// Complexity: O(F) where regions are connected and the surface has few handles, O(F sqrt(F)) at worst; and that of the
+/// annotator. Deterministic: the sums over the edges of a section run by lower, then by higher face.
+template <typename GraphAnnotator, typename ConcurrencyTag = CGAL::Sequential_tag>
+auto build_region_adjacency_graph(const Flat_mesh& mesh, const Partition& regions, const GraphAnnotator& annotator,
+                                  const Execution<ConcurrencyTag>& execution = Execution<ConcurrencyTag>())
+{
+  static_assert(internal::check_graph_annotator<GraphAnnotator>());
+  if (regions.size() != mesh.number_of_faces())
+    throw Invalid_input("a partition of " + std::to_string(regions.size()) + " elements for " +
+                        std::to_string(mesh.number_of_faces()) + " faces");
+  auto graph = internal::build_graph<internal::Graph_of<GraphAnnotator>>(mesh, regions, execution.step(0, 0.1));
+  typename internal::Cache_of<GraphAnnotator>::type cache;
+  internal::annotate(annotator, graph, mesh, regions, execution.step(0.1, 1), cache);
+  return graph;
+}
+
+/// \ingroup PkgRegionSegmentationStages
 /// builds the graph of the regions of a mesh and the sections between them.
 ///
-/// \tparam Graph a `Region_adjacency_graph`, with data of any kind
 /// \tparam ConcurrencyTag `Sequential_tag` or, with \ref thirdpartyTBB, `Parallel_tag`; see `segment()`
 /// \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam FaceRegionMap a model of `ReadablePropertyMap` with the face descriptor as key and an
 ///         integral value type
+/// \tparam GraphAnnotator a model of `GraphAnnotator`
 /// \param mesh an oriented 2-manifold with or without borders
-/// \param region_map the region of every face: ids 0 .. r-1, from whatever maker of regions
+/// \param region_map the region of every face, by any labels: regions are numbered by their first face
+/// \param annotator names the data of the graph, and fills them
 /// \param np optional named parameters:
 ///   - `edge_is_constrained_map`: edges that are never merged across (default: none)
+///   - `visitor`: a model of `SegmentationVisitor`, for the stages "reading" and "graph"
 ///   - `vertex_point_map`, `face_index_map`, `vertex_index_map`: as everywhere in \cgal
 ///
-/// \pre the ids are from 0 and dense: their number is the largest id + 1
-/// \throws Invalid_input if a point is not finite
+/// \throws Invalid_input if a point is not finite, Segmentation_cancelled if the visitor says so
 ///
-/// Complexity: O(F) where regions are connected and the surface has few handles, O(F sqrt(F)) at worst.
-/// Deterministic: the sums over the edges of a section run by lower, then by higher face, whatever the mesh
+/// Complexity: O(F) where regions are connected and the surface has few handles, O(F sqrt(F)) at worst; and that of the
+/// annotator. Deterministic: the sums over the edges of a section run by lower, then by higher face, whatever the mesh
 /// type.
 ///
 /// Source: Yang et al. 2014, section 3.3 (EdgeSection).
-template <typename Graph = Region_adjacency_graph<>, typename ConcurrencyTag = CGAL::Sequential_tag,
-          typename FaceGraph, typename FaceRegionMap,
-          typename NamedParameters = parameters::Default_named_parameters>
-Graph build_region_adjacency_graph(const FaceGraph& mesh, FaceRegionMap region_map,
-                                   const NamedParameters& np = parameters::default_values())
+template <typename ConcurrencyTag = CGAL::Sequential_tag, typename FaceGraph, typename FaceRegionMap,
+          typename GraphAnnotator, typename NamedParameters = parameters::Default_named_parameters,
+          typename = internal::Names_data<GraphAnnotator>>
+auto build_region_adjacency_graph(const FaceGraph& mesh, FaceRegionMap region_map, const GraphAnnotator& annotator,
+                                  const NamedParameters& np = parameters::default_values())
 {
   const auto& pack = internal::pack(np);
-  const auto walk = internal::make_mesh_walk(mesh, pack);
-  const Flat_mesh flat = internal::read_flat_mesh<ConcurrencyTag>(walk, pack);
-  Region_labels regions;
-  regions.of_face.reserve(flat.number_of_faces());
-  for (auto f : faces(mesh)) {
-    const auto id = get(region_map, f);
-    CGAL_precondition_msg(id >= 0 && std::size_t(id) < flat.number_of_faces(),
-                          "ids of regions are from 0 and dense");
-    regions.of_face.push_back(Flat_mesh::Index(id));
-    regions.number_of_regions = (std::max)(regions.number_of_regions, std::size_t(id) + 1);
-  }
-  return internal::build_graph<Graph, ConcurrencyTag>(flat, regions);
+  internal::check_parameters<std::decay_t<decltype(pack)>, internal::Reading_parameters>();
+  static_assert(internal::check_graph_annotator<GraphAnnotator>());
+  using Graph = internal::Graph_of<GraphAnnotator>;
+  constexpr Mesh_data data = internal::mesh_data_of<GraphAnnotator>() |
+                             internal::mesh_data_of<typename Graph::RegionData>() |
+                             internal::mesh_data_of<typename Graph::SectionData>();
+  const Flat_mesh flat =
+    internal::read_flat_mesh<ConcurrencyTag>(internal::make_mesh_traversal(mesh, pack), pack, data);
+  return build_region_adjacency_graph(flat, internal::read_face_labels(mesh, region_map), annotator,
+                                      internal::make_execution<ConcurrencyTag>(pack, "graph"));
+}
+
+/// \ingroup PkgRegionSegmentationStages
+/// the same with the lengths, angles and areas of `Geometry_annotator`.
+template <typename ConcurrencyTag = CGAL::Sequential_tag, typename FaceGraph, typename FaceRegionMap,
+          typename NamedParameters = parameters::Default_named_parameters,
+          typename = std::enable_if_t<!internal::satisfies<internal::Names_data, NamedParameters>>>
+Region_adjacency_graph<> build_region_adjacency_graph(const FaceGraph& mesh, FaceRegionMap region_map,
+                                                      const NamedParameters& np = parameters::default_values())
+{
+  return build_region_adjacency_graph<ConcurrencyTag>(mesh, region_map, Geometry_annotator<>(), np);
 }
 
 } // namespace Region_segmentation

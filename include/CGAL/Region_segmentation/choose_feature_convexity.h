@@ -4,15 +4,16 @@
 #define CGAL_REGION_SEGMENTATION_CHOOSE_FEATURE_CONVEXITY_H
 
 #include <CGAL/Region_segmentation/Feature_convexity.h>
-#include <CGAL/Region_segmentation/internal/options.h>
-#include <CGAL/Region_segmentation/internal/read_flat_mesh.h>
+#include <CGAL/Region_segmentation/internal/support/options.h>
 #include <CGAL/Region_segmentation/parameters.h>
+#include <CGAL/Region_segmentation/read_flat_mesh.h>
 
 #include <CGAL/number_type_config.h>
 
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -85,8 +86,9 @@ inline Feature_convexity_choice choose_feature_convexity(const Flat_mesh& flat,
 /// \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \param mesh an oriented 2-manifold with or without borders, its faces polygons of any size
 /// \param np optional named parameters:
-///   - `maximum_angle` (degrees, default 180 - 3.12 * 180 / pi = 1.2376...): the deviation up to which
+///   - `maximum_angle` (degrees, default `default_maximum_angle`, 1.2372...): the deviation up to which
 ///     an edge is flat, the bound of `detect_feature_edges()`
+///   - `visitor`: a model of `SegmentationVisitor`, for the stage "reading"
 ///   - `vertex_point_map`, `face_index_map`, `vertex_index_map`: as everywhere in \cgal
 ///
 /// \pre `maximum_angle` is in [0, 180]
@@ -99,9 +101,13 @@ choose_feature_convexity(const FaceGraph& mesh,
                          const NamedParameters& np = parameters::default_values())
 {
   const auto& pack = internal::pack(np);
-  const auto walk = internal::make_mesh_walk(mesh, pack);
-  return internal::choose_feature_convexity(internal::read_flat_mesh(walk, pack),
-                                            internal::maximum_angle(pack));
+  internal::check_parameters<
+    std::decay_t<decltype(pack)>,
+    internal::Tag_list<CGAL::internal_np::maximum_angle_t, CGAL::internal_np::visitor_t>>();
+  const auto traversal = internal::make_mesh_traversal(mesh, pack);
+  return internal::choose_feature_convexity(
+    internal::read_flat_mesh<CGAL::Sequential_tag>(traversal, pack, Mesh_data::NOTHING_MORE),
+    internal::maximum_angle(pack));
 }
 
 } // namespace Region_segmentation

@@ -4,14 +4,23 @@
 #define CGAL_REGION_SEGMENTATION_DETECT_FEATURE_EDGES_H
 
 #include <CGAL/Region_segmentation/Feature_convexity.h>
-#include <CGAL/Region_segmentation/internal/read_flat_mesh.h>
-#include <CGAL/Region_segmentation/internal/mark_feature_edges.h>
-#include <CGAL/Region_segmentation/internal/options.h>
-#include <CGAL/Region_segmentation/internal/write_maps.h>
+#include <CGAL/Region_segmentation/internal/regions/mark_feature_edges.h>
+#include <CGAL/Region_segmentation/internal/support/options.h>
+#include <CGAL/Region_segmentation/internal/reading/write_maps.h>
+#include <CGAL/Region_segmentation/internal/support/visitor.h>
 #include <CGAL/Region_segmentation/parameters.h>
+#include <CGAL/Region_segmentation/read_flat_mesh.h>
+
+#include <cstddef>
+#include <type_traits>
 
 namespace CGAL {
 namespace Region_segmentation {
+
+namespace internal {
+using Feature_edge_parameters = Tag_list<CGAL::internal_np::maximum_angle_t, internal_np::feature_convexity_t,
+                                         CGAL::internal_np::edge_is_constrained_t, CGAL::internal_np::visitor_t>;
+}
 
 /// \ingroup PkgRegionSegmentationStages
 /// marks the feature edges of a mesh: its borders, the edges that are constrained, and those whose
@@ -28,14 +37,15 @@ namespace Region_segmentation {
 /// \param mesh an oriented 2-manifold with or without borders, its faces polygons of any size
 /// \param edge_is_feature_map every key is written
 /// \param np optional named parameters:
-///   - `maximum_angle` (degrees, default 180 - 3.12 * 180 / pi = 1.2376...): the bound
+///   - `maximum_angle` (degrees, default `default_maximum_angle`, 1.2372...): the bound
 ///   - `feature_convexity` (`Feature_convexity`, default `CONCAVE`): the wanted kind
 ///   - `edge_is_constrained_map`: edges that always are feature edges (default: none)
+///   - `visitor`: a model of `SegmentationVisitor`, for the stages "reading" and "features"
 ///   - `vertex_point_map`, `face_index_map`, `vertex_index_map`: as everywhere in \cgal
 ///
 /// \returns the number of edges written as true
 /// \pre `maximum_angle` is in [0, 180]
-/// \throws Invalid_input if a point is not finite; the map is as before then
+/// \throws Invalid_input if a point is not finite, Segmentation_cancelled if the visitor says so; the map is as before then
 ///
 /// Complexity: O(F). Deterministic. Calls on different maps may run at the same time.
 ///
@@ -46,11 +56,13 @@ std::size_t detect_feature_edges(const FaceGraph& mesh, EdgeIsFeatureMap edge_is
                                  const NamedParameters& np = parameters::default_values())
 {
   const auto& pack = internal::pack(np);
-  const auto walk = internal::make_mesh_walk(mesh, pack);
-  const Flat_mesh flat = internal::read_flat_mesh<ConcurrencyTag>(walk, pack);
-  const Edge_marks is_feature = internal::mark_feature_edges<ConcurrencyTag>(
-    flat, internal::maximum_angle(pack), internal::feature_convexity(pack));
-  return internal::write_edge_map(walk, is_feature, edge_is_feature_map);
+  internal::check_parameters<std::decay_t<decltype(pack)>, internal::Feature_edge_parameters>();
+  const auto traversal = internal::make_mesh_traversal(mesh, pack);
+  const Flat_mesh flat = internal::read_flat_mesh<ConcurrencyTag>(traversal, pack, Mesh_data::NOTHING_MORE);
+  const auto is_feature =
+    internal::mark_feature_edges(flat, internal::maximum_angle(pack), internal::feature_convexity(pack),
+                                 internal::make_execution<ConcurrencyTag>(pack, "features"));
+  return internal::write_edge_map(traversal, is_feature, edge_is_feature_map);
 }
 
 } // namespace Region_segmentation

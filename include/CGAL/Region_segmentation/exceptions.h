@@ -23,6 +23,14 @@ public:
   Segmentation_cancelled() : std::runtime_error("segmentation cancelled by its visitor") {}
 };
 
+/// Thrown, in every build, when a part of a method does what its concept forbids and no type can tell: it reads data of
+/// the mesh that it did not ask for, or proposes to merge across a section that is removed. Outputs are as before.
+class Invalid_method : public std::logic_error
+{
+public:
+  using std::logic_error::logic_error;
+};
+
 } // namespace Region_segmentation
 } // namespace CGAL
 

@@ -3,9 +3,9 @@
 #ifndef CGAL_REGION_SEGMENTATION_EXTRACT_FEATURE_LINES_H
 #define CGAL_REGION_SEGMENTATION_EXTRACT_FEATURE_LINES_H
 
-#include <CGAL/Region_segmentation/internal/read_flat_mesh.h>
-#include <CGAL/Region_segmentation/internal/prune_feature_graph.h>
+#include <CGAL/Region_segmentation/internal/regions/prune_feature_graph.h>
 #include <CGAL/Region_segmentation/parameters.h>
+#include <CGAL/Region_segmentation/read_flat_mesh.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/split_graph_into_polylines.h>
@@ -23,19 +23,22 @@ namespace Region_segmentation {
 
 namespace internal {
 
+using Feature_line_parameters = Tag_list<CGAL::internal_np::minimum_length_t, CGAL::internal_np::edge_is_constrained_t,
+                                         CGAL::internal_np::visitor_t>;
+
 /// The marked edges of a mesh, its borders, and the edges that are barriers for growing though they are
 /// not marked, with their vertices as a graph.
-template <typename Walk, typename EdgeIsFeatureMap>
-auto make_feature_graph(const Walk& walk, const Flat_mesh& flat,
+template <typename Traversal, typename EdgeIsFeatureMap>
+auto make_feature_graph(const Traversal& traversal, const Flat_mesh& flat,
                         const EdgeIsFeatureMap& edge_is_feature_map)
 {
-  using FaceGraph = std::remove_cv_t<std::remove_reference_t<decltype(walk.mesh())>>;
+  using FaceGraph = std::remove_cv_t<std::remove_reference_t<decltype(traversal.mesh())>>;
   constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
-  const FaceGraph& mesh = walk.mesh();
+  const FaceGraph& mesh = traversal.mesh();
   Feature_graph<FaceGraph> graph;
-  std::vector<std::size_t> node_of(walk.number_of_vertices(), none);
+  std::vector<std::size_t> node_of(traversal.number_of_vertices(), none);
   const auto node = [&](auto h) {
-    std::size_t& n = node_of[walk.source_rank(h)];
+    std::size_t& n = node_of[traversal.source_rank(h)];
     return n == none ? n = add_vertex(source(h, mesh), graph) : n;
   };
   const auto add = [&](auto h, Feature_edge_role role) {
@@ -46,7 +49,7 @@ auto make_feature_graph(const Walk& walk, const Flat_mesh& flat,
   for (auto e : edges(mesh))
     if (CGAL::is_border(e, mesh))
       add(halfedge(e, mesh), Feature_edge_role::FIXED);
-  walk.for_each_dual_edge([&](auto h, std::size_t dual_edge) {
+  traversal.for_each_dual_edge([&](auto h, std::size_t dual_edge) {
     if (flat.has_flag(dual_edge, Flat_mesh::CONSTRAINED))
       add(h, Feature_edge_role::FIXED);
     else if (get(edge_is_feature_map, edge(h, mesh)))
@@ -57,7 +60,7 @@ auto make_feature_graph(const Walk& walk, const Flat_mesh& flat,
   return graph;
 }
 
-/// Hands the lines of a feature graph on, as lists of mesh vertices.
+/// Outputs the lines of a feature graph as lists of mesh vertices.
 template <typename Graph, typename OutputIterator>
 struct Polyline_collector
 {
@@ -80,7 +83,7 @@ struct Polyline_collector
 } // namespace internal
 
 /// \ingroup PkgRegionSegmentationStages
-/// removes the feature lines that end inside the surface, and hands on those that remain.
+/// removes the feature lines that end inside the surface, and outputs those that remain.
 ///
 /// A *feature line* is a maximal chain of feature edges between vertices where the number of feature
 /// edges is not 2, or a closed chain. A line of which an end has no other feature edge separates
@@ -102,12 +105,13 @@ struct Polyline_collector
 ///   - `minimum_length` (a number of edges, default: no line is that long): lines of at least this
 ///     length stay, though they end inside the surface
 ///   - `edge_is_constrained_map`: feature edges that are never removed (default: none)
+///   - `visitor`: a model of `SegmentationVisitor`, for the stage "reading"
 ///   - `vertex_point_map`, `face_index_map`, `vertex_index_map`: as everywhere in \cgal
 ///
 /// \returns the number of lines that remain
 /// \post every remaining line that is shorter than `minimum_length` is closed or ends at other
 ///       feature edges
-/// \throws Invalid_input if a point is not finite; the map is as before then
+/// \throws Invalid_input if a point is not finite, Segmentation_cancelled if the visitor says so; the map is as before then
 ///
 /// Complexity: O(F). Deterministic. Calls on different maps may run at the same time.
 ///
@@ -123,13 +127,14 @@ std::size_t extract_feature_lines(const FaceGraph& mesh, EdgeIsFeatureMap edge_i
   using CGAL::parameters::get_parameter;
   using Value = typename boost::property_traits<EdgeIsFeatureMap>::value_type;
   const auto& pack = internal::pack(np);
+  internal::check_parameters<std::decay_t<decltype(pack)>, internal::Feature_line_parameters>();
   const std::size_t minimum_length =
     choose_parameter(get_parameter(pack, CGAL::internal_np::minimum_length),
                      (std::numeric_limits<std::size_t>::max)());
 
-  const auto walk = internal::make_mesh_walk(mesh, pack);
-  const Flat_mesh flat = internal::read_flat_mesh<ConcurrencyTag>(walk, pack);
-  auto graph = internal::make_feature_graph(walk, flat, edge_is_feature_map);
+  const auto traversal = internal::make_mesh_traversal(mesh, pack);
+  const Flat_mesh flat = internal::read_flat_mesh<ConcurrencyTag>(traversal, pack, Mesh_data::NOTHING_MORE);
+  auto graph = internal::make_feature_graph(traversal, flat, edge_is_feature_map);
   internal::prune_feature_graph(graph, minimum_length);
   internal::remove_barriers(graph);
 

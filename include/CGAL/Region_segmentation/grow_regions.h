@@ -3,34 +3,25 @@
 #ifndef CGAL_REGION_SEGMENTATION_GROW_REGIONS_H
 #define CGAL_REGION_SEGMENTATION_GROW_REGIONS_H
 
-#include <CGAL/Region_segmentation/internal/read_flat_mesh.h>
-#include <CGAL/Region_segmentation/internal/label_components.h>
-#include <CGAL/Region_segmentation/internal/write_maps.h>
+#include <CGAL/Region_segmentation/internal/regions/label_components.h>
+#include <CGAL/Region_segmentation/internal/reading/write_maps.h>
+#include <CGAL/Region_segmentation/internal/support/visitor.h>
 #include <CGAL/Region_segmentation/parameters.h>
+#include <CGAL/Region_segmentation/read_flat_mesh.h>
+
+#include <cstddef>
+#include <type_traits>
 
 namespace CGAL {
 namespace Region_segmentation {
-
-/// \ingroup PkgRegionSegmentationInitializers
-/// The paper's maker of regions: the connected components of the faces across edges that are not
-/// feature edges. A model of `RegionInitializer`.
-struct Region_growing
-{
-  template <typename ConcurrencyTag = CGAL::Sequential_tag>
-  Region_labels operator()(const Flat_mesh& flat, const Edge_marks& is_feature,
-                           ConcurrencyTag = ConcurrencyTag()) const
-  {
-    return internal::label_components<ConcurrencyTag>(flat, is_feature);
-  }
-};
 
 /// \ingroup PkgRegionSegmentationStages
 /// grows regions between feature edges: the connected components of the faces across edges that are
 /// not feature edges.
 ///
 /// A degenerate face joins the region across its longest edge that is neither a border nor
-/// constrained, unless the map says that this is a feature edge; its other edges are no way for
-/// growing.
+/// constrained, unless the map says that this is a feature edge; growing does not cross its other
+/// edges.
 ///
 /// \tparam ConcurrencyTag `Sequential_tag` or, with \ref thirdpartyTBB, `Parallel_tag`; see `segment()`
 /// \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
@@ -44,12 +35,14 @@ struct Region_growing
 /// \param region_map every key is written: ids 0 .. r-1, numbered by the first face
 /// \param np optional named parameters:
 ///   - `edge_is_constrained_map`: edges that are not crossed (default: none)
+///   - `visitor`: a model of `SegmentationVisitor`, for the stages "reading" and "regions"
 ///   - `vertex_point_map`, `face_index_map`, `vertex_index_map`: as everywhere in \cgal
 ///
 /// \returns the number r of regions
 /// \post every region is connected; two faces that share an edge which is not a feature edge, and
 ///       neither of which is degenerate, have the same region
-/// \throws Invalid_input if a point is not finite; the maps are as before then
+/// \throws Invalid_input if a point is not finite, Segmentation_cancelled if the visitor says so; the maps are as before
+///         then
 ///
 /// Complexity: O(F). Deterministic. Calls on different maps may run at the same time.
 ///
@@ -62,15 +55,17 @@ std::size_t grow_regions(const FaceGraph& mesh, EdgeIsFeatureMap edge_is_feature
                          const NamedParameters& np = parameters::default_values())
 {
   const auto& pack = internal::pack(np);
-  const auto walk = internal::make_mesh_walk(mesh, pack);
-  const Flat_mesh flat = internal::read_flat_mesh<ConcurrencyTag>(walk, pack);
-  Edge_marks is_feature = internal::read_edge_map(walk, flat, edge_is_feature_map);
-  const Region_labels regions = Region_growing()(flat, is_feature, ConcurrencyTag());
-  internal::clear_marks_within_regions<ConcurrencyTag>(flat, regions, is_feature);
+  internal::check_parameters<std::decay_t<decltype(pack)>, internal::Reading_parameters>();
+  const auto traversal = internal::make_mesh_traversal(mesh, pack);
+  const Flat_mesh flat = internal::read_flat_mesh<ConcurrencyTag>(traversal, pack, Mesh_data::NOTHING_MORE);
+  const auto execution = internal::make_execution<ConcurrencyTag>(pack, "regions");
+  internal::Edge_marks is_feature = internal::read_edge_map(traversal, flat, edge_is_feature_map);
+  const Partition regions = internal::label_components(flat, is_feature, execution);
+  internal::clear_marks_within_regions(flat, regions, is_feature, Execution<ConcurrencyTag>());
 
-  internal::write_edge_map(walk, is_feature, edge_is_feature_map);
-  internal::write_face_map(walk, region_map, [&](std::size_t i) { return regions.of_face[i]; });
-  return regions.number_of_regions;
+  internal::write_edge_map(traversal, is_feature, edge_is_feature_map);
+  internal::write_face_map(traversal, region_map, regions);
+  return regions.number_of_parts();
 }
 
 } // namespace Region_segmentation

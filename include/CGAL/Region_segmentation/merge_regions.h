@@ -3,15 +3,16 @@
 #ifndef CGAL_REGION_SEGMENTATION_MERGE_REGIONS_H
 #define CGAL_REGION_SEGMENTATION_MERGE_REGIONS_H
 
-#include <CGAL/Region_segmentation/Merge_candidate.h>
-#include <CGAL/Region_segmentation/Merge_tree.h>
-#include <CGAL/Region_segmentation/Region_adjacency_graph.h>
-#include <CGAL/Region_segmentation/internal/concept_checks.h>
-#include <CGAL/Region_segmentation/internal/progress.h>
+#include <CGAL/Region_segmentation/Graph/Merge_candidate.h>
+#include <CGAL/Region_segmentation/Graph/Merge_tree.h>
+#include <CGAL/Region_segmentation/Graph/Region_adjacency_graph.h>
+#include <CGAL/Region_segmentation/internal/concepts/check_merging.h>
+#include <CGAL/Region_segmentation/internal/graph/merge.h>
+#include <CGAL/Region_segmentation/internal/support/visitor.h>
 #include <CGAL/Region_segmentation/parameters.h>
 
-#include <algorithm>
 #include <cstddef>
+#include <type_traits>
 
 namespace CGAL {
 namespace Region_segmentation {
@@ -51,38 +52,29 @@ struct Stop_at_cost
 /// \tparam Policy a model of `RegionMergingPolicy`
 /// \tparam Stop a model of `MergingStopPredicate`
 /// \param graph the regions; merged in place
-/// \param policy is initialized for `number_of_segments`
-/// \param number_of_segments what the policy is told is wanted; `stop` decides
+/// \param policy is initialized for the graph, so that it can be used again
+/// \param number_of_segments the wanted number, for a policy whose order depends on it; `stop` decides
 /// \param stop is asked before each merge
 /// \param np optional named parameters:
 ///   - `visitor`: a model of `SegmentationVisitor`, told of the stage "merging"
 ///
 /// \returns the tree of the merges, over all indices of regions of the graph
-/// \throws Segmentation_cancelled if the visitor says so; the graph is left between two merges then
+/// \throws Segmentation_cancelled if the visitor says so, Invalid_method if the policy proposes a section that is removed
+///         or not mergeable; the graph is left between two merges then
 ///
 /// Complexity: that of the policy, and O((R + S) log R) expected for the graph itself. Deterministic.
 template <typename Graph, typename Policy, typename Stop,
           typename NamedParameters = parameters::Default_named_parameters>
-Merge_tree merge_regions(Graph& graph, Policy& policy, std::size_t number_of_segments, Stop stop,
+Merge_tree merge_regions(Graph& graph, Policy&& policy, std::size_t number_of_segments, Stop stop,
                          const NamedParameters& np = parameters::default_values())
 {
-  internal::check_merging_policy<Policy, Graph>();
-  internal::check_stop_predicate<Stop, Graph>();
-
-  Merge_tree tree(graph.index_bound_of_regions());
-  internal::Progress progress(internal::pack(np), "merging",
-                              graph.number_of_regions() - (std::min)(graph.number_of_regions(),
-                                                                     number_of_segments));
-  policy.initialize(graph, number_of_segments);
-  while (const auto candidate = policy.next(graph)) {
-    if (stop(graph, candidate->cost))
-      break;
-    const auto merge = graph.merge(candidate->section);
-    policy.on_merge(graph, merge);
-    tree.push_back({merge.kept, merge.removed, candidate->cost});
-    progress.advance();
-  }
-  return tree;
+  const auto& pack = internal::pack(np);
+  internal::check_parameters<std::decay_t<decltype(pack)>, internal::Tag_list<CGAL::internal_np::visitor_t>>();
+  static_assert(internal::check_merging_policy<std::decay_t<Policy>, Graph>());
+  static_assert(internal::check_stop_predicate<Stop, Graph>());
+  const auto ignore = [](const typename Graph::Merge&) {};
+  return internal::merge(graph, policy, number_of_segments, stop, ignore,
+                         internal::make_execution<CGAL::Sequential_tag>(pack, "merging"));
 }
 
 } // namespace Region_segmentation

@@ -13,24 +13,27 @@
 #include <CGAL/Named_function_parameters.h>
 
 #include <functional>
+#include <type_traits>
 
-// The parameters that the package adds: tag type, name.
+// The parameters that the package adds: tag type, name. (And merge_tree, which is an output that is no map.)
 #define CGAL_REGION_SEGMENTATION_PARAMETERS(ADD)        \
   ADD(number_of_segments_t, number_of_segments)         \
+  ADD(method_t, method)                                 \
+  ADD(face_seed_map_t, face_seed_map)                   \
   ADD(feature_convexity_t, feature_convexity)           \
-  ADD(edge_is_feature_map_t, edge_is_feature_map)       \
-  ADD(region_map_t, region_map)                         \
-  ADD(region_initializer_t, region_initializer)         \
-  ADD(merging_policy_t, merging_policy)                 \
-  ADD(merge_tree_t, merge_tree)
+  ADD(region_map_t, region_map)
 
 namespace CGAL {
 namespace Region_segmentation {
 
+class Merge_tree;
+
 namespace internal_np {
-#define CGAL_REGION_SEGMENTATION_ADD(TAG, NAME) enum TAG { NAME };
+#define CGAL_REGION_SEGMENTATION_ADD(TAG, NAME) \
+  enum TAG { NAME };
 CGAL_REGION_SEGMENTATION_PARAMETERS(CGAL_REGION_SEGMENTATION_ADD)
 #undef CGAL_REGION_SEGMENTATION_ADD
+enum merge_tree_t { merge_tree };
 } // namespace internal_np
 
 /// A pack of named parameters that can be chained with those of \cgal and those of this package.
@@ -83,14 +86,21 @@ struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
   { return Named_parameters<K, internal_np::TAG, Pack>(value, pack()); }
   CGAL_REGION_SEGMENTATION_PARAMETERS(CGAL_REGION_SEGMENTATION_ADD)
 #undef CGAL_REGION_SEGMENTATION_ADD
+
+  /// An output, given by reference or by `std::ref()`.
+  Named_parameters<std::reference_wrapper<Merge_tree>, internal_np::merge_tree_t, Pack>
+  merge_tree(std::reference_wrapper<Merge_tree> tree) const
+  {
+    return Named_parameters<std::reference_wrapper<Merge_tree>, internal_np::merge_tree_t, Pack>(tree, pack());
+  }
 };
 
 /// Where a chain starts: `parameters::number_of_segments(8).vertex_point_map(vpm)`.
 namespace parameters {
 
-using Default_named_parameters = CGAL::parameters::Default_named_parameters;
+using Default_named_parameters = Named_parameters<bool, CGAL::internal_np::all_default_t>;
 
-/// An empty pack.
+/// An empty pack, which can be chained, too.
 inline Default_named_parameters default_values()
 {
   return {};
@@ -132,6 +142,12 @@ inline Default_named_parameters default_values()
 CGAL_REGION_SEGMENTATION_PARAMETERS(CGAL_REGION_SEGMENTATION_ADD)
 #undef CGAL_REGION_SEGMENTATION_ADD
 
+inline Named_parameters<std::reference_wrapper<Merge_tree>, internal_np::merge_tree_t>
+merge_tree(std::reference_wrapper<Merge_tree> tree)
+{
+  return Named_parameters<std::reference_wrapper<Merge_tree>, internal_np::merge_tree_t>(tree);
+}
+
 } // namespace parameters
 
 namespace internal {
@@ -152,8 +168,51 @@ pack(const CGAL::Named_function_parameters<T, Tag, Base>& np)
   return np;
 }
 
+template <typename... Tags>
+struct Tag_list
+{};
+
+/// The parameters with which a mesh is read.
+using Reading_parameters =
+  Tag_list<CGAL::internal_np::edge_is_constrained_t, CGAL::internal_np::visitor_t>;
+
+template <typename Tag, typename List>
+struct Is_in;
+template <typename Tag, typename... Tags>
+struct Is_in<Tag, Tag_list<Tags...>> : std::disjunction<std::is_same<Tag, Tags>...>
+{};
+
+/// The parameters that no function ignores in silence: those of the package, and those of \cgal that some of its
+/// functions take.
+#define CGAL_REGION_SEGMENTATION_ADD(TAG, NAME) internal_np::TAG,
+using Watched_parameters =
+  Tag_list<CGAL_REGION_SEGMENTATION_PARAMETERS(CGAL_REGION_SEGMENTATION_ADD) internal_np::merge_tree_t,
+           CGAL::internal_np::edge_is_constrained_t, CGAL::internal_np::visitor_t,
+           CGAL::internal_np::maximum_angle_t, CGAL::internal_np::minimum_length_t>;
+#undef CGAL_REGION_SEGMENTATION_ADD
+
+template <typename Pack, typename Taken>
+struct Takes_all : std::true_type
+{};
+template <typename T, typename Tag, typename Base, typename Taken>
+struct Takes_all<CGAL::Named_function_parameters<T, Tag, Base>, Taken>
+  : std::conjunction<std::disjunction<Is_in<Tag, Taken>, std::negation<Is_in<Tag, Watched_parameters>>>,
+                     Takes_all<Base, Taken>>
+{};
+
+/// Does not compile where a pack has one of the watched parameters that is not among those which are taken.
+template <typename Pack, typename Taken>
+constexpr void check_parameters()
+{
+  static_assert(Takes_all<Pack, Taken>::value,
+                "one of the named parameters is not taken by this function (constants of a method are members of "
+                "its parts)");
+}
+
 } // namespace internal
 } // namespace Region_segmentation
 } // namespace CGAL
+
+#undef CGAL_REGION_SEGMENTATION_PARAMETERS
 
 #endif // CGAL_REGION_SEGMENTATION_PARAMETERS_H

@@ -3,11 +3,15 @@
 #ifndef CGAL_REGION_SEGMENTATION_SMOOTH_BORDERS_H
 #define CGAL_REGION_SEGMENTATION_SMOOTH_BORDERS_H
 
-#include <CGAL/Region_segmentation/internal/Border_smoothing.h>
-#include <CGAL/Region_segmentation/internal/Dense_labels.h>
-#include <CGAL/Region_segmentation/internal/Lowest_root_forest.h>
-#include <CGAL/Region_segmentation/internal/read_flat_mesh.h>
+#include <CGAL/Region_segmentation/Execution.h>
+#include <CGAL/Region_segmentation/Flat_mesh.h>
+#include <CGAL/Region_segmentation/Partition.h>
+#include <CGAL/Region_segmentation/internal/cuts/Border_smoothing.h>
+#include <CGAL/Region_segmentation/internal/regions/Lowest_root_forest.h>
+#include <CGAL/Region_segmentation/internal/support/read_face_labels.h>
+#include <CGAL/Region_segmentation/internal/support/visitor.h>
 #include <CGAL/Region_segmentation/parameters.h>
+#include <CGAL/Region_segmentation/read_flat_mesh.h>
 
 #include <CGAL/assertions.h>
 
@@ -28,26 +32,26 @@ namespace Region_segmentation {
 /// For each two adjacent segments \f$a, b\f$, in the order of their first faces, the faces of both within
 /// \f$D = \min(D_0, q \sqrt{\min(s_a, s_b)})\f$ of their border are dealt out anew by a minimum cut of the
 /// dual graph. An edge of length \f$l\f$ costs \f$l / (1 + g \, \delta^+)\f$, \f$\delta^+\f$ the deviation
-/// of a concave edge (0 of another one). Distances are those of centroids, on ways inside the own segment;
+/// of a concave edge (0 of another one). Distances are those of centroids, on paths inside the own segment;
 /// \f$s\f$ is the area a segment has at first. Lengths are in units of \f$\sqrt{A}\f$ and areas of \f$A\f$,
 /// the area of the surface. Of several cheapest cuts, the one is taken that moves the fewest faces, so a
 /// pair keeps its border if no cut is cheaper.
 ///
 /// A face at the inner end of the band stays. So does one that a constrained edge divides from the
-/// other segment. A segment that does not hang together across edges that are not constrained counts as
-/// several, none of which are cut against each other. What a pair would change is left when one of the two
-/// would fall apart.
+/// other segment. A segment that is not connected across edges that are not constrained counts as
+/// several, no two of which are changed against each other. What a pair would change is left if one of the two
+/// would be disconnected.
 ///
 /// Complexity: O(F + B log B), B the number of edges between segments, and for each pair a maximum flow on
-/// its band, of some hundred faces in practice; whether the two hang together is decided near by, or by
-/// a walk over them at worst.
+/// its band, of some hundred faces in practice; whether the two are connected is decided near by, or by
+/// a traversal of them at worst.
 /// Deterministic: capacities are integers, so not even the order of faces matters within a pair.
 ///
 /// Source: minimum cuts in a fuzzy band, Katz and Tal 2003; the flow, Boykov and Kolmogorov 2004.
 class Minimum_cut_borders
 {
 public:
-  static constexpr Flat_mesh::Content content = Flat_mesh::Content::ANGLES_AND_POINTS;
+  static constexpr Mesh_data required_mesh_data = Mesh_data::CENTROIDS | Mesh_data::SURFACE_AREA;
 
   /// `width` (D_0, in units of the square root of the area of the surface): of the band, on each side;
   /// `width_of_segment` (q): at most this part of the square root of the area of the smaller segment;
@@ -62,27 +66,29 @@ public:
 
   /// Changes the label of some faces; returns of how many.
   /// \pre there is a label for every face
-  std::size_t operator()(const Flat_mesh& mesh, std::vector<Flat_mesh::Index>& label_of_face) const
+  std::size_t operator()(const Flat_mesh& mesh, std::vector<Flat_mesh::Index>& label_of_face,
+                         const Execution<>& execution = Execution<>()) const
   {
     CGAL_precondition(label_of_face.size() == mesh.number_of_faces());
-    const double area = total_area(mesh);
+    const double area = mesh.surface_area();
     if (area == 0)
       return 0;
-    Region_labels pieces = pieces_of_segments(mesh, label_of_face);
-    std::vector<Flat_mesh::Index> label_of_piece(pieces.number_of_regions);
-    std::vector<double> sizes(pieces.number_of_regions); // square roots of the relative areas
+    const Partition pieces = pieces_of_segments(mesh, label_of_face);
+    std::vector<Flat_mesh::Index> label_of_piece(pieces.number_of_parts());
+    std::vector<double> sizes(pieces.number_of_parts()); // square roots of the relative areas
     for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
-      label_of_piece[pieces.of_face[f]] = label_of_face[f];
-      sizes[pieces.of_face[f]] += mesh.area(f) / area;
+      label_of_piece[pieces[f]] = label_of_face[f];
+      sizes[pieces[f]] += mesh.area(f) / area;
     }
     for (double& size : sizes)
       size = std::sqrt(size);
 
-    cut_anew(mesh, std::sqrt(area), sizes, label_of_piece, pieces.of_face);
+    std::vector<Flat_mesh::Index> piece_of_face(pieces.begin(), pieces.end());
+    move_borders(mesh, std::sqrt(area), sizes, label_of_piece, piece_of_face, execution);
 
     std::size_t changed = 0;
     for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
-      const Flat_mesh::Index label = label_of_piece[pieces.of_face[f]];
+      const Flat_mesh::Index label = label_of_piece[piece_of_face[f]];
       changed += label != label_of_face[f];
       label_of_face[f] = label;
     }
@@ -90,15 +96,7 @@ public:
   }
 
 private:
-  static double total_area(const Flat_mesh& mesh)
-  {
-    double area = 0;
-    for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
-      area += mesh.area(f);
-    return area;
-  }
-
-  static Region_labels pieces_of_segments(const Flat_mesh& mesh,
+  static Partition pieces_of_segments(const Flat_mesh& mesh,
                                           const std::vector<Flat_mesh::Index>& label_of_face)
   {
     internal::Lowest_root_forest forest(mesh.number_of_faces());
@@ -107,27 +105,26 @@ private:
       if (label_of_face[f] == label_of_face[g] && !mesh.has_flag(e, Flat_mesh::CONSTRAINED))
         forest.unite(f, g);
     }
-    return forest.take_labels();
+    return forest.take_partition();
   }
 
-  void cut_anew(const Flat_mesh& mesh, double unit, const std::vector<double>& sizes,
-                const std::vector<Flat_mesh::Index>& label_of_piece,
-                std::vector<Flat_mesh::Index>& piece_of_face) const
+  void move_borders(const Flat_mesh& mesh, double unit, const std::vector<double>& sizes,
+                    const std::vector<Flat_mesh::Index>& label_of_piece, std::vector<Flat_mesh::Index>& piece_of_face,
+                    const Execution<>& execution) const
   {
-    std::vector<internal::Vector_3> centroids(mesh.number_of_faces());
-    for (std::size_t f = 0; f < centroids.size(); ++f)
-      centroids[f] = mesh.centroid(f);
-    const internal::Dual_graph ways(mesh, [&](std::size_t f, std::size_t e) {
-      return norm(centroids[f] - centroids[mesh.higher_face(e)]) / unit;
+    const internal::Dual_graph distances(mesh, [&](std::size_t f, std::size_t e) {
+      return norm(mesh.centroid(f) - mesh.centroid(mesh.higher_face(e))) / unit;
     });
     const internal::Dual_graph weights(mesh, [&](std::size_t f, std::size_t e) {
       const double concavity = mesh.has_flag(e, Flat_mesh::CONCAVE) ? mesh.deviation(f, e) : 0;
       return (std::min)(mesh.length(e) / unit / (1 + m_concave_gain * concavity), longest);
     });
-    internal::Border_smoothing(mesh, ways, weights, piece_of_face, label_of_piece)
-      .run([&](Flat_mesh::Index a, Flat_mesh::Index b) {
-        return (std::min)(m_width, m_width_of_segment * (std::min)(sizes[a], sizes[b]));
-      });
+    internal::Border_smoothing(mesh, distances, weights, piece_of_face, label_of_piece)
+      .run(
+        [&](Flat_mesh::Index a, Flat_mesh::Index b) {
+          return (std::min)(m_width, m_width_of_segment * (std::min)(sizes[a], sizes[b]));
+        },
+        execution);
   }
 
   static constexpr double longest = 1e30; // relative; of needles far longer than the rest, in a float
@@ -148,14 +145,15 @@ private:
 /// \param np optional named parameters:
 ///   - `edge_is_constrained_map`: edges that do not lose the border that runs along them, and that no
 ///     border moves across (default: none)
+///   - `visitor`: a model of `SegmentationVisitor`, for the stages "reading" and "borders"
 ///   - `vertex_point_map`, `face_index_map`, `vertex_index_map`: as everywhere in \cgal
 ///
 /// \returns the number of faces whose label changed
-/// \post the labels in use are the same; a segment that hung together across edges that are not
-///       constrained still does, and one that did not has no more pieces; the two sides of a constrained
+/// \post the labels in use are the same; a segment that was connected across edges that are not
+///       constrained still is, and one that was not has no more pieces; the two sides of a constrained
 ///       edge that had different labels still have; a face farther from the borders of its segment than
 ///       the band of `smoother` keeps its label
-/// \throws Invalid_input if a point is not finite; the map is as before then
+/// \throws Invalid_input if a point is not finite, Segmentation_cancelled if the visitor says so; the map is as before then
 ///
 /// Labels are no longer numbered by their first face where one moved. A second call may move borders on:
 /// the bands lie around the new ones.
@@ -172,19 +170,22 @@ std::size_t smooth_borders(const FaceGraph& mesh, FaceSegmentMap segment_map,
 {
   using Label = typename boost::property_traits<FaceSegmentMap>::value_type;
   const auto& pack = internal::pack(np);
-  const auto walk = internal::make_mesh_walk(mesh, pack);
-  const Flat_mesh flat = internal::read_flat_mesh(walk, pack, Minimum_cut_borders::content);
-  const auto before = internal::read_face_labels(mesh, segment_map);
-  std::vector<Label> labels(before.number_of_labels);
+  internal::check_parameters<std::decay_t<decltype(pack)>, internal::Reading_parameters>();
+  const auto traversal = internal::make_mesh_traversal(mesh, pack);
+  const Flat_mesh flat = internal::read_flat_mesh<CGAL::Sequential_tag>(traversal, pack,
+                                                                        Minimum_cut_borders::required_mesh_data);
+  const Partition before = internal::read_face_labels(mesh, segment_map);
+  std::vector<Label> labels(before.number_of_parts());
   std::size_t i = 0;
   for (auto f : faces(mesh))
-    labels[before.of_face[i++]] = get(segment_map, f);
+    labels[before[i++]] = get(segment_map, f);
 
-  std::vector<Flat_mesh::Index> after = before.of_face;
-  const std::size_t changed = smoother(flat, after);
+  std::vector<Flat_mesh::Index> after(before.begin(), before.end());
+  const std::size_t changed =
+    smoother(flat, after, internal::make_execution<CGAL::Sequential_tag>(pack, "borders"));
   i = 0;
   for (auto f : faces(mesh)) {
-    if (after[i] != before.of_face[i])
+    if (after[i] != before[i])
       put(segment_map, f, Label(labels[after[i]]));
     ++i;
   }

@@ -4,8 +4,8 @@
 
 #include "make_triangles.h"
 
+#include <CGAL/Region_segmentation/Methods/Two_step.h>
 #include <CGAL/Region_segmentation/segment.h>
-#include <CGAL/Region_segmentation/two_step.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
@@ -32,12 +32,12 @@ Mesh make_mesh(const speed_benchmark::Triangles& triangles)
 }
 
 /// \returns whether there are 8 segments
-template <typename Policy>
-bool count(const char* name, const Mesh& mesh, const Policy& policy)
+template <typename SegmentationMethod>
+bool count(const char* name, const Mesh& mesh, const SegmentationMethod& method)
 {
   std::vector<std::uint32_t> segments(num_faces(mesh));
   const auto map = boost::make_iterator_property_map(segments.begin(), get(CGAL::face_index, mesh));
-  const auto np = RS::parameters::number_of_segments(8).merging_policy(policy);
+  const auto np = RS::parameters::number_of_segments(8).method(method);
   CALLGRIND_START_INSTRUMENTATION;
   const std::size_t number = RS::segment(mesh, map, np);
   CALLGRIND_STOP_INSTRUMENTATION;
@@ -55,6 +55,6 @@ int main()
   const Mesh smooth = make_mesh(torus), noisy = make_mesh(roughened(torus, 0.2));
   const bool is_right = count("two-step smooth", smooth, RS::Two_step()) &
                         count("two-step noisy", noisy, RS::Two_step()) &
-                        count("best smooth", smooth, RS::Best());
+                        count("visibility smooth", smooth, RS::Visibility_merging());
   return is_right ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -14,8 +14,9 @@ int main()
   CGAL::make_tetrahedron(Kernel::Point_3(0, 0, 0), Kernel::Point_3(1, 0, 0),
                          Kernel::Point_3(0, 1, 0), Kernel::Point_3(0, 0, 1), mesh);
   auto segment_id = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:segment").first;
-  const std::size_t n = RS::segment(
-      mesh, segment_id,
-      RS::parameters::number_of_segments(3).feature_convexity(RS::Feature_convexity::ALL));
+  RS::Two_step method;
+  method.initializer.feature_convexity = RS::Feature_convexity::ALL;
+  const std::size_t n =
+      RS::segment(mesh, segment_id, RS::parameters::number_of_segments(3).method(method));
   return n == 3 ? 0 : 1;
 }

@@ -3,9 +3,9 @@
 #ifndef CGAL_REGION_SEGMENTATION_EVALUATION_CONSISTENCY_ERROR_H
 #define CGAL_REGION_SEGMENTATION_EVALUATION_CONSISTENCY_ERROR_H
 
-#include <CGAL/Region_segmentation/internal/Contingency_table.h>
-#include <CGAL/Region_segmentation/internal/Dense_labels.h>
-#include <CGAL/Region_segmentation/internal/Surface_geometry.h>
+#include <CGAL/Region_segmentation/internal/measures/Contingency_table.h>
+#include <CGAL/Region_segmentation/internal/support/read_face_labels.h>
+#include <CGAL/Region_segmentation/internal/measures/Surface_geometry.h>
 #include <CGAL/Region_segmentation/parameters.h>
 
 #include <algorithm>
@@ -52,7 +52,7 @@ inline double refinement_error(double part, double whole)
   return whole > 0 ? (whole - part) / whole : 0;
 }
 
-inline Consistency_error consistency_error(const Dense_labels& a, const Dense_labels& b,
+inline Consistency_error consistency_error(const Partition& a, const Partition& b,
                                            const Face_areas& areas)
 {
   const std::vector<Face_total> rows = segment_totals(a, areas), columns = segment_totals(b, areas);
@@ -64,7 +64,7 @@ inline Consistency_error consistency_error(const Dense_labels& a, const Dense_la
     by_area.add(n, refinement_error(cell.area, rows[i].area),
                 refinement_error(cell.area, columns[j].area));
   });
-  const double number_of_faces = double((std::max<std::size_t>)(1, a.of_face.size()));
+  const double number_of_faces = double((std::max<std::size_t>)(1, a.size()));
   Consistency_error result;
   result.global = by_count.global() / number_of_faces;
   result.local = by_count.local() / number_of_faces;
@@ -125,10 +125,10 @@ Consistency_error consistency_error(const FaceGraph& mesh, const FaceLabelMapA& 
                                     const NamedParameters& np = parameters::default_values())
 {
   const auto& pack = internal::pack(np);
-  const auto walk = internal::make_mesh_walk(mesh, pack);
+  const auto traversal = internal::make_mesh_traversal(mesh, pack);
   return internal::consistency_error(internal::read_face_labels(mesh, a),
                                      internal::read_face_labels(mesh, b),
-                                     internal::face_areas(walk, pack));
+                                     internal::face_areas(traversal, pack));
 }
 
 } // namespace Region_segmentation

@@ -3,8 +3,8 @@
 #ifndef CGAL_REGION_SEGMENTATION_EVALUATION_CUT_DISCREPANCY_H
 #define CGAL_REGION_SEGMENTATION_EVALUATION_CUT_DISCREPANCY_H
 
-#include <CGAL/Region_segmentation/internal/Edge_graph.h>
-#include <CGAL/Region_segmentation/internal/Surface_geometry.h>
+#include <CGAL/Region_segmentation/internal/measures/Edge_graph.h>
+#include <CGAL/Region_segmentation/internal/measures/Surface_geometry.h>
 #include <CGAL/Region_segmentation/parameters.h>
 
 #include <CGAL/boost/graph/helpers.h>
@@ -25,20 +25,20 @@ namespace internal {
 
 /// The end points, in order, of the edges whose two faces have different labels.
 template <typename FaceGraph, typename Pack, typename FaceLabelMap>
-std::vector<Edge_graph::Index> cut_vertices(const Mesh_walk<FaceGraph, Pack>& walk,
+std::vector<Edge_graph::Index> cut_vertices(const Mesh_traversal<FaceGraph, Pack>& traversal,
                                             const FaceLabelMap& label_map)
 {
   using Label = typename boost::property_traits<FaceLabelMap>::value_type;
   static_assert(std::is_integral<Label>::value, "labels are integral");
-  const FaceGraph& mesh = walk.mesh();
-  std::vector<char> is_on_cut(walk.number_of_vertices(), false);
+  const FaceGraph& mesh = traversal.mesh();
+  std::vector<char> is_on_cut(traversal.number_of_vertices(), false);
   for (auto e : edges(mesh)) {
     const auto h = halfedge(e, mesh), o = opposite(h, mesh);
     if (CGAL::is_border(h, mesh) || CGAL::is_border(o, mesh))
       continue;
     const Label label_h = get(label_map, face(h, mesh)), label_o = get(label_map, face(o, mesh));
     if (label_h != label_o)
-      is_on_cut[walk.source_rank(h)] = is_on_cut[walk.source_rank(o)] = true;
+      is_on_cut[traversal.source_rank(h)] = is_on_cut[traversal.source_rank(o)] = true;
   }
   std::vector<Edge_graph::Index> result;
   for (std::size_t v = 0; v < is_on_cut.size(); ++v)
@@ -96,14 +96,14 @@ std::optional<double> cut_discrepancy(const FaceGraph& mesh, const FaceLabelMapA
                                       const NamedParameters& np = parameters::default_values())
 {
   const auto& pack = internal::pack(np);
-  const auto walk = internal::make_mesh_walk(mesh, pack);
-  const auto points = internal::read_normalized_points(walk, pack);
-  const auto cut_a = internal::cut_vertices(walk, a), cut_b = internal::cut_vertices(walk, b);
-  const double size = internal::mean_distance_to_centroid(walk, points);
+  const auto traversal = internal::make_mesh_traversal(mesh, pack);
+  const auto points = internal::read_normalized_points(traversal, pack);
+  const auto cut_a = internal::cut_vertices(traversal, a), cut_b = internal::cut_vertices(traversal, b);
+  const double size = internal::mean_distance_to_centroid(traversal, points);
   if (cut_a.empty() || cut_b.empty() || size == 0)
     return std::nullopt;
 
-  const internal::Edge_graph graph(walk, points);
+  const internal::Edge_graph graph(traversal, points);
   const double sum = graph.sum_of_distances(cut_b, cut_a) + graph.sum_of_distances(cut_a, cut_b);
   if (!std::isfinite(sum))
     return std::nullopt;

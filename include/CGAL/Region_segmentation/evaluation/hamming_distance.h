@@ -3,9 +3,9 @@
 #ifndef CGAL_REGION_SEGMENTATION_EVALUATION_HAMMING_DISTANCE_H
 #define CGAL_REGION_SEGMENTATION_EVALUATION_HAMMING_DISTANCE_H
 
-#include <CGAL/Region_segmentation/internal/Contingency_table.h>
-#include <CGAL/Region_segmentation/internal/Dense_labels.h>
-#include <CGAL/Region_segmentation/internal/Surface_geometry.h>
+#include <CGAL/Region_segmentation/internal/measures/Contingency_table.h>
+#include <CGAL/Region_segmentation/internal/support/read_face_labels.h>
+#include <CGAL/Region_segmentation/internal/measures/Surface_geometry.h>
 #include <CGAL/Region_segmentation/parameters.h>
 
 #include <algorithm>
@@ -41,10 +41,10 @@ inline double unmatched_part(const std::vector<Face_total>& segments,
   return total > 0 ? unmatched / total : 0;
 }
 
-inline Hamming_distance hamming_distance(const Dense_labels& a, const Dense_labels& b,
+inline Hamming_distance hamming_distance(const Partition& a, const Partition& b,
                                          const Face_areas& areas)
 {
-  std::vector<double> largest_in_row(a.number_of_labels), largest_in_column(b.number_of_labels);
+  std::vector<double> largest_in_row(a.number_of_parts()), largest_in_column(b.number_of_parts());
   for_each_cell(a, b, areas, [&](std::size_t i, std::size_t j, const Face_total& cell) {
     largest_in_row[i] = (std::max)(largest_in_row[i], cell.area);
     largest_in_column[j] = (std::max)(largest_in_column[j], cell.area);
@@ -103,10 +103,10 @@ Hamming_distance hamming_distance(const FaceGraph& mesh, const FaceLabelMapA& a,
                                   const NamedParameters& np = parameters::default_values())
 {
   const auto& pack = internal::pack(np);
-  const auto walk = internal::make_mesh_walk(mesh, pack);
+  const auto traversal = internal::make_mesh_traversal(mesh, pack);
   return internal::hamming_distance(internal::read_face_labels(mesh, a),
                                     internal::read_face_labels(mesh, b),
-                                    internal::face_areas(walk, pack));
+                                    internal::face_areas(traversal, pack));
 }
 
 } // namespace Region_segmentation

@@ -4,8 +4,8 @@
 #define CGAL_REGION_SEGMENTATION_EVALUATION_RAND_INDEX_DISTANCE_H
 
 #include <CGAL/Region_segmentation/exceptions.h>
-#include <CGAL/Region_segmentation/internal/Contingency_table.h>
-#include <CGAL/Region_segmentation/internal/Dense_labels.h>
+#include <CGAL/Region_segmentation/internal/measures/Contingency_table.h>
+#include <CGAL/Region_segmentation/internal/support/read_face_labels.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -23,7 +23,7 @@ inline std::uint64_t number_of_pairs(std::uint64_t n)
 }
 
 /// The number of pairs of faces that share a segment.
-inline std::uint64_t pairs_within(const Dense_labels& labels)
+inline std::uint64_t pairs_within(const Partition& labels)
 {
   std::uint64_t pairs = 0;
   for (const Face_count& segment : segment_totals(labels, No_areas()))
@@ -32,9 +32,9 @@ inline std::uint64_t pairs_within(const Dense_labels& labels)
 }
 
 /// Exact integers up to the one division: every sum is at most C(F) < 2^63.
-inline double rand_index_distance(const Dense_labels& a, const Dense_labels& b)
+inline double rand_index_distance(const Partition& a, const Partition& b)
 {
-  const std::uint64_t number_of_faces = a.of_face.size();
+  const std::uint64_t number_of_faces = a.size();
   if (number_of_faces < 2)
     return 0;
   std::uint64_t together_in_both = 0;
@@ -103,11 +103,11 @@ double rand_index_distance(const FaceGraph& mesh, const FaceLabelMapA& a, const 
 template <typename LabelRangeA, typename LabelRangeB>
 double rand_index_distance(const LabelRangeA& a, const LabelRangeB& b)
 {
-  const internal::Dense_labels labels_a = internal::read_label_range(a);
-  const internal::Dense_labels labels_b = internal::read_label_range(b);
-  if (labels_a.of_face.size() != labels_b.of_face.size())
-    throw Invalid_input("two labelings have " + std::to_string(labels_a.of_face.size()) + " and " +
-                        std::to_string(labels_b.of_face.size()) + " labels");
+  const Partition labels_a = Partition::from_labels(a);
+  const Partition labels_b = Partition::from_labels(b);
+  if (labels_a.size() != labels_b.size())
+    throw Invalid_input("two labelings have " + std::to_string(labels_a.size()) + " and " +
+                        std::to_string(labels_b.size()) + " labels");
   return internal::rand_index_distance(labels_a, labels_b);
 }
 

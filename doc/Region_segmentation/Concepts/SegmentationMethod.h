@@ -1,0 +1,37 @@
+/*!
+\ingroup PkgRegionSegmentationConcepts
+\cgalConcept
+
+What happens between reading a mesh and its labels: a value whose public members are the parts of a method, each an
+instance that may hold constants, data and state of the user's. `CGAL::Region_segmentation::segment()` and
+`CGAL::Region_segmentation::Segmenter` store a copy. Every run copies the policy, so a method can be used again, and from
+several threads; parts that shall share state hold pointers to it.
+
+A method has the members `initializer`, `annotator`, and either `policy` and `chooser`, or `partitioner`.
+
+The annotator alone names the types of the graph's data. What the other parts read must be among them: a combination
+that does not fit does not compile, and one sentence says why.
+
+\cgalHasModel `CGAL::Region_segmentation::Segmentation_method`
+\cgalHasModel `CGAL::Region_segmentation::Partitioning_method`
+\cgalHasModel `CGAL::Region_segmentation::Visibility_merging`
+\cgalHasModel `CGAL::Region_segmentation::Two_step`
+*/
+class SegmentationMethod
+{
+public:
+  RegionInitializer initializer; ///< makes the first regions
+  GraphAnnotator annotator;      ///< names and fills the data of the region graph
+
+  /// \name Merging
+  /// @{
+  RegionMergingPolicy policy; ///< proposes which regions are merged next
+  /// Chooses the number of segments where none is given, or `CGAL::Region_segmentation::No_number_chooser`.
+  NumberChooser chooser;
+  /// @}
+
+  /// \name Or Partitioning
+  /// @{
+  GraphPartitioner partitioner; ///< deals the regions out to segments, for a given number
+  /// @}
+};

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_DOUBLE_3_H
+#define CGAL_REGION_SEGMENTATION_DOUBLE_3_H
+
+#include <cmath>
+
+namespace CGAL {
+namespace Region_segmentation {
+
+/// \ingroup PkgRegionSegmentationData
+/// A point or vector of three doubles; as such not initialized. After a mesh is read, every computation is in double,
+/// whatever its kernel.
+struct Double_3
+{
+  double x, y, z;
+};
+
+inline Double_3 operator-(const Double_3& a, const Double_3& b)
+{
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
+inline Double_3 operator+(const Double_3& a, const Double_3& b)
+{
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+
+inline Double_3 operator*(double s, const Double_3& a)
+{
+  return {s * a.x, s * a.y, s * a.z};
+}
+
+inline double dot(const Double_3& a, const Double_3& b)
+{
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+inline Double_3 cross(const Double_3& a, const Double_3& b)
+{
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+inline double squared_norm(const Double_3& a)
+{
+  return dot(a, a);
+}
+
+/// The length. Coordinates of a `Flat_mesh` are of a size at which no square overflows.
+inline double norm(const Double_3& a)
+{
+  return std::sqrt(squared_norm(a));
+}
+
+inline bool is_finite(const Double_3& a)
+{
+  return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
+}
+
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_DOUBLE_3_H

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_FLAT_MESH_H
+#define CGAL_REGION_SEGMENTATION_FLAT_MESH_H
+
+#include <CGAL/Region_segmentation/Double_3.h>
+#include <CGAL/Region_segmentation/Mesh_data.h>
+#include <CGAL/Region_segmentation/exceptions.h>
+#include <CGAL/Region_segmentation/internal/support/Large_array.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+namespace CGAL {
+namespace Region_segmentation {
+
+namespace internal {
+class Flat_mesh_builder;
+}
+
+/// \ingroup PkgRegionSegmentationData
+/// The points of the vertices of a mesh, and the corners of its faces.
+///
+/// Bytes: 4 a face, 4 a corner and 24 a vertex, so 28 a face on a closed triangle mesh.
+class Mesh_points
+{
+public:
+  using Index = std::uint32_t;
+
+  std::size_t number_of_points() const { return m_points.size(); }
+  std::size_t number_of_corners(std::size_t face) const
+  {
+    return m_first_corners[face + 1] - m_first_corners[face];
+  }
+  /// The vertex at a corner of a face; that of lowest index is the first.
+  Index corner(std::size_t face, std::size_t i) const { return m_corners[m_first_corners[face] + i]; }
+  const Double_3& operator[](std::size_t vertex) const { return m_points[vertex]; }
+
+private:
+  friend class internal::Flat_mesh_builder;
+
+  internal::Large_array<Double_3> m_points;     // 24 bytes a vertex
+  internal::Large_array<Index> m_first_corners; // 4 bytes a face, and one more at the end
+  internal::Large_array<Index> m_corners;       // 4 bytes a corner
+};
+
+/// \ingroup PkgRegionSegmentationData
+/// A mesh as arrays: what every stage after reading works on, so that none depends on the mesh type.
+///
+/// Faces and vertices are numbered in iteration order. The dual edges (one for each edge with two different faces)
+/// are sorted by their higher, then by their lower face; several edges between the same two faces
+/// follow the boundary of the higher one from its vertex of lowest index. Borders of the mesh have no
+/// dual edge. Both faces are stored with each dual edge: a loop over the edges of every face would be as
+/// short as its end is hard to predict.
+///
+/// Lengths are in units of `unit()` mesh units. That is 1 unless the coordinates are so large or so small that areas
+/// might leave the range of double, and then a power of two, so that no result depends on it.
+///
+/// Bytes: 32 a face and 17 a dual edge, so 57.5 a face on a closed triangle mesh; 28 a face more with the points and 24
+/// with the centroids.
+class Flat_mesh
+{
+public:
+  using Index = std::uint32_t;
+
+  /// What is known of a dual edge before any angle is compared.
+  enum Edge_flag : std::uint8_t {
+    CONVEX = 1,      ///< (N_i x N_j) . d > 0
+    CONCAVE = 2,     ///< (N_i x N_j) . d < 0
+    CONSTRAINED = 4, ///< always a border, never merged across
+    JOINING = 8,     ///< the longest edge of a degenerate face: growing always crosses it
+    CLOSED = 16,     ///< another edge of a degenerate face: has no angle, growing never crosses it
+    NEARLY_FLAT = 32, ///< N_i . N_j > `nearly_flat`
+    NOT_FLAT = 64     ///< N_i . N_j < `not_flat`
+  };
+  static constexpr int number_of_flags = 7;
+
+  /// The cosines of 1 and 1.5 degrees, on both sides of the usual bound of feature edges: so most often the
+  /// flags alone say which side an edge is on, and its normals are not fetched.
+  static constexpr double nearly_flat = 0.99984769515639124, not_flat = 0.99965732497555726;
+
+  std::size_t number_of_faces() const { return m_normals.size(); }
+  std::size_t number_of_edges() const { return m_higher_faces.size(); }
+
+  /// The unit of length, in units of the mesh.
+  double unit() const { return m_unit; }
+
+  /// \name Faces
+  /// @{
+  /// The unit normal; the zero vector for a degenerate face.
+  const Double_3& normal(std::size_t face) const { return m_normals[face]; }
+  double area(std::size_t face) const { return m_areas[face]; }
+  bool is_degenerate(std::size_t face) const
+  {
+    const Double_3& n = m_normals[face];
+    return n.x == 0 && n.y == 0 && n.z == 0;
+  }
+  /// @}
+
+  /// \name Dual edges
+  /// @{
+  /// The first dual edge whose higher face is not below `face`. O(log F).
+  std::size_t first_edge(std::size_t face) const
+  {
+    return std::size_t(std::lower_bound(m_higher_faces.begin(), m_higher_faces.end(), face) - m_higher_faces.begin());
+  }
+
+  Index lower_face(std::size_t edge) const { return m_lower_faces[edge]; }
+  Index higher_face(std::size_t edge) const { return m_higher_faces[edge]; }
+  /// The length of the mesh edge.
+  double length(std::size_t edge) const { return std::sqrt(m_squared_lengths[edge]); }
+  std::uint8_t flags(std::size_t edge) const { return m_flags[edge]; }
+  bool has_flag(std::size_t edge, std::uint8_t any) const { return (m_flags[edge] & any) != 0; }
+
+  /// The cosine of the deviation, N_i . N_j, in [-1, 1]; 1 beside a degenerate face.
+  double cosine(std::size_t lower, std::size_t edge) const
+  {
+    if (has_flag(edge, JOINING | CLOSED))
+      return 1;
+    const double c = dot(m_normals[lower], m_normals[m_higher_faces[edge]]);
+    return (std::max)(-1.0, (std::min)(1.0, c));
+  }
+
+  /// The deviation of an edge in radians, in [0, pi].
+  double deviation(std::size_t lower, std::size_t edge) const
+  {
+    return std::acos(cosine(lower, edge));
+  }
+
+  /// Makes an edge a border that is never merged across, from now on.
+  void constrain(std::size_t edge) { m_flags[edge] |= CONSTRAINED; }
+  /// Undoes `constrain()`.
+  void release(std::size_t edge) { m_flags[edge] &= std::uint8_t(~CONSTRAINED); }
+  /// @}
+
+  /// \name Data that must be asked for
+  /// \throws Invalid_method if the mesh was read without them
+  /// @{
+  Mesh_data data() const { return m_data; }
+
+  /// `Mesh_data::POINTS`
+  const Mesh_points& points() const
+  {
+    require(Mesh_data::POINTS, "POINTS");
+    return m_points;
+  }
+
+  /// The mean of the corners of a face. `Mesh_data::CENTROIDS`
+  const Double_3& centroid(std::size_t face) const
+  {
+    require(Mesh_data::CENTROIDS, "CENTROIDS");
+    return m_centroids[face];
+  }
+
+  /// The sum of the areas of the faces, in their order. `Mesh_data::SURFACE_AREA`
+  double surface_area() const
+  {
+    require(Mesh_data::SURFACE_AREA, "SURFACE_AREA");
+    return m_surface_area;
+  }
+
+  /// The square root of the area of the surface; 1 if that is 0. `Mesh_data::SURFACE_AREA`
+  double relative_unit() const
+  {
+    const double area = surface_area();
+    return area > 0 ? std::sqrt(area) : 1;
+  }
+  /// @}
+
+private:
+  friend class internal::Flat_mesh_builder;
+
+  void require(Mesh_data wanted, const char* name) const
+  {
+    if (!includes(m_data, wanted))
+      throw_missing(name);
+  }
+
+  [[noreturn]] static void throw_missing(const char* name)
+  {
+    throw Invalid_method(std::string("a part of the method reads data of the mesh that it did not ask for: its "
+                                     "required_mesh_data lacks Mesh_data::") +
+                         name);
+  }
+
+  internal::Large_array<Double_3> m_normals;         // 24 bytes a face
+  internal::Large_array<double> m_areas;             // 8 bytes a face
+  internal::Large_array<Index> m_lower_faces;        // 4 bytes a dual edge
+  internal::Large_array<Index> m_higher_faces;       // 4 bytes a dual edge
+  internal::Large_array<double> m_squared_lengths;   // 8 bytes a dual edge
+  internal::Large_array<std::uint8_t> m_flags;       // 1 byte a dual edge
+  internal::Large_array<Double_3> m_centroids;       // 24 bytes a face
+  Mesh_points m_points;
+  double m_unit = 1, m_surface_area = 0;
+  Mesh_data m_data = Mesh_data::NOTHING_MORE;
+};
+
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_FLAT_MESH_H

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_GRAPH_MERGE_CANDIDATE_H
+#define CGAL_REGION_SEGMENTATION_GRAPH_MERGE_CANDIDATE_H
+
+#include <CGAL/Region_segmentation/Graph/Section_descriptor.h>
+
+namespace CGAL {
+namespace Region_segmentation {
+
+/// \ingroup PkgRegionSegmentationPolicies
+/// What a policy proposes to merge next, and what it costs in the policy's own units.
+struct Merge_candidate
+{
+  Section_descriptor section;
+  double cost;
+};
+
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_GRAPH_MERGE_CANDIDATE_H

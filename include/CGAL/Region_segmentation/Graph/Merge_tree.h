@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_GRAPH_MERGE_TREE_H
+#define CGAL_REGION_SEGMENTATION_GRAPH_MERGE_TREE_H
+
+#include <CGAL/Region_segmentation/Partition.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Region_segmentation {
+
+/// \ingroup PkgRegionSegmentationGraph
+/// The merges of a run, in order. After any number of them they give a partition of the regions into segments, and
+/// these nest: a segment after fewer merges lies in one segment after more.
+class Merge_tree
+{
+public:
+  /// One merge. The region that is kept is the lower one of two ids.
+  struct Merge
+  {
+    std::uint32_t kept, removed;
+    double cost; ///< as its policy gave it; in the units of the policy
+  };
+
+  explicit Merge_tree(std::size_t number_of_regions = 0) : m_number_of_regions(number_of_regions) {}
+
+  std::size_t number_of_regions() const { return m_number_of_regions; }
+  const std::vector<Merge>& merges() const& { return m_merges; }
+  std::vector<Merge> merges() && { return std::move(m_merges); }
+
+  /// \pre `kept < removed < number_of_regions()`, and neither was removed before
+  void push_back(const Merge& merge)
+  {
+    CGAL_precondition(merge.kept < merge.removed && merge.removed < m_number_of_regions);
+    m_merges.push_back(merge);
+  }
+
+  /// The partition into `number_of_segments`, or the nearest number that the tree has: at most the
+  /// number of regions, at least the number of regions less the number of merges. O(R).
+  Partition partition_at_count(std::size_t number_of_segments) const
+  {
+    const std::size_t wanted =
+      number_of_segments < m_number_of_regions ? m_number_of_regions - number_of_segments : 0;
+    return partition_after((std::min)(wanted, m_merges.size()));
+  }
+
+  /// The partition before the first merge that costs more than `maximum_cost`. O(R).
+  Partition partition_at_cost(double maximum_cost) const
+  {
+    const auto first_above =
+      std::find_if(m_merges.begin(), m_merges.end(),
+                   [maximum_cost](const Merge& m) { return m.cost > maximum_cost; });
+    return partition_after(std::size_t(first_above - m_merges.begin()));
+  }
+
+private:
+  Partition partition_after(std::size_t number_of_merges) const
+  {
+    // The kept id is the lower one, so a scan in order meets a parent before its children, and
+    // numbering by the first region is numbering by roots.
+    std::vector<std::uint32_t> parents(m_number_of_regions);
+    for (std::size_t i = 0; i < m_number_of_regions; ++i)
+      parents[i] = std::uint32_t(i);
+    for (std::size_t i = 0; i < number_of_merges; ++i)
+      parents[m_merges[i].removed] = m_merges[i].kept;
+
+    std::uint32_t number = 0;
+    for (std::size_t i = 0; i < m_number_of_regions; ++i)
+      parents[i] = parents[i] == i ? number++ : parents[parents[i]];
+    return Partition(std::move(parents), number);
+  }
+
+  std::size_t m_number_of_regions;
+  std::vector<Merge> m_merges;
+};
+
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_GRAPH_MERGE_TREE_H

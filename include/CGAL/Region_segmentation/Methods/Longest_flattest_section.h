@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_METHODS_LONGEST_FLATTEST_SECTION_H
+#define CGAL_REGION_SEGMENTATION_METHODS_LONGEST_FLATTEST_SECTION_H
+
+#include <CGAL/Region_segmentation/Graph/Section_descriptor.h>
+#include <CGAL/Region_segmentation/internal/support/satisfies.h>
+#include <CGAL/Region_segmentation/internal/support/share.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Region_segmentation {
+
+namespace internal {
+template <typename SectionData>
+using Has_length_and_angle =
+  decltype(std::declval<const SectionData&>().length + std::declval<const SectionData&>().mean_angle());
+}
+
+/// \ingroup PkgRegionSegmentationPolicies
+/// chooses, among the sections of a region, the one to merge across: long and flat compared with the
+/// others.
+///
+/// The section \f$i\f$ has the largest sum over the region's other sections \f$j\f$ of
+/// \f[ P_{ij} = \beta \frac{L_i}{L_i + L_j} + (1 - \beta) \frac{A_i}{A_i + A_j}, \f]
+/// \f$L\f$ the length and \f$A\f$ the mean dihedral angle of a section; 0/0 is 1/2; the lower neighbor
+/// id of equal sums. Sections that are not mergeable count as \f$j\f$ alone.
+///
+/// Complexity: O(d p) for d sections, p of which are not outdone by another one in both
+/// length and angle: usually a few.
+///
+/// Source: Yang et al. 2014, eq. 3.
+class Longest_flattest_section
+{
+public:
+  /// `beta`: the weight of the length, in [0, 1]; that of the angle is 1 - beta
+  explicit Longest_flattest_section(double beta = 0.1) : m_beta(beta) {}
+
+  /// Does not compile for a graph without the data that are read.
+  template <typename Graph>
+  static constexpr void check_section_data()
+  {
+    static_assert(internal::satisfies<internal::Has_length_and_angle, typename Graph::SectionData>,
+                  "Longest_flattest_section reads length and mean_angle() of SectionData, as Section_geometry has them");
+  }
+
+  /// The section, seen from the region; empty if the region has none that is mergeable.
+  template <typename Graph>
+  std::optional<Section_descriptor> operator()(const Graph& graph, std::uint32_t region)
+  {
+    read_sections(graph, region);
+    find_front(graph);
+    if (m_front.empty())
+      return std::nullopt;
+    std::size_t best = m_front.front();
+    double best_sum = 0;
+    for (std::size_t i : m_front) {
+      if (m_front.size() == 1)
+        break;
+      const double sum = sum_over_others(i);
+      if (i == m_front.front() || sum > best_sum ||
+          (sum == best_sum && graph.target(m_sections[i]) < graph.target(m_sections[best]))) {
+        best = i;
+        best_sum = sum;
+      }
+    }
+    return m_sections[best];
+  }
+
+private:
+  template <typename Graph>
+  void read_sections(const Graph& graph, std::uint32_t region)
+  {
+    const std::size_t size = graph.degree(region);
+    m_sections.resize(size);
+    m_lengths.resize(size);
+    m_angles.resize(size);
+    m_terms.resize(size);
+    std::size_t i = 0;
+    for (Section_descriptor s : graph.sections(region)) {
+      m_sections[i] = s;
+      m_lengths[i] = graph[s].length;
+      m_angles[i++] = graph[s].mean_angle();
+    }
+  }
+
+  /// P_ij increases with length and with angle, so a section that is outdone in both, by one that is mergeable,
+  /// cannot win; of equal ones, that to the lower neighbor does.
+  template <typename Graph>
+  void find_front(const Graph& graph)
+  {
+    m_front.clear();
+    for (std::size_t i = 0; i < m_sections.size(); ++i) {
+      if (!graph.is_mergeable(m_sections[i]))
+        continue;
+      const auto outdoes = [&](std::size_t a, std::size_t b) {
+        return m_lengths[a] >= m_lengths[b] && m_angles[a] >= m_angles[b] &&
+               (m_lengths[a] > m_lengths[b] || m_angles[a] > m_angles[b] ||
+                graph.target(m_sections[a]) < graph.target(m_sections[b]));
+      };
+      if (std::any_of(m_front.begin(), m_front.end(), [&](std::size_t j) { return outdoes(j, i); }))
+        continue;
+      m_front.erase(std::remove_if(m_front.begin(), m_front.end(), [&](std::size_t j) { return outdoes(i, j); }),
+                    m_front.end());
+      m_front.push_back(i);
+    }
+  }
+
+  double sum_over_others(std::size_t i)
+  {
+    const double length = m_lengths[i], angle = m_angles[i];
+    const std::size_t size = m_sections.size();
+    for (std::size_t j = 0; j < size; ++j)
+      m_terms[j] = m_beta * internal::share(length, m_lengths[j]) +
+                   (1 - m_beta) * internal::share(angle, m_angles[j]);
+    m_terms[i] = 0;
+    double sum = 0;
+    for (double term : m_terms)
+      sum += term;
+    return sum;
+  }
+
+  double m_beta;
+  std::vector<Section_descriptor> m_sections; // of the region, and so the rest
+  std::vector<double> m_lengths, m_angles, m_terms;
+  std::vector<std::size_t> m_front;
+};
+
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_METHODS_LONGEST_FLATTEST_SECTION_H

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_METHODS_NUMBER_FROM_COSTS_H
+#define CGAL_REGION_SEGMENTATION_METHODS_NUMBER_FROM_COSTS_H
+
+#include <CGAL/Region_segmentation/Graph/Merge_tree.h>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace CGAL {
+namespace Region_segmentation {
+
+/// \ingroup PkgRegionSegmentationPolicies
+/// chooses the number of segments from a merge tree: merging ends where costs become high, compared with
+/// the highest cost of all. A model of `NumberChooser`, for costs on a logarithmic scale such as
+/// `Visibility_cost`.
+///
+/// With \f$c_k\f$ the largest cost of a merge down to \f$k - 1\f$ regions, from `maximum_number` regions
+/// on, and \f$c\f$ that of the last merge, the number is the largest \f$k\f$ for which all of
+/// \f$c_2 .. c_k\f$ are above the mean of \f$c\f$ and `level`; at least 2, if the tree has 2, and at
+/// least the number of connected pieces. A surface without any feature (a sphere) gives 2.
+///
+/// Complexity: O(m), m the larger of `maximum_number` and the number of connected pieces.
+///
+/// \tparam Cost the cost whose units the level is in: a method that merges by another one does not compile
+template <typename Cost>
+class Number_from_costs
+{
+public:
+  using MergeCost = Cost;
+
+  double level;               ///< in the units of the costs
+  std::size_t maximum_number; ///< of segments, at least 2
+
+  explicit Number_from_costs(double level_, std::size_t maximum_number_ = 40)
+    : level(level_), maximum_number(maximum_number_)
+  {}
+
+  std::size_t operator()(const Merge_tree& tree) const
+  {
+    const std::size_t leaves = tree.number_of_regions();
+    const std::size_t least = leaves - tree.merges().size();
+    // The merge from k to k - 1 regions has the index leaves - k.
+    const auto first =
+      tree.merges().begin() + std::ptrdiff_t(leaves - (std::min)(leaves, (std::max)(maximum_number, least)));
+    const auto end = tree.merges().end();
+    if (first == end)
+      return least;
+    const auto highest = std::max_element(
+      first, end, [](const Merge_tree::Merge& a, const Merge_tree::Merge& b) { return a.cost < b.cost; });
+    const double threshold = (level + highest->cost) / 2;
+    const auto above = std::find_if(first, end, [=](const Merge_tree::Merge& m) { return m.cost > threshold; });
+    const std::size_t number = leaves - std::size_t(above - tree.merges().begin());
+    return (std::max)(number, (std::min)(leaves, std::size_t(2)));
+  }
+};
+
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_METHODS_NUMBER_FROM_COSTS_H

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_METHODS_POLICY_SEQUENCE_H
+#define CGAL_REGION_SEGMENTATION_METHODS_POLICY_SEQUENCE_H
+
+#include <CGAL/Region_segmentation/Graph/Merge_candidate.h>
+#include <CGAL/Region_segmentation/internal/concepts/check_merging.h>
+
+#include <cstddef>
+#include <optional>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+namespace Region_segmentation {
+
+/// \ingroup PkgRegionSegmentationPolicies
+/// Changes policies when the number of regions is at most a multiple of the wanted number of segments.
+struct Switch_at_multiple
+{
+  double factor; ///< at least 1
+
+  bool operator()(std::size_t number_of_regions, std::size_t number_of_segments) const
+  {
+    return double(number_of_regions) <= factor * double(number_of_segments);
+  }
+};
+
+/// \ingroup PkgRegionSegmentationPolicies
+/// Changes policies at a number of regions, whatever the wanted number of segments.
+struct Switch_at_count
+{
+  std::size_t count;
+
+  bool operator()(std::size_t number_of_regions) const { return number_of_regions <= count; }
+};
+
+namespace internal {
+
+template <typename First, typename Second, typename = void>
+struct Common_merge_cost
+{};
+template <typename First, typename Second>
+struct Common_merge_cost<
+  First, Second,
+  std::enable_if_t<std::is_same<typename First::MergeCost, typename Second::MergeCost>::value>>
+{
+  using MergeCost = typename First::MergeCost;
+};
+
+} // namespace internal
+
+/// \ingroup PkgRegionSegmentationPolicies
+/// One policy, then another. A model of `RegionMergingPolicy`.
+///
+/// Its order depends on the wanted number of segments if that of one of the policies does, or the switch.
+///
+/// \tparam First, Second models of `RegionMergingPolicy`, a sequence among them; if their costs are the same, those
+///         of the sequence are, too
+/// \tparam Switch `Switch_at_multiple`, `Switch_at_count`, or a function object like them: whether the
+///         second policy takes over
+template <typename First, typename Second, typename Switch>
+class Policy_sequence : public internal::Common_merge_cost<First, Second>
+{
+  template <typename Graph>
+  static constexpr bool depends_on_number =
+    internal::depends_on_number<First, Graph> || internal::depends_on_number<Second, Graph> ||
+    !std::is_invocable<const Switch&, std::size_t>::value;
+
+public:
+  First first;
+  Second second;
+  Switch is_time_for_second;
+
+  Policy_sequence(First first_, Second second_, Switch is_time_for_second_)
+    : first(std::move(first_)), second(std::move(second_)), is_time_for_second(is_time_for_second_)
+  {}
+
+  template <typename Graph, std::enable_if_t<!depends_on_number<Graph>, int> = 0>
+  void initialize(const Graph& graph)
+  {
+    start(graph, 1);
+  }
+
+  template <typename Graph, std::enable_if_t<depends_on_number<Graph>, int> = 0>
+  void initialize(const Graph& graph, std::size_t number_of_segments)
+  {
+    start(graph, number_of_segments);
+  }
+
+  template <typename Graph>
+  std::optional<Merge_candidate> next(const Graph& graph)
+  {
+    if (!m_is_second && is_time(graph.number_of_regions())) {
+      m_is_second = true;
+      internal::initialize_policy(second, graph, m_number_of_segments);
+    }
+    return m_is_second ? second.next(graph) : first.next(graph);
+  }
+
+  template <typename Graph>
+  void on_merge(const Graph& graph, const typename Graph::Merge& merge)
+  {
+    if (m_is_second)
+      second.on_merge(graph, merge);
+    else
+      first.on_merge(graph, merge);
+  }
+
+private:
+  template <typename Graph>
+  void start(const Graph& graph, std::size_t number_of_segments)
+  {
+    static_assert(internal::check_merging_policy<First, Graph>());
+    static_assert(internal::check_merging_policy<Second, Graph>());
+    m_number_of_segments = number_of_segments;
+    m_is_second = false;
+    internal::initialize_policy(first, graph, number_of_segments);
+  }
+
+  bool is_time(std::size_t number_of_regions) const
+  {
+    if constexpr (std::is_invocable<const Switch&, std::size_t>::value)
+      return is_time_for_second(number_of_regions);
+    else
+      return is_time_for_second(number_of_regions, m_number_of_segments);
+  }
+
+  std::size_t m_number_of_segments = 1;
+  bool m_is_second = false;
+};
+
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_METHODS_POLICY_SEQUENCE_H

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_METHODS_REGION_GROWING_H
+#define CGAL_REGION_SEGMENTATION_METHODS_REGION_GROWING_H
+
+#include <CGAL/Region_segmentation/Execution.h>
+#include <CGAL/Region_segmentation/Feature_convexity.h>
+#include <CGAL/Region_segmentation/Flat_mesh.h>
+#include <CGAL/Region_segmentation/Partition.h>
+#include <CGAL/Region_segmentation/internal/regions/label_components.h>
+#include <CGAL/Region_segmentation/internal/regions/mark_feature_edges.h>
+
+#include <CGAL/assertions.h>
+#include <CGAL/tags.h>
+
+namespace CGAL {
+namespace Region_segmentation {
+
+/// \ingroup PkgRegionSegmentationInitializers
+/// The regions of the paper: the connected components of the faces across edges that are not feature edges. A model of
+/// `RegionInitializer`.
+///
+/// The feature edges are those that `detect_feature_edges()` marks. A degenerate face joins the region across its
+/// longest interior edge.
+///
+/// Complexity: O(F). Deterministic. In parallel with `Parallel_tag`, to the same bits.
+///
+/// Source: Yang et al. 2014, sections 3.1 and 3.2.
+struct Region_growing
+{
+  /// The deviation above which an edge is a feature edge, in degrees, in [0, 180].
+  double maximum_angle = default_maximum_angle;
+  /// Which edges can be feature edges.
+  Feature_convexity feature_convexity = Feature_convexity::CONCAVE;
+
+  template <typename ConcurrencyTag = CGAL::Sequential_tag>
+  Partition operator()(const Flat_mesh& mesh,
+                       const Execution<ConcurrencyTag>& execution = Execution<ConcurrencyTag>()) const
+  {
+    CGAL_precondition_msg(maximum_angle >= 0 && maximum_angle <= 180, "maximum_angle is in [0, 180] degrees");
+    const auto is_feature =
+      internal::mark_feature_edges(mesh, maximum_angle, feature_convexity, execution.step(0, 0.5));
+    return internal::label_components(mesh, is_feature, execution.step(0.5, 1));
+  }
+};
+
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_METHODS_REGION_GROWING_H

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_METHODS_VISIBILITY_ANNOTATOR_H
+#define CGAL_REGION_SEGMENTATION_METHODS_VISIBILITY_ANNOTATOR_H
+
+#include <CGAL/Region_segmentation/Execution.h>
+#include <CGAL/Region_segmentation/Flat_mesh.h>
+#include <CGAL/Region_segmentation/Methods/Visibility_data.h>
+#include <CGAL/Region_segmentation/Partition.h>
+#include <CGAL/Region_segmentation/internal/rays/Inward_rays.h>
+#include <CGAL/Region_segmentation/internal/rays/Region_shapes.h>
+
+#include <CGAL/tags.h>
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Region_segmentation {
+
+/// \ingroup PkgRegionSegmentationAnnotators
+/// measures by rays from every region into the body how thick it is there, and which regions see each other. A
+/// model of `GraphAnnotator`, for graphs with `Visibility_region_data` and `Visibility_section_data`.
+///
+/// From three faces of each region, that at its centroid, and those at 3/10 and 6/10 in the order of
+/// the distance to it, six rays go into the body: one against the normal, and five on a spiral in a
+/// cone of 0.9 rad around it. A region of one or two faces sends as many rays, from those.
+/// - The *thickness* of a region is the mean of \f$\ln(x / \sqrt{A} + 10^{-4})\f$, \f$x\f$ the lengths of
+///   its rays; that of a region whose rays all leave the body is the mean of the others.
+/// - Each ray joins the region where it starts to the one where it ends, with the share of the area
+///   that it stands for. Opposite sides of a limb see each other; two limbs do not. Two regions
+///   without a common border that see each other get a section of no edges, which is never merged
+///   across, and counts when their unions meet.
+///
+/// Lengths are relative to \f$\sqrt{A}\f$ and areas to \f$A\f$, the area of the surface.
+///
+/// Complexity: O(F log F + 18 R log F) in practice. Deterministic. With `Parallel_tag` the rays are traced in parallel.
+///
+/// Source: thickness, Shapira, Shamir, Cohen-Or 2008.
+class Visibility_annotator
+{
+  using Index = Flat_mesh::Index;
+  using Hits = internal::Inward_rays::Hits;
+
+public:
+  using RegionData = Visibility_region_data;
+  using SectionData = Visibility_section_data;
+  static constexpr Mesh_data required_mesh_data =
+    Mesh_data::POINTS | Mesh_data::CENTROIDS | Mesh_data::SURFACE_AREA;
+
+  /// What is kept of a mesh and its regions, so that only the rays of new regions are traced when regions change.
+  /// About 62 bytes a triangle and 300 a region.
+  class Cache
+  {
+  public:
+    /// `previous_of[r]`: what the region r was called before; `none` if it is new
+    void renumber(const std::vector<Index>& previous_of)
+    {
+      std::vector<std::optional<Hits>> hits(previous_of.size());
+      for (std::size_t r = 0; r < hits.size(); ++r)
+        if (previous_of[r] < m_hits.size())
+          hits[r] = m_hits[previous_of[r]];
+      m_hits = std::move(hits);
+    }
+
+  private:
+    friend class Visibility_annotator;
+    std::optional<internal::Ray_tree> m_tree;
+    std::vector<std::optional<Hits>> m_hits; // by region
+  };
+
+  template <typename Graph, typename ConcurrencyTag = CGAL::Sequential_tag>
+  void operator()(Graph& graph, const Flat_mesh& mesh, const Partition& regions,
+                  const Execution<ConcurrencyTag>& execution = Execution<ConcurrencyTag>()) const
+  {
+    Cache cache;
+    (*this)(graph, mesh, regions, execution, cache);
+  }
+
+  /// The same with what is known from an earlier call with the same mesh.
+  template <typename Graph, typename ConcurrencyTag>
+  void operator()(Graph& graph, const Flat_mesh& mesh, const Partition& regions,
+                  const Execution<ConcurrencyTag>& execution, Cache& cache) const
+  {
+    if (mesh.surface_area() == 0)
+      return;
+    const internal::Region_shapes shapes(mesh, regions);
+    for (std::size_t r = 0; r < regions.number_of_parts(); ++r)
+      graph[Index(r)].area = shapes.areas[r] / mesh.surface_area();
+    set_bends(graph, shapes);
+    if (!cache.m_tree)
+      cache.m_tree.emplace(mesh, execution.step(0, 0.6));
+    cache.m_hits.resize(regions.number_of_parts());
+    internal::Inward_rays(mesh, regions, shapes.centroids, *cache.m_tree).trace(cache.m_hits, execution.step(0.6, 1));
+    set_rays(graph, regions, cache.m_hits, mesh.relative_unit());
+  }
+
+private:
+  template <typename Graph>
+  static void set_bends(Graph& graph, const internal::Region_shapes& shapes)
+  {
+    for (auto range = edges(graph); range.first != range.second; ++range.first) {
+      const Index i = graph.source(*range.first), j = graph.target(*range.first);
+      const Double_3 &n = shapes.normals[i], &m = shapes.normals[j];
+      const double angle = std::atan2(norm(cross(n, m)), dot(n, m));
+      const bool is_concave = dot(m - n, shapes.centroids[j] - shapes.centroids[i]) < 0;
+      Visibility_section_data& section = graph[*range.first];
+      section.bend = section.length * (is_concave ? angle : -angle);
+    }
+  }
+
+  template <typename Graph>
+  static void set_rays(Graph& graph, const Partition& regions, const std::vector<std::optional<Hits>>& hits,
+                       double unit)
+  {
+    clear_visibility(graph);
+    std::vector<Mean> thickness(regions.number_of_parts());
+    for (std::size_t r = 0; r < regions.number_of_parts(); ++r)
+      for (const internal::Ray_tree::Hit& hit : *hits[r])
+        if (hit.face != internal::Ray_tree::no_face) {
+          thickness[r].add(std::log(hit.distance / unit + 1e-4));
+          add_ray(graph, Index(r), regions[hit.face],
+                  graph[Index(r)].area / double(internal::Inward_rays::rays_per_region));
+        }
+    set_thickness(graph, thickness);
+  }
+
+  /// So that annotating a graph twice changes nothing.
+  template <typename Graph>
+  static void clear_visibility(Graph& graph)
+  {
+    for (auto range = vertices(graph); range.first != range.second; ++range.first)
+      graph[*range.first].visibility = 0;
+    for (auto range = edges(graph); range.first != range.second; ++range.first)
+      graph[*range.first].visibility = 0;
+  }
+
+  template <typename Graph>
+  static void add_ray(Graph& graph, Index from, Index to, double weight)
+  {
+    graph[from].visibility += weight;
+    graph[to].visibility += weight;
+    if (from == to)
+      return;
+    auto section = graph.section(from, to);
+    if (!section)
+      section = graph.add_nonadjacent_section(from, to);
+    graph[*section].visibility += weight;
+  }
+
+  struct Mean
+  {
+    double sum = 0;
+    std::size_t number = 0;
+
+    void add(double value)
+    {
+      sum += value;
+      ++number;
+    }
+    double value_or(double otherwise) const { return number > 0 ? sum / double(number) : otherwise; }
+  };
+
+  template <typename Graph>
+  static void set_thickness(Graph& graph, const std::vector<Mean>& thickness)
+  {
+    Mean of_regions;
+    for (const Mean& of_region : thickness)
+      if (of_region.number > 0)
+        of_regions.add(of_region.value_or(0));
+    for (std::size_t r = 0; r < thickness.size(); ++r) {
+      Visibility_region_data& region = graph[Index(r)];
+      region.log_thickness = region.area * thickness[r].value_or(of_regions.value_or(0));
+    }
+  }
+};
+
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_METHODS_VISIBILITY_ANNOTATOR_H

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_PARTITION_H
+#define CGAL_REGION_SEGMENTATION_PARTITION_H
+
+#include <CGAL/Region_segmentation/internal/support/Key_numbering.h>
+
+#include <CGAL/assertions.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <limits>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Region_segmentation {
+
+/// \ingroup PkgRegionSegmentationData
+/// A partition of the elements 0 .. `size()` - 1 into the parts 0 .. `number_of_parts()` - 1: of faces into regions or
+/// segments, of regions into segments.
+///
+/// No part is empty, and parts are numbered by their first element; so two partitions are the same if and only if
+/// their numbers are. 4 bytes an element.
+class Partition
+{
+public:
+  using Index = std::uint32_t;
+
+  /// No elements.
+  Partition() = default;
+
+  /// \pre the numbers are those of a partition: below `number_of_parts`, each one used, by the first element
+  Partition(std::vector<Index> part_of, std::size_t number_of_parts)
+    : m_part_of(std::move(part_of)), m_number_of_parts(number_of_parts)
+  {}
+
+  /// The elements with equal labels form a part.
+  ///
+  /// \tparam LabelRange a range of forward iterators with an integral value type of at most 64 bits
+  /// \pre there are fewer than 2^32 - 1 labels
+  ///
+  /// Complexity: O(size) expected.
+  template <typename LabelRange>
+  static Partition from_labels(const LabelRange& labels)
+  {
+    using Label = std::decay_t<decltype(*std::begin(labels))>;
+    return from_labels(labels, std::size_t(std::distance(std::begin(labels), std::end(labels))),
+                       [](const Label& label) { return label; });
+  }
+
+  /// The same for the labels `label_of(element)` of a range.
+  template <typename Range, typename LabelOf>
+  static Partition from_labels(const Range& elements, std::size_t expected_size, const LabelOf& label_of)
+  {
+    Partition result;
+    result.m_part_of.reserve(expected_size);
+    internal::Key_numbering number(2 * expected_size + 1024);
+    for (const auto& element : elements) {
+      const auto label = label_of(element);
+      static_assert(std::is_integral<decltype(label)>::value && sizeof(label) <= sizeof(std::uint64_t),
+                    "labels are integral, of at most 64 bits");
+      // Different values of one type stay different, negative ones included.
+      result.m_part_of.push_back(number(static_cast<std::uint64_t>(label)));
+    }
+    CGAL_precondition_msg(result.size() < (std::numeric_limits<Index>::max)(),
+                          "a partition has fewer than 2^32 - 1 elements");
+    result.m_number_of_parts = number.size();
+    return result;
+  }
+
+  std::size_t size() const { return m_part_of.size(); }
+  std::size_t number_of_parts() const { return m_number_of_parts; }
+
+  /// The part of an element.
+  Index operator[](std::size_t element) const { return m_part_of[element]; }
+  const Index* data() const { return m_part_of.data(); }
+  auto begin() const { return m_part_of.begin(); }
+  auto end() const { return m_part_of.end(); }
+
+  friend bool operator==(const Partition& a, const Partition& b) { return a.m_part_of == b.m_part_of; }
+  friend bool operator!=(const Partition& a, const Partition& b) { return !(a == b); }
+
+private:
+  std::vector<Index> m_part_of;
+  std::size_t m_number_of_parts = 0;
+};
+
+/// \ingroup PkgRegionSegmentationData
+/// The partition of the elements of `fine` that joins its parts as `coarse` does.
+/// \pre the elements of `coarse` are the parts of `fine`
+inline Partition composed(const Partition& fine, const Partition& coarse)
+{
+  CGAL_precondition(fine.number_of_parts() == coarse.size());
+  std::vector<Partition::Index> part_of(fine.size());
+  for (std::size_t i = 0; i < part_of.size(); ++i)
+    part_of[i] = coarse[fine[i]];
+  return Partition(std::move(part_of), coarse.number_of_parts());
+}
+
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_PARTITION_H

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_SEGMENTER_H
+#define CGAL_REGION_SEGMENTATION_SEGMENTER_H
+
+#include <CGAL/Region_segmentation/Graph/Merge_tree.h>
+#include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
+#include <CGAL/Region_segmentation/Partition.h>
+#include <CGAL/Region_segmentation/face_values.h>
+#include <CGAL/Region_segmentation/internal/segmenting/check_method.h>
+#include <CGAL/Region_segmentation/internal/reading/Mesh_traversal.h>
+#include <CGAL/Region_segmentation/internal/segmenting/Prepared_mesh.h>
+#include <CGAL/Region_segmentation/internal/segmenting/prepare.h>
+#include <CGAL/Region_segmentation/internal/support/options.h>
+#include <CGAL/Region_segmentation/parameters.h>
+#include <CGAL/Region_segmentation/read_flat_mesh.h>
+
+#include <CGAL/assertions.h>
+#include <CGAL/tags.h>
+
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Region_segmentation {
+
+/// \ingroup PkgRegionSegmentationMain
+/// A mesh that is prepared once and can be asked for any number of segments.
+///
+/// Preparing reads the mesh, makes the first regions and annotates their graph. With a method whose order of merges does
+/// not depend on the number of segments it merges them, too: each number is given in the time of writing labels then,
+/// and the segmentations of different numbers nest. With another method (`Two_step`) or a partitioner each call of
+/// `segment()` merges a copy of the graph.
+///
+/// The segmenter refers to the mesh, whose faces must not change afterwards. Coordinates are read once: moved vertices
+/// are not seen.
+///
+/// Asking is `const`, and safe from several threads with different maps. Adding constraints or seeds needs exclusive
+/// access. A segmenter can be moved and copied.
+///
+/// Bytes, with the default method: about 180 a face.
+///
+/// \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \tparam Method a model of `SegmentationMethod`
+/// \tparam ConcurrencyTag `Sequential_tag` or, with \ref thirdpartyTBB, `Parallel_tag`; see `segment()`
+template <typename FaceGraph, typename Method = Visibility_merging, typename ConcurrencyTag = CGAL::Sequential_tag>
+class Segmenter
+{
+  using Prepared = internal::Prepared_mesh<Method, ConcurrencyTag>;
+
+public:
+  /// prepares a mesh.
+  ///
+  /// \param mesh an oriented 2-manifold with or without borders, its faces polygons of any size
+  /// \param np optional named parameters:
+  ///   - `method`: a model of `SegmentationMethod`, stored by value (default: `Method()`)
+  ///   - `number_of_segments` (at least 1): the number for `segment(segment_map)` (default: chosen by the method)
+  ///   - `edge_is_constrained_map`: edges that always are borders and are never merged across (default: none)
+  ///   - `face_seed_map`: see `set_seeds()` (default: no seeds)
+  ///   - `visitor`: a model of `SegmentationVisitor`; by `std::ref()` if it changes. It is used by the constructor alone
+  ///   - `region_map`: receives the first regions: ids 0 .. r-1, numbered by the first face
+  ///   - `merge_tree`: receives the merges, with a method that has one tree for all numbers
+  ///   - `vertex_point_map`, `face_index_map`, `vertex_index_map`: as everywhere in \cgal
+  ///
+  /// \throws Invalid_input if a point is not finite, or equal seeds cannot be joined; Segmentation_cancelled if the
+  ///         visitor says so; all maps are as before then
+  ///
+  /// Complexity: that of the parts of the method.
+  template <typename NamedParameters = parameters::Default_named_parameters>
+  explicit Segmenter(const FaceGraph& mesh, const NamedParameters& np = parameters::default_values(),
+                     ConcurrencyTag = ConcurrencyTag())
+    : m_mesh(&mesh)
+    , m_number(internal::number_of_segments(internal::pack(np)))
+    , m_prepared(internal::prepare<Method, ConcurrencyTag>(internal::make_mesh_traversal(mesh, internal::pack(np)),
+                                                           internal::Preparation::FOR_CHANGES, internal::pack(np)))
+  {
+    const auto& pack = internal::pack(np);
+    internal::check_parameters<std::decay_t<decltype(pack)>, internal::Segmenting_parameters>();
+    internal::write_regions(mesh, m_prepared.regions(), pack);
+    if constexpr (internal::has_merge_tree<std::decay_t<decltype(pack)>>)
+      internal::merge_tree_of(pack) = merge_tree();
+  }
+
+  /// A mesh that ends with the statement is no mesh to refer to.
+  template <typename NamedParameters = parameters::Default_named_parameters>
+  explicit Segmenter(const FaceGraph&& mesh, const NamedParameters& np = parameters::default_values(),
+                     ConcurrencyTag = ConcurrencyTag()) = delete;
+
+  const FaceGraph& mesh() const { return *m_mesh; }
+  const Method& method() const { return m_prepared.method(); }
+
+  /// The mesh as arrays.
+  const Flat_mesh& flat_mesh() const { return m_prepared.flat_mesh(); }
+  /// The first regions, by face in iteration order, as later constraints and seeds changed them.
+  const Partition& regions() const { return m_prepared.regions(); }
+
+  /// The merges of the first regions, down to one segment for each connected piece.
+  /// With a method that has one tree for all numbers.
+  const Merge_tree& merge_tree() const
+  {
+    static_assert(Prepared::has_one_tree,
+                  "the order of merges of this method depends on the number of segments: it has no tree for all "
+                  "numbers, use segment(segment_map, number_of_segments)");
+    return m_prepared.merge_tree();
+  }
+
+  /// The number of segments that `segment(segment_map)` is after: the one that was given to the constructor, or else
+  /// the one that the method chooses.
+  std::size_t number_of_segments() const
+  {
+    static_assert(Prepared::has_one_tree,
+                  "this method needs the number of segments: use segment(segment_map, number_of_segments)");
+    static_assert(!Prepared::has_one_tree || internal::has_chooser<Method>(),
+                  "this method has no NumberChooser: use segment(segment_map, number_of_segments)");
+    if constexpr (Prepared::has_one_tree && internal::has_chooser<Method>())
+      return m_number > 0 ? m_number : method().chooser(merge_tree());
+    else
+      return m_number;
+  }
+
+  /// segments the mesh into the number that was given to the constructor, or else the method chooses.
+  ///
+  /// \tparam FaceSegmentMap a model of `WritablePropertyMap` with the face descriptor as key and an
+  ///         integral value type that holds the number of segments
+  /// \param segment_map every key is written: ids 0 .. n-1, numbered by the first face
+  /// \returns the number n of segments
+  ///
+  /// Complexity: O(F).
+  template <typename FaceSegmentMap>
+  std::size_t segment(FaceSegmentMap segment_map) const
+  {
+    return segment(segment_map, number_of_segments());
+  }
+
+  /// segments the mesh into a given number, or the nearest one that there is; see `segment()`.
+  ///
+  /// Beyond the number of first regions these are split, if their initializer can: in the time of making them, unless
+  /// constraints or seeds were added.
+  ///
+  /// \param segment_map every key is written: ids 0 .. n-1, numbered by the first face
+  /// \param number_of_segments at least 1
+  /// \param np optional named parameters:
+  ///   - `visitor`: a model of `SegmentationVisitor`, for what a method does anew for each number
+  /// \returns the number n of segments. It is at least the number of connected pieces, and that of different seeds
+  /// \throws Segmentation_cancelled if the visitor says so; the map is as before then
+  ///
+  /// Complexity: O(F) with a method that has one tree for all numbers, else that of merging.
+  template <typename FaceSegmentMap, typename NamedParameters = parameters::Default_named_parameters>
+  std::size_t segment(FaceSegmentMap segment_map, std::size_t number_of_segments,
+                      const NamedParameters& np = parameters::default_values()) const
+  {
+    CGAL_precondition_msg(number_of_segments >= 1, "number_of_segments is at least 1");
+    const auto& pack = internal::pack(np);
+    internal::check_parameters<std::decay_t<decltype(pack)>, internal::Tag_list<CGAL::internal_np::visitor_t>>();
+    const internal::Segments segments = m_prepared.segments(number_of_segments, pack);
+    segments.visit([&](const auto& labels) { write_face_values(*m_mesh, labels, segment_map); });
+    return segments.number();
+  }
+
+  /// adds edges that always are borders and are never merged across, beside those that are constrained already.
+  ///
+  /// First regions are split only where the edges separate their faces, and only the new ones are annotated anew; so
+  /// the segments may differ from those of a new segmenter. An edge that has the same region on both sides afterwards
+  /// has no effect; one between two regions bars their section from being merged across.
+  ///
+  /// \tparam EdgeIsConstrainedMap a model of `ReadablePropertyMap` with the edge descriptor as key and a value type
+  ///         that is convertible to `bool`
+  /// \param np optional named parameters:
+  ///   - `face_index_map`, `vertex_index_map`: those of the constructor, or others of the same mesh
+  ///   - `visitor`: a model of `SegmentationVisitor`
+  /// \throws Invalid_input if the edges keep equal seeds apart, Segmentation_cancelled if the visitor says so; nothing
+  ///         has changed then
+  ///
+  /// Complexity: O(F), and that of annotating the new regions and of merging.
+  template <typename EdgeIsConstrainedMap, typename NamedParameters = parameters::Default_named_parameters>
+  void add_constraints(EdgeIsConstrainedMap edge_is_constrained_map,
+                       const NamedParameters& np = parameters::default_values())
+  {
+    const auto& pack = internal::pack(np);
+    internal::check_parameters<std::decay_t<decltype(pack)>, internal::Tag_list<CGAL::internal_np::visitor_t>>();
+    std::vector<Flat_mesh::Index> dual_edges;
+    internal::make_mesh_traversal(*m_mesh, pack)
+      .for_each_dual_edge_if(
+        flat_mesh(), [&](const auto& e) { return bool(get(edge_is_constrained_map, e)); },
+        [&](const auto&, std::size_t dual_edge) { dual_edges.push_back(Flat_mesh::Index(dual_edge)); });
+    m_prepared.add_constraints(dual_edges, pack);
+  }
+
+  /// replaces the seeds: faces with the same seed end in one segment, faces with different seeds in different ones.
+  ///
+  /// The number of different seeds is the least number of segments. Equal seeds that are not adjacent are joined along
+  /// the cheapest path of regions, or, where these leave none, of faces, that meets no other seed: a step costs about its
+  /// length, and 80 times as much for each radian of the deviation of concave edges that it crosses.
+  ///
+  /// \tparam FaceSeedMap a model of `ReadablePropertyMap` with the face descriptor as key and an integral value type;
+  ///         the value `std::size_t(-1)`, after conversion to `std::size_t`, stands for no seed
+  /// \param np optional named parameters:
+  ///   - `visitor`: a model of `SegmentationVisitor`
+  /// \throws Invalid_input if equal seeds are in different components, or kept apart by constraints or by other seeds;
+  ///         Segmentation_cancelled if the visitor says so; nothing has changed then
+  ///
+  /// Complexity: O(F), and that of annotating the new regions and of merging.
+  template <typename FaceSeedMap, typename NamedParameters = parameters::Default_named_parameters>
+  void set_seeds(FaceSeedMap face_seed_map, const NamedParameters& np = parameters::default_values())
+  {
+    static_assert(!internal::Method_traits<Method>::is_partitioning,
+                  "a method with a GraphPartitioner takes no seeds");
+    const auto& pack = internal::pack(np);
+    internal::check_parameters<std::decay_t<decltype(pack)>, internal::Tag_list<CGAL::internal_np::visitor_t>>();
+    m_prepared.set_seeds(internal::read_seeds(*m_mesh, face_seed_map), pack);
+  }
+
+private:
+  const FaceGraph* m_mesh;
+  std::size_t m_number; // wanted; 0: to be chosen
+  Prepared m_prepared;
+};
+
+template <typename FaceGraph>
+Segmenter(const FaceGraph&) -> Segmenter<FaceGraph>;
+template <typename FaceGraph, typename NamedParameters>
+Segmenter(const FaceGraph&, const NamedParameters&) -> Segmenter<FaceGraph, internal::Method_of_pack<NamedParameters>>;
+template <typename FaceGraph, typename NamedParameters, typename ConcurrencyTag>
+Segmenter(const FaceGraph&, const NamedParameters&, ConcurrencyTag)
+  -> Segmenter<FaceGraph, internal::Method_of_pack<NamedParameters>, ConcurrencyTag>;
+
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_SEGMENTER_H

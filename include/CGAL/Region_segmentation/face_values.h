@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_FACE_VALUES_H
+#define CGAL_REGION_SEGMENTATION_FACE_VALUES_H
+
+#include <boost/property_map/property_map.hpp>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Region_segmentation {
+
+/// \ingroup PkgRegionSegmentationData
+/// The values that a property map has for the faces of a mesh, by face in iteration order: the index by which the parts
+/// of a method know faces. So a part can hold curvatures, colors or labels of the user's.
+///
+/// \tparam FaceGraph a model of `FaceListGraph`
+/// \tparam FaceMap a model of `ReadablePropertyMap` with the face descriptor as key
+///
+/// Complexity: O(F).
+template <typename FaceGraph, typename FaceMap>
+auto face_values(const FaceGraph& mesh, const FaceMap& map)
+{
+  std::vector<typename boost::property_traits<FaceMap>::value_type> values;
+  values.reserve(faces(mesh).size());
+  for (auto f : faces(mesh))
+    values.push_back(get(map, f));
+  return values;
+}
+
+/// \ingroup PkgRegionSegmentationData
+/// writes a value for every face of a mesh, in iteration order: the inverse of `face_values()`.
+///
+/// \tparam FaceGraph a model of `FaceListGraph`
+/// \tparam Values a type with `operator[](std::size_t)`, such as `Partition` or a vector
+/// \tparam FaceMap a model of `WritablePropertyMap` with the face descriptor as key
+/// \pre there is a value for each face
+///
+/// Complexity: O(F).
+template <typename FaceGraph, typename Values, typename FaceMap>
+void write_face_values(const FaceGraph& mesh, const Values& values, FaceMap map)
+{
+  using Value = typename boost::property_traits<FaceMap>::value_type;
+  std::size_t i = 0;
+  for (auto f : faces(mesh))
+    put(map, f, Value(values[i++]));
+}
+
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_FACE_VALUES_H

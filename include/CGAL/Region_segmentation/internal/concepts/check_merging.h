@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_CONCEPTS_CHECK_MERGING_H
+#define CGAL_REGION_SEGMENTATION_INTERNAL_CONCEPTS_CHECK_MERGING_H
+
+#include <CGAL/Region_segmentation/internal/concepts/check_graph_data.h>
+#include <CGAL/Region_segmentation/internal/support/satisfies.h>
+
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+
+// SectionCost, RegionMergingPolicy, MergingStopPredicate
+
+namespace CGAL {
+namespace Region_segmentation {
+namespace internal {
+
+template <typename T, typename Graph>
+using Has_cost = std::enable_if_t<std::is_convertible<
+  decltype(std::declval<const T&>()(std::declval<const Graph&>(),
+                                    std::declval<typename Graph::section_descriptor>())),
+  double>::value>;
+
+template <typename T, typename Graph>
+constexpr bool check_section_cost()
+{
+  static_assert(reads_data_of<T, Graph>(),
+                "the SectionCost reads RegionData or SectionData that the annotator of the graph does not provide");
+  static_assert(satisfies<Has_cost, T, Graph>,
+                "a SectionCost needs: double operator()(const Graph&, section_descriptor) const");
+  return true;
+}
+
+template <typename T, typename Graph>
+using Initializes = decltype(std::declval<T&>().initialize(std::declval<const Graph&>()));
+template <typename T, typename Graph>
+using Initializes_for_number =
+  decltype(std::declval<T&>().initialize(std::declval<const Graph&>(), std::size_t()));
+template <typename T, typename Graph>
+using Proposes = std::enable_if_t<
+  std::is_same<decltype(std::declval<T&>().next(std::declval<const Graph&>())->section),
+               typename Graph::section_descriptor>::value &&
+  std::is_convertible<decltype(std::declval<T&>().next(std::declval<const Graph&>())->cost), double>::value>;
+template <typename T, typename Graph>
+using Observes_merges = decltype(std::declval<T&>().on_merge(std::declval<const Graph&>(),
+                                                             std::declval<typename Graph::Merge>()));
+
+/// Whether the order of a policy depends on the wanted number of segments: then it cannot be initialized without.
+template <typename Policy, typename Graph>
+constexpr bool depends_on_number = !satisfies<Initializes, Policy, Graph>;
+
+template <typename T, typename Graph>
+constexpr bool check_merging_policy()
+{
+  static_assert(reads_data_of<T, Graph>(),
+                "the RegionMergingPolicy reads RegionData or SectionData that the annotator of the graph does not "
+                "provide");
+  static_assert(std::is_copy_constructible<T>::value, "a RegionMergingPolicy needs to be copy constructible");
+  static_assert(satisfies<Initializes, T, Graph> || satisfies<Initializes_for_number, T, Graph>,
+                "a RegionMergingPolicy needs: void initialize(const Graph&), or, if its order depends on the wanted "
+                "number, void initialize(const Graph&, std::size_t number_of_segments)");
+  static_assert(satisfies<Proposes, T, Graph>,
+                "a RegionMergingPolicy needs: std::optional<Merge_candidate> next(const Graph&)");
+  static_assert(satisfies<Observes_merges, T, Graph>,
+                "a RegionMergingPolicy needs: void on_merge(const Graph&, const typename Graph::Merge&)");
+  return true;
+}
+
+/// Initializes a policy of either kind.
+template <typename Policy, typename Graph>
+void initialize_policy(Policy& policy, const Graph& graph, std::size_t number_of_segments)
+{
+  if constexpr (depends_on_number<Policy, Graph>)
+    policy.initialize(graph, number_of_segments);
+  else
+    policy.initialize(graph);
+}
+
+template <typename T, typename Graph>
+using Stops = std::enable_if_t<
+  std::is_convertible<decltype(std::declval<T&>()(std::declval<const Graph&>(), double())), bool>::value>;
+
+template <typename T, typename Graph>
+constexpr bool check_stop_predicate()
+{
+  static_assert(satisfies<Stops, T, Graph>,
+                "a MergingStopPredicate needs: bool operator()(const Graph&, double next_cost)");
+  return true;
+}
+
+} // namespace internal
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_INTERNAL_CONCEPTS_CHECK_MERGING_H

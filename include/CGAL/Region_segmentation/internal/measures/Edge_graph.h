@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_MEASURES_EDGE_GRAPH_H
+#define CGAL_REGION_SEGMENTATION_INTERNAL_MEASURES_EDGE_GRAPH_H
+
+#include <CGAL/Region_segmentation/internal/support/Grouped_items.h>
+#include <CGAL/Region_segmentation/internal/reading/Mesh_traversal.h>
+#include <CGAL/Region_segmentation/Double_3.h>
+
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <queue>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Region_segmentation {
+namespace internal {
+
+/// The vertices and edges of a mesh as arrays, for shortest paths along edges. Made from the range
+/// of edges, so a vertex where several fans of faces meet has the edges of all. 32 bytes an edge.
+class Edge_graph
+{
+public:
+  using Index = Flat_mesh::Index;
+
+  template <typename FaceGraph, typename Pack>
+  Edge_graph(const Mesh_traversal<FaceGraph, Pack>& traversal, const std::vector<Double_3>& points)
+      : m_ways(traversal.number_of_vertices())
+  {
+    for_each_edge(traversal, [&](std::size_t v, std::size_t w) {
+      m_ways.count(v);
+      m_ways.count(w);
+    });
+    m_ways.end_counting();
+    for_each_edge(traversal, [&](std::size_t v, std::size_t w) {
+      const double length = norm(points[v] - points[w]);
+      m_ways.add(v, {Index(w), length});
+      m_ways.add(w, {Index(v), length});
+    });
+  }
+
+  /// The sum over `targets`, which are different, of the length of the shortest path along edges to
+  /// the nearest of `sources`; infinite where a target has no path. One run of Dijkstra's algorithm
+  /// from all sources, up to the last target. O(E log E).
+  double sum_of_distances(const std::vector<Index>& sources,
+                          const std::vector<Index>& targets) const
+  {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    using Entry = std::pair<double, Index>;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
+    std::vector<double> distance(number_of_vertices(), infinity);
+    std::vector<char> is_target(number_of_vertices(), false);
+    std::size_t targets_left = targets.size();
+
+    for (Index t : targets)
+      is_target[t] = true;
+    for (Index s : sources) {
+      distance[s] = 0;
+      queue.push({0, s});
+    }
+    while (!queue.empty() && targets_left > 0) {
+      const auto [d, v] = queue.top();
+      queue.pop();
+      if (d > distance[v]) // an entry from before a shorter path was found
+        continue;
+      targets_left -= is_target[v];
+      for (const Way& way : m_ways[v]) {
+        const double through_v = d + way.length;
+        if (through_v < distance[way.to])
+          queue.push({distance[way.to] = through_v, way.to});
+      }
+    }
+
+    double sum = 0;
+    for (Index t : targets)
+      sum += distance[t];
+    return sum;
+  }
+
+private:
+  std::size_t number_of_vertices() const { return m_ways.number_of_groups(); }
+
+  template <typename FaceGraph, typename Pack, typename F>
+  static void for_each_edge(const Mesh_traversal<FaceGraph, Pack>& traversal, F f)
+  {
+    for (auto e : edges(traversal.mesh())) {
+      const auto h = halfedge(e, traversal.mesh());
+      f(traversal.source_rank(h), traversal.source_rank(opposite(h, traversal.mesh())));
+    }
+  }
+
+  struct Way
+  {
+    Index to;
+    double length;
+  };
+
+  Grouped_items<Way> m_ways; // by vertex
+};
+
+} // namespace internal
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_INTERNAL_MEASURES_EDGE_GRAPH_H

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_RAYS_BOX_PARTITION_H
+#define CGAL_REGION_SEGMENTATION_INTERNAL_RAYS_BOX_PARTITION_H
+
+#include <CGAL/Region_segmentation/internal/rays/Float_4.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Region_segmentation {
+namespace internal {
+
+/// An axis-parallel box in float; the last lane is 0.
+struct Box
+{
+  // Contains nothing, as long as nothing is added.
+  Float_4 low = all_lanes((std::numeric_limits<float>::max)());
+  Float_4 high = all_lanes(std::numeric_limits<float>::lowest());
+
+  void add(const Box& other)
+  {
+    low = smaller(other.low, low);
+    high = larger(other.high, high);
+  }
+
+  void add(const Float_4& point)
+  {
+    low = smaller(point, low);
+    high = larger(point, high);
+  }
+
+  float half_area() const
+  {
+    const Float_4 side = high - low;
+    return side[0] * side[1] + side[1] * side[2] + side[2] * side[0];
+  }
+};
+
+/// Boxes with names, to be split into parts whose boxes are small. 32 bytes each.
+class Box_partition
+{
+public:
+  using Name = std::array<std::uint32_t, 2>;
+  static constexpr std::size_t leaf_size = 4; ///< what is looked at together, so costs as much as one
+
+  /// The boxes `first` .. `last - 1` and the box around them.
+  struct Part
+  {
+    std::size_t first, last;
+    Box box;
+
+    std::size_t size() const { return last - first; }
+  };
+
+  void reserve(std::size_t number) { m_items.reserve(number); }
+  void add(const Box& box, const Name& name)
+  {
+    m_items.push_back({{box.low[0], box.low[1], box.low[2]}, {box.high[0], box.high[1], box.high[2]}, name});
+  }
+  std::size_t size() const { return m_items.size(); }
+  const Name& name(std::size_t i) const { return m_items[i].name; }
+
+  Part whole() const { return make_part(0, m_items.size()); }
+
+  /// Splits where a ray is expected to meet the fewest leaves: of the bounds between slices of equal width along
+  /// the axis on which the centers differ most, the one with the lowest sum over both sides of surface area times
+  /// number of leaves (Wald 2007). At the median where no slice does.
+  /// \pre there is more than one box
+  std::pair<Part, Part> split(const Part& part)
+  {
+    const Slicing slicing(*this, part);
+    if (!(slicing.width > smallest_width))
+      return split_at_median(part, slicing.axis);
+    return part.size() > 32 ? split_cheaply<16>(part, slicing) : split_cheaply<8>(part, slicing);
+  }
+
+  /// Splits into halves, so that no depth is more than a logarithm.
+  std::pair<Part, Part> split_at_median(const Part& part)
+  {
+    return split_at_median(part, Slicing(*this, part).axis);
+  }
+
+private:
+  static constexpr float smallest_width = 1e-30f; // so that its inverse is finite
+
+  /// Packed, since there is one for each triangle.
+  struct Item
+  {
+    std::array<float, 3> low, high;
+    Name name;
+
+    Box box() const
+    {
+      Box box;
+      box.low = Float_4{low[0], low[1], low[2], 0};
+      box.high = Float_4{high[0], high[1], high[2], 0};
+      return box;
+    }
+    /// Twice the center of the box, along one axis.
+    float position(int axis) const { return low[axis] + high[axis]; }
+  };
+
+  /// The axis on which the centers of a part differ most, and where on it they are.
+  struct Slicing
+  {
+    int axis;
+    float low, width;
+
+    Slicing(const Box_partition& boxes, const Part& part)
+    {
+      Box positions;
+      for (std::size_t i = part.first; i < part.last; ++i) {
+        const Box box = boxes.m_items[i].box();
+        positions.add(box.low + box.high);
+      }
+      const Float_4 side = positions.high - positions.low;
+      axis = side[0] >= side[1] && side[0] >= side[2] ? 0 : side[1] >= side[2] ? 1 : 2;
+      low = positions.low[axis];
+      width = side[axis];
+    }
+  };
+
+  Part make_part(std::size_t first, std::size_t last) const
+  {
+    Part part{first, last, Box()};
+    for (std::size_t i = first; i < last; ++i)
+      part.box.add(m_items[i].box());
+    return part;
+  }
+
+  struct Slice
+  {
+    Box box;
+    std::size_t size = 0;
+
+    void add(const Slice& other)
+    {
+      box.add(other.box);
+      size += other.size;
+    }
+
+    float cost() const
+    {
+      return size > 0 ? box.half_area() * float((size + leaf_size - 1) / leaf_size) : 0;
+    }
+  };
+
+  template <int slices>
+  std::pair<Part, Part> split_cheaply(const Part& part, const Slicing& slicing)
+  {
+    const float scale = float(slices) / slicing.width;
+    const auto slice_of = [=](const Item& item) {
+      return (std::min)(slices - 1, int(scale * (item.position(slicing.axis) - slicing.low)));
+    };
+    std::array<Slice, slices> slice;
+    for (std::size_t i = part.first; i < part.last; ++i) {
+      Slice& s = slice[slice_of(m_items[i])];
+      s.box.add(m_items[i].box());
+      ++s.size;
+    }
+    std::array<Slice, slices> behind = slice; // each bound
+    for (int i = slices - 2; i > 0; --i)
+      behind[i].add(behind[i + 1]);
+    int best = 0;
+    Slice before, before_best;
+    float best_cost = (std::numeric_limits<float>::max)();
+    for (int i = 1; i < slices; ++i) {
+      before.add(slice[i - 1]);
+      const float cost = before.cost() + behind[i].cost();
+      if (cost < best_cost && before.size > 0 && behind[i].size > 0) {
+        best_cost = cost;
+        best = i;
+        before_best = before;
+      }
+    }
+    if (best == 0)
+      return split_at_median(part, slicing.axis);
+    std::partition(m_items.begin() + part.first, m_items.begin() + part.last,
+                   [&](const Item& item) { return slice_of(item) < best; });
+    const std::size_t middle = part.first + before_best.size;
+    return {{part.first, middle, before_best.box}, {middle, part.last, behind[best].box}};
+  }
+
+  std::pair<Part, Part> split_at_median(const Part& part, int axis)
+  {
+    const std::size_t middle = part.first + part.size() / 2;
+    std::nth_element(m_items.begin() + part.first, m_items.begin() + middle, m_items.begin() + part.last,
+                     [axis](const Item& a, const Item& b) {
+                       const float p = a.position(axis), q = b.position(axis);
+                       return p != q ? p < q : a.name < b.name;
+                     });
+    return {make_part(part.first, middle), make_part(middle, part.last)};
+  }
+
+  std::vector<Item> m_items;
+};
+
+} // namespace internal
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_INTERNAL_RAYS_BOX_PARTITION_H

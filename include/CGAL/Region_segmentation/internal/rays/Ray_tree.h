@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_RAYS_RAY_TREE_H
+#define CGAL_REGION_SEGMENTATION_INTERNAL_RAYS_RAY_TREE_H
+
+#include <CGAL/Region_segmentation/Execution.h>
+#include <CGAL/Region_segmentation/Flat_mesh.h>
+#include <CGAL/Region_segmentation/internal/rays/Box_partition.h>
+#include <CGAL/Region_segmentation/internal/rays/Float_4.h>
+#include <CGAL/Region_segmentation/internal/support/Float_key.h>
+#include <CGAL/Region_segmentation/internal/support/visitor.h>
+#include <CGAL/Region_segmentation/internal/rays/Four_triangles.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <tuple>
+#include <vector>
+
+namespace CGAL {
+namespace Region_segmentation {
+namespace internal {
+
+/// Finds the face that a ray hits first: a tree of bounding boxes over the triangles of a mesh
+/// (polygons as fans). In float, relative to the first point of the mesh and in units of its extent:
+/// what is wanted are distances to a few digits. (CGAL's AABB tree is exact, and GPL.)
+///
+/// A node has up to four children, which are tested together, and a leaf up to four triangles: so it takes few steps
+/// that the processor cannot foresee. What is hit does not depend on the shape of the tree.
+///
+/// About 62 bytes a triangle, 32 more while it is built; O(T log T) to build, O(log T) a ray in practice.
+class Ray_tree
+{
+  using Index = Flat_mesh::Index;
+  using Part = Box_partition::Part;
+
+public:
+  struct Hit
+  {
+    Index face;
+    double distance; // in units of the mesh
+  };
+  static constexpr Index no_face = Ray::no_face;
+
+  /// \pre the mesh was read with its points
+  template <typename ConcurrencyTag>
+  Ray_tree(const Flat_mesh& mesh, const Execution<ConcurrencyTag>& execution)
+  {
+    const Mesh_points& points = mesh.points();
+    if (points.number_of_points() > 0)
+      m_origin = points[0];
+    double unit = 0;
+    for (std::size_t v = 0; v < points.number_of_points(); ++v)
+      unit = (std::max)(unit, norm(points[v] - m_origin));
+    if (unit > 0)
+      m_unit = unit;
+    m_scale = 1 / m_unit;
+    if (mesh.number_of_faces() == 0)
+      return;
+    Box_partition boxes = make_boxes(points, mesh.number_of_faces());
+    execution.report(0.2);
+    Step_counter<ConcurrencyTag> triangles(execution.step(0.2, 1), boxes.size());
+    m_leaves.reserve(boxes.size() * 3 / 10);
+    m_nodes.reserve(boxes.size() * 3 / 20);
+    add_node(points, boxes, boxes.whole(), 0, triangles);
+  }
+
+  /// The first face other than `skipped` that is hit in front of `source`; `direction` has length 1.
+  Hit first_hit(const Double_3& source, const Double_3& direction, Index skipped) const
+  {
+    Ray ray{relative(source), to_float(direction), skipped};
+    if (!m_nodes.empty())
+      descend(ray);
+    return {ray.face, ray.face == no_face ? 0.0 : double(ray.distance) * m_unit};
+  }
+
+private:
+  static constexpr int width = 4; // children of a node, triangles of a leaf
+  static_assert(width == Box_partition::leaf_size, "parts of this size become leaves");
+  static constexpr int maximum_depth_of_cheap_splits = 48;
+
+  /// Twice the index of a node, or twice that of a leaf and one.
+  using Child = Index;
+  struct Node
+  {
+    std::array<Float_4_3, 2> bounds; // lower and upper ones; upside down where there are fewer children
+    std::array<Child, width> child;
+  };
+
+  static Float_3 to_float(const Double_3& v) { return {float(v.x), float(v.y), float(v.z)}; }
+  Float_3 relative(const Double_3& point) const { return to_float(m_scale * (point - m_origin)); }
+
+  /// The corners of a triangle of the fan of a face: the first one, and two others from the i-th on.
+  std::array<Float_3, 3> triangle(const Mesh_points& points, Index face, Index i) const
+  {
+    const auto corner = [&](std::size_t j) { return relative(points[points.corner(face, j)]); };
+    return {corner(0), corner(i), corner(i + 1)};
+  }
+
+  /// The boxes of all triangles, somewhat too large, so that rounding hides no triangle.
+  Box_partition make_boxes(const Mesh_points& points, std::size_t number_of_faces) const
+  {
+    const Float_4 margin = all_lanes(5e-7f);
+    Box_partition boxes;
+    boxes.reserve(number_of_faces);
+    for (std::size_t f = 0; f < number_of_faces; ++f)
+      for (std::size_t i = 1; i + 1 < points.number_of_corners(f); ++i) {
+        Box box;
+        for (const Float_3& corner : triangle(points, Index(f), Index(i)))
+          box.add(Float_4{corner[0], corner[1], corner[2], 0});
+        box.low = box.low - margin;
+        box.high = box.high + margin;
+        boxes.add(box, {Index(f), Index(i)});
+      }
+    return boxes;
+  }
+
+  /// Adds a node for a part, and what is below it.
+  template <typename Counter>
+  Child add_node(const Mesh_points& points, Box_partition& boxes, const Part& part, int depth, Counter& triangles)
+  {
+    std::array<Part, width> parts{part, {}, {}, {}};
+    int size = 1;
+    for (; size < width; ++size) {
+      const auto largest = std::max_element(parts.begin(), parts.begin() + size, [](const Part& a, const Part& b) {
+        return area_to_split(a) < area_to_split(b);
+      });
+      if (largest->size() <= width)
+        break;
+      std::tie(*largest, parts[size]) =
+        depth < maximum_depth_of_cheap_splits ? boxes.split(*largest) : boxes.split_at_median(*largest);
+    }
+    const std::size_t n = m_nodes.size();
+    m_nodes.emplace_back();
+    for (int i = 0; i < width; ++i)
+      for (int k = 0; k < 3; ++k) {
+        m_nodes[n].bounds[0][k][i] = parts[i].box.low[k];
+        m_nodes[n].bounds[1][k][i] = parts[i].box.high[k];
+      }
+    for (int i = 0; i < size; ++i) {
+      const Child child =
+        parts[i].size() > width ? add_node(points, boxes, parts[i], depth + 1, triangles)
+                                                  : add_leaf(points, boxes, parts[i], triangles);
+      m_nodes[n].child[i] = child;
+    }
+    return Child(2 * n);
+  }
+
+  static float area_to_split(const Part& part) { return part.size() > width ? part.box.half_area() : -1; }
+
+  template <typename Counter>
+  Child add_leaf(const Mesh_points& points, const Box_partition& boxes, const Part& part, Counter& triangles)
+  {
+    Four_triangles leaf;
+    for (std::size_t i = 0; i < part.size(); ++i) {
+      const Box_partition::Name& name = boxes.name(part.first + i);
+      triangles.advance();
+      leaf.set(int(i), triangle(points, name[0], name[1]), name[0]);
+    }
+    m_leaves.push_back(leaf);
+    return Child(2 * (m_leaves.size() - 1) + 1);
+  }
+
+  using Waiting = Float_key; // where the ray enters a box, and the child
+  static constexpr Waiting never = Waiting(0x7f800000) << 32; // infinity
+
+  /// What the test of boxes wants of a ray.
+  struct Slopes
+  {
+    Float_3 inverse;            // of the direction; infinite for 0
+    std::array<int, 3> entered; // by which of the two bounds the ray enters a box, by axis
+
+    explicit Slopes(const Float_3& direction)
+    {
+      for (int k = 0; k < 3; ++k) {
+        inverse[k] = 1 / direction[k];
+        entered[k] = inverse[k] < 0 ? 1 : 0;
+      }
+    }
+  };
+
+  void descend(Ray& ray) const
+  {
+    const Slopes slopes(ray.direction);
+    // A node leaves at most three more waiting than it found; below the cheap splits are halves, of at most 2^32.
+    std::array<Waiting, 3 * (maximum_depth_of_cheap_splits + 32)> stack;
+    std::size_t size = 0;
+    Waiting nearest = make_float_key(0, 0);
+    while (true) {
+      const Child child = index_of(nearest);
+      if (child % 2 == 1)
+        m_leaves[child / 2].intersect(ray);
+      else {
+        const std::array<Waiting, width> c = children(m_nodes[child / 2], ray, slopes);
+        for (int i = 0; i < width - 1; ++i) {
+          stack[size] = c[i];
+          size += c[i] < never ? 1 : 0;
+        }
+        nearest = c[width - 1];
+        if (nearest < never)
+          continue;
+      }
+      do {
+        if (size == 0)
+          return;
+        nearest = stack[--size];
+      } while (!(value_of(nearest) <= ray.distance));
+    }
+  }
+
+  /// The children that the ray enters before its best hit, the nearest last; those that it does not enter come first.
+  static std::array<Waiting, width> children(const Node& node, const Ray& ray, const Slopes& slopes)
+  {
+    Float_4 in = all_lanes(0), out = all_lanes(ray.distance);
+    for (int k = 0; k < 3; ++k) {
+      const Float_4 source = all_lanes(ray.source[k]), inverse = all_lanes(slopes.inverse[k]);
+      const Float_4 near = (node.bounds[slopes.entered[k]][k] - source) * inverse;
+      const Float_4 far = (node.bounds[1 - slopes.entered[k]][k] - source) * inverse;
+      in = larger(near, in); // a bound that is not a number (0 * infinity) is none
+      out = smaller(far, out);
+    }
+    const Float_4 entries = select(in <= out, in, all_lanes(std::numeric_limits<float>::infinity()));
+    std::array<Waiting, width> w;
+    for (int i = 0; i < width; ++i)
+      w[i] = make_float_key(entries[i], node.child[i]);
+    const auto order = [&](int i, int j) {
+      const Waiting a = w[i], b = w[j];
+      w[i] = a > b ? a : b;
+      w[j] = a > b ? b : a;
+    };
+    order(0, 1), order(2, 3), order(0, 2), order(1, 3), order(1, 2);
+    return w;
+  }
+
+  std::vector<Node> m_nodes;
+  std::vector<Four_triangles> m_leaves;
+  Double_3 m_origin{};
+  double m_unit = 1, m_scale = 1;
+};
+
+} // namespace internal
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_INTERNAL_RAYS_RAY_TREE_H

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_RAYS_REGION_SHAPES_H
+#define CGAL_REGION_SEGMENTATION_INTERNAL_RAYS_REGION_SHAPES_H
+
+#include <CGAL/Region_segmentation/Double_3.h>
+#include <CGAL/Region_segmentation/Flat_mesh.h>
+#include <CGAL/Region_segmentation/Partition.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Region_segmentation {
+namespace internal {
+
+/// Area, mean normal and centroid of every region.
+struct Region_shapes
+{
+  std::vector<double> areas;
+  std::vector<Double_3> normals;   // of length 1, or zero
+  std::vector<Double_3> centroids; // that of a region without area is the first face's of the mesh
+
+  /// \pre the mesh was read with its centroids
+  Region_shapes(const Flat_mesh& mesh, const Partition& regions)
+    : areas(regions.number_of_parts()), normals(regions.number_of_parts()), centroids(regions.number_of_parts())
+  {
+    if (mesh.number_of_faces() == 0)
+      return;
+    const Double_3 origin = mesh.centroid(0); // so that nothing cancels far from the origin
+    for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
+      const Partition::Index r = regions[f];
+      const double area = mesh.area(f);
+      areas[r] += area;
+      normals[r] = normals[r] + area * mesh.normal(f);
+      centroids[r] = centroids[r] + area * (mesh.centroid(f) - origin);
+    }
+    for (std::size_t r = 0; r < areas.size(); ++r) {
+      const double length = norm(normals[r]);
+      normals[r] = length > 0 ? (1 / length) * normals[r] : Double_3{};
+      centroids[r] = areas[r] > 0 ? origin + (1 / areas[r]) * centroids[r] : origin;
+    }
+  }
+};
+
+} // namespace internal
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_INTERNAL_RAYS_REGION_SHAPES_H

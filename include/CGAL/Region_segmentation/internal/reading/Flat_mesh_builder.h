@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_READING_FLAT_MESH_BUILDER_H
+#define CGAL_REGION_SEGMENTATION_INTERNAL_READING_FLAT_MESH_BUILDER_H
+
+#include <CGAL/Region_segmentation/Flat_mesh.h>
+#include <CGAL/Region_segmentation/internal/reading/Face_block.h>
+#include <CGAL/Region_segmentation/internal/support/blocks.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Region_segmentation {
+namespace internal {
+
+/// Fills the arrays of a `Flat_mesh`: faces, dual edges and corners, each of them in any order, but an edge
+/// after its two faces.
+class Flat_mesh_builder
+{
+  using Index = Flat_mesh::Index;
+
+public:
+  /// `unit`: the unit of length of what is set, in units of the mesh
+  Flat_mesh_builder(std::size_t number_of_faces, std::size_t maximum_number_of_edges, Mesh_data data, double unit)
+    : m_closed_edges(number_of_blocks(number_of_faces))
+  {
+    m_flat.m_data = data;
+    m_flat.m_unit = unit;
+    m_flat.m_normals.resize(number_of_faces);
+    m_flat.m_areas.resize(number_of_faces);
+    m_flat.m_lower_faces.resize(maximum_number_of_edges);
+    m_flat.m_higher_faces.resize(maximum_number_of_edges);
+    m_flat.m_squared_lengths.resize(maximum_number_of_edges);
+    m_flat.m_flags.resize(maximum_number_of_edges);
+    if (includes(data, Mesh_data::CENTROIDS))
+      m_flat.m_centroids.resize(number_of_faces);
+  }
+
+  void set_face(std::size_t face, const Double_3& area_vector, double squared_longest_edge)
+  {
+    const double area = norm(area_vector);
+    m_flat.m_areas[face] = area;
+    // The inverse of a smaller area is infinite.
+    const bool is_degenerate =
+      !(area > 1e-12 * squared_longest_edge && area >= (std::numeric_limits<double>::min)());
+    m_flat.m_normals[face] = is_degenerate ? Double_3{} : (1 / area) * area_vector;
+  }
+
+  /// A dual edge whose lower face was not known when it was set.
+  struct Late_edge
+  {
+    std::size_t edge;
+    Double_3 direction;
+  };
+
+  /// Puts the dual edges of a block into the places from `first` on. Those that lead to faces below
+  /// `first_known_face` go to `late_edges`, too.
+  void set_edges(std::size_t first, const Face_block& block, std::size_t first_known_face,
+                 std::vector<Late_edge>& late_edges)
+  {
+    const Side_edge* const edges = block.edges().data();
+    const std::size_t n = block.edges().size();
+    const Double_3* const normals = m_flat.m_normals.data();
+    Index* const lower_faces = m_flat.m_lower_faces.data() + first;
+    Index* const higher_faces = m_flat.m_higher_faces.data() + first;
+    double* const squared_lengths = m_flat.m_squared_lengths.data() + first;
+    std::uint8_t* const flags = m_flat.m_flags.data() + first;
+    for (std::size_t i = 0; i < n; ++i) {
+      const Index lower = edges[i].lower(), higher = edges[i].higher;
+      const Double_3 direction = block.direction(edges[i].side());
+      lower_faces[i] = lower;
+      higher_faces[i] = higher;
+      squared_lengths[i] = squared_norm(direction);
+      if (lower < first_known_face) {
+        flags[i] = 0;
+        late_edges.push_back({first + i, direction});
+        continue;
+      }
+      const Double_3 a = normals[higher], b = normals[lower];
+      const double cosine = dot(a, b);
+      flags[i] = flags_of(a, b, cosine, direction);
+      if (cosine == 0)
+        close_at_degenerate_face(first + i);
+    }
+  }
+
+  void set_late_edge(const Late_edge& late)
+  {
+    const Double_3 a = m_flat.normal(m_flat.higher_face(late.edge)), b = m_flat.normal(m_flat.lower_face(late.edge));
+    const double cosine = dot(a, b);
+    m_flat.m_flags[late.edge] |= flags_of(a, b, cosine, late.direction);
+    if (cosine == 0)
+      close_at_degenerate_face(late.edge);
+  }
+
+  void set_constrained(std::size_t edge) { m_flat.m_flags[edge] |= Flat_mesh::CONSTRAINED; }
+
+  /// \name Points
+  /// With `Mesh_data::POINTS` alone.
+  /// @{
+  void resize_points(std::size_t number_of_points, std::size_t maximum_number_of_corners)
+  {
+    m_flat.m_points.m_points.resize(number_of_points);
+    m_flat.m_points.m_first_corners.resize(m_flat.number_of_faces() + 1);
+    m_flat.m_points.m_corners.resize(maximum_number_of_corners);
+    m_flat.m_points.m_first_corners.front() = 0;
+  }
+  void set_point(std::size_t vertex, const Double_3& point) { m_flat.m_points.m_points[vertex] = point; }
+  /// Puts the corners of a block of faces into the places from `first` on.
+  void set_corners(std::size_t first, const Face_block& block)
+  {
+    for (std::size_t i = 0; i < block.number_of_faces(); ++i) {
+      for (std::size_t j = 0; j < block.number_of_corners(i); ++j)
+        m_flat.m_points.m_corners[first++] = block.corners(i)[j].vertex;
+      m_flat.m_points.m_first_corners[block.first_face() + i + 1] = Index(first);
+    }
+  }
+  /// @}
+
+  /// With `Mesh_data::CENTROIDS` alone.
+  void set_centroids(const Face_block& block)
+  {
+    for (std::size_t i = 0; i < block.number_of_faces(); ++i) {
+      const std::size_t n = block.number_of_corners(i);
+      Double_3 sum{};
+      for (std::size_t j = 0; j < n; ++j)
+        sum = sum + block.corners(i)[j].point;
+      m_flat.m_centroids[block.first_face() + i] = (1.0 / double(n)) * sum;
+    }
+  }
+
+  Flat_mesh finish(std::size_t number_of_edges)
+  {
+    m_flat.m_lower_faces.resize(number_of_edges);
+    m_flat.m_higher_faces.resize(number_of_edges);
+    m_flat.m_squared_lengths.resize(number_of_edges);
+    m_flat.m_flags.resize(number_of_edges);
+    join_degenerate_faces();
+    if (includes(m_flat.m_data, Mesh_data::SURFACE_AREA))
+      for (const double area : m_flat.m_areas)
+        m_flat.m_surface_area += area;
+    return std::move(m_flat);
+  }
+
+private:
+  /// Of the normals of the higher and the lower face, and the halfedge of the higher one. Both factors of the sign
+  /// have the opposite of their direction in the definition: its value is the same.
+  static std::uint8_t flags_of(const Double_3& a, const Double_3& b, double cosine, const Double_3& direction)
+  {
+    const double sign = dot(cross(a, b), direction);
+    return std::uint8_t((sign > 0) * Flat_mesh::CONVEX + (sign < 0) * Flat_mesh::CONCAVE +
+                        (cosine > Flat_mesh::nearly_flat) * Flat_mesh::NEARLY_FLAT +
+                        (cosine < Flat_mesh::not_flat) * Flat_mesh::NOT_FLAT);
+  }
+
+  /// The normal of a degenerate face is zero, and so is the cosine of its edges then.
+  void close_at_degenerate_face(std::size_t edge)
+  {
+    const Index lower = m_flat.lower_face(edge), higher = m_flat.higher_face(edge);
+    if (!m_flat.is_degenerate(lower) && !m_flat.is_degenerate(higher))
+      return;
+    m_flat.m_flags[edge] |= Flat_mesh::CLOSED;
+    m_closed_edges[higher / block_size].push_back(Index(edge));
+  }
+
+  /// Each degenerate face joins across its longest dual edge that is not constrained; of several, the
+  /// one to the lower face, and of several to that face the first.
+  void join_degenerate_faces()
+  {
+    struct Candidate
+    {
+      Index face, other, edge;
+    };
+    std::vector<Candidate> candidates;
+    for (const auto& block : m_closed_edges)
+      for (Index edge : block) {
+        if (m_flat.has_flag(edge, Flat_mesh::CONSTRAINED))
+          continue;
+        const Index lower = m_flat.lower_face(edge), higher = m_flat.higher_face(edge);
+        if (m_flat.is_degenerate(lower))
+          candidates.push_back({lower, higher, edge});
+        if (m_flat.is_degenerate(higher))
+          candidates.push_back({higher, lower, edge});
+      }
+    std::sort(candidates.begin(), candidates.end(), [this](const Candidate& a, const Candidate& b) {
+      const double a_length = m_flat.length(a.edge), b_length = m_flat.length(b.edge);
+      if (a.face != b.face)
+        return a.face < b.face;
+      if (a_length != b_length)
+        return a_length > b_length;
+      return a.other != b.other ? a.other < b.other : a.edge < b.edge;
+    });
+    for (std::size_t i = 0; i < candidates.size(); ++i)
+      if (i == 0 || candidates[i].face != candidates[i - 1].face) {
+        std::uint8_t& flags = m_flat.m_flags[candidates[i].edge];
+        flags = std::uint8_t((flags & ~Flat_mesh::CLOSED) | Flat_mesh::JOINING);
+      }
+  }
+
+  Flat_mesh m_flat;
+  std::vector<std::vector<Index>> m_closed_edges; // by the block of their higher face
+};
+
+} // namespace internal
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_INTERNAL_READING_FLAT_MESH_BUILDER_H

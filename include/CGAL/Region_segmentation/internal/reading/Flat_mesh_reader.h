@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_READING_FLAT_MESH_READER_H
+#define CGAL_REGION_SEGMENTATION_INTERNAL_READING_FLAT_MESH_READER_H
+
+#include <CGAL/Region_segmentation/exceptions.h>
+#include <CGAL/Region_segmentation/internal/reading/Flat_mesh_builder.h>
+#include <CGAL/Region_segmentation/internal/reading/Mesh_traversal.h>
+#include <CGAL/Region_segmentation/internal/reading/Face_reader.h>
+#include <CGAL/Region_segmentation/internal/support/blocks.h>
+#include <CGAL/Region_segmentation/internal/support/visitor.h>
+#include <CGAL/Region_segmentation/internal/support/unit_of_coordinates.h>
+
+#include <CGAL/property_map.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Region_segmentation {
+namespace internal {
+
+/// Reads a face graph, once, into a `Flat_mesh`.
+///
+/// The dual edges of a face, those to lower faces, need the normals of these, and a place among the others. In
+/// sequence both are known. In parallel the edges are counted first; each thread reads ranges of blocks, and where
+/// an edge leads to a face below its range, what needs the normal comes at the end.
+template <typename ConcurrencyTag, typename FaceGraph, typename Pack>
+class Flat_mesh_reader
+{
+  using Faces = Face_reader<FaceGraph, Pack>;
+  using Traversal = Mesh_traversal<FaceGraph, Pack>;
+  using halfedge_descriptor = typename Traversal::halfedge_descriptor;
+  using No_constraints =
+    Static_boolean_property_map<typename boost::graph_traits<FaceGraph>::edge_descriptor, false>;
+  using Constraint_map =
+    typename CGAL::internal_np::Lookup_named_param_def<CGAL::internal_np::edge_is_constrained_t, Pack,
+                                                       No_constraints>::type;
+  static constexpr bool has_constraints = !std::is_same<Constraint_map, No_constraints>::value;
+
+public:
+  /// \throws Invalid_input if a point is not finite
+  Flat_mesh_reader(const Traversal& traversal, const Pack& np, Mesh_data data,
+                   const Execution<ConcurrencyTag>& execution)
+    : m_traversal(traversal)
+    , m_execution(execution)
+    , m_data(data)
+    , m_unit(find_unit(traversal, np))
+    , m_faces(traversal, np, 1 / m_unit)
+    , m_is_constrained(CGAL::parameters::choose_parameter(
+        CGAL::parameters::get_parameter(np, CGAL::internal_np::edge_is_constrained), No_constraints()))
+    , m_builder(traversal.number_of_faces(), num_halfedges(traversal.mesh()) / 2, data, m_unit)
+  {}
+
+  Flat_mesh read()
+  {
+    if (includes(m_data, Mesh_data::POINTS))
+      read_points();
+    if constexpr (Execution<ConcurrencyTag>::is_parallel)
+      return m_builder.finish(read_in_parallel());
+    else
+      return m_builder.finish(read_in_sequence());
+  }
+
+private:
+  /// Of what belongs to the faces of a block, in the arrays.
+  struct Place
+  {
+    std::size_t edge, corner;
+  };
+
+  using Late_edges = std::vector<Flat_mesh_builder::Late_edge>;
+
+  /// Returns the number of dual edges.
+  std::size_t read_in_sequence()
+  {
+    Place end = {0, 0};
+    Face_block faces;
+    Late_edges none;
+    Step_counter<ConcurrencyTag> blocks(m_execution, number_of_blocks(m_traversal.number_of_faces()));
+    for (std::size_t block = 0; block < number_of_blocks(m_traversal.number_of_faces()); ++block) {
+      const std::size_t edges = read_block(block, end, 0, faces, none);
+      end = {end.edge + edges, end.corner + faces.number_of_corners()};
+      blocks.advance();
+    }
+    return end.edge;
+  }
+
+  /// Returns the number of dual edges.
+  std::size_t read_in_parallel()
+  {
+    std::vector<Place> places(number_of_blocks(m_traversal.number_of_faces()));
+    const Place end = count_edges_and_corners(places);
+    std::vector<Late_edges> late_edges(number_of_blocks(places.size(), blocks_in_range));
+    for_each_block(
+      m_execution.step(0.2, 0.9), places.size(),
+      [&](std::size_t range, std::size_t begin, std::size_t end) {
+        Face_block faces;
+        for (std::size_t block = begin; block < end; ++block)
+          read_block(block, places[block], begin * block_size, faces, late_edges[range]);
+      },
+      blocks_in_range);
+    for_each_block(
+      m_execution.step(0.9, 1), late_edges.size(),
+      [&](std::size_t range, std::size_t, std::size_t) {
+        for (const auto& edge : late_edges[range])
+          m_builder.set_late_edge(edge);
+      },
+      1);
+    return end.edge;
+  }
+
+  /// Finds the place of every block, and that behind the last one.
+  Place count_edges_and_corners(std::vector<Place>& places) const
+  {
+    for_each_block(
+      m_execution.step(0, 0.2), m_traversal.number_of_faces(), [&](std::size_t block, std::size_t rank, std::size_t) {
+        const FaceGraph& mesh = m_traversal.mesh();
+        const auto rank_of_face = m_traversal.rank_of_face();
+        Place size = {0, 0};
+        for (auto f : m_traversal.faces_of_block(block)) {
+          const halfedge_descriptor start = halfedge(f, mesh);
+          halfedge_descriptor h = start;
+          do {
+            const auto across = face(opposite(h, mesh), mesh);
+            size.edge += across != boost::graph_traits<FaceGraph>::null_face() && rank_of_face(across) < rank;
+            ++size.corner;
+            h = next(h, mesh);
+          } while (h != start);
+          ++rank;
+        }
+        places[block] = size;
+      });
+    Place end = {0, 0};
+    for (Place& place : places) {
+      const Place size = std::exchange(place, end);
+      end = {end.edge + size.edge, end.corner + size.corner};
+    }
+    return end;
+  }
+
+  /// What is known of the points of a block of vertices.
+  struct Extent
+  {
+    double largest_coordinate = 0; // of the vertices that are used
+    std::size_t not_finite = Traversal::none;
+  };
+
+  static Extent extent_of_block(const Traversal& traversal, const Faces& faces, std::size_t block, std::size_t rank)
+  {
+    Extent extent;
+    for (auto v : traversal.vertices_of_block(block)) {
+      const Double_3 p = faces.point(v);
+      const double x = std::abs(p.x), y = std::abs(p.y), z = std::abs(p.z);
+      // Seldom taken; by what is not a number, too.
+      if (!(x <= extent.largest_coordinate && y <= extent.largest_coordinate && z <= extent.largest_coordinate)) {
+        if (!is_finite(p))
+          extent.not_finite = (std::min)(extent.not_finite, rank);
+        else if (halfedge(v, traversal.mesh()) != boost::graph_traits<FaceGraph>::null_halfedge())
+          extent.largest_coordinate = (std::max)({extent.largest_coordinate, x, y, z});
+      }
+      ++rank;
+    }
+    return extent;
+  }
+
+  static double find_unit(const Traversal& traversal, const Pack& np)
+  {
+    const Faces faces(traversal, np, 1);
+    const std::size_t size = traversal.number_of_vertices();
+    std::vector<Extent> extents(number_of_blocks(size));
+    for_each_block(Execution<ConcurrencyTag>(), size, [&](std::size_t block, std::size_t rank, std::size_t) {
+      extents[block] = extent_of_block(traversal, faces, block, rank);
+    });
+    double largest_coordinate = 0;
+    for (const Extent& extent : extents) {
+      if (extent.not_finite != Traversal::none)
+        throw Invalid_input("the point of vertex " + std::to_string(extent.not_finite) + " is not finite");
+      largest_coordinate = (std::max)(largest_coordinate, extent.largest_coordinate);
+    }
+    return unit_of_coordinates(largest_coordinate);
+  }
+
+  void read_points()
+  {
+    const std::size_t size = m_traversal.number_of_vertices();
+    m_builder.resize_points(size, num_halfedges(m_traversal.mesh()));
+    for_each_block(Execution<ConcurrencyTag>(), size, [&](std::size_t block, std::size_t rank, std::size_t) {
+      for (auto v : m_traversal.vertices_of_block(block))
+        m_builder.set_point(rank++, m_faces.point(v));
+    });
+  }
+
+  /// Reads the faces of a block, and their edges and corners to `place`. Returns the number of edges.
+  std::size_t read_block(std::size_t block, const Place& place, std::size_t first_known_face, Face_block& faces,
+                         Late_edges& late_edges)
+  {
+    m_faces.read(block, faces);
+    faces.for_each_area_vector([this](std::size_t face, const Double_3& area_vector, double squared_longest_edge) {
+      m_builder.set_face(face, area_vector, squared_longest_edge);
+    });
+    if (includes(m_data, Mesh_data::POINTS))
+      m_builder.set_corners(place.corner, faces);
+    if (includes(m_data, Mesh_data::CENTROIDS))
+      m_builder.set_centroids(faces);
+    const std::size_t number = faces.collect_edges();
+    m_builder.set_edges(place.edge, faces, first_known_face, late_edges);
+    if constexpr (has_constraints)
+      m_traversal.for_each_dual_edge_of_block(block, place.edge, [&](halfedge_descriptor h, std::size_t dual_edge) {
+        if (get(m_is_constrained, edge(h, m_traversal.mesh())))
+          m_builder.set_constrained(dual_edge);
+      });
+    return number;
+  }
+
+  const Traversal& m_traversal;
+  const Execution<ConcurrencyTag>& m_execution;
+  const Mesh_data m_data;
+  const double m_unit;
+  const Faces m_faces;
+  Constraint_map m_is_constrained;
+  Flat_mesh_builder m_builder;
+};
+
+} // namespace internal
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_INTERNAL_READING_FLAT_MESH_READER_H

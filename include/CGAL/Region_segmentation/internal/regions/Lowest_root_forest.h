@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_REGIONS_LOWEST_ROOT_FOREST_H
+#define CGAL_REGION_SEGMENTATION_INTERNAL_REGIONS_LOWEST_ROOT_FOREST_H
+
+#include <CGAL/Region_segmentation/Partition.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Region_segmentation {
+namespace internal {
+
+/// A forest over the faces in which a parent is never above its child: the root of a tree is its lowest face,
+/// whatever the order of the unions, so the array of parents becomes the array of labels, numbered by first
+/// faces. (`boost::disjoint_sets` keeps a second array and any root.)
+///
+/// Threads may unite at the same time, each within faces of its own.
+class Lowest_root_forest
+{
+public:
+  using Index = Partition::Index;
+
+  explicit Lowest_root_forest(std::size_t size) : m_parents(size)
+  {
+    std::iota(m_parents.begin(), m_parents.end(), Index(0));
+  }
+
+  void unite(Index a, Index b)
+  {
+    a = root(a);
+    b = root(b);
+    if (a != b)
+      m_parents[(std::max)(a, b)] = (std::min)(a, b);
+  }
+
+  /// Unites the tree of the root `r` with that of `a`; returns their root. Whether they are united already cannot be
+  /// predicted: so there is no branch.
+  Index unite_with_root(Index r, Index a)
+  {
+    a = root(a);
+    const Index lower = (std::min)(a, r);
+    Index unused;
+    *(a == r ? &unused : &m_parents[(std::max)(a, r)]) = lower;
+    return lower;
+  }
+
+  /// Numbers the trees by their roots. The forest is empty afterwards.
+  Partition take_partition()
+  {
+    Index number = 0;
+    for (std::size_t i = 0; i < m_parents.size(); ++i) {
+      const Index parent = m_parents[i];
+      m_parents[i] = parent == i ? number++ : m_parents[parent];
+    }
+    return Partition(std::move(m_parents), number);
+  }
+
+private:
+  Index root(Index i)
+  {
+    Index parent = m_parents[i];
+    for (Index above = m_parents[parent]; above != parent; above = m_parents[parent]) {
+      m_parents[i] = above; // path halving
+      i = above;
+      parent = m_parents[i];
+    }
+    return parent;
+  }
+
+  std::vector<Index> m_parents;
+};
+
+} // namespace internal
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_INTERNAL_REGIONS_LOWEST_ROOT_FOREST_H

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_REGIONS_LABEL_COMPONENTS_H
+#define CGAL_REGION_SEGMENTATION_INTERNAL_REGIONS_LABEL_COMPONENTS_H
+
+#include <CGAL/Region_segmentation/Execution.h>
+#include <CGAL/Region_segmentation/Flat_mesh.h>
+#include <CGAL/Region_segmentation/Partition.h>
+#include <CGAL/Region_segmentation/internal/support/Edge_marks.h>
+#include <CGAL/Region_segmentation/internal/regions/Lowest_root_forest.h>
+#include <CGAL/Region_segmentation/internal/support/blocks.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Region_segmentation {
+namespace internal {
+
+/// The connected components of the faces across edges that are neither marked nor closed by a
+/// degenerate face. O(F) in practice (inverse Ackermann is replaced by a logarithm at worst).
+///
+/// In parallel each thread unites the faces of a range of its own; edges between two ranges follow.
+template <typename ConcurrencyTag>
+Partition label_components(const Flat_mesh& flat, const Edge_marks& is_feature,
+                           const Execution<ConcurrencyTag>& execution)
+{
+  using Index = Flat_mesh::Index;
+  constexpr std::size_t size_of_range = blocks_in_range * block_size;
+  const std::size_t size = flat.number_of_faces();
+  std::vector<std::vector<Index>> between_ranges(number_of_blocks(size, size_of_range));
+  Lowest_root_forest forest(size);
+  for_each_block(
+    execution, size,
+    [&](std::size_t range, std::size_t begin, std::size_t end) {
+      const std::size_t first_of_range = Execution<ConcurrencyTag>::is_parallel ? begin : 0;
+      const std::size_t end_edge = flat.first_edge(end);
+      // Edges follow their higher face: it is its own root at the first one, and its root is at hand then.
+      Index face = 0, root = 0;
+      for (std::size_t e = flat.first_edge(begin); e < end_edge; ++e) {
+        const Index lower = flat.lower_face(e), higher = flat.higher_face(e);
+        root = higher == face ? root : higher;
+        face = higher;
+        if (is_feature[e] || flat.has_flag(e, Flat_mesh::CLOSED))
+          continue;
+        if (lower >= first_of_range)
+          root = forest.unite_with_root(root, lower);
+        else
+          between_ranges[range].push_back(Index(e));
+      }
+    },
+    size_of_range);
+  for (const auto& edges : between_ranges)
+    for (Index e : edges)
+      forest.unite(flat.lower_face(e), flat.higher_face(e));
+  return forest.take_partition();
+}
+
+/// Clears the marks of edges between two faces of one region, unless they are constrained.
+template <typename ConcurrencyTag>
+void clear_marks_within_regions(const Flat_mesh& flat, const Partition& regions, Edge_marks& is_feature,
+                                const Execution<ConcurrencyTag>& execution)
+{
+  for_each_block(
+    execution, flat.number_of_edges(), [&](std::size_t, std::size_t begin, std::size_t end) {
+      for (std::size_t e = begin; e < end; ++e)
+        if (is_feature[e] && !flat.has_flag(e, Flat_mesh::CONSTRAINED) &&
+            regions[flat.lower_face(e)] == regions[flat.higher_face(e)])
+          is_feature[e] = 0;
+    });
+}
+
+} // namespace internal
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_INTERNAL_REGIONS_LABEL_COMPONENTS_H

@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_SEGMENTING_PREPARED_MESH_H
+#define CGAL_REGION_SEGMENTATION_INTERNAL_SEGMENTING_PREPARED_MESH_H
+
+#include <CGAL/Region_segmentation/Execution.h>
+#include <CGAL/Region_segmentation/Flat_mesh.h>
+#include <CGAL/Region_segmentation/Graph/Merge_tree.h>
+#include <CGAL/Region_segmentation/Partition.h>
+#include <CGAL/Region_segmentation/internal/segmenting/check_method.h>
+#include <CGAL/Region_segmentation/internal/graph/build_graph.h>
+#include <CGAL/Region_segmentation/internal/graph/merge.h>
+#include <CGAL/Region_segmentation/internal/segmenting/Seeds.h>
+#include <CGAL/Region_segmentation/internal/segmenting/apply_seeds.h>
+#include <CGAL/Region_segmentation/internal/segmenting/matching_parts.h>
+#include <CGAL/Region_segmentation/internal/segmenting/split_at_constraints.h>
+#include <CGAL/Region_segmentation/internal/support/visitor.h>
+#include <CGAL/Region_segmentation/merge_regions.h>
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Region_segmentation {
+namespace internal {
+
+/// The segment of every face, by way of its region; or directly, where regions were split.
+class Segments
+{
+  /// The labels of faces by way of their regions.
+  struct Labels_by_region
+  {
+    const Partition::Index *region_of_face, *segment_of_region;
+
+    Partition::Index operator[](std::size_t face) const { return segment_of_region[region_of_face[face]]; }
+  };
+
+public:
+  Segments(const Partition& regions, Partition of_regions) : m_regions(&regions), m_parts(std::move(of_regions)) {}
+  explicit Segments(Partition of_faces) : m_parts(std::move(of_faces)) {}
+
+  std::size_t number() const { return m_parts.number_of_parts(); }
+
+  /// Calls `f(labels)`, which are indexed by face.
+  template <typename F>
+  void visit(const F& f) const
+  {
+    if (m_regions)
+      f(Labels_by_region{m_regions->data(), m_parts.data()});
+    else
+      f(m_parts);
+  }
+
+private:
+  const Partition* m_regions = nullptr;
+  Partition m_parts;
+};
+
+/// Whether a prepared mesh is asked once, or kept for changes of constraints and seeds.
+enum class Preparation { FOR_ONE_USE, FOR_CHANGES };
+
+/// A mesh prepared by a method, so that it can be asked for any number of segments: the mesh as arrays, its first
+/// regions, and, as the method allows, their merge tree or their graph. Knows no mesh type.
+template <typename Method, typename ConcurrencyTag>
+class Prepared_mesh
+{
+  static_assert(check_method<Method>());
+  using Traits = Method_traits<Method>;
+  using Graph = typename Traits::Graph;
+  using Cache = typename Cache_of<typename Traits::Annotator>::type;
+
+public:
+  /// Whether one merge tree gives every number of segments.
+  static constexpr bool has_one_tree = internal::has_one_tree<Method>();
+
+  /// `seeds`: of the faces; `np`: a pack with the visitor
+  /// \throws Invalid_input if equal seeds cannot be joined, Segmentation_cancelled if the visitor says so
+  template <typename Pack>
+  Prepared_mesh(Flat_mesh flat, const Method& method, Seeds seeds, Preparation preparation, const Pack& np)
+    : m_flat(std::move(flat))
+    , m_method(method)
+    , m_preparation(preparation)
+    , m_first_regions(
+        initialize_regions(m_method.initializer, m_flat, make_execution<ConcurrencyTag>(np, "regions")))
+    , m_is_changed(!seeds.empty())
+    , m_seeds(std::move(seeds))
+    , m_result(make_result(m_first_regions, m_seeds, np))
+  {}
+
+  const Flat_mesh& flat_mesh() const { return m_flat; }
+  const Method& method() const { return m_method; }
+  const Partition& regions() const { return m_result.seeded_regions ? *m_result.seeded_regions : m_first_regions; }
+  /// \pre `has_one_tree`
+  const Merge_tree& merge_tree() const { return m_result.tree; }
+
+  /// Constrains some dual edges from now on. On failure nothing changes.
+  template <typename Pack>
+  void add_constraints(const std::vector<Flat_mesh::Index>& dual_edges, const Pack& np)
+  {
+    std::vector<Flat_mesh::Index> added;
+    for (const Flat_mesh::Index e : dual_edges)
+      if (!m_flat.has_flag(e, Flat_mesh::CONSTRAINED)) {
+        added.push_back(e);
+        m_flat.constrain(e);
+      }
+    if (added.empty())
+      return;
+    try {
+      Partition first_regions = split_at_constraints(m_flat, m_first_regions);
+      m_result = make_result(first_regions, m_seeds, np);
+      m_first_regions = std::move(first_regions);
+      m_is_changed = true;
+    } catch (...) {
+      for (const Flat_mesh::Index e : added)
+        m_flat.release(e);
+      throw;
+    }
+  }
+
+  /// Replaces the seeds. On failure nothing changes.
+  template <typename Pack>
+  void set_seeds(Seeds seeds, const Pack& np)
+  {
+    m_result = make_result(m_first_regions, seeds, np);
+    m_seeds = std::move(seeds);
+    m_is_changed = true;
+  }
+
+  /// The segments for a number, or for the nearest one that there is.
+  template <typename Pack>
+  Segments segments(std::size_t number, const Pack& np) const
+  {
+    if (can_split(number))
+      return split(number, np);
+    if constexpr (has_one_tree)
+      return Segments(regions(), merge_tree().partition_at_count(number));
+    else {
+      Graph graph = *m_result.graph;
+      return Segments(regions(), partition(graph, number, nullptr, np));
+    }
+  }
+
+  /// The same for the last time: the graph is not copied. `tree`: receives the merges, unless it is null.
+  template <typename Pack>
+  Segments take_segments(std::size_t number, Merge_tree* tree, const Pack& np)
+  {
+    if constexpr (has_one_tree) {
+      if (tree)
+        *tree = merge_tree();
+      return segments(number, np);
+    } else {
+      Partition of_regions = partition(*m_result.graph, number, tree, np);
+      return can_split(number) ? split(number, np) : Segments(regions(), std::move(of_regions));
+    }
+  }
+
+private:
+  /// What follows from the first regions and the seeds.
+  struct Result
+  {
+    std::optional<Partition> seeded_regions; // the first regions as seeds split and join them
+    Seeds seeds;                             // of the regions
+    std::optional<Graph> graph;              // unless there is one tree
+    Merge_tree tree;
+  };
+
+  template <typename Pack>
+  Result make_result(const Partition& first_regions, const Seeds& seeds, const Pack& np)
+  {
+    Result result;
+    if (!seeds.empty()) {
+      result.seeded_regions = apply_seeds(m_flat, first_regions, seeds);
+      result.seeds = seeds_of_regions(*result.seeded_regions, seeds);
+    }
+    Graph graph = make_graph(result.seeded_regions ? *result.seeded_regions : first_regions, np);
+    if constexpr (has_one_tree)
+      result.tree = merge(graph, 1, [](const Graph&, double) { return false; }, result.seeds, np);
+    else
+      result.graph = std::move(graph);
+    return result;
+  }
+
+  template <typename Pack>
+  Graph make_graph(const Partition& regions, const Pack& np)
+  {
+    const auto execution = make_execution<ConcurrencyTag>(np, "graph");
+    Graph graph = build_graph<Graph>(m_flat, regions, execution.step(0, 0.1));
+    Cache cache = take_cache(regions);
+    annotate(m_method.annotator, graph, m_flat, regions, execution.step(0.1, 1), cache);
+    if (m_preparation == Preparation::FOR_CHANGES) {
+      m_cache = std::move(cache);
+      m_cached_regions = regions;
+    }
+    return graph;
+  }
+
+  /// What is known of regions, renumbered for new ones. It is given away: should annotating fail, it is computed anew.
+  Cache take_cache(const Partition& regions)
+  {
+    if constexpr (std::is_same<Cache, No_cache>::value)
+      return Cache();
+    else {
+      if (m_cached_regions.size() != regions.size())
+        return Cache();
+      Cache cache = std::exchange(m_cache, Cache());
+      cache.renumber(matching_parts(std::exchange(m_cached_regions, Partition()), regions));
+      return cache;
+    }
+  }
+
+  /// Merges, or partitions, a graph for a number of segments; returns the segments of the regions.
+  template <typename Pack>
+  Partition partition(Graph& graph, std::size_t number, Merge_tree* tree, const Pack& np) const
+  {
+    if constexpr (Traits::is_partitioning) {
+      static_cast<void>(tree);
+      make_execution<ConcurrencyTag>(np, "merging");
+      Partition segments = m_method.partitioner(graph, number);
+      if (segments.size() != regions().number_of_parts())
+        throw Invalid_method("the GraphPartitioner made a partition of " + std::to_string(segments.size()) +
+                             " elements for " + std::to_string(regions().number_of_parts()) + " regions");
+      return segments;
+    } else {
+      Merge_tree merges = merge(graph, number, Stop_at_count{number}, m_result.seeds, np);
+      Partition segments = merges.partition_at_count(number);
+      if (tree)
+        *tree = std::move(merges);
+      return segments;
+    }
+  }
+
+  template <typename Stop, typename Pack>
+  Merge_tree merge(Graph& graph, std::size_t number, Stop stop, const Seeds& seeds, const Pack& np) const
+  {
+    auto policy = m_method.policy;
+    Seed_barriers barriers(seeds);
+    barriers.bar_sections(graph);
+    return internal::merge(
+      graph, policy, number, stop, [&](const typename Graph::Merge& merge) { barriers.on_merge(graph, merge); },
+      make_execution<ConcurrencyTag>(np, "merging"));
+  }
+
+  static constexpr bool splits_regions =
+    satisfies<Splits_regions, typename Traits::Initializer, ConcurrencyTag>;
+
+  /// Whether there are fewer first regions than `number`, and their initializer can split them: it knows nothing of
+  /// constraints that came later, or of seeds.
+  bool can_split(std::size_t number) const
+  {
+    return splits_regions && !m_is_changed && number > regions().number_of_parts();
+  }
+
+  template <typename Pack>
+  Segments split(std::size_t number, const Pack& np) const
+  {
+    if constexpr (splits_regions)
+      return Segments(m_method.initializer.split(m_flat, number, make_execution<ConcurrencyTag>(np, "regions")));
+    else
+      return Segments(Partition());
+  }
+
+  Flat_mesh m_flat;
+  Method m_method;
+  Preparation m_preparation;
+  Partition m_first_regions; // as the initializer made them and later constraints split them
+  bool m_is_changed;         // by later constraints or by seeds
+  Seeds m_seeds;             // of the faces
+  Cache m_cache;             // of the annotator, for `m_cached_regions`
+  Partition m_cached_regions;
+  Result m_result;
+};
+
+} // namespace internal
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_INTERNAL_SEGMENTING_PREPARED_MESH_H

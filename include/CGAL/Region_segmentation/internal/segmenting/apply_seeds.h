@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_SEGMENTING_APPLY_SEEDS_H
+#define CGAL_REGION_SEGMENTATION_INTERNAL_SEGMENTING_APPLY_SEEDS_H
+
+#include <CGAL/Region_segmentation/Execution.h>
+#include <CGAL/Region_segmentation/Flat_mesh.h>
+#include <CGAL/Region_segmentation/Graph/Region_adjacency_graph.h>
+#include <CGAL/Region_segmentation/Partition.h>
+#include <CGAL/Region_segmentation/exceptions.h>
+#include <CGAL/Region_segmentation/internal/graph/build_graph.h>
+#include <CGAL/Region_segmentation/internal/segmenting/Seeds.h>
+#include <CGAL/Region_segmentation/internal/segmenting/split_at_seeds.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <queue>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Region_segmentation {
+namespace internal {
+
+/// How concave a section is.
+struct Section_concavity
+{
+  double length = 0, concave = 0; // concave: integral of the deviation of concave edges
+
+  void add_edge(const Flat_mesh& mesh, std::size_t lower_face, std::size_t edge)
+  {
+    length += mesh.length(edge);
+    if (mesh.has_flag(edge, Flat_mesh::CONCAVE))
+      concave += mesh.length(edge) * mesh.deviation(lower_face, edge);
+  }
+  void absorb(const Section_concavity& other)
+  {
+    length += other.length;
+    concave += other.concave;
+  }
+};
+
+struct Region_area
+{
+  double area = 0;
+
+  void add_face(const Flat_mesh& mesh, std::size_t face) { area += mesh.area(face); }
+  void add_border_edge(const Flat_mesh&, std::size_t, std::size_t) {}
+  void absorb(const Region_area& other, const Section_concavity&) { area += other.area; }
+};
+
+/// Joins the regions of each seed along the cheapest paths of regions that meet no other seed.
+///
+/// A step from region i to j across a section of length L costs (sqrt(a_i) + sqrt(a_j)) / 2 (1 + 80 C / L), a the areas
+/// and C the integral of the deviation of the concave edges of the section: the weight that `Superfacets` gives to
+/// them. Seeds are joined one after another, in order; one that cannot be joined any more goes first in another try.
+///
+/// Complexity: O(F), and for each region of a seed that is not adjacent to the others O(S log R).
+class Seed_joining
+{
+  using Index = Partition::Index;
+  using Graph = Region_adjacency_graph<Region_area, Section_concavity>;
+
+public:
+  /// \pre each region has faces of one seed at most: that in `seeds`
+  Seed_joining(const Flat_mesh& flat, const Partition& regions, const Seeds& seeds)
+    : m_graph(build_graph<Graph>(flat, regions, Execution<>())), m_seeds(seeds), m_members(seeds.number())
+  {
+    for (Index r = 0; r < regions.number_of_parts(); ++r)
+      if (m_seeds.of[r] != Seeds::none)
+        m_members[m_seeds.of[r]].push_back(r);
+  }
+
+  /// The seeds with those of the regions on the paths added: the regions of each are connected. Empty if there are no
+  /// such paths.
+  std::optional<Seeds> join()
+  {
+    std::vector<Index> order(m_seeds.number());
+    std::iota(order.begin(), order.end(), Index(0));
+    // A seed that failed goes first from then on, so that there are at most as many tries as seeds.
+    for (std::size_t number_of_tries = 0; number_of_tries <= order.size(); ++number_of_tries) {
+      m_owner = m_seeds.of;
+      const auto failed =
+        std::find_if(order.begin(), order.end(), [this](Index seed) { return !join_members(seed); });
+      if (failed == order.end())
+        return Seeds{std::move(m_owner), m_seeds.values};
+      m_failed = *failed;
+      if (failed == order.begin())
+        break;
+      std::rotate(order.begin(), failed, failed + 1);
+    }
+    return std::nullopt;
+  }
+
+  /// The seed, as in the user's map, that could not be joined.
+  std::size_t failed_seed() const { return m_seeds.values[m_failed]; }
+
+private:
+  static constexpr double concave_weight = 80; // 1/radian
+
+  double cost(Section_descriptor s) const
+  {
+    const Section_concavity& section = m_graph[s];
+    const double concavity = section.length > 0 ? section.concave / section.length : 0;
+    return (std::sqrt(m_graph[m_graph.source(s)].area) + std::sqrt(m_graph[m_graph.target(s)].area)) / 2 *
+           (1 + concave_weight * concavity);
+  }
+
+  /// Whether the regions of a seed could be joined; those on the paths belong to the seed then.
+  bool join_members(Index seed)
+  {
+    const std::vector<Index>& members = m_members[seed];
+    std::vector<Index> connected; // with the first member
+    std::vector<bool> is_connected(m_owner.size());
+    const auto connect = [&](Index r) {
+      if (is_connected[r])
+        return;
+      is_connected[r] = true;
+      m_owner[r] = seed;
+      connected.push_back(r);
+    };
+    connect(members.front());
+    while (std::any_of(members.begin(), members.end(), [&](Index r) { return !is_connected[r]; })) {
+      const auto path = cheapest_path(seed, connected, is_connected);
+      if (path.empty())
+        return false;
+      for (Index r : path)
+        connect(r);
+    }
+    return true;
+  }
+
+  /// From `connected` to the nearest other region that was given the seed, by regions of no other seed; empty if there
+  /// is none.
+  std::vector<Index> cheapest_path(Index seed, const std::vector<Index>& connected,
+                                   const std::vector<bool>& is_connected) const
+  {
+    using Entry = std::pair<double, Index>;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> front;
+    std::vector<double> distance(m_owner.size(), std::numeric_limits<double>::infinity());
+    std::vector<Index> predecessor(m_owner.size(), Index(Seeds::none));
+    for (Index r : connected) {
+      distance[r] = 0;
+      front.push({0, r});
+    }
+    while (!front.empty()) {
+      const auto [d, r] = front.top();
+      front.pop();
+      if (d > distance[r])
+        continue;
+      if (!is_connected[r] && m_seeds.of[r] == seed) {
+        std::vector<Index> path;
+        for (Index i = r; i != Seeds::none; i = predecessor[i])
+          path.push_back(i);
+        return path;
+      }
+      for (Section_descriptor s : m_graph.sections(r)) {
+        const Index next = m_graph.target(s);
+        if (!m_graph.is_mergeable(s) || (m_owner[next] != Seeds::none && m_owner[next] != seed))
+          continue;
+        if (const double longer = d + cost(s); longer < distance[next]) {
+          distance[next] = longer;
+          predecessor[next] = r;
+          front.push({longer, next});
+        }
+      }
+    }
+    return {};
+  }
+
+  const Graph m_graph;
+  const Seeds& m_seeds; // of the regions
+  std::vector<std::vector<Index>> m_members; // by seed: its regions
+  std::vector<Index> m_owner;                // by region: the seed that it or a path through it belongs to
+  Index m_failed = 0;
+};
+
+/// The partition with the parts of each seed joined.
+inline Partition joined(const Partition& regions, const Seeds& of_regions)
+{
+  std::vector<std::uint64_t> labels(regions.size());
+  for (std::size_t f = 0; f < labels.size(); ++f) {
+    const Seeds::Index seed = of_regions.of[regions[f]];
+    labels[f] = seed == Seeds::none ? regions[f] : (std::uint64_t(1) << 32) | seed;
+  }
+  return Partition::from_labels(labels);
+}
+
+/// The regions split where they have faces of several seeds, and joined where seeds are equal: there is one region for
+/// each seed. Where the regions leave no path for a seed, it is looked for among the faces.
+/// \throws Invalid_input if the faces of a seed cannot be joined
+inline Partition apply_seeds(const Flat_mesh& flat, const Partition& regions, const Seeds& of_faces)
+{
+  Partition split = split_at_seeds(flat, regions, of_faces);
+  const Seeds of_split = seeds_of_regions(split, of_faces);
+  if (const auto of_joined = Seed_joining(flat, split, of_split).join())
+    return joined(split, *of_joined);
+
+  std::vector<Partition::Index> each_face(regions.size());
+  std::iota(each_face.begin(), each_face.end(), Partition::Index(0));
+  const Partition faces(std::move(each_face), regions.size());
+  Seed_joining joining(flat, faces, of_faces);
+  const auto connected = joining.join();
+  if (!connected)
+    throw Invalid_input("the faces of seed " + std::to_string(joining.failed_seed()) +
+                        " cannot be joined: other components, constrained edges or other seeds are between them");
+  split = split_at_seeds(flat, regions, *connected);
+  return joined(split, seeds_of_regions(split, *connected));
+}
+
+} // namespace internal
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_INTERNAL_SEGMENTING_APPLY_SEEDS_H

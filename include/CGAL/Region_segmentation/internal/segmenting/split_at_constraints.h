@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_SEGMENTING_SPLIT_AT_CONSTRAINTS_H
+#define CGAL_REGION_SEGMENTATION_INTERNAL_SEGMENTING_SPLIT_AT_CONSTRAINTS_H
+
+#include <CGAL/Region_segmentation/Flat_mesh.h>
+#include <CGAL/Region_segmentation/Partition.h>
+#include <CGAL/Region_segmentation/internal/regions/Lowest_root_forest.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Region_segmentation {
+namespace internal {
+
+/// The connected pieces of regions across those dual edges that `is_crossed(edge)`.
+template <typename IsCrossed>
+Partition pieces_of_regions(const Flat_mesh& flat, const Partition& regions, const IsCrossed& is_crossed)
+{
+  Lowest_root_forest forest(flat.number_of_faces());
+  for (std::size_t e = 0; e < flat.number_of_edges(); ++e)
+    if (regions[flat.lower_face(e)] == regions[flat.higher_face(e)] && is_crossed(e))
+      forest.unite(flat.lower_face(e), flat.higher_face(e));
+  return forest.take_partition();
+}
+
+/// The number of pieces of each region.
+inline std::vector<std::size_t> number_of_pieces(const Partition& regions, const Partition& pieces)
+{
+  std::vector<std::size_t> number(regions.number_of_parts());
+  Partition::Index next_piece = 0; // pieces are numbered by their first face
+  for (std::size_t f = 0; f < regions.size(); ++f)
+    if (pieces[f] == next_piece) {
+      ++number[regions[f]];
+      ++next_piece;
+    }
+  return number;
+}
+
+/// Splits those regions that constrained edges separate: that have more connected pieces with these than without. A
+/// constrained edge that only ends in a region has no effect. O(F).
+inline Partition split_at_constraints(const Flat_mesh& flat, const Partition& regions)
+{
+  const auto is_free = [&](std::size_t e) { return !flat.has_flag(e, Flat_mesh::CONSTRAINED); };
+  const Partition pieces = pieces_of_regions(flat, regions, is_free);
+  if (pieces.number_of_parts() == regions.number_of_parts())
+    return regions;
+  const auto separated = number_of_pieces(regions, pieces);
+  const auto connected =
+    number_of_pieces(regions, pieces_of_regions(flat, regions, [](std::size_t) { return true; }));
+  std::vector<std::uint64_t> labels(regions.size());
+  for (std::size_t f = 0; f < labels.size(); ++f) {
+    const bool is_split = separated[regions[f]] > connected[regions[f]];
+    labels[f] = (std::uint64_t(regions[f]) << 32) | (is_split ? pieces[f] : 0);
+  }
+  return Partition::from_labels(labels);
+}
+
+} // namespace internal
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_INTERNAL_SEGMENTING_SPLIT_AT_CONSTRAINTS_H

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_SUPPORT_GROUPED_ITEMS_H
+#define CGAL_REGION_SEGMENTATION_INTERNAL_SUPPORT_GROUPED_ITEMS_H
+
+#include <CGAL/Region_segmentation/internal/support/Large_array.h>
+
+#include <CGAL/Iterator_range.h>
+
+#include <cstddef>
+#include <numeric>
+
+namespace CGAL {
+namespace Region_segmentation {
+namespace internal {
+
+/// Items by the group that they belong to, those of a group in the order in which they were added, in one array: a
+/// counting sort. Groups are numbered from 0. First every item is counted, then all are added.
+///
+/// Sorting by comparison, superfacets take 1.2 times as long at 10,000 and at 160,000 faces, tracing rays 1.17 times at
+/// 160,000. (A small vector for each face takes as long as this, and 16 bytes more a face.)
+///
+/// Bytes: those of the items, 8 a group.
+template <typename Item>
+class Grouped_items
+{
+public:
+  explicit Grouped_items(std::size_t number_of_groups) : m_first(number_of_groups + 2, 0) {}
+
+  // Counted two places further on, so that adding moves each start to where it belongs.
+  void count(std::size_t group) { ++m_first[group + 2]; }
+
+  void end_counting()
+  {
+    std::partial_sum(m_first.begin(), m_first.end(), m_first.begin());
+    m_items.resize(m_first.back());
+  }
+
+  /// \pre it was counted
+  void add(std::size_t group, const Item& item) { m_items[m_first[group + 1]++] = item; }
+
+  /// \name When all are added
+  /// @{
+  std::size_t number_of_groups() const { return m_first.size() - 2; }
+  const Large_array<Item>& all() const { return m_items; }
+  Iterator_range<const Item*> operator[](std::size_t group) const
+  {
+    return {m_items.data() + m_first[group], m_items.data() + m_first[group + 1]};
+  }
+  Iterator_range<Item*> operator[](std::size_t group)
+  {
+    return {m_items.data() + m_first[group], m_items.data() + m_first[group + 1]};
+  }
+  /// @}
+
+private:
+  Large_array<std::size_t> m_first;
+  Large_array<Item> m_items;
+};
+
+} // namespace internal
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_INTERNAL_SUPPORT_GROUPED_ITEMS_H

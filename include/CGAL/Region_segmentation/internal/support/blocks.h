@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_SUPPORT_BLOCKS_H
+#define CGAL_REGION_SEGMENTATION_INTERNAL_SUPPORT_BLOCKS_H
+
+#include <CGAL/Region_segmentation/Execution.h>
+
+#include <CGAL/tags.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/parallel_for.h>
+#endif
+
+#include <algorithm>
+#include <cstddef>
+
+// Work on all elements is divided into blocks of a fixed number of them, whatever the number of threads: what is
+// computed for a block, and so every result, is the same in sequence and in parallel.
+
+namespace CGAL {
+namespace Region_segmentation {
+namespace internal {
+
+inline constexpr std::size_t block_size = 1 << 12;
+
+/// Consecutive blocks that one thread works on, where work between two ranges costs more.
+inline constexpr std::size_t blocks_in_range = 16;
+
+inline std::size_t number_of_blocks(std::size_t number_of_elements, std::size_t size = block_size)
+{
+  return (number_of_elements + size - 1) / size;
+}
+
+/// Calls `f(block)` for the blocks `first` .. `last - 1`, in order or in parallel.
+template <typename ConcurrencyTag, typename F>
+void for_each_block_of(std::size_t first, std::size_t last, const F& f)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  if constexpr (Execution<ConcurrencyTag>::is_parallel) {
+    tbb::parallel_for(first, last, f);
+    return;
+  }
+#else
+  static_assert(!Execution<ConcurrencyTag>::is_parallel, "Parallel_tag needs TBB: link CGAL::TBB_support");
+#endif
+  for (std::size_t block = first; block < last; ++block)
+    f(block);
+}
+
+/// Calls `f(block, begin, end)` for every block of the elements 0 .. n-1, in order or in parallel, and reports
+/// progress in between. Elements that take long go in blocks of another size.
+template <typename ConcurrencyTag, typename F>
+void for_each_block(const Execution<ConcurrencyTag>& execution, std::size_t number_of_elements, const F& f,
+                    std::size_t size = block_size)
+{
+  const std::size_t number = number_of_blocks(number_of_elements, size);
+  const auto work_on = [&](std::size_t block) {
+    const std::size_t begin = block * size;
+    f(block, begin, (std::min)(begin + size, number_of_elements));
+  };
+  constexpr std::size_t number_of_reports = 50;
+  const std::size_t between_reports = execution.has_visitor() ? number / number_of_reports + 1 : number;
+  for (std::size_t first = 0; first < number;) {
+    const std::size_t last = (std::min)(first + between_reports, number);
+    for_each_block_of<ConcurrencyTag>(first, last, work_on);
+    execution.report(double(last) / double(number));
+    first = last;
+  }
+}
+
+} // namespace internal
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_INTERNAL_SUPPORT_BLOCKS_H

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_SUPPORT_UNIT_OF_COORDINATES_H
+#define CGAL_REGION_SEGMENTATION_INTERNAL_SUPPORT_UNIT_OF_COORDINATES_H
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace CGAL {
+namespace Region_segmentation {
+namespace internal {
+
+/// The power of two by which coordinates are divided so that the largest of them is in [1, 2). Exact; so a result that
+/// does not depend on scale keeps its bits, and no area leaves the range of double.
+inline double power_of_two_below(double largest_coordinate)
+{
+  constexpr int lowest_exponent = -1000; // the inverse of the result is finite
+  return largest_coordinate > 0 ? std::ldexp(1.0, (std::max)(std::ilogb(largest_coordinate), lowest_exponent)) : 1;
+}
+
+/// The same, but 1 where squares of areas are within the range of double as they are: most often, lengths are in units
+/// of the mesh then.
+inline double unit_of_coordinates(double largest_coordinate)
+{
+  const double unit = power_of_two_below(largest_coordinate);
+  return std::abs(std::ilogb(unit)) <= 64 ? 1 : unit;
+}
+
+} // namespace internal
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_INTERNAL_SUPPORT_UNIT_OF_COORDINATES_H

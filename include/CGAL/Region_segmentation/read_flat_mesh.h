@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_READ_FLAT_MESH_H
+#define CGAL_REGION_SEGMENTATION_READ_FLAT_MESH_H
+
+#include <CGAL/Region_segmentation/Flat_mesh.h>
+#include <CGAL/Region_segmentation/internal/reading/Flat_mesh_reader.h>
+#include <CGAL/Region_segmentation/internal/support/visitor.h>
+#include <CGAL/Region_segmentation/parameters.h>
+
+#include <type_traits>
+
+namespace CGAL {
+namespace Region_segmentation {
+
+namespace internal {
+
+/// The flat mesh of a face graph and its constrained edges.
+template <typename ConcurrencyTag, typename FaceGraph, typename Pack>
+Flat_mesh read_flat_mesh(const Mesh_traversal<FaceGraph, Pack>& traversal, const Pack& np, Mesh_data data)
+{
+  const auto execution = make_execution<ConcurrencyTag>(np, "reading");
+  return Flat_mesh_reader<ConcurrencyTag, FaceGraph, Pack>(traversal, np, data, execution).read();
+}
+
+} // namespace internal
+
+/// \ingroup PkgRegionSegmentationStages
+/// reads a mesh into arrays, for the parts of methods, which work on these.
+///
+/// \tparam ConcurrencyTag `Sequential_tag` or, with \ref thirdpartyTBB, `Parallel_tag`; see `segment()`
+/// \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \param mesh an oriented 2-manifold with or without borders, its faces polygons of any size
+/// \param data what is to be read beside normals, areas, lengths and angles
+/// \param np optional named parameters:
+///   - `edge_is_constrained_map`: edges that always are borders and are never merged across (default: none)
+///   - `visitor`: a model of `SegmentationVisitor`, for the stage "reading"
+///   - `vertex_point_map`, `face_index_map`, `vertex_index_map`: as everywhere in \cgal
+///
+/// \throws Invalid_input if a point is not finite, or the mesh has 2^32 - 1 halfedges or more;
+///         `Segmentation_cancelled` if the visitor says so
+///
+/// Complexity: O(F). Deterministic: the same bits from every mesh type. Only reads; calls may run at the same time.
+template <typename ConcurrencyTag = CGAL::Sequential_tag, typename FaceGraph,
+          typename NamedParameters = parameters::Default_named_parameters>
+Flat_mesh read_flat_mesh(const FaceGraph& mesh, Mesh_data data = Mesh_data::NOTHING_MORE,
+                         const NamedParameters& np = parameters::default_values())
+{
+  const auto& pack = internal::pack(np);
+  internal::check_parameters<std::decay_t<decltype(pack)>, internal::Reading_parameters>();
+  return internal::read_flat_mesh<ConcurrencyTag>(internal::make_mesh_traversal(mesh, pack), pack, data);
+}
+
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_READ_FLAT_MESH_H

@@ -1,0 +1,491 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "meshes.h"
+#include "oracles.h"
+
+#include <CGAL/Region_segmentation/Methods/Two_step.h>
+#include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
+#include <CGAL/Region_segmentation/Segmenter.h>
+#include <CGAL/Region_segmentation/segment.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <optional>
+#include <random>
+#include <set>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace {
+
+namespace RS = CGAL::Region_segmentation;
+using namespace test;
+using Face = Surface_mesh::Face_index;
+
+/// The default method with few first regions, so that there are some of several faces on a small mesh.
+RS::Visibility_merging visibility(std::size_t number_of_regions = 40)
+{
+  RS::Visibility_merging method;
+  method.initializer.number = number_of_regions;
+  return method;
+}
+
+RS::Two_step two_step(double maximum_angle = 5)
+{
+  RS::Two_step method;
+  method.initializer.maximum_angle = maximum_angle;
+  method.initializer.feature_convexity = RS::Feature_convexity::ALL;
+  return method;
+}
+
+template <typename Segmenter>
+Labels labels(const Segmenter& segmenter, std::size_t k)
+{
+  auto map = face_map(segmenter.mesh());
+  const std::size_t n = segmenter.segment(map, k);
+  const Labels result = labels_of(segmenter.mesh(), map);
+  EXPECT_TRUE(is_numbered_by_first_face(result, n)) << k;
+  return result;
+}
+
+template <typename Parameters>
+Labels labels_by_segment(const Surface_mesh& mesh, const Parameters& np)
+{
+  auto map = face_map(mesh);
+  RS::segment(mesh, map, np);
+  return labels_of(mesh, map);
+}
+
+struct Named_seed
+{
+  Family family;
+  unsigned seed;
+};
+
+std::vector<Named_seed> random_meshes(unsigned per_family)
+{
+  std::vector<Named_seed> result;
+  for (Family family : all_families)
+    for (unsigned seed = 1; seed <= per_family; ++seed)
+      result.push_back({family, seed});
+  return result;
+}
+
+/// A finely divided bar between two cubes, in triangles.
+Surface_mesh fine_dumbbell()
+{
+  std::vector<Voxel> voxels = voxel_block({0, 0, 0}, {8, 8, 8});
+  for (const Voxel& v : voxel_block({8, 3, 3}, {16, 5, 5}))
+    voxels.push_back(v);
+  for (const Voxel& v : voxel_block({16, 0, 0}, {24, 8, 8}))
+    voxels.push_back(v);
+  return to_surface_mesh(triangulated(voxel_surface(voxels)));
+}
+
+double center_x(const Surface_mesh& mesh, Face f)
+{
+  double sum = 0;
+  for (auto v : vertices_around_face(mesh.halfedge(f), mesh))
+    sum += mesh.point(v).x() / 3;
+  return sum;
+}
+
+/// The edges of the plane of this x: the loop around a bar along the x axis.
+std::set<Edge> loop_at(const Surface_mesh& mesh, double x)
+{
+  std::set<Edge> loop;
+  for (auto e : mesh.edges()) {
+    const auto u = mesh.vertex(e, 0), v = mesh.vertex(e, 1);
+    if (mesh.point(u).x() == x && mesh.point(v).x() == x)
+      loop.insert(make_edge(u, v));
+  }
+  return loop;
+}
+
+// Asking
+
+TEST(Segmenter_test, gives_what_segment_gives)
+{
+  for (const auto& [family, seed] : random_meshes(3)) {
+    SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
+    const Surface_mesh mesh = to_surface_mesh(random_mesh(family, seed));
+    const RS::Segmenter by_visibility(mesh, RS::parameters::method(visibility()));
+    const RS::Segmenter by_two_step(mesh, RS::parameters::method(two_step()));
+    for (std::size_t k : {1, 2, 3, 7, 20, 39, 60, 1000}) {
+      EXPECT_EQ(labels(by_visibility, k),
+                labels_by_segment(mesh, RS::parameters::method(visibility()).number_of_segments(k)));
+      EXPECT_EQ(labels(by_two_step, k),
+                labels_by_segment(mesh, RS::parameters::method(two_step()).number_of_segments(k)));
+    }
+    auto map = face_map(mesh);
+    by_visibility.segment(map);
+    EXPECT_EQ(labels_of(mesh, map), labels_by_segment(mesh, RS::parameters::method(visibility())));
+  }
+}
+
+TEST(Segmenter_test, numbers_nest_where_there_is_one_tree)
+{
+  for (const auto& [family, seed] : random_meshes(2)) {
+    SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
+    const Surface_mesh mesh = to_surface_mesh(random_mesh(family, seed));
+    const RS::Segmenter segmenter(mesh, RS::parameters::method(visibility()));
+    for (std::size_t k = 1; k < 70; k += 4)
+      EXPECT_TRUE(nests(labels(segmenter, k + 4), labels(segmenter, k))) << k;
+  }
+}
+
+TEST(Segmenter_test, a_given_number_is_that_of_asking_without_one)
+{
+  const Surface_mesh mesh = fine_dumbbell();
+  const RS::Segmenter segmenter(mesh, RS::parameters::number_of_segments(5));
+  auto map = face_map(mesh);
+  EXPECT_EQ(segmenter.number_of_segments(), 5u);
+  EXPECT_EQ(segmenter.segment(map), 5u);
+  EXPECT_EQ(RS::Segmenter(mesh).segment(map), 3u) << "chosen: two cubes and a bar";
+}
+
+TEST(Segmenter_test, writes_regions_and_tree)
+{
+  const Surface_mesh mesh = fine_dumbbell();
+  auto regions = face_map(mesh);
+  RS::Merge_tree tree;
+  const RS::Segmenter segmenter(mesh,
+                                RS::parameters::method(visibility()).region_map(regions).merge_tree(tree));
+  EXPECT_EQ(labels_of(mesh, regions), Labels(segmenter.regions().begin(), segmenter.regions().end()));
+  EXPECT_EQ(tree.number_of_regions(), 40u);
+  EXPECT_EQ(tree.merges().size(), 39u);
+  EXPECT_EQ(segmenter.merge_tree().merges().size(), 39u);
+  EXPECT_EQ(segmenter.flat_mesh().number_of_faces(), num_faces(mesh));
+}
+
+TEST(Segmenter_test, can_be_moved_copied_and_held_by_type)
+{
+  const Surface_mesh mesh = fine_dumbbell();
+  RS::Segmenter<Surface_mesh, RS::Two_step> first(mesh, RS::parameters::method(two_step()));
+  const Labels before = labels(first, 3);
+  const RS::Segmenter<Surface_mesh, RS::Two_step> copy = first;
+  const RS::Segmenter<Surface_mesh, RS::Two_step> moved = std::move(first);
+  EXPECT_EQ(labels(copy, 3), before);
+  EXPECT_EQ(labels(moved, 3), before);
+  RS::Segmenter by_default(mesh);
+  const Labels by_default_before = labels(by_default, 4);
+  std::optional<RS::Segmenter<Surface_mesh>> held;
+  held.emplace(std::move(by_default));
+  EXPECT_EQ(labels(*held, 4), by_default_before);
+}
+
+TEST(Segmenter_test, can_be_asked_from_several_threads)
+{
+  const Surface_mesh mesh = fine_dumbbell();
+  const RS::Segmenter by_visibility(mesh);
+  const RS::Segmenter by_two_step(mesh, RS::parameters::method(two_step()));
+  std::vector<Labels> expected;
+  for (std::size_t k = 2; k < 10; ++k) {
+    expected.push_back(labels(by_visibility, k));
+    expected.push_back(labels(by_two_step, k));
+  }
+  std::vector<std::vector<Labels>> found(4);
+  std::vector<std::thread> threads;
+  for (auto& of_thread : found)
+    threads.emplace_back([&] {
+      for (std::size_t k = 2; k < 10; ++k) {
+        of_thread.push_back(labels(by_visibility, k));
+        of_thread.push_back(labels(by_two_step, k));
+      }
+    });
+  for (std::thread& thread : threads)
+    thread.join();
+  for (const auto& of_thread : found)
+    EXPECT_EQ(of_thread, expected);
+}
+
+TEST(Segmenter_test, reads_coordinates_once)
+{
+  Surface_mesh mesh = fine_dumbbell();
+  RS::Segmenter segmenter(mesh, RS::parameters::method(visibility()));
+  const Labels before = labels(segmenter, 6);
+  for (auto v : mesh.vertices())
+    mesh.point(v) = Kernel::Point_3(0, 0, 0);
+  EXPECT_EQ(labels(segmenter, 6), before);
+  segmenter.add_constraints(edge_map(mesh, loop_at(mesh, -1)));
+  EXPECT_EQ(labels(segmenter, 6), before) << "no edge is constrained";
+}
+
+struct Cancelling_visitor
+{
+  std::string stage;
+  double fraction;
+  int number_of_calls = 0;
+
+  bool go_further(const char* s, double f)
+  {
+    ++number_of_calls;
+    return s != stage || f < fraction;
+  }
+};
+
+TEST(Segmenter_test, can_be_cancelled_in_every_stage)
+{
+  const Surface_mesh mesh = fine_dumbbell();
+  for (const char* stage : {"reading", "regions", "graph", "merging"})
+    for (double fraction : {0.0, 0.5}) {
+      Cancelling_visitor visitor{stage, fraction};
+      auto regions = face_map(mesh);
+      EXPECT_THROW(RS::Segmenter(mesh, RS::parameters::visitor(std::ref(visitor)).region_map(regions)),
+                   RS::Segmentation_cancelled)
+        << stage;
+      EXPECT_EQ(labels_of(mesh, regions), Labels(num_faces(mesh), 12345));
+    }
+  RS::Segmenter segmenter(mesh, RS::parameters::method(two_step()));
+  Cancelling_visitor visitor{"merging", 0};
+  auto map = face_map(mesh);
+  EXPECT_THROW(segmenter.segment(map, 2, RS::parameters::visitor(std::ref(visitor))), RS::Segmentation_cancelled);
+  EXPECT_EQ(labels_of(mesh, map), Labels(num_faces(mesh), 12345));
+}
+
+// Constraints
+
+/// No segment has faces on both sides of the plane.
+bool is_separated_at(const Surface_mesh& mesh, const Labels& labels, double x)
+{
+  std::set<std::size_t> before, behind;
+  for (auto f : mesh.faces())
+    (center_x(mesh, f) < x ? before : behind).insert(labels[f]);
+  return std::none_of(before.begin(), before.end(), [&](std::size_t l) { return behind.count(l) > 0; });
+}
+
+template <typename Method>
+void test_drawn_loop(const Method& method)
+{
+  const Surface_mesh mesh = fine_dumbbell();
+  RS::Segmenter segmenter(mesh, RS::parameters::method(method));
+  const double x = 11; // within the bar
+  EXPECT_FALSE(is_separated_at(mesh, labels(segmenter, 2), x));
+  segmenter.add_constraints(edge_map(mesh, loop_at(mesh, x)));
+  for (std::size_t k : {1, 2, 3, 5, 12}) {
+    const Labels after = labels(segmenter, k);
+    EXPECT_TRUE(is_separated_at(mesh, after, x)) << k;
+    EXPECT_TRUE(is_connected(soup_of(mesh), after, loop_at(mesh, x))) << k;
+    EXPECT_GE(std::set<std::size_t>(after.begin(), after.end()).size(), 2u);
+  }
+}
+
+TEST(Segmenter_test, a_loop_drawn_later_separates)
+{
+  test_drawn_loop(visibility());
+  test_drawn_loop(two_step());
+}
+
+TEST(Segmenter_test, edges_that_separate_nothing_have_no_effect)
+{
+  const Surface_mesh mesh = fine_dumbbell();
+  RS::Segmenter segmenter(mesh, RS::parameters::method(visibility(5)));
+  const Labels before = labels(segmenter, 3);
+  const Labels regions(segmenter.regions().begin(), segmenter.regions().end());
+  std::set<Edge> within; // each edge alone within a region
+  for (auto e : mesh.edges()) {
+    const auto f = mesh.face(mesh.halfedge(e)), g = mesh.face(mesh.opposite(mesh.halfedge(e)));
+    if (regions[f] == regions[g]) {
+      within.insert(make_edge(mesh.vertex(e, 0), mesh.vertex(e, 1)));
+      break;
+    }
+  }
+  segmenter.add_constraints(edge_map(mesh, within));
+  EXPECT_EQ(Labels(segmenter.regions().begin(), segmenter.regions().end()), regions);
+  EXPECT_EQ(labels(segmenter, 3), before);
+}
+
+TEST(Segmenter_test, random_constraints_are_never_merged_across)
+{
+  for (const auto& [family, seed] : random_meshes(3)) {
+    SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
+    const Soup soup = random_mesh(family, seed);
+    const Surface_mesh mesh = to_surface_mesh(soup);
+    std::mt19937 random(seed);
+    RS::Segmenter segmenter(mesh, RS::parameters::method(visibility(15)));
+    std::set<Edge> drawn;
+    for (int round = 0; round < 3; ++round) {
+      for (const Edge& e : random_edges(soup, 6, random))
+        drawn.insert(e);
+      segmenter.add_constraints(edge_map(mesh, drawn));
+      const Labels regions(segmenter.regions().begin(), segmenter.regions().end());
+      for (std::size_t k : {1, 4, 30})
+        EXPECT_TRUE(separates(soup, drawn, regions, labels(segmenter, k))) << k;
+    }
+  }
+}
+
+TEST(Segmenter_test, constraints_that_are_cancelled_change_nothing)
+{
+  const Surface_mesh mesh = fine_dumbbell();
+  const std::set<Edge> loop = loop_at(mesh, 11);
+  RS::Segmenter segmenter(mesh, RS::parameters::method(visibility()));
+  const Labels before = labels(segmenter, 4);
+  Cancelling_visitor visitor{"merging", 0.5};
+  EXPECT_THROW(segmenter.add_constraints(edge_map(mesh, loop), RS::parameters::visitor(std::ref(visitor))),
+               RS::Segmentation_cancelled);
+  EXPECT_EQ(labels(segmenter, 4), before);
+  segmenter.add_constraints(edge_map(mesh, loop));
+  EXPECT_TRUE(is_separated_at(mesh, labels(segmenter, 4), 11));
+}
+
+// Seeds
+
+constexpr std::size_t no_seed = std::size_t(-1);
+
+/// The largest x of a face below `x`, and the smallest above: faces to put seeds on.
+Face face_near(const Surface_mesh& mesh, double x, double y, double z)
+{
+  const auto distance = [&](Face f) {
+    double sum = 0;
+    for (auto v : vertices_around_face(mesh.halfedge(f), mesh))
+      sum += squared_distance(mesh.point(v), Kernel::Point_3(x, y, z));
+    return sum;
+  };
+  return *std::min_element(mesh.faces().begin(), mesh.faces().end(),
+                           [&](Face a, Face b) { return distance(a) < distance(b); });
+}
+
+/// Whether faces of one seed share a label, and faces of two do not.
+::testing::AssertionResult follows_seeds(const Labels& labels, const std::vector<std::size_t>& seeds)
+{
+  for (std::size_t f = 0; f < seeds.size(); ++f)
+    for (std::size_t g = f + 1; g < seeds.size(); ++g)
+      if (seeds[f] != no_seed && seeds[g] != no_seed && (seeds[f] == seeds[g]) != (labels[f] == labels[g]))
+        return ::testing::AssertionFailure()
+               << "faces " << f << " and " << g << " with seeds " << seeds[f] << ", " << seeds[g];
+  return ::testing::AssertionSuccess();
+}
+
+template <typename Method>
+void test_seeds_on_dumbbell(const Method& method)
+{
+  const Surface_mesh mesh = fine_dumbbell();
+  auto seeds = face_map(mesh, no_seed);
+  // One seed in both cubes, on ways over the bar, and others on the first cube and on the bar.
+  put(seeds, face_near(mesh, 0, 0, 0), 7);
+  put(seeds, face_near(mesh, 24, 8, 8), 7);
+  put(seeds, face_near(mesh, 0, 8, 8), 3);
+  put(seeds, face_near(mesh, 12, 5, 5), 1000000);
+  const auto values = labels_of(mesh, seeds);
+
+  RS::Segmenter segmenter(mesh, RS::parameters::method(method));
+  segmenter.set_seeds(seeds);
+  for (std::size_t k : {1, 2, 3, 4, 6, 20}) {
+    const Labels after = labels(segmenter, k);
+    EXPECT_TRUE(follows_seeds(after, values)) << k;
+    EXPECT_TRUE(is_connected(soup_of(mesh), after)) << k;
+    const std::size_t n = std::set<std::size_t>(after.begin(), after.end()).size();
+    EXPECT_GE(n, 3u);
+    if (k <= 3) {
+      EXPECT_EQ(n, 3u);
+    }
+  }
+  EXPECT_EQ(labels(segmenter, 5),
+            labels_by_segment(mesh, RS::parameters::method(method).face_seed_map(seeds).number_of_segments(5)));
+
+  segmenter.set_seeds(face_map(mesh, no_seed));
+  const RS::Segmenter without(mesh, RS::parameters::method(method));
+  EXPECT_EQ(labels(segmenter, 5), labels(without, 5)) << "seeds are gone";
+}
+
+TEST(Segmenter_test, seeds_join_and_part)
+{
+  test_seeds_on_dumbbell(visibility(200));
+  test_seeds_on_dumbbell(visibility(10));
+  test_seeds_on_dumbbell(two_step());
+}
+
+TEST(Segmenter_test, random_seeds_are_followed_or_refused)
+{
+  std::size_t followed = 0, refused = 0;
+  for (const auto& [family, seed] : random_meshes(6)) {
+    SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
+    const Soup soup = random_mesh(family, seed);
+    const Surface_mesh mesh = to_surface_mesh(soup);
+    std::mt19937 random(seed);
+    RS::Segmenter segmenter(mesh, RS::parameters::method(visibility(30)));
+    const Labels before = labels(segmenter, 6);
+    std::vector<std::size_t> values(soup.polygons.size(), no_seed);
+    for (int i = 0; i < 6; ++i)
+      values[random() % values.size()] = random() % 3;
+    auto seeds = face_map(mesh);
+    for (auto f : mesh.faces())
+      put(seeds, f, values[f]);
+    try {
+      segmenter.set_seeds(seeds);
+      ++followed;
+    } catch (const RS::Invalid_input& e) {
+      ++refused;
+      EXPECT_EQ(labels(segmenter, 6), before) << e.what();
+      continue;
+    }
+    for (std::size_t k : {1, 3, 8})
+      EXPECT_TRUE(follows_seeds(labels(segmenter, k), values)) << k;
+  }
+  EXPECT_GT(followed, 2 * refused);
+}
+
+/// The message of what seeds are refused with; empty if they are taken.
+template <typename Segmenter, typename Map>
+std::string refusal(Segmenter& segmenter, const Map& seeds)
+{
+  try {
+    segmenter.set_seeds(seeds);
+  } catch (const RS::Invalid_input& e) {
+    return e.what();
+  }
+  return "";
+}
+
+TEST(Segmenter_test, seeds_that_cannot_be_joined_are_refused_by_name)
+{
+  const Surface_mesh two = to_surface_mesh(joined(sphere(2), translated(sphere(2), 5, 0, 0)));
+  auto seeds = face_map(two, no_seed);
+  put(seeds, Face(3), 42);
+  put(seeds, Face(200), 42);
+  RS::Segmenter of_two(two);
+  EXPECT_EQ(refusal(of_two, seeds).rfind("the faces of seed 42 cannot be joined", 0), 0u);
+
+  const Surface_mesh bar = fine_dumbbell();
+  const auto loop = edge_map(bar, loop_at(bar, 11));
+  auto ends = face_map(bar, no_seed);
+  put(ends, face_near(bar, 0, 0, 0), 1);
+  put(ends, face_near(bar, 24, 0, 0), 1);
+  RS::Segmenter with_loop(bar, RS::parameters::edge_is_constrained_map(loop));
+  EXPECT_NE(refusal(with_loop, ends), "");
+  RS::Segmenter with_seeds(bar, RS::parameters::face_seed_map(ends));
+  const Labels before = labels(with_seeds, 4);
+  EXPECT_THROW(with_seeds.add_constraints(loop), RS::Invalid_input);
+  EXPECT_EQ(labels(with_seeds, 4), before) << "nothing has changed";
+
+  // Two seeds that alternate around the border of a square cannot both be connected.
+  const Surface_mesh sheet = to_surface_mesh(triangulated(grid(6, 6)));
+  auto corners = face_map(sheet, no_seed);
+  put(corners, face_near(sheet, 0, 0, 0), 0);
+  put(corners, face_near(sheet, 6, 6, 0), 0);
+  put(corners, face_near(sheet, 6, 0, 0), 1);
+  put(corners, face_near(sheet, 0, 6, 0), 1);
+  RS::Segmenter of_sheet(sheet);
+  EXPECT_NE(refusal(of_sheet, corners), "");
+}
+
+TEST(Segmenter_test, seeds_within_one_region_split_it)
+{
+  const Surface_mesh mesh = to_surface_mesh(triangulated(grid(8, 8)));
+  auto seeds = face_map(mesh, no_seed);
+  put(seeds, face_near(mesh, 0, 0, 0), 0);
+  put(seeds, face_near(mesh, 8, 8, 0), 1);
+  RS::Segmenter segmenter(mesh, RS::parameters::method(two_step()));
+  ASSERT_EQ(segmenter.regions().number_of_parts(), 1u) << "a flat sheet has no feature edge";
+  segmenter.set_seeds(seeds);
+  const Labels after = labels(segmenter, 1);
+  EXPECT_TRUE(follows_seeds(after, labels_of(mesh, seeds)));
+  const auto in_first = std::count(after.begin(), after.end(), 0);
+  EXPECT_GT(in_first, 48);
+  EXPECT_LT(in_first, 80) << "the faces are dealt out evenly";
+}
+
+} // namespace

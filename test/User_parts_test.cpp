@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Parts of methods as users write them, with public headers alone, on three mesh types.
+
+#include "meshes.h"
+#include "oracles.h"
+
+#include <CGAL/region_segmentation.h>
+
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/Polyhedron_items_with_id_3.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <vector>
+
+namespace {
+
+namespace RS = CGAL::Region_segmentation;
+using namespace test;
+
+/// Regions by the octant of their centroids: what a user's initializer might do.
+struct By_octant
+{
+  static constexpr RS::Mesh_data required_mesh_data = RS::Mesh_data::CENTROIDS;
+
+  RS::Partition operator()(const RS::Flat_mesh& mesh) const
+  {
+    std::vector<int> octants;
+    for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
+      const RS::Double_3& c = mesh.centroid(f);
+      octants.push_back((c.x > 0) + 2 * (c.y > 0) + 4 * (c.z > 0));
+    }
+    return RS::Partition::from_labels(octants);
+  }
+};
+
+TEST(User_parts_test, a_region_initializer)
+{
+  const Surface_mesh mesh = to_surface_mesh(sphere(3));
+  const auto method = RS::Two_step().with_initializer(By_octant());
+  const Result result = run(mesh, RS::parameters::number_of_segments(8).method(method));
+  EXPECT_EQ(result.number_of_segments, 8u);
+  for (auto f : mesh.faces()) {
+    const auto c = CGAL::centroid(mesh.point(target(halfedge(f, mesh), mesh)), mesh.point(source(halfedge(f, mesh), mesh)),
+                                  mesh.point(target(next(halfedge(f, mesh), mesh), mesh)));
+    const auto first = *std::find_if(mesh.faces().begin(), mesh.faces().end(),
+                                     [&](auto g) { return result.segments[g] == result.segments[f]; });
+    const auto d = mesh.point(target(halfedge(first, mesh), mesh));
+    EXPECT_TRUE(c.x() * d.x() >= 0 && c.y() * d.y() >= 0 && c.z() * d.z() >= 0);
+  }
+}
+
+/// The largest deviation of the edges of a section.
+struct Sharpest_section : RS::Section_geometry
+{
+  double sharpest = 0; // radian
+
+  void add_edge(const RS::Flat_mesh& mesh, std::size_t lower_face, std::size_t edge)
+  {
+    RS::Section_geometry::add_edge(mesh, lower_face, edge);
+    sharpest = std::max(sharpest, mesh.deviation(lower_face, edge));
+  }
+  void absorb(const Sharpest_section& other)
+  {
+    RS::Section_geometry::absorb(other);
+    sharpest = std::max(sharpest, other.sharpest);
+  }
+};
+
+struct Sharpest_cost
+{
+  using RegionData = RS::Region_geometry;
+  using SectionData = Sharpest_section;
+
+  template <typename Graph>
+  double operator()(const Graph& graph, typename Graph::section_descriptor s) const
+  {
+    return graph[s].sharpest;
+  }
+};
+
+TEST(User_parts_test, a_cost_on_a_datum)
+{
+  // A box on a plate: merging the least sharp first leaves the concave line and the creases for last.
+  const Surface_mesh mesh = to_surface_mesh(triangulated(box_on_plate()));
+  const auto method = RS::make_segmentation_method(
+    RS::Superfacets(1000), RS::Geometry_annotator<RS::Region_geometry, Sharpest_section>(),
+    RS::Lowest_cost_first<Sharpest_cost>());
+  const RS::Segmenter segmenter(mesh, RS::parameters::method(method));
+  for (const auto& merge : segmenter.merge_tree().merges())
+    EXPECT_TRUE(std::abs(merge.cost) < 1e-9 || std::abs(merge.cost - CGAL_PI / 2) < 1e-9) << merge.cost;
+  const RS::Partition flats = segmenter.merge_tree().partition_at_cost(0.1);
+  EXPECT_EQ(flats.number_of_parts(), 11u) << "the flat faces: 5 of the box and 6 of the plate";
+}
+
+/// The mean of a scalar of the faces.
+struct Scalar_region : RS::Region_geometry
+{
+  double scalar = 0; // integral over the area
+
+  void absorb(const Scalar_region& other, const RS::Section_geometry& between)
+  {
+    RS::Region_geometry::absorb(other, between);
+    scalar += other.scalar;
+  }
+};
+
+struct Scalar_annotator
+{
+  using RegionData = Scalar_region;
+  using SectionData = RS::Section_geometry;
+  std::vector<double> values; // by face
+
+  template <typename Graph>
+  void operator()(Graph& graph, const RS::Flat_mesh& mesh, const RS::Partition& regions) const
+  {
+    for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
+      graph[regions[f]].scalar += mesh.area(f) * values[f];
+  }
+};
+
+struct Scalar_cost
+{
+  using RegionData = Scalar_region;
+  using SectionData = RS::Section_geometry;
+
+  template <typename Graph>
+  double operator()(const Graph& graph, typename Graph::section_descriptor s) const
+  {
+    const auto mean = [&](auto r) { return graph[r].scalar / graph[r].area; };
+    return std::abs(mean(graph.source(s)) - mean(graph.target(s)));
+  }
+};
+
+/// A scalar that is 1 in one part of a sphere: the two parts, whatever the shape says.
+template <typename Mesh>
+Labels segment_by_scalar(const Mesh& mesh)
+{
+  auto scalar = get(CGAL::dynamic_face_property_t<double>(), mesh);
+  const auto points = get(CGAL::vertex_point, mesh);
+  for (auto f : faces(mesh))
+    put(scalar, f, get(points, target(halfedge(f, mesh), mesh))[0] > 0.3 ? 1.0 : 0.0);
+  const auto method = RS::make_segmentation_method(
+    RS::Superfacets(1000), Scalar_annotator{RS::face_values(mesh, scalar)}, RS::Lowest_cost_first<Scalar_cost>());
+  auto map = face_map(mesh);
+  EXPECT_EQ(RS::segment(mesh, map, RS::parameters::number_of_segments(2).method(method)), 2u);
+  for (auto f : faces(mesh))
+    for (auto g : faces(mesh))
+      if (get(scalar, f) != get(scalar, g)) {
+        EXPECT_NE(get(map, f), get(map, g));
+      }
+  return labels_of(mesh, map);
+}
+
+TEST(User_parts_test, a_scalar_of_the_faces)
+{
+  using Simple = CGAL::Simple_cartesian<double>;
+  using Polyhedron = CGAL::Polyhedron_3<Simple>;
+  using Polyhedron_with_ids = CGAL::Polyhedron_3<Kernel, CGAL::Polyhedron_items_with_id_3>;
+  const Soup soup = sphere(2);
+  const Labels expected = segment_by_scalar(to_surface_mesh(soup));
+  EXPECT_EQ(segment_by_scalar(to_mesh<Polyhedron>(soup)), expected);
+  Polyhedron_with_ids with_ids = to_mesh<Polyhedron_with_ids>(soup);
+  CGAL::set_halfedgeds_items_id(with_ids);
+  EXPECT_EQ(segment_by_scalar(with_ids), expected);
+}
+
+/// Scales the visibility of the annotator it derives from: a constant of the user's.
+struct Weak_visibility : RS::Visibility_annotator
+{
+  double factor = 1;
+
+  template <typename Graph, typename ConcurrencyTag, typename... Cache>
+  void operator()(Graph& graph, const RS::Flat_mesh& mesh, const RS::Partition& regions,
+                  const RS::Execution<ConcurrencyTag>& execution, Cache&... cache) const
+  {
+    RS::Visibility_annotator::operator()(graph, mesh, regions, execution, cache...);
+    for (auto range = edges(graph); range.first != range.second; ++range.first)
+      graph[*range.first].visibility *= factor;
+  }
+};
+
+TEST(User_parts_test, constants_of_an_annotator)
+{
+  const Surface_mesh mesh = to_surface_mesh(random_mesh(Family::TORUS, 3));
+  Weak_visibility annotator;
+  const auto costs = [&](double factor) {
+    annotator.factor = factor;
+    const RS::Segmenter segmenter(mesh, RS::parameters::method(RS::Visibility_merging().with_annotator(annotator)));
+    std::vector<double> result;
+    for (const auto& merge : segmenter.merge_tree().merges())
+      result.push_back(merge.cost);
+    return result;
+  };
+  const RS::Segmenter by_default(mesh);
+  std::vector<double> expected;
+  for (const auto& merge : by_default.merge_tree().merges())
+    expected.push_back(merge.cost);
+  EXPECT_EQ(costs(1), expected);
+  EXPECT_NE(costs(0.5), expected);
+}
+
+/// A third of the first regions.
+struct A_third
+{
+  std::size_t operator()(const RS::Merge_tree& tree) const { return tree.number_of_regions() / 3; }
+};
+
+TEST(User_parts_test, a_number_chooser)
+{
+  const Surface_mesh mesh = to_surface_mesh(sphere(3));
+  RS::Visibility_merging method;
+  method.initializer.number = 60;
+  auto map = face_map(mesh);
+  EXPECT_EQ(RS::segment(mesh, map, RS::parameters::method(method.with_chooser(A_third()))), 20u);
+}
+
+TEST(User_parts_test, a_method_is_used_again)
+{
+  // Every run copies the policy, so nothing of one mesh is left for the next.
+  const auto method = RS::Two_step().with_policy(RS::Policy_sequence<RS::Smallest_region_first, RS::Smallest_region_first,
+                                                                     RS::Switch_at_count>(
+    RS::Smallest_region_first(), RS::Smallest_region_first(), RS::Switch_at_count{5}));
+  for (Family family : {Family::BLOCKS, Family::SPHERE, Family::TORUS, Family::BLOCKS}) {
+    const Surface_mesh mesh = to_surface_mesh(random_mesh(family, 1));
+    auto first = face_map(mesh), again = face_map(mesh);
+    RS::segment(mesh, first, RS::parameters::number_of_segments(3).method(method));
+    RS::segment(mesh, again, RS::parameters::number_of_segments(3).method(method));
+    EXPECT_EQ(labels_of(mesh, first), labels_of(mesh, again));
+  }
+}
+
+} // namespace

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "meshes.h"
+
+#include <CGAL/Region_segmentation/Graph/Region_adjacency_graph.h>
+#include <CGAL/Region_segmentation/Methods/Region_growing.h>
+#include <CGAL/Region_segmentation/Methods/Superfacets.h>
+#include <CGAL/Region_segmentation/Methods/Visibility_annotator.h>
+#include <CGAL/Region_segmentation/build_region_adjacency_graph.h>
+#include <CGAL/Region_segmentation/read_flat_mesh.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <random>
+
+namespace RS = CGAL::Region_segmentation;
+using namespace test;
+using RS::Double_3;
+
+namespace {
+
+constexpr RS::Mesh_data all_data = RS::Mesh_data::POINTS | RS::Mesh_data::CENTROIDS | RS::Mesh_data::SURFACE_AREA;
+
+RS::Flat_mesh flat_mesh_of(const Soup& soup)
+{
+  return RS::read_flat_mesh(to_surface_mesh(soup), all_data);
+}
+
+/// Where a ray meets the plane of a triangle, if that is inside by the signs of three volumes.
+double distance_to_triangle(const Double_3& o, const Double_3& d, const Double_3& a,
+                            const Double_3& b, const Double_3& c)
+{
+  const double u = dot(d, cross(a - o, b - o)), v = dot(d, cross(b - o, c - o)),
+               w = dot(d, cross(c - o, a - o));
+  const bool is_inside = (u > 0 && v > 0 && w > 0) || (u < 0 && v < 0 && w < 0);
+  const Double_3 n = cross(b - a, c - a);
+  const double t = is_inside ? dot(a - o, n) / dot(d, n) : -1;
+  return t > 0 ? t : std::numeric_limits<double>::infinity();
+}
+
+using Graph = RS::Region_adjacency_graph<RS::Visibility_region_data, RS::Visibility_section_data>;
+
+Graph annotated(const RS::Flat_mesh& mesh, const RS::Partition& regions)
+{
+  return RS::build_region_adjacency_graph(mesh, regions, RS::Visibility_annotator());
+}
+
+RS::Partition face_each(const RS::Flat_mesh& mesh)
+{
+  std::vector<RS::Partition::Index> numbers(mesh.number_of_faces());
+  std::iota(numbers.begin(), numbers.end(), RS::Partition::Index(0));
+  return RS::Partition(numbers, numbers.size());
+}
+
+} // namespace
+
+TEST(Ray_tree_test, finds_what_a_look_at_every_triangle_finds)
+{
+  for (Family family : {Family::SPHERE, Family::SHEET, Family::TWO_COMPONENTS})
+    for (unsigned seed = 1; seed <= 5; ++seed) {
+      SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
+      const RS::Flat_mesh mesh = flat_mesh_of(triangulated(random_mesh(family, seed)));
+      const RS::Mesh_points& points = mesh.points();
+      const RS::internal::Ray_tree tree(mesh, RS::Execution<>());
+      std::mt19937 random(seed);
+      std::uniform_real_distribution<double> any(-1, 1);
+      std::size_t hits = 0;
+      for (int i = 0; i < 300; ++i) {
+        const std::size_t skipped = random() % mesh.number_of_faces();
+        const Double_3 source = mesh.centroid(skipped);
+        Double_3 d{any(random), any(random), any(random)};
+        d = (1 / norm(d)) * d;
+        double nearest = std::numeric_limits<double>::infinity();
+        for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
+          if (f != skipped)
+            nearest = std::min(nearest,
+                               distance_to_triangle(source, d, points[points.corner(f, 0)],
+                                                    points[points.corner(f, 1)], points[points.corner(f, 2)]));
+        const auto hit = tree.first_hit(source, d, RS::Flat_mesh::Index(skipped));
+        if (std::isinf(nearest)) {
+          EXPECT_EQ(hit.face, RS::internal::Ray_tree::no_face);
+        } else {
+          ++hits;
+          EXPECT_NEAR(hit.distance, nearest, 1e-4 * (1 + nearest));
+        }
+      }
+      EXPECT_GT(hits, 20u);
+    }
+}
+
+TEST(Ray_tree_test, of_faces_hit_at_the_same_distance_it_is_the_lowest)
+{
+  // Rays straight down on edges and corners of a plate of unit squares: without the face that was hit, another one is,
+  // and not a lower one at the same distance.
+  const RS::Flat_mesh mesh = flat_mesh_of(voxel_surface(voxel_block({0, 0, 0}, {16, 16, 1})));
+  const RS::internal::Ray_tree tree(mesh, RS::Execution<>());
+  std::size_t ties = 0;
+  for (double x = 1; x < 16; x += 0.5)
+    for (double y = 1; y < 16; y += 0.5) {
+      const auto hit = tree.first_hit({x, y, 3}, {0, 0, -1}, RS::internal::Ray_tree::no_face);
+      const auto next = tree.first_hit({x, y, 3}, {0, 0, -1}, hit.face);
+      ASSERT_NE(next.face, RS::internal::Ray_tree::no_face);
+      EXPECT_GE(next.distance, hit.distance);
+      if (next.distance == hit.distance) {
+        ++ties;
+        EXPECT_GT(next.face, hit.face) << x << ' ' << y;
+      }
+    }
+  EXPECT_GT(ties, 100u);
+}
+
+TEST(Visibility_annotator_test, the_thickness_of_a_plate_is_its_height)
+{
+  // A plate of 20 x 20 x 1: rays against the normal go 1 deep, those 0.9 rad away 1 / cos(0.9).
+  std::vector<Voxel> plate = voxel_block({0, 0, 0}, {20, 20, 1});
+  const RS::Flat_mesh mesh = flat_mesh_of(voxel_surface(plate));
+  const Graph graph = annotated(mesh, face_each(mesh));
+  const double unit = std::sqrt(2 * 400 + 4 * 20.0);
+  std::size_t middle = 0;
+  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
+    const Double_3 c = mesh.centroid(f), n = mesh.normal(f);
+    if (std::abs(n.z) < 0.5 || c.x < 3 || c.x > 17 || c.y < 3 || c.y > 17)
+      continue;
+    ++middle;
+    const double thickness = graph[std::uint32_t(f)].mean_log_thickness();
+    EXPECT_GT(thickness, std::log(1 / unit));
+    EXPECT_LT(thickness, std::log(1 / std::cos(0.9) / unit + 1e-4) + 1e-9);
+  }
+  EXPECT_EQ(middle, 2 * 14u * 14u);
+}
+
+TEST(Visibility_annotator_test, areas_are_shares_and_every_ray_has_two_ends)
+{
+  for (Family family : {Family::SPHERE, Family::TORUS, Family::DEGENERATE_TORUS}) {
+    const RS::Flat_mesh mesh = flat_mesh_of(random_mesh(family, 3));
+    const Graph graph = annotated(mesh, face_each(mesh));
+    double area = 0, ends = 0, between = 0;
+    for (auto range = vertices(graph); range.first != range.second; ++range.first) {
+      area += graph[*range.first].area;
+      ends += graph[*range.first].visibility;
+    }
+    for (auto range = edges(graph); range.first != range.second; ++range.first)
+      between += graph[*range.first].visibility;
+    EXPECT_NEAR(area, 1, 1e-12);
+    // No ray of a region of one face ends in it, so each is in the section of its ends.
+    EXPECT_NEAR(ends, 2 * between, 1e-12);
+    EXPECT_LE(between, 1 + 1e-12);
+  }
+}
+
+TEST(Visibility_annotator_test, opposite_sides_see_each_other_without_a_common_border)
+{
+  // The six faces of a cube: rays from one end on others, the one straight in on the opposite one.
+  const RS::Flat_mesh mesh = flat_mesh_of(cube());
+  const Graph graph = annotated(mesh, face_each(mesh));
+  EXPECT_EQ(graph.number_of_sections(), 12u + 3u);
+  for (std::uint32_t axis : {0u, 2u, 4u}) {
+    const auto opposite = graph.section(axis, axis + 1);
+    ASSERT_TRUE(opposite.has_value());
+    EXPECT_EQ(graph[*opposite].number_of_edges, 0u);
+    EXPECT_GT(graph[*opposite].visibility, 0);
+  }
+}
+
+TEST(Visibility_annotator_test, lengths_and_areas_are_relative_to_the_surface)
+{
+  // Two cubes side by side, each a region, of 5 squares; the surface has 10. They share 4 flat edges.
+  const Soup soup = voxel_surface(voxel_block({0, 0, 0}, {2, 1, 1}));
+  for (double size : {1.0, 1024.0, 3.7}) {
+    const RS::Flat_mesh mesh = flat_mesh_of(scaled(soup, size));
+    const RS::Partition regions = RS::Partition::from_labels(std::vector<int>{0, 0, 0, 0, 0, 1, 1, 1, 1, 1});
+    const Graph graph = annotated(mesh, regions);
+    EXPECT_NEAR(graph[0u].area, 0.5, 1e-12);
+    EXPECT_NEAR(graph[1u].area, 0.5, 1e-12);
+    const auto& section = graph[*graph.section(0, 1)];
+    EXPECT_NEAR(section.length, 4 / std::sqrt(10), 1e-12);
+    EXPECT_EQ(section.number_of_edges, 4u);
+    EXPECT_NEAR(section.concave, 0, 1e-12);
+    EXPECT_NEAR(section.convex, 0, 1e-12);
+  }
+}
+
+TEST(Visibility_annotator_test, deviations_are_integrated_by_sign_up_to_a_bound)
+{
+  // A box on a plate: 4 concave edges of pi / 2, which count as 0.6. Inside out they are convex, and count in full.
+  for (bool is_inside_out : {false, true}) {
+    Soup soup = box_on_plate();
+    if (is_inside_out) {
+      soup.polygons.pop_back(); // open, so that it is read as it is
+      soup = reversed(soup);
+    }
+    const RS::Flat_mesh mesh = flat_mesh_of(soup);
+    RS::Region_growing growing;
+    growing.maximum_angle = 30;
+    growing.feature_convexity = is_inside_out ? RS::Feature_convexity::CONVEX : RS::Feature_convexity::CONCAVE;
+    const RS::Partition regions = growing(mesh);
+    ASSERT_EQ(regions.number_of_parts(), 2u);
+    const Graph graph = annotated(mesh, regions);
+    const auto& section = graph[*graph.section(0, 1)];
+    const double length = double(section.number_of_edges) / std::sqrt(mesh.surface_area());
+    EXPECT_NEAR(section.length, length, 1e-12);
+    EXPECT_NEAR(section.concave, is_inside_out ? 0 : 0.6 * length, 1e-12);
+    EXPECT_NEAR(section.convex, is_inside_out ? std::acos(-1.0) / 2 * length : 0, 1e-12);
+  }
+}
+
+TEST(Visibility_annotator_test, annotating_again_changes_nothing)
+{
+  const RS::Flat_mesh mesh = flat_mesh_of(random_mesh(Family::BLOCKS, 2));
+  const RS::Partition regions = RS::Superfacets(30)(mesh);
+  const Graph once = annotated(mesh, regions);
+  Graph twice = once;
+  RS::Visibility_annotator()(twice, mesh, regions);
+  ASSERT_EQ(twice.number_of_sections(), once.number_of_sections());
+  for (auto range = vertices(once); range.first != range.second; ++range.first) {
+    EXPECT_EQ(twice[*range.first].area, once[*range.first].area);
+    EXPECT_EQ(twice[*range.first].log_thickness, once[*range.first].log_thickness);
+    EXPECT_EQ(twice[*range.first].visibility, once[*range.first].visibility);
+  }
+  for (auto range = edges(once); range.first != range.second; ++range.first) {
+    EXPECT_EQ(twice[*range.first].visibility, once[*range.first].visibility);
+    EXPECT_EQ(twice[*range.first].bend, once[*range.first].bend);
+  }
+}
+
+TEST(Visibility_annotator_test, a_surface_without_area_is_left_as_it_is)
+{
+  const Soup point{{{1, 1, 1}, {1, 1, 1}, {1, 1, 1}, {1, 1, 1}}, {{0, 1, 2}, {0, 2, 3}}};
+  const RS::Flat_mesh mesh = flat_mesh_of(point);
+  const Graph graph = annotated(mesh, face_each(mesh));
+  EXPECT_EQ(graph[0u].area, 0);
+  EXPECT_EQ(graph[0u].visibility, 0);
+  EXPECT_EQ(graph[0u].mean_log_thickness(), 0);
+}

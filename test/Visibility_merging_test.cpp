@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "meshes.h"
+#include "oracles.h"
+
+#include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
+#include <CGAL/Region_segmentation/evaluation.h>
+#include <CGAL/Region_segmentation/segment.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace RS = CGAL::Region_segmentation;
+using namespace test;
+
+namespace {
+
+Labels segment_into(const Soup& soup, std::size_t k)
+{
+  Surface_mesh mesh = to_surface_mesh(soup);
+  auto map = mesh.add_property_map<Surface_mesh::Face_index, std::size_t>("f:segment").first;
+  RS::segment(mesh, map, RS::parameters::number_of_segments(k));
+  return labels_of(mesh, map);
+}
+
+Labels segment_automatically(const Soup& soup)
+{
+  Surface_mesh mesh = to_surface_mesh(soup);
+  auto map = mesh.add_property_map<Surface_mesh::Face_index, std::size_t>("f:segment").first;
+  const std::size_t n = RS::segment(mesh, map);
+  const Labels labels = labels_of(mesh, map);
+  EXPECT_TRUE(is_numbered_by_first_face(labels, n));
+  return labels;
+}
+
+std::size_t number_of(const Labels& labels)
+{
+  return 1 + *std::max_element(labels.begin(), labels.end());
+}
+
+/// Four balls in a row that overlap a little: three round necks. `levels` sets the number of faces.
+Soup caterpillar(std::size_t levels, std::vector<std::size_t>& truth)
+{
+  // Each point of a sphere goes to the place where its ray leaves the union, along x.
+  Soup soup = sphere(levels);
+  const double half_length = 3.4;
+  for (Point& p : soup.points) {
+    const double x = half_length * std::asin(p[0]) / std::asin(1.0);
+    const double away = std::hypot(p[1], p[2]);
+    double radius = 0;
+    for (double center : {-2.55, -0.85, 0.85, 2.55})
+      radius = std::max(radius, std::sqrt(std::max(0.0, 0.85 * 0.85 * 1.1 - (x - center) * (x - center))));
+    radius = std::max(radius, 0.02);
+    p = {x, away > 0 ? radius * p[1] / away : 0, away > 0 ? radius * p[2] / away : 0};
+  }
+  truth.clear();
+  for (const Polygon& polygon : soup.polygons) {
+    double x = 0;
+    for (std::size_t v : polygon)
+      x += soup.points[v][0] / double(polygon.size());
+    truth.push_back(x < -1.7 ? 0 : x < 0 ? 1 : x < 1.7 ? 2 : 3);
+  }
+  return soup;
+}
+
+} // namespace
+
+TEST(Visibility_merging_test, finds_the_balls_of_a_caterpillar_at_any_resolution)
+{
+  for (std::size_t levels : {3, 4, 5}) {
+    SCOPED_TRACE(levels);
+    Labels truth;
+    const Soup soup = caterpillar(levels, truth);
+    EXPECT_LT(RS::rand_index_distance(segment_into(soup, 4), truth), 0.06);
+  }
+}
+
+TEST(Visibility_merging_test, bears_noise)
+{
+  for (unsigned seed = 1; seed <= 3; ++seed) {
+    SCOPED_TRACE(seed);
+    Labels truth;
+    Soup soup = caterpillar(5, truth);
+    std::mt19937 random(seed);
+    bump(soup, 0.002, random);
+    EXPECT_LT(RS::rand_index_distance(segment_into(soup, 4), truth), 0.06);
+  }
+}
+
+TEST(Visibility_merging_test, segmentations_nest_down_to_the_faces)
+{
+  for (Family family : all_families) {
+    SCOPED_TRACE(name(family));
+    const Soup soup = random_mesh(family, 5);
+    const std::size_t faces = soup.polygons.size();
+    Labels coarse;
+    for (std::size_t k = 1; k <= faces; k += 1 + k / 8) {
+      const Labels fine = segment_into(soup, k);
+      EXPECT_TRUE(is_connected(soup, fine));
+      EXPECT_EQ(number_of(fine), std::max(k, number_of_components(soup)));
+      if (!coarse.empty()) {
+        EXPECT_TRUE(nests(fine, coarse));
+      }
+      coarse = fine;
+    }
+    EXPECT_EQ(number_of(segment_into(soup, faces)), faces);
+    EXPECT_EQ(number_of(segment_into(soup, 2 * faces)), faces);
+  }
+}
+
+TEST(Visibility_merging_test, splits_superfacets_where_more_are_wanted)
+{
+  const Soup soup = sphere(4); // 2,048 faces
+  Labels coarse = segment_into(soup, 700);
+  for (std::size_t k : {800, 801, 1000, 2000, 2048}) {
+    const Labels fine = segment_into(soup, k);
+    EXPECT_EQ(number_of(fine), k);
+    EXPECT_TRUE(is_connected(soup, fine));
+    EXPECT_TRUE(nests(fine, coarse));
+    coarse = fine;
+  }
+}
+
+TEST(Visibility_merging_test, does_not_depend_on_place_and_size)
+{
+  // By powers of two and multiples of the grid of coordinates nothing is rounded.
+  for (Family family : {Family::BLOCKS, Family::TORUS, Family::SPHERE}) {
+    SCOPED_TRACE(name(family));
+    const Soup soup = random_mesh(family, 2);
+    const Labels labels = segment_into(soup, 5);
+    EXPECT_EQ(segment_into(scaled(soup, 1024), 5), labels);
+    EXPECT_EQ(segment_into(translated(soup, 4096, -1024, 512), 5), labels);
+  }
+}
+
+TEST(Visibility_merging_test, chooses_the_number_of_balls)
+{
+  Labels truth;
+  const Soup soup = caterpillar(5, truth);
+  EXPECT_EQ(number_of(segment_automatically(soup)), 4u);
+}
+
+TEST(Visibility_merging_test, gives_something_sensible_where_there_is_nothing)
+{
+  EXPECT_EQ(number_of(segment_automatically(sphere(3))), 2u);
+  EXPECT_EQ(number_of(segment_automatically(joined(sphere(1), translated(sphere(1), 5, 0, 0)))), 2u);
+  Soup triangle;
+  triangle.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  triangle.polygons = {{0, 1, 2}};
+  EXPECT_EQ(segment_automatically(triangle), Labels{0});
+  Soup point = triangle; // all faces degenerate
+  point.points = {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
+  EXPECT_EQ(segment_automatically(point), Labels{0});
+}
+
+TEST(Visibility_merging_test, never_merges_across_a_constrained_line)
+{
+  const Soup soup = grid(8, 4);
+  Surface_mesh mesh = to_surface_mesh(soup);
+  auto constrained = mesh.add_property_map<Surface_mesh::Edge_index, bool>("e:c", false).first;
+  for (auto e : mesh.edges())
+    if (const auto p = mesh.point(mesh.vertex(e, 0)), q = mesh.point(mesh.vertex(e, 1));
+        p.x() == 3 && q.x() == 3)
+      constrained[e] = true;
+  auto map = mesh.add_property_map<Surface_mesh::Face_index, std::size_t>("f:segment").first;
+  const auto np = RS::parameters::edge_is_constrained_map(constrained);
+  EXPECT_EQ(RS::segment(mesh, map, np.number_of_segments(1)), 2u);
+  for (std::size_t f = 0; f < 32; ++f)
+    EXPECT_EQ(map[Surface_mesh::Face_index(unsigned(f))], f % 8 < 3 ? 0u : 1u);
+}
+
+TEST(Visibility_merging_test, is_the_default_and_needs_no_number)
+{
+  const Surface_mesh mesh = to_surface_mesh(random_mesh(Family::BLOCKS, 4));
+  const Result by_default = run(mesh, RS::parameters::number_of_segments(5));
+  const Result by_name = run(mesh, RS::parameters::number_of_segments(5).method(RS::Visibility_merging()));
+  EXPECT_EQ(by_default.segments, by_name.segments);
+  EXPECT_EQ(by_default.regions, by_name.regions);
+
+  const Result chosen = run(mesh, RS::parameters::method(RS::Visibility_merging()));
+  EXPECT_EQ(chosen.number_of_segments, RS::Visibility_merging().chooser(chosen.tree));
+  EXPECT_EQ(chosen.segments, labels_of(chosen.regions, chosen.tree.partition_at_count(chosen.number_of_segments)));
+}
+
+TEST(Visibility_merging_test, constants_are_members_of_its_parts)
+{
+  const Surface_mesh mesh = to_surface_mesh(random_mesh(Family::BLOCKS, 4));
+  RS::Visibility_merging method;
+  method.initializer.number = 30;
+  method.chooser.level = 1000; // above all costs: as few as possible
+  const Result few = run(mesh, RS::parameters::method(method));
+  EXPECT_EQ(few.tree.number_of_regions(), 30u);
+  EXPECT_EQ(few.number_of_segments, 2u);
+  method.chooser.level = -1000;
+  method.chooser.maximum_number = 7;
+  EXPECT_EQ(run(mesh, RS::parameters::method(method)).number_of_segments, 7u);
+}
+
+TEST(Visibility_merging_test, other_constants_while_there_are_many_regions)
+{
+  // With the same constants for both, nothing depends on where they change.
+  const Surface_mesh mesh = to_surface_mesh(sphere(3));
+  const auto segments = [&](const RS::Visibility_cost& of_few, const RS::Visibility_cost& of_many, std::size_t many) {
+    return segments_of(
+      mesh, RS::parameters::number_of_segments(20).method(RS::Visibility_merging(of_few, of_many, many)));
+  };
+  const auto of_few = RS::Visibility_cost(), of_many = RS::Visibility_cost::for_many_regions();
+  EXPECT_EQ(segments(of_few, of_few, 150), segments(of_few, of_many, 100000));
+  EXPECT_EQ(segments(of_many, of_many, 150), segments(of_few, of_many, 1));
+  EXPECT_NE(segments(of_few, of_few, 150), segments(of_many, of_many, 150));
+}
+
+TEST(Number_from_costs_test, ends_where_merging_becomes_dear)
+{
+  using Chooser = RS::Number_from_costs<RS::Visibility_cost>;
+  RS::Merge_tree tree(6);
+  for (std::uint32_t i = 5; i > 0; --i)
+    tree.push_back({0, i, i == 1 ? -10.0 : i == 2 ? -14.0 : -30.0 + i});
+  // Costs -25, -26, -27, -14, -10: the mean of -10 and -20 is -15, so merges at -14 and -10 are left.
+  EXPECT_EQ(Chooser(-20)(tree), 3u);
+  EXPECT_EQ(Chooser(-1000)(tree), 6u);
+  EXPECT_EQ(Chooser(-1000, 4)(tree), 4u);
+  EXPECT_EQ(Chooser(1000)(tree), 2u);
+  const double level = RS::Visibility_merging::default_level;
+  EXPECT_EQ(Chooser(level)(RS::Merge_tree(1)), 1u);
+  EXPECT_EQ(Chooser(level)(RS::Merge_tree(3)), 3u); // three pieces, nothing to merge
+}
