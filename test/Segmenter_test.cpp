@@ -388,7 +388,8 @@ void test_seeds_on_dumbbell(const Method& method)
 
   segmenter.set_seeds(face_map(mesh, no_seed));
   const RS::Segmenter without(mesh, RS::parameters::method(method));
-  EXPECT_EQ(labels(segmenter, 5), labels(without, 5)) << "seeds are gone";
+  for (std::size_t k : {5, 500})
+    EXPECT_EQ(labels(segmenter, k), labels(without, k)) << "seeds are gone";
 }
 
 TEST(Segmenter_test, seeds_join_and_part)

@@ -86,7 +86,6 @@ public:
     , m_preparation(preparation)
     , m_first_regions(
         initialize_regions(m_method.initializer, m_flat, make_execution<ConcurrencyTag>(np, "regions")))
-    , m_is_changed(!seeds.empty())
     , m_seeds(std::move(seeds))
     , m_result(make_result(m_first_regions, m_seeds, np))
   {}
@@ -113,7 +112,7 @@ public:
       Partition first_regions = split_at_constraints(m_flat, m_first_regions);
       m_result = make_result(first_regions, m_seeds, np);
       m_first_regions = std::move(first_regions);
-      m_is_changed = true;
+      m_has_new_constraints = true;
     } catch (...) {
       for (const Flat_mesh::Index e : added)
         m_flat.release(e);
@@ -127,7 +126,6 @@ public:
   {
     m_result = make_result(m_first_regions, seeds, np);
     m_seeds = std::move(seeds);
-    m_is_changed = true;
   }
 
   /// The segments for a number, or for the nearest one that there is.
@@ -251,7 +249,7 @@ private:
   /// constraints that came later, or of seeds.
   bool can_split(std::size_t number) const
   {
-    return splits_regions && !m_is_changed && number > regions().number_of_parts();
+    return splits_regions && !m_has_new_constraints && m_seeds.empty() && number > regions().number_of_parts();
   }
 
   template <typename Pack>
@@ -267,7 +265,7 @@ private:
   Method m_method;
   Preparation m_preparation;
   Partition m_first_regions; // as the initializer made them and later constraints split them
-  bool m_is_changed;         // by later constraints or by seeds
+  bool m_has_new_constraints = false;
   Seeds m_seeds;             // of the faces
   Cache m_cache;             // of the annotator, for `m_cached_regions`
   Partition m_cached_regions;
