@@ -11,7 +11,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
+#include <random>
+#include <string>
 
 namespace {
 
@@ -165,6 +168,47 @@ TEST(Segment_test, labels_of_any_integral_type)
   const Labels expected = run(dumbbell(), Options(3)).segments;
   EXPECT_EQ(labels_of(mesh, small), expected);
   EXPECT_EQ(labels_of(mesh, sign), expected);
+}
+
+} // namespace
+
+namespace {
+
+// Squares and areas of such coordinates leave the range of double.
+TEST(Segment_test, labels_do_not_change_at_extreme_scales)
+{
+  RS::Visibility_merging visibility;
+  visibility.initializer.number = 30;
+  for (Family family : all_families)
+    for (int exponent : {-1050, -600, -100, 100, 600, 1010}) {
+      SCOPED_TRACE(name(family) + ", scaled by 2^" + std::to_string(exponent));
+      const Soup soup = random_mesh(family, 7);
+      const auto mesh = to_surface_mesh(soup), extreme = to_surface_mesh(scaled(soup, std::ldexp(1.0, exponent)));
+      for (std::size_t k : {2, 9}) {
+        const auto by_visibility = RS::parameters::number_of_segments(k).method(visibility);
+        EXPECT_EQ(segments_of(extreme, by_visibility), segments_of(mesh, by_visibility));
+        const auto by_two_step = RS::parameters::number_of_segments(k).method(RS::Two_step());
+        EXPECT_EQ(segments_of(extreme, by_two_step), segments_of(mesh, by_two_step));
+      }
+    }
+}
+
+// A few coordinates far from the rest: nothing is said of the labels but that they are some.
+TEST(Segment_test, any_finite_coordinates_are_segmented)
+{
+  for (Family family : all_families)
+    for (unsigned seed = 1; seed <= 20; ++seed) {
+      SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
+      std::mt19937 random(seed);
+      Soup soup = random_mesh(family, seed);
+      for (std::size_t i = 0; i < 1 + seed % 5; ++i)
+        soup.points[random() % soup.points.size()][random() % 3] =
+          (random() % 2 ? 1 : -1) * std::ldexp(1.5, int(random() % 2090) - 1066);
+      const auto mesh = to_surface_mesh(soup);
+      EXPECT_EQ(segments_of(mesh, RS::parameters::default_values()).size(), soup.polygons.size());
+      EXPECT_EQ(segments_of(mesh, RS::parameters::number_of_segments(3).method(RS::Two_step())).size(),
+                soup.polygons.size());
+    }
 }
 
 } // namespace
