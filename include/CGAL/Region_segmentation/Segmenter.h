@@ -44,7 +44,7 @@ namespace Region_segmentation {
 ///
 /// \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam Method a model of `SegmentationMethod`
-/// \tparam ConcurrencyTag `Sequential_tag` or, with \ref thirdpartyTBB, `Parallel_tag`; see `segment()`
+/// \tparam ConcurrencyTag `Sequential_tag` or, with TBB, `Parallel_tag`; see `segment()`
 template <typename FaceGraph, typename Method = Visibility_merging, typename ConcurrencyTag = CGAL::Sequential_tag>
 class Segmenter
 {

@@ -56,7 +56,7 @@ auto build_region_adjacency_graph(const Flat_mesh& mesh, const Partition& region
 /// \ingroup PkgRegionSegmentationStages
 /// builds the graph of the regions of a mesh and the sections between them.
 ///
-/// \tparam ConcurrencyTag `Sequential_tag` or, with \ref thirdpartyTBB, `Parallel_tag`; see `segment()`
+/// \tparam ConcurrencyTag `Sequential_tag` or, with TBB, `Parallel_tag`; see `segment()`
 /// \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam FaceRegionMap a model of `ReadablePropertyMap` with the face descriptor as key and an
 ///         integral value type

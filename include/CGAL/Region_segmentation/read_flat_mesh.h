@@ -28,7 +28,7 @@ Flat_mesh read_flat_mesh(const Mesh_traversal<FaceGraph, Pack>& traversal, const
 /// \ingroup PkgRegionSegmentationStages
 /// reads a mesh into arrays, for the parts of methods, which work on these.
 ///
-/// \tparam ConcurrencyTag `Sequential_tag` or, with \ref thirdpartyTBB, `Parallel_tag`; see `segment()`
+/// \tparam ConcurrencyTag `Sequential_tag` or, with TBB, `Parallel_tag`; see `segment()`
 /// \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \param mesh an oriented 2-manifold with or without borders, its faces polygons of any size
 /// \param data what is to be read beside normals, areas, lengths and angles

@@ -24,7 +24,7 @@ namespace Region_segmentation {
 /// segments a surface mesh into parts: first regions are made and merged until the wanted number of
 /// segments is left.
 ///
-/// \tparam ConcurrencyTag `Sequential_tag` or, with \ref thirdpartyTBB, `Parallel_tag`: what touches every
+/// \tparam ConcurrencyTag `Sequential_tag` or, with TBB, `Parallel_tag`: what touches every
 ///         face or edge runs in parallel, to the same bits. Maps that are read must allow several readers then;
 ///         maps that are written are written by one thread
 /// \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
