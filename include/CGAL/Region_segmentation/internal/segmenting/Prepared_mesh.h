@@ -78,7 +78,7 @@ public:
   static constexpr bool has_one_tree = internal::has_one_tree<Method>();
 
   /// `seeds`: of the faces; `np`: a pack with the visitor
-  /// \throws Invalid_input if equal seeds cannot be joined, Segmentation_cancelled if the visitor says so
+  /// \throws Invalid_input if equal seeds cannot be joined, Segmentation_cancelled if the visitor cancels
   template <typename Pack>
   Prepared_mesh(Flat_mesh flat, const Method& method, Seeds seeds, Preparation preparation, const Pack& np)
     : m_flat(std::move(flat))
