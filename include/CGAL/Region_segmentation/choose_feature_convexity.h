@@ -93,7 +93,7 @@ inline Feature_convexity_choice choose_feature_convexity(const Flat_mesh& flat,
 /// \pre `maximum_angle` is in [0, 180]
 /// \throws Invalid_input if a point is not finite
 ///
-/// Complexity: O(F). Deterministic. Calls may run at the same time.
+/// Complexity: O(F). Deterministic. Concurrent calls are safe.
 template <typename FaceGraph, typename NamedParameters = parameters::Default_named_parameters>
 Feature_convexity_choice
 choose_feature_convexity(const FaceGraph& mesh,

@@ -156,8 +156,8 @@ private:
 /// Labels may no longer be numbered by their first face. A second call may move borders further: the bands lie around
 /// the new ones.
 ///
-/// Complexity: see `Minimum_cut_borders`. Deterministic: the same bits from every mesh type. Calls on
-/// different maps may run at the same time.
+/// Complexity: see `Minimum_cut_borders`. Deterministic: the same bits from every mesh type.
+/// Concurrent calls on different maps are safe.
 ///
 /// Source: Katz and Tal 2003.
 template <typename FaceGraph, typename FaceSegmentMap,
