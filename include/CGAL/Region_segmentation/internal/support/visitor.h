@@ -36,7 +36,7 @@ Execution<ConcurrencyTag> make_execution(const Pack& np, const char* stage)
   }
 }
 
-/// Reports steps of a stage whose number is known, about a hundred times whatever their number.
+/// Reports steps of a stage whose number is known, about a hundred times in all.
 template <typename ConcurrencyTag>
 class Step_counter
 {
