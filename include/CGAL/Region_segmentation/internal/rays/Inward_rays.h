@@ -110,7 +110,7 @@ private:
     const Spirals& spirals = m_spirals[samples - 1];
     const std::size_t rays = rays_per_region / samples; // of a face
     for (std::size_t k = samples; k-- > 0;) {
-      // Faces behind a place in the order are not sorted for those before it.
+      // Faces behind a place in the order are not needed for those before it.
       const auto sample = begin + k * size * 9 / (10 * samples);
       std::nth_element(begin, sample, end);
       end = sample;
