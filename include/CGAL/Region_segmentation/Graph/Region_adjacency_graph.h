@@ -30,8 +30,8 @@ namespace Region_segmentation {
 ///
 /// A model of Boost.Graph's `VertexListGraph`, `EdgeListGraph`, `IncidenceGraph` and `AdjacencyGraph`
 /// (undirected, no parallel edges, no loops): a region is a vertex, a section is an edge. As in \cgal,
-/// `num_vertices()` and `num_edges()` are upper bounds after merges: indices, in `[0,
-/// num_vertices())`, are not reused, and the descriptors of remaining elements stay valid.
+/// `num_vertices()` and `num_edges()` are upper bounds after merges: indices, in
+/// `[0, num_vertices())`, are not reused, and the descriptors of remaining elements stay valid.
 /// `number_of_regions()` and `number_of_sections()` count the remaining ones.
 ///
 /// `merge()` takes expected time linear in the number of sections of the region that has fewer. Bytes, without the
