@@ -2,7 +2,7 @@
 \ingroup PkgRegionSegmentationConcepts
 \cgalConcept
 
-When merging ends.
+Decides when merging ends.
 
 \cgalHasModel `CGAL::Region_segmentation::Stop_at_count`
 \cgalHasModel `CGAL::Region_segmentation::Stop_at_cost`

@@ -4,14 +4,14 @@
 
 Chooses the number of segments where none is given, from the merges of a policy whose order does not depend on it.
 
-A chooser with a constant in the units of a cost names this cost as `%MergeCost`; a policy that merges by another one does
-not fit.
+A chooser with a constant in the units of a cost declares this cost as `%MergeCost`; a policy that merges by another one
+does not compile with it.
 
 \cgalHasModel `CGAL::Region_segmentation::Number_from_costs`
 */
 class NumberChooser
 {
 public:
-  /// the number of segments. The tree holds all merges, down to one segment for each connected piece.
+  /// the number of segments. The tree holds all merges, down to one segment for each connected component.
   std::size_t operator()(const Merge_tree& tree) const;
 };

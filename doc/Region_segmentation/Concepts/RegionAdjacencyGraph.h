@@ -2,7 +2,7 @@
 \ingroup PkgRegionSegmentationConcepts
 \cgalConcept
 
-What policies, costs and partitioners may ask of a region graph. They see it as `const`.
+The members of a region graph that policies, costs and partitioners may use. They access it as `const`.
 
 \cgalRefines `VertexListGraph`, `EdgeListGraph`, `IncidenceGraph` and `AdjacencyGraph` of Boost.Graph, with
 `boost::vertex_index` and `boost::edge_index` as property maps, and `get(&RegionData::member, graph)` for any member of the
@@ -18,7 +18,7 @@ public:
   using region_descriptor = unspecified_type;  ///< an integer; the vertex descriptor
   using section_descriptor = unspecified_type; ///< a section seen from one of its regions; the edge descriptor
 
-  /// What a merge did.
+  /// The result of a merge.
   struct Merge
   {
     region_descriptor kept;    ///< the lower one of the two
@@ -28,10 +28,10 @@ public:
   const RegionData& operator[](region_descriptor r) const;   ///< the data of a region
   const SectionData& operator[](section_descriptor s) const; ///< the data of a section
 
-  std::size_t number_of_regions() const;       ///< that are left
-  std::size_t number_of_sections() const;      ///< that are left
+  std::size_t number_of_regions() const;       ///< that are not removed
+  std::size_t number_of_sections() const;      ///< that are not removed
   std::size_t index_bound_of_regions() const;  ///< indices are below it, removed ones included
-  std::size_t index_bound_of_sections() const; ///< the same for `section_descriptor::id()`
+  std::size_t index_bound_of_sections() const; ///< as above, for `section_descriptor::id()`
 
   bool is_removed(region_descriptor r) const;
   bool is_removed(section_descriptor s) const;

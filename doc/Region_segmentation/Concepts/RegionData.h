@@ -5,9 +5,9 @@
 The data of a region. They are filled from the mesh before merging, so that policies need no mesh. Default
 and copy constructible; `absorb()` is associative and commutative.
 
-Data that are more than sums name the annotator that fills them as `%GraphAnnotator`: with another one, unless it derives
-from it, they do not compile. They state with `required_mesh_data` what they read of the mesh, as a `RegionInitializer`
-does.
+Data that are more than sums declare the annotator that fills them as `%GraphAnnotator`: with another one, unless
+derived from it, they do not compile. They declare the mesh data that they read by `required_mesh_data`, like a
+`RegionInitializer`.
 
 \cgalHasModel `CGAL::Region_segmentation::Region_geometry`
 \cgalHasModel `CGAL::Region_segmentation::Visibility_region_data`
@@ -21,6 +21,6 @@ public:
   /// accounts for a dual edge between the region and another one; called by the lower, then by the higher face of the edges.
   void add_border_edge(const Flat_mesh& mesh, std::size_t lower_face, std::size_t edge);
 
-  /// takes in a region on the other side of the section `between`.
+  /// adds a region on the other side of the section `between`.
   void absorb(const RegionData& other, const SectionData& between);
 };

@@ -2,10 +2,10 @@
 \ingroup PkgRegionSegmentationConcepts
 \cgalConcept
 
-Makes the regions that merging starts from.
+Makes the regions from which merging starts.
 
-A type that needs more of the mesh than normals, areas, lengths and angles states it:
-`static constexpr Mesh_data required_mesh_data = Mesh_data::POINTS | Mesh_data::CENTROIDS`. Data that were not asked for
+A type that needs more mesh data than normals, areas, lengths and angles declares them:
+`static constexpr Mesh_data required_mesh_data = Mesh_data::POINTS | Mesh_data::CENTROIDS`. Data that were not requested
 cannot be read: `CGAL::Region_segmentation::Invalid_method` is thrown.
 
 \cgalHasModel `CGAL::Region_segmentation::Region_growing`
@@ -15,10 +15,10 @@ class RegionInitializer
 {
 public:
   /*!
-  gives every face of a mesh a region.
+  assigns a region to every face of a mesh.
 
-  A type may take a second argument instead, `const Execution<ConcurrencyTag>&`, with which it works in parallel, reports
-  progress and lets itself be cancelled; the regions are the same whatever the tag.
+  Instead, a type may accept a second argument, `const Execution<ConcurrencyTag>&`, to run in parallel, report progress
+  and be cancelled; the regions do not depend on the tag.
 
   \post there is an element for each face, no edge with the flag `CONSTRAINED` joins two faces of a region by itself,
         and every region is connected

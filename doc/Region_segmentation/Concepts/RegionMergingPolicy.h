@@ -4,8 +4,9 @@
 
 Proposes which regions are merged next. Copy constructible.
 
-It may name the data that it reads by the types `%RegionData` and `%SectionData`: the data of the graph are or derive from
-these, or the combination does not compile. It may name the cost in whose units its merges are by the type `%MergeCost`.
+It may declare the data that it reads by the types `%RegionData` and `%SectionData`: unless the data of the graph are or
+derive from these, the combination does not compile. It may declare the cost that defines the units of its merges by the
+type `%MergeCost`.
 
 \cgalHasModel `CGAL::Region_segmentation::Lowest_cost_first`
 \cgalHasModel `CGAL::Region_segmentation::Smallest_region_first`
@@ -17,7 +18,7 @@ class RegionMergingPolicy
 {
 public:
   /// \name Initialization
-  /// One of the two. It is called before the first merge, for each run anew.
+  /// One of the two. It is called before the first merge of each run.
   /// @{
   /// of a policy whose order does not depend on the wanted number of segments: one tree gives them all.
   void initialize(const Graph& graph);
@@ -25,10 +26,10 @@ public:
   void initialize(const Graph& graph, std::size_t number_of_segments);
   /// @}
 
-  /// proposes the next merge, of a section for which `graph.is_mergeable(section)`; empty when nothing is left. It may be
-  /// asked again before the proposal was carried out, and then proposes the same.
+  /// proposes the next merge, of a section for which `graph.is_mergeable(section)`; empty if there is none. If called
+  /// again before the proposal is carried out, it proposes the same.
   std::optional<Merge_candidate> next(const Graph& graph);
 
-  /// is called after each merge. Sections of the region that is kept may have become not mergeable, too.
+  /// is called after each merge. Sections of the kept region may also have become not mergeable.
   void on_merge(const Graph& graph, const Graph::Merge& merge);
 };

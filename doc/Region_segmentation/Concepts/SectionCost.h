@@ -2,9 +2,9 @@
 \ingroup PkgRegionSegmentationConcepts
 \cgalConcept
 
-The cost of merging across a section. It depends on the section and on its two regions alone.
-`CGAL::Region_segmentation::Lowest_cost_first` turns it into a policy. It may name the data that it reads
-by the types `%RegionData` and `%SectionData`: the data of the graph are or derive from these, or the combination does not
+The cost of merging across a section. It depends only on the section and its two regions.
+`CGAL::Region_segmentation::Lowest_cost_first` turns it into a policy. It may declare the data that it reads by the
+types `%RegionData` and `%SectionData`: unless the data of the graph are or derive from these, the combination does not
 compile.
 
 \cgalHasModel `CGAL::Region_segmentation::Visibility_cost`

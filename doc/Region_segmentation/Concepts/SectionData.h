@@ -2,8 +2,8 @@
 \ingroup PkgRegionSegmentationConcepts
 \cgalConcept
 
-The data of a section, all edges that two regions share. Default and copy constructible; `absorb()` is
-associative and commutative. What is said of annotators and of the mesh at `RegionData` holds for them, too.
+The data of a section, all edges that two regions share. Default and copy constructible; `absorb()` is associative and
+commutative. The requirements of `RegionData` on annotators and mesh data apply to them, too.
 
 \cgalHasModel `CGAL::Region_segmentation::Section_geometry`
 \cgalHasModel `CGAL::Region_segmentation::Visibility_section_data`
@@ -14,6 +14,6 @@ public:
   /// accounts for a dual edge of the mesh; called by the lower, then by the higher face of the edges.
   void add_edge(const Flat_mesh& mesh, std::size_t lower_face, std::size_t edge);
 
-  /// takes in another section between the same two regions.
+  /// adds another section between the same two regions.
   void absorb(const SectionData& other);
 };

@@ -2,15 +2,15 @@
 \ingroup PkgRegionSegmentationConcepts
 \cgalConcept
 
-What happens between reading a mesh and its labels: a value whose public members are the parts of a method, each an
-instance that may hold constants, data and state of the user's. `CGAL::Region_segmentation::segment()` and
-`CGAL::Region_segmentation::Segmenter` store a copy. Every run copies the policy, so a method can be used again, and from
-several threads; parts that shall share state hold pointers to it.
+The computation between reading a mesh and its labels: a value whose public members are the parts of a method, each an
+instance that may hold constants, data and state of the user. `CGAL::Region_segmentation::segment()` and
+`CGAL::Region_segmentation::Segmenter` store a copy. Every run copies the policy, so a method can be reused, also from
+several threads; parts that share state hold pointers to it.
 
 A method has the members `initializer`, `annotator`, and either `policy` and `chooser`, or `partitioner`.
 
-The annotator alone names the types of the graph's data. What the other parts read must be among them: a combination
-that does not fit does not compile, and one sentence says why.
+Only the annotator defines the types of the graph's data. The other parts must read these types: otherwise the
+combination does not compile, and a static assertion states the reason.
 
 \cgalHasModel `CGAL::Region_segmentation::Segmentation_method`
 \cgalHasModel `CGAL::Region_segmentation::Partitioning_method`
@@ -21,7 +21,7 @@ class SegmentationMethod
 {
 public:
   RegionInitializer initializer; ///< makes the first regions
-  GraphAnnotator annotator;      ///< names and fills the data of the region graph
+  GraphAnnotator annotator;      ///< defines and fills the data of the region graph
 
   /// \name Merging
   /// @{
@@ -32,6 +32,6 @@ public:
 
   /// \name Or Partitioning
   /// @{
-  GraphPartitioner partitioner; ///< deals the regions out to segments, for a given number
+  GraphPartitioner partitioner; ///< assigns the regions to a given number of segments
   /// @}
 };

@@ -9,8 +9,8 @@ namespace CGAL {
 namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationData
-/// A point or vector of three doubles; as such not initialized. After a mesh is read, every computation is in double,
-/// whatever its kernel.
+/// A point or vector of three doubles, uninitialized by default. Once a mesh is read, all computations are in double,
+/// independently of its kernel.
 struct Double_3
 {
   double x, y, z;
@@ -46,7 +46,7 @@ inline double squared_norm(const Double_3& a)
   return dot(a, a);
 }
 
-/// The length. Coordinates of a `Flat_mesh` are of a size at which no square overflows.
+/// The length. Coordinates of a `Flat_mesh` are scaled so that no square overflows.
 inline double norm(const Double_3& a)
 {
   return std::sqrt(squared_norm(a));

@@ -13,9 +13,9 @@ namespace CGAL {
 namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationData
-/// How a stage runs: in sequence or in parallel, and which visitor follows its progress.
+/// How a stage runs: sequentially or in parallel, and which visitor follows its progress.
 ///
-/// A part of a method that takes an `Execution` as its last argument reports how far it is, so that a visitor can show
+/// A part of a method that takes an `Execution` as its last argument reports its progress, so that a visitor can show
 /// it and cancel the run. Reports come from the thread that called the stage.
 ///
 /// \tparam ConcurrencyTag `Sequential_tag` or `Parallel_tag`
@@ -29,8 +29,8 @@ public:
   /// Without a visitor.
   Execution() = default;
 
-  /// With a model of `SegmentationVisitor`, of which a reference is kept; reports that the stage begins.
-  /// \throws Segmentation_cancelled if the visitor says so, here or later
+  /// With a model of `SegmentationVisitor`, stored by reference; reports the start of the stage.
+  /// \throws Segmentation_cancelled if the visitor cancels, here or later
   template <typename SegmentationVisitor>
   Execution(SegmentationVisitor& visitor, const char* stage)
     : m_visitor(&visitor), m_go_further(&call<SegmentationVisitor>), m_stage(stage)
@@ -40,15 +40,15 @@ public:
 
   bool has_visitor() const { return m_go_further != nullptr; }
 
-  /// Reports that a part of the stage is done, in [0, 1].
-  /// \throws Segmentation_cancelled if the visitor says so
+  /// Reports the fraction of the stage that is completed, in [0, 1].
+  /// \throws Segmentation_cancelled if the visitor cancels
   void report(double fraction) const
   {
     if (has_visitor() && !m_go_further(m_visitor, m_stage, m_begin + fraction * m_share))
       throw Segmentation_cancelled();
   }
 
-  /// The same for a step that is a part of the stage: what it reports in [0, 1] is from `begin` to `end` of the whole.
+  /// The execution of a step of the stage: its progress in [0, 1] is mapped to [`begin`, `end`] of the stage.
   Execution step(double begin, double end) const
   {
     Execution result = *this;

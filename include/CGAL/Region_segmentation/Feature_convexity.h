@@ -10,7 +10,8 @@ namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationStages
 /// Which edges can be feature edges, by the sign of \f$(N_i \times N_j) \cdot d\f$, where \f$d\f$
-/// points along the halfedge of the first face. An edge of sign exactly 0 counts under `ALL` alone.
+/// points along the halfedge of the first face. An edge whose sign is exactly 0 is selected by
+/// `ALL` only.
 enum class Feature_convexity {
   CONVEX,  ///< ridges
   CONCAVE, ///< valleys: the joints of scanned and organic models

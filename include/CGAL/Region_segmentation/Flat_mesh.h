@@ -35,7 +35,7 @@ public:
   {
     return m_first_corners[face + 1] - m_first_corners[face];
   }
-  /// The vertex at a corner of a face; that of lowest index is the first.
+  /// The vertex at a corner of a face. The first corner is the vertex of lowest index.
   Index corner(std::size_t face, std::size_t i) const { return m_corners[m_first_corners[face] + i]; }
   const Double_3& operator[](std::size_t vertex) const { return m_points[vertex]; }
 
@@ -48,16 +48,15 @@ private:
 };
 
 /// \ingroup PkgRegionSegmentationData
-/// A mesh as arrays: what every stage after reading works on, so that none depends on the mesh type.
+/// A mesh as arrays. All stages after reading work on it, so that they do not depend on the mesh type.
 ///
-/// Faces and vertices are numbered in iteration order. The dual edges (one for each edge with two different faces)
-/// are sorted by their higher, then by their lower face; several edges between the same two faces
-/// follow the boundary of the higher one from its vertex of lowest index. Borders of the mesh have no
-/// dual edge. Both faces are stored with each dual edge: a loop over the edges of every face would be as
-/// short as its end is hard to predict.
+/// Faces and vertices are numbered in iteration order. The dual edges (one for each edge with two different faces) are
+/// sorted by their higher, then by their lower face; several edges between the same two faces follow the boundary of
+/// the higher one from its vertex of lowest index. Borders of the mesh have no dual edge. Both faces are stored with
+/// each dual edge: nested loops over the few edges of each face would mispredict their branches.
 ///
-/// Lengths are in units of `unit()` mesh units. That is 1 unless the coordinates are so large or so small that areas
-/// might leave the range of double, and then a power of two, so that no result depends on it.
+/// Lengths are in units of `unit()` mesh units. It is 1, unless areas might exceed the range of double; then it is a
+/// power of two, so that results do not depend on it.
 ///
 /// Bytes: 32 a face and 17 a dual edge, so 57.5 a face on a closed triangle mesh; 28 a face more with the points and 24
 /// with the centroids.
@@ -66,7 +65,7 @@ class Flat_mesh
 public:
   using Index = std::uint32_t;
 
-  /// What is known of a dual edge before any angle is compared.
+  /// Properties of a dual edge that are known before any angle is compared.
   enum Edge_flag : std::uint8_t {
     CONVEX = 1,      ///< (N_i x N_j) . d > 0
     CONCAVE = 2,     ///< (N_i x N_j) . d < 0
@@ -78,8 +77,8 @@ public:
   };
   static constexpr int number_of_flags = 7;
 
-  /// The cosines of 1 and 1.5 degrees, on both sides of the usual bound of feature edges: so most often the
-  /// flags alone say which side an edge is on, and its normals are not fetched.
+  /// The cosines of 1 and 1.5 degrees, which enclose the usual bound of feature edges: for most edges the flags alone
+  /// decide the comparison, and no normals are fetched.
   static constexpr double nearly_flat = 0.99984769515639124, not_flat = 0.99965732497555726;
 
   std::size_t number_of_faces() const { return m_normals.size(); }
@@ -130,13 +129,13 @@ public:
     return std::acos(cosine(lower, edge));
   }
 
-  /// Makes an edge a border that is never merged across, from now on.
+  /// Makes an edge a border that is never merged across.
   void constrain(std::size_t edge) { m_flags[edge] |= CONSTRAINED; }
   /// Undoes `constrain()`.
   void release(std::size_t edge) { m_flags[edge] &= std::uint8_t(~CONSTRAINED); }
   /// @}
 
-  /// \name Data that must be asked for
+  /// \name Data that must be requested
   /// \throws Invalid_method if the mesh was read without them
   /// @{
   Mesh_data data() const { return m_data; }

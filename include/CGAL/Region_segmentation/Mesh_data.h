@@ -9,8 +9,8 @@ namespace CGAL {
 namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationData
-/// A set of what is read of a mesh beside the normals and areas of its faces and the lengths and angles of its edges:
-/// a part of a method that needs more states it as its static member `required_mesh_data`.
+/// The set of data read from a mesh in addition to the normals and areas of faces and the lengths and angles of edges.
+/// A part of a method that needs such data declares them in its static member `required_mesh_data`.
 enum class Mesh_data : std::uint8_t {
   NOTHING_MORE = 0,
   POINTS = 1,      ///< the points of the vertices and the corners of the faces: `Flat_mesh::points()`

@@ -22,8 +22,8 @@ namespace Region_segmentation {
 /// A partition of the elements 0 .. `size()` - 1 into the parts 0 .. `number_of_parts()` - 1: of faces into regions or
 /// segments, of regions into segments.
 ///
-/// No part is empty, and parts are numbered by their first element; so two partitions are the same if and only if
-/// their numbers are. 4 bytes an element.
+/// No part is empty, and parts are numbered by their first element; so two partitions are equal if and only if their
+/// numbers are. Memory: 4 bytes per element.
 class Partition
 {
 public:
@@ -51,7 +51,7 @@ public:
                        [](const Label& label) { return label; });
   }
 
-  /// The same for the labels `label_of(element)` of a range.
+  /// As above, for the labels `label_of(element)` of a range.
   template <typename Range, typename LabelOf>
   static Partition from_labels(const Range& elements, std::size_t expected_size, const LabelOf& label_of)
   {

@@ -27,18 +27,18 @@ namespace CGAL {
 namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationMain
-/// A mesh that is prepared once and can be asked for any number of segments.
+/// A mesh that is prepared once and can then be segmented into any number of segments.
 ///
-/// Preparing reads the mesh, makes the first regions and annotates their graph. With a method whose order of merges does
-/// not depend on the number of segments it merges them, too: each number is given in the time of writing labels then,
-/// and the segmentations of different numbers nest. With another method (`Two_step`) or a partitioner each call of
-/// `segment()` merges a copy of the graph.
+/// Preparing reads the mesh, makes the first regions and annotates their graph. If the order of merges of the method
+/// does not depend on the number of segments, the regions are also merged: each number of segments then takes only the
+/// time of writing labels, and the segmentations are nested. With another method (`Two_step`) or a partitioner each
+/// call of `segment()` merges a copy of the graph.
 ///
-/// The segmenter refers to the mesh, whose faces must not change afterwards. Coordinates are read once: moved vertices
-/// are not seen.
+/// The segmenter refers to the mesh, whose faces must not change afterwards. Coordinates are read once: later changes
+/// of points have no effect.
 ///
-/// Asking is `const`, and safe from several threads with different maps. Adding constraints or seeds needs exclusive
-/// access. A segmenter can be moved and copied.
+/// Segmenting is `const`, and thread-safe with different maps. Adding constraints or seeds requires exclusive access. A
+/// segmenter can be moved and copied.
 ///
 /// Bytes, with the default method: about 180 a face.
 ///
@@ -65,7 +65,7 @@ public:
   ///   - `vertex_point_map`, `face_index_map`, `vertex_index_map`: as everywhere in \cgal
   ///
   /// \throws Invalid_input if a point is not finite, or equal seeds cannot be joined; Segmentation_cancelled if the
-  ///         visitor says so; all maps are as before then
+  ///         visitor cancels; all maps are unchanged
   ///
   /// Complexity: that of the parts of the method.
   template <typename NamedParameters = parameters::Default_named_parameters>
@@ -83,7 +83,7 @@ public:
       internal::merge_tree_of(pack) = merge_tree();
   }
 
-  /// A mesh that ends with the statement is no mesh to refer to.
+  /// Deleted, since a reference to a temporary mesh would dangle.
   template <typename NamedParameters = parameters::Default_named_parameters>
   explicit Segmenter(const FaceGraph&& mesh, const NamedParameters& np = parameters::default_values(),
                      ConcurrencyTag = ConcurrencyTag()) = delete;
@@ -93,11 +93,11 @@ public:
 
   /// The mesh as arrays.
   const Flat_mesh& flat_mesh() const { return m_prepared.flat_mesh(); }
-  /// The first regions, by face in iteration order, as later constraints and seeds changed them.
+  /// The first regions, by face in iteration order, including changes by later constraints and seeds.
   const Partition& regions() const { return m_prepared.regions(); }
 
-  /// The merges of the first regions, down to one segment for each connected piece.
-  /// With a method that has one tree for all numbers.
+  /// The merges of the first regions, down to one segment for each connected piece. Only with a
+  /// method that has one tree for all numbers.
   const Merge_tree& merge_tree() const
   {
     static_assert(Prepared::has_one_tree,
@@ -106,8 +106,8 @@ public:
     return m_prepared.merge_tree();
   }
 
-  /// The number of segments that `segment(segment_map)` is after: the one that was given to the constructor, or else
-  /// the one that the method chooses.
+  /// The number of segments that `segment(segment_map)` aims at: the one given to the constructor, or else the one
+  /// chosen by the method.
   std::size_t number_of_segments() const
   {
     static_assert(Prepared::has_one_tree,
@@ -120,7 +120,7 @@ public:
       return m_number;
   }
 
-  /// segments the mesh into the number that was given to the constructor, or else the method chooses.
+  /// segments the mesh into the number given to the constructor, or else chosen by the method.
   ///
   /// \tparam FaceSegmentMap a model of `WritablePropertyMap` with the face descriptor as key and an
   ///         integral value type that holds the number of segments
@@ -134,17 +134,17 @@ public:
     return segment(segment_map, number_of_segments());
   }
 
-  /// segments the mesh into a given number, or the nearest one that there is; see `segment()`.
+  /// segments the mesh into a given number, or the nearest possible one; see `segment()`.
   ///
-  /// Beyond the number of first regions these are split, if their initializer can: in the time of making them, unless
-  /// constraints or seeds were added.
+  /// For more segments than first regions, these are split if their initializer supports it and neither constraints nor
+  /// seeds were added. This takes as long as making the regions.
   ///
   /// \param segment_map every key is written: ids 0 .. n-1, numbered by the first face
   /// \param number_of_segments at least 1
   /// \param np optional named parameters:
-  ///   - `visitor`: a model of `SegmentationVisitor`, for what a method does anew for each number
-  /// \returns the number n of segments. It is at least the number of connected pieces, and that of different seeds
-  /// \throws Segmentation_cancelled if the visitor says so; the map is as before then
+  ///   - `visitor`: a model of `SegmentationVisitor`, for the stages that a method repeats for each number
+  /// \returns the number n of segments. It is at least the number of connected components, and that of different seeds
+  /// \throws Segmentation_cancelled if the visitor cancels; the map is unchanged
   ///
   /// Complexity: O(F) with a method that has one tree for all numbers, else that of merging.
   template <typename FaceSegmentMap, typename NamedParameters = parameters::Default_named_parameters>
@@ -159,18 +159,18 @@ public:
     return segments.number();
   }
 
-  /// adds edges that always are borders and are never merged across, beside those that are constrained already.
+  /// adds edges that are always borders and are never merged across to those that are constrained already.
   ///
-  /// First regions are split only where the edges separate their faces, and only the new ones are annotated anew; so
-  /// the segments may differ from those of a new segmenter. An edge that has the same region on both sides afterwards
-  /// has no effect; one between two regions bars their section from being merged across.
+  /// First regions are split only where the edges separate their faces, and only the new regions are annotated; so the
+  /// segments may differ from those of a new segmenter. An edge that has the same region on both sides afterwards has
+  /// no effect; one between two regions bars their section from being merged across.
   ///
   /// \tparam EdgeIsConstrainedMap a model of `ReadablePropertyMap` with the edge descriptor as key and a value type
   ///         that is convertible to `bool`
   /// \param np optional named parameters:
   ///   - `face_index_map`, `vertex_index_map`: those of the constructor, or others of the same mesh
   ///   - `visitor`: a model of `SegmentationVisitor`
-  /// \throws Invalid_input if the edges keep equal seeds apart, Segmentation_cancelled if the visitor says so; nothing
+  /// \throws Invalid_input if the edges separate equal seeds, Segmentation_cancelled if the visitor cancels; nothing
   ///         has changed then
   ///
   /// Complexity: O(F), and that of annotating the new regions and of merging.
@@ -188,18 +188,18 @@ public:
     m_prepared.add_constraints(dual_edges, pack);
   }
 
-  /// replaces the seeds: faces with the same seed end in one segment, faces with different seeds in different ones.
+  /// replaces the seeds: faces with equal seeds belong to one segment, faces with different seeds to different ones.
   ///
   /// The number of different seeds is the least number of segments. Equal seeds that are not adjacent are joined along
-  /// the cheapest path of regions, or, where these leave none, of faces, that meets no other seed: a step costs about its
+  /// the cheapest path of regions, or, if there is none, of faces, that avoids all other seeds: a step costs about its
   /// length, and 80 times as much for each radian of the deviation of concave edges that it crosses.
   ///
   /// \tparam FaceSeedMap a model of `ReadablePropertyMap` with the face descriptor as key and an integral value type;
   ///         the value `std::size_t(-1)`, after conversion to `std::size_t`, stands for no seed
   /// \param np optional named parameters:
   ///   - `visitor`: a model of `SegmentationVisitor`
-  /// \throws Invalid_input if equal seeds are in different components, or kept apart by constraints or by other seeds;
-  ///         Segmentation_cancelled if the visitor says so; nothing has changed then
+  /// \throws Invalid_input if equal seeds are in different components, or separated by constraints or by other seeds;
+  ///         Segmentation_cancelled if the visitor cancels; nothing has changed then
   ///
   /// Complexity: O(F), and that of annotating the new regions and of merging.
   template <typename FaceSeedMap, typename NamedParameters = parameters::Default_named_parameters>

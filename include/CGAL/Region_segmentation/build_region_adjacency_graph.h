@@ -35,7 +35,7 @@ namespace Region_segmentation {
 /// \param execution how it runs, and who follows its progress
 ///
 /// \returns a `Region_adjacency_graph` with the data of the annotator; its regions are the parts of `regions`
-/// \throws Invalid_input if there are not as many elements in `regions` as faces
+/// \throws Invalid_input if the numbers of elements of `regions` and of faces differ
 ///
 /// Complexity: O(F) where regions are connected and the surface has few handles, O(F sqrt(F)) at worst; and that of the
 /// annotator. Deterministic: the sums over the edges of a section run by lower, then by higher face.
@@ -63,16 +63,16 @@ auto build_region_adjacency_graph(const Flat_mesh& mesh, const Partition& region
 /// \tparam GraphAnnotator a model of `GraphAnnotator`
 /// \param mesh an oriented 2-manifold with or without borders
 /// \param region_map the region of every face, by any labels: regions are numbered by their first face
-/// \param annotator names the data of the graph, and fills them
+/// \param annotator defines the data of the graph, and fills them
 /// \param np optional named parameters:
 ///   - `edge_is_constrained_map`: edges that are never merged across (default: none)
 ///   - `visitor`: a model of `SegmentationVisitor`, for the stages "reading" and "graph"
 ///   - `vertex_point_map`, `face_index_map`, `vertex_index_map`: as everywhere in \cgal
 ///
-/// \throws Invalid_input if a point is not finite, Segmentation_cancelled if the visitor says so
+/// \throws Invalid_input if a point is not finite, Segmentation_cancelled if the visitor cancels
 ///
 /// Complexity: O(F) where regions are connected and the surface has few handles, O(F sqrt(F)) at worst; and that of the
-/// annotator. Deterministic: the sums over the edges of a section run by lower, then by higher face, whatever the mesh
+/// annotator. Deterministic: the sums over the edges of a section run by lower, then by higher face, for every mesh
 /// type.
 ///
 /// Source: Yang et al. 2014, section 3.3 (EdgeSection).
@@ -96,7 +96,7 @@ auto build_region_adjacency_graph(const FaceGraph& mesh, FaceRegionMap region_ma
 }
 
 /// \ingroup PkgRegionSegmentationStages
-/// the same with the lengths, angles and areas of `Geometry_annotator`.
+/// As above, with the lengths, angles and areas of `Geometry_annotator`.
 template <typename ConcurrencyTag = CGAL::Sequential_tag, typename FaceGraph, typename FaceRegionMap,
           typename NamedParameters = parameters::Default_named_parameters,
           typename = std::enable_if_t<!internal::satisfies<internal::Names_data, NamedParameters>>>

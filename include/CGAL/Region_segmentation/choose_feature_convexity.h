@@ -24,8 +24,8 @@ namespace Region_segmentation {
 struct Feature_convexity_choice
 {
   Feature_convexity convexity = Feature_convexity::CONCAVE; ///< `CONCAVE` or `ALL`
-  /// The share of the length of edges beside creases that is flat, in [0, 1]; 0 without a crease, 1 where
-  /// those have creases alone, as a cube of squares.
+  /// The flat fraction of the length of edges next to creases, in [0, 1]; 0 without a crease, 1 if the adjacent faces
+  /// have no other edges, as in a cube of squares.
   double flatness_beside_creases = 0;
 };
 
@@ -72,16 +72,15 @@ inline Feature_convexity_choice choose_feature_convexity(const Flat_mesh& flat,
 /// chooses which edges can be feature edges, by the surface itself: all on a machine part, the concave
 /// ones on a scanned or organic model.
 ///
-/// A *crease* is an edge whose deviation is above 30 degrees. A machine part is mostly flat right beside
-/// its creases; elsewhere the surface bends there, too, or bears noise. So all edges are chosen if, of the
-/// other edges of the faces that have a crease, more than half of the length is flat: its deviation is at
-/// most `maximum_angle`. Edges of degenerate faces do not count. Without a crease the concave edges are
-/// chosen.
+/// A *crease* is an edge whose deviation is above 30 degrees. A machine part is mostly flat next to its creases; other
+/// surfaces are curved or noisy there. So all edges are chosen if, of the other edges of the faces that have a crease,
+/// more than half of the length is flat: its deviation is at most `maximum_angle`. Edges of degenerate faces do not
+/// count. Without a crease the concave edges are chosen.
 ///
-/// What it says is what the surface is like, not which edges part a model as people would: with the
-/// concave edges `Two_step` comes nearer to people on machine parts, too, unless those close no region
-/// (figures in `doc/accuracy.md`). So no function of the package calls it on its own; the choice is
-/// handed on as `feature_convexity`. Choose `ALL` to get the smooth faces of a machine part.
+/// The result describes the surface, not the edges along which people would segment a model: with the
+/// concave edges `Two_step` is closer to people on machine parts, too, unless those edges close no
+/// region (figures in `doc/accuracy.md`). So no function of the package calls it; pass the result as
+/// `feature_convexity`. Choose `ALL` to get the smooth faces of a machine part.
 ///
 /// \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \param mesh an oriented 2-manifold with or without borders, its faces polygons of any size
@@ -94,7 +93,7 @@ inline Feature_convexity_choice choose_feature_convexity(const Flat_mesh& flat,
 /// \pre `maximum_angle` is in [0, 180]
 /// \throws Invalid_input if a point is not finite
 ///
-/// Complexity: O(F). Deterministic. Calls may run at the same time.
+/// Complexity: O(F). Deterministic. Concurrent calls are safe.
 template <typename FaceGraph, typename NamedParameters = parameters::Default_named_parameters>
 Feature_convexity_choice
 choose_feature_convexity(const FaceGraph& mesh,

@@ -23,8 +23,8 @@ using Feature_edge_parameters = Tag_list<CGAL::internal_np::maximum_angle_t, int
 }
 
 /// \ingroup PkgRegionSegmentationStages
-/// marks the feature edges of a mesh: its borders, the edges that are constrained, and those whose
-/// deviation is above a bound and whose sign is of the wanted kind.
+/// marks the feature edges of a mesh: its borders, its constrained edges, and those whose deviation
+/// exceeds a bound and whose sign is of the selected kind.
 ///
 /// The *deviation* of an edge is the angle \f$\arccos(N_i \cdot N_j)\f$ between the unit normals of
 /// its faces, \f$\pi - \theta\f$ for the dihedral angle \f$\theta\f$ (paper, eq. 1). Edges of a
@@ -38,16 +38,16 @@ using Feature_edge_parameters = Tag_list<CGAL::internal_np::maximum_angle_t, int
 /// \param edge_is_feature_map every key is written
 /// \param np optional named parameters:
 ///   - `maximum_angle` (degrees, default `default_maximum_angle`, 1.2372...): the bound
-///   - `feature_convexity` (`Feature_convexity`, default `CONCAVE`): the wanted kind
-///   - `edge_is_constrained_map`: edges that always are feature edges (default: none)
+///   - `feature_convexity` (`Feature_convexity`, default `CONCAVE`): the selected kind
+///   - `edge_is_constrained_map`: edges that are always feature edges (default: none)
 ///   - `visitor`: a model of `SegmentationVisitor`, for the stages "reading" and "features"
 ///   - `vertex_point_map`, `face_index_map`, `vertex_index_map`: as everywhere in \cgal
 ///
 /// \returns the number of edges written as true
 /// \pre `maximum_angle` is in [0, 180]
-/// \throws Invalid_input if a point is not finite, Segmentation_cancelled if the visitor says so; the map is as before then
+/// \throws Invalid_input if a point is not finite, Segmentation_cancelled if the visitor cancels; the map is unchanged
 ///
-/// Complexity: O(F). Deterministic. Calls on different maps may run at the same time.
+/// Complexity: O(F). Deterministic. Concurrent calls on different maps are safe.
 ///
 /// Source: Yang et al. 2014, section 3.1.
 template <typename ConcurrencyTag = CGAL::Sequential_tag, typename FaceGraph, typename EdgeIsFeatureMap,

@@ -4,8 +4,8 @@
 #define CGAL_REGION_SEGMENTATION_EVALUATION_H
 
 /// \file evaluation.h
-/// How far two segmentations of one mesh are from each other: the four measures of the Princeton
-/// Segmentation Benchmark. All are dissimilarities: 0 is equal, less is better.
+/// The dissimilarity of two segmentations of one mesh: the four measures of the Princeton
+/// Segmentation Benchmark. 0 means equal, less is better.
 ///
 /// | measure               | counts      | symmetric             | a refinement scores |
 /// |-----------------------|-------------|-----------------------|---------------------|
@@ -14,9 +14,8 @@
 /// | `consistency_error`   | faces, area | yes                   | 0                   |
 /// | `cut_discrepancy`     | cut lines   | yes                   | above 0             |
 ///
-/// Labels are names: only which faces share one matters, so they may be of any integral type,
-/// sparse or negative, and the two maps need not agree on any. A segment is the set of faces of one
-/// label, connected or not.
+/// Labels only identify segments: they may be of any integral type, sparse or negative, and the two
+/// maps need not use the same ones. A segment is the set of faces of one label, connected or not.
 ///
 /// Source: X. Chen, A. Golovinskiy, T. Funkhouser, "A Benchmark for 3D Mesh Segmentation", ACM
 /// Trans. Graph. 28(3), 2009; where its text and its evaluator differ, the evaluator is followed.

@@ -8,23 +8,24 @@
 namespace CGAL {
 namespace Region_segmentation {
 
-/// Thrown, in every build, for what only the data can tell: a point that is not finite, a file of
-/// labels with a wrong number of lines. The message names the place. Outputs are as before.
+/// Thrown, in every build, for invalid data: a point that is not finite, a file of labels with a
+/// wrong number of lines. The message states the location. Outputs are unchanged.
 class Invalid_input : public std::runtime_error
 {
 public:
   using std::runtime_error::runtime_error;
 };
 
-/// Thrown when a visitor asks to stop. Outputs are as before.
+/// Thrown when a visitor cancels. Outputs are unchanged.
 class Segmentation_cancelled : public std::runtime_error
 {
 public:
   Segmentation_cancelled() : std::runtime_error("segmentation cancelled by its visitor") {}
 };
 
-/// Thrown, in every build, when a part of a method does what its concept forbids and no type can tell: it reads data of
-/// the mesh that it did not ask for, or proposes to merge across a section that is removed. Outputs are as before.
+/// Thrown, in every build, when a part of a method violates its concept in a way that cannot be detected at compile
+/// time: it reads mesh data that it did not request, or proposes a merge across a removed section. Outputs are
+/// unchanged.
 class Invalid_method : public std::logic_error
 {
 public:

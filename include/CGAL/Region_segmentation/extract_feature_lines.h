@@ -26,8 +26,8 @@ namespace internal {
 using Feature_line_parameters = Tag_list<CGAL::internal_np::minimum_length_t, CGAL::internal_np::edge_is_constrained_t,
                                          CGAL::internal_np::visitor_t>;
 
-/// The marked edges of a mesh, its borders, and the edges that are barriers for growing though they are
-/// not marked, with their vertices as a graph.
+/// The marked edges of a mesh, its borders, and the unmarked edges that are barriers for growing, with
+/// their vertices as a graph.
 template <typename Traversal, typename EdgeIsFeatureMap>
 auto make_feature_graph(const Traversal& traversal, const Flat_mesh& flat,
                         const EdgeIsFeatureMap& edge_is_feature_map)
@@ -86,10 +86,10 @@ struct Polyline_collector
 /// removes the feature lines that end inside the surface, and outputs those that remain.
 ///
 /// A *feature line* is a maximal chain of feature edges between vertices where the number of feature
-/// edges is not 2, or a closed chain. A line of which an end has no other feature edge separates
-/// nothing: all such lines are removed at once, and again until there is none. Growing gives the same
-/// regions before and after; to this end the edges of a degenerate face across which nothing grows
-/// hold a line as a feature edge does.
+/// edges is not 2, or a closed chain. A line with an end without another feature edge separates
+/// nothing: all such lines are removed at once, repeatedly until there is none. Growing gives the
+/// same regions before and after; to this end, a line may also end at an edge of a degenerate face
+/// that growing does not cross.
 ///
 /// \tparam ConcurrencyTag `Sequential_tag` or, with TBB, `Parallel_tag`; see `segment()`
 /// \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
@@ -98,12 +98,12 @@ struct Polyline_collector
 /// \tparam PolylineOutputIterator a model of `OutputIterator` that takes
 ///         `std::vector<vertex_descriptor>`
 /// \param mesh an oriented 2-manifold with or without borders
-/// \param edge_is_feature_map the feature edges; every key is written. Borders of the mesh always are
+/// \param edge_is_feature_map the feature edges; every key is written. Borders of the mesh are always
 ///        feature edges
 /// \param polylines receives the vertices of every line; a closed one ends with its first vertex
 /// \param np optional named parameters:
 ///   - `minimum_length` (a number of edges, default: no line is that long): lines of at least this
-///     length stay, though they end inside the surface
+///     length are kept, although they end inside the surface
 ///   - `edge_is_constrained_map`: feature edges that are never removed (default: none)
 ///   - `visitor`: a model of `SegmentationVisitor`, for the stage "reading"
 ///   - `vertex_point_map`, `face_index_map`, `vertex_index_map`: as everywhere in \cgal
@@ -111,9 +111,9 @@ struct Polyline_collector
 /// \returns the number of lines that remain
 /// \post every remaining line that is shorter than `minimum_length` is closed or ends at other
 ///       feature edges
-/// \throws Invalid_input if a point is not finite, Segmentation_cancelled if the visitor says so; the map is as before then
+/// \throws Invalid_input if a point is not finite, Segmentation_cancelled if the visitor cancels; the map is unchanged
 ///
-/// Complexity: O(F). Deterministic. Calls on different maps may run at the same time.
+/// Complexity: O(F). Deterministic. Concurrent calls on different maps are safe.
 ///
 /// Source: Yang et al. 2014, section 3.1.
 template <typename ConcurrencyTag = CGAL::Sequential_tag, typename FaceGraph, typename EdgeIsFeatureMap,

@@ -20,7 +20,7 @@ namespace Region_segmentation {
 /// not feature edges.
 ///
 /// A degenerate face joins the region across its longest edge that is neither a border nor
-/// constrained, unless the map says that this is a feature edge; growing does not cross its other
+/// constrained, unless the map marks this edge as a feature edge; growing does not cross its other
 /// edges.
 ///
 /// \tparam ConcurrencyTag `Sequential_tag` or, with TBB, `Parallel_tag`; see `segment()`
@@ -31,7 +31,7 @@ namespace Region_segmentation {
 ///         integral value type
 /// \param mesh an oriented 2-manifold with or without borders
 /// \param edge_is_feature_map the feature edges; those between two faces of one region are cleared
-///        unless they are constrained, borders of the mesh are set
+///        unless they are constrained; borders of the mesh are set
 /// \param region_map every key is written: ids 0 .. r-1, numbered by the first face
 /// \param np optional named parameters:
 ///   - `edge_is_constrained_map`: edges that are not crossed (default: none)
@@ -41,10 +41,9 @@ namespace Region_segmentation {
 /// \returns the number r of regions
 /// \post every region is connected; two faces that share an edge which is not a feature edge, and
 ///       neither of which is degenerate, have the same region
-/// \throws Invalid_input if a point is not finite, Segmentation_cancelled if the visitor says so; the maps are as before
-///         then
+/// \throws Invalid_input if a point is not finite, Segmentation_cancelled if the visitor cancels; the maps are unchanged
 ///
-/// Complexity: O(F). Deterministic. Calls on different maps may run at the same time.
+/// Complexity: O(F). Deterministic. Concurrent calls on different maps are safe.
 ///
 /// Source: Yang et al. 2014, section 3.2.
 template <typename ConcurrencyTag = CGAL::Sequential_tag, typename FaceGraph, typename EdgeIsFeatureMap,

@@ -31,7 +31,7 @@ struct Stop_at_count
 };
 
 /// \ingroup PkgRegionSegmentationPolicies
-/// Stops before the first merge that costs more. A model of `MergingStopPredicate`.
+/// Stops before the first merge that costs more than a bound. A model of `MergingStopPredicate`.
 struct Stop_at_cost
 {
   double maximum_cost;
@@ -46,20 +46,20 @@ struct Stop_at_cost
 /// \ingroup PkgRegionSegmentationStages
 /// merges the regions of a graph, one section at a time, in the order of a policy.
 ///
-/// The run ends when `stop` says so or the policy has nothing left to merge.
+/// Merging ends when `stop` returns `true` or the policy has no further candidate.
 ///
 /// \tparam Graph a `Region_adjacency_graph`
 /// \tparam Policy a model of `RegionMergingPolicy`
 /// \tparam Stop a model of `MergingStopPredicate`
 /// \param graph the regions; merged in place
 /// \param policy is initialized for the graph, so that it can be used again
-/// \param number_of_segments the wanted number, for a policy whose order depends on it; `stop` decides
-/// \param stop is asked before each merge
+/// \param number_of_segments the wanted number, for a policy whose order depends on it; `stop` ends merging
+/// \param stop is called before each merge
 /// \param np optional named parameters:
-///   - `visitor`: a model of `SegmentationVisitor`, told of the stage "merging"
+///   - `visitor`: a model of `SegmentationVisitor`, for the stage "merging"
 ///
 /// \returns the tree of the merges, over all indices of regions of the graph
-/// \throws Segmentation_cancelled if the visitor says so, Invalid_method if the policy proposes a section that is removed
+/// \throws Segmentation_cancelled if the visitor cancels, Invalid_method if the policy proposes a section that is removed
 ///         or not mergeable; the graph is left between two merges then
 ///
 /// Complexity: that of the policy, and O((R + S) log R) expected for the graph itself. Deterministic.

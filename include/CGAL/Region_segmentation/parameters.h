@@ -6,16 +6,16 @@
 /// \file parameters.h
 /// The named parameters of the package: those of \cgal and its own, chained freely in one pack.
 ///
-/// This is the only file that knows the mechanism. A pack derives from
-/// `CGAL::Named_function_parameters`, so \cgal's own look-up functions read it, and packs that were
-/// made by `CGAL::parameters` are taken by every function of the package.
+/// Only this file depends on the mechanism. A pack derives from `CGAL::Named_function_parameters`,
+/// so \cgal's look-up functions read it, and every function of the package accepts packs made by
+/// `CGAL::parameters`.
 
 #include <CGAL/Named_function_parameters.h>
 
 #include <functional>
 #include <type_traits>
 
-// The parameters that the package adds: tag type, name. (And merge_tree, which is an output that is no map.)
+// The parameters that the package adds: tag type, name. (And merge_tree, an output that is not a map.)
 #define CGAL_REGION_SEGMENTATION_PARAMETERS(ADD)        \
   ADD(number_of_segments_t, number_of_segments)         \
   ADD(method_t, method)                                 \
@@ -95,12 +95,12 @@ struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
   }
 };
 
-/// Where a chain starts: `parameters::number_of_segments(8).vertex_point_map(vpm)`.
+/// The start of a chain: `parameters::number_of_segments(8).vertex_point_map(vpm)`.
 namespace parameters {
 
 using Default_named_parameters = Named_parameters<bool, CGAL::internal_np::all_default_t>;
 
-/// An empty pack, which can be chained, too.
+/// An empty pack, which can also be chained.
 inline Default_named_parameters default_values()
 {
   return {};
@@ -152,8 +152,8 @@ merge_tree(std::reference_wrapper<Merge_tree> tree)
 
 namespace internal {
 
-/// The pack as \cgal's look-up functions deduce it: a chain has one such base for each of its links,
-/// and only the outermost is meant.
+/// The pack as \cgal's look-up functions deduce it: a chain has one such base for each of its links;
+/// the outermost is used.
 template <typename T, typename Tag, typename Base>
 const CGAL::Named_function_parameters<T, Tag, Base>&
 pack(const Named_parameters<T, Tag, Base>& np)
@@ -182,8 +182,8 @@ template <typename Tag, typename... Tags>
 struct Is_in<Tag, Tag_list<Tags...>> : std::disjunction<std::is_same<Tag, Tags>...>
 {};
 
-/// The parameters that no function ignores in silence: those of the package, and those of \cgal that some of its
-/// functions take.
+/// The parameters that no function ignores silently: those of the package, and those of \cgal that functions of the
+/// package accept.
 #define CGAL_REGION_SEGMENTATION_ADD(TAG, NAME) internal_np::TAG,
 using Watched_parameters =
   Tag_list<CGAL_REGION_SEGMENTATION_PARAMETERS(CGAL_REGION_SEGMENTATION_ADD) internal_np::merge_tree_t,
@@ -200,7 +200,7 @@ struct Takes_all<CGAL::Named_function_parameters<T, Tag, Base>, Taken>
                      Takes_all<Base, Taken>>
 {};
 
-/// Does not compile where a pack has one of the watched parameters that is not among those which are taken.
+/// Does not compile if a pack has one of the watched parameters that is not among the accepted ones.
 template <typename Pack, typename Taken>
 constexpr void check_parameters()
 {

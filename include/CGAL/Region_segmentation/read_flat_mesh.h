@@ -26,21 +26,21 @@ Flat_mesh read_flat_mesh(const Mesh_traversal<FaceGraph, Pack>& traversal, const
 } // namespace internal
 
 /// \ingroup PkgRegionSegmentationStages
-/// reads a mesh into arrays, for the parts of methods, which work on these.
+/// reads a mesh into arrays, on which the parts of methods work.
 ///
 /// \tparam ConcurrencyTag `Sequential_tag` or, with TBB, `Parallel_tag`; see `segment()`
 /// \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \param mesh an oriented 2-manifold with or without borders, its faces polygons of any size
-/// \param data what is to be read beside normals, areas, lengths and angles
+/// \param data the data to be read in addition to normals, areas, lengths and angles
 /// \param np optional named parameters:
 ///   - `edge_is_constrained_map`: edges that always are borders and are never merged across (default: none)
 ///   - `visitor`: a model of `SegmentationVisitor`, for the stage "reading"
 ///   - `vertex_point_map`, `face_index_map`, `vertex_index_map`: as everywhere in \cgal
 ///
 /// \throws Invalid_input if a point is not finite, or the mesh has 2^32 - 1 halfedges or more;
-///         `Segmentation_cancelled` if the visitor says so
+///         `Segmentation_cancelled` if the visitor cancels
 ///
-/// Complexity: O(F). Deterministic: the same bits from every mesh type. Only reads; calls may run at the same time.
+/// Complexity: O(F). Deterministic: the same bits from every mesh type. Read-only; concurrent calls are safe.
 template <typename ConcurrencyTag = CGAL::Sequential_tag, typename FaceGraph,
           typename NamedParameters = parameters::Default_named_parameters>
 Flat_mesh read_flat_mesh(const FaceGraph& mesh, Mesh_data data = Mesh_data::NOTHING_MORE,

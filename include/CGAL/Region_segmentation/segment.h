@@ -21,43 +21,43 @@ namespace CGAL {
 namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationMain
-/// segments a surface mesh into parts: first regions are made and merged until the wanted number of
-/// segments is left.
+/// segments a surface mesh into parts: first regions are created and merged until the wanted number
+/// of segments is reached.
 ///
-/// \tparam ConcurrencyTag `Sequential_tag` or, with TBB, `Parallel_tag`: what touches every
-///         face or edge runs in parallel, to the same bits. Maps that are read must allow several readers then;
-///         maps that are written are written by one thread
+/// \tparam ConcurrencyTag `Sequential_tag` or, with TBB, `Parallel_tag`: loops over all faces or edges run in parallel,
+///         with bitwise equal results. Maps that are read must then support concurrent reads; maps are written by one
+///         thread
 /// \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam FaceSegmentMap a model of `WritablePropertyMap` with the face descriptor as key and an
 ///         integral value type that holds the number of segments
 /// \param mesh an oriented 2-manifold with or without borders, its faces polygons of any size
 /// \param segment_map every key is written: ids 0 .. n-1, numbered by the first face
 /// \param np optional named parameters:
-///   - `number_of_segments` (at least 1): the wanted number k; left out, it is chosen by the method, if it has a
-///     `NumberChooser`
+///   - `number_of_segments` (at least 1): the wanted number k (default: chosen by the method, if it has a
+///     `NumberChooser`)
 ///   - `method`: a model of `SegmentationMethod` (default: `Visibility_merging()`; `Two_step()` is the method of the
 ///     paper). Constants are members of its parts
 ///   - `edge_is_constrained_map`: edges that always are borders and are never merged across (none)
-///   - `face_seed_map`: faces with the same seed end in one segment, faces with different seeds in different ones; see
+///   - `face_seed_map`: faces with equal seeds belong to one segment, faces with different seeds to different ones; see
 ///     `Segmenter::set_seeds()` (no seeds)
 ///   - `visitor`: a model of `SegmentationVisitor`; by `std::ref()` if it changes
 ///   - `vertex_point_map`, `face_index_map`, `vertex_index_map`: as everywhere in \cgal
 ///   - `region_map`: receives the first regions: ids 0 .. r-1, numbered by the first face
 ///   - `merge_tree`: receives the merges of the first regions: all of them, or, with a method whose order depends on
-///     the wanted number, those down to k. (Beyond the number of first regions `segment()`
-///     itself splits those of `Superfacets`.)
+///     the wanted number, those down to k. (For more segments than first regions, `segment()` splits those of
+///     `Superfacets`.)
 ///
-/// \returns the number n of segments. It is more than k when the mesh has more connected pieces (or
-///          pieces between constrained edges, or seeds) than k, and less when there are fewer first regions
+/// \returns the number n of segments. It is more than k if the mesh has more connected components (or components
+///          between constrained edges, or seeds) than k, and less if there are fewer first regions
 ///
 /// \pre `number_of_segments` is at least 1
 /// \post every segment is connected where every first region is
 /// \throws Invalid_input if a point is not finite or equal seeds cannot be joined; `Segmentation_cancelled` if the
-///         visitor says so; all maps are as before then
+///         visitor cancels; all maps are unchanged
 ///
 /// Complexity: that of its parts; O(F log F) in practice for `Visibility_merging`, O(F + R log R + k^2) expected for
 /// `Two_step`.
-/// Deterministic: the same bits from every mesh type. Calls on different maps may run at the same time.
+/// Deterministic: the same bits from every mesh type. Concurrent calls on different maps are safe.
 /// For several numbers of segments, or when constraints and seeds change, use a `Segmenter`.
 ///
 /// Source: Yang, Zhou, Wang, Liu, Luo, "A fast and efficient mesh segmentation method based on improved

@@ -30,22 +30,20 @@ namespace Region_segmentation {
 /// moves the borders of segments to where a cut is short and lies in valleys.
 ///
 /// For each two adjacent segments \f$a, b\f$, in the order of their first faces, the faces of both within
-/// \f$D = \min(D_0, q \sqrt{\min(s_a, s_b)})\f$ of their border are dealt out anew by a minimum cut of the
-/// dual graph. An edge of length \f$l\f$ costs \f$l / (1 + g \, \delta^+)\f$, \f$\delta^+\f$ the deviation
-/// of a concave edge (0 of another one). Distances are those of centroids, on paths inside the own segment;
+/// \f$D = \min(D_0, q \sqrt{\min(s_a, s_b)})\f$ of their border are reassigned by a minimum cut of the dual graph. An
+/// edge of length \f$l\f$ costs \f$l / (1 + g \, \delta^+)\f$, \f$\delta^+\f$ the deviation of a concave edge (0 of
+/// another one). Distances are those of centroids, on paths inside the own segment;
 /// \f$s\f$ is the area a segment has at first. Lengths are in units of \f$\sqrt{A}\f$ and areas of \f$A\f$,
 /// the area of the surface. Of several cheapest cuts, the one is taken that moves the fewest faces, so a
 /// pair keeps its border if no cut is cheaper.
 ///
-/// A face at the inner end of the band stays. So does one that a constrained edge divides from the
-/// other segment. A segment that is not connected across edges that are not constrained counts as
-/// several, no two of which are changed against each other. What a pair would change is left if one of the two
-/// would be disconnected.
+/// A face at the inner end of the band keeps its segment, and so does one that a constrained edge separates from the
+/// other segment. A segment that is not connected across unconstrained edges counts as several, between which no face
+/// moves. The change of a pair is discarded if it would disconnect one of the two.
 ///
-/// Complexity: O(F + B log B), B the number of edges between segments, and for each pair a maximum flow on
-/// its band, of some hundred faces in practice; whether the two are connected is decided near by, or by
-/// a traversal of them at worst.
-/// Deterministic: capacities are integers, so not even the order of faces matters within a pair.
+/// Complexity: O(F + B log B), B the number of edges between segments, and for each pair a maximum flow on its band, of
+/// a few hundred faces in practice; the connectivity of the two is decided locally, or by a traversal of them at worst.
+/// Deterministic: capacities are integers, so the result for a pair does not depend on the order of faces.
 ///
 /// Source: minimum cuts in a fuzzy band, Katz and Tal 2003; the flow, Boykov and Kolmogorov 2004.
 class Minimum_cut_borders
@@ -53,7 +51,7 @@ class Minimum_cut_borders
 public:
   static constexpr Mesh_data required_mesh_data = Mesh_data::CENTROIDS | Mesh_data::SURFACE_AREA;
 
-  /// `width` (D_0, in units of the square root of the area of the surface): of the band, on each side;
+  /// `width` (D_0, in units of the square root of the area of the surface): the width of the band on each side;
   /// `width_of_segment` (q): at most this part of the square root of the area of the smaller segment;
   /// `concave_gain` (g, 1/radian): how much cheaper a cut along concave edges is.
   /// \pre all are at least 0
@@ -64,7 +62,7 @@ public:
     CGAL_precondition(width >= 0 && width_of_segment >= 0 && concave_gain >= 0);
   }
 
-  /// Changes the label of some faces; returns of how many.
+  /// Changes labels of faces; returns the number of changed faces.
   /// \pre there is a label for every face
   std::size_t operator()(const Flat_mesh& mesh, std::vector<Flat_mesh::Index>& label_of_face,
                          const Execution<>& execution = Execution<>()) const
@@ -127,7 +125,7 @@ private:
         execution);
   }
 
-  static constexpr double longest = 1e30; // relative; of needles far longer than the rest, in a float
+  static constexpr double longest = 1e30; // relative; limits the lengths of extreme needles to the range of float
 
   double m_width, m_width_of_segment, m_concave_gain;
 };
@@ -140,11 +138,11 @@ private:
 /// \tparam FaceSegmentMap a model of `ReadWritePropertyMap` with the face descriptor as key and an integral
 ///         value type of at most 64 bits
 /// \param mesh an oriented 2-manifold with or without borders, its faces polygons of any size
-/// \param segment_map the segments, by any labels; the faces that change sides are written
+/// \param segment_map the segments, by any labels; only faces whose label changes are written
 /// \param smoother how borders are moved
 /// \param np optional named parameters:
-///   - `edge_is_constrained_map`: edges that do not lose the border that runs along them, and that no
-///     border moves across (default: none)
+///   - `edge_is_constrained_map`: edges that keep the border that runs along them, and that no border
+///     moves across (default: none)
 ///   - `visitor`: a model of `SegmentationVisitor`, for the stages "reading" and "borders"
 ///   - `vertex_point_map`, `face_index_map`, `vertex_index_map`: as everywhere in \cgal
 ///
@@ -153,13 +151,13 @@ private:
 ///       constrained still is, and one that was not has no more pieces; the two sides of a constrained
 ///       edge that had different labels still have; a face farther from the borders of its segment than
 ///       the band of `smoother` keeps its label
-/// \throws Invalid_input if a point is not finite, Segmentation_cancelled if the visitor says so; the map is as before then
+/// \throws Invalid_input if a point is not finite, Segmentation_cancelled if the visitor cancels; the map is unchanged
 ///
-/// Labels are no longer numbered by their first face where one moved. A second call may move borders on:
-/// the bands lie around the new ones.
+/// Labels may no longer be numbered by their first face. A second call may move borders further: the bands lie around
+/// the new ones.
 ///
-/// Complexity: see `Minimum_cut_borders`. Deterministic: the same bits from every mesh type. Calls on
-/// different maps may run at the same time.
+/// Complexity: see `Minimum_cut_borders`. Deterministic: the same bits from every mesh type.
+/// Concurrent calls on different maps are safe.
 ///
 /// Source: Katz and Tal 2003.
 template <typename FaceGraph, typename FaceSegmentMap,
@@ -193,7 +191,7 @@ std::size_t smooth_borders(const FaceGraph& mesh, FaceSegmentMap segment_map,
 }
 
 /// \ingroup PkgRegionSegmentationStages
-/// the same with the constants of `Minimum_cut_borders()`.
+/// As above, with the constants of `Minimum_cut_borders()`.
 template <typename FaceGraph, typename FaceSegmentMap,
           typename NamedParameters = parameters::Default_named_parameters>
 std::size_t smooth_borders(const FaceGraph& mesh, FaceSegmentMap segment_map,

@@ -9,7 +9,7 @@ namespace CGAL {
 namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationPolicies
-/// What a policy proposes to merge next, and what it costs in the policy's own units.
+/// The section across which a policy proposes to merge next, and its cost in the units of the policy.
 struct Merge_candidate
 {
   Section_descriptor section;

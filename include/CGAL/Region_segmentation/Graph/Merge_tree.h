@@ -17,8 +17,8 @@ namespace CGAL {
 namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationGraph
-/// The merges of a run, in order. After any number of them they give a partition of the regions into segments, and
-/// these nest: a segment after fewer merges lies in one segment after more.
+/// The merges of a run, in order. Any number of them defines a partition of the regions into segments. Partitions are
+/// nested: a segment after fewer merges lies in one segment after more.
 class Merge_tree
 {
 public:
@@ -63,7 +63,7 @@ public:
 private:
   Partition partition_after(std::size_t number_of_merges) const
   {
-    // The kept id is the lower one, so a scan in order meets a parent before its children, and
+    // The kept id is the lower one, so a scan in order visits a parent before its children, and
     // numbering by the first region is numbering by roots.
     std::vector<std::uint32_t> parents(m_number_of_regions);
     for (std::size_t i = 0; i < m_number_of_regions; ++i)

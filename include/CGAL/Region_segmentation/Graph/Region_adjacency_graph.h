@@ -30,12 +30,12 @@ namespace Region_segmentation {
 ///
 /// A model of Boost.Graph's `VertexListGraph`, `EdgeListGraph`, `IncidenceGraph` and `AdjacencyGraph`
 /// (undirected, no parallel edges, no loops): a region is a vertex, a section is an edge. As in \cgal,
-/// `num_vertices()` and `num_edges()` are upper bounds once something was merged: indices, in
-/// `[0, num_vertices())`, are not given anew, and the descriptors of what is left stay valid.
-/// `number_of_regions()` and `number_of_sections()` count what is left.
+/// `num_vertices()` and `num_edges()` are upper bounds after merges: indices, in
+/// `[0, num_vertices())`, are not reused, and the descriptors of remaining elements stay valid.
+/// `number_of_regions()` and `number_of_sections()` count the remaining ones.
 ///
-/// `merge()` takes O(the sections of the region that has fewer) expected time. Bytes: 84 a region and 9 a
-/// section, beside the data; more for regions with more than 12 sections.
+/// `merge()` takes expected time linear in the number of sections of the region that has fewer. Bytes, without the
+/// data: 84 per region and 9 per section; more for regions with more than 12 sections.
 ///
 /// \tparam RegionData_ a model of `RegionData`
 /// \tparam SectionData_ a model of `SectionData`
@@ -74,7 +74,7 @@ public:
   static vertex_descriptor null_vertex() { return none; }
   /// @}
 
-  /// What a merge did: `kept` is the lower one of the two ids.
+  /// The result of a merge: `kept` is the lower of the two ids.
   struct Merge
   {
     region_descriptor kept, removed;
@@ -88,7 +88,7 @@ public:
     m_flags.reserve(sections);
   }
 
-  /// Adds a region; ids are given in order.
+  /// Adds a region; ids are assigned in order.
   region_descriptor add_region(RegionData data = RegionData())
   {
     const Index r = Index(m_place_of.size());
@@ -99,7 +99,7 @@ public:
     return r;
   }
 
-  /// Adds a section, which is mergeable; ids are given in order.
+  /// Adds a section, which is mergeable; ids are assigned in order.
   /// \pre both regions are there, and have no section yet
   section_descriptor add_section(region_descriptor a, region_descriptor b,
                                  SectionData data = SectionData())
@@ -110,7 +110,7 @@ public:
   }
 
   /// Adds a section between two regions that have no common edge, to keep data of the pair. It is not mergeable;
-  /// one that absorbs it, or that it absorbs, is as before.
+  /// absorbing it, or being absorbed by it, does not change whether another section is mergeable.
   /// \pre both regions are there, and have no section yet
   section_descriptor add_nonadjacent_section(region_descriptor a, region_descriptor b,
                                              SectionData data = SectionData())
@@ -162,16 +162,16 @@ public:
     return half == none ? std::nullopt : std::optional<section_descriptor>(half);
   }
 
-  /// Fetches what it takes to look at the sections of regions and to merge across one of them, for a policy that
-  /// knows which regions come next: together, where merges wait for one after the other. Nothing changes but the time.
+  /// Prefetches the data needed to visit the sections of regions and to merge across one of them, for a policy that
+  /// knows the next regions: their latencies overlap, while those of merges add up. Affects only the running time.
   ///
-  /// Without it, merging takes 1.4 to 1.5 times as long on a noisy mesh of 1 million faces; without what belongs to
+  /// Without it, merging takes 1.4 to 1.5 times as long on a noisy mesh of 1 million faces; without the data of
   /// neighbors 1.12 times.
   /// \pre the regions are not removed
   template <typename Regions>
   void prefetch_neighborhoods(const Regions& regions) const
   {
-    // What a loop asks for is found by way of what the loop before it asked for.
+    // Each loop finds its addresses in the data prefetched by the loop before it.
     for (Index r : regions)
       m_lists.prefetch_place(m_place_of[r]);
     for_each_half_of_short(regions, [this](Index half) {
@@ -184,7 +184,7 @@ public:
 
   /// Merges the two regions of a section. The lower id is kept; its data absorbs that of the other
   /// region, and sections to a common neighbor absorb each other.
-  /// \pre the section is there and mergeable
+  /// \pre the section exists and is mergeable
   Merge merge(section_descriptor s)
   {
     CGAL_precondition_msg(!is_removed(s) && is_mergeable(s),
@@ -204,7 +204,7 @@ public:
 private:
   static constexpr Index none = Lists::none;
 
-  /// What is known of a section; of two that become one, what is known of either.
+  /// The flags of a section; when two sections are united, the union of their flags.
   enum Section_flag : std::uint8_t {
     ADJACENT = 1, ///< it has edges
     BARRED = 2    ///< it must not be merged across
@@ -235,8 +235,8 @@ private:
     --m_number_of_sections;
   }
 
-  // Small into large: the sections of a region belong to a place, and the region that is kept takes over the
-  // place that has more of them, so that only those of the other place change.
+  // Small into large: the sections of a region belong to a place. The kept region takes over the place that has more of
+  // them, so that only those of the other place change.
   internal::Large_array<Index> m_place_of; // by region
   Lists m_lists;
   internal::Large_array<RegionData> m_region_data;

@@ -15,7 +15,7 @@ namespace Region_segmentation {
 /// \ingroup PkgRegionSegmentationGraph
 /// Length and mean dihedral angle of a section. A model of `SectionData`.
 ///
-/// Data of the user's own derives from it, or has the same member functions.
+/// User-defined data derives from it, or has the same member functions.
 struct Section_geometry
 {
   double length = 0;               ///< in units of the mesh
@@ -33,7 +33,7 @@ struct Section_geometry
     ++number_of_edges;
   }
 
-  /// Takes in another section between the same two regions.
+  /// Adds another section between the same two regions.
   void absorb(const Section_geometry& other)
   {
     length += other.length;
@@ -58,7 +58,7 @@ struct Region_geometry
     perimeter += mesh.length(edge);
   }
 
-  /// Takes in the region on the other side of the section `between`.
+  /// Adds the region on the other side of the section `between`.
   template <typename SectionData>
   void absorb(const Region_geometry& other, const SectionData& between)
   {

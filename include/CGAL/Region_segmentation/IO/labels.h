@@ -21,12 +21,12 @@ namespace Region_segmentation {
 namespace IO {
 
 /// \ingroup PkgRegionSegmentationIO
-/// reads labels in the `.seg` format of the Princeton Segmentation Benchmark: one integer a line, a
-/// line for each face. Empty lines at the end are taken.
+/// reads labels in the `.seg` format of the Princeton Segmentation Benchmark: one integer per line,
+/// one line per face. Empty lines at the end are ignored.
 ///
 /// \tparam Label an integral type
-/// \throws Invalid_input if the stream cannot be read (a file that is not there), or a line is not an integer that
-///         `Label` holds; the message names the line
+/// \throws Invalid_input if the stream cannot be read (a missing file), or a line is not an integer that `Label` can
+///         represent; the message states the line
 template <typename Label = long long>
 std::vector<Label> read_labels(std::istream& in)
 {
@@ -59,7 +59,7 @@ std::vector<Label> read_labels(std::istream& in)
 /// reads the labels of the faces of a mesh, in iteration order.
 ///
 /// \throws Invalid_input as above, or if the number of labels is not the number of faces; the map is
-///         as before then
+///         unchanged
 template <typename FaceGraph, typename FaceLabelMap>
 void read_labels(std::istream& in, const FaceGraph& mesh, FaceLabelMap label_map)
 {
@@ -75,7 +75,7 @@ void read_labels(std::istream& in, const FaceGraph& mesh, FaceLabelMap label_map
 }
 
 /// \ingroup PkgRegionSegmentationIO
-/// writes the label of every face of a mesh, in iteration order, one a line.
+/// writes the label of every face of a mesh, in iteration order, one per line.
 ///
 /// \returns whether the stream is good
 template <typename FaceGraph, typename FaceLabelMap>

@@ -11,11 +11,11 @@ namespace CGAL {
 namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationAnnotators
-/// The annotator for data that are sums over the faces and edges of the mesh, which every region graph is built with:
-/// it adds nothing. A model of `GraphAnnotator`.
+/// The annotator for data that are sums over the faces and edges of the mesh. These sums are computed with every region
+/// graph, so it adds nothing. A model of `GraphAnnotator`.
 ///
-/// \tparam RegionData_ a model of `RegionData` that no other annotator must fill
-/// \tparam SectionData_ a model of `SectionData` that no other annotator must fill
+/// \tparam RegionData_ a model of `RegionData` that needs no other annotator
+/// \tparam SectionData_ a model of `SectionData` that needs no other annotator
 template <typename RegionData_ = Region_geometry, typename SectionData_ = Section_geometry>
 struct Geometry_annotator
 {

@@ -43,22 +43,22 @@ double planarity(const RegionData& region)
 }
 
 /// \ingroup PkgRegionSegmentationPolicies
-/// Step two of the paper: a small region far from a disc goes next, across the section that
+/// Step two of the paper: merges a small region far from a disc next, across the section that
 /// `Longest_flattest_section` chooses. A model of `RegionMergingPolicy`.
 ///
 /// The region \f$i\f$ that has a section and the largest sum over all other regions \f$j\f$ of
 /// \f[ P_j(C_i) = 1 - \gamma \frac{e^{-\rho_i}}{e^{-\rho_i} + e^{-\rho_j}}
 ///              - (1 - \gamma) \frac{s_i}{s_i + s_j}, \f]
 /// \f$s\f$ the area and \f$\rho\f$ the planarity; the lower id of equal sums. The cost of a merge is 1
-/// less the mean of these terms: in [0, 1], low for a region that hardly counts.
+/// minus the mean of these terms: in [0, 1], low for an insignificant region.
 ///
-/// Complexity: O(R) a merge, and the choice of the section.
+/// Complexity: O(R) per merge, and the choice of the section.
 ///
 /// Source: Yang et al. 2014, eq. 4.
 class Least_compact_region_first
 {
 public:
-  /// `beta`: see `Longest_flattest_section`; `gamma`: the weight of planarity, in [0, 1], that of the
+  /// `beta`: see `Longest_flattest_section`; `gamma`: the weight of planarity, in [0, 1]; that of the
   /// area is 1 - gamma
   explicit Least_compact_region_first(double beta = 0.1, double gamma = 0.6)
     : m_section_of(beta), m_gamma(gamma)
@@ -102,7 +102,7 @@ public:
         const double others = double((std::max)(m_regions.size(), std::size_t(2)) - 1);
         return Merge_candidate{*section, (m_weights[best] - 0.5) / others};
       }
-      m_weights[best] = settled; // it never gets a section, but goes on to count for the others
+      m_weights[best] = settled; // it never gets a section, but still counts for the others
     }
   }
 
@@ -121,7 +121,7 @@ public:
 private:
   static constexpr double settled = std::numeric_limits<double>::infinity();
 
-  // Products of three areas, and of three of e^-rho, must be doubles where shares are taken together.
+  // Products of three areas, and of three of e^-rho, must be in the range of double where shares are combined.
   static constexpr double lowest_area = 1e-100, highest_area = 1e100, ragged = 200;
 
   struct Shape
@@ -201,15 +201,14 @@ private:
     return sum;
   }
 
-  /// x / (x + after) - x / (x + before) - x / (x + gone): divisions are what the loop over all regions waits
-  /// for.
+  /// x / (x + after) - x / (x + before) - x / (x + gone): divisions bound the time of the loop over all regions.
   static double change(double x, double after, double before, double gone)
   {
     const double p = x + after, q = x + before, r = x + gone;
     return x * (q * r - p * (q + r)) / (p * q * r);
   }
 
-  /// The loop over all regions, once for each merge; without branches, so that it is vectorized.
+  /// The loop over all regions, once per merge; branch-free, so that it is vectorized.
   void change_weights(const Shape& after, const Shape& before, const Shape& gone)
   {
     const double *areas = m_areas.data(), *compactness = m_compactness.data();

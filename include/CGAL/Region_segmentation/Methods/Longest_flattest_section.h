@@ -31,8 +31,8 @@ using Has_length_and_angle =
 /// \f$L\f$ the length and \f$A\f$ the mean dihedral angle of a section; 0/0 is 1/2; the lower neighbor
 /// id of equal sums. Sections that are not mergeable count as \f$j\f$ alone.
 ///
-/// Complexity: O(d p) for d sections, p of which are not outdone by another one in both
-/// length and angle: usually a few.
+/// Complexity: O(d p) for d sections, p of which are not dominated by another one in both length
+/// and angle: usually a few.
 ///
 /// Source: Yang et al. 2014, eq. 3.
 class Longest_flattest_section
@@ -41,7 +41,7 @@ public:
   /// `beta`: the weight of the length, in [0, 1]; that of the angle is 1 - beta
   explicit Longest_flattest_section(double beta = 0.1) : m_beta(beta) {}
 
-  /// Does not compile for a graph without the data that are read.
+  /// Does not compile for a graph without the required data.
   template <typename Graph>
   static constexpr void check_section_data()
   {
@@ -89,8 +89,8 @@ private:
     }
   }
 
-  /// P_ij increases with length and with angle, so a section that is outdone in both, by one that is mergeable,
-  /// cannot win; of equal ones, that to the lower neighbor does.
+  /// P_ij increases with length and with angle, so a section that is dominated in both by a mergeable one cannot win;
+  /// of equal ones, that to the lower neighbor wins.
   template <typename Graph>
   void find_front(const Graph& graph)
   {

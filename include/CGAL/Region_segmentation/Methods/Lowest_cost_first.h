@@ -21,21 +21,21 @@ namespace CGAL {
 namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationPolicies
-/// Turns a cost of sections into a policy: the cheapest section of the graph goes next; of equal ones,
-/// the one between the lower regions. A model of `RegionMergingPolicy`.
+/// Turns a cost of sections into a policy: merges across the cheapest section of the graph next; of
+/// equal ones, the one between the lower regions. A model of `RegionMergingPolicy`.
 ///
 /// The order does not depend on the wanted number of segments, so one tree gives them all. A merge
 /// changes the costs of the sections of the merged region alone: a cost may depend on a section and on
 /// its two regions.
 ///
-/// Complexity: O(d log S) a merge, d the number of sections of the merged region.
+/// Complexity: O(d log S) per merge, d the number of sections of the merged region.
 ///
 /// \tparam Cost a model of `SectionCost`; a section whose cost is not a number is never merged across
 template <typename Cost>
 class Lowest_cost_first : public internal::Data_named_by<Cost>
 {
 public:
-  using MergeCost = Cost; ///< the cost in whose units merges are
+  using MergeCost = Cost; ///< the cost that defines the units of merges
 
   explicit Lowest_cost_first(Cost cost = Cost()) : m_cost(std::move(cost)) {}
 

@@ -19,11 +19,11 @@ namespace Region_segmentation {
 /// With \f$c_k\f$ the largest cost of a merge down to \f$k - 1\f$ regions, from `maximum_number` regions
 /// on, and \f$c\f$ that of the last merge, the number is the largest \f$k\f$ for which all of
 /// \f$c_2 .. c_k\f$ are above the mean of \f$c\f$ and `level`; at least 2, if the tree has 2, and at
-/// least the number of connected pieces. A surface without any feature (a sphere) gives 2.
+/// least the number of connected components. A surface without any feature (a sphere) gives 2.
 ///
 /// Complexity: O(m), m the larger of `maximum_number` and the number of connected pieces.
 ///
-/// \tparam Cost the cost whose units the level is in: a method that merges by another one does not compile
+/// \tparam Cost the cost that defines the units of the level: a method that merges by another one does not compile
 template <typename Cost>
 class Number_from_costs
 {

@@ -27,7 +27,7 @@ struct Switch_at_multiple
 };
 
 /// \ingroup PkgRegionSegmentationPolicies
-/// Changes policies at a number of regions, whatever the wanted number of segments.
+/// Changes policies at a fixed number of regions, independently of the wanted number of segments.
 struct Switch_at_count
 {
   std::size_t count;
@@ -53,11 +53,11 @@ struct Common_merge_cost<
 /// \ingroup PkgRegionSegmentationPolicies
 /// One policy, then another. A model of `RegionMergingPolicy`.
 ///
-/// Its order depends on the wanted number of segments if that of one of the policies does, or the switch.
+/// Its order depends on the wanted number of segments if one of the policies or the switch does.
 ///
-/// \tparam First, Second models of `RegionMergingPolicy`, a sequence among them; if their costs are the same, those
-///         of the sequence are, too
-/// \tparam Switch `Switch_at_multiple`, `Switch_at_count`, or a function object like them: whether the
+/// \tparam First, Second models of `RegionMergingPolicy`, such as another sequence; if they have the same cost, it is
+///         that of the sequence
+/// \tparam Switch `Switch_at_multiple`, `Switch_at_count`, or a similar function object: whether the
 ///         second policy takes over
 template <typename First, typename Second, typename Switch>
 class Policy_sequence : public internal::Common_merge_cost<First, Second>

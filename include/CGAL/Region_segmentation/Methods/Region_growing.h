@@ -23,7 +23,7 @@ namespace Region_segmentation {
 /// The feature edges are those that `detect_feature_edges()` marks. A degenerate face joins the region across its
 /// longest interior edge.
 ///
-/// Complexity: O(F). Deterministic. In parallel with `Parallel_tag`, to the same bits.
+/// Complexity: O(F). Deterministic. Parallel with `Parallel_tag`, with bitwise equal results.
 ///
 /// Source: Yang et al. 2014, sections 3.1 and 3.2.
 struct Region_growing

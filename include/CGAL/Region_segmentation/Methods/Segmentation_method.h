@@ -16,9 +16,9 @@ struct No_number_chooser
 /// \ingroup PkgRegionSegmentationMethods
 /// A method made of its four parts. A model of `SegmentationMethod`.
 ///
-/// A method is a value: its parts are instances, each with its constants, and whatever data or state of the user's it
-/// holds. A part can be changed (`method.initializer.number = 400`) or replaced by one of another type (`with_...()`,
-/// which returns a new method and leaves this one as it is).
+/// A method is a value: its parts are instances, each with its constants and any data or state of the user. A part can
+/// be changed (`method.initializer.number = 400`) or replaced by one of another type (`with_...()`, which returns a new
+/// method and does not change this one).
 ///
 /// \code
 /// const auto method = RS::Visibility_merging().with_policy(RS::Lowest_cost_first(My_cost()))
@@ -27,7 +27,7 @@ struct No_number_chooser
 /// \endcode
 ///
 /// \tparam RegionInitializer makes the first regions
-/// \tparam GraphAnnotator names and fills the data of the region graph
+/// \tparam GraphAnnotator defines and fills the data of the region graph
 /// \tparam RegionMergingPolicy proposes which regions are merged next
 /// \tparam NumberChooser chooses the number of segments where none is given
 template <typename RegionInitializer, typename GraphAnnotator, typename RegionMergingPolicy,
@@ -83,7 +83,7 @@ make_segmentation_method(RegionInitializer initializer, GraphAnnotator annotator
 /// A method that partitions the region graph instead of merging regions one pair at a time: a partitioner takes the
 /// place of policy and chooser. A model of `SegmentationMethod`.
 ///
-/// \tparam GraphPartitioner deals the regions out to a given number of segments
+/// \tparam GraphPartitioner assigns the regions to a given number of segments
 template <typename RegionInitializer, typename GraphAnnotator, typename GraphPartitioner>
 struct Partitioning_method
 {

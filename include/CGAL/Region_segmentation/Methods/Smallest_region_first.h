@@ -20,13 +20,12 @@ namespace CGAL {
 namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationPolicies
-/// Step one of the paper: the region of smallest area goes next (the lower id of equal ones; never one whose
-/// area is NaN), across the section that `Longest_flattest_section` chooses. A model of
-/// `RegionMergingPolicy`; the cost is the area of the region, in squared units of the mesh.
+/// Step one of the paper: merges the region of smallest area next (the lower id of equal ones; never one whose area is
+/// NaN), across the section that `Longest_flattest_section` chooses. A model of `RegionMergingPolicy`; the cost is the
+/// area of the region, in squared units of the mesh.
 ///
-/// Complexity: O(log R) a merge, and the choice of the section. A section is looked
-/// at O(log A) times, A the ratio of the largest to the smallest area, since a region that is smallest twice
-/// has at least doubled.
+/// Complexity: O(log R) per merge, and the choice of the section. A section is visited O(log A) times, A the ratio of
+/// the largest to the smallest area, since a region that is smallest twice has at least doubled.
 ///
 /// Source: Yang et al. 2014, section 3.3.
 class Smallest_region_first
@@ -54,7 +53,7 @@ public:
         const Entry entry = m_queue.top();
         if (is_stale(graph, entry))
           continue;
-        // A region without a section never gets one, so its entry can go.
+        // A region without a section never gets one, so its entry is dropped.
         if (const auto section = m_section_of(graph, entry.second))
           return Merge_candidate{*section, entry.first};
       }

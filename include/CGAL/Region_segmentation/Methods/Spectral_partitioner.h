@@ -4,7 +4,7 @@
 #define CGAL_REGION_SEGMENTATION_METHODS_SPECTRAL_PARTITIONER_H
 
 /// \file Spectral_partitioner.h
-/// Needs Eigen 3, and uses Spectra 1 where it is installed; so it is not part of region_segmentation.h.
+/// Requires Eigen 3, and uses Spectra 1 if it is installed; so it is not part of region_segmentation.h.
 
 #include <CGAL/Region_segmentation/Methods/Visibility_cost.h>
 #include <CGAL/Region_segmentation/Methods/Lowest_cost_first.h>
@@ -30,17 +30,17 @@ namespace CGAL {
 namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationPolicies
-/// The `Visibility_cost` \f$c\f$ whose \f$e^{-c}\f$ is an affinity: proportional to the length of the section, so
-/// that the affinity of two sets of regions, a sum over sections, is one over the length of their
-/// border. The depth of the valley counts squared, and the areas of the regions do not, since a
-/// normalized cut looks after the sizes of the parts itself.
+/// The `Visibility_cost` \f$c\f$ whose \f$e^{-c}\f$ is an affinity: proportional to the length of the section, so that
+/// the affinity of two sets of regions, a sum over sections, is one over the length of their border. The depth of the
+/// valley counts squared. The areas of the regions do not count, since a normalized cut itself balances the sizes of
+/// the parts.
 struct Additive_visibility_cost : Visibility_cost
 {
   Additive_visibility_cost()
   {
     depth_exponent = 2;
     depth_offset = 0.05;
-    length_exponent = 0.5; // L^2 / m to this power, and the area m taken out again: L
+    length_exponent = 0.5; // L^2 / m to this power, with the area m cancelled: L
     area_exponent = -0.5;
     harmonic_share = 0;
   }
@@ -67,7 +67,7 @@ struct No_section_data
   void absorb(const No_section_data&) {}
 };
 
-/// By how much the weighted sum of squared distances to the means grows when two sets become one (Ward).
+/// The increase of the weighted sum of squared distances to the means when two sets are united (Ward).
 struct Growth_of_variance
 {
   template <typename Graph>
@@ -82,7 +82,7 @@ struct Growth_of_variance
 template <typename RegionData>
 using Has_area = decltype(std::declval<const RegionData&>().area);
 
-/// The area of a region where its data knows one, 1 otherwise; never 0.
+/// The area of a region if its data has one, 1 otherwise; never 0.
 template <typename RegionData>
 double weight_of(const RegionData& region)
 {
@@ -99,20 +99,19 @@ double weight_of(const RegionData& region)
 ///
 /// A section of cost \f$c\f$ has the affinity \f$w = e^{c_0 - c}\f$, \f$c_0\f$ the lowest cost; the scale
 /// of the affinities does not matter, and \f$c_0\f$ keeps them in [0, 1]. Regions become points by the
-/// \f$k + 3\f$ lowest solutions of \f$L y = \lambda D y\f$ (\f$D\f$ the sums of the affinities of the
-/// regions, \f$L = D - W\f$, \f$y^T D y = 1\f$), each coordinate \f$y / \sqrt{\lambda}\f$: the squared distance of
-/// two regions is their commute time in a random traversal. Then the two adjacent sets of regions go
-/// together whose union adds least to the sum of squared distances to the means, weighted by area where
-/// the data of regions has a member `area`, until \f$k\f$ are left. So all segments are connected, and
-/// nothing is drawn at random. Neither the signs of eigenvectors nor their choice in a common eigenspace
-/// matter, except at the last value.
+/// \f$k + 3\f$ lowest solutions of \f$L y = \lambda D y\f$ (\f$D\f$ the sums of the affinities of the regions, \f$L = D
+/// - W\f$, \f$y^T D y = 1\f$), each coordinate \f$y / \sqrt{\lambda}\f$: the squared distance of two regions is their
+/// commute time in a random traversal. Then the two adjacent sets of regions are united whose union adds least to the
+/// sum of squared distances to the means, weighted by area if the data of regions has a member `area`, until \f$k\f$
+/// remain. So all segments are connected, and nothing is random. Neither the signs of eigenvectors nor their choice in
+/// a common eigenspace matter, except at the last value.
 ///
-/// Sections that are not mergeable, or whose cost is not a number, are no connection.
+/// Sections that are not mergeable, or whose cost is not a number, do not connect regions.
 ///
-/// Complexity: O(R^3) by Eigen's dense solver; where Spectra is installed, and R is at least 64 and
-/// four times the number of eigenvectors, a sparse factorization and some hundred solutions instead, a
-/// few ms for 800 regions; then O(k S log S). Deterministic as Eigen and Spectra are: labels can
-/// differ between their versions and between machines where two unions are within rounding of each other.
+/// Complexity: O(R^3) by Eigen's dense solver; where Spectra is installed, and R is at least 64 and four times the
+/// number of eigenvectors, a sparse factorization and a few hundred solutions instead, a few ms for 800 regions; then
+/// O(k S log S). Deterministic as Eigen and Spectra are: labels can differ between their versions and between machines
+/// where two unions are within rounding of each other.
 ///
 /// \tparam SectionCost a model of `SectionCost`
 ///
@@ -122,7 +121,7 @@ template <typename SectionCost = Additive_visibility_cost>
 class Spectral_partitioner : public internal::Data_named_by<SectionCost>
 {
 public:
-  /// `cost`: minus the logarithm of the affinity, but for a constant;
+  /// `cost`: minus the logarithm of the affinity, up to a constant;
   /// `additional_eigenvectors`: beyond the number of segments
   explicit Spectral_partitioner(SectionCost cost = SectionCost(), std::size_t additional_eigenvectors = 3)
     : m_cost(std::move(cost)), m_additional_eigenvectors(additional_eigenvectors)

@@ -27,19 +27,19 @@ namespace CGAL {
 namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationInitializers
-/// makes regions of bounded size whose borders follow concave edges: each face belongs to the seed that
-/// is nearest on the dual graph. A model of `RegionInitializer`. Constrained edges are never crossed.
+/// makes regions of bounded size whose borders follow concave edges: each face belongs to the nearest
+/// seed on the dual graph. A model of `RegionInitializer`. Constrained edges are never crossed.
 ///
 /// A step between two faces has the length \f$|c_i - c_j| / \sqrt{A} \, (1 + w \, \min(\delta^+, m))\f$,
-/// \f$c\f$ the centroids, \f$A\f$ the area of the surface, \f$\delta^+\f$ the deviation of a concave edge
-/// (0 of another one). The first seed is the face farthest from the centroid of the surface, each
-/// further one the face farthest from all seeds so far; of several, the lower face. Every connected
-/// piece gets a seed, if need be beyond the number. Regions are connected.
+/// \f$c\f$ the centroids, \f$A\f$ the area of the surface, \f$\delta^+\f$ the deviation of a concave edge (0 of another
+/// one). The first seed is the face farthest from the centroid of the surface, each further one the face farthest from
+/// all seeds so far; of several, the lower face. Every connected component gets a seed, even if this exceeds the
+/// number. Regions are connected.
 ///
-/// The regions can be split further: the face that is farthest from its seed is separated first, with the faces that
-/// were reached through it.
+/// The regions can be split further: the face farthest from its seed is separated first, with the faces that were
+/// reached through it.
 ///
-/// Complexity: O(F log F) in practice: a face is reached anew by a few seeds. Deterministic.
+/// Complexity: O(F log F) in practice: a face is reached by a few seeds. Deterministic.
 ///
 /// Source: farthest-point seeding, Gonzalez 1985; on meshes, Eldar et al. 1997.
 class Superfacets
@@ -48,7 +48,7 @@ public:
   static constexpr Mesh_data required_mesh_data = Mesh_data::CENTROIDS | Mesh_data::SURFACE_AREA;
 
   std::size_t number;       ///< of regions, at least 1
-  double concave_weight;    ///< w, 1/radian, at least 0: how much longer a step across a concave edge is
+  double concave_weight;    ///< w, 1/radian, at least 0: the lengthening of steps across concave edges
   double maximum_deviation; ///< m, radian, at least 0: deviations above it count as this one
 
   explicit Superfacets(std::size_t number_ = 800, double concave_weight_ = 80, double maximum_deviation_ = 0.6)
@@ -78,7 +78,7 @@ private:
 
   static std::size_t farthest_face(const Flat_mesh& mesh)
   {
-    // Relative to a point of the mesh, so that nothing cancels far from the origin.
+    // Relative to a point of the mesh, to avoid cancellation far from the origin.
     const Double_3 origin = mesh.centroid(0);
     Double_3 center{};
     for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
@@ -91,7 +91,7 @@ private:
     return farthest;
   }
 
-  /// Seeds one after another; a new seed corrects the distances only where it is nearer.
+  /// Seeds are placed one after another; a new seed updates the distances only where it is nearer.
   template <typename ConcurrencyTag>
   class Seeding
   {
@@ -153,7 +153,7 @@ private:
     }
 
   private:
-    /// What is known of a face, side by side: it is met at random places.
+    /// All data of a face, stored together, since faces are accessed at random.
     struct Reached
     {
       double distance;
@@ -179,8 +179,8 @@ private:
       return {m_reached[farthest].distance, Index(farthest)};
     }
 
-    /// Distances only shrink, so what once was the farthest face of a block is an upper bound: it is
-    /// corrected when it comes up.
+    /// Distances only shrink, so a former farthest face of a block is an upper bound: it is updated
+    /// when it is popped.
     std::size_t farthest()
     {
       while (m_bounds.front().first != m_reached[m_bounds.front().second].distance) {
@@ -191,8 +191,8 @@ private:
       return m_bounds.front().second;
     }
 
-    /// The front is ordered by distances rounded to float. That cannot change a result, since a face whose
-    /// distance shrinks is pushed again.
+    /// The front is ordered by distances rounded to float. This cannot change a result, since a face whose distance
+    /// shrinks is pushed again.
     void grow_from(std::size_t seed)
     {
       const Index label = Index(m_number_of_seeds++);
@@ -228,7 +228,7 @@ private:
 
     static constexpr Index none = (std::numeric_limits<Index>::max)();
     static constexpr std::size_t faces_per_bound = 64;
-    static constexpr double slices_of_mean_step = 100; // by trial; across flat edges steps are far shorter
+    static constexpr double slices_of_mean_step = 100; // tuned empirically; across flat edges steps are far shorter
 
     const Execution<ConcurrencyTag>& m_execution;
     internal::Dual_graph m_graph;

@@ -17,13 +17,13 @@ namespace Region_segmentation {
 /// The merging of the paper: `Smallest_region_first` while more than `factor` times the wanted number
 /// of regions are left, then `Least_compact_region_first`. A model of `RegionMergingPolicy`.
 ///
-/// The order of merges depends on the wanted number, so its tree serves that number alone.
+/// The order of merges depends on the wanted number, so its tree is valid for that number only.
 struct Two_step_merging
   : Policy_sequence<Smallest_region_first, Least_compact_region_first, Switch_at_multiple>
 {
   /// `beta`: the weight of a section's length against its flatness, in [0, 1];
   /// `gamma`: the weight of a region's planarity against its area, in [0, 1];
-  /// `factor`: how many times the wanted number of segments step one leaves, at least 1
+  /// `factor`: the number of regions after step one, as a multiple of the wanted number of segments, at least 1
   explicit Two_step_merging(double beta = 0.1, double gamma = 0.6, double factor = 2)
     : Policy_sequence(Smallest_region_first(beta), Least_compact_region_first(beta, gamma),
                       Switch_at_multiple{factor})
@@ -34,7 +34,7 @@ struct Two_step_merging
 /// The method of the paper: `Region_growing` between feature edges, merged by `Two_step_merging`. A model of
 /// `SegmentationMethod`.
 ///
-/// It needs the number of segments.
+/// It requires the number of segments.
 ///
 /// Source: Yang et al. 2014.
 struct Two_step : Segmentation_method<Region_growing, Geometry_annotator<>, Two_step_merging>

@@ -23,18 +23,18 @@ namespace CGAL {
 namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationAnnotators
-/// measures by rays from every region into the body how thick it is there, and which regions see each other. A
-/// model of `GraphAnnotator`, for graphs with `Visibility_region_data` and `Visibility_section_data`.
+/// measures by rays from every region into the body its thickness there, and which regions see each other. A model of
+/// `GraphAnnotator`, for graphs with `Visibility_region_data` and `Visibility_section_data`.
 ///
 /// From three faces of each region, that at its centroid, and those at 3/10 and 6/10 in the order of
-/// the distance to it, six rays go into the body: one against the normal, and five on a spiral in a
-/// cone of 0.9 rad around it. A region of one or two faces sends as many rays, from those.
+/// the distance to it, six rays are cast into the body: one against the normal, and five on a spiral
+/// in a cone of 0.9 rad around it. A region of one or two faces casts as many rays, from those.
 /// - The *thickness* of a region is the mean of \f$\ln(x / \sqrt{A} + 10^{-4})\f$, \f$x\f$ the lengths of
 ///   its rays; that of a region whose rays all leave the body is the mean of the others.
-/// - Each ray joins the region where it starts to the one where it ends, with the share of the area
-///   that it stands for. Opposite sides of a limb see each other; two limbs do not. Two regions
-///   without a common border that see each other get a section of no edges, which is never merged
-///   across, and counts when their unions meet.
+/// - Each ray connects the regions where it starts and ends, weighted by the share of the area that
+///   it represents. Opposite sides of a limb see each other; two limbs do not. Two regions without
+///   a common border that see each other get a section of no edges, which is never merged across,
+///   and counts when their unions become adjacent.
 ///
 /// Lengths are relative to \f$\sqrt{A}\f$ and areas to \f$A\f$, the area of the surface.
 ///
@@ -52,12 +52,12 @@ public:
   static constexpr Mesh_data required_mesh_data =
     Mesh_data::POINTS | Mesh_data::CENTROIDS | Mesh_data::SURFACE_AREA;
 
-  /// What is kept of a mesh and its regions, so that only the rays of new regions are traced when regions change.
-  /// About 62 bytes a triangle and 300 a region.
+  /// Cached data of a mesh and its regions, so that only the rays of new regions are traced when regions change. About
+  /// 62 bytes per triangle and 300 per region.
   class Cache
   {
   public:
-    /// `previous_of[r]`: what the region r was called before; `none` if it is new
+    /// `previous_of[r]`: the former index of region r; `none` if it is new
     void renumber(const std::vector<Index>& previous_of)
     {
       std::vector<std::optional<Hits>> hits(previous_of.size());
@@ -81,7 +81,7 @@ public:
     (*this)(graph, mesh, regions, execution, cache);
   }
 
-  /// The same with what is known from an earlier call with the same mesh.
+  /// As above, with the data cached by an earlier call with the same mesh.
   template <typename Graph, typename ConcurrencyTag>
   void operator()(Graph& graph, const Flat_mesh& mesh, const Partition& regions,
                   const Execution<ConcurrencyTag>& execution, Cache& cache) const
@@ -129,7 +129,7 @@ private:
     set_thickness(graph, thickness);
   }
 
-  /// So that annotating a graph twice changes nothing.
+  /// Makes a second annotation of a graph have no effect.
   template <typename Graph>
   static void clear_visibility(Graph& graph)
   {

@@ -12,17 +12,16 @@ namespace CGAL {
 namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationPolicies
-/// What keeps the regions on the two sides of a section apart: the logarithm of a product of powers. A
+/// The strength of the separation of two regions by a section: the logarithm of a product of powers. A
 /// model of `SectionCost`, for graphs annotated by `Visibility_annotator`.
 ///
 /// A section of length \f$L\f$ between regions of areas \f$a_i, a_j\f$, \f$m\f$ the smaller and \f$h\f$
 /// their harmonic mean (all relative, see `Visibility_annotator`), costs
 /// \f[ p_d \ln d + p_a ((1 - \eta) \ln m + \eta \ln h) - p_l \ln \frac{L^2}{m}
 ///    + p_t \ln (t_0 + |t_i - t_j|) - p_s \ln \left(s_0 + \frac{s_{ij}}{\min(s_i, s_j)}\right), \f]
-/// \f$d = \max(0, (C - w_x X + w_b B) / L) + d_0\f$: how deep the valley is along the section, from
-/// the integrals of concave and convex deviations \f$C, X\f$ and of the bend \f$B\f$; \f$t\f$ the mean
-/// thickness of a region; \f$s_{ij}\f$ the rays between the regions and \f$s_i\f$ those that end in one.
-/// It has no unit.
+/// \f$d = \max(0, (C - w_x X + w_b B) / L) + d_0\f$: the depth of the valley along the section, from the integrals of
+/// concave and convex deviations \f$C, X\f$ and of the bend \f$B\f$; \f$t\f$ the mean thickness of a region;
+/// \f$s_{ij}\f$ the rays between the regions and \f$s_i\f$ those that end in one. It has no unit.
 ///
 /// The constants were chosen on half of the Princeton benchmark, see `doc/accuracy.md`.
 struct Visibility_cost

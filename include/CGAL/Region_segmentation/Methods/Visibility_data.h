@@ -43,7 +43,7 @@ struct Visibility_section_data
       convex += l * (std::min)(mesh.deviation(lower_face, edge), 2.0);
   }
 
-  /// Takes in another section between the same two regions.
+  /// Adds another section between the same two regions.
   void absorb(const Visibility_section_data& other)
   {
     length += other.length;
@@ -71,7 +71,7 @@ struct Visibility_region_data
   void add_face(const Flat_mesh&, std::size_t /* face */) {}
   void add_border_edge(const Flat_mesh&, std::size_t /* lower_face */, std::size_t /* edge */) {}
 
-  /// Takes in the region on the other side of a section.
+  /// Adds the region on the other side of a section.
   void absorb(const Visibility_region_data& other, const Visibility_section_data& /* between */)
   {
     area += other.area;

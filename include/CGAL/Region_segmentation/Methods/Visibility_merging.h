@@ -18,7 +18,7 @@ namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationMethods
 /// The default method: `Superfacets`, annotated by `Visibility_annotator`, merged at the lowest `Visibility_cost`
-/// first, with other constants while there are more than 150 regions. A model of `SegmentationMethod`.
+/// first, with different constants while there are more than 150 regions. A model of `SegmentationMethod`.
 ///
 /// The order of merges does not depend on the wanted number: one tree gives every segmentation, and
 /// `Number_from_costs` chooses a number where none is given.
@@ -31,7 +31,7 @@ struct Visibility_merging
   /// The level of `Number_from_costs` for the constants of `Visibility_cost()`.
   static constexpr double default_level = -19.5;
 
-  /// `cost`: of few regions; `cost_of_many`: while there are more than `many` of them
+  /// `cost`: for few regions; `cost_of_many`: while there are more than `many` regions
   explicit Visibility_merging(const Visibility_cost& cost = Visibility_cost(),
                               const Visibility_cost& cost_of_many = Visibility_cost::for_many_regions(),
                               std::size_t many = 150)

@@ -77,7 +77,7 @@ inline Consistency_error consistency_error(const Partition& a, const Partition& 
 
 /// \ingroup PkgRegionSegmentationEvaluation
 /// computes the consistency error of two segmentations: how far they are from one being a
-/// refinement of the other. It forgives differences of detail.
+/// refinement of the other. It tolerates differences of detail.
 ///
 /// A face whose segments are i in `a` and j in `b` has the refinement errors
 /// \f$E^{ab}_{ij} = 1 - n_{ij} / n_{i.}\f$ and \f$E^{ba}_{ij} = 1 - n_{ij} / n_{.j}\f$, where
@@ -92,9 +92,9 @@ inline Consistency_error consistency_error(const Partition& a, const Partition& 
 /// evaluator.
 ///
 /// All are in [0, 1) and LCE <= GCE. GCE is 0 if one segmentation is a refinement of the other: so
-/// always when one of them is a single segment, or a segment for each face, and such a score says
-/// nothing. LCE is 0 if and only if of any two segments that share a face, one contains the other.
-/// Symmetric up to rounding. A mesh without faces: 0.
+/// always when one of them is a single segment, or a segment for each face; such a score is
+/// meaningless. LCE is 0 if and only if of any two segments that share a face, one contains the
+/// other. Symmetric up to rounding. A mesh without faces: 0.
 ///
 /// \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam FaceLabelMapA a model of `ReadablePropertyMap` with the face descriptor as key and an
@@ -102,8 +102,8 @@ inline Consistency_error consistency_error(const Partition& a, const Partition& 
 /// \tparam FaceLabelMapB the same
 /// \param mesh a mesh, with or without borders, of faces of any size; the area of a face that is not
 ///        planar is the length of its area vector (Newell)
-/// \param a the one segmentation; labels may be sparse or negative
-/// \param b the other one; its labels need not be those of `a`
+/// \param a the first segmentation; labels may be sparse or negative
+/// \param b the second one; its labels need not be those of `a`
 /// \param np optional named parameters: `vertex_point_map`, `face_index_map`, `vertex_index_map`, as
 ///        everywhere in \cgal
 ///
@@ -113,8 +113,8 @@ inline Consistency_error consistency_error(const Partition& a, const Partition& 
 ///
 /// Complexity: O(F) expected time (labels are hashed) and O(F) memory, for any number of segments.
 /// Invariant under scaling by powers of two to the bit; areas do not overflow. Deterministic: sums
-/// run in an order that the faces fix. Only reads; calls may run at the same time where reading the
-/// maps may.
+/// run in an order determined by the faces. Read-only; concurrent calls are safe if reading the
+/// maps is.
 ///
 /// Source: Chen, Golovinskiy, Funkhouser 2009; D. Martin, C. Fowlkes, D. Tal, J. Malik,
 /// "A Database of Human Segmented Natural Images", ICCV 2001.

@@ -50,8 +50,8 @@ std::vector<Edge_graph::Index> cut_vertices(const Mesh_traversal<FaceGraph, Pack
 } // namespace internal
 
 /// \ingroup PkgRegionSegmentationEvaluation
-/// computes the cut discrepancy of two segmentations: how far their cuts run from each other, in
-/// units of the size of the surface.
+/// computes the cut discrepancy of two segmentations: the distance of their cuts, in units of the
+/// size of the surface.
 ///
 /// The *cut vertices* of a segmentation are the end points of the edges whose two faces have
 /// different labels; borders of the mesh are no cuts. With \f$V_a\f$ and \f$V_b\f$ the cut vertices
@@ -64,9 +64,9 @@ std::vector<Edge_graph::Index> cut_vertices(const Mesh_traversal<FaceGraph, Pack
 /// for them, weighted by area). CD has no unit and does not change with the scale of the mesh.
 ///
 /// The range is [0, infinity): 0 if and only if the cut vertices are the same (edges of length 0
-/// aside). Symmetric, to the bit. There is none where it is not defined: when a side has no cut (so
-/// on a mesh with no face or one), when a cut vertex has no path to the other side's cuts (on a
-/// mesh in several pieces), and when the surface has no area.
+/// aside). Symmetric, to the bit. It is undefined if one segmentation has no cut (so on a mesh with
+/// no face or one), if a cut vertex has no path to the cuts of the other (on a mesh with several
+/// components), and if the surface has no area.
 ///
 /// \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam FaceLabelMapA a model of `ReadablePropertyMap` with the face descriptor as key and an
@@ -74,18 +74,18 @@ std::vector<Edge_graph::Index> cut_vertices(const Mesh_traversal<FaceGraph, Pack
 /// \tparam FaceLabelMapB the same
 /// \param mesh a mesh, with or without borders, of faces of any size; the area of a face that is not
 ///        planar is the length of its area vector (Newell)
-/// \param a the one segmentation; labels may be sparse or negative
-/// \param b the other one; its labels need not be those of `a`
+/// \param a the first segmentation; labels may be sparse or negative
+/// \param b the second one; its labels need not be those of `a`
 /// \param np optional named parameters: `vertex_point_map`, `face_index_map`, `vertex_index_map`, as
 ///        everywhere in \cgal
 ///
-/// \returns the cut discrepancy, or none
+/// \returns the cut discrepancy, or none if it is undefined
 /// \pre the mesh has fewer than 2^32 - 1 vertices and faces
 /// \throws Invalid_input if a point is not finite
 ///
 /// Complexity: O(F log F) time, one shortest-path run (Dijkstra, from all cut vertices) for each
-/// side, and O(F) memory, with F to include the vertices. Coordinates do not overflow.
-/// Deterministic. Only reads; calls may run at the same time where reading the maps may.
+/// side, and O(F) memory, F including the vertices. Coordinates do not overflow. Deterministic.
+/// Read-only; concurrent calls are safe if reading the maps is.
 ///
 /// Source: Chen, Golovinskiy, Funkhouser 2009; Huang and Dom 1995. Distances there are
 /// geodesic; the benchmark's evaluator measures along edges, and so does this function.

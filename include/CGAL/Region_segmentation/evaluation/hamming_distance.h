@@ -59,8 +59,8 @@ inline Hamming_distance hamming_distance(const Partition& a, const Partition& b,
 } // namespace internal
 
 /// \ingroup PkgRegionSegmentationEvaluation
-/// computes the Hamming distance of two segmentations: the part of the area that stays outside when
-/// every segment of one is matched with the segment of the other that covers most of it.
+/// computes the Hamming distance of two segmentations: the part of the area that remains uncovered
+/// when every segment of one is matched with the segment of the other that covers most of it.
 ///
 /// \f[ R_m = 1 - \frac{1}{A} \sum_j \max_i a_{ij}, \quad
 ///     R_f = 1 - \frac{1}{A} \sum_i \max_j a_{ij}, \quad
@@ -80,19 +80,18 @@ inline Hamming_distance hamming_distance(const Partition& a, const Partition& b,
 /// \tparam FaceLabelMapB the same
 /// \param mesh a mesh, with or without borders, of faces of any size; the area of a face that is not
 ///        planar is the length of its area vector (Newell)
-/// \param a the one segmentation, say the result; labels may be sparse or negative
-/// \param b the other one, say the truth; its labels need not be those of `a`
+/// \param a the first segmentation, e.g. the result; labels may be sparse or negative
+/// \param b the second one, e.g. the truth; its labels need not be those of `a`
 /// \param np optional named parameters: `vertex_point_map`, `face_index_map`, `vertex_index_map`, as
 ///        everywhere in \cgal
 ///
-/// \returns the distance and the two rates it is the mean of
+/// \returns the distance, and the two rates whose mean it is
 /// \pre the mesh has fewer than 2^32 - 1 faces
 /// \throws Invalid_input if a point is not finite
 ///
 /// Complexity: O(F) expected time (labels are hashed) and O(F) memory, for any number of segments.
 /// Invariant under scaling by powers of two to the bit; areas do not overflow. Deterministic: sums
-/// run in the order of the faces. Only reads; calls may run at the same time where reading the maps
-/// may.
+/// run in the order of the faces. Read-only; concurrent calls are safe if reading the maps is.
 ///
 /// Source: Chen, Golovinskiy, Funkhouser 2009; Q. Huang, B. Dom, "Quantitative Methods
 /// of Evaluating Image Segmentation", ICIP 1995.

@@ -49,8 +49,8 @@ inline double rand_index_distance(const Partition& a, const Partition& b)
 } // namespace internal
 
 /// \ingroup PkgRegionSegmentationEvaluation
-/// computes the Rand index *distance* 1 - RI of two segmentations: the part of all pairs of faces
-/// that are in one segment in one of them, and in two in the other.
+/// computes the Rand index *distance* 1 - RI of two segmentations: the fraction of all pairs of
+/// faces that share a segment in one of them, but not in the other.
 ///
 /// \f[ 1 - RI = \frac{\sum_i C(n_{i.}) + \sum_j C(n_{.j}) - 2 \sum_{ij} C(n_{ij})}{C(F)},
 ///     \quad C(n) = n (n - 1) / 2 \f]
@@ -68,15 +68,15 @@ inline double rand_index_distance(const Partition& a, const Partition& b)
 ///         integral value type of at most 64 bits
 /// \tparam FaceLabelMapB the same
 /// \param mesh a mesh, of faces of any size
-/// \param a the one segmentation; labels may be sparse or negative
-/// \param b the other one; its labels need not be those of `a`
+/// \param a the first segmentation; labels may be sparse or negative
+/// \param b the second one; its labels need not be those of `a`
 ///
 /// \returns 1 - RI
 /// \pre the mesh has fewer than 2^32 - 1 faces
 ///
 /// Complexity: O(F) expected time (labels are hashed) and O(F) memory, for any number of segments.
-/// The sums are exact integers, so the value is that of the formula, rounded once. Deterministic.
-/// Only reads; calls may run at the same time where reading the maps may.
+/// The sums are exact integers, so the value of the formula is rounded once. Deterministic.
+/// Read-only; concurrent calls are safe if reading the maps is.
 ///
 /// \note The evaluator of the Princeton benchmark halves F - 1 as an integer and so prints values
 /// larger by the factor ((F - 1) / 2) / floor((F - 1) / 2) where F is even. This function does not.
@@ -97,9 +97,9 @@ double rand_index_distance(const FaceGraph& mesh, const FaceLabelMapA& a, const 
 /// \tparam LabelRangeA a range of forward iterators with an integral value type of at most 64 bits
 /// \tparam LabelRangeB the same
 ///
-/// \throws Invalid_input if the ranges are not of one length
+/// \throws Invalid_input if the ranges differ in length
 ///
-/// All else is as for the maps.
+/// Otherwise as for property maps.
 template <typename LabelRangeA, typename LabelRangeB>
 double rand_index_distance(const LabelRangeA& a, const LabelRangeB& b)
 {

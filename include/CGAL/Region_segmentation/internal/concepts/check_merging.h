@@ -46,7 +46,7 @@ template <typename T, typename Graph>
 using Observes_merges = decltype(std::declval<T&>().on_merge(std::declval<const Graph&>(),
                                                              std::declval<typename Graph::Merge>()));
 
-/// Whether the order of a policy depends on the wanted number of segments: then it cannot be initialized without.
+/// Whether the order of a policy depends on the wanted number of segments: then it cannot be initialized without it.
 template <typename Policy, typename Graph>
 constexpr bool depends_on_number = !satisfies<Initializes, Policy, Graph>;
 

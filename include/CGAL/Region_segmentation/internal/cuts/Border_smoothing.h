@@ -29,9 +29,9 @@ class Border_smoothing
 public:
   using Index = Flat_mesh::Index;
 
-  /// The two dual graphs have the same steps: `steps` with the distance of two faces, `weights` with what
-  /// a border between them costs. `piece_of_face` is changed; `label_of_piece`: two pieces of one
-  /// segment have no border to be moved.
+  /// The two dual graphs have the same steps: `steps` with the distance of two faces, `weights` with the cost of a
+  /// border between them. `piece_of_face` is changed; `label_of_piece`: two pieces of one segment have no border to be
+  /// moved.
   Border_smoothing(const Flat_mesh& mesh, const Dual_graph& steps, const Dual_graph& weights,
                    std::vector<Index>& piece_of_face, const std::vector<Index>& label_of_piece)
     : m_steps(steps)
@@ -46,7 +46,7 @@ public:
     collect_constrained_edges(mesh);
   }
 
-  /// `width(a, b)`: how far the band between two pieces reaches on both sides.
+  /// `width(a, b)`: the width of the band between two pieces on each side.
   template <typename Width>
   void run(const Width& width, const Execution<>& execution)
   {
@@ -99,7 +99,7 @@ private:
   }
 
   /// The faces of the two pieces within `width` of their border, on paths inside their own piece. An
-  /// earlier pair may have moved parts of the border; what is left of it is enough to start from.
+  /// earlier pair may have moved parts of the border; the remaining border is sufficient as a start.
   void grow_band(Border_iterator first, Border_iterator last, double width)
   {
     for (auto border = first; border != last; ++border)
@@ -162,7 +162,7 @@ private:
       move_faces(cut, a, b);
   }
 
-  /// Faces at the inner end of the band, and those that a constrained edge divides from the other
+  /// Faces at the inner end of the band, and those that a constrained edge separates from the other
   /// segment.
   bool must_stay(Index face, Index other_piece) const
   {
@@ -178,8 +178,8 @@ private:
     return false;
   }
 
-  /// Moves the faces to their new sides, unless one of the pieces would be disconnected. What a piece gains
-  /// is connected to it (see `Minimum_cut`).
+  /// Moves the faces to their new sides, unless one of the pieces would be disconnected. Faces that a piece gains are
+  /// connected to it (see `Minimum_cut`).
   void move_faces(const Minimum_cut& cut, Index a, Index b)
   {
     std::vector<Index> moved;
@@ -197,8 +197,9 @@ private:
       exchange();
   }
 
-  /// Whether a piece that was connected before some faces left it still is: then, and only then, its
-  /// faces beside those that left reach each other. Ends when they do, so mostly near by.
+  /// Whether a piece that was connected before faces left it still is: if and only if its faces next
+  /// to those are still connected to each other. Stops as soon as they are, so usually after a local
+  /// search.
   bool is_connected(Index piece, const std::vector<Index>& moved)
   {
     const Index wanted = m_latest_visit + 1, reached = m_latest_visit + 2;

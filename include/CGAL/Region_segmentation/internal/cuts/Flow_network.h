@@ -44,8 +44,8 @@ public:
     m_arcs_of_node.count(b);
   }
 
-  /// Finds the maximum flow, once. Colors: black what is on the side of the source, white on that of the
-  /// sink in every minimum cut, gray the rest.
+  /// Finds the maximum flow, once. Colors: black if a node is on the side of the source in every minimum cut, white if
+  /// on that of the sink, gray otherwise.
   /// \pre a terminal has at most one edge to a node, and none to the other terminal
   void run(Index source, Index sink, std::vector<boost::default_color_type>& colors)
   {

@@ -20,8 +20,8 @@ namespace internal {
 /// of several, one that moves the fewest nodes. Boost.Graph finds the flow.
 ///
 /// Capacities are rounded to integers, their sum being about 2^51 over the number of nodes. Sums are
-/// exact, so the cut does not depend on the order of nodes and edges. None is 0: if every node has
-/// a way to both terminals, it is connected to that of its new side by nodes of that side.
+/// exact, so the cut does not depend on the order of nodes and edges. None is 0: if every node has a
+/// path to both terminals, it is connected to that of its new side by nodes of that side.
 class Minimum_cut
 {
 public:
@@ -36,14 +36,14 @@ public:
     return Node(m_is_on_source_side.size() - 1);
   }
 
-  /// An edge that counts for nothing is left out: a loop, or one between the terminals.
+  /// Edges without effect are omitted: loops, and edges between the terminals.
   void add_edge(Node a, Node b, double capacity)
   {
     if (a != b && (std::max)(a, b) > sink)
       m_edges.push_back({(std::min)(a, b), (std::max)(a, b), capacity});
   }
 
-  /// Moves nodes to the other side where that lowers the capacity of the cut; says whether any moved.
+  /// Moves nodes to the other side where that lowers the capacity of the cut; returns whether any moved.
   bool improve()
   {
     std::vector<boost::default_color_type> colors(m_is_on_source_side.size());
@@ -68,8 +68,8 @@ private:
     double capacity;
   };
 
-  /// A node that moves costs 1, and all together less than the unit of the capacities. Boost's algorithm
-  /// does not see all of several edges between a node and a terminal: they become one.
+  /// Moving a node costs 1, and moving all less than the unit of the capacities. Boost's algorithm does not support
+  /// parallel edges between a node and a terminal: they are united.
   void find_flow(std::vector<boost::default_color_type>& colors) const
   {
     const std::size_t nodes = m_is_on_source_side.size();

@@ -24,7 +24,7 @@ namespace internal {
 
 struct Eigenpairs
 {
-  Eigen::VectorXd values;  // in rising order
+  Eigen::VectorXd values;  // in increasing order
   Eigen::MatrixXd vectors; // the columns, of length 1
 };
 
@@ -36,8 +36,8 @@ inline Eigenpairs dense_lowest_eigenpairs(const Eigen::SparseMatrix<double>& mat
 
 #ifdef CGAL_REGION_SEGMENTATION_USE_SPECTRA
 
-/// Where few of many eigenpairs are wanted: Lanczos on the inverse of the matrix plus 10^-4, from the same vector each
-/// time. Otherwise all, by Eigen: O(n^3).
+/// If few of many eigenpairs are wanted: Lanczos on the inverse of the matrix plus 10^-4, always from the same vector.
+/// Otherwise all, by Eigen: O(n^3).
 struct Spectra_solver
 {
   Eigenpairs operator()(const Eigen::SparseMatrix<double>& matrix, Eigen::Index number) const
@@ -77,10 +77,10 @@ struct Affinity
   double value; // at least 0
 };
 
-/// The nodes of a graph as points, a row each, such that the squared distance of two is what their
-/// commute time is in a random walk by the affinities, seen through the `number` lowest eigenvectors of
-/// L y = lambda D y but the constant one, which every node shares; L the Laplacian, D the
-/// degrees. A node without affinities is at the origin.
+/// The nodes of a graph as points, a row each, such that the squared distance of two is their commute
+/// time in a random walk by the affinities, projected to the `number` lowest eigenvectors of L y =
+/// lambda D y except the constant one, which every node shares; L the Laplacian, D the degrees. A node
+/// without affinities is at the origin.
 ///
 /// \tparam Solver gives the eigenpairs of lowest value of a symmetric, positive semidefinite matrix
 template <typename Solver>

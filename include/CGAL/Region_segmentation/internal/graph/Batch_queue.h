@@ -16,19 +16,19 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// A priority queue of numbers with a value; the lowest value goes first, the lower number of equal ones. The next
-/// entries are known in batches, so that what is needed of them can be prefetched together.
+/// A priority queue of numbers with a value, lowest value first, then lowest number. The next entries are available in
+/// batches, so that their data can be prefetched together.
 ///
 ///     lowest                                          highest
 ///     | m_batch | m_run, and among it m_risen | m_later ... |
 ///
-/// The lowest quarter of the entries is sorted, when the one before is used up. Meant for values that rise: an entry
-/// that is pushed rarely belongs into the batch or among the sorted ones.
+/// The lowest quarter of the entries is sorted when the previous one is used up. Intended for increasing values: a
+/// pushed entry rarely belongs to the batch or to the sorted entries.
 ///
 /// On a noisy mesh of 1 million faces merging takes 1.37 times as long with a `std::priority_queue` that is emptied in
 /// batches, and 2.1 times as long without batches.
 ///
-/// Complexity: O(log n) an entry. Bytes: 16 an entry, and what vectors have in reserve.
+/// Complexity: O(log n) per entry. Bytes: 16 per entry, and the unused capacity of the vectors.
 class Batch_queue
 {
 public:
@@ -60,7 +60,7 @@ public:
   const Entry& top() const { return m_batch.back(); }
   void pop() { m_batch.pop_back(); }
 
-  /// Goes on to the next entries; `prepare(entries)` may leave out some. Returns whether there are any more.
+  /// Advances to the next entries; `prepare(entries)` may drop entries. Returns whether any remain.
   /// \pre not `has_top()`
   template <typename Prepare>
   bool next_batch(const Prepare& prepare)
@@ -97,7 +97,7 @@ private:
     m_run_end = m_run.front();
   }
 
-  /// \pre there is one in the run or risen
+  /// \pre there is an entry in the run or among the risen ones
   Entry take_lowest()
   {
     Entry lowest;
@@ -112,7 +112,7 @@ private:
   }
 
   std::vector<Entry> m_batch, m_run; // the next one last
-  Heap m_risen;                      // came when the run was sorted, below its end
+  Heap m_risen;                      // pushed after the run was sorted, below its end
   std::vector<Entry> m_later;        // in no order
   Entry m_batch_end, m_run_end;      // the last one of each
 };

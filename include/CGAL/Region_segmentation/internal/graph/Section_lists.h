@@ -19,19 +19,19 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// Which sections meet at which place: section s has the halves 2s and 2s + 1, each in the list of one place.
-/// Two places can be made one. A list is in the order in which its halves came.
+/// The incidence of sections and places: section s has the halves 2s and 2s + 1, each in the list of one place. Two
+/// places can be united. A list is in the order of insertion.
 ///
-/// What is looked for at a place with a short list is found by reading it. A hash table finds the sections
-/// between two long lists; so a hub of any number of sections costs no more than another place.
+/// Short lists are searched linearly. A hash table finds the sections between two long lists; so a hub of any number of
+/// sections costs no more than another place.
 ///
 /// Short lists are stored in the places: with `std::vector`, graph and merging take 1.3 and 1.36 times as long on a noisy
 /// mesh of 1 million faces.
 ///
-/// Bytes: 80 a place and 8 a section, beside its data; more for lists of more than 12 sections, and for sections
+/// Bytes: 80 per place and 8 per section, without its data; more for lists of more than 12 sections, and for sections
 /// between two long lists.
 ///
-/// \tparam Data what is kept of a section, beside its two places: they are looked at together
+/// \tparam Data the data of a section, stored with its two places, since they are accessed together
 template <typename Data>
 class Section_lists
 {
@@ -45,7 +45,7 @@ public:
     m_sections.reserve(sections);
   }
 
-  /// A place without sections; places are numbered in order. Its owner is a number of the user's.
+  /// A place without sections; places are numbered in order. Its owner is a number given by the caller.
   void add_place(Index owner)
   {
     m_places.emplace_back();
@@ -72,7 +72,7 @@ public:
   }
 
   /// \name The list of a place
-  /// Positions of its halves. \pre there is one left
+  /// Positions of its halves. \pre one remains
   /// @{
   const Index* first(Index place) const { return not_removed(m_places[place].halves.data()); }
   const Index* following(const Index* position) const { return not_removed(position + 1); }
@@ -109,10 +109,9 @@ public:
     return place(2 * s) == p ? 2 * s : 2 * s + 1;
   }
 
-  /// Removes the section s between two places and makes them one: the one that has more sections left
-  /// (`to`, of equal ones) takes in the other's. Where both have a section to a third place, calls
-  /// `absorb(that is kept, that is removed)`. Returns the place that is left, in O(the sections of the other)
-  /// expected.
+  /// Removes the section s between two places and unites them: the one with more remaining sections (`to`, of equal
+  /// ones) takes over those of the other. If both have a section to a third place, calls `absorb(kept, removed)`.
+  /// Returns the remaining place, in expected time linear in the sections of the other.
   template <typename Absorb>
   Index unite(Index s, Index from, Index to, const Absorb& absorb)
   {
@@ -158,7 +157,7 @@ private:
   /// 10,000 faces.
   static constexpr std::size_t long_length = 128;
 
-  /// Of an object of at most two lines of the cache.
+  /// For an object of at most two cache lines.
   template <typename T>
   static void prefetch_both_ends(const T* object)
   {

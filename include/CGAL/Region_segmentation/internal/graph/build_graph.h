@@ -15,7 +15,7 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// Accounts for all faces. Most often one face after another has the same region: small data is in registers then.
+/// Accounts for all faces. Consecutive faces usually have the same region, so small data stays in registers.
 template <typename Graph>
 void add_faces(Graph& graph, const Flat_mesh& flat, const Partition& regions)
 {
@@ -55,7 +55,7 @@ void add_border_edges(Graph& graph, const Flat_mesh& flat, const Partition& regi
 /// The graph of labelled regions. Sections are numbered by their first dual edge. Sums run over the faces and
 /// edges in order. O(F) expected.
 ///
-/// In parallel the edges between regions are found; on a mesh without noise they are few.
+/// Only the search for edges between regions is parallel; on a mesh without noise they are few.
 template <typename Graph, typename ConcurrencyTag>
 Graph build_graph(const Flat_mesh& flat, const Partition& regions, const Execution<ConcurrencyTag>& execution)
 {

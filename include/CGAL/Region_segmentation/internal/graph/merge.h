@@ -16,8 +16,8 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// Merges the regions of a graph in the order of a policy, until `stop` says so or nothing is left to merge.
-/// `on_merge(merge)` is called after each merge, before the policy is.
+/// Merges the regions of a graph in the order of a policy, until `stop` returns `true` or the policy has no further
+/// candidate. `on_merge(merge)` is called after each merge, before that of the policy.
 /// \throws Invalid_method if the policy proposes a section that is removed or not mergeable
 template <typename Graph, typename Policy, typename Stop, typename OnMerge, typename ConcurrencyTag>
 Merge_tree merge(Graph& graph, Policy& policy, std::size_t number_of_segments, Stop& stop, const OnMerge& on_merge,

@@ -13,8 +13,8 @@
 #include <type_traits>
 #include <utility>
 
-// The free functions by which Boost.Graph knows a region adjacency graph, found by argument-dependent
-// look-up. num_vertices() and num_edges() are upper bounds of the indices.
+// The free functions that make a region adjacency graph a model of Boost.Graph's concepts, found by
+// argument-dependent look-up. num_vertices() and num_edges() are upper bounds of the indices.
 
 namespace CGAL {
 namespace Region_segmentation {
@@ -177,7 +177,7 @@ struct property_map<CGAL::Region_segmentation::Region_adjacency_graph<R, S>, edg
   using const_type = type;
 };
 
-// Boost's own forwarding covers graphs of its own alone.
+// Boost's own forwarding covers its own graphs only.
 template <typename R, typename S>
 struct property_map<const CGAL::Region_segmentation::Region_adjacency_graph<R, S>, vertex_index_t>
   : property_map<CGAL::Region_segmentation::Region_adjacency_graph<R, S>, vertex_index_t>

@@ -97,7 +97,7 @@ public:
 private:
   friend class boost::iterator_core_access;
   Section_descriptor dereference() const { return Section_descriptor(*m_position); }
-  // What is left tells two places of one traversal apart.
+  // The remaining number distinguishes positions of one traversal.
   bool equal(const Out_section_iterator& other) const { return m_left == other.m_left; }
   void increment()
   {

@@ -17,7 +17,7 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// The number of some faces.
+/// The number of a set of faces.
 struct Face_count
 {
   std::uint64_t count = 0;
@@ -25,7 +25,7 @@ struct Face_count
   void add(double) { ++count; }
 };
 
-/// The number and the area of some faces.
+/// The number and the area of a set of faces.
 struct Face_total
 {
   std::uint64_t count = 0;
@@ -47,7 +47,7 @@ struct Face_areas
   double operator[](std::size_t face) const { return of_face[face]; }
 };
 
-/// Stands for the areas where faces are only counted: half the memory.
+/// Replaces the areas if faces are only counted: half the memory.
 struct No_areas
 {
   using Total = Face_count;
@@ -96,7 +96,7 @@ void for_each_cell_of_small_table(const Partition& rows, const Partition& column
         visit(i, j, table[i * width + j]);
 }
 
-/// The cells of a table of any size, a row at a time: O(F), however many labels there are.
+/// The cells of a table of any size, a row at a time: O(F) for any number of labels.
 template <typename Areas, typename Visit>
 void for_each_cell_by_rows(const Partition& rows, const Partition& columns,
                            const Areas& areas, Visit visit)

@@ -23,7 +23,7 @@ namespace Region_segmentation {
 namespace internal {
 
 /// Multiplies all coordinates by the power of two that brings the largest into [1, 2). Exact, so
-/// that a measure that does not depend on scale keeps its bits, and no area leaves the range of
+/// that measures that do not depend on scale are bitwise the same, and areas stay in the range of
 /// double.
 inline void normalize_scale(std::vector<Double_3>& points)
 {

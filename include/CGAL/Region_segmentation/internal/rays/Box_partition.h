@@ -20,7 +20,7 @@ namespace internal {
 /// An axis-parallel box in float; the last lane is 0.
 struct Box
 {
-  // Contains nothing, as long as nothing is added.
+  // Empty until a box or point is added.
   Float_4 low = all_lanes((std::numeric_limits<float>::max)());
   Float_4 high = all_lanes(std::numeric_limits<float>::lowest());
 
@@ -43,12 +43,12 @@ struct Box
   }
 };
 
-/// Boxes with names, to be split into parts whose boxes are small. 32 bytes each.
+/// Boxes with identifiers, to be split into parts whose boxes are small. 32 bytes each.
 class Box_partition
 {
 public:
   using Name = std::array<std::uint32_t, 2>;
-  static constexpr std::size_t leaf_size = 4; ///< what is looked at together, so costs as much as one
+  static constexpr std::size_t leaf_size = 4; ///< boxes that are tested together, at the cost of one
 
   /// The boxes `first` .. `last - 1` and the box around them.
   struct Part
@@ -69,9 +69,9 @@ public:
 
   Part whole() const { return make_part(0, m_items.size()); }
 
-  /// Splits where a ray is expected to meet the fewest leaves: of the bounds between slices of equal width along
+  /// Splits where a ray is expected to intersect the fewest leaves: of the bounds between slices of equal width along
   /// the axis on which the centers differ most, the one with the lowest sum over both sides of surface area times
-  /// number of leaves (Wald 2007). At the median where no slice does.
+  /// number of leaves (Wald 2007). Splits at the median if no bound separates the boxes.
   /// \pre there is more than one box
   std::pair<Part, Part> split(const Part& part)
   {
@@ -81,7 +81,7 @@ public:
     return part.size() > 32 ? split_cheaply<16>(part, slicing) : split_cheaply<8>(part, slicing);
   }
 
-  /// Splits into halves, so that no depth is more than a logarithm.
+  /// Splits into halves, so that the depth is logarithmic.
   std::pair<Part, Part> split_at_median(const Part& part)
   {
     return split_at_median(part, Slicing(*this, part).axis);
@@ -107,7 +107,7 @@ private:
     float position(int axis) const { return low[axis] + high[axis]; }
   };
 
-  /// The axis on which the centers of a part differ most, and where on it they are.
+  /// The axis on which the centers of a part differ most, and their range on it.
   struct Slicing
   {
     int axis;

@@ -7,12 +7,12 @@
 #include <cstdint>
 #include <functional>
 
-// Four floats, on which gcc and clang work with one instruction, without a flag for the processor. (Loops over four
-// are made such, too, but not by every compiler and not wherever they are inlined.) Each lane is rounded as a float is,
-// so results do not depend on how it is done.
+// Four floats, which gcc and clang process with one instruction, without a processor flag. (Loops over four are also
+// vectorized, but not by every compiler and not wherever they are inlined.) Each lane is rounded as a float, so results
+// do not depend on the implementation.
 //
-// With `std::array` in place of them (what other compilers get), the visibility of regions takes 1.6 times as long at 10,000
-// faces and 1.4 times at 160,000, the whole of the default method 1.4 and 1.2 times.
+// With `std::array` instead (used with other compilers), the visibility of regions takes 1.6 times as long at 10,000
+// faces and 1.4 times at 160,000, the entire default method 1.4 and 1.2 times.
 
 namespace CGAL {
 namespace Region_segmentation {

@@ -36,7 +36,7 @@ inline Float_4_3 cross(const Float_4_3& a, const Float_4_3& b)
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-/// A ray and the first face that it was found to hit.
+/// A ray and the first face hit so far.
 struct Ray
 {
   using Index = Flat_mesh::Index;
@@ -48,7 +48,7 @@ struct Ray
   float distance = (std::numeric_limits<float>::max)();
 };
 
-/// Up to four triangles of a mesh; the edges of those that are not there have length 0. 160 bytes.
+/// Up to four triangles of a mesh; missing ones have edges of length 0. 160 bytes.
 class Four_triangles
 {
 public:
@@ -64,8 +64,8 @@ public:
     m_face[lane] = face;
   }
 
-  /// Moeller and Trumbore 1997, with a rim of one millionth against gaps. Of faces at the same distance the lowest is
-  /// hit.
+  /// Moeller and Trumbore 1997, with a margin of one millionth against gaps. Of faces at the same distance the lowest
+  /// is hit.
   void intersect(Ray& ray) const
   {
     const Float_4 rim = all_lanes(-1e-6f), zero = all_lanes(0), one = all_lanes(1);

@@ -22,9 +22,9 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// The rays that `Visibility_annotator` sends from every region into the body.
+/// The rays that `Visibility_annotator` casts from every region into the body.
 ///
-/// Bytes, while they are traced: 16 a face, 304 a region.
+/// Bytes, while they are traced: 16 per face, 304 per region.
 class Inward_rays
 {
   using Index = Flat_mesh::Index;
@@ -32,7 +32,7 @@ class Inward_rays
 public:
   static constexpr std::size_t faces_per_region = 3, rays_per_region = 18;
 
-  /// What the rays of a region hit.
+  /// The hits of the rays of a region.
   using Hits = std::array<Ray_tree::Hit, rays_per_region>;
 
   /// `centroids`: of the regions; `tree`: of the mesh
@@ -47,7 +47,7 @@ public:
     , m_spirals{make_spirals(1), make_spirals(2), make_spirals(3)}
   {}
 
-  /// Fills in what the rays of those regions hit of which it is not known. Can be called once.
+  /// Computes the missing hits of regions. Can be called once.
   template <typename ConcurrencyTag>
   void trace(std::vector<std::optional<Hits>>& hits, const Execution<ConcurrencyTag>& execution)
   {
@@ -110,7 +110,7 @@ private:
     const Spirals& spirals = m_spirals[samples - 1];
     const std::size_t rays = rays_per_region / samples; // of a face
     for (std::size_t k = samples; k-- > 0;) {
-      // What is behind a place in the order is not looked at for those before it.
+      // Faces behind a place in the order are not needed for those before it.
       const auto sample = begin + k * size * 9 / (10 * samples);
       std::nth_element(begin, sample, end);
       end = sample;

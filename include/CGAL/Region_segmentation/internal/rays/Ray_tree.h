@@ -24,12 +24,12 @@ namespace internal {
 
 /// Finds the face that a ray hits first: a tree of bounding boxes over the triangles of a mesh
 /// (polygons as fans). In float, relative to the first point of the mesh and in units of its extent:
-/// what is wanted are distances to a few digits. (CGAL's AABB tree is exact, and GPL.)
+/// distances are needed to a few digits only. (CGAL's AABB tree is exact, and GPL.)
 ///
-/// A node has up to four children, which are tested together, and a leaf up to four triangles: so it takes few steps
-/// that the processor cannot foresee. What is hit does not depend on the shape of the tree.
+/// A node has up to four children, which are tested together, and a leaf up to four triangles: so there are few
+/// unpredictable branches. The result does not depend on the shape of the tree.
 ///
-/// About 62 bytes a triangle, 32 more while it is built; O(T log T) to build, O(log T) a ray in practice.
+/// About 62 bytes per triangle, 32 more during construction, which is O(T log T); O(log T) per ray in practice.
 class Ray_tree
 {
   using Index = Flat_mesh::Index;
@@ -80,11 +80,11 @@ private:
   static_assert(width == Box_partition::leaf_size, "parts of this size become leaves");
   static constexpr int maximum_depth_of_cheap_splits = 48;
 
-  /// Twice the index of a node, or twice that of a leaf and one.
+  /// Twice the index of a node, or twice that of a leaf plus one.
   using Child = Index;
   struct Node
   {
-    std::array<Float_4_3, 2> bounds; // lower and upper ones; upside down where there are fewer children
+    std::array<Float_4_3, 2> bounds; // lower and upper ones; reversed for missing children
     std::array<Child, width> child;
   };
 
@@ -98,7 +98,7 @@ private:
     return {corner(0), corner(i), corner(i + 1)};
   }
 
-  /// The boxes of all triangles, somewhat too large, so that rounding hides no triangle.
+  /// The boxes of all triangles, slightly enlarged, so that rounding misses no triangle.
   Box_partition make_boxes(const Mesh_points& points, std::size_t number_of_faces) const
   {
     const Float_4 margin = all_lanes(5e-7f);
@@ -116,7 +116,7 @@ private:
     return boxes;
   }
 
-  /// Adds a node for a part, and what is below it.
+  /// Adds a node for a part, and its descendants.
   template <typename Counter>
   Child add_node(const Mesh_points& points, Box_partition& boxes, const Part& part, int depth, Counter& triangles)
   {
@@ -165,7 +165,7 @@ private:
   using Waiting = Float_key; // where the ray enters a box, and the child
   static constexpr Waiting never = Waiting(0x7f800000) << 32; // infinity
 
-  /// What the test of boxes wants of a ray.
+  /// The values of a ray that box tests need.
   struct Slopes
   {
     Float_3 inverse;            // of the direction; infinite for 0
@@ -183,7 +183,7 @@ private:
   void descend(Ray& ray) const
   {
     const Slopes slopes(ray.direction);
-    // A node leaves at most three more waiting than it found; below the cheap splits are halves, of at most 2^32.
+    // A node adds at most three waiting entries; below the cheap splits are halves, of at most 2^32.
     std::array<Waiting, 3 * (maximum_depth_of_cheap_splits + 32)> stack;
     std::size_t size = 0;
     Waiting nearest = make_float_key(0, 0);
@@ -217,7 +217,7 @@ private:
       const Float_4 source = all_lanes(ray.source[k]), inverse = all_lanes(slopes.inverse[k]);
       const Float_4 near = (node.bounds[slopes.entered[k]][k] - source) * inverse;
       const Float_4 far = (node.bounds[1 - slopes.entered[k]][k] - source) * inverse;
-      in = larger(near, in); // a bound that is not a number (0 * infinity) is none
+      in = larger(near, in); // a NaN bound (0 * infinity) is ignored
       out = smaller(far, out);
     }
     const Float_4 entries = select(in <= out, in, all_lanes(std::numeric_limits<float>::infinity()));

@@ -27,7 +27,7 @@ struct Region_shapes
   {
     if (mesh.number_of_faces() == 0)
       return;
-    const Double_3 origin = mesh.centroid(0); // so that nothing cancels far from the origin
+    const Double_3 origin = mesh.centroid(0); // avoids cancellation far from the origin
     for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
       const Partition::Index r = regions[f];
       const double area = mesh.area(f);

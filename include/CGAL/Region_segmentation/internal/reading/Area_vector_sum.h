@@ -11,8 +11,8 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// The area vector of a polygon from its points, one after another: Newell's formula relative to the first,
-/// A = 1/2 sum (p_i - p_0) x (p_i+1 - p_0), so that nothing cancels far from the origin.
+/// The area vector of a polygon from its consecutive points: Newell's formula relative to the first, A = 1/2 sum (p_i -
+/// p_0) x (p_i+1 - p_0), which avoids cancellation far from the origin.
 class Area_vector_sum
 {
 public:

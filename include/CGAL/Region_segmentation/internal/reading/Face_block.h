@@ -39,9 +39,9 @@ struct Side_edge
   Flat_mesh::Index side() const { return Flat_mesh::Index(lower_and_side); }
 };
 
-/// The faces of a block as they are read, each with its corners from that of lowest number on. What is computed of
-/// them is computed in short loops over all: a face waits longer for points, roots and divisions than its work takes,
-/// and others can be worked on meanwhile.
+/// The faces of a block as they are read, each with its corners from the one of lowest number on. Values are computed
+/// in short loops over all faces: the computation is bound by the latency of points, roots and divisions, and short
+/// loops let iterations overlap.
 class Face_block
 {
   using Index = Flat_mesh::Index;
@@ -58,13 +58,13 @@ public:
   }
 
   /// \name Faces in order
-  /// There are at most `block_size` of them. Behind the corners of each there is a place for the first one again.
+  /// There are at most `block_size` of them. The corners of each are followed by a copy of the first one.
   /// @{
 
-  /// The places of the corners of triangles that follow, four for each of them.
+  /// The places for the corners of subsequent triangles, four for each of them.
   Corner* places_of_triangles() { return places(4 * (block_size - m_number_of_faces)); }
 
-  /// Takes in triangles whose corners are in their places.
+  /// Adds triangles whose corners are in their places.
   void add_triangles(std::size_t n)
   {
     Index* const first_sides = &m_first_sides[m_number_of_faces];
@@ -74,7 +74,7 @@ public:
     m_number_of_faces += n;
   }
 
-  /// Takes in a face; returns the places of its `n` corners.
+  /// Adds a face; returns the places of its `n` corners.
   Corner* add_polygon(std::size_t n)
   {
     Corner* const corners = places(n + 1);
@@ -147,9 +147,9 @@ private:
     return key(neighbor, side) | (std::uint64_t(0) - std::uint64_t(neighbor >= face));
   }
 
-  /// Puts the edges of triangles from `end` on; returns the new end. Which sides of a triangle lead to lower faces,
-  /// and in which order, cannot be predicted: so there is no branch. All three are written, those that lead to none
-  /// behind the others, where the next face replaces them.
+  /// Writes the edges of triangles from `end` on; returns the new end. Which sides of a triangle lead to lower faces,
+  /// and in which order, is unpredictable, so the code is branch-free: all three are written, those that lead to no
+  /// lower face last, where the next face overwrites them.
   Side_edge* put_triangles(std::size_t begin_face, std::size_t end_face, Side_edge* end)
   {
     std::size_t side = m_first_sides[begin_face];
@@ -185,7 +185,7 @@ private:
 
   std::size_t m_first_face = 0, m_number_of_faces = 0;
   std::vector<Index> m_first_sides;    // by the face, and the end
-  std::vector<std::size_t> m_polygons; // the faces that were not taken in as triangles
+  std::vector<std::size_t> m_polygons; // the faces that were not added as triangles
   Large_array<Corner> m_corners;
   Large_array<Side_edge> m_edges;
 };

@@ -27,7 +27,7 @@ class Face_reader
   using Point_map = typename GetVertexPointMap<FaceGraph, Pack>::const_type;
 
 public:
-  /// `scale`: what coordinates are multiplied by
+  /// `scale`: the factor applied to coordinates
   Face_reader(const Traversal& traversal, const Pack& np, double scale)
     : m_traversal(traversal)
     , m_point_map(CGAL::parameters::choose_parameter(
@@ -38,7 +38,7 @@ public:
 
   Double_3 point(const vertex_descriptor& v) const { return point(m_point_map, v, m_scale); }
 
-  /// Replaces what is in `faces` by those of a block.
+  /// Replaces the contents of `faces` by the faces of a block.
   void read(std::size_t block, Face_block& faces) const
   {
     Boundary boundary;
@@ -60,8 +60,8 @@ private:
     return {scale * CGAL::to_double(p[0]), scale * CGAL::to_double(p[1]), scale * CGAL::to_double(p[2])};
   }
 
-  /// Reads faces up to the first one that is no triangle. What the loop uses is at hand in registers. A face is read
-  /// from where the mesh begins it and written to where its boundary begins, so that no reading waits for the order.
+  /// Reads faces up to the first one that is not a triangle. Loop variables are kept in registers. A face is read from
+  /// the halfedge of the mesh on and rotated on writing, so that reads do not depend on the order of its corners.
   template <typename Iterator>
   Iterator read_triangles(Iterator it, Iterator end, Face_block& block) const
   {
@@ -94,8 +94,8 @@ private:
     return it;
   }
 
-  /// The places of p, q and r in a boundary that begins at the lowest of these ranks. Which it is cannot be predicted:
-  /// so there is no branch.
+  /// The places of p, q and r in a boundary that begins at the lowest of these ranks. Branch-free, since the lowest is
+  /// unpredictable.
   static const unsigned char* places_in_triangle(std::size_t p, std::size_t q, std::size_t r)
   {
     static constexpr unsigned char places[8][3] = {{0, 1, 2}, {2, 0, 1}, {}, {2, 0, 1},

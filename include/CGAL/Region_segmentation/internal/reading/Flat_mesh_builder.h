@@ -26,7 +26,7 @@ class Flat_mesh_builder
   using Index = Flat_mesh::Index;
 
 public:
-  /// `unit`: the unit of length of what is set, in units of the mesh
+  /// `unit`: the unit of length of the data, in units of the mesh
   Flat_mesh_builder(std::size_t number_of_faces, std::size_t maximum_number_of_edges, Mesh_data data, double unit)
     : m_closed_edges(number_of_blocks(number_of_faces))
   {
@@ -59,8 +59,8 @@ public:
     Double_3 direction;
   };
 
-  /// Puts the dual edges of a block into the places from `first` on. Those that lead to faces below
-  /// `first_known_face` go to `late_edges`, too.
+  /// Stores the dual edges of a block from place `first` on. Those that lead to faces below
+  /// `first_known_face` are also added to `late_edges`.
   void set_edges(std::size_t first, const Face_block& block, std::size_t first_known_face,
                  std::vector<Late_edge>& late_edges)
   {
@@ -112,7 +112,7 @@ public:
     m_flat.m_points.m_first_corners.front() = 0;
   }
   void set_point(std::size_t vertex, const Double_3& point) { m_flat.m_points.m_points[vertex] = point; }
-  /// Puts the corners of a block of faces into the places from `first` on.
+  /// Stores the corners of a block of faces from place `first` on.
   void set_corners(std::size_t first, const Face_block& block)
   {
     for (std::size_t i = 0; i < block.number_of_faces(); ++i) {
@@ -149,8 +149,8 @@ public:
   }
 
 private:
-  /// Of the normals of the higher and the lower face, and the halfedge of the higher one. Both factors of the sign
-  /// have the opposite of their direction in the definition: its value is the same.
+  /// Of the normals of the higher and the lower face, and the halfedge of the higher one. Both factors of the sign are
+  /// reversed with respect to the definition, which does not change its value.
   static std::uint8_t flags_of(const Double_3& a, const Double_3& b, double cosine, const Double_3& direction)
   {
     const double sign = dot(cross(a, b), direction);
@@ -159,7 +159,7 @@ private:
                         (cosine < Flat_mesh::not_flat) * Flat_mesh::NOT_FLAT);
   }
 
-  /// The normal of a degenerate face is zero, and so is the cosine of its edges then.
+  /// The normal of a degenerate face is zero, and so is the computed cosine of its edges.
   void close_at_degenerate_face(std::size_t edge)
   {
     const Index lower = m_flat.lower_face(edge), higher = m_flat.higher_face(edge);

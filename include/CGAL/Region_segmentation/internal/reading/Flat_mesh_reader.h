@@ -27,9 +27,9 @@ namespace internal {
 
 /// Reads a face graph, once, into a `Flat_mesh`.
 ///
-/// The dual edges of a face, those to lower faces, need the normals of these, and a place among the others. In
-/// sequence both are known. In parallel the edges are counted first; each thread reads ranges of blocks, and where
-/// an edge leads to a face below its range, what needs the normal comes at the end.
+/// The dual edges of a face, those to lower faces, require the normals of these faces and an offset. Sequentially both
+/// are known. In parallel the edges are counted first; each thread reads ranges of blocks, and if an edge leads to a
+/// face below the range, values that require its normal are computed at the end.
 template <typename ConcurrencyTag, typename FaceGraph, typename Pack>
 class Flat_mesh_reader
 {
@@ -68,7 +68,7 @@ public:
   }
 
 private:
-  /// Of what belongs to the faces of a block, in the arrays.
+  /// Offsets of the data of the faces of a block in the arrays.
   struct Place
   {
     std::size_t edge, corner;
@@ -115,7 +115,7 @@ private:
     return end.edge;
   }
 
-  /// Finds the place of every block, and that behind the last one.
+  /// Computes the offset of every block, and that past the last one.
   Place count_edges_and_corners(std::vector<Place>& places) const
   {
     for_each_block(
@@ -144,7 +144,7 @@ private:
     return end;
   }
 
-  /// What is known of the points of a block of vertices.
+  /// Properties of the points of a block of vertices.
   struct Extent
   {
     double largest_coordinate = 0; // of the vertices that are used
@@ -157,7 +157,7 @@ private:
     for (auto v : traversal.vertices_of_block(block)) {
       const Double_3 p = faces.point(v);
       const double x = std::abs(p.x), y = std::abs(p.y), z = std::abs(p.z);
-      // Seldom taken; by what is not a number, too.
+      // Rarely taken; also taken for NaN.
       if (!(x <= extent.largest_coordinate && y <= extent.largest_coordinate && z <= extent.largest_coordinate)) {
         if (!is_finite(p))
           extent.not_finite = (std::min)(extent.not_finite, rank);

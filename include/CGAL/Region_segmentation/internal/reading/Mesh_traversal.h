@@ -30,11 +30,11 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// The position of a descriptor in its range, found by way of an index map of any numbering, and the range
-/// in blocks. Takes 4 bytes an element where the index is not the position itself.
+/// The position of a descriptor in its range, found by an index map of any numbering, and the range in blocks. Takes 4
+/// bytes per element unless the index is the position.
 ///
-/// Descriptors that are handles and not indices are listed, in 8 bytes an element: whoever follows a list waits for
-/// the memory of one element after another, and of several handles at once.
+/// Descriptors that are handles are stored in an array, with 8 bytes per element: the latencies of traversing a linked
+/// list add up, while those of several handles overlap.
 template <typename IndexMap, typename Range>
 class Iteration_ranks
 {
@@ -49,7 +49,7 @@ private:
     std::conditional_t<are_handles, typename std::vector<Descriptor>::const_iterator, Iterator>;
 
 public:
-  /// Maps a descriptor to its position; a small object, whose copy a loop holds in registers.
+  /// Maps a descriptor to its position; small enough that loops keep a copy in registers.
   class Rank_of
   {
   public:
@@ -121,8 +121,8 @@ private:
   std::vector<Descriptor> m_handles;
 };
 
-/// A face graph walked in an order that does not depend on its type: faces and vertices are numbered
-/// by iteration, and the boundary of a face begins at its vertex of lowest number.
+/// Traversal of a face graph in an order that does not depend on its type: faces and vertices are
+/// numbered by iteration, and the boundary of a face begins at its vertex of lowest number.
 template <typename FaceGraph, typename Pack>
 class Mesh_traversal
 {
@@ -173,7 +173,7 @@ public:
   auto faces_of_block(std::size_t block) const { return m_face_ranks.block(block); }
   auto vertices_of_block(std::size_t block) const { return m_vertex_ranks.block(block); }
 
-  /// Replaces what is in `boundary` by that of a face.
+  /// Replaces the contents of `boundary` by the boundary of a face.
   void read_boundary(face_descriptor face, Boundary& boundary) const
   {
     boundary.clear();
@@ -242,7 +242,7 @@ public:
   }
 
 private:
-  /// Memory for the dual edges of one face after the other.
+  /// Memory for the dual edges of a face, reused for each face.
   struct Dual_edges_of_face
   {
     Boundary boundary;

@@ -14,9 +14,8 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// The faces and their neighbors on both sides, with a length for each step. Constrained edges are no
-/// step. 8 bytes a face and 8 for each side of a dual edge: searches are bound by memory, so lengths are
-/// float.
+/// The adjacency of faces in both directions, with a length for each step. Constrained edges are not steps. 8 bytes per
+/// face and 8 for each side of a dual edge: searches are memory-bound, so lengths are float.
 class Dual_graph
 {
 public:
@@ -48,8 +47,8 @@ public:
   /// The steps from a face, those to lower faces first, in order.
   Iterator_range<const Step*> steps(std::size_t face) const { return m_steps[face]; }
 
-  /// Tells the processor that the steps from a face will be wanted: a search waits for memory most of the time.
-  /// (Without it, superfacets take 1.28 times as long at 160,000 faces, and 1.04 times at 10,000.)
+  /// Prefetches the steps from a face: searches are bound by memory latency. (Without it, superfacets take 1.28 times
+  /// as long at 160,000 faces, and 1.04 times at 10,000.)
   void prefetch_steps(std::size_t face) const
   {
 #ifdef __GNUC__

@@ -17,14 +17,14 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// A priority queue for searches by distance: the faces of a front, the nearest first, of several the lower one.
+/// A priority queue for searches by distance: the faces of a front, nearest first, then by lower index.
 ///
-/// Only those of the lowest slice of distances are in a heap, so it is small; what comes later lies unsorted in a list
-/// for each slice, and behind the last slice in one for all. Slices much narrower than the front are fastest, but the
-/// order does not depend on them. 12 bytes for each push until the queue is empty.
+/// Only faces in the lowest slice of distances are in a heap, so it is small; the others are in an unsorted list per
+/// slice, and beyond the last slice in a common list. Slices much narrower than the front are fastest, but the order
+/// does not depend on them. Memory: 12 bytes per push, until the queue is empty.
 ///
 /// With a `std::priority_queue` of keys superfacets take 1.15 to 1.25 times as long at 160,000 faces and at 1 million,
-/// and the whole of the default method 1.08 to 1.13 times; at 10,000 faces 1.06 and 1.02 times.
+/// and the entire default method 1.08 to 1.13 times; at 10,000 faces 1.06 and 1.02 times.
 class Front_queue
 {
 public:
@@ -77,7 +77,7 @@ private:
 
   std::size_t slice_of(Key key) const
   {
-    return std::size_t((std::min)(1e9f, value_of(key) * m_scale)); // also what is not a number (infinity * 0)
+    return std::size_t((std::min)(1e9f, value_of(key) * m_scale)); // also for NaN (infinity * 0)
   }
 
   void wait(Key key, std::size_t slice)
@@ -88,7 +88,7 @@ private:
     ++m_number_waiting;
   }
 
-  /// Takes the next slice where somebody waits.
+  /// Takes the next slice that is not empty.
   void fill_heap()
   {
     while (true) {
@@ -110,7 +110,7 @@ private:
     std::make_heap(m_heap.begin(), m_heap.end(), std::greater<>());
   }
 
-  /// Moves the slices to what lies behind them.
+  /// Moves the slices to the distances beyond them.
   void move_slices()
   {
     std::size_t lowest = (std::numeric_limits<std::size_t>::max)();
@@ -129,7 +129,7 @@ private:
   }
 
   float m_scale;
-  std::array<Index, number_of_slices> m_slices; // the first one waiting in each
+  std::array<Index, number_of_slices> m_slices; // the first entry of each
   Index m_behind = none;
   std::vector<Waiting> m_waiting;
   std::vector<Key> m_heap; // of slice `m_slice` and before it

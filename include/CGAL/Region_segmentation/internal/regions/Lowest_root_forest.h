@@ -16,10 +16,10 @@ namespace Region_segmentation {
 namespace internal {
 
 /// A forest over the faces in which a parent is never above its child: the root of a tree is its lowest face,
-/// whatever the order of the unions, so the array of parents becomes the array of labels, numbered by first
-/// faces. (`boost::disjoint_sets` keeps a second array and any root.)
+/// independently of the order of unions, so the array of parents becomes the array of labels, numbered by first faces.
+/// (`boost::disjoint_sets` keeps a second array and any root.)
 ///
-/// Threads may unite at the same time, each within faces of its own.
+/// Threads may unite concurrently, each within its own range of faces.
 class Lowest_root_forest
 {
 public:
@@ -38,8 +38,8 @@ public:
       m_parents[(std::max)(a, b)] = (std::min)(a, b);
   }
 
-  /// Unites the tree of the root `r` with that of `a`; returns their root. Whether they are united already cannot be
-  /// predicted: so there is no branch.
+  /// Unites the tree of the root `r` with that of `a`; returns their root. Branch-free, since it is unpredictable
+  /// whether they are united already.
   Index unite_with_root(Index r, Index a)
   {
     a = root(a);

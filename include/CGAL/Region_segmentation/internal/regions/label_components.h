@@ -20,7 +20,7 @@ namespace internal {
 /// The connected components of the faces across edges that are neither marked nor closed by a
 /// degenerate face. O(F) in practice (inverse Ackermann is replaced by a logarithm at worst).
 ///
-/// In parallel each thread unites the faces of a range of its own; edges between two ranges follow.
+/// In parallel each thread unites the faces of its own range; edges between ranges are processed afterwards.
 template <typename ConcurrencyTag>
 Partition label_components(const Flat_mesh& flat, const Edge_marks& is_feature,
                            const Execution<ConcurrencyTag>& execution)
@@ -35,7 +35,7 @@ Partition label_components(const Flat_mesh& flat, const Edge_marks& is_feature,
     [&](std::size_t range, std::size_t begin, std::size_t end) {
       const std::size_t first_of_range = Execution<ConcurrencyTag>::is_parallel ? begin : 0;
       const std::size_t end_edge = flat.first_edge(end);
-      // Edges follow their higher face: it is its own root at the first one, and its root is at hand then.
+      // Edges are sorted by their higher face: at the first one it is its own root, and later its root is known.
       Index face = 0, root = 0;
       for (std::size_t e = flat.first_edge(begin); e < end_edge; ++e) {
         const Index lower = flat.lower_face(e), higher = flat.higher_face(e);

@@ -21,7 +21,7 @@ namespace Region_segmentation {
 namespace internal {
 
 /// Marks the dual edges whose deviation is above `maximum_angle` (degrees) and whose sign is wanted,
-/// and the constrained ones. Only cosines are compared, most of them by way of the flags. O(F).
+/// and the constrained ones. Only cosines are compared, most of them by the flags. O(F).
 template <typename ConcurrencyTag>
 Edge_marks mark_feature_edges(const Flat_mesh& flat, double maximum_angle, Feature_convexity convexity,
                               const Execution<ConcurrencyTag>& execution)
@@ -30,7 +30,7 @@ Edge_marks mark_feature_edges(const Flat_mesh& flat, double maximum_angle, Featu
   const int wanted_signs = convexity == Feature_convexity::CONVEX    ? Flat_mesh::CONVEX
                            : convexity == Feature_convexity::CONCAVE ? Flat_mesh::CONCAVE
                                                                      : 0;
-  // What the flags alone say of an edge.
+  // The result for an edge if the flags alone decide it.
   enum Answer : std::uint8_t { NO, YES, ASK };
   std::array<Answer, 1 << Flat_mesh::number_of_flags> answers;
   for (std::size_t flags = 0; flags < answers.size(); ++flags) {

@@ -20,7 +20,7 @@ namespace internal {
 enum class Feature_edge_role {
   REMOVABLE, ///< a feature edge
   FIXED,     ///< a feature edge that is a border of the mesh or constrained
-  BARRIER    ///< no feature edge, but closed to growing: it holds the lines that end at it
+  BARRIER    ///< not a feature edge, but never crossed by growing: keeps lines that end at it
 };
 
 template <typename FaceGraph>
@@ -44,7 +44,7 @@ Feature_edge_role role(std::size_t from, std::size_t to, const Graph& graph)
 }
 
 /// The nodes of the line that starts at a free end, up to the first node that does not have two edges
-/// or from where it goes on as a barrier; just the free end if it starts as one.
+/// or from which it continues as a barrier; only the free end if it starts as one.
 template <typename Graph>
 std::vector<std::size_t> line_from(std::size_t free_end, const Graph& graph)
 {
@@ -62,7 +62,7 @@ std::vector<std::size_t> line_from(std::size_t free_end, const Graph& graph)
   return nodes;
 }
 
-/// Removes an edge if it may go and is still there; tells whether it did.
+/// Removes an edge if it is removable and still exists; returns whether it did.
 template <typename Graph>
 bool remove_if_removable(std::size_t from, std::size_t to, Graph& graph)
 {
@@ -73,10 +73,9 @@ bool remove_if_removable(std::size_t from, std::size_t to, Graph& graph)
   return true;
 }
 
-/// Removes the lines with a free end that have fewer edges than `minimum_length`, but for their fixed
-/// edges: all at once, so that the order does not count, and again while that makes new free ends or
-/// lets a line of fixed edges go on. O(E) without fixed edges: a line that is long enough can only become
-/// longer, and is not walked again.
+/// Removes the lines with a free end that have fewer edges than `minimum_length`, except for their fixed edges: all at
+/// once, so that the order has no effect, and repeatedly while this creates free ends or extends a line of fixed edges.
+/// O(E) without fixed edges: a line that is long enough can only become longer, and is not traversed again.
 template <typename Graph>
 void prune_feature_graph(Graph& graph, std::size_t minimum_length)
 {
@@ -105,7 +104,7 @@ void prune_feature_graph(Graph& graph, std::size_t minimum_length)
   }
 }
 
-/// Leaves the feature edges alone.
+/// Keeps only the feature edges.
 template <typename Graph>
 void remove_barriers(Graph& graph)
 {

@@ -28,10 +28,10 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// The segment of every face, by way of its region; or directly, where regions were split.
+/// The segment of every face, through its region; or directly, if regions were split.
 class Segments
 {
-  /// The labels of faces by way of their regions.
+  /// The labels of faces through their regions.
   struct Labels_by_region
   {
     const Partition::Index *region_of_face, *segment_of_region;
@@ -60,11 +60,11 @@ private:
   Partition m_parts;
 };
 
-/// Whether a prepared mesh is asked once, or kept for changes of constraints and seeds.
+/// Whether a prepared mesh is used once, or kept for changes of constraints and seeds.
 enum class Preparation { FOR_ONE_USE, FOR_CHANGES };
 
-/// A mesh prepared by a method, so that it can be asked for any number of segments: the mesh as arrays, its first
-/// regions, and, as the method allows, their merge tree or their graph. Knows no mesh type.
+/// A mesh prepared by a method for any number of segments: the mesh as arrays, its first regions, and, depending on the
+/// method, their merge tree or their graph. Independent of the mesh type.
 template <typename Method, typename ConcurrencyTag>
 class Prepared_mesh
 {
@@ -78,7 +78,7 @@ public:
   static constexpr bool has_one_tree = internal::has_one_tree<Method>();
 
   /// `seeds`: of the faces; `np`: a pack with the visitor
-  /// \throws Invalid_input if equal seeds cannot be joined, Segmentation_cancelled if the visitor says so
+  /// \throws Invalid_input if equal seeds cannot be joined, Segmentation_cancelled if the visitor cancels
   template <typename Pack>
   Prepared_mesh(Flat_mesh flat, const Method& method, Seeds seeds, Preparation preparation, const Pack& np)
     : m_flat(std::move(flat))
@@ -96,7 +96,7 @@ public:
   /// \pre `has_one_tree`
   const Merge_tree& merge_tree() const { return m_result.tree; }
 
-  /// Constrains some dual edges from now on. On failure nothing changes.
+  /// Adds constrained dual edges. On failure nothing changes.
   template <typename Pack>
   void add_constraints(const std::vector<Flat_mesh::Index>& dual_edges, const Pack& np)
   {
@@ -128,7 +128,7 @@ public:
     m_seeds = std::move(seeds);
   }
 
-  /// The segments for a number, or for the nearest one that there is.
+  /// The segments for a number, or for the nearest possible one.
   template <typename Pack>
   Segments segments(std::size_t number, const Pack& np) const
   {
@@ -142,7 +142,7 @@ public:
     }
   }
 
-  /// The same for the last time: the graph is not copied. `tree`: receives the merges, unless it is null.
+  /// As above, for the last call: the graph is not copied. `tree`: receives the merges, unless it is null.
   template <typename Pack>
   Segments take_segments(std::size_t number, Merge_tree* tree, const Pack& np)
   {
@@ -157,7 +157,7 @@ public:
   }
 
 private:
-  /// What follows from the first regions and the seeds.
+  /// The data derived from the first regions and the seeds.
   struct Result
   {
     std::optional<Partition> seeded_regions; // the first regions as seeds split and join them
@@ -196,7 +196,8 @@ private:
     return graph;
   }
 
-  /// What is known of regions, renumbered for new ones. It is given away: should annotating fail, it is computed anew.
+  /// The cached data of regions, renumbered for new regions. It is moved out: if annotating fails, it is computed
+  /// again.
   Cache take_cache(const Partition& regions)
   {
     if constexpr (std::is_same<Cache, No_cache>::value)
@@ -245,8 +246,8 @@ private:
   static constexpr bool splits_regions =
     satisfies<Splits_regions, typename Traits::Initializer, ConcurrencyTag>;
 
-  /// Whether there are fewer first regions than `number`, and their initializer can split them: it knows nothing of
-  /// constraints that came later, or of seeds.
+  /// Whether there are fewer first regions than `number`, and their initializer can split them; it ignores later
+  /// constraints and seeds.
   bool can_split(std::size_t number) const
   {
     return splits_regions && !m_has_new_constraints && m_seeds.empty() && number > regions().number_of_parts();

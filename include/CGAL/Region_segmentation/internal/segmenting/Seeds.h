@@ -29,7 +29,7 @@ struct Seeds
   bool empty() const { return values.empty(); }
 };
 
-/// The seeds of faces, from the values of a map, of which the highest one stands for none.
+/// The seeds of faces, from the values of a map; the highest value stands for none.
 inline Seeds make_seeds(const std::vector<std::size_t>& values)
 {
   constexpr std::size_t no_seed = (std::numeric_limits<std::size_t>::max)();

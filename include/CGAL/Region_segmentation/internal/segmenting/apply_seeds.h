@@ -29,7 +29,7 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// How concave a section is.
+/// The concavity of a section.
 struct Section_concavity
 {
   double length = 0, concave = 0; // concave: integral of the deviation of concave edges
@@ -56,11 +56,11 @@ struct Region_area
   void absorb(const Region_area& other, const Section_concavity&) { area += other.area; }
 };
 
-/// Joins the regions of each seed along the cheapest paths of regions that meet no other seed.
+/// Joins the regions of each seed along the cheapest paths of regions that avoid all other seeds.
 ///
 /// A step from region i to j across a section of length L costs (sqrt(a_i) + sqrt(a_j)) / 2 (1 + 80 C / L), a the areas
 /// and C the integral of the deviation of the concave edges of the section: the weight that `Superfacets` gives to
-/// them. Seeds are joined one after another, in order; one that cannot be joined any more goes first in another try.
+/// them. Seeds are joined in order; a seed that cannot be joined any more is the first one in another attempt.
 ///
 /// Complexity: O(F), and for each region of a seed that is not adjacent to the others O(S log R).
 class Seed_joining
@@ -78,13 +78,13 @@ public:
         m_members[m_seeds.of[r]].push_back(r);
   }
 
-  /// The seeds with those of the regions on the paths added: the regions of each are connected. Empty if there are no
+  /// The seeds, extended to the regions on the paths, so that the regions of each are connected. Empty if there are no
   /// such paths.
   std::optional<Seeds> join()
   {
     std::vector<Index> order(m_seeds.number());
     std::iota(order.begin(), order.end(), Index(0));
-    // A seed that failed goes first from then on, so that there are at most as many tries as seeds.
+    // A seed that failed is first from then on, so that there are at most as many attempts as seeds.
     for (std::size_t number_of_tries = 0; number_of_tries <= order.size(); ++number_of_tries) {
       m_owner = m_seeds.of;
       const auto failed =
@@ -113,7 +113,7 @@ private:
            (1 + concave_weight * concavity);
   }
 
-  /// Whether the regions of a seed could be joined; those on the paths belong to the seed then.
+  /// Whether the regions of a seed could be joined; if so, those on the paths now belong to the seed.
   bool join_members(Index seed)
   {
     const std::vector<Index>& members = m_members[seed];
@@ -137,8 +137,8 @@ private:
     return true;
   }
 
-  /// From `connected` to the nearest other region that was given the seed, by regions of no other seed; empty if there
-  /// is none.
+  /// The path from `connected` to the nearest other region of the seed, through regions of no other seed; empty if
+  /// there is none.
   std::vector<Index> cheapest_path(Index seed, const std::vector<Index>& connected,
                                    const std::vector<bool>& is_connected) const
   {
@@ -193,8 +193,8 @@ inline Partition joined(const Partition& regions, const Seeds& of_regions)
   return Partition::from_labels(labels);
 }
 
-/// The regions split where they have faces of several seeds, and joined where seeds are equal: there is one region for
-/// each seed. Where the regions leave no path for a seed, it is looked for among the faces.
+/// The regions, split if they have faces of several seeds, and joined if their seeds are equal: one region for each
+/// seed. If there is no path of regions for a seed, one of faces is searched.
 /// \throws Invalid_input if the faces of a seed cannot be joined
 inline Partition apply_seeds(const Flat_mesh& flat, const Partition& regions, const Seeds& of_faces)
 {

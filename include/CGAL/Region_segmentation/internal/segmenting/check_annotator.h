@@ -18,8 +18,8 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// The graph that an annotator fills; that of `Geometry_annotator` for what is no annotator, so that the check below is
-/// the first to say so.
+/// The graph that an annotator fills; that of `Geometry_annotator` for other types, so that the check below reports
+/// them first.
 template <typename Annotator, typename = void>
 struct Graph_of_annotator
 {
@@ -44,7 +44,7 @@ constexpr bool is_annotator_with_execution =
 template <typename T>
 using Names_annotator = typename T::GraphAnnotator;
 
-/// Whether data that only one annotator can fill are filled by it, or by one that derives from it.
+/// Whether data that require an annotator are filled by it, or by one derived from it.
 template <typename Annotator, typename Data>
 constexpr bool fills()
 {
@@ -71,7 +71,7 @@ constexpr bool check_graph_annotator()
   return true;
 }
 
-/// What an annotator keeps between two calls for the same mesh; nothing if it has no nested type `Cache`.
+/// The data that an annotator keeps between calls for the same mesh; empty if it has no nested type `Cache`.
 struct No_cache
 {};
 template <typename T, typename = void>
@@ -85,7 +85,7 @@ struct Cache_of<T, std::void_t<typename T::Cache>>
   using type = typename T::Cache;
 };
 
-/// Calls an annotator, with the execution and the cache if it takes them.
+/// Calls an annotator, with the execution and the cache if it accepts them.
 template <typename Annotator, typename Graph, typename ConcurrencyTag>
 void annotate(const Annotator& annotator, Graph& graph, const Flat_mesh& flat, const Partition& regions,
               const Execution<ConcurrencyTag>& execution, typename Cache_of<Annotator>::type& cache)

@@ -38,7 +38,7 @@ constexpr bool check_region_initializer()
   return true;
 }
 
-/// Calls an initializer, with the execution if it takes one.
+/// Calls an initializer, with the execution if it accepts one.
 template <typename Initializer, typename ConcurrencyTag>
 Partition initialize_regions(const Initializer& initializer, const Flat_mesh& flat,
                              const Execution<ConcurrencyTag>& execution)
@@ -90,7 +90,7 @@ using Has_partitioner = decltype(std::declval<const T&>().partitioner);
 template <typename T>
 using Names_merge_cost = typename T::MergeCost;
 
-/// Whether a chooser knows the costs of a policy: those of the cost that it names, or whatever they are.
+/// Whether a chooser accepts the costs of a policy: those of the cost that it names, or any if it names none.
 template <typename Chooser, typename Policy>
 constexpr bool knows_costs_of()
 {
@@ -173,7 +173,7 @@ constexpr bool check_method()
 template <typename T>
 using States_mesh_data = decltype(T::required_mesh_data);
 
-/// What a part of a method wants to be read of the mesh.
+/// The mesh data that a part of a method requires.
 template <typename T>
 constexpr Mesh_data mesh_data_of()
 {
@@ -185,7 +185,7 @@ constexpr Mesh_data mesh_data_of()
     return Mesh_data::NOTHING_MORE;
 }
 
-/// What a method wants to be read of the mesh.
+/// The mesh data that a method requires.
 template <typename Method>
 constexpr Mesh_data required_mesh_data()
 {

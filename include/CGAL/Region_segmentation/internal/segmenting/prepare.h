@@ -16,7 +16,7 @@
 #include <type_traits>
 #include <vector>
 
-// What segment() and Segmenter share: from a mesh and a pack to a prepared mesh, and the outputs that a pack asks for.
+// Shared by segment() and Segmenter: from a mesh and a pack to a prepared mesh, and the outputs requested by a pack.
 
 namespace CGAL {
 namespace Region_segmentation {
@@ -34,8 +34,7 @@ using Method_of_pack =
     CGAL::parameters::get_parameter(pack(std::declval<const NamedParameters&>()), internal_np::method),
     Visibility_merging()))>;
 
-/// The method of a pack, or else the one that is made by default: a method that is given need not have a default
-/// constructor.
+/// The method of a pack, or else a default-constructed one: a given method need not be default constructible.
 template <typename Method, typename Pack>
 Method method_of_pack(const Pack& np)
 {

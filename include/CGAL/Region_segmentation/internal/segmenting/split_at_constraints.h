@@ -15,7 +15,7 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// The connected pieces of regions across those dual edges that `is_crossed(edge)`.
+/// The connected components of regions across the dual edges for which `is_crossed(edge)`.
 template <typename IsCrossed>
 Partition pieces_of_regions(const Flat_mesh& flat, const Partition& regions, const IsCrossed& is_crossed)
 {
@@ -39,8 +39,8 @@ inline std::vector<std::size_t> number_of_pieces(const Partition& regions, const
   return number;
 }
 
-/// Splits those regions that constrained edges separate: that have more connected pieces with these than without. A
-/// constrained edge that only ends in a region has no effect. O(F).
+/// Splits the regions that constrained edges separate: those that have more connected components with these than
+/// without. A constrained edge that only ends in a region has no effect. O(F).
 inline Partition split_at_constraints(const Flat_mesh& flat, const Partition& regions)
 {
   const auto is_free = [&](std::size_t e) { return !flat.has_flag(e, Flat_mesh::CONSTRAINED); };

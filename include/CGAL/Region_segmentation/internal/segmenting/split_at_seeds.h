@@ -34,9 +34,9 @@ inline std::vector<std::uint8_t> regions_of_several_seeds(const Partition& regio
   return has_several;
 }
 
-/// Splits those regions that have faces of several seeds: a face goes to the seed from which the fewest edges have to be
-/// crossed, of several to the one that is reached first from the lower faces; constrained edges are not crossed. Each
-/// connected piece becomes a region. O(F) and O(f log f) for the f faces of these regions.
+/// Splits those regions that have faces of several seeds: a face is assigned to the seed from which the fewest edges
+/// have to be crossed, of several to the one that is reached first from the lower faces; constrained edges are not
+/// crossed. Each connected component becomes a region. O(F) and O(f log f) for the f faces of these regions.
 inline Partition split_at_seeds(const Flat_mesh& flat, const Partition& regions, const Seeds& seeds)
 {
   using Index = Partition::Index;
@@ -66,7 +66,7 @@ inline Partition split_at_seeds(const Flat_mesh& flat, const Partition& regions,
         front.push_back(step->second);
       }
 
-  // The faces that no seed reaches keep none as theirs.
+  // Faces that no seed reaches have none.
   std::vector<std::uint64_t> labels(regions.size());
   for (std::size_t f = 0; f < labels.size(); ++f)
     labels[f] = (std::uint64_t(regions[f]) << 32) | (is_split[regions[f]] ? seed_of[f] : 0);

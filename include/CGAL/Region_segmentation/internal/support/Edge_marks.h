@@ -11,8 +11,8 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// One byte a dual edge of a `Flat_mesh`; not zero where the edge is marked. A vector that does not initialize what
-/// it is resized to.
+/// One byte per dual edge of a `Flat_mesh`, not zero if the edge is marked. A vector whose `resize()` does not
+/// initialize elements.
 using Edge_marks = Large_array<std::uint8_t>;
 
 } // namespace internal

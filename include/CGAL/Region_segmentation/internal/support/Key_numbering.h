@@ -14,11 +14,11 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// Numbers distinct keys 0, 1, ... in the order in which they first come.
+/// Numbers distinct keys 0, 1, ... in the order of their first occurrence.
 ///
-/// Keys below a bound, as almost all labels are, are looked up in an array that grows with them, all others in a
-/// hash table. (For 1 million faces in random order, the hash table takes 5 times as long as the array with 10
-/// labels, 80 times with 250,000.)
+/// Keys below a bound, such as almost all labels, are looked up in a growing array, all others in a hash table. (For 1
+/// million faces in random order, the hash table takes 5 times as long as the array with 10 labels, 80 times with
+/// 250,000.)
 class Key_numbering
 {
 public:
@@ -29,7 +29,7 @@ public:
 
   Index operator()(std::uint64_t key)
   {
-    if (key == m_latest_key && m_size > 0) // faces that follow each other often share a segment
+    if (key == m_latest_key && m_size > 0) // consecutive faces often share a segment
       return m_latest;
     m_latest_key = key;
     m_latest = key < m_bound ? find_or_add_small(std::size_t(key)) : find_or_add_large(key);

@@ -18,8 +18,8 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// Asks for huge pages for large blocks, on Linux: with pages of 4 kB the first use of fresh memory takes a
-/// quarter of the time of `two-step` (`doc/performance.md`), and jumps miss the table of pages.
+/// Asks for huge pages for large blocks, on Linux: with pages of 4 kB the first use of new memory takes a quarter of
+/// the time of `two-step` (`doc/performance.md`), and random accesses miss the TLB.
 template <typename T>
 struct Large_page_allocator
 {
@@ -37,7 +37,7 @@ struct Large_page_allocator
     void* first = block;
     std::size_t size = n * sizeof(T);
     if (size >= large && std::align(multiple_of_pages, large / 2, first, size))
-      madvise(first, size, MADV_HUGEPAGE); // a wish: nothing is lost where it is not granted
+      madvise(first, size, MADV_HUGEPAGE); // only a hint; failure is harmless
 #endif
     return static_cast<T*>(block);
   }
@@ -65,8 +65,8 @@ private:
   }
 };
 
-/// A vector for elements by the face, edge or section: in large pages, and `resize()` leaves trivial elements
-/// as they are, so that memory is touched first by who fills it.
+/// A vector with an element per face, edge or section: in large pages, and `resize()` does not initialize trivial
+/// elements, so that memory is first touched by the thread that fills it.
 template <typename T>
 using Large_array = std::vector<T, boost::noinit_adaptor<Large_page_allocator<T>>>;
 

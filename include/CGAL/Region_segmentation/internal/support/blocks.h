@@ -14,8 +14,8 @@
 #include <algorithm>
 #include <cstddef>
 
-// Work on all elements is divided into blocks of a fixed number of them, whatever the number of threads: what is
-// computed for a block, and so every result, is the same in sequence and in parallel.
+// Work on all elements is divided into blocks of a fixed size, independent of the number of threads: the result of a
+// block, and so every result, is the same sequentially and in parallel.
 
 namespace CGAL {
 namespace Region_segmentation {
@@ -23,7 +23,7 @@ namespace internal {
 
 inline constexpr std::size_t block_size = 1 << 12;
 
-/// Consecutive blocks that one thread works on, where work between two ranges costs more.
+/// Consecutive blocks for one thread, where elements between two ranges cost more.
 inline constexpr std::size_t blocks_in_range = 16;
 
 inline std::size_t number_of_blocks(std::size_t number_of_elements, std::size_t size = block_size)
@@ -47,8 +47,8 @@ void for_each_block_of(std::size_t first, std::size_t last, const F& f)
     f(block);
 }
 
-/// Calls `f(block, begin, end)` for every block of the elements 0 .. n-1, in order or in parallel, and reports
-/// progress in between. Elements that take long go in blocks of another size.
+/// Calls `f(block, begin, end)` for every block of the elements 0 .. n-1, in order or in parallel, and reports progress
+/// in between. Expensive elements use blocks of another size.
 template <typename ConcurrencyTag, typename F>
 void for_each_block(const Execution<ConcurrencyTag>& execution, std::size_t number_of_elements, const F& f,
                     std::size_t size = block_size)

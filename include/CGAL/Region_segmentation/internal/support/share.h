@@ -7,7 +7,7 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// a / (a + b) for numbers that are not negative, in [0, 1]; 1/2 where both are 0.
+/// a / (a + b) for non-negative numbers, in [0, 1]; 1/2 where both are 0.
 inline double share(double a, double b)
 {
   return a + b == 0 ? 0.5 : a / (a + b);

@@ -21,7 +21,7 @@ using Goes_further = std::enable_if_t<
   std::is_convertible<decltype(std::declval<T&>().go_further("", double())), bool>::value>;
 
 /// The execution of a stage, with the visitor of a pack, if it has one; the pack must outlive it.
-/// \throws Segmentation_cancelled if the visitor says so
+/// \throws Segmentation_cancelled if the visitor cancels
 template <typename ConcurrencyTag, typename Pack>
 Execution<ConcurrencyTag> make_execution(const Pack& np, const char* stage)
 {
@@ -36,7 +36,7 @@ Execution<ConcurrencyTag> make_execution(const Pack& np, const char* stage)
   }
 }
 
-/// Reports steps of a stage whose number is known, about a hundred times whatever their number.
+/// Reports steps of a stage whose number is known, about a hundred times in all.
 template <typename ConcurrencyTag>
 class Step_counter
 {
