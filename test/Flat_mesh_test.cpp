@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What is read of a mesh, against what a polygon soup tells without an order of faces.
+// The data read from a mesh, compared with those of a polygon soup without an order of faces.
 
 #include "meshes.h"
 #include "oracles.h"

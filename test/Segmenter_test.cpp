@@ -364,7 +364,7 @@ void test_seeds_on_dumbbell(const Method& method)
 {
   const Surface_mesh mesh = fine_dumbbell();
   auto seeds = face_map(mesh, no_seed);
-  // One seed in both cubes, on ways over the bar, and others on the first cube and on the bar.
+  // One seed in both cubes, on paths over the bar, and others on the first cube and on the bar.
   put(seeds, face_near(mesh, 0, 0, 0), 7);
   put(seeds, face_near(mesh, 24, 8, 8), 7);
   put(seeds, face_near(mesh, 0, 8, 8), 3);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Preconditions in checked builds: what a program does wrong is told, and outputs stay as they
-// were.
+// Preconditions in checked builds: violations are reported, and outputs are unchanged.
 
 #undef NDEBUG
 

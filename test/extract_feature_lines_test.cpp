@@ -232,7 +232,7 @@ TEST(Extract_feature_lines_test, pruning_leaves_the_regions_alone)
     }
 }
 
-// Borders always are feature edges, whether the map of a user says so or not.
+// Borders are always feature edges, whether marked in the map of the user or not.
 TEST(Extract_feature_lines_test, borders_hold_lines_though_they_are_not_marked)
 {
   const std::set<Edge> across = {{2, 7}, {7, 12}, {12, 17}};

@@ -104,7 +104,7 @@ TEST(Grow_regions_test, a_cap_joins_across_its_longest_edge)
   // The long edge is constrained: the longest of the others, which are equal: the lower face.
   EXPECT_EQ(grow(cap(), {}, {{0, 1}}).labels, (Labels{0, 0, 0, 1}));
   EXPECT_EQ(grow(cap(), {}, {{0, 1}, {2, 3}}).labels, (Labels{0, 0, 1, 2}));
-  // A mark, unlike a constraint, does not make it look for another way.
+  // A mark, unlike a constraint, does not make it choose another edge.
   EXPECT_EQ(grow(cap(), {{0, 1}}).labels, (Labels{0, 1, 1, 2}));
 }
 

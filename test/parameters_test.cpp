@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Named parameters: chains in any order, packs of CGAL's own, each one does what it says.
+// Named parameters: chains in any order, packs of CGAL's own, the effect of each parameter.
 
 #include "meshes.h"
 #include "oracles.h"

@@ -51,7 +51,7 @@ void check(const Surface_mesh& mesh)
   }
 }
 
-/// Calls `check_one(mesh)` for the meshes of the folder with at most `most_faces`; it says whether it did check.
+/// Calls `check_one(mesh)` for the meshes of the folder with at most `most_faces`; it returns whether it did check.
 template <typename Check>
 void check_real_meshes(std::size_t most_faces, const Check& check_one)
 {

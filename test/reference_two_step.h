@@ -189,7 +189,7 @@ struct Mesh
     return false;
   }
 
-  // An edge of a degenerate face that is no way for growing, though it is not a feature.
+  // An edge of a degenerate face that growing does not cross, although it is not a feature.
   bool is_closed(const Edge& e) const
   {
     return touches_degenerate_face(e) && !is_border(e) && !is_joining(e);

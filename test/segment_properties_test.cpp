@@ -140,7 +140,7 @@ TEST_P(Properties_test, a_policy_that_does_not_know_k_gives_one_tree)
     for (std::size_t k : {2, 3, 7, 20}) {
       const Result direct = with(k);
       ASSERT_EQ(labels_of(whole.regions, whole.tree.partition_at_count(k)), direct.segments);
-      // The tree is the whole one, whatever k.
+      // The tree is complete for every k.
       ASSERT_EQ(direct.tree.merges().size(), whole.tree.merges().size());
       for (std::size_t i = 0; i < whole.tree.merges().size(); ++i)
         ASSERT_EQ(direct.tree.merges()[i].removed, whole.tree.merges()[i].removed);

@@ -41,7 +41,7 @@ struct Model_result
   Stage_seconds seconds;
 
   /// The mean over all truths of the result with the wanted number, or with the chosen one where the
-  /// method takes none. What is below is of the same result, unless it says otherwise.
+  /// method takes none. The members below are of the same result, unless stated otherwise.
   Measures standard;
   /// The same of the number that the method chooses; empty if it cannot.
   std::optional<Measures> automatic;

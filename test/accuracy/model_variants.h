@@ -31,7 +31,7 @@ segment_mesh::Labelled_model with_flipped_edges(segment_mesh::Labelled_model mod
                                                 std::uint32_t seed);
 /// @}
 
-/// A way to make all models anew.
+/// A variant of all models.
 struct Variant
 {
   std::string name;

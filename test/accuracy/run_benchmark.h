@@ -19,8 +19,8 @@ using Model_scorer = std::function<Model_result(const Model&)>;
 /// Hears how many models are done. Called by one thread at a time.
 using Progress_listener = std::function<void(std::size_t done)>;
 
-/// The results in the order of the sources, whatever the number of threads (at least 1). A model
-/// that fails is there, too, and says why.
+/// The results in the order of the sources, for any number of threads (at least 1). A model that
+/// fails is included, with the reason.
 std::vector<Model_result> run_benchmark(const std::vector<Model_source>& sources,
                                         const Model_scorer& score, std::size_t number_of_threads,
                                         const Progress_listener& progress);

@@ -104,7 +104,7 @@ std::vector<std::string> note_on_times(const Run& run)
           " in the median, at most " + seconds(all.back()) + "."};
 }
 
-/// This run with each way to come by the number of segments.
+/// This run with each method of choosing the number of segments.
 void append_own_rows(Table& table, const Run& run)
 {
   const auto append = [&](Protocol protocol, const char* number) {

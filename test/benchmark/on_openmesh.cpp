@@ -18,7 +18,7 @@ struct Double_traits : OpenMesh::DefaultTraits
 };
 using Openmesh = OpenMesh::TriMesh_ArrayKernelT<Double_traits>;
 
-/// By OpenMesh itself, since CGAL's functions put points into it by way of float.
+/// By OpenMesh itself, since CGAL's functions convert points to float.
 Openmesh::VertexHandle add_point(Openmesh& mesh, const Triangles::Point& p)
 {
   return mesh.add_vertex(Openmesh::Point(p[0], p[1], p[2]));

@@ -11,7 +11,7 @@ namespace speed_benchmark {
 
 namespace {
 
-/// Four sums at a time: memory limits it, not the addition that waits for the one before.
+/// Four sums at a time: bound by memory, not by the latency of dependent additions.
 double sum(const double* begin, const double* end, double start)
 {
   double sums[4] = {start, 0, 0, 0};

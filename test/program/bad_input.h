@@ -12,7 +12,7 @@
 #include <ostream>
 #include <string>
 
-/// A file that is not a mesh, and what is told about it.
+/// A malformed file, and the expected diagnosis.
 struct Malformed
 {
   const char* name;

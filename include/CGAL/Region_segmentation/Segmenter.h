@@ -59,7 +59,7 @@ public:
   ///   - `number_of_segments` (at least 1): the number for `segment(segment_map)` (default: chosen by the method)
   ///   - `edge_is_constrained_map`: edges that always are borders and are never merged across (default: none)
   ///   - `face_seed_map`: see `set_seeds()` (default: no seeds)
-  ///   - `visitor`: a model of `SegmentationVisitor`; by `std::ref()` if it changes. It is used by the constructor alone
+  ///   - `visitor`: a model of `SegmentationVisitor`; by `std::ref()` if it changes. It is used by the constructor only
   ///   - `region_map`: receives the first regions: ids 0 .. r-1, numbered by the first face
   ///   - `merge_tree`: receives the merges, with a method that has one tree for all numbers
   ///   - `vertex_point_map`, `face_index_map`, `vertex_index_map`: as everywhere in \cgal

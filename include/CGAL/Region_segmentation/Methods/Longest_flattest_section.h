@@ -29,7 +29,7 @@ using Has_length_and_angle =
 /// The section \f$i\f$ has the largest sum over the region's other sections \f$j\f$ of
 /// \f[ P_{ij} = \beta \frac{L_i}{L_i + L_j} + (1 - \beta) \frac{A_i}{A_i + A_j}, \f]
 /// \f$L\f$ the length and \f$A\f$ the mean dihedral angle of a section; 0/0 is 1/2; the lower neighbor
-/// id of equal sums. Sections that are not mergeable count as \f$j\f$ alone.
+/// id of equal sums. Sections that are not mergeable count only as \f$j\f$.
 ///
 /// Complexity: O(d p) for d sections, p of which are not dominated by another one in both length
 /// and angle: usually a few.

@@ -25,7 +25,7 @@ namespace Region_segmentation {
 /// equal ones, the one between the lower regions. A model of `RegionMergingPolicy`.
 ///
 /// The order does not depend on the wanted number of segments, so one tree gives them all. A merge
-/// changes the costs of the sections of the merged region alone: a cost may depend on a section and on
+/// changes only the costs of the sections of the merged region: a cost may depend on a section and on
 /// its two regions.
 ///
 /// Complexity: O(d log S) per merge, d the number of sections of the merged region.

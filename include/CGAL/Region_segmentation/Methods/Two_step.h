@@ -14,8 +14,8 @@ namespace CGAL {
 namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationPolicies
-/// The merging of the paper: `Smallest_region_first` while more than `factor` times the wanted number
-/// of regions are left, then `Least_compact_region_first`. A model of `RegionMergingPolicy`.
+/// The merging of the paper: `Smallest_region_first` while there are more than `factor` times the
+/// wanted number of regions, then `Least_compact_region_first`. A model of `RegionMergingPolicy`.
 ///
 /// The order of merges depends on the wanted number, so its tree is valid for that number only.
 struct Two_step_merging

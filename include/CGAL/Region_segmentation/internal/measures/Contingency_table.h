@@ -122,7 +122,7 @@ void for_each_cell_by_rows(const Partition& rows, const Partition& columns,
 
 /// Calls `visit(i, j, total)` for each cell of the contingency table of two labelings that is not
 /// empty: n_ij faces, of area a_ij, have label i in the first and j in the second. The order
-/// depends on the segments alone. O(F) time and memory.
+/// depends only on the segments. O(F) time and memory.
 template <typename Areas, typename Visit>
 void for_each_cell(const Partition& rows, const Partition& columns, const Areas& areas,
                    Visit visit)

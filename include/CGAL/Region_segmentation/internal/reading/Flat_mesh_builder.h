@@ -102,7 +102,7 @@ public:
   void set_constrained(std::size_t edge) { m_flat.m_flags[edge] |= Flat_mesh::CONSTRAINED; }
 
   /// \name Points
-  /// With `Mesh_data::POINTS` alone.
+  /// Only with `Mesh_data::POINTS`.
   /// @{
   void resize_points(std::size_t number_of_points, std::size_t maximum_number_of_corners)
   {
@@ -123,7 +123,7 @@ public:
   }
   /// @}
 
-  /// With `Mesh_data::CENTROIDS` alone.
+  /// Only with `Mesh_data::CENTROIDS`.
   void set_centroids(const Face_block& block)
   {
     for (std::size_t i = 0; i < block.number_of_faces(); ++i) {

@@ -117,7 +117,7 @@ private:
   IndexMap m_index_map;
   std::size_t m_size = 0;
   std::unique_ptr<Flat_mesh::Index[]> m_ranks;
-  std::vector<Iterator> m_block_starts; // and the end; of indices alone
+  std::vector<Iterator> m_block_starts; // and the end; only of indices
   std::vector<Descriptor> m_handles;
 };
 
