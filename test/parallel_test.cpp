@@ -160,6 +160,23 @@ TEST_P(Parallel_test, the_default_method_gives_the_same_bits)
   EXPECT_EQ(run<CGAL::Parallel_tag>(mesh, np), run<CGAL::Sequential_tag>(mesh, np)) << "seed " << GetParam();
 }
 
+TEST_P(Parallel_test, smoothed_borders_are_the_same)
+{
+  Soup soup = torus(150, 60);
+  std::mt19937 random(GetParam());
+  bump(soup, 0.01, random);
+  const Surface_mesh mesh = to_surface_mesh(soup);
+  std::vector<std::size_t> in_sequence, in_parallel;
+  RS::segment(mesh, by_face(mesh, in_sequence), RS::parameters::number_of_segments(7));
+  in_parallel = in_sequence;
+  const auto map_of = [&](std::vector<std::size_t>& values) {
+    return boost::make_iterator_property_map(values.begin(), get(CGAL::face_index, mesh));
+  };
+  EXPECT_GT(RS::smooth_borders(mesh, map_of(in_sequence)), 0u);
+  RS::smooth_borders<CGAL::Parallel_tag>(mesh, map_of(in_parallel));
+  EXPECT_EQ(in_parallel, in_sequence);
+}
+
 TEST_P(Parallel_test, a_segmenter_gives_the_same_labels)
 {
   Soup soup = torus(150, 60);

@@ -14,6 +14,7 @@
 #include <CGAL/Region_segmentation/read_flat_mesh.h>
 
 #include <CGAL/assertions.h>
+#include <CGAL/tags.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -134,6 +135,7 @@ private:
 /// moves the borders of segments to where a cut is short and lies in valleys: an optional step after
 /// `segment()`, or after any other segmentation.
 ///
+/// \tparam ConcurrencyTag `Sequential_tag` or, with TBB, `Parallel_tag`: the mesh is read in parallel; see `segment()`
 /// \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam FaceSegmentMap a model of `ReadWritePropertyMap` with the face descriptor as key and an integral
 ///         value type of at most 64 bits
@@ -160,7 +162,7 @@ private:
 /// Concurrent calls on different maps are safe.
 ///
 /// Source: Katz and Tal 2003.
-template <typename FaceGraph, typename FaceSegmentMap,
+template <typename ConcurrencyTag = CGAL::Sequential_tag, typename FaceGraph, typename FaceSegmentMap,
           typename NamedParameters = parameters::Default_named_parameters>
 std::size_t smooth_borders(const FaceGraph& mesh, FaceSegmentMap segment_map,
                            const Minimum_cut_borders& smoother,
@@ -170,8 +172,7 @@ std::size_t smooth_borders(const FaceGraph& mesh, FaceSegmentMap segment_map,
   const auto& pack = internal::pack(np);
   internal::check_parameters<std::decay_t<decltype(pack)>, internal::Reading_parameters>();
   const auto traversal = internal::make_mesh_traversal(mesh, pack);
-  const Flat_mesh flat = internal::read_flat_mesh<CGAL::Sequential_tag>(traversal, pack,
-                                                                        Minimum_cut_borders::required_mesh_data);
+  const Flat_mesh flat = internal::read_flat_mesh<ConcurrencyTag>(traversal, pack, Minimum_cut_borders::required_mesh_data);
   const Partition before = internal::read_face_labels(mesh, segment_map);
   std::vector<Label> labels(before.number_of_parts());
   std::size_t i = 0;
@@ -192,12 +193,12 @@ std::size_t smooth_borders(const FaceGraph& mesh, FaceSegmentMap segment_map,
 
 /// \ingroup PkgRegionSegmentationStages
 /// As above, with the constants of `Minimum_cut_borders()`.
-template <typename FaceGraph, typename FaceSegmentMap,
+template <typename ConcurrencyTag = CGAL::Sequential_tag, typename FaceGraph, typename FaceSegmentMap,
           typename NamedParameters = parameters::Default_named_parameters>
 std::size_t smooth_borders(const FaceGraph& mesh, FaceSegmentMap segment_map,
                            const NamedParameters& np = parameters::default_values())
 {
-  return smooth_borders(mesh, segment_map, Minimum_cut_borders(), np);
+  return smooth_borders<ConcurrencyTag>(mesh, segment_map, Minimum_cut_borders(), np);
 }
 
 } // namespace Region_segmentation

@@ -27,17 +27,17 @@ public:
 
   template <typename FaceGraph, typename Pack>
   Edge_graph(const Mesh_traversal<FaceGraph, Pack>& traversal, const std::vector<Double_3>& points)
-      : m_ways(traversal.number_of_vertices())
+      : m_incident_edges(traversal.number_of_vertices())
   {
     for_each_edge(traversal, [&](std::size_t v, std::size_t w) {
-      m_ways.count(v);
-      m_ways.count(w);
+      m_incident_edges.count(v);
+      m_incident_edges.count(w);
     });
-    m_ways.end_counting();
+    m_incident_edges.end_counting();
     for_each_edge(traversal, [&](std::size_t v, std::size_t w) {
       const double length = norm(points[v] - points[w]);
-      m_ways.add(v, {Index(w), length});
-      m_ways.add(w, {Index(v), length});
+      m_incident_edges.add(v, {Index(w), length});
+      m_incident_edges.add(w, {Index(v), length});
     });
   }
 
@@ -66,10 +66,10 @@ public:
       if (d > distance[v]) // an entry from before a shorter path was found
         continue;
       targets_left -= is_target[v];
-      for (const Way& way : m_ways[v]) {
-        const double through_v = d + way.length;
-        if (through_v < distance[way.to])
-          queue.push({distance[way.to] = through_v, way.to});
+      for (const Incident_edge& edge : m_incident_edges[v]) {
+        const double through_v = d + edge.length;
+        if (through_v < distance[edge.to])
+          queue.push({distance[edge.to] = through_v, edge.to});
       }
     }
 
@@ -80,7 +80,7 @@ public:
   }
 
 private:
-  std::size_t number_of_vertices() const { return m_ways.number_of_groups(); }
+  std::size_t number_of_vertices() const { return m_incident_edges.number_of_groups(); }
 
   template <typename FaceGraph, typename Pack, typename F>
   static void for_each_edge(const Mesh_traversal<FaceGraph, Pack>& traversal, F f)
@@ -91,13 +91,13 @@ private:
     }
   }
 
-  struct Way
+  struct Incident_edge
   {
     Index to;
     double length;
   };
 
-  Grouped_items<Way> m_ways; // by vertex
+  Grouped_items<Incident_edge> m_incident_edges; // by vertex
 };
 
 } // namespace internal
