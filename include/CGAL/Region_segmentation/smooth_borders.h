@@ -7,7 +7,7 @@
 #include <CGAL/Region_segmentation/Flat_mesh.h>
 #include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/internal/cuts/Border_smoothing.h>
-#include <CGAL/Region_segmentation/internal/regions/Lowest_root_forest.h>
+#include <CGAL/Region_segmentation/internal/regions/connected_pieces.h>
 #include <CGAL/Region_segmentation/internal/support/read_face_labels.h>
 #include <CGAL/Region_segmentation/internal/support/visitor.h>
 #include <CGAL/Region_segmentation/parameters.h>
@@ -72,7 +72,7 @@ public:
     const double area = mesh.surface_area();
     if (area == 0)
       return 0;
-    const Partition pieces = pieces_of_segments(mesh, label_of_face);
+    const Partition pieces = internal::connected_pieces(mesh, label_of_face);
     std::vector<Flat_mesh::Index> label_of_piece(pieces.number_of_parts());
     std::vector<double> sizes(pieces.number_of_parts()); // square roots of the relative areas
     for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
@@ -95,18 +95,6 @@ public:
   }
 
 private:
-  static Partition pieces_of_segments(const Flat_mesh& mesh,
-                                          const std::vector<Flat_mesh::Index>& label_of_face)
-  {
-    internal::Lowest_root_forest forest(mesh.number_of_faces());
-    for (std::size_t e = 0; e < mesh.number_of_edges(); ++e) {
-      const Flat_mesh::Index f = mesh.lower_face(e), g = mesh.higher_face(e);
-      if (label_of_face[f] == label_of_face[g] && !mesh.has_flag(e, Flat_mesh::CONSTRAINED))
-        forest.unite(f, g);
-    }
-    return forest.take_partition();
-  }
-
   void move_borders(const Flat_mesh& mesh, double unit, const std::vector<double>& sizes,
                     const std::vector<Flat_mesh::Index>& label_of_piece, std::vector<Flat_mesh::Index>& piece_of_face,
                     const Execution<>& execution) const

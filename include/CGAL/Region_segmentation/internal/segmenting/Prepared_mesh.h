@@ -87,8 +87,9 @@ public:
     , m_first_regions(
         initialize_regions(m_method.initializer, m_flat, make_execution<ConcurrencyTag>(np, "regions")))
     , m_seeds(std::move(seeds))
-    , m_result(make_result(m_first_regions, m_seeds, np))
-  {}
+  {
+    m_result = make_result(m_first_regions, m_seeds, np);
+  }
 
   const Flat_mesh& flat_mesh() const { return m_flat; }
   const Method& method() const { return m_method; }
@@ -164,6 +165,7 @@ private:
     Seeds seeds;                             // of the regions
     std::optional<Graph> graph;              // unless there is one tree
     Merge_tree tree;
+    std::optional<Cache> cache;              // of the annotator, for `regions()`; empty after a failed change
   };
 
   template <typename Pack>
@@ -174,7 +176,7 @@ private:
       result.seeded_regions = apply_seeds(m_flat, first_regions, seeds);
       result.seeds = seeds_of_regions(*result.seeded_regions, seeds);
     }
-    Graph graph = make_graph(result.seeded_regions ? *result.seeded_regions : first_regions, np);
+    Graph graph = make_graph(result.seeded_regions ? *result.seeded_regions : first_regions, result.cache, np);
     if constexpr (has_one_tree)
       result.tree = merge(graph, 1, [](const Graph&, double) { return false; }, result.seeds, np);
     else
@@ -183,16 +185,14 @@ private:
   }
 
   template <typename Pack>
-  Graph make_graph(const Partition& regions, const Pack& np)
+  Graph make_graph(const Partition& regions, std::optional<Cache>& new_cache, const Pack& np)
   {
     const auto execution = make_execution<ConcurrencyTag>(np, "graph");
     Graph graph = build_graph<Graph>(m_flat, regions, execution.step(0, 0.1));
     Cache cache = take_cache(regions);
     annotate(m_method.annotator, graph, m_flat, regions, execution.step(0.1, 1), cache);
-    if (m_preparation == Preparation::FOR_CHANGES) {
-      m_cache = std::move(cache);
-      m_cached_regions = regions;
-    }
+    if (m_preparation == Preparation::FOR_CHANGES)
+      new_cache = std::move(cache);
     return graph;
   }
 
@@ -203,10 +203,10 @@ private:
     if constexpr (std::is_same<Cache, No_cache>::value)
       return Cache();
     else {
-      if (m_cached_regions.size() != regions.size())
+      if (!m_result.cache)
         return Cache();
-      Cache cache = std::exchange(m_cache, Cache());
-      cache.renumber(matching_parts(std::exchange(m_cached_regions, Partition()), regions));
+      Cache cache = std::move(*std::exchange(m_result.cache, std::nullopt));
+      cache.renumber(matching_parts(this->regions(), regions));
       return cache;
     }
   }
@@ -268,8 +268,6 @@ private:
   Partition m_first_regions; // as the initializer made them and later constraints split them
   bool m_has_new_constraints = false;
   Seeds m_seeds;             // of the faces
-  Cache m_cache;             // of the annotator, for `m_cached_regions`
-  Partition m_cached_regions;
   Result m_result;
 };
 

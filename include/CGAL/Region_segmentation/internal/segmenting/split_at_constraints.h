@@ -5,7 +5,7 @@
 
 #include <CGAL/Region_segmentation/Flat_mesh.h>
 #include <CGAL/Region_segmentation/Partition.h>
-#include <CGAL/Region_segmentation/internal/regions/Lowest_root_forest.h>
+#include <CGAL/Region_segmentation/internal/regions/connected_pieces.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -14,17 +14,6 @@
 namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
-
-/// The connected components of regions across the dual edges for which `is_crossed(edge)`.
-template <typename IsCrossed>
-Partition pieces_of_regions(const Flat_mesh& flat, const Partition& regions, const IsCrossed& is_crossed)
-{
-  Lowest_root_forest forest(flat.number_of_faces());
-  for (std::size_t e = 0; e < flat.number_of_edges(); ++e)
-    if (regions[flat.lower_face(e)] == regions[flat.higher_face(e)] && is_crossed(e))
-      forest.unite(flat.lower_face(e), flat.higher_face(e));
-  return forest.take_partition();
-}
 
 /// The number of pieces of each region.
 inline std::vector<std::size_t> number_of_pieces(const Partition& regions, const Partition& pieces)
@@ -43,13 +32,12 @@ inline std::vector<std::size_t> number_of_pieces(const Partition& regions, const
 /// without. A constrained edge that only ends in a region has no effect. O(F).
 inline Partition split_at_constraints(const Flat_mesh& flat, const Partition& regions)
 {
-  const auto is_free = [&](std::size_t e) { return !flat.has_flag(e, Flat_mesh::CONSTRAINED); };
-  const Partition pieces = pieces_of_regions(flat, regions, is_free);
+  const Partition pieces = connected_pieces(flat, regions);
   if (pieces.number_of_parts() == regions.number_of_parts())
     return regions;
   const auto separated = number_of_pieces(regions, pieces);
   const auto connected =
-    number_of_pieces(regions, pieces_of_regions(flat, regions, [](std::size_t) { return true; }));
+    number_of_pieces(regions, connected_pieces(flat, regions, [](std::size_t) { return true; }));
   std::vector<std::uint64_t> labels(regions.size());
   for (std::size_t f = 0; f < labels.size(); ++f) {
     const bool is_split = separated[regions[f]] > connected[regions[f]];

@@ -5,8 +5,8 @@
 
 #include <CGAL/Region_segmentation/Flat_mesh.h>
 #include <CGAL/Region_segmentation/Partition.h>
+#include <CGAL/Region_segmentation/internal/regions/connected_pieces.h>
 #include <CGAL/Region_segmentation/internal/segmenting/Seeds.h>
-#include <CGAL/Region_segmentation/internal/segmenting/split_at_constraints.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -71,8 +71,7 @@ inline Partition split_at_seeds(const Flat_mesh& flat, const Partition& regions,
   for (std::size_t f = 0; f < labels.size(); ++f)
     labels[f] = (std::uint64_t(regions[f]) << 32) | (is_split[regions[f]] ? seed_of[f] : 0);
   const Partition dealt = Partition::from_labels(labels);
-  const Partition pieces = pieces_of_regions(
-    flat, dealt, [&](std::size_t e) { return !flat.has_flag(e, Flat_mesh::CONSTRAINED); });
+  const Partition pieces = connected_pieces(flat, dealt);
   for (std::size_t f = 0; f < labels.size(); ++f)
     labels[f] = (std::uint64_t(dealt[f]) << 32) | (is_split[regions[f]] ? pieces[f] : 0);
   return Partition::from_labels(labels);
