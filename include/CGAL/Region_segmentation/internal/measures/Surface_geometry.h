@@ -7,6 +7,7 @@
 #include <CGAL/Region_segmentation/internal/reading/Area_vector_sum.h>
 #include <CGAL/Region_segmentation/internal/measures/Contingency_table.h>
 #include <CGAL/Region_segmentation/internal/reading/Mesh_traversal.h>
+#include <CGAL/Region_segmentation/internal/support/unit_of_coordinates.h>
 #include <CGAL/Region_segmentation/Double_3.h>
 
 #include <CGAL/boost/graph/iterator.h>
@@ -30,11 +31,9 @@ inline void normalize_scale(std::vector<Double_3>& points)
   double largest = 0;
   for (const Double_3& p : points)
     largest = (std::max)({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-  if (largest == 0)
-    return;
-  const int exponent = -std::ilogb(largest);
+  const double scale = 1 / power_of_two_below(largest);
   for (Double_3& p : points)
-    p = {std::scalbn(p.x, exponent), std::scalbn(p.y, exponent), std::scalbn(p.z, exponent)};
+    p = scale * p;
 }
 
 /// The points of a mesh by iteration order, in a scale of their own.
