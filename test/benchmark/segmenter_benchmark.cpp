@@ -3,6 +3,7 @@
 // segmenter_benchmark [FACES]: what a Segmenter that is prepared takes, beside preparing it: any number of segments,
 // against writing the map alone; a drawn loop and seeds, against preparing. Medians, processor time.
 
+#include "make_mesh.h"
 #include "make_triangles.h"
 #include "seconds.h"
 
@@ -10,8 +11,6 @@
 #include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
 #include <CGAL/Region_segmentation/Segmenter.h>
 #include <CGAL/Region_segmentation/segment.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -23,19 +22,9 @@
 namespace {
 
 namespace RS = CGAL::Region_segmentation;
-using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+using speed_benchmark::Mesh;
+using speed_benchmark::make_mesh;
 using Face = Mesh::Face_index;
-
-Mesh make_mesh(const speed_benchmark::Triangles& triangles)
-{
-  using Vertex = Mesh::Vertex_index;
-  Mesh mesh;
-  for (const auto& p : triangles.points)
-    mesh.add_vertex({p[0], p[1], p[2]});
-  for (const auto& t : triangles.corners)
-    mesh.add_face(Vertex(t[0]), Vertex(t[1]), Vertex(t[2]));
-  return mesh;
-}
 
 template <typename F>
 double median_seconds(std::size_t rounds, const F& f)

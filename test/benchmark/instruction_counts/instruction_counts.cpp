@@ -2,12 +2,11 @@
 
 // Segments meshes that are made here, for callgrind, which counts and dumps each call by its name.
 
+#include "make_mesh.h"
 #include "make_triangles.h"
 
 #include <CGAL/Region_segmentation/Methods/Two_step.h>
 #include <CGAL/Region_segmentation/segment.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
 
 #include <valgrind/callgrind.h>
 
@@ -18,18 +17,8 @@
 namespace {
 
 namespace RS = CGAL::Region_segmentation;
-using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
-
-Mesh make_mesh(const speed_benchmark::Triangles& triangles)
-{
-  using Vertex = Mesh::Vertex_index;
-  Mesh mesh;
-  for (const auto& p : triangles.points)
-    mesh.add_vertex({p[0], p[1], p[2]});
-  for (const auto& t : triangles.corners)
-    mesh.add_face(Vertex(t[0]), Vertex(t[1]), Vertex(t[2]));
-  return mesh;
-}
+using speed_benchmark::Mesh;
+using speed_benchmark::make_mesh;
 
 /// \returns whether there are 8 segments
 template <typename SegmentationMethod>
