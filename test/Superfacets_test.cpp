@@ -5,6 +5,7 @@
 
 #include <CGAL/Region_segmentation/Methods/Region_growing.h>
 #include <CGAL/Region_segmentation/Methods/Superfacets.h>
+#include <CGAL/Region_segmentation/evaluation/rand_index_distance.h>
 #include <CGAL/Region_segmentation/internal/regions/Front_queue.h>
 #include <CGAL/Region_segmentation/read_flat_mesh.h>
 
@@ -14,6 +15,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <random>
 #include <set>
@@ -44,8 +46,7 @@ std::vector<double> distances_from(const RS::Flat_mesh& mesh, std::size_t seed, 
       const std::size_t f = mesh.lower_face(e), g = mesh.higher_face(e);
       const double concavity =
         mesh.has_flag(e, RS::Flat_mesh::CONCAVE) ? std::min(mesh.deviation(f, e), 0.6) : 0;
-      const double step =
-        norm(mesh.centroid(f) - mesh.centroid(g)) * (1 / std::sqrt(area)) * (1 + weight * concavity);
+      const double step = norm(mesh.centroid(f) - mesh.centroid(g)) / std::sqrt(area) + weight * concavity;
       for (auto [from, to] : {std::make_pair(f, g), std::make_pair(g, f)})
         if (distances[from] + double(float(step)) < distances[to]) { // steps are stored as float
           distances[to] = distances[from] + double(float(step));
@@ -129,16 +130,28 @@ TEST(Front_queue_test, gives_what_a_heap_gives)
     }
 }
 
-TEST(Superfacets_test, every_face_goes_to_the_nearest_of_far_apart_seeds)
+/// The dual graph of the faces with the steps of `distances_from()`.
+RS::internal::Dual_graph dual_graph_of(const RS::Flat_mesh& mesh, double weight)
+{
+  return RS::internal::Dual_graph(mesh, [&](std::size_t f, std::size_t e) {
+    const double concavity = mesh.has_flag(e, RS::Flat_mesh::CONCAVE) ? std::min(mesh.deviation(f, e), 0.6) : 0;
+    return norm(mesh.centroid(f) - mesh.centroid(mesh.higher_face(e))) / mesh.relative_unit() + weight * concavity;
+  });
+}
+
+TEST(Farthest_point_seeding_test, every_face_goes_to_the_nearest_of_far_apart_seeds)
 {
   for (Family family : {Family::SHEET, Family::SPHERE, Family::TORUS, Family::BLOCKS})
     for (unsigned seed = 1; seed <= 4; ++seed) {
       SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
       const RS::Flat_mesh mesh = flat_mesh_of(random_mesh(family, seed));
-      const RS::Partition regions = RS::Superfacets(12, 5)(mesh);
+      const RS::Execution<> execution;
+      RS::internal::Farthest_point_seeding seeding(dual_graph_of(mesh, 0.4), mesh.number_of_faces(), execution);
+      seeding.run(first_seed(mesh), 12);
+      const RS::Partition regions = seeding.regions();
       ASSERT_EQ(regions.number_of_parts(), 12u);
 
-      const Seeding expected = seeding_of(mesh, 12, 5);
+      const Seeding expected = seeding_of(mesh, 12, 0.4);
       std::set<std::size_t> regions_of_seeds;
       for (std::size_t s : expected.seeds)
         regions_of_seeds.insert(regions[s]);
@@ -163,22 +176,24 @@ TEST(Superfacets_test, regions_are_connected_and_numbered_by_first_face)
     }
 }
 
-TEST(Superfacets_test, splitting_separates_the_face_farthest_from_its_seed_first)
+TEST(Farthest_point_seeding_test, splitting_separates_the_face_farthest_from_its_seed_first)
 {
   for (Family family : {Family::SHEET, Family::SPHERE, Family::TORUS, Family::BLOCKS})
     for (unsigned seed = 1; seed <= 2; ++seed) {
       SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
       const RS::Flat_mesh mesh = flat_mesh_of(random_mesh(family, seed));
-      const RS::Superfacets superfacets(12, 5);
-      const Seeding seeding = seeding_of(mesh, 12, 5);
+      const Seeding expected = seeding_of(mesh, 12, 0.4);
       std::vector<std::size_t> order(mesh.number_of_faces()); // the farthest first, of several the higher face
       std::iota(order.begin(), order.end(), std::size_t(0));
       std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-        return seeding.nearest[a] != seeding.nearest[b] ? seeding.nearest[a] > seeding.nearest[b] : a > b;
+        return expected.nearest[a] != expected.nearest[b] ? expected.nearest[a] > expected.nearest[b] : a > b;
       });
-      RS::Partition before = superfacets(mesh);
+      const RS::Execution<> execution;
+      RS::internal::Farthest_point_seeding seeding(dual_graph_of(mesh, 0.4), mesh.number_of_faces(), execution);
+      seeding.run(first_seed(mesh), 12);
+      RS::Partition before = seeding.regions();
       for (std::size_t i = 0; i + 12 < order.size(); ++i) {
-        const RS::Partition after = superfacets.split(mesh, 13 + i);
+        const RS::Partition after = seeding.split_regions(13 + i);
         ASSERT_EQ(after.number_of_parts(), 13 + i);
         ASSERT_TRUE(nests(labels_of(after), labels_of(before)));
         // What is separated are faces that were separated before, or nothing but this one: it is the nearest to the
@@ -187,13 +202,89 @@ TEST(Superfacets_test, splitting_separates_the_face_farthest_from_its_seed_first
         std::size_t others = 0;
         for (std::size_t f = 0; f < order.size(); ++f) {
           if (after[f] == after[separated]) {
-            ASSERT_GE(seeding.nearest[f], seeding.nearest[separated]);
+            ASSERT_GE(expected.nearest[f], expected.nearest[separated]);
           }
           others += before[f] == before[separated] && after[f] != after[separated];
         }
         ASSERT_GT(others, 0u);
         before = after;
       }
+    }
+}
+
+namespace {
+
+/// A face that moves to another region, and how much less the borders cost then.
+struct Move
+{
+  double gain = 0;
+  std::size_t face = 0, to = 0;
+};
+
+/// The definition: all faces with one neighbor in their region, and all regions that they can move to.
+Move best_move(const RS::internal::Dual_graph& costs, const std::vector<std::size_t>& region_of)
+{
+  Move best;
+  for (std::size_t f = 0; f < region_of.size(); ++f) {
+    std::map<std::size_t, double> cost;
+    double all = 0;
+    std::size_t inside = 0;
+    for (const auto& step : costs.steps(f)) {
+      cost[region_of[step.face]] += double(step.length);
+      all += double(step.length);
+      inside += region_of[step.face] == region_of[f];
+    }
+    if (inside == 1)
+      for (const auto& [region, c] : cost)
+        if (const double gain = c - cost[region_of[f]]; gain > best.gain && gain > 1e-3 * all)
+          best = {gain, f, region};
+  }
+  return best;
+}
+
+} // namespace
+
+TEST(Border_shortening_test, moves_the_face_with_the_largest_gain_until_there_is_none)
+{
+  std::size_t moves = 0;
+  for (Family family : {Family::SHEET, Family::SPHERE, Family::TORUS, Family::BLOCKS})
+    for (unsigned seed = 1; seed <= 3; ++seed) {
+      SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
+      const RS::Flat_mesh mesh = flat_mesh_of(random_mesh(family, seed));
+      const RS::Execution<> execution;
+      RS::internal::Farthest_point_seeding seeding(dual_graph_of(mesh, 0.4), mesh.number_of_faces(), execution);
+      seeding.run(first_seed(mesh), 15);
+      const RS::Partition before = seeding.regions();
+      const RS::internal::Dual_graph costs(mesh, [&](std::size_t, std::size_t e) { return mesh.length(e); });
+      std::vector<std::size_t> expected(before.begin(), before.end());
+      for (Move move = best_move(costs, expected); move.gain > 0; move = best_move(costs, expected)) {
+        expected[move.face] = move.to;
+        ++moves;
+      }
+      EXPECT_EQ(RS::internal::Border_shortening(costs, before).take_regions(),
+                RS::Partition::from_labels(expected));
+    }
+  EXPECT_GT(moves, 20u);
+}
+
+TEST(Superfacets_test, are_seeded_on_the_patches_and_shortened)
+{
+  for (Family family : {Family::SHEET, Family::SPHERE, Family::TORUS})
+    for (unsigned seed = 1; seed <= 3; ++seed) {
+      SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
+      // The faces are so large that each is a patch.
+      const RS::Flat_mesh mesh = flat_mesh_of(random_mesh(family, seed));
+      ASSERT_EQ(mesh.patches().size(), mesh.number_of_faces());
+      const RS::Execution<> execution;
+      RS::internal::Farthest_point_seeding seeding(dual_graph_of(mesh, 0.4), mesh.number_of_faces(), execution);
+      seeding.run(first_seed(mesh), 15);
+      const RS::internal::Dual_graph costs(mesh, [&](std::size_t f, std::size_t e) {
+        const double concavity = mesh.has_flag(e, RS::Flat_mesh::CONCAVE) ? std::min(mesh.deviation(f, e), 0.6) : 0;
+        return mesh.length(e) / mesh.relative_unit() / (1 + 10 * concavity);
+      });
+      EXPECT_LT(RS::rand_index_distance(RS::Superfacets(15)(mesh),
+                                        RS::internal::Border_shortening(costs, seeding.regions()).take_regions()),
+                0.02); // but for rounding
     }
 }
 
@@ -239,7 +330,7 @@ TEST(Superfacets_test, a_concave_line_is_a_border)
   RS::Region_growing growing;
   growing.maximum_angle = 10;
   growing.feature_convexity = RS::Feature_convexity::CONCAVE;
-  EXPECT_EQ(RS::Superfacets(2, 1000)(mesh), growing(mesh));
+  EXPECT_EQ(RS::Superfacets(2, 50)(mesh), growing(mesh));
 }
 
 // Centroids of slivers whose steps differ by more than double can add: rounding hides that a seed is nearer.

@@ -22,7 +22,7 @@ using RS::Double_3;
 
 namespace {
 
-constexpr RS::Mesh_data all_data = RS::Mesh_data::POINTS | RS::Mesh_data::CENTROIDS | RS::Mesh_data::SURFACE_AREA;
+constexpr RS::Mesh_data all_data = RS::Mesh_data::POINTS | RS::Mesh_data::PATCHES;
 
 RS::Flat_mesh flat_mesh_of(const Soup& soup)
 {
@@ -64,7 +64,7 @@ TEST(Ray_tree_test, finds_what_a_look_at_every_triangle_finds)
       SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
       const RS::Flat_mesh mesh = flat_mesh_of(triangulated(random_mesh(family, seed)));
       const RS::Mesh_points& points = mesh.points();
-      const RS::internal::Ray_tree tree(mesh, RS::Execution<>());
+      const RS::internal::Ray_tree tree(mesh, mesh.centroid(0), RS::Execution<>());
       std::mt19937 random(seed);
       std::uniform_real_distribution<double> any(-1, 1);
       std::size_t hits = 0;
@@ -96,7 +96,7 @@ TEST(Ray_tree_test, of_faces_hit_at_the_same_distance_it_is_the_lowest)
   // Rays straight down on edges and corners of a plate of unit squares: without the face that was hit, another one is,
   // and not a lower one at the same distance.
   const RS::Flat_mesh mesh = flat_mesh_of(voxel_surface(voxel_block({0, 0, 0}, {16, 16, 1})));
-  const RS::internal::Ray_tree tree(mesh, RS::Execution<>());
+  const RS::internal::Ray_tree tree(mesh, mesh.centroid(0), RS::Execution<>());
   std::size_t ties = 0;
   for (double x = 1; x < 16; x += 0.5)
     for (double y = 1; y < 16; y += 0.5) {

@@ -17,6 +17,7 @@
 #include <CGAL/Region_segmentation/Graph/geometry_data.h>
 #include <CGAL/Region_segmentation/IO/labels.h>
 #include <CGAL/Region_segmentation/Mesh_data.h>
+#include <CGAL/Region_segmentation/Mesh_patches.h>
 #include <CGAL/Region_segmentation/Methods/Geometry_annotator.h>
 #include <CGAL/Region_segmentation/Methods/Least_compact_region_first.h>
 #include <CGAL/Region_segmentation/Methods/Longest_flattest_section.h>

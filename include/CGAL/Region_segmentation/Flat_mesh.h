@@ -5,6 +5,7 @@
 
 #include <CGAL/Region_segmentation/Double_3.h>
 #include <CGAL/Region_segmentation/Mesh_data.h>
+#include <CGAL/Region_segmentation/Mesh_patches.h>
 #include <CGAL/Region_segmentation/exceptions.h>
 #include <CGAL/Region_segmentation/internal/support/Large_array.h>
 
@@ -167,6 +168,13 @@ public:
     const double area = surface_area();
     return area > 0 ? std::sqrt(area) : 1;
   }
+
+  /// Small patches of faces, which respect the constraints that the mesh was read with. `Mesh_data::PATCHES`
+  const Mesh_patches& patches() const
+  {
+    require(Mesh_data::PATCHES, "PATCHES");
+    return m_patches;
+  }
   /// @}
 
 private:
@@ -193,6 +201,7 @@ private:
   internal::Large_array<std::uint8_t> m_flags;       // 1 byte a dual edge
   internal::Large_array<Double_3> m_centroids;       // 24 bytes a face
   Mesh_points m_points;
+  Mesh_patches m_patches;
   double m_unit = 1, m_surface_area = 0;
   Mesh_data m_data = Mesh_data::NOTHING_MORE;
 };

@@ -15,7 +15,8 @@ enum class Mesh_data : std::uint8_t {
   NOTHING_MORE = 0,
   POINTS = 1,      ///< the points of the vertices and the corners of the faces: `Flat_mesh::points()`
   CENTROIDS = 2,   ///< the means of the corners of the faces: `Flat_mesh::centroid()`
-  SURFACE_AREA = 4 ///< the area of the surface, and lengths relative to it: `Flat_mesh::surface_area()`
+  SURFACE_AREA = 4, ///< the area of the surface, and lengths relative to it: `Flat_mesh::surface_area()`
+  PATCHES = 14 ///< small flat patches of faces: `Flat_mesh::patches()`; with the centroids and the area of the surface
 };
 
 constexpr Mesh_data operator|(Mesh_data a, Mesh_data b)

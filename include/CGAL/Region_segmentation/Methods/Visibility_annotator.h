@@ -8,7 +8,7 @@
 #include <CGAL/Region_segmentation/Methods/Visibility_data.h>
 #include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/internal/rays/Inward_rays.h>
-#include <CGAL/Region_segmentation/internal/rays/Region_shapes.h>
+#include <CGAL/Region_segmentation/internal/regions/Region_shapes.h>
 
 #include <CGAL/tags.h>
 
@@ -26,8 +26,8 @@ namespace Region_segmentation {
 /// measures by rays from every region into the body its thickness there, and which regions see each other. A model of
 /// `GraphAnnotator`, for graphs with `Visibility_region_data` and `Visibility_section_data`.
 ///
-/// From three faces of each region, that at its centroid, and those at 3/10 and 6/10 in the order of
-/// the distance to it, six rays are cast into the body: one against the normal, and five on a spiral
+/// From three faces of each region, at the centers of its patches (see `Mesh_patches`): the one nearest to its centroid,
+/// and those at 3/10 and 6/10 in the order of the distance to it, six rays are cast into the body: one against the normal, and five on a spiral
 /// in a cone of 0.9 rad around it. A region of one or two faces casts as many rays, from those.
 /// - The *thickness* of a region is the mean of \f$\ln(x / \sqrt{A} + 10^{-4})\f$, \f$x\f$ the lengths of
 ///   its rays; that of a region whose rays all leave the body is the mean of the others.
@@ -50,7 +50,7 @@ public:
   using RegionData = Visibility_region_data;
   using SectionData = Visibility_section_data;
   static constexpr Mesh_data required_mesh_data =
-    Mesh_data::POINTS | Mesh_data::CENTROIDS | Mesh_data::SURFACE_AREA;
+    Mesh_data::POINTS | Mesh_data::PATCHES;
 
   /// Cached data of a mesh and its regions, so that only the rays of new regions are traced when regions change. About
   /// 62 bytes per triangle and 300 per region.
@@ -93,9 +93,9 @@ public:
       graph[Index(r)].area = shapes.areas[r] / mesh.surface_area();
     set_bends(graph, shapes);
     if (!cache.m_tree)
-      cache.m_tree.emplace(mesh, execution.step(0, 0.6));
+      cache.m_tree.emplace(mesh, shapes.surface_centroid, execution.step(0, 0.6));
     cache.m_hits.resize(regions.number_of_parts());
-    internal::Inward_rays(mesh, regions, shapes.centroids, *cache.m_tree).trace(cache.m_hits, execution.step(0.6, 1));
+    internal::Inward_rays(mesh, regions, shapes, *cache.m_tree).trace(cache.m_hits, execution.step(0.6, 1));
     set_rays(graph, regions, cache.m_hits, mesh.relative_unit());
   }
 

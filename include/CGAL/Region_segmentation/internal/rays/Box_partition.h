@@ -43,11 +43,11 @@ struct Box
   }
 };
 
-/// Boxes with identifiers, to be split into parts whose boxes are small. 32 bytes each.
+/// Boxes with identifiers, to be split into parts whose boxes are small. 28 bytes each.
 class Box_partition
 {
 public:
-  using Name = std::array<std::uint32_t, 2>;
+  using Name = std::uint32_t;
   static constexpr std::size_t leaf_size = 4; ///< boxes that are tested together, at the cost of one
 
   /// The boxes `first` .. `last - 1` and the box around them.
@@ -60,12 +60,12 @@ public:
   };
 
   void reserve(std::size_t number) { m_items.reserve(number); }
-  void add(const Box& box, const Name& name)
+  void add(const Box& box, Name name)
   {
     m_items.push_back({{box.low[0], box.low[1], box.low[2]}, {box.high[0], box.high[1], box.high[2]}, name});
   }
   std::size_t size() const { return m_items.size(); }
-  const Name& name(std::size_t i) const { return m_items[i].name; }
+  Name name(std::size_t i) const { return m_items[i].name; }
 
   Part whole() const { return make_part(0, m_items.size()); }
 
@@ -90,7 +90,7 @@ public:
 private:
   static constexpr float smallest_width = 1e-30f; // so that its inverse is finite
 
-  /// Packed, since there is one for each triangle.
+  /// Packed, since there is one for each patch.
   struct Item
   {
     std::array<float, 3> low, high;

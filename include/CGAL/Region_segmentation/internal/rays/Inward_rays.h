@@ -7,6 +7,7 @@
 #include <CGAL/Region_segmentation/Flat_mesh.h>
 #include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/internal/rays/Ray_tree.h>
+#include <CGAL/Region_segmentation/internal/regions/Region_shapes.h>
 #include <CGAL/Region_segmentation/internal/support/Grouped_items.h>
 #include <CGAL/Region_segmentation/internal/support/blocks.h>
 
@@ -35,13 +36,12 @@ public:
   /// The hits of the rays of a region.
   using Hits = std::array<Ray_tree::Hit, rays_per_region>;
 
-  /// `centroids`: of the regions; `tree`: of the mesh
-  /// \pre the mesh was read with its points and centroids
-  Inward_rays(const Flat_mesh& mesh, const Partition& regions, const std::vector<Double_3>& centroids,
-              const Ray_tree& tree)
+  /// `shapes`: of the regions; `tree`: of the mesh
+  /// \pre the mesh was read with its points and patches
+  Inward_rays(const Flat_mesh& mesh, const Partition& regions, const Region_shapes& shapes, const Ray_tree& tree)
     : m_mesh(mesh)
     , m_regions(regions)
-    , m_centroids(centroids)
+    , m_shapes(shapes)
     , m_tree(tree)
     , m_faces(regions.number_of_parts())
     , m_spirals{make_spirals(1), make_spirals(2), make_spirals(3)}
@@ -88,16 +88,24 @@ private:
     return spirals;
   }
 
-  /// Of those regions of which hits are missing.
+  /// The faces at the centers of patches, of those regions of which hits are missing; all faces of a region that
+  /// contains no such center.
   void group_faces(const std::vector<std::optional<Hits>>& hits)
   {
-    for (Index r : m_regions)
-      if (!hits[r])
-        m_faces.count(r);
+    std::vector<bool> has_center(m_regions.number_of_parts(), false);
+    for (std::size_t p = 0; p < m_mesh.patches().size(); ++p)
+      has_center[m_regions[m_mesh.patches()[p].face]] = true;
+    const auto for_each_face = [&](const auto& f) {
+      for (std::size_t face = 0; face < m_regions.size(); ++face)
+        if (const Index r = m_regions[face];
+            !hits[r] && (!has_center[r] || m_mesh.patches()[m_mesh.patches().of_faces()[face]].face == face))
+          f(r, face);
+    };
+    for_each_face([&](Index r, std::size_t) { m_faces.count(r); });
     m_faces.end_counting();
-    for (std::size_t f = 0; f < m_regions.size(); ++f)
-      if (const Index r = m_regions[f]; !hits[r])
-        m_faces.add(r, {squared_norm(m_mesh.centroid(f) - m_centroids[r]), Index(f)});
+    for_each_face([&](Index r, std::size_t face) {
+      m_faces.add(r, {squared_norm(m_mesh.centroid(face) - m_shapes.centroids[r]), Index(face)});
+    });
   }
 
   Hits hits_of(std::size_t region)
@@ -124,22 +132,35 @@ private:
     if (m_mesh.is_degenerate(face))
       return;
     const Double_3 source = m_mesh.centroid(face), inward = -1.0 * m_mesh.normal(face);
-    const Mesh_points& points = m_mesh.points();
-    const Double_3 along = points[points.corner(face, 1)] - points[points.corner(face, 0)];
-    const Double_3 in_plane = along - dot(along, inward) * inward;
-    const double length = norm(in_plane);
-    const Double_3 u = length > 0 ? (1 / length) * in_plane : in_plane, v = cross(inward, u);
+    const Double_3 u = start_of_spiral(face, source, inward), v = cross(inward, u);
     for (std::size_t i = 0; i < number; ++i) {
       const Spiral& s = spirals[i];
-      const Double_3 direction =
-        length > 0 ? s.cos_away * inward + s.sin_away * (s.cos_around * u + s.sin_around * v) : inward;
+      const Double_3 direction = s.cos_away * inward + s.sin_away * (s.cos_around * u + s.sin_around * v);
       hits[i] = m_tree.first_hit(source, direction, face);
     }
   }
 
+  /// A unit vector in the plane of a face that depends on the shape of the surface alone: away from its centroid; or,
+  /// where the face is orthogonal to that, to its corner farthest from its own centroid.
+  Double_3 start_of_spiral(Index face, const Double_3& source, const Double_3& inward) const
+  {
+    constexpr double smallest_part = 1e-3; // in the plane
+    const auto in_plane = [&](const Double_3& v) { return v - dot(v, inward) * inward; };
+    const Double_3 away = source - m_shapes.surface_centroid, u = in_plane(away);
+    if (const double length = norm(u); length > smallest_part * norm(away))
+      return (1 / length) * u;
+    const Mesh_points& points = m_mesh.points();
+    Double_3 farthest{0, 0, 0};
+    for (std::size_t i = 0; i < points.number_of_corners(face); ++i)
+      if (const Double_3 w = in_plane(points[points.corner(face, i)] - source);
+          squared_norm(w) > squared_norm(farthest))
+        farthest = w;
+    return (1 / norm(farthest)) * farthest;
+  }
+
   const Flat_mesh& m_mesh;
   const Partition& m_regions;
-  const std::vector<Double_3>& m_centroids; // of the regions
+  const Region_shapes& m_shapes; // of the regions
   const Ray_tree& m_tree;
   Grouped_items<Face_at_distance> m_faces; // by region
   const std::array<Spirals, faces_per_region> m_spirals;

@@ -5,6 +5,7 @@
 
 #include <CGAL/Region_segmentation/Flat_mesh.h>
 #include <CGAL/Region_segmentation/internal/reading/Face_block.h>
+#include <CGAL/Region_segmentation/internal/reading/Patch_builder.h>
 #include <CGAL/Region_segmentation/internal/support/blocks.h>
 
 #include <algorithm>
@@ -145,6 +146,8 @@ public:
     if (includes(m_flat.m_data, Mesh_data::SURFACE_AREA))
       for (const double area : m_flat.m_areas)
         m_flat.m_surface_area += area;
+    if (includes(m_flat.m_data, Mesh_data::PATCHES))
+      m_flat.m_patches = Patch_builder::build(m_flat);
     return std::move(m_flat);
   }
 

@@ -14,7 +14,7 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// The adjacency of faces in both directions, with a length for each step. Constrained edges are not steps. 8 bytes per
+/// The adjacency of faces, or of patches, in both directions, with a length for each step. Constrained edges are not steps. 8 bytes per
 /// face and 8 for each side of a dual edge: searches are memory-bound, so lengths are float.
 class Dual_graph
 {
@@ -30,17 +30,29 @@ public:
   /// `length(face, edge)`: of a dual edge and its lower face.
   template <typename Length>
   Dual_graph(const Flat_mesh& mesh, const Length& length)
+    : Dual_graph(mesh, [](std::size_t) { return true; }, length)
+  {}
+
+  /// Only the dual edges for which `is_step(edge)`.
+  template <typename IsStep, typename Length>
+  Dual_graph(const Flat_mesh& mesh, const IsStep& is_step, const Length& length)
     : m_steps(mesh.number_of_faces())
   {
-    for_each_step(mesh, [&](std::size_t f, std::size_t g, std::size_t) {
-      m_steps.count(f);
-      m_steps.count(g);
+    add_steps([&](const auto& add) {
+      for (std::size_t e = 0; e < mesh.number_of_edges(); ++e)
+        if (!mesh.has_flag(e, Flat_mesh::CONSTRAINED) && is_step(e))
+          add(mesh.lower_face(e), mesh.higher_face(e), [&] { return length(mesh.lower_face(e), e); });
     });
-    m_steps.end_counting();
-    for_each_step(mesh, [&](std::size_t f, std::size_t g, std::size_t e) {
-      const float l = float(length(f, e));
-      m_steps.add(f, {Index(g), l});
-      m_steps.add(g, {Index(f), l});
+  }
+
+  /// Of patches in place of faces; `length(adjacency)`.
+  template <typename Length>
+  Dual_graph(const Mesh_patches& patches, const Length& length)
+    : m_steps(patches.size())
+  {
+    add_steps([&](const auto& add) {
+      for (const Mesh_patches::Adjacency& a : patches.adjacencies())
+        add(a.lower, a.higher, [&] { return length(a); });
     });
   }
 
@@ -68,12 +80,20 @@ public:
   }
 
 private:
-  template <typename F>
-  static void for_each_step(const Flat_mesh& mesh, const F& f)
+  /// `for_each(add)` calls `add(face, other_face, length)` for each step; it is called twice.
+  template <typename ForEach>
+  void add_steps(const ForEach& for_each)
   {
-    for (std::size_t e = 0; e < mesh.number_of_edges(); ++e)
-      if (!mesh.has_flag(e, Flat_mesh::CONSTRAINED))
-        f(mesh.lower_face(e), mesh.higher_face(e), e);
+    for_each([this](Index f, Index g, const auto&) {
+      m_steps.count(f);
+      m_steps.count(g);
+    });
+    m_steps.end_counting();
+    for_each([this](Index f, Index g, const auto& length) {
+      const float l = float(length());
+      m_steps.add(f, {g, l});
+      m_steps.add(g, {f, l});
+    });
   }
 
   Grouped_items<Step> m_steps; // by face

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_RAYS_REGION_SHAPES_H
-#define CGAL_REGION_SEGMENTATION_INTERNAL_RAYS_REGION_SHAPES_H
+#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_REGIONS_REGION_SHAPES_H
+#define CGAL_REGION_SEGMENTATION_INTERNAL_REGIONS_REGION_SHAPES_H
 
 #include <CGAL/Region_segmentation/Double_3.h>
 #include <CGAL/Region_segmentation/Flat_mesh.h>
@@ -14,14 +14,15 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// Area, mean normal and centroid of every region.
+/// Area, mean normal and centroid of every region, and the centroid of the surface.
 struct Region_shapes
 {
   std::vector<double> areas;
   std::vector<Double_3> normals;   // of length 1, or zero
   std::vector<Double_3> centroids; // that of a region without area is the first face's of the mesh
+  Double_3 surface_centroid{0, 0, 0};
 
-  /// \pre the mesh was read with its centroids
+  /// \pre the mesh was read with its centroids and the area of its surface
   Region_shapes(const Flat_mesh& mesh, const Partition& regions)
     : areas(regions.number_of_parts()), normals(regions.number_of_parts()), centroids(regions.number_of_parts())
   {
@@ -35,6 +36,10 @@ struct Region_shapes
       normals[r] = normals[r] + area * mesh.normal(f);
       centroids[r] = centroids[r] + area * (mesh.centroid(f) - origin);
     }
+    for (std::size_t r = 0; r < areas.size(); ++r)
+      surface_centroid = surface_centroid + centroids[r];
+    const double area = mesh.surface_area();
+    surface_centroid = origin + (area > 0 ? 1 / area : 0) * surface_centroid;
     for (std::size_t r = 0; r < areas.size(); ++r) {
       const double length = norm(normals[r]);
       normals[r] = length > 0 ? (1 / length) * normals[r] : Double_3{};
@@ -47,4 +52,4 @@ struct Region_shapes
 } // namespace Region_segmentation
 } // namespace CGAL
 
-#endif // CGAL_REGION_SEGMENTATION_INTERNAL_RAYS_REGION_SHAPES_H
+#endif // CGAL_REGION_SEGMENTATION_INTERNAL_REGIONS_REGION_SHAPES_H

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_MESH_PATCHES_H
+#define CGAL_REGION_SEGMENTATION_MESH_PATCHES_H
+
+#include <CGAL/Region_segmentation/Double_3.h>
+#include <CGAL/Region_segmentation/Partition.h>
+#include <CGAL/Region_segmentation/internal/support/Large_array.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace CGAL {
+namespace Region_segmentation {
+
+namespace internal {
+class Patch_builder;
+}
+
+/// \ingroup PkgRegionSegmentationData
+/// A partition of the faces of a mesh into small flat patches, and their adjacency: what stages work on whose cost
+/// must not grow with the resolution of the mesh.
+///
+/// Patches are connected, and not joined across constrained edges. Faces are joined in rounds. In a round each patch
+/// selects the adjacent patch with the smallest step \f$|c_i - c_j| / \sqrt{A} + w \, |n_i - n_j|\f$, \f$c\f$ the
+/// centroids, \f$n\f$ the unit normals, \f$A\f$ the area of the surface, among those with which its area is at most
+/// `maximum_area`; of several, the lower one. The selections form trees; every patch of odd depth is joined to its
+/// parent, and every leaf of even depth to its grandparent. Rounds end when one joins less than one patch in 32. So a
+/// mesh of few large faces has a patch for each face, and a fine one some ten to thirty thousand patches. They do not
+/// depend on the numbering of faces and vertices, ties excepted.
+///
+/// Complexity: O(F) in practice.
+class Mesh_patches
+{
+public:
+  using Index = Partition::Index;
+
+  static constexpr double maximum_area = 1. / 30000;    ///< of two patches that are joined, share of the surface
+  static constexpr double deviation_weight = 0.4;       ///< w, relative length per radian
+
+  struct Patch
+  {
+    Double_3 centroid; ///< the mean of the centroids of its faces, by area
+    Double_3 normal;   ///< the mean normal by area, of length 1, or zero
+    double area;
+    Index face;        ///< the one nearest to the centroid
+  };
+
+  /// Two adjacent patches, and the length of the edges between them that are not constrained.
+  struct Adjacency
+  {
+    Index lower, higher;
+    double length;
+  };
+
+  std::size_t size() const { return m_patches.size(); }
+  const Patch& operator[](std::size_t patch) const { return m_patches[patch]; }
+  /// The patch of each face.
+  const Partition& of_faces() const { return m_of_faces; }
+  /// By the lower, then by the higher patch.
+  const internal::Large_array<Adjacency>& adjacencies() const { return m_adjacencies; }
+
+  /// The angle between the normals of two patches, in radians, if they face each other, else 0.
+  double concave_deviation(std::size_t i, std::size_t j) const
+  {
+    const Patch &a = m_patches[i], &b = m_patches[j];
+    if (!(dot(b.normal - a.normal, b.centroid - a.centroid) < 0))
+      return 0;
+    return std::acos((std::max)(-1.0, (std::min)(1.0, dot(a.normal, b.normal))));
+  }
+
+private:
+  friend class internal::Patch_builder;
+
+  Partition m_of_faces;
+  internal::Large_array<Patch> m_patches;
+  internal::Large_array<Adjacency> m_adjacencies;
+};
+
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_MESH_PATCHES_H

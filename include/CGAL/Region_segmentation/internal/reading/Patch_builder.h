@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_READING_PATCH_BUILDER_H
+#define CGAL_REGION_SEGMENTATION_INTERNAL_READING_PATCH_BUILDER_H
+
+#include <CGAL/Region_segmentation/Flat_mesh.h>
+#include <CGAL/Region_segmentation/Mesh_patches.h>
+#include <CGAL/Region_segmentation/internal/reading/Patch_selection.h>
+#include <CGAL/Region_segmentation/internal/support/Large_array.h>
+
+#include <boost/sort/spreadsort/integer_sort.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Region_segmentation {
+namespace internal {
+
+/// Makes the patches of a mesh, in rounds, see `Mesh_patches`.
+class Patch_builder
+{
+  using Index = Flat_mesh::Index;
+  using Patch = Mesh_patches::Patch;
+  using Adjacency = Mesh_patches::Adjacency;
+
+public:
+  /// \pre the mesh was read with its centroids and the area of its surface
+  static Mesh_patches build(const Flat_mesh& mesh)
+  {
+    Patch_builder builder(mesh);
+    builder.join_faces();
+    while (builder.join_patches())
+      ;
+    return builder.finish();
+  }
+
+private:
+  explicit Patch_builder(const Flat_mesh& mesh)
+    : m_mesh(mesh)
+    , m_maximum_area(Mesh_patches::maximum_area * mesh.surface_area())
+    , m_unit(mesh.relative_unit())
+  {}
+
+  /// The faces as the patches of the first round.
+  class Faces
+  {
+  public:
+    explicit Faces(const Flat_mesh& mesh) : m_mesh(mesh) {}
+    std::size_t size() const { return m_mesh.number_of_faces(); }
+    double area(std::size_t f) const { return m_mesh.area(f); }
+    const Double_3& centroid(std::size_t f) const { return m_mesh.centroid(f); }
+    const Double_3& normal(std::size_t f) const { return m_mesh.normal(f); }
+    template <typename F>
+    void for_each_adjacency(const F& f) const
+    {
+      for (std::size_t e = 0; e < m_mesh.number_of_edges(); ++e)
+        if (!m_mesh.has_flag(e, Flat_mesh::CONSTRAINED))
+          f(m_mesh.lower_face(e), m_mesh.higher_face(e), e);
+    }
+    double length(std::size_t e) const { return m_mesh.length(e); }
+
+  private:
+    const Flat_mesh& m_mesh;
+  };
+
+  /// The patches of a later round.
+  class Joined
+  {
+  public:
+    Joined(const Large_array<Patch>& patches, const Large_array<Adjacency>& adjacencies)
+      : m_patches(patches), m_adjacencies(adjacencies)
+    {}
+    std::size_t size() const { return m_patches.size(); }
+    double area(std::size_t p) const { return m_patches[p].area; }
+    const Double_3& centroid(std::size_t p) const { return m_patches[p].centroid; }
+    const Double_3& normal(std::size_t p) const { return m_patches[p].normal; }
+    template <typename F>
+    void for_each_adjacency(const F& f) const
+    {
+      for (std::size_t i = 0; i < m_adjacencies.size(); ++i)
+        f(m_adjacencies[i].lower, m_adjacencies[i].higher, i);
+    }
+    double length(std::size_t i) const { return m_adjacencies[i].length; }
+
+  private:
+    const Large_array<Patch>& m_patches;
+    const Large_array<Adjacency>& m_adjacencies;
+  };
+
+  void join_faces()
+  {
+    const Faces faces(m_mesh);
+    m_of_faces = select(faces);
+    replace_patches(faces, m_of_faces);
+  }
+
+  /// Returns whether it is worth another round.
+  bool join_patches()
+  {
+    const Joined patches(m_patches, m_adjacencies);
+    const Partition joined = select(patches);
+    if (joined.number_of_parts() == m_patches.size())
+      return false;
+    const bool is_worth_another = m_patches.size() - joined.number_of_parts() >= m_patches.size() / 32;
+    replace_patches(patches, joined);
+    m_of_faces = composed(m_of_faces, joined);
+    return is_worth_another;
+  }
+
+  template <typename Patches>
+  Partition select(const Patches& patches) const
+  {
+    return Patch_selection(patches, m_maximum_area, m_unit, Mesh_patches::deviation_weight).joined();
+  }
+
+  template <typename Patches>
+  void replace_patches(const Patches& patches, const Partition& joined)
+  {
+    Large_array<Patch> result(joined.number_of_parts(), Patch{{0, 0, 0}, {0, 0, 0}, 0, none});
+    for (std::size_t p = 0; p < joined.size(); ++p) {
+      Patch& patch = result[joined[p]];
+      const double area = patches.area(p);
+      // Relative to the first of them, to avoid cancellation far from the origin.
+      if (patch.face == none)
+        patch.face = Index(p);
+      patch.centroid = patch.centroid + area * (patches.centroid(p) - patches.centroid(patch.face));
+      patch.normal = patch.normal + area * patches.normal(p);
+      patch.area += area;
+    }
+    for (Patch& patch : result) {
+      const double length = norm(patch.normal);
+      patch.normal = length > 0 ? (1 / length) * patch.normal : Double_3{0, 0, 0};
+      patch.centroid = patches.centroid(patch.face) + (patch.area > 0 ? 1 / patch.area : 0) * patch.centroid;
+    }
+    Large_array<Adjacency> adjacencies;
+    patches.for_each_adjacency([&](Index lower, Index higher, std::size_t i) {
+      const Index a = joined[lower], b = joined[higher];
+      if (a != b)
+        adjacencies.push_back({(std::min)(a, b), (std::max)(a, b), patches.length(i)});
+    });
+    m_patches = std::move(result);
+    m_adjacencies = std::move(adjacencies);
+  }
+
+  Mesh_patches finish()
+  {
+    unite_adjacencies();
+    set_faces();
+    Mesh_patches result;
+    result.m_of_faces = std::move(m_of_faces);
+    result.m_patches = std::move(m_patches);
+    result.m_adjacencies = std::move(m_adjacencies);
+    return result;
+  }
+
+  /// One for each two patches, sorted.
+  void unite_adjacencies()
+  {
+    std::vector<std::pair<std::uint64_t, std::uint32_t>> keys;
+    keys.reserve(m_adjacencies.size());
+    for (const Adjacency& a : m_adjacencies)
+      keys.push_back({(std::uint64_t(a.lower) << 32) | a.higher, std::uint32_t(keys.size())});
+    boost::sort::spreadsort::integer_sort(
+      keys.begin(), keys.end(), [](const auto& key, unsigned offset) { return key.first >> offset; });
+    Large_array<Adjacency> united;
+    united.reserve(keys.size());
+    for (const auto& key : keys) {
+      const Adjacency& a = m_adjacencies[key.second];
+      if (!united.empty() && united.back().lower == a.lower && united.back().higher == a.higher)
+        united.back().length += a.length;
+      else
+        united.push_back(a);
+    }
+    m_adjacencies = std::move(united);
+  }
+
+  /// The face of each patch nearest to its centroid, a degenerate one only if there is no other.
+  void set_faces()
+  {
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    std::vector<double> distances(m_patches.size(), infinite);
+    for (Patch& patch : m_patches)
+      patch.face = none;
+    for (std::size_t f = 0; f < m_mesh.number_of_faces(); ++f) {
+      Patch& patch = m_patches[m_of_faces[f]];
+      const double distance =
+        m_mesh.is_degenerate(f) ? infinite : squared_norm(m_mesh.centroid(f) - patch.centroid);
+      if (distance < distances[m_of_faces[f]] || patch.face == none) {
+        distances[m_of_faces[f]] = distance;
+        patch.face = Index(f);
+      }
+    }
+  }
+
+  static constexpr Index none = (std::numeric_limits<Index>::max)();
+
+  const Flat_mesh& m_mesh;
+  const double m_maximum_area, m_unit;
+  Partition m_of_faces;
+  Large_array<Patch> m_patches;
+  Large_array<Adjacency> m_adjacencies; // several between two patches, until the end
+};
+
+} // namespace internal
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_INTERNAL_READING_PATCH_BUILDER_H

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_REGIONS_FARTHEST_POINT_SEEDING_H
+#define CGAL_REGION_SEGMENTATION_INTERNAL_REGIONS_FARTHEST_POINT_SEEDING_H
+
+#include <CGAL/Region_segmentation/Execution.h>
+#include <CGAL/Region_segmentation/Partition.h>
+#include <CGAL/Region_segmentation/internal/regions/Dual_graph.h>
+#include <CGAL/Region_segmentation/internal/regions/Front_queue.h>
+#include <CGAL/Region_segmentation/internal/regions/Lowest_root_forest.h>
+#include <CGAL/Region_segmentation/internal/support/Large_array.h>
+#include <CGAL/Region_segmentation/internal/support/visitor.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Region_segmentation {
+namespace internal {
+
+/// Farthest-point seeding on a dual graph: seeds are placed one after another, each at the face farthest from all seeds
+/// so far, of several at the lower one; a new seed updates the distances only where it is nearer. The region of a seed
+/// is the faces that are nearest to it, and is connected. Every connected component gets a seed.
+///
+/// The faces are those of a mesh, or patches.
+template <typename ConcurrencyTag>
+class Farthest_point_seeding
+{
+  using Index = Dual_graph::Index;
+
+public:
+  Farthest_point_seeding(Dual_graph graph, std::size_t number_of_faces, const Execution<ConcurrencyTag>& execution)
+    : m_execution(execution)
+    , m_graph(std::move(graph))
+    , m_reached(number_of_faces, Reached{unreached, 0, 0})
+    , m_front(m_graph.mean_length() / slices_of_mean_step)
+  {}
+
+  /// Places `number` seeds, or more if there are more components, or fewer if all faces are seeds.
+  void run(std::size_t first_seed, std::size_t number)
+  {
+    m_number_wanted = number;
+    grow_from(first_seed);
+    for (std::size_t f = 0; f < m_reached.size(); f += faces_per_bound)
+      m_bounds.push_back(farthest_in_block(f));
+    std::make_heap(m_bounds.begin(), m_bounds.end(), is_nearer);
+    Step_counter<ConcurrencyTag> seeds(m_execution, number);
+    while (true) {
+      const std::size_t seed = farthest();
+      const double distance = m_reached[seed].distance;
+      if (distance <= 0 || (m_number_of_seeds >= number && distance != unreached))
+        break;
+      grow_from(seed);
+      seeds.advance();
+    }
+  }
+
+  /// Places the given seeds alone.
+  void run(const std::vector<Index>& seeds)
+  {
+    m_number_wanted = seeds.size();
+    for (const Index seed : seeds)
+      grow_from(seed);
+  }
+
+  Partition regions() const
+  {
+    std::vector<Index> id_of(m_number_of_seeds, Index(none)), region_of;
+    Index number = 0;
+    region_of.reserve(m_reached.size());
+    for (const Reached& r : m_reached) {
+      if (id_of[r.seed] == none)
+        id_of[r.seed] = number++;
+      region_of.push_back(id_of[r.seed]);
+    }
+    return Partition(std::move(region_of), number);
+  }
+
+  /// The regions split further: the face farthest from its seed is separated first, with the faces that were reached
+  /// through it; of several, the higher one.
+  Partition split_regions(std::size_t number_of_parts) const
+  {
+    std::vector<Index> order(m_reached.size());
+    std::iota(order.begin(), order.end(), Index(0));
+    std::sort(order.begin(), order.end(), [&](Index a, Index b) {
+      return m_reached[a].distance != m_reached[b].distance ? m_reached[a].distance < m_reached[b].distance : a < b;
+    });
+    std::size_t to_join = order.size() - (std::min)(number_of_parts, order.size());
+    Lowest_root_forest forest(order.size());
+    for (const Index f : order)
+      if (to_join > 0 && m_reached[f].predecessor != f) {
+        forest.unite(f, m_reached[f].predecessor);
+        --to_join;
+      }
+    return forest.take_partition();
+  }
+
+private:
+  /// All data of a face, stored together, since faces are accessed at random.
+  struct Reached
+  {
+    double distance;
+    Index seed, predecessor;
+  };
+  using Entry = std::pair<double, Index>; // distance, face
+
+  /// The farthest of all, the lower face of several, as the last of a heap's order.
+  static bool is_nearer(const Entry& a, const Entry& b)
+  {
+    return a.first != b.first ? a.first < b.first : a.second > b.second;
+  }
+
+  /// Of the block of faces that `face` is in.
+  Entry farthest_in_block(std::size_t face) const
+  {
+    const std::size_t first = face - face % faces_per_bound;
+    const std::size_t last = (std::min)(first + faces_per_bound, m_reached.size());
+    std::size_t farthest = first;
+    for (std::size_t f = first + 1; f < last; ++f)
+      if (m_reached[f].distance > m_reached[farthest].distance)
+        farthest = f;
+    return {m_reached[farthest].distance, Index(farthest)};
+  }
+
+  /// Distances only shrink, so a former farthest face of a block is an upper bound: it is updated
+  /// when it is popped.
+  std::size_t farthest()
+  {
+    while (m_bounds.front().first != m_reached[m_bounds.front().second].distance) {
+      std::pop_heap(m_bounds.begin(), m_bounds.end(), is_nearer);
+      m_bounds.back() = farthest_in_block(m_bounds.back().second);
+      std::push_heap(m_bounds.begin(), m_bounds.end(), is_nearer);
+    }
+    return m_bounds.front().second;
+  }
+
+  /// The front is ordered by distances rounded to float. This cannot change a result, since a face whose distance
+  /// shrinks is pushed again.
+  void grow_from(std::size_t seed)
+  {
+    const Index label = Index(m_number_of_seeds++);
+    m_reached[seed] = {0, label, Index(seed)};
+    m_front.push(make_float_key(0, Index(seed)));
+    while (!m_front.empty()) {
+      const Float_key top = m_front.pop();
+      const Index face = index_of(top);
+      const double distance = m_reached[face].distance;
+      if (top != make_float_key(float(distance), face))
+        continue;
+      report_now_and_then();
+      for (const auto& step : m_graph.steps(face)) {
+        const double longer = distance + double(step.length);
+        Reached& next = m_reached[step.face];
+        // A face follows its predecessor to another seed even if rounding hides that it is nearer: so regions are
+        // connected.
+        if (longer < next.distance || (next.predecessor == face && next.seed != label)) {
+          next = {longer, label, face};
+          m_front.push(make_float_key(float(longer), step.face));
+          m_graph.prefetch_steps(step.face);
+        }
+      }
+    }
+  }
+
+  void report_now_and_then()
+  {
+    constexpr std::size_t faces_per_report = 1 << 16;
+    if (++m_number_of_visits % faces_per_report == 0)
+      m_execution.report((std::min)(1.0, double(m_number_of_seeds) / double(m_number_wanted)));
+  }
+
+  static constexpr double unreached = (std::numeric_limits<double>::max)();
+  static constexpr Index none = (std::numeric_limits<Index>::max)();
+  static constexpr std::size_t faces_per_bound = 64;
+  static constexpr double slices_of_mean_step = 100; // tuned empirically; across flat edges steps are far shorter
+
+  const Execution<ConcurrencyTag>& m_execution;
+  Dual_graph m_graph;
+  Large_array<Reached> m_reached;
+  std::vector<Entry> m_bounds; // a block of faces each
+  Front_queue m_front;
+  std::size_t m_number_of_seeds = 0, m_number_wanted = 1, m_number_of_visits = 0;
+};
+
+} // namespace internal
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_INTERNAL_REGIONS_FARTHEST_POINT_SEEDING_H

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "meshes.h"
+#include "oracles.h"
+
+#include <CGAL/Region_segmentation/read_flat_mesh.h>
+
+#include <boost/property_map/function_property_map.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <random>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace RS = CGAL::Region_segmentation;
+using namespace test;
+using RS::Double_3;
+
+namespace {
+
+using Patches = RS::Mesh_patches;
+
+RS::Flat_mesh flat_mesh_of(const Soup& soup)
+{
+  return RS::read_flat_mesh(to_surface_mesh(soup), RS::Mesh_data::PATCHES);
+}
+
+/// A bumpy sheet beside a square that has nearly all of the area: the faces of the sheet are small enough to be joined.
+Soup small_faces(unsigned seed, std::size_t n = 24)
+{
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> any(-1, 1);
+  Soup soup = triangulated(grid(n, n));
+  for (Point& p : soup.points) {
+    p[0] += 0.2 * any(random);
+    p[1] += 0.2 * any(random);
+    p[2] = std::sin(p[0] / 4) + 0.1 * any(random);
+  }
+  Soup square = scaled(grid(1, 1), 25.0 * double(n));
+  square = translated(square, 100.0 * double(n), 0, 0);
+  soup = joined(soup, square);
+  shuffle_faces(soup, random);
+  return soup;
+}
+
+struct Node
+{
+  double area = 0;
+  Double_3 moment{0, 0, 0}, area_vector{0, 0, 0};
+
+  Double_3 centroid() const { return (1 / area) * moment; }
+  Double_3 normal() const { return (1 / norm(area_vector)) * area_vector; }
+};
+
+/// The definition, with sets and maps: the patch of each face.
+Labels patches_by_definition(const RS::Flat_mesh& mesh)
+{
+  Labels patch_of(mesh.number_of_faces());
+  for (std::size_t f = 0; f < patch_of.size(); ++f)
+    patch_of[f] = f;
+  while (true) {
+    std::map<std::size_t, Node> nodes;
+    for (std::size_t f = 0; f < patch_of.size(); ++f) {
+      Node& node = nodes[patch_of[f]];
+      node.area += mesh.area(f);
+      node.moment = node.moment + mesh.area(f) * mesh.centroid(f);
+      node.area_vector = node.area_vector + mesh.area(f) * mesh.normal(f);
+    }
+    std::map<std::size_t, std::pair<double, std::size_t>> selected; // step and patch
+    for (std::size_t e = 0; e < mesh.number_of_edges(); ++e) {
+      const std::size_t a = patch_of[mesh.lower_face(e)], b = patch_of[mesh.higher_face(e)];
+      const Node &x = nodes[a], &y = nodes[b];
+      if (a == b || mesh.has_flag(e, RS::Flat_mesh::CONSTRAINED) ||
+          x.area + y.area > Patches::maximum_area * mesh.surface_area())
+        continue;
+      const double step = norm(x.centroid() - y.centroid()) / std::sqrt(mesh.surface_area()) +
+                          Patches::deviation_weight * norm(x.normal() - y.normal());
+      for (auto [from, to] : {std::make_pair(a, b), std::make_pair(b, a)})
+        if (!selected.count(from) || std::make_pair(step, to) < selected[from])
+          selected[from] = {step, to};
+    }
+    const auto parent = [&](std::size_t i) {
+      if (!selected.count(i))
+        return i;
+      const std::size_t j = selected[i].second;
+      return i < j && selected[j].second == i ? i : j;
+    };
+    const auto depth = [&](std::size_t i) {
+      std::size_t d = 0;
+      for (; parent(i) != i; i = parent(i))
+        ++d;
+      return d;
+    };
+    std::set<std::size_t> parents;
+    for (const auto& [i, node] : nodes)
+      if (parent(i) != i)
+        parents.insert(parent(i));
+    std::map<std::size_t, std::size_t> root;
+    std::size_t joined = 0;
+    for (const auto& [i, node] : nodes) {
+      root[i] = depth(i) % 2 == 1 ? parent(i) : parents.count(i) ? i : parent(parent(i));
+      joined += root[i] != i;
+    }
+    for (std::size_t& patch : patch_of)
+      patch = root[patch];
+    // Patches are named by their first face, so that ties are decided in the order of patches.
+    patch_of = renumbered(patch_of);
+    if (joined == 0 || joined < nodes.size() / 32)
+      return patch_of;
+  }
+}
+
+} // namespace
+
+TEST(Mesh_patches_test, are_those_of_the_definition)
+{
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const RS::Flat_mesh mesh = flat_mesh_of(small_faces(seed));
+    EXPECT_LT(mesh.patches().size(), mesh.number_of_faces() / 8);
+    EXPECT_EQ(labels_of(mesh.patches().of_faces()), patches_by_definition(mesh));
+  }
+}
+
+TEST(Mesh_patches_test, large_faces_are_patches)
+{
+  for (Family family : all_families) {
+    const RS::Flat_mesh mesh = flat_mesh_of(random_mesh(family, 1));
+    std::size_t large = 0;
+    for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
+      large += mesh.area(f) > Patches::maximum_area * mesh.surface_area();
+    EXPECT_GE(mesh.patches().size(), large) << name(family);
+  }
+}
+
+TEST(Mesh_patches_test, are_connected_and_described)
+{
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const Soup soup = small_faces(seed);
+    const RS::Flat_mesh mesh = flat_mesh_of(soup);
+    const Patches& patches = mesh.patches();
+    EXPECT_TRUE(is_connected(soup, labels_of(patches.of_faces())));
+
+    std::vector<Node> nodes(patches.size());
+    for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
+      Node& node = nodes[patches.of_faces()[f]];
+      node.area += mesh.area(f);
+      node.moment = node.moment + mesh.area(f) * mesh.centroid(f);
+      node.area_vector = node.area_vector + mesh.area(f) * mesh.normal(f);
+    }
+    std::vector<double> nearest(patches.size(), std::numeric_limits<double>::infinity());
+    for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
+      double& d = nearest[patches.of_faces()[f]];
+      d = std::min(d, norm(mesh.centroid(f) - nodes[patches.of_faces()[f]].centroid()));
+    }
+    for (std::size_t p = 0; p < patches.size(); ++p) {
+      EXPECT_NEAR(patches[p].area, nodes[p].area, 1e-12 * nodes[p].area);
+      EXPECT_LT(norm(patches[p].centroid - nodes[p].centroid()), 1e-9);
+      EXPECT_LT(norm(patches[p].normal - nodes[p].normal()), 1e-9);
+      EXPECT_EQ(patches.of_faces()[patches[p].face], p);
+      EXPECT_NEAR(norm(mesh.centroid(patches[p].face) - nodes[p].centroid()), nearest[p], 1e-9);
+    }
+
+    std::map<std::pair<std::size_t, std::size_t>, double> lengths;
+    for (std::size_t e = 0; e < mesh.number_of_edges(); ++e) {
+      const std::size_t a = patches.of_faces()[mesh.lower_face(e)], b = patches.of_faces()[mesh.higher_face(e)];
+      if (a != b)
+        lengths[std::minmax(a, b)] += mesh.length(e);
+    }
+    ASSERT_EQ(patches.adjacencies().size(), lengths.size());
+    auto expected = lengths.begin();
+    for (const Patches::Adjacency& a : patches.adjacencies()) {
+      EXPECT_EQ(std::make_pair(std::size_t(a.lower), std::size_t(a.higher)), expected->first);
+      EXPECT_NEAR(a.length, expected->second, 1e-9);
+      ++expected;
+    }
+  }
+}
+
+TEST(Mesh_patches_test, are_not_joined_across_constrained_edges)
+{
+  for (unsigned seed = 1; seed <= 3; ++seed) {
+    Surface_mesh mesh = to_surface_mesh(small_faces(seed));
+    std::mt19937 random(seed);
+    std::set<Surface_mesh::Edge_index> constrained;
+    for (auto e : edges(mesh))
+      if (random() % 3 == 0)
+        constrained.insert(e);
+    const auto map = boost::make_function_property_map<Surface_mesh::Edge_index>(
+      [&](Surface_mesh::Edge_index e) { return constrained.count(e) > 0; });
+    const RS::Flat_mesh flat =
+      RS::read_flat_mesh(mesh, RS::Mesh_data::PATCHES, RS::parameters::edge_is_constrained_map(map));
+    EXPECT_LT(flat.patches().size(), flat.number_of_faces() / 2);
+    EXPECT_EQ(labels_of(flat.patches().of_faces()), patches_by_definition(flat));
+  }
+}
+
+TEST(Mesh_patches_test, do_not_depend_on_the_numbering)
+{
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const Soup soup = small_faces(seed);
+    Soup other = soup;
+    std::mt19937 random(seed);
+    std::vector<std::size_t> order(soup.polygons.size()), new_vertex;
+    for (std::size_t i = 0; i < order.size(); ++i)
+      order[i] = i;
+    std::shuffle(order.begin(), order.end(), random);
+    for (std::size_t i = 0; i < order.size(); ++i)
+      other.polygons[order[i]] = soup.polygons[i];
+    shuffle_vertices(other, random, new_vertex);
+    const Labels a = labels_of(flat_mesh_of(soup).patches().of_faces());
+    const Labels b = labels_of(flat_mesh_of(other).patches().of_faces());
+    Labels b_of_a(a.size());
+    for (std::size_t i = 0; i < order.size(); ++i)
+      b_of_a[i] = b[order[i]];
+    EXPECT_EQ(renumbered(b_of_a), a);
+  }
+}
+
+TEST(Mesh_patches_test, a_mesh_without_area_is_one_patch_for_each_piece)
+{
+  const Soup point{{{1, 1, 1}, {1, 1, 1}, {1, 1, 1}, {1, 1, 1}}, {{0, 1, 2}, {0, 2, 3}}};
+  const RS::Flat_mesh mesh = flat_mesh_of(point);
+  EXPECT_EQ(mesh.patches().size(), 1u);
+  EXPECT_EQ(mesh.patches()[0].area, 0);
+}
