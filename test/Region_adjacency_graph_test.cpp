@@ -409,6 +409,27 @@ TEST(Region_adjacency_graph_test, hubs_take_in_a_hundred_thousand_neighbors)
   EXPECT_EQ(g[0].area + g[1].area, double(n));
 }
 
+TEST(Region_adjacency_graph_test, a_copy_of_a_merged_hub_takes_in_another_one)
+{
+  // Two hubs, 0 and 151, of 150 and 55 neighbors; most of those of the first are merged with each other.
+  Graph g;
+  for (Region r = 0; r < 207; ++r)
+    g.add_region(region(1));
+  for (Region r = 1; r < 207; ++r)
+    g.add_section(r > 151 ? 151 : 0, r, section(1));
+  for (Region r = 1; r < 150; ++r)
+    g.add_section(r, r + 1, section(1));
+  for (Region r = 150; r > 60; --r)
+    g.merge(*g.section(r - 1, r));
+  Graph copy = g;
+  copy.merge(*copy.section(0, 151));
+  EXPECT_EQ(degree(0, copy), 60u + 55u);
+  for (Region r = 1; r < 207; ++r)
+    if (r <= 60 || r > 151) {
+      EXPECT_TRUE(copy.section(0, r)) << r;
+    }
+}
+
 // build_region_adjacency_graph()
 
 template <typename Parameters>

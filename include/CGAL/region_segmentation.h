@@ -19,10 +19,17 @@
 #include <CGAL/Region_segmentation/Mesh_data.h>
 #include <CGAL/Region_segmentation/Mesh_patches.h>
 #include <CGAL/Region_segmentation/Methods/Geometry_annotator.h>
+#include <CGAL/Region_segmentation/Methods/Learned_annotator.h>
+#include <CGAL/Region_segmentation/Methods/Learned_cost.h>
+#include <CGAL/Region_segmentation/Methods/Learned_data.h>
+#include <CGAL/Region_segmentation/Methods/Learned_merging.h>
 #include <CGAL/Region_segmentation/Methods/Least_compact_region_first.h>
 #include <CGAL/Region_segmentation/Methods/Longest_flattest_section.h>
 #include <CGAL/Region_segmentation/Methods/Lowest_cost_first.h>
+#include <CGAL/Region_segmentation/Methods/Lowest_order_first.h>
+#include <CGAL/Region_segmentation/Methods/Merge_features.h>
 #include <CGAL/Region_segmentation/Methods/Number_from_costs.h>
+#include <CGAL/Region_segmentation/Methods/Number_from_expected_costs.h>
 #include <CGAL/Region_segmentation/Methods/Policy_sequence.h>
 #include <CGAL/Region_segmentation/Methods/Region_growing.h>
 #include <CGAL/Region_segmentation/Methods/Segmentation_method.h>

@@ -43,14 +43,14 @@ std::variant<Benchmark_options, int> parse_command_line(int argc, char** argv)
       ->excludes(data);
   CLI::Option* variants =
       app.add_option("--variants", options.variants_seed,
-                     "visibility beside two-step on those models with noise, finer, coarser and triangulated "
+                     "learned, visibility and two-step on those models with noise, finer, coarser and triangulated "
                      "otherwise; SEED: of what is random there")
           ->excludes(data)
           ->type_name("SEED");
   CLI::Option* method = app.add_option("--method", options.method,
-                 "visibility (default), two-step, sdf (CGAL's SDF segmentation, which chooses the number of "
+                 "visibility (default), learned, two-step, sdf (CGAL's SDF segmentation, which chooses the number of "
                  "segments), or people: each human segmentation against the others")
-      ->check(CLI::IsMember({"visibility", "two-step", "sdf", "people"}))
+      ->check(CLI::IsMember({"learned", "visibility", "two-step", "sdf", "people"}))
       ->type_name("METHOD");
   variants->excludes(method);
   app.add_option("--threads", options.number_of_threads, "Models at a time; default: all cores")

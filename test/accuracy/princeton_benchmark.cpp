@@ -93,7 +93,7 @@ int run_variants(const Benchmark_options& options)
   const std::vector<Model_source> sources = variant_sources(model_variants(*options.variants_seed));
   std::vector<Variants_run> runs;
   std::vector<Model_result> all;
-  for (const char* name : {"visibility", "two-step"}) {
+  for (const char* name : {"learned", "visibility", "two-step"}) {
     const Method& method = find_method(name);
     const auto score = [&](const Model& model) { return score_segmentation(model, method); };
     runs.push_back({name, run_with_progress(sources, score, options.number_of_threads)});
@@ -101,6 +101,7 @@ int run_variants(const Benchmark_options& options)
     all.insert(all.end(), runs.back().results.begin(), runs.back().results.end());
   }
   write_text(std::cout, variants_comparison(runs[0], runs[1]));
+  write_text(std::cout, variants_comparison(runs[1], runs[2]));
   write_file(options.csv_file, [&](std::ostream& out) { write_csv(out, all); });
   return report_failures(all);
 }

@@ -3,6 +3,7 @@
 #include "segment_with.h"
 #include "thread_seconds.h"
 
+#include <CGAL/Region_segmentation/Methods/Learned_merging.h>
 #include <CGAL/Region_segmentation/Methods/Two_step.h>
 #include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
 #include <CGAL/Region_segmentation/segment.h>
@@ -75,9 +76,11 @@ Timed_segmentation segment_by_two_step(const Benchmark_mesh& mesh, Wanted_number
       RS::parameters::method(RS::Two_step()).number_of_segments(number.value()), mesh);
 }
 
-Timed_segmentation segment_by_visibility(const Benchmark_mesh& mesh, Wanted_number number)
+/// By a method that can choose the number.
+template <typename Segmentation_method>
+Timed_segmentation segment_by(const Benchmark_mesh& mesh, Wanted_number number)
 {
-  const auto parameters = RS::parameters::method(RS::Visibility_merging());
+  const auto parameters = RS::parameters::method(Segmentation_method());
   return number ? segment_with(parameters.number_of_segments(*number), mesh)
                 : segment_with(parameters, mesh);
 }
@@ -86,7 +89,8 @@ Timed_segmentation segment_by_visibility(const Benchmark_mesh& mesh, Wanted_numb
 
 const std::vector<Method>& methods()
 {
-  static const std::vector<Method> all = {{"visibility", segment_by_visibility, Numbers::BOTH},
+  static const std::vector<Method> all = {{"learned", segment_by<RS::Learned_merging>, Numbers::BOTH},
+                                          {"visibility", segment_by<RS::Visibility_merging>, Numbers::BOTH},
                                           {"two-step", segment_by_two_step, Numbers::GIVEN},
                                           {"sdf", segment_by_sdf, Numbers::CHOSEN}};
   return all;

@@ -40,7 +40,7 @@ struct Method
   bool chooses_number() const { return numbers != Numbers::GIVEN; }
 };
 
-/// `visibility` and `two-step` of the library, and `sdf`, CGAL's own segmentation.
+/// `learned`, `visibility` and `two-step` of the library, and `sdf`, CGAL's own segmentation.
 const std::vector<Method>& methods();
 
 /// \pre there is such a method

@@ -77,15 +77,16 @@ TEST_F(Program, takes_the_largest_number_of_segments)
             "a.off: 4 faces, 4 regions, 4 segments of " + number + " (the mesh has 4 faces)\n");
 }
 
-TEST_F(Program, runs_both_methods)
+TEST_F(Program, runs_all_methods)
 {
   const Outcome visibility = run("--method visibility"), two_step = run("--method two-step"),
-                standard = run("");
+                learned = run("--method learned"), standard = run("");
   const auto line_without_time = [](const Outcome& o) {
     return o.out.substr(0, o.out.find(" segments"));
   };
   EXPECT_EQ(line_without_time(visibility), line_without_time(standard));
   EXPECT_NE(line_without_time(two_step), line_without_time(standard));
+  EXPECT_EQ(learned.status, 0) << learned.err;
 }
 
 TEST_F(Program, writes_every_format)

@@ -9,6 +9,8 @@ derive from these, the combination does not compile. It may declare the cost tha
 type `%MergeCost`.
 
 \cgalHasModel `CGAL::Region_segmentation::Lowest_cost_first`
+\cgalHasModel `CGAL::Region_segmentation::Lowest_order_first`
+\cgalHasModel `CGAL::Region_segmentation::Learned_policy`
 \cgalHasModel `CGAL::Region_segmentation::Smallest_region_first`
 \cgalHasModel `CGAL::Region_segmentation::Least_compact_region_first`
 \cgalHasModel `CGAL::Region_segmentation::Policy_sequence`

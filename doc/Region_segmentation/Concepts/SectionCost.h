@@ -8,6 +8,8 @@ types `%RegionData` and `%SectionData`: unless the data of the graph are or deri
 compile.
 
 \cgalHasModel `CGAL::Region_segmentation::Visibility_cost`
+\cgalHasModel `CGAL::Region_segmentation::Learned_cost`
+\cgalHasModel `CGAL::Region_segmentation::Expected_merge_cost`
 */
 class SectionCost
 {

@@ -15,6 +15,7 @@ combination does not compile, and a static assertion states the reason.
 \cgalHasModel `CGAL::Region_segmentation::Segmentation_method`
 \cgalHasModel `CGAL::Region_segmentation::Partitioning_method`
 \cgalHasModel `CGAL::Region_segmentation::Visibility_merging`
+\cgalHasModel `CGAL::Region_segmentation::Learned_merging`
 \cgalHasModel `CGAL::Region_segmentation::Two_step`
 */
 class SegmentationMethod

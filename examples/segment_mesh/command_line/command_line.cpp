@@ -32,7 +32,8 @@ constexpr const char* footer =
   "  segment_mesh gear.stl -k 30 --method two-step --features all --max-angle 20 -o gear.json\n"
   "\nExit status: 0 done; 1 an input or an output failed; 2 wrong usage.";
 
-const std::map<std::string, Method> methods = {{"visibility", Method::VISIBILITY},
+const std::map<std::string, Method> methods = {{"learned", Method::LEARNED},
+                                               {"visibility", Method::VISIBILITY},
                                                {"two-step", Method::TWO_STEP}};
 
 const std::map<std::string, std::optional<Feature_convexity>> features = {
@@ -75,7 +76,7 @@ void add_run_options(CLI::App& app, Raw_options& raw)
   add("-k,--segments", raw.number_of_segments, "N",
       "Number of segments; left out: chosen automatically, or the true one of the figure");
   add("--method", raw.method, "METHOD",
-      "visibility (default) or two-step (Yang et al. 2014; needs -k)")
+      "visibility (default), learned (from people), or two-step (Yang et al. 2014; needs -k)")
     ->check(one_of(methods));
   add("--features", raw.features, "KIND",
       "Of two-step: edges that can be features: concave (default), convex, all (machine parts), auto (all or concave, "

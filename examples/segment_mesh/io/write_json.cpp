@@ -6,7 +6,7 @@
 //   version       2; grows when a member changes its meaning or goes, not when one is added
 //   program       version of the program
 //   input         name, faces, points
-//   settings      method: "visibility" or "two-step"; segments: the wanted number, null if it was chosen;
+//   settings      method: "learned", "visibility" or "two-step"; segments: the wanted number, null if it was chosen;
 //                 mesh: the mesh type; and of two-step features: "concave", "convex" or "all";
 //                 features_chosen: whether the surface decided them; max_angle: in degrees
 //   times         in seconds: total, from the mesh in memory to the labels, and its stages, each
@@ -108,7 +108,7 @@ void write_head(Text_buffer& out, const Result& result)
       << ", \"faces\": " << result.input.soup.polygons.size()
       << ", \"points\": " << result.input.soup.points.size()
       << "},\n  \"settings\": {\"method\": \""
-      << (result.settings.method == Method::VISIBILITY ? "visibility" : "two-step")
+      << name_of(result.settings.method)
       << "\", \"segments\": " << (wanted ? std::to_string(*wanted) : "null") << ", \"mesh\": \""
       << name_of(result.settings.mesh_type) << "\"";
   if (const auto& features = result.segmentation.features)

@@ -17,7 +17,13 @@ enum class Mesh_type { SURFACE_MESH, POLYHEDRON, OPENMESH };
 /// Whether the program was built with what a mesh type needs.
 bool is_available(Mesh_type type);
 
-enum class Method { TWO_STEP, VISIBILITY };
+enum class Method { TWO_STEP, VISIBILITY, LEARNED };
+
+/// Its name on the command line.
+inline const char* name_of(Method method)
+{
+  return method == Method::TWO_STEP ? "two-step" : method == Method::VISIBILITY ? "visibility" : "learned";
+}
 
 /// What is wanted beside the labels.
 enum class Detail { LABELS, ALL };
@@ -25,7 +31,7 @@ enum class Detail { LABELS, ALL };
 struct Segmentation_settings
 {
   Method method = Method::VISIBILITY;
-  std::optional<std::size_t> number_of_segments; ///< if empty, the method chooses: `VISIBILITY` can
+  std::optional<std::size_t> number_of_segments; ///< if empty, the method chooses: `TWO_STEP` cannot
   /// Which edges can be features, of a method that has them; if empty, the surface decides.
   std::optional<CGAL::Region_segmentation::Feature_convexity> features =
     CGAL::Region_segmentation::Feature_convexity::CONCAVE;

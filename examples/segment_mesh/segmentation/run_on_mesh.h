@@ -8,6 +8,7 @@
 
 #include <CGAL/number_type_config.h>
 
+#include <CGAL/Region_segmentation/Methods/Learned_merging.h>
 #include <CGAL/Region_segmentation/Methods/Two_step.h>
 #include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
 #include <CGAL/Region_segmentation/build_region_adjacency_graph.h>
@@ -121,7 +122,7 @@ void segment_by(const SegmentationMethod& method, const Mesh& mesh, const Segmen
   };
   if (settings.number_of_segments)
     result.number_of_segments = segment(RS::parameters::number_of_segments(*settings.number_of_segments));
-  else if constexpr (std::is_base_of<RS::Visibility_merging, SegmentationMethod>::value)
+  else if constexpr (!std::is_base_of<RS::Two_step, SegmentationMethod>::value)
     result.number_of_segments = segment(RS::parameters::default_values());
   result.seconds = clock.seconds();
   result.stages = clock.stages();
@@ -176,8 +177,10 @@ Segmentation run_on_mesh(const Mesh& mesh, const Segmentation_settings& settings
     method.initializer.maximum_angle = result.features->maximum_angle;
     method.initializer.feature_convexity = result.features->convexity;
     segment_by(method, mesh, settings, listener, result);
-  } else
+  } else if (settings.method == Method::VISIBILITY)
     segment_by(RS::Visibility_merging(), mesh, settings, listener, result);
+  else
+    segment_by(RS::Learned_merging(), mesh, settings, listener, result);
 
   if (settings.detail == Detail::ALL) {
     if (result.features)

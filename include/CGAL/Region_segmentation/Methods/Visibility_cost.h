@@ -54,21 +54,27 @@ struct Visibility_cost
     return cost;
   }
 
+  /// d, the depth of the valley along a section, in radians.
+  double depth(const Visibility_section_data& section) const
+  {
+    const double length = (std::max)(section.length, smallest);
+    return (std::max)(0.0,
+                      (section.concave - convex_weight * section.convex + bend_weight * section.bend) / length) +
+           depth_offset;
+  }
+
   template <typename Graph>
   double operator()(const Graph& graph, typename Graph::section_descriptor s) const
   {
     const Visibility_section_data& section = graph[s];
     const Visibility_region_data &a = graph[graph.source(s)], &b = graph[graph.target(s)];
     const double length = (std::max)(section.length, smallest);
-    const double depth =
-      (std::max)(0.0, (section.concave - convex_weight * section.convex + bend_weight * section.bend) / length) +
-      depth_offset;
     const double smaller = (std::max)((std::min)(a.area, b.area), smallest);
     const double larger = (std::max)((std::max)(a.area, b.area), smallest);
     const double harmonic = 2 * smaller * larger / (smaller + larger);
     const double seen = (std::min)(a.visibility, b.visibility);
     const double mutual = seen > 0 ? section.visibility / seen : 0;
-    return depth_exponent * std::log(depth) +
+    return depth_exponent * std::log(depth(section)) +
            area_exponent *
              ((1 - harmonic_share) * std::log(smaller) + harmonic_share * std::log(harmonic)) -
            length_exponent * (2 * std::log(length) - std::log(smaller)) +

@@ -135,6 +135,7 @@ public:
     }
     m_places[from].halves = Halves();
     m_places[from].degree = 0;
+    m_places[from].is_long = 0;
     return to;
   }
 
@@ -144,8 +145,11 @@ private:
   struct Place
   {
     Index owner = none;
-    Index degree = 0; // a long list may hold halves of removed sections, too
+    Index degree : 31;
+    Index is_long : 1; // the list may then hold halves of removed sections, too; it stays long
     Halves halves;
+
+    Place() : degree(0), is_long(0) {}
   };
   struct Section
   {
@@ -165,8 +169,7 @@ private:
     prefetch(reinterpret_cast<const char*>(object + 1) - 1);
   }
 
-  /// A list that is long stays long.
-  bool is_long(Index place) const { return m_places[place].halves.capacity() > long_length; }
+  bool is_long(Index place) const { return m_places[place].is_long; }
   bool is_between_long(Index half) const { return is_long(place(half)) && is_long(place(half ^ 1)); }
   bool is_removed(Index half) const { return m_sections[half / 2].places[0] == none; }
   std::pair<Index, Index> ends(Index s) const { return std::minmax(m_sections[s].places[0], m_sections[s].places[1]); }
@@ -189,14 +192,15 @@ private:
   void append(Index p, Index half)
   {
     Place& place = m_places[p];
-    const bool was_long = is_long(p);
     place.halves.push_back(half);
     ++place.degree;
-    if (was_long)
+    if (place.is_long)
       enter_if_between_long(half);
-    else if (is_long(p))
+    else if (place.halves.size() > long_length) {
+      place.is_long = 1;
       for (Index each : place.halves)
         enter_if_between_long(each);
+    }
   }
 
   void enter_if_between_long(Index half)

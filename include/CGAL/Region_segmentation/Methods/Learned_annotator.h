@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_METHODS_LEARNED_ANNOTATOR_H
+#define CGAL_REGION_SEGMENTATION_METHODS_LEARNED_ANNOTATOR_H
+
+#include <CGAL/Region_segmentation/Double_3.h>
+#include <CGAL/Region_segmentation/Execution.h>
+#include <CGAL/Region_segmentation/Flat_mesh.h>
+#include <CGAL/Region_segmentation/Methods/Learned_data.h>
+#include <CGAL/Region_segmentation/Methods/Visibility_annotator.h>
+#include <CGAL/Region_segmentation/Partition.h>
+
+#include <CGAL/tags.h>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Region_segmentation {
+
+/// \ingroup PkgRegionSegmentationAnnotators
+/// fills, in addition to `Visibility_annotator`, the data of which `Merge_features` are made. A model of
+/// `GraphAnnotator`, for graphs with `Learned_region_data` and `Learned_section_data`.
+///
+/// A face counts for the moments of its region as an equilateral triangle of its area around its centroid.
+///
+/// Complexity: that of `Visibility_annotator`, and O(F + S). Deterministic.
+class Learned_annotator : public Visibility_annotator
+{
+  using Index = Flat_mesh::Index;
+
+public:
+  using RegionData = Learned_region_data;
+  using SectionData = Learned_section_data;
+
+  template <typename Graph, typename ConcurrencyTag = CGAL::Sequential_tag>
+  void operator()(Graph& graph, const Flat_mesh& mesh, const Partition& regions,
+                  const Execution<ConcurrencyTag>& execution = Execution<ConcurrencyTag>()) const
+  {
+    Cache cache;
+    (*this)(graph, mesh, regions, execution, cache);
+  }
+
+  /// As above, with the data cached by an earlier call with the same mesh.
+  template <typename Graph, typename ConcurrencyTag>
+  void operator()(Graph& graph, const Flat_mesh& mesh, const Partition& regions,
+                  const Execution<ConcurrencyTag>& execution, Cache& cache) const
+  {
+    Visibility_annotator::operator()(graph, mesh, regions, execution, cache);
+    if (mesh.surface_area() == 0)
+      return;
+    set_shapes(graph, mesh, regions);
+    set_thickness_and_visibility(graph);
+  }
+
+private:
+  /// The variance of an equilateral triangle of area 1 along a direction in its plane: 1 / (6 sqrt(3)).
+  static constexpr double variance_of_triangle = 0.096225044864937627;
+
+  template <typename Graph>
+  static void set_shapes(Graph& graph, const Flat_mesh& mesh, const Partition& regions)
+  {
+    for (auto range = vertices(graph); range.first != range.second; ++range.first) {
+      graph[*range.first].area_vector = {0, 0, 0};
+      graph[*range.first].moments = internal::Second_moments();
+    }
+    const double per_area = 1 / mesh.surface_area(), per_length = 1 / mesh.relative_unit();
+    const Double_3 origin = mesh.centroid(0); // avoids cancellation far from the origin
+    for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
+      Learned_region_data& region = graph[Index(regions[f])];
+      const double area = per_area * mesh.area(f), variance = area * variance_of_triangle;
+      const Double_3& normal = mesh.normal(f);
+      region.area_vector = region.area_vector + area * normal;
+      region.moments.add(area, per_length * (mesh.centroid(f) - origin));
+      internal::Symmetric_3& second = region.moments.second;
+      second.xx += area * variance;
+      second.yy += area * variance;
+      second.zz += area * variance;
+      second.add_square(-area * variance, normal);
+    }
+  }
+
+  template <typename Graph>
+  static void set_thickness_and_visibility(Graph& graph)
+  {
+    for (auto range = vertices(graph); range.first != range.second; ++range.first) {
+      Learned_region_data& region = graph[*range.first];
+      region.squared_log_thickness = region.log_thickness * region.mean_log_thickness();
+      region.own_visibility = region.visibility / 2;
+      region.perimeter = 0;
+    }
+    for (auto range = edges(graph); range.first != range.second; ++range.first) {
+      Learned_section_data& section = graph[*range.first];
+      Learned_region_data &a = graph[graph.source(*range.first)], &b = graph[graph.target(*range.first)];
+      section.log_thickness = section.length * (a.mean_log_thickness() + b.mean_log_thickness()) / 2;
+      for (Learned_region_data* region : {&a, &b}) {
+        region->own_visibility -= section.visibility / 2;
+        region->perimeter += section.length;
+      }
+    }
+  }
+};
+
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_METHODS_LEARNED_ANNOTATOR_H

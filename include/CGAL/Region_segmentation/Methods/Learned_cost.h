@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_METHODS_LEARNED_COST_H
+#define CGAL_REGION_SEGMENTATION_METHODS_LEARNED_COST_H
+
+#include <CGAL/Region_segmentation/Methods/Learned_data.h>
+#include <CGAL/Region_segmentation/Methods/Merge_features.h>
+#include <CGAL/Region_segmentation/internal/model/Merge_model.h>
+
+#include <algorithm>
+#include <cstdint>
+
+namespace CGAL {
+namespace Region_segmentation {
+
+/// \ingroup PkgRegionSegmentationPolicies
+/// What a learned model says of a section: the probability that two points, one in either region, belong to one part for
+/// people, and what its two regions weigh.
+///
+/// The model is a function of `Merge_features`: the mean of a sum of decision trees and a neural network with one hidden
+/// layer gives the logarithm of the odds. It was trained on half of the Princeton benchmark, see `doc/accuracy.md`.
+///
+/// The features are rounded, the model has integer constants, and what follows uses only arithmetic operations whose
+/// rounding is prescribed. So the last bits of logarithms, which differ between libraries, do not decide.
+class Merge_estimate
+{
+public:
+  /// \tparam Graph a `Region_adjacency_graph` with the data of `Learned_annotator`
+  template <typename Graph>
+  Merge_estimate(const Merge_features::Model& model, const Graph& graph, typename Graph::section_descriptor s)
+    : m_features(Merge_features::of(graph, s)), m_log_odds(model(m_features))
+  {}
+
+  const Merge_features::Values& features() const { return m_features; }
+
+  /// p, in [0, 1].
+  double probability() const
+  {
+    constexpr std::int64_t bound = 16;
+    constexpr std::int64_t one = std::int64_t(1) << Merge_features::Model::result_bits;
+    const std::int64_t clamped = (std::max)(-bound * one, (std::min)(bound * one, m_log_odds));
+    return 1 / (1 + internal::portable_exp(-double(clamped) / double(one)));
+  }
+
+  /// The share of the pairs of points of the surface that have one point in either region, over 2: the product of the
+  /// shares of the area.
+  double share_of_pairs() const { return internal::portable_exp(log_share_of_pairs()); }
+
+  double log_share_of_pairs() const
+  {
+    return feature(Merge_features::LOG_AREA_M) + feature(Merge_features::LOG_AREA_L);
+  }
+
+  /// A feature in its unit.
+  double feature(Merge_features::Feature f) const
+  {
+    return double(m_features[f]) / (1 << Merge_features::Model::feature_bits);
+  }
+
+private:
+  Merge_features::Values m_features;
+  std::int64_t m_log_odds;
+};
+
+/// \ingroup PkgRegionSegmentationPolicies
+/// The order in which a learned model merges. A model of `SectionCost`, for graphs annotated by `Learned_annotator`.
+///
+/// With p the probability that two points, one in either region, belong to one part, and w the product of the shares of
+/// the area of the two regions, the cost is
+/// \f[ (1 - 2 p) (w / w_0)^e + c \, v, \f]
+/// \f$e\f$ the exponent of gains if p > 1/2, else that of losses, \f$v\f$ the `Visibility_cost`. A merge changes the
+/// expected Rand index distance by 2 w (1 - 2 p); but the lowest powers of w give the best order.
+struct Learned_cost
+{
+  using RegionData = Learned_region_data;
+  using SectionData = Learned_section_data;
+
+  const Merge_features::Model* model;   ///< which must exist as long as the cost
+  double exponent_of_gains = 0.1;       ///< in [0, 1]
+  double exponent_of_losses = 0.2;      ///< in [0, 1]
+  double visibility_cost_weight = 0.1;  ///< c
+
+  explicit Learned_cost(const Merge_features::Model& model_) : model(&model_) {}
+
+  template <typename Graph>
+  double operator()(const Graph& graph, typename Graph::section_descriptor s) const
+  {
+    return of(Merge_estimate(*model, graph, s));
+  }
+
+  double of(const Merge_estimate& estimate) const
+  {
+    const double z = 1 - 2 * estimate.probability();
+    const double exponent = z < 0 ? exponent_of_gains : exponent_of_losses;
+    return z * internal::portable_exp(exponent * (estimate.log_share_of_pairs() - log_of_usual_share)) +
+           visibility_cost_weight * estimate.feature(Merge_features::COST);
+  }
+
+private:
+  static constexpr double log_of_usual_share = -4.605; // w_0 = 0.01
+};
+
+/// \ingroup PkgRegionSegmentationPolicies
+/// What a merge is expected to cost: w (2 t - 2 p), w and p as in `Learned_cost`. A model of `SectionCost`, for graphs
+/// annotated by `Learned_annotator`.
+///
+/// With t = 1/2 it is half the expected change of the Rand index distance. The sum of several merges is the cost of all.
+struct Expected_merge_cost
+{
+  using RegionData = Learned_region_data;
+  using SectionData = Learned_section_data;
+
+  const Merge_features::Model* model; ///< which must exist as long as the cost
+  double threshold = 0.45;            ///< t, in [0, 1]: the probability from which on a merge pays
+
+  explicit Expected_merge_cost(const Merge_features::Model& model_) : model(&model_) {}
+
+  template <typename Graph>
+  double operator()(const Graph& graph, typename Graph::section_descriptor s) const
+  {
+    return of(Merge_estimate(*model, graph, s));
+  }
+
+  double of(const Merge_estimate& estimate) const
+  {
+    return 2 * estimate.share_of_pairs() * (threshold - estimate.probability());
+  }
+};
+
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_METHODS_LEARNED_COST_H

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_METHODS_LEARNED_MERGING_H
+#define CGAL_REGION_SEGMENTATION_METHODS_LEARNED_MERGING_H
+
+#include <CGAL/Region_segmentation/Methods/Learned_annotator.h>
+#include <CGAL/Region_segmentation/Methods/Learned_cost.h>
+#include <CGAL/Region_segmentation/Methods/Learned_data.h>
+#include <CGAL/Region_segmentation/Methods/Lowest_order_first.h>
+#include <CGAL/Region_segmentation/Methods/Merge_features.h>
+#include <CGAL/Region_segmentation/Methods/Number_from_expected_costs.h>
+#include <CGAL/Region_segmentation/Methods/Policy_sequence.h>
+#include <CGAL/Region_segmentation/Methods/Segmentation_method.h>
+#include <CGAL/Region_segmentation/Methods/Superfacets.h>
+#include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
+#include <CGAL/Region_segmentation/internal/model/learned_merge_model.h>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Region_segmentation {
+
+/// \ingroup PkgRegionSegmentationPolicies
+/// Merges by the policy of `Visibility_merging` until few regions are left, and those by `Learned_cost`. A model of
+/// `RegionMergingPolicy`.
+///
+/// The costs of the later merges are `Expected_merge_cost`; those of the earlier ones, `Visibility_cost`, have other
+/// units.
+class Learned_policy
+  : public Policy_sequence<decltype(Visibility_merging::policy), Lowest_order_first<Learned_cost, Expected_merge_cost>,
+                           Switch_at_count>
+{
+public:
+  using RegionData = Learned_region_data;
+  using SectionData = Learned_section_data;
+  using MergeCost = Expected_merge_cost; ///< the unit of the costs from `few` regions on
+
+  /// `few`: the number of regions from which on the learned model merges. `model` must exist as long as the policy.
+  Learned_policy(const Merge_features::Model& model, std::size_t few)
+    : Policy_sequence(Visibility_merging().policy,
+                      Lowest_order_first<Learned_cost, Expected_merge_cost>(Learned_cost(model), Expected_merge_cost(model)),
+                      Switch_at_count{few})
+  {}
+};
+
+/// \ingroup PkgRegionSegmentationMethods
+/// `Superfacets`, annotated by `Learned_annotator`, merged by `Learned_policy`. A model of `SegmentationMethod`.
+///
+/// The order of merges does not depend on the wanted number: one tree gives every segmentation, and
+/// `Number_from_expected_costs` chooses a number where none is given.
+struct Learned_merging
+  : Segmentation_method<Superfacets, Learned_annotator, Learned_policy, Number_from_expected_costs<Expected_merge_cost>>
+{
+  /// The number of regions from which on the learned model merges: the model was trained for it. The largest number that
+  /// is chosen.
+  static constexpr std::size_t few = 60;
+
+  /// `model`: another one than that of the package; it must exist as long as the method
+  explicit Learned_merging(const Merge_features::Model& model = internal::learned_merge_model)
+    : Segmentation_method{Superfacets(), Learned_annotator(), Learned_policy(model, few),
+                          Number_from_expected_costs<Expected_merge_cost>(few)}
+  {}
+};
+
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_METHODS_LEARNED_MERGING_H

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_METHODS_LOWEST_ORDER_FIRST_H
+#define CGAL_REGION_SEGMENTATION_METHODS_LOWEST_ORDER_FIRST_H
+
+#include <CGAL/Region_segmentation/Graph/Merge_candidate.h>
+#include <CGAL/Region_segmentation/Methods/Lowest_cost_first.h>
+#include <CGAL/Region_segmentation/internal/concepts/check_merging.h>
+#include <CGAL/Region_segmentation/internal/support/named_data.h>
+
+#include <optional>
+#include <utility>
+
+namespace CGAL {
+namespace Region_segmentation {
+
+/// \ingroup PkgRegionSegmentationPolicies
+/// Merges in the order of one cost, and records another one as the costs of the merges. A model of
+/// `RegionMergingPolicy`.
+///
+/// The best next merge is not always the one whose cost should be added up to choose a number of segments.
+///
+/// Complexity: that of `Lowest_cost_first<Order>`, and one evaluation of `Cost` per merge.
+///
+/// \tparam Order a model of `SectionCost`: the section for which it is lowest is merged across next
+/// \tparam Cost a model of `SectionCost`, recorded for each merge
+template <typename Order, typename Cost>
+class Lowest_order_first : public internal::Data_named_by<Cost>
+{
+public:
+  using MergeCost = Cost; ///< the cost that defines the units of merges
+
+  explicit Lowest_order_first(Order order = Order(), Cost cost = Cost())
+    : m_policy(std::move(order)), m_cost(std::move(cost))
+  {}
+
+  template <typename Graph>
+  void initialize(const Graph& graph)
+  {
+    static_assert(internal::check_section_cost<Order, Graph>());
+    static_assert(internal::check_section_cost<Cost, Graph>());
+    m_policy.initialize(graph);
+  }
+
+  template <typename Graph>
+  std::optional<Merge_candidate> next(const Graph& graph)
+  {
+    std::optional<Merge_candidate> candidate = m_policy.next(graph);
+    if (candidate)
+      candidate->cost = m_cost(graph, candidate->section);
+    return candidate;
+  }
+
+  template <typename Graph>
+  void on_merge(const Graph& graph, const typename Graph::Merge& merge)
+  {
+    m_policy.on_merge(graph, merge);
+  }
+
+private:
+  Lowest_cost_first<Order> m_policy;
+  Cost m_cost;
+};
+
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_METHODS_LOWEST_ORDER_FIRST_H

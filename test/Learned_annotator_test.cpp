@@ -1,0 +1,343 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "meshes.h"
+
+#include <CGAL/Region_segmentation/Graph/Region_adjacency_graph.h>
+#include <CGAL/Region_segmentation/Methods/Learned_annotator.h>
+#include <CGAL/Region_segmentation/Methods/Merge_features.h>
+#include <CGAL/Region_segmentation/build_region_adjacency_graph.h>
+#include <CGAL/Region_segmentation/internal/model/Second_moments.h>
+#include <CGAL/Region_segmentation/read_flat_mesh.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <numeric>
+#include <random>
+#include <set>
+#include <vector>
+
+namespace RS = CGAL::Region_segmentation;
+using namespace test;
+using RS::Double_3;
+using RS::Merge_features;
+
+namespace {
+
+using Graph = RS::Region_adjacency_graph<RS::Learned_region_data, RS::Learned_section_data>;
+using Region = Graph::region_descriptor;
+
+RS::Flat_mesh flat_mesh_of(const Soup& soup)
+{
+  return RS::read_flat_mesh(to_surface_mesh(soup), RS::Mesh_data::POINTS | RS::Mesh_data::CENTROIDS |
+                                                     RS::Mesh_data::SURFACE_AREA);
+}
+
+Graph annotated(const Soup& soup, const std::vector<std::size_t>& labels)
+{
+  return RS::build_region_adjacency_graph(flat_mesh_of(soup), RS::Partition::from_labels(labels),
+                                          RS::Learned_annotator());
+}
+
+/// The faces by their nearest of `n` random faces: regions that need not be connected.
+std::vector<std::size_t> random_regions(const Soup& soup, std::size_t n, std::mt19937& random)
+{
+  const RS::Flat_mesh mesh = flat_mesh_of(soup);
+  std::vector<std::size_t> seeds, labels;
+  for (std::size_t i = 0; i < n; ++i)
+    seeds.push_back(random() % mesh.number_of_faces());
+  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
+    const auto distance = [&](std::size_t seed) { return squared_norm(mesh.centroid(f) - mesh.centroid(seed)); };
+    labels.push_back(std::size_t(std::min_element(seeds.begin(), seeds.end(),
+                                                  [&](std::size_t a, std::size_t b) { return distance(a) < distance(b); }) -
+                                 seeds.begin()));
+  }
+  return labels;
+}
+
+void expect_near(const Double_3& a, const Double_3& b)
+{
+  EXPECT_NEAR(a.x, b.x, 1e-9);
+  EXPECT_NEAR(a.y, b.y, 1e-9);
+  EXPECT_NEAR(a.z, b.z, 1e-9);
+}
+
+void expect_near(const RS::internal::Second_moments& a, const RS::internal::Second_moments& b)
+{
+  EXPECT_NEAR(a.weight, b.weight, 1e-9);
+  expect_near(a.centroid(), b.centroid());
+  const auto c = a.covariance(), d = b.covariance();
+  EXPECT_NEAR(c.xx, d.xx, 1e-9);
+  EXPECT_NEAR(c.xy, d.xy, 1e-9);
+  EXPECT_NEAR(c.yz, d.yz, 1e-9);
+  EXPECT_NEAR(c.trace(), d.trace(), 1e-9);
+}
+
+Soup turned(const Soup& soup)
+{
+  // About two axes, by 0.7 and 1.9 rad.
+  return mapped(soup, [](const Point& p) -> Point {
+    const double x = std::cos(0.7) * p[0] - std::sin(0.7) * p[1], y = std::sin(0.7) * p[0] + std::cos(0.7) * p[1];
+    return {x, std::cos(1.9) * y - std::sin(1.9) * p[2], std::sin(1.9) * y + std::cos(1.9) * p[2]};
+  });
+}
+
+/// The features of all sections differ by at most one step. `region_of[r]`: the region of `b` that is r in `a`
+void expect_same_features(const Graph& a, const Graph& b, const std::vector<Region>& region_of,
+                          const std::set<std::size_t>& ignored = {})
+{
+  for (auto range = edges(a); range.first != range.second; ++range.first) {
+    if (!a.is_adjacent(*range.first))
+      continue;
+    const auto other = b.section(region_of[a.source(*range.first)], region_of[a.target(*range.first)]);
+    ASSERT_TRUE(other);
+    const auto x = Merge_features::of(a, *range.first), y = Merge_features::of(b, *other);
+    for (std::size_t i = 0; i < x.size(); ++i)
+      EXPECT_TRUE(ignored.count(i) > 0 || std::abs(x[i] - y[i]) <= 1) << "feature " << i;
+  }
+}
+
+std::vector<Region> identity(std::size_t n)
+{
+  std::vector<Region> result(n);
+  std::iota(result.begin(), result.end(), Region(0));
+  return result;
+}
+
+} // namespace
+
+TEST(Second_moments_test, eigenvalues_are_roots_of_the_characteristic_polynomial)
+{
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> any(-1, 1);
+  for (int i = 0; i < 1000; ++i) {
+    RS::internal::Symmetric_3 m;
+    for (int j = 0; j < 1 + i % 4; ++j) // of rank 1 to 3
+      m.add_square(1, {any(random), any(random), any(random)});
+    const auto l = RS::internal::eigenvalues(m);
+    EXPECT_GE(l[0], l[1]);
+    EXPECT_GE(l[1], l[2] - 1e-12);
+    EXPECT_NEAR(l[0] + l[1] + l[2], m.trace(), 1e-7 * l[0]);
+    EXPECT_NEAR(l[0] * l[0] + l[1] * l[1] + l[2] * l[2], trace_of_product(m, m), 1e-7 * l[0] * l[0]);
+    EXPECT_NEAR(l[0] * l[1] + l[1] * l[2] + l[2] * l[0], m.second_invariant(), 1e-7 * l[0] * l[0]);
+    EXPECT_NEAR(l[0] * l[1] * l[2], m.determinant(), 1e-7 * l[0] * l[0] * l[0]);
+  }
+}
+
+TEST(Learned_annotator_test, a_plate_has_the_moments_of_its_squares)
+{
+  // 4 x 2 squares in two regions of 2 x 2. In units of the square root of 8.
+  const Graph graph = annotated(grid(4, 2), {0, 0, 1, 1, 0, 0, 1, 1});
+  for (Region r : {0, 1}) {
+    EXPECT_NEAR(graph[r].area, 0.5, 1e-12);
+    EXPECT_NEAR(std::abs(graph[r].area_vector.z), 0.5, 1e-12);
+    EXPECT_NEAR(graph[r].perimeter, 2 / std::sqrt(8.0), 1e-12);
+    const auto c = graph[r].moments.covariance();
+    const double expected = (0.25 + 1 / (6 * std::sqrt(3.0))) / 8; // centroids at +-1/2, each face a triangle of area 1
+    EXPECT_NEAR(c.xx, expected, 1e-12);
+    EXPECT_NEAR(c.yy, expected, 1e-12);
+    EXPECT_NEAR(c.zz, 0, 1e-12);
+    EXPECT_NEAR(c.xy, 0, 1e-12);
+  }
+  const auto& section = graph[*graph.section(0, 1)];
+  EXPECT_NEAR(section.moments.weight, section.length, 1e-12);
+  EXPECT_NEAR(section.moments.covariance().xx, 0, 1e-12);
+  EXPECT_NEAR(section.moments.covariance().yy, 0.25 / 8, 1e-12);
+  EXPECT_EQ(section.weakly_concave_length + section.strongly_convex_length, 0);
+}
+
+TEST(Learned_annotator_test, the_concave_edges_of_an_l_are_weakly_and_strongly_concave)
+{
+  const Soup soup = box_on_plate();
+  const RS::Flat_mesh mesh = flat_mesh_of(soup);
+  std::vector<std::size_t> labels; // the box by its height
+  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
+    labels.push_back(mesh.centroid(f).z > 1 * (1 / mesh.unit()) + 1e-9 ? 1 : 0);
+  const Graph graph = annotated(soup, labels);
+  ASSERT_EQ(graph.number_of_sections(), 1u);
+  const auto& section = graph[*graph.section(0, 1)];
+  EXPECT_GT(section.length, 0);
+  EXPECT_NEAR(section.weakly_concave_length, section.length, 1e-12);
+  EXPECT_NEAR(section.strongly_concave_length, section.length, 1e-12);
+  EXPECT_NEAR(section.squared_deviation, section.length * CGAL_PI * CGAL_PI / 4, 1e-9);
+}
+
+TEST(Learned_annotator_test, data_of_merged_regions_is_that_of_their_union)
+{
+  for (Family family : {Family::SPHERE, Family::BLOCKS, Family::TORUS, Family::TWO_COMPONENTS})
+    for (unsigned seed = 0; seed < 5; ++seed) {
+      SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
+      std::mt19937 random(seed);
+      const Soup soup = random_mesh(family, seed);
+      std::vector<std::size_t> labels = random_regions(soup, 20, random);
+      Graph merged = annotated(soup, labels);
+      std::vector<Region> kept = identity(merged.number_of_regions());
+      std::vector<Region> region_of;
+      for (const auto r : RS::Partition::from_labels(labels))
+        region_of.push_back(r);
+      for (int i = 0; i < 6; ++i)
+        for (auto range = edges(merged); range.first != range.second; ++range.first)
+          if (merged.is_mergeable(*range.first)) {
+            const auto merge = merged.merge(*range.first);
+            std::replace(region_of.begin(), region_of.end(), merge.removed, merge.kept);
+            break;
+          }
+      const Graph fresh = annotated(soup, {region_of.begin(), region_of.end()});
+      const RS::Partition fresh_regions = RS::Partition::from_labels(region_of);
+      for (std::size_t f = 0; f < region_of.size(); ++f) {
+        const auto &a = merged[region_of[f]], &b = fresh[Region(fresh_regions[f])];
+        EXPECT_NEAR(a.area, b.area, 1e-9);
+        EXPECT_NEAR(a.perimeter, b.perimeter, 1e-9);
+        expect_near(a.area_vector, b.area_vector);
+        expect_near(a.moments, b.moments);
+        for (std::size_t g = 0; g < f; ++g)
+          if (const auto s = region_of[f] == region_of[g] ? std::nullopt : merged.section(region_of[f], region_of[g]);
+              s && merged.is_adjacent(*s)) {
+            const auto& x = merged[*s];
+            const auto& y = fresh[*fresh.section(Region(fresh_regions[f]), Region(fresh_regions[g]))];
+            EXPECT_NEAR(x.length, y.length, 1e-9);
+            EXPECT_NEAR(x.weakly_concave_length, y.weakly_concave_length, 1e-9);
+            EXPECT_NEAR(x.strongly_concave_length, y.strongly_concave_length, 1e-9);
+            EXPECT_NEAR(x.strongly_convex_length, y.strongly_convex_length, 1e-9);
+            EXPECT_NEAR(x.squared_deviation, y.squared_deviation, 1e-9);
+            expect_near(x.moments, y.moments);
+          }
+      }
+    }
+}
+
+TEST(Learned_annotator_test, the_whole_surface_sees_itself_alone)
+{
+  for (Family family : {Family::SPHERE, Family::BLOCKS, Family::TORUS}) {
+    SCOPED_TRACE(name(family));
+    std::mt19937 random(3);
+    const Soup soup = random_mesh(family, 3);
+    Graph graph = annotated(soup, random_regions(soup, 12, random));
+    double own = 0;
+    for (auto range = vertices(graph); range.first != range.second; ++range.first) {
+      EXPECT_GE(graph[*range.first].own_visibility, -1e-12);
+      own += graph[*range.first].own_visibility;
+    }
+    while (graph.number_of_regions() > 1)
+      for (auto range = edges(graph); range.first != range.second; ++range.first)
+        if (graph.is_mergeable(*range.first)) {
+          graph.merge(*range.first);
+          break;
+        }
+    const auto& all = graph[*vertices(graph).first];
+    EXPECT_GT(all.own_visibility, own);
+    EXPECT_NEAR(all.own_visibility, all.visibility / 2, 1e-9);
+    EXPECT_NEAR(all.perimeter, 0, 1e-9);
+    EXPECT_NEAR(norm(all.area_vector), 0, 1e-9); // closed
+  }
+}
+
+TEST(Merge_features_test, do_not_depend_on_motion_and_size)
+{
+  for (Family family : {Family::SPHERE, Family::BLOCKS, Family::TORUS, Family::SHEET})
+    for (unsigned seed = 0; seed < 3; ++seed) {
+      SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
+      std::mt19937 random(seed);
+      const Soup soup = random_mesh(family, seed);
+      const auto labels = random_regions(soup, 10, random);
+      const Graph graph = annotated(soup, labels);
+      const auto same = identity(graph.number_of_regions());
+      expect_same_features(graph, annotated(scaled(soup, 0.037), labels), same);
+      expect_same_features(graph, annotated(translated(turned(soup), 3.3, -7.1, 0.9), labels), same);
+    }
+}
+
+TEST(Merge_features_test, do_not_depend_on_the_numbering)
+{
+  // Rays begin at the corner of lowest index: what they measure depends on the numbering of vertices.
+  std::set<std::size_t> by_rays = {Merge_features::COST, Merge_features::LENGTH_FOR_THICKNESS,
+                                   Merge_features::WIDTH_FOR_THICKNESS_M, Merge_features::WIDTH_FOR_THICKNESS_L};
+  for (std::size_t i = Merge_features::THICKNESS_STEP; i <= Merge_features::THICKNESS_DEVIATION_U; ++i)
+    by_rays.insert(i);
+  for (std::size_t i = Merge_features::VISIBILITY_M; i <= Merge_features::OWN_VISIBILITY_U; ++i)
+    by_rays.insert(i);
+  for (Family family : {Family::SPHERE, Family::BLOCKS, Family::SHEET})
+    for (unsigned seed = 0; seed < 3; ++seed) {
+      SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
+      std::mt19937 random(seed);
+      Soup soup = random_mesh(family, seed);
+      const auto labels = random_regions(soup, 10, random);
+      const Graph graph = annotated(soup, labels);
+      // The faces in reverse order, the vertices in any.
+      std::vector<std::size_t> new_of_old;
+      shuffle_vertices(soup, random, new_of_old);
+      std::reverse(soup.polygons.begin(), soup.polygons.end());
+      const std::vector<std::size_t> reversed_labels(labels.rbegin(), labels.rend());
+      const RS::Partition before = RS::Partition::from_labels(labels), after = RS::Partition::from_labels(reversed_labels);
+      std::vector<Region> region_of(before.number_of_parts());
+      for (std::size_t f = 0; f < labels.size(); ++f)
+        region_of[before[f]] = after[labels.size() - 1 - f];
+      expect_same_features(graph, annotated(soup, reversed_labels), region_of, by_rays);
+    }
+}
+
+TEST(Merge_features_test, of_two_regions_made_by_hand)
+{
+  RS::Learned_region_data small, large;
+  small.area = 0.1;
+  small.log_thickness = 0.1 * -2;
+  small.squared_log_thickness = 0.1 * (4 + 0.25); // standard deviation 1/2
+  small.visibility = 0.2;
+  small.own_visibility = 0.05;
+  small.perimeter = 1;
+  small.area_vector = {0, 0, 0.05};
+  small.moments.add(0.05, {-1, 0, 0});
+  small.moments.add(0.05, {1, 0, 0});
+  large.area = 0.4;
+  large.log_thickness = 0.4 * -1;
+  large.squared_log_thickness = 0.4;
+  large.visibility = 0.5;
+  large.own_visibility = 0.2;
+  large.perimeter = 2;
+  large.area_vector = {0, 0.3, 0};
+  large.moments.add(0.4, {0, 3, 0});
+  RS::Learned_section_data section;
+  section.length = 0.5;
+  section.concave = 0.1;
+  section.visibility = 0.05;
+  section.number_of_edges = 1;
+  section.weakly_concave_length = 0.25;
+  section.squared_deviation = 0.2;
+  section.log_thickness = 0.5 * -1.5;
+  section.moments.add(0.25, {0, 0, -0.1});
+  section.moments.add(0.25, {0, 0, 0.1});
+  Graph graph;
+  graph.add_region(large);
+  graph.add_region(small);
+  const auto x = Merge_features::of(graph, graph.add_section(0, 1, section));
+  const auto value = [&](Merge_features::Feature f) { return x[f] / 512.0; };
+  const double step = 0.5 / 512 + 1e-12;
+  EXPECT_NEAR(value(Merge_features::COST), RS::Visibility_cost()(graph, *graph.section(0, 1)), step);
+  EXPECT_NEAR(value(Merge_features::LOG_DEPTH), std::log(0.222), step);
+  EXPECT_NEAR(value(Merge_features::CONCAVE), 0.2, step);
+  EXPECT_NEAR(value(Merge_features::WEAKLY_CONCAVE), 0.5, step);
+  EXPECT_NEAR(value(Merge_features::SQUARED_DEVIATION), 0.4, step);
+  EXPECT_NEAR(value(Merge_features::LOG_AREA_M), std::log(0.1), step);
+  EXPECT_NEAR(value(Merge_features::LOG_AREA_U), std::log(0.5), step);
+  EXPECT_NEAR(value(Merge_features::LOG_LENGTH_L), std::log(0.25 / 0.4), step);
+  EXPECT_NEAR(value(Merge_features::PERIMETER_SHARE_M), 0.5, step);
+  EXPECT_NEAR(value(Merge_features::LOG_PERIMETER_U), std::log(4 / 0.5), step);
+  EXPECT_NEAR(value(Merge_features::THICKNESS_DIFFERENCE), -1, step);
+  EXPECT_NEAR(value(Merge_features::SECTION_THICKNESS_M), 0.5, step);
+  EXPECT_NEAR(value(Merge_features::THICKNESS_DEVIATION_M), 0.5, step);
+  EXPECT_NEAR(value(Merge_features::THICKNESS_DEVIATION_L), 0, step);
+  EXPECT_NEAR(value(Merge_features::VISIBILITY_M), 0.25, step);
+  EXPECT_NEAR(value(Merge_features::VISIBILITY_L), 0.1, step);
+  EXPECT_NEAR(value(Merge_features::OWN_VISIBILITY_M), 0.5, step);
+  EXPECT_NEAR(value(Merge_features::OWN_VISIBILITY_U), 2 * (0.05 + 0.2 + 0.05) / 0.7, step);
+  EXPECT_NEAR(value(Merge_features::FLATNESS_M), 0.5, step);
+  EXPECT_NEAR(value(Merge_features::NORMALS), 0, step);
+  EXPECT_NEAR(value(Merge_features::OUTWARD), 1, step); // the larger one faces away from the smaller one
+  EXPECT_NEAR(value(Merge_features::DISTANCE), 3 / std::sqrt(0.5), step);
+  EXPECT_NEAR(value(Merge_features::ELONGATION_M), 0.001, step);
+  EXPECT_NEAR(value(Merge_features::CLOSEDNESS), std::log(0.25 / (4 * CGAL_PI * CGAL_PI * 0.01)), step);
+  EXPECT_NEAR(value(Merge_features::SECTION_ALONG), 0, step);
+  EXPECT_NEAR(value(Merge_features::LOG_FILLING_M), std::log(0.1 / CGAL_PI), step);
+}

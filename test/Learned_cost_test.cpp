@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Region_segmentation/Graph/Region_adjacency_graph.h>
+#include <CGAL/Region_segmentation/Methods/Learned_cost.h>
+#include <CGAL/Region_segmentation/Methods/Lowest_cost_first.h>
+#include <CGAL/Region_segmentation/Methods/Lowest_order_first.h>
+#include <CGAL/Region_segmentation/Methods/Number_from_expected_costs.h>
+#include <CGAL/Region_segmentation/internal/model/Merge_model.h>
+#include <CGAL/Region_segmentation/merge_regions.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <random>
+#include <vector>
+
+namespace RS = CGAL::Region_segmentation;
+
+namespace {
+
+constexpr std::size_t number_of_features = 7;
+using Model = RS::internal::Merge_model<number_of_features>;
+
+int any_of(std::mt19937& random, int from, int to)
+{
+  return from + int(random() % unsigned(to - from + 1));
+}
+
+/// A random tree: leaves are split until there are `leaves` of them.
+Model::Tree random_tree(std::mt19937& random, std::size_t leaves)
+{
+  Model::Tree tree{};
+  for (auto& value : tree.leaves)
+    value = any_of(random, -1000000, 1000000);
+  tree.nodes[0] = {0, 0, {Model::first_leaf, Model::first_leaf}};
+  if (leaves == 1)
+    return tree;
+  tree.nodes[0] = {Model::Feature(any_of(random, -300, 300)), 0, {Model::first_leaf, Model::first_leaf + 1}};
+  for (std::size_t n = 2; n < leaves; ++n) {
+    // One branch that leads to a leaf gets a node, with that leaf and a new one.
+    std::uint8_t* branch = nullptr;
+    while (!branch || *branch < Model::first_leaf) {
+      Model::Node& node = tree.nodes[random() % (n - 1)];
+      branch = &node.branches[random() % 2];
+    }
+    tree.nodes[n - 1] = {Model::Feature(any_of(random, -300, 300)), std::uint8_t(random() % number_of_features),
+                         {*branch, std::uint8_t(Model::first_leaf + n)}};
+    *branch = std::uint8_t(n - 1);
+  }
+  return tree;
+}
+
+double value_of(const Model::Tree& tree, std::uint8_t node, const std::vector<double>& x)
+{
+  if (node >= Model::first_leaf)
+    return tree.leaves[node - Model::first_leaf] / std::ldexp(1.0, Model::result_bits);
+  const Model::Node& n = tree.nodes[node];
+  return value_of(tree, x[n.feature] < n.threshold / 512.0 ? n.branches[0] : n.branches[1], x);
+}
+
+/// The formula of the documentation, in real numbers.
+double value_of(const Model::Network& network, const std::vector<double>& x)
+{
+  std::vector<double> y;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const double center = network.inputs[i].center / 512.0, factor = network.inputs[i].factor / std::ldexp(1.0, 24 - 9);
+    const double scaled = std::max(-4.0, std::min(4.0, factor * (x[i] - center)));
+    y.push_back(std::trunc(256 * scaled) / 256);
+  }
+  double sum = double(network.output_bias) / std::ldexp(1.0, 26);
+  for (std::size_t i = 0; i < y.size(); ++i)
+    sum += network.direct_weights[i] / 1024.0 * y[i];
+  for (std::size_t j = 0; j < network.number_of_units; ++j) {
+    const Model::Unit& unit = network.units[j];
+    double h = unit.bias / std::ldexp(1.0, 18);
+    for (std::size_t i = 0; i < y.size(); ++i)
+      h += unit.weights[i] / 1024.0 * y[i];
+    sum += unit.output_weight / std::ldexp(1.0, 14) * h / (1 + std::abs(h));
+  }
+  return sum;
+}
+
+Model::Weights random_weights(std::mt19937& random, int bound)
+{
+  Model::Weights weights{};
+  for (std::size_t i = 0; i < number_of_features; ++i)
+    weights[i] = std::int16_t(any_of(random, -bound, bound));
+  return weights;
+}
+
+using Graph = RS::Region_adjacency_graph<RS::Learned_region_data, RS::Learned_section_data>;
+
+/// Regions in a grid with random areas, sections with random lengths and angles.
+Graph random_graph(std::mt19937& random)
+{
+  std::uniform_real_distribution<double> any(0.01, 1);
+  Graph graph;
+  const std::uint32_t n = 6;
+  for (std::uint32_t i = 0; i < n * n; ++i) {
+    RS::Learned_region_data region;
+    region.area = any(random) / (n * n);
+    region.log_thickness = -any(random) * region.area;
+    region.visibility = any(random);
+    region.perimeter = 4;
+    region.moments.add(region.area, {any(random), any(random), any(random)});
+    graph.add_region(region);
+  }
+  for (std::uint32_t i = 0; i < n * n; ++i)
+    for (std::uint32_t j : {i % n + 1 < n ? i + 1 : i, i + n < n * n ? i + n : i})
+      if (j != i) {
+        RS::Learned_section_data section;
+        section.length = any(random);
+        section.concave = 0.5 * any(random) * section.length;
+        section.number_of_edges = 1;
+        graph.add_section(i, j, section);
+      }
+  return graph;
+}
+
+/// A model that knows one feature: the log odds are 1 - 4 times the concavity.
+struct Concavity_model
+{
+  std::vector<RS::Merge_features::Model::Input> inputs =
+    std::vector<RS::Merge_features::Model::Input>(RS::Merge_features::NUMBER_OF_FEATURES, {0, 0});
+  RS::Merge_features::Model model;
+
+  Concavity_model()
+  {
+    using Full_model = RS::Merge_features::Model;
+    // The mean of no trees and the network: twice the wanted values.
+    inputs[RS::Merge_features::CONCAVE].factor = 1 << (Full_model::factor_bits + Full_model::input_bits - 9);
+    Full_model::Weights direct{};
+    direct[RS::Merge_features::CONCAVE] = -8 * 1024;
+    model = {nullptr, 0, {inputs.data(), nullptr, 0, direct, std::int64_t(2) << 26}};
+  }
+};
+
+} // namespace
+
+TEST(Merge_model_test, agrees_with_real_numbers)
+{
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937 random(seed);
+    std::vector<Model::Tree> trees;
+    for (std::size_t leaves = 1; leaves <= Model::maximum_number_of_leaves; ++leaves)
+      trees.push_back(random_tree(random, leaves));
+    std::vector<Model::Input> inputs;
+    for (std::size_t i = 0; i < number_of_features; ++i)
+      inputs.push_back({any_of(random, -100, 100), any_of(random, 10000, 200000)});
+    std::vector<Model::Unit> units;
+    for (std::size_t j = 0; j < 5; ++j)
+      units.push_back({any_of(random, -1000000, 1000000), any_of(random, -30000, 30000),
+                       random_weights(random, Model::weight_bound)});
+    const Model model{trees.data(),
+                      trees.size(),
+                      {inputs.data(), units.data(), units.size(), random_weights(random, Model::weight_bound),
+                       any_of(random, -100000000, 100000000)}};
+    for (int i = 0; i < 200; ++i) {
+      Model::Features x;
+      std::vector<double> real;
+      for (auto& value : x) {
+        value = Model::Feature(any_of(random, -500, 500));
+        real.push_back(value / 512.0);
+      }
+      double of_trees = 0;
+      for (const Model::Tree& tree : trees)
+        of_trees += value_of(tree, 0, real);
+      const double of_network = value_of(model.network, real);
+      EXPECT_NEAR(std::ldexp(double(model.sum_of_trees(x)), -20), of_trees, 1e-9);
+      EXPECT_NEAR(std::ldexp(double(model.network_output(x)), -20), of_network, 0.01);
+      EXPECT_NEAR(std::ldexp(double(model(x)), -20), (of_trees + of_network) / 2, 0.01);
+    }
+  }
+}
+
+TEST(Merge_model_test, portable_exp_is_nearly_exp)
+{
+  for (double x = -64; x <= 64; x += 0.37)
+    EXPECT_NEAR(RS::internal::portable_exp(x) / std::exp(x), 1, 1e-9 + x * x / (1 << 17));
+  EXPECT_EQ(RS::internal::portable_exp(0), 1);
+}
+
+TEST(Learned_cost_test, is_the_formula_of_its_documentation)
+{
+  std::mt19937 random(7);
+  const Graph graph = random_graph(random);
+  const Concavity_model concavity;
+  const RS::Learned_cost cost(concavity.model);
+  const RS::Expected_merge_cost expected(concavity.model);
+  for (auto range = edges(graph); range.first != range.second; ++range.first) {
+    const auto& section = graph[*range.first];
+    const double p = 1 / (1 + std::exp(-(1 - 4 * section.concave / section.length)));
+    EXPECT_NEAR(RS::Merge_estimate(concavity.model, graph, *range.first).probability(), p, 6e-3);
+    const double w = graph[graph.source(*range.first)].area * graph[graph.target(*range.first)].area;
+    const double z = 1 - 2 * p;
+    EXPECT_NEAR(cost(graph, *range.first),
+                z * std::pow(w / 0.01, z < 0 ? 0.1 : 0.2) + 0.1 * RS::Visibility_cost()(graph, *range.first), 0.02);
+    EXPECT_NEAR(expected(graph, *range.first) / w, 2 * (0.45 - p), 0.02);
+  }
+}
+
+TEST(Lowest_order_first_test, merges_in_one_order_and_records_another_cost)
+{
+  std::mt19937 random(8);
+  const Graph graph = random_graph(random);
+  const Concavity_model concavity;
+  const RS::Learned_cost order(concavity.model);
+  const RS::Expected_merge_cost cost(concavity.model);
+  const auto everything = [](const Graph&, double) { return false; };
+  Graph a = graph, b = graph, c = graph;
+  const RS::Merge_tree by_order = merge_regions(a, RS::Lowest_cost_first<RS::Learned_cost>(order), 1, everything);
+  const RS::Merge_tree both = merge_regions(
+    b, RS::Lowest_order_first<RS::Learned_cost, RS::Expected_merge_cost>(order, cost), 1, everything);
+  ASSERT_EQ(both.merges().size(), graph.number_of_regions() - 1);
+  ASSERT_EQ(both.merges().size(), by_order.merges().size());
+  for (std::size_t i = 0; i < both.merges().size(); ++i) {
+    const auto &x = by_order.merges()[i], &y = both.merges()[i];
+    EXPECT_EQ(x.kept, y.kept);
+    EXPECT_EQ(x.removed, y.removed);
+    const auto section = *c.section(y.kept, y.removed);
+    EXPECT_EQ(x.cost, order(c, section));
+    EXPECT_EQ(y.cost, cost(c, section));
+    c.merge(section);
+  }
+}
+
+TEST(Number_from_expected_costs_test, is_where_the_sum_is_lowest)
+{
+  const RS::Number_from_expected_costs<RS::Expected_merge_cost> chooser(12);
+  for (unsigned seed = 0; seed < 200; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937 random(seed);
+    const std::size_t regions = 1 + random() % 30, components = 1 + random() % (std::min)(regions, std::size_t(4));
+    RS::Merge_tree tree(regions);
+    std::vector<double> cost_to(regions + 1, 0); // of the merge that leaves n regions
+    for (std::size_t n = regions; n-- > components;) {
+      cost_to[n] = any_of(random, -10, 10);
+      tree.push_back({0, std::uint32_t(n), cost_to[n]});
+    }
+    const std::size_t most = std::max(components, std::min<std::size_t>(12, regions));
+    const std::size_t least = std::max(components, std::min<std::size_t>(2, regions));
+    double lowest = 1e9;
+    std::size_t best = 0;
+    for (std::size_t k = std::max(least, most); k >= least; --k) {
+      double sum = 0;
+      for (std::size_t n = k; n < most; ++n)
+        sum += cost_to[n];
+      if (sum < lowest) {
+        lowest = sum;
+        best = k;
+      }
+    }
+    EXPECT_EQ(chooser(tree), best);
+  }
+}
+
+TEST(Number_from_expected_costs_test, of_few_regions)
+{
+  const RS::Number_from_expected_costs<RS::Expected_merge_cost> chooser;
+  EXPECT_EQ(chooser(RS::Merge_tree(0)), 0u);
+  EXPECT_EQ(chooser(RS::Merge_tree(1)), 1u);
+  EXPECT_EQ(chooser(RS::Merge_tree(5)), 5u); // five components
+}

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "meshes.h"
+#include "oracles.h"
+
+#include <CGAL/Region_segmentation/Methods/Learned_merging.h>
+#include <CGAL/Region_segmentation/segment.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace RS = CGAL::Region_segmentation;
+using namespace test;
+
+namespace {
+
+Labels segment_into(const Soup& soup, std::size_t k)
+{
+  return segments_of(to_surface_mesh(soup), RS::parameters::number_of_segments(k).method(RS::Learned_merging()));
+}
+
+Labels segment_automatically(const Soup& soup)
+{
+  return segments_of(to_surface_mesh(soup), RS::parameters::method(RS::Learned_merging()));
+}
+
+std::size_t number_of(const Labels& labels)
+{
+  return 1 + *std::max_element(labels.begin(), labels.end());
+}
+
+} // namespace
+
+TEST(Learned_merging_test, segmentations_nest_and_are_connected)
+{
+  for (Family family : all_families) {
+    SCOPED_TRACE(name(family));
+    const Soup soup = random_mesh(family, 5);
+    Labels coarse;
+    for (std::size_t k : {1, 2, 3, 5, 9, 20, 50}) {
+      const Labels fine = segment_into(soup, k);
+      EXPECT_TRUE(is_connected(soup, fine));
+      EXPECT_EQ(number_of(fine), std::max(k, number_of_components(soup)));
+      if (!coarse.empty()) {
+        EXPECT_TRUE(nests(fine, coarse));
+      }
+      coarse = fine;
+    }
+  }
+}
+
+TEST(Learned_merging_test, parts_a_dumbbell)
+{
+  // Cubes of 9 squares a side, 4 squares a side of the bar: the squares of one part have one label.
+  const Soup soup = dumbbell();
+  const Labels labels = segment_into(soup, 3);
+  EXPECT_EQ(number_of(labels), 3u);
+  EXPECT_EQ(labels.front() == labels.back(), false);
+}
+
+TEST(Learned_merging_test, does_not_depend_on_place_and_size)
+{
+  // By powers of two and multiples of the grid of coordinates nothing is rounded.
+  for (Family family : {Family::BLOCKS, Family::TORUS, Family::SPHERE}) {
+    SCOPED_TRACE(name(family));
+    const Soup soup = random_mesh(family, 2);
+    const Labels labels = segment_into(soup, 5), automatic = segment_automatically(soup);
+    EXPECT_EQ(segment_into(scaled(soup, 1024), 5), labels);
+    EXPECT_EQ(segment_into(translated(soup, 4096, -1024, 512), 5), labels);
+    EXPECT_EQ(segment_automatically(scaled(soup, 1024)), automatic);
+    EXPECT_EQ(segment_automatically(translated(soup, 4096, -1024, 512)), automatic);
+  }
+}
+
+TEST(Learned_merging_test, does_not_depend_on_rotation)
+{
+  for (unsigned seed = 0; seed < 3; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const Soup soup = triangulated(random_mesh(Family::BLOCKS, seed));
+    const Soup turned = mapped(soup, [](const Point& p) -> Point { // by a quarter: exact
+      return {-p[1], p[0], p[2]};
+    });
+    EXPECT_EQ(segment_into(turned, 6), segment_into(soup, 6));
+    EXPECT_EQ(segment_automatically(turned), segment_automatically(soup));
+  }
+}
+
+TEST(Learned_merging_test, gives_something_sensible_where_there_is_nothing)
+{
+  EXPECT_LE(number_of(segment_automatically(sphere(3))), 4u);
+  EXPECT_EQ(number_of(segment_automatically(joined(sphere(1), translated(sphere(1), 5, 0, 0)))), 2u);
+  Soup triangle;
+  triangle.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  triangle.polygons = {{0, 1, 2}};
+  EXPECT_EQ(number_of(segment_automatically(triangle)), 1u);
+  Soup flat = triangle; // no area at all
+  flat.points[2] = {2, 0, 0};
+  EXPECT_EQ(number_of(segment_automatically(flat)), 1u);
+}

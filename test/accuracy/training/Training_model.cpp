@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "Training_model.h"
+
+#include "Benchmark_mesh.h"
+
+#include <CGAL/Region_segmentation/Methods/Learned_annotator.h>
+#include <CGAL/Region_segmentation/Methods/Superfacets.h>
+#include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
+#include <CGAL/Region_segmentation/build_region_adjacency_graph.h>
+#include <CGAL/Region_segmentation/merge_regions.h>
+#include <CGAL/Region_segmentation/read_flat_mesh.h>
+
+#include <algorithm>
+#include <map>
+
+namespace train_merge_cost {
+
+namespace RS = CGAL::Region_segmentation;
+
+namespace {
+
+/// The labels of people as consecutive numbers.
+std::vector<std::vector<int>> numbered_labels(const princeton_benchmark::Model& model)
+{
+  std::vector<std::vector<int>> result;
+  for (const princeton_benchmark::Truth& truth : model.truths) {
+    std::map<int, int> number;
+    std::vector<int> labels;
+    for (int label : truth.labels)
+      labels.push_back(number.emplace(label, int(number.size())).first->second);
+    result.push_back(std::move(labels));
+  }
+  return result;
+}
+
+} // namespace
+
+Training_model make_training_model(int number, const princeton_benchmark::Model& model, std::size_t superfacets,
+                                   std::size_t few)
+{
+  const princeton_benchmark::Benchmark_mesh mesh = princeton_benchmark::make_mesh(model.soup);
+  const RS::Flat_mesh flat = RS::read_flat_mesh(
+    mesh, RS::Mesh_data::POINTS | RS::Mesh_data::CENTROIDS | RS::Mesh_data::SURFACE_AREA);
+  const RS::Partition regions = RS::Superfacets(superfacets)(flat);
+  Graph graph = RS::build_region_adjacency_graph(flat, regions, RS::Learned_annotator());
+  const RS::Merge_tree tree =
+    RS::merge_regions(graph, RS::Visibility_merging().policy, 1, RS::Stop_at_count{few});
+  Label_counts counts(std::vector<std::size_t>(regions.begin(), regions.end()), regions.number_of_parts(),
+                      numbered_labels(model));
+  for (const RS::Merge_tree::Merge& merge : tree.merges())
+    counts.merge(merge.kept, merge.removed);
+  Training_model result{number, model.number_of_segments, {}, std::move(graph), std::move(counts)};
+  for (const princeton_benchmark::Truth& truth : model.truths)
+    result.segments_of_people.push_back(truth.number_of_segments);
+  return result;
+}
+
+} // namespace train_merge_cost

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_TEST_ACCURACY_TRAINING_TRAINING_MODEL_H
+#define CGAL_REGION_SEGMENTATION_TEST_ACCURACY_TRAINING_TRAINING_MODEL_H
+
+#include "Label_counts.h"
+
+#include "model_sources.h"
+
+#include <CGAL/Region_segmentation/Graph/Region_adjacency_graph.h>
+#include <CGAL/Region_segmentation/Methods/Learned_data.h>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace train_merge_cost {
+
+using Graph = CGAL::Region_segmentation::Region_adjacency_graph<CGAL::Region_segmentation::Learned_region_data,
+                                                                CGAL::Region_segmentation::Learned_section_data>;
+
+/// A model of the benchmark at the number of regions from which the learned cost merges.
+struct Training_model
+{
+  int number = 0; ///< in the benchmark
+  std::size_t number_of_segments = 0; ///< k of the standard protocol
+  std::vector<std::size_t> segments_of_people;
+  Graph graph;
+  Label_counts counts;
+};
+
+/// `superfacets`: the number of first regions; `few`: of regions to merge down to, by the hand-made cost
+Training_model make_training_model(int number, const princeton_benchmark::Model& model, std::size_t superfacets,
+                                   std::size_t few);
+
+} // namespace train_merge_cost
+
+#endif // CGAL_REGION_SEGMENTATION_TEST_ACCURACY_TRAINING_TRAINING_MODEL_H

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_TEST_ACCURACY_TRAINING_BOOSTED_TREES_H
+#define CGAL_REGION_SEGMENTATION_TEST_ACCURACY_TRAINING_BOOSTED_TREES_H
+
+#include "Training_rows.h"
+
+#include <vector>
+
+namespace train_merge_cost {
+
+/// Trees are grown by XGBoost: leaf by leaf, the best split first, on histograms of the features.
+struct Boosting_options
+{
+  unsigned number_of_trees = 120;
+  unsigned number_of_leaves = 16; ///< at most `Model::maximum_number_of_leaves`
+  double rate = 0.08;
+  double share_of_rows = 0.5, share_of_features = 0.4; ///< a tree
+  unsigned number_of_bins = 64;                        ///< a feature
+  double lambda = 1;                                   ///< L2 penalty of the values of leaves
+  double least_weight = 1;                             ///< of a leaf
+};
+
+/// The sum of the trees is the logarithm of the odds. One thread; equal seeds give equal trees.
+/// \throws std::runtime_error with the message of XGBoost
+std::vector<Model::Tree> grow_trees(const Training_rows& rows, const Boosting_options& options, unsigned seed);
+
+} // namespace train_merge_cost
+
+#endif // CGAL_REGION_SEGMENTATION_TEST_ACCURACY_TRAINING_BOOSTED_TREES_H

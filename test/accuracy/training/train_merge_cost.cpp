@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Learns from human segmentations how probable it is that two regions belong to one part, and writes the model as the
+// header of the library that holds it. With a report: cross-validation, calibration, importance of features.
+
+#include "Princeton_data.h"
+#include "Trained_model.h"
+#include "Training_model.h"
+#include "cross_validation.h"
+#include "fingerprint.h"
+#include "merging_runs.h"
+#include "model_sources.h"
+#include "training_report.h"
+#include "training_sources_hash.h"
+#include "write_model.h"
+
+#include "io/Whole_file.h"
+#include "io/errors.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <exception>
+#include <iostream>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace train_merge_cost {
+
+namespace {
+
+struct Options
+{
+  std::string data_folder, header;
+  bool has_report = false;
+  std::size_t superfacets = 800, few = 60, folds = 5;
+  Training_plan plan;
+};
+
+std::variant<Options, int> parse_command_line(int argc, char** argv)
+{
+  Options options;
+  CLI::App app("Trains the learned merge cost on a copy of the Princeton Segmentation Benchmark.", "train_merge_cost");
+  app.add_option("--data", options.data_folder, "The benchmark in its own layout")
+    ->required()
+    ->check(CLI::ExistingDirectory)
+    ->type_name("DIR");
+  app.add_option("--output", options.header, "Write the model as a header: learned_merge_model.h")->type_name("FILE");
+  app.add_flag("--report", options.has_report,
+               "Categories left out, calibration and the importance of features, too");
+  app.add_option("--seed", options.plan.seed, "Of all that is random. Default: 1")->check(CLI::Range(0, 1000));
+  app.add_option("--superfacets", options.superfacets, "First regions. Default: 800")->check(CLI::Range(1, 100000));
+  app.add_option("--few", options.few, "Regions from which on the model merges. Default: 60")
+    ->check(CLI::Range(2, 100000));
+  app.add_option("--folds", options.folds, "Of the models, for cross-validation. Default: 5")->check(CLI::Range(2, 1000));
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+  return options;
+}
+
+std::vector<Training_model> load_models(const Princeton_data& data, const Options& options)
+{
+  std::vector<Training_model> models;
+  const auto sources = princeton_benchmark::princeton_sources(data);
+  for (std::size_t i = 0; i < sources.size(); ++i)
+    models.push_back(make_training_model(data.models()[i], sources[i].load(), options.superfacets, options.few));
+  return models;
+}
+
+template <typename Score>
+std::vector<Model_score> scores_of(const std::vector<Training_model>& models, const Score& score)
+{
+  std::vector<Model_score> scores;
+  for (std::size_t i = 0; i < models.size(); ++i)
+    scores.push_back(score(models[i]));
+  return scores;
+}
+
+std::string mean_given_and_chosen(const std::vector<Model_score>& scores)
+{
+  double given = 0, chosen = 0;
+  for (const Model_score& score : scores) {
+    given += score.given / double(scores.size());
+    chosen += score.automatic / double(scores.size());
+  }
+  char text[64];
+  std::snprintf(text, sizeof text, "%.4f / %.4f", given, chosen);
+  return text;
+}
+
+std::vector<std::string> provenance(const Options& options, const std::vector<Training_model>& models,
+                                    const Training_rows& rows, const Cross_validation& validation)
+{
+  return {"Made by train_merge_cost --seed " + std::to_string(options.plan.seed) + " from " +
+            std::to_string(models.size()) + " models of the Princeton Segmentation Benchmark, number " +
+            std::to_string(models.front().number) + " to " + std::to_string(models.back().number) + ".",
+          "Hash of the " + std::to_string(rows.size()) + " training rows: " + fingerprint(rows) +
+            "; of the training sources: " + std::string(training_sources_hash) + ".",
+          "1 - Rand index, out of fold, k given / chosen: " + mean_given_and_chosen(validation.scores) + "."};
+}
+
+void write_report(const Options& options, const std::vector<Training_model>& models,
+                  const std::vector<Training_rows>& first, const Cross_validation& validation,
+                  const Trained_model& final_model)
+{
+  const std::vector<Model_score> by_hand = scores_of(models, score_visibility);
+  const Model model = final_model.model();
+  const std::vector<Model_score> in_sample =
+    scores_of(models, [&](const Training_model& m) { return score_learned(m, model); });
+  std::vector<Scored_way> ways = {{"hand-made", &by_hand}, {"in sample", &in_sample}, {"out of fold", &validation.scores}};
+  std::vector<Model_score> by_category;
+  if (options.has_report) {
+    by_category = cross_validate(models, first, folds_of_categories(models), options.plan).scores;
+    ways.push_back({"category left out", &by_category});
+  }
+  using princeton_benchmark::write_text;
+  write_text(std::cout, means_table(ways));
+  if (!options.has_report)
+    return;
+  write_text(std::cout, category_table(models, ways));
+  write_text(std::cout, calibration_table(validation));
+  write_text(std::cout, importance_table(validation, options.plan.seed));
+}
+
+int run_program(int argc, char** argv)
+{
+  const auto parsed = parse_command_line(argc, argv);
+  if (const int* exit_status = std::get_if<int>(&parsed))
+    return *exit_status;
+  const Options& options = std::get<Options>(parsed);
+  const Princeton_data data(options.data_folder);
+  const std::vector<Training_model> models = load_models(data, options);
+  const std::vector<Training_rows> first = first_rows(models, options.plan);
+  const Cross_validation validation =
+    cross_validate(models, first, folds_of_models(models, options.folds), options.plan);
+  const Training_rows rows = joined(validation.rows);
+  const Trained_model trained = train(rows, options.plan.options, options.plan.seed);
+  write_report(options, models, first, validation, trained);
+  if (!options.header.empty()) {
+    segment_mesh::Whole_file file(options.header);
+    write_model(file.stream(), trained, provenance(options, models, rows, validation));
+    file.commit();
+  }
+  return 0;
+}
+
+} // namespace
+
+} // namespace train_merge_cost
+
+int main(int argc, char** argv)
+{
+  try {
+    return train_merge_cost::run_program(argc, argv);
+  } catch (const std::exception& error) {
+    std::cerr << "train_merge_cost: " << segment_mesh::one_line(error.what()) << "\n";
+    return 1;
+  }
+}

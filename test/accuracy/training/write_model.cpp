@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "write_model.h"
+
+#include <cstddef>
+#include <ostream>
+#include <sstream>
+
+namespace train_merge_cost {
+
+namespace {
+
+constexpr const char* head = R"(// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_MODEL_LEARNED_MERGE_MODEL_H
+#define CGAL_REGION_SEGMENTATION_INTERNAL_MODEL_LEARNED_MERGE_MODEL_H
+
+#include <CGAL/Region_segmentation/internal/model/Merge_model.h>
+
+// Generated; a new training is a new version of the method.
+//
+)";
+
+constexpr const char* foot = R"(
+} // namespace internal
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_INTERNAL_MODEL_LEARNED_MERGE_MODEL_H
+)";
+
+/// Breaks a line before it exceeds the width of the package.
+class Line_breaker
+{
+public:
+  explicit Line_breaker(std::ostream& out) : m_out(out) {}
+
+  void add(const std::string& token)
+  {
+    constexpr std::size_t width = 120;
+    if (m_column + token.size() > width) {
+      m_out << '\n';
+      m_column = 0;
+    }
+    m_out << token;
+    m_column += token.size();
+  }
+
+  template <typename Number>
+  void add_number(Number number, const char* end)
+  {
+    add(std::to_string(number) + end);
+  }
+
+  void end_line()
+  {
+    m_out << '\n';
+    m_column = 0;
+  }
+
+private:
+  std::ostream& m_out;
+  std::size_t m_column = 0;
+};
+
+void write_tree(Line_breaker& line, const Model::Tree& tree)
+{
+  line.add("{{{");
+  for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
+    const Model::Node& n = tree.nodes[i];
+    line.add("{" + std::to_string(n.threshold) + "," + std::to_string(n.feature) + ",{" +
+             std::to_string(n.branches[0]) + "," + std::to_string(n.branches[1]) +
+             (i + 1 < tree.nodes.size() ? "}}," : "}}"));
+  }
+  line.add("}},{{");
+  for (std::size_t i = 0; i < tree.leaves.size(); ++i)
+    line.add_number(tree.leaves[i], i + 1 < tree.leaves.size() ? "," : "");
+  line.add("}}},");
+  line.end_line();
+}
+
+void write_weights(Line_breaker& line, const Model::Weights& weights)
+{
+  line.add("{{");
+  for (std::size_t i = 0; i < weights.size(); ++i)
+    line.add_number(weights[i], i + 1 < weights.size() ? "," : "}}");
+}
+
+void write_unit(Line_breaker& line, const Model::Unit& unit)
+{
+  line.add("{" + std::to_string(unit.bias) + "," + std::to_string(unit.output_weight) + ",");
+  write_weights(line, unit.weights);
+  line.add("},");
+  line.end_line();
+}
+
+} // namespace
+
+void write_model(std::ostream& out, const Trained_model& trained, const std::vector<std::string>& provenance)
+{
+  out << head;
+  for (const std::string& line : provenance)
+    out << "// " << line << '\n';
+  const std::string type = "Merge_model<" + std::to_string(Merge_features::NUMBER_OF_FEATURES) + ">";
+  out << "\nnamespace CGAL {\nnamespace Region_segmentation {\nnamespace internal {\n\n"
+      << "inline constexpr " << type << "::Tree learned_trees[] = {\n";
+  Line_breaker line(out);
+  for (const Model::Tree& tree : trained.trees)
+    write_tree(line, tree);
+  out << "};\n\ninline constexpr " << type << "::Input learned_inputs[] = {\n";
+  for (const Model::Input& input : trained.network.inputs)
+    line.add("{" + std::to_string(input.center) + "," + std::to_string(input.factor) + "},");
+  line.end_line();
+  out << "};\n\ninline constexpr " << type << "::Unit learned_units[] = {\n";
+  for (const Model::Unit& unit : trained.network.units)
+    write_unit(line, unit);
+  out << "};\n\ninline constexpr " << type << "::Weights learned_direct_weights = ";
+  write_weights(line, trained.network.direct_weights);
+  out << ";\n\ninline constexpr " << type << " learned_merge_model{\n  learned_trees, " << trained.trees.size()
+      << ", {learned_inputs, learned_units, " << trained.network.units.size() << ", learned_direct_weights, "
+      << trained.network.output_bias << "}};\n"
+      << foot;
+}
+
+} // namespace train_merge_cost

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// expect: the RegionMergingPolicy reads RegionData or SectionData that the annotator of the graph does not provide
+#include "common.h"
+void test(const Mesh& mesh, Labels labels)
+{
+#ifdef WITH_FAULT
+  const RS::Visibility_annotator annotator;
+#else
+  const RS::Learned_annotator annotator;
+#endif
+  RS::segment(mesh, labels, RS::parameters::method(RS::Learned_merging().with_annotator(annotator)));
+}
