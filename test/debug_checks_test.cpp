@@ -72,7 +72,6 @@ TEST_F(Debug_checks_test, maximum_angle_is_between_0_and_180)
     method.initializer.maximum_angle = angle;
     EXPECT_THROW(RS::segment(mesh, labels, RP::number_of_segments(2).method(method)), Precondition_exception);
     EXPECT_THROW(RS::detect_feature_edges(mesh, features, RP::maximum_angle(angle)), Precondition_exception);
-    EXPECT_THROW(RS::choose_feature_convexity(mesh, RP::maximum_angle(angle)), Precondition_exception);
   }
 }
 

@@ -23,6 +23,7 @@
 #include <CGAL/boost/graph/graph_traits_PolyMesh_ArrayKernelT.h>
 #include <CGAL/boost/graph/graph_traits_TriMesh_ArrayKernelT.h>
 #endif
+#include <CGAL/Region_segmentation/Methods/Smooth_faces.h>
 #include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
 #include <CGAL/Region_segmentation/Segmenter.h>
 #include <CGAL/Region_segmentation/build_region_adjacency_graph.h>
@@ -151,11 +152,10 @@ Result run_stages(const Mesh& mesh, const Options& options)
   return result;
 }
 
-/// With the default method, for a number and for one that is chosen.
-template <typename Mesh>
-std::vector<Result> run_default(const Mesh& mesh, const Options& options)
+/// For a number and for one that is chosen.
+template <typename Mesh, typename Method>
+std::vector<Result> run_method(const Mesh& mesh, const Options& options, const Method& method)
 {
-  const RS::Visibility_merging method;
   std::vector<Result> results;
   const auto add = [&](const auto& np) {
     results.push_back(options.constrained_edges.empty()
@@ -167,10 +167,11 @@ std::vector<Result> run_default(const Mesh& mesh, const Options& options)
   return results;
 }
 
-template <typename Mesh>
-void expect_default_as_surface_mesh(const Mesh& mesh, const Options& options)
+template <typename Mesh, typename Method>
+void expect_method_as_surface_mesh(const Mesh& mesh, const Options& options, const Method& method)
 {
-  const auto results = run_default(mesh, options), expected = run_default(to_surface_mesh(soup_of(mesh)), options);
+  const auto results = run_method(mesh, options, method),
+             expected = run_method(to_surface_mesh(soup_of(mesh)), options, method);
   for (std::size_t i = 0; i < results.size(); ++i) {
     expect_same(results[i], expected[i]);
     ASSERT_EQ(results[i].tree.merges().size(), expected[i].tree.merges().size());
@@ -185,7 +186,8 @@ template <typename Mesh>
 void expect_as_surface_mesh(const Mesh& mesh, const Options& options)
 {
   expect_same(run(mesh, options), run(soup_of(mesh), options));
-  expect_default_as_surface_mesh(mesh, options);
+  expect_method_as_surface_mesh(mesh, options, RS::Visibility_merging());
+  expect_method_as_surface_mesh(mesh, options, RS::Smooth_faces());
 }
 
 /// A segmenter gives what segment() gives, for each method and number.

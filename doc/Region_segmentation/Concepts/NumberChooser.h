@@ -8,6 +8,7 @@ A chooser with a constant in the units of a cost declares this cost as `%MergeCo
 does not compile with it.
 
 \cgalHasModel `CGAL::Region_segmentation::Number_from_costs`
+\cgalHasModel `CGAL::Region_segmentation::Number_below_cost`
 */
 class NumberChooser
 {

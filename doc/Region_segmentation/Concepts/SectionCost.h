@@ -8,6 +8,7 @@ types `%RegionData` and `%SectionData`: unless the data of the graph are or deri
 compile.
 
 \cgalHasModel `CGAL::Region_segmentation::Visibility_cost`
+\cgalHasModel `CGAL::Region_segmentation::Smoothness_cost`
 */
 class SectionCost
 {

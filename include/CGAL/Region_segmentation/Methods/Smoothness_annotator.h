@@ -34,9 +34,9 @@ namespace Region_segmentation {
 /// facet of a coarse cylinder bends at both of its sides alike, the border of a fillet bends half as much as the edges on it,
 /// and a crease bends alone. The *discontinuity* of an edge of deviation \f$\beta\f$ is
 /// \f[ \frac{|\kappa_0 - \kappa_1|}{\max(|\kappa_0|, |\kappa_1|, w K)}
-///   + \frac{1}{\beta_1} \max(0, |\beta - \bar\beta| - 2 \max(|\kappa_0| l_0, |\kappa_1| l_1)),
+///   + \frac{1}{\beta_1} \max(0, |\beta - \bar\beta| - 4 \max(|\kappa_0| l_0, |\kappa_1| l_1)),
 ///   \quad \bar\beta = \frac{\kappa_0 l_0 + \kappa_1 l_1}{2}, \f]
-/// with \f$K\f$ the largest curvature on the two faces, \f$w = 0.8\f$ and \f$\beta_1\f$ 20 degrees; at most 3. It
+/// with \f$K\f$ the largest curvature on the two faces, \f$w = 0.8\f$ and \f$\beta_1\f$ 5 degrees; at most 3. It
 /// has no unit: 0 is smooth, 1 a jump of the curvature to 0, as where a plane becomes a cylinder. It is
 /// \f$3 \beta / \beta_c\f$ if \f$\beta\f$ exceeds the angle \f$\beta_c\f$ of a certain crease, and 0 beside a degenerate face.
 ///
@@ -99,8 +99,8 @@ private:
 
   static constexpr double reach = 2.5;             // of a path, in heights of the face
   static constexpr double largest_height = 3;      // of a face, in heights of the other one
-  static constexpr double tolerance_of_bend = 2;   // of a bend that is not a crease, in those expected
-  static constexpr double unit_of_crease = 20;     // beta_1, degrees
+  static constexpr double tolerance_of_bend = 4;   // of a bend that is not a crease, in those expected
+  static constexpr double unit_of_crease = 5;      // beta_1, degrees
   static constexpr double most = 3;                // discontinuity short of a certain crease
 
   static double radians(double degrees) { return degrees * (CGAL_PI / 180); }
