@@ -12,6 +12,8 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <boost/property_map/property_map.hpp>
+
 #include <gtest/gtest.h>
 
 #include <iostream>
@@ -57,7 +59,6 @@ double distance_to_faces(const Machine_part& part)
   return distance;
 }
 
-/// The edges with a face on one side only count as two pieces; chi = 2 - 2 handles.
 TEST(Machine_parts, are_closed_oriented_manifolds_of_one_piece)
 {
   for (const Machine_part& part : machine_parts()) {
@@ -71,6 +72,9 @@ TEST(Machine_parts, are_closed_oriented_manifolds_of_one_piece)
     const long characteristic =
       long(mesh.number_of_vertices()) - long(mesh.number_of_edges()) + long(mesh.number_of_faces());
     EXPECT_EQ(characteristic, part.loft.bore > 0 ? 0 : 2);
+    std::vector<std::size_t> segments(mesh.number_of_faces());
+    const auto map = boost::make_iterator_property_map(segments.begin(), get(boost::face_index, mesh));
+    EXPECT_EQ(RS::segment(mesh, map, RS::parameters::number_of_segments(1).method(RS::Smooth_faces())), 1u);
   }
   EXPECT_EQ(machine_parts().size(), 40u);
 }

@@ -17,11 +17,11 @@ namespace Region_segmentation {
 /// The smooth faces of a machine part, between its creases and where fillets begin: `Region_growing` of plane facets,
 /// annotated by `Smoothness_annotator`, merged at the lowest `Smoothness_cost` first. A model of `SegmentationMethod`.
 ///
-/// No number is required: `Number_below_cost` stops where the surface ceases to be smooth, and no angle: facets of a coarse
-/// cylinder, of up to 32 degrees, are joined, and creases of less are not. With a number, merging goes on, or stops before.
-/// Two faces that meet tangentially are kept apart if the curvature of one, across the joint, is less than about a
-/// quarter of the largest curvature there, relative to the other: a fillet from what it blends, but not a fillet along a
-/// line from the same fillet along a wide arc.
+/// No number is required: `Number_below_cost` stops where the surface ceases to be smooth. No angle is, either: facets
+/// of a coarse cylinder, of up to 32 degrees, are joined, and creases of less are not. With a number, merging goes on,
+/// or stops before. Two faces that meet tangentially are kept apart where their curvatures across the joint differ by
+/// more than about three quarters of the larger one: a fillet from what it blends, but not a fillet along a line from
+/// the same fillet along a wide arc.
 struct Smooth_faces
   : Segmentation_method<Region_growing, Smoothness_annotator, Lowest_cost_first<Smoothness_cost>,
                         Number_below_cost<Smoothness_cost>>

@@ -11,6 +11,7 @@
 #include <CGAL/Region_segmentation/internal/regions/Normal_section.h>
 #include <CGAL/Region_segmentation/internal/support/blocks.h>
 
+#include <CGAL/assertions.h>
 #include <CGAL/number_type_config.h>
 #include <CGAL/tags.h>
 
@@ -28,17 +29,18 @@ namespace Region_segmentation {
 /// triangulation of one. A model of `GraphAnnotator`, for graphs with `Smoothness_region_data` and
 /// `Smoothness_section_data`.
 ///
-/// From the middle of an edge a straight path is followed over the faces on either side, at right angles to the edge. It
-/// is a polygon inscribed in the normal section of the surface, so its bends tell the normal curvatures \f$\kappa_0,
-/// \kappa_1\f$ beside the edge and the lengths \f$l_0, l_1\f$ of the facets at the edge, whatever the triangles are: a
-/// facet of a coarse cylinder bends at both of its sides alike, the border of a fillet bends half as much as the edges on it,
-/// and a crease bends alone. The *discontinuity* of an edge of deviation \f$\beta\f$ is
+/// From the middle of an edge a straight path is followed over the faces on either side, at right angles to the edge.
+/// It is a polygon inscribed in the normal section of the surface, so its bends tell the normal curvatures
+/// \f$\kappa_0, \kappa_1\f$ beside the edge and the lengths \f$l_0, l_1\f$ of the facets at the edge, whatever the
+/// triangles are: a facet of a coarse cylinder bends at both of its sides alike, the border of a fillet bends half as
+/// much as the edges on it, and a crease bends alone. The *discontinuity* of an edge of deviation \f$\beta\f$ is
 /// \f[ \frac{|\kappa_0 - \kappa_1|}{\max(|\kappa_0|, |\kappa_1|, w K)}
 ///   + \frac{1}{\beta_1} \max(0, |\beta - \bar\beta| - 4 \max(|\kappa_0| l_0, |\kappa_1| l_1)),
 ///   \quad \bar\beta = \frac{\kappa_0 l_0 + \kappa_1 l_1}{2}, \f]
 /// with \f$K\f$ the largest curvature on the two faces, \f$w = 0.8\f$ and \f$\beta_1\f$ 5 degrees; at most 3. It
 /// has no unit: 0 is smooth, 1 a jump of the curvature to 0, as where a plane becomes a cylinder. It is
-/// \f$3 \beta / \beta_c\f$ if \f$\beta\f$ exceeds the angle \f$\beta_c\f$ of a certain crease, and 0 beside a degenerate face.
+/// \f$3 \beta / \beta_c\f$ if \f$\beta\f$ exceeds the angle \f$\beta_c\f$ of a certain crease, and 0 beside a
+/// degenerate face.
 ///
 /// Paths are 2.5 times as long as the face at the edge is high, and at most 7.5 times as long as the other one is.
 ///
@@ -79,6 +81,9 @@ public:
   void operator()(Graph& graph, const Flat_mesh& mesh, const Partition& regions,
                   const Execution<ConcurrencyTag>& execution, Cache& cache) const
   {
+    CGAL_precondition_msg(crease_angle > 0 && crease_angle <= 180, "crease_angle is in (0, 180] degrees");
+    CGAL_precondition_msg(flat_angle > 0, "flat_angle is positive");
+    CGAL_precondition_msg(curvature_floor > 0 && curvature_floor <= 1, "curvature_floor is in (0, 1]");
     const internal::Face_links links(mesh);
     if (cache.m_discontinuities.empty())
       cache.m_discontinuities = discontinuities(mesh, links, execution);
@@ -107,8 +112,8 @@ private:
 
   /// Calls `f` for each edge of the given faces whose other face is a higher one.
   template <typename F>
-  static void for_each_edge(const Flat_mesh& mesh, const internal::Face_links& links, std::size_t begin, std::size_t end,
-                            const F& f)
+  static void for_each_edge(const Flat_mesh& mesh, const internal::Face_links& links, std::size_t begin,
+                            std::size_t end, const F& f)
   {
     using Index = Flat_mesh::Index;
     for (Index face = Index(begin); face < end; ++face)

@@ -14,17 +14,17 @@ namespace Region_segmentation {
 /// The mean discontinuity of the surface along a section. A model of `SectionCost`, for graphs annotated by
 /// `Smoothness_annotator`.
 ///
-/// The mean of a few edges is uncertain, so crumbs would remain where triangles are irregular: between regions whose facets
-/// have similar areas it is multiplied by \f$n / (n + n_0)\f$, \f$n\f$ the smaller number of facets, unless it is that of a
-/// crease. The facets of fillets and planes are not similar.
+/// The mean of a few edges is uncertain, so crumbs would remain where triangles are irregular: between regions whose
+/// facets have similar areas it is multiplied by \f$n / (n + n_0)\f$, \f$n\f$ the smaller number of facets, unless it
+/// is that of a crease. The facets of fillets and planes are not similar.
 struct Smoothness_cost
 {
   using RegionData = Smoothness_region_data;
   using SectionData = Smoothness_section_data;
 
-  double crumb_facets = 4;       ///< n_0, at least 0
-  double similar_areas = 3;      ///< the largest ratio of mean areas of similar facets, at least 1
-  double crease = 2;             ///< the least mean discontinuity of a crease
+  double crumb_facets = 4;  ///< n_0, at least 0
+  double similar_areas = 3; ///< the largest ratio of mean areas of similar facets, at least 1
+  double crease = 2;        ///< the least mean discontinuity of a crease
 
   template <typename Graph>
   double operator()(const Graph& graph, typename Graph::section_descriptor s) const

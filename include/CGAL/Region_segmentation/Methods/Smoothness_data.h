@@ -48,8 +48,8 @@ struct Smoothness_region_data
   /// The annotator of the sections' data.
   using GraphAnnotator = Smoothness_annotator;
 
-  double area = 0;          ///< in squared units of the mesh
-  double facets = 1;        ///< first regions: plane pieces of the surface
+  double area = 0;   ///< in squared units of the mesh
+  double facets = 1; ///< first regions: plane pieces of the surface
 
   double mean_facet_area() const { return area / facets; }
 
