@@ -27,7 +27,7 @@ struct Smooth_faces
                         Number_below_cost<Smoothness_cost>>
 {
   /// The mean discontinuity above which two faces are not one.
-  static constexpr double default_bound = 0.75;
+  static constexpr double default_bound = 0.73;
 
   Smooth_faces()
     : Segmentation_method{Region_growing(), Smoothness_annotator(), Lowest_cost_first<Smoothness_cost>(),

@@ -54,7 +54,7 @@ public:
   static constexpr Mesh_data required_mesh_data = Mesh_data::POINTS;
 
   double crease_angle = 32;     ///< degrees, in (0, 180]: a larger deviation is a crease, whatever is beside it
-  double flat_angle = 0.06;     ///< degrees, positive: a smaller deviation is rounding
+  double flat_angle = 0.15;     ///< degrees, positive: a smaller deviation is rounding
   double curvature_floor = 0.8; ///< w, in (0, 1]: the larger, the less the triangulation matters
 
   /// The discontinuities of the edges of a mesh, which do not depend on its regions. 8 bytes an edge of a face.
