@@ -152,10 +152,11 @@ Result run_stages(const Mesh& mesh, const Options& options)
   return result;
 }
 
-/// For a number and for one that is chosen.
-template <typename Mesh, typename Method>
-std::vector<Result> run_method(const Mesh& mesh, const Options& options, const Method& method)
+/// With the default method, for a number and for one that is chosen.
+template <typename Mesh>
+std::vector<Result> run_default(const Mesh& mesh, const Options& options)
 {
+  const RS::Visibility_merging method;
   std::vector<Result> results;
   const auto add = [&](const auto& np) {
     results.push_back(options.constrained_edges.empty()
@@ -167,11 +168,10 @@ std::vector<Result> run_method(const Mesh& mesh, const Options& options, const M
   return results;
 }
 
-template <typename Mesh, typename Method>
-void expect_method_as_surface_mesh(const Mesh& mesh, const Options& options, const Method& method)
+template <typename Mesh>
+void expect_default_as_surface_mesh(const Mesh& mesh, const Options& options)
 {
-  const auto results = run_method(mesh, options, method),
-             expected = run_method(to_surface_mesh(soup_of(mesh)), options, method);
+  const auto results = run_default(mesh, options), expected = run_default(to_surface_mesh(soup_of(mesh)), options);
   for (std::size_t i = 0; i < results.size(); ++i) {
     expect_same(results[i], expected[i]);
     ASSERT_EQ(results[i].tree.merges().size(), expected[i].tree.merges().size());
@@ -186,8 +186,7 @@ template <typename Mesh>
 void expect_as_surface_mesh(const Mesh& mesh, const Options& options)
 {
   expect_same(run(mesh, options), run(soup_of(mesh), options));
-  expect_method_as_surface_mesh(mesh, options, RS::Visibility_merging());
-  expect_method_as_surface_mesh(mesh, options, RS::Smooth_faces());
+  expect_default_as_surface_mesh(mesh, options);
 }
 
 /// A segmenter gives what segment() gives, for each method and number.
@@ -280,6 +279,19 @@ TYPED_TEST(Mesh_types_test, gives_the_same_labels)
         expect_as_segmenter(mesh, options);
     }
   EXPECT_GE(meshes, 12u); // triangles alone come from three families
+}
+
+TYPED_TEST(Mesh_types_test, has_the_same_smooth_faces)
+{
+  for (Family family : all_families) {
+    SCOPED_TRACE(name(family));
+    const Soup soup = random_mesh(family, 5);
+    if (!Maker<TypeParam>::takes(soup))
+      continue;
+    const TypeParam mesh = Maker<TypeParam>::make(soup);
+    const auto np = RS::parameters::method(RS::Smooth_faces());
+    EXPECT_EQ(segments_of(mesh, np), segments_of(to_surface_mesh(soup_of(mesh)), np));
+  }
 }
 
 TYPED_TEST(Mesh_types_test, takes_constrained_edges)
