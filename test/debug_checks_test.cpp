@@ -72,8 +72,21 @@ TEST_F(Debug_checks_test, maximum_angle_is_between_0_and_180)
     method.initializer.maximum_angle = angle;
     EXPECT_THROW(RS::segment(mesh, labels, RP::number_of_segments(2).method(method)), Precondition_exception);
     EXPECT_THROW(RS::detect_feature_edges(mesh, features, RP::maximum_angle(angle)), Precondition_exception);
-    EXPECT_THROW(RS::choose_feature_convexity(mesh, RP::maximum_angle(angle)), Precondition_exception);
   }
+}
+
+TEST_F(Debug_checks_test, constants_of_the_smoothness_annotator)
+{
+  const auto expect_throw = [this](double RS::Smoothness_annotator::*constant, double value) {
+    RS::Smooth_faces method;
+    method.annotator.*constant = value;
+    EXPECT_THROW(RS::segment(mesh, labels, RP::method(method)), Precondition_exception);
+  };
+  expect_throw(&RS::Smoothness_annotator::crease_angle, 0);
+  expect_throw(&RS::Smoothness_annotator::crease_angle, 181);
+  expect_throw(&RS::Smoothness_annotator::flat_angle, 0);
+  expect_throw(&RS::Smoothness_annotator::curvature_floor, 0);
+  expect_throw(&RS::Smoothness_annotator::curvature_floor, 1.5);
 }
 
 TEST_F(Debug_checks_test, constants_of_superfacets)

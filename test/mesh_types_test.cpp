@@ -23,6 +23,7 @@
 #include <CGAL/boost/graph/graph_traits_PolyMesh_ArrayKernelT.h>
 #include <CGAL/boost/graph/graph_traits_TriMesh_ArrayKernelT.h>
 #endif
+#include <CGAL/Region_segmentation/Methods/Smooth_faces.h>
 #include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
 #include <CGAL/Region_segmentation/Segmenter.h>
 #include <CGAL/Region_segmentation/build_region_adjacency_graph.h>
@@ -278,6 +279,19 @@ TYPED_TEST(Mesh_types_test, gives_the_same_labels)
         expect_as_segmenter(mesh, options);
     }
   EXPECT_GE(meshes, 12u); // triangles alone come from three families
+}
+
+TYPED_TEST(Mesh_types_test, has_the_same_smooth_faces)
+{
+  for (Family family : all_families) {
+    SCOPED_TRACE(name(family));
+    const Soup soup = random_mesh(family, 5);
+    if (!Maker<TypeParam>::takes(soup))
+      continue;
+    const TypeParam mesh = Maker<TypeParam>::make(soup);
+    const auto np = RS::parameters::method(RS::Smooth_faces());
+    EXPECT_EQ(segments_of(mesh, np), segments_of(to_surface_mesh(soup_of(mesh)), np));
+  }
 }
 
 TYPED_TEST(Mesh_types_test, takes_constrained_edges)

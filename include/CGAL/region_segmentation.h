@@ -28,12 +28,17 @@
 #include <CGAL/Region_segmentation/Methods/Lowest_cost_first.h>
 #include <CGAL/Region_segmentation/Methods/Lowest_order_first.h>
 #include <CGAL/Region_segmentation/Methods/Merge_features.h>
+#include <CGAL/Region_segmentation/Methods/Number_below_cost.h>
 #include <CGAL/Region_segmentation/Methods/Number_from_costs.h>
 #include <CGAL/Region_segmentation/Methods/Number_from_expected_costs.h>
 #include <CGAL/Region_segmentation/Methods/Policy_sequence.h>
 #include <CGAL/Region_segmentation/Methods/Region_growing.h>
 #include <CGAL/Region_segmentation/Methods/Segmentation_method.h>
 #include <CGAL/Region_segmentation/Methods/Smallest_region_first.h>
+#include <CGAL/Region_segmentation/Methods/Smooth_faces.h>
+#include <CGAL/Region_segmentation/Methods/Smoothness_annotator.h>
+#include <CGAL/Region_segmentation/Methods/Smoothness_cost.h>
+#include <CGAL/Region_segmentation/Methods/Smoothness_data.h>
 #include <CGAL/Region_segmentation/Methods/Superfacets.h>
 #include <CGAL/Region_segmentation/Methods/Two_step.h>
 #include <CGAL/Region_segmentation/Methods/Visibility_annotator.h>
@@ -43,7 +48,6 @@
 #include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/Segmenter.h>
 #include <CGAL/Region_segmentation/build_region_adjacency_graph.h>
-#include <CGAL/Region_segmentation/choose_feature_convexity.h>
 #include <CGAL/Region_segmentation/detect_feature_edges.h>
 #include <CGAL/Region_segmentation/evaluation.h>
 #include <CGAL/Region_segmentation/exceptions.h>

@@ -22,7 +22,7 @@ struct Bound
   double visibility, two_step;
 };
 
-constexpr Bound bounds[] = {{"articulated_figure", 0.016, 0.015},
+constexpr Bound bounds[] = {{"articulated_figure", 0.010, 0.010},
                             {"vase", 0.010, 0.010},
                             {"goblet", 0.010, 0.010},
                             {"snowman", 0.010, 0.010},
@@ -32,11 +32,11 @@ constexpr Bound bounds[] = {{"articulated_figure", 0.016, 0.015},
                             {"chair", 0.047, 0.084},
                             {"bracket", 0.015, 0.029},
                             {"gear", 0.079, 0.277},
-                            {"mug", 0.015, 0.012},
-                            {"hammer", 0.010, 0.010},
-                            {"octopus", 0.016, 0.015},
-                            {"hand", 0.026, 0.025},
-                            {"quadruped", 0.030, 0.030}};
+                            {"mug", 0.010, 0.010},
+                            {"hammer", 0.018, 0.015},
+                            {"octopus", 0.010, 0.010},
+                            {"hand", 0.020, 0.021},
+                            {"quadruped", 0.017, 0.017}};
 
 class Procedural : public testing::TestWithParam<bool>
 {

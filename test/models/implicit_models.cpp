@@ -40,11 +40,13 @@ Distance rounded_box(const Point& center, const Point& half_sides, double radius
   };
 }
 
-/// \param edge_length the usual one
-Labelled_model mesh(const char* name, const Implicit_shape& shape, const Ball& bounds,
+/// \param edge_length the usual one; a much coarser grid would miss the limbs
+Labelled_model mesh(const char* name, const Implicit_shape& shape, const Point& inside,
                     double edge_length, const Making& making)
 {
-  Labelled_model model = make_labelled_model(shape, bounds, edge_length / making.fineness);
+  const double least_fineness = 0.8;
+  Labelled_model model =
+    make_labelled_model(shape, inside, edge_length / (std::max)(least_fineness, making.fineness));
   model.name = name;
   return model;
 }
@@ -71,7 +73,7 @@ Labelled_model make_mug(const Making& making)
   Implicit_shape shape(0.04);
   shape.add(cup, 0);
   shape.add(handle, 1);
-  return mesh("mug", shape, {{0, 0, 0}, 2.5}, 0.07, making);
+  return mesh("mug", shape, {0, 0, 0}, 0.065, making);
 }
 
 Labelled_model make_hammer(const Making& making)
@@ -79,7 +81,7 @@ Labelled_model make_hammer(const Making& making)
   Implicit_shape shape(0.03);
   shape.add(rounded_box({0, 0, 2}, {0.55, 0.16, 0.16}, 0.06), 0);
   shape.add(capsule({0, 0, 0}, {0, 0, 2}, 0.14), 1);
-  return mesh("hammer", shape, {{0, 0, 2}, 4}, 0.06, making);
+  return mesh("hammer", shape, {0, 0, 2}, 0.055, making);
 }
 
 Labelled_model make_octopus(const Making& making)
@@ -91,10 +93,10 @@ Labelled_model make_octopus(const Making& making)
                  s = std::sin(angle);
     const Point shoulder = {0.35 * c, 0.35 * s, 0}, elbow = {1.05 * c, 1.05 * s, -0.3},
                 end = {1.7 * c, 1.7 * s, -0.1};
-    shape.add(capsule(shoulder, elbow, 0.13), i + 1);
-    shape.add(capsule(elbow, end, 0.12), i + 1);
+    shape.add(capsule(shoulder, elbow, 0.11), i + 1);
+    shape.add(capsule(elbow, end, 0.1), i + 1);
   }
-  return mesh("octopus", shape, {{0, 0, 0.3}, 3}, 0.08, making);
+  return mesh("octopus", shape, {0, 0, 0.3}, 0.06, making);
 }
 
 Labelled_model make_hand(const Making& making)
@@ -107,7 +109,7 @@ Labelled_model make_hand(const Making& making)
     shape.add(capsule({x, 0, 0.4}, {x + spread, 0, 0.55 + lengths[i]}, 0.105), i + 1);
   }
   shape.add(capsule({-0.35, 0, -0.2}, {-0.95, 0.1, 0.25}, 0.12), 5);
-  Labelled_model model = mesh("hand", shape, {{0, 0, 0}, 3}, 0.06, making);
+  Labelled_model model = mesh("hand", shape, {0, 0, 0}, 0.055, making);
   add_noise(model, making.noise * 0.004 / making.fineness);
   return model;
 }
@@ -122,7 +124,7 @@ Labelled_model make_quadruped(const Making& making)
   for (const double x : {-0.45, 0.45})
     for (const double y : {-0.17, 0.17})
       shape.add(capsule({x, y, -0.2}, {1.1 * x, 1.3 * y, -0.95}, 0.11), part++);
-  return mesh("quadruped", shape, {{0, 0, 0}, 3}, 0.08, making);
+  return mesh("quadruped", shape, {0, 0, 0}, 0.06, making);
 }
 
 } // namespace segment_mesh

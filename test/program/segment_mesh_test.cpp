@@ -100,15 +100,12 @@ TEST_F(Program, writes_every_format)
   EXPECT_EQ(folder.read("a.seg"), "0\n1\n2\n3\n");
 }
 
-TEST_F(Program, tells_which_edges_it_chose)
+TEST_F(Program, chooses_the_number_of_smooth_faces)
 {
   folder.write("a.off", sample::off());
-  const Outcome outcome = run("a.off -k 4 --method two-step --features auto -o a.json");
-  EXPECT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_NE(outcome.err.find("a.off: features: all edges (100 %"), std::string::npos) << outcome.err;
-  EXPECT_NE(folder.read("a.json").find("\"features\": \"all\", \"features_chosen\": true"),
-            std::string::npos);
-  EXPECT_EQ(run("a.off -k 4 --method two-step --features auto --quiet").err, "");
+  EXPECT_NE(run("a.off --method smooth-faces -o a.json").out.find(" 4 segments"), std::string::npos);
+  EXPECT_NE(folder.read("a.json").find("\"method\": \"smooth-faces\", \"segments\": null"), std::string::npos);
+  EXPECT_NE(run("a.off -k 2 --method smooth-faces").out.find(" 2 segments"), std::string::npos);
 }
 
 TEST_F(Program, gives_the_same_labels_on_every_mesh_type)

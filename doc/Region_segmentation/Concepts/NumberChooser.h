@@ -9,6 +9,7 @@ does not compile with it.
 
 \cgalHasModel `CGAL::Region_segmentation::Number_from_costs`
 \cgalHasModel `CGAL::Region_segmentation::Number_from_expected_costs`
+\cgalHasModel `CGAL::Region_segmentation::Number_below_cost`
 */
 class NumberChooser
 {

@@ -8,6 +8,7 @@ commutative. The requirements of `RegionData` on annotators and mesh data apply 
 \cgalHasModel `CGAL::Region_segmentation::Section_geometry`
 \cgalHasModel `CGAL::Region_segmentation::Visibility_section_data`
 \cgalHasModel `CGAL::Region_segmentation::Learned_section_data`
+\cgalHasModel `CGAL::Region_segmentation::Smoothness_section_data`
 */
 class SectionData
 {

@@ -17,6 +17,7 @@ combination does not compile, and a static assertion states the reason.
 \cgalHasModel `CGAL::Region_segmentation::Visibility_merging`
 \cgalHasModel `CGAL::Region_segmentation::Learned_merging`
 \cgalHasModel `CGAL::Region_segmentation::Two_step`
+\cgalHasModel `CGAL::Region_segmentation::Smooth_faces`
 */
 class SegmentationMethod
 {

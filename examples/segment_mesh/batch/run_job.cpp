@@ -66,25 +66,14 @@ std::string describe(const Job& job, const Case& input, const Segmentation& segm
     segments +=
       " of " + std::to_string(wanted) +
       (n > wanted ? " (the mesh has " + counted(n, "connected piece") + ")"
-       : settings.method == Method::TWO_STEP
-         ? " (growing gave " + counted(segmentation.number_of_regions, "region") + ")"
-         : " (the mesh has " + counted(segmentation.segment_of_face.size(), "face") + ")");
+       : settings.method == Method::VISIBILITY
+         ? " (the mesh has " + counted(segmentation.segment_of_face.size(), "face") + ")"
+         : " (growing gave " + counted(segmentation.number_of_regions, "region") + ")");
   char seconds[32];
   std::snprintf(seconds, sizeof seconds, "%.3f s", segmentation.seconds);
   return one_line(job.input) + ": " + counted(input.mesh.soup.polygons.size(), "face") + ", " +
          counted(segmentation.number_of_regions, "region") + ", " + segments + ", " + seconds +
          "\n";
-}
-
-/// `gear.off: features: all edges (81 % of the edge length beside creases is flat)`
-std::string describe_features(const Job& job, const Feature_settings& features)
-{
-  using CGAL::Region_segmentation::Feature_convexity;
-  char share[32];
-  std::snprintf(share, sizeof share, "%.0f %%", 100 * features.flatness_beside_creases);
-  return one_line(job.input) + ": features: " +
-         (features.convexity == Feature_convexity::ALL ? "all" : "concave") + " edges (" + share +
-         " of the edge length beside creases is flat)\n";
 }
 
 void write_outputs(const Job& job, const Result& result, Job_report& report)
@@ -117,8 +106,6 @@ void run(const Job& job, const Options& options, const Progress_listener& listen
   settings.detail = has_details ? Detail::ALL : Detail::LABELS;
   const Segmentation segmentation = segment(job, input, settings, listener);
 
-  if (!settings.features && segmentation.features && options.verbosity == Verbosity::NORMAL)
-    report.err += describe_features(job, *segmentation.features);
   report.out = describe(job, input, segmentation, settings) +
                describe_scores(input.mesh, segmentation.segment_of_face, input.truths);
   listener("writing", 0);

@@ -29,18 +29,18 @@ constexpr const char* footer =
   "  segment_mesh\n"
   "  segment_mesh armadillo.off -k 9 -o armadillo.seg -o armadillo_parts.ply\n"
   "  segment_mesh *.off -k 7 -o 'parts/{stem}.obj' --quiet\n"
-  "  segment_mesh gear.stl -k 30 --method two-step --features all --max-angle 20 -o gear.json\n"
+  "  segment_mesh gear.stl --method smooth-faces -o gear.json\n"
   "\nExit status: 0 done; 1 an input or an output failed; 2 wrong usage.";
 
 const std::map<std::string, Method> methods = {{"learned", Method::LEARNED},
                                                {"visibility", Method::VISIBILITY},
-                                               {"two-step", Method::TWO_STEP}};
+                                               {"two-step", Method::TWO_STEP},
+                                               {"smooth-faces", Method::SMOOTH_FACES}};
 
-const std::map<std::string, std::optional<Feature_convexity>> features = {
+const std::map<std::string, Feature_convexity> features = {
   {"concave", Feature_convexity::CONCAVE},
   {"convex", Feature_convexity::CONVEX},
-  {"all", Feature_convexity::ALL},
-  {"auto", std::nullopt}};
+  {"all", Feature_convexity::ALL}};
 
 const std::map<std::string, Mesh_type> mesh_types = {{"surface_mesh", Mesh_type::SURFACE_MESH},
                                                      {"polyhedron", Mesh_type::POLYHEDRON},
@@ -76,11 +76,11 @@ void add_run_options(CLI::App& app, Raw_options& raw)
   add("-k,--segments", raw.number_of_segments, "N",
       "Number of segments; left out: chosen automatically, or the true one of the figure");
   add("--method", raw.method, "METHOD",
-      "visibility (default), learned (from people), or two-step (Yang et al. 2014; needs -k)")
+      "visibility (default), learned (from people), smooth-faces (of machine parts) or two-step (Yang et al. 2014; "
+      "needs -k)")
     ->check(one_of(methods));
   add("--features", raw.features, "KIND",
-      "Of two-step: edges that can be features: concave (default), convex, all (machine parts), auto (all or concave, "
-      "by what is beside the creases of the surface; told on stderr and in .json)")
+      "Of two-step: edges that can be features: concave (default), convex, all")
     ->check(one_of(features));
   add("--max-angle", raw.maximum_angle, "DEG",
       "Of two-step: angle between the normals of two faces above which their edge is a feature; default 1.2372");

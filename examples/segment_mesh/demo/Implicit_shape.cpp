@@ -116,11 +116,10 @@ void smooth_labels(const std::vector<Polygon_soup::Polygon>& triangles,
 
 } // namespace
 
-Labelled_model make_labelled_model(const Implicit_shape& shape, const Ball& bounds,
-                                   double edge_length)
+Labelled_model make_labelled_model(const Implicit_shape& shape, const Point& inside, double edge_length)
 {
   Labelled_model model;
-  model.soup = mesh_implicit_shape(shape, bounds, edge_length);
+  model.soup = mesh_implicit_shape(shape, inside, edge_length);
   model.number_of_parts = shape.number_of_parts();
   for (const Polygon_soup::Polygon& polygon : model.soup.polygons)
     model.labels.push_back(shape.part_at(centroid(model.soup, polygon)));

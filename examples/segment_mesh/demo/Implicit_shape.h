@@ -15,13 +15,6 @@ namespace segment_mesh {
 /// About the signed distance to a body: negative inside, its gradient about 1 near the surface.
 using Distance = std::function<double(const Point&)>;
 
-/// In units of a shape.
-struct Ball
-{
-  Point center;
-  double radius;
-};
-
 /// An ellipsoid of revolution with the axis from `a` to `b`, and the given radius around it.
 Distance ellipsoid(const Point& a, const Point& b, double radius);
 
@@ -52,16 +45,16 @@ private:
   std::size_t m_number_of_parts = 0;
 };
 
-/// The surface of a shape as a triangle mesh, by Delaunay refinement; oriented outwards.
-/// \param bounds a ball around the shape, whose center is inside of the shape
-/// \param edge_length about the longest edge, in units of the shape
-Polygon_soup mesh_implicit_shape(const Implicit_shape& shape, const Ball& bounds,
-                                 double edge_length);
+/// The surface of a shape as a triangle mesh: a closed manifold, oriented outwards. Depends on no library, so
+/// it is the same everywhere, up to the rounding of mathematical functions.
+/// \param inside a point of the shape, which is bounded; the component of the surface that a ray from there
+/// along x leaves through is meshed
+/// \param edge_length about the mean length of edges, in units of the shape
+Polygon_soup mesh_implicit_shape(const Implicit_shape& shape, const Point& inside, double edge_length);
 
 /// Meshes a shape, and gives each face the part that is nearest to its centroid; a face between two
 /// of another part goes to that.
-Labelled_model make_labelled_model(const Implicit_shape& shape, const Ball& bounds,
-                                   double edge_length);
+Labelled_model make_labelled_model(const Implicit_shape& shape, const Point& inside, double edge_length);
 
 } // namespace segment_mesh
 

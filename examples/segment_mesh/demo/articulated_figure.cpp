@@ -33,7 +33,7 @@ Distance body(const Limb& limb, double mirror)
 
 Labelled_model make_articulated_figure(const Making& making)
 {
-  const double softness_of_joints = 0.06, edge_length = 0.04 / making.fineness;
+  const double softness_of_joints = 0.06, edge_length = 0.048 / making.fineness;
   Implicit_shape shape(softness_of_joints);
   std::size_t part = 0;
   for (const Limb& limb : trunk_and_head)
@@ -42,8 +42,7 @@ Labelled_model make_articulated_figure(const Making& making)
     for (const double mirror : {1.0, -1.0})
       shape.add(body(limb, mirror), part++);
 
-  const Ball bounds = {{0, 0, 0.3}, 3};
-  Labelled_model model = make_labelled_model(shape, bounds, edge_length);
+  Labelled_model model = make_labelled_model(shape, {0, 0, 0.3}, edge_length);
   model.name = articulated_figure;
   return model;
 }

@@ -1,80 +1,175 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "demo/Implicit_shape.h"
-#include "demo/Time_stamped.h"
+#include "demo/Surface_relaxation.h"
+#include "soup/vector_algebra.h"
 
-#include <CGAL/Complex_2_in_triangulation_3.h>
-#include <CGAL/IO/facets_in_complex_2_to_triangle_mesh.h>
-#include <CGAL/Implicit_surface_3.h>
-#include <CGAL/Random.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/Surface_mesh_default_triangulation_3.h>
-#include <CGAL/make_surface_mesh.h>
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
 
 namespace segment_mesh {
 
 namespace {
 
-// CGAL::Surface_mesh_default_triangulation_3, but for the time stamps.
-using Mesh_traits =
-  CGAL::Robust_circumcenter_traits_3<CGAL::Exact_predicates_inexact_constructions_kernel>;
-using Vertex_base = Time_stamped<CGAL::Surface_mesh_vertex_base_3<Mesh_traits>>;
-using Cell_base = Time_stamped<CGAL::Delaunay_triangulation_cell_base_with_circumcenter_3<
-  Mesh_traits, CGAL::Surface_mesh_cell_base_3<Mesh_traits>>>;
-using Triangulation =
-  CGAL::Delaunay_triangulation_3<Mesh_traits,
-                                 CGAL::Triangulation_data_structure_3<Vertex_base, Cell_base>>;
-using Mesh = CGAL::Surface_mesh<Mesh_traits::Point_3>;
+/// A corner of a grid of cubes, or the cube whose lowest corner it is.
+using Node = std::array<int, 3>;
+using Edge = std::pair<Node, Node>; // the lower corner first
 
-Point to_point(const Mesh_traits::Point_3& p)
+Node moved(Node node, std::size_t axis, int by)
 {
-  return {p.x(), p.y(), p.z()};
+  node[axis] += by;
+  return node;
 }
 
-/// CGAL's mesher draws its first points from the default generator, which starts from the time.
-class Fixed_default_random
+Edge edge_between(const Node& a, const Node& b)
+{
+  return {(std::min)(a, b), (std::max)(a, b)};
+}
+
+/// Dual marching cubes: a point for each piece of the surface in a cube, a quad for each edge that the surface
+/// crosses. The result is closed and oriented. Of the cubes that the surface crosses, those are visited that are
+/// connected through faces with the first one that is found.
+///
+/// Source: Nielson 2004.
+class Dual_marching_cubes
 {
 public:
-  Fixed_default_random() { CGAL::get_default_random() = CGAL::Random(0); }
-  ~Fixed_default_random() { CGAL::get_default_random() = m_before; }
-  Fixed_default_random(const Fixed_default_random&) = delete;
-  Fixed_default_random& operator=(const Fixed_default_random&) = delete;
+  Dual_marching_cubes(const Implicit_shape& shape, const Point& inside, double spacing)
+      : m_shape(shape), m_origin(inside), m_spacing(spacing)
+  {
+  }
+
+  Polygon_soup run()
+  {
+    Node first = {0, 0, 0};
+    while (is_inside(moved(first, 0, 1)))
+      first = moved(first, 0, 1);
+    visit(first);
+    for (std::size_t i = 0; i < m_cubes.size(); ++i) // grows meanwhile
+      add_points_in(Node(m_cubes[i]));
+    for (const Node& cube : m_cubes)
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        add_quad_across(cube, axis);
+    return std::move(m_soup);
+  }
 
 private:
-  CGAL::Random m_before = CGAL::get_default_random();
+  Point position(const Node& node) const
+  {
+    return plus(m_origin, times(m_spacing, {double(node[0]), double(node[1]), double(node[2])}));
+  }
+
+  double value(const Node& node)
+  {
+    const auto entry = m_value_at.emplace(node, 0);
+    if (entry.second)
+      entry.first->second = m_shape(position(node));
+    return entry.first->second;
+  }
+
+  bool is_inside(const Node& node) { return value(node) < 0; }
+
+  void visit(const Node& cube)
+  {
+    if (m_is_visited.insert(cube).second)
+      m_cubes.push_back(cube);
+  }
+
+  /// The surface leaves a cube through its faces. Along their boundaries, counterclockwise from outside, each edge
+  /// into the shape is linked to the next one out of it; so links form a cycle around each piece. At a face with four
+  /// such edges both cubes connect the same ones.
+  void add_points_in(const Node& cube)
+  {
+    std::map<Edge, Edge> next;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      for (const int side : {0, 1}) {
+        const Node low = moved(cube, axis, side);
+        const std::size_t u = (axis + (side == 1 ? 1 : 2)) % 3, v = (axis + (side == 1 ? 2 : 1)) % 3;
+        const std::array<Node, 4> ring = {low, moved(low, u, 1), moved(moved(low, u, 1), v, 1), moved(low, v, 1)};
+        if (link_around(ring, next))
+          visit(moved(cube, axis, 2 * side - 1));
+      }
+    while (!next.empty())
+      add_point(cube, next);
+  }
+
+  /// Returns whether the surface crosses the face.
+  bool link_around(const std::array<Node, 4>& ring, std::map<Edge, Edge>& next)
+  {
+    bool is_crossed = false;
+    for (std::size_t i = 0; i < 4; ++i)
+      if (!is_inside(ring[i]) && is_inside(ring[(i + 1) % 4])) {
+        std::size_t j = i + 1;
+        while (is_inside(ring[(j + 1) % 4]))
+          ++j;
+        next[edge_between(ring[i], ring[(i + 1) % 4])] = edge_between(ring[j % 4], ring[(j + 1) % 4]);
+        is_crossed = true;
+      }
+    return is_crossed;
+  }
+
+  /// At the mean of the crossings of a cycle, which is removed.
+  void add_point(const Node& cube, std::map<Edge, Edge>& next)
+  {
+    Point sum = {0, 0, 0};
+    double number = 0;
+    for (auto link = next.begin(); link != next.end(); ++number) {
+      sum = plus(sum, crossing(link->first));
+      m_point_of[{cube, link->first}] = m_soup.points.size();
+      const Edge following = link->second;
+      next.erase(link);
+      link = next.find(following);
+    }
+    m_soup.points.push_back(times(1 / number, sum));
+  }
+
+  Point crossing(const Edge& edge)
+  {
+    const double a = value(edge.first), b = value(edge.second), t = a / (a - b);
+    return plus(times(1 - t, position(edge.first)), times(t, position(edge.second)));
+  }
+
+  /// As two triangles. Each edge is the lowest one along its axis of one cube.
+  void add_quad_across(const Node& low, std::size_t axis)
+  {
+    const Node high = moved(low, axis, 1);
+    if (is_inside(low) == is_inside(high))
+      return;
+    // Counterclockwise from the high side.
+    const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
+    const Node cubes[] = {moved(moved(low, u, -1), v, -1), moved(low, v, -1), low, moved(low, u, -1)};
+    Polygon_soup::Polygon quad;
+    for (const Node& cube : cubes)
+      quad.push_back(m_point_of.at({cube, {low, high}}));
+    if (!is_inside(low))
+      std::reverse(quad.begin(), quad.end());
+    m_soup.polygons.push_back({quad[0], quad[1], quad[2]});
+    m_soup.polygons.push_back({quad[0], quad[2], quad[3]});
+  }
+
+  const Implicit_shape& m_shape;
+  Point m_origin;
+  double m_spacing;
+  std::map<Node, double> m_value_at;
+  std::set<Node> m_is_visited;
+  std::vector<Node> m_cubes; // in the order of the visits
+  std::map<std::pair<Node, Edge>, std::size_t> m_point_of; // of the piece of the surface that crosses the edge
+  Polygon_soup m_soup;
 };
 
 } // namespace
 
-Polygon_soup mesh_implicit_shape(const Implicit_shape& shape, const Ball& bounds,
-                                 double edge_length)
+Polygon_soup mesh_implicit_shape(const Implicit_shape& shape, const Point& inside, double edge_length)
 {
-  const Fixed_default_random fixed;
-  const auto function = [&shape](const Mesh_traits::Point_3& p) { return shape(to_point(p)); };
-  const Mesh_traits::Sphere_3 sphere(
-    Mesh_traits::Point_3(bounds.center[0], bounds.center[1], bounds.center[2]),
-    bounds.radius * bounds.radius);
-  const double relative_precision = 1e-4;
-  const CGAL::Implicit_surface_3<Mesh_traits, decltype(function)> surface(function, sphere,
-                                                                          relative_precision);
-  const double least_angle_in_degrees = 30, chord_error = edge_length / 3;
-  const CGAL::Surface_mesh_default_criteria_3<Triangulation> criteria(least_angle_in_degrees,
-                                                                      edge_length, chord_error);
-  // Enough first points that some lie on each of a dozen parts.
-  const int number_of_first_points = 60;
-  Triangulation triangulation;
-  CGAL::Complex_2_in_triangulation_3<Triangulation> complex(triangulation);
-  CGAL::make_surface_mesh(complex, surface, criteria, CGAL::Manifold_tag(), number_of_first_points);
-  Mesh mesh;
-  CGAL::facets_in_complex_2_to_triangle_mesh(complex, mesh);
-
-  Polygon_soup soup;
-  for (const Mesh::Vertex_index v : mesh.vertices())
-    soup.points.push_back(to_point(mesh.point(v)));
-  for (const Mesh::Face_index f : mesh.faces()) {
-    Polygon_soup::Polygon& triangle = soup.polygons.emplace_back();
-    for (const Mesh::Vertex_index v : mesh.vertices_around_face(mesh.halfedge(f)))
-      triangle.push_back(v.idx());
+  const int number_of_steps = 10;
+  const double side_of_cubes = 1.2 * edge_length; // a cube holds about one point
+  Polygon_soup soup = Dual_marching_cubes(shape, inside, side_of_cubes).run();
+  Surface_relaxation relaxation(shape, soup, edge_length);
+  for (int i = 0; i < number_of_steps; ++i) {
+    relaxation.move_points();
+    relaxation.flip_edges();
   }
   return soup;
 }

@@ -6,9 +6,9 @@
 //   version       2; grows when a member changes its meaning or goes, not when one is added
 //   program       version of the program
 //   input         name, faces, points
-//   settings      method: "learned", "visibility" or "two-step"; segments: the wanted number, null if it was chosen;
+//   settings      method: as on the command line; segments: the wanted number, null if it was chosen;
 //                 mesh: the mesh type; and of two-step features: "concave", "convex" or "all";
-//                 features_chosen: whether the surface decided them; max_angle: in degrees
+//                 max_angle: in degrees
 //   times         in seconds: total, from the mesh in memory to the labels, and its stages, each
 //                 with stage and seconds, in order
 //   segments      for each segment, by its id: faces, area (in squared units of the mesh)
@@ -99,6 +99,13 @@ const char* name_of(Mesh_type type)
                                          : "openmesh";
 }
 
+const char* name_of(Method method)
+{
+  return method == Method::TWO_STEP     ? "two-step"
+         : method == Method::VISIBILITY ? "visibility"
+                                        : "smooth-faces";
+}
+
 void write_head(Text_buffer& out, const Result& result)
 {
   const std::optional<std::size_t>& wanted = result.settings.number_of_segments;
@@ -113,8 +120,7 @@ void write_head(Text_buffer& out, const Result& result)
       << name_of(result.settings.mesh_type) << "\"";
   if (const auto& features = result.segmentation.features)
     out << ", \"features\": \"" << name_of(features->convexity)
-        << "\", \"features_chosen\": " << (result.settings.features ? "false" : "true")
-        << ", \"max_angle\": " << features->maximum_angle;
+        << "\", \"max_angle\": " << features->maximum_angle;
   out << "},\n  \"times\": {\"total\": " << result.segmentation.seconds;
   write_array(out, "stages", result.segmentation.stages, a_line_each, [&](const Stage_time& time) {
     out << "{\"stage\": " << Json_text{time.stage} << ", \"seconds\": " << time.seconds << "}";

@@ -17,13 +17,7 @@ enum class Mesh_type { SURFACE_MESH, POLYHEDRON, OPENMESH };
 /// Whether the program was built with what a mesh type needs.
 bool is_available(Mesh_type type);
 
-enum class Method { TWO_STEP, VISIBILITY, LEARNED };
-
-/// Its name on the command line.
-inline const char* name_of(Method method)
-{
-  return method == Method::TWO_STEP ? "two-step" : method == Method::VISIBILITY ? "visibility" : "learned";
-}
+enum class Method { TWO_STEP, VISIBILITY, LEARNED, SMOOTH_FACES };
 
 /// What is wanted beside the labels.
 enum class Detail { LABELS, ALL };
@@ -32,9 +26,8 @@ struct Segmentation_settings
 {
   Method method = Method::VISIBILITY;
   std::optional<std::size_t> number_of_segments; ///< if empty, the method chooses: `TWO_STEP` cannot
-  /// Which edges can be features, of a method that has them; if empty, the surface decides.
-  std::optional<CGAL::Region_segmentation::Feature_convexity> features =
-    CGAL::Region_segmentation::Feature_convexity::CONCAVE;
+  /// Which edges can be features, of a method that has them.
+  CGAL::Region_segmentation::Feature_convexity features = CGAL::Region_segmentation::Feature_convexity::CONCAVE;
   std::optional<double> maximum_angle; ///< in degrees; the method's own if empty
   Mesh_type mesh_type = Mesh_type::SURFACE_MESH;
   Detail detail = Detail::ALL;

@@ -9,10 +9,10 @@
 #include <CGAL/number_type_config.h>
 
 #include <CGAL/Region_segmentation/Methods/Learned_merging.h>
+#include <CGAL/Region_segmentation/Methods/Smooth_faces.h>
 #include <CGAL/Region_segmentation/Methods/Two_step.h>
 #include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
 #include <CGAL/Region_segmentation/build_region_adjacency_graph.h>
-#include <CGAL/Region_segmentation/choose_feature_convexity.h>
 #include <CGAL/Region_segmentation/detect_feature_edges.h>
 #include <CGAL/Region_segmentation/extract_feature_lines.h>
 #include <CGAL/Region_segmentation/grow_regions.h>
@@ -122,7 +122,7 @@ void segment_by(const SegmentationMethod& method, const Mesh& mesh, const Segmen
   };
   if (settings.number_of_segments)
     result.number_of_segments = segment(RS::parameters::number_of_segments(*settings.number_of_segments));
-  else if constexpr (!std::is_base_of<RS::Two_step, SegmentationMethod>::value)
+  else if constexpr (!std::is_same<decltype(method.chooser), RS::No_number_chooser>::value)
     result.number_of_segments = segment(RS::parameters::default_values());
   result.seconds = clock.seconds();
   result.stages = clock.stages();
@@ -132,22 +132,6 @@ void segment_by(const SegmentationMethod& method, const Mesh& mesh, const Segmen
     result.region_of_face = result.segment_of_face;
     result.number_of_regions = result.number_of_segments;
   }
-}
-
-template <typename Mesh>
-Feature_settings choose_features(const Mesh& mesh, const Segmentation_settings& settings)
-{
-  Feature_settings result;
-  result.maximum_angle = settings.maximum_angle.value_or(RS::default_maximum_angle);
-  if (settings.features)
-    result.convexity = *settings.features;
-  else {
-    const RS::Feature_convexity_choice choice =
-      RS::choose_feature_convexity(mesh, RS::parameters::maximum_angle(result.maximum_angle));
-    result.convexity = choice.convexity;
-    result.flatness_beside_creases = choice.flatness_beside_creases;
-  }
-  return result;
 }
 
 /// The feature edges that separate regions, as lines.
@@ -172,12 +156,14 @@ Segmentation run_on_mesh(const Mesh& mesh, const Segmentation_settings& settings
   result.segment_of_face.resize(num_faces(mesh));
   result.region_of_face.resize(num_faces(mesh));
   if (settings.method == Method::TWO_STEP) {
-    result.features = choose_features(mesh, settings);
+    result.features = {settings.maximum_angle.value_or(RS::default_maximum_angle), settings.features};
     RS::Two_step method;
     method.initializer.maximum_angle = result.features->maximum_angle;
     method.initializer.feature_convexity = result.features->convexity;
     segment_by(method, mesh, settings, listener, result);
-  } else if (settings.method == Method::VISIBILITY)
+  } else if (settings.method == Method::SMOOTH_FACES)
+    segment_by(RS::Smooth_faces(), mesh, settings, listener, result);
+  else if (settings.method == Method::VISIBILITY)
     segment_by(RS::Visibility_merging(), mesh, settings, listener, result);
   else
     segment_by(RS::Learned_merging(), mesh, settings, listener, result);

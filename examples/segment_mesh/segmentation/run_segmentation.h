@@ -44,7 +44,6 @@ struct Feature_settings
   double maximum_angle = 0; ///< in degrees
   CGAL::Region_segmentation::Feature_convexity convexity =
     CGAL::Region_segmentation::Feature_convexity::CONCAVE;
-  double flatness_beside_creases = 0; ///< why the convexity was chosen; 0 if it was given
 };
 
 /// Faces and points have the indices that they have in the soup.

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_METHODS_SMOOTHNESS_DATA_H
+#define CGAL_REGION_SEGMENTATION_METHODS_SMOOTHNESS_DATA_H
+
+#include <CGAL/Region_segmentation/Flat_mesh.h>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Region_segmentation {
+
+class Smoothness_annotator;
+
+/// \ingroup PkgRegionSegmentationGraph
+/// Length of a section, and how far the surface is from smooth across it, filled by `Smoothness_annotator`. A model of
+/// `SectionData`.
+struct Smoothness_section_data
+{
+  /// The annotator that fills these data.
+  using GraphAnnotator = Smoothness_annotator;
+
+  double length = 0;               ///< in units of the mesh
+  double discontinuity = 0;        ///< integral along the section; see `Smoothness_annotator`
+  std::size_t number_of_edges = 0; ///< mesh edges
+
+  double mean_discontinuity() const { return length > 0 ? discontinuity / length : 0; }
+
+  void add_edge(const Flat_mesh& mesh, std::size_t /* lower_face */, std::size_t edge)
+  {
+    length += mesh.length(edge);
+    ++number_of_edges;
+  }
+
+  /// Adds another section between the same two regions.
+  void absorb(const Smoothness_section_data& other)
+  {
+    length += other.length;
+    discontinuity += other.discontinuity;
+    number_of_edges += other.number_of_edges;
+  }
+};
+
+/// \ingroup PkgRegionSegmentationGraph
+/// Area and number of facets of a region. A model of `RegionData`.
+struct Smoothness_region_data
+{
+  /// The annotator of the sections' data.
+  using GraphAnnotator = Smoothness_annotator;
+
+  double area = 0;   ///< in squared units of the mesh
+  double facets = 1; ///< first regions: plane pieces of the surface
+
+  double mean_facet_area() const { return area / facets; }
+
+  void add_face(const Flat_mesh& mesh, std::size_t face) { area += mesh.area(face); }
+  void add_border_edge(const Flat_mesh&, std::size_t /* lower_face */, std::size_t /* edge */) {}
+
+  /// Adds the region on the other side of a section.
+  void absorb(const Smoothness_region_data& other, const Smoothness_section_data& /* between */)
+  {
+    area += other.area;
+    facets += other.facets;
+  }
+};
+
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_METHODS_SMOOTHNESS_DATA_H

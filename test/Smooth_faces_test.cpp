@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "meshes.h"
+#include "oracles.h"
+
+#include <CGAL/Region_segmentation/Methods/Smooth_faces.h>
+#include <CGAL/Region_segmentation/Segmenter.h>
+#include <CGAL/Region_segmentation/build_region_adjacency_graph.h>
+#include <CGAL/Region_segmentation/read_flat_mesh.h>
+#include <CGAL/Region_segmentation/segment.h>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace RS = CGAL::Region_segmentation;
+using namespace test;
+
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+struct Labelled
+{
+  Soup soup;
+  Labels truth;
+};
+
+/// Points of a plane, and the face that starts at each of them.
+struct Profile
+{
+  std::vector<std::array<double, 2>> points;
+  Labels faces;
+
+  /// From one angle to the other, both included, in degrees; its last point starts another face.
+  void add_arc(double x, double y, double radius, double from, double to, int steps, std::size_t face,
+               std::size_t next_face)
+  {
+    for (int i = 0; i <= steps; ++i) {
+      const double angle = (from + (to - from) * i / steps) * pi / 180;
+      points.push_back({x + radius * std::cos(angle), y + radius * std::sin(angle)});
+      faces.push_back(i < steps ? face : next_face);
+    }
+  }
+};
+
+/// A prism of quads between two polygons, which are the first two faces.
+Labelled prism(const Profile& profile, double height)
+{
+  Labelled result;
+  const std::size_t n = profile.points.size();
+  for (double z : {0.0, height})
+    for (const auto& p : profile.points)
+      result.soup.points.push_back({p[0], p[1], z});
+  Polygon below, above;
+  for (std::size_t i = 0; i < n; ++i) {
+    below.push_back(n - 1 - i);
+    above.push_back(n + i);
+  }
+  result.soup.polygons = {below, above};
+  for (std::size_t i = 0; i < n; ++i)
+    result.soup.polygons.push_back({i, (i + 1) % n, n + (i + 1) % n, n + i});
+  result.truth = {0, 1};
+  for (std::size_t face : profile.faces)
+    result.truth.push_back(2 + face);
+  return result;
+}
+
+Labelled regular_prism(std::size_t sides, bool is_round)
+{
+  Profile profile;
+  for (std::size_t i = 0; i < sides; ++i) {
+    const double angle = 2 * pi * double(i) / double(sides);
+    profile.points.push_back({std::cos(angle), std::sin(angle)});
+    profile.faces.push_back(is_round ? 0 : i);
+  }
+  return prism(profile, 1.7);
+}
+
+/// A block whose vertical edges are rounded, by `steps` facets each.
+Labelled filleted_block(int steps)
+{
+  Profile profile;
+  profile.add_arc(2, 1, 0.3, 0, 90, steps, 0, 1);
+  profile.add_arc(-2, 1, 0.3, 90, 180, steps, 2, 3);
+  profile.add_arc(-2, -1, 0.3, 180, 270, steps, 4, 5);
+  profile.add_arc(2, -1, 0.3, 270, 360, steps, 6, 7);
+  return prism(profile, 1.5);
+}
+
+std::size_t number_of_labels(const Labels& labels)
+{
+  return std::set<std::size_t>(labels.begin(), labels.end()).size();
+}
+
+/// Whether faces with equal labels in `finer` have equal ones in `coarser`.
+bool is_refinement(const Labels& finer, const Labels& coarser)
+{
+  std::set<std::pair<std::size_t, std::size_t>> pairs;
+  for (std::size_t f = 0; f < finer.size(); ++f)
+    pairs.insert({finer[f], coarser[f]});
+  return pairs.size() == number_of_labels(finer);
+}
+
+Labels smooth_faces(const Soup& soup)
+{
+  return segments_of(to_surface_mesh(soup), RS::parameters::method(RS::Smooth_faces()));
+}
+
+TEST(Smooth_faces_test, joins_the_facets_of_a_coarse_cylinder)
+{
+  for (std::size_t sides : {12, 13, 16, 24, 64}) {
+    const Labelled cylinder = regular_prism(sides, true);
+    EXPECT_EQ(smooth_faces(cylinder.soup), cylinder.truth) << sides;
+    EXPECT_EQ(number_of_labels(smooth_faces(triangulated(cylinder.soup))), 3u) << sides;
+  }
+}
+
+TEST(Smooth_faces_test, separates_the_sides_of_a_prism)
+{
+  for (std::size_t sides : {3, 4, 6, 8, 10}) {
+    const Labelled prism = regular_prism(sides, false);
+    EXPECT_EQ(smooth_faces(prism.soup), prism.truth) << sides;
+  }
+}
+
+TEST(Smooth_faces_test, separates_fillets_from_planes)
+{
+  for (int steps : {3, 4, 6, 9, 18}) {
+    const Labelled block = filleted_block(steps);
+    EXPECT_EQ(smooth_faces(block.soup), block.truth) << steps;
+    EXPECT_EQ(smooth_faces(scaled(block.soup, 1000)), block.truth) << steps;
+    EXPECT_EQ(smooth_faces(translated(block.soup, 30, -20, 10)), block.truth) << steps;
+  }
+}
+
+/// A crease of less than the angle between facets of other cylinders.
+TEST(Smooth_faces_test, separates_planes_at_a_shallow_crease)
+{
+  for (double angle : {12.0, 20.0, 30.0}) {
+    Profile profile;
+    const double c = std::cos(angle * pi / 180), s = std::sin(angle * pi / 180);
+    profile.points = {{0, 0}, {2, 0}, {2 + 2 * c, 2 * s}, {2, 6}, {0, 6}};
+    profile.faces = {0, 1, 2, 3, 4};
+    const Labelled part = prism(profile, 3);
+    EXPECT_EQ(smooth_faces(part.soup), part.truth) << angle;
+  }
+}
+
+TEST(Smooth_faces_test, a_smooth_surface_is_one_face)
+{
+  for (const Soup& soup : {sphere(3), sphere(4), torus(40, 20)})
+    EXPECT_EQ(smooth_faces(soup), Labels(soup.polygons.size(), 0));
+}
+
+TEST(Smooth_faces_test, separates_the_faces_of_blocks)
+{
+  EXPECT_EQ(number_of_labels(smooth_faces(cube())), 6u);
+  EXPECT_EQ(number_of_labels(smooth_faces(l_shape())), 8u);
+}
+
+TEST(Smooth_faces_test, merges_on_when_a_number_is_given)
+{
+  const Labelled block = filleted_block(6);
+  const Surface_mesh mesh = to_surface_mesh(block.soup);
+  const RS::Segmenter segmenter(mesh, RS::parameters::method(RS::Smooth_faces()));
+  auto map = face_map(mesh);
+  Labels finer = block.truth;
+  for (std::size_t k : {10, 9, 6, 3, 2, 1}) {
+    EXPECT_EQ(segmenter.segment(map, k), k);
+    const Labels labels = labels_of(mesh, map);
+    EXPECT_TRUE(is_refinement(finer, labels)) << k;
+    finer = labels;
+  }
+  // More than there are: the facets of fillets are separated.
+  EXPECT_EQ(segmenter.segment(map, 13), 13u);
+  EXPECT_TRUE(is_refinement(labels_of(mesh, map), block.truth));
+}
+
+TEST(Smooth_faces_test, keeps_constrained_edges)
+{
+  const Labelled cylinder = regular_prism(16, true);
+  Surface_mesh mesh = to_surface_mesh(cylinder.soup);
+  auto drawn = mesh.add_property_map<Surface_mesh::Edge_index, bool>("e:drawn", false).first;
+  std::size_t number = 0;
+  for (auto e : mesh.edges()) { // two opposite edges of the side
+    const auto p = mesh.point(mesh.vertex(e, 0)), q = mesh.point(mesh.vertex(e, 1));
+    if (p.z() != q.z() && std::abs(p.y()) < 1e-9) {
+      drawn[e] = true;
+      ++number;
+    }
+  }
+  ASSERT_EQ(number, 2u);
+  const Labels labels =
+    segments_of(mesh, RS::parameters::method(RS::Smooth_faces()).edge_is_constrained_map(drawn));
+  EXPECT_EQ(number_of_labels(labels), 4u);
+}
+
+TEST(Smooth_faces_test, accepts_borders_and_degenerate_faces)
+{
+  EXPECT_EQ(number_of_labels(smooth_faces(grid(3, 4))), 1u);
+  for (Family family : all_families) {
+    const Soup soup = random_mesh(family, 7);
+    EXPECT_EQ(smooth_faces(soup).size(), soup.polygons.size());
+  }
+}
+
+/// The discontinuities of the sections between the regions of a mesh.
+std::vector<double> discontinuities(const Labelled& part)
+{
+  const Surface_mesh mesh = to_surface_mesh(part.soup);
+  const RS::Flat_mesh flat = RS::read_flat_mesh(mesh, RS::Mesh_data::POINTS);
+  const RS::Partition regions = RS::Partition::from_labels(part.truth);
+  auto graph = RS::build_region_adjacency_graph(flat, regions, RS::Smoothness_annotator());
+  std::vector<double> first, second;
+  for (auto* result : {&first, &second}) {
+    RS::Smoothness_annotator()(graph, flat, regions);
+    for (auto range = edges(graph); range.first != range.second; ++range.first)
+      result->push_back(graph[*range.first].mean_discontinuity());
+  }
+  EXPECT_EQ(first, second); // annotating again has no effect
+  return first;
+}
+
+/// Each facet for itself. Facets of a cylinder are smooth; caps meet them at 90 degrees of 32, which count 3.
+TEST(Smoothness_annotator_test, measures_a_cylinder)
+{
+  Labelled cylinder = regular_prism(24, false);
+  for (double discontinuity : discontinuities(cylinder))
+    EXPECT_TRUE(std::abs(discontinuity) < 1e-9 || std::abs(discontinuity - 3 * 90 / 32.0) < 1e-9) << discontinuity;
+}
+
+/// At the border of a fillet of four facets the curvature falls from 1 / r to 0.
+TEST(Smoothness_annotator_test, measures_a_fillet)
+{
+  std::size_t at_borders = 0;
+  for (double discontinuity : discontinuities(filleted_block(4))) {
+    at_borders += std::abs(discontinuity - 1) < 0.02;
+    EXPECT_TRUE(std::abs(discontinuity - 1) < 0.02 || discontinuity > 3) << discontinuity;
+  }
+  EXPECT_EQ(at_borders, 8u);
+}
+
+TEST(Number_below_cost_test, ends_before_the_first_merge_above_the_bound)
+{
+  RS::Merge_tree tree(5);
+  tree.push_back({2, 3, 1});
+  tree.push_back({1, 4, 5});
+  tree.push_back({0, 2, 3});
+  const auto number = [&tree](double bound) { return RS::Number_below_cost<RS::Smoothness_cost>{bound}(tree); };
+  EXPECT_EQ(number(0.5), 5u);
+  EXPECT_EQ(number(1), 4u);
+  EXPECT_EQ(number(4), 4u);
+  EXPECT_EQ(number(5), 2u);
+  EXPECT_EQ(RS::Number_below_cost<RS::Smoothness_cost>{1}(RS::Merge_tree()), 0u);
+}
+
+} // namespace
