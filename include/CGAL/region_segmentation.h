@@ -34,6 +34,10 @@
 #include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
 #include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/Segmenter.h>
+#include <CGAL/Region_segmentation/Segments/extract_segment_borders.h>
+#include <CGAL/Region_segmentation/Segments/mark_segment_borders.h>
+#include <CGAL/Region_segmentation/Segments/no_segment.h>
+#include <CGAL/Region_segmentation/Segments/split_into_segments.h>
 #include <CGAL/Region_segmentation/build_region_adjacency_graph.h>
 #include <CGAL/Region_segmentation/choose_feature_convexity.h>
 #include <CGAL/Region_segmentation/detect_feature_edges.h>
