@@ -4,7 +4,7 @@
 #define CGAL_REGION_SEGMENTATION_H
 
 /// \file region_segmentation.h
-/// Everything of the package but `Spectral_partitioner`, which needs Eigen.
+/// Everything of the package but `Spectral_partitioner` and `describe_segments()`, which need Eigen.
 
 #include <CGAL/Region_segmentation/Double_3.h>
 #include <CGAL/Region_segmentation/Execution.h>
@@ -34,6 +34,8 @@
 #include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
 #include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/Segmenter.h>
+#include <CGAL/Region_segmentation/Segments/Fitted_primitive.h>
+#include <CGAL/Region_segmentation/Segments/Segment_description.h>
 #include <CGAL/Region_segmentation/Segments/extract_segment_borders.h>
 #include <CGAL/Region_segmentation/Segments/mark_segment_borders.h>
 #include <CGAL/Region_segmentation/Segments/no_segment.h>
