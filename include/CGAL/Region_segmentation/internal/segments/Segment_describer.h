@@ -17,8 +17,11 @@
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <limits>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
