@@ -265,6 +265,20 @@ TEST(Describe_segments_test, finds_a_cone)
     }
 }
 
+TEST(Describe_segments_test, tells_two_circles_of_corners_from_a_sphere)
+{
+  // As machine parts are meshed: the corners alone also lie on a sphere.
+  for (double taper : {0., 0.5}) {
+    const Description d = description_of(triangulated(tube(1, 16, [&](double u, double v) {
+      const double r = 1 - taper * u;
+      return moved({r * std::cos(2 * pi * v), r * std::sin(2 * pi * v), 1.5 * u});
+    })));
+    EXPECT_NEAR(d.primitive.error_of(RS::Primitive_type::SPHERE), 0, 1e-6);
+    EXPECT_EQ(d.primitive.type, taper == 0 ? RS::Primitive_type::CYLINDER : RS::Primitive_type::CONE);
+    EXPECT_NEAR(d.primitive.error, 0, 1e-6);
+  }
+}
+
 TEST(Describe_segments_test, finds_the_primitive_under_noise)
 {
   std::mt19937 random(1);

@@ -29,8 +29,10 @@ namespace Region_segmentation {
 ///
 /// A plane, sphere, cylinder and cone are fitted to the corners of the faces, weighted by area: minimum of the mean square
 /// distance (Levenberg and Marquardt), from a start by linear systems in points and normals; for large segments from 2000
-/// faces, spread evenly. From the simplest to the most complex, a primitive replaces the previous choice if its error is
-/// below 0.8 of it, and that one was more than \f$10^{-4}\f$ of the square root of the area. Planes are exact; for the
+/// faces, spread evenly. The misfit of a primitive is the root mean square distance of these corners and of the middles of
+/// the faces together, since corners on two circles alone could be those of a sphere. From the simplest to the most complex,
+/// a primitive replaces the previous choice if its misfit is below 0.8 of it, and that one was more than \f$10^{-4}\f$ of
+/// the square root of the area. Planes are exact; for the
 /// others the minimum is local. Spheres, cylinders and cones whose radius or apex is more than 100 times that square root
 /// away are not considered, nor are cones whose half angle is within 0.01 radians of 0 or \f$\pi/2\f$.
 ///

@@ -47,26 +47,31 @@ public:
     std::size_t i = 0;
     for (auto f : faces) {
       const std::size_t n = points.number_of_corners(f);
-      for (std::size_t c = 0; c < n; ++c)
-        add_corner(m_all, to_eigen(points[points.corner(f, c)]), mesh.area(f) / double(n));
+      Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+      for (std::size_t c = 0; c < n; ++c) {
+        add_point(m_all, to_eigen(points[points.corner(f, c)]), mesh.area(f) / double(n));
+        sum += to_eigen(points[points.corner(f, c)]);
+      }
+      add_point(m_middles, sum / double(n), mesh.area(f));
       if (i++ % stride != 0)
         continue;
       for (std::size_t c = 0; c < n; ++c)
-        add_corner(m_some, to_eigen(points[points.corner(f, c)]), mesh.area(f) / double(n));
+        add_point(m_some, to_eigen(points[points.corner(f, c)]), mesh.area(f) / double(n));
       m_normals.push_back(to_eigen(mesh.normal(f)));
       m_first_corner.push_back(m_some.points.size() - n);
       m_areas.push_back(mesh.area(f));
     }
     normalize_weights(m_all.weights);
+    normalize_weights(m_middles.weights);
     normalize_weights(m_some.weights);
     normalize_weights(m_areas);
   }
 
   Fitted_primitive fit()
   {
-    m_errors.fill(std::numeric_limits<double>::infinity());
+    m_errors.fill(infinity);
     fit_plane();
-    if (m_plane.error > 0) { // otherwise nothing can be better, and the systems are singular
+    if (m_plane.misfit > 0) { // otherwise nothing can be better, and the systems are singular
       fit_sphere();
       fit_cylinder();
       fit_cone();
@@ -81,13 +86,14 @@ public:
   }
 
 private:
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
   static constexpr std::size_t most_faces = 2000; // for fitting; errors are those of all faces
-  static constexpr double tolerance = 1e-4;       // errors below are as good as none
-  static constexpr double worthwhile = 0.8;       // what another parameter must multiply the error with
+  static constexpr double tolerance = 1e-4;       // misfits below are as good as none
+  static constexpr double worthwhile = 0.8;       // what another parameter must multiply the misfit with
   static constexpr double largest_radius = 100;   // beyond, a surface is as good as flat
   static constexpr double smallest_half_angle = 0.01; // radians; below, a cone is a cylinder
 
-  void add_corner(Weighted_samples& samples, const Eigen::Vector3d& p, double weight) const
+  void add_point(Weighted_samples& samples, const Eigen::Vector3d& p, double weight) const
   {
     samples.points.push_back((p - m_centroid) / m_unit);
     samples.weights.push_back(weight);
@@ -102,27 +108,33 @@ private:
       w = sum > 0 ? w / sum : 1 / double(weights.size());
   }
 
-  template <typename Primitive>
-  double error_of(const Primitive& primitive) const
+  /// A primitive, and its misfit: the root mean square distance of corners and middles of faces together. Corners alone do not
+  /// tell a cylinder or a cone from a sphere if they lie on two circles, as on many machine parts.
+  struct Candidate
   {
-    const double error = std::sqrt(m_all.mean_squared_distance(primitive));
-    return std::isfinite(error) ? error : std::numeric_limits<double>::infinity();
-  }
+    Fitted_primitive primitive;
+    double misfit = infinity;
+  };
 
-  void accept(Fitted_primitive& place, const Fitted_primitive& primitive)
+  template <typename Distance>
+  void accept(Candidate& candidate, const Fitted_primitive& primitive, const Distance& distance)
   {
-    place = primitive;
-    m_errors[std::size_t(primitive.type)] = primitive.error;
+    const double at_corners = m_all.mean_squared_distance(distance), in_middles = m_middles.mean_squared_distance(distance);
+    if (!std::isfinite(at_corners + in_middles))
+      return;
+    candidate.primitive = primitive;
+    candidate.primitive.error = m_errors[std::size_t(primitive.type)] = std::sqrt(at_corners);
+    candidate.misfit = std::sqrt((at_corners + in_middles) / 2);
   }
 
   /// The simplest primitive than which no more complex one is better by far.
   Fitted_primitive simplest_good() const
   {
-    const Fitted_primitive* best = &m_plane;
-    for (const Fitted_primitive* other : {&m_sphere, &m_cylinder, &m_cone})
-      if (m_errors[std::size_t(best->type)] > tolerance && m_errors[std::size_t(other->type)] < worthwhile * best->error)
+    const Candidate* best = &m_plane;
+    for (const Candidate* other : {&m_sphere, &m_cylinder, &m_cone})
+      if (best->misfit > tolerance && other->misfit < worthwhile * best->misfit)
         best = other;
-    return *best;
+    return best->primitive;
   }
 
   /// The eigenvectors of a weighted covariance of points, by increasing eigenvalue.
@@ -152,8 +164,7 @@ private:
     Fitted_primitive plane;
     plane.point = from_eigen(mean);
     plane.direction = from_eigen(normal);
-    plane.error = error_of([&](const Eigen::Vector3d& p) { return normal.dot(p - mean); });
-    accept(m_plane, plane);
+    accept(m_plane, plane, [&](const Eigen::Vector3d& p) { return normal.dot(p - mean); });
   }
 
   /// The solution (c, s) of 2 c.p + s = |p|^2 in the least squares sense, for points p that may lie in a plane through
@@ -183,8 +194,7 @@ private:
     result.type = Primitive_type::SPHERE;
     result.point = from_eigen(sphere.center());
     result.radius = sphere.radius();
-    result.error = error_of(sphere);
-    accept(m_sphere, result);
+    accept(m_sphere, result, sphere);
   }
 
   /// The normals of a cylinder are perpendicular to its axis; along the axis, it is a circle.
@@ -207,8 +217,7 @@ private:
     result.point = from_eigen(cylinder.point());
     result.direction = from_eigen(cylinder.axis());
     result.radius = cylinder.radius();
-    result.error = error_of(cylinder);
-    accept(m_cylinder, result);
+    accept(m_cylinder, result, cylinder);
   }
 
   /// The normals of a cone lie on a circle around its axis, and its tangent planes meet in the apex.
@@ -237,18 +246,18 @@ private:
     result.point = from_eigen(cone.apex());
     result.direction = from_eigen(cone.axis());
     result.half_angle = cone.half_angle();
-    result.error = error_of(cone);
-    accept(m_cone, result);
+    accept(m_cone, result, cone);
   }
 
   Eigen::Vector3d m_centroid;
   double m_unit;
-  Weighted_samples m_all, m_some;
+  Weighted_samples m_all, m_some; // corners, of all faces and of some
+  Weighted_samples m_middles;     // of all faces
   std::vector<Eigen::Vector3d> m_normals; // of some faces
   std::vector<std::size_t> m_first_corner;
   std::vector<double> m_areas;
   std::array<double, 4> m_errors;
-  Fitted_primitive m_plane, m_sphere, m_cylinder, m_cone;
+  Candidate m_plane, m_sphere, m_cylinder, m_cone;
 };
 
 } // namespace internal
