@@ -103,6 +103,7 @@ const char* name_of(Method method)
 {
   return method == Method::TWO_STEP     ? "two-step"
          : method == Method::VISIBILITY ? "visibility"
+         : method == Method::LEARNED    ? "learned"
                                         : "smooth-faces";
 }
 

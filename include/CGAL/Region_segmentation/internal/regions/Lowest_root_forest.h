@@ -30,12 +30,15 @@ public:
     std::iota(m_parents.begin(), m_parents.end(), Index(0));
   }
 
-  void unite(Index a, Index b)
+  /// Returns whether they were in different trees.
+  bool unite(Index a, Index b)
   {
     a = root(a);
     b = root(b);
-    if (a != b)
-      m_parents[(std::max)(a, b)] = (std::min)(a, b);
+    if (a == b)
+      return false;
+    m_parents[(std::max)(a, b)] = (std::min)(a, b);
+    return true;
   }
 
   /// Unites the tree of the root `r` with that of `a`; returns their root. Branch-free, since it is unpredictable

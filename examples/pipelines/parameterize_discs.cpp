@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Segments are divided into discs, and each disc is flattened.
+
+#include "input_mesh.h"
+
+#include <CGAL/region_segmentation.h>
+
+#include <CGAL/Surface_mesh_parameterization/LSCM_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/parameterize.h>
+
+#include <algorithm>
+#include <iterator>
+#include <vector>
+
+namespace RS = CGAL::Region_segmentation;
+namespace SMP = CGAL::Surface_mesh_parameterization;
+
+int main(int argc, char** argv)
+{
+  Mesh mesh = input_mesh(argc, argv);
+  auto segment_id = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:segment").first;
+  auto disc_id = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:disc").first;
+  std::cout << RS::segment(mesh, segment_id) << " segments, ";
+  std::cout << RS::divide_into_discs(mesh, segment_id, disc_id) << " discs\n";
+
+  std::vector<RS::Segment_piece<Mesh, Mesh, std::size_t>> discs;
+  RS::split_into_segments(mesh, disc_id, std::back_inserter(discs));
+  std::size_t failures = 0;
+  for (auto& disc : discs) {
+    auto uv = disc.mesh.add_property_map<Mesh::Vertex_index, Kernel::Point_2>("v:uv").first;
+    const auto all = halfedges(disc.mesh);
+    const auto border = *std::find_if(all.begin(), all.end(), [&](auto h) { return disc.mesh.is_border(h); });
+    failures += SMP::parameterize(disc.mesh, SMP::LSCM_parameterizer_3<Mesh>(), border, uv) != SMP::OK;
+  }
+  std::cout << failures << " are not flattened\n";
+  return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_SEGMENTS_EXTRACT_SEGMENT_BORDERS_H
+#define CGAL_REGION_SEGMENTATION_SEGMENTS_EXTRACT_SEGMENT_BORDERS_H
+
+#include <CGAL/Region_segmentation/internal/segments/Border_chains.h>
+#include <CGAL/Region_segmentation/internal/segments/Segmented_mesh.h>
+#include <CGAL/Region_segmentation/parameters.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Region_segmentation {
+
+/// \ingroup PkgRegionSegmentationSegments
+/// A polyline between two segments.
+///
+/// \tparam FaceGraph the type of the mesh
+/// \tparam Label the value type of the map of segments
+template <typename FaceGraph, typename Label>
+struct Segment_border
+{
+  using halfedge_descriptor = typename boost::graph_traits<FaceGraph>::halfedge_descriptor;
+
+  Label segment;          ///< to the left, seen from outside: of the faces of `halfedges`. Of the two, that with the first face
+  Label opposite_segment; ///< to the right; `no_segment` if these faces have none
+  /// At least one; the target of each is the source of the next one.
+  std::vector<halfedge_descriptor> halfedges;
+  /// Whether the polyline is a closed one without junctions. (One that begins and ends at the same junction is not.)
+  bool is_closed;
+};
+
+/// \ingroup PkgRegionSegmentationSegments
+/// outputs the borders between segments as polylines from junction to junction, and closed ones.
+///
+/// A *junction* is a vertex where the number of edges between segments is not 2, or on the border of the mesh. Every edge
+/// that `mark_segment_borders()` marks is in one polyline.
+///
+/// \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \tparam FaceSegmentMap a model of `ReadablePropertyMap` with the face descriptor as key and an integral value type of
+///         at most 64 bits
+/// \tparam BorderOutputIterator a model of `OutputIterator` that takes `Segment_border<FaceGraph, Label>`, `Label` the value
+///         type of `FaceSegmentMap`
+/// \param mesh an oriented 2-manifold with or without borders, its faces polygons of any size
+/// \param segment_map the segments, by any labels; faces with the label `no_segment` belong to none
+/// \param borders receives the polylines, in the order of their first faces: open ones, then closed ones
+/// \param np optional named parameters: `face_index_map`, `vertex_index_map`, as everywhere in \cgal
+///
+/// \returns the number of polylines
+///
+/// Complexity: O(F log d), d the number of corners of a face. Deterministic: the same polylines from every mesh type.
+/// Read-only; concurrent calls are safe.
+template <typename FaceGraph, typename FaceSegmentMap, typename BorderOutputIterator,
+          typename NamedParameters = parameters::Default_named_parameters>
+std::size_t extract_segment_borders(const FaceGraph& mesh, const FaceSegmentMap& segment_map,
+                                    BorderOutputIterator borders,
+                                    const NamedParameters& np = parameters::default_values())
+{
+  using Label = typename boost::property_traits<FaceSegmentMap>::value_type;
+  const auto& pack = internal::pack(np);
+  internal::check_parameters<std::decay_t<decltype(pack)>, internal::Tag_list<>>();
+  const auto traversal = internal::make_mesh_traversal(mesh, pack);
+  const auto numbers = internal::number_segments(traversal, segment_map);
+  const internal::Segmented_mesh segmented(traversal, numbers.of_face);
+  std::size_t count = 0;
+  internal::Border_chains(segmented).for_each_chain([&](auto&& halfedges, bool is_closed) {
+    const auto h = halfedges.front();
+    Segment_border<FaceGraph, Label> border{numbers.label(segmented.segment(h)),
+                                            numbers.label(segmented.opposite_segment(h)), std::move(halfedges), is_closed};
+    *borders++ = std::move(border);
+    ++count;
+  });
+  return count;
+}
+
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_SEGMENTS_EXTRACT_SEGMENT_BORDERS_H

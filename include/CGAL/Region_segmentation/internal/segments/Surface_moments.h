@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_SEGMENTS_SURFACE_MOMENTS_H
+#define CGAL_REGION_SEGMENTATION_INTERNAL_SEGMENTS_SURFACE_MOMENTS_H
+
+#include <CGAL/Region_segmentation/Double_3.h>
+#include <CGAL/Region_segmentation/Flat_mesh.h>
+
+#include <array>
+#include <cstddef>
+
+namespace CGAL {
+namespace Region_segmentation {
+namespace internal {
+
+/// Integrals over a surface of polygons, relative to a point near it, so that nothing cancels far from the origin.
+class Surface_moments
+{
+public:
+  explicit Surface_moments(const Double_3& origin = {0, 0, 0}) : m_origin(origin) {}
+
+  /// Adds a face. A triangle of its fan counts with its area as seen along the normal, so a face may be concave; a
+  /// degenerate one counts nothing.
+  void add_face(const Flat_mesh& mesh, std::size_t face)
+  {
+    const Mesh_points& points = mesh.points();
+    const Double_3 a = points[points.corner(face, 0)] - m_origin;
+    Double_3 b = points[points.corner(face, 1)] - m_origin;
+    for (std::size_t i = 2; i < points.number_of_corners(face); ++i) {
+      const Double_3 c = points[points.corner(face, i)] - m_origin;
+      add_triangle(a, b, c, dot(cross(b - a, c - a), mesh.normal(face)) / 2);
+      m_volume += dot(a, cross(b, c)) / 6;
+      b = c;
+    }
+  }
+
+  /// Adds a triangle to the volume alone.
+  void add_cap(const Double_3& a, const Double_3& b, const Double_3& c)
+  {
+    m_volume += dot(a - m_origin, cross(b - m_origin, c - m_origin)) / 6;
+  }
+
+  double area() const { return m_area; }
+  double volume() const { return m_volume; } ///< that a closed surface encloses
+
+  /// The origin if there is no area.
+  Double_3 centroid() const { return m_area > 0 ? m_origin + (1 / m_area) * m_first : m_origin; }
+
+  /// The mean of (x - c)(x - c)^T, c the centroid: xx, xy, xz, yy, yz, zz.
+  std::array<double, 6> covariance() const
+  {
+    std::array<double, 6> result{};
+    if (m_area > 0) {
+      const Double_3 c = (1 / m_area) * m_first;
+      const std::array<double, 6> of_centroid = products(c);
+      for (std::size_t i = 0; i < 6; ++i)
+        result[i] = m_second[i] / m_area - of_centroid[i];
+    }
+    return result;
+  }
+
+private:
+  static std::array<double, 6> products(const Double_3& v)
+  {
+    return {v.x * v.x, v.x * v.y, v.x * v.z, v.y * v.y, v.y * v.z, v.z * v.z};
+  }
+
+  /// The integral of x x^T over a triangle a, b, c of area A is A / 12 (a a^T + b b^T + c c^T + s s^T), s = a + b + c.
+  void add_triangle(const Double_3& a, const Double_3& b, const Double_3& c, double area)
+  {
+    const Double_3 sum = a + b + c;
+    m_area += area;
+    m_first = m_first + area / 3 * sum;
+    for (const Double_3& v : {a, b, c, sum}) {
+      const std::array<double, 6> p = products(v);
+      for (std::size_t i = 0; i < 6; ++i)
+        m_second[i] += area / 12 * p[i];
+    }
+  }
+
+  Double_3 m_origin, m_first{0, 0, 0};
+  std::array<double, 6> m_second{};
+  double m_area = 0, m_volume = 0;
+};
+
+} // namespace internal
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_INTERNAL_SEGMENTS_SURFACE_MOMENTS_H

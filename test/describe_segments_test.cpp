@@ -1,0 +1,339 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "segments.h"
+
+#include <CGAL/Region_segmentation/Segments/describe_segments.h>
+
+#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/boost/graph/graph_traits_Polyhedron_3.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <iterator>
+#include <limits>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace RS = CGAL::Region_segmentation;
+using namespace test;
+
+namespace {
+
+using Description = RS::Segment_description<std::size_t>;
+const double pi = std::acos(-1.0);
+
+template <typename Mesh = Surface_mesh>
+std::vector<Description> descriptions_of(const Soup& soup, const Labels& labels)
+{
+  const Mesh mesh = to_mesh<Mesh>(soup);
+  std::vector<Description> result;
+  const std::size_t number = RS::describe_segments(mesh, face_labels(mesh, labels), std::back_inserter(result));
+  EXPECT_EQ(number, result.size());
+  return result;
+}
+
+Description description_of(const Soup& soup)
+{
+  return descriptions_of(soup, Labels(soup.polygons.size(), 0)).front();
+}
+
+double length(const RS::Double_3& v)
+{
+  return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
+}
+
+void expect_near(const RS::Double_3& a, const RS::Double_3& b, double tolerance)
+{
+  EXPECT_NEAR(a.x, b.x, tolerance);
+  EXPECT_NEAR(a.y, b.y, tolerance);
+  EXPECT_NEAR(a.z, b.z, tolerance);
+}
+
+/// An open surface of `across` times `around` quads; a point for each pair in [0, 1] x [0, 1).
+Soup tube(std::size_t across, std::size_t around, const std::function<Point(double, double)>& point, double part = 1)
+{
+  const bool is_closed = part == 1;
+  Soup soup;
+  const std::size_t columns = is_closed ? around : around + 1;
+  for (std::size_t i = 0; i <= across; ++i)
+    for (std::size_t j = 0; j < columns; ++j)
+      soup.points.push_back(point(double(i) / double(across), part * double(j) / double(around)));
+  for (std::size_t i = 0; i < across; ++i)
+    for (std::size_t j = 0; j < around; ++j) {
+      const std::size_t k = (j + 1) % columns;
+      soup.polygons.push_back({i * columns + j, i * columns + k, (i + 1) * columns + k, (i + 1) * columns + j});
+    }
+  return soup;
+}
+
+/// A motion that is no symmetry of anything.
+Point moved(const Point& p)
+{
+  const double c = std::cos(0.7), s = std::sin(0.7), d = std::cos(1.9), t = std::sin(1.9);
+  const double x = c * p[0] - s * p[1], y = s * p[0] + c * p[1];
+  return {x + 5, d * y - t * p[2] - 3, t * y + d * p[2] + 11};
+}
+
+RS::Double_3 moved_direction(const RS::Double_3& v)
+{
+  const Point o = moved({0, 0, 0}), p = moved({v.x, v.y, v.z});
+  return {p[0] - o[0], p[1] - o[1], p[2] - o[2]};
+}
+
+} // namespace
+
+TEST(Describe_segments_test, knows_a_box)
+{
+  const Soup box = mapped(cube(), [](const Point& p) { return moved({5 * p[0], 2 * p[1], 3 * p[2]}); });
+  const Description d = description_of(box);
+  EXPECT_EQ(d.number_of_faces, 6u);
+  EXPECT_NEAR(d.area, 62, 1e-10);
+  EXPECT_NEAR(d.volume, 30, 1e-10);
+  EXPECT_DOUBLE_EQ(d.volume_share, 1);
+  const Point center = moved({2.5, 1, 1.5});
+  expect_near(d.centroid, {center[0], center[1], center[2]}, 1e-10);
+  EXPECT_NEAR(d.extents[0], 5, 1e-10);
+  EXPECT_NEAR(d.extents[1], 3, 1e-10);
+  EXPECT_NEAR(d.extents[2], 2, 1e-10);
+  EXPECT_NEAR(std::abs(dot(d.axes[0], moved_direction({1, 0, 0}))), 1, 1e-10);
+  EXPECT_NEAR(std::abs(dot(d.axes[1], moved_direction({0, 0, 1}))), 1, 1e-10);
+  EXPECT_NEAR(dot(cross(d.axes[0], d.axes[1]), d.axes[2]), 1, 1e-10);
+  EXPECT_TRUE(d.neighbors.empty());
+  EXPECT_EQ(d.border_length, 0);
+}
+
+TEST(Describe_segments_test, signs_and_weighs_the_angles)
+{
+  // An L, one label for each square: convex edges everywhere but the reentrant one.
+  const Soup soup = l_shape();
+  Labels labels;
+  for (std::size_t f = 0; f < soup.polygons.size(); ++f)
+    labels.push_back(f);
+  std::size_t convex = 0, concave = 0, flat = 0;
+  for (const Description& d : descriptions_of(soup, labels)) {
+    double sum = 0;
+    for (const auto& neighbor : d.neighbors) {
+      EXPECT_DOUBLE_EQ(neighbor.border_length, 1);
+      sum += neighbor.border_length;
+      convex += std::abs(neighbor.mean_signed_deviation - pi / 2) < 1e-12;
+      concave += std::abs(neighbor.mean_signed_deviation + pi / 2) < 1e-12;
+      flat += std::abs(neighbor.mean_signed_deviation) < 1e-12;
+    }
+    EXPECT_DOUBLE_EQ(d.border_length, sum);
+  }
+  EXPECT_EQ(concave, 2u); // one edge, from both sides
+  EXPECT_GT(flat, 0u);
+  std::size_t sides = 0; // of all edges
+  for (const auto& [edge, both] : faces_of_edges(soup))
+    sides += both.size();
+  EXPECT_EQ(convex + concave + flat, sides);
+}
+
+TEST(Describe_segments_test, weighs_the_angles_of_one_joint_by_length)
+{
+  // Two labels that meet along 3 units of a crease of 90 degrees, and along 1 unit in the flat.
+  Soup soup;
+  soup.points = {{0, 0, 0}, {3, 0, 0}, {4, 0, 0}, {0, 1, 0}, {3, 1, 0}, {4, 1, 0}, {0, 0, -1}, {3, 0, -1}};
+  soup.polygons = {{0, 1, 4, 3}, {1, 2, 5, 4}, {1, 0, 6, 7}};
+  const auto d = descriptions_of(soup, {0, 1, 1});
+  ASSERT_EQ(d.size(), 2u);
+  ASSERT_EQ(d[0].neighbors.size(), 1u);
+  EXPECT_DOUBLE_EQ(d[0].neighbors[0].border_length, 4);
+  EXPECT_NEAR(d[0].neighbors[0].mean_signed_deviation, 3. / 4 * pi / 2, 1e-12);
+  EXPECT_DOUBLE_EQ(d[0].boundary_length, 3 + 1);
+}
+
+TEST(Describe_segments_test, volumes_add_up)
+{
+  // The two cubes and the bar of a dumbbell: borders are plane loops of two segments.
+  const Soup soup = mapped(dumbbell(), moved);
+  Labels labels;
+  for (const Polygon& polygon : dumbbell().polygons) {
+    double x = 0;
+    for (std::size_t v : polygon)
+      x += dumbbell().points[v][0] / double(polygon.size());
+    labels.push_back(x < 3.01 ? 0 : x < 4.99 ? 1 : 2);
+  }
+  // The sides of the cubes from which the bar starts belong to the cubes.
+  const auto d = descriptions_of(soup, labels);
+  ASSERT_EQ(d.size(), 3u);
+  EXPECT_NEAR(d[0].volume, 27, 1e-9);
+  EXPECT_NEAR(d[1].volume, 2, 1e-9);
+  EXPECT_NEAR(d[2].volume, 27, 1e-9);
+  EXPECT_NEAR(d[1].volume_share, 2. / 56, 1e-12);
+  EXPECT_NEAR(description_of(reversed(cube())).volume, -1, 1e-12);
+  EXPECT_EQ(description_of(reversed(cube())).volume_share, 0);
+}
+
+TEST(Describe_segments_test, agrees_with_cgal_on_random_meshes)
+{
+  namespace PMP = CGAL::Polygon_mesh_processing;
+  for (Family family : {Family::SPHERE, Family::SHEET, Family::TORUS})
+    for (unsigned seed = 1; seed <= 3; ++seed) {
+      SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
+      const Soup soup = triangulated(random_mesh(family, seed));
+      const Labels labels = random_labels(soup, 4, seed);
+      const Surface_mesh mesh = to_surface_mesh(soup);
+      for (const Description& d : descriptions_of(soup, labels)) {
+        std::vector<Surface_mesh::Face_index> of_segment;
+        double border = 0, boundary = 0;
+        for (auto f : mesh.faces())
+          if (labels[f] == d.segment) {
+            of_segment.push_back(f);
+            for (auto h : CGAL::halfedges_around_face(mesh.halfedge(f), mesh))
+              if (mesh.is_border(mesh.opposite(h)))
+                boundary += PMP::edge_length(h, mesh);
+              else if (labels[mesh.face(mesh.opposite(h))] != d.segment)
+                border += PMP::edge_length(h, mesh);
+          }
+        EXPECT_EQ(d.number_of_faces, of_segment.size());
+        EXPECT_NEAR(d.area, PMP::area(of_segment, mesh), 1e-9 * d.area);
+        EXPECT_NEAR(d.border_length, border, 1e-9 * border);
+        EXPECT_NEAR(d.boundary_length, boundary, 1e-9 * boundary);
+      }
+      if (CGAL::is_closed(mesh)) {
+        EXPECT_NEAR(description_of(soup).volume, PMP::volume(mesh), 1e-9);
+      }
+    }
+}
+
+TEST(Describe_segments_test, finds_a_plane)
+{
+  const Description d = description_of(mapped(grid(7, 4), moved));
+  EXPECT_EQ(d.primitive.type, RS::Primitive_type::PLANE);
+  EXPECT_NEAR(d.primitive.error, 0, 1e-9);
+  expect_near(d.primitive.direction, moved_direction({0, 0, 1}), 1e-9);
+  EXPECT_NEAR(d.extents[0], 7, 1e-9);
+  EXPECT_NEAR(d.extents[2], 0, 1e-9);
+}
+
+TEST(Describe_segments_test, finds_a_sphere_and_a_part_of_it)
+{
+  const Point center = moved({0, 0, 0});
+  Soup whole = mapped(sphere(3), [](const Point& p) { return moved({2 * p[0], 2 * p[1], 2 * p[2]}); });
+  Labels labels(whole.polygons.size());
+  for (std::size_t f = 0; f < labels.size(); ++f)
+    labels[f] = sphere(3).points[whole.polygons[f][0]][2] > 0.6;
+  auto all = descriptions_of(whole, labels);
+  all.push_back(description_of(whole));
+  for (const Description& d : all) {
+    EXPECT_EQ(d.primitive.type, RS::Primitive_type::SPHERE);
+    EXPECT_NEAR(d.primitive.radius, 2, 1e-6);
+    EXPECT_NEAR(d.primitive.error, 0, 1e-6);
+    expect_near(d.primitive.point, {center[0], center[1], center[2]}, 1e-6);
+  }
+}
+
+TEST(Describe_segments_test, finds_a_cylinder)
+{
+  for (double part : {1., 0.3}) { // all around, and a third
+    const Description d = description_of(tube(
+      5, 24, [](double u, double v) { return moved({2 * std::cos(2 * pi * v), 2 * std::sin(2 * pi * v), 6 * u}); }, part));
+    EXPECT_EQ(d.primitive.type, RS::Primitive_type::CYLINDER);
+    EXPECT_NEAR(d.primitive.radius, 2, 1e-6);
+    EXPECT_NEAR(std::abs(dot(d.primitive.direction, moved_direction({0, 0, 1}))), 1, 1e-6);
+    EXPECT_NEAR(d.primitive.error, 0, 1e-6);
+    const Point on_axis = moved({0, 0, 0});
+    const RS::Double_3 away = d.primitive.point - RS::Double_3{on_axis[0], on_axis[1], on_axis[2]};
+    EXPECT_NEAR(length(cross(away, d.primitive.direction)), 0, 1e-5);
+    EXPECT_NEAR(dot(d.primitive.point - d.centroid, d.primitive.direction), 0, 1e-6);
+  }
+}
+
+TEST(Describe_segments_test, finds_a_cone)
+{
+  for (double part : {1., 0.3})
+    for (bool is_hole : {false, true}) {
+      Soup soup = tube(
+        5, 24,
+        [](double u, double v) {
+          const double r = 1 + 2 * u;
+          return moved({r * std::cos(2 * pi * v), r * std::sin(2 * pi * v), 4 * r});
+        },
+        part);
+      const Description d = description_of(is_hole ? reversed(soup) : soup);
+      EXPECT_EQ(d.primitive.type, RS::Primitive_type::CONE);
+      EXPECT_NEAR(d.primitive.half_angle, std::atan(0.25), 1e-6);
+      EXPECT_NEAR(d.primitive.error, 0, 1e-6);
+      const Point apex = moved({0, 0, 0});
+      expect_near(d.primitive.point, {apex[0], apex[1], apex[2]}, 1e-4);
+      expect_near(d.primitive.direction, moved_direction({0, 0, 1}), 1e-6);
+    }
+}
+
+TEST(Describe_segments_test, tells_two_circles_of_corners_from_a_sphere)
+{
+  // As machine parts are meshed: the corners alone also lie on a sphere.
+  for (double taper : {0., 0.5}) {
+    const Description d = description_of(triangulated(tube(1, 16, [&](double u, double v) {
+      const double r = 1 - taper * u;
+      return moved({r * std::cos(2 * pi * v), r * std::sin(2 * pi * v), 1.5 * u});
+    })));
+    EXPECT_NEAR(d.primitive.error_of(RS::Primitive_type::SPHERE), 0, 1e-6);
+    EXPECT_EQ(d.primitive.type, taper == 0 ? RS::Primitive_type::CYLINDER : RS::Primitive_type::CONE);
+    EXPECT_NEAR(d.primitive.error, 0, 1e-6);
+  }
+}
+
+TEST(Describe_segments_test, finds_the_primitive_under_noise)
+{
+  std::mt19937 random(1);
+  Soup soup = tube(20, 40, [](double u, double v) {
+    return Point{std::cos(2 * pi * v), std::sin(2 * pi * v), 4 * u};
+  });
+  bump(soup, 0.02, random);
+  const Description d = description_of(soup);
+  EXPECT_EQ(d.primitive.type, RS::Primitive_type::CYLINDER);
+  EXPECT_NEAR(d.primitive.radius, 1, 0.01);
+  EXPECT_LT(d.primitive.error, 0.02);
+  EXPECT_GT(d.primitive.error, 0.005);
+  EXPECT_GT(d.primitive.error_of(RS::Primitive_type::PLANE), 0.5);
+}
+
+TEST(Describe_segments_test, scales_with_the_mesh)
+{
+  const Soup soup = random_mesh(Family::SPHERE, 4);
+  const Labels labels = random_labels(soup, 3, 4);
+  const double factor = std::ldexp(1.0, 80); // beyond which the flat mesh has a unit of its own
+  const auto small = descriptions_of(soup, labels), large = descriptions_of(scaled(soup, factor), labels);
+  ASSERT_EQ(small.size(), large.size());
+  for (std::size_t i = 0; i < small.size(); ++i) {
+    EXPECT_EQ(small[i].area * factor * factor, large[i].area);
+    EXPECT_EQ(small[i].volume * factor * factor * factor, large[i].volume);
+    EXPECT_EQ(small[i].border_length * factor, large[i].border_length);
+    EXPECT_NEAR(small[i].primitive.error * factor, large[i].primitive.error, 1e-6 * large[i].primitive.error);
+  }
+}
+
+TEST(Describe_segments_test, is_the_same_on_every_mesh_type)
+{
+  const Soup soup = random_mesh(Family::BLOCKS, 2);
+  const Labels labels = random_labels(soup, 5, 2);
+  const auto a = descriptions_of(soup, labels);
+  const auto b = descriptions_of<CGAL::Polyhedron_3<Kernel>>(soup, labels);
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    EXPECT_EQ(a[i].area, b[i].area);
+    EXPECT_EQ(a[i].volume, b[i].volume);
+    EXPECT_EQ(a[i].primitive.errors, b[i].primitive.errors);
+  }
+}
+
+TEST(Describe_segments_test, bears_surfaces_without_extent)
+{
+  EXPECT_TRUE(descriptions_of(Soup(), {}).empty());
+  Soup point;
+  point.points = {{1, 2, 3}, {1, 2, 3}, {1, 2, 3}};
+  point.polygons = {{0, 1, 2}};
+  const Description d = description_of(point);
+  EXPECT_EQ(d.area, 0);
+  EXPECT_EQ(d.primitive.error, 0);
+  expect_near(d.centroid, {1, 2, 3}, 0);
+  Soup infinite = grid(1, 1);
+  infinite.points[2][1] = std::numeric_limits<double>::infinity();
+  EXPECT_THROW(description_of(infinite), RS::Invalid_input);
+}

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "segments.h"
+
+#include <CGAL/Region_segmentation/Segments/extract_segment_borders.h>
+#include <CGAL/Region_segmentation/Segments/mark_segment_borders.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace RS = CGAL::Region_segmentation;
+using namespace test;
+
+namespace {
+
+using Border = RS::Segment_border<Surface_mesh, std::size_t>;
+
+std::vector<Border> borders_of(const Surface_mesh& mesh, const Labels& labels)
+{
+  std::vector<Border> borders;
+  const std::size_t number = RS::extract_segment_borders(mesh, face_labels(mesh, labels), std::back_inserter(borders));
+  EXPECT_EQ(number, borders.size());
+  return borders;
+}
+
+/// The edges with two faces of different labels.
+std::set<Edge> edges_between(const Soup& soup, const Labels& labels)
+{
+  std::set<Edge> result;
+  for (const auto& [edge, both] : faces_of_edges(soup))
+    if (both.size() == 2 && labels[both[0]] != labels[both[1]])
+      result.insert(edge);
+  return result;
+}
+
+/// The vertices where lines must end.
+std::set<std::size_t> junctions(const Soup& soup, const Labels& labels)
+{
+  std::map<std::size_t, std::size_t> degree;
+  for (const auto& [u, v] : edges_between(soup, labels)) {
+    ++degree[u];
+    ++degree[v];
+  }
+  std::set<std::size_t> result;
+  for (const auto& [vertex, number] : degree)
+    if (number != 2)
+      result.insert(vertex);
+  for (const auto& [edge, both] : faces_of_edges(soup))
+    if (both.size() == 1) {
+      result.insert(edge.first);
+      result.insert(edge.second);
+    }
+  return result;
+}
+
+void check_borders(const Soup& soup, const Labels& labels)
+{
+  const Surface_mesh mesh = to_surface_mesh(soup);
+  const std::set<std::size_t> ends = junctions(soup, labels);
+  std::set<Edge> covered;
+  for (const Border& border : borders_of(mesh, labels)) {
+    std::vector<std::size_t> line = {source(border.halfedges.front(), mesh)};
+    for (auto h : border.halfedges) {
+      EXPECT_EQ(source(h, mesh), Surface_mesh::Vertex_index(unsigned(line.back())));
+      line.push_back(target(h, mesh));
+      EXPECT_EQ(labels[mesh.face(h)], border.segment);
+      EXPECT_EQ(labels[mesh.face(mesh.opposite(h))], border.opposite_segment);
+      EXPECT_TRUE(covered.insert(make_edge(line[line.size() - 2], line.back())).second) << "twice";
+    }
+    if (border.is_closed)
+      EXPECT_EQ(line.front(), line.back());
+    else
+      EXPECT_TRUE(ends.count(line.front()) && ends.count(line.back()));
+    for (std::size_t i = border.is_closed ? 0 : 1; i + 1 < line.size(); ++i)
+      EXPECT_FALSE(ends.count(line[i]));
+  }
+  EXPECT_EQ(covered, edges_between(soup, labels));
+}
+
+} // namespace
+
+TEST(Mark_segment_borders_test, marks_the_edges_between_labels)
+{
+  for (Family family : all_families)
+    for (unsigned seed = 1; seed <= 3; ++seed) {
+      SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
+      const Soup soup = random_mesh(family, seed);
+      const Labels labels = random_labels(soup, 5, seed);
+      const Surface_mesh mesh = to_surface_mesh(soup);
+      auto marks = edge_map(mesh, std::uint8_t(1)); // stale
+      const std::set<Edge> expected = edges_between(soup, labels);
+      EXPECT_EQ(RS::mark_segment_borders(mesh, face_labels(mesh, labels), marks), expected.size());
+      for (const auto& [edge, is_marked] : flags_of(mesh, marks))
+        EXPECT_EQ(is_marked, expected.count(edge) == 1);
+    }
+}
+
+TEST(Extract_segment_borders_test, covers_every_edge_once_from_junction_to_junction)
+{
+  for (Family family : all_families)
+    for (unsigned seed = 1; seed <= 6; ++seed) {
+      SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
+      const Soup soup = random_mesh(family, seed);
+      check_borders(soup, random_labels(soup, 2 + seed, seed));
+    }
+}
+
+TEST(Extract_segment_borders_test, finds_the_lines_of_a_cube)
+{
+  const std::vector<Border> borders = borders_of(to_surface_mesh(cube()), {0, 1, 2, 3, 4, 5});
+  EXPECT_EQ(borders.size(), 12u);
+  for (const Border& border : borders) {
+    EXPECT_EQ(border.halfedges.size(), 1u);
+    EXPECT_LT(border.segment, border.opposite_segment);
+    EXPECT_FALSE(border.is_closed);
+  }
+}
+
+TEST(Extract_segment_borders_test, finds_closed_lines)
+{
+  const std::vector<Border> borders = borders_of(to_surface_mesh(box_on_plate()), [] {
+    const Soup soup = box_on_plate();
+    Labels labels; // the box above the plate
+    for (const Polygon& polygon : soup.polygons)
+      labels.push_back(std::all_of(polygon.begin(), polygon.end(),
+                                   [&](std::size_t v) { return soup.points[v][2] >= 1; }) &&
+                               std::any_of(polygon.begin(), polygon.end(),
+                                           [&](std::size_t v) { return soup.points[v][2] > 1; })
+                         ? 7
+                         : 3);
+    return labels;
+  }());
+  ASSERT_EQ(borders.size(), 1u);
+  EXPECT_TRUE(borders[0].is_closed);
+  EXPECT_EQ(borders[0].halfedges.size(), 4u);
+}
+
+TEST(Extract_segment_borders_test, ends_at_the_border_of_the_mesh)
+{
+  // Two squares side by side, and three of which the outer ones share a label.
+  EXPECT_EQ(borders_of(to_surface_mesh(grid(2, 1)), {0, 1}).size(), 1u);
+  const std::vector<Border> borders = borders_of(to_surface_mesh(grid(3, 1)), {0, 1, 0});
+  ASSERT_EQ(borders.size(), 2u);
+  for (const Border& border : borders) {
+    EXPECT_EQ(border.segment, 0u);
+    EXPECT_EQ(border.opposite_segment, 1u);
+    EXPECT_EQ(border.halfedges.size(), 1u);
+  }
+}
+
+TEST(Extract_segment_borders_test, faces_without_a_segment_are_across)
+{
+  const std::size_t none = RS::no_segment<std::size_t>;
+  const std::vector<Border> borders = borders_of(to_surface_mesh(grid(3, 1)), {none, none, 4});
+  ASSERT_EQ(borders.size(), 1u);
+  EXPECT_EQ(borders[0].segment, 4u);
+  EXPECT_EQ(borders[0].opposite_segment, none);
+}
+
+TEST(Extract_segment_borders_test, bears_meshes_with_nothing_to_do)
+{
+  EXPECT_TRUE(borders_of(Surface_mesh(), {}).empty());
+  EXPECT_TRUE(borders_of(to_surface_mesh(cube()), Labels(6, 2)).empty());
+}

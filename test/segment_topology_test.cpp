@@ -1,0 +1,335 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// compute_segment_topology(), mark_segment_seams(), divide_into_discs(): against counts on polygon soups.
+
+#include "segments.h"
+
+#include <CGAL/Region_segmentation/Segments/compute_segment_topology.h>
+#include <CGAL/Region_segmentation/Segments/divide_into_discs.h>
+#include <CGAL/Region_segmentation/Segments/mark_segment_borders.h>
+#include <CGAL/Region_segmentation/Segments/mark_segment_seams.h>
+#include <CGAL/Region_segmentation/Segments/split_into_segments.h>
+
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/boost/graph/graph_traits_Polyhedron_3.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace RS = CGAL::Region_segmentation;
+using namespace test;
+
+namespace {
+
+using Topology = RS::Segment_topology<std::size_t>;
+
+std::vector<Topology> topologies_of(const Soup& soup, const Labels& labels)
+{
+  const Surface_mesh mesh = to_surface_mesh(soup);
+  std::vector<Topology> result;
+  const std::size_t number = RS::compute_segment_topology(mesh, face_labels(mesh, labels), std::back_inserter(result));
+  EXPECT_EQ(number, result.size());
+  return result;
+}
+
+Topology topology_of(const Soup& soup)
+{
+  return topologies_of(soup, Labels(soup.polygons.size(), 0)).front();
+}
+
+template <typename Mesh = Surface_mesh>
+std::set<Edge> seams_of(const Soup& soup, const Labels& labels, const RS::Seam_cost& cost = RS::Seam_cost())
+{
+  const Mesh mesh = to_mesh<Mesh>(soup);
+  auto map = edge_map(mesh, std::uint8_t(1)); // stale
+  const std::size_t number = RS::mark_segment_seams(mesh, face_labels(mesh, labels), map, cost);
+  std::set<Edge> seams;
+  for (const auto& [edge, is_marked] : flags_of(mesh, map))
+    if (is_marked)
+      seams.insert(edge);
+  EXPECT_EQ(number, seams.size());
+  return seams;
+}
+
+/// Those inside segments.
+std::set<Edge> inner_seams_of(const Soup& soup, const Labels& labels, const RS::Seam_cost& cost = RS::Seam_cost())
+{
+  std::set<Edge> seams = seams_of(soup, labels, cost);
+  for (const auto& [edge, both] : faces_of_edges(soup))
+    if (both.size() == 2 && labels[both[0]] != labels[both[1]]) {
+      EXPECT_EQ(seams.erase(edge), 1u);
+    }
+  return seams;
+}
+
+/// The soup cut along edges: a vertex for each fan of faces between them.
+Soup cut_open(const Soup& soup, const std::set<Edge>& cuts)
+{
+  using Corner = std::pair<std::size_t, std::size_t>;
+  std::map<Corner, Corner> parent;
+  const auto root = [&](Corner c) {
+    while (parent.at(c) != c)
+      c = parent.at(c);
+    return c;
+  };
+  for (std::size_t f = 0; f < soup.polygons.size(); ++f)
+    for (std::size_t v : soup.polygons[f])
+      parent[{f, v}] = {f, v};
+  for (const auto& [edge, both] : faces_of_edges(soup))
+    if (both.size() == 2 && !cuts.count(edge))
+      for (std::size_t v : {edge.first, edge.second}) {
+        const Corner a = root({both[0], v}), b = root({both[1], v});
+        parent[a] = b;
+      }
+  Soup result;
+  std::map<Corner, std::size_t> vertex_of;
+  for (std::size_t f = 0; f < soup.polygons.size(); ++f) {
+    result.polygons.emplace_back();
+    for (std::size_t v : soup.polygons[f]) {
+      const auto [place, is_new] = vertex_of.emplace(root({f, v}), result.points.size());
+      if (is_new)
+        result.points.push_back(soup.points[v]);
+      result.polygons.back().push_back(place->second);
+    }
+  }
+  return result;
+}
+
+/// Whether the mesh falls into discs when cut along the seams, one for each component of a segment.
+void expect_discs_when_cut(const Soup& soup, const Labels& labels)
+{
+  std::set<Edge> seams = seams_of(soup, labels);
+  const Soup opened = cut_open(soup, seams);
+  std::size_t components = 0;
+  for (const auto& [segment, counts] : count_segments(soup, labels))
+    components += counts.components;
+
+  // Components of the opened mesh: those of faces without a segment are no discs in general.
+  const std::size_t none = std::size_t(-1);
+  Labels component_of(opened.polygons.size(), none);
+  std::size_t number = 0;
+  const auto faces_at = faces_of_edges(opened);
+  std::vector<std::vector<std::size_t>> neighbors(opened.polygons.size());
+  for (const auto& [edge, both] : faces_at)
+    if (both.size() == 2) {
+      neighbors[both[0]].push_back(both[1]);
+      neighbors[both[1]].push_back(both[0]);
+    }
+  for (std::size_t f = 0; f < component_of.size(); ++f) {
+    if (component_of[f] != none || labels[f] == none)
+      continue;
+    std::vector<std::size_t> front = {f};
+    component_of[f] = number;
+    while (!front.empty()) {
+      const std::size_t g = front.back();
+      front.pop_back();
+      for (std::size_t h : neighbors[g])
+        if (component_of[h] == none) {
+          EXPECT_EQ(labels[h], labels[f]);
+          component_of[h] = number;
+          front.push_back(h);
+        }
+    }
+    ++number;
+  }
+  EXPECT_EQ(number, components);
+  for (const auto& [component, counts] : count_segments(opened, component_of)) {
+    EXPECT_EQ(counts.components, 1u);
+    EXPECT_EQ(counts.loops, 1u);
+    EXPECT_EQ(counts.euler_characteristic(), 1);
+  }
+}
+
+template <typename Mesh = Surface_mesh>
+Labels discs_of(const Soup& soup, const Labels& labels)
+{
+  const Mesh mesh = to_mesh<Mesh>(soup);
+  auto map = face_map(mesh);
+  const std::size_t number = RS::divide_into_discs(mesh, face_labels(mesh, labels), map);
+  const Labels discs = labels_of(mesh, map);
+  std::set<std::size_t> used(discs.begin(), discs.end());
+  used.erase(std::size_t(-1));
+  EXPECT_EQ(used.size(), number);
+  EXPECT_TRUE(used.empty() || *used.rbegin() == number - 1);
+  return discs;
+}
+
+void expect_divided(const Soup& soup, const Labels& labels)
+{
+  const Labels discs = discs_of(soup, labels);
+  for (std::size_t f = 0; f < labels.size(); ++f)
+    EXPECT_EQ(labels[f] == std::size_t(-1), discs[f] == std::size_t(-1));
+  EXPECT_TRUE(nests(discs, labels));
+  for (const auto& [disc, counts] : count_segments(soup, discs)) {
+    EXPECT_EQ(counts.components, 1u);
+    EXPECT_EQ(counts.loops, 1u);
+    EXPECT_EQ(counts.euler_characteristic(), 1);
+  }
+  // Those that were discs stay.
+  const auto counts_before = count_segments(soup, labels);
+  std::map<std::size_t, std::set<std::size_t>> discs_in;
+  for (std::size_t f = 0; f < labels.size(); ++f)
+    discs_in[labels[f]].insert(discs[f]);
+  for (const auto& [segment, counts] : counts_before)
+    if (counts.components == 1 && counts.loops == 1 && counts.euler_characteristic() == 1) {
+      EXPECT_EQ(discs_in[segment].size(), 1u);
+    }
+}
+
+/// A sheet with square holes: labels of a grid, faces at odd columns and rows without a segment.
+Labels holes(std::size_t nx, std::size_t ny)
+{
+  Labels labels;
+  for (std::size_t y = 0; y < ny; ++y)
+    for (std::size_t x = 0; x < nx; ++x)
+      labels.push_back(x % 4 == 2 && y % 4 == 2 ? std::size_t(-1) : 0);
+  return labels;
+}
+
+} // namespace
+
+TEST(Compute_segment_topology_test, knows_the_usual_surfaces)
+{
+  const Topology sphere_ = topology_of(sphere(2));
+  EXPECT_EQ(sphere_.euler_characteristic, 2);
+  EXPECT_EQ(sphere_.number_of_border_loops, 0u);
+  EXPECT_EQ(sphere_.genus(), 0u);
+  EXPECT_FALSE(sphere_.is_disc());
+  const Topology torus_ = topology_of(torus(9, 7));
+  EXPECT_EQ(torus_.euler_characteristic, 0);
+  EXPECT_EQ(torus_.genus(), 1u);
+  const Topology disc = topology_of(grid(3, 2));
+  EXPECT_TRUE(disc.is_disc());
+  EXPECT_EQ(disc.genus(), 0u);
+  const Topology two = topology_of(joined(sphere(1), grid(1, 1)));
+  EXPECT_EQ(two.number_of_components, 2u);
+  EXPECT_EQ(two.euler_characteristic, 3);
+  const auto sheet = topologies_of(grid(9, 9), holes(9, 9)); // four holes
+  ASSERT_EQ(sheet.size(), 1u);
+  EXPECT_EQ(sheet[0].number_of_border_loops, 5u);
+  EXPECT_EQ(sheet[0].euler_characteristic, -3);
+}
+
+TEST(Compute_segment_topology_test, counts_as_brute_force_does)
+{
+  for (Family family : all_families)
+    for (unsigned seed = 1; seed <= 6; ++seed) {
+      SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
+      const Soup soup = random_mesh(family, seed);
+      const Labels labels = random_labels(soup, 2 + seed, seed);
+      auto expected = count_segments(soup, labels);
+      for (const Topology& topology : topologies_of(soup, labels)) {
+        ASSERT_TRUE(expected.count(topology.segment));
+        const Segment_counts counts = expected[topology.segment];
+        expected.erase(topology.segment);
+        EXPECT_EQ(topology.euler_characteristic, counts.euler_characteristic());
+        EXPECT_EQ(topology.number_of_border_loops, counts.loops);
+        EXPECT_EQ(topology.number_of_components, counts.components);
+      }
+      EXPECT_TRUE(expected.empty());
+    }
+}
+
+TEST(Mark_segment_seams_test, opens_the_usual_surfaces)
+{
+  expect_discs_when_cut(sphere(2), Labels(128, 0));
+  expect_discs_when_cut(torus(9, 7), Labels(63, 0));
+  expect_discs_when_cut(grid(9, 9), holes(9, 9));
+  expect_discs_when_cut(triangulated(dumbbell()), Labels(triangulated(dumbbell()).polygons.size(), 3));
+  expect_discs_when_cut(triangulated(cube()), Labels(12, 0));
+  expect_discs_when_cut(Soup(), {});
+  EXPECT_TRUE(inner_seams_of(grid(4, 4), Labels(16, 0)).empty());
+}
+
+TEST(Mark_segment_seams_test, opens_random_segments)
+{
+  for (Family family : all_families)
+    for (unsigned seed = 1; seed <= 8; ++seed) {
+      SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
+      const Soup soup = random_mesh(family, seed);
+      expect_discs_when_cut(soup, random_labels(soup, 1 + seed, seed));
+      expect_discs_when_cut(soup, Labels(soup.polygons.size(), 0));
+    }
+}
+
+TEST(Mark_segment_seams_test, a_tube_is_opened_along_its_shortest_line)
+{
+  // Squares around the middle of a prism of 12 sides; one side is lower by a notch, so that the tube is shorter there.
+  Soup tube;
+  constexpr std::size_t sides = 12, rings = 5;
+  const double pi = std::acos(-1.0);
+  for (std::size_t i = 0; i <= rings; ++i)
+    for (std::size_t s = 0; s < sides; ++s)
+      tube.points.push_back({std::cos(2 * pi * double(s) / sides), std::sin(2 * pi * double(s) / sides),
+                             double(i) * (s == 7 ? 0.8 : 1)});
+  for (std::size_t i = 0; i < rings; ++i)
+    for (std::size_t s = 0; s < sides; ++s) {
+      const std::size_t t = (s + 1) % sides;
+      tube.polygons.push_back({i * sides + s, i * sides + t, (i + 1) * sides + t, (i + 1) * sides + s});
+    }
+  std::set<Edge> expected;
+  for (std::size_t i = 0; i < rings; ++i)
+    expected.insert(make_edge(i * sides + 7, (i + 1) * sides + 7));
+  EXPECT_EQ(inner_seams_of(tube, Labels(sides * rings, 0)), expected);
+
+  // With a valley along side 2, whose edges are concave, the seam hides there, unless only length counts.
+  for (std::size_t i = 0; i <= rings; ++i)
+    for (std::size_t c = 0; c < 2; ++c)
+      tube.points[i * sides + 2][c] *= 0.5;
+  std::set<Edge> hidden;
+  for (std::size_t i = 0; i < rings; ++i)
+    hidden.insert(make_edge(i * sides + 2, (i + 1) * sides + 2));
+  EXPECT_EQ(inner_seams_of(tube, Labels(sides * rings, 0)), hidden);
+  EXPECT_EQ(inner_seams_of(tube, Labels(sides * rings, 0), RS::Seam_cost{0}), expected);
+}
+
+TEST(Mark_segment_seams_test, is_the_same_on_every_mesh_type)
+{
+  for (Family family : {Family::TORUS, Family::BLOCKS}) {
+    const Soup soup = random_mesh(family, 3);
+    const Labels labels = random_labels(soup, 3, 3);
+    EXPECT_EQ(seams_of(soup, labels), seams_of<CGAL::Polyhedron_3<Kernel>>(soup, labels));
+    EXPECT_EQ(discs_of(soup, labels), discs_of<CGAL::Polyhedron_3<Kernel>>(soup, labels));
+  }
+}
+
+TEST(Divide_into_discs_test, divides_the_usual_surfaces_in_few)
+{
+  const auto number = [](const Soup& soup, const Labels& labels) {
+    expect_divided(soup, labels);
+    const Labels discs = discs_of(soup, labels);
+    std::set<std::size_t> used(discs.begin(), discs.end());
+    used.erase(std::size_t(-1));
+    return used.size();
+  };
+  EXPECT_EQ(number(sphere(3), Labels(512, 4)), 2u);
+  EXPECT_LE(number(torus(20, 12), Labels(240, 4)), 4u); // both halves meet themselves at a face
+  EXPECT_EQ(number(grid(5, 5), holes(5, 5)), 2u); // a ring
+  EXPECT_EQ(number(grid(4, 4), Labels(16, 7)), 1u);
+  EXPECT_LE(number(triangulated(grid(9, 9)), [] {
+    Labels labels;
+    for (std::size_t f : holes(9, 9)) {
+      labels.push_back(f);
+      labels.push_back(f);
+    }
+    return labels;
+  }()), 3u); // four holes
+}
+
+TEST(Divide_into_discs_test, divides_random_segments)
+{
+  for (Family family : all_families)
+    for (unsigned seed = 1; seed <= 8; ++seed) {
+      SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
+      const Soup soup = random_mesh(family, seed);
+      expect_divided(soup, random_labels(soup, 1 + seed, seed));
+      expect_divided(soup, Labels(soup.polygons.size(), 0));
+    }
+}
