@@ -54,7 +54,7 @@ public:
   {
     for (; !m_queue.empty(); m_queue.pop()) {
       const Entry& top = m_queue.top();
-      if (!graph.is_removed(top.section) && m_versions[top.section.id()] == top.version)
+      if (is_current(graph, top))
         return Merge_candidate{top.section, top.cost};
     }
     return std::nullopt;
@@ -67,6 +67,8 @@ public:
       ++m_versions[s.id()];
       push(graph, s);
     }
+    if (m_queue.size() > 4 * graph.number_of_sections() + smallest_number_to_clean)
+      remove_stale_entries(graph);
   }
 
 private:
@@ -82,6 +84,25 @@ private:
     }
   };
   using Queue = std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>>;
+  static constexpr std::size_t smallest_number_to_clean = 1024;
+
+  /// Entries of a region with very many sections become stale with each of its merges: this bounds the memory, at a
+  /// constant cost per entry.
+  template <typename Graph>
+  void remove_stale_entries(const Graph& graph)
+  {
+    std::vector<Entry> entries;
+    for (; !m_queue.empty(); m_queue.pop())
+      if (is_current(graph, m_queue.top()))
+        entries.push_back(m_queue.top());
+    m_queue = Queue(std::greater<Entry>(), std::move(entries));
+  }
+
+  template <typename Graph>
+  bool is_current(const Graph& graph, const Entry& entry) const
+  {
+    return !graph.is_removed(entry.section) && m_versions[entry.section.id()] == entry.version;
+  }
 
   template <typename Graph>
   void push(const Graph& graph, Section_descriptor s)

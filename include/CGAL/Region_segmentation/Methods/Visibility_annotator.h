@@ -28,7 +28,8 @@ namespace Region_segmentation {
 ///
 /// From three faces of each region, at the centers of its patches (see `Mesh_patches`): the one nearest to its centroid,
 /// and those at 3/10 and 6/10 in the order of the distance to it, six rays are cast into the body: one against the normal, and five on a spiral
-/// in a cone of 0.9 rad around it. A region of one or two faces casts as many rays, from those.
+/// in a cone of 0.9 rad around it. A region of one or two such faces casts as many rays, from those; one of less than
+/// 1/6400 of the surface casts a single ray, against the normal of the first.
 /// - The *thickness* of a region is the mean of \f$\ln(x / \sqrt{A} + 10^{-4})\f$, \f$x\f$ the lengths of
 ///   its rays; that of a region whose rays all leave the body is the mean of the others.
 /// - Each ray connects the regions where it starts and ends, weighted by the share of the area that
@@ -124,7 +125,7 @@ private:
         if (hit.face != internal::Ray_tree::no_face) {
           thickness[r].add(std::log(hit.distance / unit + 1e-4));
           add_ray(graph, Index(r), regions[hit.face],
-                  graph[Index(r)].area / double(internal::Inward_rays::rays_per_region));
+                  graph[Index(r)].area / double(internal::Inward_rays::number_of_rays(graph[Index(r)].area)));
         }
     set_thickness(graph, thickness);
   }

@@ -33,7 +33,14 @@ class Inward_rays
 public:
   static constexpr std::size_t faces_per_region = 3, rays_per_region = 18;
 
-  /// The hits of the rays of a region.
+  /// A region whose share of the surface is below this one casts a single ray: thousands of small components cost no
+  /// more than the rest.
+  static constexpr double smallest_share = 1. / 6400;
+
+  /// The number of rays that a region of a share of the area of the surface casts.
+  static std::size_t number_of_rays(double share) { return share < smallest_share ? 1 : rays_per_region; }
+
+  /// The hits of the rays of a region; the first is straight against the normal.
   using Hits = std::array<Ray_tree::Hit, rays_per_region>;
 
   /// `shapes`: of the regions; `tree`: of the mesh
@@ -113,6 +120,10 @@ private:
     Hits hits;
     hits.fill({Ray_tree::no_face, 0});
     auto [begin, end] = m_faces[region];
+    if (number_of_rays(m_shapes.areas[region] / m_mesh.surface_area()) == 1) {
+      trace_from(std::min_element(begin, end)->second, m_spirals[0].data(), 1, hits.data());
+      return hits;
+    }
     const std::size_t size = std::size_t(end - begin);
     const std::size_t samples = (std::min)(size, faces_per_region);
     const Spirals& spirals = m_spirals[samples - 1];
