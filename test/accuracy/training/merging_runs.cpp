@@ -187,8 +187,10 @@ Model_score score_learned(const Training_model& model, const Model& learned)
 
 Model_score score_visibility(const Training_model& model)
 {
-  return score(model, RS::Visibility_cost(), RS::Visibility_cost(),
-               [&](const RS::Merge_tree&, std::size_t) { return model.number_of_segments; });
+  Model_score result = score(model, RS::Visibility_cost(), RS::Visibility_cost(),
+                             [](const RS::Merge_tree&, std::size_t) { return std::size_t(0); });
+  result.automatic = std::numeric_limits<double>::quiet_NaN();
+  return result;
 }
 
 } // namespace train_merge_cost

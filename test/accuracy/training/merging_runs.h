@@ -22,7 +22,7 @@ Training_rows rows_of_learned_run(const Training_model& model, const Model& lear
 struct Model_score
 {
   double given = 0;     ///< with k of the standard protocol, mean over the people
-  double automatic = 0; ///< with the chosen number
+  double automatic = 0; ///< with the chosen number; NaN where none is chosen
   double best = 0;      ///< with the best number of the tree in hindsight
   double nearest = 0, first = 0; ///< the paper's protocol; NaN if no person has the number k
   std::size_t chosen_number = 0;

@@ -48,6 +48,8 @@ public:
 
   std::string text() const
   {
+    if (m_n == 0)
+      return "-";
     char buffer[64];
     std::snprintf(buffer, sizeof buffer, "%.4f +-%.4f", mean(), error());
     return buffer;
@@ -59,6 +61,8 @@ private:
 
 std::string fixed(double value, int digits)
 {
+  if (std::isnan(value))
+    return "-";
   char buffer[64];
   std::snprintf(buffer, sizeof buffer, "%.*f", digits, value);
   return buffer;

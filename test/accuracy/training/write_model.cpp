@@ -114,7 +114,7 @@ void write_model(std::ostream& out, const Trained_model& trained, const std::vec
   out << "};\n\ninline constexpr " << type << "::Unit learned_units[] = {\n";
   for (const Model::Unit& unit : trained.network.units)
     write_unit(line, unit);
-  out << "};\n\ninline constexpr " << type << "::Weights learned_direct_weights = ";
+  out << "};\n\ninline constexpr " << type << "::Weights learned_direct_weights =\n";
   write_weights(line, trained.network.direct_weights);
   out << ";\n\ninline constexpr " << type << " learned_merge_model{\n  learned_trees, " << trained.trees.size()
       << ", {learned_inputs, learned_units, " << trained.network.units.size() << ", learned_direct_weights, "

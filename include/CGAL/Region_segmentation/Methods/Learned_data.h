@@ -8,6 +8,7 @@
 #include <CGAL/Region_segmentation/Methods/Visibility_data.h>
 #include <CGAL/Region_segmentation/internal/model/Second_moments.h>
 
+#include <cmath>
 #include <cstddef>
 
 namespace CGAL {
@@ -41,20 +42,17 @@ struct Learned_section_data : Visibility_section_data
   /// Accounts for a dual edge of the mesh.
   void add_edge(const Flat_mesh& mesh, std::size_t lower_face, std::size_t edge)
   {
-    Visibility_section_data::add_edge(mesh, lower_face, edge);
     const double unit = mesh.relative_unit(), l = mesh.length(edge) / unit;
+    const double deviation = signed_deviation(mesh, lower_face, edge);
+    add(l, deviation);
     const Double_3 center = 0.5 * (mesh.centroid(lower_face) + mesh.centroid(mesh.higher_face(edge)));
     moments.add(l, (1 / unit) * (center - mesh.centroid(0)));
-    const bool is_concave = mesh.has_flag(edge, Flat_mesh::CONCAVE);
-    if (!is_concave && !mesh.has_flag(edge, Flat_mesh::CONVEX))
-      return;
-    const double deviation = mesh.deviation(lower_face, edge);
-    squared_deviation += (is_concave ? l : -l) * deviation * deviation;
-    if (is_concave && deviation > weakly_concave)
+    squared_deviation += l * deviation * std::abs(deviation);
+    if (deviation > weakly_concave)
       weakly_concave_length += l;
-    if (is_concave && deviation > strongly_concave)
+    if (deviation > strongly_concave)
       strongly_concave_length += l;
-    if (!is_concave && deviation > strongly_convex)
+    if (deviation < -strongly_convex)
       strongly_convex_length += l;
   }
 

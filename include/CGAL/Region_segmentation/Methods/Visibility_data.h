@@ -34,13 +34,7 @@ struct Visibility_section_data
   /// Accounts for a dual edge of the mesh. An edge of a degenerate face counts as flat.
   void add_edge(const Flat_mesh& mesh, std::size_t lower_face, std::size_t edge)
   {
-    const double l = mesh.length(edge) / mesh.relative_unit();
-    length += l;
-    ++number_of_edges;
-    if (mesh.has_flag(edge, Flat_mesh::CONCAVE))
-      concave += l * (std::min)(mesh.deviation(lower_face, edge), 0.6);
-    else if (mesh.has_flag(edge, Flat_mesh::CONVEX))
-      convex += l * (std::min)(mesh.deviation(lower_face, edge), 2.0);
+    add(mesh.length(edge) / mesh.relative_unit(), signed_deviation(mesh, lower_face, edge));
   }
 
   /// Adds another section between the same two regions.
@@ -52,6 +46,26 @@ struct Visibility_section_data
     bend += other.bend;
     visibility += other.visibility;
     number_of_edges += other.number_of_edges;
+  }
+
+protected:
+  /// The deviation of a dual edge in radians: positive if it is concave, negative if it is convex.
+  static double signed_deviation(const Flat_mesh& mesh, std::size_t lower_face, std::size_t edge)
+  {
+    return mesh.has_flag(edge, Flat_mesh::CONCAVE)  ? mesh.deviation(lower_face, edge)
+           : mesh.has_flag(edge, Flat_mesh::CONVEX) ? -mesh.deviation(lower_face, edge)
+                                                    : 0;
+  }
+
+  /// Accounts for an edge by its length and signed deviation.
+  void add(double l, double deviation)
+  {
+    length += l;
+    ++number_of_edges;
+    if (deviation > 0)
+      concave += l * (std::min)(deviation, 0.6);
+    else
+      convex += l * (std::min)(-deviation, 2.0);
   }
 };
 
