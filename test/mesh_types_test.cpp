@@ -24,7 +24,7 @@
 #include <CGAL/boost/graph/graph_traits_TriMesh_ArrayKernelT.h>
 #endif
 #include <CGAL/Region_segmentation/Methods/Smooth_faces.h>
-#include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
+#include <CGAL/Region_segmentation/Methods/Learned_merging.h>
 #include <CGAL/Region_segmentation/Segmenter.h>
 #include <CGAL/Region_segmentation/build_region_adjacency_graph.h>
 #include <CGAL/Region_segmentation/detect_feature_edges.h>
@@ -156,7 +156,7 @@ Result run_stages(const Mesh& mesh, const Options& options)
 template <typename Mesh>
 std::vector<Result> run_default(const Mesh& mesh, const Options& options)
 {
-  const RS::Visibility_merging method;
+  const RS::Learned_merging method;
   std::vector<Result> results;
   const auto add = [&](const auto& np) {
     results.push_back(options.constrained_edges.empty()
@@ -324,7 +324,7 @@ TYPED_TEST(Mesh_types_test, takes_seeds)
       return segments_of(any_mesh, RS::parameters::number_of_segments(4).method(method).face_seed_map(seeds));
     };
     const Surface_mesh same = to_surface_mesh(soup_of(mesh));
-    EXPECT_EQ(segments(mesh, RS::Visibility_merging()), segments(same, RS::Visibility_merging()));
+    EXPECT_EQ(segments(mesh, RS::Learned_merging()), segments(same, RS::Learned_merging()));
     EXPECT_EQ(segments(mesh, options.method()), segments(same, options.method()));
   }
 }

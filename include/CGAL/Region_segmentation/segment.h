@@ -35,7 +35,7 @@ namespace Region_segmentation {
 /// \param np optional named parameters:
 ///   - `number_of_segments` (at least 1): the wanted number k (default: chosen by the method, if it has a
 ///     `NumberChooser`)
-///   - `method`: a model of `SegmentationMethod` (default: `Visibility_merging()`; `Two_step()` is the method of the
+///   - `method`: a model of `SegmentationMethod` (default: `Learned_merging()`; `Two_step()` is the method of the
 ///     paper). Constants are members of its parts
 ///   - `edge_is_constrained_map`: edges that always are borders and are never merged across (none)
 ///   - `face_seed_map`: faces with equal seeds belong to one segment, faces with different seeds to different ones; see
@@ -55,7 +55,7 @@ namespace Region_segmentation {
 /// \throws Invalid_input if a point is not finite or equal seeds cannot be joined; `Segmentation_cancelled` if the
 ///         visitor cancels; all maps are unchanged
 ///
-/// Complexity: that of its parts; O(F log F) in practice for `Visibility_merging`, O(F + R log R + k^2) expected for
+/// Complexity: that of its parts; O(F log F) in practice for `Learned_merging`, O(F + R log R + k^2) expected for
 /// `Two_step`.
 /// Deterministic: the same bits from every mesh type. Concurrent calls on different maps are safe.
 /// For several numbers of segments, or when constraints and seeds change, use a `Segmenter`.
