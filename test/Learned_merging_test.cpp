@@ -74,6 +74,19 @@ TEST(Learned_merging_test, does_not_depend_on_place_and_size)
   }
 }
 
+TEST(Learned_merging_test, is_the_default_and_needs_no_number)
+{
+  const Surface_mesh mesh = to_surface_mesh(random_mesh(Family::BLOCKS, 4));
+  const Result by_default = run(mesh, RS::parameters::number_of_segments(5));
+  const Result by_name = run(mesh, RS::parameters::number_of_segments(5).method(RS::Learned_merging()));
+  EXPECT_EQ(by_default.segments, by_name.segments);
+  EXPECT_EQ(by_default.regions, by_name.regions);
+
+  const Result chosen = run(mesh, RS::parameters::default_values());
+  EXPECT_EQ(chosen.number_of_segments, RS::Learned_merging().chooser(chosen.tree));
+  EXPECT_EQ(chosen.segments, labels_of(chosen.regions, chosen.tree.partition_at_count(chosen.number_of_segments)));
+}
+
 TEST(Learned_merging_test, does_not_depend_on_rotation)
 {
   for (unsigned seed = 0; seed < 3; ++seed) {

@@ -21,7 +21,7 @@ Labels segment_into(const Soup& soup, std::size_t k)
 {
   Surface_mesh mesh = to_surface_mesh(soup);
   auto map = mesh.add_property_map<Surface_mesh::Face_index, std::size_t>("f:segment").first;
-  RS::segment(mesh, map, RS::parameters::number_of_segments(k));
+  RS::segment(mesh, map, RS::parameters::number_of_segments(k).method(RS::Visibility_merging()));
   return labels_of(mesh, map);
 }
 
@@ -29,7 +29,7 @@ Labels segment_automatically(const Soup& soup)
 {
   Surface_mesh mesh = to_surface_mesh(soup);
   auto map = mesh.add_property_map<Surface_mesh::Face_index, std::size_t>("f:segment").first;
-  const std::size_t n = RS::segment(mesh, map);
+  const std::size_t n = RS::segment(mesh, map, RS::parameters::method(RS::Visibility_merging()));
   const Labels labels = labels_of(mesh, map);
   EXPECT_TRUE(is_numbered_by_first_face(labels, n));
   return labels;
@@ -171,14 +171,9 @@ TEST(Visibility_merging_test, never_merges_across_a_constrained_line)
     EXPECT_EQ(map[Surface_mesh::Face_index(unsigned(f))], f % 8 < 3 ? 0u : 1u);
 }
 
-TEST(Visibility_merging_test, is_the_default_and_needs_no_number)
+TEST(Visibility_merging_test, needs_no_number)
 {
   const Surface_mesh mesh = to_surface_mesh(random_mesh(Family::BLOCKS, 4));
-  const Result by_default = run(mesh, RS::parameters::number_of_segments(5));
-  const Result by_name = run(mesh, RS::parameters::number_of_segments(5).method(RS::Visibility_merging()));
-  EXPECT_EQ(by_default.segments, by_name.segments);
-  EXPECT_EQ(by_default.regions, by_name.regions);
-
   const Result chosen = run(mesh, RS::parameters::method(RS::Visibility_merging()));
   EXPECT_EQ(chosen.number_of_segments, RS::Visibility_merging().chooser(chosen.tree));
   EXPECT_EQ(chosen.segments, labels_of(chosen.regions, chosen.tree.partition_at_count(chosen.number_of_segments)));

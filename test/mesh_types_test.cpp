@@ -23,6 +23,7 @@
 #include <CGAL/boost/graph/graph_traits_PolyMesh_ArrayKernelT.h>
 #include <CGAL/boost/graph/graph_traits_TriMesh_ArrayKernelT.h>
 #endif
+#include <CGAL/Region_segmentation/Methods/Learned_merging.h>
 #include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
 #include <CGAL/Region_segmentation/Segmenter.h>
 #include <CGAL/Region_segmentation/build_region_adjacency_graph.h>
@@ -155,7 +156,7 @@ Result run_stages(const Mesh& mesh, const Options& options)
 template <typename Mesh>
 std::vector<Result> run_default(const Mesh& mesh, const Options& options)
 {
-  const RS::Visibility_merging method;
+  const RS::Learned_merging method;
   std::vector<Result> results;
   const auto add = [&](const auto& np) {
     results.push_back(options.constrained_edges.empty()

@@ -64,7 +64,7 @@ TEST_F(Program, chooses_the_number_of_segments)
     outcome.out,
     std::regex("a\\.off: [0-9]+ faces, [0-9]+ regions, [0-9]+ segments" + time_at_end)))
     << outcome.out;
-  EXPECT_NE(folder.read("a.json").find("\"method\": \"visibility\", \"segments\": null"),
+  EXPECT_NE(folder.read("a.json").find("\"method\": \"learned\", \"segments\": null"),
             std::string::npos);
 }
 
@@ -84,9 +84,9 @@ TEST_F(Program, runs_all_methods)
   const auto line_without_time = [](const Outcome& o) {
     return o.out.substr(0, o.out.find(" segments"));
   };
-  EXPECT_EQ(line_without_time(visibility), line_without_time(standard));
+  EXPECT_EQ(line_without_time(learned), line_without_time(standard));
   EXPECT_NE(line_without_time(two_step), line_without_time(standard));
-  EXPECT_EQ(learned.status, 0) << learned.err;
+  EXPECT_EQ(visibility.status, 0) << visibility.err;
 }
 
 TEST_F(Program, writes_every_format)
@@ -258,8 +258,8 @@ TEST_F(Program, knows_wrong_usage)
   expect_wrong_usage("a.off --truth '{name}.seg'",
                      "--truth {name}.seg: unknown {name}; there is {stem} alone");
   expect_wrong_usage("a.off -k 2 --method two-step --max-angle 181", "--max-angle: an angle from 0 to 180 degrees");
-  expect_wrong_usage("a.off -k 2 --max-angle 5", "--max-angle: --method visibility has no feature edges");
-  expect_wrong_usage("a.off -k 2 --features all", "--features: --method visibility has no feature edges");
+  expect_wrong_usage("a.off -k 2 --max-angle 5", "--max-angle: --method learned has no feature edges");
+  expect_wrong_usage("a.off -k 2 --features all", "--features: --method learned has no feature edges");
   expect_wrong_usage("a.off -k 2 --method two-step --max-angle nan", "--max-angle: an angle from 0 to 180 degrees");
   expect_wrong_usage("a.off -k 2 -o a.xyz", "a.xyz" + endings);
   expect_wrong_usage("a.off -k 2 -o a.gif", "a.gif" + endings);

@@ -55,7 +55,7 @@ struct Raw_options
   Options options;
   double maximum_angle = 0;
   std::string number_of_segments, number_of_threads = "0"; ///< CLI11 would cut off large numbers
-  std::string method = "visibility", features = "concave", mesh_type = "surface_mesh";
+  std::string method = "learned", features = "concave", mesh_type = "surface_mesh";
   bool is_quiet = false;
 };
 
@@ -76,7 +76,7 @@ void add_run_options(CLI::App& app, Raw_options& raw)
   add("-k,--segments", raw.number_of_segments, "N",
       "Number of segments; left out: chosen automatically, or the true one of the figure");
   add("--method", raw.method, "METHOD",
-      "visibility (default), learned (from people), or two-step (Yang et al. 2014; needs -k)")
+      "learned (from people; default), visibility (a hand-made cost), or two-step (Yang et al. 2014; needs -k)")
     ->check(one_of(methods));
   add("--features", raw.features, "KIND",
       "Of two-step: edges that can be features: concave (default), convex, all (machine parts), auto (all or concave, "

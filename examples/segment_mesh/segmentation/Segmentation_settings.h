@@ -30,7 +30,7 @@ enum class Detail { LABELS, ALL };
 
 struct Segmentation_settings
 {
-  Method method = Method::VISIBILITY;
+  Method method = Method::LEARNED;
   std::optional<std::size_t> number_of_segments; ///< if empty, the method chooses: `TWO_STEP` cannot
   /// Which edges can be features, of a method that has them; if empty, the surface decides.
   std::optional<CGAL::Region_segmentation::Feature_convexity> features =

@@ -4,7 +4,7 @@
 #define CGAL_REGION_SEGMENTATION_SEGMENTER_H
 
 #include <CGAL/Region_segmentation/Graph/Merge_tree.h>
-#include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
+#include <CGAL/Region_segmentation/Methods/Learned_merging.h>
 #include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/face_values.h>
 #include <CGAL/Region_segmentation/internal/segmenting/check_method.h>
@@ -45,7 +45,7 @@ namespace Region_segmentation {
 /// \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam Method a model of `SegmentationMethod`
 /// \tparam ConcurrencyTag `Sequential_tag` or, with TBB, `Parallel_tag`; see `segment()`
-template <typename FaceGraph, typename Method = Visibility_merging, typename ConcurrencyTag = CGAL::Sequential_tag>
+template <typename FaceGraph, typename Method = Learned_merging, typename ConcurrencyTag = CGAL::Sequential_tag>
 class Segmenter
 {
   using Prepared = internal::Prepared_mesh<Method, ConcurrencyTag>;

@@ -44,7 +44,7 @@ public:
 };
 
 /// \ingroup PkgRegionSegmentationMethods
-/// `Superfacets`, annotated by `Learned_annotator`, merged by `Learned_policy`. A model of `SegmentationMethod`.
+/// The default method: `Superfacets`, annotated by `Learned_annotator`, merged by `Learned_policy`. A model of `SegmentationMethod`.
 ///
 /// The order of merges does not depend on the wanted number: one tree gives every segmentation, and
 /// `Number_from_expected_costs` chooses a number where none is given.

@@ -3,7 +3,7 @@
 #ifndef CGAL_REGION_SEGMENTATION_INTERNAL_SEGMENTING_PREPARE_H
 #define CGAL_REGION_SEGMENTATION_INTERNAL_SEGMENTING_PREPARE_H
 
-#include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
+#include <CGAL/Region_segmentation/Methods/Learned_merging.h>
 #include <CGAL/Region_segmentation/face_values.h>
 #include <CGAL/Region_segmentation/internal/reading/Mesh_traversal.h>
 #include <CGAL/Region_segmentation/internal/segmenting/Prepared_mesh.h>
@@ -32,7 +32,7 @@ template <typename NamedParameters>
 using Method_of_pack =
   std::decay_t<decltype(CGAL::parameters::choose_parameter(
     CGAL::parameters::get_parameter(pack(std::declval<const NamedParameters&>()), internal_np::method),
-    Visibility_merging()))>;
+    Learned_merging()))>;
 
 /// The method of a pack, or else a default-constructed one: a given method need not be default constructible.
 template <typename Method, typename Pack>
