@@ -179,7 +179,7 @@ TEST(Segmenter_test, can_be_moved_copied_and_held_by_type)
 TEST(Segmenter_test, can_be_asked_from_several_threads)
 {
   const Surface_mesh mesh = fine_dumbbell();
-  const RS::Segmenter by_visibility(mesh);
+  const RS::Segmenter by_visibility(mesh, RS::parameters::method(visibility()));
   const RS::Segmenter by_two_step(mesh, RS::parameters::method(two_step()));
   std::vector<Labels> expected;
   for (std::size_t k = 2; k < 10; ++k) {

@@ -48,7 +48,7 @@ std::variant<Benchmark_options, int> parse_command_line(int argc, char** argv)
           ->excludes(data)
           ->type_name("SEED");
   CLI::Option* method = app.add_option("--method", options.method,
-                 "visibility (default), learned, two-step, sdf (CGAL's SDF segmentation, which chooses the number of "
+                 "learned (default), visibility, two-step, sdf (CGAL's SDF segmentation, which chooses the number of "
                  "segments), or people: each human segmentation against the others")
       ->check(CLI::IsMember({"learned", "visibility", "two-step", "sdf", "people"}))
       ->type_name("METHOD");

@@ -16,7 +16,7 @@ struct Benchmark_options
   std::string data_folder; ///< empty: the procedural models
   /// Given: `learned`, `visibility` and `two-step` on variants of the procedural models instead, random with it.
   std::optional<std::uint32_t> variants_seed;
-  std::string method = "visibility";
+  std::string method = "learned";
   std::size_t number_of_threads = 1, number_of_runs = 1;
   std::string csv_file, report_file; ///< empty: none
 };

@@ -49,9 +49,9 @@ std::vector<std::string> notes_on(const Run& run, const Summary& summary)
   if (const std::size_t n = number_of_undefined_cuts(run.results))
     notes.push_back("CD is not defined for " + counted(n, "comparison") +
                     ", which its means leave out.");
-  if (run.method == "visibility" && run.is_princeton)
+  if ((run.method == "visibility" || run.method == "learned") && run.is_princeton)
     notes.push_back(
-        "The constants of visibility were chosen on half of this benchmark (see Visibility_cost): on "
+        "The constants of " + run.method + " were chosen on half of this benchmark (see doc/accuracy.md): on "
         "those models its scores are no test.");
   const std::size_t n = takes_number(run) ? number_of_other_numbers(run.results) : 0;
   if (n > 0)

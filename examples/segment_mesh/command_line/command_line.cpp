@@ -76,8 +76,8 @@ void add_run_options(CLI::App& app, Raw_options& raw)
   add("-k,--segments", raw.number_of_segments, "N",
       "Number of segments; left out: chosen automatically, or the true one of the figure");
   add("--method", raw.method, "METHOD",
-      "learned (default), smooth-faces (of machine parts), visibility (with a hand-made cost) or two-step (Yang et al. "
-      "2014; needs -k)")
+      "learned (from people; default), visibility (a hand-made cost), smooth-faces (of machine parts), or two-step "
+      "(Yang et al. 2014; needs -k)")
     ->check(one_of(methods));
   add("--features", raw.features, "KIND",
       "Of two-step: edges that can be features: concave (default), convex, all")

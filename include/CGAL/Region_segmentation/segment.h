@@ -35,7 +35,8 @@ namespace Region_segmentation {
 /// \param np optional named parameters:
 ///   - `number_of_segments` (at least 1): the wanted number k (default: chosen by the method, if it has a
 ///     `NumberChooser`)
-///   - `method`: a model of `SegmentationMethod` (default: `Learned_merging()`; `Two_step()` is the method of the
+///   - `method`: a model of `SegmentationMethod` (default: `Learned_merging()`; `Visibility_merging()` has a hand-made
+///     cost, `Smooth_faces()` finds the smooth faces of machine parts, `Two_step()` is the method of the
 ///     paper). Constants are members of its parts
 ///   - `edge_is_constrained_map`: edges that always are borders and are never merged across (none)
 ///   - `face_seed_map`: faces with equal seeds belong to one segment, faces with different seeds to different ones; see

@@ -12,9 +12,9 @@ namespace train_merge_cost {
 /// Trees are grown by XGBoost: leaf by leaf, the best split first, on histograms of the features.
 struct Boosting_options
 {
-  unsigned number_of_trees = 80;
+  unsigned number_of_trees = 120;
   unsigned number_of_leaves = 16; ///< at most `Model::maximum_number_of_leaves`
-  double rate = 0.12;
+  double rate = 0.08;
   double share_of_rows = 0.5, share_of_features = 0.4; ///< a tree
   unsigned number_of_bins = 64;                        ///< a feature
   double lambda = 1;                                   ///< L2 penalty of the values of leaves
