@@ -205,6 +205,7 @@ TEST(Mesh_data_test, what_was_not_asked_for_cannot_be_read)
     expect(Mesh_data::CENTROIDS, "CENTROIDS", [&] { flat.centroid(0); });
     expect(Mesh_data::SURFACE_AREA, "SURFACE_AREA", [&] { flat.surface_area(); });
     expect(Mesh_data::SURFACE_AREA, "SURFACE_AREA", [&] { flat.relative_unit(); });
+    expect(Mesh_data::PATCHES, "PATCHES", [&] { flat.patches(); });
     EXPECT_EQ(flat.area(0), 1);
   }
 }

@@ -10,6 +10,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <random>
 
 namespace RS = CGAL::Region_segmentation;
 using namespace test;
@@ -85,6 +87,47 @@ TEST(Learned_merging_test, is_the_default_and_needs_no_number)
   const Result chosen = run(mesh, RS::parameters::default_values());
   EXPECT_EQ(chosen.number_of_segments, RS::Learned_merging().chooser(chosen.tree));
   EXPECT_EQ(chosen.segments, labels_of(chosen.regions, chosen.tree.partition_at_count(chosen.number_of_segments)));
+}
+
+TEST(Learned_merging_test, does_not_depend_on_the_numbering)
+{
+  for (unsigned seed = 1; seed <= 4; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> any(-1, 1);
+    Soup soup = triangulated(seed % 2 == 0 ? sphere(4) : torus(40, 24));
+    for (Point& p : soup.points) // no two faces are alike
+      for (double& x : p)
+        x *= 1 + 0.05 * any(random);
+    Soup other = soup;
+    std::vector<std::size_t> order(soup.polygons.size()), new_vertex;
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::shuffle(order.begin(), order.end(), random);
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      other.polygons[order[i]] = soup.polygons[i];
+      std::rotate(other.polygons[order[i]].begin(), other.polygons[order[i]].begin() + random() % 3,
+                  other.polygons[order[i]].end());
+    }
+    shuffle_vertices(other, random, new_vertex);
+    const auto expect_same = [&](const Labels& labels, const Labels& of_other) {
+      Labels in_order(labels.size());
+      for (std::size_t i = 0; i < order.size(); ++i)
+        in_order[i] = of_other[order[i]];
+      EXPECT_EQ(renumbered(in_order), labels);
+    };
+    expect_same(segment_into(soup, 7), segment_into(other, 7));
+    expect_same(segment_into(soup, 200), segment_into(other, 200));
+    expect_same(segment_automatically(soup), segment_automatically(other));
+  }
+}
+
+TEST(Learned_merging_test, an_isolated_vertex_changes_nothing)
+{
+  const Soup soup = random_mesh(Family::SPHERE, 1);
+  Surface_mesh mesh = to_surface_mesh(soup), same = mesh;
+  same.add_vertex(Surface_mesh::Point(1e9, -1e9, 1e9));
+  const auto np = RS::parameters::number_of_segments(5);
+  EXPECT_EQ(run(same, np).segments, run(mesh, np).segments);
 }
 
 TEST(Learned_merging_test, does_not_depend_on_rotation)

@@ -115,7 +115,7 @@ template <typename ConcurrencyTag, typename Parameters>
 std::vector<double> numbers_read(const Surface_mesh& mesh, const Parameters& np)
 {
   const RS::Flat_mesh flat = RS::read_flat_mesh<ConcurrencyTag>(
-    mesh, RS::Mesh_data::POINTS | RS::Mesh_data::CENTROIDS | RS::Mesh_data::SURFACE_AREA, np);
+    mesh, RS::Mesh_data::POINTS | RS::Mesh_data::PATCHES, np);
   std::vector<double> result = {flat.unit(), flat.surface_area()};
   const auto add = [&](const RS::Double_3& p) { result.insert(result.end(), {p.x, p.y, p.z}); };
   for (std::size_t e = 0; e < flat.number_of_edges(); ++e)

@@ -41,7 +41,7 @@ Training_model make_training_model(int number, const princeton_benchmark::Model&
 {
   const princeton_benchmark::Benchmark_mesh mesh = princeton_benchmark::make_mesh(model.soup);
   const RS::Flat_mesh flat = RS::read_flat_mesh(
-    mesh, RS::Mesh_data::POINTS | RS::Mesh_data::CENTROIDS | RS::Mesh_data::SURFACE_AREA);
+    mesh, RS::Mesh_data::POINTS | RS::Mesh_data::PATCHES);
   const RS::Partition regions = RS::Superfacets(superfacets)(flat);
   Graph graph = RS::build_region_adjacency_graph(flat, regions, RS::Learned_annotator());
   const RS::Merge_tree tree =
