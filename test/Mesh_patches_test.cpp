@@ -90,7 +90,8 @@ Labels patches_by_definition(const RS::Flat_mesh& mesh)
       if (!selected.count(i))
         return i;
       const std::size_t j = selected[i].second;
-      return i < j && selected[j].second == i ? i : j;
+      const bool is_larger = nodes[i].area != nodes[j].area ? nodes[i].area > nodes[j].area : i < j;
+      return selected[j].second == i && is_larger ? i : j;
     };
     const auto depth = [&](std::size_t i) {
       std::size_t d = 0;

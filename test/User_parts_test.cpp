@@ -197,9 +197,9 @@ TEST(User_parts_test, constants_of_an_annotator)
       result.push_back(merge.cost);
     return result;
   };
-  const RS::Segmenter by_default(mesh);
+  const RS::Segmenter visibility(mesh, RS::parameters::method(RS::Visibility_merging()));
   std::vector<double> expected;
-  for (const auto& merge : by_default.merge_tree().merges())
+  for (const auto& merge : visibility.merge_tree().merges())
     expected.push_back(merge.cost);
   EXPECT_EQ(costs(1), expected);
   EXPECT_NE(costs(0.5), expected);

@@ -196,7 +196,8 @@ TEST(Visibility_merging_test, constants_are_members_of_its_parts)
 TEST(Visibility_merging_test, other_constants_while_there_are_many_regions)
 {
   // With the same constants for both, nothing depends on where they change.
-  const Surface_mesh mesh = to_surface_mesh(sphere(3));
+  Labels truth;
+  const Surface_mesh mesh = to_surface_mesh(caterpillar(4, truth));
   const auto segments = [&](const RS::Visibility_cost& of_few, const RS::Visibility_cost& of_many, std::size_t many) {
     return segments_of(
       mesh, RS::parameters::number_of_segments(20).method(RS::Visibility_merging(of_few, of_many, many)));

@@ -25,8 +25,9 @@ class Patch_builder;
 /// Patches are connected, and not joined across constrained edges. Faces are joined in rounds. In a round each patch
 /// selects the adjacent patch with the smallest step \f$|c_i - c_j| / \sqrt{A} + w \, |n_i - n_j|\f$, \f$c\f$ the
 /// centroids, \f$n\f$ the unit normals, \f$A\f$ the area of the surface, among those with which its area is at most
-/// `maximum_area`; of several, the lower one. The selections form trees; every patch of odd depth is joined to its
-/// parent, and every leaf of even depth to its grandparent. Rounds end when one joins less than one patch in 32. So a
+/// `maximum_area`; of several, the lower one. The selections form trees, whose roots are the patches that select none, and
+/// of each two that select each other the larger one (of equal ones, the lower one). Every patch of odd depth is joined
+/// to its parent, and every leaf of even depth to its grandparent. Rounds end when one joins less than one patch in 32. So a
 /// mesh of few large faces has a patch for each face, and a fine one some ten to thirty thousand patches. They do not
 /// depend on the numbering of faces and vertices, ties excepted.
 ///

@@ -62,6 +62,7 @@ private:
           f(m_mesh.lower_face(e), m_mesh.higher_face(e), e);
     }
     double length(std::size_t e) const { return m_mesh.length(e); }
+    Double_3 area_vector(std::size_t f) const { return m_mesh.area(f) * m_mesh.normal(f); }
 
   private:
     const Flat_mesh& m_mesh;
@@ -71,8 +72,9 @@ private:
   class Joined
   {
   public:
-    Joined(const Large_array<Patch>& patches, const Large_array<Adjacency>& adjacencies)
-      : m_patches(patches), m_adjacencies(adjacencies)
+    Joined(const Large_array<Patch>& patches, const Large_array<double>& projected_areas,
+           const Large_array<Adjacency>& adjacencies)
+      : m_patches(patches), m_projected_areas(projected_areas), m_adjacencies(adjacencies)
     {}
     std::size_t size() const { return m_patches.size(); }
     double area(std::size_t p) const { return m_patches[p].area; }
@@ -85,9 +87,11 @@ private:
         f(m_adjacencies[i].lower, m_adjacencies[i].higher, i);
     }
     double length(std::size_t i) const { return m_adjacencies[i].length; }
+    Double_3 area_vector(std::size_t p) const { return m_projected_areas[p] * m_patches[p].normal; }
 
   private:
     const Large_array<Patch>& m_patches;
+    const Large_array<double>& m_projected_areas;
     const Large_array<Adjacency>& m_adjacencies;
   };
 
@@ -101,7 +105,7 @@ private:
   /// Returns whether it is worth another round.
   bool join_patches()
   {
-    const Joined patches(m_patches, m_adjacencies);
+    const Joined patches(m_patches, m_projected_areas, m_adjacencies);
     const Partition joined = select(patches);
     if (joined.number_of_parts() == m_patches.size())
       return false;
@@ -128,11 +132,14 @@ private:
       if (patch.face == none)
         patch.face = Index(p);
       patch.centroid = patch.centroid + area * (patches.centroid(p) - patches.centroid(patch.face));
-      patch.normal = patch.normal + area * patches.normal(p);
+      patch.normal = patch.normal + patches.area_vector(p);
       patch.area += area;
     }
+    Large_array<double> projected_areas;
+    projected_areas.reserve(result.size());
     for (Patch& patch : result) {
       const double length = norm(patch.normal);
+      projected_areas.push_back(length);
       patch.normal = length > 0 ? (1 / length) * patch.normal : Double_3{0, 0, 0};
       patch.centroid = patches.centroid(patch.face) + (patch.area > 0 ? 1 / patch.area : 0) * patch.centroid;
     }
@@ -143,6 +150,7 @@ private:
         adjacencies.push_back({(std::min)(a, b), (std::max)(a, b), patches.length(i)});
     });
     m_patches = std::move(result);
+    m_projected_areas = std::move(projected_areas);
     m_adjacencies = std::move(adjacencies);
   }
 
@@ -202,6 +210,7 @@ private:
   const double m_maximum_area, m_unit;
   Partition m_of_faces;
   Large_array<Patch> m_patches;
+  Large_array<double> m_projected_areas; // of each patch on the plane of its normal: the length of its area vector
   Large_array<Adjacency> m_adjacencies; // several between two patches, until the end
 };
 

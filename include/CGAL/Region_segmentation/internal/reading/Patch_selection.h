@@ -46,7 +46,7 @@ public:
       select(steps[a], m_selected[a], step, b);
       select(steps[b], m_selected[b], step, a);
     });
-    make_roots();
+    make_roots(patches);
   }
 
   /// The partition of the patches into those that are joined.
@@ -77,12 +77,15 @@ private:
     }
   }
 
-  /// Of two patches that select each other, the lower one is a root: it selects itself.
-  void make_roots()
+  /// Of two patches that select each other, the larger one is a root: it selects itself; of equal ones, the lower one.
+  template <typename Patches>
+  void make_roots(const Patches& patches)
   {
     for (std::size_t i = 0; i < m_selected.size(); ++i)
-      if (const Index j = m_selected[i]; j > i && m_selected[j] == i)
-        m_selected[i] = Index(i);
+      if (const Index j = m_selected[i]; j > i && m_selected[j] == i) {
+        const Index larger = patches.area(j) > patches.area(i) ? j : Index(i);
+        m_selected[larger] = larger;
+      }
   }
 
   /// The parity of the depth of each patch, and whether it is a leaf.
