@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// `Visibility_merging` against the reference implementation, which was written from the manual and shares no code with it.
+
+#include "real_meshes.h"
+#include "reference_visibility.h"
+
+#include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
+#include <CGAL/Region_segmentation/Segmenter.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace RS = CGAL::Region_segmentation;
+using namespace test;
+
+constexpr unsigned seed = 7;
+
+/// Moves all points a little: symmetric meshes have equal candidates, between which rounding would decide.
+void add_noise(Surface_mesh& mesh, double share_of_edge, std::mt19937& random)
+{
+  double sum = 0;
+  for (auto e : edges(mesh)) {
+    const auto h = halfedge(e, mesh);
+    sum += std::sqrt(CGAL::to_double(CGAL::squared_distance(mesh.point(source(h, mesh)), mesh.point(target(h, mesh)))));
+  }
+  const double noise = share_of_edge * sum / double(num_edges(mesh));
+  std::uniform_real_distribution<double> moves(-noise, noise);
+  for (auto v : vertices(mesh)) {
+    const auto& p = mesh.point(v);
+    const double x = p.x() + moves(random), y = p.y() + moves(random), z = p.z() + moves(random);
+    mesh.point(v) = {x, y, z};
+  }
+}
+
+reference::visibility::Mesh to_reference(const Surface_mesh& mesh)
+{
+  std::vector<reference::visibility::Vector> points;
+  for (auto v : vertices(mesh))
+    points.push_back({mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z()});
+  std::vector<std::vector<std::size_t>> polygons;
+  for (auto f : faces(mesh)) {
+    polygons.emplace_back();
+    for (auto v : CGAL::vertices_around_face(halfedge(f, mesh), mesh))
+      polygons.back().push_back(std::size_t(v));
+  }
+  return {points, polygons};
+}
+
+void expect_same_labels(Surface_mesh& mesh)
+{
+  const reference::visibility::Mesh copy = to_reference(mesh);
+  const reference::visibility::Result expected(copy);
+  auto segment_id = mesh.add_property_map<Surface_mesh::Face_index, std::size_t>("f:segment").first;
+  const RS::Segmenter<Surface_mesh, RS::Visibility_merging> segmenter(mesh);
+  EXPECT_EQ(segmenter.number_of_segments(), expected.chosen_number());
+  for (std::size_t k : {1, 2, 3, 5, 8, 12, 20, 40, 100, 200, 400, 800}) {
+    if (k > reference::visibility::number_of(expected.region_of))
+      break; // regions would be split
+    segmenter.segment(segment_id, k);
+    std::vector<std::size_t> labels;
+    for (auto f : faces(mesh))
+      labels.push_back(segment_id[f]);
+    EXPECT_EQ(labels, expected.labels(k)) << k << " segments";
+  }
+}
+
+TEST(Real_meshes, visibility_merging_as_the_manual_defines_it)
+{
+  std::mt19937 random(seed);
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  check_real_meshes(4000, [&](Surface_mesh& mesh) {
+    if (num_faces(mesh) < 20)
+      return false;
+    add_noise(mesh, 0.01, random);
+    expect_same_labels(mesh);
+    return true;
+  });
+}
+
+} // namespace
