@@ -158,7 +158,8 @@ private:
       const auto [i, j] = entry.first;
       if (!(areas[i] + areas[j] <= mesh.area / 30000))
         continue;
-      const float step = float(norm(centroids[i] - centroids[j]) / mesh.unit_of_length() + 0.4 * norm(normals[i] - normals[j]));
+      const double distance = norm(centroids[i] - centroids[j]) / mesh.unit_of_length();
+      const float step = float(distance + 0.4 * norm(normals[i] - normals[j]));
       selected[i] = std::min(selected[i], {step, j});
       selected[j] = std::min(selected[j], {step, i});
     }
@@ -341,23 +342,37 @@ private:
   std::vector<std::size_t> m_region;
 };
 
-struct Region
-{
-  double area = 0, log_thickness = 0, visibility = 0;
-};
-
 struct Section
 {
   double length = 0, concave = 0, convex = 0, bend = 0, visibility = 0;
   std::size_t number_of_edges = 0;
+
+  void add(const Section& other)
+  {
+    length += other.length, concave += other.concave, convex += other.convex;
+    bend += other.bend, visibility += other.visibility, number_of_edges += other.number_of_edges;
+  }
+};
+
+struct Region
+{
+  double area = 0, log_thickness = 0, visibility = 0;
+
+  double thickness() const { return area > 0 ? log_thickness / area : 0; }
+  void add(const Region& other, const Section&)
+  {
+    area += other.area, log_thickness += other.log_thickness, visibility += other.visibility;
+  }
 };
 
 /// The region graph: merges change it.
-struct Graph
+template <typename RegionData, typename SectionData>
+struct Basic_graph
 {
-  std::map<std::size_t, Region> regions;
-  std::map<Pair, Section> sections;
+  std::map<std::size_t, RegionData> regions;
+  std::map<Pair, SectionData> sections;
 };
+using Graph = Basic_graph<Region, Section>;
 
 /// The annotated graph of regions of faces.
 class Annotation
@@ -523,7 +538,8 @@ private:
   {
     const auto corner = [&](std::size_t j) { return to_float(m_mesh.points[m_mesh.faces[face][j]] - m_center); };
     const Float_vector d = to_float(direction), e = minus(corner(i), corner(0)), g = minus(corner(i + 1), corner(0));
-    const Float_vector p = cross_product(d, g), to_source = minus(to_float(source - m_center), corner(0)), q = cross_product(to_source, e);
+    const Float_vector to_source = minus(to_float(source - m_center), corner(0));
+    const Float_vector p = cross_product(d, g), q = cross_product(to_source, e);
     const float determinant = times(e, p), inverse = 1 / determinant;
     const float u = times(to_source, p) * inverse, v = times(d, q) * inverse, distance = times(g, q) * inverse;
     const bool is_outside = u < -1e-6f || v < -1e-6f || u + v > 1 + 1e-6f;
@@ -544,12 +560,11 @@ inline double cost(const Region& a, const Region& b, const Section& s, bool are_
   const double p_l = are_many ? 0.87 : 0.95, p_s = are_many ? 0.49 : 0.195;
   const double eta = 0.16, p_t = 1, t_0 = 0.18, s_0 = 0.01, w_x = 0.3, w_b = 0.08;
   const auto at_least = [](double x) { return std::max(x, 1e-12); };
-  const auto thickness = [](const Region& r) { return r.area > 0 ? r.log_thickness / r.area : 0; };
   const double length = at_least(s.length), m = at_least(std::min(a.area, b.area)), l = at_least(std::max(a.area, b.area));
   const double d = std::max(0.0, (s.concave - w_x * s.convex + w_b * s.bend) / length) + d_0;
   const double seen = std::min(a.visibility, b.visibility);
   return p_d * std::log(d) + p_a * ((1 - eta) * std::log(m) + eta * std::log(2 * m * l / (m + l))) -
-         p_l * std::log(length * length / m) + p_t * std::log(t_0 + std::abs(thickness(a) - thickness(b))) -
+         p_l * std::log(length * length / m) + p_t * std::log(t_0 + std::abs(a.thickness() - b.thickness())) -
          p_s * std::log(s_0 + (seen > 0 ? s.visibility / seen : 0));
 }
 
@@ -559,58 +574,95 @@ struct Merge
   double cost;
 };
 
-inline void merge(Graph& graph, std::size_t kept, std::size_t removed)
+template <typename RegionData, typename SectionData>
+void merge(Basic_graph<RegionData, SectionData>& graph, std::size_t kept, std::size_t removed)
 {
-  Region &a = graph.regions[kept], &b = graph.regions[removed];
-  a.area += b.area, a.log_thickness += b.log_thickness, a.visibility += b.visibility;
+  graph.regions[kept].add(graph.regions[removed], graph.sections[{kept, removed}]);
   graph.regions.erase(removed);
-  std::map<Pair, Section> sections;
+  std::map<Pair, SectionData> sections;
   for (const auto& [pair, section] : graph.sections) {
-    const auto rename = [&](std::size_t r) { return r == removed ? kept : r; };
-    const auto [r, s] = ordered(rename(pair.first), rename(pair.second));
-    if (r == s)
-      continue;
-    Section& sum = sections[{r, s}];
-    sum.length += section.length, sum.concave += section.concave, sum.convex += section.convex;
-    sum.bend += section.bend, sum.visibility += section.visibility, sum.number_of_edges += section.number_of_edges;
+    const auto rename = [&, gone = removed](std::size_t r) { return r == gone ? kept : r; };
+    const Pair renamed = ordered(rename(pair.first), rename(pair.second));
+    if (renamed.first != renamed.second)
+      sections[renamed].add(section);
   }
   graph.sections = std::move(sections);
 }
 
-/// The merges down to one region for each connected component.
-inline std::vector<Merge> merge_all(Graph graph)
+/// Merges across the section of lowest `order(a, b, section)` until `few` regions are left, or none is adjacent to
+/// another; the section costs `cost(a, b, section)`.
+template <typename Graph, typename Order, typename Cost>
+void merge_down_to(std::size_t few, Graph& graph, const Order& order, const Cost& cost, std::vector<Merge>& merges)
 {
-  std::vector<Merge> merges;
-  while (true) {
-    const bool are_many = graph.regions.size() > 150;
+  while (graph.regions.size() > few) {
     Merge best{0, 0, std::numeric_limits<double>::infinity()};
     for (const auto& [pair, section] : graph.sections)
       if (section.number_of_edges > 0)
-        if (const double c = cost(graph.regions[pair.first], graph.regions[pair.second], section, are_many); c < best.cost)
+        if (const double c = order(graph.regions[pair.first], graph.regions[pair.second], section); c < best.cost)
           best = {pair.first, pair.second, c};
     if (best.removed == 0)
-      return merges;
+      return;
+    best.cost = cost(graph.regions[best.kept], graph.regions[best.removed], graph.sections[{best.kept, best.removed}]);
     merge(graph, best.kept, best.removed);
     merges.push_back(best);
   }
 }
 
-/// The first regions of a mesh, and their merges.
-struct Result
+/// The merges by `Visibility_cost`.
+template <typename Graph>
+void merge_by_visibility(std::size_t few, Graph& graph, std::vector<Merge>& merges)
+{
+  for (bool are_many : {true, false}) {
+    const auto order = [=](const Region& a, const Region& b, const Section& s) { return cost(a, b, s, are_many); };
+    merge_down_to(are_many ? std::max<std::size_t>(150, few) : few, graph, order, order, merges);
+  }
+}
+
+/// The labels of the faces after the merges down to a number of segments.
+inline std::vector<std::size_t> labels_after(const std::vector<std::size_t>& region_of, const std::vector<Merge>& merges,
+                                             std::size_t number_of_segments)
+{
+  const std::size_t regions = number_of(region_of);
+  std::vector<std::size_t> segment_of(regions);
+  for (std::size_t r = 0; r < regions; ++r)
+    segment_of[r] = r;
+  for (std::size_t i = 0; i < merges.size() && regions - i > number_of_segments; ++i)
+    for (std::size_t& s : segment_of)
+      s = s == merges[i].removed ? merges[i].kept : s;
+  std::vector<std::size_t> result;
+  for (std::size_t r : region_of)
+    result.push_back(segment_of[r]);
+  return numbered(result);
+}
+
+/// The first regions of a mesh, and their annotated graph.
+struct Annotated
 {
   std::vector<std::size_t> region_of;
-  std::vector<Merge> merges;
+  Graph graph;
 
-  explicit Result(const Mesh& mesh, std::size_t number_of_regions = 800)
+  explicit Annotated(const Mesh& mesh)
   {
     const Patches patches(mesh);
-    region_of = Superfacets(mesh, patches, number_of_regions).of_face();
-    merges = merge_all(Annotation(mesh, patches, region_of).graph);
+    region_of = Superfacets(mesh, patches, 800).of_face();
+    graph = Annotation(mesh, patches, region_of).graph;
+  }
+};
+
+/// All merges of the first regions.
+struct Result
+{
+  std::vector<Merge> merges;
+
+  Result(const Mesh&, const Annotated& annotated) : m_number_of_regions(annotated.graph.regions.size())
+  {
+    Graph graph = annotated.graph;
+    merge_by_visibility(1, graph, merges);
   }
 
   std::size_t chosen_number() const
   {
-    const std::size_t regions = number_of(region_of), least = regions - merges.size();
+    const std::size_t regions = m_number_of_regions, least = regions - merges.size();
     const std::size_t first = regions - std::min(regions, std::max<std::size_t>(40, least));
     double highest = -std::numeric_limits<double>::infinity();
     for (std::size_t i = first; i < merges.size(); ++i)
@@ -621,20 +673,8 @@ struct Result
     return std::max(regions - i, std::min<std::size_t>(regions, 2));
   }
 
-  std::vector<std::size_t> labels(std::size_t number_of_segments) const
-  {
-    const std::size_t regions = number_of(region_of);
-    std::vector<std::size_t> segment_of(regions);
-    for (std::size_t r = 0; r < regions; ++r)
-      segment_of[r] = r;
-    for (std::size_t i = 0; i < merges.size() && regions - i > number_of_segments; ++i)
-      for (std::size_t& s : segment_of)
-        s = s == merges[i].removed ? merges[i].kept : s;
-    std::vector<std::size_t> result;
-    for (std::size_t r : region_of)
-      result.push_back(segment_of[r]);
-    return numbered(result);
-  }
+private:
+  std::size_t m_number_of_regions;
 };
 
 } // namespace visibility

@@ -26,10 +26,10 @@ namespace Region_segmentation {
 /// - \f$a\f$, \f$a c\f$ and \f$a (c c^T + \sigma a (I - N N^T))\f$ to the moments, \f$\sigma = 1 / (6 \sqrt{3})\f$: those
 ///   of an equilateral triangle of its area.
 ///
-/// The perimeter is the sum of the lengths of the region's sections; borders of the mesh do not count. The own visibility is
-/// the weight of the rays that start and end in the region. The log thickness of a section is its length times the mean of
-/// the thicknesses of its two regions. Coordinates are relative to the centroid of the first face, in units of
-/// \f$\sqrt{A}\f$.
+/// The perimeter is the sum of the lengths of the region's sections; borders of the mesh do not count. The own
+/// visibility is the weight of the rays that start and end in the region. The log thickness of a section is its length
+/// times the mean of the thicknesses of its two regions. Coordinates are relative to the centroid of the first face, in
+/// units of \f$\sqrt{A}\f$.
 ///
 /// Complexity: that of `Visibility_annotator`, and O(F + S). Deterministic.
 class Learned_annotator : public Visibility_annotator

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// `Visibility_merging` against the reference implementation, which was written from the manual and shares no code with it.
+// `Visibility_merging` and `Learned_merging` against reference implementations of the manual's text, which share no code with
+// them.
 
 #include "real_meshes.h"
+#include "reference_learned.h"
 #include "reference_visibility.h"
 
+#include <CGAL/Region_segmentation/Methods/Learned_merging.h>
 #include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
 #include <CGAL/Region_segmentation/Segmenter.h>
 
@@ -53,25 +56,26 @@ reference::visibility::Mesh to_reference(const Surface_mesh& mesh)
   return {points, polygons};
 }
 
-void expect_same_labels(Surface_mesh& mesh)
+template <typename Method, typename Reference>
+void expect_same_labels(Surface_mesh& mesh, const reference::visibility::Mesh& copy,
+                        const reference::visibility::Annotated& annotated)
 {
-  const reference::visibility::Mesh copy = to_reference(mesh);
-  const reference::visibility::Result expected(copy);
+  const Reference expected(copy, annotated);
   auto segment_id = mesh.add_property_map<Surface_mesh::Face_index, std::size_t>("f:segment").first;
-  const RS::Segmenter<Surface_mesh, RS::Visibility_merging> segmenter(mesh);
+  const RS::Segmenter<Surface_mesh, Method> segmenter(mesh);
   EXPECT_EQ(segmenter.number_of_segments(), expected.chosen_number());
   for (std::size_t k : {1, 2, 3, 5, 8, 12, 20, 40, 100, 200, 400, 800}) {
-    if (k > reference::visibility::number_of(expected.region_of))
+    if (k > annotated.graph.regions.size())
       break; // regions would be split
     segmenter.segment(segment_id, k);
     std::vector<std::size_t> labels;
     for (auto f : faces(mesh))
       labels.push_back(segment_id[f]);
-    EXPECT_EQ(labels, expected.labels(k)) << k << " segments";
+    EXPECT_TRUE(labels == reference::visibility::labels_after(annotated.region_of, expected.merges, k)) << k << " segments";
   }
 }
 
-TEST(Real_meshes, visibility_merging_as_the_manual_defines_it)
+TEST(Real_meshes, methods_on_superfacets_are_as_the_manual_defines_them)
 {
   std::mt19937 random(seed);
   SCOPED_TRACE("seed " + std::to_string(seed));
@@ -79,7 +83,14 @@ TEST(Real_meshes, visibility_merging_as_the_manual_defines_it)
     if (num_faces(mesh) < 20)
       return false;
     add_noise(mesh, 0.01, random);
-    expect_same_labels(mesh);
+    const reference::visibility::Mesh copy = to_reference(mesh);
+    const reference::visibility::Annotated annotated(copy);
+    {
+      SCOPED_TRACE("visibility");
+      expect_same_labels<RS::Visibility_merging, reference::visibility::Result>(mesh, copy, annotated);
+    }
+    SCOPED_TRACE("learned");
+    expect_same_labels<RS::Learned_merging, reference::learned::Result>(mesh, copy, annotated);
     return true;
   });
 }
