@@ -23,7 +23,7 @@ view() {
   convert "$work/$name.png" -trim +repage "$work/$name.png"
 }
 
-# row FIGURE HEIGHT VIEW...: views side by side, at one height in pixels, in 96 colors.
+# row FIGURE HEIGHT VIEW...: views side by side, at one height in pixels, in 192 colors.
 row() {
   figure=$1 height=$2
   shift 2
@@ -32,7 +32,7 @@ row() {
     pictures="$pictures $work/$name.png"
   done
   convert $pictures -resize "x$height" -bordercolor white -border 12x4 +append \
-    +dither -colors 96 "png8:$figures/$figure.png"
+    +dither -colors 192 "png8:$figures/$figure.png"
   optipng -quiet -o5 -strip all "$figures/$figure.png"
 }
 
