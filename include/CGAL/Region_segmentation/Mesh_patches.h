@@ -22,14 +22,21 @@ class Patch_builder;
 /// A partition of the faces of a mesh into small flat patches, and their adjacency: what stages work on whose cost
 /// must not grow with the resolution of the mesh.
 ///
-/// Patches are connected, and not joined across constrained edges. Faces are joined in rounds. In a round each patch
-/// selects the adjacent patch with the smallest step \f$|c_i - c_j| / \sqrt{A} + w \, |n_i - n_j|\f$, \f$c\f$ the
-/// centroids, \f$n\f$ the unit normals, \f$A\f$ the area of the surface, among those with which its area is at most
-/// `maximum_area`; of several, the lower one. The selections form trees, whose roots are the patches that select none, and
-/// of each two that select each other the larger one (of equal ones, the lower one). Every patch of odd depth is joined
-/// to its parent, and every leaf of even depth to its grandparent. Rounds end when one joins less than one patch in 32. So a
-/// mesh of few large faces has a patch for each face, and a fine one some ten to thirty thousand patches. They do not
-/// depend on the numbering of faces and vertices, ties excepted.
+/// Patches are connected, and not joined across constrained edges. At first each face is a patch; then patches are
+/// joined in rounds:
+/// -# Each patch selects the adjacent patch with the smallest step
+///    \f$|c_i - c_j| / \sqrt{A} + w \, |n_i - n_j|\f$, rounded to `float`, among those with which its area is at most
+///    `maximum_area`; of several, the lower one. \f$c\f$ are the centroids, \f$n\f$ the unit normals (zero for a
+///    degenerate face), \f$A\f$ the area of the surface.
+/// -# The selections form trees. A root is a patch that selects none, or of two that select each other the larger
+///    one by area, of equal ones the lower one. A patch of odd depth is joined to its parent, and a leaf of even depth to its grandparent; the others of even
+///    depth, the root (of depth 0) among them, keep what is joined to them.
+/// -# Joined patches are numbered by the lowest one of each. The centroid of a union is the mean of the centroids,
+///    weighted by area; its normal is the sum of the normals of its faces, weighted by area, scaled to length 1.
+///
+/// The first round is always followed by another one; later ones end when one joins none of `n` patches, or has joined
+/// less than `n / 32` (rounded down). So a mesh of few large faces has a patch for each face, and a fine one some ten
+/// to thirty thousand patches. They do not depend on the numbering of faces and vertices, ties excepted.
 ///
 /// Complexity: O(F) in practice.
 class Mesh_patches
@@ -45,7 +52,8 @@ public:
     Double_3 centroid; ///< the mean of the centroids of its faces, by area
     Double_3 normal;   ///< the mean normal by area, of length 1, or zero
     double area;
-    Index face;        ///< the one nearest to the centroid
+    /// The one whose centroid is nearest to that of the patch, not a degenerate one if possible; of several, the lower one.
+    Index face;
   };
 
   /// Two adjacent patches, and the length of the edges between them that are not constrained.

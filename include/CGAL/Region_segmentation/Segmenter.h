@@ -167,6 +167,7 @@ public:
   ///
   /// \tparam EdgeIsConstrainedMap a model of `ReadablePropertyMap` with the edge descriptor as key and a value type
   ///         that is convertible to `bool`
+  /// \param edge_is_constrained_map whether an edge becomes constrained
   /// \param np optional named parameters:
   ///   - `face_index_map`, `vertex_index_map`: those of the constructor, or others of the same mesh
   ///   - `visitor`: a model of `SegmentationVisitor`
@@ -196,6 +197,7 @@ public:
   ///
   /// \tparam FaceSeedMap a model of `ReadablePropertyMap` with the face descriptor as key and an integral value type;
   ///         the value `std::size_t(-1)`, after conversion to `std::size_t`, stands for no seed
+  /// \param face_seed_map the seed of a face
   /// \param np optional named parameters:
   ///   - `visitor`: a model of `SegmentationVisitor`
   /// \throws Invalid_input if equal seeds are in different components, or separated by constraints or by other seeds;

@@ -8,6 +8,7 @@
 namespace CGAL {
 namespace Region_segmentation {
 
+/// \ingroup PkgRegionSegmentationExceptions
 /// Thrown, in every build, for invalid data: a point that is not finite, a file of labels with a
 /// wrong number of lines. The message states the location. Outputs are unchanged.
 class Invalid_input : public std::runtime_error
@@ -16,6 +17,7 @@ public:
   using std::runtime_error::runtime_error;
 };
 
+/// \ingroup PkgRegionSegmentationExceptions
 /// Thrown when a visitor cancels. Outputs are unchanged.
 class Segmentation_cancelled : public std::runtime_error
 {
@@ -23,6 +25,7 @@ public:
   Segmentation_cancelled() : std::runtime_error("segmentation cancelled by its visitor") {}
 };
 
+/// \ingroup PkgRegionSegmentationExceptions
 /// Thrown, in every build, when a part of a method violates its concept in a way that cannot be detected at compile
 /// time: it reads mesh data that it did not request, or proposes a merge across a removed section. Outputs are
 /// unchanged.

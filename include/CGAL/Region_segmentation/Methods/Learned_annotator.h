@@ -21,7 +21,15 @@ namespace Region_segmentation {
 /// fills, in addition to `Visibility_annotator`, the data of which `Merge_features` are made. A model of
 /// `GraphAnnotator`, for graphs with `Learned_region_data` and `Learned_section_data`.
 ///
-/// A face counts for the moments of its region as an equilateral triangle of its area around its centroid.
+/// A face of area \f$a\f$ (share of the surface), unit normal \f$N\f$ and centroid \f$c\f$ adds to its region
+/// - \f$a N\f$ to the area vector, and
+/// - \f$a\f$, \f$a c\f$ and \f$a (c c^T + \sigma a (I - N N^T))\f$ to the moments, \f$\sigma = 1 / (6 \sqrt{3})\f$: those
+///   of an equilateral triangle of its area.
+///
+/// The perimeter is the sum of the lengths of the region's sections; borders of the mesh do not count. The own
+/// visibility is the weight of the rays that start and end in the region. The log thickness of a section is its length
+/// times the mean of the thicknesses of its two regions. Coordinates are relative to the centroid of the first face, in
+/// units of \f$\sqrt{A}\f$.
 ///
 /// Complexity: that of `Visibility_annotator`, and O(F + S). Deterministic.
 class Learned_annotator : public Visibility_annotator

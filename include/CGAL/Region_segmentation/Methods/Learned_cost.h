@@ -14,14 +14,26 @@ namespace CGAL {
 namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationPolicies
-/// What a learned model says of a section: the probability that two points, one in either region, belong to one part for
-/// people, and what its two regions weigh.
+/// What a learned model says of a section: the probability that two points, one in either region, belong to one part
+/// for people, and what its two regions weigh.
 ///
-/// The model is a function of `Merge_features`: the mean of a sum of decision trees and a neural network with one hidden
-/// layer gives the logarithm of the odds. It was trained on half of the Princeton benchmark, see `doc/accuracy.md`.
+/// The model is a function of `Merge_features`, integers \f$x_i\f$. The logarithm of the odds, in units of
+/// \f$2^{-20}\f$, is half the sum of the two following, rounded toward 0:
+/// - the sum over the decision trees of the value of the leaf to which the features lead, in \f$2^{-20}\f$. A node
+///   sends to its second branch if the feature is at least its threshold;
+/// - a neural network with one hidden layer, with the inputs \f$y_i = f_i (x_i - c_i)\f$, in \f$2^{-8}\f$, rounded
+///   toward 0 and clamped to [-4, 4]: \f$b + \sum_i s_i y_i + \sum_j v_j h_j / (1 + |h_j|)\f$,
+///   \f$h_j = b_j + \sum_i w_{ji} y_i\f$. \f$s, w\f$ are integers in \f$2^{-10}\f$, \f$f\f$ in \f$2^{-16}\f$ of the
+///   units of y and x, \f$b_j\f$ in \f$2^{-18}\f$, \f$h / (1 + |h|)\f$ in \f$2^{-12}\f$, rounded toward 0, \f$v\f$ in
+///   \f$2^{-14}\f$, and \f$b\f$ and the sum in \f$2^{-26}\f$; the result is rounded toward 0 to \f$2^{-20}\f$.
 ///
-/// The features are rounded, the model has integer constants, and what follows uses only arithmetic operations whose
-/// rounding is prescribed. So the last bits of logarithms, which differ between libraries, do not decide.
+/// \f$p = 1 / (1 + e^{-o})\f$, \f$o\f$ the logarithm of the odds clamped to [-16, 16]. An exponential \f$e^x\f$ is
+/// computed as \f$(1 + x / 2^{16})^{2^{16}}\f$ by squaring 16 times, here and in the costs.
+///
+/// The constants of the trees and the network are those of the header `internal/model/learned_merge_model.h`. They were
+/// trained on half of the Princeton benchmark, see `doc/accuracy.md`. Since features are rounded, constants are
+/// integers, and what follows uses only arithmetic operations whose rounding is prescribed, the last bits of
+/// logarithms, which differ between libraries, do not decide.
 class Merge_estimate
 {
 public:
@@ -68,7 +80,8 @@ private:
 /// With p the probability that two points, one in either region, belong to one part, and w the product of the shares of
 /// the area of the two regions, the cost is
 /// \f[ (1 - 2 p) (w / w_0)^e + c \, v, \f]
-/// \f$e\f$ the exponent of gains if p > 1/2, else that of losses, \f$v\f$ the `Visibility_cost`. A merge changes the
+/// \f$w_0 = e^{-4.605}\f$ (0.01), \f$e\f$ the exponent of gains if p > 1/2, else that of losses, \f$v\f$ the
+/// `Visibility_cost`. \f$w\f$ and \f$v\f$ are those of the rounded features. A merge changes the
 /// expected Rand index distance by 2 w (1 - 2 p); but the lowest powers of w give the best order.
 struct Learned_cost
 {
@@ -104,7 +117,8 @@ private:
 /// What a merge is expected to cost: w (2 t - 2 p), w and p as in `Learned_cost`. A model of `SectionCost`, for graphs
 /// annotated by `Learned_annotator`.
 ///
-/// With t = 1/2 it is half the expected change of the Rand index distance. The sum of several merges is the cost of all.
+/// With t = 1/2 it is half the expected change of the Rand index distance. The sum of several merges is the cost of
+/// all.
 struct Expected_merge_cost
 {
   using RegionData = Learned_region_data;

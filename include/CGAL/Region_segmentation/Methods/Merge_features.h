@@ -25,9 +25,17 @@ namespace Region_segmentation {
 /// The features of a section and its two regions from which the probability of a merge is computed.
 ///
 /// Of the two regions, m is the smaller and M the larger (of equal ones, m is the one of lower id), u is their union.
-/// All features are invariant under motion, scaling and renumbering. They are rounded to multiples of 1/512 in [-64, 64),
-/// so that the last bits of sums and logarithms do not matter. Lengths are in units of the square root of the area
-/// of the surface; a logarithm is that of at least 10^-12. A feature whose denominator is 0 is 0.
+/// The data of u are those of m and M merged across the section. All features are invariant under motion, scaling and
+/// renumbering. Lengths are in units of the square root of the area of the surface.
+/// - A feature x is rounded to \f$\lfloor 512 x + 1/2 \rfloor\f$, an integer within [-32767, 32767], so that the last
+///   bits of sums and logarithms do not matter.
+/// - A logarithm is that of at least \f$10^{-12}\f$; a quotient whose denominator is at most \f$10^{-12}\f$ is 0; a
+///   negative number under a root counts as 0; areas of regions count as at least \f$10^{-12}\f$ except in ln a_m, ln P
+///   and ln L, where the logarithm does this.
+/// - Eigenvalues are computed by Viete's formula, with errors of up to \f$10^{-7}\f$ of the largest one.
+/// - A root of two eigenvalues, \f$\sqrt{a / b}\f$, is \f$\sqrt{(a + o) / (b + o)}\f$ with
+///   \f$o = 10^{-6} e + 10^{-12}\f$, e the largest eigenvalue.
+/// - The perimeter of u is at least \f$10^{-6}\f$ in its logarithm.
 class Merge_features
 {
 public:

@@ -28,15 +28,20 @@ namespace Region_segmentation {
 /// makes regions of bounded size whose borders are short and follow concave edges: each patch of the mesh (see
 /// `Mesh_patches`) belongs to the nearest seed. A model of `RegionInitializer`. Constrained edges are never crossed.
 ///
-/// A step between two patches has the length \f$|c_i - c_j| / \sqrt{A} + w \, \min(\delta^+, m)\f$, \f$c\f$ the
-/// centroids, \f$A\f$ the area of the surface, \f$\delta^+\f$ the angle of their normals if they face each other (else
-/// 0). The first seed is the patch farthest from the centroid of the surface, each further one the patch farthest from
-/// all seeds so far; of several, the lower one. Every connected component gets a seed, even if this exceeds the
-/// number. Regions are connected.
+/// A step between two adjacent patches has the length \f$|c_i - c_j| / \sqrt{A} + w \, \min(\delta^+, m)\f$, rounded to
+/// `float` and at least \f$10^{-37}\f$, \f$c\f$ the centroids, \f$A\f$ the area of the surface, \f$\delta^+\f$ the
+/// angle of their normals if they face each other, \f$(n_j - n_i) \cdot (c_j - c_i) < 0\f$, else 0. Distances are sums
+/// of steps in `double`. The first seed is the patch farthest from the centroid of the surface, each further one the
+/// patch farthest from all seeds so far; of several, the lower one. A patch belongs to the nearest seed; of several at
+/// the same distance, to the one placed first. Every connected component gets a seed, even if this exceeds the number.
+/// Regions are connected, and are numbered by their lowest patch.
 ///
-/// Then borders are shortened: as long as a patch that is adjacent to a single patch of its own region can join another
-/// region so that the borders cost less, the one with the largest gain does. A border of length \f$l\f$ between two
-/// patches costs \f$l / (1 + g \, \min(\delta^+, m))\f$, so it is drawn into valleys.
+/// Then borders are shortened. A border of length \f$l\f$ (that of the edges that are not constrained) between two
+/// patches costs \f$l / (\sqrt{A} (1 + g \, \min(\delta^+, m)))\f$, rounded to `float`, so it is drawn into valleys. A
+/// patch that is adjacent to exactly one patch of its own region can move to an adjacent region; its gain is the cost
+/// of its borders to that region minus that of the border to the one patch. The move with the largest gain is made
+/// first (of equal ones that of the lowest patch, and to the lowest region), as long as there is one whose gain is
+/// above 1/1000 of the cost of all borders of its patch. Finally regions are numbered by their first face.
 ///
 /// Since concavity is added to a step, not multiplied, and angles are those between patches, the regions of a surface
 /// depend little on the resolution of its mesh.

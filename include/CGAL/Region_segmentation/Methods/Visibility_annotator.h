@@ -26,18 +26,34 @@ namespace Region_segmentation {
 /// measures by rays from every region into the body its thickness there, and which regions see each other. A model of
 /// `GraphAnnotator`, for graphs with `Visibility_region_data` and `Visibility_section_data`.
 ///
-/// From three faces of each region, at the centers of its patches (see `Mesh_patches`): the one nearest to its centroid,
-/// and those at 3/10 and 6/10 in the order of the distance to it, six rays are cast into the body: one against the normal, and five on a spiral
-/// in a cone of 0.9 rad around it. A region of one or two such faces casts as many rays, from those; one of less than
-/// 1/6400 of the surface casts a single ray, against the normal of the first.
-/// - The *thickness* of a region is the mean of \f$\ln(x / \sqrt{A} + 10^{-4})\f$, \f$x\f$ the lengths of
-///   its rays; that of a region whose rays all leave the body is the mean of the others.
-/// - Each ray connects the regions where it starts and ends, weighted by the share of the area that
-///   it represents. Opposite sides of a limb see each other; two limbs do not. Two regions without
-///   a common border that see each other get a section of no edges, which is never merged across,
-///   and counts when their unions become adjacent.
+/// Each region casts 18 rays into the body. The candidates to start from are the faces `Patch::face` of the patches
+/// (see `Mesh_patches`) in the region, or, if there is none, all of its faces, in the order of the distance of their
+/// centroids to that of the region, then of their indices. Of \f$n\f$ candidates those at the places
+/// \f$\lfloor 9 k n / (10 m) \rfloor\f$ are used, \f$m = \min(n, 3)\f$, \f$k = 0 .. m - 1\f$, counted from 0: the one
+/// nearest to the centroid, and those at 3/10 and 6/10 in the order. Each casts \f$q = 18 / m\f$ rays. A region of less
+/// than 1/6400 of the surface casts a single ray, that with \f$k = i = 0\f$.
 ///
-/// Lengths are relative to \f$\sqrt{A}\f$ and areas to \f$A\f$, the area of the surface.
+/// Ray \f$i\f$ of candidate \f$k\f$ leaves the centroid of the face in the direction
+/// \f$-\cos(a) N + \sin(a) (\cos(b) u + \sin(b) v)\f$, with \f$a = 0.9 \sqrt{i / (q - 1)}\f$ and
+/// \f$b = 2.399963229728653 \, i + k\f$ radians (a spiral of the golden angle). \f$N\f$ is the unit normal; \f$u\f$ is
+/// the direction in the plane of the face that leads away from the centroid of the surface, or, if less than 1/1000 of
+/// the vector from there lies in this plane, to the corner farthest from the centroid of the face; and
+/// \f$v = -N \times u\f$. Degenerate faces cast none.
+///
+/// A ray ends at the first other face, whichever side it hits, of several the lower one. This is computed in `float`,
+/// relative to the centroid of the surface (Moeller and Trumbore 1997, polygons as fans from their first corner, with a
+/// margin of \f$10^{-6}\f$ in the barycentric coordinates); so distances have relative errors of about \f$10^{-6}\f$.
+/// - The *thickness* of a region is the mean of \f$\ln(x / \sqrt{A} + 10^{-4})\f$, \f$x\f$ the lengths of
+///   its rays; that of a region whose rays all leave the body is the mean of the others' thicknesses.
+/// - Each ray has a weight: the share of its region in the area of the surface, divided by 18, or by 1 if the region
+///   casts one. It is added to the visibility of the region where it starts, to that of the region where it ends (so
+///   twice if they are the same), and to that of the section between the two. Opposite sides of a limb see each other;
+///   two limbs do not. Two regions without a common border that see each other get a section of no edges, which is
+///   never merged across, and counts when their unions become adjacent.
+/// - The *bend* of a section is its length times the angle between the mean normals of its two regions, positive if
+///   these face each other: \f$(n_j - n_i) \cdot (c_j - c_i) < 0\f$, \f$c\f$ the centroids of the regions.
+///
+/// Lengths are relative to \f$\sqrt{A}\f$ and areas to \f$A\f$, the area of the surface. If that is 0, all data are 0.
 ///
 /// Complexity: O(F log F + 18 R log F) in practice. Deterministic. With `Parallel_tag` the rays are traced in parallel.
 ///

@@ -1,0 +1,332 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_TEST_REFERENCE_LEARNED_H
+#define CGAL_REGION_SEGMENTATION_TEST_REFERENCE_LEARNED_H
+
+#include "reference_visibility.h"
+
+#include <CGAL/Region_segmentation/internal/model/learned_merge_model.h>
+
+#include <cstdint>
+
+/// `Learned_merging` as the manual defines it. Of the library it uses the constants of the model alone.
+namespace reference {
+namespace learned {
+
+using namespace visibility;
+
+using Matrix = std::array<std::array<double, 3>, 3>;
+
+inline Matrix square(const Vector& v) // v v^T
+{
+  Matrix m{};
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j)
+      m[i][j] = v[i] * v[j];
+  return m;
+}
+
+inline Matrix sum(const Matrix& a, double s, const Matrix& b)
+{
+  Matrix m = a;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j)
+      m[i][j] += s * b[i][j];
+  return m;
+}
+
+inline double trace(const Matrix& m) { return m[0][0] + m[1][1] + m[2][2]; }
+
+inline double trace_of_product(const Matrix& a, const Matrix& b)
+{
+  double result = 0;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j)
+      result += a[i][j] * b[j][i];
+  return result;
+}
+
+inline double along(const Matrix& m, const Vector& v)
+{
+  return trace_of_product(m, square(v));
+}
+
+/// By Viete's formula, the largest first.
+inline Vector eigenvalues(const Matrix& m)
+{
+  const double mean = trace(m) / 3, third = std::acos(-1.0) * 2 / 3;
+  const Matrix d = sum(m, -mean, Matrix{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}});
+  const double radius = std::sqrt(std::max(0.0, trace_of_product(d, d)) / 6);
+  if (!(radius > 0))
+    return {mean, mean, mean};
+  const double determinant = dot(Vector{d[0]}, cross(Vector{d[1]}, Vector{d[2]}));
+  const double phi = std::acos(std::max(-1.0, std::min(1.0, determinant / (2 * radius * radius * radius)))) / 3;
+  const double first = mean + 2 * radius * std::cos(phi), last = mean + 2 * radius * std::cos(phi + third);
+  return {first, 3 * mean - first - last, last};
+}
+
+struct Moments
+{
+  double weight = 0;
+  Vector first{};
+  Matrix second{};
+
+  void add(double w, const Vector& point, const Matrix& square_of_point)
+  {
+    weight += w;
+    first = first + w * point;
+    second = sum(second, w, square_of_point);
+  }
+  void add(const Moments& other)
+  {
+    weight += other.weight;
+    first = first + other.first;
+    second = sum(second, 1, other.second);
+  }
+  Vector centroid() const { return weight > 0 ? (1 / weight) * first : Vector{}; }
+  Matrix covariance() const { return weight > 0 ? sum(sum({}, 1 / weight, second), -1, square(centroid())) : Matrix{}; }
+};
+
+struct Learned_section : Section
+{
+  double weakly_concave = 0, strongly_concave = 0, strongly_convex = 0, squared = 0, log_thickness = 0;
+  Moments moments;
+
+  void add(const Learned_section& other)
+  {
+    Section::add(other);
+    weakly_concave += other.weakly_concave, strongly_concave += other.strongly_concave;
+    strongly_convex += other.strongly_convex, squared += other.squared, log_thickness += other.log_thickness;
+    moments.add(other.moments);
+  }
+};
+
+struct Learned_region : Region
+{
+  double squared_log_thickness = 0, own_visibility = 0, perimeter = 0;
+  Vector area_vector{};
+  Moments moments;
+
+  void add(const Learned_region& other, const Learned_section& between)
+  {
+    Region::add(other, between);
+    squared_log_thickness += other.squared_log_thickness;
+    own_visibility += other.own_visibility + between.visibility;
+    perimeter += other.perimeter - 2 * between.length;
+    area_vector = area_vector + other.area_vector;
+    moments.add(other.moments);
+  }
+};
+
+using Learned_graph = Basic_graph<Learned_region, Learned_section>;
+
+inline Learned_graph annotate(const Mesh& mesh, const Graph& graph, const std::vector<std::size_t>& region_of)
+{
+  Learned_graph result;
+  for (const auto& [r, region] : graph.regions) {
+    Learned_region& learned = result.regions[r];
+    static_cast<Region&>(learned) = region;
+    learned.squared_log_thickness = region.area * region.thickness() * region.thickness();
+    learned.own_visibility = region.visibility / 2;
+  }
+  const double unit = mesh.unit_of_length();
+  const auto relative = [&](const Vector& p) { return (1 / unit) * (p - mesh.centroids[0]); };
+  for (std::size_t f = 0; f < region_of.size(); ++f) {
+    Learned_region& region = result.regions[region_of[f]];
+    const double a = mesh.areas[f] / mesh.area, sigma = 1 / (6 * std::sqrt(3.0));
+    const Vector n = mesh.normals[f], c = relative(mesh.centroids[f]);
+    const Matrix spread = sum(Matrix{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, -1, square(n));
+    region.area_vector = region.area_vector + a * n;
+    region.moments.add(a, c, sum(square(c), sigma * a, spread));
+  }
+  for (const auto& [pair, section] : graph.sections) {
+    Learned_section& learned = result.sections[pair];
+    static_cast<Section&>(learned) = section;
+    Learned_region &i = result.regions[pair.first], &j = result.regions[pair.second];
+    learned.log_thickness = section.length * (i.thickness() + j.thickness()) / 2;
+    for (Learned_region* region : {&i, &j}) {
+      region->own_visibility -= section.visibility / 2;
+      region->perimeter += section.length;
+    }
+  }
+  for (const Edge& e : mesh.edges) {
+    const Pair pair = ordered(region_of[e.lower], region_of[e.higher]);
+    if (pair.first == pair.second)
+      continue;
+    Learned_section& section = result.sections[pair];
+    const double l = e.length / unit, d = e.signed_deviation;
+    section.weakly_concave += d > 0.1 ? l : 0;
+    section.strongly_concave += d > 0.4 ? l : 0;
+    section.strongly_convex += d < -0.3 ? l : 0;
+    section.squared += l * d * std::abs(d);
+    const Vector middle = relative(0.5 * (mesh.centroids[e.lower] + mesh.centroids[e.higher]));
+    section.moments.add(l, middle, square(middle));
+  }
+  return result;
+}
+
+constexpr double tiny = 1e-12;
+inline double ln(double x) { return std::log(std::max(x, tiny)); }
+inline double quotient(double a, double b) { return b > tiny ? a / b : 0; }
+
+/// sqrt(a / b) of two eigenvalues of which `e` is the largest.
+inline double root(double a, double b, double e)
+{
+  const double o = 1e-6 * e + tiny;
+  return std::sqrt((std::max(a, 0.0) + o) / (std::max(b, 0.0) + o));
+}
+
+using Features = std::array<std::int64_t, 59>;
+
+/// In the order of `Merge_features::Feature`. `a` has a lower id than `b`.
+inline Features features(const Learned_region& a, const Learned_region& b, const Learned_section& s)
+{
+  const double pi = std::acos(-1.0);
+  const bool is_a_smaller = a.area <= b.area;
+  const Learned_region &m = is_a_smaller ? a : b, &M = is_a_smaller ? b : a;
+  Learned_region u = m;
+  u.add(M, s);
+  const auto q = [&](double x) { return quotient(x, s.length); };
+  const double d = std::max(0.0, (s.concave - 0.3 * s.convex + 0.08 * s.bend) / std::max(s.length, tiny)) + 0.022;
+  const Matrix c = s.moments.covariance();
+  const Vector e = eigenvalues(c);
+  const double e_sums = c[0][0] * c[1][1] + c[1][1] * c[2][2] + c[2][2] * c[0][0] - c[0][1] * c[0][1] -
+                        c[1][2] * c[1][2] - c[0][2] * c[0][2];
+  const auto area = [](const Learned_region& r) { return std::max(r.area, tiny); };
+  const auto deviation = [&](const Learned_region& r) {
+    return std::sqrt(std::max(0.0, quotient(r.squared_log_thickness, r.area) - r.thickness() * r.thickness()));
+  };
+  const auto width = [](const Learned_region& r) { return std::sqrt(std::max(0.0, trace(r.moments.covariance()))); };
+  const auto own = [&](const Learned_region& r) { return quotient(2 * r.own_visibility, r.visibility); };
+  const auto flatness = [&](const Learned_region& r) { return norm(r.area_vector) / area(r); };
+  const auto elongation = [&](const Learned_region& r) {
+    const Vector w = eigenvalues(r.moments.covariance());
+    return root(w[1], w[0], w[0]);
+  };
+  const auto roundness = [&](const Learned_region& r) {
+    const Vector w = eigenvalues(r.moments.covariance());
+    return root(w[2], w[1], w[0]);
+  };
+  const auto filling = [&](const Learned_region& r) { return ln(area(r)) - ln(pi * trace(r.moments.covariance())); };
+  const Vector line = m.moments.centroid() - M.moments.centroid();
+  const double t_m = m.thickness(), t_M = M.thickness(), t_s = q(s.log_thickness);
+  const Matrix w_m = m.moments.covariance(), w_M = M.moments.covariance();
+  const std::array<double, 59> values = {
+    cost(a, b, s, false), ln(d), q(s.concave), q(s.convex), q(s.bend),
+    q(s.weakly_concave), q(s.strongly_concave), q(s.strongly_convex), q(s.squared),
+    ln(s.length * s.length) - ln(4 * pi * pi * trace(c)), root(e[1], e[0], e[0]), root(e[2], e[0], e[0]),
+    std::log(2 * pi * std::sqrt(std::max(0.0, e_sums)) / area(m) + 1e-4),
+    ln(m.area), ln(M.area), ln(u.area), 2 * ln(s.length) - ln(m.area), 2 * ln(s.length) - ln(M.area),
+    quotient(s.length, m.perimeter), quotient(s.length, M.perimeter), 2 * ln(m.perimeter) - ln(m.area),
+    2 * ln(M.perimeter) - ln(M.area), 2 * ln(std::max(u.perimeter, 1e-6)) - ln(u.area),
+    std::abs(t_m - t_M), t_m - t_M, t_m, t_M, t_s - t_m, t_s - t_M, deviation(m), deviation(M), deviation(u),
+    ln(s.length) - std::min(t_m, t_M), ln(width(m)) - t_m, ln(width(M)) - t_M,
+    quotient(s.visibility, std::min(m.visibility, M.visibility)),
+    quotient(s.visibility, std::max(m.visibility, M.visibility)), own(m), own(M), own(u),
+    flatness(m), flatness(M), flatness(u),
+    quotient(dot(m.area_vector, M.area_vector), norm(m.area_vector) * norm(M.area_vector)),
+    quotient(dot(m.area_vector, line), norm(m.area_vector) * norm(line)) -
+      quotient(dot(M.area_vector, line), norm(M.area_vector) * norm(line)),
+    norm(line) / std::sqrt(area(u)), elongation(m), elongation(M), elongation(u), roundness(m), roundness(M), roundness(u),
+    quotient(trace_of_product(w_m, w_M), trace(w_m) * trace(w_M)), quotient(along(c, line), trace(c) * dot(line, line)),
+    quotient(width(u), width(m) + width(M)), quotient(width(u), width(M)), filling(m), filling(M), filling(u)};
+  Features x;
+  for (std::size_t i = 0; i < x.size(); ++i)
+    x[i] = std::int64_t(std::max(-32767.0, std::min(32767.0, std::floor(512 * values[i] + 0.5))));
+  return x;
+}
+
+/// e^x by squaring 16 times.
+inline double power_of_e(double x)
+{
+  double y = 1 + x / 65536;
+  for (int i = 0; i < 16; ++i)
+    y *= y;
+  return y;
+}
+
+/// The probability that points of the two regions belong to one part.
+inline double probability(const Features& x)
+{
+  const auto& model = CGAL::Region_segmentation::internal::learned_merge_model;
+  std::int64_t trees = 0;
+  for (std::size_t t = 0; t < model.number_of_trees; ++t) {
+    std::size_t node = 0;
+    while (node < 128) {
+      const auto& n = model.trees[t].nodes[node];
+      node = n.branches[x[n.feature] >= n.threshold ? 1 : 0];
+    }
+    trees += model.trees[t].leaves[node - 128];
+  }
+  std::vector<std::int64_t> y;
+  for (std::size_t i = 0; i < x.size(); ++i) { // in 2^-8
+    const auto& input = model.network.inputs[i];
+    y.push_back(std::max<std::int64_t>(-1024, std::min<std::int64_t>(1024, (x[i] - input.center) * input.factor / 65536)));
+  }
+  const auto product = [&](const auto& weights) { // in 2^-18
+    std::int64_t sum = 0;
+    for (std::size_t i = 0; i < y.size(); ++i)
+      sum += weights[i] * y[i];
+    return sum;
+  };
+  std::int64_t network = model.network.output_bias + product(model.network.direct_weights) * 256; // in 2^-26
+  for (std::size_t j = 0; j < model.network.number_of_units; ++j) {
+    const auto& unit = model.network.units[j];
+    const double h = double(unit.bias + product(unit.weights));
+    network += unit.output_weight * std::int64_t(4096 * h / (262144 + std::abs(h)));
+  }
+  const double odds = double((trees + network / 64) / 2) / 1048576;
+  return 1 / (1 + power_of_e(-std::max(-16.0, std::min(16.0, odds))));
+}
+
+/// The order of the last merges, and what they cost.
+inline double order_of(const Learned_region& a, const Learned_region& b, const Learned_section& s)
+{
+  const Features x = features(a, b, s);
+  const double z = 1 - 2 * probability(x), log_share = double(x[13]) / 512 + double(x[14]) / 512;
+  return z * power_of_e((z < 0 ? 0.1 : 0.2) * (log_share + 4.605)) + 0.1 * double(x[0]) / 512;
+}
+
+inline double expected_cost(const Learned_region& a, const Learned_region& b, const Learned_section& s)
+{
+  const Features x = features(a, b, s);
+  return 2 * power_of_e(double(x[13]) / 512 + double(x[14]) / 512) * (0.45 - probability(x));
+}
+
+/// All merges of the first regions.
+struct Result
+{
+  std::vector<Merge> merges;
+
+  Result(const Mesh& mesh, const Annotated& annotated) : m_number_of_regions(annotated.graph.regions.size())
+  {
+    Learned_graph graph = annotate(mesh, annotated.graph, annotated.region_of);
+    merge_by_visibility(60, graph, merges);
+    merge_down_to(1, graph, order_of, expected_cost, merges);
+  }
+
+  /// The largest number, from 60 down to 2, at which the sum of the costs is lowest.
+  std::size_t chosen_number() const
+  {
+    const std::size_t regions = m_number_of_regions;
+    const std::size_t least = std::max(regions - merges.size(), std::min<std::size_t>(regions, 2));
+    std::size_t best = std::max(least, std::min<std::size_t>(regions, 60));
+    double sum = 0, lowest = 0;
+    for (std::size_t n = best; n > least; --n) {
+      sum += merges[regions - n].cost;
+      if (sum < lowest) {
+        lowest = sum;
+        best = n - 1;
+      }
+    }
+    return best;
+  }
+
+private:
+  std::size_t m_number_of_regions;
+};
+
+} // namespace learned
+} // namespace reference
+
+#endif // CGAL_REGION_SEGMENTATION_TEST_REFERENCE_LEARNED_H

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// `Visibility_merging` and `Learned_merging` against reference implementations of the manual's text, which share no code with
+// them.
+
+#include "real_meshes.h"
+#include "reference_learned.h"
+#include "reference_visibility.h"
+
+#include <CGAL/Region_segmentation/Methods/Learned_merging.h>
+#include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
+#include <CGAL/Region_segmentation/Segmenter.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace RS = CGAL::Region_segmentation;
+using namespace test;
+
+constexpr unsigned seed = 7;
+
+/// Moves all points a little: symmetric meshes have equal candidates, between which rounding would decide.
+void add_noise(Surface_mesh& mesh, double share_of_edge, std::mt19937& random)
+{
+  double sum = 0;
+  for (auto e : edges(mesh)) {
+    const auto h = halfedge(e, mesh);
+    sum += std::sqrt(CGAL::to_double(CGAL::squared_distance(mesh.point(source(h, mesh)), mesh.point(target(h, mesh)))));
+  }
+  const double noise = share_of_edge * sum / double(num_edges(mesh));
+  std::uniform_real_distribution<double> moves(-noise, noise);
+  for (auto v : vertices(mesh)) {
+    const auto& p = mesh.point(v);
+    const double x = p.x() + moves(random), y = p.y() + moves(random), z = p.z() + moves(random);
+    mesh.point(v) = {x, y, z};
+  }
+}
+
+reference::visibility::Mesh to_reference(const Surface_mesh& mesh)
+{
+  std::vector<reference::visibility::Vector> points;
+  for (auto v : vertices(mesh))
+    points.push_back({mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z()});
+  std::vector<std::vector<std::size_t>> polygons;
+  for (auto f : faces(mesh)) {
+    polygons.emplace_back();
+    for (auto v : CGAL::vertices_around_face(halfedge(f, mesh), mesh))
+      polygons.back().push_back(std::size_t(v));
+  }
+  return {points, polygons};
+}
+
+template <typename Method, typename Reference>
+void expect_same_labels(Surface_mesh& mesh, const reference::visibility::Mesh& copy,
+                        const reference::visibility::Annotated& annotated)
+{
+  const Reference expected(copy, annotated);
+  auto segment_id = mesh.add_property_map<Surface_mesh::Face_index, std::size_t>("f:segment").first;
+  const RS::Segmenter<Surface_mesh, Method> segmenter(mesh);
+  EXPECT_EQ(segmenter.number_of_segments(), expected.chosen_number());
+  for (std::size_t k : {1, 2, 3, 5, 8, 12, 20, 40, 100, 200, 400, 800}) {
+    if (k > annotated.graph.regions.size())
+      break; // regions would be split
+    segmenter.segment(segment_id, k);
+    std::vector<std::size_t> labels;
+    for (auto f : faces(mesh))
+      labels.push_back(segment_id[f]);
+    EXPECT_TRUE(labels == reference::visibility::labels_after(annotated.region_of, expected.merges, k)) << k << " segments";
+  }
+}
+
+TEST(Real_meshes, methods_on_superfacets_are_as_the_manual_defines_them)
+{
+  std::mt19937 random(seed);
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  check_real_meshes(4000, [&](Surface_mesh& mesh) {
+    if (num_faces(mesh) < 20)
+      return false;
+    add_noise(mesh, 0.01, random);
+    const reference::visibility::Mesh copy = to_reference(mesh);
+    const reference::visibility::Annotated annotated(copy);
+    {
+      SCOPED_TRACE("visibility");
+      expect_same_labels<RS::Visibility_merging, reference::visibility::Result>(mesh, copy, annotated);
+    }
+    SCOPED_TRACE("learned");
+    expect_same_labels<RS::Learned_merging, reference::learned::Result>(mesh, copy, annotated);
+    return true;
+  });
+}
+
+} // namespace

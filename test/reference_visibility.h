@@ -1,0 +1,686 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_TEST_REFERENCE_VISIBILITY_H
+#define CGAL_REGION_SEGMENTATION_TEST_REFERENCE_VISIBILITY_H
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <set>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+/// `Visibility_merging` as the manual defines it, step by step and slowly. Shares no code with the library, and uses the
+/// obvious data structures: maps, and a search of all candidates for each choice.
+namespace reference {
+namespace visibility {
+
+using Vector = std::array<double, 3>;
+using Pair = std::pair<std::size_t, std::size_t>; // lower, higher
+
+inline Vector operator+(const Vector& a, const Vector& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
+inline Vector operator-(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+inline Vector operator*(double s, const Vector& a) { return {s * a[0], s * a[1], s * a[2]}; }
+inline double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+inline Vector cross(const Vector& a, const Vector& b)
+{
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+inline double norm(const Vector& a) { return std::sqrt(dot(a, a)); }
+inline Vector unit(const Vector& a) { return norm(a) > 0 ? (1 / norm(a)) * a : Vector{}; }
+inline double angle(const Vector& a, const Vector& b) { return std::acos(std::max(-1.0, std::min(1.0, dot(a, b)))); }
+inline bool face_each_other(const Vector& n_i, const Vector& n_j, const Vector& c_i, const Vector& c_j)
+{
+  return dot(n_j - n_i, c_j - c_i) < 0;
+}
+
+inline Pair ordered(std::size_t a, std::size_t b) { return {std::min(a, b), std::max(a, b)}; }
+
+/// The labels renumbered by their first element.
+inline std::vector<std::size_t> numbered(const std::vector<std::size_t>& labels)
+{
+  std::map<std::size_t, std::size_t> number;
+  std::vector<std::size_t> result;
+  for (std::size_t label : labels)
+    result.push_back(number.emplace(label, number.size()).first->second);
+  return result;
+}
+
+inline std::size_t number_of(const std::vector<std::size_t>& labels)
+{
+  return labels.empty() ? 0 : *std::max_element(labels.begin(), labels.end()) + 1;
+}
+
+struct Edge
+{
+  std::size_t lower, higher; // faces
+  double length, signed_deviation; // positive: concave
+};
+
+struct Mesh
+{
+  std::vector<Vector> points;
+  std::vector<std::vector<std::size_t>> faces; // from the vertex of lowest index on
+  std::vector<double> areas;
+  std::vector<Vector> normals, centroids;
+  std::vector<Edge> edges; // by lower, then by higher face
+  double area = 0;
+
+  Mesh(std::vector<Vector> points_, std::vector<std::vector<std::size_t>> faces_)
+    : points(std::move(points_)), faces(std::move(faces_))
+  {
+    std::map<Pair, std::size_t> face_of_halfedge;
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+      auto& face = faces[f];
+      std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
+      add_face(face);
+      for (std::size_t i = 0; i < face.size(); ++i)
+        face_of_halfedge[{face[i], face[(i + 1) % face.size()]}] = f;
+    }
+    for (const auto& [halfedge, f] : face_of_halfedge) {
+      const auto other = face_of_halfedge.find({halfedge.second, halfedge.first});
+      if (other != face_of_halfedge.end() && f < other->second)
+        add_edge(f, other->second, points[halfedge.second] - points[halfedge.first]);
+    }
+    std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) {
+      return std::tie(a.lower, a.higher) < std::tie(b.lower, b.higher);
+    });
+  }
+
+  double unit_of_length() const { return std::sqrt(area); }
+
+private:
+  void add_face(const std::vector<std::size_t>& face)
+  {
+    Vector twice{}, sum{};
+    double longest = 0;
+    for (std::size_t i = 0; i < face.size(); ++i) {
+      const Vector &p = points[face[i]], &q = points[face[(i + 1) % face.size()]];
+      twice = twice + cross(p - points[face[0]], q - points[face[0]]);
+      longest = std::max(longest, dot(q - p, q - p));
+      sum = sum + p;
+    }
+    const double a = norm(0.5 * twice);
+    const bool is_degenerate = !(a > 1e-12 * longest && a >= std::numeric_limits<double>::min());
+    areas.push_back(a);
+    normals.push_back(is_degenerate ? Vector{} : (1 / a) * (0.5 * twice));
+    centroids.push_back((1 / double(face.size())) * sum);
+    area += a;
+  }
+
+  void add_edge(std::size_t f, std::size_t g, const Vector& along)
+  {
+    const double sign = dot(cross(normals[f], normals[g]), along);
+    const double deviation = sign == 0 ? 0 : angle(normals[f], normals[g]);
+    edges.push_back({f, g, norm(along), sign < 0 ? deviation : -deviation});
+  }
+};
+
+/// Small flat patches of faces.
+struct Patches
+{
+  std::vector<std::size_t> of_face, center; // the patch of each face; the face at the center of each patch
+  std::vector<double> areas;
+  std::vector<Vector> area_vectors, normals, centroids;
+  std::map<Pair, double> lengths; // of borders
+
+  explicit Patches(const Mesh& mesh)
+    : areas(mesh.areas), normals(mesh.normals), centroids(mesh.centroids)
+  {
+    for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+      of_face.push_back(f);
+      area_vectors.push_back(areas[f] * normals[f]);
+    }
+    for (const Edge& e : mesh.edges)
+      lengths[{e.lower, e.higher}] += e.length;
+    join(joined(mesh)); // the first round is always followed by another one
+    while (true) {
+      const std::size_t n = areas.size();
+      const std::vector<std::size_t> parts = joined(mesh);
+      join(parts);
+      if (n == areas.size() || n - areas.size() < n / 32)
+        break;
+    }
+    set_centers(mesh);
+  }
+
+private:
+  /// What each patch is joined to, in a round.
+  std::vector<std::size_t> joined(const Mesh& mesh) const
+  {
+    const std::size_t n = areas.size();
+    std::vector<std::pair<float, std::size_t>> selected(n, {std::numeric_limits<float>::infinity(), 0});
+    for (std::size_t i = 0; i < n; ++i)
+      selected[i].second = i;
+    for (const auto& entry : lengths) {
+      const auto [i, j] = entry.first;
+      if (!(areas[i] + areas[j] <= mesh.area / 30000))
+        continue;
+      const double distance = norm(centroids[i] - centroids[j]) / mesh.unit_of_length();
+      const float step = float(distance + 0.4 * norm(normals[i] - normals[j]));
+      selected[i] = std::min(selected[i], {step, j});
+      selected[j] = std::min(selected[j], {step, i});
+    }
+    std::vector<std::size_t> parent(n), number_of_children(n, 0);
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::size_t j = selected[i].second;
+      const bool is_larger = areas[i] != areas[j] ? areas[i] > areas[j] : i < j;
+      parent[i] = selected[j].second == i && is_larger ? i : j;
+    }
+    for (std::size_t i = 0; i < n; ++i)
+      number_of_children[parent[i]] += parent[i] != i;
+    std::vector<std::size_t> result(n);
+    for (std::size_t i = 0; i < n; ++i) {
+      std::size_t depth = 0;
+      for (std::size_t j = i; parent[j] != j; j = parent[j])
+        ++depth;
+      result[i] = depth % 2 == 1 ? parent[i] : depth > 0 && number_of_children[i] == 0 ? parent[parent[i]] : i;
+    }
+    return numbered(result);
+  }
+
+  void join(const std::vector<std::size_t>& parts)
+  {
+    const std::size_t n = number_of(parts);
+    std::vector<double> a(n, 0);
+    std::vector<Vector> area_vector(n), normal(n), centroid(n);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      a[parts[i]] += areas[i];
+      area_vector[parts[i]] = area_vector[parts[i]] + area_vectors[i];
+      centroid[parts[i]] = centroid[parts[i]] + areas[i] * centroids[i];
+    }
+    for (std::size_t i = parts.size(); i-- > 0;) {
+      const std::size_t p = parts[i];
+      if (a[p] == 0)
+        centroid[p] = centroids[i];
+    }
+    for (std::size_t p = 0; p < n; ++p) {
+      normal[p] = unit(area_vector[p]);
+      if (a[p] > 0)
+        centroid[p] = (1 / a[p]) * centroid[p];
+    }
+    std::map<Pair, double> united;
+    for (const auto& [pair, length] : lengths) {
+      const auto [p, q] = ordered(parts[pair.first], parts[pair.second]);
+      if (p != q)
+        united[{p, q}] += length;
+    }
+    areas = a, area_vectors = area_vector, normals = normal, centroids = centroid, lengths = united;
+    for (std::size_t& p : of_face)
+      p = parts[p];
+  }
+
+  void set_centers(const Mesh& mesh)
+  {
+    using Key = std::tuple<bool, double, std::size_t>; // degenerate, distance, face
+    std::vector<Key> best(areas.size(), {true, std::numeric_limits<double>::infinity(), mesh.faces.size()});
+    for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+      const bool is_degenerate = mesh.normals[f] == Vector{};
+      const Vector away = mesh.centroids[f] - centroids[of_face[f]];
+      best[of_face[f]] = std::min(best[of_face[f]], Key{is_degenerate, is_degenerate ? 0 : dot(away, away), f});
+    }
+    for (const Key& key : best)
+      center.push_back(std::get<2>(key));
+  }
+};
+
+/// The regions of `Superfacets`, by patch.
+class Superfacets
+{
+public:
+  Superfacets(const Mesh& mesh, const Patches& patches, std::size_t number) : m_patches(patches)
+  {
+    for (const auto& [pair, length] : patches.lengths) {
+      const auto [i, j] = pair;
+      const Vector &c_i = patches.centroids[i], &c_j = patches.centroids[j];
+      const Vector &n_i = patches.normals[i], &n_j = patches.normals[j];
+      const double concavity = face_each_other(n_i, n_j, c_i, c_j) ? std::min(angle(n_i, n_j), 0.6) : 0;
+      const double step = std::max(norm(c_i - c_j) / mesh.unit_of_length() + 0.4 * concavity, 1e-37);
+      m_steps[i][j] = m_steps[j][i] = float(step);
+      m_costs[i][j] = m_costs[j][i] = float(length / mesh.unit_of_length() / (1 + 10 * concavity));
+    }
+    seed(number);
+    shorten_borders();
+  }
+
+  std::vector<std::size_t> of_face() const
+  {
+    std::vector<std::size_t> labels;
+    for (std::size_t p : m_patches.of_face)
+      labels.push_back(m_region[p]);
+    return numbered(labels);
+  }
+
+private:
+  using Neighbors = std::map<std::size_t, std::map<std::size_t, float>>;
+
+  void seed(std::size_t number)
+  {
+    const std::size_t n = m_patches.areas.size();
+    Vector center{};
+    double area = 0;
+    for (std::size_t p = 0; p < n; ++p) {
+      center = center + m_patches.areas[p] * m_patches.centroids[p];
+      area += m_patches.areas[p];
+    }
+    center = (1 / area) * center;
+    std::size_t next = 0;
+    for (std::size_t p = 1; p < n; ++p)
+      if (norm(m_patches.centroids[p] - center) > norm(m_patches.centroids[next] - center))
+        next = p;
+    std::vector<double> distance(n, std::numeric_limits<double>::infinity());
+    m_region.assign(n, 0);
+    for (std::size_t seeds = 0; distance[next] > 0; ++seeds) {
+      if (seeds >= number && distance[next] != std::numeric_limits<double>::infinity())
+        break;
+      grow(next, seeds, distance);
+      next = std::size_t(std::max_element(distance.begin(), distance.end()) - distance.begin());
+    }
+    m_region = numbered(m_region);
+  }
+
+  void grow(std::size_t seed, std::size_t label, std::vector<double>& distance)
+  {
+    std::set<std::pair<double, std::size_t>> front{{0, seed}};
+    distance[seed] = 0;
+    m_region[seed] = label;
+    while (!front.empty()) {
+      const auto [d, p] = *front.begin();
+      front.erase(front.begin());
+      for (const auto& [q, step] : m_steps[p])
+        if (d + double(step) < distance[q]) {
+          front.erase({distance[q], q});
+          distance[q] = d + double(step);
+          m_region[q] = label;
+          front.insert({distance[q], q});
+        }
+    }
+  }
+
+  void shorten_borders()
+  {
+    using Move = std::tuple<double, std::size_t, std::size_t>; // -gain, patch, region
+    std::vector<Move> moves;
+    for (std::size_t p = 0; p < m_region.size(); ++p)
+      moves.push_back(best_move(p));
+    std::set<Move> sorted(moves.begin(), moves.end());
+    while (!sorted.empty() && std::get<0>(*sorted.begin()) < 0) {
+      const auto [gain, patch, region] = *sorted.begin();
+      m_region[patch] = region;
+      std::vector<std::size_t> changed{patch};
+      for (const auto& entry : m_costs[patch])
+        changed.push_back(entry.first);
+      for (std::size_t p : changed) {
+        sorted.erase(moves[p]);
+        moves[p] = best_move(p);
+        sorted.insert(moves[p]);
+      }
+    }
+  }
+
+  std::tuple<double, std::size_t, std::size_t> best_move(std::size_t patch)
+  {
+    std::map<std::size_t, double> cost_of;
+    double all = 0;
+    std::size_t inside = 0;
+    for (const auto& [p, cost] : m_costs[patch]) {
+      cost_of[m_region[p]] += double(cost);
+      all += double(cost);
+      inside += m_region[p] == m_region[patch];
+    }
+    std::tuple<double, std::size_t, std::size_t> best{0, patch, m_region[patch]};
+    if (inside == 1)
+      for (const auto& [region, cost] : cost_of)
+        if (const double gain = cost - cost_of[m_region[patch]]; region != m_region[patch] && gain > 1e-3 * all)
+          best = std::min(best, {-gain, patch, region});
+    return best;
+  }
+
+  const Patches& m_patches;
+  Neighbors m_steps, m_costs;
+  std::vector<std::size_t> m_region;
+};
+
+struct Section
+{
+  double length = 0, concave = 0, convex = 0, bend = 0, visibility = 0;
+  std::size_t number_of_edges = 0;
+
+  void add(const Section& other)
+  {
+    length += other.length, concave += other.concave, convex += other.convex;
+    bend += other.bend, visibility += other.visibility, number_of_edges += other.number_of_edges;
+  }
+};
+
+struct Region
+{
+  double area = 0, log_thickness = 0, visibility = 0;
+
+  double thickness() const { return area > 0 ? log_thickness / area : 0; }
+  void add(const Region& other, const Section&)
+  {
+    area += other.area, log_thickness += other.log_thickness, visibility += other.visibility;
+  }
+};
+
+/// The region graph: merges change it.
+template <typename RegionData, typename SectionData>
+struct Basic_graph
+{
+  std::map<std::size_t, RegionData> regions;
+  std::map<Pair, SectionData> sections;
+};
+using Graph = Basic_graph<Region, Section>;
+
+/// The annotated graph of regions of faces.
+class Annotation
+{
+public:
+  Annotation(const Mesh& mesh, const Patches& patches, const std::vector<std::size_t>& region_of)
+    : m_mesh(mesh), m_patches(patches), m_region_of(region_of), m_shapes(number_of(region_of))
+  {
+    set_shapes();
+    set_sections();
+    set_rays();
+  }
+
+  Graph graph;
+
+private:
+  struct Shape
+  {
+    double area = 0;
+    Vector normal{}, centroid{};
+  };
+
+  void set_shapes()
+  {
+    for (std::size_t f = 0; f < m_region_of.size(); ++f) {
+      Shape& shape = m_shapes[m_region_of[f]];
+      shape.area += m_mesh.areas[f];
+      shape.normal = shape.normal + m_mesh.areas[f] * m_mesh.normals[f];
+      shape.centroid = shape.centroid + m_mesh.areas[f] * m_mesh.centroids[f];
+    }
+    for (std::size_t r = 0; r < m_shapes.size(); ++r) {
+      Shape& shape = m_shapes[r];
+      m_center = m_center + (1 / m_mesh.area) * shape.centroid;
+      shape.normal = unit(shape.normal);
+      shape.centroid = shape.area > 0 ? (1 / shape.area) * shape.centroid : m_mesh.centroids[0];
+      graph.regions[r].area = shape.area / m_mesh.area;
+    }
+  }
+
+  void set_sections()
+  {
+    for (const Edge& e : m_mesh.edges) {
+      const auto [r, s] = ordered(m_region_of[e.lower], m_region_of[e.higher]);
+      if (r == s)
+        continue;
+      Section& section = graph.sections[{r, s}];
+      const double l = e.length / m_mesh.unit_of_length();
+      section.length += l;
+      ++section.number_of_edges;
+      section.concave += e.signed_deviation > 0 ? l * std::min(e.signed_deviation, 0.6) : 0;
+      section.convex += e.signed_deviation < 0 ? l * std::min(-e.signed_deviation, 2.0) : 0;
+    }
+    for (auto& [pair, section] : graph.sections) {
+      const Shape &i = m_shapes[pair.first], &j = m_shapes[pair.second];
+      const double bend = std::atan2(norm(cross(i.normal, j.normal)), dot(i.normal, j.normal));
+      section.bend = section.length * (face_each_other(i.normal, j.normal, i.centroid, j.centroid) ? bend : -bend);
+    }
+  }
+
+  void set_rays()
+  {
+    std::vector<double> sum(m_shapes.size(), 0), thickness;
+    std::vector<std::size_t> hits(m_shapes.size(), 0);
+    for (std::size_t r = 0; r < m_shapes.size(); ++r)
+      cast_rays(r, sum[r], hits[r]);
+    double mean = 0, regions = 0;
+    for (std::size_t r = 0; r < m_shapes.size(); ++r)
+      if (hits[r] > 0) {
+        mean += sum[r] / double(hits[r]);
+        ++regions;
+      }
+    mean = regions > 0 ? mean / regions : 0;
+    for (std::size_t r = 0; r < m_shapes.size(); ++r)
+      graph.regions[r].log_thickness = graph.regions[r].area * (hits[r] > 0 ? sum[r] / double(hits[r]) : mean);
+  }
+
+  std::vector<std::pair<double, std::size_t>> candidates(std::size_t region) const
+  {
+    std::vector<std::pair<double, std::size_t>> centers, all;
+    for (std::size_t f = 0; f < m_region_of.size(); ++f)
+      if (m_region_of[f] == region) {
+        const Vector away = m_mesh.centroids[f] - m_shapes[region].centroid;
+        all.push_back({dot(away, away), f});
+        if (m_patches.center[m_patches.of_face[f]] == f)
+          centers.push_back(all.back());
+      }
+    auto& result = centers.empty() ? all : centers;
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
+  void cast_rays(std::size_t region, double& sum, std::size_t& hits)
+  {
+    const auto from = candidates(region);
+    const std::size_t n = from.size(), m = std::min<std::size_t>(n, 3);
+    const bool is_small = graph.regions[region].area < 1. / 6400;
+    for (std::size_t k = 0; k < (is_small ? 1 : m); ++k) {
+      const std::size_t face = from[9 * k * n / (10 * m)].second, q = 18 / m;
+      if (m_mesh.normals[face] == Vector{})
+        continue;
+      for (std::size_t i = 0; i < (is_small ? 1 : q); ++i) {
+        const double a = 0.9 * std::sqrt(double(i) / double(q - 1)), b = 2.399963229728653 * double(i) + double(k);
+        const auto [end, distance] = first_hit(face, direction(face, a, b));
+        if (end == m_mesh.faces.size())
+          continue;
+        sum += std::log(distance / m_mesh.unit_of_length() + 1e-4);
+        ++hits;
+        add_ray(region, m_region_of[end], graph.regions[region].area / (is_small ? 1 : 18));
+      }
+    }
+  }
+
+  void add_ray(std::size_t from, std::size_t to, double weight)
+  {
+    graph.regions[from].visibility += weight;
+    graph.regions[to].visibility += weight;
+    if (from != to)
+      graph.sections[ordered(from, to)].visibility += weight;
+  }
+
+  Vector direction(std::size_t face, double a, double b) const
+  {
+    const Vector normal = m_mesh.normals[face], center = m_mesh.centroids[face];
+    const auto in_plane = [&](const Vector& v) { return v - dot(v, normal) * normal; };
+    Vector u = in_plane(center - m_center);
+    if (!(norm(u) > 1e-3 * norm(center - m_center))) {
+      u = {};
+      for (std::size_t v : m_mesh.faces[face])
+        if (const Vector w = in_plane(m_mesh.points[v] - center); dot(w, w) > dot(u, u))
+          u = w;
+    }
+    u = unit(u);
+    const Vector v = cross(-1.0 * normal, u);
+    return -std::cos(a) * normal + std::sin(a) * (std::cos(b) * u + std::sin(b) * v);
+  }
+
+  /// The number of faces if there is none.
+  std::pair<std::size_t, double> first_hit(std::size_t from, const Vector& direction) const
+  {
+    std::pair<double, std::size_t> best{std::numeric_limits<double>::infinity(), m_mesh.faces.size()};
+    for (std::size_t f = 0; f < m_mesh.faces.size(); ++f)
+      for (std::size_t i = 1; f != from && i + 1 < m_mesh.faces[f].size(); ++i)
+        if (const double d = distance_to(f, i, m_mesh.centroids[from], direction); d < best.first)
+          best = {d, f};
+    return {best.second, best.first};
+  }
+
+  using Float_vector = std::array<float, 3>;
+
+  static Float_vector to_float(const Vector& v) { return {float(v[0]), float(v[1]), float(v[2])}; }
+  static Float_vector minus(const Float_vector& a, const Float_vector& b)
+  {
+    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+  }
+  static float times(const Float_vector& a, const Float_vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+  static Float_vector cross_product(const Float_vector& a, const Float_vector& b)
+  {
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+  }
+
+  /// To triangle i of the fan of a face, in float relative to the centroid of the surface; infinite if the ray misses it.
+  double distance_to(std::size_t face, std::size_t i, const Vector& source, const Vector& direction) const
+  {
+    const auto corner = [&](std::size_t j) { return to_float(m_mesh.points[m_mesh.faces[face][j]] - m_center); };
+    const Float_vector d = to_float(direction), e = minus(corner(i), corner(0)), g = minus(corner(i + 1), corner(0));
+    const Float_vector to_source = minus(to_float(source - m_center), corner(0));
+    const Float_vector p = cross_product(d, g), q = cross_product(to_source, e);
+    const float determinant = times(e, p), inverse = 1 / determinant;
+    const float u = times(to_source, p) * inverse, v = times(d, q) * inverse, distance = times(g, q) * inverse;
+    const bool is_outside = u < -1e-6f || v < -1e-6f || u + v > 1 + 1e-6f;
+    const bool is_hit = !is_outside && determinant != 0 && distance > 0;
+    return is_hit ? double(distance) : std::numeric_limits<double>::infinity();
+  }
+
+  const Mesh& m_mesh;
+  const Patches& m_patches;
+  const std::vector<std::size_t>& m_region_of;
+  std::vector<Shape> m_shapes;
+  Vector m_center{};
+};
+
+inline double cost(const Region& a, const Region& b, const Section& s, bool are_many)
+{
+  const double p_d = are_many ? 3.14 : 4, d_0 = are_many ? 0.055 : 0.022, p_a = are_many ? 1.2 : 1.74;
+  const double p_l = are_many ? 0.87 : 0.95, p_s = are_many ? 0.49 : 0.195;
+  const double eta = 0.16, p_t = 1, t_0 = 0.18, s_0 = 0.01, w_x = 0.3, w_b = 0.08;
+  const auto at_least = [](double x) { return std::max(x, 1e-12); };
+  const double length = at_least(s.length), m = at_least(std::min(a.area, b.area)), l = at_least(std::max(a.area, b.area));
+  const double d = std::max(0.0, (s.concave - w_x * s.convex + w_b * s.bend) / length) + d_0;
+  const double seen = std::min(a.visibility, b.visibility);
+  return p_d * std::log(d) + p_a * ((1 - eta) * std::log(m) + eta * std::log(2 * m * l / (m + l))) -
+         p_l * std::log(length * length / m) + p_t * std::log(t_0 + std::abs(a.thickness() - b.thickness())) -
+         p_s * std::log(s_0 + (seen > 0 ? s.visibility / seen : 0));
+}
+
+struct Merge
+{
+  std::size_t kept, removed;
+  double cost;
+};
+
+template <typename RegionData, typename SectionData>
+void merge(Basic_graph<RegionData, SectionData>& graph, std::size_t kept, std::size_t removed)
+{
+  graph.regions[kept].add(graph.regions[removed], graph.sections[{kept, removed}]);
+  graph.regions.erase(removed);
+  std::map<Pair, SectionData> sections;
+  for (const auto& [pair, section] : graph.sections) {
+    const auto rename = [&, gone = removed](std::size_t r) { return r == gone ? kept : r; };
+    const Pair renamed = ordered(rename(pair.first), rename(pair.second));
+    if (renamed.first != renamed.second)
+      sections[renamed].add(section);
+  }
+  graph.sections = std::move(sections);
+}
+
+/// Merges across the section of lowest `order(a, b, section)` until `few` regions are left, or none is adjacent to
+/// another; the section costs `cost(a, b, section)`.
+template <typename Graph, typename Order, typename Cost>
+void merge_down_to(std::size_t few, Graph& graph, const Order& order, const Cost& cost, std::vector<Merge>& merges)
+{
+  while (graph.regions.size() > few) {
+    Merge best{0, 0, std::numeric_limits<double>::infinity()};
+    for (const auto& [pair, section] : graph.sections)
+      if (section.number_of_edges > 0)
+        if (const double c = order(graph.regions[pair.first], graph.regions[pair.second], section); c < best.cost)
+          best = {pair.first, pair.second, c};
+    if (best.removed == 0)
+      return;
+    best.cost = cost(graph.regions[best.kept], graph.regions[best.removed], graph.sections[{best.kept, best.removed}]);
+    merge(graph, best.kept, best.removed);
+    merges.push_back(best);
+  }
+}
+
+/// The merges by `Visibility_cost`.
+template <typename Graph>
+void merge_by_visibility(std::size_t few, Graph& graph, std::vector<Merge>& merges)
+{
+  for (bool are_many : {true, false}) {
+    const auto order = [=](const Region& a, const Region& b, const Section& s) { return cost(a, b, s, are_many); };
+    merge_down_to(are_many ? std::max<std::size_t>(150, few) : few, graph, order, order, merges);
+  }
+}
+
+/// The labels of the faces after the merges down to a number of segments.
+inline std::vector<std::size_t> labels_after(const std::vector<std::size_t>& region_of, const std::vector<Merge>& merges,
+                                             std::size_t number_of_segments)
+{
+  const std::size_t regions = number_of(region_of);
+  std::vector<std::size_t> segment_of(regions);
+  for (std::size_t r = 0; r < regions; ++r)
+    segment_of[r] = r;
+  for (std::size_t i = 0; i < merges.size() && regions - i > number_of_segments; ++i)
+    for (std::size_t& s : segment_of)
+      s = s == merges[i].removed ? merges[i].kept : s;
+  std::vector<std::size_t> result;
+  for (std::size_t r : region_of)
+    result.push_back(segment_of[r]);
+  return numbered(result);
+}
+
+/// The first regions of a mesh, and their annotated graph.
+struct Annotated
+{
+  std::vector<std::size_t> region_of;
+  Graph graph;
+
+  explicit Annotated(const Mesh& mesh)
+  {
+    const Patches patches(mesh);
+    region_of = Superfacets(mesh, patches, 800).of_face();
+    graph = Annotation(mesh, patches, region_of).graph;
+  }
+};
+
+/// All merges of the first regions.
+struct Result
+{
+  std::vector<Merge> merges;
+
+  Result(const Mesh&, const Annotated& annotated) : m_number_of_regions(annotated.graph.regions.size())
+  {
+    Graph graph = annotated.graph;
+    merge_by_visibility(1, graph, merges);
+  }
+
+  std::size_t chosen_number() const
+  {
+    const std::size_t regions = m_number_of_regions, least = regions - merges.size();
+    const std::size_t first = regions - std::min(regions, std::max<std::size_t>(40, least));
+    double highest = -std::numeric_limits<double>::infinity();
+    for (std::size_t i = first; i < merges.size(); ++i)
+      highest = std::max(highest, merges[i].cost);
+    std::size_t i = first;
+    while (i < merges.size() && !(merges[i].cost > (-19.5 + highest) / 2))
+      ++i;
+    return std::max(regions - i, std::min<std::size_t>(regions, 2));
+  }
+
+private:
+  std::size_t m_number_of_regions;
+};
+
+} // namespace visibility
+} // namespace reference
+
+#endif // CGAL_REGION_SEGMENTATION_TEST_REFERENCE_VISIBILITY_H
