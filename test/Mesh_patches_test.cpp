@@ -43,7 +43,7 @@ Soup small_faces(unsigned seed, std::size_t n = 24)
     p[1] += 0.2 * any(random);
     p[2] = std::sin(p[0] / 4) + 0.1 * any(random);
   }
-  Soup square = scaled(grid(1, 1), 25.0 * double(n));
+  Soup square = scaled(grid(1, 1), 36.0 * double(n));
   square = translated(square, 100.0 * double(n), 0, 0);
   soup = joined(soup, square);
   shuffle_faces(soup, random);

@@ -158,7 +158,7 @@ private:
       selected[i].second = i;
     for (const auto& entry : lengths) {
       const auto [i, j] = entry.first;
-      if (!(areas[i] + areas[j] <= mesh.area / 30000))
+      if (!(areas[i] + areas[j] <= mesh.area / 60000))
         continue;
       const double distance = norm(centroids[i] - centroids[j]) / mesh.unit_of_length();
       const float step = float(distance + 0.4 * norm(normals[i] - normals[j]));

@@ -28,15 +28,15 @@ class Patch_builder;
 ///    \f$|c_i - c_j| / \sqrt{A} + w \, |n_i - n_j|\f$, rounded to `float`, among those with which its area is at most
 ///    `maximum_area`; of several, the lower one. \f$c\f$ are the centroids, \f$n\f$ the unit normals (zero for a
 ///    degenerate face), \f$A\f$ the area of the surface.
-/// -# The selections form trees. A root is a patch that selects none, or of two that select each other the larger
-///    one by area, of equal ones the lower one. A patch of odd depth is joined to its parent, and a leaf of even depth to its grandparent; the others of even
-///    depth, the root (of depth 0) among them, keep what is joined to them.
+/// -# The selections form trees. A root is a patch that selects none, or of two that select each other the larger one by
+///    area, of equal ones the lower one. A patch of odd depth is joined to its parent, and a leaf of even depth to its
+///    grandparent; the others of even depth, the root (of depth 0) among them, keep what is joined to them.
 /// -# Joined patches are numbered by the lowest one of each. The centroid of a union is the mean of the centroids,
 ///    weighted by area; its normal is the sum of the normals of its faces, weighted by area, scaled to length 1.
 ///
 /// The first round is always followed by another one; later ones end when one joins none of `n` patches, or has joined
-/// less than `n / 32` (rounded down). So a mesh of few large faces has a patch for each face, and a fine one some ten
-/// to thirty thousand patches. They do not depend on the numbering of faces and vertices, ties excepted.
+/// less than `n / 32` (rounded down). So a mesh of few large faces has a patch for each face, and a fine one some twenty
+/// to sixty thousand patches. They do not depend on the numbering of faces and vertices, ties excepted.
 ///
 /// Complexity: O(F) in practice.
 class Mesh_patches
@@ -44,7 +44,7 @@ class Mesh_patches
 public:
   using Index = Partition::Index;
 
-  static constexpr double maximum_area = 1. / 30000;    ///< of two patches that are joined, share of the surface
+  static constexpr double maximum_area = 1. / 60000;    ///< of two patches that are joined, share of the surface
   static constexpr double deviation_weight = 0.4;       ///< w, relative length per radian
 
   struct Patch

@@ -46,7 +46,7 @@ namespace Region_segmentation {
 /// Since concavity is added to a step, not multiplied, and angles are those between patches, the regions of a surface
 /// depend little on the resolution of its mesh.
 ///
-/// Complexity: O(F + P log P) in practice, P the number of patches, at most some 30,000: a patch is reached by a few
+/// Complexity: O(F + P log P) in practice, P the number of patches, at most some 60,000: a patch is reached by a few
 /// seeds. Deterministic.
 ///
 /// Source: farthest-point seeding, Gonzalez 1985; on meshes, Eldar et al. 1997.
