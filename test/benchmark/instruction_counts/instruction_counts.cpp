@@ -44,6 +44,7 @@ int main()
   const Mesh smooth = make_mesh(torus), noisy = make_mesh(roughened(torus, 0.2));
   const bool is_right = count("two-step smooth", smooth, RS::Two_step()) &
                         count("two-step noisy", noisy, RS::Two_step()) &
-                        count("visibility smooth", smooth, RS::Visibility_merging());
+                        count("visibility smooth", smooth, RS::Visibility_merging()) &
+                        count("learned smooth", smooth, RS::Learned_merging());
   return is_right ? EXIT_SUCCESS : EXIT_FAILURE;
 }
