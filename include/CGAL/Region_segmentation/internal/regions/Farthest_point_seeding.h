@@ -178,7 +178,7 @@ private:
   static constexpr std::size_t faces_per_bound = 64;
   static constexpr double slices_of_mean_step = 100; // tuned empirically; across flat edges steps are far shorter
 
-  const Execution<ConcurrencyTag>& m_execution;
+  const Execution<ConcurrencyTag> m_execution; // usually a step, a temporary
   Dual_graph m_graph;
   Large_array<Reached> m_reached;
   std::vector<Entry> m_bounds; // a block of faces each
