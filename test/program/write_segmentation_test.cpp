@@ -139,7 +139,7 @@ TEST_F(Written, json_has_all)
   EXPECT_EQ(json.rfind("{\n  \"format\": \"segment_mesh\",\n  \"version\": 2,", 0), 0u);
   EXPECT_NE(json.find("\"name\": \"a \\\"name\\\"\""), std::string::npos);
   EXPECT_NE(json.find("\"segments\": 10, \"mesh\": \"surface_mesh\", \"features\": \"concave\", "
-                      "\"features_chosen\": false, \"max_angle\": 1.237"),
+                      "\"max_angle\": 1.237"),
             std::string::npos);
   EXPECT_EQ(count(json, "\"perimeter\""), s_segmentation.regions.size());
   EXPECT_EQ(count(json, "\"mean_angle\""), s_segmentation.sections.size());

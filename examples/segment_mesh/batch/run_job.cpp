@@ -66,9 +66,9 @@ std::string describe(const Job& job, const Case& input, const Segmentation& segm
     segments +=
       " of " + std::to_string(wanted) +
       (n > wanted ? " (the mesh has " + counted(n, "connected piece") + ")"
-       : settings.method == Method::VISIBILITY
-         ? " (the mesh has " + counted(segmentation.segment_of_face.size(), "face") + ")"
-         : " (growing gave " + counted(segmentation.number_of_regions, "region") + ")");
+       : settings.method == Method::TWO_STEP || settings.method == Method::SMOOTH_FACES
+         ? " (growing gave " + counted(segmentation.number_of_regions, "region") + ")"
+         : " (the mesh has " + counted(segmentation.segment_of_face.size(), "face") + ")");
   char seconds[32];
   std::snprintf(seconds, sizeof seconds, "%.3f s", segmentation.seconds);
   return one_line(job.input) + ": " + counted(input.mesh.soup.polygons.size(), "face") + ", " +
