@@ -6,7 +6,7 @@
 #include <CGAL/Region_segmentation/Methods/Learned_annotator.h>
 #include <CGAL/Region_segmentation/Methods/Merge_features.h>
 #include <CGAL/Region_segmentation/build_region_adjacency_graph.h>
-#include <CGAL/Region_segmentation/internal/model/Second_moments.h>
+#include <CGAL/Region_segmentation/internal/support/Second_moments.h>
 #include <CGAL/Region_segmentation/read_flat_mesh.h>
 
 #include <gtest/gtest.h>

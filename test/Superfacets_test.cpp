@@ -146,7 +146,7 @@ TEST(Farthest_point_seeding_test, every_face_goes_to_the_nearest_of_far_apart_se
       SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
       const RS::Flat_mesh mesh = flat_mesh_of(random_mesh(family, seed));
       const RS::Execution<> execution;
-      RS::internal::Farthest_point_seeding seeding(dual_graph_of(mesh, 0.4), mesh.number_of_faces(), execution);
+      RS::internal::Farthest_point_seeding seeding(dual_graph_of(mesh, 0.4), execution);
       seeding.run(first_seed(mesh), 12);
       const RS::Partition regions = seeding.regions();
       ASSERT_EQ(regions.number_of_parts(), 12u);
@@ -189,7 +189,7 @@ TEST(Farthest_point_seeding_test, splitting_separates_the_face_farthest_from_its
         return expected.nearest[a] != expected.nearest[b] ? expected.nearest[a] > expected.nearest[b] : a > b;
       });
       const RS::Execution<> execution;
-      RS::internal::Farthest_point_seeding seeding(dual_graph_of(mesh, 0.4), mesh.number_of_faces(), execution);
+      RS::internal::Farthest_point_seeding seeding(dual_graph_of(mesh, 0.4), execution);
       seeding.run(first_seed(mesh), 12);
       RS::Partition before = seeding.regions();
       for (std::size_t i = 0; i + 12 < order.size(); ++i) {
@@ -252,7 +252,7 @@ TEST(Border_shortening_test, moves_the_face_with_the_largest_gain_until_there_is
       SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
       const RS::Flat_mesh mesh = flat_mesh_of(random_mesh(family, seed));
       const RS::Execution<> execution;
-      RS::internal::Farthest_point_seeding seeding(dual_graph_of(mesh, 0.4), mesh.number_of_faces(), execution);
+      RS::internal::Farthest_point_seeding seeding(dual_graph_of(mesh, 0.4), execution);
       seeding.run(first_seed(mesh), 15);
       const RS::Partition before = seeding.regions();
       const RS::internal::Dual_graph costs(mesh, [&](std::size_t, std::size_t e) { return mesh.length(e); });
@@ -276,7 +276,7 @@ TEST(Superfacets_test, are_seeded_on_the_patches_and_shortened)
       const RS::Flat_mesh mesh = flat_mesh_of(random_mesh(family, seed));
       ASSERT_EQ(mesh.patches().size(), mesh.number_of_faces());
       const RS::Execution<> execution;
-      RS::internal::Farthest_point_seeding seeding(dual_graph_of(mesh, 0.4), mesh.number_of_faces(), execution);
+      RS::internal::Farthest_point_seeding seeding(dual_graph_of(mesh, 0.4), execution);
       seeding.run(first_seed(mesh), 15);
       const RS::internal::Dual_graph costs(mesh, [&](std::size_t f, std::size_t e) {
         const double concavity = mesh.has_flag(e, RS::Flat_mesh::CONCAVE) ? std::min(mesh.deviation(f, e), 0.6) : 0;

@@ -6,7 +6,7 @@
 #include <CGAL/Region_segmentation/Double_3.h>
 #include <CGAL/Region_segmentation/Flat_mesh.h>
 #include <CGAL/Region_segmentation/Methods/Visibility_data.h>
-#include <CGAL/Region_segmentation/internal/model/Second_moments.h>
+#include <CGAL/Region_segmentation/internal/support/Second_moments.h>
 
 #include <cmath>
 #include <cstddef>

@@ -86,8 +86,8 @@ private:
   using Queue = std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>>;
   static constexpr std::size_t smallest_number_to_clean = 1024;
 
-  /// Entries of a region with very many sections become stale with each of its merges: this bounds the memory, at a
-  /// constant cost per entry.
+  /// Entries of a region with very many sections become stale with each of its merges: this bounds the memory. It
+  /// takes the time of popping them.
   template <typename Graph>
   void remove_stale_entries(const Graph& graph)
   {

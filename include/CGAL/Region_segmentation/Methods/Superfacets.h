@@ -10,6 +10,7 @@
 #include <CGAL/Region_segmentation/internal/regions/Dual_graph.h>
 #include <CGAL/Region_segmentation/internal/regions/Farthest_point_seeding.h>
 #include <CGAL/Region_segmentation/internal/regions/Region_shapes.h>
+#include <CGAL/Region_segmentation/internal/support/Large_array.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/tags.h>
@@ -91,7 +92,7 @@ public:
         const double concavity = mesh.has_flag(e, Flat_mesh::CONCAVE) ? mesh.deviation(f, e) : 0;
         return step(mesh, norm(mesh.centroid(f) - mesh.centroid(mesh.higher_face(e))), concavity);
       });
-    internal::Farthest_point_seeding seeding(std::move(graph), mesh.number_of_faces(), execution.step(0.5, 1));
+    internal::Farthest_point_seeding seeding(std::move(graph), execution.step(0.5, 1));
     seeding.run(central_faces(mesh, regions));
     return seeding.split_regions(number_of_segments);
   }
@@ -109,17 +110,20 @@ private:
   Partition regions_of_patches(const Flat_mesh& mesh, const Execution<ConcurrencyTag>& execution) const
   {
     const Mesh_patches& patches = mesh.patches();
-    const auto concavity = [&](const Mesh_patches::Adjacency& a) {
-      return patches.concave_deviation(a.lower, a.higher);
-    };
-    internal::Dual_graph steps(patches, [&](const Mesh_patches::Adjacency& a) {
-      return step(mesh, norm(patches[a.lower].centroid - patches[a.higher].centroid), concavity(a));
+    internal::Large_array<double> concavities;
+    concavities.reserve(patches.adjacencies().size());
+    for (const Mesh_patches::Adjacency& a : patches.adjacencies())
+      concavities.push_back(patches.concave_deviation(a.lower, a.higher));
+    internal::Dual_graph steps(patches, [&](std::size_t i) {
+      const Mesh_patches::Adjacency& a = patches.adjacencies()[i];
+      return step(mesh, norm(patches[a.lower].centroid - patches[a.higher].centroid), concavities[i]);
     });
-    internal::Farthest_point_seeding seeding(std::move(steps), patches.size(), execution.step(0, 0.9));
+    internal::Farthest_point_seeding seeding(std::move(steps), execution.step(0, 0.9));
     seeding.run(farthest_patch(patches), number);
 
-    const internal::Dual_graph costs(patches, [&](const Mesh_patches::Adjacency& a) {
-      return a.length / mesh.relative_unit() / (1 + concave_gain * (std::min)(concavity(a), maximum_deviation));
+    const internal::Dual_graph costs(patches, [&](std::size_t i) {
+      const double length = patches.adjacencies()[i].length / mesh.relative_unit();
+      return length / (1 + concave_gain * (std::min)(concavities[i], maximum_deviation));
     });
     return internal::Border_shortening(costs, seeding.regions()).take_regions();
   }

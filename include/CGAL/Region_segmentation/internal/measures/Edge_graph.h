@@ -4,14 +4,12 @@
 #define CGAL_REGION_SEGMENTATION_INTERNAL_MEASURES_EDGE_GRAPH_H
 
 #include <CGAL/Region_segmentation/internal/support/Grouped_items.h>
+#include <CGAL/Region_segmentation/internal/support/shortest_paths.h>
 #include <CGAL/Region_segmentation/internal/reading/Mesh_traversal.h>
 #include <CGAL/Region_segmentation/Double_3.h>
 
 #include <cstddef>
-#include <functional>
 #include <limits>
-#include <queue>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -47,31 +45,22 @@ public:
   double sum_of_distances(const std::vector<Index>& sources,
                           const std::vector<Index>& targets) const
   {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    using Entry = std::pair<double, Index>;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
-    std::vector<double> distance(number_of_vertices(), infinity);
+    std::vector<double> distance(number_of_vertices(), std::numeric_limits<double>::infinity());
     std::vector<char> is_target(number_of_vertices(), false);
-    std::size_t targets_left = targets.size();
-
     for (Index t : targets)
       is_target[t] = true;
-    for (Index s : sources) {
-      distance[s] = 0;
-      queue.push({0, s});
-    }
-    while (!queue.empty() && targets_left > 0) {
-      const auto [d, v] = queue.top();
-      queue.pop();
-      if (d > distance[v]) // an entry from before a shorter path was found
-        continue;
-      targets_left -= is_target[v];
-      for (const Incident_edge& edge : m_incident_edges[v]) {
-        const double through_v = d + edge.length;
-        if (through_v < distance[edge.to])
-          queue.push({distance[edge.to] = through_v, edge.to});
-      }
-    }
+    std::size_t targets_left = targets.size();
+    if (targets_left > 0)
+      find_shortest_paths(
+        sources, distance,
+        [&](Index v) {
+          targets_left -= is_target[v];
+          return targets_left > 0;
+        },
+        [&](Index v, const auto& enter) {
+          for (const Incident_edge& edge : m_incident_edges[v])
+            enter(edge.to, edge.length);
+        });
 
     double sum = 0;
     for (Index t : targets)

@@ -25,7 +25,7 @@ namespace internal {
 
 /// The rays that `Visibility_annotator` casts from every region into the body.
 ///
-/// Bytes, while they are traced: 16 per face, 304 per region.
+/// Bytes, while they are traced: 16 per patch, 304 per region.
 class Inward_rays
 {
   using Index = Flat_mesh::Index;

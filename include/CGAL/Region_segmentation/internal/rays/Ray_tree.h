@@ -103,14 +103,6 @@ private:
     return {corner(0), corner(i), corner(i + 1)};
   }
 
-  /// Calls `f(i)` for the triangles of the fan of a face, see `triangle()`.
-  template <typename F>
-  static void for_each_triangle(const Mesh_points& points, Index face, const F& f)
-  {
-    for (std::size_t i = 1; i + 1 < points.number_of_corners(face); ++i)
-      f(Index(i));
-  }
-
   /// A power of two, so that it does not change any rounding.
   static double unit_of(const Flat_mesh& mesh, const Double_3& origin)
   {
@@ -193,13 +185,13 @@ private:
     int lane = width;
     for (std::size_t i = part.first; i < part.last; ++i)
       for (const Index f : faces[boxes.name(i)])
-        for_each_triangle(points, f, [&](Index t) {
+        for (std::size_t t = 1; t + 1 < points.number_of_corners(f); ++t) {
           if (lane == width) {
             m_groups.emplace_back();
             lane = 0;
           }
-          m_groups.back().set(lane++, triangle(points, f, t), f);
-        });
+          m_groups.back().set(lane++, triangle(points, f, Index(t)), f);
+        }
     m_first_groups.push_back(Index(m_groups.size()));
     return Child(2 * (m_first_groups.size() - 2) + 1);
   }

@@ -98,20 +98,20 @@ private:
   void join_faces()
   {
     const Faces faces(m_mesh);
-    m_of_faces = select(faces);
-    replace_patches(faces, m_of_faces);
+    m_rounds.push_back(select(faces));
+    replace_patches(faces, m_rounds.back());
   }
 
   /// Returns whether it is worth another round.
   bool join_patches()
   {
     const Joined patches(m_patches, m_projected_areas, m_adjacencies);
-    const Partition joined = select(patches);
+    Partition joined = select(patches);
     if (joined.number_of_parts() == m_patches.size())
       return false;
     const bool is_worth_another = m_patches.size() - joined.number_of_parts() >= m_patches.size() / 32;
     replace_patches(patches, joined);
-    m_of_faces = composed(m_of_faces, joined);
+    m_rounds.push_back(std::move(joined));
     return is_worth_another;
   }
 
@@ -156,13 +156,24 @@ private:
 
   Mesh_patches finish()
   {
+    compose_rounds();
     unite_adjacencies();
     set_faces();
     Mesh_patches result;
-    result.m_of_faces = std::move(m_of_faces);
+    result.m_of_faces = std::move(m_rounds.front());
     result.m_patches = std::move(m_patches);
     result.m_adjacencies = std::move(m_adjacencies);
     return result;
+  }
+
+  /// From the last one on, so that the faces are relabelled once.
+  void compose_rounds()
+  {
+    while (m_rounds.size() > 1) {
+      const Partition last = std::move(m_rounds.back());
+      m_rounds.pop_back();
+      m_rounds.back() = composed(m_rounds.back(), last);
+    }
   }
 
   /// One for each two patches, sorted.
@@ -190,15 +201,16 @@ private:
   void set_faces()
   {
     constexpr double infinite = std::numeric_limits<double>::infinity();
+    const Partition& patch_of = m_rounds.front();
     std::vector<double> distances(m_patches.size(), infinite);
     for (Patch& patch : m_patches)
       patch.face = none;
     for (std::size_t f = 0; f < m_mesh.number_of_faces(); ++f) {
-      Patch& patch = m_patches[m_of_faces[f]];
+      Patch& patch = m_patches[patch_of[f]];
       const double distance =
         m_mesh.is_degenerate(f) ? infinite : squared_norm(m_mesh.centroid(f) - patch.centroid);
-      if (distance < distances[m_of_faces[f]] || patch.face == none) {
-        distances[m_of_faces[f]] = distance;
+      if (distance < distances[patch_of[f]] || patch.face == none) {
+        distances[patch_of[f]] = distance;
         patch.face = Index(f);
       }
     }
@@ -208,7 +220,7 @@ private:
 
   const Flat_mesh& m_mesh;
   const double m_maximum_area, m_unit;
-  Partition m_of_faces;
+  std::vector<Partition> m_rounds; // of the faces, then of the patches of the round before
   Large_array<Patch> m_patches;
   Large_array<double> m_projected_areas; // of each patch on the plane of its normal: the length of its area vector
   Large_array<Adjacency> m_adjacencies; // several between two patches, until the end

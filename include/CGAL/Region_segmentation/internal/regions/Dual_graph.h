@@ -14,9 +14,10 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// The adjacency of faces, or of patches, in both directions, with a length for each step. Constrained edges are not steps. 8 bytes per
-/// face and 8 for each side of a dual edge: searches are memory-bound, so lengths are float.
-class Dual_graph
+/// The adjacency of faces, or of patches, in both directions, with a length for each step. Constrained edges are not
+/// steps. 8 bytes per face, and with lengths in float 8 for each side of a dual edge.
+template <typename Length>
+class Dual_graph_of
 {
 public:
   using Index = Flat_mesh::Index;
@@ -24,18 +25,18 @@ public:
   struct Step
   {
     Index face;
-    float length;
+    Length length;
   };
 
   /// `length(face, edge)`: of a dual edge and its lower face.
-  template <typename Length>
-  Dual_graph(const Flat_mesh& mesh, const Length& length)
-    : Dual_graph(mesh, [](std::size_t) { return true; }, length)
+  template <typename LengthOf>
+  Dual_graph_of(const Flat_mesh& mesh, const LengthOf& length)
+    : Dual_graph_of(mesh, [](std::size_t) { return true; }, length)
   {}
 
   /// Only the dual edges for which `is_step(edge)`.
-  template <typename IsStep, typename Length>
-  Dual_graph(const Flat_mesh& mesh, const IsStep& is_step, const Length& length)
+  template <typename IsStep, typename LengthOf>
+  Dual_graph_of(const Flat_mesh& mesh, const IsStep& is_step, const LengthOf& length)
     : m_steps(mesh.number_of_faces())
   {
     add_steps([&](const auto& add) {
@@ -45,16 +46,18 @@ public:
     });
   }
 
-  /// Of patches in place of faces; `length(adjacency)`.
-  template <typename Length>
-  Dual_graph(const Mesh_patches& patches, const Length& length)
+  /// Of patches in place of faces; `length(i)`: of the i-th adjacency.
+  template <typename LengthOf>
+  Dual_graph_of(const Mesh_patches& patches, const LengthOf& length)
     : m_steps(patches.size())
   {
     add_steps([&](const auto& add) {
-      for (const Mesh_patches::Adjacency& a : patches.adjacencies())
-        add(a.lower, a.higher, [&] { return length(a); });
+      for (std::size_t i = 0; i < patches.adjacencies().size(); ++i)
+        add(patches.adjacencies()[i].lower, patches.adjacencies()[i].higher, [&] { return length(i); });
     });
   }
+
+  std::size_t number_of_faces() const { return m_steps.number_of_groups(); }
 
   /// The steps from a face, those to lower faces first, in order.
   Iterator_range<const Step*> steps(std::size_t face) const { return m_steps[face]; }
@@ -90,7 +93,7 @@ private:
     });
     m_steps.end_counting();
     for_each([this](Index f, Index g, const auto& length) {
-      const float l = float(length());
+      const Length l = Length(length());
       m_steps.add(f, {g, l});
       m_steps.add(g, {f, l});
     });
@@ -98,6 +101,9 @@ private:
 
   Grouped_items<Step> m_steps; // by face
 };
+
+/// Searches over all faces are memory-bound, so lengths are float.
+using Dual_graph = Dual_graph_of<float>;
 
 } // namespace internal
 } // namespace Region_segmentation

@@ -33,10 +33,10 @@ class Farthest_point_seeding
   using Index = Dual_graph::Index;
 
 public:
-  Farthest_point_seeding(Dual_graph graph, std::size_t number_of_faces, const Execution<ConcurrencyTag>& execution)
+  Farthest_point_seeding(Dual_graph graph, const Execution<ConcurrencyTag>& execution)
     : m_execution(execution)
     , m_graph(std::move(graph))
-    , m_reached(number_of_faces, Reached{unreached, 0, 0})
+    , m_reached(m_graph.number_of_faces(), Reached{unreached, 0, 0})
     , m_front(m_graph.mean_length() / slices_of_mean_step)
   {}
 

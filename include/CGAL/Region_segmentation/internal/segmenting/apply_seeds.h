@@ -11,16 +11,15 @@
 #include <CGAL/Region_segmentation/internal/graph/build_graph.h>
 #include <CGAL/Region_segmentation/internal/segmenting/Seeds.h>
 #include <CGAL/Region_segmentation/internal/segmenting/split_at_seeds.h>
+#include <CGAL/Region_segmentation/internal/support/shortest_paths.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <limits>
 #include <numeric>
 #include <optional>
-#include <queue>
 #include <string>
 #include <utility>
 #include <vector>
@@ -142,37 +141,27 @@ private:
   std::vector<Index> cheapest_path(Index seed, const std::vector<Index>& connected,
                                    const std::vector<bool>& is_connected) const
   {
-    using Entry = std::pair<double, Index>;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> front;
-    std::vector<double> distance(m_owner.size(), std::numeric_limits<double>::infinity());
+    std::vector<double> distances(m_owner.size(), std::numeric_limits<double>::infinity());
     std::vector<Index> predecessor(m_owner.size(), Index(Seeds::none));
-    for (Index r : connected) {
-      distance[r] = 0;
-      front.push({0, r});
-    }
-    while (!front.empty()) {
-      const auto [d, r] = front.top();
-      front.pop();
-      if (d > distance[r])
-        continue;
-      if (!is_connected[r] && m_seeds.of[r] == seed) {
-        std::vector<Index> path;
+    std::vector<Index> path;
+    find_shortest_paths(
+      connected, distances,
+      [&](Index r) {
+        if (is_connected[r] || m_seeds.of[r] != seed)
+          return true;
         for (Index i = r; i != Seeds::none; i = predecessor[i])
           path.push_back(i);
-        return path;
-      }
-      for (Section_descriptor s : m_graph.sections(r)) {
-        const Index next = m_graph.target(s);
-        if (!m_graph.is_mergeable(s) || (m_owner[next] != Seeds::none && m_owner[next] != seed))
-          continue;
-        if (const double longer = d + cost(s); longer < distance[next]) {
-          distance[next] = longer;
-          predecessor[next] = r;
-          front.push({longer, next});
+        return false;
+      },
+      [&](Index r, const auto& enter) {
+        for (Section_descriptor s : m_graph.sections(r)) {
+          const Index next = m_graph.target(s);
+          const bool is_free = m_owner[next] == Seeds::none || m_owner[next] == seed;
+          if (m_graph.is_mergeable(s) && is_free && enter(next, cost(s)))
+            predecessor[next] = r;
         }
-      }
-    }
-    return {};
+      });
+    return path;
   }
 
   const Graph m_graph;

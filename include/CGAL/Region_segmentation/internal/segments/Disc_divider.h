@@ -4,18 +4,17 @@
 #define CGAL_REGION_SEGMENTATION_INTERNAL_SEGMENTS_DISC_DIVIDER_H
 
 #include <CGAL/Region_segmentation/Flat_mesh.h>
+#include <CGAL/Region_segmentation/internal/regions/Dual_graph.h>
 #include <CGAL/Region_segmentation/internal/segments/Seam_sides.h>
 #include <CGAL/Region_segmentation/internal/segments/Segmented_mesh.h>
 #include <CGAL/Region_segmentation/internal/segments/find_seams.h>
 #include <CGAL/Region_segmentation/internal/segments/topology.h>
-#include <CGAL/Region_segmentation/internal/support/Grouped_items.h>
+#include <CGAL/Region_segmentation/internal/support/shortest_paths.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <limits>
-#include <queue>
 #include <utility>
 #include <vector>
 
@@ -108,52 +107,24 @@ private:
         m_segment_of_face[f] = 2 * m_segment_of_face[f] + (half_of_face[f] == 1);
   }
 
-  /// To the other faces, by the distance of centroids inside the discs (Dijkstra's algorithm).
+  /// To the other faces, by the distance of centroids inside the discs.
   void spread_halves(const Edge_marks& is_seam, const std::vector<Index>& sources, std::vector<Index>& half_of_face) const
   {
-    struct Step
-    {
-      Index face;
-      double length;
-    };
-    Grouped_items<Step> steps(m_segment_of_face.size());
-    const auto for_each_step = [&](const auto& f) {
-      for (std::size_t e = 0; e < m_flat.number_of_edges(); ++e) {
-        const Index a = m_flat.lower_face(e), b = m_flat.higher_face(e);
-        if (m_segment_of_face[a] == m_segment_of_face[b] && is_divided(a) && !is_seam[e])
-          f(a, b);
-      }
-    };
-    for_each_step([&](Index a, Index b) {
-      steps.count(a);
-      steps.count(b);
-    });
-    steps.end_counting();
-    for_each_step([&](Index a, Index b) {
-      const double length = norm(m_flat.centroid(a) - m_flat.centroid(b));
-      steps.add(a, {b, length});
-      steps.add(b, {a, length});
-    });
-
-    using Entry = std::pair<double, Index>;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
+    const Dual_graph_of<double> steps(
+      m_flat,
+      [&](std::size_t e) {
+        const Index a = m_flat.lower_face(e);
+        return m_segment_of_face[a] == m_segment_of_face[m_flat.higher_face(e)] && is_divided(a) && !is_seam[e];
+      },
+      [&](std::size_t f, std::size_t e) { return norm(m_flat.centroid(f) - m_flat.centroid(m_flat.higher_face(e))); });
     std::vector<double> distances(m_segment_of_face.size(), std::numeric_limits<double>::infinity());
-    for (Index f : sources) {
-      distances[f] = 0;
-      queue.push({0, f});
-    }
-    while (!queue.empty()) {
-      const auto [distance, f] = queue.top();
-      queue.pop();
-      if (distance > distances[f])
-        continue;
-      for (const Step& step : steps[f])
-        if (distance + step.length < distances[step.face]) {
-          distances[step.face] = distance + step.length;
-          half_of_face[step.face] = half_of_face[f];
-          queue.push({distances[step.face], step.face});
-        }
-    }
+    find_shortest_paths(
+      sources, distances, [](Index) { return true; },
+      [&](Index f, const auto& enter) {
+        for (const auto& step : steps.steps(f))
+          if (enter(step.face, step.length))
+            half_of_face[step.face] = half_of_face[f];
+      });
   }
 
   void divide_into_faces()

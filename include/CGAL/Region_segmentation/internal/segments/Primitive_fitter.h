@@ -167,9 +167,15 @@ private:
     accept(m_plane, plane, [&](const Eigen::Vector3d& p) { return normal.dot(p - mean); });
   }
 
-  /// The solution (c, s) of 2 c.p + s = |p|^2 in the least squares sense, for points p that may lie in a plane through
-  /// the origin: s = r^2 - |c|^2 of a sphere or circle with the center c.
-  static Eigen::Vector4d algebraic_sphere(const std::vector<Eigen::Vector3d>& points, const std::vector<double>& weights)
+  struct Center_and_radius
+  {
+    Eigen::Vector3d center;
+    double radius;
+  };
+
+  /// Of a sphere, or of a circle if the points p lie in a plane through the origin: by the solution (c, s) of
+  /// 2 c.p + s = |p|^2 in the least squares sense, s = r^2 - |c|^2.
+  static Center_and_radius algebraic_sphere(const std::vector<Eigen::Vector3d>& points, const std::vector<double>& weights)
   {
     Eigen::Matrix4d matrix = Eigen::Matrix4d::Zero();
     Eigen::Vector4d right_side = Eigen::Vector4d::Zero();
@@ -178,15 +184,16 @@ private:
       matrix += weights[i] * row * row.transpose();
       right_side += weights[i] * points[i].squaredNorm() * row;
     }
-    return matrix.completeOrthogonalDecomposition().solve(right_side);
+    const Eigen::Vector4d solution = matrix.completeOrthogonalDecomposition().solve(right_side);
+    const Eigen::Vector3d center = solution.head<3>();
+    return {center, std::sqrt((std::max)(0.0, solution[3] + center.squaredNorm()))};
   }
 
   void fit_sphere()
   {
-    const Eigen::Vector4d solution = algebraic_sphere(m_some.points, m_some.weights);
+    const Center_and_radius first = algebraic_sphere(m_some.points, m_some.weights);
     Fitted_sphere sphere;
-    sphere.parameters << solution.head<3>(),
-      std::sqrt((std::max)(0.0, solution[3] + solution.head<3>().squaredNorm()));
+    sphere.parameters << first.center, first.radius;
     sphere = least_squares_fit(sphere, m_some);
     if (!(sphere.radius() <= largest_radius))
       return;
@@ -204,10 +211,9 @@ private:
     std::vector<Eigen::Vector3d> projected = m_some.points;
     for (Eigen::Vector3d& p : projected)
       p -= axis.dot(p) * axis;
-    const Eigen::Vector4d solution = algebraic_sphere(projected, m_some.weights);
+    const Center_and_radius circle = algebraic_sphere(projected, m_some.weights);
     Fitted_cylinder cylinder;
-    cylinder.parameters << solution.head<3>(), axis,
-      std::sqrt((std::max)(0.0, solution[3] + solution.head<3>().squaredNorm()));
+    cylinder.parameters << circle.center, axis, circle.radius;
     cylinder.normalize();
     cylinder = least_squares_fit(cylinder, m_some);
     if (!(cylinder.radius() <= largest_radius))

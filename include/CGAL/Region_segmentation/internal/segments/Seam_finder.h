@@ -5,14 +5,13 @@
 
 #include <CGAL/Region_segmentation/internal/regions/Lowest_root_forest.h>
 #include <CGAL/Region_segmentation/internal/support/Grouped_items.h>
+#include <CGAL/Region_segmentation/internal/support/shortest_paths.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <limits>
 #include <numeric>
-#include <queue>
 #include <utility>
 #include <vector>
 
@@ -85,32 +84,21 @@ private:
     return e.vertices[0] == vertex ? e.vertices[1] : e.vertices[0];
   }
 
-  /// Dijkstra's algorithm; returns the vertices in the order in which they are reached.
+  /// Returns the vertices in the order of their distances.
   std::vector<Index> grow_tree(const std::vector<Index>& sources)
   {
-    using Entry = std::pair<double, Index>;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
     std::vector<Index> order;
-    for (Index v : sources) {
-      m_distances[v] = 0;
-      queue.push({0, v});
-    }
-    while (!queue.empty()) {
-      const auto [distance, v] = queue.top();
-      queue.pop();
-      if (distance > m_distances[v])
-        continue;
-      order.push_back(v);
-      for (Index e : m_edges_at[v]) {
-        const Index w = other_end(e, v);
-        const double through_v = distance + m_edges[e].cost;
-        if (!m_is_border[w] && through_v < m_distances[w]) {
-          m_distances[w] = through_v;
-          m_tree_edge[w] = e;
-          queue.push({through_v, w});
-        }
-      }
-    }
+    find_shortest_paths(
+      sources, m_distances,
+      [&](Index v) {
+        order.push_back(v);
+        return true;
+      },
+      [&](Index v, const auto& enter) {
+        for (Index e : m_edges_at[v])
+          if (const Index w = other_end(e, v); !m_is_border[w] && enter(w, m_edges[e].cost))
+            m_tree_edge[w] = e;
+      });
     return order;
   }
 

@@ -17,7 +17,6 @@
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <limits>
 #include <tuple>
@@ -116,7 +115,7 @@ private:
     });
   }
 
-  static void set_axes(const std::array<double, 6>& covariance, Description& d)
+  static void set_axes(const Symmetric_3& covariance, Description& d)
   {
     const auto& [xx, xy, xz, yy, yz, zz] = covariance;
     Eigen::Matrix3d matrix;

@@ -5,8 +5,8 @@
 
 #include <CGAL/Region_segmentation/Double_3.h>
 #include <CGAL/Region_segmentation/Flat_mesh.h>
+#include <CGAL/Region_segmentation/internal/support/Second_moments.h>
 
-#include <array>
 #include <cstddef>
 
 namespace CGAL {
@@ -40,47 +40,29 @@ public:
     m_volume += dot(a - m_origin, cross(b - m_origin, c - m_origin)) / 6;
   }
 
-  double area() const { return m_area; }
+  double area() const { return m_moments.weight; }
   double volume() const { return m_volume; } ///< that a closed surface encloses
 
   /// The origin if there is no area.
-  Double_3 centroid() const { return m_area > 0 ? m_origin + (1 / m_area) * m_first : m_origin; }
+  Double_3 centroid() const { return m_origin + m_moments.centroid(); }
 
-  /// The mean of (x - c)(x - c)^T, c the centroid: xx, xy, xz, yy, yz, zz.
-  std::array<double, 6> covariance() const
-  {
-    std::array<double, 6> result{};
-    if (m_area > 0) {
-      const Double_3 c = (1 / m_area) * m_first;
-      const std::array<double, 6> of_centroid = products(c);
-      for (std::size_t i = 0; i < 6; ++i)
-        result[i] = m_second[i] / m_area - of_centroid[i];
-    }
-    return result;
-  }
+  /// The mean of (x - c)(x - c)^T, c the centroid; zero if there is no area.
+  Symmetric_3 covariance() const { return m_moments.covariance(); }
 
 private:
-  static std::array<double, 6> products(const Double_3& v)
-  {
-    return {v.x * v.x, v.x * v.y, v.x * v.z, v.y * v.y, v.y * v.z, v.z * v.z};
-  }
-
   /// The integral of x x^T over a triangle a, b, c of area A is A / 12 (a a^T + b b^T + c c^T + s s^T), s = a + b + c.
   void add_triangle(const Double_3& a, const Double_3& b, const Double_3& c, double area)
   {
     const Double_3 sum = a + b + c;
-    m_area += area;
-    m_first = m_first + area / 3 * sum;
-    for (const Double_3& v : {a, b, c, sum}) {
-      const std::array<double, 6> p = products(v);
-      for (std::size_t i = 0; i < 6; ++i)
-        m_second[i] += area / 12 * p[i];
-    }
+    m_moments.weight += area;
+    m_moments.first = m_moments.first + area / 3 * sum;
+    for (const Double_3& v : {a, b, c, sum})
+      m_moments.second.add_square(area / 12, v);
   }
 
-  Double_3 m_origin, m_first{0, 0, 0};
-  std::array<double, 6> m_second{};
-  double m_area = 0, m_volume = 0;
+  Double_3 m_origin;
+  Second_moments m_moments; // relative to the origin
+  double m_volume = 0;
 };
 
 } // namespace internal
