@@ -229,7 +229,7 @@ struct Cancelling_visitor
 TEST(Segmenter_test, can_be_cancelled_in_every_stage)
 {
   const Surface_mesh mesh = fine_dumbbell();
-  for (const char* stage : {"reading", "regions", "graph", "merging"})
+  for (const char* stage : {"reading", "regions", "graph", "merging", "borders"})
     for (double fraction : {0.0, 0.5}) {
       Cancelling_visitor visitor{stage, fraction};
       auto regions = face_map(mesh);
@@ -304,7 +304,10 @@ TEST(Segmenter_test, random_constraints_are_never_merged_across)
     const Soup soup = random_mesh(family, seed);
     const Surface_mesh mesh = to_surface_mesh(soup);
     std::mt19937 random(seed);
-    RS::Segmenter segmenter(mesh, RS::parameters::method(visibility(15)));
+    RS::Visibility_merging method = visibility(15);
+    // A border that moves can come to lie on an edge that separated nothing, and has no effect.
+    method.initializer.straightening.number_of_cuts = 0;
+    RS::Segmenter segmenter(mesh, RS::parameters::method(method));
     std::set<Edge> drawn;
     for (int round = 0; round < 3; ++round) {
       for (const Edge& e : random_edges(soup, 6, random))

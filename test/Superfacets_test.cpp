@@ -297,16 +297,16 @@ TEST(Superfacets_test, splitting_gives_any_number_of_connected_parts)
       const RS::Flat_mesh mesh = flat_mesh_of(soup);
       const RS::Superfacets superfacets(20);
       RS::Partition coarse = superfacets(mesh);
-      EXPECT_EQ(superfacets.split(mesh, coarse.number_of_parts()), coarse);
+      EXPECT_EQ(superfacets.split(mesh, coarse, coarse.number_of_parts()), coarse);
       for (std::size_t k = coarse.number_of_parts(); k < mesh.number_of_faces(); k += 1 + k / 3) {
-        const RS::Partition fine = superfacets.split(mesh, k);
+        const RS::Partition fine = superfacets.split(mesh, coarse, k);
         EXPECT_EQ(fine.number_of_parts(), k);
         EXPECT_TRUE(is_numbered_by_first_face(labels_of(fine), k));
         EXPECT_TRUE(is_connected(soup, labels_of(fine)));
         EXPECT_TRUE(nests(labels_of(fine), labels_of(coarse)));
         coarse = fine;
       }
-      EXPECT_EQ(superfacets.split(mesh, 2 * mesh.number_of_faces()).number_of_parts(), mesh.number_of_faces());
+      EXPECT_EQ(superfacets.split(mesh, coarse, 2 * mesh.number_of_faces()).number_of_parts(), mesh.number_of_faces());
     }
 }
 

@@ -293,22 +293,26 @@ inline double expected_cost(const Learned_region& a, const Learned_region& b, co
   return 2 * power_of_e(double(x[13]) / 512 + double(x[14]) / 512) * (0.45 - probability(x));
 }
 
-/// All merges of the first regions.
+/// All merges of the regions.
 struct Result
 {
+  std::vector<std::size_t> region_of;
   std::vector<Merge> merges;
 
-  Result(const Mesh& mesh, const Annotated& annotated) : m_number_of_regions(annotated.graph.regions.size())
+  Result(const Mesh& mesh, const Annotated& annotated)
   {
     Learned_graph graph = annotate(mesh, annotated.graph, annotated.region_of);
     merge_by_visibility(60, graph, merges);
     merge_down_to(1, graph, order_of, expected_cost, merges);
+    const visibility::Straightened straightened(mesh, annotated, merges);
+    region_of = straightened.region_of;
+    merges = straightened.merges;
   }
 
   /// The largest number, from 60 down to 2, at which the sum of the costs is lowest.
   std::size_t chosen_number() const
   {
-    const std::size_t regions = m_number_of_regions;
+    const std::size_t regions = number_of(region_of);
     const std::size_t least = std::max(regions - merges.size(), std::min<std::size_t>(regions, 2));
     std::size_t best = std::max(least, std::min<std::size_t>(regions, 60));
     double sum = 0, lowest = 0;
@@ -321,9 +325,6 @@ struct Result
     }
     return best;
   }
-
-private:
-  std::size_t m_number_of_regions;
 };
 
 } // namespace learned

@@ -3,6 +3,8 @@
 #ifndef CGAL_REGION_SEGMENTATION_TEST_REFERENCE_VISIBILITY_H
 #define CGAL_REGION_SEGMENTATION_TEST_REFERENCE_VISIBILITY_H
 
+#include "reference_straightening.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -641,31 +643,87 @@ inline std::vector<std::size_t> labels_after(const std::vector<std::size_t>& reg
 /// The first regions of a mesh, and their annotated graph.
 struct Annotated
 {
+  Patches patches;
   std::vector<std::size_t> region_of;
   Graph graph;
 
-  explicit Annotated(const Mesh& mesh)
+  explicit Annotated(const Mesh& mesh) : patches(mesh)
   {
-    const Patches patches(mesh);
     region_of = Superfacets(mesh, patches, 800).of_face();
     graph = Annotation(mesh, patches, region_of).graph;
   }
 };
 
-/// All merges of the first regions.
-struct Result
+/// The regions of the faces, and their merges, after borders are straightened.
+struct Straightened
 {
+  std::vector<std::size_t> region_of;
   std::vector<Merge> merges;
 
-  Result(const Mesh&, const Annotated& annotated) : m_number_of_regions(annotated.graph.regions.size())
+  Straightened(const Mesh& mesh, const Annotated& annotated, const std::vector<Merge>& merges_before)
+  {
+    const Patches& patches = annotated.patches;
+    const std::size_t n = patches.areas.size();
+    Straightening_input input;
+    input.costs.resize(n);
+    input.lengths.resize(n);
+    for (const auto& [pair, length] : patches.lengths) {
+      const auto [i, j] = pair;
+      const Vector &c_i = patches.centroids[i], &c_j = patches.centroids[j];
+      const Vector &n_i = patches.normals[i], &n_j = patches.normals[j];
+      const double concavity = face_each_other(n_i, n_j, c_i, c_j) ? std::min(angle(n_i, n_j), 0.6) : 0;
+      input.costs[i][j] = input.costs[j][i] = float(length / mesh.unit_of_length() / (1 + 10 * concavity));
+      input.lengths[i][j] = input.lengths[j][i] = norm(c_i - c_j) / mesh.unit_of_length();
+    }
+    for (double area : patches.areas)
+      input.areas.push_back(area / mesh.area);
+    input.region_of.resize(n);
+    for (std::size_t f = 0; f < patches.of_face.size(); ++f)
+      input.region_of[patches.of_face[f]] = annotated.region_of[f];
+    for (const Merge& merge : merges_before)
+      input.merges.push_back({merge.kept, merge.removed});
+    const Straightening straightening(input);
+
+    std::vector<std::size_t> labels;
+    for (std::size_t p : patches.of_face)
+      labels.push_back(straightening.labels()[p]);
+    region_of = numbered(labels);
+    std::map<std::size_t, std::size_t> lowest; // the lowest new region of each segment; none if it has no faces
+    for (std::size_t f = 0; f < labels.size(); ++f)
+      lowest[labels[f]] = region_of[f];
+    for (const Merge& merge : merges_before) {
+      const auto kept = lowest.find(merge.kept), removed = lowest.find(merge.removed);
+      if (removed == lowest.end())
+        continue;
+      if (kept == lowest.end()) {
+        lowest[merge.kept] = removed->second;
+        continue;
+      }
+      const auto [low, high] = ordered(kept->second, removed->second);
+      merges.push_back({low, high, merge.cost});
+      kept->second = low;
+    }
+  }
+};
+
+/// All merges of the regions.
+struct Result
+{
+  std::vector<std::size_t> region_of;
+  std::vector<Merge> merges;
+
+  Result(const Mesh& mesh, const Annotated& annotated)
   {
     Graph graph = annotated.graph;
     merge_by_visibility(1, graph, merges);
+    const Straightened straightened(mesh, annotated, merges);
+    region_of = straightened.region_of;
+    merges = straightened.merges;
   }
 
   std::size_t chosen_number() const
   {
-    const std::size_t regions = m_number_of_regions, least = regions - merges.size();
+    const std::size_t regions = number_of(region_of), least = regions - merges.size();
     const std::size_t first = regions - std::min(regions, std::max<std::size_t>(40, least));
     double highest = -std::numeric_limits<double>::infinity();
     for (std::size_t i = first; i < merges.size(); ++i)
@@ -675,9 +733,6 @@ struct Result
       ++i;
     return std::max(regions - i, std::min<std::size_t>(regions, 2));
   }
-
-private:
-  std::size_t m_number_of_regions;
 };
 
 } // namespace visibility

@@ -20,6 +20,7 @@
 #include <CGAL/Region_segmentation/Mesh_data.h>
 #include <CGAL/Region_segmentation/Mesh_patches.h>
 #include <CGAL/Region_segmentation/Methods/Geometry_annotator.h>
+#include <CGAL/Region_segmentation/Methods/Border_straightening.h>
 #include <CGAL/Region_segmentation/Methods/Learned_annotator.h>
 #include <CGAL/Region_segmentation/Methods/Learned_cost.h>
 #include <CGAL/Region_segmentation/Methods/Learned_data.h>

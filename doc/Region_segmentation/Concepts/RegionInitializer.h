@@ -26,11 +26,28 @@ public:
   Partition operator()(const Flat_mesh& mesh) const;
 
   /*!
-  splits the regions of a mesh into a larger number of segments. Optional: without it, there are never more segments than
-  first regions.
+  moves the borders of the regions when it is known which of them are borders of segments: the region of each face
+  afterwards, by its former number. Optional; called where one tree of merges gives every number of segments. A region
+  can lose all its faces: then its merge is left out.
 
-  \post each part lies in a region that `operator()` makes of the mesh
+  `tree`: of the merges of the regions. `is_fixed(region)`: whether its faces must stay in the segments of the region, since
+  they have a seed; at most one region of those that are merged.
+
+  \post for every number of merges of `tree`, the faces of each segment are connected, and lie in the connected component of
+        the region graph that they lay in
+  */
+  template <typename IsFixed, typename ConcurrencyTag>
+  std::vector<Flat_mesh::Index> straighten_borders(const Flat_mesh& mesh, const Partition& regions,
+                                                   const Merge_tree& tree, const IsFixed& is_fixed,
+                                                   const Execution<ConcurrencyTag>& execution) const;
+
+  /*!
+  splits connected regions into a larger number of segments. Optional: without it, there are never more segments than
+  regions.
+
+  \post each part is connected and lies in one of `regions`
   */
   template <typename ConcurrencyTag>
-  Partition split(const Flat_mesh& mesh, std::size_t number_of_segments, const Execution<ConcurrencyTag>& execution) const;
+  Partition split(const Flat_mesh& mesh, const Partition& regions, std::size_t number_of_segments,
+                  const Execution<ConcurrencyTag>& execution) const;
 };

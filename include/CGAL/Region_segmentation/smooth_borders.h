@@ -99,14 +99,14 @@ private:
                     const std::vector<Flat_mesh::Index>& label_of_piece, std::vector<Flat_mesh::Index>& piece_of_face,
                     const Execution<>& execution) const
   {
-    const internal::Dual_graph distances(mesh, [&](std::size_t f, std::size_t e) {
-      return norm(mesh.centroid(f) - mesh.centroid(mesh.higher_face(e))) / unit;
-    });
-    const internal::Dual_graph weights(mesh, [&](std::size_t f, std::size_t e) {
+    const internal::Dual_graph costs(mesh, [&](std::size_t f, std::size_t e) {
       const double concavity = mesh.has_flag(e, Flat_mesh::CONCAVE) ? mesh.deviation(f, e) : 0;
       return (std::min)(mesh.length(e) / unit / (1 + m_concave_gain * concavity), longest);
     });
-    internal::Border_smoothing(mesh, distances, weights, piece_of_face, label_of_piece)
+    const auto distance = [&](Flat_mesh::Index f, Flat_mesh::Index g) {
+      return norm(mesh.centroid(f) - mesh.centroid(g)) / unit;
+    };
+    internal::Border_smoothing(mesh, costs, distance, piece_of_face, label_of_piece)
       .run(
         [&](Flat_mesh::Index a, Flat_mesh::Index b) {
           return (std::min)(m_width, m_width_of_segment * (std::min)(sizes[a], sizes[b]));

@@ -5,11 +5,14 @@
 
 #include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/Flat_mesh.h>
+#include <CGAL/Region_segmentation/Graph/Merge_tree.h>
+#include <CGAL/Region_segmentation/Methods/Border_straightening.h>
 #include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/internal/regions/Border_shortening.h>
 #include <CGAL/Region_segmentation/internal/regions/Dual_graph.h>
 #include <CGAL/Region_segmentation/internal/regions/Farthest_point_seeding.h>
 #include <CGAL/Region_segmentation/internal/regions/Region_shapes.h>
+#include <CGAL/Region_segmentation/internal/regions/border_costs.h>
 #include <CGAL/Region_segmentation/internal/support/Large_array.h>
 
 #include <CGAL/assertions.h>
@@ -44,6 +47,9 @@ namespace Region_segmentation {
 /// first (of equal ones that of the lowest patch, and to the lowest region), as long as there is one whose gain is
 /// above 1/1000 of the cost of all borders of its patch. Finally regions are numbered by their first face.
 ///
+/// When it is known which regions are merged, the borders of segments are moved to minimum cuts, see
+/// `Border_straightening`.
+///
 /// Since concavity is added to a step, not multiplied, and angles are those between patches, the regions of a surface
 /// depend little on the resolution of its mesh.
 ///
@@ -60,6 +66,7 @@ public:
   double concave_weight;    ///< w, relative length per radian, at least 0: the lengthening of steps into valleys
   double maximum_deviation; ///< m, radian, at least 0: deviations above it count as this one
   double concave_gain = 10; ///< g, 1/radian, at least 0: how much cheaper a border in a valley is
+  Border_straightening straightening; ///< of the segments' borders
 
   explicit Superfacets(std::size_t number_ = 800, double concave_weight_ = 0.4, double maximum_deviation_ = 0.6)
     : number(number_), concave_weight(concave_weight_), maximum_deviation(maximum_deviation_)
@@ -75,26 +82,34 @@ public:
     return composed(mesh.patches().of_faces(), regions_of_patches(mesh, execution));
   }
 
-  /// The partition into `number_of_segments` that splits the regions of this mesh further: the face farthest from that
+  /// The partition into `number_of_segments` that splits connected regions further: the face farthest from that
   /// nearest to the centroid of its region is separated first, with the faces that were reached through it. Steps
-  /// between faces are measured as those between patches. Takes the time of making the regions, and O(F log F).
+  /// between faces are measured as those between patches. O(F log F).
   /// \pre `number_of_segments` is at least the number of regions
   template <typename ConcurrencyTag = CGAL::Sequential_tag>
-  Partition split(const Flat_mesh& mesh, std::size_t number_of_segments,
+  Partition split(const Flat_mesh& mesh, const Partition& regions, std::size_t number_of_segments,
                   const Execution<ConcurrencyTag>& execution = Execution<ConcurrencyTag>()) const
   {
     if (mesh.number_of_faces() == 0)
       return Partition();
-    const Partition regions = (*this)(mesh, execution.step(0, 0.5));
     internal::Dual_graph graph(
       mesh, [&](std::size_t e) { return regions[mesh.lower_face(e)] == regions[mesh.higher_face(e)]; },
       [&](std::size_t f, std::size_t e) {
         const double concavity = mesh.has_flag(e, Flat_mesh::CONCAVE) ? mesh.deviation(f, e) : 0;
         return step(mesh, norm(mesh.centroid(f) - mesh.centroid(mesh.higher_face(e))), concavity);
       });
-    internal::Farthest_point_seeding seeding(std::move(graph), execution.step(0.5, 1));
+    internal::Farthest_point_seeding seeding(std::move(graph), execution);
     seeding.run(central_faces(mesh, regions));
     return seeding.split_regions(number_of_segments);
+  }
+
+  /// Moves the borders of the regions after they are merged, see `RegionInitializer::straighten_borders()`.
+  template <typename IsFixed, typename ConcurrencyTag = CGAL::Sequential_tag>
+  std::vector<Flat_mesh::Index> straighten_borders(
+    const Flat_mesh& mesh, const Partition& regions, const Merge_tree& tree, const IsFixed& is_fixed,
+    const Execution<ConcurrencyTag>& execution = Execution<ConcurrencyTag>()) const
+  {
+    return straightening(mesh, regions, tree, is_fixed, execution);
   }
 
 private:
@@ -110,22 +125,14 @@ private:
   Partition regions_of_patches(const Flat_mesh& mesh, const Execution<ConcurrencyTag>& execution) const
   {
     const Mesh_patches& patches = mesh.patches();
-    internal::Large_array<double> concavities;
-    concavities.reserve(patches.adjacencies().size());
-    for (const Mesh_patches::Adjacency& a : patches.adjacencies())
-      concavities.push_back(patches.concave_deviation(a.lower, a.higher));
     internal::Dual_graph steps(patches, [&](std::size_t i) {
       const Mesh_patches::Adjacency& a = patches.adjacencies()[i];
-      return step(mesh, norm(patches[a.lower].centroid - patches[a.higher].centroid), concavities[i]);
+      return step(mesh, norm(patches[a.lower].centroid - patches[a.higher].centroid),
+                  patches.concave_deviation(a.lower, a.higher));
     });
     internal::Farthest_point_seeding seeding(std::move(steps), execution.step(0, 0.9));
     seeding.run(farthest_patch(patches), number);
-
-    const internal::Dual_graph costs(patches, [&](std::size_t i) {
-      const double length = patches.adjacencies()[i].length / mesh.relative_unit();
-      return length / (1 + concave_gain * (std::min)(concavities[i], maximum_deviation));
-    });
-    return internal::Border_shortening(costs, seeding.regions()).take_regions();
+    return internal::Border_shortening(internal::border_costs(mesh, patches, concave_gain, maximum_deviation), seeding.regions()).take_regions();
   }
 
   /// At least the smallest float, so that only seeds have the distance 0.

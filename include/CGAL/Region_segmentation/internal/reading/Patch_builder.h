@@ -38,6 +38,15 @@ public:
     return builder.finish();
   }
 
+  /// The parts of a partition as patches.
+  static Mesh_patches build(const Flat_mesh& mesh, Partition of_faces)
+  {
+    Patch_builder builder(mesh);
+    builder.m_rounds.push_back(std::move(of_faces));
+    builder.replace_patches(Faces(mesh), builder.m_rounds.back());
+    return builder.finish();
+  }
+
 private:
   explicit Patch_builder(const Flat_mesh& mesh)
     : m_mesh(mesh)

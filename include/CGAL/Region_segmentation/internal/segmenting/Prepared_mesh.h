@@ -10,6 +10,7 @@
 #include <CGAL/Region_segmentation/internal/segmenting/check_method.h>
 #include <CGAL/Region_segmentation/internal/graph/build_graph.h>
 #include <CGAL/Region_segmentation/internal/graph/merge.h>
+#include <CGAL/Region_segmentation/internal/graph/renumber_tree.h>
 #include <CGAL/Region_segmentation/internal/segmenting/Seeds.h>
 #include <CGAL/Region_segmentation/internal/segmenting/apply_seeds.h>
 #include <CGAL/Region_segmentation/internal/segmenting/matching_parts.h>
@@ -18,6 +19,7 @@
 #include <CGAL/Region_segmentation/merge_regions.h>
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -93,7 +95,11 @@ public:
 
   const Flat_mesh& flat_mesh() const { return m_flat; }
   const Method& method() const { return m_method; }
-  const Partition& regions() const { return m_result.seeded_regions ? *m_result.seeded_regions : m_first_regions; }
+  /// What segments consist of: the regions that were merged, or those with their borders straightened.
+  const Partition& regions() const
+  {
+    return m_result.straightened_regions ? *m_result.straightened_regions : merged_regions();
+  }
   /// \pre `has_one_tree`
   const Merge_tree& merge_tree() const { return m_result.tree; }
 
@@ -113,7 +119,6 @@ public:
       Partition first_regions = split_at_constraints(m_flat, m_first_regions);
       m_result = make_result(first_regions, m_seeds, np);
       m_first_regions = std::move(first_regions);
-      m_has_new_constraints = true;
     } catch (...) {
       for (const Flat_mesh::Index e : added)
         m_flat.release(e);
@@ -162,11 +167,17 @@ private:
   struct Result
   {
     std::optional<Partition> seeded_regions; // the first regions as seeds split and join them
-    Seeds seeds;                             // of the regions
+    Seeds seeds;                             // of the merged regions
     std::optional<Graph> graph;              // unless there is one tree
-    Merge_tree tree;
-    std::optional<Cache> cache;              // of the annotator, for `regions()`; empty after a failed change
+    Merge_tree tree;                         // of `regions()`
+    std::optional<Partition> straightened_regions;
+    std::optional<Cache> cache; // of the annotator, for `merged_regions()`; empty after a failed change
   };
+
+  const Partition& merged_regions() const
+  {
+    return m_result.seeded_regions ? *m_result.seeded_regions : m_first_regions;
+  }
 
   template <typename Pack>
   Result make_result(const Partition& first_regions, const Seeds& seeds, const Pack& np)
@@ -176,12 +187,33 @@ private:
       result.seeded_regions = apply_seeds(m_flat, first_regions, seeds);
       result.seeds = seeds_of_regions(*result.seeded_regions, seeds);
     }
-    Graph graph = make_graph(result.seeded_regions ? *result.seeded_regions : first_regions, result.cache, np);
-    if constexpr (has_one_tree)
+    const Partition& regions = result.seeded_regions ? *result.seeded_regions : first_regions;
+    Graph graph = make_graph(regions, result.cache, np);
+    if constexpr (has_one_tree) {
       result.tree = merge(graph, 1, [](const Graph&, double) { return false; }, result.seeds, np);
+      if constexpr (straightens_borders)
+        straighten_borders(regions, result, np);
+    }
     else
       result.graph = std::move(graph);
     return result;
+  }
+
+  /// Moves the borders of the regions that were merged, now that it is known which of them are borders of segments.
+  template <typename Pack>
+  void straighten_borders(const Partition& regions, Result& result, const Pack& np) const
+  {
+    constexpr Partition::Index none = (std::numeric_limits<Partition::Index>::max)();
+    const std::vector<Partition::Index> labels = m_method.initializer.straighten_borders(
+      m_flat, regions, result.tree,
+      [&](Partition::Index r) { return !result.seeds.empty() && result.seeds.of[r] != Seeds::none; },
+      make_execution<ConcurrencyTag>(np, "borders"));
+    Partition straightened = Partition::from_labels(labels);
+    std::vector<Partition::Index> new_numbers(regions.number_of_parts(), none);
+    for (std::size_t f = 0; f < labels.size(); ++f)
+      new_numbers[labels[f]] = straightened[f];
+    result.tree = renumber_tree(result.tree, std::move(new_numbers));
+    result.straightened_regions = std::move(straightened);
   }
 
   template <typename Pack>
@@ -206,7 +238,7 @@ private:
       if (!m_result.cache)
         return Cache();
       Cache cache = std::move(*std::exchange(m_result.cache, std::nullopt));
-      cache.renumber(matching_parts(this->regions(), regions));
+      cache.renumber(matching_parts(merged_regions(), regions));
       return cache;
     }
   }
@@ -245,19 +277,20 @@ private:
 
   static constexpr bool splits_regions =
     satisfies<Splits_regions, typename Traits::Initializer, ConcurrencyTag>;
+  static constexpr bool straightens_borders =
+    satisfies<Straightens_borders, typename Traits::Initializer, ConcurrencyTag>;
 
-  /// Whether there are fewer first regions than `number`, and their initializer can split them; it ignores later
-  /// constraints and seeds.
+  /// Whether there are fewer regions than `number`, and their initializer can split them.
   bool can_split(std::size_t number) const
   {
-    return splits_regions && !m_has_new_constraints && m_seeds.empty() && number > regions().number_of_parts();
+    return splits_regions && number > regions().number_of_parts();
   }
 
   template <typename Pack>
   Segments split(std::size_t number, const Pack& np) const
   {
     if constexpr (splits_regions)
-      return Segments(m_method.initializer.split(m_flat, number, make_execution<ConcurrencyTag>(np, "regions")));
+      return Segments(m_method.initializer.split(m_flat, regions(), number, make_execution<ConcurrencyTag>(np, "regions")));
     else
       return Segments(Partition());
   }
@@ -266,7 +299,6 @@ private:
   Method m_method;
   Preparation m_preparation;
   Partition m_first_regions; // as the initializer made them and later constraints split them
-  bool m_has_new_constraints = false;
   Seeds m_seeds;             // of the faces
   Result m_result;
 };

@@ -16,6 +16,7 @@
 #include <string>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 // RegionInitializer, NumberChooser, GraphPartitioner, SegmentationMethod
 
@@ -56,9 +57,19 @@ Partition initialize_regions(const Initializer& initializer, const Flat_mesh& fl
 
 template <typename T, typename ConcurrencyTag>
 using Splits_regions = std::enable_if_t<std::is_convertible<
-  decltype(std::declval<const T&>().split(std::declval<const Flat_mesh&>(), std::size_t(),
-                                          std::declval<const Execution<ConcurrencyTag>&>())),
+  decltype(std::declval<const T&>().split(std::declval<const Flat_mesh&>(), std::declval<const Partition&>(),
+                                          std::size_t(), std::declval<const Execution<ConcurrencyTag>&>())),
   Partition>::value>;
+
+/// `is_fixed(region)`
+using Is_fixed = bool (*)(Partition::Index);
+
+template <typename T, typename ConcurrencyTag>
+using Straightens_borders = std::enable_if_t<std::is_convertible<
+  decltype(std::declval<const T&>().straighten_borders(
+    std::declval<const Flat_mesh&>(), std::declval<const Partition&>(), std::declval<const Merge_tree&>(),
+    std::declval<Is_fixed>(), std::declval<const Execution<ConcurrencyTag>&>())),
+  std::vector<Partition::Index>>::value>;
 
 template <typename T>
 constexpr bool check_number_chooser()

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_REGIONS_BORDER_COSTS_H
+#define CGAL_REGION_SEGMENTATION_INTERNAL_REGIONS_BORDER_COSTS_H
+
+#include <CGAL/Region_segmentation/Flat_mesh.h>
+#include <CGAL/Region_segmentation/internal/regions/Dual_graph.h>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace CGAL {
+namespace Region_segmentation {
+namespace internal {
+
+/// The costs of the borders between adjacent patches: l / (sqrt(A) (1 + g min(delta, m))), l the length, A the area of
+/// the surface, g `concave_gain`, delta the deviation if the patches face each other, else 0, m `maximum_deviation`.
+inline Dual_graph border_costs(const Flat_mesh& mesh, const Mesh_patches& patches, double concave_gain,
+                               double maximum_deviation)
+{
+  return Dual_graph(patches, [&](std::size_t i) {
+    const Mesh_patches::Adjacency& a = patches.adjacencies()[i];
+    const double concavity = (std::min)(patches.concave_deviation(a.lower, a.higher), maximum_deviation);
+    return a.length / mesh.relative_unit() / (1 + concave_gain * concavity);
+  });
+}
+
+} // namespace internal
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_INTERNAL_REGIONS_BORDER_COSTS_H

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "meshes.h"
+#include "oracles.h"
+#include "reference_straightening.h"
+
+#include <CGAL/Region_segmentation/Methods/Border_straightening.h>
+#include <CGAL/Region_segmentation/Methods/Learned_merging.h>
+#include <CGAL/Region_segmentation/Methods/Superfacets.h>
+#include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
+#include <CGAL/Region_segmentation/Segmenter.h>
+#include <CGAL/Region_segmentation/read_flat_mesh.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+namespace RS = CGAL::Region_segmentation;
+using namespace test;
+using Index = RS::Partition::Index;
+
+const auto no_region = [](Index) { return false; };
+
+RS::Flat_mesh flat_mesh_of(const Soup& soup)
+{
+  return RS::read_flat_mesh(to_surface_mesh(soup), RS::Border_straightening::required_mesh_data);
+}
+
+/// Merges of adjacent segments, drawn at random, until few are left.
+RS::Merge_tree random_tree(const RS::Flat_mesh& mesh, const RS::Partition& regions, std::mt19937& random)
+{
+  RS::Merge_tree tree(regions.number_of_parts());
+  Labels segments = labels_of(regions);
+  while (true) {
+    std::vector<std::pair<std::size_t, std::size_t>> adjacent;
+    for (std::size_t e = 0; e < mesh.number_of_edges(); ++e) {
+      const std::size_t a = segments[mesh.lower_face(e)], b = segments[mesh.higher_face(e)];
+      if (a != b)
+        adjacent.push_back(std::minmax(a, b));
+    }
+    if (adjacent.empty())
+      return tree;
+    const auto [kept, removed] = adjacent[random() % adjacent.size()];
+    tree.push_back({std::uint32_t(kept), std::uint32_t(removed), double(tree.merges().size())});
+    std::replace(segments.begin(), segments.end(), removed, kept);
+  }
+}
+
+reference::Straightening_input input_of(const RS::Flat_mesh& mesh, const RS::Partition& regions,
+                                        const RS::Merge_tree& tree, const RS::Border_straightening& straightening)
+{
+  const RS::Mesh_patches& patches = mesh.patches();
+  reference::Straightening_input input;
+  input.costs.resize(patches.size());
+  input.lengths.resize(patches.size());
+  input.region_of.resize(patches.size());
+  for (const auto& [lower, higher, length] : patches.adjacencies()) {
+    const double concavity = std::min(patches.concave_deviation(lower, higher), straightening.maximum_deviation);
+    const float cost = float(length / mesh.relative_unit() / (1 + straightening.concave_gain * concavity));
+    const double step = norm(patches[lower].centroid - patches[higher].centroid) / mesh.relative_unit();
+    input.costs[lower][higher] = input.costs[higher][lower] = cost;
+    input.lengths[lower][higher] = input.lengths[higher][lower] = step;
+  }
+  for (std::size_t p = 0; p < patches.size(); ++p) {
+    input.areas.push_back(patches[p].area / mesh.surface_area());
+    input.region_of[p] = regions[patches[p].face];
+  }
+  for (const auto& merge : tree.merges())
+    input.merges.push_back({merge.kept, merge.removed});
+  input.number_of_cuts = straightening.number_of_cuts;
+  input.width = straightening.width;
+  input.width_of_segment = straightening.width_of_segment;
+  return input;
+}
+
+TEST(Border_straightening_test, moves_borders_as_documented)
+{
+  std::size_t moved = 0, lost = 0;
+  for (Family family : {Family::SHEET, Family::SPHERE, Family::TORUS, Family::BLOCKS})
+    for (unsigned seed = 1; seed <= 4; ++seed) {
+      SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
+      std::mt19937 random(seed);
+      const RS::Flat_mesh mesh = flat_mesh_of(random_mesh(family, seed));
+      const RS::Partition regions = RS::Superfacets(40)(mesh);
+      const RS::Merge_tree tree = random_tree(mesh, regions, random);
+      RS::Border_straightening straightening;
+      straightening.number_of_cuts = seed % 2 == 0 ? 10 : 1000;
+      straightening.width = 0.2;
+      straightening.width_of_segment = 0.5;
+      const std::vector<Index> labels = straightening(mesh, regions, tree, no_region, RS::Execution<>());
+      const reference::Straightening expected(input_of(mesh, regions, tree, straightening));
+      std::vector<bool> is_left(regions.number_of_parts(), false);
+      for (std::size_t f = 0; f < labels.size(); ++f) {
+        EXPECT_EQ(labels[f], expected.labels()[mesh.patches().of_faces()[f]]) << "face " << f;
+        moved += labels[f] != regions[f];
+        is_left[labels[f]] = true;
+      }
+      lost += std::size_t(std::count(is_left.begin(), is_left.end(), false));
+    }
+  EXPECT_GT(moved, 100u);
+  EXPECT_GT(lost, 0u); // regions without faces occur
+}
+
+TEST(Border_straightening_test, a_zigzag_becomes_straight)
+{
+  // Two halves of a plate with teeth of two squares between them.
+  const std::size_t columns = 20, rows = 12;
+  const RS::Flat_mesh mesh = flat_mesh_of(grid(columns, rows));
+  Labels halves, straight;
+  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
+    const RS::Double_3 c = mesh.centroid(f);
+    const bool is_tooth = std::size_t(c.y) % 4 < 2;
+    halves.push_back(c.x > (is_tooth ? 11 : 9));
+    straight.push_back(c.x > 10);
+  }
+  RS::Merge_tree tree(2);
+  tree.push_back({0, 1, 0});
+  RS::Border_straightening straightening;
+  straightening.width = 0.25;
+  straightening.width_of_segment = 0.5;
+  const auto border = [&](const auto& labels) {
+    double length = 0;
+    for (std::size_t e = 0; e < mesh.number_of_edges(); ++e)
+      if (labels[mesh.lower_face(e)] != labels[mesh.higher_face(e)])
+        length += mesh.length(e);
+    return length;
+  };
+  ASSERT_GT(border(halves), double(rows));
+  const std::vector<Index> labels =
+    straightening(mesh, RS::Partition::from_labels(halves), tree, no_region, RS::Execution<>());
+  EXPECT_DOUBLE_EQ(border(labels), border(straight));
+  straightening.number_of_cuts = 0;
+  EXPECT_EQ(border(straightening(mesh, RS::Partition::from_labels(halves), tree, no_region, RS::Execution<>())),
+            border(halves));
+}
+
+TEST(Border_straightening_test, fixed_regions_keep_their_faces)
+{
+  for (unsigned seed = 1; seed <= 10; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937 random(seed);
+    const RS::Flat_mesh mesh = flat_mesh_of(random_mesh(Family::SPHERE, seed));
+    const RS::Partition regions = RS::Superfacets(40)(mesh);
+    const RS::Merge_tree tree = random_tree(mesh, regions, random);
+    const Index fixed = Index(random() % regions.number_of_parts());
+    RS::Border_straightening straightening;
+    straightening.width = 0.2;
+    straightening.width_of_segment = 0.5;
+    const std::vector<Index> labels =
+      straightening(mesh, regions, tree, [&](Index r) { return r == fixed; }, RS::Execution<>());
+    for (std::size_t f = 0; f < labels.size(); ++f)
+      if (regions[f] == fixed)
+        EXPECT_EQ(labels[f], fixed) << "face " << f;
+  }
+}
+
+template <typename Method>
+void expect_connected_and_nested(Method method)
+{
+  method.initializer.number = 60;
+  method.initializer.straightening.width = 0.1;
+  for (Family family : all_families)
+    for (unsigned seed = 1; seed <= 2; ++seed) {
+      SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
+      const Soup soup = random_mesh(family, seed);
+      const Surface_mesh mesh = to_surface_mesh(soup);
+      auto map = face_map(mesh);
+      const RS::Segmenter segmenter(mesh, RS::parameters::method(method).region_map(map));
+      Labels finer = labels_of(mesh, map);
+      EXPECT_TRUE(is_numbered_by_first_face(finer, segmenter.merge_tree().number_of_regions()));
+      EXPECT_TRUE(is_connected(soup, finer));
+      for (std::size_t k = mesh.number_of_faces(); k > 0; k -= 1 + k / 10) {
+        const std::size_t n = segmenter.segment(map, k);
+        const Labels labels = labels_of(mesh, map);
+        EXPECT_EQ(n, std::max(k, number_of_components(soup)));
+        EXPECT_TRUE(is_connected(soup, labels)) << k;
+        EXPECT_TRUE(k >= segmenter.merge_tree().number_of_regions() ? nests(labels, finer) : nests(finer, labels)) << k;
+      }
+    }
+}
+
+TEST(Border_straightening_test, segments_are_connected_and_nest)
+{
+  expect_connected_and_nested(RS::Visibility_merging());
+  expect_connected_and_nested(RS::Learned_merging());
+}
+
+TEST(Border_straightening_test, a_tree_is_renumbered_without_lost_regions)
+{
+  RS::Merge_tree tree(5);
+  tree.push_back({1, 3, 0.1});
+  tree.push_back({0, 1, 0.2});
+  tree.push_back({2, 4, 0.3});
+  tree.push_back({0, 2, 0.4});
+  constexpr Index none = Index(-1);
+  const RS::Merge_tree renumbered = RS::internal::renumber_tree(tree, {2, none, 3, 1, 0});
+  ASSERT_EQ(renumbered.number_of_regions(), 4u);
+  ASSERT_EQ(renumbered.merges().size(), 3u);
+  const std::vector<RS::Merge_tree::Merge> expected{{1, 2, 0.2}, {0, 3, 0.3}, {0, 1, 0.4}};
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(renumbered.merges()[i].kept, expected[i].kept);
+    EXPECT_EQ(renumbered.merges()[i].removed, expected[i].removed);
+    EXPECT_EQ(renumbered.merges()[i].cost, expected[i].cost);
+  }
+}
+
+} // namespace
