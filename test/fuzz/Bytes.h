@@ -21,7 +21,8 @@ public:
   /// Any value of double: a small multiple of a power of ten from the ends and the middle of the range, or any bits.
   double number()
   {
-    constexpr double scales[] = {1, 1, 1, 1, 1e-3, 1e3, 1e-160, 1e160, 1e-308, 1e306, 5e-324, 1e-12, 1e12};
+    constexpr double scales[] = {1,     1,      1,     1,      1e-3,  1e3, 1e-160,
+                                 1e160, 1e-308, 1e306, 5e-324, 1e-12, 1e12};
     const std::size_t choice = below(sizeof scales / sizeof *scales + 1);
     if (choice < sizeof scales / sizeof *scales)
       return scales[choice] * (int(byte()) - 128);

@@ -2,8 +2,8 @@
 
 // Any words as a command line: jobs whose outputs differ from each other and from the inputs, or wrong usage in a line.
 
-#include "batch/plan_jobs.h"
 #include "command_line/command_line.h"
+#include "batch/plan_jobs.h"
 #include "io/errors.h"
 #include "require.h"
 

@@ -2,8 +2,8 @@
 
 // Any bytes, read as a file of one format: a usable soup, or one line that names file and cause.
 
-#include "io/errors.h"
 #include "io/read_soup.h"
+#include "io/errors.h"
 #include "require.h"
 #include "soup/vector_algebra.h"
 
@@ -16,7 +16,8 @@ constexpr std::size_t most_memory_per_byte = 64;
 
 std::size_t memory_of(const Polygon_soup& soup)
 {
-  std::size_t memory = soup.points.capacity() * sizeof(Point) + soup.polygons.capacity() * sizeof(Polygon_soup::Polygon);
+  std::size_t memory = soup.points.capacity() * sizeof(Point) +
+                       soup.polygons.capacity() * sizeof(Polygon_soup::Polygon);
   for (const auto& polygon : soup.polygons)
     memory += polygon.capacity() * sizeof(std::size_t);
   return memory;
@@ -40,10 +41,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     }
     require(memory_of(soup) <= most_memory_per_byte * size, "memory is proportional to the file");
     for (const std::string& remark : remarks)
-      require(remark.rfind("x:", 0) == 0 && remark.find('\n') == std::string::npos, "a remark is a line: " + remark);
+      require(remark.rfind("x:", 0) == 0 && remark.find('\n') == std::string::npos,
+              "a remark is a line: " + remark);
   } catch (const Input_error& error) {
     const std::string message = error.what();
-    require(message.rfind("x:", 0) == 0 && message.find('\n') == std::string::npos, "a message is a line: " + message);
+    require(message.rfind("x:", 0) == 0 && message.find('\n') == std::string::npos,
+            "a message is a line: " + message);
   }
   return 0;
 }

@@ -41,7 +41,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   try {
     const Input_mesh input = make_input_mesh("x", soup);
     const Polygon_soup& mesh = input.mesh_soup();
-    require(input.soup.points == soup.points && input.soup.polygons == soup.polygons, "the file's soup is kept");
+    require(input.soup.points == soup.points && input.soup.polygons == soup.polygons,
+            "the file's soup is kept");
     require(is_oriented_manifold(mesh), "an oriented 2-manifold");
     require(input.mesh_face_of_face.size() == soup.polygons.size(), "every face has one");
     for (const std::size_t face : input.mesh_face_of_face)
@@ -53,7 +54,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         is_used[i] = true;
     require(std::count(is_used.begin(), is_used.end(), false) == 0, "no isolated points");
     for (std::size_t i = 0; i < mesh.points.size(); ++i)
-      require(mesh.points[i] == soup.points[input.point_of_mesh_point[i]], "points keep their coordinates");
+      require(mesh.points[i] == soup.points[input.point_of_mesh_point[i]],
+              "points keep their coordinates");
   } catch (const Input_error& error) {
     require(std::string(error.what()).rfind("x: ", 0) == 0, error.what());
   }

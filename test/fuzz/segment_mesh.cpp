@@ -35,7 +35,8 @@ Mesh mesh_from(Bytes& bytes)
   while (!bytes.empty()) {
     std::vector<Mesh::Vertex_index> corners;
     for (std::size_t i = 0, n = 3 + bytes.below(4); i < n; ++i)
-      corners.emplace_back(Mesh::Vertex_index(Mesh::size_type(bytes.below(mesh.number_of_vertices()))));
+      corners.emplace_back(
+        Mesh::Vertex_index(Mesh::size_type(bytes.below(mesh.number_of_vertices()))));
     if (std::set<Mesh::Vertex_index>(corners.begin(), corners.end()).size() == corners.size() &&
         CGAL::Euler::can_add_face(corners, mesh))
       CGAL::Euler::add_face(corners, mesh);
@@ -47,14 +48,16 @@ bool has_only_finite_points(const Mesh& mesh)
 {
   for (const auto v : mesh.vertices()) {
     const auto& p = mesh.point(v);
-    if (!mesh.is_isolated(v) && !(std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z())))
+    if (!mesh.is_isolated(v) &&
+        !(std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z())))
       return false;
   }
   return true;
 }
 
 /// The faces that can be reached from `start` without leaving its label; marks them as seen.
-void visit(const Mesh& mesh, const Labels& labels, Mesh::Face_index start, std::vector<bool>& is_seen)
+void visit(const Mesh& mesh, const Labels& labels, Mesh::Face_index start,
+           std::vector<bool>& is_seen)
 {
   std::vector<Mesh::Face_index> todo = {start};
   is_seen[start] = true;
@@ -104,15 +107,19 @@ void check_method(const Mesh& mesh, const Method& method, std::size_t k)
 {
   constexpr bool gives_any_number = !std::is_same<Method, RS::Two_step>::value;
   Labels labels(mesh.number_of_faces()), again(labels);
-  const auto map = [&mesh](Labels& l) { return boost::make_iterator_property_map(l.begin(), get(boost::face_index, mesh)); };
+  const auto map = [&mesh](Labels& l) {
+    return boost::make_iterator_property_map(l.begin(), get(boost::face_index, mesh));
+  };
   const auto np = RS::parameters::method(method);
   try {
     const std::size_t n = RS::segment(mesh, map(labels), np.number_of_segments(k));
     check_labels(mesh, labels, n);
     require(n <= (std::max)(k, number_of_components(mesh)), "no more segments than asked for");
     if (gives_any_number)
-      require(n >= (std::min)(k, std::size_t(mesh.number_of_faces())), "no fewer segments than asked for");
-    require(RS::segment(mesh, map(again), np.number_of_segments(k)) == n && again == labels, "twice the same");
+      require(n >= (std::min)(k, std::size_t(mesh.number_of_faces())),
+              "no fewer segments than asked for");
+    require(RS::segment(mesh, map(again), np.number_of_segments(k)) == n && again == labels,
+            "twice the same");
     if constexpr (gives_any_number)
       check_labels(mesh, labels, RS::segment(mesh, map(labels), np));
     require(has_only_finite_points(mesh), "a point that is not finite is refused");

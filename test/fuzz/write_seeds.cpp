@@ -11,8 +11,8 @@
 #include <filesystem>
 #include <fstream>
 
-using segment_mesh::Polygon_soup;
 using sample::with;
+using segment_mesh::Polygon_soup;
 
 namespace {
 
@@ -24,7 +24,10 @@ public:
     std::filesystem::create_directories(m_folder);
   }
 
-  void add(const std::string& bytes) { std::ofstream(m_folder / std::to_string(m_size++), std::ios::binary) << bytes; }
+  void add(const std::string& bytes)
+  {
+    std::ofstream(m_folder / std::to_string(m_size++), std::ios::binary) << bytes;
+  }
 
 private:
   std::filesystem::path m_folder;
@@ -42,7 +45,8 @@ void write_off(Corpus corpus)
 void write_obj(Corpus corpus)
 {
   corpus.add(sample::obj());
-  corpus.add("\xef\xbb\xbf# x\nmtllib a\no b\nv 0 0 0 1 0 0\nvt 0 0\nvn 0 0 1\nv 1 0 \\\n0\nv 0 1 0\nf -3/1/1 2//1 3/1\nhello\n");
+  corpus.add("\xef\xbb\xbf# x\nmtllib a\no b\nv 0 0 0 1 0 0\nvt 0 0\nvn 0 0 1\nv 1 0 \\\n0\nv 0 1 "
+             "0\nf -3/1/1 2//1 3/1\nhello\n");
 }
 
 void write_ply(Corpus corpus)
@@ -50,13 +54,16 @@ void write_ply(Corpus corpus)
   corpus.add(sample::ply());
   for (const char* format : {"binary_little_endian", "binary_big_endian"}) {
     corpus.add(sample::binary_ply(format));
-    corpus.add(with(sample::binary_ply(format), "element vertex", "element empty 0\nproperty list int double a\nelement vertex"));
+    corpus.add(with(sample::binary_ply(format), "element vertex",
+                    "element empty 0\nproperty list int double a\nelement vertex"));
   }
   for (const char* type : {"char", "ushort", "int", "uint32", "float64"})
     corpus.add(with(sample::ply(), "float x", std::string(type) + " x"));
-  corpus.add("ply\nformat ascii 1.0\ncomment x\nobj_info y\nelement vertex 3\nproperty uchar r\nproperty double x\n"
+  corpus.add("ply\nformat ascii 1.0\ncomment x\nobj_info y\nelement vertex 3\nproperty uchar "
+             "r\nproperty double x\n"
              "property double y\nproperty double z\nelement face 1\nproperty list uchar float uv\n"
-             "property list short ushort vertex_index\nend_header\n1 0 0 0\n1 1 0 0\n1 0 1 0\n2 0.5 0.5 3 0 1 2\n");
+             "property list short ushort vertex_index\nend_header\n1 0 0 0\n1 1 0 0\n1 0 1 0\n2 "
+             "0.5 0.5 3 0 1 2\n");
 }
 
 void write_stl(Corpus corpus)
@@ -89,8 +96,10 @@ void write_command_lines(Corpus corpus)
 {
   corpus.add("a.off");
   corpus.add("a.off\nb.ply.gz\n-k\n7\n-o\nparts/{stem}.obj\n--quiet\n--threads\n2");
-  corpus.add("-\n--input-format\nstl\n-k\n3\n--method\ntwo-step\n--features\nall\n--max-angle\n20.5\n-o\n{stem}.json");
-  corpus.add("a.obj\n--truth\n{stem}.seg\n--truth\nb.seg\n--mesh\npolyhedron\n--method=visibility\n-o=x.png\n-o\nx.seg\n-o\nx.off");
+  corpus.add("-\n--input-format\nstl\n-k\n3\n--method\ntwo-step\n--features\nall\n--max-angle\n20."
+             "5\n-o\n{stem}.json");
+  corpus.add("a.obj\n--truth\n{stem}.seg\n--truth\nb.seg\n--mesh\npolyhedron\n--method="
+             "visibility\n-o=x.png\n-o\nx.seg\n-o\nx.off");
   corpus.add("--help");
   corpus.add("--version");
 }
@@ -103,14 +112,16 @@ Polygon_soup grid(std::size_t n, bool is_closed, bool has_triangles)
     for (std::size_t j = 0; j < n; ++j) {
       const double u = 2 * 3.14159 * double(i) / double(n), v = 2 * 3.14159 * double(j) / double(n);
       if (is_closed)
-        soup.points.push_back({std::round((70 + 30 * std::cos(v)) * std::cos(u)), std::round((70 + 30 * std::cos(v)) * std::sin(u)),
+        soup.points.push_back({std::round((70 + 30 * std::cos(v)) * std::cos(u)),
+                               std::round((70 + 30 * std::cos(v)) * std::sin(u)),
                                std::round(30 * std::sin(v))});
       else
         soup.points.push_back({double(10 * i), double(10 * j), double(7 * i * j % 13)});
     }
   for (std::size_t i = 0, end = is_closed ? n : n - 1; i < end; ++i)
     for (std::size_t j = 0; j < end; ++j) {
-      const std::size_t a = i * n + j, b = (i + 1) % n * n + j, c = (i + 1) % n * n + (j + 1) % n, d = i * n + (j + 1) % n;
+      const std::size_t a = i * n + j, b = (i + 1) % n * n + j, c = (i + 1) % n * n + (j + 1) % n,
+                        d = i * n + (j + 1) % n;
       if (has_triangles)
         soup.polygons.insert(soup.polygons.end(), {{a, b, c}, {a, c, d}});
       else
@@ -124,7 +135,8 @@ Polygon_soup fan(std::size_t n)
   Polygon_soup soup;
   soup.points.push_back({0, 0, 50});
   for (std::size_t i = 0; i < n; ++i) {
-    soup.points.push_back({std::round(100 * std::cos(6.28 * double(i) / double(n))), std::round(100 * std::sin(6.28 * double(i) / double(n))),
+    soup.points.push_back({std::round(100 * std::cos(6.28 * double(i) / double(n))),
+                           std::round(100 * std::sin(6.28 * double(i) / double(n))),
                            double(20 * (i % 2))});
     soup.polygons.push_back({0, i + 1, (i + 1) % n + 1});
   }
@@ -138,7 +150,8 @@ Polygon_soup tetrahedra(std::size_t n)
     for (const auto& p : sample::points)
       soup.points.push_back({10 * p[0] + 15 * double(i), 10 * p[1], 10 * p[2]});
     for (const auto& f : sample::faces)
-      soup.polygons.push_back({4 * i + std::size_t(f[0]), 4 * i + std::size_t(f[1]), 4 * i + std::size_t(f[2])});
+      soup.polygons.push_back(
+        {4 * i + std::size_t(f[0]), 4 * i + std::size_t(f[1]), 4 * i + std::size_t(f[2])});
   }
   return soup;
 }
@@ -160,14 +173,16 @@ std::string encoded(const Polygon_soup& soup, std::size_t least_number_of_points
 
 void write_soups(Corpus corpus)
 {
-  for (const Polygon_soup& soup : {tetrahedra(1), tetrahedra(7), grid(5, true, true), grid(5, false, false), fan(30)})
+  for (const Polygon_soup& soup :
+       {tetrahedra(1), tetrahedra(7), grid(5, true, true), grid(5, false, false), fan(30)})
     corpus.add(encoded(soup, 1));
 }
 
 void write_meshes(Corpus corpus)
 {
-  for (const Polygon_soup& soup : {tetrahedra(1), tetrahedra(15), grid(8, true, true), grid(8, true, false), grid(8, false, true),
-                                   grid(7, false, false), fan(60)})
+  for (const Polygon_soup& soup :
+       {tetrahedra(1), tetrahedra(15), grid(8, true, true), grid(8, true, false),
+        grid(8, false, true), grid(7, false, false), fan(60)})
     for (const char k : {1, 5})
       corpus.add(std::string(1, k) + encoded(soup, 3));
 }

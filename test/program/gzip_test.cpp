@@ -55,14 +55,16 @@ TEST(Gzip, is_inflated)
     EXPECT_FALSE(is_gzip(text));
     EXPECT_TRUE(inflate("x", bytes) == text) << size;
     EXPECT_TRUE(load_bytes(folder.write("a.off.gz", bytes)) == text) << size;
-    EXPECT_TRUE(load_bytes(folder.write("a.off", bytes)) == text) << "an ending that says nothing of it";
+    EXPECT_TRUE(load_bytes(folder.write("a.off", bytes)) == text)
+      << "an ending that says nothing of it";
   }
 }
 
 TEST(Gzip, is_inflated_in_several_members)
 {
   const Temporary_folder folder;
-  EXPECT_EQ(inflate("x", compressed(folder, "OFF\n") + compressed(folder, "1 2 3\n")), "OFF\n1 2 3\n");
+  EXPECT_EQ(inflate("x", compressed(folder, "OFF\n") + compressed(folder, "1 2 3\n")),
+            "OFF\n1 2 3\n");
 }
 
 TEST(Gzip, is_told_where_it_is_damaged)
@@ -80,7 +82,8 @@ TEST(Gzip, is_told_where_it_is_damaged)
 TEST(Gzip, is_refused_where_it_exhausts_the_memory)
 {
   const Temporary_folder folder;
-  EXPECT_EQ(message(compressed(folder, std::string(200000000, '0'))), "x: is a gzip file that grows by more than 100 times");
+  EXPECT_EQ(message(compressed(folder, std::string(200000000, '0'))),
+            "x: is a gzip file that grows by more than 100 times");
   EXPECT_EQ(inflate("x", compressed(folder, std::string(1000000, '0'))).size(), 1000000u);
 }
 

@@ -35,7 +35,9 @@ std::ostream& operator<<(std::ostream& out, const Row& row)
 
 std::string off_of(const std::string& points, const std::string& faces)
 {
-  const auto lines = [](const std::string& text) { return std::to_string(std::count(text.begin(), text.end(), '\n')); };
+  const auto lines = [](const std::string& text) {
+    return std::to_string(std::count(text.begin(), text.end(), '\n'));
+  };
   return "OFF\n" + lines(points) + " " + lines(faces) + " 0\n" + points + faces;
 }
 
@@ -55,36 +57,62 @@ const std::string square = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
 const std::vector<Row> rows = {
   {"no bytes", "refused: `is empty`", "a.obj", "", 0},
   {"no faces", "refused: `no faces`", "a.obj", "v 0 0 0\n", 0},
-  {"a header that promises more than the file holds", "refused: `the header promises` n, `the file ends after` m; no memory is reserved for n",
+  {"a header that promises more than the file holds",
+   "refused: `the header promises` n, `the file ends after` m; no memory is reserved for n",
    "a.ply", with(binary_ply, "face 4", "face 4000000000"), 0},
-  {"a file that is cut off within an item", "refused, with the line: `a face with 2 of 3 indices`", "a.off", off.substr(0, off.size() - 3), 0},
-  {"an index that is negative or too large", "refused, with the line: `is out of range: there are` n vertices", "a.off", with(off, "3 1 2 3", "3 1 2 9"), 0},
-  {"a coordinate that is not finite: nan, 1e999", "refused, with the line: `is not a finite number`", "a.off", with(off, "1 0 0", "1 1e999 0"), 0},
-  {"a coordinate that is not a number", "refused, with the line: `is not a number`", "a.off", with(off, "1 0 0", "1 zero 0"), 0},
+  {"a file that is cut off within an item", "refused, with the line: `a face with 2 of 3 indices`",
+   "a.off", off.substr(0, off.size() - 3), 0},
+  {"an index that is negative or too large",
+   "refused, with the line: `is out of range: there are` n vertices", "a.off",
+   with(off, "3 1 2 3", "3 1 2 9"), 0},
+  {"a coordinate that is not finite: nan, 1e999",
+   "refused, with the line: `is not a finite number`", "a.off", with(off, "1 0 0", "1 1e999 0"), 0},
+  {"a coordinate that is not a number", "refused, with the line: `is not a number`", "a.off",
+   with(off, "1 0 0", "1 zero 0"), 0},
   {"coordinates near the least and the largest double", "segmented as any others", "a.off",
-   off_of("0 0 0\n1e308 0 0\n0 -1e308 1e-320\n0 0 1e308\n", "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n"), 4},
-  {"a face of two corners", "refused, with the line: `a face with 2 vertices, fewer than 3`", "a.off", with(off, "3 1 2 3", "2 1 2"), 0},
+   off_of("0 0 0\n1e308 0 0\n0 -1e308 1e-320\n0 0 1e308\n", "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n"),
+   4},
+  {"a face of two corners", "refused, with the line: `a face with 2 vertices, fewer than 3`",
+   "a.off", with(off, "3 1 2 3", "2 1 2"), 0},
   {"a PLY list of negative size", "refused, with the line: `a list of -1 values`", "a.ply",
-   with(with(ply, "element face", "element x 1\nproperty list char int ids\nelement face"), "3 0 2 1", "-1\n3 0 2 1"), 0},
-  {"a PLY element without properties", "refused, with the line: `has no properties`", "a.ply", with(ply, "end_header", "element x 9\nend_header"), 0},
-  {"a statement that OBJ does not have", "skipped, with a remark: `unknown statement 'hello' skipped`", "a.obj", "hello\n" + obj, 4},
-  {"bytes that control a terminal", "`?` in messages, which stay on their line", "a.obj", "\x1b[31m\n", 0},
-  {"a gzip file that is cut off or damaged", "refused: `is a gzip file that is cut off`", "a.off", gzip(off).substr(0, 50), 0},
-  {"a gzip file that exhausts the memory", "refused: `is a gzip file that grows by more than 100 times`", "a.off", gzip(std::string(200000000, '0')), 0},
-  {"faces of different orientation", "repaired, with a remark: `1 turned`", "a.off", with(off, "3 1 2 3", "3 1 3 2"), 4},
-  {"three faces at an edge", "repaired, with a remark: points are `added`, so that the faces come apart", "a.off",
+   with(with(ply, "element face", "element x 1\nproperty list char int ids\nelement face"),
+        "3 0 2 1", "-1\n3 0 2 1"),
+   0},
+  {"a PLY element without properties", "refused, with the line: `has no properties`", "a.ply",
+   with(ply, "end_header", "element x 9\nend_header"), 0},
+  {"a statement that OBJ does not have",
+   "skipped, with a remark: `unknown statement 'hello' skipped`", "a.obj", "hello\n" + obj, 4},
+  {"bytes that control a terminal", "`?` in messages, which stay on their line", "a.obj",
+   "\x1b[31m\n", 0},
+  {"a gzip file that is cut off or damaged", "refused: `is a gzip file that is cut off`", "a.off",
+   gzip(off).substr(0, 50), 0},
+  {"a gzip file that exhausts the memory",
+   "refused: `is a gzip file that grows by more than 100 times`", "a.off",
+   gzip(std::string(200000000, '0')), 0},
+  {"faces of different orientation", "repaired, with a remark: `1 turned`", "a.off",
+   with(off, "3 1 2 3", "3 1 3 2"), 4},
+  {"three faces at an edge",
+   "repaired, with a remark: points are `added`, so that the faces come apart", "a.off",
    off_of(square + "1 0 1\n2 0 0\n", "3 0 1 3\n3 1 0 4\n3 0 1 5\n"), 3},
-  {"two parts of the surface that meet in a point", "repaired, with a remark: `1 added`", "a.off", off_of(square + "2 2 0\n", "3 0 1 2\n3 2 3 4\n"), 2},
-  {"a face that is there twice", "repaired, with a remark: `1 face dropped`; the copy has the label of the other", "a.off", off_of(square, "3 0 1 2\n3 0 2 3\n3 2 0 1\n"), 3},
-  {"a polygon that comes to a corner again", "repaired, with a remark: split there", "a.off", off_of(square + "2 2 0\n3 2 0\n", "6 0 1 2 4 5 2\n"), 1},
-  {"faces of which repair leaves nothing", "refused: `no faces are left of 1 face after repair`", "a.off", off_of(square, "3 0 1 0\n"), 0},
-  {"all points at one place", "segmented: the faces have no area and no normal", "a.off", with(with(with(off, "1 0 0", "0 0 0"), "0 1 0", "0 0 0"), "0 0 1", "0 0 0"), 4},
-  {"points that no face uses", "no effect", "a.off", off_of(square + "1e300 0 0\n", "3 0 1 2\n3 0 2 3\n"), 2},
+  {"two parts of the surface that meet in a point", "repaired, with a remark: `1 added`", "a.off",
+   off_of(square + "2 2 0\n", "3 0 1 2\n3 2 3 4\n"), 2},
+  {"a face that is there twice",
+   "repaired, with a remark: `1 face dropped`; the copy has the label of the other", "a.off",
+   off_of(square, "3 0 1 2\n3 0 2 3\n3 2 0 1\n"), 3},
+  {"a polygon that comes to a corner again", "repaired, with a remark: split there", "a.off",
+   off_of(square + "2 2 0\n3 2 0\n", "6 0 1 2 4 5 2\n"), 1},
+  {"faces of which repair leaves nothing", "refused: `no faces are left of 1 face after repair`",
+   "a.off", off_of(square, "3 0 1 0\n"), 0},
+  {"all points at one place", "segmented: the faces have no area and no normal", "a.off",
+   with(with(with(off, "1 0 0", "0 0 0"), "0 1 0", "0 0 0"), "0 0 1", "0 0 0"), 4},
+  {"points that no face uses", "no effect", "a.off",
+   off_of(square + "1e300 0 0\n", "3 0 1 2\n3 0 2 3\n"), 2},
   {"points of an STL file that are equal", "merged, as usual", "a.stl", sample::stl(), 4},
 };
 
 class Hostile_input : public Program, public testing::WithParamInterface<Row>
-{};
+{
+};
 
 /// The parts of a text that are in backquotes.
 std::vector<std::string> quotes_of(const std::string& text)
@@ -109,12 +137,14 @@ TEST_P(Hostile_input, is_dealt_with_as_the_manual_says)
   EXPECT_EQ(std::size_t(std::count(labels.begin(), labels.end(), '\n')), row.labels);
 
   const std::string happens = row.happens;
-  const bool has_word = happens.find("refused") == 0 || happens.find("remark") != std::string::npos || happens[0] == '`';
+  const bool has_word = happens.find("refused") == 0 ||
+                        happens.find("remark") != std::string::npos || happens[0] == '`';
   EXPECT_EQ(outcome.err.empty(), !has_word) << outcome.err;
   for (const std::string& quote : quotes_of(happens))
     EXPECT_NE(outcome.err.find(quote), std::string::npos) << quote << "\n" << outcome.err;
   const bool needs_line = happens.find("with the line") != std::string::npos;
-  EXPECT_TRUE(!needs_line || std::regex_search(outcome.err, std::regex("^[^ ]*:[0-9]+: "))) << outcome.err;
+  EXPECT_TRUE(!needs_line || std::regex_search(outcome.err, std::regex("^[^ ]*:[0-9]+: ")))
+    << outcome.err;
 }
 
 INSTANTIATE_TEST_SUITE_P(Table, Hostile_input, testing::ValuesIn(rows));

@@ -30,7 +30,10 @@ protected:
 
   std::size_t below(std::size_t n) { return random() % n; }
 
-  const char* one_of(std::initializer_list<const char*> words) { return words.begin()[below(words.size())]; }
+  const char* one_of(std::initializer_list<const char*> words)
+  {
+    return words.begin()[below(words.size())];
+  }
 
   /// Any magnitude, also values that no float has, zeros of both signs and values near them.
   double coordinate()
@@ -100,7 +103,9 @@ void expect_same(Mesh_format format, const std::string& bytes, const Polygon_sou
   const Polygon_soup soup = read_soup("x", format, bytes, remarks);
   ASSERT_EQ(soup.points.size(), expected.points.size()) << bytes;
   // To the bit, with the signs of zeros.
-  ASSERT_EQ(std::memcmp(soup.points.data(), expected.points.data(), sizeof(Point) * soup.points.size()), 0) << bytes;
+  ASSERT_EQ(
+    std::memcmp(soup.points.data(), expected.points.data(), sizeof(Point) * soup.points.size()), 0)
+    << bytes;
   ASSERT_EQ(soup.polygons, expected.polygons) << bytes;
   EXPECT_TRUE(remarks.empty());
 }
@@ -121,8 +126,9 @@ TEST_F(Random_files, of_off)
         bytes += blank() + std::to_string(corner);
       bytes += line_end();
     }
-    expect_same(Mesh_format::OFF, bytes,
-                by_cgal(bytes, [](auto&... x) { return CGAL::IO::read_OFF(x..., CGAL::parameters::verbose(false)); }));
+    expect_same(Mesh_format::OFF, bytes, by_cgal(bytes, [](auto&... x) {
+                  return CGAL::IO::read_OFF(x..., CGAL::parameters::verbose(false));
+                }));
   }
 }
 
@@ -136,13 +142,15 @@ TEST_F(Random_files, of_obj)
     for (const auto& polygon : soup.polygons) {
       bytes += one_of({"f", "g a\nf", "s off\nf"});
       for (const std::size_t corner : polygon)
-        bytes += " " + (below(4) ? std::to_string(corner + 1)
-                                 : std::to_string(int(corner) - int(soup.points.size()))) +
+        bytes += " " +
+                 (below(4) ? std::to_string(corner + 1)
+                           : std::to_string(int(corner) - int(soup.points.size()))) +
                  one_of({"", "", "/1", "//2", "/1/2"});
       bytes += "\n";
     }
-    expect_same(Mesh_format::OBJ, bytes,
-                by_cgal(bytes, [](auto&... x) { return CGAL::IO::read_OBJ(x..., CGAL::parameters::verbose(false)); }));
+    expect_same(Mesh_format::OBJ, bytes, by_cgal(bytes, [](auto&... x) {
+                  return CGAL::IO::read_OBJ(x..., CGAL::parameters::verbose(false));
+                }));
   }
 }
 
@@ -167,8 +175,9 @@ TEST_F(Random_files, of_stl)
       bytes += is_text ? "endloop\nendfacet\n" : std::string(2, '\0');
     }
     bytes += is_text ? "endsolid x\n" : "";
-    expect_same(Mesh_format::STL, bytes,
-                by_cgal(bytes, [](auto&... x) { return CGAL::IO::read_STL(x..., CGAL::parameters::verbose(false)); }));
+    expect_same(Mesh_format::STL, bytes, by_cgal(bytes, [](auto&... x) {
+                  return CGAL::IO::read_STL(x..., CGAL::parameters::verbose(false));
+                }));
   }
 }
 
@@ -227,21 +236,23 @@ class Random_ply_files : public Random_files
 protected:
   std::string integer_type()
   {
-    return one_of({"char", "uchar", "short", "ushort", "int", "uint", "int8", "uint8", "int16", "uint16", "int32", "uint32"});
+    return one_of({"char", "uchar", "short", "ushort", "int", "uint", "int8", "uint8", "int16",
+                   "uint16", "int32", "uint32"});
   }
 
   /// A file of the soup, and in `expected` what its values mean in their types.
-  std::string file_of(const Polygon_soup& soup, const std::string& coordinate_type, const std::string& size_type,
-                      const std::string& index_type)
+  std::string file_of(const Polygon_soup& soup, const std::string& coordinate_type,
+                      const std::string& size_type, const std::string& index_type)
   {
     const std::string format = one_of({"ascii", "binary_little_endian", "binary_big_endian"});
     const bool has_id = below(2), has_list = below(2);
     std::string header = "ply\nformat " + format + " 1.0\ncomment x\nelement vertex " +
-                         std::to_string(soup.points.size()) + "\n" + (has_id ? "property uchar id\n" : "");
+                         std::to_string(soup.points.size()) + "\n" +
+                         (has_id ? "property uchar id\n" : "");
     for (const char* name : {"x", "y", "z"})
       header += "property " + coordinate_type + " " + name + "\n";
-    header += "element face " + std::to_string(soup.polygons.size()) + "\nproperty list " + size_type + " " + index_type +
-              (below(2) ? " vertex_indices\n" : " vertex_index\n");
+    header += "element face " + std::to_string(soup.polygons.size()) + "\nproperty list " +
+              size_type + " " + index_type + (below(2) ? " vertex_indices\n" : " vertex_index\n");
     header += has_list ? "property list uchar float uv\n" : "";
     header += "end_header\n";
     Ply_values values(format);
@@ -268,10 +279,12 @@ protected:
 TEST_F(Random_ply_files, are_read_as_by_cgal)
 {
   for (int i = 0; i < number_of_files && !HasFatalFailure(); ++i) {
-    const std::string bytes = file_of(random_soup(6), one_of({"float", "double", "float32", "float64"}), integer_type(),
-                                      one_of({"int", "uint", "int32", "uint32"}));
-    expect_same(Mesh_format::PLY, bytes,
-                by_cgal(bytes, [](auto&... x) { return CGAL::IO::read_PLY(x..., CGAL::parameters::verbose(false)); }));
+    const std::string bytes =
+      file_of(random_soup(6), one_of({"float", "double", "float32", "float64"}), integer_type(),
+              one_of({"int", "uint", "int32", "uint32"}));
+    expect_same(Mesh_format::PLY, bytes, by_cgal(bytes, [](auto&... x) {
+                  return CGAL::IO::read_PLY(x..., CGAL::parameters::verbose(false));
+                }));
   }
 }
 
@@ -292,14 +305,23 @@ TEST(Lying_headers, take_no_memory)
 {
   Remarks remarks;
   const std::string count = "1000000000000000000";
-  const std::string ply = " 1.0\nelement vertex " + count + "\nproperty float x\nproperty float y\nproperty float z\n"
-                          "element face " + count + "\nproperty list uint int vertex_indices\nend_header\n";
+  const std::string ply = " 1.0\nelement vertex " + count +
+                          "\nproperty float x\nproperty float y\nproperty float z\n"
+                          "element face " +
+                          count + "\nproperty list uint int vertex_indices\nend_header\n";
   for (const std::string format : {"ascii", "binary_little_endian"})
-    EXPECT_THROW(read_soup("x", Mesh_format::PLY, "ply\nformat " + format + ply + "1 2 3 4 5 6 7", remarks), Input_error);
-  EXPECT_THROW(read_soup("x", Mesh_format::OFF, "OFF " + count + " " + count + " 0\n1 2 3\n", remarks), Input_error);
-  EXPECT_THROW(read_soup("x", Mesh_format::OFF, "OFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n" + count + " 0 1 2\n", remarks), Input_error);
-  const std::string faces = "ply\nformat binary_little_endian 1.0\nelement vertex 0\nproperty float x\nproperty float y\n"
-                            "property float z\nelement face 1\nproperty list uint uchar vertex_indices\nend_header\n";
+    EXPECT_THROW(
+      read_soup("x", Mesh_format::PLY, "ply\nformat " + format + ply + "1 2 3 4 5 6 7", remarks),
+      Input_error);
+  EXPECT_THROW(
+    read_soup("x", Mesh_format::OFF, "OFF " + count + " " + count + " 0\n1 2 3\n", remarks),
+    Input_error);
+  EXPECT_THROW(read_soup("x", Mesh_format::OFF,
+                         "OFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n" + count + " 0 1 2\n", remarks),
+               Input_error);
+  const std::string faces =
+    "ply\nformat binary_little_endian 1.0\nelement vertex 0\nproperty float x\nproperty float y\n"
+    "property float z\nelement face 1\nproperty list uint uchar vertex_indices\nend_header\n";
   EXPECT_THROW(read_soup("x", Mesh_format::PLY, faces + "\xff\xff\xff\xff", remarks), Input_error);
 }
 

@@ -26,7 +26,8 @@ TEST_F(Standard_input, may_come_through_a_pipe_and_be_one_of_several)
   folder.write("b.x", sample::off());
   const Outcome outcome = run("b.x - --input-format off -k 1", "gzip -c a.off |");
   EXPECT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_EQ(without_times(outcome.out), "b.x: 4 faces, 4 regions, 1 segment\n-: 4 faces, 4 regions, 1 segment\n");
+  EXPECT_EQ(without_times(outcome.out),
+            "b.x: 4 faces, 4 regions, 1 segment\n-: 4 faces, 4 regions, 1 segment\n");
 }
 
 TEST_F(Standard_input, has_a_format_and_is_read_once)

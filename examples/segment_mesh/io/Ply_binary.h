@@ -52,7 +52,8 @@ public:
 
   [[noreturn]] void fail(const std::string& cause) const
   {
-    throw Input_error(m_file, m_element->name + " " + std::to_string(m_item) + ", from 0: " + cause);
+    throw Input_error(m_file,
+                      m_element->name + " " + std::to_string(m_item) + ", from 0: " + cause);
   }
 
 private:

@@ -18,8 +18,9 @@ struct Type_name
 };
 
 /// In the order of `Ply_type`.
-constexpr Type_name types[] = {{"char", "int8"}, {"uchar", "uint8"}, {"short", "int16"}, {"ushort", "uint16"},
-                               {"int", "int32"}, {"uint", "uint32"}, {"float", "float32"}, {"double", "float64"}};
+constexpr Type_name types[] = {{"char", "int8"},     {"uchar", "uint8"},   {"short", "int16"},
+                               {"ushort", "uint16"}, {"int", "int32"},     {"uint", "uint32"},
+                               {"float", "float32"}, {"double", "float64"}};
 
 /// In the order of `Ply_format`.
 constexpr const char* formats[] = {"ascii", "binary_little_endian", "binary_big_endian"};
@@ -96,7 +97,8 @@ void check_element(const std::string& file, const Ply_element& element)
   if (element.count > 0 && element.properties.empty())
     throw Input_error(file, element.line,
                       "element " + in_quotes(element.name) + " has no properties");
-  if (element.is_vertex() && !(count(Ply_role::X) == 1 && count(Ply_role::Y) == 1 && count(Ply_role::Z) == 1))
+  if (element.is_vertex() &&
+      !(count(Ply_role::X) == 1 && count(Ply_role::Y) == 1 && count(Ply_role::Z) == 1))
     throw Input_error(file, element.line, "a vertex needs the properties x, y and z, once each");
   if (element.is_face() && count(Ply_role::CORNERS) != 1)
     throw Input_error(file, element.line, "a face needs the property vertex_indices, once");

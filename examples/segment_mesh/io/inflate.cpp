@@ -15,7 +15,7 @@ namespace segment_mesh {
 
 namespace {
 
-constexpr std::size_t block_size = std::size_t(1) << 20;
+constexpr std::size_t usual_inflation = 4; // of a text
 constexpr int gzip_format = 16; // zlib's flag, to be added to the size of the window
 
 struct End_of_stream
@@ -49,7 +49,7 @@ std::string inflate(const std::string& file, std::string_view bytes)
     if (status == Z_STREAM_END)
       inflateReset(&stream);
     if (size == result.size())
-      result.resize(size + (std::max)(size, block_size));
+      result.resize(size + (std::max)(size, usual_inflation * bytes.size()));
     stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data() + taken));
     stream.avail_in = bounded(bytes.size() - taken);
     stream.next_out = reinterpret_cast<Bytef*>(&result[size]);

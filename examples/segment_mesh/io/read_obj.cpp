@@ -12,11 +12,11 @@ namespace segment_mesh {
 namespace {
 
 constexpr std::string_view other_statements[] = {
-  "vn",       "vt",    "vp",    "fo",   "l",    "p",    "o",       "g",      "s",    "mg",
-  "usemtl",   "mtllib", "usemap", "maplib", "bevel", "c_interp", "d_interp", "lod", "shadow_obj", "trace_obj",
-  "ctech",    "stech", "cstype", "deg",  "step", "bmat", "curv",    "curv2",  "surf", "parm",
-  "trim",     "hole",  "scrv",  "sp",   "end",  "con",  "bsp",     "bzp",    "cdc",  "cdp",
-  "res",      "call",  "csh"};
+  "vn",         "vt",        "vp",     "fo",     "l",      "p",     "o",        "g",        "s",
+  "mg",         "usemtl",    "mtllib", "usemap", "maplib", "bevel", "c_interp", "d_interp", "lod",
+  "shadow_obj", "trace_obj", "ctech",  "stech",  "cstype", "deg",   "step",     "bmat",     "curv",
+  "curv2",      "surf",      "parm",   "trim",   "hole",   "scrv",  "sp",       "end",      "con",
+  "bsp",        "bzp",       "cdc",    "cdp",    "res",    "call",  "csh"};
 
 /// What is known of an OBJ file while it is read.
 class Obj_reader
@@ -44,8 +44,8 @@ public:
     if (m_highest_index > std::int64_t(m_soup.points.size()))
       throw Input_error(m_file, m_line_of_highest_index, out_of_range(m_highest_index));
     if (m_number_of_unknown > 0)
-      remarks.push_back(one_line(m_file + ":" + std::to_string(m_line_of_unknown) + ": unknown statement " +
-                                 m_unknown + " skipped" +
+      remarks.push_back(one_line(m_file + ":" + std::to_string(m_line_of_unknown) +
+                                 ": unknown statement " + m_unknown + " skipped" +
                                  (m_number_of_unknown > 1
                                     ? ", and " + std::to_string(m_number_of_unknown - 1) + " more"
                                     : "")));
@@ -81,12 +81,13 @@ private:
 
   void read_face()
   {
-    Polygon_soup::Polygon& polygon = m_soup.polygons.emplace_back();
+    m_corners.clear();
     for (std::string_view corner = m_scan.word(); !corner.empty(); corner = m_scan.word())
-      polygon.push_back(
+      m_corners.push_back(
         from_zero(m_scan.integer(corner.substr(0, corner.find('/')), "an index of a vertex")));
-    if (polygon.size() < 3)
-      m_scan.fail("a face with " + counted(polygon.size(), "vertex") + ", fewer than 3");
+    if (m_corners.size() < 3)
+      m_scan.fail("a face with " + counted(m_corners.size(), "vertex") + ", fewer than 3");
+    m_soup.polygons.push_back(m_corners);
   }
 
   /// Negative indices count back from here; others, from 1, may be of vertices that are still to come.
@@ -111,6 +112,7 @@ private:
   std::string m_file;
   Text_scanner m_scan;
   Polygon_soup m_soup;
+  Polygon_soup::Polygon m_corners; // of the face that is read
   std::int64_t m_highest_index = 0;
   std::size_t m_line_of_highest_index = 0;
   std::string m_unknown; // the first one, in quotes

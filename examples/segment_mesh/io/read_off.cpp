@@ -12,6 +12,7 @@ namespace {
 
 /// Bytes of the shortest line of a vertex, and of a face.
 constexpr std::size_t least_vertex_size = 6, least_face_size = 8;
+constexpr std::size_t least_index_size = 2; // with a blank
 
 struct Off_header
 {
@@ -93,6 +94,7 @@ Polygon_soup::Polygon read_face(Text_scanner& scan, const Off_header& header)
   if (size < 3)
     scan.fail("a face with " + std::to_string(size) + " vertices, fewer than 3");
   Polygon_soup::Polygon polygon;
+  polygon.reserve((std::min)(std::size_t(size), scan.available() / least_index_size));
   for (std::int64_t j = 0; j < size; ++j) {
     const std::string_view word = scan.word();
     if (word.empty())

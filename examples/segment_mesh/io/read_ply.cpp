@@ -16,7 +16,10 @@ template <typename Values>
 class Ply_reader
 {
 public:
-  Ply_reader(const Ply_header& header, Values values) : m_header(header), m_values(std::move(values)) {}
+  Ply_reader(const Ply_header& header, Values values)
+      : m_header(header), m_values(std::move(values))
+  {
+  }
 
   Polygon_soup read()
   {
@@ -42,11 +45,17 @@ private:
       least_size += Values::least_size_of(property.is_list ? property.size_type : property.type);
     if (least_size == 0)
       return;
-    const std::size_t size = std::size_t((std::min)(element.count, std::uint64_t(m_values.available() / least_size)));
+    const std::size_t size = bounded(element.count, least_size);
     if (element.is_vertex())
       m_soup.points.reserve(m_soup.points.size() + size);
     if (element.is_face())
       m_soup.polygons.reserve(m_soup.polygons.size() + size);
+  }
+
+  /// A number of things, as far as the file can hold them.
+  std::size_t bounded(std::uint64_t number, std::size_t least_size) const
+  {
+    return std::size_t((std::min)(number, std::uint64_t(m_values.available() / least_size)));
   }
 
   void read_property(const Ply_property& property, Point& point)
@@ -67,6 +76,7 @@ private:
     if (size < 3)
       m_values.fail("a face with " + std::to_string(size) + " vertices, fewer than 3");
     Polygon_soup::Polygon& polygon = m_soup.polygons.emplace_back();
+    polygon.reserve(bounded(std::uint64_t(size), Values::least_size_of(type)));
     for (std::int64_t i = 0; i < size; ++i) {
       const std::int64_t index = m_values.integer(type);
       if (index < 0 || std::uint64_t(index) >= m_header.number_of_vertices)

@@ -4,7 +4,8 @@
 
 namespace segment_mesh {
 
-Polygon_soup read_soup(const std::string& file, Mesh_format format, std::string_view bytes, Remarks& remarks)
+Polygon_soup read_soup(const std::string& file, Mesh_format format, std::string_view bytes,
+                       Remarks& remarks)
 {
   switch (format) {
   case Mesh_format::OFF:

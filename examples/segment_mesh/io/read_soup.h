@@ -22,7 +22,8 @@ using Remarks = std::vector<std::string>;
 /// \param file the name for messages
 /// \returns at least one face; indices are in range, coordinates finite, polygons have three corners or more
 /// \throws Input_error naming file, line (in a text file) and cause
-Polygon_soup read_soup(const std::string& file, Mesh_format format, std::string_view bytes, Remarks& remarks);
+Polygon_soup read_soup(const std::string& file, Mesh_format format, std::string_view bytes,
+                       Remarks& remarks);
 
 /// \name One function a format
 /// @{

@@ -60,7 +60,8 @@ Polygon_soup read_binary(const std::string& file, std::string_view bytes)
   points.reserve(3 * promised);
   for (std::size_t i = 0; i < promised; ++i)
     for (std::size_t corner = 0; corner < 3; ++corner) {
-      const char* const at = &bytes[data_offset + triangle_size * i + normal_size + 3 * sizeof(float) * corner];
+      const char* const at =
+        &bytes[data_offset + triangle_size * i + normal_size + 3 * sizeof(float) * corner];
       Point& point = points.emplace_back();
       for (std::size_t j = 0; j < 3; ++j)
         point[j] = read_little_endian<float>(at + sizeof(float) * j);
