@@ -1,12 +1,13 @@
 #!/bin/sh
-# coverage.sh DIR: what the corpora in DIR, see run.sh, and the seeds reach of the readers and of the library.
+# coverage.sh DIR [TARGET...]: what the corpora in DIR, see run.sh, and the seeds reach of the readers and of the library.
 #
-# Builds the targets a second time, into DIR/coverage. Needs Debian's llvm.
+# Builds the targets, all of them if none is named, a second time, into DIR/coverage. Needs Debian's llvm.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/../.." && pwd)
 dir=$(cd "$1" && pwd)
-targets="read_off read_obj read_ply read_stl inflate_gzip read_labels command_line repair_soup segment_mesh"
+shift
+targets=${*:-read_off read_obj read_ply read_stl inflate_gzip read_labels command_line repair_soup segment_mesh}
 
 cmake -S "$here" -B "$dir/coverage" -DCMAKE_CXX_COMPILER="${CLANGXX:-clang++}" \
   -Dcoverage="-fprofile-instr-generate;-fcoverage-mapping" >/dev/null
@@ -22,5 +23,6 @@ for target in $targets; do
   objects="$objects -object $dir/coverage/bin/$target"
 done
 llvm-profdata merge -o "$dir/coverage/all.profdata" "$dir"/coverage/*.profraw
-llvm-cov report $objects -instr-profile "$dir/coverage/all.profdata" "$root/examples/segment_mesh/io" \
+# Its first file has no option.
+llvm-cov report ${objects#*-object } -instr-profile "$dir/coverage/all.profdata" "$root/examples/segment_mesh/io" \
   "$root/examples/segment_mesh/soup" "$root/examples/segment_mesh/command_line" "$root/include"
