@@ -131,6 +131,8 @@ TEST(Format, is_that_of_the_ending_or_a_given_one)
   EXPECT_EQ(mesh_format("b.off.STL.GZ"), Mesh_format::STL);
   EXPECT_THROW(mesh_format("off.gz"), Input_error);
   EXPECT_THROW(mesh_format("-"), Input_error);
+  EXPECT_TRUE(is_compressed("b.Ply.GZ"));
+  EXPECT_FALSE(is_compressed("b.gz.ply"));
   EXPECT_EQ(stem_of_input("a/b.off"), "b");
   EXPECT_EQ(stem_of_input("a.c/b.x.off.gz"), "b.x");
   EXPECT_EQ(stem_of_input("-"), "stdin");

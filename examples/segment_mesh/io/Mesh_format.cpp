@@ -25,7 +25,7 @@ std::string ending_of(const fs::path& file)
 
 fs::path without_gz(const fs::path& file)
 {
-  return ending_of(file) == ".gz" ? file.parent_path() / file.stem() : file;
+  return is_compressed(file.string()) ? file.parent_path() / file.stem() : file;
 }
 
 } // namespace
@@ -44,6 +44,11 @@ Mesh_format mesh_format(const std::string& file)
   if (ending == ".stl")
     return Mesh_format::STL;
   throw Input_error(file, "unknown ending " + in_quotes(ending) + ", not .off, .obj, .ply or .stl");
+}
+
+bool is_compressed(const std::string& file)
+{
+  return ending_of(file) == ".gz";
 }
 
 std::string stem_of_input(const std::string& file)

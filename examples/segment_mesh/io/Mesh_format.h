@@ -17,6 +17,9 @@ constexpr const char* standard_input = "-";
 /// \throws Input_error for another ending, and for standard input
 Mesh_format mesh_format(const std::string& file);
 
+/// Whether the ending is `.gz`.
+bool is_compressed(const std::string& file);
+
 /// The name of an input without folder and endings, `stdin` for standard input: what `{stem}` stands for.
 std::string stem_of_input(const std::string& file);
 
