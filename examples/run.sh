@@ -12,7 +12,7 @@ if [ $# -gt 2 ]; then
 fi
 
 sh "$root/cmake/install_packages.sh" g++ make cmake libcgal-dev libeigen3-dev libcli11-dev \
-  libopenmesh-dev libpng-dev libtbb-dev
+  libopenmesh-dev libpng-dev libtbb-dev zlib1g-dev
 cmake -S "$root" -B "$root/build" -DCMAKE_BUILD_TYPE=Release \
   -DREGION_SEGMENTATION_BUILD_TESTS=OFF -DREGION_SEGMENTATION_BUILD_EXAMPLES=OFF >/dev/null
 cmake --build "$root/build" -j 2 --target segment_mesh

@@ -354,3 +354,14 @@ TEST(Superfacets_test, regions_of_slivers_are_connected)
     EXPECT_TRUE(is_connected(soup, labels_of(regions)));
   }
 }
+
+// The area of the surface is that of one tiny face, so that steps between the others are longer than any float.
+TEST(Superfacets_test, parts_are_connected_where_steps_are_longer_than_a_float)
+{
+  Soup soup;
+  soup.points = {{0, 0, 0}, {1e-60, 0, 0}, {0, 1e-60, 0}, {1, 0, 0}, {1.5, 0, 0}, {1.7, 0, 0}, {1.2, 0, 0}, {1.9, 0, 0}};
+  soup.polygons = {{0, 1, 2}, {3, 4, 5}, {4, 3, 6}, {5, 4, 7}};
+  const RS::Partition parts = RS::Superfacets(1).split(flat_mesh_of(soup), 3);
+  EXPECT_EQ(parts.number_of_parts(), 3u);
+  EXPECT_TRUE(is_connected(soup, labels_of(parts)));
+}

@@ -241,7 +241,7 @@ public:
       const Vector &c_i = patches.centroids[i], &c_j = patches.centroids[j];
       const Vector &n_i = patches.normals[i], &n_j = patches.normals[j];
       const double concavity = face_each_other(n_i, n_j, c_i, c_j) ? std::min(angle(n_i, n_j), 0.6) : 0;
-      const double step = std::max(norm(c_i - c_j) / mesh.unit_of_length() + 0.4 * concavity, 1e-37);
+      const double step = std::min(std::max(norm(c_i - c_j) / mesh.unit_of_length() + 0.4 * concavity, 1e-37), 1e28);
       m_steps[i][j] = m_steps[j][i] = float(step);
       m_costs[i][j] = m_costs[j][i] = float(length / mesh.unit_of_length() / (1 + 10 * concavity));
     }

@@ -68,6 +68,9 @@ const std::string rich_obj =
   "g a\nusemtl red\ns off\nf 1/1/1 3/1/1 2/1/1\nf\t1//1\t2//1\t4//1\nv 0 0 1\nf -3 -2 -1\nf 1/1 "
   "4/1 3/1\n"
   "l 1 2 3\n";
+const std::string continued_obj =
+  "v 0 0 \\\n0\nv 1 \\ \r\n\\\n 0 0\nl 1 2 \\\n 1\nv 0 1 0 # not continued \\\nv 0 0 1\nf 1\\\n3 2\nf 1 2 4\n"
+  "f 2 3 4\nf 1 4 3\\\n";
 const std::string rich_ply = "ply\ncomment before the format\nformat ascii 1.0\nobj_info "
                              "x\n\nelement vertices 4\nproperty uchar red\n"
                              "property double x\nproperty double y\nproperty double z\nelement "
@@ -85,7 +88,12 @@ INSTANTIATE_TEST_SUITE_P(
     Sample{"off_one_header_line", "a.off", with(sample::off(), "OFF\n", "OFF ")},
     Sample{"off_homogeneous", "a.off",
            "4OFF\n4 4 0\n0 0 0 1\n2 0 0 2\n0 1 0 1\n0 0 3 3\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n"},
+    Sample{"off_glued_header", "a.off", with(sample::off(), "OFF\n4 4 0", "OFF4 4 0")},
+    Sample{"off_byte_order_mark", "a.off", "\xef\xbb\xbf" + sample::off()},
     Sample{"obj", "a.obj", sample::obj()}, Sample{"obj_rich", "a.obj", rich_obj},
+    Sample{"obj_byte_order_mark", "a.obj", "\xef\xbb\xbf" + sample::obj()},
+    Sample{"obj_continued", "a.obj", continued_obj},
+    Sample{"obj_faces_first", "a.obj", "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1"},
     Sample{"ply", "a.ply", sample::ply()}, Sample{"ply_rich", "a.ply", rich_ply},
     Sample{"ply_little", "a.ply", sample::binary_ply("binary_little_endian")},
     Sample{"ply_no_properties", "a.ply",
@@ -93,12 +101,45 @@ INSTANTIATE_TEST_SUITE_P(
     Sample{"ply_binary_no_properties", "a.ply",
            with(sample::binary_ply("binary_little_endian"), "element vertex",
                 "element empty 0\nelement vertex")},
+    Sample{"ply_not_a_number_elsewhere", "a.ply",
+           with(with(sample::ply(), "element face", "property float quality\nelement face"), "0 0 0\n1 0 0\n0 1 0\n0 0 1",
+                "0 0 0 nan\n1 0 0 inf\n0 1 0 1\n0 0 1 -")},
     Sample{"ply_big", "a.ply", sample::binary_ply("binary_big_endian")},
     Sample{"stl", "a.stl", sample::stl()}, Sample{"stl_binary", "a.stl", sample::binary_stl()},
+    Sample{"stl_byte_order_mark", "a.stl", "\xef\xbb\xbf" + sample::stl()},
     Sample{"stl_name", "a.stl", with(sample::stl(), "tetrahedron", "facet vertex endsolid")},
     Sample{"stl_normal", "a.stl", with(sample::stl(), "normal 0 0 0", "normal nan nan nan")},
     Sample{"stl_solid_binary", "a.stl", sample::binary_stl("solid facet vertex")}),
   [](const auto& info) { return info.param.name; });
+
+TEST(Unknown_statements, are_skipped_with_a_remark)
+{
+  const Temporary_folder folder;
+  const auto remarks = [&folder](const std::string& statements) {
+    return read_mesh(folder.write("a.obj", statements + sample::obj())).remarks;
+  };
+  const std::string start = folder.path("a.obj") + ":2: unknown statement 'hello' skipped";
+  EXPECT_EQ(remarks("\nhello world\n"), Remarks{start});
+  EXPECT_EQ(remarks("\nhello\nworld\nhello\n"), Remarks{start + ", and 2 more"});
+}
+
+TEST(Format, is_that_of_the_ending_or_a_given_one)
+{
+  EXPECT_EQ(mesh_format("a/b.off"), Mesh_format::OFF);
+  EXPECT_EQ(mesh_format("b.x.OBJ"), Mesh_format::OBJ);
+  EXPECT_EQ(mesh_format("b.Ply.gz"), Mesh_format::PLY);
+  EXPECT_EQ(mesh_format("b.off.STL.GZ"), Mesh_format::STL);
+  EXPECT_THROW(mesh_format("off.gz"), Input_error);
+  EXPECT_THROW(mesh_format("-"), Input_error);
+  EXPECT_TRUE(is_compressed("b.Ply.GZ"));
+  EXPECT_FALSE(is_compressed("b.gz.ply"));
+  EXPECT_EQ(stem_of_input("a/b.off"), "b");
+  EXPECT_EQ(stem_of_input("a.c/b.x.off.gz"), "b.x");
+  EXPECT_EQ(stem_of_input("-"), "stdin");
+
+  const Temporary_folder folder;
+  expect_tetrahedron(read_mesh(folder.write("a.off", sample::ply()), Mesh_format::PLY));
+}
 
 TEST(Bad_file, is_told)
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Reading must not take much longer than CGAL's own reader does.
+// Reading must take less time than CGAL's own reader does, although it also checks the mesh.
 
 #include "Temporary_folder.h"
 #include "io/read_mesh.h"
@@ -73,8 +73,8 @@ TEST(Reading_time, is_near_that_of_cgal)
       ASSERT_EQ(input.mesh_soup().polygons.size(), square.soup.polygons.size());
     });
     std::cout << name << ": " << ours / cgal << " times as long as CGAL's reader\n";
-    // It was 2 to 3 when all edges were sorted to see whether the mesh is a manifold.
-    EXPECT_LT(ours, 1.7 * cgal) << name;
+    // 0.2 to 0.5 as measured. It was above 1 when files were parsed to be checked, and again by CGAL's reader.
+    EXPECT_LT(ours, 0.9 * cgal) << name;
   }
 }
 

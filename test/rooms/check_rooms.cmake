@@ -54,12 +54,12 @@ foreach(header IN LISTS headers)
   endforeach()
 endforeach()
 
-# Folders of the tree; build folders and those of tools have a dot or `build` in front.
+# Folders of the tree, but for those that Python and its pip make.
 file(READ ${ROOT}/CONTRIBUTING.md contributing)
 foreach(top include test examples doc cmake)
   file(GLOB_RECURSE entries LIST_DIRECTORIES true RELATIVE ${ROOT} ${ROOT}/${top}/*)
   foreach(entry IN LISTS entries)
-    if(IS_DIRECTORY ${ROOT}/${entry} AND NOT entry MATCHES "^include/CGAL$" AND NOT entry MATCHES "__pycache__")
+    if(IS_DIRECTORY ${ROOT}/${entry} AND NOT entry MATCHES "^include/CGAL$" AND NOT entry MATCHES "__pycache__|/build|egg-info")
       string(REGEX REPLACE "^include/CGAL/Region_segmentation/" "" name ${entry})
       string(FIND "${contributing}" "`${name}/`" position)
       if(position EQUAL -1)

@@ -3,9 +3,11 @@
 #ifndef CGAL_REGION_SEGMENTATION_SEGMENT_MESH_OPTIONS_H
 #define CGAL_REGION_SEGMENTATION_SEGMENT_MESH_OPTIONS_H
 
+#include "io/Mesh_format.h"
 #include "segmentation/Segmentation_settings.h"
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +19,7 @@ enum class Verbosity { NORMAL, QUIET };
 struct Options
 {
   std::vector<std::string> inputs; ///< none: the model that the program builds
+  std::optional<Mesh_format> input_format; ///< of all inputs; if empty, what their endings name
   std::vector<std::string> outputs;
   std::vector<std::string> truths;
   Segmentation_settings settings; ///< all but `detail`

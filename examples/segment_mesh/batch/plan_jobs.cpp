@@ -2,9 +2,11 @@
 
 #include "batch/plan_jobs.h"
 
+#include "io/Mesh_format.h"
 #include "io/errors.h"
 #include "io/output_format.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <set>
 #include <system_error>
@@ -58,11 +60,21 @@ fs::path canonical_name(const std::string& file)
   return error ? fs::path(file) : name;
 }
 
+/// \throws Usage_error if the format of standard input is not given, or if it is to be read twice
+void check_standard_input(const Options& options)
+{
+  const auto count = std::count(options.inputs.begin(), options.inputs.end(), standard_input);
+  if (count > 0 && !options.input_format)
+    throw Usage_error("-: standard input needs --input-format");
+  if (count > 1)
+    throw Usage_error("-: standard input can be read once");
+}
+
 void check_outputs(const std::vector<Job>& jobs)
 {
   std::set<fs::path> inputs, truths, outputs;
   for (const Job& job : jobs) {
-    if (!job.is_model)
+    if (!job.is_model && job.input != standard_input)
       inputs.insert(canonical_name(job.input));
     for (const std::string& truth : job.truths)
       truths.insert(canonical_name(truth));
@@ -87,6 +99,7 @@ std::vector<Job> plan_jobs(const Options& options, const std::string& default_mo
     output_format(output);
   check_names(options.outputs, "-o");
   check_names(options.truths, "--truth");
+  check_standard_input(options);
   const Segmentation_settings& settings = options.settings;
   if (!options.inputs.empty() && !settings.number_of_segments &&
       settings.method == Method::TWO_STEP)
@@ -98,7 +111,7 @@ std::vector<Job> plan_jobs(const Options& options, const std::string& default_mo
 
   std::vector<Job> jobs;
   for (const std::string& input : options.inputs) {
-    const std::string stem = fs::path(input).stem().string();
+    const std::string stem = stem_of_input(input);
     jobs.push_back(
       {input, false, with_stem(options.outputs, stem), with_stem(options.truths, stem)});
   }

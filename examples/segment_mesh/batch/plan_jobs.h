@@ -13,17 +13,17 @@ namespace segment_mesh {
 /// One input and what becomes of it.
 struct Job
 {
-  std::string input; ///< a file, or the name of a model that the program makes
+  std::string input; ///< a file, `-` for standard input, or the name of a model that the program makes
   bool is_model = false;
   std::vector<std::string> outputs;
   std::vector<std::string> truths;
 };
 
 /// A job for each input, in order, or one for the model `default_model` if there is none. `{stem}`
-/// in the names of outputs and truths becomes the name of the input without folder and ending.
+/// in the names of outputs and truths becomes the name of the input without folder and endings.
 /// \throws Usage_error for an unknown ending of an output, a number of segments that is neither
 ///         given nor can be chosen, two outputs in one file, an output in the place of an input
-///         or a truth, a batch without `{stem}`, and any other `{name}`
+///         or a truth, standard input without a format or twice, a batch without `{stem}`, and any other `{name}`
 std::vector<Job> plan_jobs(const Options& options, const std::string& default_model);
 
 } // namespace segment_mesh

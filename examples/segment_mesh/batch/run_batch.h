@@ -15,7 +15,8 @@ namespace segment_mesh {
 ///
 /// The memory: as many meshes as threads at most, and no mesh is begun while the estimates for those
 /// in work and for itself add up to more than half of `memory_limit()`, unless it is alone.
-/// The estimate is 36 times the size of a .ply file and 16 times that of others, see run_batch.cpp.
+/// The estimate is 36 times the size of a .ply file and 16 times that of others, 4 times as much if
+/// it is compressed, see run_batch.cpp.
 /// \returns the worst status
 Exit_status run_batch(const std::vector<Job>& jobs, const Options& options);
 

@@ -28,7 +28,7 @@ struct Case
   std::size_t true_number_of_segments = 0; // of a procedural model
 };
 
-Case load(const Job& job)
+Case load(const Job& job, const Options& options)
 {
   Case result;
   if (job.is_model) {
@@ -38,7 +38,7 @@ Case load(const Job& job)
     result.true_number_of_segments = model.number_of_parts;
     result.mesh = make_input_mesh(job.input, std::move(model.soup));
   } else {
-    result.mesh = read_mesh(job.input);
+    result.mesh = read_mesh(job.input, options.input_format);
   }
   for (const std::string& truth : job.truths)
     result.truths.push_back(read_truth(truth, result.mesh.soup.polygons.size()));
@@ -92,7 +92,7 @@ void run(const Job& job, const Options& options, const Progress_listener& listen
          Job_report& report)
 {
   listener("reading", 0);
-  const Case input = load(job);
+  const Case input = load(job, options);
   if (options.verbosity == Verbosity::NORMAL)
     for (const std::string& remark : input.mesh.remarks)
       report.err += remark + "\n";

@@ -3,8 +3,8 @@
 #include "batch/scores.h"
 
 #include "io/Text_scanner.h"
-#include "io/diagnose_input.h"
 #include "io/errors.h"
+#include "io/load_bytes.h"
 
 #include <CGAL/Region_segmentation/evaluation.h>
 
@@ -94,7 +94,7 @@ std::vector<std::int64_t> labels_of_mesh_faces(const Input_mesh& input,
 
 Truth read_truth(const std::string& file, std::size_t number_of_faces)
 {
-  const std::string bytes = load_file(file);
+  const std::string bytes = load_bytes(file);
   Text_scanner scan(file, bytes, '#');
   Truth truth{file, {}};
   while (scan.next_line()) {

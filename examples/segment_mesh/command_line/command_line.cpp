@@ -46,6 +46,9 @@ const std::map<std::string, Mesh_type> mesh_types = {{"surface_mesh", Mesh_type:
                                                      {"polyhedron", Mesh_type::POLYHEDRON},
                                                      {"openmesh", Mesh_type::OPENMESH}};
 
+const std::map<std::string, Mesh_format> formats = {
+  {"off", Mesh_format::OFF}, {"obj", Mesh_format::OBJ}, {"ply", Mesh_format::PLY}, {"stl", Mesh_format::STL}};
+
 /// More would be a slip of the hand.
 constexpr std::size_t most_threads = 1024;
 
@@ -56,6 +59,7 @@ struct Raw_options
   double maximum_angle = 0;
   std::string number_of_segments, number_of_threads = "0"; ///< CLI11 would cut off large numbers
   std::string method = "learned", features = "concave", mesh_type = "surface_mesh";
+  std::string input_format;
   bool is_quiet = false;
 };
 
@@ -91,8 +95,13 @@ void add_run_options(CLI::App& app, Raw_options& raw)
 
 void add_file_options(CLI::App& app, Raw_options& raw)
 {
-  app.add_option("INPUT", raw.options.inputs, ".off, .obj, .ply or .stl; several are a batch")
+  app.add_option("INPUT", raw.options.inputs,
+                 ".off, .obj, .ply or .stl, also compressed as .gz; - is standard input; several are a batch")
     ->type_name("FILE");
+  app.add_option("--input-format", raw.input_format,
+                 "Of all inputs, whatever their endings: off, obj, ply, stl; needed for standard input")
+    ->check(one_of(formats))
+    ->type_name("FORMAT");
   app.add_option("-o,--output", raw.options.outputs)
     ->description("Repeatable; {stem} is the input's name. Written by its ending: .seg (a label a "
                   "line), .ply (colors, int segment), .off (colors), .obj (groups, feature lines), "
@@ -153,6 +162,8 @@ Options checked(const CLI::App& app, const Raw_options& raw)
       throw Usage_error("--max-angle: an angle from 0 to 180 degrees");
     options.settings.maximum_angle = raw.maximum_angle;
   }
+  if (!raw.input_format.empty())
+    options.input_format = formats.at(raw.input_format);
   options.settings.method = methods.at(raw.method);
   for (const char* option : {"--features", "--max-angle"})
     if (options.settings.method != Method::TWO_STEP && app.count(option) > 0)

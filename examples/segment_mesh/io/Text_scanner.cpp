@@ -20,35 +20,56 @@ bool is_blank(char c)
 } // namespace
 
 Text_scanner::Text_scanner(const std::string& file, std::string_view text, char comment,
-                           std::size_t first_line)
-    : m_file(file), m_text(text), m_comment(comment), m_line_number(first_line),
-      m_next_line_number(first_line)
+                           Continuation continuation)
+    : m_file(file), m_text(text), m_comment(comment), m_continuation(continuation),
+      m_next(text.size() - without_byte_order_mark(text).size())
 {
+}
+
+/// \pre there is one
+void Text_scanner::take_line()
+{
+  const std::size_t end = (std::min)(m_text.find('\n', m_next), m_text.size());
+  m_line = m_text.substr(m_next, end - m_next);
+  m_next = (std::min)(end + 1, m_text.size());
+  m_line_number = m_next_line_number++;
+  if (m_comment != no_comments)
+    m_line = m_line.substr(0, m_line.find(m_comment));
+  m_goes_on = false;
+  if (m_continuation == Continuation::BACKSLASH) {
+    std::size_t size = m_line.size();
+    while (size > 0 && is_blank(m_line[size - 1]))
+      --size;
+    m_goes_on = size > 0 && m_line[size - 1] == '\\';
+    if (m_goes_on)
+      m_line = m_line.substr(0, size - 1);
+  }
 }
 
 bool Text_scanner::next_line()
 {
+  while (m_goes_on && m_next < m_text.size())
+    take_line();
+  m_line = {};
   while (m_next < m_text.size()) {
-    const std::size_t end = (std::min)(m_text.find('\n', m_next), m_text.size());
-    m_line = m_text.substr(m_next, end - m_next);
-    m_next = (std::min)(end + 1, m_text.size());
-    m_line_number = m_next_line_number++;
-    if (m_comment != no_comments)
-      m_line = m_line.substr(0, m_line.find(m_comment));
+    take_line();
     if (has_word())
       return true;
   }
-  m_line = {};
   return false;
 }
 
 bool Text_scanner::has_word()
 {
-  std::size_t start = 0;
-  while (start < m_line.size() && is_blank(m_line[start]))
-    ++start;
-  m_line.remove_prefix(start);
-  return !m_line.empty();
+  for (;;) {
+    std::size_t start = 0;
+    while (start < m_line.size() && is_blank(m_line[start]))
+      ++start;
+    m_line.remove_prefix(start);
+    if (!m_line.empty() || !m_goes_on || m_next == m_text.size())
+      return !m_line.empty();
+    take_line();
+  }
 }
 
 std::string_view Text_scanner::word()
@@ -104,6 +125,12 @@ std::int64_t Text_scanner::integer(std::string_view word, const char* what) cons
   if (error != std::errc() || end != digits.data() + digits.size())
     fail(in_quotes(word) + " is not " + what);
   return value;
+}
+
+std::string_view without_byte_order_mark(std::string_view text)
+{
+  constexpr std::string_view mark = "\xef\xbb\xbf";
+  return text.substr(text.substr(0, mark.size()) == mark ? mark.size() : 0);
 }
 
 std::string in_quotes(std::string_view word)

@@ -10,16 +10,19 @@
 
 namespace segment_mesh {
 
-/// Reads words line by line, and fails with the line that it stands on.
+/// Reads words line by line, and fails with the line that it stands on. A byte order mark before the text is skipped.
 class Text_scanner
 {
 public:
   static constexpr char no_comments = '\0';
 
+  /// Whether a line that ends with a backslash goes on with the next one.
+  enum class Continuation { NONE, BACKSLASH };
+
   /// `file` names the file in messages; `text` must live as long as the scanner. What follows
-  /// `comment` on a line is not seen. `first_line` is the number of the first line of `text`.
+  /// `comment` on a line is not seen.
   Text_scanner(const std::string& file, std::string_view text, char comment,
-               std::size_t first_line = 1);
+               Continuation continuation = Continuation::NONE);
 
   /// Goes to the next line that has a word; false, and at the last line, if there is none.
   bool next_line();
@@ -33,6 +36,8 @@ public:
   std::size_t line_number() const { return m_line_number; }
   /// Where the line after this one starts.
   std::size_t offset_of_next_line() const { return m_next; }
+  /// How many bytes are left, from the line after this one.
+  std::size_t available() const { return m_text.size() - m_next; }
 
   /// \throws Input_error naming file and line
   [[noreturn]] void fail(const std::string& cause) const;
@@ -45,15 +50,20 @@ public:
   std::int64_t integer(std::string_view word, const char* what) const;
 
 private:
+  void take_line();
+
   std::string m_file;
   std::string_view m_text;
   char m_comment;
+  Continuation m_continuation;
   std::string_view m_line; // what is left of this line
-  std::size_t m_next = 0;
-  std::size_t m_line_number;
-  std::size_t m_next_line_number;
+  bool m_goes_on = false;  // this line, on the next one
+  std::size_t m_next;
+  std::size_t m_line_number = 1, m_next_line_number = 1;
 };
 
+/// The text without a byte order mark before it.
+std::string_view without_byte_order_mark(std::string_view text);
 /// A word in quotes, shortened if it is long.
 std::string in_quotes(std::string_view word);
 /// "1 face", "2 faces".

@@ -3,6 +3,8 @@
 #ifndef CGAL_REGION_SEGMENTATION_SEGMENT_MESH_READ_MESH_H
 #define CGAL_REGION_SEGMENTATION_SEGMENT_MESH_READ_MESH_H
 
+#include "io/Mesh_format.h"
+#include "io/read_soup.h"
 #include "soup/Polygon_soup.h"
 
 #include <cstddef>
@@ -19,17 +21,19 @@ struct Input_mesh
   std::optional<Polygon_soup> other_soup;       ///< what is segmented, if it is not `soup`
   std::vector<std::size_t> mesh_face_of_face;   ///< for each face of `soup`, one of `mesh_soup()`
   std::vector<std::size_t> point_of_mesh_point; ///< for each of `mesh_soup()`, its place in `soup`
-  std::vector<std::string> remarks;             ///< what the user should know, a line each
+  Remarks remarks;
 
   /// What is segmented: an oriented 2-manifold, without points that no face uses.
   const Polygon_soup& mesh_soup() const { return other_soup ? *other_soup : soup; }
 };
 
-/// Reads a .off, .obj, .ply or .stl file by \cgal. A mesh that is not an oriented 2-manifold is
-/// repaired by \cgal's polygon soup functions, with a remark; the equal points of an STL file are
-/// merged.
+/// Reads a .off, .obj, .ply or .stl file, also one that gzip has compressed, or standard input for `-`. A mesh that is
+/// not an oriented 2-manifold is repaired by \cgal's polygon soup functions, with a remark; the equal points of an
+/// STL file are merged.
+///
+/// \param format if empty, the one that the ending names
 /// \throws Input_error naming file, line if known, and cause
-Input_mesh read_mesh(const std::string& file);
+Input_mesh read_mesh(const std::string& file, std::optional<Mesh_format> format = std::nullopt);
 
 /// The same for a soup that is in memory already; `name` stands for the file.
 /// \throws Input_error if no face is left by repair

@@ -55,8 +55,8 @@ Corners collect_corners(const Polygon_soup& soup)
 }
 
 /// Whether the faces at a point are one fan, whose edges are all different. Across the edge to its
-/// previous point a face has the one for which that is the next point.
-bool is_fan(Corner* begin, Corner* end)
+/// previous point a face has the one for which that is the next point. `is_led_to` is a buffer.
+bool is_fan(Corner* begin, Corner* end, std::vector<char>& is_led_to)
 {
   if (begin == end)
     return true;
@@ -71,7 +71,7 @@ bool is_fan(Corner* begin, Corner* end)
     return found != end && found->next == wanted.next ? found : end;
   };
   // A fan with two ends is walked from the face that no other one leads to.
-  std::vector<bool> is_led_to(std::size_t(end - begin));
+  is_led_to.assign(std::size_t(end - begin), false);
   for (Corner* corner = begin; corner != end; ++corner)
     if (Corner* const other = across(corner); other != end)
       is_led_to[std::size_t(other - begin)] = true;
@@ -93,8 +93,9 @@ bool is_oriented_manifold(const Polygon_soup& soup)
       return false;
   Corners corners = collect_corners(soup);
   Corner* const all = corners.corners.data();
+  std::vector<char> buffer;
   for (std::size_t point = 0; point < soup.points.size(); ++point)
-    if (!is_fan(all + corners.first[point], all + corners.first[point + 1]))
+    if (!is_fan(all + corners.first[point], all + corners.first[point + 1], buffer))
       return false;
   return true;
 }

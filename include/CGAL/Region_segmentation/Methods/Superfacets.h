@@ -33,7 +33,7 @@ namespace Region_segmentation {
 /// `Mesh_patches`) belongs to the nearest seed. A model of `RegionInitializer`. Constrained edges are never crossed.
 ///
 /// A step between two adjacent patches has the length \f$|c_i - c_j| / \sqrt{A} + w \, \min(\delta^+, m)\f$, rounded to
-/// `float` and at least \f$10^{-37}\f$, \f$c\f$ the centroids, \f$A\f$ the area of the surface, \f$\delta^+\f$ the
+/// `float`, at least \f$10^{-37}\f$ and at most \f$10^{28}\f$, \f$c\f$ the centroids, \f$A\f$ the area of the surface, \f$\delta^+\f$ the
 /// angle of their normals if they face each other, \f$(n_j - n_i) \cdot (c_j - c_i) < 0\f$, else 0. Distances are sums
 /// of steps in `double`. The first seed is the patch farthest from the centroid of the surface, each further one the
 /// patch farthest from all seeds so far; of several, the lower one. A patch belongs to the nearest seed; of several at
@@ -135,11 +135,12 @@ private:
     return internal::Border_shortening(internal::border_costs(mesh, patches, concave_gain, maximum_deviation), seeding.regions()).take_regions();
   }
 
-  /// At least the smallest float, so that only seeds have the distance 0.
+  /// At least the smallest float, so that only seeds have the distance 0; and so short that a path along all faces is
+  /// finite in float, so that every face of a component is reached.
   double step(const Flat_mesh& mesh, double distance, double concavity) const
   {
-    return (std::max)(distance / mesh.relative_unit() + concave_weight * (std::min)(concavity, maximum_deviation),
-                      shortest_step);
+    const double length = distance / mesh.relative_unit() + concave_weight * (std::min)(concavity, maximum_deviation);
+    return (std::min)((std::max)(length, shortest_step), longest_step);
   }
 
   /// The face of each region nearest to its centroid.
@@ -178,7 +179,7 @@ private:
     return farthest;
   }
 
-  static constexpr double shortest_step = 1e-37;
+  static constexpr double shortest_step = 1e-37, longest_step = 1e28;
 };
 
 } // namespace Region_segmentation

@@ -1,37 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "io/diagnose_input.h"
+#include "io/load_bytes.h"
 
-#include "io/Text_scanner.h"
+#include "io/Mesh_format.h"
 #include "io/errors.h"
+#include "io/inflate.h"
 
-#include <cctype>
 #include <cerrno>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <system_error>
 
 namespace segment_mesh {
 
+namespace {
+
 namespace fs = std::filesystem;
 
-Mesh_format mesh_format(const std::string& file)
-{
-  std::string ending = fs::path(file).extension().string();
-  for (char& c : ending)
-    c = char(std::tolower(static_cast<unsigned char>(c)));
-  if (ending == ".off")
-    return Mesh_format::OFF;
-  if (ending == ".obj")
-    return Mesh_format::OBJ;
-  if (ending == ".ply")
-    return Mesh_format::PLY;
-  if (ending == ".stl")
-    return Mesh_format::STL;
-  throw Input_error(file, "unknown ending " + in_quotes(ending) + ", not .off, .obj, .ply or .stl");
-}
-
-std::string load_file(const std::string& file)
+void check_regular_file(const std::string& file)
 {
   std::error_code error;
   const fs::file_status status = fs::status(file, error);
@@ -43,7 +30,11 @@ std::string load_file(const std::string& file)
     throw Input_error(file, "is a directory");
   if (!fs::is_regular_file(status))
     throw Input_error(file, "is not a regular file");
+}
 
+std::string load_file(const std::string& file)
+{
+  check_regular_file(file);
   std::ifstream in(file, std::ios::binary | std::ios::ate);
   if (!in)
     throw Input_error(file, "cannot be opened: " + std::generic_category().message(errno));
@@ -55,23 +46,33 @@ std::string load_file(const std::string& file)
                               ? "was cut off while it was read: " + std::to_string(in.gcount()) +
                                   " of " + std::to_string(bytes.size()) + " bytes"
                               : "cannot be read: " + std::generic_category().message(errno));
-  if (bytes.empty())
-    throw Input_error(file, "is empty");
   return bytes;
 }
 
-std::string diagnose_input(const std::string& file, Mesh_format format, std::string bytes)
+std::string load_standard_input()
 {
-  switch (format) {
-  case Mesh_format::OFF:
-    return diagnose_off(file, std::move(bytes));
-  case Mesh_format::OBJ:
-    return diagnose_obj(file, bytes);
-  case Mesh_format::PLY:
-    return diagnose_ply(file, bytes);
-  case Mesh_format::STL:
-    return diagnose_stl(file, std::move(bytes));
-  }
+  constexpr std::size_t block_size = std::size_t(1) << 20;
+  std::string bytes;
+  std::size_t size = 0;
+  do {
+    bytes.resize(size + block_size);
+    size += std::fread(&bytes[size], 1, block_size, stdin);
+  } while (size == bytes.size());
+  if (std::ferror(stdin))
+    throw Input_error(standard_input, "cannot be read: " + std::generic_category().message(errno));
+  bytes.resize(size);
+  return bytes;
+}
+
+} // namespace
+
+std::string load_bytes(const std::string& file)
+{
+  std::string bytes = file == standard_input ? load_standard_input() : load_file(file);
+  if (is_gzip(bytes))
+    bytes = inflate(file, bytes);
+  if (bytes.empty())
+    throw Input_error(file, "is empty");
   return bytes;
 }
 

@@ -1,0 +1,23 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+import os
+
+from pybind11.setup_helpers import Pybind11Extension
+from setuptools import setup
+
+folder = os.path.dirname(os.path.abspath(__file__))
+library = os.path.join(folder, "..", "..", "include")
+
+setup(
+    ext_modules=[
+        Pybind11Extension(
+            "region_segmentation",
+            ["region_segmentation.cpp"],
+            include_dirs=[os.path.relpath(library, folder), "/usr/include/eigen3"],
+            libraries=["gmp", "mpfr"],
+            define_macros=[("NDEBUG", None)],
+            extra_compile_args=["-O2"],
+            cxx_std=17,
+        )
+    ]
+)

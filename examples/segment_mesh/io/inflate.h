@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_SEGMENT_MESH_INFLATE_H
+#define CGAL_REGION_SEGMENTATION_SEGMENT_MESH_INFLATE_H
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace segment_mesh {
+
+/// Whether the bytes start as those of a gzip file do. No text and no format of a mesh starts so.
+bool is_gzip(std::string_view bytes);
+
+/// A gzip file of a mesh becomes 2 to 30 times as large. What becomes larger than this factor was made to exhaust
+/// the memory, and is refused.
+constexpr std::size_t largest_inflation = 100;
+constexpr std::size_t least_refused_size = std::size_t(1) << 20; ///< what stays below does no harm
+
+/// What a gzip file holds, by zlib; several of them in succession hold what they hold together.
+/// \throws Input_error if the file is damaged, cut off, or grows too much
+std::string inflate(const std::string& file, std::string_view bytes);
+
+} // namespace segment_mesh
+
+#endif // CGAL_REGION_SEGMENTATION_SEGMENT_MESH_INFLATE_H

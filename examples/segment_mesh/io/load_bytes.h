@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_SEGMENT_MESH_LOAD_BYTES_H
+#define CGAL_REGION_SEGMENTATION_SEGMENT_MESH_LOAD_BYTES_H
+
+#include <string>
+
+namespace segment_mesh {
+
+/// The bytes of a regular file, or of standard input for `-`; inflated if they are those of a gzip file.
+/// \throws Input_error also if there are none
+std::string load_bytes(const std::string& file);
+
+} // namespace segment_mesh
+
+#endif // CGAL_REGION_SEGMENTATION_SEGMENT_MESH_LOAD_BYTES_H

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "io/Ply_binary.h"
+#include "io/Ply_header.h"
+#include "io/Ply_text.h"
+#include "io/read_soup.h"
+
+#include <algorithm>
+
+namespace segment_mesh {
+
+namespace {
+
+/// Reads the data of a file. `Values` knows how values stand in it: `Ply_text` or `Ply_binary`.
+template <typename Values>
+class Ply_reader
+{
+public:
+  Ply_reader(const Ply_header& header, Values values)
+      : m_header(header), m_values(std::move(values))
+  {
+  }
+
+  Polygon_soup read()
+  {
+    for (const Ply_element& element : m_header.elements) {
+      reserve(element);
+      for (std::uint64_t item = 0; item < element.count; ++item) {
+        m_values.start(element, item);
+        Point point{};
+        for (const Ply_property& property : element.properties)
+          read_property(property, point);
+        if (element.is_vertex())
+          m_soup.points.push_back(point);
+      }
+    }
+    return std::move(m_soup);
+  }
+
+private:
+  void reserve(const Ply_element& element)
+  {
+    std::size_t least_size = 0;
+    for (const Ply_property& property : element.properties)
+      least_size += Values::least_size_of(property.is_list ? property.size_type : property.type);
+    if (least_size == 0)
+      return;
+    const std::size_t size = bounded(element.count, least_size);
+    if (element.is_vertex())
+      m_soup.points.reserve(m_soup.points.size() + size);
+    if (element.is_face())
+      m_soup.polygons.reserve(m_soup.polygons.size() + size);
+  }
+
+  /// A number of things, as far as the file can hold them.
+  std::size_t bounded(std::uint64_t number, std::size_t least_size) const
+  {
+    return std::size_t((std::min)(number, std::uint64_t(m_values.available() / least_size)));
+  }
+
+  void read_property(const Ply_property& property, Point& point)
+  {
+    const std::int64_t size = property.is_list ? m_values.integer(property.size_type) : 1;
+    if (property.role == Ply_role::CORNERS)
+      read_face(property.type, size);
+    else if (size < 0)
+      m_values.fail("a list of " + std::to_string(size) + " values");
+    else if (property.role == Ply_role::NONE)
+      m_values.skip(property.type, std::uint64_t(size));
+    else
+      point[std::size_t(property.role)] = m_values.coordinate(property);
+  }
+
+  void read_face(Ply_type type, std::int64_t size)
+  {
+    if (size < 3)
+      m_values.fail("a face with " + std::to_string(size) + " vertices, fewer than 3");
+    Polygon_soup::Polygon& polygon = m_soup.polygons.emplace_back();
+    polygon.reserve(bounded(std::uint64_t(size), Values::least_size_of(type)));
+    for (std::int64_t i = 0; i < size; ++i) {
+      const std::int64_t index = m_values.integer(type);
+      if (index < 0 || std::uint64_t(index) >= m_header.number_of_vertices)
+        m_values.fail("index " + std::to_string(index) + " is out of range: there are " +
+                      counted(std::size_t(m_header.number_of_vertices), "vertex") + ", from 0");
+      polygon.push_back(std::size_t(index));
+    }
+  }
+
+  const Ply_header& m_header;
+  Values m_values;
+  Polygon_soup m_soup;
+};
+
+} // namespace
+
+Polygon_soup read_ply(const std::string& file, std::string_view bytes)
+{
+  Text_scanner scan(file, bytes, Text_scanner::no_comments);
+  const Ply_header header = read_ply_header(file, scan);
+  if (header.format == Ply_format::ASCII)
+    return Ply_reader<Ply_text>(header, Ply_text(std::move(scan))).read();
+  const std::string_view data = bytes.substr(scan.offset_of_next_line());
+  return Ply_reader<Ply_binary>(header, Ply_binary(file, data, header.format)).read();
+}
+
+} // namespace segment_mesh

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Any valid half-edge mesh with any coordinates: every method gives connected segments, numbered by their first faces.
+
+#include "Bytes.h"
+#include "require.h"
+
+#include <CGAL/Region_segmentation/Methods/Learned_merging.h>
+#include <CGAL/Region_segmentation/Methods/Two_step.h>
+#include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
+#include <CGAL/Region_segmentation/segment.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/Euler_operations.h>
+
+#include <cmath>
+#include <set>
+
+namespace RS = CGAL::Region_segmentation;
+
+namespace {
+
+using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+using Labels = std::vector<std::size_t>;
+
+/// Points, then polygons on them; those that would not leave a 2-manifold are left out.
+Mesh mesh_from(Bytes& bytes)
+{
+  Mesh mesh;
+  for (std::size_t i = 0, n = 3 + bytes.below(62); i < n; ++i) {
+    const double x = bytes.number(), y = bytes.number(), z = bytes.number();
+    mesh.add_vertex({x, y, z});
+  }
+  while (!bytes.empty()) {
+    std::vector<Mesh::Vertex_index> corners;
+    for (std::size_t i = 0, n = 3 + bytes.below(4); i < n; ++i)
+      corners.emplace_back(
+        Mesh::Vertex_index(Mesh::size_type(bytes.below(mesh.number_of_vertices()))));
+    if (std::set<Mesh::Vertex_index>(corners.begin(), corners.end()).size() == corners.size() &&
+        CGAL::Euler::can_add_face(corners, mesh))
+      CGAL::Euler::add_face(corners, mesh);
+  }
+  return mesh;
+}
+
+bool has_only_finite_points(const Mesh& mesh)
+{
+  for (const auto v : mesh.vertices()) {
+    const auto& p = mesh.point(v);
+    if (!mesh.is_isolated(v) &&
+        !(std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z())))
+      return false;
+  }
+  return true;
+}
+
+/// The faces that can be reached from `start` without leaving its label; marks them as seen.
+void visit(const Mesh& mesh, const Labels& labels, Mesh::Face_index start,
+           std::vector<bool>& is_seen)
+{
+  std::vector<Mesh::Face_index> todo = {start};
+  is_seen[start] = true;
+  while (!todo.empty()) {
+    const Mesh::Face_index face = todo.back();
+    todo.pop_back();
+    for (const auto h : mesh.halfedges_around_face(mesh.halfedge(face))) {
+      const Mesh::Face_index other = mesh.face(mesh.opposite(h));
+      if (other != Mesh::null_face() && !is_seen[other] && labels[other] == labels[face]) {
+        is_seen[other] = true;
+        todo.push_back(other);
+      }
+    }
+  }
+}
+
+/// Labels are 0 to n - 1 in the order of their first faces, each of one connected part.
+void check_labels(const Mesh& mesh, const Labels& labels, std::size_t n)
+{
+  std::vector<bool> is_seen(mesh.number_of_faces());
+  std::size_t number_of_parts = 0;
+  for (const auto face : mesh.faces()) {
+    if (is_seen[face])
+      continue;
+    require(labels[face] == number_of_parts, "parts are numbered by first face");
+    ++number_of_parts;
+    visit(mesh, labels, face, is_seen);
+  }
+  require(number_of_parts == n, "as many parts as said");
+}
+
+std::size_t number_of_components(const Mesh& mesh)
+{
+  std::vector<bool> is_seen(mesh.number_of_faces());
+  const Labels one(mesh.number_of_faces());
+  std::size_t number = 0;
+  for (const auto face : mesh.faces())
+    if (!is_seen[face]) {
+      ++number;
+      visit(mesh, one, face, is_seen);
+    }
+  return number;
+}
+
+template <typename Method>
+void check_method(const Mesh& mesh, const Method& method, std::size_t k)
+{
+  constexpr bool gives_any_number = !std::is_same<Method, RS::Two_step>::value;
+  Labels labels(mesh.number_of_faces()), again(labels);
+  const auto map = [&mesh](Labels& l) {
+    return boost::make_iterator_property_map(l.begin(), get(boost::face_index, mesh));
+  };
+  const auto np = RS::parameters::method(method);
+  try {
+    const std::size_t n = RS::segment(mesh, map(labels), np.number_of_segments(k));
+    check_labels(mesh, labels, n);
+    require(n <= (std::max)(k, number_of_components(mesh)), "no more segments than asked for");
+    if (gives_any_number)
+      require(n >= (std::min)(k, std::size_t(mesh.number_of_faces())),
+              "no fewer segments than asked for");
+    require(RS::segment(mesh, map(again), np.number_of_segments(k)) == n && again == labels,
+            "twice the same");
+    if constexpr (gives_any_number)
+      check_labels(mesh, labels, RS::segment(mesh, map(labels), np));
+    require(has_only_finite_points(mesh), "a point that is not finite is refused");
+  } catch (const RS::Invalid_input& error) {
+    require(!has_only_finite_points(mesh), error.what());
+  }
+}
+
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+  Bytes bytes(data, size);
+  const std::size_t k = 1 + bytes.below(16);
+  const Mesh mesh = mesh_from(bytes);
+  check_method(mesh, RS::Two_step(), k);
+  check_method(mesh, RS::Visibility_merging(), k);
+  check_method(mesh, RS::Learned_merging(), k);
+  return 0;
+}

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// write_seeds DIR: a folder of first inputs for each fuzz target.
+
+#include "sample_files.h"
+#include "soup/Polygon_soup.h"
+
+#include <zlib.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+using sample::with;
+using segment_mesh::Polygon_soup;
+
+namespace {
+
+class Corpus
+{
+public:
+  Corpus(const std::filesystem::path& root, const std::string& target) : m_folder(root / target)
+  {
+    std::filesystem::create_directories(m_folder);
+  }
+
+  void add(const std::string& bytes)
+  {
+    std::ofstream(m_folder / std::to_string(m_size++), std::ios::binary) << bytes;
+  }
+
+private:
+  std::filesystem::path m_folder;
+  int m_size = 0;
+};
+
+void write_off(Corpus corpus)
+{
+  corpus.add(sample::off());
+  corpus.add(with(sample::off(), "OFF\n4 4 0", "OFF4 4 0"));
+  corpus.add("4OFF\n3 1 0 # x\n0 0 0 1\n2 0 0 2\n0 1e-3 +0.5E1 1\n3 0 1 2 255 0 0\n");
+  corpus.add("STCNOFF\r\n3 1 0\r\n0 0 0 0 0 1\r\n1 0 0 0 0 1\r\n0 1 0 0 0 1\r\n3 0 1 2\r\n");
+}
+
+void write_obj(Corpus corpus)
+{
+  corpus.add(sample::obj());
+  corpus.add("\xef\xbb\xbf# x\nmtllib a\no b\nv 0 0 0 1 0 0\nvt 0 0\nvn 0 0 1\nv 1 0 \\\n0\nv 0 1 "
+             "0\nf -3/1/1 2//1 3/1\nhello\n");
+}
+
+void write_ply(Corpus corpus)
+{
+  corpus.add(sample::ply());
+  for (const char* format : {"binary_little_endian", "binary_big_endian"}) {
+    corpus.add(sample::binary_ply(format));
+    corpus.add(with(sample::binary_ply(format), "element vertex",
+                    "element empty 0\nproperty list int double a\nelement vertex"));
+  }
+  for (const char* type : {"char", "ushort", "int", "uint32", "float64"})
+    corpus.add(with(sample::ply(), "float x", std::string(type) + " x"));
+  corpus.add("ply\nformat ascii 1.0\ncomment x\nobj_info y\nelement vertex 3\nproperty uchar "
+             "r\nproperty double x\n"
+             "property double y\nproperty double z\nelement face 1\nproperty list uchar float uv\n"
+             "property list short ushort vertex_index\nend_header\n1 0 0 0\n1 1 0 0\n1 0 1 0\n2 "
+             "0.5 0.5 3 0 1 2\n");
+}
+
+void write_stl(Corpus corpus)
+{
+  corpus.add(sample::stl());
+  corpus.add(sample::binary_stl());
+  corpus.add(sample::binary_stl("solid"));
+}
+
+void write_gzip(Corpus corpus, const std::filesystem::path& root)
+{
+  const std::string file = (root / "x.gz").string();
+  const gzFile out = gzopen(file.c_str(), "wb");
+  gzwrite(out, sample::off().data(), unsigned(sample::off().size()));
+  gzclose(out);
+  std::ifstream in(file, std::ios::binary);
+  const std::string bytes(std::istreambuf_iterator<char>(in), {});
+  corpus.add(bytes);
+  corpus.add(bytes + bytes);
+  std::filesystem::remove(file);
+}
+
+void write_labels(Corpus corpus)
+{
+  corpus.add("0\n1\n1\n0\n");
+  corpus.add(" -7 \r\n9223372036854775807\n\n\n");
+}
+
+void write_command_lines(Corpus corpus)
+{
+  corpus.add("a.off");
+  corpus.add("a.off\nb.ply.gz\n-k\n7\n-o\nparts/{stem}.obj\n--quiet\n--threads\n2");
+  corpus.add("-\n--input-format\nstl\n-k\n3\n--method\ntwo-step\n--features\nall\n--max-angle\n20."
+             "5\n-o\n{stem}.json");
+  corpus.add("a.obj\n--truth\n{stem}.seg\n--truth\nb.seg\n--mesh\npolyhedron\n--method="
+             "visibility\n-o=x.png\n-o\nx.seg\n-o\nx.off");
+  corpus.add("--help");
+  corpus.add("--version");
+}
+
+/// Whether the face from a to b closes where the rows end.
+Polygon_soup grid(std::size_t n, bool is_closed, bool has_triangles)
+{
+  Polygon_soup soup;
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j) {
+      const double u = 2 * 3.14159 * double(i) / double(n), v = 2 * 3.14159 * double(j) / double(n);
+      if (is_closed)
+        soup.points.push_back({std::round((70 + 30 * std::cos(v)) * std::cos(u)),
+                               std::round((70 + 30 * std::cos(v)) * std::sin(u)),
+                               std::round(30 * std::sin(v))});
+      else
+        soup.points.push_back({double(10 * i), double(10 * j), double(7 * i * j % 13)});
+    }
+  for (std::size_t i = 0, end = is_closed ? n : n - 1; i < end; ++i)
+    for (std::size_t j = 0; j < end; ++j) {
+      const std::size_t a = i * n + j, b = (i + 1) % n * n + j, c = (i + 1) % n * n + (j + 1) % n,
+                        d = i * n + (j + 1) % n;
+      if (has_triangles)
+        soup.polygons.insert(soup.polygons.end(), {{a, b, c}, {a, c, d}});
+      else
+        soup.polygons.push_back({a, b, c, d});
+    }
+  return soup;
+}
+
+Polygon_soup fan(std::size_t n)
+{
+  Polygon_soup soup;
+  soup.points.push_back({0, 0, 50});
+  for (std::size_t i = 0; i < n; ++i) {
+    soup.points.push_back({std::round(100 * std::cos(6.28 * double(i) / double(n))),
+                           std::round(100 * std::sin(6.28 * double(i) / double(n))),
+                           double(20 * (i % 2))});
+    soup.polygons.push_back({0, i + 1, (i + 1) % n + 1});
+  }
+  return soup;
+}
+
+Polygon_soup tetrahedra(std::size_t n)
+{
+  Polygon_soup soup;
+  for (std::size_t i = 0; i < n; ++i) {
+    for (const auto& p : sample::points)
+      soup.points.push_back({10 * p[0] + 15 * double(i), 10 * p[1], 10 * p[2]});
+    for (const auto& f : sample::faces)
+      soup.polygons.push_back(
+        {4 * i + std::size_t(f[0]), 4 * i + std::size_t(f[1]), 4 * i + std::size_t(f[2])});
+  }
+  return soup;
+}
+
+/// As `Bytes` is asked for a soup: the points, then the polygons until the end. The scale of every number has index 0.
+std::string encoded(const Polygon_soup& soup, std::size_t least_number_of_points)
+{
+  std::string bytes(1, char(soup.points.size() - least_number_of_points));
+  for (const auto& p : soup.points)
+    for (const double x : p)
+      bytes += {char(0), char(int(x) + 128)};
+  for (const auto& polygon : soup.polygons) {
+    bytes += char(polygon.size() - 3);
+    for (const std::size_t i : polygon)
+      bytes += char(i);
+  }
+  return bytes;
+}
+
+void write_soups(Corpus corpus)
+{
+  for (const Polygon_soup& soup :
+       {tetrahedra(1), tetrahedra(7), grid(5, true, true), grid(5, false, false), fan(30)})
+    corpus.add(encoded(soup, 1));
+}
+
+void write_meshes(Corpus corpus)
+{
+  for (const Polygon_soup& soup :
+       {tetrahedra(1), tetrahedra(15), grid(8, true, true), grid(8, true, false),
+        grid(8, false, true), grid(7, false, false), fan(60)})
+    for (const char k : {1, 5})
+      corpus.add(std::string(1, k) + encoded(soup, 3));
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  if (argc != 2)
+    return 2;
+  const std::filesystem::path root = argv[1];
+  write_off({root, "read_off"});
+  write_obj({root, "read_obj"});
+  write_ply({root, "read_ply"});
+  write_stl({root, "read_stl"});
+  write_gzip({root, "inflate_gzip"}, root);
+  write_labels({root, "read_labels"});
+  write_command_lines({root, "command_line"});
+  write_soups({root, "repair_soup"});
+  write_meshes({root, "segment_mesh"});
+}

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Inputs that gzip has compressed.
+
+#include "Temporary_folder.h"
+#include "io/errors.h"
+#include "io/inflate.h"
+#include "io/load_bytes.h"
+
+#include <zlib.h>
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+using namespace segment_mesh;
+
+namespace {
+
+/// By zlib's functions for files, which the program does not use.
+std::string compressed(const Temporary_folder& folder, const std::string& bytes)
+{
+  const gzFile file = gzopen(folder.path("compressed").c_str(), "wb");
+  gzwrite(file, bytes.data(), unsigned(bytes.size()));
+  gzclose(file);
+  return folder.read("compressed");
+}
+
+std::string random_text(std::size_t size)
+{
+  std::mt19937 random(size);
+  std::string text;
+  while (text.size() < size)
+    text += std::to_string(random() % 1000) + " ";
+  return text;
+}
+
+std::string message(const std::string& bytes)
+{
+  try {
+    inflate("x", bytes);
+  } catch (const Input_error& error) {
+    return error.what();
+  }
+  return "was inflated";
+}
+
+TEST(Gzip, is_inflated)
+{
+  const Temporary_folder folder;
+  for (const std::size_t size : {1, 1000, 5000000}) {
+    const std::string text = random_text(size);
+    const std::string bytes = compressed(folder, text);
+    EXPECT_TRUE(is_gzip(bytes));
+    EXPECT_FALSE(is_gzip(text));
+    EXPECT_TRUE(inflate("x", bytes) == text) << size;
+    EXPECT_TRUE(load_bytes(folder.write("a.off.gz", bytes)) == text) << size;
+    EXPECT_TRUE(load_bytes(folder.write("a.off", bytes)) == text)
+      << "an ending that says nothing of it";
+  }
+}
+
+TEST(Gzip, is_inflated_in_several_members)
+{
+  const Temporary_folder folder;
+  EXPECT_EQ(inflate("x", compressed(folder, "OFF\n") + compressed(folder, "1 2 3\n")),
+            "OFF\n1 2 3\n");
+}
+
+TEST(Gzip, is_told_where_it_is_damaged)
+{
+  const Temporary_folder folder;
+  const std::string bytes = compressed(folder, random_text(100000));
+  for (std::size_t size = 2; size < bytes.size(); size += 1 + size / 10)
+    EXPECT_EQ(message(bytes.substr(0, size)), "x: is a gzip file that is cut off") << size;
+  std::string damaged = bytes;
+  damaged[damaged.size() / 2] = char(~damaged[damaged.size() / 2]);
+  EXPECT_EQ(message(damaged), "x: is a damaged gzip file");
+  EXPECT_EQ(message(bytes + "and more"), "x: is a damaged gzip file");
+}
+
+TEST(Gzip, is_refused_where_it_exhausts_the_memory)
+{
+  const Temporary_folder folder;
+  EXPECT_EQ(message(compressed(folder, std::string(200000000, '0'))),
+            "x: is a gzip file that grows by more than 100 times");
+  EXPECT_EQ(inflate("x", compressed(folder, std::string(1000000, '0'))).size(), 1000000u);
+}
+
+TEST(Gzip, is_told_where_it_is_empty)
+{
+  const Temporary_folder folder;
+  const std::string file = folder.write("a.off.gz", compressed(folder, ""));
+  try {
+    load_bytes(file);
+    ADD_FAILURE() << "was read";
+  } catch (const Input_error& error) {
+    EXPECT_EQ(error.what(), file + ": is empty");
+  }
+}
+
+} // namespace

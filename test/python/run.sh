@@ -1,0 +1,19 @@
+#!/bin/sh
+# run.sh DIR SOURCE: installs the Python module from SOURCE into DIR by pip, without a network, and tests it.
+#
+# Exit status 77: something that it needs is missing (Debian: python3-dev python3-numpy python3-pip
+# python3-pybind11 python3-pytest python3-setuptools).
+set -eu
+here=$(cd "$(dirname "$0")" && pwd)
+python=${PYTHON:-/usr/bin/python3}
+if ! "$python" -c 'import setuptools, pip, pybind11, numpy, pytest' 2>/dev/null; then
+  echo "Skipped: $python lacks one of setuptools, pip, pybind11, numpy, pytest"
+  exit 77
+fi
+# Built in a copy, since setuptools writes beside its sources.
+rm -rf "$1"
+mkdir -p "$1/source/examples"
+cp -r "$2/include" "$1/source/"
+cp -r "$2/examples/python" "$1/source/examples/"
+"$python" -m pip install --quiet --no-build-isolation --no-deps --no-index --target "$1/module" "$1/source/examples/python"
+PYTHONPATH=$1/module PYTHONDONTWRITEBYTECODE=1 "$python" -m pytest -q -p no:cacheprovider "$here"
