@@ -7,8 +7,9 @@
 set -eu
 root=$(cd "$(dirname "$0")/.." && pwd)
 
-sh "$root/cmake/install_packages.sh" g++ make cmake doxygen libcgal-dev libcgal-demo libeigen3-dev libgtest-dev \
-  libjs-mathjax libopenmesh-dev libcli11-dev libpng-dev libspectra-dev libtbb-dev libxgboost-dev parallel valgrind
+sh "$root/cmake/install_packages.sh" g++ make cmake chromium chromium-driver doxygen libboost-iostreams-dev libcgal-dev \
+  libcgal-demo libeigen3-dev libgtest-dev libjs-mathjax libjs-three libopenmesh-dev libcli11-dev libpng-dev libspectra-dev \
+  libtbb-dev libxgboost-dev nlohmann-json3-dev parallel python3-selenium python3-vtk9 valgrind
 
 build=$root/build-test
 if [ -n "${CGAL_DIR:-}" ]; then

@@ -3,6 +3,7 @@
 #ifndef CGAL_REGION_SEGMENTATION_SEGMENT_MESH_OPTIONS_H
 #define CGAL_REGION_SEGMENTATION_SEGMENT_MESH_OPTIONS_H
 
+#include "io/output_format.h"
 #include "segmentation/Segmentation_settings.h"
 
 #include <cstddef>
@@ -16,10 +17,12 @@ enum class Verbosity { NORMAL, QUIET };
 /// What the user asks for.
 struct Options
 {
-  std::vector<std::string> inputs; ///< none: the model that the program builds
-  std::vector<std::string> outputs;
+  std::vector<std::string> inputs;
+  bool is_demo = false; ///< the model that the program builds, instead of inputs
+  std::vector<Output> outputs;
   std::vector<std::string> truths;
-  Segmentation_settings settings; ///< all but `detail`
+  std::string labels; ///< a file; if it is not empty, nothing is segmented
+  Segmentation_settings settings;
   std::size_t number_of_threads = 0; ///< 0: one for each core
   Verbosity verbosity = Verbosity::NORMAL;
 };
