@@ -338,6 +338,8 @@ TEST_F(Program, writes_to_stdout)
   EXPECT_EQ(quiet.out, outcome.out);
   EXPECT_EQ(run("a.off -k 4 -o - -o b.seg --output-format seg").out, outcome.out);
   EXPECT_EQ(folder.read("b.seg"), outcome.out);
+  EXPECT_EQ(run("--demo -q -o - --output-format off 2>early | head -c 3").out, "OFF"); // the reader goes early
+  EXPECT_EQ(folder.read("early"), "");
   if (std::filesystem::exists("/dev/full"))
     EXPECT_EQ(run("a.off -q -k 4 -o - --output-format seg > /dev/full; exit $?; true").status, 1);
 }
@@ -400,6 +402,7 @@ TEST_F(Program, refuses_outputs_that_do_not_fit)
   expect_wrong_usage("a.off -k 2 -o '{segment}.png'", "{segment}.png: a file for each segment is .ply, .off, .obj or .vtp");
   expect_wrong_usage("a.off -k 2 -o '{segment}/b.ply'", "{segment}/b.ply: {segment} belongs to the name of the file, not of its "
                                                         "folder");
+  expect_wrong_usage("a.off -k 2 --borders -", "--borders -: borders are written to a file");
   expect_wrong_usage("a.off -k 2 --borders b.ply", "--borders b.ply: polylines are written as .obj or .vtp");
   expect_wrong_usage("a.off -k 2 --borders '{segment}.obj'", "--borders {segment}.obj: {segment} is for -o alone");
 }

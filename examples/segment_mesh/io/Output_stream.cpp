@@ -7,6 +7,7 @@
 #include <boost/iostreams/device/back_inserter.hpp>
 #include <boost/iostreams/filter/gzip.hpp>
 
+#include <cerrno>
 #include <iostream>
 
 namespace segment_mesh {
@@ -16,6 +17,7 @@ Output_stream::Output_stream(const std::string& file, Compression compression)
 {
   if (file != "-")
     m_file.emplace(file);
+  errno = 0;
   if (compression == Compression::NONE)
     return;
   m_compressor.emplace();
@@ -41,7 +43,7 @@ void Output_stream::commit()
   }
   if (m_file)
     m_file->commit();
-  else if (!std::cout.flush())
+  else if (!std::cout.flush() && errno != EPIPE) // that its reader goes early, as `head` does, is no failure
     throw Output_error(m_name, "cannot be written");
 }
 

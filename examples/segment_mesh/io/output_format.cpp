@@ -87,7 +87,9 @@ Output make_output(const std::string& file, Output_content content, const std::o
     output.compression = Compression::GZIP;
     name.replace_extension();
   }
-  if (!format && output.is_stdout())
+  if (output.is_stdout() && content == Output_content::BORDERS)
+    throw Usage_error("--borders -: borders are written to a file");
+  if (output.is_stdout() && !format)
     throw Usage_error("-o -: needs --output-format");
   output.format = format ? *format : format_of_ending(file, ending_of(name));
   check(output);
