@@ -362,6 +362,7 @@ class Page {
     };
     this.view.afterDrawing = () => { if (pointer && !down) point(pointer); };
     canvas.addEventListener("pointerdown", event => {
+      canvas.focus(); // so that a number that was typed counts
       down = {x: event.clientX, y: event.clientY};
       canvas.classList.add("turning");
       element("tip").hidden = true;

@@ -41,7 +41,7 @@ struct Segmentation
   std::vector<std::size_t> region_of_face; ///< a region lies in one segment
   /// Of the regions. Its partition into `number_of_segments` is `segment_of_face`; it has no merges where the
   /// segments are the regions.
-  CGAL::Region_segmentation::Merge_tree tree;
+  CGAL::Region_segmentation::Merge_tree tree{0};
   double seconds = 0; ///< from the mesh in memory to the labels
   std::vector<Stage_time> stages;
 };
