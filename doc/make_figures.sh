@@ -92,5 +92,5 @@ row failures 220 sphere planes noisy
 "$program" --quiet "$meshes/data/meshes/triceratops.off" -o "$work/triceratops.html"
 chromium --headless=new --no-sandbox --use-gl=angle --use-angle=swiftshader --enable-unsafe-swiftshader --hide-scrollbars \
   --window-size=1100,700 --virtual-time-budget=30000 --screenshot="$work/page.png" "file://$work/triceratops.html"
-convert "$work/page.png" -colors 255 "png8:$figures/page.png"
+convert "$work/page.png" +dither -colors 192 "png8:$figures/page.png"
 optipng -quiet -o5 -strip all "$figures/page.png"
