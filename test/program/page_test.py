@@ -103,11 +103,16 @@ class Page:
     def places(self):
         """For each segment that is seen, a place of the canvas where the page itself says that it is."""
         found = self.browser.execute_script(
-            """const page = window.page, box = document.getElementById("view").getBoundingClientRect(), found = {};
-               for (let y = 10; y < box.height; y += 16)
-                 for (let x = 10; x < box.width; x += 16) {
-                   const region = page.view.regionAt(x, y);
-                   if (region >= 0) (found[page.segmentOfRegion[region]] = found[page.segmentOfRegion[region]] || []).push([x, y]);
+            """const page = window.page, {view} = page, {width, height} = view.ids, bytes = new Uint8Array(4 * width * height);
+               view.draw();
+               view.renderer.readRenderTargetPixels(view.ids, 0, 0, width, height, bytes);
+               const found = {}, ratio = view.renderer.getPixelRatio();
+               for (let row = 8; row < height; row += 16)
+                 for (let column = 8; column < width; column += 16) {
+                   const at = 4 * (row * width + column), region = bytes[at] + 256 * bytes[at + 1] - 1;
+                   if (region < 0) continue;
+                   const segment = page.segmentOfRegion[region];
+                   (found[segment] = found[segment] || []).push([column / ratio, (height - 1 - row) / ratio].map(Math.round));
                  }
                return found;""")
         return {int(segment): places[len(places) // 2] for segment, places in found.items()}
