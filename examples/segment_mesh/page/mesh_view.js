@@ -71,7 +71,7 @@ class MeshView {
     this.controls.minDistance = 0.3 * this.radius;
     this.controls.maxDistance = 30 * this.radius;
     this.controls.target.copy(this.center);
-    this.controls.addEventListener("change", () => { this.isStale = true; });
+    this.controls.addEventListener("change", () => { this.areIdsStale = this.isStale = true; });
   }
 
   resize() {
@@ -87,7 +87,7 @@ class MeshView {
     this.camera.updateProjectionMatrix();
     if (!this.isPlaced) this.place();
     this.controls.handleResize();
-    this.isStale = true;
+    this.areIdsStale = this.isStale = true;
   }
 
   /// Where the whole mesh is seen, with a margin.
@@ -120,11 +120,14 @@ class MeshView {
   draw() {
     this.isStale = false;
     const renderer = this.renderer;
-    renderer.setRenderTarget(this.ids);
     renderer.setClearColor(0x000000, 0);
-    renderer.clear();
-    renderer.render(this.regions, this.camera);
-    renderer.setRenderTarget(null);
+    if (this.areIdsStale) {
+      renderer.setRenderTarget(this.ids);
+      renderer.clear();
+      renderer.render(this.regions, this.camera);
+      renderer.setRenderTarget(null);
+      this.areIdsStale = false;
+    }
     renderer.clear();
     renderer.render(this.surface, this.camera);
     renderer.render(this.lines.scene, this.camera);
@@ -133,7 +136,7 @@ class MeshView {
 
   /// The region at a place of the canvas, -1 of the background.
   regionAt(x, y) {
-    if (this.isStale) this.draw();
+    if (this.areIdsStale) this.draw();
     const ratio = this.renderer.getPixelRatio(), pixel = new Uint8Array(4);
     this.renderer.readRenderTargetPixels(this.ids, Math.floor(x * ratio), this.ids.height - 1 - Math.floor(y * ratio), 1, 1, pixel);
     return pixel[0] + 256 * pixel[1] + 65536 * pixel[2] - 1;
