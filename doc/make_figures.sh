@@ -7,7 +7,7 @@ root=$(cd "$(dirname "$0")/.." && pwd)
 program=${1:-$root/build/bin/segment_mesh}
 figures=$root/doc/Region_segmentation/fig
 
-sh "$root/cmake/install_packages.sh" libcgal-demo imagemagick optipng
+sh "$root/cmake/install_packages.sh" chromium libcgal-demo imagemagick optipng
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 meshes=${REGION_SEGMENTATION_REAL_MESHES:-$work}
@@ -87,3 +87,10 @@ view sphere sphere learned
 view planes head learned
 view noisy fandisk smooth-faces
 row failures 220 sphere planes noisy
+
+# The page, as a browser shows it.
+"$program" --quiet "$meshes/data/meshes/triceratops.off" -o "$work/triceratops.html"
+chromium --headless=new --no-sandbox --use-gl=angle --use-angle=swiftshader --enable-unsafe-swiftshader --hide-scrollbars \
+  --window-size=1100,700 --virtual-time-budget=30000 --screenshot="$work/page.png" "file://$work/triceratops.html"
+convert "$work/page.png" +dither -colors 192 "png8:$figures/page.png"
+optipng -quiet -o5 -strip all "$figures/page.png"

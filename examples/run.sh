@@ -2,7 +2,8 @@
 # run.sh [MESH] [K]: segments a mesh into K parts; without a mesh, a model that the program builds.
 #
 # Installs what is missing, builds the program in release mode into build/, and runs it. The result is
-# written beside the place from which this is called: NAME_segments.ply, with a colour for each part.
+# written in the folder from which this is called: NAME_segments.ply, with a color for each part, and NAME.html, a page
+# to turn them in a browser.
 set -eu
 root=$(cd "$(dirname "$0")/.." && pwd)
 
@@ -11,10 +12,10 @@ if [ $# -gt 2 ]; then
   exit 2
 fi
 
-sh "$root/cmake/install_packages.sh" g++ make cmake libcgal-dev libeigen3-dev libcli11-dev \
-  libopenmesh-dev libpng-dev libtbb-dev zlib1g-dev
+sh "$root/cmake/install_packages.sh" g++ make cmake libboost-iostreams-dev libcgal-dev libcli11-dev \
+  libeigen3-dev libjs-three libopenmesh-dev libpng-dev libtbb-dev nlohmann-json3-dev zlib1g-dev
 cmake -S "$root" -B "$root/build" -DCMAKE_BUILD_TYPE=Release \
   -DREGION_SEGMENTATION_BUILD_TESTS=OFF -DREGION_SEGMENTATION_BUILD_EXAMPLES=OFF >/dev/null
 cmake --build "$root/build" -j 2 --target segment_mesh
 
-"$root/build/bin/segment_mesh" ${1:+"$1"} ${2:+-k "$2"} -o "{stem}_segments.ply"
+"$root/build/bin/segment_mesh" "${1:---demo}" ${2:+-k "$2"} -o "{stem}_segments.ply" -o "{stem}.html"

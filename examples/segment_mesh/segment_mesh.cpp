@@ -19,9 +19,12 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <new>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace {
 
@@ -70,6 +73,18 @@ void end_with_a_line()
   end("unknown error");
 }
 
+/// For somebody who expected a file.
+void hint_at_outputs(const std::vector<Job>& jobs, const Options& options)
+{
+  if (options.verbosity == Verbosity::QUIET || !options.outputs.empty() || !options.truths.empty())
+    return;
+  const std::string stem = std::filesystem::path(jobs.front().input).stem().string();
+  const std::string name = jobs.size() > 1 ? "'{stem}" : stem, end = jobs.size() > 1 ? "'" : "";
+  std::cerr << one_line("Nothing is written. A page to turn the segments: -o " + name + ".html" + end +
+                        "; a mesh in their colors: -o " + name + "_segments.ply" + end)
+            << std::endl;
+}
+
 } // namespace
 
 int main(int argc, char** argv)
@@ -82,7 +97,10 @@ int main(int argc, char** argv)
     if (!options)
       return DONE;
     const std::vector<Job> jobs = plan_jobs(*options, articulated_figure);
-    return run_with_threads(options->number_of_threads, [&] { return run_batch(jobs, *options); });
+    const Exit_status status = run_with_threads(options->number_of_threads, [&] { return run_batch(jobs, *options); });
+    if (status == DONE)
+      hint_at_outputs(jobs, *options);
+    return status;
   } catch (const Usage_error& error) {
     std::cerr << "segment_mesh: " << error.what() << " (see segment_mesh --help)" << std::endl;
     return WRONG_USAGE;

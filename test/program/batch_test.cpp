@@ -34,7 +34,7 @@ std::string write_inputs(const Temporary_folder& folder)
 
 TEST_F(Program, gives_the_same_by_any_number_of_threads)
 {
-  ASSERT_EQ(run("-o figure.off").status, 0);
+  ASSERT_EQ(run("--demo -o figure.off").status, 0);
   const std::string inputs = write_inputs(folder) + " -k 3 -o '{stem}.seg' --threads ";
   const Outcome one = run(inputs + "1");
   const std::vector<std::string> files = contents(folder);
@@ -79,7 +79,7 @@ protected:
   {
     const unsigned seed = std::random_device()();
     std::mt19937 random(seed);
-    ASSERT_EQ(run("-o figure.off").status, 0);
+    ASSERT_EQ(run("--demo -o figure.off").status, 0);
     const auto start = std::chrono::steady_clock::now();
     ASSERT_EQ(run(arguments).status, 0);
     const std::chrono::duration<double> whole = std::chrono::steady_clock::now() - start;

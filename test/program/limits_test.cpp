@@ -35,7 +35,7 @@ TEST_F(Limited_program, does_with_the_threads_there_are)
   if (run("", limit_on_threads(1) + " test -x").status != 0)
     GTEST_SKIP() << "no limit on threads can be set here";
   for (int number = 1; number <= 5; ++number) {
-    const Outcome outcome = run("a.off b.off c.off -k 1 --threads 4", limit_on_threads(number));
+    const Outcome outcome = run("a.off b.off c.off -k 1 --threads 4 --quiet", limit_on_threads(number));
     EXPECT_EQ(outcome.status, 0) << number << " threads: " << outcome.err;
     EXPECT_EQ(outcome.err, "") << number << " threads";
     EXPECT_EQ(without_times(outcome.out), "a" + rest + "b" + rest + "c" + rest);
@@ -47,7 +47,7 @@ TEST_F(Limited_program, tells_in_a_line_that_memory_is_short)
 #ifdef __SANITIZE_ADDRESS__
   GTEST_SKIP() << "no limit on the address space with the address sanitizer";
 #endif
-  ASSERT_EQ(run("-o figure.off").status, 0);
+  ASSERT_EQ(run("--demo -o figure.off").status, 0);
   int number_of_failed = 0;
   for (int megabytes = 8; megabytes < 60; ++megabytes) {
     const std::string limit = "ulimit -v " + std::to_string(1000 * megabytes) + " &&";

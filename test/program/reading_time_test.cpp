@@ -4,7 +4,7 @@
 
 #include "Temporary_folder.h"
 #include "io/read_mesh.h"
-#include "io/write_segmentation.h"
+#include "io/write_mesh.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
@@ -57,12 +57,12 @@ TEST(Reading_time, is_near_that_of_cgal)
 #endif
   const Temporary_folder folder;
   const Input_mesh square = bumpy_square(200);
-  Segmentation one_segment;
-  one_segment.number_of_segments = 1;
-  one_segment.segment_of_face.resize(square.mesh_soup().polygons.size());
-  for (const char* name : {"a.off", "a.ply"}) {
+  const std::vector<std::size_t> one_segment(square.soup.polygons.size());
+  for (const std::string name : {"a.off", "a.ply"}) {
     const std::string file = folder.path(name);
-    write_segmentation(file, {"square", square, {}, one_segment});
+    std::ofstream out(file, std::ios::binary);
+    name == "a.off" ? write_off(out, {square.soup, one_segment}) : write_ply(out, {square.soup, one_segment});
+    out.close();
     const double cgal = time_of([&] {
       Mesh mesh;
       ASSERT_TRUE(CGAL::IO::read_polygon_mesh(file, mesh));

@@ -5,6 +5,8 @@
 #include "Program.h"
 #include "sample_files.h"
 
+#include <sstream>
+
 #include <sys/stat.h>
 
 namespace {
@@ -13,7 +15,7 @@ const std::string time_at_end = ", [0-9]+\\.[0-9]{3} s\n";
 
 TEST_F(Program, segments_its_own_model)
 {
-  const Outcome outcome = run("-o '{stem}.seg'");
+  const Outcome outcome = run("--demo -o '{stem}.seg'");
   EXPECT_EQ(outcome.status, 0);
   EXPECT_TRUE(std::regex_match(
     outcome.out,
@@ -32,7 +34,10 @@ TEST_F(Program, prints_a_line_for_an_input)
   EXPECT_TRUE(std::regex_match(outcome.out,
                                std::regex("a\\.off: 4 faces, 1 region, 1 segment" + time_at_end)))
     << outcome.out;
-  EXPECT_EQ(outcome.err, "");
+  EXPECT_EQ(outcome.err, "Nothing is written. A page to turn the segments: -o a.html; a mesh in their colors: -o "
+                         "a_segments.ply\n");
+  EXPECT_EQ(run("a.off -k 1 -q").err, "");
+  EXPECT_EQ(run("a.off -k 1 -o a.seg").err, "");
 }
 
 TEST_F(Program, says_why_it_gives_fewer_or_more_segments)
@@ -57,14 +62,14 @@ TEST_F(Program, says_why_it_gives_fewer_or_more_segments)
 
 TEST_F(Program, chooses_the_number_of_segments)
 {
-  ASSERT_EQ(run("-o a.off").status, 0);
+  ASSERT_EQ(run("--demo -o a.off").status, 0);
   const Outcome outcome = run("a.off -o a.json");
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_TRUE(std::regex_match(
     outcome.out,
     std::regex("a\\.off: [0-9]+ faces, [0-9]+ regions, [0-9]+ segments" + time_at_end)))
     << outcome.out;
-  EXPECT_NE(folder.read("a.json").find("\"method\": \"learned\", \"segments\": null"),
+  EXPECT_NE(folder.read("a.json").find("\"method\":\"learned\",\"segments\":null"),
             std::string::npos);
 }
 
@@ -79,8 +84,8 @@ TEST_F(Program, takes_the_largest_number_of_segments)
 
 TEST_F(Program, runs_all_methods)
 {
-  const Outcome visibility = run("--method visibility"), two_step = run("--method two-step"),
-                learned = run("--method learned"), standard = run("");
+  const Outcome visibility = run("--demo --method visibility"), two_step = run("--demo --method two-step"),
+                learned = run("--demo --method learned"), standard = run("--demo");
   const auto line_without_time = [](const Outcome& o) {
     return o.out.substr(0, o.out.find(" segments"));
   };
@@ -92,11 +97,11 @@ TEST_F(Program, runs_all_methods)
 TEST_F(Program, writes_every_format)
 {
   folder.write("a.off", sample::off());
-  const Outcome outcome = run("a.off -k 4 --method two-step --features all --max-angle 20 -o a.seg "
-                              "-o b.ply -o b.off -o b.obj -o b.json -o b.png");
+  const Outcome outcome = run("a.off -k 4 --method two-step --features all --max-angle 20 -o a.seg -o b.ply -o b.off "
+                              "-o b.obj -o b.vtp -o b.json -o b.csv -o b.png --borders c.obj --borders c.vtp");
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_EQ(folder.names(),
-            (Names{"a.off", "a.seg", "b.json", "b.obj", "b.off", "b.ply", "b.png"}));
+            (Names{"a.off", "a.seg", "b.csv", "b.json", "b.obj", "b.off", "b.ply", "b.png", "b.vtp", "c.obj", "c.vtp"}));
   EXPECT_EQ(folder.read("a.seg"), "0\n1\n2\n3\n");
 }
 
@@ -104,15 +109,15 @@ TEST_F(Program, chooses_the_number_of_smooth_faces)
 {
   folder.write("a.off", sample::off());
   EXPECT_NE(run("a.off --method smooth-faces -o a.json").out.find(" 4 segments"), std::string::npos);
-  EXPECT_NE(folder.read("a.json").find("\"method\": \"smooth-faces\", \"segments\": null"), std::string::npos);
+  EXPECT_NE(folder.read("a.json").find("\"method\":\"smooth-faces\",\"segments\":null"), std::string::npos);
   EXPECT_NE(run("a.off -k 2 --method smooth-faces").out.find(" 2 segments"), std::string::npos);
 }
 
 TEST_F(Program, gives_the_same_labels_on_every_mesh_type)
 {
-  ASSERT_EQ(run("-o a.seg").status, 0);
+  ASSERT_EQ(run("--demo -o a.seg").status, 0);
   for (const std::string type : {"polyhedron", "openmesh"}) {
-    const Outcome outcome = run("-o b.seg --mesh " + type);
+    const Outcome outcome = run("--demo -o b.seg --mesh " + type);
     if (outcome.status == 2 && type == "openmesh")
       continue; // built without
     EXPECT_EQ(outcome.status, 0) << outcome.err;
@@ -174,7 +179,7 @@ TEST_F(Program, leaves_nothing_half_written)
 {
   folder.write("a.off", sample::off());
   folder.write("figure.ply", "old");
-  const Outcome outcome = run("-o figure.ply", "ulimit -f 8 &&");
+  const Outcome outcome = run("--demo -o figure.ply", "ulimit -f 8 &&");
   EXPECT_EQ(outcome.status, 1);
   EXPECT_EQ(outcome.err, "figure.ply: cannot be written: File too large\n");
   EXPECT_EQ(folder.read("figure.ply"), "old");
@@ -240,7 +245,7 @@ TEST_F(Program, knows_wrong_usage)
   folder.write("a.off", sample::off());
   folder.write("b.off", sample::off());
   const std::string endings =
-    ": unknown ending of an output, not .seg, .ply, .off, .obj, .json or .png";
+    ": unknown ending of an output, not .seg, .ply, .off, .obj, .vtp, .json, .csv, .png or .html";
   expect_wrong_usage("a.off --method two-step",
                      "--method two-step needs the number of segments: -k N");
   for (const std::string number : {"0", "-1", "many", "2.5", "18446744073709551616"})
@@ -249,9 +254,9 @@ TEST_F(Program, knows_wrong_usage)
   for (const std::string number : {"-1", "all", "1025"})
     expect_wrong_usage("a.off --threads " + number,
                        "--threads " + number + ": not a whole number from 0 to 1024");
-  expect_wrong_usage("a.off -o '{stm}.seg'", "-o {stm}.seg: unknown {stm}; there is {stem} alone");
+  expect_wrong_usage("a.off -o '{stm}.seg'", "-o {stm}.seg: unknown {stm}; there are {stem} and {segment}");
   expect_wrong_usage("a.off -o '{stem}_{}.seg'",
-                     "-o {stem}_{}.seg: unknown {}; there is {stem} alone");
+                     "-o {stem}_{}.seg: unknown {}; there are {stem} and {segment}");
   expect_wrong_usage("a.off --truth '{name}.seg'",
                      "--truth {name}.seg: unknown {name}; there is {stem} alone");
   expect_wrong_usage("a.off -k 2 --method two-step --max-angle 181", "--max-angle: an angle from 0 to 180 degrees");
@@ -283,23 +288,154 @@ TEST_F(Program, knows_wrong_usage_of_any_length)
   folder.write("a.off", sample::off());
   const std::string name = "{" + std::string(60000, 'x') + "}";
   expect_wrong_usage("a.off -o '{" + name + ".seg'",
-                     "-o {" + name + ".seg: unknown " + name + "; there is {stem} alone");
+                     "-o {" + name + ".seg: unknown " + name + "; there are {stem} and {segment}");
 }
 
 TEST_F(Program, helps)
 {
-  const Outcome help = run("--help"), version = run("--version");
+  const Outcome help = run("--help"), version = run("--version"), nothing = run("");
   EXPECT_EQ(help.status, 0);
-  EXPECT_NE(help.out.find("Examples:"), std::string::npos);
+  EXPECT_EQ(run("-h").out, help.out);
+  EXPECT_NE(help.out.find("\nExamples:\n"), std::string::npos);
+  EXPECT_EQ(help.out.back(), '\n');
   EXPECT_EQ(version.status, 0);
   EXPECT_TRUE(std::regex_match(version.out, std::regex("segment_mesh [0-9.]+\n"))) << version.out;
+  EXPECT_EQ(nothing.status, 0);
+  EXPECT_EQ(nothing.err, "");
+  for (const std::string& text : {help.out, nothing.out}) {
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);)
+      EXPECT_LE(line.size(), 80u) << line;
+  }
+  EXPECT_LT(std::count(nothing.out.begin(), nothing.out.end(), '\n'), 12);
+}
+
+TEST_F(Program, has_a_manual_page_of_the_same_options)
+{
+  const Outcome help = run("--help"), page = run("--man");
+  EXPECT_EQ(page.out.rfind(".TH SEGMENT_MESH 1 ", 0), 0u);
+  const std::regex option("\n  (?:-., )?(--[a-z-]+)");
+  std::size_t number = 0;
+  for (std::sregex_iterator i(help.out.begin(), help.out.end(), option); i != std::sregex_iterator(); ++i, ++number)
+    EXPECT_NE(page.out.find(std::regex_replace((*i)[1].str(), std::regex("-"), "\\-")), std::string::npos) << (*i)[1];
+  EXPECT_GT(number, 14u);
+  if (std::system("command -v groff >/dev/null") != 0)
+    GTEST_SKIP() << "no groff";
+  folder.write("page", page.out);
+  ASSERT_EQ(std::system(("groff -man -ww -z '" + folder.path("page") + "' 2>'" + folder.path("warnings") + "'").c_str()), 0);
+  EXPECT_EQ(folder.read("warnings"), "");
+}
+
+TEST_F(Program, writes_to_stdout)
+{
+  folder.write("a.off", sample::off());
+  const Outcome outcome = run("a.off -k 4 --method smooth-faces -o - --output-format seg");
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.out, "0\n1\n2\n3\n");
+  EXPECT_EQ(without_times(outcome.err), "a.off: 4 faces, 4 regions, 4 segments\n");
+  const Outcome quiet = run("a.off -q -k 4 -o - --output-format seg");
+  EXPECT_EQ(quiet.err, "");
+  EXPECT_EQ(quiet.out, outcome.out);
+  EXPECT_EQ(run("a.off -k 4 -o - -o b.seg --output-format seg").out, outcome.out);
+  EXPECT_EQ(folder.read("b.seg"), outcome.out);
+  EXPECT_EQ(run("--demo -q -o - --output-format off 2>early | head -c 3").out, "OFF"); // the reader goes early
+  EXPECT_EQ(folder.read("early"), "");
+  if (std::filesystem::exists("/dev/full"))
+    EXPECT_EQ(run("a.off -q -k 4 -o - --output-format seg > /dev/full; exit $?; true").status, 1);
+}
+
+TEST_F(Program, takes_a_format_in_place_of_an_ending)
+{
+  folder.write("a.off", sample::off());
+  EXPECT_EQ(run("a.off -k 4 -o labels.txt --output-format seg").status, 0);
+  EXPECT_EQ(folder.read("labels.txt"), "0\n1\n2\n3\n");
+  EXPECT_EQ(run("a.off -k 4 -o labels.txt.GZ --output-format seg").status, 0);
+  EXPECT_EQ(folder.read("labels.txt.GZ").substr(0, 2), "\x1f\x8b");
+}
+
+TEST_F(Program, takes_segments_that_exist)
+{
+  folder.write("a.off", sample::off());
+  folder.write("a.seg", "0\n1\n1\n0\n");
+  folder.write("b.seg", "5\n-3\n-3\n5\n");
+  const Outcome outcome = run("a.off --labels '{stem}.seg' -o c.seg -o c.csv -o c.json --truth a.seg");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_EQ(outcome.out.rfind("a.off: 4 faces, 2 segments\n  a.seg: Rand index distance 0.0000,", 0), 0u) << outcome.out;
+  EXPECT_EQ(folder.read("c.seg"), folder.read("a.seg"));
+  const std::string table = folder.read("c.csv");
+  EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 3);
+  EXPECT_NE(folder.read("c.json").find("\"settings\": {\"labels\":\"a.seg\"}"), std::string::npos);
+  const Outcome numbered = run("a.off --labels b.seg -o c.seg");
+  EXPECT_EQ(numbered.err, "b.seg: labels from -3 to 5 are numbered from 0 to 1\n");
+  EXPECT_EQ(folder.read("c.seg"), "1\n0\n0\n1\n");
+  folder.write("b.seg", "0\n");
+  EXPECT_EQ(run("a.off --labels b.seg -o c.seg").err, "b.seg: 1 label for 4 faces\n");
+}
+
+TEST_F(Program, writes_a_file_for_each_segment)
+{
+  folder.write("a.off", sample::off());
+  const Outcome outcome = run("a.off -k 4 -o '{stem}_{segment}.off' -o b{segment}.obj.gz");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(folder.names(), (Names{"a.off", "a_0.off", "a_1.off", "a_2.off", "a_3.off", "b0.obj.gz", "b1.obj.gz", "b2.obj.gz",
+                                   "b3.obj.gz"}));
+  EXPECT_EQ(folder.read("a_3.off").substr(0, 30), "OFF\n3 1 0\n0 0 0\n0 1 0\n0 0 1\n3 ");
+}
+
+TEST_F(Program, refuses_outputs_that_do_not_fit)
+{
+  folder.write("a.off", sample::off());
+  folder.write("7.off", sample::off());
+  folder.write("a.seg", "0\n1\n1\n0\n");
+  expect_wrong_usage("-k 2 -o b.ply", "no INPUT; --demo segments a model of the program");
+  expect_wrong_usage("a.off --demo", "--demo: there is an INPUT, too");
+  expect_wrong_usage("a.off --labels a.seg -k 2", "--segments: with --labels nothing is segmented");
+  expect_wrong_usage("a.off --labels a.seg -o a.seg", "-o a.seg: would replace the labels");
+  expect_wrong_usage("a.off -o -", "-o -: needs --output-format");
+  expect_wrong_usage("a.off 7.off -k 2 -o - --output-format ply", "-o -: with several inputs outputs are files");
+  expect_wrong_usage("a.off -o - -o - --output-format ply", "-o -: would be written twice");
+  expect_wrong_usage("a.off 7.off -k 2 -o '{segment}.off'", "-o {segment}.off: with several inputs it holds {stem}");
+  expect_wrong_usage("7.off -k 2 -o '{segment}.off'", "-o {segment}.off: would replace an input");
+  expect_wrong_usage("a.off -k 2 -o 'b{segment}.off' -o b12.off", "-o b12.off: would be written twice");
+  expect_wrong_usage("a.off -k 2 -o b12.off -o 'b{segment}.off'", "-o b{segment}.off: would be written twice");
+  expect_wrong_usage("a.off -k 2 -o '{segment}.png'", "{segment}.png: a file for each segment is .ply, .off, .obj or .vtp");
+  expect_wrong_usage("a.off -k 2 -o '{segment}/b.ply'", "{segment}/b.ply: {segment} belongs to the name of the file, not of its "
+                                                        "folder");
+  expect_wrong_usage("a.off -k 2 --borders -", "--borders -: borders are written to a file");
+  expect_wrong_usage("a.off -k 2 --borders b.ply", "--borders b.ply: polylines are written as .obj or .vtp");
+  expect_wrong_usage("a.off -k 2 --borders '{segment}.obj'", "--borders {segment}.obj: {segment} is for -o alone");
+}
+
+TEST_F(Program, smooths_borders)
+{
+  ASSERT_EQ(run("--demo -o a.off -o a.seg").status, 0);
+  const Outcome outcome = run("a.off -k 10 --smooth-borders -o b.seg -o b.json");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(folder.read("b.seg"), folder.read("a.seg"));
+  EXPECT_NE(folder.read("b.json").find("\"smooth_borders\":true"), std::string::npos);
+}
+
+TEST_F(Program, says_if_it_has_no_pages)
+{
+  const Outcome outcome = run("--demo -k 3 -o a.html");
+  if (outcome.status == 2) { // built without
+    EXPECT_EQ(outcome.err, "segment_mesh: a.html: this program was built without three.js, which pages need (see segment_mesh "
+                           "--help)\n");
+    return;
+  }
+  const std::string page = folder.read("a.html");
+  EXPECT_EQ(page.rfind("<!DOCTYPE html>", 0), 0u);
+  EXPECT_EQ(page.find("{{"), std::string::npos);
+  for (const char* fetched : {"<script src", "<link", "@import"})
+    EXPECT_EQ(page.find(fetched), std::string::npos) << fetched;
 }
 
 TEST_F(Program, fails_when_stdout_is_full)
 {
   if (!std::filesystem::exists("/dev/full"))
     GTEST_SKIP() << "no /dev/full here";
-  const Outcome outcome = run("> /dev/full; exit $?; true");
+  const Outcome outcome = run("--demo > /dev/full; exit $?; true");
   EXPECT_EQ(outcome.status, 1);
 }
 

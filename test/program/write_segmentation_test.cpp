@@ -10,8 +10,15 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh/IO/PLY.h>
 
+#include <nlohmann/json.hpp>
+
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <memory>
 #include <set>
 #include <sstream>
 
@@ -29,11 +36,13 @@ protected:
     s_settings.method = Method::TWO_STEP;
     s_segmentation = run_segmentation(s_input.mesh_soup(), s_settings, {});
     s_labels = labels_of_faces(s_input, s_segmentation);
+    s_details = std::make_unique<Segmentation_details>(s_input.mesh_soup(), s_segmentation);
   }
 
   std::string write(const std::string& name) const
   {
-    write_segmentation(m_folder.path(name), {s_name, s_input, s_settings, s_segmentation});
+    write_segmentation(make_output(m_folder.path(name)),
+                       {s_name, s_input, s_settings, s_no_labels, s_segmentation, *s_details});
     EXPECT_EQ(m_folder.names(), std::vector<std::string>{name}); // nothing temporary is left
     return m_folder.path(name);
   }
@@ -48,6 +57,8 @@ protected:
   static inline Input_mesh s_input;
   static inline Segmentation_settings s_settings;
   static inline Segmentation s_segmentation;
+  static inline const std::string s_no_labels;
+  static inline std::unique_ptr<Segmentation_details> s_details;
   static inline std::vector<std::size_t> s_labels;
   Temporary_folder m_folder;
 };
@@ -121,7 +132,7 @@ TEST_F(Written, obj_has_groups_and_lines)
       ASSERT_TRUE(line[0] == 'v' || line == "g feature_lines") << line;
   }
   EXPECT_EQ(labels, s_labels);
-  EXPECT_EQ(number_of_lines, s_segmentation.feature_lines.size());
+  EXPECT_EQ(number_of_lines, s_details->feature_lines().size());
   EXPECT_GT(number_of_lines, 0u);
 }
 
@@ -135,36 +146,170 @@ std::size_t count(const std::string& text, const std::string& what)
 
 TEST_F(Written, json_has_all)
 {
-  const std::string json = text("a.json");
-  EXPECT_EQ(json.rfind("{\n  \"format\": \"segment_mesh\",\n  \"version\": 2,", 0), 0u);
-  EXPECT_NE(json.find("\"name\": \"a \\\"name\\\"\""), std::string::npos);
-  EXPECT_NE(json.find("\"segments\": 10, \"mesh\": \"surface_mesh\", \"features\": \"concave\", "
-                      "\"max_angle\": 1.237"),
-            std::string::npos);
-  EXPECT_EQ(count(json, "\"perimeter\""), s_segmentation.regions.size());
-  EXPECT_EQ(count(json, "\"mean_angle\""), s_segmentation.sections.size());
-  EXPECT_EQ(count(json, "\"stage\":"), s_segmentation.stages.size());
-  EXPECT_EQ(count(json, "{"), count(json, "}"));
-  EXPECT_EQ(count(json, "["), count(json, "]"));
+  const nlohmann::json json = nlohmann::json::parse(text("a.json"));
+  EXPECT_EQ(json["format"], "segment_mesh");
+  EXPECT_EQ(json["version"], 2);
+  EXPECT_EQ(json["input"]["name"], s_name);
+  EXPECT_EQ(json["settings"]["method"], "two-step");
+  EXPECT_EQ(json["settings"]["segments"], 10);
+  EXPECT_EQ(json["settings"]["mesh"], "surface_mesh");
+  EXPECT_EQ(json["settings"]["smooth_borders"], false);
+  EXPECT_EQ(json["settings"]["features"], "concave");
+  EXPECT_NEAR(json["settings"]["max_angle"], 1.2372, 1e-4);
+  EXPECT_EQ(json["times"]["stages"].size(), s_segmentation.stages.size());
+  EXPECT_EQ(json["face_segments"].get<std::vector<std::size_t>>(), s_labels);
+  EXPECT_EQ(json["regions"].size(), s_segmentation.number_of_regions);
+  EXPECT_EQ(json["sections"].size(), s_details->sections().size());
+  EXPECT_EQ(json["merges"].size(), s_segmentation.tree.merges().size());
+  ASSERT_EQ(json["segments"].size(), s_segmentation.number_of_segments);
+  std::vector<double> areas(json["segments"].size());
+  for (const auto& region : json["regions"])
+    areas[region["segment"]] += region["area"].get<double>();
+  for (std::size_t s = 0; s < areas.size(); ++s) {
+    EXPECT_NEAR(json["segments"][s]["area"], areas[s], 1e-9 * areas[s]);
+    EXPECT_EQ(json["segments"][s]["faces"], std::count(s_labels.begin(), s_labels.end(), s));
+  }
+}
+
+TEST_F(Written, json_is_valid_whatever_the_name)
+{
+  const std::string latin_1 = "caf\xe9.off";
+  std::ostringstream out;
+  write_json(out, {latin_1, s_input, s_settings, s_no_labels, s_segmentation, *s_details});
+  EXPECT_EQ(nlohmann::json::parse(out.str())["input"]["name"], "caf\xef\xbf\xbd.off");
+}
+
+TEST_F(Written, csv_agrees_with_json)
+{
+  std::istringstream in(text("a.csv"));
+  const nlohmann::json json = [this] {
+    std::ostringstream out;
+    write_json(out, {s_name, s_input, s_settings, s_no_labels, s_segmentation, *s_details});
+    return nlohmann::json::parse(out.str());
+  }();
+  std::string line;
+  std::getline(in, line);
+  const auto number_of_commas = std::count(line.begin(), line.end(), ',');
+  EXPECT_EQ(line.rfind("segment,faces,area,area_share,volume,", 0), 0u);
+  std::size_t number_of_lines = 0;
+  for (; std::getline(in, line); ++number_of_lines) {
+    EXPECT_EQ(std::count(line.begin(), line.end(), ','), number_of_commas) << line;
+    const auto& segment = json["segments"][number_of_lines];
+    std::istringstream fields(line);
+    double id, faces, area, share, volume;
+    char comma;
+    fields >> id >> comma >> faces >> comma >> area >> comma >> share >> comma >> volume;
+    EXPECT_EQ(id, double(number_of_lines));
+    EXPECT_EQ(faces, segment["faces"].get<double>());
+    EXPECT_EQ(area, segment["area"].get<double>());
+    EXPECT_EQ(volume, segment["volume"].get<double>());
+    EXPECT_NE(line.find(segment["primitive"]["type"].get<std::string>()), std::string::npos);
+  }
+  EXPECT_EQ(number_of_lines, json["segments"].size());
 }
 
 TEST_F(Written, details_agree_with_labels)
 {
   const Segmentation& s = s_segmentation;
-  EXPECT_EQ(s.regions.size(), s.number_of_regions);
+  const std::vector<Region> regions = s_details->regions();
+  EXPECT_EQ(regions.size(), s.number_of_regions);
   std::vector<std::size_t> faces(s.number_of_regions);
   for (std::size_t f = 0; f < s.region_of_face.size(); ++f) {
     ++faces[s.region_of_face[f]];
-    ASSERT_EQ(s.regions[s.region_of_face[f]].segment, s.segment_of_face[f]);
+    ASSERT_EQ(regions[s.region_of_face[f]].segment, s.segment_of_face[f]);
   }
   std::vector<double> perimeters(s.number_of_regions);
-  for (const Section& section : s.sections)
+  for (const Section& section : s_details->sections())
     for (std::size_t region : section.regions)
       perimeters[region] += section.length;
   for (std::size_t r = 0; r < s.number_of_regions; ++r) {
-    EXPECT_EQ(s.regions[r].number_of_faces, faces[r]);
-    EXPECT_NEAR(s.regions[r].perimeter, perimeters[r], 1e-12 * (1 + perimeters[r]));
+    EXPECT_EQ(regions[r].number_of_faces, faces[r]);
+    EXPECT_NEAR(regions[r].perimeter, perimeters[r], 1e-12 * (1 + perimeters[r]));
   }
+}
+
+/// Each node of the top of the tree against a description of that partition alone.
+TEST_F(Written, nodes_are_described_as_segments_of_partitions)
+{
+  constexpr std::size_t greatest = 14;
+  const std::vector<Node_description> nodes = s_details->nodes(greatest);
+  std::size_t number_of_found = 0;
+  const std::size_t least = s_segmentation.number_of_regions - s_segmentation.tree.merges().size();
+  for (std::size_t k = least; k <= greatest; ++k) {
+    Segmentation partitioned = s_segmentation;
+    const auto partition = s_segmentation.tree.partition_at_count(k);
+    for (std::size_t f = 0; f < partitioned.segment_of_face.size(); ++f)
+      partitioned.segment_of_face[f] = partition[s_segmentation.region_of_face[f]];
+    partitioned.number_of_segments = k;
+    for (const Segment_description& segment : Segmentation_details(s_input.mesh_soup(), partitioned).segments())
+      number_of_found += std::any_of(nodes.begin(), nodes.end(), [&](const Node_description& node) {
+        return node.shape.number_of_faces == segment.number_of_faces && node.shape.area == segment.area &&
+               node.shape.volume == segment.volume && node.shape.extents == segment.extents;
+      });
+  }
+  EXPECT_EQ(number_of_found, (least + greatest) * (greatest - least + 1) / 2);
+  EXPECT_EQ(nodes.size(), 2 * greatest - least);
+}
+
+TEST_F(Written, a_file_for_each_segment)
+{
+  write_segmentation(make_output(m_folder.path("part_{segment}.obj")),
+                     {s_name, s_input, s_settings, s_no_labels, s_segmentation, *s_details});
+  EXPECT_EQ(m_folder.names().size(), s_segmentation.number_of_segments);
+  for (std::size_t s = 0; s < s_segmentation.number_of_segments; ++s) {
+    const Polygon_soup part = read_mesh(m_folder.path("part_" + std::to_string(s) + ".obj")).soup;
+    std::size_t i = 0;
+    std::vector<bool> is_used(part.points.size());
+    for (std::size_t f = 0; f < s_labels.size(); ++f) {
+      if (s_labels[f] != s)
+        continue;
+      ASSERT_LT(i, part.polygons.size());
+      for (std::size_t c = 0; c < part.polygons[i].size(); ++c) {
+        EXPECT_EQ(part.points[part.polygons[i][c]], s_input.soup.points[s_input.soup.polygons[f][c]]);
+        is_used[part.polygons[i][c]] = true;
+      }
+      ++i;
+    }
+    EXPECT_EQ(i, part.polygons.size());
+    EXPECT_EQ(std::count(is_used.begin(), is_used.end(), false), 0);
+  }
+}
+
+TEST_F(Written, borders_have_the_length_of_the_borders)
+{
+  write_segmentation(make_output(m_folder.path("b.obj"), Output_content::BORDERS),
+                     {s_name, s_input, s_settings, s_no_labels, s_segmentation, *s_details});
+  std::istringstream in(m_folder.read("b.obj"));
+  std::vector<Point> points;
+  double length = 0;
+  for (std::string line; std::getline(in, line);) {
+    std::istringstream words(line.substr(2));
+    Point p;
+    if (line[0] == 'v' && words >> p[0] >> p[1] >> p[2])
+      points.push_back(p);
+    if (line[0] != 'l')
+      continue;
+    std::size_t last = 0;
+    for (std::size_t i; words >> i; last = i)
+      if (last != 0)
+        length += std::sqrt(std::pow(points[i - 1][0] - points[last - 1][0], 2) +
+                            std::pow(points[i - 1][1] - points[last - 1][1], 2) +
+                            std::pow(points[i - 1][2] - points[last - 1][2], 2));
+  }
+  double expected = 0; // a border is that of two segments
+  for (const Segment_description& segment : s_details->segments())
+    expected += segment.border_length / 2;
+  EXPECT_GT(length, 0);
+  EXPECT_NEAR(length, expected, 1e-9 * expected);
+}
+
+TEST_F(Written, gzip_is_undone_by_gzip)
+{
+  const std::string plain = text("a.obj");
+  std::filesystem::remove(m_folder.path("a.obj"));
+  write("b.obj.gz");
+  ASSERT_EQ(std::system(("gzip -d '" + m_folder.path("b.obj.gz") + "'").c_str()), 0);
+  EXPECT_EQ(m_folder.read("b.obj"), plain);
 }
 
 TEST_F(Written, all_mesh_types_give_the_same)
@@ -177,13 +322,38 @@ TEST_F(Written, all_mesh_types_give_the_same)
     const Segmentation other = run_segmentation(s_input.mesh_soup(), settings, {});
     EXPECT_EQ(other.segment_of_face, s_segmentation.segment_of_face);
     EXPECT_EQ(other.region_of_face, s_segmentation.region_of_face);
-    EXPECT_EQ(other.feature_lines.size(), s_segmentation.feature_lines.size());
-    ASSERT_EQ(other.sections.size(), s_segmentation.sections.size());
-    for (std::size_t i = 0; i < other.sections.size(); ++i) {
-      EXPECT_EQ(other.sections[i].length, s_segmentation.sections[i].length);
-      EXPECT_EQ(other.sections[i].mean_angle, s_segmentation.sections[i].mean_angle);
-    }
   }
+}
+
+/// Against the library, on a mesh where borders move.
+TEST_F(Written, smoothed_borders_are_shorter_and_regions_stay_nested)
+{
+  Segmentation_settings settings = s_settings;
+  settings.method = Method::VISIBILITY;
+  const auto border_length = [](const Segmentation& s) {
+    double sum = 0;
+    for (const Segment_description& segment : Segmentation_details(s_input.mesh_soup(), s).segments())
+      sum += segment.border_length;
+    return sum;
+  };
+  const Segmentation rough = run_segmentation(s_input.mesh_soup(), settings, {});
+  settings.borders = Border_treatment::SMOOTHING;
+  const Segmentation smooth = run_segmentation(s_input.mesh_soup(), settings, {});
+  EXPECT_NE(smooth.segment_of_face, rough.segment_of_face);
+  EXPECT_EQ(smooth.number_of_segments, rough.number_of_segments);
+  EXPECT_LT(border_length(smooth), border_length(rough));
+  std::map<std::size_t, std::size_t> segment_of_region;
+  for (std::size_t f = 0; f < smooth.region_of_face.size(); ++f) {
+    const auto entry = segment_of_region.emplace(smooth.region_of_face[f], smooth.segment_of_face[f]).first;
+    ASSERT_EQ(entry->second, smooth.segment_of_face[f]) << f;
+  }
+}
+
+TEST(Segmentation_from_labels, numbers_them_in_their_order)
+{
+  const Segmentation s = segmentation_from_labels({7, -2, 7, 3});
+  EXPECT_EQ(s.number_of_segments, 3u);
+  EXPECT_EQ(s.segment_of_face, (std::vector<std::size_t>{2, 0, 2, 1}));
 }
 
 TEST(Segment_colors, differ)

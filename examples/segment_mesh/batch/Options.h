@@ -4,6 +4,7 @@
 #define CGAL_REGION_SEGMENTATION_SEGMENT_MESH_OPTIONS_H
 
 #include "io/Mesh_format.h"
+#include "io/output_format.h"
 #include "segmentation/Segmentation_settings.h"
 
 #include <cstddef>
@@ -18,11 +19,13 @@ enum class Verbosity { NORMAL, QUIET };
 /// What the user asks for.
 struct Options
 {
-  std::vector<std::string> inputs; ///< none: the model that the program builds
+  std::vector<std::string> inputs;
   std::optional<Mesh_format> input_format; ///< of all inputs; if empty, what their endings name
-  std::vector<std::string> outputs;
+  bool is_demo = false; ///< the model that the program builds, instead of inputs
+  std::vector<Output> outputs;
   std::vector<std::string> truths;
-  Segmentation_settings settings; ///< all but `detail`
+  std::string labels; ///< a file; if it is not empty, nothing is segmented
+  Segmentation_settings settings;
   std::size_t number_of_threads = 0; ///< 0: one for each core
   Verbosity verbosity = Verbosity::NORMAL;
 };

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <set>
 #include <system_error>
 
@@ -17,39 +18,63 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* placeholder = "{stem}";
+constexpr const char* stem_placeholder = "{stem}";
 
-std::vector<std::string> with_stem(std::vector<std::string> files, const std::string& stem)
+std::string with_stem(std::string file, const std::string& stem)
 {
-  const std::string to_replace = placeholder;
-  for (std::string& file : files)
-    for (std::size_t at = file.find(to_replace); at != std::string::npos;
-         at = file.find(to_replace, at + stem.size()))
-      file.replace(at, to_replace.size(), stem);
+  const std::string to_replace = stem_placeholder;
+  for (std::size_t at = file.find(to_replace); at != std::string::npos;
+       at = file.find(to_replace, at + stem.size()))
+    file.replace(at, to_replace.size(), stem);
+  return file;
+}
+
+/// A name of a file on the command line, and the option that it belongs to.
+struct Named_file
+{
+  std::string option, name;
+};
+
+std::string option_of(const Output& output)
+{
+  return output.content == Output_content::BORDERS ? "--borders" : "-o";
+}
+
+std::vector<Named_file> files_of(const Options& options)
+{
+  std::vector<Named_file> files;
+  for (const Output& output : options.outputs)
+    files.push_back({option_of(output), output.file});
+  for (const std::string& truth : options.truths)
+    files.push_back({"--truth", truth});
+  if (!options.labels.empty())
+    files.push_back({"--labels", options.labels});
   return files;
 }
 
 /// \throws Usage_error for a `{name}` that stands for nothing
-void check_names(const std::vector<std::string>& files, const char* option)
+void check_names(const Named_file& file)
 {
-  for (const std::string& file : files)
-    for (std::size_t at = file.find('{'); at != std::string::npos; at = file.find('{', at + 1)) {
-      const std::size_t end = file.find_first_of("{}", at + 1);
-      if (end == std::string::npos || file[end] == '{')
-        continue;
-      const std::string name = file.substr(at, end + 1 - at);
-      if (name != placeholder)
-        throw Usage_error(std::string(option) + " " + file + ": unknown " + name + "; there is " +
-                          placeholder + " alone");
-    }
+  const std::string& name = file.name;
+  for (std::size_t at = name.find('{'); at != std::string::npos; at = name.find('{', at + 1)) {
+    const std::size_t end = name.find_first_of("{}", at + 1);
+    if (end == std::string::npos || name[end] == '{')
+      continue;
+    const std::string word = name.substr(at, end + 1 - at);
+    const bool can_be_segment = file.option == "-o";
+    if (word != stem_placeholder && !(can_be_segment && word == segment_placeholder))
+      throw Usage_error(file.option + " " + name + ": unknown " + word +
+                        (can_be_segment ? "; there are {stem} and {segment}" : "; there is {stem} alone"));
+  }
 }
 
-void check_placeholders(const std::vector<std::string>& files, const char* option)
+/// \throws Usage_error for a file that several inputs would share
+void check_batch(const Named_file& file)
 {
-  for (const std::string& file : files)
-    if (file.find(placeholder) == std::string::npos)
-      throw Usage_error(std::string(option) + " " + file + ": with several inputs it holds " +
-                        placeholder);
+  if (file.option == "-o" && file.name == "-")
+    throw Usage_error("-o -: with several inputs outputs are files");
+  if (file.name.find(stem_placeholder) == std::string::npos)
+    throw Usage_error(file.option + " " + file.name + ": with several inputs it holds " + stem_placeholder);
 }
 
 /// The same for all names of a file.
@@ -70,54 +95,115 @@ void check_standard_input(const Options& options)
     throw Usage_error("-: standard input can be read once");
 }
 
+/// Whether a file for a segment could have this name.
+bool is_segment_file(const std::string& pattern, const std::string& name)
+{
+  const std::string placeholder = segment_placeholder;
+  const std::size_t at = pattern.find(placeholder);
+  if (at == std::string::npos)
+    return pattern == name;
+  if (name.size() <= at || name.compare(0, at, pattern, 0, at) != 0)
+    return false;
+  const std::string number = name.substr(at, name.find_first_not_of("0123456789", at) - at);
+  return !number.empty() && is_segment_file(with_segment(pattern, number), name);
+}
+
+/// The files of a run, to find those that an output would replace.
+class File_registry
+{
+public:
+  void add(const std::string& file, const char* what) { m_files.emplace(canonical_name(file).string(), what); }
+
+  /// \throws Usage_error
+  void add_output(const Output& output)
+  {
+    if (output.is_stdout()) {
+      if (m_has_stdout)
+        throw Usage_error("-o -: would be written twice");
+      m_has_stdout = true;
+      return;
+    }
+    const std::string name = canonical_name(output.file).string();
+    if (const std::string* what = find_replaced(name, output))
+      throw Usage_error(option_of(output) + " " + output.file + ": would replace " + *what);
+    if (is_written_twice(name, output))
+      throw Usage_error(option_of(output) + " " + output.file + ": would be written twice");
+    (output.is_for_each_segment() ? m_patterns : m_outputs).insert(name);
+  }
+
+private:
+  const std::string* find_replaced(const std::string& name, const Output& output) const
+  {
+    auto found = m_files.find(name);
+    if (output.is_for_each_segment())
+      found = std::find_if(m_files.begin(), m_files.end(),
+                           [&](const auto& file) { return is_segment_file(name, file.first); });
+    return found == m_files.end() ? nullptr : &found->second;
+  }
+
+  bool is_written_twice(const std::string& name, const Output& output) const
+  {
+    const auto has = [](const std::set<std::string>& names, const auto& is_same) {
+      return std::any_of(names.begin(), names.end(), is_same);
+    };
+    if (m_outputs.count(name) > 0 || m_patterns.count(name) > 0)
+      return true;
+    if (output.is_for_each_segment())
+      return has(m_outputs, [&](const std::string& other) { return is_segment_file(name, other); });
+    return has(m_patterns, [&](const std::string& other) { return is_segment_file(other, name); });
+  }
+
+  std::map<std::string, std::string> m_files; ///< with what they are
+  std::set<std::string> m_outputs, m_patterns; ///< for one file, and for one for each segment
+  bool m_has_stdout = false;
+};
+
 void check_outputs(const std::vector<Job>& jobs)
 {
-  std::set<fs::path> inputs, truths, outputs;
+  File_registry registry;
   for (const Job& job : jobs) {
     if (!job.is_model && job.input != standard_input)
-      inputs.insert(canonical_name(job.input));
+      registry.add(job.input, "an input");
     for (const std::string& truth : job.truths)
-      truths.insert(canonical_name(truth));
+      registry.add(truth, "a truth");
+    if (!job.labels.empty())
+      registry.add(job.labels, "the labels");
   }
   for (const Job& job : jobs)
-    for (const std::string& output : job.outputs) {
-      const fs::path name = canonical_name(output);
-      if (inputs.count(name) > 0)
-        throw Usage_error("-o " + output + ": would replace an input");
-      if (truths.count(name) > 0)
-        throw Usage_error("-o " + output + ": would replace a truth");
-      if (!outputs.insert(name).second)
-        throw Usage_error("-o " + output + ": would be written twice");
-    }
+    for (const Output& output : job.outputs)
+      registry.add_output(output);
+}
+
+Job make_job(const std::string& input, const std::string& stem, const Options& options)
+{
+  Job job{input, options.is_demo, options.outputs, options.truths, with_stem(options.labels, stem)};
+  for (Output& output : job.outputs)
+    output.file = with_stem(output.file, stem);
+  for (std::string& truth : job.truths)
+    truth = with_stem(truth, stem);
+  return job;
 }
 
 } // namespace
 
-std::vector<Job> plan_jobs(const Options& options, const std::string& default_model)
+std::vector<Job> plan_jobs(const Options& options, const std::string& demo_model)
 {
-  for (const std::string& output : options.outputs)
-    output_format(output);
-  check_names(options.outputs, "-o");
-  check_names(options.truths, "--truth");
   check_standard_input(options);
+  for (const Named_file& file : files_of(options)) {
+    check_names(file);
+    if (options.inputs.size() > 1)
+      check_batch(file);
+  }
   const Segmentation_settings& settings = options.settings;
-  if (!options.inputs.empty() && !settings.number_of_segments &&
+  if (!options.is_demo && options.labels.empty() && !settings.number_of_segments &&
       settings.method == Method::TWO_STEP)
     throw Usage_error("--method two-step needs the number of segments: -k N");
-  if (options.inputs.size() > 1) {
-    check_placeholders(options.outputs, "-o");
-    check_placeholders(options.truths, "--truth");
-  }
 
   std::vector<Job> jobs;
-  for (const std::string& input : options.inputs) {
-    const std::string stem = stem_of_input(input);
-    jobs.push_back(
-      {input, false, with_stem(options.outputs, stem), with_stem(options.truths, stem)});
-  }
-  if (jobs.empty())
-    jobs.push_back({default_model, true, with_stem(options.outputs, default_model),
-                    with_stem(options.truths, default_model)});
+  for (const std::string& input : options.inputs)
+    jobs.push_back(make_job(input, stem_of_input(input), options));
+  if (options.is_demo)
+    jobs.push_back(make_job(demo_model, demo_model, options));
   check_outputs(jobs);
   return jobs;
 }

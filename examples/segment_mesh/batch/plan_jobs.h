@@ -15,16 +15,17 @@ struct Job
 {
   std::string input; ///< a file, `-` for standard input, or the name of a model that the program makes
   bool is_model = false;
-  std::vector<std::string> outputs;
+  std::vector<Output> outputs;
   std::vector<std::string> truths;
+  std::string labels; ///< a file; if it is not empty, nothing is segmented
 };
 
-/// A job for each input, in order, or one for the model `default_model` if there is none. `{stem}`
-/// in the names of outputs and truths becomes the name of the input without folder and endings.
-/// \throws Usage_error for an unknown ending of an output, a number of segments that is neither
-///         given nor can be chosen, two outputs in one file, an output in the place of an input
-///         or a truth, standard input without a format or twice, a batch without `{stem}`, and any other `{name}`
-std::vector<Job> plan_jobs(const Options& options, const std::string& default_model);
+/// A job for each input, in order, or one for the model `demo_model`. `{stem}` in the names of outputs, truths and
+/// labels becomes the name of the input without folder and endings.
+/// \throws Usage_error for a number of segments that is neither given nor can be chosen, two outputs in one file, an output
+///         in the place of another file of the run, a batch without `{stem}` or to stdout, standard input
+///         without a format or twice, and any other `{name}`
+std::vector<Job> plan_jobs(const Options& options, const std::string& demo_model);
 
 } // namespace segment_mesh
 

@@ -45,6 +45,18 @@ Case load(const Job& job, const Options& options)
   return result;
 }
 
+/// The labels of a file, one for each of its faces, with a remark if they are not 0, 1, ...
+Segmentation read_labels(const std::string& file, Input_mesh& mesh)
+{
+  const Truth labels = read_truth(file, mesh.soup.polygons.size());
+  Segmentation result = segmentation_from_labels(labels_of_mesh_faces(mesh, labels.labels));
+  const auto [least, greatest] = std::minmax_element(labels.labels.begin(), labels.labels.end());
+  if (!labels.labels.empty() && (*least != 0 || *greatest != std::int64_t(result.number_of_segments) - 1))
+    mesh.remarks.push_back(one_line(file) + ": labels from " + std::to_string(*least) + " to " + std::to_string(*greatest) +
+                           " are numbered from 0 to " + std::to_string(result.number_of_segments - 1));
+  return result;
+}
+
 Segmentation segment(const Job& job, const Case& input, const Segmentation_settings& settings,
                      const Progress_listener& listener)
 {
@@ -69,16 +81,17 @@ std::string describe(const Job& job, const Case& input, const Segmentation& segm
        : settings.method == Method::TWO_STEP || settings.method == Method::SMOOTH_FACES
          ? " (growing gave " + counted(segmentation.number_of_regions, "region") + ")"
          : " (the mesh has " + counted(segmentation.segment_of_face.size(), "face") + ")");
+  const std::string start = one_line(job.input) + ": " + counted(input.mesh.soup.polygons.size(), "face") + ", ";
+  if (!job.labels.empty())
+    return start + segments + "\n";
   char seconds[32];
   std::snprintf(seconds, sizeof seconds, "%.3f s", segmentation.seconds);
-  return one_line(job.input) + ": " + counted(input.mesh.soup.polygons.size(), "face") + ", " +
-         counted(segmentation.number_of_regions, "region") + ", " + segments + ", " + seconds +
-         "\n";
+  return start + counted(segmentation.number_of_regions, "region") + ", " + segments + ", " + seconds + "\n";
 }
 
 void write_outputs(const Job& job, const Result& result, Job_report& report)
 {
-  for (const std::string& output : job.outputs) {
+  for (const Output& output : job.outputs) {
     try {
       write_segmentation(output, result);
     } catch (const Output_error& error) {
@@ -92,24 +105,27 @@ void run(const Job& job, const Options& options, const Progress_listener& listen
          Job_report& report)
 {
   listener("reading", 0);
-  const Case input = load(job, options);
+  Case input = load(job, options);
+  Segmentation_settings settings = options.settings;
+  if (job.is_model && !settings.number_of_segments)
+    settings.number_of_segments = input.true_number_of_segments;
+  const Segmentation segmentation = job.labels.empty() ? segment(job, input, settings, listener)
+                                                       : read_labels(job.labels, input.mesh);
   if (options.verbosity == Verbosity::NORMAL)
     for (const std::string& remark : input.mesh.remarks)
       report.err += remark + "\n";
 
-  Segmentation_settings settings = options.settings;
-  if (job.is_model && !settings.number_of_segments)
-    settings.number_of_segments = input.true_number_of_segments;
-  const bool has_details =
-    std::any_of(job.outputs.begin(), job.outputs.end(),
-                [](const auto& output) { return needs_details(output_format(output)); });
-  settings.detail = has_details ? Detail::ALL : Detail::LABELS;
-  const Segmentation segmentation = segment(job, input, settings, listener);
-
-  report.out = describe(job, input, segmentation, settings) +
-               describe_scores(input.mesh, segmentation.segment_of_face, input.truths);
+  const std::string lines = describe(job, input, segmentation, settings) +
+                            describe_scores(input.mesh, segmentation.segment_of_face, input.truths);
+  const bool is_stdout_taken = std::any_of(job.outputs.begin(), job.outputs.end(),
+                                           [](const Output& output) { return output.is_stdout(); });
+  if (!is_stdout_taken)
+    report.out = lines;
+  else if (options.verbosity == Verbosity::NORMAL)
+    report.err += lines;
   listener("writing", 0);
-  write_outputs(job, {job.input, input.mesh, settings, segmentation}, report);
+  const Segmentation_details details(input.mesh.mesh_soup(), segmentation);
+  write_outputs(job, {job.input, input.mesh, settings, job.labels, segmentation, details}, report);
 }
 
 } // namespace

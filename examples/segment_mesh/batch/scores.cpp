@@ -79,17 +79,6 @@ std::string line(const std::string& name, const Scores& scores)
   return text + "\n";
 }
 
-/// The labels of the faces of the mesh; of several faces of the file that became one, the first
-/// counts.
-std::vector<std::int64_t> labels_of_mesh_faces(const Input_mesh& input,
-                                               const std::vector<std::int64_t>& labels)
-{
-  std::vector<std::int64_t> result(input.mesh_soup().polygons.size());
-  for (std::size_t f = labels.size(); f-- > 0;)
-    result[input.mesh_face_of_face[f]] = labels[f];
-  return result;
-}
-
 } // namespace
 
 Truth read_truth(const std::string& file, std::size_t number_of_faces)
@@ -106,6 +95,14 @@ Truth read_truth(const std::string& file, std::size_t number_of_faces)
     throw Input_error(file, counted(truth.labels.size(), "label") + " for " +
                               counted(number_of_faces, "face"));
   return truth;
+}
+
+std::vector<std::int64_t> labels_of_mesh_faces(const Input_mesh& input, const std::vector<std::int64_t>& labels)
+{
+  std::vector<std::int64_t> result(input.mesh_soup().polygons.size());
+  for (std::size_t f = labels.size(); f-- > 0;)
+    result[input.mesh_face_of_face[f]] = labels[f];
+  return result;
 }
 
 std::string describe_scores(const Input_mesh& input,

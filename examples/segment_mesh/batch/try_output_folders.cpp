@@ -66,9 +66,11 @@ std::vector<std::vector<std::string>> try_output_folders(const std::vector<Job>&
   Folders folders;
   std::vector<std::vector<std::string>> result(jobs.size());
   for (std::size_t i = 0; i < jobs.size(); ++i)
-    for (const std::string& output : jobs[i].outputs) {
+    for (const Output& output : jobs[i].outputs) {
+      if (output.is_stdout())
+        continue;
       try {
-        folders.check(output);
+        folders.check(output.file);
       } catch (const Output_error& error) {
         result[i].push_back(error.what());
       }

@@ -2,12 +2,14 @@
 
 #include "command_line/command_line.h"
 
+#include "command_line/format_help.h"
 #include "io/errors.h"
 
 #include <CGAL/Region_segmentation/version.h>
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <charconv>
 #include <iostream>
 #include <limits>
@@ -19,18 +21,6 @@ namespace segment_mesh {
 namespace {
 
 using CGAL::Region_segmentation::Feature_convexity;
-
-constexpr const char* description =
-  "Segments surface meshes into parts, and prints one line for each.\n"
-  "Without an INPUT: a figure that the program builds, with its score against its true parts.";
-
-constexpr const char* footer =
-  "Examples:\n"
-  "  segment_mesh\n"
-  "  segment_mesh armadillo.off -k 9 -o armadillo.seg -o armadillo_parts.ply\n"
-  "  segment_mesh *.off -k 7 -o 'parts/{stem}.obj' --quiet\n"
-  "  segment_mesh gear.stl --method smooth-faces -o gear.json\n"
-  "\nExit status: 0 done; 1 an input or an output failed; 2 wrong usage.";
 
 const std::map<std::string, Method> methods = {{"learned", Method::LEARNED},
                                                {"visibility", Method::VISIBILITY},
@@ -56,11 +46,12 @@ constexpr std::size_t most_threads = 1024;
 struct Raw_options
 {
   Options options;
+  std::vector<std::string> outputs, borders;
+  std::string output_format;
   double maximum_angle = 0;
   std::string number_of_segments, number_of_threads = "0"; ///< CLI11 would cut off large numbers
   std::string method = "learned", features = "concave", mesh_type = "surface_mesh";
   std::string input_format;
-  bool is_quiet = false;
 };
 
 template <typename Value>
@@ -72,65 +63,106 @@ CLI::IsMember one_of(const std::map<std::string, Value>& names)
   return CLI::IsMember(list);
 }
 
-void add_run_options(CLI::App& app, Raw_options& raw)
+/// Adds options to one group of the help.
+class Option_group
 {
-  const auto add = [&app](const char* name, auto& value, const char* type, const char* text) {
-    return app.add_option(name, value, text)->type_name(type);
-  };
-  add("-k,--segments", raw.number_of_segments, "N",
-      "Number of segments; left out: chosen automatically, or the true one of the figure");
-  add("--method", raw.method, "METHOD",
-      "learned (from people; default), visibility (a hand-made cost), smooth-faces (of machine parts), or two-step "
-      "(Yang et al. 2014; needs -k)")
+public:
+  Option_group(CLI::App& app, const char* name) : m_app(app), m_name(name) {}
+
+  template <typename Value>
+  CLI::Option* add(const char* names, Value& value, const char* type, const char* text) const
+  {
+    return m_app.add_option(names, value, text)->type_name(type)->group(m_name);
+  }
+
+  /// An option that may be given several times, with one word each time.
+  CLI::Option* add_repeatable(const char* names, std::vector<std::string>& values, const char* type,
+                              const char* text) const
+  {
+    return add(names, values, type, text)->allow_extra_args(false);
+  }
+
+  CLI::Option* add_flag(const char* names, const char* text) const
+  {
+    return m_app.add_flag(names)->description(text)->group(m_name);
+  }
+
+private:
+  CLI::App& m_app;
+  const char* m_name;
+};
+
+void add_inputs(CLI::App& app, Raw_options& raw)
+{
+  const Option_group input(app, "Input");
+  input.add("INPUT", raw.options.inputs, "", "Meshes: .off, .obj, .ply or .stl, also compressed as .gz; - is standard input. Several are a batch.");
+  input
+    .add("--input-format", raw.input_format, "FORMAT",
+         "Of all inputs, whatever their endings: off, obj, ply or stl. Needed for standard input.")
+    ->check(one_of(formats));
+  input.add_flag("--demo", "Instead of an INPUT: a figure that the program builds, of which it knows the parts. Their "
+                           "number is the default of -k, and the score against them is printed.");
+  input.add("--labels", raw.options.labels, "FILE.seg",
+            "Instead of segmenting: take the segments from this file, a label for each face, to draw, describe and compare "
+            "them. {stem} as in -o.");
+}
+
+void add_outputs(CLI::App& app, Raw_options& raw)
+{
+  const Option_group output(app, "Output");
+  output.add_repeatable(
+    "-o,--output", raw.outputs, "FILE",
+    "Repeatable. {stem} in FILE is the name of the input. The ending says what is written: .html (a page to turn the mesh, "
+    "with every number of segments), .png (a picture), .ply, .off, .obj, .vtp (the mesh with its segments in colors or "
+    "groups; .vtp is for ParaView), .seg (the label of each face on a line), .csv (a table: area, volume, shape ... of each "
+    "segment), .json (all of it). With .gz after it a file is compressed. {segment} in FILE: a mesh for each segment. - is "
+    "stdout.");
+  output.add_repeatable("--borders", raw.borders, "FILE",
+                        "Repeatable. The borders between segments as polylines: .obj or .vtp.");
+  output.add("--output-format", raw.output_format, "FORMAT", "Of every -o, instead of what its ending says: seg, ply, ...")
+    ->check(CLI::IsMember(output_format_names()));
+}
+
+void add_segmentation(CLI::App& app, Raw_options& raw)
+{
+  const Option_group segmentation(app, "Segmentation");
+  segmentation.add("-k,--segments", raw.number_of_segments, "N", "Number of segments. Default: chosen automatically.");
+  segmentation
+    .add("--method", raw.method, "METHOD",
+         "learned (parts as people see them; default), visibility (the same by a formula), smooth-faces (the faces of a "
+         "machine part), or two-step (Yang et al. 2014; needs -k).")
     ->check(one_of(methods));
-  add("--features", raw.features, "KIND",
-      "Of two-step: edges that can be features: concave (default), convex, all")
+  segmentation.add_flag("--smooth-borders", "Move the borders to where they are shorter and lie in valleys, by minimum cuts. "
+                                            "Segments of different numbers are no longer nested.");
+  segmentation
+    .add("--features", raw.features, "KIND", "Of two-step: edges that can be features: concave (default), convex or all.")
     ->check(one_of(features));
-  add("--max-angle", raw.maximum_angle, "DEG",
-      "Of two-step: angle between the normals of two faces above which their edge is a feature; default 1.2372");
-  add("--mesh", raw.mesh_type, "TYPE",
-      "Mesh type to run on, with the same labels: surface_mesh (default), polyhedron, openmesh")
+  segmentation.add("--max-angle", raw.maximum_angle, "DEGREES",
+                   "Of two-step: the angle between the normals of two faces above which their edge is a feature. Default: "
+                   "1.2372.");
+  segmentation
+    .add("--mesh", raw.mesh_type, "TYPE",
+         "The mesh type to run on, with the same labels: surface_mesh (default), polyhedron or openmesh.")
     ->check(one_of(mesh_types));
 }
 
-void add_file_options(CLI::App& app, Raw_options& raw)
+void add_run_options(CLI::App& app, Raw_options& raw)
 {
-  app.add_option("INPUT", raw.options.inputs,
-                 ".off, .obj, .ply or .stl, also compressed as .gz; - is standard input; several are a batch")
-    ->type_name("FILE");
-  app.add_option("--input-format", raw.input_format,
-                 "Of all inputs, whatever their endings: off, obj, ply, stl; needed for standard input")
-    ->check(one_of(formats))
-    ->type_name("FORMAT");
-  app.add_option("-o,--output", raw.options.outputs)
-    ->description("Repeatable; {stem} is the input's name. Written by its ending: .seg (a label a "
-                  "line), .ply (colors, int segment), .off (colors), .obj (groups, feature lines), "
-                  ".json (regions, sections, segments, settings, times), .png (a view)")
-    ->allow_extra_args(false)
-    ->type_name("FILE");
-  app.add_option("--truth", raw.options.truths)
-    ->description("Repeatable; {stem} as above. Print four measures of the distance to this "
-                  "segmentation, and their means")
-    ->allow_extra_args(false)
-    ->type_name("FILE.seg");
-}
-
-void add_options(CLI::App& app, Raw_options& raw)
-{
-  add_file_options(app, raw);
-  add_run_options(app, raw);
-  app.add_option("--threads", raw.number_of_threads)
-    ->description(
-      "Most threads, and most meshes of a batch in memory at a time; default 0: one for each core. "
-      "Unless it is alone, a mesh waits while it and those in work would take more than half of "
-      "the memory "
-      "there is, at 36 times the size of a .ply file and 16 times that of others")
-    ->take_last()
-    ->type_name("N");
-  app.add_flag("--quiet", raw.is_quiet, "No progress and remarks on stderr");
-  app.set_help_flag("--help", "Print this and exit");
-  app.set_version_flag("--version", "segment_mesh " CGAL_REGION_SEGMENTATION_VERSION,
-                       "Print the version and exit");
+  Option_group(app, "Comparison")
+    .add_repeatable("--truth", raw.options.truths, "FILE.seg",
+                    "Repeatable. {stem} as in -o. Print five measures of the distance to this segmentation, and their means.");
+  const Option_group run(app, "Run");
+  run.add("--threads", raw.number_of_threads, "N",
+          "Most threads, and most meshes of a batch in memory at a time. Default: 0, one for each core. Unless it is "
+          "alone, a mesh waits while it and those in work would take more than half of the memory there is, at 36 times "
+          "the size of a .ply file and 16 times that of others.")
+    ->take_last();
+  run.add_flag("-q,--quiet", "No progress, remarks and hints on stderr.");
+  app.set_help_flag("-h,--help", "Print this and exit.")->group("Run");
+  app.set_version_flag("--version", "segment_mesh " CGAL_REGION_SEGMENTATION_VERSION, "Print the version and exit.")
+    ->group("Run");
+  const char* const hidden = "";
+  app.add_flag("--man")->group(hidden);
 }
 
 struct Range
@@ -150,9 +182,42 @@ std::size_t whole_number(const std::string& option, const std::string& word, con
   return value;
 }
 
+/// \throws Usage_error if an option is given that another one makes meaningless
+void check_combinations(const CLI::App& app, const Raw_options& raw)
+{
+  if (app.count("--demo") > 0 && !raw.options.inputs.empty())
+    throw Usage_error("--demo: there is an INPUT, too");
+  if (app.count("--demo") == 0 && raw.options.inputs.empty())
+    throw Usage_error("no INPUT; --demo segments a model of the program");
+  for (const char* option : {"--features", "--max-angle"})
+    if (raw.method != "two-step" && app.count(option) > 0)
+      throw Usage_error(std::string(option) + ": --method " + raw.method + " has no feature edges");
+  for (const char* option : {"--segments", "--method", "--mesh", "--smooth-borders"})
+    if (app.count("--labels") > 0 && app.count(option) > 0)
+      throw Usage_error(std::string(option) + ": with --labels nothing is segmented");
+}
+
+std::vector<Output> make_outputs(const CLI::App& app, const Raw_options& raw)
+{
+  std::optional<Output_format> format;
+  if (app.count("--output-format") > 0) {
+    const std::vector<std::string>& names = output_format_names();
+    format = Output_format(std::find(names.begin(), names.end(), raw.output_format) - names.begin());
+  }
+  std::vector<Output> outputs;
+  for (const std::string& file : raw.outputs)
+    outputs.push_back(make_output(file, Output_content::SEGMENTS, format));
+  for (const std::string& file : raw.borders)
+    outputs.push_back(make_output(file, Output_content::BORDERS));
+  return outputs;
+}
+
 Options checked(const CLI::App& app, const Raw_options& raw)
 {
+  check_combinations(app, raw);
   Options options = raw.options;
+  options.is_demo = app.count("--demo") > 0;
+  options.outputs = make_outputs(app, raw);
   if (app.count("--segments") > 0)
     options.settings.number_of_segments =
       whole_number("-k", raw.number_of_segments, {1, (std::numeric_limits<std::size_t>::max)()});
@@ -165,14 +230,12 @@ Options checked(const CLI::App& app, const Raw_options& raw)
   if (!raw.input_format.empty())
     options.input_format = formats.at(raw.input_format);
   options.settings.method = methods.at(raw.method);
-  for (const char* option : {"--features", "--max-angle"})
-    if (options.settings.method != Method::TWO_STEP && app.count(option) > 0)
-      throw Usage_error(std::string(option) + ": --method " + raw.method + " has no feature edges");
   options.settings.features = features.at(raw.features);
+  options.settings.borders = app.count("--smooth-borders") > 0 ? Border_treatment::SMOOTHING : Border_treatment::NONE;
   options.settings.mesh_type = mesh_types.at(raw.mesh_type);
   if (!is_available(options.settings.mesh_type))
     throw Usage_error("--mesh " + raw.mesh_type + ": this program was built without it");
-  options.verbosity = raw.is_quiet ? Verbosity::QUIET : Verbosity::NORMAL;
+  options.verbosity = app.count("--quiet") > 0 ? Verbosity::QUIET : Verbosity::NORMAL;
   return options;
 }
 
@@ -180,10 +243,17 @@ Options checked(const CLI::App& app, const Raw_options& raw)
 
 std::optional<Options> parse_command_line(int argc, const char* const* argv)
 {
-  CLI::App app(description, "segment_mesh");
-  app.footer(footer);
+  if (argc <= 1) {
+    std::cout << short_help();
+    return std::nullopt;
+  }
+  CLI::App app("", "segment_mesh");
   Raw_options raw;
-  add_options(app, raw);
+  add_inputs(app, raw);
+  add_segmentation(app, raw);
+  add_outputs(app, raw);
+  add_run_options(app, raw);
+  app.formatter_fn([](const CLI::App* a, const std::string&, CLI::AppFormatMode) { return format_help(*a); });
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {
@@ -191,6 +261,10 @@ std::optional<Options> parse_command_line(int argc, const char* const* argv)
     return std::nullopt;
   } catch (const CLI::ParseError& error) {
     throw Usage_error(error.what());
+  }
+  if (app.count("--man") > 0) {
+    std::cout << format_man_page(app);
+    return std::nullopt;
   }
   return checked(app, raw);
 }

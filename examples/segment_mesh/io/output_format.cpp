@@ -3,30 +3,97 @@
 #include "io/output_format.h"
 
 #include "io/errors.h"
+#include "page/write_page.h"
 
+#include <algorithm>
 #include <cctype>
 #include <filesystem>
-#include <iterator>
 
 namespace segment_mesh {
 
-Output_format output_format(const std::string& file)
+namespace {
+
+/// The last ending of a name, without the dot, in lower case.
+std::string ending_of(const std::filesystem::path& file)
 {
-  // In the order of Output_format.
-  constexpr const char* endings[] = {".seg", ".ply", ".off", ".obj", ".json", ".png"};
-  std::string ending = std::filesystem::path(file).extension().string();
-  for (char& c : ending)
-    c = char(std::tolower(static_cast<unsigned char>(c)));
-  for (std::size_t i = 0; i < std::size(endings); ++i)
-    if (ending == endings[i])
-      return Output_format(i);
-  throw Usage_error(file + ": unknown ending of an output, not .seg, .ply, .off, .obj, .json or .png");
+  std::string ending = file.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return char(std::tolower(c)); });
+  return ending.empty() ? ending : ending.substr(1);
 }
 
-bool needs_details(Output_format format)
+std::string list_of_endings()
 {
-  return format == Output_format::OBJ || format == Output_format::JSON ||
-         format == Output_format::PNG;
+  const std::vector<std::string>& names = output_format_names();
+  std::string list;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    list += (i == 0 ? "." : i + 1 < names.size() ? ", ." : " or .") + names[i];
+  return list;
+}
+
+Output_format format_of_ending(const std::string& file, const std::string& ending)
+{
+  const std::vector<std::string>& names = output_format_names();
+  const auto found = std::find(names.begin(), names.end(), ending);
+  if (found == names.end())
+    throw Usage_error(file + ": unknown ending of an output, not " + list_of_endings());
+  return Output_format(found - names.begin());
+}
+
+bool is_mesh(Output_format format)
+{
+  return format == Output_format::PLY || format == Output_format::OFF || format == Output_format::OBJ ||
+         format == Output_format::VTP;
+}
+
+void check(const Output& output)
+{
+  const bool is_polyline_format = output.format == Output_format::OBJ || output.format == Output_format::VTP;
+  if (output.content == Output_content::BORDERS && !is_polyline_format)
+    throw Usage_error("--borders " + output.file + ": polylines are written as .obj or .vtp");
+  if (output.is_for_each_segment()) {
+    if (output.content == Output_content::BORDERS)
+      throw Usage_error("--borders " + output.file + ": {segment} is for -o alone");
+    if (!is_mesh(output.format))
+      throw Usage_error(output.file + ": a file for each segment is .ply, .off, .obj or .vtp");
+    if (std::filesystem::path(output.file).filename().string().find(segment_placeholder) == std::string::npos)
+      throw Usage_error(output.file + ": {segment} belongs to the name of the file, not of its folder");
+  }
+  if (output.format == Output_format::HTML && !can_write_pages())
+    throw Usage_error(output.file + ": this program was built without three.js, which pages need");
+}
+
+} // namespace
+
+const std::vector<std::string>& output_format_names()
+{
+  static const std::vector<std::string> names = {"seg", "ply", "off", "obj", "vtp", "json", "csv", "png", "html"};
+  return names;
+}
+
+std::string with_segment(std::string file, const std::string& number)
+{
+  const std::string placeholder = segment_placeholder;
+  for (std::size_t at = file.find(placeholder); at != std::string::npos; at = file.find(placeholder, at))
+    file.replace(at, placeholder.size(), number);
+  return file;
+}
+
+Output make_output(const std::string& file, Output_content content, const std::optional<Output_format>& format)
+{
+  Output output{file, Output_format::SEG, content, Compression::NONE};
+  std::filesystem::path name = file;
+  if (ending_of(name) == "gz") {
+    output.compression = Compression::GZIP;
+    name.replace_extension();
+  }
+  if (output.is_stdout() && content == Output_content::BORDERS)
+    throw Usage_error("--borders -: borders are written to a file");
+  if (output.is_stdout() && !format)
+    throw Usage_error("-o -: needs --output-format");
+  output.format = format ? *format : format_of_ending(file, ending_of(name));
+  check(output);
+  return output;
 }
 
 } // namespace segment_mesh

@@ -3,19 +3,45 @@
 #ifndef CGAL_REGION_SEGMENTATION_SEGMENT_MESH_OUTPUT_FORMAT_H
 #define CGAL_REGION_SEGMENTATION_SEGMENT_MESH_OUTPUT_FORMAT_H
 
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace segment_mesh {
 
 /// The formats that are written.
-enum class Output_format { SEG, PLY, OFF, OBJ, JSON, PNG };
+enum class Output_format { SEG, PLY, OFF, OBJ, VTP, JSON, CSV, PNG, HTML };
 
-/// The format that the ending of `file` names, in upper or lower case.
-/// \throws Usage_error for another ending
-Output_format output_format(const std::string& file);
+/// What of a segmentation is written.
+enum class Output_content { SEGMENTS, BORDERS };
 
-/// Whether a format holds more than labels, and so needs `Detail::ALL`.
-bool needs_details(Output_format format);
+enum class Compression { NONE, GZIP };
+
+/// In the name of an output: a file for each segment.
+constexpr const char* segment_placeholder = "{segment}";
+
+struct Output
+{
+  std::string file; ///< "-" is stdout
+  Output_format format = Output_format::SEG;
+  Output_content content = Output_content::SEGMENTS;
+  Compression compression = Compression::NONE;
+
+  bool is_stdout() const { return file == "-"; }
+  bool is_for_each_segment() const { return file.find(segment_placeholder) != std::string::npos; }
+};
+
+/// The name with this number in place of each `{segment}`.
+std::string with_segment(std::string file, const std::string& number);
+
+/// The formats by the words for them, in the order of `Output_format`.
+const std::vector<std::string>& output_format_names();
+
+/// An output in `format`, or in the one that the ending of `file` names in upper or lower case, before a last ".gz"
+/// for a compressed one.
+/// \throws Usage_error if the ending names no format, or if what is to be written cannot be in this format
+Output make_output(const std::string& file, Output_content content = Output_content::SEGMENTS,
+                   const std::optional<Output_format>& format = std::nullopt);
 
 } // namespace segment_mesh
 

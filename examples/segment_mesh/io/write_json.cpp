@@ -1,88 +1,48 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The .json output. One object:
+// The .json output. One object, a line for each member and each element of a list of objects:
 //
 //   format        "segment_mesh"
 //   version       2; grows when a member changes its meaning or goes, not when one is added
 //   program       version of the program
-//   input         name, faces, points
+//   input         name (in UTF-8; U+FFFD stands for what is not), faces, points
 //   settings      method: as on the command line; segments: the wanted number, null if it was chosen;
-//                 mesh: the mesh type; and of two-step features: "concave", "convex" or "all";
-//                 max_angle: in degrees
+//                 mesh: the mesh type; smooth_borders: whether borders were smoothed; and of two-step
+//                 features: "concave", "convex" or "all"; max_angle: in degrees. Of a segmentation that
+//                 was read, labels alone: the name of its file
 //   times         in seconds: total, from the mesh in memory to the labels, and its stages, each
 //                 with stage and seconds, in order
-//   segments      for each segment, by its id: faces, area (in squared units of the mesh)
+//   segments      for each segment, by its id, what `Segment_description` has, with angles in degrees:
+//                 faces, area, volume, volume_share, centroid, axes, extents, border_length,
+//                 boundary_length, neighbors (segment, border_length, mean_signed_deviation),
+//                 primitive (type, error, point, and where it has them direction, radius, half_angle)
 //   regions       for each region that merging started from, by its id: segment, faces, area,
 //                 perimeter (shared with other regions, in units of the mesh)
 //   sections      for each pair of regions that share edges: regions (two ids), edges, length (in
 //                 units of the mesh), mean_angle (the dihedral angle, in radians; pi is flat)
+//   merges        in order: regions (the one that is kept, the one that joins it), cost (in units of
+//                 the method)
 //   face_segments the segment of each face, in the order of the input's file
 //   face_regions  the region of each face
 //   remarks       what the reader had to say, as texts
 //
 // Numbers are finite, but where a value is too large for a double there is null.
 
-#include "io/Text_buffer.h"
 #include "io/write_segmentation.h"
+#include "segmentation/segment_json.h"
 
 #include <CGAL/Region_segmentation/version.h>
 
-#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include <ostream>
+#include <utility>
 
 namespace segment_mesh {
 
 namespace {
 
-/// A JSON value of each kind that there is here.
-struct Json_text
-{
-  const std::string& text;
-};
-
-struct Json_number
-{
-  double value;
-};
-
-Text_buffer& operator<<(Text_buffer& out, const Json_number& number)
-{
-  return std::isfinite(number.value) ? out << number.value : out << "null";
-}
-
-/// Bytes above 0x7f are taken for UTF-8.
-Text_buffer& operator<<(Text_buffer& out, const Json_text& json)
-{
-  constexpr const char* hexadecimal = "0123456789abcdef";
-  std::string escaped = "\"";
-  for (char c : json.text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (c == '"' || c == '\\')
-      (escaped += '\\') += c;
-    else if (byte < 0x20)
-      ((escaped += "\\u00") += hexadecimal[byte / 16]) += hexadecimal[byte % 16];
-    else
-      escaped += c;
-  }
-  return out << (escaped += '"');
-}
-
-/// `"name": [...]`, an item a line or all on one.
-template <typename Range, typename Write>
-void write_array(Text_buffer& out, const char* name, const Range& range, const char* between,
-                 Write write)
-{
-  out << ",\n  \"" << name << "\": [";
-  const char* separator = between + 1;
-  for (const auto& item : range) {
-    out << separator;
-    write(item);
-    separator = between;
-  }
-  out << "]";
-}
-
-constexpr const char* a_line_each = ",\n    ";
-constexpr const char* on_one_line = ", ";
+using nlohmann::ordered_json;
 
 const char* name_of(CGAL::Region_segmentation::Feature_convexity features)
 {
@@ -107,72 +67,97 @@ const char* name_of(Method method)
                                         : "smooth-faces";
 }
 
-void write_head(Text_buffer& out, const Result& result)
+ordered_json settings_json(const Result& result)
 {
-  const std::optional<std::size_t>& wanted = result.settings.number_of_segments;
-  out << "{\n  \"format\": \"segment_mesh\",\n  \"version\": 2,\n  \"program\": \""
-      << CGAL_REGION_SEGMENTATION_VERSION
-      << "\",\n  \"input\": {\"name\": " << Json_text{result.name}
-      << ", \"faces\": " << result.input.soup.polygons.size()
-      << ", \"points\": " << result.input.soup.points.size()
-      << "},\n  \"settings\": {\"method\": \""
-      << name_of(result.settings.method)
-      << "\", \"segments\": " << (wanted ? std::to_string(*wanted) : "null") << ", \"mesh\": \""
-      << name_of(result.settings.mesh_type) << "\"";
-  if (const auto& features = result.segmentation.features)
-    out << ", \"features\": \"" << name_of(features->convexity)
-        << "\", \"max_angle\": " << features->maximum_angle;
-  out << "},\n  \"times\": {\"total\": " << result.segmentation.seconds;
-  write_array(out, "stages", result.segmentation.stages, a_line_each, [&](const Stage_time& time) {
-    out << "{\"stage\": " << Json_text{time.stage} << ", \"seconds\": " << time.seconds << "}";
-  });
-  out << "}";
+  if (!result.labels_file.empty())
+    return {{"labels", result.labels_file}};
+  const Segmentation_settings& settings = result.settings;
+  ordered_json json = {{"method", name_of(settings.method)},
+                       {"segments", nullptr},
+                       {"mesh", name_of(settings.mesh_type)},
+                       {"smooth_borders", settings.borders == Border_treatment::SMOOTHING}};
+  if (settings.number_of_segments)
+    json["segments"] = *settings.number_of_segments;
+  if (const auto& features = result.segmentation.features) {
+    json["features"] = name_of(features->convexity);
+    json["max_angle"] = features->maximum_angle;
+  }
+  return json;
 }
 
-struct Segment
+template <typename Elements, typename ToJson>
+ordered_json array_json(const Elements& elements, ToJson to_json)
 {
-  std::size_t number_of_faces = 0;
-  double area = 0;
-};
+  ordered_json array = ordered_json::array();
+  for (const auto& element : elements)
+    array.push_back(to_json(element));
+  return array;
+}
 
-std::vector<Segment> sum_up_segments(const Result& result)
+ordered_json times_json(const Segmentation& segmentation)
 {
-  std::vector<Segment> segments(result.segmentation.number_of_segments);
-  for (std::size_t label : labels_of_faces(result.input, result.segmentation))
-    ++segments[label].number_of_faces;
-  for (const Region& region : result.segmentation.regions)
-    segments[region.segment].area += region.area;
-  return segments;
+  ordered_json stages = array_json(segmentation.stages, [](const Stage_time& time) -> ordered_json {
+    return {{"stage", time.stage}, {"seconds", time.seconds}};
+  });
+  return {{"total", segmentation.seconds}, {"stages", std::move(stages)}};
+}
+
+void add_details(const Result& result, ordered_json& json)
+{
+  json["segments"] = array_json(result.details.segments(), segment_json);
+  json["regions"] = array_json(result.details.regions(), [](const Region& r) -> ordered_json {
+    return {{"segment", r.segment}, {"faces", r.number_of_faces}, {"area", r.area}, {"perimeter", r.perimeter}};
+  });
+  json["sections"] = array_json(result.details.sections(), [](const Section& s) -> ordered_json {
+    return {{"regions", s.regions}, {"edges", s.number_of_edges}, {"length", s.length}, {"mean_angle", s.mean_angle}};
+  });
+  json["merges"] = array_json(result.segmentation.tree.merges(), [](const auto& merge) -> ordered_json {
+    return {{"regions", {merge.kept, merge.removed}}, {"cost", merge.cost}};
+  });
+}
+
+std::string text_of(const ordered_json& json)
+{
+  constexpr int on_one_line = -1;
+  return json.dump(on_one_line, ' ', false, ordered_json::error_handler_t::replace);
+}
+
+void write_members(std::ostream& out, const ordered_json& json)
+{
+  const char* separator = "{\n";
+  for (const auto& [name, value] : json.items()) {
+    out << separator << "\"" << name << "\": ";
+    separator = ",\n";
+    if (!value.is_array() || value.empty() || !value.front().is_object()) {
+      out << text_of(value);
+      continue;
+    }
+    const char* before = "[\n";
+    for (const ordered_json& element : value) {
+      out << before << text_of(element);
+      before = ",\n";
+    }
+    out << "]";
+  }
+  out << "\n}\n";
 }
 
 } // namespace
 
-void write_json(std::ostream& stream, const Result& result)
+void write_json(std::ostream& out, const Result& result)
 {
-  const Segmentation& segmentation = result.segmentation;
-  Text_buffer out(stream);
-  write_head(out, result);
-  write_array(out, "segments", sum_up_segments(result), a_line_each, [&](const Segment& s) {
-    out << "{\"faces\": " << s.number_of_faces << ", \"area\": " << Json_number{s.area} << "}";
-  });
-  write_array(out, "regions", segmentation.regions, a_line_each, [&](const Region& r) {
-    out << "{\"segment\": " << r.segment << ", \"faces\": " << r.number_of_faces
-        << ", \"area\": " << Json_number{r.area} << ", \"perimeter\": " << Json_number{r.perimeter}
-        << "}";
-  });
-  write_array(out, "sections", segmentation.sections, a_line_each, [&](const Section& s) {
-    out << "{\"regions\": [" << s.regions[0] << ", " << s.regions[1]
-        << "], \"edges\": " << s.number_of_edges << ", \"length\": " << Json_number{s.length}
-        << ", \"mean_angle\": " << Json_number{s.mean_angle} << "}";
-  });
-  const auto write_size = [&](std::size_t value) { out << value; };
-  write_array(out, "face_segments", labels_of_faces(result.input, segmentation), on_one_line,
-              write_size);
-  const auto write_region = [&](std::size_t f) { out << segmentation.region_of_face[f]; };
-  write_array(out, "face_regions", result.input.mesh_face_of_face, on_one_line, write_region);
-  write_array(out, "remarks", result.input.remarks, a_line_each,
-              [&](const std::string& remark) { out << Json_text{remark}; });
-  out << "\n}\n";
+  ordered_json json = {{"format", "segment_mesh"}, {"version", 2}, {"program", CGAL_REGION_SEGMENTATION_VERSION}};
+  json["input"] = {{"name", result.name},
+                   {"faces", result.input.soup.polygons.size()},
+                   {"points", result.input.soup.points.size()}};
+  json["settings"] = settings_json(result);
+  json["times"] = times_json(result.segmentation);
+  add_details(result, json);
+  json["face_segments"] = labels_of_faces(result.input, result.segmentation);
+  json["face_regions"] = array_json(result.input.mesh_face_of_face,
+                                    [&](std::size_t f) { return result.segmentation.region_of_face[f]; });
+  json["remarks"] = result.input.remarks;
+  write_members(out, json);
 }
 
 } // namespace segment_mesh

@@ -2,52 +2,115 @@
 
 #include "io/write_segmentation.h"
 
+#include "io/Output_stream.h"
 #include "io/Text_buffer.h"
-#include "io/Whole_file.h"
-#include "io/little_endian.h"
+#include "io/copy_ply.h"
+#include "io/write_mesh.h"
+#include "page/write_page.h"
 #include "view/render_view.h"
-#include "view/segment_colors.h"
 #include "view/write_png.h"
 
 #include <algorithm>
-#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <system_error>
 
 namespace segment_mesh {
 
 namespace {
 
-void write_point(Text_buffer& text, const Point& p)
+/// The feature lines by the points of the file.
+std::vector<Polyline> feature_lines(const Result& result)
 {
-  text << p[0] << " " << p[1] << " " << p[2] << "\n";
+  std::vector<Polyline> lines = result.details.feature_lines();
+  for (Polyline& line : lines)
+    for (std::size_t& point : line)
+      point = result.input.point_of_mesh_point[point];
+  return lines;
 }
 
-bool has_large_face(const Polygon_soup& soup)
+void write_mesh(std::ostream& out, Output_format format, const Labelled_mesh& mesh,
+                const std::vector<Polyline>& feature_lines)
 {
-  return std::any_of(soup.polygons.begin(), soup.polygons.end(),
-                     [](const Polygon_soup::Polygon& polygon) { return polygon.size() > 255; });
+  if (format == Output_format::PLY)
+    write_ply(out, mesh);
+  else if (format == Output_format::OFF)
+    write_off(out, mesh);
+  else if (format == Output_format::VTP)
+    write_vtp(out, mesh);
+  else
+    write_obj(out, mesh, feature_lines);
 }
 
-std::string ply_header(const Polygon_soup& soup)
+/// Whether an input is a file that can be read again, with the magic bytes of PLY.
+bool is_ply_file(const std::string& file)
 {
-  return "ply\n"
-         "format binary_little_endian 1.0\n"
-         "element vertex " +
-         std::to_string(soup.points.size()) +
-         "\n"
-         "property double x\n"
-         "property double y\n"
-         "property double z\n"
-         "element face " +
-         std::to_string(soup.polygons.size()) +
-         "\n"
-         "property list " +
-         (has_large_face(soup) ? "uint" : "uchar") +
-         " int vertex_indices\n"
-         "property uchar red\n"
-         "property uchar green\n"
-         "property uchar blue\n"
-         "property int segment\n"
-         "end_header\n";
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error))
+    return false;
+  char magic[4] = {};
+  std::ifstream(file, std::ios::binary).read(magic, 4);
+  return std::equal(magic, magic + 3, "ply") && (magic[3] == '\n' || magic[3] == '\r');
+}
+
+/// A PLY input with the segments added, where it can be read once more.
+void write_ply_result(std::ostream& out, const Result& result)
+{
+  const std::vector<std::size_t> labels = labels_of_faces(result.input, result.segmentation);
+  std::string bytes;
+  if (is_ply_file(result.name)) {
+    std::ifstream in(result.name, std::ios::binary);
+    bytes.assign(std::istreambuf_iterator<char>(in), {});
+  }
+  if (const std::optional<std::string> copy = copy_ply(bytes, labels))
+    out.write(copy->data(), std::streamsize(copy->size()));
+  else
+    write_ply(out, {result.input.soup, labels});
+}
+
+void write_borders(std::ostream& out, Output_format format, const Result& result)
+{
+  const std::vector<Point>& points = result.input.mesh_soup().points;
+  if (format == Output_format::VTP)
+    write_borders_vtp(out, points, result.details.borders());
+  else
+    write_borders_obj(out, points, result.details.borders());
+}
+
+void write_whole(std::ostream& out, Output_format format, const Result& result)
+{
+  switch (format) {
+  case Output_format::SEG:
+    return write_seg(out, result);
+  case Output_format::JSON:
+    return write_json(out, result);
+  case Output_format::CSV:
+    return write_csv(out, result);
+  case Output_format::PNG:
+    return write_view(out, result);
+  case Output_format::HTML:
+    return write_html(out, result);
+  case Output_format::PLY:
+    return write_ply_result(out, result);
+  default: {
+    const std::vector<std::size_t> labels = labels_of_faces(result.input, result.segmentation);
+    return write_mesh(out, format, {result.input.soup, labels},
+                      format == Output_format::OBJ ? feature_lines(result) : std::vector<Polyline>());
+  }
+  }
+}
+
+void write_each_segment(const Output& output, const Result& result)
+{
+  const std::vector<std::size_t> labels = labels_of_faces(result.input, result.segmentation);
+  for (std::size_t segment = 0; segment < result.segmentation.number_of_segments; ++segment) {
+    const Polygon_soup part = extract_segment({result.input.soup, labels}, segment);
+    Output_stream out(with_segment(output.file, std::to_string(segment)), output.compression);
+    write_mesh(out.stream(), output.format, {part, std::vector<std::size_t>(part.polygons.size(), segment)}, {});
+    out.commit();
+  }
 }
 
 } // namespace
@@ -61,16 +124,18 @@ std::vector<std::size_t> labels_of_faces(const Input_mesh& input, const Segmenta
   return labels;
 }
 
-void write_segmentation(const std::string& file, const Result& result)
+void write_segmentation(const Output& output, const Result& result)
 {
-  using Writer = void (*)(std::ostream&, const Result&);
-  // In the order of Output_format.
-  constexpr Writer writers[] = {write_seg, write_ply, write_off, write_obj, write_json,
-                                write_view};
-  const Writer write = writers[std::size_t(output_format(file))];
-  Whole_file whole(file);
-  write(whole.stream(), result);
-  whole.commit();
+  if (output.is_for_each_segment()) {
+    write_each_segment(output, result);
+    return;
+  }
+  Output_stream out(output.file, output.compression);
+  if (output.content == Output_content::BORDERS)
+    write_borders(out.stream(), output.format, result);
+  else
+    write_whole(out.stream(), output.format, result);
+  out.commit();
 }
 
 void write_seg(std::ostream& out, const Result& result)
@@ -80,82 +145,19 @@ void write_seg(std::ostream& out, const Result& result)
     text << label << "\n";
 }
 
-void write_ply(std::ostream& out, const Result& result)
-{
-  const Polygon_soup& soup = result.input.soup;
-  const bool has_wide_sizes = has_large_face(soup);
-  std::string bytes = ply_header(soup);
-  for (const Point& p : soup.points)
-    for (double coordinate : p)
-      append_little_endian(bytes, coordinate);
-  const std::vector<std::size_t> labels = labels_of_faces(result.input, result.segmentation);
-  for (std::size_t f = 0; f < labels.size(); ++f) {
-    const Polygon_soup::Polygon& polygon = soup.polygons[f];
-    if (has_wide_sizes)
-      append_little_endian(bytes, std::uint32_t(polygon.size()));
-    else
-      append_little_endian(bytes, std::uint8_t(polygon.size()));
-    for (std::size_t i : polygon)
-      append_little_endian(bytes, std::int32_t(i));
-    for (std::uint8_t channel : segment_color(labels[f]))
-      append_little_endian(bytes, channel);
-    append_little_endian(bytes, std::int32_t(labels[f]));
-  }
-  out.write(bytes.data(), std::streamsize(bytes.size()));
-}
-
-void write_off(std::ostream& out, const Result& result)
-{
-  const Polygon_soup& soup = result.input.soup;
-  Text_buffer text(out);
-  text << "OFF\n" << soup.points.size() << " " << soup.polygons.size() << " 0\n";
-  for (const Point& p : soup.points)
-    write_point(text, p);
-  const std::vector<std::size_t> labels = labels_of_faces(result.input, result.segmentation);
-  for (std::size_t f = 0; f < labels.size(); ++f) {
-    text << soup.polygons[f].size();
-    for (std::size_t i : soup.polygons[f])
-      text << " " << i;
-    for (std::uint8_t channel : segment_color(labels[f]))
-      text << " " << int(channel);
-    text << "\n";
-  }
-}
-
-void write_obj(std::ostream& out, const Result& result)
-{
-  const Polygon_soup& soup = result.input.soup;
-  Text_buffer text(out);
-  for (const Point& p : soup.points) {
-    text << "v ";
-    write_point(text, p);
-  }
-  const std::vector<std::size_t> labels = labels_of_faces(result.input, result.segmentation);
-  for (std::size_t f = 0; f < labels.size(); ++f) {
-    if (f == 0 || labels[f] != labels[f - 1])
-      text << "g segment_" << labels[f] << "\n";
-    text << "f";
-    for (std::size_t i : soup.polygons[f])
-      text << " " << i + 1;
-    text << "\n";
-  }
-  if (!result.segmentation.feature_lines.empty())
-    text << "g feature_lines\n";
-  for (const std::vector<std::size_t>& line : result.segmentation.feature_lines) {
-    text << "l";
-    for (std::size_t i : line)
-      text << " " << result.input.point_of_mesh_point[i] + 1;
-    text << "\n";
-  }
-}
-
 void write_view(std::ostream& out, const Result& result)
 {
-  std::vector<Vertex_pair> edges = edges_of_lines(result.segmentation.feature_lines);
-  for (Vertex_pair& e : edges)
-    for (std::size_t& point : e)
-      point = result.input.point_of_mesh_point[point];
-  write_png_view(out, result.input.soup, labels_of_faces(result.input, result.segmentation), edges);
+  write_png_view(out, result.input.soup, labels_of_faces(result.input, result.segmentation),
+                 edges_of_lines(feature_lines(result)));
+}
+
+void write_html(std::ostream& out, const Result& result)
+{
+  std::vector<std::size_t> region_of_face;
+  region_of_face.reserve(result.input.mesh_face_of_face.size());
+  for (std::size_t f : result.input.mesh_face_of_face)
+    region_of_face.push_back(result.segmentation.region_of_face[f]);
+  write_page(out, {result.name, result.input.soup, region_of_face, result.segmentation, result.details});
 }
 
 } // namespace segment_mesh

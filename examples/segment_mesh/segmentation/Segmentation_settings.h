@@ -19,8 +19,8 @@ bool is_available(Mesh_type type);
 
 enum class Method { TWO_STEP, VISIBILITY, LEARNED, SMOOTH_FACES };
 
-/// What is wanted beside the labels.
-enum class Detail { LABELS, ALL };
+/// What becomes of the borders that a method gives.
+enum class Border_treatment { NONE, SMOOTHING };
 
 struct Segmentation_settings
 {
@@ -29,8 +29,8 @@ struct Segmentation_settings
   /// Which edges can be features, of a method that has them.
   CGAL::Region_segmentation::Feature_convexity features = CGAL::Region_segmentation::Feature_convexity::CONCAVE;
   std::optional<double> maximum_angle; ///< in degrees; the method's own if empty
+  Border_treatment borders = Border_treatment::NONE;
   Mesh_type mesh_type = Mesh_type::SURFACE_MESH;
-  Detail detail = Detail::ALL;
 };
 
 } // namespace segment_mesh

@@ -2,6 +2,8 @@
 
 #include "segmentation/run_segmentation.h"
 
+#include <algorithm>
+
 namespace segment_mesh {
 
 Segmentation run_segmentation(const Polygon_soup& soup, const Segmentation_settings& settings,
@@ -16,6 +18,23 @@ Segmentation run_segmentation(const Polygon_soup& soup, const Segmentation_setti
     return run_on_openmesh(soup, settings, listener);
   }
   return {};
+}
+
+Segmentation segmentation_from_labels(const std::vector<std::int64_t>& labels)
+{
+  std::vector<std::int64_t> different = labels;
+  std::sort(different.begin(), different.end());
+  different.erase(std::unique(different.begin(), different.end()), different.end());
+
+  Segmentation result;
+  result.number_of_segments = result.number_of_regions = different.size();
+  result.segment_of_face.reserve(labels.size());
+  for (std::int64_t label : labels)
+    result.segment_of_face.push_back(
+      std::size_t(std::lower_bound(different.begin(), different.end(), label) - different.begin()));
+  result.region_of_face = result.segment_of_face;
+  result.tree = CGAL::Region_segmentation::Merge_tree(result.number_of_regions);
+  return result;
 }
 
 } // namespace segment_mesh

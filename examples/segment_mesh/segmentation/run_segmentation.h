@@ -6,31 +6,16 @@
 #include "segmentation/Segmentation_settings.h"
 #include "soup/Polygon_soup.h"
 
+#include <CGAL/Region_segmentation/Graph/Merge_tree.h>
+
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace segment_mesh {
-
-/// A region that merging started from.
-struct Region
-{
-  std::size_t number_of_faces = 0;
-  double area = 0;      ///< in squared units of the mesh
-  double perimeter = 0; ///< shared with other regions, in units of the mesh
-  std::size_t segment = 0;
-};
-
-/// All edges that two regions share.
-struct Section
-{
-  std::size_t regions[2];
-  std::size_t number_of_edges = 0;
-  double length = 0;     ///< in units of the mesh
-  double mean_angle = 0; ///< the dihedral angle, in radians; pi is flat
-};
 
 struct Stage_time
 {
@@ -46,24 +31,19 @@ struct Feature_settings
     CGAL::Region_segmentation::Feature_convexity::CONCAVE;
 };
 
-/// Faces and points have the indices that they have in the soup.
+/// Faces have the indices that they have in the soup.
 struct Segmentation
 {
   std::size_t number_of_regions = 0;
   std::size_t number_of_segments = 0;
   std::optional<Feature_settings> features; ///< of a method that has feature edges
   std::vector<std::size_t> segment_of_face;
-  std::vector<std::size_t> region_of_face;
+  std::vector<std::size_t> region_of_face; ///< a region lies in one segment
+  /// Of the regions. Its partition into `number_of_segments` is `segment_of_face`; it has no merges where the
+  /// segments are the regions.
+  CGAL::Region_segmentation::Merge_tree tree{0};
   double seconds = 0; ///< from the mesh in memory to the labels
   std::vector<Stage_time> stages;
-
-  /// \name With `Detail::ALL`
-  /// @{
-  std::vector<std::vector<std::size_t>>
-    feature_lines; ///< the points of each, with borders of the mesh; of a method that has feature edges
-  std::vector<Region> regions;
-  std::vector<Section> sections;
-  /// @}
 };
 
 /// Hears of a stage and of how much of it is done, from 0 to 1; false cancels.
@@ -73,6 +53,9 @@ using Progress_listener = std::function<bool(const char* stage, double fraction)
 /// \pre `is_available(settings.mesh_type)`, and a number of segments is given or can be chosen
 Segmentation run_segmentation(const Polygon_soup& soup, const Segmentation_settings& settings,
                               const Progress_listener& listener);
+
+/// A segmentation that exists: a segment for each label, in their order, and no other regions.
+Segmentation segmentation_from_labels(const std::vector<std::int64_t>& labels);
 
 /// \name The same on one mesh type
 /// @{

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_SEGMENT_MESH_LABELLED_MESH_H
+#define CGAL_REGION_SEGMENTATION_SEGMENT_MESH_LABELLED_MESH_H
+
+#include "soup/Polygon_soup.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace segment_mesh {
+
+/// A mesh, or a part of it, with a segment for each face.
+struct Labelled_mesh
+{
+  const Polygon_soup& soup;
+  const std::vector<std::size_t>& segment_of_face;
+};
+
+/// The faces of one segment, in their order, with their points in the order of the mesh.
+Polygon_soup extract_segment(const Labelled_mesh& mesh, std::size_t segment);
+
+} // namespace segment_mesh
+
+#endif // CGAL_REGION_SEGMENTATION_SEGMENT_MESH_LABELLED_MESH_H

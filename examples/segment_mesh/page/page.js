@@ -1,0 +1,409 @@
+"use strict";
+
+// What the user sees and does beside the mesh.
+
+const element = id => document.getElementById(id);
+
+function fail(message) {
+  element("failure").textContent = message;
+  element("failure").hidden = false;
+}
+
+/// The arrays by name. Those of type Int32Array hold differences.
+async function readArrays(index) {
+  const text = atob(element("arrays").textContent);
+  element("arrays").remove();
+  const compressed = new Uint8Array(text.length);
+  for (let i = 0; i < text.length; ++i) compressed[i] = text.charCodeAt(i);
+  const bytes = await new Response(new Blob([compressed]).stream().pipeThrough(new DecompressionStream("gzip"))).arrayBuffer();
+  const types = {Float32Array, Uint32Array, Int32Array}, arrays = {};
+  let offset = 0;
+  for (const {name, type, length} of index) {
+    arrays[name] = new types[type](bytes, offset, length);
+    if (type === "Int32Array") {
+      arrays[name] = new Uint32Array(arrays[name]);
+      for (let i = 1; i < length; ++i) arrays[name][i] += arrays[name][i - 1];
+    }
+    offset += 4 * length;
+  }
+  return arrays;
+}
+
+/// Three significant digits, and no exponent where that is readable.
+function number(x) {
+  if (x === null || !isFinite(x)) return "–";
+  if (x === 0) return "0";
+  return Math.abs(x) >= 1e6 || Math.abs(x) < 1e-4 ? x.toExponential(2) : String(Number(x.toPrecision(3)));
+}
+
+const counted = (n, noun) => n.toLocaleString("en") + " " + noun + (n === 1 ? "" : "s");
+const percent = part => part >= 0.9995 ? "100 %" : part >= 0.001 ? (100 * part).toFixed(1) + " %" : "< 0.1 %";
+
+class Page {
+  constructor(content, arrays) {
+    this.content = content;
+    this.arrays = arrays;
+    const firstFaces = new Float64Array(content.regions).fill(Infinity);
+    this.facesOfRegion = new Uint32Array(content.regions);
+    arrays.regions.forEach((region, face) => {
+      firstFaces[region] = Math.min(firstFaces[region], face);
+      ++this.facesOfRegion[region];
+    });
+    this.tree = new MergeTree(content.regions, arrays.merges, arrays.areas, firstFaces);
+    this.totalArea = arrays.areas.reduce((sum, area) => sum + area, 0) || 1;
+    this.shapes = new Map(content.shapes.map(shape => [shape.node, shape]));
+    const first = this.tree.partition(content.segments);
+    this.colors = this.tree.colors(first);
+    this.view = new MeshView(element("view"), arrays, content.view, content.regions);
+    this.history = [];
+    this.tool = "select";
+    this.hovered = this.selected = this.firstToJoin = null;
+    this.describeMesh();
+    this.listen();
+    this.setNodes(first);
+  }
+
+  describeMesh() {
+    const {content, tree} = this;
+    document.title = content.name.replace(/.*[/\\]/, "") + " – segments";
+    element("name").textContent = content.name.replace(/.*[/\\]/, "");
+    element("name").title = content.name;
+    element("summary").textContent = counted(this.arrays.regions.length, "face") + " · " + counted(content.regions, "region");
+    const slider = element("slider"), count = element("count");
+    slider.min = count.min = tree.least;
+    slider.max = Math.max(content.greatest, tree.least);
+    count.max = content.regions;
+    slider.disabled = count.disabled = tree.least === content.regions;
+    element("least").textContent = slider.min;
+    element("greatest").textContent = slider.max;
+  }
+
+  // The segmentation.
+
+  setNodes(nodes) {
+    this.nodes = nodes;
+    this.segmentOfRegion = new Uint32Array(this.content.regions);
+    nodes.forEach((node, segment) => this.tree.forEachRegion(node, region => { this.segmentOfRegion[region] = segment; }));
+    for (const name of ["hovered", "selected", "firstToJoin"])
+      if (!nodes.includes(this[name])) this[name] = null;
+    element("slider").value = element("count").value = nodes.length;
+    element("undo").disabled = this.history.length === 0;
+    this.measure();
+    this.list();
+    this.paint();
+  }
+
+  /// Sums over the regions of each segment.
+  measure() {
+    this.measures = this.nodes.map(node => ({area: this.tree.areas[node], faces: 0, border: 0, neighbors: new Map()}));
+    this.facesOfRegion.forEach((faces, region) => { this.measures[this.segmentOfRegion[region]].faces += faces; });
+    const {sections, lengths} = this.arrays;
+    lengths.forEach((length, i) => {
+      const a = this.segmentOfRegion[sections[2 * i]], b = this.segmentOfRegion[sections[2 * i + 1]];
+      if (a === b) return;
+      for (const [here, there] of [[a, b], [b, a]]) {
+        this.measures[here].border += length;
+        this.measures[here].neighbors.set(there, (this.measures[here].neighbors.get(there) || 0) + length);
+      }
+    });
+  }
+
+  change(nodes, selected) {
+    this.history.push(this.nodes);
+    this.selected = selected;
+    this.setNodes(nodes);
+  }
+
+  undo() {
+    if (this.history.length > 0) this.setNodes(this.history.pop());
+  }
+
+  setNumber(number) {
+    const {tree} = this;
+    number = Math.max(tree.least, Math.min(this.content.regions, Math.round(number)));
+    if (!isFinite(number)) return this.setNodes(this.nodes);
+    const isEdited = this.nodes.join() !== tree.partition(this.nodes.length).join();
+    if (isEdited) {
+      this.history.push(this.nodes);
+      this.toast("Your splits and joins are undone by another number. Undo brings them back.");
+    }
+    this.setNodes(tree.partition(number));
+  }
+
+  split(node) {
+    const parts = this.tree.split(node);
+    if (!parts) return this.toast(this.nameOf(node) + " is a single region and cannot be split.");
+    const larger = this.tree.larger(...parts);
+    this.change(this.tree.sorted(this.nodes.filter(n => n !== node).concat(parts)), larger);
+  }
+
+  join(a, b) {
+    const node = this.tree.join(a, b);
+    this.colors[node] = this.colors[this.tree.larger(a, b)];
+    this.change(this.tree.sorted(this.nodes.filter(n => n !== a && n !== b).concat(node)), node);
+    this.firstToJoin = null;
+    this.paint();
+  }
+
+  // Names and colors.
+
+  indexOf(node) { return this.nodes.indexOf(node); }
+  nameOf(node) { return "Segment " + this.indexOf(node); }
+  colorOf(node) { return this.content.colors[this.colors[node] % this.content.colors.length]; }
+  cssColor(node) { return "rgb(" + this.colorOf(node).join() + ")"; }
+  shareOf(node) { return this.tree.areas[node] / this.totalArea; }
+
+  paint() {
+    const glows = this.nodes.map(node => node === this.hovered ? 120 : node === this.firstToJoin ? 160 : node === this.selected ? 60 : 0);
+    const colors = this.nodes.map(node => this.colorOf(node));
+    this.view.show(this.segmentOfRegion, r => colors[this.segmentOfRegion[r]], r => glows[this.segmentOfRegion[r]]);
+    for (const item of element("list").children) {
+      item.classList.toggle("hovered", Number(item.dataset.node) === this.hovered);
+      item.classList.toggle("selected", Number(item.dataset.node) === this.selected);
+    }
+  }
+
+  // The list.
+
+  list() {
+    const longest = 200;
+    const bySize = this.nodes.slice().sort((a, b) => this.tree.areas[b] - this.tree.areas[a]);
+    const largest = this.tree.areas[bySize[0]] || 1;
+    const items = bySize.slice(0, longest).map(node => this.item(node, largest));
+    if (bySize.length > longest) {
+      const more = document.createElement("li");
+      more.className = "more";
+      more.textContent = "and " + counted(bySize.length - longest, "smaller segment");
+      items.push(more);
+    }
+    element("list").replaceChildren(...items);
+  }
+
+  item(node, largest) {
+    const item = document.createElement("li"), shape = this.shapes.get(node);
+    item.dataset.node = node;
+    item.tabIndex = 0;
+    const row = document.createElement("div");
+    row.className = "row";
+    row.innerHTML = '<span class="swatch"></span><b></b><span class="shape"></span><span class="share"></span>';
+    row.children[0].style.background = this.cssColor(node);
+    row.children[1].textContent = this.nameOf(node);
+    row.children[2].textContent = shape && this.fits(shape, node) ? shape.primitive.type : "";
+    row.children[3].textContent = percent(this.shareOf(node));
+    const bar = document.createElement("div");
+    bar.className = "bar";
+    bar.innerHTML = "<i></i>";
+    bar.firstChild.style.cssText = "width:" + 100 * this.tree.areas[node] / largest + "%;background:" + this.cssColor(node);
+    item.append(row, bar);
+    if (node === this.selected) item.append(this.description(node), this.actions(node));
+    return item;
+  }
+
+  /// Whether a primitive says what a segment looks like: its misfit is below a hundredth of the size.
+  fits(shape, node) { return shape.primitive.error < 0.01 * Math.sqrt(this.tree.areas[node]); }
+
+  description(node) {
+    const measures = this.measures[this.indexOf(node)], shape = this.shapes.get(node);
+    const lines = [["Area", number(measures.area)], ["Faces", measures.faces.toLocaleString("en")]];
+    if (shape) {
+      lines.push(["Size", shape.extents.map(number).join(" × ")], ["Volume", number(shape.volume)]);
+      const {type, radius, half_angle, error} = shape.primitive;
+      const detail = radius !== undefined ? ", radius " + number(radius) : half_angle !== undefined ? ", half angle " + number(half_angle) + "°" : "";
+      lines.push(["Nearest shape", type + detail], ["Misfit", number(error)]);
+    }
+    lines.push(["Border", number(measures.border)]);
+    const neighbors = Array.from(measures.neighbors.keys()).sort((a, b) => a - b);
+    lines.push(["Neighbors", neighbors.length > 0 ? neighbors.join(", ") : "none"]);
+    const list = document.createElement("dl");
+    for (const [term, text] of lines) {
+      const dt = document.createElement("dt"), dd = document.createElement("dd");
+      dt.textContent = term;
+      dd.textContent = text;
+      list.append(dt, dd);
+    }
+    return list;
+  }
+
+  actions(node) {
+    const actions = document.createElement("div");
+    actions.className = "actions";
+    const add = (text, isPossible, act) => {
+      const button = document.createElement("button");
+      button.textContent = text;
+      button.disabled = !isPossible;
+      button.addEventListener("click", event => { event.stopPropagation(); act(); });
+      actions.append(button);
+    };
+    add("Split", this.tree.split(node) !== null, () => this.split(node));
+    add("Join with …", this.nodes.length > 1, () => { this.setTool("join"); this.startJoin(node); });
+    return actions;
+  }
+
+  // What the user does.
+
+  setTool(tool) {
+    this.tool = tool;
+    this.firstToJoin = null;
+    for (const button of document.querySelectorAll("[data-tool]"))
+      button.setAttribute("aria-checked", String(button.dataset.tool === tool));
+    element("help").textContent = {
+      select: "Drag to turn · scroll to zoom · right drag to move · click a segment",
+      split: "Click a segment to split it in two",
+      join: "Click a segment, then the one to join it with"
+    }[tool];
+    this.paint();
+  }
+
+  select(node) {
+    this.selected = node;
+    this.list();
+    this.paint();
+    const item = element("list").querySelector(".selected");
+    if (item) item.scrollIntoView({block: "nearest"});
+  }
+
+  startJoin(node) {
+    this.firstToJoin = node;
+    element("help").textContent = "Click the segment to join with " + this.nameOf(node) + " · Esc to leave it";
+    this.paint();
+  }
+
+  click(node) {
+    if (node === null) {
+      this.firstToJoin = null;
+      return this.select(null);
+    }
+    if (this.tool === "split") return this.split(node);
+    if (this.tool === "select") return this.select(node);
+    if (this.firstToJoin === null) return this.startJoin(node);
+    if (this.firstToJoin !== node) {
+      this.join(this.firstToJoin, node);
+      this.setTool("join");
+    }
+  }
+
+  hover(node) {
+    if (node === this.hovered) return;
+    this.hovered = node;
+    this.paint();
+  }
+
+  nodeAt(event) {
+    const box = element("view").getBoundingClientRect();
+    const region = this.view.regionAt(event.clientX - box.left, event.clientY - box.top);
+    return region >= 0 ? this.nodes[this.segmentOfRegion[region]] : null;
+  }
+
+  showTip(event, node) {
+    const tip = element("tip");
+    tip.hidden = node === null;
+    if (node === null) return;
+    tip.innerHTML = '<span class="swatch"></span><span></span><small></small>';
+    tip.children[0].style.background = this.cssColor(node);
+    tip.children[1].textContent = this.nameOf(node);
+    const shape = this.shapes.get(node);
+    tip.children[2].textContent = percent(this.shareOf(node)) + (shape && this.fits(shape, node) ? " · " + shape.primitive.type : "");
+    const width = element("view").clientWidth;
+    tip.style.left = Math.min(event.clientX + 16, width - tip.offsetWidth - 8) + "px";
+    tip.style.top = Math.max(event.clientY - 38, 8) + "px";
+  }
+
+  toast(text) {
+    element("toast").textContent = text;
+    element("toast").hidden = false;
+    clearTimeout(this.toastTimer);
+    this.toastTimer = setTimeout(() => { element("toast").hidden = true; }, 4500);
+  }
+
+  save(blob, ending) {
+    const link = document.createElement("a");
+    link.href = URL.createObjectURL(blob);
+    link.download = element("name").textContent.replace(/\.[^.]*$/, "") + "_" + this.nodes.length + ending;
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(link.href), 1000);
+  }
+
+  labels() { return Array.from(this.arrays.regions, region => this.segmentOfRegion[region]).join("\n") + "\n"; }
+
+  listen() {
+    this.listenToCanvas();
+    element("slider").addEventListener("input", () => this.setNumber(Number(element("slider").value)));
+    element("count").addEventListener("change", () => this.setNumber(parseFloat(element("count").value)));
+    element("undo").addEventListener("click", () => this.undo());
+    for (const button of document.querySelectorAll("[data-tool]"))
+      button.addEventListener("click", () => this.setTool(button.dataset.tool));
+    const list = element("list"), nodeOf = event => {
+      const item = event.target.closest("li[data-node]");
+      return item ? Number(item.dataset.node) : null;
+    };
+    list.addEventListener("pointermove", event => this.hover(nodeOf(event)));
+    list.addEventListener("pointerleave", () => this.hover(null));
+    const choose = event => {
+      const node = nodeOf(event);
+      if (node === null || event.target.closest("dl")) return;
+      if (this.tool === "join" && this.firstToJoin !== null) this.click(node);
+      else this.select(node === this.selected ? null : node);
+    };
+    list.addEventListener("click", choose);
+    list.addEventListener("keydown", event => { if (event.key === "Enter" && event.target.tagName === "LI") choose(event); });
+    element("save-labels").addEventListener("click", () => this.save(new Blob([this.labels()], {type: "text/plain"}), ".seg"));
+    element("save-picture").addEventListener("click", () => this.view.picture(blob => this.save(blob, ".png")));
+    document.addEventListener("keydown", event => this.key(event));
+  }
+
+  listenToCanvas() {
+    const canvas = element("view");
+    let down = null, pointer = null; // where a button was pressed, and where the pointer is over the canvas
+    const point = event => {
+      const node = this.nodeAt(event);
+      canvas.classList.toggle("pointing", node !== null);
+      this.hover(node);
+      this.showTip(event, node);
+    };
+    this.view.afterDrawing = () => { if (pointer && !down) point(pointer); };
+    canvas.addEventListener("pointerdown", event => {
+      canvas.focus(); // so that a number that was typed counts
+      down = {x: event.clientX, y: event.clientY};
+      canvas.classList.add("turning");
+      element("tip").hidden = true;
+    });
+    window.addEventListener("pointerup", event => {
+      canvas.classList.remove("turning");
+      const isClick = down && event.button === 0 && Math.hypot(event.clientX - down.x, event.clientY - down.y) < 4;
+      down = null;
+      if (isClick && event.target === canvas) this.click(this.nodeAt(event));
+    });
+    canvas.addEventListener("pointermove", event => {
+      pointer = event;
+      if (!down) point(event);
+    });
+    canvas.addEventListener("pointerleave", () => {
+      pointer = null;
+      element("tip").hidden = true;
+      this.hover(null);
+    });
+    canvas.addEventListener("webglcontextlost", () => fail("The browser has closed the view. Load the page again."));
+  }
+
+  key(event) {
+    if (event.target.tagName === "INPUT" && event.target.type === "number") return;
+    const tools = {1: "select", 2: "split", 3: "join"};
+    if (tools[event.key]) this.setTool(tools[event.key]);
+    else if (event.key === "Escape") this.setTool(this.tool);
+    else if (event.key === "z" && (event.ctrlKey || event.metaKey)) this.undo();
+    else return;
+    event.preventDefault();
+  }
+}
+
+(async () => {
+  try {
+    const content = JSON.parse(element("content").textContent);
+    const arrays = await readArrays(content.arrays);
+    window.page = new Page(content, arrays);
+    window.page.setTool("select");
+  } catch (error) {
+    fail(typeof DecompressionStream === "undefined" ? "This page needs a browser of 2023 or later."
+      : "The mesh cannot be shown: " + error.message);
+  }
+})();

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_SEGMENT_MESH_WRITE_PAGE_H
+#define CGAL_REGION_SEGMENTATION_SEGMENT_MESH_WRITE_PAGE_H
+
+#include "segmentation/Segmentation_details.h"
+#include "segmentation/run_segmentation.h"
+#include "soup/Polygon_soup.h"
+
+#include <cstddef>
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace segment_mesh {
+
+/// What a page shows. References: it lives within one call.
+struct Page_content
+{
+  const std::string& name; ///< of the input
+  const Polygon_soup& soup;
+  const std::vector<std::size_t>& region_of_face; ///< of each face of the soup
+  const Segmentation& segmentation;
+  const Segmentation_details& details;
+};
+
+/// Whether the program was built with three.js.
+bool can_write_pages();
+
+/// Writes a page of HTML that needs no other file and no network: the mesh to turn, every number of segments that the merge
+/// tree has, and segments to split and to join. It needs a browser with WebGL and `DecompressionStream` (of 2023).
+/// \pre `can_write_pages()`
+void write_page(std::ostream& out, const Page_content& content);
+
+} // namespace segment_mesh
+
+#endif // CGAL_REGION_SEGMENTATION_SEGMENT_MESH_WRITE_PAGE_H

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_SEGMENT_MESH_SEGMENTATION_DETAILS_H
+#define CGAL_REGION_SEGMENTATION_SEGMENT_MESH_SEGMENTATION_DETAILS_H
+
+#include "segmentation/run_segmentation.h"
+#include "soup/Polygon_soup.h"
+
+#include <CGAL/Region_segmentation/Segments/Segment_description.h>
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace segment_mesh {
+
+using Segment_description = CGAL::Region_segmentation::Segment_description<std::size_t>;
+
+/// Points by their indices.
+using Polyline = std::vector<std::size_t>;
+
+/// A region that merging started from.
+struct Region
+{
+  std::size_t number_of_faces = 0;
+  double area = 0;      ///< in squared units of the mesh
+  double perimeter = 0; ///< shared with other regions, in units of the mesh
+  std::size_t segment = 0;
+};
+
+/// All edges that two regions share.
+struct Section
+{
+  std::size_t regions[2];
+  std::size_t number_of_edges = 0;
+  double length = 0;     ///< in units of the mesh
+  double mean_angle = 0; ///< the dihedral angle, in radians; pi is flat
+};
+
+/// A polyline between two segments; the first and the last point of a closed one are the same.
+struct Border
+{
+  std::array<std::size_t, 2> segments; ///< to the left and to the right, seen from outside
+  Polyline points;
+};
+
+/// A description of a node of the merge tree: the regions, then the result of each merge.
+struct Node_description
+{
+  std::size_t node;
+  Segment_description shape;
+};
+
+/// What outputs contain beside the labels; computed from them when it is asked for. The same from every mesh type.
+class Segmentation_details
+{
+public:
+  /// Refers to both.
+  Segmentation_details(const Polygon_soup& soup, const Segmentation& segmentation);
+  Segmentation_details(const Segmentation_details&) = delete;
+  Segmentation_details& operator=(const Segmentation_details&) = delete;
+  ~Segmentation_details();
+
+  /// The feature edges as lines from junction to junction, with borders of the mesh and without those that end inside the
+  /// surface; none of a method without feature edges.
+  std::vector<Polyline> feature_lines() const;
+  std::vector<Region> regions() const;
+  std::vector<Section> sections() const;
+  /// By segment.
+  std::vector<Segment_description> segments() const;
+  std::vector<Border> borders() const;
+  /// Of the segments of all partitions into at most `number_of_segments`.
+  std::vector<Node_description> nodes(std::size_t number_of_segments) const;
+
+private:
+  class Mesh_with_labels;
+
+  const Mesh_with_labels& mesh() const;
+
+  const Polygon_soup& m_soup;
+  const Segmentation& m_segmentation;
+  mutable std::unique_ptr<Mesh_with_labels> m_mesh;
+};
+
+} // namespace segment_mesh
+
+#endif // CGAL_REGION_SEGMENTATION_SEGMENT_MESH_SEGMENTATION_DETAILS_H

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_SEGMENT_MESH_SEGMENT_JSON_H
+#define CGAL_REGION_SEGMENTATION_SEGMENT_MESH_SEGMENT_JSON_H
+
+#include "segmentation/Segmentation_details.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace segment_mesh {
+
+/// The word for a primitive in outputs.
+const char* name_of(CGAL::Region_segmentation::Primitive_type type);
+
+/// Whether a primitive is a sphere or a cylinder.
+bool has_radius(const CGAL::Region_segmentation::Fitted_primitive& primitive);
+
+/// The shape of a segment as an object, see io/write_json.cpp; values that are not finite are null.
+nlohmann::ordered_json segment_json(const Segment_description& segment);
+
+} // namespace segment_mesh
+
+#endif // CGAL_REGION_SEGMENTATION_SEGMENT_MESH_SEGMENT_JSON_H

@@ -1,0 +1,229 @@
+#!/usr/bin/env python3
+"""page_test.py PROGRAM PICTURE: a page of segment_mesh in headless Chromium, with 200,000 faces.
+
+Moves the slider, splits, joins, undoes and saves as a user does; leaves a screenshot in PICTURE. Needs Debian's chromium,
+chromium-driver and python3-selenium; without them it is skipped."""
+
+import json
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+
+SKIPPED = 77
+
+try:
+    from selenium import webdriver
+    from selenium.webdriver.chrome.service import Service
+    from selenium.webdriver.common.action_chains import ActionChains
+    from selenium.webdriver.common.by import By
+    from selenium.webdriver.common.keys import Keys
+except ImportError:
+    print("skipped: no python3-selenium")
+    sys.exit(SKIPPED)
+
+
+def read_off(file):
+    numbers = file.read_text().split()[1:]
+    n, m = int(numbers[0]), int(numbers[1])
+    values = numbers[3:]
+    points = [tuple(map(float, values[3 * i:3 * i + 3])) for i in range(n)]
+    start, with_color = 3 * n, 7
+    faces = [tuple(map(int, values[start + with_color * f + 1:start + with_color * f + 4])) for f in range(m)]
+    return points, faces
+
+
+def write_off(file, points, faces):
+    lines = [f"OFF\n{len(points)} {len(faces)} 0"] + [f"{x!r} {y!r} {z!r}" for x, y, z in points]
+    file.write_text("\n".join(lines + [f"3 {a} {b} {c}" for a, b, c in faces]) + "\n")
+
+
+def subdivided(points, faces):
+    """Each triangle divided in four."""
+    points, middles, result = list(points), {}, []
+
+    def middle(i, j):
+        key = (min(i, j), max(i, j))
+        if key not in middles:
+            middles[key] = len(points)
+            points.append(tuple((x + y) / 2 for x, y in zip(points[i], points[j])))
+        return middles[key]
+
+    for a, b, c in faces:
+        ab, bc, ca = middle(a, b), middle(b, c), middle(c, a)
+        result += [(a, ab, ca), (ab, b, bc), (ca, bc, c), (ab, bc, ca)]
+    return points, result
+
+
+def start_browser(downloads):
+    driver, browser = shutil.which("chromedriver"), shutil.which("chromium")
+    if not driver or not browser:
+        print("skipped: no chromium with chromedriver")
+        sys.exit(SKIPPED)
+    options = webdriver.ChromeOptions()
+    options.binary_location = browser
+    for argument in ("--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--window-size=1280,800",
+                     "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--host-resolver-rules=MAP * ~NOTFOUND"):
+        options.add_argument(argument)
+    options.add_experimental_option("prefs", {"download.default_directory": str(downloads)})
+    options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
+    browser = webdriver.Chrome(service=Service(driver), options=options)
+    browser.set_script_timeout(300)
+    return browser
+
+
+class Page:
+    def __init__(self, browser, file):
+        self.browser = browser
+        browser.get(file.as_uri())
+        for _ in range(600):
+            if browser.execute_script("return !!window.page || !document.getElementById('failure').hidden"):
+                break
+            time.sleep(0.1)
+        failure = self.element("failure").text
+        assert not failure, failure
+
+    def element(self, name):
+        return self.browser.find_element(By.ID, name)
+
+    def count(self):
+        return int(self.element("count").get_attribute("value"))
+
+    def rows(self):
+        return len(self.browser.find_elements(By.CSS_SELECTOR, "#list li[data-node]"))
+
+    def labels(self):
+        return self.browser.execute_script("return window.page.labels()").split()
+
+    def press(self, name):
+        self.browser.find_element(By.CSS_SELECTOR, name).click()
+
+    def places(self):
+        """For each segment that is seen, a place of the canvas where the page itself says that it is."""
+        found = self.browser.execute_script(
+            """const page = window.page, {view} = page, {width, height} = view.ids, bytes = new Uint8Array(4 * width * height);
+               view.draw();
+               view.renderer.readRenderTargetPixels(view.ids, 0, 0, width, height, bytes);
+               const found = {}, ratio = view.renderer.getPixelRatio();
+               for (let row = 8; row < height; row += 16)
+                 for (let column = 8; column < width; column += 16) {
+                   const at = 4 * (row * width + column), region = bytes[at] + 256 * bytes[at + 1] - 1;
+                   if (region < 0) continue;
+                   const segment = page.segmentOfRegion[region];
+                   (found[segment] = found[segment] || []).push([column / ratio, (height - 1 - row) / ratio].map(Math.round));
+                 }
+               return found;""")
+        return {int(segment): places[len(places) // 2] for segment, places in found.items()}
+
+    def move_to(self, place):
+        view = self.element("view")
+        return ActionChains(self.browser).move_to_element_with_offset(
+            view, place[0] - view.size["width"] // 2, place[1] - view.size["height"] // 2)
+
+    def click(self, place):
+        self.move_to(place).click().perform()
+
+
+def partition_of(labels):
+    return {frozenset(i for i, x in enumerate(labels) if x == label) for label in set(labels)}
+
+
+def make_mesh(program, folder):
+    """Two of the figures of the program, side by side, with 237,440 faces."""
+    subprocess.run([program, "--demo", "-q", "-o", "a.off"], cwd=folder, check=True, stdout=subprocess.DEVNULL)
+    points, faces = subdivided(*subdivided(*read_off(folder / "a.off")))
+    n = len(points)
+    points += [(x + 3, y, z) for x, y, z in points]
+    faces += [tuple(i + n for i in face) for face in faces]
+    write_off(folder / "a.off", points, faces)
+    return len(faces)
+
+
+def test(program, picture, folder):
+    number_of_faces = make_mesh(program, folder)
+    k = 12
+    subprocess.run([program, "a.off", "-q", "-k", str(k), "-o", "a.html", "-o", "a.seg"], cwd=folder, check=True)
+    browser = start_browser(folder)
+    try:
+        start = time.time()
+        page = Page(browser, folder / "a.html")
+        print(f"{number_of_faces} faces: shown after {time.time() - start:.1f} s, "
+              f"{(folder / 'a.html').stat().st_size / 1e6:.1f} MB")
+        assert page.count() == k and page.rows() == k
+        assert page.labels() == (folder / "a.seg").read_text().split(), "not the labels of the program"
+
+        # The slider: labels as the program gives them.
+        slider = page.element("slider")
+        slider.send_keys(Keys.ARROW_RIGHT, Keys.ARROW_RIGHT, Keys.ARROW_RIGHT)
+        assert page.count() == k + 3 == page.rows(), page.count()
+        subprocess.run([program, "a.off", "-q", "-k", str(k + 3), "-o", "b.seg"], cwd=folder, check=True,
+                       stdout=subprocess.DEVNULL)
+        assert page.labels() == (folder / "b.seg").read_text().split(), "not the labels of the program"
+
+        # Splitting, joining and undoing by clicks.
+        before = partition_of(page.labels())
+        page.press("[data-tool=split]")
+        page.click(next(iter(page.places().values())))
+        assert page.count() == k + 4, page.count()
+        after = partition_of(page.labels())
+        assert len(before - after) == 1 and len(after - before) == 2
+        assert frozenset().union(*(after - before)) == next(iter(before - after))
+        page.press("[data-tool=join]")
+        (a, place_of_a), (b, place_of_b) = list(page.places().items())[:2]
+        labels = page.labels()
+        joined = frozenset(i for i, x in enumerate(labels) if int(x) in (a, b))
+        page.click(place_of_a)
+        page.click(place_of_b)
+        assert page.count() == k + 3 and joined in partition_of(page.labels())
+        page.press("#undo")
+        assert page.labels() == labels
+        page.press("#undo")
+        assert partition_of(page.labels()) == before
+
+        # Hovering names a segment, selecting describes it.
+        page.press("[data-tool=select]")
+        segment, place = list(page.places().items())[-1]
+        page.move_to(place).perform()
+        tip = page.element("tip").text
+        assert tip.split()[:2] == ["Segment", str(segment)], tip
+        page.click(place)
+        description = browser.find_element(By.CSS_SELECTOR, "#list li.selected dl").text
+        assert "Area" in description and "Neighbors" in description, description
+
+        # Turning changes the view.
+        view = page.element("view")
+        region = page.browser.execute_script("return window.page.view.camera.position.toArray()")
+        ActionChains(browser).move_to_element(view).click_and_hold().move_by_offset(60, 20).release().perform()
+        time.sleep(0.5)
+        assert page.browser.execute_script("return window.page.view.camera.position.toArray()") != region
+        page.move_to(next(iter(page.places().values()))).perform()
+        time.sleep(0.3)
+        browser.save_screenshot(picture)
+        colors = browser.execute_script(
+            """window.page.view.draw(); const gl = window.page.view.renderer.getContext(), n = 64, bytes = new Uint8Array(4);
+               const colors = new Set();
+               for (let i = 0; i < n * n; ++i) {
+                 gl.readPixels(i % n * gl.drawingBufferWidth / n, (i / n | 0) * gl.drawingBufferHeight / n, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
+                 colors.add(bytes.join());
+               }
+               return colors.size;""")
+        assert colors > 50, f"{colors} colors"
+
+        page.press("#save-labels")
+        saved = folder / f"a_{k + 3}.seg"
+        for _ in range(100):
+            if saved.exists():
+                break
+            time.sleep(0.1)
+        assert partition_of(saved.read_text().split()) == before
+        errors = [entry for entry in browser.get_log("browser") if entry["level"] == "SEVERE"]
+        assert not errors, json.dumps(errors)
+    finally:
+        browser.quit()
+
+
+if __name__ == "__main__":
+    with tempfile.TemporaryDirectory() as name:
+        test(sys.argv[1], sys.argv[2], pathlib.Path(name))
