@@ -7,7 +7,7 @@
 set -eu
 root=$(cd "$(dirname "$0")/.." && pwd)
 
-sh "$root/cmake/install_packages.sh" g++ make cmake doxygen libcgal-dev libcgal-demo libeigen3-dev libgtest-dev \
+sh "$root/cmake/install_packages.sh" g++ clang make cmake doxygen libcgal-dev libcgal-demo libeigen3-dev libgtest-dev \
   libjs-mathjax libopenmesh-dev libcli11-dev libpng-dev libspectra-dev libtbb-dev libxgboost-dev parallel valgrind
 
 build=$root/build-test

@@ -5,19 +5,12 @@ if(expected STREQUAL "")
   message(FATAL_ERROR "${SOURCE} has no line `// expect: MESSAGE`")
 endif()
 
-# Each command has a line of its own, and ends with the source.
-file(STRINGS ${COMMANDS} command REGEX "^ *\"command\": .* ${SOURCE}\",$")
-if(command STREQUAL "")
-  message(FATAL_ERROR "${COMMANDS} has no command for ${SOURCE}")
-endif()
-string(REGEX REPLACE "^ *\"command\": \"(.*)\",$" "\\1" command "${command}")
-string(REPLACE "\\\"" "\"" command "${command}")
-separate_arguments(command UNIX_COMMAND "${command}")
-get_filename_component(directory ${COMMANDS} DIRECTORY)
+include(${CMAKE_CURRENT_LIST_DIR}/../compile_command.cmake)
+compile_command(command)
 
 # parse([DEFINITION...])
 function(parse)
-  execute_process(COMMAND ${command} -fsyntax-only ${ARGV} WORKING_DIRECTORY ${directory}
+  execute_process(COMMAND ${command} -fsyntax-only ${ARGV}
                   RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
   set(result ${result} PARENT_SCOPE)
   set(output "${output}" PARENT_SCOPE)

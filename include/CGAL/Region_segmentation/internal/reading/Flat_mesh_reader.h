@@ -99,10 +99,10 @@ private:
     std::vector<Late_edges> late_edges(number_of_blocks(places.size(), blocks_in_range));
     for_each_block(
       m_execution.step(0.2, 0.9), places.size(),
-      [&](std::size_t range, std::size_t begin, std::size_t end) {
+      [&](std::size_t range, std::size_t first_block, std::size_t last_block) {
         Face_block faces;
-        for (std::size_t block = begin; block < end; ++block)
-          read_block(block, places[block], begin * block_size, faces, late_edges[range]);
+        for (std::size_t block = first_block; block < last_block; ++block)
+          read_block(block, places[block], first_block * block_size, faces, late_edges[range]);
       },
       blocks_in_range);
     for_each_block(
