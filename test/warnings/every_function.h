@@ -49,10 +49,10 @@ void use_methods(const Mesh& mesh)
                                 .edge_is_constrained_map(drawn)
                                 .face_seed_map(seeds)
                                 .region_map(regions)
-                                .merge_tree(std::ref(tree)));
+                                .merge_tree(tree));
   RS::segment<ConcurrencyTag>(mesh, segments, RS::parameters::method(RS::Visibility_merging()));
   RS::segment<ConcurrencyTag>(mesh, segments, RS::parameters::method(RS::Smooth_faces()));
-  RS::segment<ConcurrencyTag>(mesh, segments, RS::parameters::method(RS::Two_step()).number_of_segments(2));
+  RS::segment<ConcurrencyTag>(mesh, segments, 2, RS::parameters::method(RS::Two_step()));
   const RS::Number_below_cost<RS::Visibility_cost> below{0};
   RS::segment<ConcurrencyTag>(mesh, segments, RS::parameters::method(RS::Visibility_merging().with_chooser(below)));
 #ifdef TEST_EIGEN

@@ -4,6 +4,7 @@
 #define CGAL_REGION_SEGMENTATION_SEGMENTER_H
 
 #include <CGAL/Region_segmentation/Graph/Merge_tree.h>
+#include <CGAL/Region_segmentation/internal/support/check_maps.h>
 #include <CGAL/Region_segmentation/Methods/Learned_merging.h>
 #include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/face_values.h>
@@ -179,6 +180,7 @@ public:
   void add_constraints(EdgeIsConstrainedMap edge_is_constrained_map,
                        const NamedParameters& np = parameters::default_values())
   {
+    static_assert(internal::check_edge_map<EdgeIsConstrainedMap, FaceGraph>());
     const auto& pack = internal::pack(np);
     internal::check_parameters<std::decay_t<decltype(pack)>, internal::Tag_list<CGAL::internal_np::visitor_t>>();
     std::vector<Flat_mesh::Index> dual_edges;

@@ -8,6 +8,7 @@
 #include <CGAL/Region_segmentation/internal/reading/Mesh_traversal.h>
 #include <CGAL/Region_segmentation/internal/reading/Face_reader.h>
 #include <CGAL/Region_segmentation/internal/support/blocks.h>
+#include <CGAL/Region_segmentation/internal/support/check_maps.h>
 #include <CGAL/Region_segmentation/internal/support/visitor.h>
 #include <CGAL/Region_segmentation/internal/support/unit_of_coordinates.h>
 
@@ -41,6 +42,7 @@ class Flat_mesh_reader
   using Constraint_map =
     typename CGAL::internal_np::Lookup_named_param_def<CGAL::internal_np::edge_is_constrained_t, Pack,
                                                        No_constraints>::type;
+  static_assert(check_edge_map<Constraint_map, FaceGraph>());
   static constexpr bool has_constraints = !std::is_same<Constraint_map, No_constraints>::value;
 
 public:
