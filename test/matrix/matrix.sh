@@ -57,8 +57,9 @@ unpack()
       $0 ~ "(^|\n)Suites:[^\n]*[ \t]" own "([ \t\n]|$)" { gsub("(^|\n)Suites:[^\n]*", "\nSuites: " suite); print }' \
       "$file" >>"$folder/sources/own.sources"
   done
+  : >"$folder/status" # as if nothing were installed: any release can be fetched
   set -- -o Dir::Etc::sourcelist=/dev/null -o Dir::Etc::sourceparts="$folder/sources" -o Dir::State::lists="$folder/lists" \
-    -o Dir::Cache="$folder/cache" -o Debug::NoLocking=1 -qq
+    -o Dir::Cache="$folder/cache" -o Dir::State::status="$folder/status" -o Debug::NoLocking=1 -qq
   apt-get "$@" update >"$folder/apt.log" 2>&1 || return 1
   (cd "$folder" && apt-get "$@" download libcgal-dev >>apt.log 2>&1) || return 1
   dpkg-deb -x "$folder"/libcgal-dev_*.deb "$folder/part" && mv "$folder/part" "$folder/root"
