@@ -116,7 +116,7 @@ public:
     static_assert(!Prepared::has_one_tree || internal::has_chooser<Method>(),
                   "this method has no NumberChooser: use segment(segment_map, number_of_segments)");
     if constexpr (Prepared::has_one_tree && internal::has_chooser<Method>())
-      return m_number > 0 ? m_number : method().chooser(merge_tree());
+      return m_number > 0 ? m_number : m_prepared.chosen_number();
     else
       return m_number;
   }

@@ -81,7 +81,7 @@ std::size_t segment(const FaceGraph& mesh, FaceSegmentMap segment_map,
   auto prepared =
     internal::prepare<Method, ConcurrencyTag>(traversal, internal::Preparation::FOR_ONE_USE, pack);
   if constexpr (!internal::has_number_of_segments<Pack> && internal::has_chooser<Method>())
-    number = prepared.method().chooser(prepared.merge_tree());
+    number = prepared.chosen_number();
   Merge_tree tree;
   const internal::Segments segments =
     prepared.take_segments(number, internal::has_merge_tree<Pack> ? &tree : nullptr, pack);

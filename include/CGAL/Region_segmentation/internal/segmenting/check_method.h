@@ -60,6 +60,12 @@ using Splits_regions = std::enable_if_t<std::is_convertible<
                                           std::declval<const Execution<ConcurrencyTag>&>())),
   Partition>::value>;
 
+/// A NumberChooser that is also asked with the mesh.
+template <typename T>
+using Sees_mesh = std::enable_if_t<std::is_convertible<
+  decltype(std::declval<const T&>()(std::declval<const Merge_tree&>(), std::declval<const Flat_mesh&>())),
+  std::size_t>::value>;
+
 template <typename T>
 constexpr bool check_number_chooser()
 {
