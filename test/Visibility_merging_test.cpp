@@ -144,7 +144,7 @@ TEST(Visibility_merging_test, chooses_the_number_of_balls)
 
 TEST(Visibility_merging_test, gives_something_sensible_where_there_is_nothing)
 {
-  EXPECT_EQ(number_of(segment_automatically(sphere(3))), 2u);
+  EXPECT_EQ(number_of(segment_automatically(sphere(3))), 1u);
   EXPECT_EQ(number_of(segment_automatically(joined(sphere(1), translated(sphere(1), 5, 0, 0)))), 2u);
   Soup triangle;
   triangle.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};

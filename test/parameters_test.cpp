@@ -92,4 +92,26 @@ TEST(Version_test, the_number_and_the_text_say_the_same)
   EXPECT_STREQ(text, CGAL_REGION_SEGMENTATION_VERSION);
 }
 
+TEST(Parameters_test, number_of_segments_as_an_argument)
+{
+  const Surface_mesh mesh = to_surface_mesh(dumbbell());
+  const RS::Two_step method = Options(1).method();
+  for (int k : {1, 2, 3}) {
+    auto named = face_map(mesh), positional = face_map(mesh), of_cgal = face_map(mesh);
+    const std::size_t n = RS::segment(mesh, named, RS::parameters::number_of_segments(k).method(method));
+    EXPECT_EQ(n, std::size_t(k));
+    EXPECT_EQ(RS::segment(mesh, positional, k, RS::parameters::method(method)), n);
+    EXPECT_EQ(labels_of(mesh, positional), labels_of(mesh, named));
+    RS::Merge_tree by_reference, by_wrapper;
+    RS::segment(mesh, positional, std::size_t(k), RS::parameters::merge_tree(by_reference).method(method));
+    RS::segment(mesh, positional, short(k), RS::parameters::method(method).merge_tree(std::ref(by_wrapper)));
+    EXPECT_EQ(by_reference.merges().size(), 3u - std::size_t(k)) << "of three regions";
+    EXPECT_EQ(by_wrapper.merges().size(), by_reference.merges().size());
+    // A pack of CGAL's own, and the default method.
+    RS::segment(mesh, of_cgal, k, CGAL::parameters::vertex_point_map(mesh.points()));
+    RS::segment(mesh, named, k);
+    EXPECT_EQ(labels_of(mesh, of_cgal), labels_of(mesh, named));
+  }
+}
+
 } // namespace

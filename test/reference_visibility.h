@@ -95,6 +95,20 @@ struct Mesh
 
   double unit_of_length() const { return std::sqrt(area); }
 
+  /// Whether all components are convex; these are not divided where no number is given.
+  bool is_convex() const
+  {
+    Vector sum{};
+    for (std::size_t f = 0; f < faces.size(); ++f)
+      sum = sum + areas[f] * normals[f];
+    double concave = 0, all = 0;
+    for (const Edge& e : edges) {
+      concave += e.length * std::max(0.0, e.signed_deviation);
+      all += e.length * std::abs(e.signed_deviation);
+    }
+    return area > 0 && norm(sum) <= area / 1e6 && concave <= all / 1000;
+  }
+
 private:
   void add_face(const std::vector<std::size_t>& face)
   {

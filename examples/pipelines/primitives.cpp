@@ -16,10 +16,7 @@ int main(int argc, char** argv)
 {
   Mesh mesh = input_mesh(argc, argv);
   auto face_id = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:smooth_face").first;
-  auto is_crease = mesh.add_property_map<Mesh::Edge_index, bool>("e:crease").first;
-  RS::detect_feature_edges(mesh, is_crease,
-                           RS::parameters::maximum_angle(20.).feature_convexity(RS::Feature_convexity::ALL));
-  RS::grow_regions(mesh, is_crease, face_id);
+  RS::segment(mesh, face_id, RS::parameters::method(RS::Smooth_faces()));
 
   std::vector<RS::Segment_description<std::size_t>> descriptions;
   const std::size_t n = RS::describe_segments(mesh, face_id, std::back_inserter(descriptions));

@@ -1,23 +1,26 @@
-# Builds a case as it is, which must work, and with its fault, which must fail with the expected message.
+# Parses a case as it is, which must work, and with its fault, which must fail with the expected message.
 file(STRINGS ${SOURCE} expected REGEX "^// expect: ")
 string(REGEX REPLACE "^// expect: " "" expected "${expected}")
 if(expected STREQUAL "")
   message(FATAL_ERROR "${SOURCE} has no line `// expect: MESSAGE`")
 endif()
 
-function(build kind)
-  execute_process(
-    COMMAND ${CMAKE_COMMAND} --build ${BUILD_DIR} --config "${CONFIG}" --target compile_fail_${CASE}_${kind}
-    RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+include(${CMAKE_CURRENT_LIST_DIR}/../compile_command.cmake)
+compile_command(command)
+
+# parse([DEFINITION...])
+function(parse)
+  execute_process(COMMAND ${command} -fsyntax-only ${ARGV}
+                  RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
   set(result ${result} PARENT_SCOPE)
   set(output "${output}" PARENT_SCOPE)
 endfunction()
 
-build(right)
+parse()
 if(NOT result EQUAL 0)
   message(FATAL_ERROR "without the fault it does not compile:\n${output}")
 endif()
-build(fault)
+parse(-DWITH_FAULT)
 if(result EQUAL 0)
   message(FATAL_ERROR "the fault compiles")
 endif()

@@ -16,4 +16,7 @@ class NumberChooser
 public:
   /// the number of segments. The tree holds all merges, down to one segment for each connected component.
   std::size_t operator()(const Merge_tree& tree) const;
+
+  /// Optional: is called instead, with the mesh on which the method works.
+  std::size_t operator()(const Merge_tree& tree, const Flat_mesh& mesh) const;
 };

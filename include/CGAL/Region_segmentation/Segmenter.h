@@ -4,6 +4,7 @@
 #define CGAL_REGION_SEGMENTATION_SEGMENTER_H
 
 #include <CGAL/Region_segmentation/Graph/Merge_tree.h>
+#include <CGAL/Region_segmentation/internal/support/check_maps.h>
 #include <CGAL/Region_segmentation/Methods/Learned_merging.h>
 #include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/face_values.h>
@@ -115,7 +116,7 @@ public:
     static_assert(!Prepared::has_one_tree || internal::has_chooser<Method>(),
                   "this method has no NumberChooser: use segment(segment_map, number_of_segments)");
     if constexpr (Prepared::has_one_tree && internal::has_chooser<Method>())
-      return m_number > 0 ? m_number : method().chooser(merge_tree());
+      return m_number > 0 ? m_number : m_prepared.chosen_number();
     else
       return m_number;
   }
@@ -179,6 +180,7 @@ public:
   void add_constraints(EdgeIsConstrainedMap edge_is_constrained_map,
                        const NamedParameters& np = parameters::default_values())
   {
+    static_assert(internal::check_edge_map<EdgeIsConstrainedMap, FaceGraph>());
     const auto& pack = internal::pack(np);
     internal::check_parameters<std::decay_t<decltype(pack)>, internal::Tag_list<CGAL::internal_np::visitor_t>>();
     std::vector<Flat_mesh::Index> dual_edges;

@@ -3,6 +3,8 @@
 #ifndef CGAL_REGION_SEGMENTATION_FACE_VALUES_H
 #define CGAL_REGION_SEGMENTATION_FACE_VALUES_H
 
+#include <CGAL/Region_segmentation/internal/support/check_maps.h>
+
 #include <boost/property_map/property_map.hpp>
 
 #include <cstddef>
@@ -22,6 +24,7 @@ namespace Region_segmentation {
 template <typename FaceGraph, typename FaceMap>
 auto face_values(const FaceGraph& mesh, const FaceMap& map)
 {
+  static_assert(internal::check_face_map<FaceMap, FaceGraph>());
   std::vector<typename boost::property_traits<FaceMap>::value_type> values;
   values.reserve(faces(mesh).size());
   for (auto f : faces(mesh))
@@ -41,6 +44,7 @@ auto face_values(const FaceGraph& mesh, const FaceMap& map)
 template <typename FaceGraph, typename Values, typename FaceMap>
 void write_face_values(const FaceGraph& mesh, const Values& values, FaceMap map)
 {
+  static_assert(internal::check_face_map<FaceMap, FaceGraph>());
   using Value = typename boost::property_traits<FaceMap>::value_type;
   std::size_t i = 0;
   for (auto f : faces(mesh))

@@ -70,6 +70,8 @@ Merge_tree merge_regions(Graph& graph, Policy&& policy, std::size_t number_of_se
 {
   const auto& pack = internal::pack(np);
   internal::check_parameters<std::decay_t<decltype(pack)>, internal::Tag_list<CGAL::internal_np::visitor_t>>();
+  static_assert(!std::is_const<std::remove_reference_t<Policy>>::value,
+                "merging changes the policy: pass one that is not const, or a temporary copy");
   static_assert(internal::check_merging_policy<std::decay_t<Policy>, Graph>());
   static_assert(internal::check_stop_predicate<Stop, Graph>());
   const auto ignore = [](const typename Graph::Merge&) {};

@@ -44,7 +44,7 @@ struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
 
   Named_parameters() = default;
   explicit Named_parameters(const T& value) : Pack(value) {}
-  Named_parameters(const T& value, const Base& base) : Pack(value, base) {}
+  Named_parameters(const T& value, const Base& others) : Pack(value, others) {}
 
   const Pack& pack() const { return *this; }
 

@@ -64,7 +64,8 @@ namespace Region_segmentation {
 /// Source: Yang, Zhou, Wang, Liu, Luo, "A fast and efficient mesh segmentation method based on improved
 /// region growing", Appl. Math. J. Chinese Univ. 29(4):468-480, 2014.
 template <typename ConcurrencyTag = CGAL::Sequential_tag, typename FaceGraph, typename FaceSegmentMap,
-          typename NamedParameters = parameters::Default_named_parameters>
+          typename NamedParameters = parameters::Default_named_parameters,
+          std::enable_if_t<!std::is_arithmetic<NamedParameters>::value, int> = 0>
 std::size_t segment(const FaceGraph& mesh, FaceSegmentMap segment_map,
                     const NamedParameters& np = parameters::default_values())
 {
@@ -80,7 +81,7 @@ std::size_t segment(const FaceGraph& mesh, FaceSegmentMap segment_map,
   auto prepared =
     internal::prepare<Method, ConcurrencyTag>(traversal, internal::Preparation::FOR_ONE_USE, pack);
   if constexpr (!internal::has_number_of_segments<Pack> && internal::has_chooser<Method>())
-    number = prepared.method().chooser(prepared.merge_tree());
+    number = prepared.chosen_number();
   Merge_tree tree;
   const internal::Segments segments =
     prepared.take_segments(number, internal::has_merge_tree<Pack> ? &tree : nullptr, pack);
@@ -90,6 +91,24 @@ std::size_t segment(const FaceGraph& mesh, FaceSegmentMap segment_map,
   if constexpr (internal::has_merge_tree<Pack>)
     internal::merge_tree_of(pack) = std::move(tree);
   return segments.number();
+}
+
+/// \ingroup PkgRegionSegmentationMain
+/// As above, with the named parameter `number_of_segments`: `segment(mesh, segment_map, 8)`.
+///
+/// \tparam Number an integral type
+template <typename ConcurrencyTag = CGAL::Sequential_tag, typename FaceGraph, typename FaceSegmentMap, typename Number,
+          typename NamedParameters = parameters::Default_named_parameters,
+          std::enable_if_t<std::is_arithmetic<Number>::value, int> = 0>
+std::size_t segment(const FaceGraph& mesh, FaceSegmentMap segment_map, Number number_of_segments,
+                    const NamedParameters& np = parameters::default_values())
+{
+  static_assert(std::is_integral<Number>::value, "the number of segments is an integer");
+  const auto& pack = internal::pack(np);
+  using Pack = std::decay_t<decltype(pack)>;
+  static_assert(!internal::has_number_of_segments<Pack>, "the number of segments is given twice");
+  return segment<ConcurrencyTag>(
+    mesh, segment_map, Named_parameters<Number, internal_np::number_of_segments_t, Pack>(number_of_segments, pack));
 }
 
 } // namespace Region_segmentation

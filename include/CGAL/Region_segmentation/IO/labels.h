@@ -4,6 +4,7 @@
 #define CGAL_REGION_SEGMENTATION_IO_LABELS_H
 
 #include <CGAL/Region_segmentation/exceptions.h>
+#include <CGAL/Region_segmentation/internal/support/check_maps.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
@@ -63,6 +64,7 @@ std::vector<Label> read_labels(std::istream& in)
 template <typename FaceGraph, typename FaceLabelMap>
 void read_labels(std::istream& in, const FaceGraph& mesh, FaceLabelMap label_map)
 {
+  static_assert(internal::check_face_map<FaceLabelMap, FaceGraph>());
   using Label = typename boost::property_traits<FaceLabelMap>::value_type;
   const std::vector<Label> labels = read_labels<Label>(in);
   const std::size_t number_of_faces = faces(mesh).size(); // num_faces() may count removed ones
@@ -81,6 +83,7 @@ void read_labels(std::istream& in, const FaceGraph& mesh, FaceLabelMap label_map
 template <typename FaceGraph, typename FaceLabelMap>
 bool write_labels(std::ostream& out, const FaceGraph& mesh, FaceLabelMap label_map)
 {
+  static_assert(internal::check_face_map<FaceLabelMap, FaceGraph>());
   for (auto f : faces(mesh))
     out << +get(label_map, f) << '\n'; // + : a label of one byte is a number, not a character
   return out.good();

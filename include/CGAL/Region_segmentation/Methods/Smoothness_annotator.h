@@ -145,7 +145,7 @@ private:
     for_each_edge(mesh, links, 0, mesh.number_of_faces(), [&](const Face_edge& e) {
       const Joint& joint = joints[links.number(e)];
       const std::size_t faces[] = {e.face, links.opposite(e).face};
-      for (std::size_t side : {0, 1})
+      for (std::size_t side : {0u, 1u})
         largest[faces[side]] = (std::max)(largest[faces[side]], std::abs(joint.curvatures[side]));
     });
     std::vector<double> result(joints.size());
@@ -170,11 +170,11 @@ private:
     };
     const internal::Normal_section sections[] = {section(0), section(1)};
     joint.path_length = (std::min)(sections[0].length, sections[1].length);
-    for (std::size_t side : {0, 1}) {
+    for (std::size_t side : {0u, 1u}) {
       joint.curvatures[side] = sections[side].curvature;
       joint.facet_lengths[side] = sections[side].facet_length;
     }
-    for (std::size_t side : {0, 1})
+    for (std::size_t side : {0u, 1u})
       if (sections[side].is_open && !sections[1 - side].is_open && joint.facet_lengths[side] > 0)
         joint.curvatures[side] = curvature_of_facet(joint, side);
     return joint;

@@ -3,6 +3,8 @@
 #ifndef CGAL_REGION_SEGMENTATION_SEGMENTS_MARK_SEGMENT_BORDERS_H
 #define CGAL_REGION_SEGMENTATION_SEGMENTS_MARK_SEGMENT_BORDERS_H
 
+#include <CGAL/Region_segmentation/internal/support/check_maps.h>
+
 #include <CGAL/boost/graph/helpers.h>
 
 #include <boost/property_map/property_map.hpp>
@@ -35,6 +37,8 @@ template <typename FaceGraph, typename FaceSegmentMap, typename EdgeIsBorderMap>
 std::size_t mark_segment_borders(const FaceGraph& mesh, const FaceSegmentMap& segment_map,
                                  EdgeIsBorderMap edge_is_border_map)
 {
+  static_assert(internal::check_face_map<FaceSegmentMap, FaceGraph>());
+  static_assert(internal::check_edge_map<EdgeIsBorderMap, FaceGraph>());
   using Value = typename boost::property_traits<EdgeIsBorderMap>::value_type;
   std::size_t count = 0;
   for (auto e : edges(mesh)) {

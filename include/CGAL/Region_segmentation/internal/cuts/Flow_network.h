@@ -51,7 +51,7 @@ public:
   {
     sort_arcs();
     const std::size_t n = m_arcs_of_node.number_of_groups();
-    Graph graph(boost::edges_are_sorted, m_arcs.begin(), m_arcs.end(), n);
+    Graph graph(boost::edges_are_sorted, m_arcs.begin(), m_arcs.end(), Index(n));
     std::vector<Arc> reverse(m_arcs.size()), predecessors(n);
     for (auto range = edges(graph); range.first != range.second; ++range.first)
       reverse[m_reverse[get(boost::edge_index, graph, *range.first)]] = *range.first;

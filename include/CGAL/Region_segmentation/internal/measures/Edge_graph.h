@@ -54,7 +54,7 @@ public:
       find_shortest_paths(
         sources, distance,
         [&](Index v) {
-          targets_left -= is_target[v];
+          targets_left -= std::size_t(is_target[v]);
           return targets_left > 0;
         },
         [&](Index v, const auto& enter) {

@@ -104,13 +104,13 @@ private:
       return box;
     }
     /// Twice the center of the box, along one axis.
-    float position(int axis) const { return low[axis] + high[axis]; }
+    float position(std::size_t axis) const { return low[axis] + high[axis]; }
   };
 
   /// The axis on which the centers of a part differ most, and their range on it.
   struct Slicing
   {
-    int axis;
+    std::size_t axis;
     float low, width;
 
     Slicing(const Box_partition& boxes, const Part& part)
@@ -126,6 +126,8 @@ private:
       width = side[axis];
     }
   };
+
+  typename std::vector<Item>::iterator item(std::size_t i) { return m_items.begin() + std::ptrdiff_t(i); }
 
   Part make_part(std::size_t first, std::size_t last) const
   {
@@ -152,12 +154,12 @@ private:
     }
   };
 
-  template <int slices>
+  template <std::size_t slices>
   std::pair<Part, Part> split_cheaply(const Part& part, const Slicing& slicing)
   {
     const float scale = float(slices) / slicing.width;
     const auto slice_of = [=](const Item& item) {
-      return (std::min)(slices - 1, int(scale * (item.position(slicing.axis) - slicing.low)));
+      return std::size_t((std::min)(int(slices) - 1, int(scale * (item.position(slicing.axis) - slicing.low))));
     };
     std::array<Slice, slices> slice;
     for (std::size_t i = part.first; i < part.last; ++i) {
@@ -166,12 +168,12 @@ private:
       ++s.size;
     }
     std::array<Slice, slices> behind = slice; // each bound
-    for (int i = slices - 2; i > 0; --i)
+    for (std::size_t i = slices - 2; i > 0; --i)
       behind[i].add(behind[i + 1]);
-    int best = 0;
+    std::size_t best = 0;
     Slice before, before_best;
     float best_cost = (std::numeric_limits<float>::max)();
-    for (int i = 1; i < slices; ++i) {
+    for (std::size_t i = 1; i < slices; ++i) {
       before.add(slice[i - 1]);
       const float cost = before.cost() + behind[i].cost();
       if (cost < best_cost && before.size > 0 && behind[i].size > 0) {
@@ -182,16 +184,16 @@ private:
     }
     if (best == 0)
       return split_at_median(part, slicing.axis);
-    std::partition(m_items.begin() + part.first, m_items.begin() + part.last,
+    std::partition(item(part.first), item(part.last),
                    [&](const Item& item) { return slice_of(item) < best; });
     const std::size_t middle = part.first + before_best.size;
     return {{part.first, middle, before_best.box}, {middle, part.last, behind[best].box}};
   }
 
-  std::pair<Part, Part> split_at_median(const Part& part, int axis)
+  std::pair<Part, Part> split_at_median(const Part& part, std::size_t axis)
   {
     const std::size_t middle = part.first + part.size() / 2;
-    std::nth_element(m_items.begin() + part.first, m_items.begin() + middle, m_items.begin() + part.last,
+    std::nth_element(item(part.first), item(middle), item(part.last),
                      [axis](const Item& a, const Item& b) {
                        const float p = a.position(axis), q = b.position(axis);
                        return p != q ? p < q : a.name < b.name;

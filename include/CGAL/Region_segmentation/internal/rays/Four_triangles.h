@@ -54,9 +54,9 @@ class Four_triangles
 public:
   using Index = Flat_mesh::Index;
 
-  void set(int lane, const std::array<Float_3, 3>& corners, Index face)
+  void set(std::size_t lane, const std::array<Float_3, 3>& corners, Index face)
   {
-    for (int k = 0; k < 3; ++k) {
+    for (std::size_t k = 0; k < 3; ++k) {
       m_corner[k][lane] = corners[0][k];
       m_edge_1[k][lane] = corners[1][k] - corners[0][k];
       m_edge_2[k][lane] = corners[2][k] - corners[0][k];
@@ -82,7 +82,7 @@ public:
     const Mask_4 is_in_front = (determinant != zero) & (distance > zero);
     const Float_4 none = all_lanes(std::numeric_limits<float>::infinity());
     const Float_4 distances = select(is_outside, none, select(is_in_front, distance, none));
-    for (int i = 0; i < 4; ++i)
+    for (std::size_t i = 0; i < 4; ++i)
       if (distances[i] <= ray.distance && m_face[i] != ray.skipped &&
           (distances[i] < ray.distance || m_face[i] < ray.face)) {
         ray.distance = distances[i];

@@ -81,7 +81,7 @@ public:
   }
 
 private:
-  static constexpr int width = 4; // children of a node, patches of a leaf, triangles of a group
+  static constexpr std::size_t width = 4; // children of a node, patches of a leaf, triangles of a group
   static_assert(width == Box_partition::leaf_size, "parts of this size become leaves");
   static constexpr int maximum_depth_of_cheap_splits = 48;
 
@@ -138,7 +138,7 @@ private:
           box.add(Float_4{corner[0], corner[1], corner[2], 0});
         }
       float extent = size;
-      for (int k = 0; k < 3; ++k)
+      for (std::size_t k = 0; k < 3; ++k)
         extent = (std::max)({extent, std::abs(box.low[k]), std::abs(box.high[k])});
       box.low = box.low - all_lanes(margin * extent);
       box.high = box.high + all_lanes(margin * extent);
@@ -152,9 +152,9 @@ private:
   Child add_node(Box_partition& boxes, const Part& part, int depth, const AddLeaf& add_leaf)
   {
     std::array<Part, width> parts{part, {}, {}, {}};
-    int size = 1;
+    std::size_t size = 1;
     for (; size < width; ++size) {
-      const auto largest = std::max_element(parts.begin(), parts.begin() + size, [](const Part& a, const Part& b) {
+      const auto largest = std::max_element(parts.begin(), parts.begin() + std::ptrdiff_t(size), [](const Part& a, const Part& b) {
         return area_to_split(a) < area_to_split(b);
       });
       if (largest->size() <= width)
@@ -164,12 +164,12 @@ private:
     }
     const std::size_t n = m_nodes.size();
     m_nodes.emplace_back();
-    for (int i = 0; i < width; ++i)
-      for (int k = 0; k < 3; ++k) {
+    for (std::size_t i = 0; i < width; ++i)
+      for (std::size_t k = 0; k < 3; ++k) {
         m_nodes[n].bounds[0][k][i] = parts[i].box.low[k];
         m_nodes[n].bounds[1][k][i] = parts[i].box.high[k];
       }
-    for (int i = 0; i < size; ++i) {
+    for (std::size_t i = 0; i < size; ++i) {
       const Child child =
         parts[i].size() > width ? add_node(boxes, parts[i], depth + 1, add_leaf) : add_leaf(parts[i]);
       m_nodes[n].child[i] = child;
@@ -182,7 +182,7 @@ private:
   Child add_leaf(const Mesh_points& points, const Grouped_items<Index>& faces, const Box_partition& boxes,
                  const Part& part)
   {
-    int lane = width;
+    std::size_t lane = width;
     for (std::size_t i = part.first; i < part.last; ++i)
       for (const Index f : faces[boxes.name(i)])
         for (std::size_t t = 1; t + 1 < points.number_of_corners(f); ++t) {
@@ -203,11 +203,11 @@ private:
   struct Slopes
   {
     Float_3 inverse;            // of the direction; infinite for 0
-    std::array<int, 3> entered; // by which of the two bounds the ray enters a box, by axis
+    std::array<std::size_t, 3> entered; // by which of the two bounds the ray enters a box, by axis
 
     explicit Slopes(const Float_3& direction)
     {
-      for (int k = 0; k < 3; ++k) {
+      for (std::size_t k = 0; k < 3; ++k) {
         inverse[k] = 1 / direction[k];
         entered[k] = inverse[k] < 0 ? 1 : 0;
       }
@@ -228,9 +228,9 @@ private:
           m_groups[i].intersect(ray);
       else {
         const std::array<Waiting, width> c = children(m_nodes[child / 2], ray, slopes);
-        for (int i = 0; i < width - 1; ++i) {
+        for (std::size_t i = 0; i < width - 1; ++i) {
           stack[size] = c[i];
-          size += c[i] < never ? 1 : 0;
+          size += std::size_t(c[i] < never);
         }
         nearest = c[width - 1];
         if (nearest < never)
@@ -248,7 +248,7 @@ private:
   static std::array<Waiting, width> children(const Node& node, const Ray& ray, const Slopes& slopes)
   {
     Float_4 in = all_lanes(0), out = all_lanes(ray.distance);
-    for (int k = 0; k < 3; ++k) {
+    for (std::size_t k = 0; k < 3; ++k) {
       const Float_4 source = all_lanes(ray.source[k]), inverse = all_lanes(slopes.inverse[k]);
       const Float_4 near = (node.bounds[slopes.entered[k]][k] - source) * inverse;
       const Float_4 far = (node.bounds[1 - slopes.entered[k]][k] - source) * inverse;
@@ -257,9 +257,9 @@ private:
     }
     const Float_4 entries = select(in <= out, in, all_lanes(std::numeric_limits<float>::infinity()));
     std::array<Waiting, width> w;
-    for (int i = 0; i < width; ++i)
+    for (std::size_t i = 0; i < width; ++i)
       w[i] = make_float_key(entries[i], node.child[i]);
-    const auto order = [&](int i, int j) {
+    const auto order = [&](std::size_t i, std::size_t j) {
       const Waiting a = w[i], b = w[j];
       w[i] = a > b ? a : b;
       w[j] = a > b ? b : a;

@@ -8,6 +8,7 @@
 #include <CGAL/Region_segmentation/internal/reading/Mesh_traversal.h>
 #include <CGAL/Region_segmentation/internal/reading/Face_reader.h>
 #include <CGAL/Region_segmentation/internal/support/blocks.h>
+#include <CGAL/Region_segmentation/internal/support/check_maps.h>
 #include <CGAL/Region_segmentation/internal/support/visitor.h>
 #include <CGAL/Region_segmentation/internal/support/unit_of_coordinates.h>
 
@@ -41,6 +42,7 @@ class Flat_mesh_reader
   using Constraint_map =
     typename CGAL::internal_np::Lookup_named_param_def<CGAL::internal_np::edge_is_constrained_t, Pack,
                                                        No_constraints>::type;
+  static_assert(check_edge_map<Constraint_map, FaceGraph>());
   static constexpr bool has_constraints = !std::is_same<Constraint_map, No_constraints>::value;
 
 public:
@@ -99,10 +101,10 @@ private:
     std::vector<Late_edges> late_edges(number_of_blocks(places.size(), blocks_in_range));
     for_each_block(
       m_execution.step(0.2, 0.9), places.size(),
-      [&](std::size_t range, std::size_t begin, std::size_t end) {
+      [&](std::size_t range, std::size_t first_block, std::size_t last_block) {
         Face_block faces;
-        for (std::size_t block = begin; block < end; ++block)
-          read_block(block, places[block], begin * block_size, faces, late_edges[range]);
+        for (std::size_t block = first_block; block < last_block; ++block)
+          read_block(block, places[block], first_block * block_size, faces, late_edges[range]);
       },
       blocks_in_range);
     for_each_block(

@@ -4,6 +4,7 @@
 #define CGAL_REGION_SEGMENTATION_INTERNAL_READING_WRITE_MAPS_H
 
 #include <CGAL/Region_segmentation/internal/reading/Mesh_traversal.h>
+#include <CGAL/Region_segmentation/internal/support/check_maps.h>
 #include <CGAL/Region_segmentation/internal/support/Edge_marks.h>
 
 #include <boost/property_map/property_map.hpp>
@@ -19,6 +20,7 @@ namespace internal {
 template <typename FaceGraph, typename Pack, typename EdgeMap>
 std::size_t write_edge_map(const Mesh_traversal<FaceGraph, Pack>& traversal, const Edge_marks& marks, EdgeMap& map)
 {
+  static_assert(check_edge_map<EdgeMap, FaceGraph>());
   using Value = typename boost::property_traits<EdgeMap>::value_type;
   const FaceGraph& mesh = traversal.mesh();
   std::size_t count = 0;
@@ -41,6 +43,7 @@ template <typename FaceGraph, typename Pack, typename EdgeMap>
 Edge_marks read_edge_map(const Mesh_traversal<FaceGraph, Pack>& traversal, const Flat_mesh& flat,
                          const EdgeMap& map)
 {
+  static_assert(check_edge_map<EdgeMap, FaceGraph>());
   Edge_marks marks(flat.number_of_edges());
   traversal.for_each_dual_edge([&](auto h, std::size_t dual_edge) {
     marks[dual_edge] =
@@ -54,6 +57,7 @@ Edge_marks read_edge_map(const Mesh_traversal<FaceGraph, Pack>& traversal, const
 template <typename FaceGraph, typename Pack, typename FaceMap, typename Values>
 void write_face_map(const Mesh_traversal<FaceGraph, Pack>& traversal, FaceMap& map, const Values& values)
 {
+  static_assert(check_face_map<FaceMap, FaceGraph>());
   using Value = typename boost::property_traits<FaceMap>::value_type;
   std::size_t i = 0;
   traversal.for_each_face([&](const auto& face) { put(map, face, Value(values[i++])); });

@@ -27,9 +27,9 @@ Edge_marks mark_feature_edges(const Flat_mesh& flat, double maximum_angle, Featu
                               const Execution<ConcurrencyTag>& execution)
 {
   const double bound = std::cos(maximum_angle * (CGAL_PI / 180));
-  const int wanted_signs = convexity == Feature_convexity::CONVEX    ? Flat_mesh::CONVEX
-                           : convexity == Feature_convexity::CONCAVE ? Flat_mesh::CONCAVE
-                                                                     : 0;
+  const std::size_t wanted_signs = convexity == Feature_convexity::CONVEX    ? std::size_t(Flat_mesh::CONVEX)
+                                   : convexity == Feature_convexity::CONCAVE ? std::size_t(Flat_mesh::CONCAVE)
+                                                                             : 0;
   // The result for an edge if the flags alone decide it.
   enum Answer : std::uint8_t { NO, YES, ASK };
   std::array<Answer, 1 << Flat_mesh::number_of_flags> answers;

@@ -103,6 +103,15 @@ public:
   /// \pre `has_one_tree`
   const Merge_tree& merge_tree() const { return m_result.tree; }
 
+  /// \pre `has_one_tree`, and the method has a chooser
+  std::size_t chosen_number() const
+  {
+    if constexpr (satisfies<Sees_mesh, decltype(m_method.chooser)>)
+      return m_method.chooser(merge_tree(), m_flat);
+    else
+      return m_method.chooser(merge_tree());
+  }
+
   /// Adds constrained dual edges. On failure nothing changes.
   template <typename Pack>
   void add_constraints(const std::vector<Flat_mesh::Index>& dual_edges, const Pack& np)

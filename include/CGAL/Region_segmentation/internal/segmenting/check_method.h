@@ -71,6 +71,12 @@ using Straightens_borders = std::enable_if_t<std::is_convertible<
     std::declval<Is_fixed>(), std::declval<const Execution<ConcurrencyTag>&>())),
   std::vector<Partition::Index>>::value>;
 
+/// A NumberChooser that is also asked with the mesh.
+template <typename T>
+using Sees_mesh = std::enable_if_t<std::is_convertible<
+  decltype(std::declval<const T&>()(std::declval<const Merge_tree&>(), std::declval<const Flat_mesh&>())),
+  std::size_t>::value>;
+
 template <typename T>
 constexpr bool check_number_chooser()
 {

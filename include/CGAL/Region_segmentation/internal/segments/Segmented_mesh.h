@@ -3,6 +3,7 @@
 #ifndef CGAL_REGION_SEGMENTATION_INTERNAL_SEGMENTS_SEGMENTED_MESH_H
 #define CGAL_REGION_SEGMENTATION_INTERNAL_SEGMENTS_SEGMENTED_MESH_H
 
+#include <CGAL/Region_segmentation/internal/support/check_maps.h>
 #include <CGAL/Region_segmentation/Segments/no_segment.h>
 #include <CGAL/Region_segmentation/internal/reading/Mesh_traversal.h>
 #include <CGAL/Region_segmentation/internal/support/Grouped_items.h>
@@ -38,6 +39,7 @@ struct Segment_numbers
 template <typename Traversal, typename SegmentMap>
 auto number_segments(const Traversal& traversal, const SegmentMap& segment_map)
 {
+  static_assert(check_face_map<SegmentMap, std::decay_t<decltype(traversal.mesh())>>());
   using Label = typename boost::property_traits<SegmentMap>::value_type;
   Segment_numbers<Label> numbers;
   numbers.of_face.reserve(traversal.number_of_faces());

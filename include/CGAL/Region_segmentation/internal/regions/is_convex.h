@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_REGIONS_IS_CONVEX_H
+#define CGAL_REGION_SEGMENTATION_INTERNAL_REGIONS_IS_CONVEX_H
+
+#include <CGAL/Region_segmentation/Double_3.h>
+#include <CGAL/Region_segmentation/Flat_mesh.h>
+
+#include <cmath>
+#include <cstddef>
+
+namespace CGAL {
+namespace Region_segmentation {
+namespace internal {
+
+/// The largest share that concave edges have in the sum of length times deviation of a convex surface: rounding, and quads that
+/// are divided along the wrong diagonal. Independent of the resolution, as a bound on angles would not be.
+constexpr double largest_concave_share_of_convex = 1e-3;
+/// The largest sum of the area vectors of a closed surface, relative to that of the areas.
+constexpr double largest_gap_of_closed = 1e-6;
+
+/// Whether all components of a surface bound convex bodies: it is closed, and has no concave edges. (A closed surface that is
+/// convex at all edges is convex: van Heijenoort 1952.) False for one without area. O(F).
+inline bool is_convex(const Flat_mesh& mesh)
+{
+  double area = 0;
+  Double_3 sum = {0, 0, 0};
+  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
+    area += mesh.area(f);
+    sum = sum + mesh.area(f) * mesh.normal(f);
+  }
+  if (!(std::sqrt(squared_norm(sum)) <= largest_gap_of_closed * area) || area == 0)
+    return false;
+  double concave = 0, convex = 0;
+  for (std::size_t e = 0; e < mesh.number_of_edges(); ++e)
+    if (mesh.has_flag(e, Flat_mesh::CONCAVE | Flat_mesh::CONVEX))
+      (mesh.has_flag(e, Flat_mesh::CONCAVE) ? concave : convex) += mesh.length(e) * mesh.deviation(mesh.lower_face(e), e);
+  return concave <= largest_concave_share_of_convex * (concave + convex);
+}
+
+} // namespace internal
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_INTERNAL_REGIONS_IS_CONVEX_H

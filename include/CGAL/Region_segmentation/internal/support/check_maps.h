@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_SUPPORT_CHECK_MAPS_H
+#define CGAL_REGION_SEGMENTATION_INTERNAL_SUPPORT_CHECK_MAPS_H
+
+#include <CGAL/Region_segmentation/internal/support/satisfies.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <type_traits>
+
+namespace CGAL {
+namespace Region_segmentation {
+namespace internal {
+
+template <typename Map, typename Key>
+using Has_key = std::enable_if_t<std::is_convertible<Key, typename boost::property_traits<Map>::key_type>::value>;
+
+template <typename Map, typename FaceGraph>
+constexpr bool check_face_map()
+{
+  static_assert(satisfies<Has_key, Map, typename boost::graph_traits<FaceGraph>::face_descriptor>,
+                "a property map of the faces is needed: its key is the face descriptor of the mesh");
+  return true;
+}
+
+template <typename Map, typename FaceGraph>
+constexpr bool check_edge_map()
+{
+  static_assert(satisfies<Has_key, Map, typename boost::graph_traits<FaceGraph>::edge_descriptor>,
+                "a property map of the edges is needed: its key is the edge descriptor of the mesh");
+  return true;
+}
+
+} // namespace internal
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_INTERNAL_SUPPORT_CHECK_MAPS_H

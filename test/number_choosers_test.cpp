@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What choosers of the number have in common: their constants, convex bodies, drawn loops.
+
+#include "meshes.h"
+#include "oracles.h"
+
+#include <CGAL/Region_segmentation/Methods/Learned_merging.h>
+#include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
+#include <CGAL/Region_segmentation/Segmenter.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <string>
+
+namespace {
+
+namespace RS = CGAL::Region_segmentation;
+using namespace test;
+
+template <typename Method>
+struct Number_choosers_test : ::testing::Test
+{};
+using Methods = ::testing::Types<RS::Learned_merging, RS::Visibility_merging>;
+TYPED_TEST_SUITE(Number_choosers_test, Methods);
+
+template <typename Method>
+std::size_t chosen_number(const Soup& soup)
+{
+  const Surface_mesh mesh = to_surface_mesh(soup);
+  return RS::Segmenter(mesh, RS::parameters::method(Method())).number_of_segments();
+}
+
+Soup block(int nx, int ny, int nz)
+{
+  return triangulated(voxel_surface(voxel_block({0, 0, 0}, {nx, ny, nz})));
+}
+
+TYPED_TEST(Number_choosers_test, convex_bodies_are_one_part)
+{
+  const auto number = [](const Soup& soup) { return chosen_number<TypeParam>(soup); };
+  EXPECT_EQ(number(block(1, 1, 1)), 1u);
+  EXPECT_EQ(number(block(8, 8, 8)), 1u);
+  EXPECT_EQ(number(block(3, 3, 20)), 1u);
+  EXPECT_EQ(number(joined(block(2, 2, 2), translated(sphere(2), 9, 0, 0))), 2u) << "components";
+  for (std::size_t levels : {2, 4}) {
+    EXPECT_EQ(number(sphere(levels)), 1u);
+    EXPECT_EQ(number(mapped(sphere(levels), [](const Point& p) { return Point{3 * p[0], p[1], 0.2 * p[2]}; })), 1u);
+  }
+}
+
+TYPED_TEST(Number_choosers_test, other_bodies_are_divided)
+{
+  const auto number = [](const Soup& soup) { return chosen_number<TypeParam>(soup); };
+  EXPECT_GE(number(triangulated(dumbbell())), 2u);
+  EXPECT_GE(number(torus(24, 12)), 2u);
+  EXPECT_GE(number(triangulated(grid(4, 4))), 2u) << "not closed";
+  EXPECT_GE(number(triangulated(l_shape())), 2u) << "one concave edge";
+  // A waist that no edge shows: deviations are below a degree.
+  EXPECT_GE(number(mapped(sphere(6), [](const Point& p) {
+              const double waist = 0.3 + p[0] * p[0];
+              return Point{4 * p[0], waist * p[1], waist * p[2]};
+            })),
+            2u);
+}
+
+TYPED_TEST(Number_choosers_test, constants)
+{
+  std::mt19937 random(3);
+  Soup soup = triangulated(random_mesh(Family::BLOCKS, 4));
+  const Surface_mesh mesh = to_surface_mesh(soup);
+  const RS::Segmenter segmenter(mesh, RS::parameters::method(TypeParam()));
+  const RS::Merge_tree& tree = segmenter.merge_tree();
+  auto chooser = segmenter.method().chooser;
+  EXPECT_EQ(chooser.minimum_number, 2u);
+  EXPECT_EQ(chooser.granularity, 1);
+  std::size_t last = 0;
+  for (double granularity : {1e-9, 0.1, 0.5, 1., 2., 10., 1e9}) {
+    chooser.granularity = granularity;
+    EXPECT_GE(chooser(tree), last) << granularity;
+    last = chooser(tree);
+  }
+  EXPECT_GT(last, 2u);
+  chooser.maximum_number = last - 1;
+  EXPECT_EQ(chooser.largest_number(tree), last - 1);
+  EXPECT_LE(chooser(tree), last - 1);
+  chooser.maximum_number = 1000000;
+  EXPECT_EQ(chooser.largest_number(tree), tree.number_of_regions());
+  chooser.minimum_number = 7;
+  chooser.granularity = 1e-9;
+  EXPECT_GE(chooser(tree), 7u);
+}
+
+TYPED_TEST(Number_choosers_test, a_drawn_loop_adds_a_segment)
+{
+  // Around the middle of the bar, where no border of the chosen segments is.
+  const Surface_mesh mesh = to_surface_mesh(triangulated(dumbbell()));
+  const RS::Segmenter without(mesh, RS::parameters::method(TypeParam()));
+  const auto on_loop = [&](auto v) { return mesh.point(v).x() == 4; };
+  auto drawn = edge_map(mesh);
+  std::size_t edges_of_loop = 0;
+  for (auto e : edges(mesh)) {
+    const bool is_drawn = on_loop(source(e, mesh)) && on_loop(target(e, mesh));
+    put(drawn, e, is_drawn);
+    edges_of_loop += is_drawn;
+  }
+  ASSERT_EQ(edges_of_loop, 4u);
+  const RS::Segmenter with(mesh, RS::parameters::method(TypeParam()).edge_is_constrained_map(drawn));
+  auto map = face_map(mesh);
+  const std::size_t n = with.segment(map);
+  EXPECT_EQ(n, with.number_of_segments()) << "what is announced is what comes";
+  EXPECT_GE(n, without.number_of_segments());
+  for (auto e : edges(mesh))
+    if (get(drawn, e))
+      EXPECT_NE(get(map, mesh.face(halfedge(e, mesh))), get(map, mesh.face(opposite(halfedge(e, mesh), mesh))));
+
+  // On a convex body, exactly one more.
+  const Surface_mesh ball = to_surface_mesh(sphere(4));
+  auto equator = edge_map(ball);
+  for (auto e : edges(ball))
+    put(equator, e, std::abs(ball.point(source(e, ball)).z()) < 1e-9 && std::abs(ball.point(target(e, ball)).z()) < 1e-9);
+  auto halves = face_map(ball);
+  EXPECT_EQ(RS::segment(ball, halves, RS::parameters::method(TypeParam())), 1u);
+  EXPECT_EQ(RS::segment(ball, halves, RS::parameters::method(TypeParam()).edge_is_constrained_map(equator)), 2u);
+}
+
+} // namespace

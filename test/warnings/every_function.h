@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_TEST_WARNINGS_EVERY_FUNCTION_H
+#define CGAL_REGION_SEGMENTATION_TEST_WARNINGS_EVERY_FUNCTION_H
+
+// Every function and every part of a method once, so that a compiler sees all of the library: for warnings and for other
+// versions of CGAL, language standards and compilers.
+
+#include <CGAL/region_segmentation.h>
+#ifdef TEST_EIGEN
+#include <CGAL/Region_segmentation/Methods/Spectral_partitioner.h>
+#include <CGAL/Region_segmentation/Segments/describe_segments.h>
+#endif
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <iterator>
+#include <sstream>
+#include <vector>
+
+namespace test {
+
+namespace RS = CGAL::Region_segmentation;
+
+struct Visitor
+{
+  bool go_further(const char*, double) { return true; }
+};
+
+template <typename ConcurrencyTag, typename Mesh>
+void use_methods(const Mesh& mesh)
+{
+  auto segments = get(CGAL::dynamic_face_property_t<std::size_t>(), mesh);
+  auto regions = get(CGAL::dynamic_face_property_t<int>(), mesh);
+  auto drawn = get(CGAL::dynamic_edge_property_t<std::uint8_t>(), mesh);
+  auto seeds = get(CGAL::dynamic_face_property_t<std::size_t>(), mesh);
+  for (auto e : edges(mesh))
+    put(drawn, e, std::uint8_t(0));
+  for (auto f : faces(mesh))
+    put(seeds, f, std::size_t(-1));
+
+  Visitor visitor;
+  RS::Merge_tree tree;
+  RS::segment<ConcurrencyTag>(mesh, segments,
+                              RS::parameters::visitor(std::ref(visitor))
+                                .edge_is_constrained_map(drawn)
+                                .face_seed_map(seeds)
+                                .region_map(regions)
+                                .merge_tree(tree));
+  RS::segment<ConcurrencyTag>(mesh, segments, RS::parameters::method(RS::Visibility_merging()));
+  RS::segment<ConcurrencyTag>(mesh, segments, RS::parameters::method(RS::Smooth_faces()));
+  RS::segment<ConcurrencyTag>(mesh, segments, 2, RS::parameters::method(RS::Two_step()));
+  const RS::Number_below_cost<RS::Visibility_cost> below{0};
+  RS::segment<ConcurrencyTag>(mesh, segments, RS::parameters::method(RS::Visibility_merging().with_chooser(below)));
+#ifdef TEST_EIGEN
+  RS::segment<ConcurrencyTag>(mesh, segments,
+                              RS::parameters::number_of_segments(2).method(RS::make_partitioning_method(
+                                RS::Superfacets(), RS::Visibility_annotator(), RS::Spectral_partitioner<>())));
+#endif
+
+  RS::Segmenter segmenter(mesh, RS::parameters::number_of_segments(2), ConcurrencyTag());
+  segmenter.segment(segments);
+  segmenter.segment(segments, 3);
+  segmenter.add_constraints(drawn);
+  segmenter.set_seeds(seeds);
+  RS::Partition_editor editor(segmenter.merge_tree());
+  editor.set_count(3);
+  editor.split(0);
+  editor.join(0, 1);
+  editor.set_maximum_cost(0);
+  editor.set_maximum_size(std::vector<double>(editor.merge_tree().number_of_regions(), 1.), 1);
+  editor.undo();
+  editor.partition();
+}
+
+template <typename Mesh>
+void use_stages(const Mesh& mesh)
+{
+  using Vertex = typename boost::graph_traits<Mesh>::vertex_descriptor;
+  auto features = get(CGAL::dynamic_edge_property_t<std::uint8_t>(), mesh);
+  auto regions = get(CGAL::dynamic_face_property_t<std::size_t>(), mesh);
+  RS::detect_feature_edges(mesh, features,
+                           RS::parameters::maximum_angle(20.).feature_convexity(RS::Feature_convexity::ALL));
+  std::vector<std::vector<Vertex>> lines;
+  RS::extract_feature_lines(mesh, features, std::back_inserter(lines));
+  RS::grow_regions(mesh, features, regions);
+  auto graph = RS::build_region_adjacency_graph(mesh, regions);
+  RS::Two_step_merging policy;
+  RS::merge_regions(graph, policy, 2, RS::Stop_at_count{2});
+  RS::smooth_borders(mesh, regions);
+  RS::write_face_values(mesh, RS::face_values(mesh, regions), regions);
+}
+
+template <typename Mesh>
+void use_segments(const Mesh& mesh)
+{
+  auto segments = get(CGAL::dynamic_face_property_t<std::size_t>(), mesh);
+  auto others = get(CGAL::dynamic_face_property_t<int>(), mesh);
+  auto marks = get(CGAL::dynamic_edge_property_t<std::uint8_t>(), mesh);
+  RS::mark_segment_borders(mesh, segments, marks);
+  RS::mark_segment_seams(mesh, segments, marks, RS::Seam_cost());
+  RS::divide_into_discs(mesh, segments, others);
+  std::vector<RS::Segment_border<Mesh, std::size_t>> borders;
+  RS::extract_segment_borders(mesh, segments, std::back_inserter(borders));
+  std::vector<RS::Segment_topology<std::size_t>> topologies;
+  RS::compute_segment_topology(mesh, segments, std::back_inserter(topologies));
+  std::vector<RS::Segment_piece<Mesh, Mesh, std::size_t>> pieces;
+  RS::split_into_segments(mesh, segments, std::back_inserter(pieces));
+#ifdef TEST_EIGEN
+  std::vector<RS::Segment_description<std::size_t>> descriptions;
+  RS::describe_segments(mesh, segments, std::back_inserter(descriptions));
+#endif
+
+  RS::rand_index_distance(mesh, segments, others);
+  RS::consistency_error(mesh, segments, others);
+  RS::hamming_distance(mesh, segments, others);
+  RS::cut_discrepancy(mesh, segments, others);
+  std::stringstream stream;
+  RS::IO::write_labels(stream, mesh, segments);
+  RS::IO::read_labels(stream, mesh, others);
+}
+
+} // namespace test
+
+#endif // CGAL_REGION_SEGMENTATION_TEST_WARNINGS_EVERY_FUNCTION_H
