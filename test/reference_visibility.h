@@ -471,7 +471,10 @@ private:
   {
     const auto from = candidates(region);
     const std::size_t n = from.size(), m = std::min<std::size_t>(n, 3);
-    const bool is_small = graph.regions[region].area < 1. / 6400;
+    const double share = graph.regions[region].area;
+    if (share < 1. / 25600)
+      return;
+    const bool is_small = share < 1. / 6400;
     for (std::size_t k = 0; k < (is_small ? 1 : m); ++k) {
       const std::size_t face = from[9 * k * n / (10 * m)].second, q = 18 / m;
       if (m_mesh.normals[face] == Vector{})
