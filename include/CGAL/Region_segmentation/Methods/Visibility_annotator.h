@@ -41,8 +41,9 @@ namespace Region_segmentation {
 /// \f$v = -N \times u\f$. Degenerate faces cast none.
 ///
 /// A ray ends at the first other face, whichever side it hits, of several the lower one. This is computed in `float`,
-/// relative to the centroid of the surface (Moeller and Trumbore 1997, polygons as fans from their first corner, with a
-/// margin of \f$10^{-6}\f$ in the barycentric coordinates); so distances have relative errors of about \f$10^{-6}\f$.
+/// relative to the centroid of the surface (Moeller and Trumbore 1997, polygons as fans from the corner farthest from
+/// their centroid, of several the first, with a margin of \f$10^{-6}\f$ in the barycentric coordinates); so distances have
+/// relative errors of about \f$10^{-6}\f$.
 /// - The *thickness* of a region is the mean of \f$\ln(x / \sqrt{A} + 10^{-4})\f$, \f$x\f$ the lengths of
 ///   its rays; that of a region without rays that hit is the mean of the others' thicknesses.
 /// - Each ray has a weight: the share of its region in the area of the surface, divided by 18, or by 1 if the region

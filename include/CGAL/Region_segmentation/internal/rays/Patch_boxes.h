@@ -43,19 +43,35 @@ public:
   /// The root of the area of the surface, relative.
   double unit() const { return m_mesh.relative_unit() * m_scale; }
 
-  /// Calls `f(corners, face)` for the triangles of a patch: the first corner of a face, and two others.
+  /// Calls `f(corners, face)` for the triangles of a patch: the first corner of a fan, and two others.
   template <typename F>
   void for_each(std::size_t patch, const F& f) const
   {
     const Mesh_points& points = m_mesh.points();
     for (const Index face : m_faces[patch]) {
-      const auto corner = [&](std::size_t i) { return relative(points[points.corner(face, i)]); };
-      for (std::size_t i = 1; i + 1 < points.number_of_corners(face); ++i)
-        f(std::array<Float_3, 3>{corner(0), corner(i), corner(i + 1)}, face);
+      const std::size_t n = points.number_of_corners(face), first = first_of_fan(face);
+      const auto corner = [&](std::size_t i) { return relative(points[points.corner(face, i < n ? i : i - n)]); };
+      for (std::size_t i = 1; i + 1 < n; ++i)
+        f(std::array<Float_3, 3>{corner(first), corner(first + i), corner(first + i + 1)}, face);
     }
   }
 
 private:
+  /// The corner of a polygon farthest from its centroid, of several the first: so that polygons that are not flat do not
+  /// depend on the numbering of vertices.
+  std::size_t first_of_fan(Index face) const
+  {
+    const Mesh_points& points = m_mesh.points();
+    std::size_t first = 0;
+    double farthest = -1;
+    for (std::size_t i = 0; points.number_of_corners(face) > 3 && i < points.number_of_corners(face); ++i)
+      if (const double d = squared_norm(points[points.corner(face, i)] - m_mesh.centroid(face)); d > farthest) {
+        farthest = d;
+        first = i;
+      }
+    return first;
+  }
+
   Float_3 relative(const Double_3& point) const
   {
     const Double_3 v = m_scale * (point - m_origin);

@@ -6,6 +6,7 @@
 #include <CGAL/Region_segmentation/Flat_mesh.h>
 #include <CGAL/Region_segmentation/internal/reading/Face_block.h>
 #include <CGAL/Region_segmentation/internal/reading/Patch_builder.h>
+#include <CGAL/Region_segmentation/internal/reading/Signed_volumes.h>
 #include <CGAL/Region_segmentation/internal/support/blocks.h>
 
 #include <algorithm>
@@ -27,9 +28,10 @@ class Flat_mesh_builder
   using Index = Flat_mesh::Index;
 
 public:
-  /// `unit`: the unit of length of the data, in units of the mesh
-  Flat_mesh_builder(std::size_t number_of_faces, std::size_t maximum_number_of_edges, Mesh_data data, double unit)
-    : m_closed_edges(number_of_blocks(number_of_faces))
+  /// `unit`: the unit of length of the data, in units of the mesh; `origin`: a point near the mesh, in `unit`s
+  Flat_mesh_builder(std::size_t number_of_faces, std::size_t maximum_number_of_edges, Mesh_data data, double unit,
+                    const Double_3& origin)
+    : m_volumes(number_of_faces, origin), m_closed_edges(number_of_blocks(number_of_faces))
   {
     m_flat.m_data = data;
     m_flat.m_unit = unit;
@@ -43,8 +45,9 @@ public:
       m_flat.m_centroids.resize(number_of_faces);
   }
 
-  void set_face(std::size_t face, const Double_3& area_vector, double squared_longest_edge)
+  void set_face(const Face_block& block, std::size_t face, const Double_3& area_vector, double squared_longest_edge)
   {
+    m_volumes.set(block, face, area_vector);
     const double area = norm(area_vector);
     m_flat.m_areas[face] = area;
     // The inverse of a smaller area is infinite.
@@ -143,6 +146,7 @@ public:
     m_flat.m_squared_lengths.resize(number_of_edges);
     m_flat.m_flags.resize(number_of_edges);
     join_degenerate_faces();
+    turn(m_volumes.faces_inside_out(m_flat));
     if (includes(m_flat.m_data, Mesh_data::SURFACE_AREA))
       for (const double area : m_flat.m_areas)
         m_flat.m_surface_area += area;
@@ -170,6 +174,22 @@ private:
       return;
     m_flat.m_flags[edge] |= Flat_mesh::CLOSED;
     m_closed_edges[higher / block_size].push_back(Index(edge));
+  }
+
+  /// Reverses the orientation of whole components.
+  void turn(const std::vector<Index>& faces)
+  {
+    constexpr std::uint8_t signs = Flat_mesh::CONVEX | Flat_mesh::CONCAVE;
+    if (faces.empty())
+      return;
+    std::vector<bool> is_turned(m_flat.number_of_faces());
+    for (const Index f : faces) {
+      is_turned[f] = true;
+      m_flat.m_normals[f] = -1.0 * m_flat.m_normals[f];
+    }
+    for (std::size_t e = 0; e < m_flat.number_of_edges(); ++e)
+      if (is_turned[m_flat.lower_face(e)] && m_flat.has_flag(e, signs))
+        m_flat.m_flags[e] ^= signs;
   }
 
   /// Each degenerate face joins across its longest dual edge that is not constrained; of several, the
@@ -207,6 +227,7 @@ private:
   }
 
   Flat_mesh m_flat;
+  Signed_volumes m_volumes;
   std::vector<std::vector<Index>> m_closed_edges; // by the block of their higher face
 };
 

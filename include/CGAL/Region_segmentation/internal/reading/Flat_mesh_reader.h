@@ -54,7 +54,7 @@ public:
     , m_faces(traversal, np, 1 / m_unit)
     , m_is_constrained(CGAL::parameters::choose_parameter(
         CGAL::parameters::get_parameter(np, CGAL::internal_np::edge_is_constrained), No_constraints()))
-    , m_builder(traversal.number_of_faces(), num_halfedges(traversal.mesh()) / 2, data, m_unit)
+    , m_builder(traversal.number_of_faces(), num_halfedges(traversal.mesh()) / 2, data, m_unit, origin())
   {}
 
   Flat_mesh read()
@@ -186,6 +186,15 @@ private:
     return unit_of_coordinates(largest_coordinate);
   }
 
+  /// The first corner of the first face.
+  Double_3 origin() const
+  {
+    typename Traversal::Boundary boundary;
+    if (m_traversal.number_of_faces() > 0)
+      m_traversal.read_boundary(*m_traversal.faces_of_block(0).begin(), boundary);
+    return boundary.empty() ? Double_3{0, 0, 0} : m_faces.point(source(boundary.front(), m_traversal.mesh()));
+  }
+
   void read_points()
   {
     const std::size_t size = m_traversal.number_of_vertices();
@@ -201,8 +210,8 @@ private:
                          Late_edges& late_edges)
   {
     m_faces.read(block, faces);
-    faces.for_each_area_vector([this](std::size_t face, const Double_3& area_vector, double squared_longest_edge) {
-      m_builder.set_face(face, area_vector, squared_longest_edge);
+    faces.for_each_area_vector([&](std::size_t face, const Double_3& area_vector, double squared_longest_edge) {
+      m_builder.set_face(faces, face, area_vector, squared_longest_edge);
     });
     if (includes(m_data, Mesh_data::POINTS))
       m_builder.set_corners(place.corner, faces);
