@@ -336,6 +336,7 @@ def main():
     parser.add_argument("--tests", nargs="*", default=[], help="files of test/; all of the first test program if none")
     parser.add_argument("--filter", default="-*Real_meshes*", help="of GoogleTest")
     parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--at-least", type=float, default=0, help="percent to be noticed, else the exit status is 1")
     parser.add_argument("--compile-jobs", type=int, default=2)
     options = parser.parse_args()
     options.work.mkdir(parents=True, exist_ok=True)
@@ -388,8 +389,10 @@ def main():
     for site in survivors:
         print("%3d %s:%d\n      %s\n   -> %s" % (site.number, site.file.relative_to(LIBRARY), site.line,
                                               " ".join(site.original.split()), " ".join(site.broken.split())))
-    print("\nseed %d: %d of %d noticed, %.1f %%" % (options.seed, noticed, len(sites), 100 * noticed / len(sites)))
+    percent = 100 * noticed / len(sites)
+    print("\nseed %d: %d of %d noticed, %.1f %%" % (options.seed, noticed, len(sites), percent))
+    return 0 if percent >= options.at_least else 1
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main())
