@@ -220,7 +220,7 @@ class Header:
         depth = [matching_depth(self.tokens, begin, i) for i in range(begin, end)]
         assignments = [begin + k for k, w in enumerate(words) if w in ASSIGNMENTS and depth[k] == 0]
         commas = [k for k, w in enumerate(words) if w == "," and depth[k] == 0]
-        declaration = re.match(r"(const\s+)?(typename\s+)?[\w:]+(<[^;=]*>)?(::\w+)?(\s+const)?\s*([*&]+\s*|\s)\w+\s*([;({=,]|$)", text)
+        declaration = re.match(r"(const\s+)?(typename\s+)?[\w:]+(<[^;=]*>)?(::\w+)?(\s+const)?\s*([*&]+\s*|\s)(const\s+)?\w+\s*([;({=,]|$)", text)
         if declaration or words[0] in ("const", "auto", "unsigned", "std"):
             is_reference = "&" in words[:assignments[0] - begin] if assignments else True
             if assignments and not commas and not is_reference and words[0] != "std":
@@ -278,7 +278,7 @@ inline bool mutant(int number)
 
 
 def compile_all(options, copy, sources, sites):
-    """Compiles; returns the sites in lines with errors."""
+    """Compiles; returns the sites in lines with errors, and the sources that failed."""
     compiler = [os.environ.get("CXX", "g++"), "-std=c++17", "-O1", "-w", "-fmax-errors=200", "-I", str(copy), "-I",
                 str(ROOT / "test"), "-I", "/usr/include/eigen3", "-include", str(options.work / "mutant.h")]
 
@@ -288,23 +288,28 @@ def compile_all(options, copy, sources, sites):
         result = subprocess.run(command, capture_output=True, text=True)
         return source, result.returncode, result.stderr
 
-    bad, unknown = set(), []
+    bad, failed, unknown = set(), [], []
     with concurrent.futures.ThreadPoolExecutor(options.compile_jobs) as pool:
         for source, code, errors in pool.map(compile_one, sources):
             if code == 0:
                 continue
+            failed.append(source)
             found = set()
             for file, line in re.findall(r"^\S*?(CGAL/Region_segmentation\S*?):(\d+):\d+: error", errors, re.M):
                 found |= {s for s in sites if str(s.file) == file and s.line <= int(line) <= s.last_line}
             if not found:  # the errors are elsewhere; what leads there is a site
                 for file, line in re.findall(r"(CGAL/Region_segmentation\S*?):(\d+):\d+:", errors):
                     found |= {s for s in sites if str(s.file) == file and s.line <= int(line) <= s.last_line}
+            if not found:  # what a declaration lacks shows further down
+                for file, line in re.findall(r"(CGAL/Region_segmentation\S*?):(\d+):\d+: error", errors):
+                    above = [s for s in sites if str(s.file) == file and s.line <= int(line)]
+                    found |= {max(above, key=lambda s: s.line)} if above else set()
             if not found:
                 unknown.append(source.name + ":\n" + errors[:3000])
             bad |= found
     if unknown and not bad:
         sys.exit("does not compile: " + unknown[0])
-    return bad
+    return bad, failed
 
 
 def run(options, number, seconds):
@@ -363,7 +368,7 @@ def main():
     to_compile = sources
     for _ in range(6):
         write(copy, headers, sites)
-        bad = compile_all(options, copy, to_compile, sites)
+        bad, to_compile = compile_all(options, copy, to_compile, sites)
         if not bad:
             break
         print("%d sites do not compile and are left out" % len(bad), flush=True)

@@ -28,10 +28,9 @@ class Flat_mesh_builder
   using Index = Flat_mesh::Index;
 
 public:
-  /// `unit`: the unit of length of the data, in units of the mesh; `origin`: a point near the mesh, in `unit`s
-  Flat_mesh_builder(std::size_t number_of_faces, std::size_t maximum_number_of_edges, Mesh_data data, double unit,
-                    const Double_3& origin)
-    : m_volumes(number_of_faces, origin), m_closed_edges(number_of_blocks(number_of_faces))
+  /// `unit`: the unit of length of the data, in units of the mesh
+  Flat_mesh_builder(std::size_t number_of_faces, std::size_t maximum_number_of_edges, Mesh_data data, double unit)
+    : m_volumes(number_of_faces), m_closed_edges(number_of_blocks(number_of_faces))
   {
     m_flat.m_data = data;
     m_flat.m_unit = unit;
@@ -45,9 +44,10 @@ public:
       m_flat.m_centroids.resize(number_of_faces);
   }
 
-  void set_face(const Face_block& block, std::size_t face, const Double_3& area_vector, double squared_longest_edge)
+  /// `point`: a corner
+  void set_face(std::size_t face, const Double_3& point, const Double_3& area_vector, double squared_longest_edge)
   {
-    m_volumes.set(block, face, area_vector);
+    m_volumes.set(face, point, area_vector);
     const double area = norm(area_vector);
     m_flat.m_areas[face] = area;
     // The inverse of a smaller area is infinite.
@@ -55,6 +55,9 @@ public:
       !(area > 1e-12 * squared_longest_edge && area >= (std::numeric_limits<double>::min)());
     m_flat.m_normals[face] = is_degenerate ? Double_3{} : (1 / area) * area_vector;
   }
+
+  /// Marks a face with a side at a border of the mesh.
+  void set_open(std::size_t face) { m_volumes.set_open(face); }
 
   /// A dual edge whose lower face was not known when it was set.
   struct Late_edge
@@ -139,14 +142,25 @@ public:
     }
   }
 
-  Flat_mesh finish(std::size_t number_of_edges)
+  /// \name After all faces and edges
+  /// @{
+  void set_number_of_edges(std::size_t number_of_edges)
   {
     m_flat.m_lower_faces.resize(number_of_edges);
     m_flat.m_higher_faces.resize(number_of_edges);
     m_flat.m_squared_lengths.resize(number_of_edges);
     m_flat.m_flags.resize(number_of_edges);
+  }
+
+  /// The signed volume of a closed surface.
+  double volume() const { return m_volumes.sum() / 3; }
+
+  /// Turns the closed components that are inside out; faces at borders are marked.
+  void turn_components() { turn(m_volumes.faces_inside_out(m_flat)); }
+
+  Flat_mesh finish()
+  {
     join_degenerate_faces();
-    turn(m_volumes.faces_inside_out(m_flat));
     if (includes(m_flat.m_data, Mesh_data::SURFACE_AREA))
       for (const double area : m_flat.m_areas)
         m_flat.m_surface_area += area;
@@ -154,6 +168,7 @@ public:
       m_flat.m_patches = Patch_builder::build(m_flat);
     return std::move(m_flat);
   }
+  /// @}
 
 private:
   /// Of the normals of the higher and the lower face, and the halfedge of the higher one. Both factors of the sign are
