@@ -1,7 +1,6 @@
 #!/bin/sh
 # full.sh [FOLDER]: the long forms of the tests, hours of them, in FOLDER (default: build-full/): the whole suite with the
-# sanitizers of clang, with CGAL's checks and without; the parallel parts with that for races; mutation; coverage. Stops
-# at the first that fails.
+# sanitizers of clang, with CGAL's checks and without; mutation; coverage. Stops at the first that fails.
 set -eu
 root=$(cd "$(dirname "$0")/.." && pwd)
 work=${1:-$root/build-full}
@@ -22,9 +21,5 @@ sanitized() # NAME BUILD-TYPE FLAGS CTEST-ARGUMENT...
 export ASAN_OPTIONS=detect_stack_use_after_return=1 UBSAN_OPTIONS=print_stacktrace=1
 sanitized release Release "-fsanitize=address,undefined -fno-sanitize-recover=all"
 sanitized debug Debug "-fsanitize=address,undefined -fno-sanitize-recover=all -O1"
-cmake -S "$root" -B "$work/threads" -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER=clang++ \
-  -DREGION_SEGMENTATION_THREAD_SANITIZER=ON >/dev/null
-cmake --build "$work/threads" -j 2 --target region_segmentation_thread_sanitizer_test
-ctest --test-dir "$work/threads" --output-on-failure -R thread_sanitizer
 python3 "$root/test/mutation/mutate.py" --work "$work/mutation" --at-least 90
 sh "$root/test/coverage.sh" "$work/coverage"
