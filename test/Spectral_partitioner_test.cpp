@@ -8,7 +8,7 @@
 #include <CGAL/Region_segmentation/Methods/Visibility_annotator.h>
 #include <CGAL/Region_segmentation/Segmenter.h>
 #include <CGAL/Region_segmentation/evaluation.h>
-#include <CGAL/Region_segmentation/internal/regions/Lowest_root_forest.h>
+#include <CGAL/Region_segmentation/internal/support/Lowest_root_forest.h>
 #include <CGAL/Region_segmentation/segment.h>
 
 #include <CGAL/Polyhedron_3.h>

@@ -57,38 +57,74 @@ RS::Partition face_each(const RS::Flat_mesh& mesh)
 
 } // namespace
 
+/// Triangles that do not touch: long and thin, in any direction.
+Soup needles(std::size_t number, unsigned seed)
+{
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> any(-1, 1);
+  Soup soup;
+  for (std::size_t i = 0; i < number; ++i) {
+    const Point a{any(random), any(random), any(random)}, b{any(random), any(random), any(random)};
+    for (const Point& p : {a, b, Point{b[0] + 0.01 * any(random), b[1] + 0.01 * any(random), b[2] + 0.01 * any(random)}})
+      soup.points.push_back(p);
+    soup.polygons.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+  }
+  return soup;
+}
+
+TEST(Patch_boxes_test, slices_needles_and_nothing_else)
+{
+  const auto number_of_boxes = [](const RS::Flat_mesh& mesh) {
+    const RS::internal::Patch_triangles triangles(mesh, mesh.centroid(0), 1);
+    return RS::internal::Patch_boxes::make(triangles).size();
+  };
+  EXPECT_GT(number_of_boxes(flat_mesh_of(needles(100, 1))), 1000u);
+  for (const Soup& soup : {sphere(3), triangulated(torus(20, 10)), l_shape()}) {
+    const RS::Flat_mesh mesh = flat_mesh_of(soup);
+    EXPECT_EQ(number_of_boxes(mesh), mesh.patches().size());
+  }
+}
+
+/// Rays from faces in all directions; returns how many hit.
+std::size_t compare_hits(const Soup& soup, unsigned seed)
+{
+  const RS::Flat_mesh mesh = flat_mesh_of(soup);
+  const RS::Mesh_points& points = mesh.points();
+  const RS::internal::Ray_tree tree(mesh, mesh.centroid(0), RS::Execution<>());
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> any(-1, 1);
+  std::size_t hits = 0;
+  for (int i = 0; i < 300; ++i) {
+    const std::size_t skipped = random() % mesh.number_of_faces();
+    const Double_3 source = mesh.centroid(skipped);
+    Double_3 d{any(random), any(random), any(random)};
+    d = (1 / norm(d)) * d;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
+      if (f != skipped)
+        nearest = std::min(nearest, distance_to_triangle(source, d, points[points.corner(f, 0)],
+                                                         points[points.corner(f, 1)], points[points.corner(f, 2)]));
+    const auto hit = tree.first_hit(source, d, RS::Flat_mesh::Index(skipped));
+    if (std::isinf(nearest)) {
+      EXPECT_EQ(hit.face, RS::internal::Ray_tree::no_face);
+    } else {
+      ++hits;
+      EXPECT_NEAR(hit.distance, nearest, 1e-4 * (1 + nearest));
+    }
+  }
+  return hits;
+}
+
 TEST(Ray_tree_test, finds_what_a_look_at_every_triangle_finds)
 {
-  for (Family family : {Family::SPHERE, Family::SHEET, Family::TWO_COMPONENTS})
-    for (unsigned seed = 1; seed <= 5; ++seed) {
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    for (Family family : {Family::SPHERE, Family::SHEET, Family::TWO_COMPONENTS}) {
       SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
-      const RS::Flat_mesh mesh = flat_mesh_of(triangulated(random_mesh(family, seed)));
-      const RS::Mesh_points& points = mesh.points();
-      const RS::internal::Ray_tree tree(mesh, mesh.centroid(0), RS::Execution<>());
-      std::mt19937 random(seed);
-      std::uniform_real_distribution<double> any(-1, 1);
-      std::size_t hits = 0;
-      for (int i = 0; i < 300; ++i) {
-        const std::size_t skipped = random() % mesh.number_of_faces();
-        const Double_3 source = mesh.centroid(skipped);
-        Double_3 d{any(random), any(random), any(random)};
-        d = (1 / norm(d)) * d;
-        double nearest = std::numeric_limits<double>::infinity();
-        for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
-          if (f != skipped)
-            nearest = std::min(nearest,
-                               distance_to_triangle(source, d, points[points.corner(f, 0)],
-                                                    points[points.corner(f, 1)], points[points.corner(f, 2)]));
-        const auto hit = tree.first_hit(source, d, RS::Flat_mesh::Index(skipped));
-        if (std::isinf(nearest)) {
-          EXPECT_EQ(hit.face, RS::internal::Ray_tree::no_face);
-        } else {
-          ++hits;
-          EXPECT_NEAR(hit.distance, nearest, 1e-4 * (1 + nearest));
-        }
-      }
-      EXPECT_GT(hits, 20u);
+      EXPECT_GT(compare_hits(triangulated(random_mesh(family, seed)), seed), 20u);
     }
+    SCOPED_TRACE("needles, seed " + std::to_string(seed));
+    EXPECT_GT(compare_hits(needles(400, seed), seed), 20u);
+  }
 }
 
 TEST(Ray_tree_test, of_faces_hit_at_the_same_distance_it_is_the_lowest)

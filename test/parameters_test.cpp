@@ -10,6 +10,7 @@
 #include <CGAL/Region_segmentation/segment.h>
 #include <CGAL/Region_segmentation/version.h>
 
+#include <boost/property_map/function_property_map.hpp>
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -70,7 +71,26 @@ TEST(Parameters_test, a_pack_can_be_kept_and_used_again)
 {
   const Surface_mesh mesh = to_surface_mesh(dumbbell());
   const auto pack = RP::number_of_segments(2).method(Options(2, reference::Convexity::all, 30).method());
-  EXPECT_EQ(run(mesh, pack).segments, run(mesh, pack).segments);
+  const Labels expected = run(mesh, pack).segments;
+  for (int i = 0; i < 2; ++i) {
+    const Result result = run(mesh, pack);
+    EXPECT_EQ(result.segments, expected);
+    EXPECT_EQ(result.number_of_segments, 2u);
+    EXPECT_EQ(result.tree.number_of_regions(), 16u) << "those of the method in the pack";
+  }
+  EXPECT_NE(run(mesh, RP::number_of_segments(2)).tree.number_of_regions(), 16u);
+}
+
+TEST(Parameters_test, the_point_map_of_a_pack_counts_and_not_that_of_the_mesh)
+{
+  const Surface_mesh mesh = to_surface_mesh(dumbbell());
+  const auto flat = boost::make_function_property_map<Surface_mesh::Vertex_index>(
+    [&](Surface_mesh::Vertex_index v) { return Kernel::Point_3(mesh.point(v).x(), mesh.point(v).y(), 0); });
+  const auto pack = RP::feature_convexity(RS::Feature_convexity::CONCAVE).maximum_angle(30);
+  auto map = edge_map(mesh);
+  EXPECT_EQ(RS::detect_feature_edges(mesh, map, pack), 8u);
+  EXPECT_EQ(RS::detect_feature_edges(mesh, map, pack.vertex_point_map(flat)), 0u);
+  EXPECT_EQ(RS::detect_feature_edges(mesh, map, RP::vertex_point_map(flat).maximum_angle(30)), 0u);
 }
 
 TEST(Parameters_test, every_integral_type_is_a_number_of_segments)

@@ -19,6 +19,8 @@
 // looks at all live regions, O(R^2) in total; each merge of step two looks at all pairs of live regions,
 // of which there are 2k at most.
 
+#include "reference_orientation.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -724,7 +726,11 @@ inline std::vector<std::size_t> number_segments(const std::vector<std::size_t>& 
 inline Two_step_result two_step(const std::vector<Point>& points, const std::vector<Polygon>& polygons,
                                 const Two_step_options& options)
 {
-  const Mesh mesh = read_mesh(points, polygons, options);
+  collect_edges(points, polygons); // throws for what is no mesh
+  std::vector<Polygon> outward = polygons;
+  if(is_closed_and_negative(points, polygons))
+    turn_outward(points, outward);
+  const Mesh mesh = read_mesh(points, outward, options);
 
   Two_step_result result;
   for(const Face& face : mesh.faces)

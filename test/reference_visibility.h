@@ -3,6 +3,7 @@
 #ifndef CGAL_REGION_SEGMENTATION_TEST_REFERENCE_VISIBILITY_H
 #define CGAL_REGION_SEGMENTATION_TEST_REFERENCE_VISIBILITY_H
 
+#include "reference_orientation.h"
 #include "reference_straightening.h"
 
 #include <algorithm>
@@ -75,6 +76,7 @@ struct Mesh
   Mesh(std::vector<Vector> points_, std::vector<std::vector<std::size_t>> faces_)
     : points(std::move(points_)), faces(std::move(faces_))
   {
+    turn_outward(points, faces);
     std::map<Pair, std::size_t> face_of_halfedge;
     for (std::size_t f = 0; f < faces.size(); ++f) {
       auto& face = faces[f];
@@ -487,7 +489,10 @@ private:
   {
     const auto from = candidates(region);
     const std::size_t n = from.size(), m = std::min<std::size_t>(n, 3);
-    const bool is_small = graph.regions[region].area < 1. / 6400;
+    const double share = graph.regions[region].area;
+    if (share < 1. / 25600)
+      return;
+    const bool is_small = share < 1. / 6400;
     for (std::size_t k = 0; k < (is_small ? 1 : m); ++k) {
       const std::size_t face = from[9 * k * n / (10 * m)].second, q = 18 / m;
       if (m_mesh.normals[face] == Vector{})
@@ -555,7 +560,14 @@ private:
   /// To triangle i of the fan of a face, in float relative to the centroid of the surface; infinite if the ray misses it.
   double distance_to(std::size_t face, std::size_t i, const Vector& source, const Vector& direction) const
   {
-    const auto corner = [&](std::size_t j) { return to_float(m_mesh.points[m_mesh.faces[face][j]] - m_center); };
+    const auto& vertices = m_mesh.faces[face];
+    std::size_t first = 0;
+    for (std::size_t j = 1; vertices.size() > 3 && j < vertices.size(); ++j)
+      if (distance_from_centroid(face, j) > distance_from_centroid(face, first))
+        first = j;
+    const auto corner = [&](std::size_t j) {
+      return to_float(m_mesh.points[vertices[(first + j) % vertices.size()]] - m_center);
+    };
     const Float_vector d = to_float(direction), e = minus(corner(i), corner(0)), g = minus(corner(i + 1), corner(0));
     const Float_vector to_source = minus(to_float(source - m_center), corner(0));
     const Float_vector p = cross_product(d, g), q = cross_product(to_source, e);
@@ -564,6 +576,12 @@ private:
     const bool is_outside = u < -1e-6f || v < -1e-6f || u + v > 1 + 1e-6f;
     const bool is_hit = !is_outside && determinant != 0 && distance > 0;
     return is_hit ? double(distance) : std::numeric_limits<double>::infinity();
+  }
+
+  double distance_from_centroid(std::size_t face, std::size_t corner) const
+  {
+    const Vector away = m_mesh.points[m_mesh.faces[face][corner]] - m_mesh.centroids[face];
+    return dot(away, away);
   }
 
   const Mesh& m_mesh;

@@ -5,6 +5,7 @@
 #include "meshes.h"
 #include "oracles.h"
 
+#include <CGAL/Region_segmentation/Methods/Learned_merging.h>
 #include <CGAL/Region_segmentation/Methods/Lowest_cost_first.h>
 #include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
 #include <CGAL/Region_segmentation/build_region_adjacency_graph.h>
@@ -17,6 +18,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
 
 namespace {
 
@@ -24,16 +30,38 @@ namespace RS = CGAL::Region_segmentation;
 namespace RP = CGAL::Region_segmentation::parameters;
 using namespace test;
 
-struct Properties_test : ::testing::TestWithParam<Family>
+enum class Method { TWO_STEP, VISIBILITY, LEARNED };
+
+/// A run by any method; features are those of two-step alone.
+Result run_by(Method method, const Soup& soup, const Options& options)
 {
+  const Surface_mesh mesh = to_surface_mesh(soup);
+  const auto run_with = [&](const auto& any_method) {
+    const auto np = RP::number_of_segments(options.k).method(any_method);
+    return options.constrained_edges.empty()
+             ? run(mesh, np)
+             : run(mesh, np.edge_is_constrained_map(edge_map(mesh, options.constrained_edges)));
+  };
+  return method == Method::TWO_STEP     ? run(mesh, options)
+         : method == Method::VISIBILITY ? run_with(RS::Visibility_merging())
+                                        : run_with(RS::Learned_merging());
+}
+
+struct Properties_test : ::testing::TestWithParam<std::tuple<Method, Family>>
+{
+  static Method method() { return std::get<0>(GetParam()); }
+  static Family family() { return std::get<1>(GetParam()); }
+
+  static Result run(const Soup& soup, const Options& options) { return run_by(method(), soup, options); }
+
   /// Calls `f(soup, options, random)` for meshes of the family, with their seeds in the trace.
   template <typename F>
   void for_each_mesh(unsigned seeds, F f) const
   {
     for (unsigned seed = 0; seed < seeds; ++seed) {
-      SCOPED_TRACE(name(GetParam()) + ", seed " + std::to_string(seed));
+      SCOPED_TRACE(name(family()) + ", seed " + std::to_string(seed));
       std::mt19937 random(seed + 5000);
-      const Soup soup = random_mesh(GetParam(), seed + 5000);
+      const Soup soup = random_mesh(family(), seed + 5000);
       f(soup, random_options(random), random);
       if (HasFatalFailure())
         return;
@@ -41,9 +69,15 @@ struct Properties_test : ::testing::TestWithParam<Family>
   }
 };
 
+/// What only two-step has: feature edges, and foreign maps of every kind.
+struct Two_step_properties_test : Properties_test
+{};
+struct Closed_surfaces_test : Properties_test
+{};
+
 TEST_P(Properties_test, labels_are_dense_ordered_and_connected)
 {
-  for_each_mesh(25, [](const Soup& soup, Options options, std::mt19937& random) {
+  for_each_mesh(12, [](const Soup& soup, Options options, std::mt19937& random) {
     if (random() % 2)
       options.constrained_edges = random_edges(soup, 10, random);
     const Result result = run(soup, options);
@@ -65,7 +99,7 @@ TEST_P(Properties_test, labels_are_dense_ordered_and_connected)
   });
 }
 
-TEST_P(Properties_test, features_are_borders_of_regions)
+TEST_P(Two_step_properties_test, features_are_borders_of_regions)
 {
   for_each_mesh(15, [](const Soup& soup, const Options& options, std::mt19937&) {
     const Result result = run(soup, options);
@@ -99,28 +133,6 @@ TEST_P(Properties_test, segmentations_of_one_tree_nest)
   });
 }
 
-TEST_P(Properties_test, hold_for_the_default_method_too)
-{
-  for_each_mesh(8, [](const Soup& soup, Options options, std::mt19937& random) {
-    if (random() % 2)
-      options.constrained_edges = random_edges(soup, 10, random);
-    const Surface_mesh mesh = to_surface_mesh(soup);
-    const Result result = run(mesh, RP::number_of_segments(options.k)
-                                        .method(RS::Visibility_merging())
-                                        .edge_is_constrained_map(edge_map(mesh, options.constrained_edges)));
-    EXPECT_TRUE(is_numbered_by_first_face(result.segments, result.number_of_segments));
-    EXPECT_TRUE(is_numbered_by_first_face(result.regions, result.tree.number_of_regions()));
-    EXPECT_TRUE(is_connected(soup, result.regions, options.constrained_edges));
-    EXPECT_TRUE(is_connected(soup, result.segments, options.constrained_edges));
-    EXPECT_TRUE(separates(soup, options.constrained_edges, result.regions, result.segments));
-    if (options.constrained_edges.empty()) {
-      EXPECT_EQ(
-          result.number_of_segments,
-          (std::min)(soup.polygons.size(), (std::max)(options.k, number_of_components(soup))));
-    }
-  });
-}
-
 struct Length_cost
 {
   template <typename Graph>
@@ -130,12 +142,12 @@ struct Length_cost
   }
 };
 
-TEST_P(Properties_test, a_policy_that_does_not_know_k_gives_one_tree)
+TEST_P(Two_step_properties_test, a_policy_that_does_not_know_k_gives_one_tree)
 {
   for_each_mesh(5, [](const Soup& soup, Options options, std::mt19937&) {
     const Surface_mesh mesh = to_surface_mesh(soup);
     const auto method = options.method().with_policy(RS::Lowest_cost_first<Length_cost>());
-    const auto with = [&](std::size_t k) { return run(mesh, RP::number_of_segments(k).method(method)); };
+    const auto with = [&](std::size_t k) { return test::run(mesh, RP::number_of_segments(k).method(method)); };
     const Result whole = with(1);
     for (std::size_t k : {2, 3, 7, 20}) {
       const Result direct = with(k);
@@ -150,11 +162,11 @@ TEST_P(Properties_test, a_policy_that_does_not_know_k_gives_one_tree)
 
 // The same from foreign property maps
 
-TEST_P(Properties_test, foreign_maps_give_the_same_labels)
+TEST_P(Two_step_properties_test, foreign_maps_give_the_same_labels)
 {
   for_each_mesh(6, [](const Soup& soup, const Options& options, std::mt19937& random) {
     Surface_mesh mesh = to_surface_mesh(soup);
-    const Result expected = run(mesh, options);
+    const Result expected = test::run(mesh, options);
     using Vertex = Surface_mesh::Vertex_index;
     using Face = Surface_mesh::Face_index;
 
@@ -171,9 +183,9 @@ TEST_P(Properties_test, foreign_maps_give_the_same_labels)
       EXPECT_EQ(result.segments, expected.segments);
       EXPECT_EQ(result.features, expected.features);
     };
-    same(run(mesh, options,
+    same(test::run(mesh, options,
              [&](const auto& np) { return np.vertex_point_map(boost::make_assoc_property_map(stored)); }));
-    same(run(mesh, options, [&](const auto& np) { return np.vertex_point_map(by_value); }));
+    same(test::run(mesh, options, [&](const auto& np) { return np.vertex_point_map(by_value); }));
 
     std::map<Face, std::size_t> face_index;
     std::map<Vertex, std::size_t> vertex_index;
@@ -190,12 +202,17 @@ TEST_P(Properties_test, foreign_maps_give_the_same_labels)
     shuffle(mesh.number_of_vertices());
     for (auto v : vertices(mesh))
       vertex_index[v] = numbers[vertex_index.size()];
-    same(run(mesh, options, [&](const auto& np) {
+    const auto all_foreign = [&](const auto& np) {
       return np.vertex_point_map(by_value)
           .face_index_map(boost::make_assoc_property_map(face_index))
           .vertex_index_map(boost::make_assoc_property_map(vertex_index));
-    }));
-    same(run(mesh, options, [&](const auto& np) {
+    };
+    same(test::run(mesh, options, all_foreign));
+    const auto by_default = RP::number_of_segments(options.k);
+    const Result learned = test::run(mesh, all_foreign(by_default)), of_soup = test::run(to_surface_mesh(soup), by_default);
+    EXPECT_EQ(learned.regions, of_soup.regions);
+    EXPECT_EQ(learned.segments, of_soup.segments);
+    same(test::run(mesh, options, [&](const auto& np) {
       return np.vertex_point_map(by_value).face_index_map(
           boost::make_function_property_map<Face>([&](Face f) { return face_index.at(f); }));
     }));
@@ -242,7 +259,7 @@ bool is_stable(Family family)
 
 TEST_P(Properties_test, motion_and_scaling_change_no_label)
 {
-  if (!is_stable(GetParam()))
+  if (!is_stable(family()))
     GTEST_SKIP() << "flat caps do not survive rounding";
   for_each_mesh(8, [](const Soup& soup, const Options& options, std::mt19937& random) {
     const Result expected = run(soup, options);
@@ -263,7 +280,7 @@ TEST_P(Properties_test, motion_and_scaling_change_no_label)
 
 TEST_P(Properties_test, renumbering_renames)
 {
-  if (!is_stable(GetParam()))
+  if (!is_stable(family()))
     GTEST_SKIP() << "degenerate faces have ties, which go by number";
   for_each_mesh(8, [](const Soup& soup, const Options& options, std::mt19937& random) {
     const Result expected = run(soup, options);
@@ -287,7 +304,7 @@ TEST_P(Properties_test, renumbering_renames)
     const Result result = run(other, options);
     EXPECT_EQ(result.regions, renumbered(regions));
     EXPECT_EQ(result.segments, renumbered(segments));
-    for (const auto& [edge, is_feature] : expected.features)
+    for (const auto& [edge, is_feature] : expected.features) // none, but of two-step
       EXPECT_EQ(result.features.at(make_edge(new_of_old[edge.first], new_of_old[edge.second])),
                 is_feature);
   });
@@ -303,6 +320,27 @@ TEST_P(Properties_test, the_first_corner_of_a_face_changes_no_bit)
   });
 }
 
+// Orientation
+
+TEST_P(Closed_surfaces_test, inside_out_have_the_same_labels)
+{
+  for_each_mesh(4, [](const Soup& soup, const Options& options, std::mt19937&) {
+    expect_same(run(reversed(soup), options), run(soup, options));
+  });
+}
+
+TEST_P(Closed_surfaces_test, are_turned_component_by_component)
+{
+  for_each_mesh(2, [](const Soup& soup, const Options& options, std::mt19937&) {
+    const Soup large = translated(scaled(soup, 4), 100, 0, 0);
+    const Result expected = run(joined(large, soup), options);
+    expect_same(run(joined(reversed(large), soup), options), expected);
+    expect_same(run(joined(reversed(large), reversed(soup)), options), expected);
+    if (method() != Method::TWO_STEP) // where the sum of the volumes is positive, it does not look
+      expect_same(run(joined(large, reversed(soup)), options), expected);
+  });
+}
+
 TEST_P(Properties_test, a_run_is_repeatable)
 {
   for_each_mesh(3, [](const Soup& soup, const Options& options, std::mt19937&) {
@@ -310,14 +348,54 @@ TEST_P(Properties_test, a_run_is_repeatable)
   });
 }
 
-std::string parameter_name(const ::testing::TestParamInfo<Family>& info)
+std::string parameter_name(const ::testing::TestParamInfo<std::tuple<Method, Family>>& info)
 {
-  std::string result = name(info.param);
+  const char* const methods[] = {"two_step_", "visibility_", "learned_"};
+  std::string result = methods[int(std::get<0>(info.param))] + name(std::get<1>(info.param));
   std::replace(result.begin(), result.end(), ' ', '_');
   return result;
 }
-INSTANTIATE_TEST_SUITE_P(families, Properties_test, ::testing::ValuesIn(all_families),
+INSTANTIATE_TEST_SUITE_P(families, Properties_test,
+                         ::testing::Combine(::testing::Values(Method::TWO_STEP, Method::VISIBILITY, Method::LEARNED),
+                                            ::testing::ValuesIn(all_families)),
                          parameter_name);
+INSTANTIATE_TEST_SUITE_P(families, Closed_surfaces_test,
+                         ::testing::Combine(::testing::Values(Method::TWO_STEP, Method::VISIBILITY, Method::LEARNED),
+                                            ::testing::Values(Family::SPHERE, Family::TORUS, Family::BLOCKS)),
+                         parameter_name);
+INSTANTIATE_TEST_SUITE_P(families, Two_step_properties_test,
+                         ::testing::Combine(::testing::Values(Method::TWO_STEP), ::testing::ValuesIn(all_families)),
+                         parameter_name);
+
+// Open surfaces stay as they are: what is convex from one side is concave from the other.
+TEST(Orientation_test, an_open_surface_is_read_as_it_is)
+{
+  std::mt19937 random(1);
+  Soup soup = triangulated(grid(6, 6));
+  bump(soup, 0.3, random);
+  const RS::Flat_mesh mesh = RS::read_flat_mesh(to_surface_mesh(soup)),
+                      other = RS::read_flat_mesh(to_surface_mesh(reversed(soup)));
+  std::size_t signs = 0;
+  for (std::size_t e = 0; e < mesh.number_of_edges(); ++e) {
+    EXPECT_EQ(mesh.has_flag(e, RS::Flat_mesh::CONVEX), other.has_flag(e, RS::Flat_mesh::CONCAVE));
+    EXPECT_EQ(mesh.has_flag(e, RS::Flat_mesh::CONCAVE), other.has_flag(e, RS::Flat_mesh::CONVEX));
+    signs += mesh.has_flag(e, RS::Flat_mesh::CONVEX | RS::Flat_mesh::CONCAVE);
+  }
+  EXPECT_GT(signs, 50u);
+}
+
+TEST(Orientation_test, normals_of_a_closed_surface_lead_outward)
+{
+  const Soup outward = cube();
+  for (const Soup& soup : {outward, reversed(outward), translated(reversed(outward), -1e6, 3e5, 1e6)}) {
+    const RS::Flat_mesh mesh = RS::read_flat_mesh(to_surface_mesh(soup), RS::Mesh_data::CENTROIDS);
+    RS::Double_3 center{0, 0, 0};
+    for (std::size_t f = 0; f < 6; ++f)
+      center = center + (1. / 6) * mesh.centroid(f);
+    for (std::size_t f = 0; f < 6; ++f)
+      EXPECT_GT(dot(mesh.normal(f), mesh.centroid(f) - center), 0);
+  }
+}
 
 // Bad input, and outputs that stay as they were
 

@@ -59,6 +59,10 @@ private:
 /// Lengths are in units of `unit()` mesh units. It is 1, unless areas might exceed the range of double; then it is a
 /// power of two, so that results do not depend on it.
 ///
+/// A closed component whose signed volume is below 0 is inside out: its faces are turned. Without `Mesh_data::PATCHES`, for
+/// speed, components are looked at only if the surface as a whole is closed and its signed volume is below 0. Open
+/// components are read as they are.
+///
 /// Bytes: 32 a face and 17 a dual edge, so 57.5 a face on a closed triangle mesh; 28 a face more with the points and 24
 /// with the centroids.
 class Flat_mesh

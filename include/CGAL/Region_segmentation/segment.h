@@ -54,7 +54,9 @@ namespace Region_segmentation {
 /// \pre `number_of_segments` is at least 1
 /// \post every segment is connected where every first region is
 /// \throws Invalid_input if a point is not finite or equal seeds cannot be joined; `Segmentation_cancelled` if the
-///         visitor cancels; all maps are unchanged
+///         visitor cancels; all maps are unchanged. What `put()` of a map throws: `segment_map` is written first, in the
+///         order of the faces, then `region_map`, then `merge_tree`; what precedes keeps its final value, the rest is
+///         unchanged
 ///
 /// Complexity: that of its parts; O(F log F) in practice for `Learned_merging`, O(F + R log R + k^2) expected for
 /// `Two_step`.

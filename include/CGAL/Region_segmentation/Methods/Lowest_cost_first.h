@@ -11,8 +11,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <optional>
-#include <queue>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -28,7 +28,11 @@ namespace Region_segmentation {
 /// changes only the costs of the sections of the merged region: a cost may depend on a section and on
 /// its two regions.
 ///
-/// Complexity: O(d log S) per merge, d the number of sections of the merged region.
+/// All of them are computed anew, unless the region is a hub of more than `hub_degree` sections: then those that the
+/// merge moved or united, and all others after every (degree / `hub_degree`)th merge of the region, rounded down. So a
+/// hub takes linear time, while the cost of a section at its rim lags behind by a small share of its merges.
+///
+/// Complexity: O(min(d, `hub_degree`) log S) per merge, amortized, d the number of sections of the merged region.
 ///
 /// \tparam Cost a model of `SectionCost`; a section whose cost is not a number is never merged across
 template <typename Cost>
@@ -37,35 +41,46 @@ class Lowest_cost_first : public internal::Data_named_by<Cost>
 public:
   using MergeCost = Cost; ///< the cost that defines the units of merges
 
+  /// Regions of more sections are hubs; a graph of at most as many regions has none.
+  static constexpr std::size_t hub_degree = 1024;
+
   explicit Lowest_cost_first(Cost cost = Cost()) : m_cost(std::move(cost)) {}
 
   template <typename Graph>
   void initialize(const Graph& graph)
   {
     static_assert(internal::check_section_cost<Cost, Graph>());
-    m_queue = Queue();
-    m_versions.assign(graph.index_bound_of_sections(), 0);
+    m_queue.clear();
+    m_entries.assign(graph.index_bound_of_sections(), Entry());
+    m_lags.assign(graph.index_bound_of_regions(), 0);
     for (auto range = edges(graph); range.first != range.second; ++range.first)
-      push(graph, *range.first);
+      update(graph, *range.first);
   }
 
   template <typename Graph>
   std::optional<Merge_candidate> next(const Graph& graph)
   {
-    for (; !m_queue.empty(); m_queue.pop()) {
-      const Entry& top = m_queue.top();
-      if (is_current(graph, top))
-        return Merge_candidate{top.section, top.cost};
+    while (!m_queue.empty() && !is_current(graph, m_queue.front())) {
+      std::pop_heap(m_queue.begin(), m_queue.end(), std::greater<Entry>());
+      m_queue.pop_back();
     }
-    return std::nullopt;
+    if (m_queue.empty())
+      return std::nullopt;
+    remember_neighbors(graph, m_queue.front());
+    return Merge_candidate{m_queue.front().section, m_queue.front().cost};
   }
 
   template <typename Graph>
   void on_merge(const Graph& graph, const typename Graph::Merge& merge)
   {
-    for (Section_descriptor s : graph.sections(merge.kept)) {
-      ++m_versions[s.id()];
-      push(graph, s);
+    std::uint32_t& lag = m_lags[merge.kept];
+    lag = (std::max)(lag, m_lags[merge.removed]) + 1;
+    if (lag < graph.degree(merge.kept) / hub_degree)
+      update_sections_to_neighbors(graph, merge.kept);
+    else {
+      lag = 0;
+      for (Section_descriptor s : graph.sections(merge.kept))
+        update(graph, s);
     }
     if (m_queue.size() > 4 * graph.number_of_sections() + smallest_number_to_clean)
       remove_stale_entries(graph);
@@ -74,8 +89,8 @@ public:
 private:
   struct Entry // stale once its section has a newer version
   {
-    double cost;
-    std::uint32_t lower, higher, version;
+    double cost = std::numeric_limits<double>::quiet_NaN();
+    std::uint32_t lower = 0, higher = 0, version = 0;
     Section_descriptor section;
 
     friend bool operator>(const Entry& a, const Entry& b)
@@ -83,42 +98,70 @@ private:
       return std::tie(a.cost, a.lower, a.higher) > std::tie(b.cost, b.lower, b.higher);
     }
   };
-  using Queue = std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>>;
   static constexpr std::size_t smallest_number_to_clean = 1024;
 
-  /// Entries of a region with very many sections become stale with each of its merges: this bounds the memory. It
-  /// takes the time of popping them.
+  /// Entries of a region with very many sections become stale with its merges: this bounds the memory.
   template <typename Graph>
   void remove_stale_entries(const Graph& graph)
   {
-    std::vector<Entry> entries;
-    for (; !m_queue.empty(); m_queue.pop())
-      if (is_current(graph, m_queue.top()))
-        entries.push_back(m_queue.top());
-    m_queue = Queue(std::greater<Entry>(), std::move(entries));
+    m_queue.erase(std::remove_if(m_queue.begin(), m_queue.end(),
+                                 [&](const Entry& entry) { return !is_current(graph, entry); }),
+                  m_queue.end());
+    std::make_heap(m_queue.begin(), m_queue.end(), std::greater<Entry>());
+  }
+
+  /// Before a merge into a hub, those of the other region: the sections of the hub to them will be moved or united.
+  template <typename Graph>
+  void remember_neighbors(const Graph& graph, const Entry& candidate)
+  {
+    std::uint32_t fewer = candidate.lower, more = candidate.higher;
+    if (graph.degree(fewer) > graph.degree(more))
+      std::swap(fewer, more);
+    m_neighbors.clear();
+    if (graph.degree(more) <= hub_degree)
+      return;
+    for (Section_descriptor s : graph.sections(fewer))
+      if (graph.target(s) != more)
+        m_neighbors.push_back(graph.target(s));
+  }
+
+  template <typename Graph>
+  void update_sections_to_neighbors(const Graph& graph, std::uint32_t hub)
+  {
+    for (const std::uint32_t neighbor : m_neighbors)
+      update(graph, *graph.section(hub, neighbor));
   }
 
   template <typename Graph>
   bool is_current(const Graph& graph, const Entry& entry) const
   {
-    return !graph.is_removed(entry.section) && m_versions[entry.section.id()] == entry.version;
+    return !graph.is_removed(entry.section) && m_entries[entry.section.id()].version == entry.version &&
+           graph.is_mergeable(entry.section); // seeds bar sections later
   }
 
+  /// Entries that have not changed are not pushed again.
   template <typename Graph>
-  void push(const Graph& graph, Section_descriptor s)
+  void update(const Graph& graph, Section_descriptor s)
   {
     if (!graph.is_mergeable(s))
       return;
     const double cost = m_cost(graph, s);
+    const std::uint32_t a = graph.source(s), b = graph.target(s);
+    Entry& entry = m_entries[s.id()];
+    if (entry.cost == cost && entry.lower == (std::min)(a, b) && entry.higher == (std::max)(a, b))
+      return;
+    entry = {cost, (std::min)(a, b), (std::max)(a, b), entry.version + 1, s};
     if (cost != cost)
       return;
-    const std::uint32_t a = graph.source(s), b = graph.target(s);
-    m_queue.push({cost, (std::min)(a, b), (std::max)(a, b), m_versions[s.id()], s});
+    m_queue.push_back(entry);
+    std::push_heap(m_queue.begin(), m_queue.end(), std::greater<Entry>());
   }
 
   Cost m_cost;
-  Queue m_queue;
-  std::vector<std::uint32_t> m_versions;
+  std::vector<Entry> m_queue;             // a heap, the next one first
+  std::vector<Entry> m_entries;           // by section, the newest
+  std::vector<std::uint32_t> m_lags;      // by region: its merges since all of its sections were updated
+  std::vector<std::uint32_t> m_neighbors; // of the smaller region of the next merge, if the other one is a hub
 };
 
 } // namespace Region_segmentation

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <string>
 
 namespace CGAL {
 namespace Region_segmentation {
@@ -31,8 +32,9 @@ Merge_tree merge(Graph& graph, Policy& policy, std::size_t number_of_segments, S
     if (stop(graph, candidate->cost))
       break;
     if (graph.is_removed(candidate->section) || !graph.is_mergeable(candidate->section))
-      throw Invalid_method("the RegionMergingPolicy proposes to merge across a section that is removed or not "
-                           "mergeable");
+      throw Invalid_method("the RegionMergingPolicy proposes to merge across section " +
+                           std::to_string(candidate->section.id()) + ", which is " +
+                           (graph.is_removed(candidate->section) ? "removed" : "not mergeable"));
     const auto merge = graph.merge(candidate->section);
     on_merge(merge);
     policy.on_merge(graph, merge);

@@ -33,12 +33,13 @@ class Inward_rays
 public:
   static constexpr std::size_t faces_per_region = 3, rays_per_region = 18;
 
-  /// A region whose share of the surface is below this one casts a single ray: thousands of small components cost no
-  /// more than the rest.
-  static constexpr double smallest_share = 1. / 6400;
-
-  /// The number of rays that a region of a share of the area of the surface casts.
-  static std::size_t number_of_rays(double share) { return share < smallest_share ? 1 : rays_per_region; }
+  /// The number of rays that a region of a share of the area of the surface casts. Small regions cast one or none, so
+  /// that thousands of components cast less than 18 * 6,400 + 25,600 rays together.
+  static std::size_t number_of_rays(double share)
+  {
+    constexpr double smallest_of_all_rays = 1. / 6400, smallest_of_a_ray = 1. / 25600;
+    return share < smallest_of_a_ray ? 0 : share < smallest_of_all_rays ? 1 : rays_per_region;
+  }
 
   /// The hits of the rays of a region; the first is straight against the normal.
   using Hits = std::array<Ray_tree::Hit, rays_per_region>;
@@ -120,8 +121,9 @@ private:
     Hits hits;
     hits.fill({Ray_tree::no_face, 0});
     auto [begin, end] = m_faces[region];
-    if (number_of_rays(m_shapes.areas[region] / m_mesh.surface_area()) == 1) {
-      trace_from(std::min_element(begin, end)->second, m_spirals[0].data(), 1, hits.data());
+    const std::size_t number = number_of_rays(m_shapes.areas[region] / m_mesh.surface_area());
+    if (number < rays_per_region) {
+      trace_from(std::min_element(begin, end)->second, m_spirals[0].data(), number, hits.data());
       return hits;
     }
     const std::size_t size = std::size_t(end - begin);

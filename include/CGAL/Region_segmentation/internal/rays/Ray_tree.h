@@ -8,8 +8,8 @@
 #include <CGAL/Region_segmentation/internal/rays/Box_partition.h>
 #include <CGAL/Region_segmentation/internal/rays/Float_4.h>
 #include <CGAL/Region_segmentation/internal/rays/Four_triangles.h>
+#include <CGAL/Region_segmentation/internal/rays/Patch_boxes.h>
 #include <CGAL/Region_segmentation/internal/support/Float_key.h>
-#include <CGAL/Region_segmentation/internal/support/Grouped_items.h>
 #include <CGAL/Region_segmentation/internal/support/Large_array.h>
 #include <CGAL/Region_segmentation/internal/support/visitor.h>
 
@@ -25,9 +25,9 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// Finds the face that a ray hits first: a tree of bounding boxes over the patches of a mesh, whose triangles (polygons
-/// as fans) are the leaves. In float, relative to the centroid of the surface: distances are needed to a few digits
-/// only. (CGAL's AABB tree is exact, and GPL.)
+/// Finds the face that a ray hits first: a tree of bounding boxes over the patches of a mesh, or slices of them (see
+/// `Patch_boxes`), whose triangles (polygons as fans) are the leaves. In float, relative to the centroid of the surface:
+/// distances are needed to a few digits only. (CGAL's AABB tree is exact, and GPL.)
 ///
 /// A node has up to four children, which are tested together, and a leaf up to four patches, of which four triangles
 /// are tested together: so there are few unpredictable branches. The result does not depend on the shape of the tree,
@@ -56,14 +56,14 @@ public:
   {
     if (mesh.number_of_faces() == 0)
       return;
-    const Grouped_items<Index> faces = faces_by_patch(mesh.patches());
-    Box_partition boxes = make_boxes(mesh, faces);
+    const Patch_triangles triangles(mesh, m_origin, m_scale);
+    Box_partition boxes = Patch_boxes::make(triangles);
     execution.report(0.4);
-    Step_counter<ConcurrencyTag> patches(execution.step(0.4, 1), boxes.size());
+    Step_counter<ConcurrencyTag> steps(execution.step(0.4, 1), boxes.size());
     const auto add = [&](const Part& part) {
       for (std::size_t i = part.first; i < part.last; ++i)
-        patches.advance();
-      return add_leaf(mesh.points(), faces, boxes, part);
+        steps.advance();
+      return add_leaf(triangles, boxes, part);
     };
     m_first_groups.push_back(0);
     m_groups.reserve(mesh.number_of_faces() / 3);
@@ -96,13 +96,6 @@ private:
   static Float_3 to_float(const Double_3& v) { return {float(v.x), float(v.y), float(v.z)}; }
   Float_3 relative(const Double_3& point) const { return to_float(m_scale * (point - m_origin)); }
 
-  /// The corners of a triangle of the fan of a face: the first one, and two others from the i-th on.
-  std::array<Float_3, 3> triangle(const Mesh_points& points, Index face, Index i) const
-  {
-    const auto corner = [&](std::size_t j) { return relative(points[points.corner(face, j)]); };
-    return {corner(0), corner(i), corner(i + 1)};
-  }
-
   /// A power of two, so that it does not change any rounding.
   static double unit_of(const Flat_mesh& mesh, const Double_3& origin)
   {
@@ -110,41 +103,6 @@ private:
     for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
       squared = (std::max)(squared, squared_norm(mesh.centroid(f) - origin));
     return std::ldexp(1.0, std::ilogb((std::max)(std::sqrt(squared), mesh.relative_unit())));
-  }
-
-  static Grouped_items<Index> faces_by_patch(const Mesh_patches& patches)
-  {
-    Grouped_items<Index> faces(patches.size());
-    for (const Index patch : patches.of_faces())
-      faces.count(patch);
-    faces.end_counting();
-    for (std::size_t f = 0; f < patches.of_faces().size(); ++f)
-      faces.add(patches.of_faces()[f], Index(f));
-    return faces;
-  }
-
-  /// The boxes of all patches, slightly enlarged, so that rounding misses no triangle.
-  Box_partition make_boxes(const Flat_mesh& mesh, const Grouped_items<Index>& faces) const
-  {
-    constexpr float margin = 5e-7f; // relative to the distance from the origin, and to the size of the surface
-    const float size = float(mesh.relative_unit() * m_scale);
-    Box_partition boxes;
-    boxes.reserve(faces.number_of_groups());
-    for (std::size_t p = 0; p < faces.number_of_groups(); ++p) {
-      Box box;
-      for (const Index f : faces[p])
-        for (std::size_t i = 0; i < mesh.points().number_of_corners(f); ++i) {
-          const Float_3 corner = relative(mesh.points()[mesh.points().corner(f, i)]);
-          box.add(Float_4{corner[0], corner[1], corner[2], 0});
-        }
-      float extent = size;
-      for (std::size_t k = 0; k < 3; ++k)
-        extent = (std::max)({extent, std::abs(box.low[k]), std::abs(box.high[k])});
-      box.low = box.low - all_lanes(margin * extent);
-      box.high = box.high + all_lanes(margin * extent);
-      boxes.add(box, Index(p));
-    }
-    return boxes;
   }
 
   /// Adds a node for a part, and its descendants.
@@ -179,19 +137,23 @@ private:
 
   static float area_to_split(const Part& part) { return part.size() > width ? part.box.half_area() : -1; }
 
-  Child add_leaf(const Mesh_points& points, const Grouped_items<Index>& faces, const Box_partition& boxes,
-                 const Part& part)
+  Child add_leaf(const Patch_triangles& triangles, const Box_partition& boxes, const Part& part)
   {
     std::size_t lane = width;
+    const auto add = [&](const std::array<Float_3, 3>& corners, Index face) {
+      if (lane == width) {
+        m_groups.emplace_back();
+        lane = 0;
+      }
+      m_groups.back().set(lane++, corners, face);
+    };
+    std::array<Box_partition::Name, width> names{}; // several slices of a patch may be here
+    std::size_t size = 0;
     for (std::size_t i = part.first; i < part.last; ++i)
-      for (const Index f : faces[boxes.name(i)])
-        for (std::size_t t = 1; t + 1 < points.number_of_corners(f); ++t) {
-          if (lane == width) {
-            m_groups.emplace_back();
-            lane = 0;
-          }
-          m_groups.back().set(lane++, triangle(points, f, Index(t)), f);
-        }
+      if (std::find(names.begin(), names.begin() + size, boxes.name(i)) == names.begin() + size)
+        names[size++] = boxes.name(i);
+    for (std::size_t i = 0; i < size; ++i)
+      triangles.for_each(names[i], add);
     m_first_groups.push_back(Index(m_groups.size()));
     return Child(2 * (m_first_groups.size() - 2) + 1);
   }

@@ -93,7 +93,7 @@ public:
   std::size_t number_of_corners(std::size_t i) const { return m_first_sides[i + 1] - m_first_sides[i] - 1; }
   const Corner* corners(std::size_t i) const { return m_corners.data() + m_first_sides[i]; }
 
-  /// Calls `f(face, area_vector, squared_longest_edge)` for all faces.
+  /// Calls `f(face, first_point, area_vector, squared_longest_edge)` for all faces.
   template <typename F>
   void for_each_area_vector(const F& f) const
   {
@@ -103,7 +103,7 @@ public:
       sum.add(c[2].point);
       for (std::size_t j = 3; j < number_of_corners(i); ++j)
         sum.add(c[j].point);
-      f(m_first_face + i, sum.area_vector(), sum.squared_longest_edge());
+      f(m_first_face + i, c[0].point, sum.area_vector(), sum.squared_longest_edge());
     }
   }
 

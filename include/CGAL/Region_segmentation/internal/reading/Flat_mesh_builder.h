@@ -6,6 +6,7 @@
 #include <CGAL/Region_segmentation/Flat_mesh.h>
 #include <CGAL/Region_segmentation/internal/reading/Face_block.h>
 #include <CGAL/Region_segmentation/internal/reading/Patch_builder.h>
+#include <CGAL/Region_segmentation/internal/reading/Signed_volumes.h>
 #include <CGAL/Region_segmentation/internal/support/blocks.h>
 
 #include <algorithm>
@@ -29,7 +30,7 @@ class Flat_mesh_builder
 public:
   /// `unit`: the unit of length of the data, in units of the mesh
   Flat_mesh_builder(std::size_t number_of_faces, std::size_t maximum_number_of_edges, Mesh_data data, double unit)
-    : m_closed_edges(number_of_blocks(number_of_faces))
+    : m_volumes(number_of_faces), m_closed_edges(number_of_blocks(number_of_faces))
   {
     m_flat.m_data = data;
     m_flat.m_unit = unit;
@@ -43,8 +44,10 @@ public:
       m_flat.m_centroids.resize(number_of_faces);
   }
 
-  void set_face(std::size_t face, const Double_3& area_vector, double squared_longest_edge)
+  /// `point`: a corner
+  void set_face(std::size_t face, const Double_3& point, const Double_3& area_vector, double squared_longest_edge)
   {
+    m_volumes.set(face, point, area_vector);
     const double area = norm(area_vector);
     m_flat.m_areas[face] = area;
     // The inverse of a smaller area is infinite.
@@ -52,6 +55,9 @@ public:
       !(area > 1e-12 * squared_longest_edge && area >= (std::numeric_limits<double>::min)());
     m_flat.m_normals[face] = is_degenerate ? Double_3{} : (1 / area) * area_vector;
   }
+
+  /// Marks a face with a side at a border of the mesh.
+  void set_open(std::size_t face) { m_volumes.set_open(face); }
 
   /// A dual edge whose lower face was not known when it was set.
   struct Late_edge
@@ -136,12 +142,24 @@ public:
     }
   }
 
-  Flat_mesh finish(std::size_t number_of_edges)
+  /// \name After all faces and edges
+  /// @{
+  void set_number_of_edges(std::size_t number_of_edges)
   {
     m_flat.m_lower_faces.resize(number_of_edges);
     m_flat.m_higher_faces.resize(number_of_edges);
     m_flat.m_squared_lengths.resize(number_of_edges);
     m_flat.m_flags.resize(number_of_edges);
+  }
+
+  /// The signed volume of a closed surface.
+  double volume() const { return m_volumes.sum() / 3; }
+
+  /// Turns the closed components that are inside out; faces at borders are marked.
+  void turn_components() { turn(m_volumes.faces_inside_out(m_flat)); }
+
+  Flat_mesh finish()
+  {
     join_degenerate_faces();
     if (includes(m_flat.m_data, Mesh_data::SURFACE_AREA))
       for (const double area : m_flat.m_areas)
@@ -150,6 +168,7 @@ public:
       m_flat.m_patches = Patch_builder::build(m_flat);
     return std::move(m_flat);
   }
+  /// @}
 
 private:
   /// Of the normals of the higher and the lower face, and the halfedge of the higher one. Both factors of the sign are
@@ -170,6 +189,22 @@ private:
       return;
     m_flat.m_flags[edge] |= Flat_mesh::CLOSED;
     m_closed_edges[higher / block_size].push_back(Index(edge));
+  }
+
+  /// Reverses the orientation of whole components.
+  void turn(const std::vector<Index>& faces)
+  {
+    constexpr std::uint8_t signs = Flat_mesh::CONVEX | Flat_mesh::CONCAVE;
+    if (faces.empty())
+      return;
+    std::vector<bool> is_turned(m_flat.number_of_faces());
+    for (const Index f : faces) {
+      is_turned[f] = true;
+      m_flat.m_normals[f] = -1.0 * m_flat.m_normals[f];
+    }
+    for (std::size_t e = 0; e < m_flat.number_of_edges(); ++e)
+      if (is_turned[m_flat.lower_face(e)] && m_flat.has_flag(e, signs))
+        m_flat.m_flags[e] ^= signs;
   }
 
   /// Each degenerate face joins across its longest dual edge that is not constrained; of several, the
@@ -207,6 +242,7 @@ private:
   }
 
   Flat_mesh m_flat;
+  Signed_volumes m_volumes;
   std::vector<std::vector<Index>> m_closed_edges; // by the block of their higher face
 };
 

@@ -7,7 +7,7 @@
 #include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/internal/regions/Dual_graph.h>
 #include <CGAL/Region_segmentation/internal/regions/Front_queue.h>
-#include <CGAL/Region_segmentation/internal/regions/Lowest_root_forest.h>
+#include <CGAL/Region_segmentation/internal/support/Lowest_root_forest.h>
 #include <CGAL/Region_segmentation/internal/support/Large_array.h>
 #include <CGAL/Region_segmentation/internal/support/visitor.h>
 

@@ -8,6 +8,7 @@
 #include <CGAL/Region_segmentation/Partition.h>
 
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -39,13 +40,17 @@ struct Region_shapes
     for (std::size_t r = 0; r < areas.size(); ++r)
       surface_centroid = surface_centroid + centroids[r];
     const double area = mesh.surface_area();
-    surface_centroid = origin + (area > 0 ? 1 / area : 0) * surface_centroid;
+    surface_centroid = origin + inverse(area) * surface_centroid;
     for (std::size_t r = 0; r < areas.size(); ++r) {
       const double length = norm(normals[r]);
       normals[r] = length > 0 ? (1 / length) * normals[r] : Double_3{};
-      centroids[r] = areas[r] > 0 ? origin + (1 / areas[r]) * centroids[r] : origin;
+      centroids[r] = origin + inverse(areas[r]) * centroids[r];
     }
   }
+
+private:
+  /// 0 if the area is so small that its inverse would be infinite.
+  static double inverse(double area) { return area >= (std::numeric_limits<double>::min)() ? 1 / area : 0; }
 };
 
 } // namespace internal

@@ -7,7 +7,7 @@
 #include <CGAL/Region_segmentation/Flat_mesh.h>
 #include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/internal/support/Edge_marks.h>
-#include <CGAL/Region_segmentation/internal/regions/Lowest_root_forest.h>
+#include <CGAL/Region_segmentation/internal/support/Lowest_root_forest.h>
 #include <CGAL/Region_segmentation/internal/support/blocks.h>
 
 #include <cstddef>

@@ -265,12 +265,22 @@ private:
                              " elements for " + std::to_string(regions().number_of_parts()) + " regions");
       return segments;
     } else {
-      Merge_tree merges = merge(graph, number, Stop_at_count{number}, m_result.seeds, np);
+      // Initializing a policy may take quadratic time.
+      Merge_tree merges = graph.number_of_regions() <= number
+                            ? unmerged(graph, np)
+                            : merge(graph, number, Stop_at_count{number}, m_result.seeds, np);
       Partition segments = merges.partition_at_count(number);
       if (tree)
         *tree = std::move(merges);
       return segments;
     }
+  }
+
+  template <typename Pack>
+  static Merge_tree unmerged(const Graph& graph, const Pack& np)
+  {
+    make_execution<ConcurrencyTag>(np, "merging");
+    return Merge_tree(graph.index_bound_of_regions());
   }
 
   template <typename Stop, typename Pack>

@@ -3,7 +3,7 @@
 #ifndef CGAL_REGION_SEGMENTATION_INTERNAL_SEGMENTS_SEAM_FINDER_H
 #define CGAL_REGION_SEGMENTATION_INTERNAL_SEGMENTS_SEAM_FINDER_H
 
-#include <CGAL/Region_segmentation/internal/regions/Lowest_root_forest.h>
+#include <CGAL/Region_segmentation/internal/support/Lowest_root_forest.h>
 #include <CGAL/Region_segmentation/internal/support/Grouped_items.h>
 #include <CGAL/Region_segmentation/internal/support/shortest_paths.h>
 

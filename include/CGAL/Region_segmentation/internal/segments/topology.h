@@ -4,7 +4,7 @@
 #define CGAL_REGION_SEGMENTATION_INTERNAL_SEGMENTS_TOPOLOGY_H
 
 #include <CGAL/Region_segmentation/Partition.h>
-#include <CGAL/Region_segmentation/internal/regions/Lowest_root_forest.h>
+#include <CGAL/Region_segmentation/internal/support/Lowest_root_forest.h>
 #include <CGAL/Region_segmentation/internal/segments/Segmented_mesh.h>
 #include <CGAL/Region_segmentation/internal/segments/border_loops.h>
 

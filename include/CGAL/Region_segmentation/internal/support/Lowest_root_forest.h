@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_REGIONS_LOWEST_ROOT_FOREST_H
-#define CGAL_REGION_SEGMENTATION_INTERNAL_REGIONS_LOWEST_ROOT_FOREST_H
+#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_SUPPORT_LOWEST_ROOT_FOREST_H
+#define CGAL_REGION_SEGMENTATION_INTERNAL_SUPPORT_LOWEST_ROOT_FOREST_H
 
 #include <CGAL/Region_segmentation/Partition.h>
 
@@ -41,6 +41,18 @@ public:
     return true;
   }
 
+  /// The lowest face of a tree.
+  Index root(Index i)
+  {
+    Index parent = m_parents[i];
+    for (Index above = m_parents[parent]; above != parent; above = m_parents[parent]) {
+      m_parents[i] = above; // path halving
+      i = above;
+      parent = m_parents[i];
+    }
+    return parent;
+  }
+
   /// Unites the tree of the root `r` with that of `a`; returns their root. Branch-free, since it is unpredictable
   /// whether they are united already.
   Index unite_with_root(Index r, Index a)
@@ -64,17 +76,6 @@ public:
   }
 
 private:
-  Index root(Index i)
-  {
-    Index parent = m_parents[i];
-    for (Index above = m_parents[parent]; above != parent; above = m_parents[parent]) {
-      m_parents[i] = above; // path halving
-      i = above;
-      parent = m_parents[i];
-    }
-    return parent;
-  }
-
   std::vector<Index> m_parents;
 };
 
@@ -82,4 +83,4 @@ private:
 } // namespace Region_segmentation
 } // namespace CGAL
 
-#endif // CGAL_REGION_SEGMENTATION_INTERNAL_REGIONS_LOWEST_ROOT_FOREST_H
+#endif // CGAL_REGION_SEGMENTATION_INTERNAL_SUPPORT_LOWEST_ROOT_FOREST_H

@@ -1,0 +1,25 @@
+#!/bin/sh
+# full.sh [FOLDER]: the long forms of the tests, hours of them, in FOLDER (default: build-full/): the whole suite with the
+# sanitizers of clang, with CGAL's checks and without; mutation; coverage. Stops at the first that fails.
+set -eu
+root=$(cd "$(dirname "$0")/.." && pwd)
+work=${1:-$root/build-full}
+mkdir -p "$work"
+sh "$root/cmake/install_packages.sh" clang clang-tools llvm g++ cmake make python3 libcgal-dev libeigen3-dev libgtest-dev \
+  libopenmesh-dev libcli11-dev libpng-dev libspectra-dev libtbb-dev libxgboost-dev
+
+sanitized() # NAME BUILD-TYPE FLAGS CTEST-ARGUMENT...
+{
+  build=$work/$1
+  cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE="$2" -DCMAKE_CXX_COMPILER=clang++ \
+    -DCMAKE_CXX_FLAGS="$3 -fno-omit-frame-pointer -g1 -D_GLIBCXX_ASSERTIONS" >/dev/null
+  cmake --build "$build" -j 2
+  shift 3
+  ctest --test-dir "$build" --output-on-failure -j 2 -LE build "$@"
+}
+
+export ASAN_OPTIONS=detect_stack_use_after_return=1 UBSAN_OPTIONS=print_stacktrace=1
+sanitized release Release "-fsanitize=address,undefined -fno-sanitize-recover=all"
+sanitized debug Debug "-fsanitize=address,undefined -fno-sanitize-recover=all -O1"
+python3 "$root/test/mutation/mutate.py" --work "$work/mutation" --at-least 90
+sh "$root/test/coverage.sh" "$work/coverage"

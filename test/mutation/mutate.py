@@ -1,0 +1,403 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Breaks the library at sites drawn by a seed and says which tests notice.
+
+One build serves all: in a copy of include/ each site is `(::mutant(17) ? broken : original)`, and an environment variable
+selects the mutant of a run. What can only change the running time (prefetching, reserving, progress) is not broken, nor
+what the compiler evaluates.
+
+    python3 test/mutation/mutate.py --work DIR [--seed 1] [--sites 300] [--headers PART...] [--tests FILE...] [--jobs 2]
+"""
+
+import argparse
+import concurrent.futures
+import os
+import pathlib
+import random
+import re
+import shutil
+import subprocess
+import sys
+import time
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+LIBRARY = pathlib.PurePath("CGAL/Region_segmentation")
+# Nothing of these is executed, or only to say what is wrong.
+NOT_BROKEN = ("internal/model/learned_merge_model.h", "internal/concepts/", "parameters.h", "version.h",
+              "internal/support/named_data.h", "internal/support/options.h", "internal/segmenting/check_", "exceptions.h")
+# They affect time and progress alone.
+TIME_ONLY = re.compile(r"prefetch|reserve\(|\.advance\(|report|shrink_to_fit|madvise")
+SWAPS = {"<": "<=", "<=": "<", ">": ">=", ">=": ">", "==": "!=", "!=": "==", "+": "-", "-": "+", "&&": "||", "||": "&&",
+         "+=": "-=", "-=": "+=", "min": "max", "max": "min", "true": "false", "false": "true", "|=": "&=", "&=": "|=",
+         "min_element": "max_element", "max_element": "min_element", "floor": "ceil", "ceil": "floor"}
+ASSIGNMENTS = ("=", "+=", "-=", "*=", "/=", "|=", "&=", "^=")
+CONTROL = ("if", "for", "while", "switch", "catch")
+NO_STATEMENT = ("break", "continue", "throw", "using", "typedef", "static_assert", "case", "default", "delete", "try",
+                "static", "constexpr", "goto", "public", "private", "friend", "struct", "class", "enum", "template", "do",
+                "if", "for", "while", "switch", "else", "static_cast", "CGAL_precondition", "CGAL_precondition_msg",
+                "CGAL_assertion", "CGAL_assertion_msg")
+
+TOKEN = re.compile(r"""(?P<skip>\s+|//[^\n]*|/\*.*?\*/|^[ \t]*\#(?:[^\n\\]|\\.|\\\n)*)
+  |(?P<string>"(?:\\.|[^"\\])*"|'(?:\\.|[^'\\])*')
+  |(?P<number>(?:0x[0-9a-fA-F]+|\d+\.?\d*(?:e[+-]?\d+)?|\.\d+)[fuUlL]*)
+  |(?P<name>[A-Za-z_]\w*)
+  |(?P<op><<=|>>=|->|\+\+|--|<=|>=|==|!=|&&|\|\||\+=|-=|\*=|/=|\|=|&=|\^=|::|<<|.)""", re.X | re.S | re.M)
+
+
+class Token:
+    def __init__(self, kind, text, start):
+        self.kind, self.text, self.start, self.end = kind, text, start, start + len(text)
+
+
+def tokens_of(text):
+    return [Token(m.lastgroup, m.group(), m.start()) for m in TOKEN.finditer(text) if m.lastgroup != "skip"]
+
+
+def matching(tokens, i, step=1):
+    """The index of the bracket that closes (or opens) the one at i."""
+    depth = 0
+    while 0 <= i < len(tokens):
+        depth += (tokens[i].text in "([{") - (tokens[i].text in ")]}")
+        if depth == 0:
+            return i
+        i += step
+    return i - step
+
+
+class Site:
+    """A piece of a header and what replaces it; `%d` in it becomes the number of the mutant."""
+
+    def __init__(self, file, line, start, end, original, broken, replacement):
+        self.file, self.line, self.start, self.end = file, line, start, end
+        self.original, self.broken, self.replacement = original, broken, replacement
+        self.last_line = line + original.count("\n")
+
+
+class Header:
+    def __init__(self, file, text):
+        self.file, self.text, self.tokens, self.sites = file, text, tokens_of(text), []
+        self.not_executed = self.find_constants()
+        self.walk()
+
+    def find_constants(self):
+        """Of tokens of constant expressions, and of declarations of templates."""
+        result, i = set(), 0
+        while i < len(self.tokens):
+            end = None
+            word = self.tokens[i].text
+            if word == "constexpr":
+                j = i
+                while self.tokens[j].text not in ";{(" and j + 1 < len(self.tokens):
+                    j += 1
+                is_condition = self.tokens[i - 1].text == "if"
+                if self.tokens[j].text == "(":
+                    j = matching(self.tokens, j)
+                    while not is_condition and self.tokens[j].text not in ";{":
+                        j += 1
+                if self.tokens[j].text == "{" and not is_condition:
+                    j = matching(self.tokens, j)
+                while not is_condition and self.tokens[j].text not in ";}":
+                    j += 1
+                end = j
+            elif word in ("static_assert", "using", "enum", "case"):
+                end = next((j for j in range(i, len(self.tokens)) if self.tokens[j].text in (";", ":")), i)
+                if word == "enum":
+                    end = next(j for j in range(i, len(self.tokens)) if self.tokens[j].text == ";")
+            if end is None:
+                i += 1
+            else:
+                result.update(range(i, end + 1))
+                i = end + 1
+        return result
+
+    def walk(self):
+        """Finds the statements of function bodies."""
+        kinds = []  # of open braces: "scope", "code" or "value"
+        begin = 0   # of a statement
+        i = 0
+        while i < len(self.tokens):
+            text = self.tokens[i].text
+            if text == "{":
+                kinds.append(self.kind_of_brace(begin, i, kinds))
+                if kinds[-1] != "value":
+                    begin = i + 1
+            elif text == "}":
+                if kinds and kinds.pop() != "value":
+                    begin = i + 1
+            elif text == ";":
+                if kinds and kinds[-1] == "code":
+                    self.add_statement(begin, i)
+                begin = i + 1
+            elif text in CONTROL and kinds and "code" in kinds and self.tokens[i + 1].text == "(":
+                close = matching(self.tokens, i + 1)
+                self.add_condition(text, i + 2, close)
+                begin = i = close + 1
+                continue
+            elif text in ("else", "do") or (text == "(" and self.tokens[i - 1].text == "constexpr"):
+                begin = i + 1 if text != "(" else matching(self.tokens, i) + 1
+            i += 1
+
+    def kind_of_brace(self, begin, i, kinds):
+        before = self.tokens[begin:i]
+        words = {t.text for t in before}
+        previous = self.tokens[i - 1].text
+        if words & {"namespace", "class", "struct", "union", "enum"} and "(" not in {t.text for t in before[-2:]}:
+            if not kinds or kinds[-1] == "scope":
+                return "scope"
+        if previous in (")", "const", "noexcept", "override", "else", "do", "try", "mutable", "]") or \
+                previous in ("{", "}", ";"):
+            return "code"
+        if ("->" in words or ":" in words) and kinds and kinds[-1] == "scope" and "(" in words:
+            return "code" if previous not in (",", "(", "=") and self.tokens[i - 1].kind != "name" or "->" in words \
+                else "value"
+        return "value"
+
+    def text_of(self, begin, end):
+        return self.text[self.tokens[begin].start:self.tokens[end - 1].end]
+
+    def broken_expressions(self, begin, end):
+        """Texts of an expression in which one token is changed."""
+        for i in range(begin, end):
+            t, change = self.tokens[i], None
+            is_spaced = self.text[t.start - 1:t.start].isspace() and self.text[t.end:t.end + 1].isspace()
+            if t.text in SWAPS and (t.kind == "name" or is_spaced):
+                if t.text in ("min", "max") and self.tokens[i + 1].text != ")":
+                    continue  # of numeric_limits
+                if t.text in ("min", "max") and self.tokens[i + 2].text == "(" and self.tokens[i + 3].text == ")":
+                    continue
+                change = SWAPS[t.text]
+            elif t.kind == "number" and "x" not in t.text:
+                if self.tokens[i - 1].text == "<" and not self.text[t.start - 1].isspace():
+                    continue  # the argument of a template
+                change = {"0": "1", "1": "2"}.get(t.text, "(2 * " + t.text + ")")
+            elif t.text == "!" and self.tokens[i + 1].text != "=":
+                change = ""
+            if change is not None:
+                yield self.text[self.tokens[begin].start:t.start] + change + self.text[t.end:self.tokens[end - 1].end]
+
+    def add(self, begin, end, broken, replacement):
+        if end <= begin or any(i in self.not_executed for i in range(begin, end)):
+            return
+        original = self.text_of(begin, end)
+        if TIME_ONLY.search(original):
+            return
+        start = self.tokens[begin].start
+        line = self.text.count("\n", 0, start) + 1
+        self.sites.append(Site(self.file, line, start, self.tokens[end - 1].end, original, broken, replacement))
+
+    def add_expression(self, begin, end):
+        if end <= begin or any(self.tokens[i].text in "{}" for i in range(begin, end)) or self.tokens[begin].text == "{":
+            return
+        original = self.text_of(begin, end)
+        for broken in self.broken_expressions(begin, end):
+            self.add(begin, end, broken, "(::mutant(%%d) ? (%s) : (%s))" % (broken.replace("%", "%%"),
+                                                                            original.replace("%", "%%")))
+
+    def add_condition(self, keyword, begin, end):
+        if keyword not in ("if", "while", "for") or end <= begin:
+            return
+        semicolons = [i for i in range(begin, end) if self.tokens[i].text == ";"
+                      and matching_depth(self.tokens, begin, i) == 0]
+        if keyword == "for":
+            if len(semicolons) == 2:
+                self.add_expression(semicolons[0] + 1, semicolons[1])
+            return
+        if semicolons:
+            begin = semicolons[-1] + 1
+        if re.match(r"(const\s+)?[\w:<>]+(\s*[&*])?\s+\w+\s*=[^=]", self.text_of(begin, end)):
+            return  # a declaration
+        self.add_expression(begin, end)
+
+    def add_statement(self, begin, end):
+        if end <= begin or any(self.tokens[i].text in "{}" for i in range(begin, end)):
+            return
+        words = [t.text for t in self.tokens[begin:end]]
+        if words[0] == "return":
+            return self.add_expression(begin + 1, end)
+        if words[0] in NO_STATEMENT:
+            return
+        text = self.text_of(begin, end)
+        depth = [matching_depth(self.tokens, begin, i) for i in range(begin, end)]
+        assignments = [begin + k for k, w in enumerate(words) if w in ASSIGNMENTS and depth[k] == 0]
+        commas = [k for k, w in enumerate(words) if w == "," and depth[k] == 0]
+        declaration = re.match(r"(const\s+)?(typename\s+)?[\w:]+(<[^;=]*>)?(::\w+)?(\s+const)?\s*([*&]+\s*|\s)(const\s+)?\w+\s*([;({=,]|$)", text)
+        if declaration or words[0] in ("const", "auto", "unsigned", "std"):
+            is_reference = "&" in words[:assignments[0] - begin] if assignments else True
+            if assignments and not commas and not is_reference and words[0] != "std":
+                self.add_expression(assignments[0] + 1, end)
+            return
+        if assignments:
+            self.add_expression(assignments[0] + 1, end)
+            operator = self.tokens[assignments[0]]
+            if operator.text in SWAPS and not commas:
+                broken = self.text[self.tokens[begin].start:operator.start] + SWAPS[operator.text] + \
+                    self.text[operator.end:self.tokens[end - 1].end]
+                self.add(begin, end + 1, broken, "{ if (::mutant(%%d)) %s; else %s; }" %
+                         (broken.replace("%", "%%"), text.replace("%", "%%")))
+        if assignments or "(" in words or words[0] in ("++", "--"):
+            self.add(begin, end + 1, "(removed)", "{ if (!::mutant(%%d)) { %s; } }" % text.replace("%", "%%"))
+
+
+def matching_depth(tokens, begin, i):
+    depth = 0
+    for t in tokens[begin:i]:
+        depth += (t.text in "([{") - (t.text in ")]}")
+    return depth
+
+
+def draw(headers, number, seed):
+    """Sites that do not overlap, at most one a statement."""
+    everything = [s for h in headers for s in h.sites]
+    random.Random(seed).shuffle(everything)
+    drawn, taken = [], {}
+    for site in everything:
+        spans = taken.setdefault(site.file, [])
+        if len(drawn) < number and all(site.end <= a or b <= site.start for a, b in spans):
+            spans.append((site.start, site.end))
+            drawn.append(site)
+    return len(everything), drawn
+
+
+def write(copy, headers, sites):
+    for header in headers:
+        text = header.text
+        mine = sorted((s for s in sites if s.file == header.file), key=lambda s: -s.start)
+        for site in mine:
+            text = text[:site.start] + site.replacement % site.number + text[site.end:]
+        (copy / header.file).write_text(text)
+
+
+MUTANT_H = """#pragma once
+#include <cstdlib>
+inline bool mutant(int number)
+{
+  static const int active = std::getenv("MUTANT") ? std::atoi(std::getenv("MUTANT")) : 0;
+  return number == active;
+}
+"""
+
+
+def compile_all(options, copy, sources, sites):
+    """Compiles; returns the sites in lines with errors, and the sources that failed."""
+    compiler = [os.environ.get("CXX", "g++"), "-std=c++17", "-O1", "-w", "-fmax-errors=200", "-I", str(copy), "-I",
+                str(ROOT / "test"), "-I", "/usr/include/eigen3", "-include", str(options.work / "mutant.h")]
+
+    def compile_one(source):
+        target = options.work / (source.stem + ".o")
+        command = compiler + ["-c", str(source), "-o", str(target)]
+        result = subprocess.run(command, capture_output=True, text=True)
+        return source, result.returncode, result.stderr
+
+    bad, failed, unknown = set(), [], []
+    with concurrent.futures.ThreadPoolExecutor(options.compile_jobs) as pool:
+        for source, code, errors in pool.map(compile_one, sources):
+            if code == 0:
+                continue
+            failed.append(source)
+            found = set()
+            for file, line in re.findall(r"^\S*?(CGAL/Region_segmentation\S*?):(\d+):\d+: error", errors, re.M):
+                found |= {s for s in sites if str(s.file) == file and s.line <= int(line) <= s.last_line}
+            if not found:  # the errors are elsewhere; what leads there is a site
+                for file, line in re.findall(r"(CGAL/Region_segmentation\S*?):(\d+):\d+:", errors):
+                    found |= {s for s in sites if str(s.file) == file and s.line <= int(line) <= s.last_line}
+            if not found:  # what a declaration lacks shows further down
+                for file, line in re.findall(r"(CGAL/Region_segmentation\S*?):(\d+):\d+: error", errors):
+                    above = [s for s in sites if str(s.file) == file and s.line <= int(line)]
+                    found |= {max(above, key=lambda s: s.line)} if above else set()
+            if not found:
+                unknown.append(source.name + ":\n" + errors[:3000])
+            bad |= found
+    if unknown and not bad:
+        sys.exit("does not compile: " + unknown[0])
+    return bad, failed
+
+
+def run(options, number, seconds):
+    """The name of the first test that fails, or of another end; None if all pass."""
+    environment = dict(os.environ, MUTANT=str(number))
+    command = [str(options.work / "tests"), "--gtest_fail_fast", "--gtest_brief=1", "--gtest_filter=" + options.filter]
+    try:
+        result = subprocess.run(command, capture_output=True, text=True, errors="replace", env=environment,
+                                timeout=seconds, cwd=options.work)
+    except subprocess.TimeoutExpired:
+        return "(no end)"
+    if result.returncode == 0:
+        return None
+    failed = re.search(r"\[  FAILED  \] ([^,\s]+)", result.stdout)
+    return failed.group(1) if failed else "(ends with %d)" % result.returncode
+
+
+def limit_memory():
+    import resource
+    resource.setrlimit(resource.RLIMIT_AS, (4 << 30, 4 << 30))
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("--work", type=pathlib.Path, required=True, help="folder of the copy, the build and the list")
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--sites", type=int, default=300)
+    parser.add_argument("--headers", nargs="*", default=[""], help="beginnings of paths in the library")
+    parser.add_argument("--tests", nargs="*", default=[], help="files of test/; all of the first test program if none")
+    parser.add_argument("--filter", default="-*Real_meshes*", help="of GoogleTest")
+    parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--at-least", type=float, default=0, help="percent to be noticed, else the exit status is 1")
+    parser.add_argument("--compile-jobs", type=int, default=2)
+    options = parser.parse_args()
+    options.work.mkdir(parents=True, exist_ok=True)
+    options.work = options.work.resolve()
+    limit_memory()
+
+    copy = options.work / "include"
+    shutil.rmtree(copy, ignore_errors=True)
+    shutil.copytree(ROOT / "include", copy)
+    (options.work / "mutant.h").write_text(MUTANT_H)
+    headers = []
+    for path in sorted((copy / LIBRARY).rglob("*.h")):
+        name = path.relative_to(copy / LIBRARY).as_posix()
+        if name.startswith(tuple(options.headers)) and not name.startswith(NOT_BROKEN):
+            headers.append(Header(path.relative_to(copy), path.read_text()))
+    possible, sites = draw(headers, options.sites, options.seed)
+    for number, site in enumerate(sites, 1):
+        site.number = number
+    print("seed %d: %d of %d possible sites" % (options.seed, len(sites), possible), flush=True)
+
+    names = options.tests or re.findall(r"\b(\S+_test\.cpp)", re.search(
+        r"add_executable\(region_segmentation_tests(.*?)\)", (ROOT / "test/CMakeLists.txt").read_text(), re.S).group(1))
+    sources = [ROOT / "test" / name for name in names + ["meshes.cpp", "oracles.cpp"]]
+    to_compile = sources
+    for _ in range(6):
+        write(copy, headers, sites)
+        bad, to_compile = compile_all(options, copy, to_compile, sites)
+        if not bad:
+            break
+        print("%d sites do not compile and are left out" % len(bad), flush=True)
+        sites = [s for s in sites if s not in bad]
+    objects = [str(options.work / (s.stem + ".o")) for s in sources]
+    subprocess.run(["g++", *objects, "-o", str(options.work / "tests"), "-lgtest", "-lgtest_main", "-lgmp", "-lmpfr",
+                    "-lpthread"], check=True)
+
+    start = time.monotonic()
+    if run(options, 0, 3600):
+        sys.exit("the tests fail without a mutant: " + run(options, 0, 3600))
+    seconds = 20 + 6 * (time.monotonic() - start)
+    survivors, noticed = [], 0
+    with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
+        results = pool.map(lambda site: (site, run(options, site.number, seconds)), sites)
+        for site, failed in results:
+            where = "%s:%d" % (site.file.relative_to(LIBRARY), site.line)
+            print("%3d %-60s %s" % (site.number, where, failed or "SURVIVES"), flush=True)
+            noticed += failed is not None
+            if failed is None:
+                survivors.append(site)
+    print("\nSurvivors:")
+    for site in survivors:
+        print("%3d %s:%d\n      %s\n   -> %s" % (site.number, site.file.relative_to(LIBRARY), site.line,
+                                              " ".join(site.original.split()), " ".join(site.broken.split())))
+    percent = 100 * noticed / len(sites)
+    print("\nseed %d: %d of %d noticed, %.1f %%" % (options.seed, noticed, len(sites), percent))
+    return 0 if percent >= options.at_least else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

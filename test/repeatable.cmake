@@ -1,0 +1,21 @@
+# cmake -D PROGRAM=FILE -D WORK=DIR -P repeatable.cmake: runs of different processes, at other addresses and with other
+# values in memory that nobody has written, give the same labels.
+file(MAKE_DIRECTORY ${WORK})
+foreach(method learned visibility two-step smooth-faces)
+  foreach(fill 0 85 170)
+    set(ENV{MALLOC_PERTURB_} ${fill})
+    set(labels ${WORK}/${method}-${fill}.seg)
+    file(REMOVE ${labels})
+    execute_process(COMMAND ${PROGRAM} --demo -k 7 --method ${method} -q -o ${labels}
+      RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+    if(NOT result EQUAL 0)
+      message(FATAL_ERROR "${method}: ${result}\n${output}")
+    endif()
+    file(SHA256 ${labels} hash)
+    if(fill EQUAL 0)
+      set(first ${hash})
+    elseif(NOT hash STREQUAL first)
+      message(FATAL_ERROR "${method}: other labels in another process, see ${WORK}")
+    endif()
+  endforeach()
+endforeach()
