@@ -121,7 +121,7 @@ private:
   {
     Box box;
     std::uint32_t triangles = 0;
-    int axis = 0;         // the longest
+    std::size_t axis = 0;         // the longest
     bool is_large = false; // for the area in it
 
     float length() const { return box.high[axis] - box.low[axis]; }
@@ -189,9 +189,9 @@ private:
   }
 
   /// Adds the part of a triangle between two planes: its corners there, and where its edges cross them.
-  static void add_slice(Box& box, const std::array<Float_3, 3>& corners, int axis, float low, float high)
+  static void add_slice(Box& box, const std::array<Float_3, 3>& corners, std::size_t axis, float low, float high)
   {
-    for (int i = 0; i < 3; ++i) {
+    for (std::size_t i = 0; i < 3; ++i) {
       const Float_3 &p = corners[i], &q = corners[(i + 1) % 3];
       const Float_4 a = {p[0], p[1], p[2], 0}, b = {q[0], q[1], q[2], 0};
       if (p[axis] >= low && p[axis] <= high)
@@ -205,7 +205,7 @@ private:
   Box enlarged(Box box) const
   {
     float extent = m_size;
-    for (int k = 0; k < 3; ++k)
+    for (std::size_t k = 0; k < 3; ++k)
       extent = (std::max)({extent, std::abs(box.low[k]), std::abs(box.high[k])});
     box.low = box.low - all_lanes(margin * extent);
     box.high = box.high + all_lanes(margin * extent);
