@@ -83,7 +83,7 @@ view mask nefertiti learned
 view mask_few nefertiti learned -k 6
 row open_surfaces 240 mask mask_few
 
-view sphere sphere learned
+view sphere sphere learned -k 2
 view planes head learned
 view noisy fandisk smooth-faces
 row failures 220 sphere planes noisy

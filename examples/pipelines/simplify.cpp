@@ -30,12 +30,10 @@ int main(int argc, char** argv)
   auto is_border = mesh.add_property_map<Mesh::Edge_index, bool>("e:border").first;
   RS::segment(mesh, segment_id, RS::parameters::number_of_segments(6));
   const std::size_t before = RS::mark_segment_borders(mesh, segment_id, is_border);
-
   using Placement = SMS::Constrained_placement<SMS::LindstromTurk_placement<Mesh>, decltype(is_border)>;
   SMS::edge_collapse(mesh, Fifth_of_edges(),
                      CGAL::parameters::edge_is_constrained_map(is_border).get_placement(Placement(is_border)));
   mesh.collect_garbage();
-
   const std::size_t after = RS::mark_segment_borders(mesh, segment_id, is_border);
   std::cout << num_faces(mesh) << " faces, " << after << " edges between segments, " << before << " before\n";
   return after == before ? EXIT_SUCCESS : EXIT_FAILURE;

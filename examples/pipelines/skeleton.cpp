@@ -30,7 +30,6 @@ int main(int argc, char** argv)
     for (auto h : border.halfedges)
       points_of_joint[{border.segment, border.opposite_segment}].push_back(mesh.point(target(h, mesh)));
   const auto middle = [](const std::vector<Point>& p) { return CGAL::centroid(p.begin(), p.end(), CGAL::Dimension_tag<0>()); };
-
   const auto graph = RS::build_region_adjacency_graph(mesh, segment_id);
   for (auto s : CGAL::make_range(edges(graph))) { // as a polyline of CGAL's .polylines.txt
     const auto [a, b] = std::minmax<std::size_t>({source(s, graph), target(s, graph)});

@@ -12,7 +12,6 @@
 #include <iterator>
 #include <vector>
 
-namespace PMP = CGAL::Polygon_mesh_processing;
 namespace RS = CGAL::Region_segmentation;
 
 int main(int argc, char** argv)
@@ -22,11 +21,10 @@ int main(int argc, char** argv)
   RS::segment(mesh, segment_id, RS::parameters::number_of_segments(6));
   std::vector<RS::Segment_piece<Mesh, Mesh, std::size_t>> pieces;
   RS::split_into_segments(mesh, segment_id, std::back_inserter(pieces));
-
   bool are_closed = true;
   for (auto& piece : pieces) {
     std::vector<Mesh::Halfedge_index> holes;
-    PMP::extract_boundary_cycles(piece.mesh, std::back_inserter(holes));
+    CGAL::Polygon_mesh_processing::extract_boundary_cycles(piece.mesh, std::back_inserter(holes));
     for (auto hole : holes) {
       std::vector<Point> points;
       for (auto h : CGAL::halfedges_around_face(hole, piece.mesh))
