@@ -155,8 +155,9 @@ TEST(Border_straightening_test, fixed_regions_keep_their_faces)
     const std::vector<Index> labels =
       straightening(mesh, regions, tree, [&](Index r) { return r == fixed; }, RS::Execution<>());
     for (std::size_t f = 0; f < labels.size(); ++f)
-      if (regions[f] == fixed)
+      if (regions[f] == fixed) {
         EXPECT_EQ(labels[f], fixed) << "face " << f;
+      }
   }
 }
 

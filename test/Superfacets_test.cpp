@@ -361,7 +361,8 @@ TEST(Superfacets_test, parts_are_connected_where_steps_are_longer_than_a_float)
   Soup soup;
   soup.points = {{0, 0, 0}, {1e-60, 0, 0}, {0, 1e-60, 0}, {1, 0, 0}, {1.5, 0, 0}, {1.7, 0, 0}, {1.2, 0, 0}, {1.9, 0, 0}};
   soup.polygons = {{0, 1, 2}, {3, 4, 5}, {4, 3, 6}, {5, 4, 7}};
-  const RS::Partition parts = RS::Superfacets(1).split(flat_mesh_of(soup), 3);
+  const RS::Flat_mesh mesh = flat_mesh_of(soup);
+  const RS::Partition parts = RS::Superfacets(1).split(mesh, RS::Superfacets(1)(mesh), 3);
   EXPECT_EQ(parts.number_of_parts(), 3u);
   EXPECT_TRUE(is_connected(soup, labels_of(parts)));
 }
