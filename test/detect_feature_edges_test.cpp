@@ -45,10 +45,15 @@ TEST(Detect_feature_edges_test, cube_has_twelve_convex_edges)
   }
 }
 
-TEST(Detect_feature_edges_test, inside_out_convex_is_concave)
+TEST(Detect_feature_edges_test, a_closed_surface_is_turned_if_it_is_inside_out_an_open_one_is_read_as_it_is)
 {
-  EXPECT_EQ(number_of_features(reversed(cube()), Feature_convexity::CONVEX, 30), 0u);
-  EXPECT_EQ(number_of_features(reversed(cube()), Feature_convexity::CONCAVE, 30), 12u);
+  EXPECT_EQ(number_of_features(reversed(cube()), Feature_convexity::CONVEX, 30), 12u);
+  EXPECT_EQ(number_of_features(reversed(cube()), Feature_convexity::CONCAVE, 30), 0u);
+  Soup box = cube();
+  box.polygons.pop_back(); // 8 edges between faces, 4 at the border
+  EXPECT_EQ(number_of_features(box, Feature_convexity::CONVEX, 30), 12u);
+  EXPECT_EQ(number_of_features(reversed(box), Feature_convexity::CONVEX, 30), 4u);
+  EXPECT_EQ(number_of_features(reversed(box), Feature_convexity::CONCAVE, 30), 12u);
 }
 
 TEST(Detect_feature_edges_test, the_bound_is_a_deviation_in_degrees)

@@ -113,8 +113,9 @@ TYPED_TEST(Number_choosers_test, a_drawn_loop_adds_a_segment)
   EXPECT_EQ(n, with.number_of_segments()) << "what is announced is what comes";
   EXPECT_GE(n, without.number_of_segments());
   for (auto e : edges(mesh))
-    if (get(drawn, e))
+    if (get(drawn, e)) {
       EXPECT_NE(get(map, mesh.face(halfedge(e, mesh))), get(map, mesh.face(opposite(halfedge(e, mesh), mesh))));
+    }
 
   // On a convex body, exactly one more.
   const Surface_mesh ball = to_surface_mesh(sphere(4));

@@ -124,7 +124,7 @@ private:
           for (const auto& [f, c] : m_in.costs[e])
             cost[m_label[f]] += c;
           if (cost.count(a) + cost.count(b) > 0)
-            joined[e] = cost[a] >= cost[b] ? a : b;
+            joined[e] = cost.count(b) == 0 || (cost.count(a) > 0 && cost[a] >= cost[b]) ? a : b;
         }
       for (const auto& [e, part] : joined)
         m_label[e] = part;
@@ -140,6 +140,8 @@ private:
       (m_label[e] == a ? area_of_a : area_of_b) += m_in.areas[e];
     const double width =
       std::min(m_in.width, m_in.width_of_segment * std::sqrt(std::min(area_of_a, area_of_b)));
+    if (width < 1e-6)
+      return;
     const std::set<std::size_t> band = band_of(segment, a, b, width);
     std::map<std::size_t, std::size_t> node_of;
     std::size_t nodes = 2, stays_in_a = 0, stays_in_b = 0;

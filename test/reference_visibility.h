@@ -146,6 +146,14 @@ struct Patches
   std::vector<Vector> area_vectors, normals, centroids;
   std::map<Pair, double> lengths; // of borders
 
+  double concave_deviation(std::size_t i, std::size_t j) const
+  {
+    const Vector &m = normals[i], &n = normals[j];
+    const bool is_concave =
+      norm(m) > 0 && norm(n) > 0 && face_each_other(m, n, centroids[i], centroids[j]);
+    return is_concave ? angle(m, n) : 0;
+  }
+
   explicit Patches(const Mesh& mesh)
     : areas(mesh.areas), normals(mesh.normals), centroids(mesh.centroids)
   {
@@ -255,8 +263,7 @@ public:
     for (const auto& [pair, length] : patches.lengths) {
       const auto [i, j] = pair;
       const Vector &c_i = patches.centroids[i], &c_j = patches.centroids[j];
-      const Vector &n_i = patches.normals[i], &n_j = patches.normals[j];
-      const double concavity = face_each_other(n_i, n_j, c_i, c_j) ? std::min(angle(n_i, n_j), 0.6) : 0;
+      const double concavity = std::min(patches.concave_deviation(i, j), 0.6);
       const double step = std::min(std::max(norm(c_i - c_j) / mesh.unit_of_length() + 0.4 * concavity, 1e-37), 1e28);
       m_steps[i][j] = m_steps[j][i] = float(step);
       m_costs[i][j] = m_costs[j][i] = float(length / mesh.unit_of_length() / (1 + 10 * concavity));
@@ -702,8 +709,7 @@ struct Straightened
     for (const auto& [pair, length] : patches.lengths) {
       const auto [i, j] = pair;
       const Vector &c_i = patches.centroids[i], &c_j = patches.centroids[j];
-      const Vector &n_i = patches.normals[i], &n_j = patches.normals[j];
-      const double concavity = face_each_other(n_i, n_j, c_i, c_j) ? std::min(angle(n_i, n_j), 0.6) : 0;
+      const double concavity = std::min(patches.concave_deviation(i, j), 0.6);
       input.costs[i][j] = input.costs[j][i] = float(length / mesh.unit_of_length() / (1 + 10 * concavity));
       input.lengths[i][j] = input.lengths[j][i] = norm(c_i - c_j) / mesh.unit_of_length();
     }

@@ -30,12 +30,12 @@ std::vector<std::string> words_of(const std::string& text)
 void check_jobs(const Options& options)
 {
   const std::vector<Job> jobs = plan_jobs(options, "model");
-  require(jobs.size() == (std::max)(options.inputs.size(), std::size_t(1)), "an input is a job");
+  require(jobs.size() == options.inputs.size() + std::size_t(options.is_demo), "an input is a job");
   std::set<std::string> files;
   for (const Job& job : jobs) {
     require(job.outputs.size() == options.outputs.size(), "a job writes all outputs");
-    for (const std::string& output : job.outputs)
-      require(files.insert(output).second, "an output is written once: " + output);
+    for (const Output& output : job.outputs)
+      require(files.insert(output.file).second, "an output is written once: " + output.file);
   }
   for (const Job& job : jobs)
     require(job.is_model || files.count(job.input) == 0, "an input is not replaced: " + job.input);

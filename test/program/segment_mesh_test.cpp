@@ -340,8 +340,9 @@ TEST_F(Program, writes_to_stdout)
   EXPECT_EQ(folder.read("b.seg"), outcome.out);
   EXPECT_EQ(run("--demo -q -o - --output-format off 2>early | head -c 3").out, "OFF"); // the reader goes early
   EXPECT_EQ(folder.read("early"), "");
-  if (std::filesystem::exists("/dev/full"))
+  if (std::filesystem::exists("/dev/full")) {
     EXPECT_EQ(run("a.off -q -k 4 -o - --output-format seg > /dev/full; exit $?; true").status, 1);
+  }
 }
 
 TEST_F(Program, takes_a_format_in_place_of_an_ending)

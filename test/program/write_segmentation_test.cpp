@@ -136,14 +136,6 @@ TEST_F(Written, obj_has_groups_and_lines)
   EXPECT_GT(number_of_lines, 0u);
 }
 
-std::size_t count(const std::string& text, const std::string& what)
-{
-  std::size_t result = 0;
-  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1))
-    ++result;
-  return result;
-}
-
 TEST_F(Written, json_has_all)
 {
   const nlohmann::json json = nlohmann::json::parse(text("a.json"));

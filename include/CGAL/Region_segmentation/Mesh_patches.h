@@ -70,11 +70,13 @@ public:
   /// By the lower, then by the higher patch.
   const internal::Large_array<Adjacency>& adjacencies() const { return m_adjacencies; }
 
-  /// The angle between the normals of two patches, in radians, if they face each other, else 0.
+  /// The angle between the normals of two patches, in radians, if they face each other, else 0; 0, too, if one has no
+  /// normal.
   double concave_deviation(std::size_t i, std::size_t j) const
   {
     const Patch &a = m_patches[i], &b = m_patches[j];
-    if (!(dot(b.normal - a.normal, b.centroid - a.centroid) < 0))
+    if (squared_norm(a.normal) == 0 || squared_norm(b.normal) == 0 ||
+        !(dot(b.normal - a.normal, b.centroid - a.centroid) < 0))
       return 0;
     return std::acos((std::max)(-1.0, (std::min)(1.0, dot(a.normal, b.normal))));
   }

@@ -36,8 +36,8 @@ namespace Region_segmentation {
 ///    costs more, of equal ones the kept one. The border between two elements costs
 ///    \f$l / (\sqrt{A} (1 + g \, \min(\delta^+, m)))\f$, as in `Superfacets`, rounded to `float`.
 /// -# In the last \f$n\f$ merges, the border between the parts moves. Its band contains the elements of both within
-///    \f$\min(D_0, q \sqrt{a / A})\f$ of it, \f$a\f$ the area of the smaller part: elements at the border have the
-///    distance 0, and a step to an adjacent element of the same part has the length \f$|c_i - c_j| / \sqrt{A}\f$. An
+///    \f$\min(D_0, q \sqrt{a / A})\f$ of it, \f$a\f$ the area of the smaller part; if that is below \f$10^{-6}\f$, the
+///    border stays. Elements at the border have the distance 0, and a step to an adjacent element of the same part has the length \f$|c_i - c_j| / \sqrt{A}\f$. An
 ///    element of the band that is adjacent to one of its part outside of the band stays. If some stay in either part,
 ///    elements move to the minimum cut: the sides between which the borders of elements of the band cost least, of
 ///    several cuts one that moves the fewest elements, and of these that with the fewest elements in the kept part.
@@ -80,6 +80,10 @@ struct Border_straightening
 private:
   using Index = Flat_mesh::Index;
 
+  /// Distances of centroids have an error of this order where the origin is far away, and parts without area have a width
+  /// like that.
+  static constexpr double narrowest_band = 1e-6;
+
   static bool are_unions_of_patches(const Mesh_patches& patches, const Partition& regions)
   {
     for (std::size_t f = 0; f < regions.size(); ++f)
@@ -114,7 +118,10 @@ private:
     }
     const internal::Dual_graph costs = internal::border_costs(mesh, patches, concave_gain, maximum_deviation);
     const auto distance = [&](Index p, Index q) { return norm(patches[p].centroid - patches[q].centroid) / unit; };
-    const auto band_width = [&](double area) { return (std::min)(width, width_of_segment * std::sqrt(area)); };
+    const auto band_width = [&](double area) {
+      const double result = (std::min)(width, width_of_segment * std::sqrt(area));
+      return result >= narrowest_band ? result : 0;
+    };
     internal::Nested_borders borders(costs, distance, areas, region_of, tree);
     borders.run(number_of_cuts, band_width, is_fixed, execution);
     const std::vector<Index> labels = borders.take_labels();

@@ -34,7 +34,7 @@ namespace Region_segmentation {
 ///
 /// A step between two adjacent patches has the length \f$|c_i - c_j| / \sqrt{A} + w \, \min(\delta^+, m)\f$, rounded to
 /// `float`, at least \f$10^{-37}\f$ and at most \f$10^{28}\f$, \f$c\f$ the centroids, \f$A\f$ the area of the surface, \f$\delta^+\f$ the
-/// angle of their normals if they face each other, \f$(n_j - n_i) \cdot (c_j - c_i) < 0\f$, else 0. Distances are sums
+/// angle of their normals if they face each other, \f$(n_j - n_i) \cdot (c_j - c_i) < 0\f$, else 0 (and 0 if one has no normal). Distances are sums
 /// of steps in `double`. The first seed is the patch farthest from the centroid of the surface, each further one the
 /// patch farthest from all seeds so far; of several, the lower one. A patch belongs to the nearest seed; of several at
 /// the same distance, to the one placed first. Every connected component gets a seed, even if this exceeds the number.

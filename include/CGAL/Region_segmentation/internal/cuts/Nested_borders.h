@@ -58,7 +58,7 @@ public:
   }
 
   /// `number_of_cuts`: only the borders of so many last merges are moved.
-  /// `width(area)`: of the band in which the border of two parts can move, by the area of the smaller part.
+  /// `width(area)`: of the band in which the border of two parts can move, by the area of the smaller part; 0: it stays.
   /// `is_fixed(region)`: whether its elements stay in the segments of the region; at most one region of a tree
   template <typename Width, typename IsFixed, typename ConcurrencyTag>
   void run(std::size_t number_of_cuts, const Width& width, const IsFixed& is_fixed,
@@ -238,7 +238,7 @@ private:
       rest.clear();
       for (const Index element : unlabeled) {
         const double to_a = border_cost(element, a), to_b = border_cost(element, b);
-        if (to_a > 0 || to_b > 0)
+        if (to_a >= 0 || to_b >= 0)
           joined.push_back({element, to_a >= to_b ? a : b});
         else
           rest.push_back(element);
@@ -252,13 +252,17 @@ private:
     }
   }
 
+  /// Below 0 if the element is not adjacent to the part.
   double border_cost(Index element, Index part) const
   {
     double cost = 0;
+    bool is_adjacent = false;
     for (const auto& step : m_costs.steps(element))
-      if (m_label_of[step.face] == part)
+      if (m_label_of[step.face] == part) {
         cost += double(step.length);
-    return cost;
+        is_adjacent = true;
+      }
+    return is_adjacent ? cost : -1;
   }
 
   template <typename Width, typename IsFixed>
@@ -276,9 +280,11 @@ private:
           border.insert(border.end(), {element, step.face});
     }
     m_area_of[a] -= m_area_of[b];
-    const std::vector<Index> moved =
-      m_cut.move_border(a, b, border, width((std::min)(m_area_of[a], m_area_of[b])),
-                        [&](Index element) { return is_fixed(m_region_of[element]); });
+    const double band_width = width((std::min)(m_area_of[a], m_area_of[b]));
+    if (!(band_width > 0))
+      return;
+    const std::vector<Index> moved = m_cut.move_border(
+      a, b, border, band_width, [&](Index element) { return is_fixed(m_region_of[element]); });
     std::vector<Index> touched;
     for (const Index element : moved) {
       const Index now = m_label_of[element];
