@@ -12,7 +12,7 @@ targets=${*:-read_off read_obj read_ply read_stl inflate_gzip read_labels comman
 cmake -S "$here" -B "$dir/coverage" -DCMAKE_CXX_COMPILER="${CLANGXX:-clang++}" \
   -Dcoverage="-fprofile-instr-generate;-fcoverage-mapping" >/dev/null
 cmake --build "$dir/coverage" --target write_seeds $targets >/dev/null
-"$dir/coverage/bin/write_seeds" "$dir/coverage/seeds"
+LLVM_PROFILE_FILE=/dev/null "$dir/coverage/bin/write_seeds" "$dir/coverage/seeds"
 
 rm -f "$dir"/coverage/*.profraw
 objects=

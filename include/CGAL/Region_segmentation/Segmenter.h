@@ -94,7 +94,8 @@ public:
 
   /// The mesh as arrays.
   const Flat_mesh& flat_mesh() const { return m_prepared.flat_mesh(); }
-  /// The first regions, by face in iteration order, including changes by later constraints and seeds.
+  /// What segments consist of: the first regions, by face in iteration order, including changes by later constraints and
+  /// seeds, and by moving borders (see `Border_straightening`).
   const Partition& regions() const { return m_prepared.regions(); }
 
   /// The merges of the first regions, down to one segment for each connected piece. Only with a
@@ -137,8 +138,7 @@ public:
 
   /// segments the mesh into a given number, or the nearest possible one; see `segment()`.
   ///
-  /// For more segments than first regions, these are split if their initializer supports it and neither constraints nor
-  /// seeds were added. This takes as long as making the regions.
+  /// For more segments than `regions()`, these are split if their initializer supports it, in O(F log F).
   ///
   /// \param segment_map every key is written: ids 0 .. n-1, numbered by the first face
   /// \param number_of_segments at least 1

@@ -37,10 +37,11 @@ namespace Region_segmentation {
 ///    \f$l / (\sqrt{A} (1 + g \, \min(\delta^+, m)))\f$, as in `Superfacets`, rounded to `float`.
 /// -# In the last \f$n\f$ merges, the border between the parts moves. Its band contains the elements of both within
 ///    \f$\min(D_0, q \sqrt{a / A})\f$ of it, \f$a\f$ the area of the smaller part; if that is below \f$10^{-6}\f$, the
-///    border stays. Elements at the border have the distance 0, and a step to an adjacent element of the same part has the length \f$|c_i - c_j| / \sqrt{A}\f$. An
-///    element of the band that is adjacent to one of its part outside of the band stays. If some stay in either part,
-///    elements move to the minimum cut: the sides between which the borders of elements of the band cost least, of
-///    several cuts one that moves the fewest elements, and of these that with the fewest elements in the kept part.
+///    border stays. Elements at the border have the distance 0, and a step to an adjacent element of the same part has the
+///    length \f$|c_i - c_j| / \sqrt{A}\f$. An element of the band that is adjacent to one of its part outside of the
+///    band stays. If some stay in either part, elements move to the minimum cut: the sides between which the borders of
+///    elements of the band cost least, of several cuts one that moves the fewest elements, and of these that with the
+///    fewest elements in the kept part.
 ///    Costs are rounded to multiples of about \f$2^{-50} N C\f$, \f$N\f$ the number of elements that may move and
 ///    \f$C\f$ the sum of their costs. Elements outside of the band count with their own part. The move is not made if
 ///    it disconnects a part. Moved elements become guests.
