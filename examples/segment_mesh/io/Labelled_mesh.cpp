@@ -2,27 +2,34 @@
 
 #include "io/Labelled_mesh.h"
 
+#include <algorithm>
+
 namespace segment_mesh {
 
-Polygon_soup extract_segment(const Labelled_mesh& mesh, std::size_t segment)
+std::vector<std::vector<std::size_t>> faces_of_segments(const std::vector<std::size_t>& segment_of_face,
+                                                        std::size_t number_of_segments)
+{
+  std::vector<std::vector<std::size_t>> faces(number_of_segments);
+  for (std::size_t f = 0; f < segment_of_face.size(); ++f)
+    faces[segment_of_face[f]].push_back(f);
+  return faces;
+}
+
+Polygon_soup extract_faces(const Polygon_soup& soup, const std::vector<std::size_t>& faces)
 {
   Polygon_soup part;
-  std::vector<std::size_t> new_index(mesh.soup.points.size());
-  for (std::size_t f = 0; f < mesh.soup.polygons.size(); ++f) {
-    if (mesh.segment_of_face[f] != segment)
-      continue;
-    part.polygons.push_back(mesh.soup.polygons[f]);
-    for (std::size_t i : mesh.soup.polygons[f])
-      new_index[i] = 1; // it is used
+  std::vector<std::size_t> used;
+  for (std::size_t f : faces) {
+    part.polygons.push_back(soup.polygons[f]);
+    used.insert(used.end(), soup.polygons[f].begin(), soup.polygons[f].end());
   }
-  for (std::size_t i = 0; i < new_index.size(); ++i)
-    if (new_index[i] == 1) {
-      new_index[i] = part.points.size();
-      part.points.push_back(mesh.soup.points[i]);
-    }
+  std::sort(used.begin(), used.end());
+  used.erase(std::unique(used.begin(), used.end()), used.end());
+  for (std::size_t i : used)
+    part.points.push_back(soup.points[i]);
   for (Polygon_soup::Polygon& polygon : part.polygons)
     for (std::size_t& i : polygon)
-      i = new_index[i];
+      i = std::size_t(std::lower_bound(used.begin(), used.end(), i) - used.begin());
   return part;
 }
 

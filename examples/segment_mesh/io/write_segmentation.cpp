@@ -104,9 +104,10 @@ void write_whole(std::ostream& out, Output_format format, const Result& result)
 
 void write_each_segment(const Output& output, const Result& result)
 {
-  const std::vector<std::size_t> labels = labels_of_faces(result.input, result.segmentation);
-  for (std::size_t segment = 0; segment < result.segmentation.number_of_segments; ++segment) {
-    const Polygon_soup part = extract_segment({result.input.soup, labels}, segment);
+  const auto faces = faces_of_segments(labels_of_faces(result.input, result.segmentation),
+                                       result.segmentation.number_of_segments);
+  for (std::size_t segment = 0; segment < faces.size(); ++segment) {
+    const Polygon_soup part = extract_faces(result.input.soup, faces[segment]);
     Output_stream out(with_segment(output.file, std::to_string(segment)), output.compression);
     write_mesh(out.stream(), output.format, {part, std::vector<std::size_t>(part.polygons.size(), segment)}, {});
     out.commit();
