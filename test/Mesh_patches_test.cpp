@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <map>
 #include <random>
@@ -233,4 +234,38 @@ TEST(Mesh_patches_test, a_mesh_without_area_is_one_patch_for_each_piece)
   const RS::Flat_mesh mesh = flat_mesh_of(point);
   EXPECT_EQ(mesh.patches().size(), 1u);
   EXPECT_EQ(mesh.patches()[0].area, 0);
+}
+
+TEST(Mesh_patches_test, each_round_is_reported_and_can_be_cancelled)
+{
+  struct Visitor
+  {
+    std::size_t last = std::numeric_limits<std::size_t>::max();
+    std::vector<double> fractions;
+    bool go_further(const char*, double fraction)
+    {
+      fractions.push_back(fraction);
+      return fractions.size() < last;
+    }
+  };
+  const Surface_mesh mesh = to_surface_mesh(small_faces(1));
+  const auto read = [&](RS::Mesh_data data, Visitor& visitor) {
+    return RS::read_flat_mesh(mesh, data, RS::parameters::visitor(std::ref(visitor)));
+  };
+  Visitor without, all;
+  read(RS::Mesh_data::CENTROIDS, without);
+  EXPECT_EQ(without.fractions.back(), 1);
+
+  const std::size_t size = read(RS::Mesh_data::PATCHES, all).patches().size();
+  EXPECT_TRUE(std::is_sorted(all.fractions.begin(), all.fractions.end()));
+  EXPECT_EQ(all.fractions.back(), 1 - 0.5 * double(size) / double(num_faces(mesh)));
+  const auto rounds = std::upper_bound(all.fractions.begin(), all.fractions.end(), 0.5);
+  ASSERT_GT(all.fractions.end() - rounds, 2);
+  EXPECT_EQ(std::adjacent_find(rounds, all.fractions.end()), all.fractions.end()) << "each round joins patches";
+  for (std::size_t last = 1; last <= all.fractions.size(); ++last) {
+    Visitor cancelling;
+    cancelling.last = last;
+    EXPECT_THROW(read(RS::Mesh_data::PATCHES, cancelling), RS::Segmentation_cancelled);
+    EXPECT_EQ(cancelling.fractions.size(), last);
+  }
 }

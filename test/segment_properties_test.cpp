@@ -10,6 +10,7 @@
 #include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
 #include <CGAL/Region_segmentation/build_region_adjacency_graph.h>
 #include <CGAL/Region_segmentation/extract_feature_lines.h>
+#include <CGAL/Region_segmentation/read_flat_mesh.h>
 #include <CGAL/Region_segmentation/segment.h>
 
 #include <boost/property_map/function_property_map.hpp>
@@ -552,6 +553,17 @@ TEST(Visitor_test, can_cancel_anywhere_and_nothing_is_written)
   const Surface_mesh mesh = to_surface_mesh(dumbbell());
   expect_that_cancelling_writes_nothing(mesh, Options(2, reference::Convexity::all).named());
   expect_that_cancelling_writes_nothing(mesh, RP::number_of_segments(2));
+}
+
+TEST(Visitor_test, can_cancel_while_patches_are_made_and_nothing_is_written)
+{
+  // Beside a large square each face of a small grid is small enough to be joined.
+  const Surface_mesh mesh =
+    to_surface_mesh(joined(triangulated(grid(8, 8)), translated(scaled(grid(1, 1), 1000), 2000, 0, 0)));
+  const auto patches = RS::read_flat_mesh(mesh, RS::Mesh_data::PATCHES).patches();
+  ASSERT_LT(patches.size(), num_faces(mesh) / 4);
+  expect_that_cancelling_writes_nothing(mesh, RP::number_of_segments(2));
+  expect_that_cancelling_writes_nothing(mesh, Options(2, reference::Convexity::all).named());
 }
 
 TEST(Visitor_test, can_cancel_stage_functions_and_nothing_is_written)

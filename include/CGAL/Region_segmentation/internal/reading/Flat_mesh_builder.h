@@ -3,6 +3,7 @@
 #ifndef CGAL_REGION_SEGMENTATION_INTERNAL_READING_FLAT_MESH_BUILDER_H
 #define CGAL_REGION_SEGMENTATION_INTERNAL_READING_FLAT_MESH_BUILDER_H
 
+#include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/Flat_mesh.h>
 #include <CGAL/Region_segmentation/internal/reading/Face_block.h>
 #include <CGAL/Region_segmentation/internal/reading/Patch_builder.h>
@@ -158,14 +159,16 @@ public:
   /// Turns the closed components that are inside out; faces at borders are marked.
   void turn_components() { turn(m_volumes.faces_inside_out(m_flat)); }
 
-  Flat_mesh finish()
+  /// `execution`: for the patches, if they are wanted
+  template <typename ConcurrencyTag>
+  Flat_mesh finish(const Execution<ConcurrencyTag>& execution)
   {
     join_degenerate_faces();
     if (includes(m_flat.m_data, Mesh_data::SURFACE_AREA))
       for (const double area : m_flat.m_areas)
         m_flat.m_surface_area += area;
     if (includes(m_flat.m_data, Mesh_data::PATCHES))
-      m_flat.m_patches = Patch_builder::build(m_flat);
+      m_flat.m_patches = Patch_builder::build(m_flat, execution);
     return std::move(m_flat);
   }
   /// @}

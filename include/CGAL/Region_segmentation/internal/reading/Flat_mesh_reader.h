@@ -63,14 +63,15 @@ public:
   {
     if (includes(m_data, Mesh_data::POINTS))
       read_points();
+    const double share = includes(m_data, Mesh_data::PATCHES) ? 0.5 : 1; // of the time
     Place end;
     if constexpr (Execution<ConcurrencyTag>::is_parallel)
-      end = read_in_parallel();
+      end = read_in_parallel(m_execution.step(0, share));
     else
-      end = read_in_sequence();
+      end = read_in_sequence(m_execution.step(0, share));
     m_builder.set_number_of_edges(end.edge);
     turn_components(2 * end.edge == end.corner);
-    return m_builder.finish();
+    return m_builder.finish(m_execution.step(share, 1));
   }
 
 private:
@@ -83,12 +84,12 @@ private:
   using Late_edges = std::vector<Flat_mesh_builder::Late_edge>;
 
   /// Returns the numbers of dual edges and of corners.
-  Place read_in_sequence()
+  Place read_in_sequence(const Execution<ConcurrencyTag>& execution)
   {
     Place end = {0, 0};
     Face_block faces;
     Late_edges none;
-    Step_counter<ConcurrencyTag> blocks(m_execution, number_of_blocks(m_traversal.number_of_faces()));
+    Step_counter<ConcurrencyTag> blocks(execution, number_of_blocks(m_traversal.number_of_faces()));
     for (std::size_t block = 0; block < number_of_blocks(m_traversal.number_of_faces()); ++block) {
       const std::size_t edges = read_block(block, end, 0, faces, none);
       end = {end.edge + edges, end.corner + faces.number_of_corners()};
@@ -98,13 +99,13 @@ private:
   }
 
   /// Returns the numbers of dual edges and of corners.
-  Place read_in_parallel()
+  Place read_in_parallel(const Execution<ConcurrencyTag>& execution)
   {
     std::vector<Place> places(number_of_blocks(m_traversal.number_of_faces()));
-    const Place end = count_edges_and_corners(places);
+    const Place end = count_edges_and_corners(places, execution.step(0, 0.2));
     std::vector<Late_edges> late_edges(number_of_blocks(places.size(), blocks_in_range));
     for_each_block(
-      m_execution.step(0.2, 0.9), places.size(),
+      execution.step(0.2, 0.9), places.size(),
       [&](std::size_t range, std::size_t first_block, std::size_t last_block) {
         Face_block faces;
         for (std::size_t block = first_block; block < last_block; ++block)
@@ -112,7 +113,7 @@ private:
       },
       blocks_in_range);
     for_each_block(
-      m_execution.step(0.9, 1), late_edges.size(),
+      execution.step(0.9, 1), late_edges.size(),
       [&](std::size_t range, std::size_t, std::size_t) {
         for (const auto& edge : late_edges[range])
           m_builder.set_late_edge(edge);
@@ -122,10 +123,10 @@ private:
   }
 
   /// Computes the offset of every block, and that past the last one.
-  Place count_edges_and_corners(std::vector<Place>& places) const
+  Place count_edges_and_corners(std::vector<Place>& places, const Execution<ConcurrencyTag>& execution) const
   {
     for_each_block(
-      m_execution.step(0, 0.2), m_traversal.number_of_faces(), [&](std::size_t block, std::size_t rank, std::size_t) {
+      execution, m_traversal.number_of_faces(), [&](std::size_t block, std::size_t rank, std::size_t) {
         const FaceGraph& mesh = m_traversal.mesh();
         const auto rank_of_face = m_traversal.rank_of_face();
         Place size = {0, 0};

@@ -3,6 +3,7 @@
 #ifndef CGAL_REGION_SEGMENTATION_INTERNAL_READING_PATCH_BUILDER_H
 #define CGAL_REGION_SEGMENTATION_INTERNAL_READING_PATCH_BUILDER_H
 
+#include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/Flat_mesh.h>
 #include <CGAL/Region_segmentation/Mesh_patches.h>
 #include <CGAL/Region_segmentation/internal/reading/Patch_selection.h>
@@ -10,6 +11,7 @@
 
 #include <boost/sort/spreadsort/integer_sort.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -29,12 +31,17 @@ class Patch_builder
 
 public:
   /// \pre the mesh was read with its centroids and the area of its surface
-  static Mesh_patches build(const Flat_mesh& mesh)
+  template <typename ConcurrencyTag>
+  static Mesh_patches build(const Flat_mesh& mesh, const Execution<ConcurrencyTag>& execution)
   {
     Patch_builder builder(mesh);
+    // A round takes a time proportional to the number of patches before it.
+    const auto report = [&] {
+      execution.report(1 - double(builder.m_patches.size()) / double((std::max)(mesh.number_of_faces(), std::size_t(1))));
+    };
     builder.join_faces();
-    while (builder.join_patches())
-      ;
+    for (report(); builder.join_patches();)
+      report();
     return builder.finish();
   }
 
