@@ -54,6 +54,37 @@ TEST(Copy_ply, takes_both_orders_of_bytes)
   }
 }
 
+TEST(Copy_ply, keeps_lists_of_every_size_type_and_all_elements_of_faces)
+{
+  const std::string header = "ply\r\nformat binary_big_endian 1.0\r\nelement faces 1\r\nproperty list uint uchar vertex_index\r\n"
+                             "property list short double values\r\n",
+                    more = "element vertex 3\r\nproperty char x\r\nproperty char y\r\nproperty char z\r\nelement face 1\r\n"
+                           "property list char char vertex_index\r\nproperty double segment\r\n",
+                    end = "end_header\r\n", first = std::string("\0\0\0\3\0\1\2", 7) + std::string("\0\1", 2) + "12345678",
+                    points = std::string("\0\0\0\1\0\0\0\1\0", 9), second = std::string("\3\0\2\1", 4);
+  const auto label = [](std::size_t segment) {
+    std::string bytes;
+    for (std::uint8_t channel : segment_color(segment))
+      bytes += char(channel);
+    return bytes + std::string(3, '\0') + char(segment);
+  };
+  const std::string input = header + more + end + first + points + second + "8 bytes.",
+                    less = sample::with(more, "property double segment\r\n", "");
+  EXPECT_EQ(copy_ply(input, {7, 9}),
+            header + added + less + added + end + first + label(7) + points + second + label(9));
+  for (std::size_t size = 0; size < input.size(); ++size)
+    EXPECT_EQ(copy_ply(input.substr(0, size), {7, 9}), std::nullopt) << size;
+}
+
+TEST(Copy_ply, refuses_lists_that_no_file_holds)
+{
+  const std::string header = "ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty char x\nproperty char y\n"
+                             "property char z\nelement face 1\nproperty list uint double values\n"
+                             "property list int int vertex_index\nend_header\n...";
+  for (const std::string size : {"\xff\xff\xff\xff", "\xff\xff\xff\x1f"})
+    EXPECT_EQ(copy_ply(header + size + std::string(100, '\0'), {0}), std::nullopt);
+}
+
 TEST(Copy_ply, refuses_what_it_does_not_understand)
 {
   const std::string binary = sample::binary_ply("binary_little_endian");
@@ -73,6 +104,10 @@ TEST_F(Program, keeps_the_properties_of_a_ply_input)
   const Outcome outcome = run("a.ply -k 4 -o b.ply");
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_EQ(folder.read("b.ply"), copy_ply(input, {0, 1, 2, 3}));
+  if (std::system(("gzip -k " + folder.path("a.ply")).c_str()) != 0)
+    GTEST_SKIP() << "no gzip";
+  EXPECT_EQ(run("a.ply.gz -k 4 -o c.ply").status, 0);
+  EXPECT_EQ(folder.read("c.ply"), folder.read("b.ply"));
 }
 
 } // namespace

@@ -5,6 +5,9 @@
 #include "io/Output_stream.h"
 #include "io/Text_buffer.h"
 #include "io/copy_ply.h"
+#include "io/errors.h"
+#include "io/inflate.h"
+#include "io/load_bytes.h"
 #include "io/write_mesh.h"
 #include "page/write_page.h"
 #include "view/render_view.h"
@@ -13,7 +16,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <optional>
 #include <system_error>
 
@@ -44,27 +46,31 @@ void write_mesh(std::ostream& out, Output_format format, const Labelled_mesh& me
     write_obj(out, mesh, feature_lines);
 }
 
-/// Whether an input is a file that can be read again, with the magic bytes of PLY.
-bool is_ply_file(const std::string& file)
+/// Whether an input is a file that can be read again, with the magic bytes of PLY or of gzip.
+bool can_be_ply_file(const std::string& file)
 {
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error))
     return false;
-  char magic[4] = {};
-  std::ifstream(file, std::ios::binary).read(magic, 4);
-  return std::equal(magic, magic + 3, "ply") && (magic[3] == '\n' || magic[3] == '\r');
+  std::string magic(4, '\0');
+  std::ifstream(file, std::ios::binary).read(magic.data(), 4);
+  return magic == "ply\n" || magic == "ply\r" || is_gzip(magic);
 }
 
 /// A PLY input with the segments added, where it can be read once more.
+std::optional<std::string> copy_ply_input(const std::string& file, const std::vector<std::size_t>& labels)
+{
+  try {
+    return can_be_ply_file(file) ? copy_ply(load_bytes(file), labels) : std::nullopt;
+  } catch (const Input_error&) { // it has changed since
+    return std::nullopt;
+  }
+}
+
 void write_ply_result(std::ostream& out, const Result& result)
 {
   const std::vector<std::size_t> labels = labels_of_faces(result.input, result.segmentation);
-  std::string bytes;
-  if (is_ply_file(result.name)) {
-    std::ifstream in(result.name, std::ios::binary);
-    bytes.assign(std::istreambuf_iterator<char>(in), {});
-  }
-  if (const std::optional<std::string> copy = copy_ply(bytes, labels))
+  if (const std::optional<std::string> copy = copy_ply_input(result.name, labels))
     out.write(copy->data(), std::streamsize(copy->size()));
   else
     write_ply(out, {result.input.soup, labels});
