@@ -134,4 +134,25 @@ TEST(Parameters_test, number_of_segments_as_an_argument)
   }
 }
 
+TEST(Parameters_test, a_pack_of_cgal_after_a_number_counts)
+{
+  // Two bulbs along x, and, with other points, along z.
+  const auto bulbs = [](std::size_t axis) {
+    return to_surface_mesh(mapped(sphere(3), [axis](const Point& p) {
+      const double width = 0.1 + p[axis] * p[axis];
+      Point result;
+      for (std::size_t i = 0; i < 3; ++i)
+        result[i] = i == axis ? 2 * p[i] : width * p[i];
+      return result;
+    }));
+  };
+  const Surface_mesh mesh = bulbs(0), other = bulbs(2);
+  auto own = face_map(mesh), of_pack = face_map(mesh), expected = face_map(other);
+  RS::segment(mesh, own, 2);
+  RS::segment(mesh, of_pack, 2, CGAL::parameters::vertex_point_map(other.points()));
+  RS::segment(other, expected, 2);
+  EXPECT_EQ(labels_of(mesh, of_pack), labels_of(other, expected));
+  EXPECT_NE(labels_of(mesh, of_pack), labels_of(mesh, own));
+}
+
 } // namespace

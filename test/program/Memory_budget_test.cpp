@@ -7,9 +7,14 @@
 
 #include <gtest/gtest.h>
 
+#include <sys/resource.h>
+
+#include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <fstream>
 #include <random>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -48,10 +53,40 @@ TEST(Memory_budget, is_kept_but_by_who_is_alone)
   EXPECT_GT(too_large, 0u) << "seed " << seed;
 }
 
-TEST(Memory_limit, is_that_of_a_machine)
+/// The memory of the machine, by the kernel's own table.
+std::uint64_t machine_memory()
 {
-  EXPECT_GT(memory_limit(), std::uint64_t(1) << 26);
-  EXPECT_LT(memory_limit(), std::uint64_t(1) << 60);
+  std::ifstream in("/proc/meminfo");
+  std::string name, unit;
+  std::uint64_t kilobytes = 0;
+  in >> name >> kilobytes >> unit;
+  return name == "MemTotal:" && unit == "kB" ? 1024 * kilobytes : 0;
+}
+
+TEST(Memory_limit, is_that_of_the_machine_or_of_a_group)
+{
+  const std::uint64_t of_machine = machine_memory();
+  if (of_machine == 0)
+    GTEST_SKIP() << "no /proc/meminfo";
+  const std::uint64_t of_groups = control_group_memory_limit("/proc/self/cgroup", "/sys/fs/cgroup");
+  rlimit before{};
+  ASSERT_EQ(getrlimit(RLIMIT_AS, &before), 0);
+  EXPECT_EQ(memory_limit(), (std::min)({of_machine, of_groups, std::uint64_t(before.rlim_cur)}));
+}
+
+TEST(Memory_limit, is_at_most_the_address_space)
+{
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "no limit on the address space with the address sanitizer";
+#endif
+  rlimit before{};
+  ASSERT_EQ(getrlimit(RLIMIT_AS, &before), 0);
+  rlimit lowered = before;
+  lowered.rlim_cur = memory_limit() - 4096;
+  ASSERT_EQ(setrlimit(RLIMIT_AS, &lowered), 0);
+  const std::uint64_t found = memory_limit();
+  ASSERT_EQ(setrlimit(RLIMIT_AS, &before), 0);
+  EXPECT_EQ(found, lowered.rlim_cur);
 }
 
 TEST(Memory_limit, is_the_least_of_the_control_groups)

@@ -5,6 +5,8 @@
 #include "Program.h"
 #include "sample_files.h"
 
+#include <nlohmann/json.hpp>
+
 #include <chrono>
 #include <random>
 
@@ -100,7 +102,7 @@ protected:
       if (!folder.has(name))
         continue;
       const std::string text = folder.read(name);
-      EXPECT_EQ(text.substr(0, 1) + text.substr(text.size() - 2), "{}\n") << "seed " << seed;
+      EXPECT_TRUE(nlohmann::json::accept(text)) << "seed " << seed;
       std::filesystem::remove(folder.path(name));
     }
   }
