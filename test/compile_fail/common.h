@@ -3,6 +3,9 @@
 // For the tests that must not compile. Each file compiles without WITH_FAULT, so that it is the
 // fault that is refused, and with it fails with the message of its line `expect:`.
 
+#ifndef REGION_SEGMENTATION_TEST_COMPILE_FAIL_COMMON_H
+#define REGION_SEGMENTATION_TEST_COMPILE_FAIL_COMMON_H
+
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/region_segmentation.h>
@@ -14,3 +17,5 @@ namespace RS = CGAL::Region_segmentation;
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 using Labels = Mesh::Property_map<Mesh::Face_index, std::size_t>;
 using Graph = RS::Region_adjacency_graph<>;
+
+#endif // REGION_SEGMENTATION_TEST_COMPILE_FAIL_COMMON_H

@@ -1,25 +1,11 @@
-# Parses a case as it is, which must work, and with its fault, which must fail with the expected message.
+# Parses a case with its fault, which must fail with the expected message.
+include(${CMAKE_CURRENT_LIST_DIR}/parse.cmake)
 file(STRINGS ${SOURCE} expected REGEX "^// expect: ")
 string(REGEX REPLACE "^// expect: " "" expected "${expected}")
 if(expected STREQUAL "")
   message(FATAL_ERROR "${SOURCE} has no line `// expect: MESSAGE`")
 endif()
 
-include(${CMAKE_CURRENT_LIST_DIR}/../compile_command.cmake)
-compile_command(command)
-
-# parse([DEFINITION...])
-function(parse)
-  execute_process(COMMAND ${command} -fsyntax-only ${ARGV}
-                  RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
-  set(result ${result} PARENT_SCOPE)
-  set(output "${output}" PARENT_SCOPE)
-endfunction()
-
-parse()
-if(NOT result EQUAL 0)
-  message(FATAL_ERROR "without the fault it does not compile:\n${output}")
-endif()
 parse(-DWITH_FAULT)
 if(result EQUAL 0)
   message(FATAL_ERROR "the fault compiles")
