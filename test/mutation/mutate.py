@@ -4,13 +4,15 @@
 
 One build serves all: in a copy of include/ each site is `(::mutant(17) ? broken : original)`, and an environment variable
 selects the mutant of a run. What can only change the running time (prefetching, reserving, progress) is not broken, nor
-what the compiler evaluates.
+what the compiler evaluates. What was compiled and run is kept in DIR: a run that was stopped continues there, as long as
+neither the library nor the tests change.
 
     python3 test/mutation/mutate.py --work DIR [--seed 1] [--sites 300] [--headers PART...] [--tests FILE...] [--jobs 2]
 """
 
 import argparse
 import concurrent.futures
+import hashlib
 import os
 import pathlib
 import random
@@ -284,8 +286,12 @@ def compile_all(options, copy, sources, sites):
 
     def compile_one(source):
         target = options.work / (source.stem + ".o")
-        command = compiler + ["-c", str(source), "-o", str(target)]
-        result = subprocess.run(command, capture_output=True, text=True)
+        if target.exists():
+            return source, 0, ""
+        part = target.with_suffix(".part")
+        result = subprocess.run(compiler + ["-c", str(source), "-o", str(part)], capture_output=True, text=True)
+        if result.returncode == 0:
+            part.rename(target)
         return source, result.returncode, result.stderr
 
     bad, failed, unknown = set(), [], []
@@ -310,6 +316,38 @@ def compile_all(options, copy, sources, sites):
     if unknown and not bad:
         sys.exit("does not compile: " + unknown[0])
     return bad, failed
+
+
+class Record:
+    """What is known of the mutants, in a file: the test that noticed each, or nothing; `not compiled` for some."""
+
+    NOT_COMPILED = "(not compiled)"
+
+    def __init__(self, options, key):
+        self.file = options.work / "record.txt"
+        self.results = {}
+        lines = self.file.read_text().splitlines() if self.file.exists() else []
+        if lines[:1] == [key]:
+            for line in lines[1:]:
+                number, _, result = line.partition(" ")
+                self.results[int(number)] = result or None
+        else:
+            self.file.write_text(key + "\n")
+            for old in options.work.glob("*.o"):
+                old.unlink()
+
+    def add(self, site, result):
+        self.results[site.number] = result
+        with self.file.open("a") as out:
+            out.write("%d %s\n" % (site.number, result or ""))
+
+
+def key_of(options, sources):
+    """Of all that the results depend on."""
+    digest = hashlib.sha256(repr((options.seed, options.sites, options.headers, options.filter)).encode())
+    for path in sorted([*(ROOT / "include").rglob("*.h"), *(ROOT / "test").glob("*.h"), *sources, pathlib.Path(__file__)]):
+        digest.update(path.read_bytes())
+    return digest.hexdigest()
 
 
 def run(options, number, seconds):
@@ -365,6 +403,8 @@ def main():
     names = options.tests or re.findall(r"\b(\S+_test\.cpp)", re.search(
         r"add_executable\(region_segmentation_tests(.*?)\)", (ROOT / "test/CMakeLists.txt").read_text(), re.S).group(1))
     sources = [ROOT / "test" / name for name in names + ["meshes.cpp", "oracles.cpp"]]
+    record = Record(options, key_of(options, sources))
+    sites = [s for s in sites if record.results.get(s.number) != Record.NOT_COMPILED]
     to_compile = sources
     for _ in range(6):
         write(copy, headers, sites)
@@ -372,6 +412,8 @@ def main():
         if not bad:
             break
         print("%d sites do not compile and are left out" % len(bad), flush=True)
+        for site in bad:
+            record.add(site, Record.NOT_COMPILED)
         sites = [s for s in sites if s not in bad]
     objects = [str(options.work / (s.stem + ".o")) for s in sources]
     subprocess.run(["g++", *objects, "-o", str(options.work / "tests"), "-lgtest", "-lgtest_main", "-lgmp", "-lmpfr",
@@ -383,8 +425,12 @@ def main():
     seconds = 20 + 6 * (time.monotonic() - start)
     survivors, noticed = [], 0
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
-        results = pool.map(lambda site: (site, run(options, site.number, seconds)), sites)
-        for site, failed in results:
+        def result_of(site):
+            return site, record.results[site.number] if site.number in record.results else run(options, site.number, seconds)
+
+        for site, failed in pool.map(result_of, sites):
+            if site.number not in record.results:
+                record.add(site, failed)
             where = "%s:%d" % (site.file.relative_to(LIBRARY), site.line)
             print("%3d %-60s %s" % (site.number, where, failed or "SURVIVES"), flush=True)
             noticed += failed is not None
