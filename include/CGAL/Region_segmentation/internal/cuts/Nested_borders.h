@@ -6,9 +6,9 @@
 #include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/Graph/Merge_tree.h>
 #include <CGAL/Region_segmentation/internal/cuts/Border_cut.h>
+#include <CGAL/Region_segmentation/internal/cuts/Region_pieces.h>
 #include <CGAL/Region_segmentation/internal/graph/Tree_regions.h>
 #include <CGAL/Region_segmentation/internal/regions/Dual_graph.h>
-#include <CGAL/Region_segmentation/internal/support/Grouped_items.h>
 #include <CGAL/Region_segmentation/internal/support/visitor.h>
 
 #include <algorithm>
@@ -28,7 +28,8 @@ namespace internal {
 /// Then it is a guest: when its segment is divided, it joins the part that it borders on. A region can lose all its
 /// elements.
 ///
-/// O(P + R log R) in practice for P elements and R regions, and the cuts. `Distance`: see `Border_cut`
+/// O(P log R + R h) in practice for P elements and R regions in a tree of height h, and the cuts. `Distance`: see
+/// `Border_cut`
 template <typename Distance>
 class Nested_borders
 {
@@ -43,18 +44,17 @@ public:
     , m_region_of(region_of)
     , m_tree(tree)
     , m_tree_regions(tree)
-    , m_segment_of(m_tree_regions.roots())
-    , m_elements(tree.number_of_regions())
+    , m_pieces(costs, region_of, tree.number_of_regions())
     , m_label_of(region_of.size())
-    , m_is_own(region_of.size(), true)
-    , m_is_waiting(region_of.size(), false)
     , m_guests(tree.number_of_regions())
     , m_area_of(tree.number_of_regions(), 0)
-    , m_support(tree.merges().size(), 0)
     , m_cut(costs, distance, m_label_of)
   {
-    collect_elements();
-    count_support();
+    const std::vector<Index> segment_of = m_tree_regions.roots();
+    for (std::size_t e = 0; e < region_of.size(); ++e) {
+      m_label_of[e] = segment_of[region_of[e]];
+      m_area_of[m_label_of[e]] += areas[e];
+    }
   }
 
   /// `number_of_cuts`: only the borders of so many last merges are moved.
@@ -82,150 +82,49 @@ public:
 private:
   static constexpr Index none = Tree_regions::none;
 
-  void collect_elements()
-  {
-    for (const Index region : m_region_of)
-      m_elements.count(region);
-    m_elements.end_counting();
-    for (std::size_t e = 0; e < m_region_of.size(); ++e) {
-      m_elements.add(m_region_of[e], Index(e));
-      m_label_of[e] = m_segment_of[m_region_of[e]];
-      m_area_of[m_label_of[e]] += m_areas[e];
-    }
-  }
-
-  // A segment is known to be connected as long as its regions are, and every merge in it is supported: by pairs of
-  // adjacent own elements that it joins. Regions of which that no longer holds are suspect.
-
-  void count_support()
-  {
-    for (std::size_t e = 0; e < m_region_of.size(); ++e)
-      for_each_supported_merge(Index(e), [&](Index merge) { ++m_support[merge]; });
-    for (std::size_t i = 0; i < m_support.size(); ++i) {
-      m_support[i] /= 2; // each pair was counted twice
-      if (m_support[i] == 0)
-        m_suspects.push_back(m_tree.merges()[i].kept);
-    }
-  }
-
-  template <typename F>
-  void for_each_supported_merge(Index element, const F& f) const
-  {
-    for (const auto& step : m_costs.steps(element))
-      if (m_is_own[step.face] && m_region_of[step.face] != m_region_of[element])
-        if (const Index i = m_tree_regions.joining_merge(m_region_of[element], m_region_of[step.face]); i != none)
-          f(i);
-  }
-
-  bool has_suspects(Index segment) const
-  {
-    return std::any_of(m_suspects.begin(), m_suspects.end(),
-                       [&](Index region) { return m_segment_of[region] == segment; });
-  }
-
-  void make_guest(Index element)
-  {
-    m_is_own[element] = false;
-    for_each_supported_merge(element, [&](Index merge) {
-      if (--m_support[merge] == 0)
-        m_suspects.push_back(m_region_of[element]);
-    });
-  }
-
-  void suspect_if_disconnected(Index region)
-  {
-    std::vector<Index> own;
-    for (const Index element : m_elements[region])
-      if (m_is_own[element])
-        own.push_back(element);
-    set_waiting(own, true);
-    if (own.empty() || component(own.front()).size() < own.size())
-      m_suspects.push_back(region);
-    set_waiting(own, false);
-  }
-
-  void set_waiting(const std::vector<Index>& elements, bool is_waiting)
-  {
-    for (const Index element : elements)
-      m_is_waiting[element] = is_waiting;
-  }
-
-  /// Of the waiting elements.
-  std::vector<Index> component(Index first)
-  {
-    std::vector<Index> result{first};
-    m_is_waiting[first] = false;
-    for (std::size_t i = 0; i < result.size(); ++i)
-      for (const auto& step : m_costs.steps(result[i]))
-        if (m_is_waiting[step.face]) {
-          m_is_waiting[step.face] = false;
-          result.push_back(step.face);
-        }
-    return result;
-  }
-
   /// Undoes a merge: labels the elements of its segment by the two parts; returns the guests.
   template <typename IsFixed>
   std::vector<Index> divide(std::size_t i, const IsFixed& is_fixed)
   {
     const Index a = m_tree.merges()[i].kept, b = m_tree.merges()[i].removed;
+    std::vector<Index> regions_of_a, regions_of_b;
+    m_tree_regions.for_each_kept(i, [&](Index region) { regions_of_a.push_back(region); });
     m_tree_regions.for_each_removed(i, [&](Index region) {
-      m_segment_of[region] = b;
-      for (const Index element : m_elements[region])
-        if (m_is_own[element])
-          m_label_of[element] = b;
+      regions_of_b.push_back(region);
+      m_pieces.for_each_element(region, [&](Index element) { m_label_of[element] = b; });
     });
     std::vector<Index> guests = std::exchange(m_guests[a], {});
-    for (const Index part : {a, b})
-      if (has_suspects(part))
-        keep_largest_component(own_elements(i, part), guests, is_fixed);
+    for (const auto* const regions : {&regions_of_a, &regions_of_b})
+      keep_largest_component(m_pieces.components(*regions), guests, is_fixed);
     for (const Index guest : guests)
       m_label_of[guest] = none;
     join_parts(guests, a, b);
     return guests;
   }
 
-  /// Of a part of a merge.
-  std::vector<Index> own_elements(std::size_t i, Index part) const
-  {
-    std::vector<Index> result;
-    const auto add = [&](Index region) {
-      for (const Index element : m_elements[region])
-        if (m_is_own[element])
-          result.push_back(element);
-    };
-    if (part == m_tree.merges()[i].kept)
-      m_tree_regions.for_each_kept(i, add);
-    else
-      m_tree_regions.for_each_removed(i, add);
-    return result;
-  }
-
   /// That with fixed elements, else the largest by area; of equal ones that of the lowest element. The others become
   /// guests.
   template <typename IsFixed>
-  void keep_largest_component(std::vector<Index> elements, std::vector<Index>& guests, const IsFixed& is_fixed)
+  void keep_largest_component(const std::vector<std::vector<Index>>& components, std::vector<Index>& guests,
+                              const IsFixed& is_fixed)
   {
-    std::sort(elements.begin(), elements.end());
-    std::vector<Index> largest;
-    double largest_area = -1;
-    set_waiting(elements, true);
-    for (const Index first : elements) {
-      if (!m_is_waiting[first])
-        continue;
-      std::vector<Index> next = component(first);
-      double area = 0;
-      for (const Index element : next)
-        area += is_fixed(m_region_of[element]) ? std::numeric_limits<double>::infinity() : m_areas[element];
-      if (area > largest_area) {
-        std::swap(largest, next);
-        largest_area = area;
-      }
-      for (const Index element : next) {
-        make_guest(element);
-        guests.push_back(element);
-      }
+    if (components.empty())
+      return;
+    std::vector<double> areas;
+    for (const std::vector<Index>& component : components) {
+      areas.push_back(0);
+      for (const Index element : component)
+        areas.back() += is_fixed(m_region_of[element]) ? std::numeric_limits<double>::infinity() : m_areas[element];
     }
+    std::size_t largest = 0;
+    for (std::size_t i = 1; i < components.size(); ++i)
+      if (areas[i] > areas[largest] || (areas[i] == areas[largest] && components[i][0] < components[largest][0]))
+        largest = i;
+    for (std::size_t i = 0; i < components.size(); ++i)
+      if (i != largest) {
+        m_pieces.remove(components[i]);
+        guests.insert(guests.end(), components[i].begin(), components[i].end());
+      }
   }
 
   /// In rounds: elements without a label that border on one of the parts join the one with the dearer border, of equal
@@ -269,7 +168,10 @@ private:
   void move_border(std::size_t i, std::vector<Index>& guests, const Width& width, const IsFixed& is_fixed)
   {
     const Index a = m_tree.merges()[i].kept, b = m_tree.merges()[i].removed;
-    std::vector<Index> elements_of_b = own_elements(i, b), border;
+    std::vector<Index> elements_of_b, border;
+    m_tree_regions.for_each_removed(i, [&](Index region) {
+      m_pieces.for_each_element(region, [&](Index element) { elements_of_b.push_back(element); });
+    });
     for (const Index guest : guests)
       if (m_label_of[guest] == b)
         elements_of_b.push_back(guest);
@@ -285,21 +187,16 @@ private:
       return;
     const std::vector<Index> moved = m_cut.move_border(
       a, b, border, band_width, [&](Index element) { return is_fixed(m_region_of[element]); });
-    std::vector<Index> touched;
+    std::vector<Index> lost;
     for (const Index element : moved) {
       const Index now = m_label_of[element];
       m_area_of[now] += m_areas[element];
       m_area_of[now == a ? b : a] -= m_areas[element];
-      if (m_is_own[element]) {
-        make_guest(element);
-        guests.push_back(element);
-        touched.push_back(m_region_of[element]);
-      }
+      if (m_pieces.has(element))
+        lost.push_back(element);
     }
-    std::sort(touched.begin(), touched.end());
-    touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
-    for (const Index region : touched)
-      suspect_if_disconnected(region);
+    m_pieces.remove(lost);
+    guests.insert(guests.end(), lost.begin(), lost.end());
   }
 
   const Dual_graph& m_costs;
@@ -307,15 +204,10 @@ private:
   const std::vector<Index>& m_region_of;
   const Merge_tree& m_tree;
   const Tree_regions m_tree_regions;
-  std::vector<Index> m_segment_of;  // of the regions, by the tree; named by its lowest region
-  Grouped_items<Index> m_elements;  // by region
-  std::vector<Index> m_label_of;    // by element: its segment
-  std::vector<char> m_is_own;       // by element
-  std::vector<char> m_is_waiting;   // by element: for a component
+  Region_pieces m_pieces;                   // of the own elements
+  std::vector<Index> m_label_of;            // by element: its segment, named by the lowest region
   std::vector<std::vector<Index>> m_guests; // by segment
-  std::vector<double> m_area_of;    // by segment, as long as borders are moved
-  std::vector<Index> m_support;     // by merge: pairs of adjacent own elements
-  std::vector<Index> m_suspects;    // regions
+  std::vector<double> m_area_of;            // by segment, as long as borders are moved
   Border_cut<Distance> m_cut;
 };
 

@@ -15,7 +15,7 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// A merge tree from its roots down: the regions of both parts of each merge, and the merge that joins two regions.
+/// A merge tree from its roots down: the regions of both parts of each merge.
 class Tree_regions
 {
 public:
@@ -26,7 +26,6 @@ public:
     : m_tree(tree)
     , m_next(tree.number_of_regions(), Index(none))
     , m_parent(tree.number_of_regions())
-    , m_removal(tree.number_of_regions(), Index(none))
   {
     std::iota(m_parent.begin(), m_parent.end(), Index(0));
     std::vector<Index> last(m_parent);
@@ -36,7 +35,6 @@ public:
       m_next[last[merge.kept]] = merge.removed;
       last[merge.kept] = last[merge.removed];
       m_parent[merge.removed] = merge.kept;
-      m_removal[merge.removed] = Index(i);
     }
     // What follows the last region of a part is known now.
     for (Index& last_of_removed : m_end_of_removed)
@@ -68,25 +66,10 @@ public:
       f(r);
   }
 
-  /// The merge after which two different regions belong to one segment, or `none`.
-  Index joining_merge(Index r, Index s) const
-  {
-    Index merge = none;
-    while (r != s) {
-      Index& earlier = m_removal[r] < m_removal[s] ? r : s;
-      merge = m_removal[earlier];
-      if (merge == none)
-        break;
-      earlier = m_parent[earlier];
-    }
-    return merge;
-  }
-
 private:
   const Merge_tree& m_tree;
   std::vector<Index> m_next;           // lists of the regions of each segment: those kept, then those removed
   std::vector<Index> m_parent;         // by region: that which it was merged into, or itself
-  std::vector<Index> m_removal;        // by region: the merge that removed it, or none
   std::vector<Index> m_end_of_removed; // by merge: what follows its removed regions in their list
 };
 
