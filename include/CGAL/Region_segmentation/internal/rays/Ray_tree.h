@@ -66,7 +66,7 @@ public:
       return add_leaf(triangles, boxes, part);
     };
     m_first_groups.push_back(0);
-    m_groups.reserve(mesh.number_of_faces() / 3);
+    m_groups.reserve(mesh.number_of_faces() / width + boxes.size() / 8); // usually a leaf fills all groups but one
     m_nodes.reserve(boxes.size() * 3 / 20);
     add_node(boxes, boxes.whole(), 0, add);
   }

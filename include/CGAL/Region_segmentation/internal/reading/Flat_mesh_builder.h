@@ -164,6 +164,7 @@ public:
   Flat_mesh finish(const Execution<ConcurrencyTag>& execution)
   {
     join_degenerate_faces();
+    m_volumes = Signed_volumes(0); // patches need the memory
     if (includes(m_flat.m_data, Mesh_data::SURFACE_AREA))
       for (const double area : m_flat.m_areas)
         m_flat.m_surface_area += area;

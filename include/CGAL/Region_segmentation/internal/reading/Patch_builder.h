@@ -84,31 +84,43 @@ private:
     const Flat_mesh& m_mesh;
   };
 
-  /// The patches of a later round.
+  /// The patches of a later round. Before the second one their adjacencies are those of their faces: to store them would take
+  /// more memory than all else at that time.
   class Joined
   {
   public:
-    Joined(const Large_array<Patch>& patches, const Large_array<double>& projected_areas,
-           const Large_array<Adjacency>& adjacencies)
-      : m_patches(patches), m_projected_areas(projected_areas), m_adjacencies(adjacencies)
-    {}
-    std::size_t size() const { return m_patches.size(); }
-    double area(std::size_t p) const { return m_patches[p].area; }
-    const Double_3& centroid(std::size_t p) const { return m_patches[p].centroid; }
-    const Double_3& normal(std::size_t p) const { return m_patches[p].normal; }
+    explicit Joined(const Patch_builder& builder) : m_builder(builder) {}
+    std::size_t size() const { return m_builder.m_patches.size(); }
+    double area(std::size_t p) const { return m_builder.m_patches[p].area; }
+    const Double_3& centroid(std::size_t p) const { return m_builder.m_patches[p].centroid; }
+    const Double_3& normal(std::size_t p) const { return m_builder.m_patches[p].normal; }
     template <typename F>
     void for_each_adjacency(const F& f) const
     {
-      for (std::size_t i = 0; i < m_adjacencies.size(); ++i)
-        f(m_adjacencies[i].lower, m_adjacencies[i].higher, i);
+      if (m_builder.m_rounds.size() > 1) {
+        const Large_array<Adjacency>& adjacencies = m_builder.m_adjacencies;
+        for (std::size_t i = 0; i < adjacencies.size(); ++i)
+          f(adjacencies[i].lower, adjacencies[i].higher, i);
+        return;
+      }
+      const Partition& patch_of = m_builder.m_rounds.front();
+      Faces(m_builder.m_mesh).for_each_adjacency([&](Index lower, Index higher, std::size_t e) {
+        const Index a = patch_of[lower], b = patch_of[higher];
+        if (a != b)
+          f((std::min)(a, b), (std::max)(a, b), e);
+      });
     }
-    double length(std::size_t i) const { return m_adjacencies[i].length; }
-    Double_3 area_vector(std::size_t p) const { return m_projected_areas[p] * m_patches[p].normal; }
+    double length(std::size_t i) const
+    {
+      return m_builder.m_rounds.size() > 1 ? m_builder.m_adjacencies[i].length : m_builder.m_mesh.length(i);
+    }
+    Double_3 area_vector(std::size_t p) const
+    {
+      return m_builder.m_projected_areas[p] * m_builder.m_patches[p].normal;
+    }
 
   private:
-    const Large_array<Patch>& m_patches;
-    const Large_array<double>& m_projected_areas;
-    const Large_array<Adjacency>& m_adjacencies;
+    const Patch_builder& m_builder;
   };
 
   void join_faces()
@@ -121,14 +133,15 @@ private:
   /// Returns whether it is worth another round.
   bool join_patches()
   {
-    const Joined patches(m_patches, m_projected_areas, m_adjacencies);
+    const Joined patches(*this);
+    const std::size_t before = patches.size();
     Partition joined = select(patches);
-    if (joined.number_of_parts() == m_patches.size())
+    if (joined.number_of_parts() == before)
       return false;
-    const bool is_worth_another = m_patches.size() - joined.number_of_parts() >= m_patches.size() / 32;
+    replace_adjacencies(joined.number_of_parts(), [&](Index patch) { return joined[patch]; });
     replace_patches(patches, joined);
     m_rounds.push_back(std::move(joined));
-    return is_worth_another;
+    return before - m_patches.size() >= before / 32;
   }
 
   template <typename Patches>
@@ -159,19 +172,29 @@ private:
       patch.normal = length > 0 ? (1 / length) * patch.normal : Double_3{0, 0, 0};
       patch.centroid = patches.centroid(patch.face) + (patch.area > 0 ? 1 / patch.area : 0) * patch.centroid;
     }
+    m_patches = std::move(result);
+    m_projected_areas = std::move(projected_areas);
+  }
+
+  /// By those between the parts `part_of(patch)`.
+  template <typename PartOf>
+  void replace_adjacencies(std::size_t number_of_parts, const PartOf& part_of)
+  {
+    const Joined patches(*this);
     Large_array<Adjacency> adjacencies;
+    adjacencies.reserve(4 * number_of_parts); // usually enough
     patches.for_each_adjacency([&](Index lower, Index higher, std::size_t i) {
-      const Index a = joined[lower], b = joined[higher];
+      const Index a = part_of(lower), b = part_of(higher);
       if (a != b)
         adjacencies.push_back({(std::min)(a, b), (std::max)(a, b), patches.length(i)});
     });
-    m_patches = std::move(result);
-    m_projected_areas = std::move(projected_areas);
     m_adjacencies = std::move(adjacencies);
   }
 
   Mesh_patches finish()
   {
+    if (m_rounds.size() == 1)
+      replace_adjacencies(m_patches.size(), [](Index patch) { return patch; });
     compose_rounds();
     unite_adjacencies();
     set_faces();
@@ -239,7 +262,7 @@ private:
   std::vector<Partition> m_rounds; // of the faces, then of the patches of the round before
   Large_array<Patch> m_patches;
   Large_array<double> m_projected_areas; // of each patch on the plane of its normal: the length of its area vector
-  Large_array<Adjacency> m_adjacencies; // several between two patches, until the end
+  Large_array<Adjacency> m_adjacencies; // from the second round on; several between two patches, until the end
 };
 
 } // namespace internal

@@ -34,18 +34,20 @@ public:
   Patch_selection(const Patches& patches, double maximum_area, double unit, double deviation_weight)
     : m_selected(patches.size())
   {
-    Large_array<float> steps(patches.size(), unselected);
-    for (std::size_t i = 0; i < m_selected.size(); ++i)
-      m_selected[i] = Index(i);
+    Large_array<Selection> selections(patches.size());
+    for (std::size_t i = 0; i < selections.size(); ++i)
+      selections[i] = {unselected, Index(i)};
     const double scale = 1 / unit;
     patches.for_each_adjacency([&](Index a, Index b, std::size_t) {
       if (!(patches.area(a) + patches.area(b) <= maximum_area))
         return;
       const float step = float(scale * norm(patches.centroid(a) - patches.centroid(b)) +
                                deviation_weight * norm(patches.normal(a) - patches.normal(b)));
-      select(steps[a], m_selected[a], step, b);
-      select(steps[b], m_selected[b], step, a);
+      select(selections[a], step, b);
+      select(selections[b], step, a);
     });
+    for (std::size_t i = 0; i < selections.size(); ++i)
+      m_selected[i] = selections[i].patch;
     make_roots(patches);
   }
 
@@ -53,13 +55,13 @@ public:
   Partition joined() const
   {
     const std::vector<std::uint8_t> state = states();
-    std::vector<Index> number(m_selected.size(), none), part_of(m_selected.size());
+    std::vector<Index> part_of(m_selected.size(), none);
     Index number_of_parts = 0;
     for (std::size_t i = 0; i < m_selected.size(); ++i) {
-      Index& n = number[root(Index(i), state)];
-      if (n == none)
-        n = number_of_parts++;
-      part_of[i] = n;
+      Index& part = part_of[root(Index(i), state)];
+      if (part == none)
+        part = number_of_parts++;
+      part_of[i] = part;
     }
     return Partition(std::move(part_of), number_of_parts);
   }
@@ -69,12 +71,16 @@ private:
   static constexpr float unselected = std::numeric_limits<float>::infinity();
   enum State : std::uint8_t { IS_KNOWN = 1, IS_ODD = 2, HAS_CHILD = 4 };
 
-  static void select(float& best_step, Index& best, float step, Index other)
+  struct Selection
   {
-    if (step < best_step || (step == best_step && other < best)) {
-      best_step = step;
-      best = other;
-    }
+    float step;
+    Index patch;
+  };
+
+  static void select(Selection& best, float step, Index other)
+  {
+    if (step < best.step || (step == best.step && other < best.patch))
+      best = {step, other};
   }
 
   /// Of two patches that select each other, the larger one is a root: it selects itself; of equal ones, the lower one.
@@ -116,7 +122,7 @@ private:
     return state[i] & HAS_CHILD ? i : m_selected[parent];
   }
 
-  std::vector<Index> m_selected; // by patch; itself: a root
+  Large_array<Index> m_selected; // by patch; itself: a root
 };
 
 } // namespace internal
