@@ -11,8 +11,9 @@
 
 namespace speed_benchmark {
 
-/// `SMOOTH`: real meshes, subdivided; `NOISY`: the same with every vertex moved; `TORUS`: made here.
-enum class Shape { SMOOTH, NOISY, TORUS };
+/// `SMOOTH`: real meshes, subdivided; `NOISY`: the same with every vertex moved; `SHUFFLED`:
+/// smooth ones, faces and vertices in random order; `TORUS`: made here.
+enum class Shape { SMOOTH, NOISY, SHUFFLED, TORUS };
 enum class Mesh_type { SURFACE_MESH, POLYHEDRON, OPENMESH };
 
 /// A shape of about so many faces.
@@ -48,7 +49,7 @@ struct Case
   std::function<double(const Subjects&)> run_reference;
   std::string reference;
   /// The part of the run that is compared.
-  Stage compared_until = Stage::MERGING;
+  Stage compared_until = Stage::BORDERS;
 };
 
 std::string name(Shape shape);

@@ -37,7 +37,7 @@ struct Contest
   std::function<double()> slow_floor;    ///< on one thread, where the floor is on several; may be empty
   std::function<Stage_seconds()> subject;
   std::function<double()> reference;     ///< seconds; may be empty
-  Stage compared_until = Stage::MERGING; ///< the part of the subject that is compared with the reference
+  Stage compared_until = Stage::BORDERS; ///< the part of the subject that is compared with the reference
 };
 
 /// Runs each once without timing, the subject with its memory counted; then in turns, at least three

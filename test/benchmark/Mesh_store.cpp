@@ -73,7 +73,9 @@ Triangles Mesh_store::make_triangles(const Mesh_wanted& mesh) const
   if (mesh.shape == Shape::TORUS)
     return make_torus(mesh.faces);
   Triangles triangles = make_subdivided(m_folder, mesh.faces);
-  return mesh.shape == Shape::NOISY ? roughened(std::move(triangles), amplitude_of_noise) : triangles;
+  if (mesh.shape == Shape::NOISY)
+    return roughened(std::move(triangles), amplitude_of_noise);
+  return mesh.shape == Shape::SHUFFLED ? shuffled(triangles) : triangles;
 }
 
 void Mesh_store::make_surface_mesh(const Mesh_wanted& mesh)

@@ -12,9 +12,10 @@
 
 namespace speed_benchmark {
 
-/// Reading is what makes the flat mesh; `GRAPH` includes the annotation; `MERGING` ends when the labels are written.
-enum class Stage { READING, REGIONS, GRAPH, MERGING };
-constexpr std::size_t number_of_stages = 4;
+/// Reading is what makes the flat mesh and its patches; `GRAPH` includes the annotation; the last one ends when the labels
+/// are written.
+enum class Stage { READING, REGIONS, GRAPH, MERGING, BORDERS };
+constexpr std::size_t number_of_stages = 5;
 
 struct Stage_seconds
 {
@@ -25,7 +26,7 @@ struct Stage_seconds
   {
     return std::accumulate(of_stage.begin(), of_stage.begin() + std::ptrdiff_t(last) + 1, 0.0);
   }
-  double whole() const { return until(Stage::MERGING); }
+  double whole() const { return until(Stage::BORDERS); }
 };
 
 /// A `SegmentationVisitor` that times the stages of one call of `segment()`. A stage lasts until the
@@ -33,7 +34,7 @@ struct Stage_seconds
 class Stage_clock
 {
 public:
-  explicit Stage_clock(Clock clock, Stage last = Stage::MERGING)
+  explicit Stage_clock(Clock clock, Stage last = Stage::BORDERS)
     : m_clock(clock), m_last(last), m_start(seconds(clock))
   {}
 
@@ -65,11 +66,11 @@ private:
 
   static Stage stage_of(const char* name)
   {
-    constexpr const char* names[] = {"reading", "regions", "graph"};
-    for (std::size_t i = 0; i < 3; ++i)
+    constexpr const char* names[number_of_stages] = {"reading", "regions", "graph", "merging", "borders"};
+    for (std::size_t i = 0; i < number_of_stages; ++i)
       if (std::strcmp(name, names[i]) == 0)
         return Stage(i);
-    return Stage::MERGING;
+    return Stage::BORDERS;
   }
 
   Clock m_clock;

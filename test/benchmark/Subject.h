@@ -13,7 +13,7 @@ namespace speed_benchmark {
 
 /// `REGIONS`: what `PMP::sharp_edges_segmentation` makes, and the region graph: `two-step` up to its
 /// merging, all edges above the bound being feature edges.
-enum class Method { TWO_STEP, VISIBILITY, REGIONS };
+enum class Method { TWO_STEP, LEARNED, REGIONS };
 
 struct Pipeline
 {

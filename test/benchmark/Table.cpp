@@ -61,7 +61,7 @@ Numbers numbers(const Case& c, std::size_t number_of_faces, const Measurement& m
     result.push_back({column, applies ? std::optional<double>(value) : std::nullopt});
   };
   add("regions", !c.is_call, double(m.number_of_regions));
-  constexpr const char* stages[] = {"reading", "regions", "graph", "merging"};
+  constexpr const char* stages[number_of_stages] = {"reading", "regions", "graph", "merging", "borders"};
   for (std::size_t s = 0; s < number_of_stages; ++s)
     add(stages[s], !c.is_call, by_face(m.seconds_of_stage[s]));
   add("whole", true, by_face(m.seconds));

@@ -153,7 +153,7 @@ TEST(Measure, takes_ratios_in_each_round)
   contest.floor = [&] { return ++n; }; // every round is slower than the one before
   contest.subject = [&] {
     Stage_seconds s;
-    s.of_stage = {n, n, n, n};
+    s.of_stage = {n, n, n, n, 0};
     s.number_of_regions = 5;
     return s;
   };
@@ -179,7 +179,7 @@ std::string content_of(const std::string& file)
 
 TEST(Table, has_the_same_lines_as_csv_and_markdown)
 {
-  const Case c{{Shape::NOISY, 1000, Mesh_type::OPENMESH}, "two-step, k = 9", 2, false, {}, {}, "visibility"};
+  const Case c{{Shape::NOISY, 1000, Mesh_type::OPENMESH}, "two-step, k = 9", 2, false, {}, {}, "learned"};
   Measurement m;
   m.rounds = 3;
   m.seconds = 0.00012345;
@@ -190,9 +190,9 @@ TEST(Table, has_the_same_lines_as_csv_and_markdown)
   table.write({{"memory", "much"}});
   const std::string csv = content_of(stem + ".csv"), markdown = content_of(stem + ".md");
   EXPECT_EQ(csv.rfind("# compiler: some\n# memory: much\nmesh,type,threads,what,reference,faces,", 0), 0u);
-  EXPECT_NE(csv.find("\nnoisy,OpenMesh,2,\"two-step, k = 9\",visibility,1000,0,0,0,0,0,123,64,"), std::string::npos);
+  EXPECT_NE(csv.find("\nnoisy,OpenMesh,2,\"two-step, k = 9\",learned,1000,0,0,0,0,0,0,123,64,"), std::string::npos);
   EXPECT_EQ(markdown.rfind("- compiler: some\n- memory: much\n\n| mesh | type |", 0), 0u);
-  EXPECT_NE(markdown.find("\n| noisy | OpenMesh | 2 | two-step, k = 9 | visibility | 1000 |"), std::string::npos);
+  EXPECT_NE(markdown.find("\n| noisy | OpenMesh | 2 | two-step, k = 9 | learned | 1000 |"), std::string::npos);
   for (const char* ending : {".csv", ".md"})
     std::filesystem::remove(stem + ending);
 }

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <numeric>
+#include <random>
 #include <stdexcept>
 #include <utility>
 
@@ -126,6 +128,22 @@ Triangles roughened(Triangles triangles, double amplitude)
     for (double& x : p)
       x += most * noise(number++);
   return triangles;
+}
+
+Triangles shuffled(const Triangles& triangles)
+{
+  std::mt19937_64 random(1);
+  std::vector<Index> new_place(triangles.points.size());
+  std::iota(new_place.begin(), new_place.end(), Index(0));
+  std::shuffle(new_place.begin(), new_place.end(), random);
+  Triangles result = triangles;
+  for (std::size_t v = 0; v < new_place.size(); ++v)
+    result.points[new_place[v]] = triangles.points[v];
+  for (Triangles::Corners& corners : result.corners)
+    for (Index& v : corners)
+      v = new_place[v];
+  std::shuffle(result.corners.begin(), result.corners.end(), random);
+  return result;
 }
 
 Triangles wavy_torus(std::size_t number_of_faces)

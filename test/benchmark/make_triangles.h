@@ -22,6 +22,9 @@ Triangles subdivided(const Triangles& coarse);
 /// and so many first regions. The same for the same input.
 Triangles roughened(Triangles triangles, double amplitude);
 
+/// The same with triangles and points in random order: neighbors far apart in memory. The same for the same input.
+Triangles shuffled(const Triangles& triangles);
+
 /// A torus with waves on it, of about `number_of_faces` triangles (two for each of n * n quads).
 Triangles wavy_torus(std::size_t number_of_faces);
 

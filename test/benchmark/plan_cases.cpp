@@ -8,7 +8,7 @@ namespace speed_benchmark {
 
 std::string name(Shape shape)
 {
-  return shape == Shape::SMOOTH ? "smooth" : shape == Shape::NOISY ? "noisy" : "torus";
+  return shape == Shape::SMOOTH ? "smooth" : shape == Shape::NOISY ? "noisy" : shape == Shape::SHUFFLED ? "shuffled" : "torus";
 }
 
 std::string name(Mesh_type type)
@@ -29,6 +29,8 @@ namespace {
 /// Beyond these, the methods take minutes.
 constexpr std::size_t most_faces_for_slow_methods = 200000;
 constexpr std::size_t most_faces_for_curvatures = 1500000;
+
+constexpr std::pair<Method, const char*> methods[] = {{Method::TWO_STEP, "two-step"}, {Method::LEARNED, "learned"}};
 
 Case pipeline(const Mesh_wanted& mesh, const std::string& what, const Pipeline& settings)
 {
@@ -91,7 +93,6 @@ Case call(const Mesh_wanted& mesh, const std::string& what, const Call& run, con
 
 void add_pipelines(std::vector<Case>& cases, const Mesh_wanted& mesh, std::size_t threads)
 {
-  const std::pair<Method, const char*> methods[] = {{Method::TWO_STEP, "two-step"}, {Method::VISIBILITY, "visibility"}};
   for (const auto& [method, what] : methods) {
     Pipeline settings{method};
     const Case c = pipeline(mesh, what, settings);
@@ -118,11 +119,11 @@ void add_edge_methods(std::vector<Case>& cases, const Mesh_wanted& mesh)
 
 void add_slow_methods(std::vector<Case>& cases, const Mesh_wanted& mesh)
 {
-  const auto visibility = [](Subject& s) { return s.segment({Method::VISIBILITY}).whole(); };
+  const auto learned = [](Subject& s) { return s.segment({Method::LEARNED}).whole(); };
   cases.push_back(call(
-    mesh, "sdf_values + segmentation", [](auto& s) { s.shape_diameter_segmentation(8); }, "visibility", visibility));
+    mesh, "sdf_values + segmentation", [](auto& s) { s.shape_diameter_segmentation(8); }, "learned", learned));
   cases.push_back(call(
-    mesh, "Surface_mesh_approximation", [](auto& s) { s.shape_approximation(8); }, "visibility", visibility));
+    mesh, "Surface_mesh_approximation", [](auto& s) { s.shape_approximation(8); }, "learned", learned));
 }
 
 void add_curvatures(std::vector<Case>& cases, const Mesh_wanted& mesh)
@@ -143,6 +144,7 @@ std::vector<Case> plan_cases(const Plan& plan)
   for (std::size_t faces : plan.sizes) {
     const Mesh_wanted mesh{Shape::SMOOTH, faces, Mesh_type::SURFACE_MESH};
     add_pipelines(cases, mesh, plan.threads);
+    add_pipelines(cases, {Shape::SHUFFLED, faces, Mesh_type::SURFACE_MESH}, 1);
     add_edge_methods(cases, mesh);
     if (faces <= most_faces_for_slow_methods)
       add_slow_methods(cases, mesh);
@@ -162,8 +164,8 @@ std::vector<Case> plan_cases(const Plan& plan)
     add_edge_methods(cases, mesh);
   }
   if (plan.huge > 0)
-    cases.push_back(
-      pipeline({Shape::TORUS, plan.huge, Mesh_type::SURFACE_MESH}, "two-step", {Method::TWO_STEP}));
+    for (const auto& [method, what] : methods)
+      cases.push_back(pipeline({Shape::TORUS, plan.huge, Mesh_type::SURFACE_MESH}, what, {method}));
   return cases;
 }
 

@@ -8,7 +8,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/compute_normal.h>
 #include <CGAL/Region_segmentation/Methods/Two_step.h>
-#include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
+#include <CGAL/Region_segmentation/Methods/Learned_merging.h>
 #include <CGAL/Region_segmentation/segment.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/tags.h>
@@ -86,8 +86,8 @@ public:
   Stage_seconds segment(const Pipeline& pipeline) override
   {
     using namespace CGAL::Region_segmentation;
-    if (pipeline.method == Method::VISIBILITY)
-      return segment_by(Visibility_merging(), pipeline);
+    if (pipeline.method == Method::LEARNED)
+      return segment_by(Learned_merging(), pipeline);
     Two_step method;
     if (pipeline.method == Method::REGIONS)
       method.initializer.feature_convexity = Feature_convexity::ALL;
@@ -109,7 +109,7 @@ private:
   {
     using namespace CGAL::Region_segmentation;
     using Initializer = decltype(method.initializer);
-    Stage_clock clock(pipeline.clock, pipeline.method == Method::REGIONS ? Stage::GRAPH : Stage::MERGING);
+    Stage_clock clock(pipeline.clock, pipeline.method == Method::REGIONS ? Stage::GRAPH : Stage::BORDERS);
     const auto np =
       CGAL::Region_segmentation::parameters::number_of_segments(pipeline.number_of_segments)
         .method(method.with_initializer(Counting<std::decay_t<Initializer>>(method.initializer, clock)))

@@ -8,9 +8,11 @@
 #include "seconds.h"
 
 #include <CGAL/Region_segmentation/Methods/Two_step.h>
-#include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
+#include <CGAL/Region_segmentation/Methods/Learned_merging.h>
 #include <CGAL/Region_segmentation/Segmenter.h>
 #include <CGAL/Region_segmentation/segment.h>
+
+#include <boost/property_map/function_property_map.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -62,12 +64,6 @@ std::vector<bool> draw_loop(const Mesh& mesh)
   return is_drawn;
 }
 
-struct Drawn_edges
-{
-  const std::vector<bool>* is_drawn;
-  friend bool get(const Drawn_edges& map, Mesh::Edge_index e) { return (*map.is_drawn)[e]; }
-};
-
 template <typename Method>
 void measure(const char* name, const Mesh& mesh, const Method& method)
 {
@@ -90,7 +86,7 @@ void measure(const char* name, const Mesh& mesh, const Method& method)
   const std::vector<bool> is_drawn = draw_loop(mesh);
   const double drawing = median_seconds(5, [&] {
     auto copy = segmenter;
-    copy.add_constraints(Drawn_edges{&is_drawn});
+    copy.add_constraints(boost::make_function_property_map<Mesh::Edge_index>([&](Mesh::Edge_index e) { return is_drawn[e]; }));
   });
   std::vector<std::size_t> seed_of_face(num_faces(mesh), std::size_t(-1));
   seed_of_face[num_faces(mesh) / 7] = seed_of_face[num_faces(mesh) / 2] = 1;
@@ -112,6 +108,6 @@ int main(int argc, char* argv[])
 {
   const std::size_t wanted = argc > 1 ? std::strtoul(argv[1], nullptr, 10) : 100000;
   const Mesh mesh = make_mesh(subdivided(speed_benchmark::wavy_torus(wanted / 4)));
-  measure("visibility", mesh, RS::Visibility_merging());
+  measure("learned", mesh, RS::Learned_merging());
   measure("two-step", mesh, RS::Two_step());
 }
