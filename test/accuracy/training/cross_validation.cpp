@@ -3,6 +3,7 @@
 #include "cross_validation.h"
 
 #include "Princeton_data.h"
+#include "merging_runs.h"
 
 #include <algorithm>
 #include <map>

@@ -3,10 +3,10 @@
 #ifndef CGAL_REGION_SEGMENTATION_TEST_ACCURACY_TRAINING_CROSS_VALIDATION_H
 #define CGAL_REGION_SEGMENTATION_TEST_ACCURACY_TRAINING_CROSS_VALIDATION_H
 
+#include "Model_score.h"
 #include "Trained_model.h"
 #include "Training_model.h"
 #include "Training_rows.h"
-#include "merging_runs.h"
 
 #include <cstddef>
 #include <vector>

@@ -8,7 +8,6 @@
 #include "Training_model.h"
 #include "cross_validation.h"
 #include "fingerprint.h"
-#include "merging_runs.h"
 #include "model_sources.h"
 #include "training_report.h"
 #include "training_sources_hash.h"
