@@ -48,9 +48,10 @@ std::variant<Benchmark_options, int> parse_command_line(int argc, char** argv)
           ->excludes(data)
           ->type_name("SEED");
   CLI::Option* method = app.add_option("--method", options.method,
-                 "learned (default), visibility, two-step, sdf (CGAL's SDF segmentation, which chooses the number of "
-                 "segments), or people: each human segmentation against the others")
-      ->check(CLI::IsMember({"learned", "visibility", "two-step", "sdf", "people"}))
+                 "learned (default), visibility, two-step, concave-angles (single faces merged as in MeshLib), sdf (CGAL's SDF "
+                 "segmentation, which chooses the number of segments), or people: each human segmentation against the "
+                 "others")
+      ->check(CLI::IsMember({"learned", "visibility", "two-step", "concave-angles", "sdf", "people"}))
       ->type_name("METHOD");
   variants->excludes(method);
   app.add_option("--threads", options.number_of_threads, "Models at a time; default: all cores")

@@ -108,7 +108,7 @@ TEST(Model_variants, fineness_is_faces_along_a_line)
       }
 }
 
-/// Of the models that are made at once. Two of 80 are behind: flat faces that parts share, and noise.
+/// Of the models that are made at once. None is behind by more than 0.0005.
 TEST(Model_variants, learned_is_not_behind_two_step)
 {
   for (const Variant& variant : model_variants(1)) {
@@ -122,13 +122,11 @@ TEST(Model_variants, learned_is_not_behind_two_step)
       const Model model = source.load();
       const Measures a = score_segmentation(model, find_method("learned")).standard;
       const Measures b = score_segmentation(model, find_method("two-step")).standard;
-      const bool is_behind = (source.name == "gear" && variant.name == "coarser") ||
-                             (source.name == "chair" && variant.name == "noise 2");
-      EXPECT_LE(a[RAND_INDEX], b[RAND_INDEX] + (is_behind ? 0.07 : 0.01)) << source.name << ", " << variant.name;
+      EXPECT_LE(a[RAND_INDEX], b[RAND_INDEX] + 0.005) << source.name << ", " << variant.name;
       learned.add(a);
       two_step.add(b);
     }
-    EXPECT_LT(learned.mean()[RAND_INDEX], two_step.mean()[RAND_INDEX] + 0.003) << variant.name;
+    EXPECT_LT(learned.mean()[RAND_INDEX], two_step.mean()[RAND_INDEX]) << variant.name;
   }
 }
 

@@ -92,6 +92,7 @@ const std::vector<Method>& methods()
   static const std::vector<Method> all = {{"learned", segment_by<RS::Learned_merging>, Numbers::BOTH},
                                           {"visibility", segment_by<RS::Visibility_merging>, Numbers::BOTH},
                                           {"two-step", segment_by_two_step, Numbers::GIVEN},
+                                          {"concave-angles", segment_by_concave_angles, Numbers::GIVEN},
                                           {"sdf", segment_by_sdf, Numbers::CHOSEN}};
   return all;
 }

@@ -14,6 +14,8 @@ namespace train_merge_cost {
 class Label_counts
 {
 public:
+  Label_counts() = default;
+
   /// `region_of[f]` < `number_of_regions`; `people[i][f]`: the label of face f by person i, from 0 on
   /// \pre there are at least two faces, and a person
   Label_counts(const std::vector<std::size_t>& region_of, std::size_t number_of_regions,
@@ -39,7 +41,7 @@ private:
   std::vector<std::size_t> m_first_column; // of each person's labels, and the end
   std::vector<double> m_counts;            // by region, then by column
   std::vector<double> m_faces;             // by region
-  double m_pairs;
+  double m_pairs = 0;
 };
 
 } // namespace train_merge_cost

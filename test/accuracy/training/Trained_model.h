@@ -30,6 +30,9 @@ struct Training_options
   Network_options network;
 };
 
+/// The mean of the logarithms of the odds of several models, as one model.
+Trained_model mean_of(const std::vector<Trained_model>& models);
+
 inline Trained_model train(const Training_rows& rows, const Training_options& options, unsigned seed)
 {
   return {grow_trees(rows, options.trees, seed), train_networks(rows, options.network, seed)};

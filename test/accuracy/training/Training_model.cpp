@@ -39,20 +39,21 @@ std::vector<std::vector<int>> numbered_labels(const princeton_benchmark::Model& 
 Training_model make_training_model(int number, const princeton_benchmark::Model& model, std::size_t superfacets,
                                    std::size_t few)
 {
-  const princeton_benchmark::Benchmark_mesh mesh = princeton_benchmark::make_mesh(model.soup);
-  const RS::Flat_mesh flat = RS::read_flat_mesh(
-    mesh, RS::Mesh_data::POINTS | RS::Mesh_data::PATCHES);
-  const RS::Partition regions = RS::Superfacets(superfacets)(flat);
-  Graph graph = RS::build_region_adjacency_graph(flat, regions, RS::Learned_annotator());
-  const RS::Merge_tree tree =
-    RS::merge_regions(graph, RS::Visibility_merging().policy, 1, RS::Stop_at_count{few});
-  Label_counts counts(std::vector<std::size_t>(regions.begin(), regions.end()), regions.number_of_parts(),
-                      numbered_labels(model));
-  for (const RS::Merge_tree::Merge& merge : tree.merges())
-    counts.merge(merge.kept, merge.removed);
-  Training_model result{number, model.number_of_segments, {}, std::move(graph), std::move(counts)};
+  Training_model result;
+  result.number = number;
+  result.number_of_segments = model.number_of_segments;
   for (const princeton_benchmark::Truth& truth : model.truths)
     result.segments_of_people.push_back(truth.number_of_segments);
+  result.people = numbered_labels(model);
+  result.mesh = RS::read_flat_mesh(princeton_benchmark::make_mesh(model.soup),
+                                   RS::Mesh_data::POINTS | RS::Mesh_data::PATCHES);
+  result.regions = RS::Superfacets(superfacets)(result.mesh);
+  result.graph = RS::build_region_adjacency_graph(result.mesh, result.regions, RS::Learned_annotator());
+  result.first_merges = RS::merge_regions(result.graph, RS::Visibility_merging().policy, 1, RS::Stop_at_count{few});
+  result.counts = Label_counts(std::vector<std::size_t>(result.regions.begin(), result.regions.end()),
+                               result.regions.number_of_parts(), result.people);
+  for (const RS::Merge_tree::Merge& merge : result.first_merges.merges())
+    result.counts.merge(merge.kept, merge.removed);
   return result;
 }
 

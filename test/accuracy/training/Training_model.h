@@ -7,8 +7,11 @@
 
 #include "model_sources.h"
 
+#include <CGAL/Region_segmentation/Flat_mesh.h>
+#include <CGAL/Region_segmentation/Graph/Merge_tree.h>
 #include <CGAL/Region_segmentation/Graph/Region_adjacency_graph.h>
 #include <CGAL/Region_segmentation/Methods/Learned_data.h>
+#include <CGAL/Region_segmentation/Partition.h>
 
 #include <cstddef>
 #include <string>
@@ -25,8 +28,12 @@ struct Training_model
   int number = 0; ///< in the benchmark
   std::size_t number_of_segments = 0; ///< k of the standard protocol
   std::vector<std::size_t> segments_of_people;
-  Graph graph;
-  Label_counts counts;
+  std::vector<std::vector<int>> people; ///< the labels of the faces by each person, from 0 on
+  CGAL::Region_segmentation::Flat_mesh mesh;
+  CGAL::Region_segmentation::Partition regions; ///< the first ones
+  CGAL::Region_segmentation::Merge_tree first_merges;
+  Graph graph;         ///< after them
+  Label_counts counts; ///< after them
 };
 
 /// `superfacets`: the number of first regions; `few`: of regions to merge down to, by the hand-made cost

@@ -3,18 +3,26 @@
 #include "cross_validation.h"
 
 #include "Princeton_data.h"
+#include "merging_runs.h"
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 namespace train_merge_cost {
 
 namespace {
 
-/// A seed for each model and run.
-unsigned seed_of(const Training_plan& plan, std::size_t run, const Training_model& model)
+/// A seed for each training.
+unsigned seed_of(const Training_plan& plan, std::size_t training)
 {
-  return plan.seed * 1000000u + unsigned(run) * 1000u + unsigned(model.number);
+  return (plan.seed - 1) * unsigned(plan.trainings) + 1 + unsigned(training);
+}
+
+/// A seed for each model and run.
+unsigned seed_of(unsigned training_seed, std::size_t run, const Training_model& model)
+{
+  return training_seed * 1000000u + unsigned(run) * 1000u + unsigned(model.number);
 }
 
 std::size_t number_of(const Folds& folds)
@@ -22,13 +30,65 @@ std::size_t number_of(const Folds& folds)
   return 1 + *std::max_element(folds.begin(), folds.end());
 }
 
+/// All rows but those of the models of one fold.
+Training_rows rows_without(const std::vector<Training_rows>& rows, const Folds& folds, std::size_t fold)
+{
+  Training_rows result;
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    if (folds[i] != fold)
+      result.append(rows[i]);
+  return result;
+}
+
 std::vector<Trained_model> train_folds(const std::vector<Training_rows>& rows, const Folds& folds,
-                                       const Training_plan& plan)
+                                       const Training_plan& plan, unsigned seed)
 {
   std::vector<Trained_model> trained;
   for (std::size_t fold = 0; fold < number_of(folds); ++fold)
-    trained.push_back(train(rows_without(rows, folds, fold), plan.options, plan.seed));
+    trained.push_back(train(rows_without(rows, folds, fold), plan.options, seed));
   return trained;
+}
+
+/// The rows of runs by the hand-made cost, by model.
+std::vector<Training_rows> first_rows(const std::vector<Training_model>& models, const Training_plan& plan, unsigned seed)
+{
+  std::vector<Training_rows> rows;
+  for (const Training_model& model : models) {
+    rows.push_back(rows_of_visibility_run(model, 0, plan.share, seed_of(seed, 0, model)));
+    for (std::size_t run = 1; run <= plan.noisy_runs; ++run)
+      rows.back().append(rows_of_visibility_run(model, plan.noise, plan.share, seed_of(seed, run, model)));
+  }
+  return rows;
+}
+
+/// The models of one training by fold, and what they were trained on.
+struct Trained_folds
+{
+  std::vector<Trained_model> trained;
+  std::vector<Training_rows> rows; // by model
+};
+
+Trained_folds train_in_rounds(const std::vector<Training_model>& models, const Folds& folds, const Training_plan& plan,
+                              unsigned seed)
+{
+  Trained_folds result{{}, first_rows(models, plan, seed)};
+  result.trained = train_folds(result.rows, folds, plan, seed);
+  for (std::size_t round = 0; round < plan.learned_runs; ++round) {
+    for (std::size_t i = 0; i < models.size(); ++i)
+      result.rows[i].append(rows_of_learned_run(models[i], result.trained[folds[i]].model(), plan.share,
+                                                seed_of(seed, plan.noisy_runs + 1 + round, models[i])));
+    result.trained = train_folds(result.rows, folds, plan, seed);
+  }
+  return result;
+}
+
+/// All rows.
+Training_rows joined(const std::vector<Training_rows>& rows)
+{
+  Training_rows result;
+  for (const Training_rows& each : rows)
+    result.append(each);
+  return result;
 }
 
 } // namespace
@@ -50,47 +110,37 @@ Folds folds_of_categories(const std::vector<Training_model>& models)
   return folds;
 }
 
-std::vector<Training_rows> first_rows(const std::vector<Training_model>& models, const Training_plan& plan)
+Cross_validation cross_validate(const std::vector<Training_model>& models, const Folds& folds, const Training_plan& plan)
 {
-  std::vector<Training_rows> rows;
-  for (const Training_model& model : models) {
-    rows.push_back(rows_of_visibility_run(model, 0, plan.share, seed_of(plan, 0, model)));
-    for (std::size_t run = 1; run <= plan.noisy_runs; ++run)
-      rows.back().append(rows_of_visibility_run(model, plan.noise, plan.share, seed_of(plan, run, model)));
+  Cross_validation result{folds, {}, {}, {}};
+  std::vector<std::vector<Trained_model>> by_fold(number_of(folds));
+  for (std::size_t t = 0; t < plan.trainings; ++t) {
+    Trained_folds training = train_in_rounds(models, folds, plan, seed_of(plan, t));
+    for (std::size_t fold = 0; fold < by_fold.size(); ++fold)
+      by_fold[fold].push_back(std::move(training.trained[fold]));
+    result.rows.push_back(std::move(training.rows));
   }
-  return rows;
-}
-
-Cross_validation cross_validate(const std::vector<Training_model>& models, const std::vector<Training_rows>& first_rows,
-                                const Folds& folds, const Training_plan& plan)
-{
-  Cross_validation result{folds, train_folds(first_rows, folds, plan), first_rows, {}};
-  for (std::size_t round = 0; round < plan.learned_runs; ++round) {
-    for (std::size_t i = 0; i < models.size(); ++i)
-      result.rows[i].append(rows_of_learned_run(models[i], result.without(i), plan.share,
-                                                seed_of(plan, plan.noisy_runs + 1 + round, models[i])));
-    result.trained = train_folds(result.rows, folds, plan);
-  }
+  for (const auto& trainings : by_fold)
+    result.trained.push_back(mean_of(trainings));
   for (std::size_t i = 0; i < models.size(); ++i)
     result.scores.push_back(score_learned(models[i], result.without(i)));
   return result;
 }
 
-Training_rows rows_without(const std::vector<Training_rows>& rows, const Folds& folds, std::size_t fold)
+Training_rows all_rows(const Cross_validation& validation)
 {
   Training_rows result;
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    if (folds[i] != fold)
-      result.append(rows[i]);
+  for (const auto& rows : validation.rows)
+    result.append(joined(rows));
   return result;
 }
 
-Training_rows joined(const std::vector<Training_rows>& rows)
+Trained_model train_on_all(const Cross_validation& validation, const Training_plan& plan)
 {
-  Training_rows result;
-  for (const Training_rows& each : rows)
-    result.append(each);
-  return result;
+  std::vector<Trained_model> trainings;
+  for (std::size_t t = 0; t < validation.rows.size(); ++t)
+    trainings.push_back(train(joined(validation.rows[t]), plan.options, seed_of(plan, t)));
+  return mean_of(trainings);
 }
 
 } // namespace train_merge_cost

@@ -3,10 +3,10 @@
 #ifndef CGAL_REGION_SEGMENTATION_TEST_ACCURACY_TRAINING_CROSS_VALIDATION_H
 #define CGAL_REGION_SEGMENTATION_TEST_ACCURACY_TRAINING_CROSS_VALIDATION_H
 
+#include "Model_score.h"
 #include "Trained_model.h"
 #include "Training_model.h"
 #include "Training_rows.h"
-#include "merging_runs.h"
 
 #include <cstddef>
 #include <vector>
@@ -16,7 +16,8 @@ namespace train_merge_cost {
 /// Which candidates are learned from, and how.
 struct Training_plan
 {
-  unsigned seed = 1;
+  unsigned seed = 1;                  ///< at least 1
+  std::size_t trainings = 3;          ///< whose mean is the model; each from the first candidates on
   std::size_t noisy_runs = 3;         ///< of the hand-made cost, in addition to one without noise
   double noise = 1.5;                 ///< standard deviation
   std::size_t learned_runs = 1;       ///< rounds in which models are merged by what was learned without them
@@ -33,29 +34,25 @@ Folds folds_of_models(const std::vector<Training_model>& models, std::size_t num
 /// A fold for each category that is there.
 Folds folds_of_categories(const std::vector<Training_model>& models);
 
-/// The rows of runs by the hand-made cost, by model.
-std::vector<Training_rows> first_rows(const std::vector<Training_model>& models, const Training_plan& plan);
-
 struct Cross_validation
 {
   Folds folds;
-  std::vector<Trained_model> trained; ///< by fold, without it
-  std::vector<Training_rows> rows;    ///< by model: those that were trained on
-  std::vector<Model_score> scores;    ///< by model, out of fold
+  std::vector<Trained_model> trained;           ///< by fold, without it
+  std::vector<std::vector<Training_rows>> rows; ///< by training, then by model: those that were trained on
+  std::vector<Model_score> scores;              ///< by model, out of fold
 
   /// The model that was trained without a model of the benchmark.
   Model without(std::size_t model) const { return trained[folds[model]].model(); }
 };
 
-/// Rounds of training, each on the rows of all earlier ones; the scores are those of the last one.
-Cross_validation cross_validate(const std::vector<Training_model>& models, const std::vector<Training_rows>& first_rows,
-                                const Folds& folds, const Training_plan& plan);
+/// Each training consists of rounds, each on the rows of all earlier ones. The means of the trainings are scored.
+Cross_validation cross_validate(const std::vector<Training_model>& models, const Folds& folds, const Training_plan& plan);
 
-/// All rows but those of the models of one fold.
-Training_rows rows_without(const std::vector<Training_rows>& rows, const Folds& folds, std::size_t fold);
+/// The rows of all trainings.
+Training_rows all_rows(const Cross_validation& validation);
 
-/// All rows.
-Training_rows joined(const std::vector<Training_rows>& rows);
+/// The mean of the trainings on all models.
+Trained_model train_on_all(const Cross_validation& validation, const Training_plan& plan);
 
 } // namespace train_merge_cost
 

@@ -8,7 +8,6 @@
 #include "Training_model.h"
 #include "cross_validation.h"
 #include "fingerprint.h"
-#include "merging_runs.h"
 #include "model_sources.h"
 #include "training_report.h"
 #include "training_sources_hash.h"
@@ -49,7 +48,8 @@ std::variant<Options, int> parse_command_line(int argc, char** argv)
   app.add_option("--output", options.header, "Write the model as a header: learned_merge_model.h")->type_name("FILE");
   app.add_flag("--report", options.has_report,
                "Categories left out, calibration and the importance of features, too");
-  app.add_option("--seed", options.plan.seed, "Of all that is random. Default: 1")->check(CLI::Range(0, 1000));
+  app.add_option("--seed", options.plan.seed, "Of all that is random. Default: 1")->check(CLI::Range(1, 1000));
+  app.add_option("--trainings", options.plan.trainings, "Whose mean is the model. Default: 3")->check(CLI::Range(1, 100));
   app.add_option("--superfacets", options.superfacets, "First regions. Default: 800")->check(CLI::Range(1, 100000));
   app.add_option("--few", options.few, "Regions from which on the model merges. Default: 60")
     ->check(CLI::Range(2, 100000));
@@ -93,8 +93,9 @@ std::string mean_given_and_chosen(const std::vector<Model_score>& scores)
 }
 
 std::vector<std::string> provenance(const Options& options, const std::vector<Training_model>& models,
-                                    const Training_rows& rows, const Cross_validation& validation)
+                                    const Cross_validation& validation)
 {
+  const Training_rows rows = all_rows(validation);
   return {"Made by train_merge_cost --seed " + std::to_string(options.plan.seed) + " from " +
             std::to_string(models.size()) + " models of the Princeton Segmentation Benchmark, number " +
             std::to_string(models.front().number) + " to " + std::to_string(models.back().number) + ".",
@@ -104,8 +105,7 @@ std::vector<std::string> provenance(const Options& options, const std::vector<Tr
 }
 
 void write_report(const Options& options, const std::vector<Training_model>& models,
-                  const std::vector<Training_rows>& first, const Cross_validation& validation,
-                  const Trained_model& final_model)
+                  const Cross_validation& validation, const Trained_model& final_model)
 {
   const std::vector<Model_score> by_hand = scores_of(models, score_visibility);
   const Model model = final_model.model();
@@ -114,7 +114,7 @@ void write_report(const Options& options, const std::vector<Training_model>& mod
   std::vector<Scored_way> ways = {{"hand-made", &by_hand}, {"in sample", &in_sample}, {"out of fold", &validation.scores}};
   std::vector<Model_score> by_category;
   if (options.has_report) {
-    by_category = cross_validate(models, first, folds_of_categories(models), options.plan).scores;
+    by_category = cross_validate(models, folds_of_categories(models), options.plan).scores;
     ways.push_back({"category left out", &by_category});
   }
   using princeton_benchmark::write_text;
@@ -134,15 +134,13 @@ int run_program(int argc, char** argv)
   const Options& options = std::get<Options>(parsed);
   const Princeton_data data(options.data_folder);
   const std::vector<Training_model> models = load_models(data, options);
-  const std::vector<Training_rows> first = first_rows(models, options.plan);
   const Cross_validation validation =
-    cross_validate(models, first, folds_of_models(models, options.folds), options.plan);
-  const Training_rows rows = joined(validation.rows);
-  const Trained_model trained = train(rows, options.plan.options, options.plan.seed);
-  write_report(options, models, first, validation, trained);
+    cross_validate(models, folds_of_models(models, options.folds), options.plan);
+  const Trained_model trained = train_on_all(validation, options.plan);
+  write_report(options, models, validation, trained);
   if (!options.header.empty()) {
     segment_mesh::Whole_file file(options.header);
-    write_model(file.stream(), trained, provenance(options, models, rows, validation));
+    write_model(file.stream(), trained, provenance(options, models, validation));
     file.commit();
   }
   return 0;

@@ -183,6 +183,24 @@ TEST(Network_test, learns_a_slope_in_integers)
   EXPECT_GT(mean_error(others, [&](const auto&) { return 0; }, smooth_log_odds), 0.9);
 }
 
+TEST(Trained_model_test, the_mean_of_models_is_the_mean_of_their_results)
+{
+  const Training_rows others = toy_rows(500, 4);
+  std::vector<Trained_model> models;
+  for (unsigned seed = 1; seed <= 3; ++seed)
+    models.push_back(toy_model(toy_rows(500, seed), seed)); // inputs are standardized differently
+  const Trained_model mean = mean_of(models);
+  EXPECT_EQ(mean.trees.size(), 3 * models.front().trees.size());
+  EXPECT_EQ(mean.network.units.size(), 3 * models.front().network.units.size());
+  const auto in_odds = [](std::int64_t result) { return std::ldexp(double(result), -Model::result_bits); };
+  for (const auto& x : others.features) {
+    double expected = 0;
+    for (const Trained_model& model : models)
+      expected += in_odds(model.model()(x)) / 3;
+    EXPECT_NEAR(in_odds(mean.model()(x)), expected, 0.02);
+  }
+}
+
 TEST(Write_model_test, equal_seeds_give_equal_headers)
 {
   const Training_rows rows = toy_rows(500, 1);

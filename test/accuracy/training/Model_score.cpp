@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "Model_score.h"
+
+#include <CGAL/Region_segmentation/Methods/Learned_merging.h>
+#include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
+#include <CGAL/Region_segmentation/internal/graph/renumber_tree.h>
+#include <CGAL/Region_segmentation/merge_regions.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+namespace train_merge_cost {
+
+namespace RS = CGAL::Region_segmentation;
+
+namespace {
+
+double mean(const std::vector<double>& values)
+{
+  return std::accumulate(values.begin(), values.end(), 0.0) / double(values.size());
+}
+
+/// The regions after the borders of segments were moved, and their merges.
+struct Straightened
+{
+  RS::Partition regions;
+  RS::Merge_tree tree;
+};
+
+Straightened straighten_borders(const Training_model& model, const RS::Merge_tree& tree)
+{
+  const auto labels = RS::Superfacets().straighten_borders(
+    model.mesh, model.regions, tree, [](RS::Partition::Index) { return false; }, RS::Execution<CGAL::Sequential_tag>());
+  RS::Partition regions = RS::Partition::from_labels(labels);
+  std::vector<RS::Partition::Index> new_numbers(model.regions.number_of_parts(),
+                                                std::numeric_limits<RS::Partition::Index>::max());
+  for (std::size_t f = 0; f < labels.size(); ++f)
+    new_numbers[labels[f]] = regions[f];
+  return {std::move(regions), RS::internal::renumber_tree(tree, std::move(new_numbers))};
+}
+
+/// The distances to each person, by the number of segments, from the least number of the tree on, which has `few` at most.
+class Distances
+{
+public:
+  Distances(const Training_model& model, const Straightened& segments)
+    : m_counts(std::vector<std::size_t>(segments.regions.begin(), segments.regions.end()),
+               segments.regions.number_of_parts(), model.people)
+  {
+    const auto& merges = segments.tree.merges();
+    m_least = segments.tree.number_of_regions() - merges.size();
+    m_by_number.resize(merges.size() + 1);
+    for (std::size_t i = 0; i <= merges.size(); ++i) {
+      const std::size_t place = merges.size() - i;
+      if (place <= most)
+        m_by_number[place] = m_counts.distances();
+      if (i < merges.size())
+        m_counts.merge(merges[i].kept, merges[i].removed);
+    }
+    m_by_number.resize(std::min(m_by_number.size(), most + 1));
+  }
+
+  /// With the nearest possible number.
+  const std::vector<double>& operator()(std::size_t number) const
+  {
+    return m_by_number[std::min(number > m_least ? number - m_least : 0, m_by_number.size() - 1)];
+  }
+
+  double lowest_mean() const
+  {
+    double lowest = std::numeric_limits<double>::max();
+    for (const auto& distances : m_by_number)
+      lowest = std::min(lowest, mean(distances));
+    return lowest;
+  }
+
+private:
+  static constexpr std::size_t most = 100; // more than are given or chosen
+
+  Label_counts m_counts;
+  std::size_t m_least;
+  std::vector<std::vector<double>> m_by_number;
+};
+
+/// The paper's protocol: the people of the number k alone.
+void set_paper_scores(Model_score& score, const Training_model& model, const std::vector<double>& distances)
+{
+  score.nearest = score.first = std::numeric_limits<double>::quiet_NaN();
+  for (std::size_t i = distances.size(); i-- > 0;)
+    if (model.segments_of_people[i] == model.number_of_segments) {
+      score.first = distances[i];
+      score.nearest = std::isnan(score.nearest) ? distances[i] : std::min(score.nearest, distances[i]);
+    }
+}
+
+/// `policy`: merges from the first merges of the model on
+template <typename Policy, typename Chooser>
+Model_score score(const Training_model& model, Policy policy, const Chooser& choose)
+{
+  Graph graph = model.graph;
+  RS::Merge_tree tree = model.first_merges;
+  const RS::Merge_tree last_merges = RS::merge_regions(graph, policy, 1, [](const Graph&, double) { return false; });
+  for (const RS::Merge_tree::Merge& merge : last_merges.merges())
+    tree.push_back(merge);
+  const Straightened segments = straighten_borders(model, tree);
+  const Distances distances(model, segments);
+  Model_score result;
+  result.given = mean(distances(model.number_of_segments));
+  set_paper_scores(result, model, distances(model.number_of_segments));
+  result.best = distances.lowest_mean();
+  result.chosen_number = choose(segments.tree);
+  result.automatic = mean(distances(result.chosen_number));
+  return result;
+}
+
+} // namespace
+
+Model_score score_learned(const Training_model& model, const Model& learned)
+{
+  const RS::Learned_merging method(learned);
+  return score(model, method.policy.second, [&](const RS::Merge_tree& tree) { return method.chooser(tree, model.mesh); });
+}
+
+Model_score score_visibility(const Training_model& model)
+{
+  const RS::Visibility_merging method;
+  return score(model, method.policy.second, method.chooser);
+}
+
+} // namespace train_merge_cost
