@@ -165,8 +165,8 @@ TEST(Describe_segments_test, volumes_add_up)
   EXPECT_NEAR(d[1].volume, 2, 1e-9);
   EXPECT_NEAR(d[2].volume, 27, 1e-9);
   EXPECT_NEAR(d[1].volume_share, 2. / 56, 1e-12);
-  EXPECT_NEAR(description_of(reversed(cube())).volume, -1, 1e-12);
-  EXPECT_EQ(description_of(reversed(cube())).volume_share, 0);
+  EXPECT_EQ(description_of(grid(2, 2)).volume, 0);
+  EXPECT_EQ(description_of(grid(2, 2)).volume_share, 0);
 }
 
 TEST(Describe_segments_test, agrees_with_cgal_on_random_meshes)
@@ -307,6 +307,39 @@ TEST(Describe_segments_test, scales_with_the_mesh)
     EXPECT_EQ(small[i].border_length * factor, large[i].border_length);
     EXPECT_NEAR(small[i].primitive.error * factor, large[i].primitive.error, 1e-6 * large[i].primitive.error);
   }
+}
+
+/// A closed surface that is inside out is read as if it were not.
+TEST(Describe_segments_test, a_surface_inside_out_is_described_as_if_it_were_not)
+{
+  const Description box = description_of(reversed(cube()));
+  EXPECT_NEAR(box.area, 6, 1e-12);
+  EXPECT_NEAR(box.volume, 1, 1e-12);
+  EXPECT_EQ(box.volume_share, 1);
+  for (Family family : {Family::SPHERE, Family::TORUS, Family::BLOCKS}) {
+    SCOPED_TRACE(name(family));
+    const Soup soup = random_mesh(family, 5);
+    const Labels labels = random_labels(soup, 3, 5);
+    const std::vector<Description> expected = descriptions_of(soup, labels), found = descriptions_of(reversed(soup), labels);
+    ASSERT_EQ(found.size(), expected.size());
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      EXPECT_NEAR(found[i].area, expected[i].area, 1e-9 * expected[i].area);
+      EXPECT_NEAR(found[i].volume, expected[i].volume, 1e-9 * std::pow(expected[i].area, 1.5));
+      EXPECT_NEAR(found[i].volume_share, expected[i].volume_share, 1e-9);
+      EXPECT_NEAR(found[i].primitive.error, expected[i].primitive.error, 1e-6 * std::sqrt(expected[i].area));
+    }
+  }
+}
+
+TEST(Describe_segments_test, an_area_of_zero_stays_zero_where_others_are_infinite)
+{
+  const Soup point{{{1, 1, 1}, {1, 1, 1}, {1, 1, 1}}, {{0, 1, 2}}};
+  const std::vector<Description> found = descriptions_of(scaled(joined(cube(), point), 1e300), {0, 0, 0, 0, 0, 0, 1});
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_EQ(found[0].area, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(found[0].volume, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(found[1].area, 0);
+  EXPECT_EQ(found[1].volume, 0);
 }
 
 TEST(Describe_segments_test, is_the_same_on_every_mesh_type)

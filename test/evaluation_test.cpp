@@ -804,6 +804,41 @@ TEST(Measures, a_surface_without_area)
   }
 }
 
+TEST(Measures, do_not_depend_on_unused_vertices)
+{
+  Surface_mesh mesh = make_torus<Surface_mesh>(9, 7);
+  const auto labels_by = [&mesh](std::size_t divisor) {
+    Labels labels(num_faces(mesh));
+    for (std::size_t f = 0; f < labels.size(); ++f)
+      labels[f] = Labels::value_type(f / divisor);
+    return labels;
+  };
+  const Labels a = labels_by(10), b = labels_by(17);
+  const Scores before = scores(mesh, a, b);
+  mesh.add_vertex(Point(1e300, 0, 0));
+  const Scores after = scores(mesh, a, b);
+  EXPECT_EQ(after.hamming.distance, before.hamming.distance);
+  EXPECT_EQ(after.consistency.global_by_area, before.consistency.global_by_area);
+  EXPECT_EQ(after.cut, before.cut);
+}
+
+/// The square of its area underflows.
+TEST(Measures, the_cut_discrepancy_of_a_surface_that_is_nearly_a_line_is_a_number)
+{
+  Surface_mesh mesh;
+  constexpr double width = 1e-160;
+  std::vector<Surface_mesh::Vertex_index> v;
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 2; ++j)
+      v.push_back(mesh.add_vertex(Point(i, j * width, 0)));
+  for (std::size_t i = 0; i < 3; ++i)
+    mesh.add_face(v[2 * i], v[2 * i + 2], v[2 * i + 3], v[2 * i + 1]);
+  // The cuts are at 1 and 2, the centroids at 1/2, 3/2 and 5/2: 1 / (2/3).
+  const auto found = RS::cut_discrepancy(mesh, on(mesh, Labels{0, 1, 1}), on(mesh, Labels{0, 0, 1}));
+  ASSERT_TRUE(found.has_value());
+  EXPECT_NEAR(*found, 1.5, 1e-2); // the area has few digits
+}
+
 TEST(Measures, tell_a_point_that_is_not_finite)
 {
   Surface_mesh mesh = make_strip<Surface_mesh>();

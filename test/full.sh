@@ -1,6 +1,7 @@
 #!/bin/sh
 # full.sh [FOLDER]: the long forms of the tests, hours of them, in FOLDER (default: build-full/): the whole suite with the
-# sanitizers of clang, with CGAL's checks and without; mutation; coverage. Stops at the first that fails.
+# sanitizers of clang, with CGAL's checks and without; other releases of CGAL, compilers and standards; mutation;
+# coverage. Stops at the first that fails.
 set -eu
 root=$(cd "$(dirname "$0")/.." && pwd)
 work=${1:-$root/build-full}
@@ -21,5 +22,6 @@ sanitized() # NAME BUILD-TYPE FLAGS CTEST-ARGUMENT...
 export ASAN_OPTIONS=detect_stack_use_after_return=1 UBSAN_OPTIONS=print_stacktrace=1
 sanitized release Release "-fsanitize=address,undefined -fno-sanitize-recover=all"
 sanitized debug Debug "-fsanitize=address,undefined -fno-sanitize-recover=all -O1"
+MATRIX_DIR=$work/matrix sh "$root/test/matrix/matrix.sh"
 python3 "$root/test/mutation/mutate.py" --work "$work/mutation" --at-least 90
 sh "$root/test/coverage.sh" "$work/coverage"

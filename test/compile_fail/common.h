@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // For the tests that must not compile. Each file compiles without WITH_FAULT, so that it is the
-// fault that is refused, and with it fails with the message of its line `expect:`.
+// fault that is refused, and with it fails with the message of its line `expect:`. All are parsed as
+// one unit, where an error in a template is told once for the same arguments: no two faults may share them.
 
 #ifndef REGION_SEGMENTATION_TEST_COMPILE_FAIL_COMMON_H
 #define REGION_SEGMENTATION_TEST_COMPILE_FAIL_COMMON_H

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // expect: the GraphAnnotator does not fill its RegionData or SectionData
 #include "common.h"
+struct Region_data : RS::Visibility_region_data
+{};
 void test(const Mesh& mesh, Labels labels)
 {
 #ifdef WITH_FAULT
-  const RS::Geometry_annotator<RS::Visibility_region_data, RS::Visibility_section_data> annotator;
+  const RS::Geometry_annotator<Region_data, RS::Visibility_section_data> annotator;
 #else
   const RS::Visibility_annotator annotator;
 #endif

@@ -1,10 +1,16 @@
+# Parses SOURCE, with the command of COMMANDS, as it is, which must work, and with the faults: the messages of the compiler
+# become the file MESSAGES, without the characters that are special in lists.
 include(${CMAKE_CURRENT_LIST_DIR}/../compile_command.cmake)
+compile_command(command)
+file(REMOVE ${MESSAGES})
 
-# parse([DEFINITION...]): parses SOURCE with the command of COMMANDS; gives `result` and `output`.
-function(parse)
-  compile_command(command)
-  execute_process(COMMAND ${command} -fsyntax-only ${ARGV}
-                  RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
-  set(result ${result} PARENT_SCOPE)
-  set(output "${output}" PARENT_SCOPE)
-endfunction()
+execute_process(COMMAND ${command} -fsyntax-only RESULT_VARIABLE result ERROR_VARIABLE output)
+if(NOT result EQUAL 0)
+  message(FATAL_ERROR "without the faults it does not compile:\n${output}")
+endif()
+execute_process(COMMAND ${command} -fsyntax-only -DWITH_FAULT RESULT_VARIABLE result ERROR_VARIABLE output)
+if(result EQUAL 0)
+  message(FATAL_ERROR "the faults compile")
+endif()
+string(REGEX REPLACE "[][;]" "_" output "${output}")
+file(WRITE ${MESSAGES} "${output}")

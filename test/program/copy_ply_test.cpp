@@ -56,8 +56,8 @@ TEST(Copy_ply, takes_both_orders_of_bytes)
 
 TEST(Copy_ply, keeps_lists_of_every_size_type_and_all_elements_of_faces)
 {
-  const std::string header = "ply\r\nformat binary_big_endian 1.0\r\nelement faces 1\r\nproperty list uint uchar vertex_index\r\n"
-                             "property list short double values\r\n",
+  const std::string header = "ply\r\nformat binary_big_endian 1.0\r\nelement faces 1\r\n"
+                             "property list uint uchar vertex_index\r\nproperty list short double values\r\n",
                     more = "element vertex 3\r\nproperty char x\r\nproperty char y\r\nproperty char z\r\nelement face 1\r\n"
                            "property list char char vertex_index\r\nproperty double segment\r\n",
                     end = "end_header\r\n", first = std::string("\0\0\0\3\0\1\2", 7) + std::string("\0\1", 2) + "12345678",

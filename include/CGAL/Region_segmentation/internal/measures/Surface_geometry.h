@@ -23,15 +23,12 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// Multiplies all coordinates by the power of two that brings the largest into [1, 2). Exact, so
-/// that measures that do not depend on scale are bitwise the same, and areas stay in the range of
+/// Multiplies all coordinates by the power of two that brings the largest one of a vertex with faces into [1, 2). Exact,
+/// so that measures that do not depend on scale are bitwise the same, and areas stay in the range of
 /// double.
-inline void normalize_scale(std::vector<Double_3>& points)
+inline void normalize_scale(std::vector<Double_3>& points, double largest_coordinate)
 {
-  double largest = 0;
-  for (const Double_3& p : points)
-    largest = (std::max)({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-  const double scale = 1 / power_of_two_below(largest);
+  const double scale = 1 / power_of_two_below(largest_coordinate);
   for (Double_3& p : points)
     p = scale * p;
 }
@@ -47,14 +44,18 @@ std::vector<Double_3> read_normalized_points(const Mesh_traversal<FaceGraph, Pac
                                           get_const_property_map(vertex_point, traversal.mesh()));
   std::vector<Double_3> points;
   points.reserve(traversal.number_of_vertices());
+  double largest = 0;
   for (auto v : vertices(traversal.mesh())) {
     const auto& p = get(point_map, v);
     points.push_back({CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2])});
     if (!is_finite(points.back()))
       throw Invalid_input("the point of vertex " + std::to_string(points.size() - 1) +
                           " is not finite");
+    const Double_3& q = points.back();
+    if (halfedge(v, traversal.mesh()) != boost::graph_traits<FaceGraph>::null_halfedge())
+      largest = (std::max)({largest, std::abs(q.x), std::abs(q.y), std::abs(q.z)});
   }
-  normalize_scale(points);
+  normalize_scale(points, largest);
   return points;
 }
 
@@ -91,12 +92,14 @@ inline Double_3 area_vector(const std::vector<Double_3>& polygon)
 /// with its area as seen along the area vector, so that it may be concave.
 inline Double_3 centroid(const std::vector<Double_3>& polygon, const Double_3& area_vector)
 {
+  const double area = norm(area_vector);
+  const Double_3 normal = (1 / area) * area_vector;
   Double_3 sum{}; // relative to the first vertex
   for (std::size_t i = 2; i < polygon.size(); ++i) {
     const Double_3 u = polygon[i - 1] - polygon[0], v = polygon[i] - polygon[0];
-    sum = sum + dot(cross(u, v), area_vector) * (u + v);
+    sum = sum + dot(cross(u, v), normal) / area * (u + v); // the square of the area may underflow
   }
-  return polygon[0] + (1 / (6 * dot(area_vector, area_vector))) * sum;
+  return polygon[0] + 1. / 6 * sum;
 }
 
 /// The area of every face, in a scale of the mesh's own.

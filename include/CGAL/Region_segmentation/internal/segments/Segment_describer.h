@@ -110,9 +110,23 @@ private:
           m_descriptions[segment].boundary_length += norm(to - from);
       }
       const Double_3 mean = 1 / double(loop.size()) * sum;
+      const double orientation = orientation_of_loop(loop);
       for (auto h : loop)
-        moments[segment].add_cap(mean, point(opposite(h, mesh)), point(h));
+        moments[segment].add_cap(mean, point(opposite(h, mesh)), point(h), orientation);
     });
+  }
+
+  /// That of the first face which is not degenerate, since all of a loop are in one component.
+  template <typename Loop>
+  double orientation_of_loop(const Loop& loop) const
+  {
+    const auto rank = m_traversal.rank_of_face();
+    for (auto h : loop) {
+      const std::size_t f = rank(face(h, m_traversal.mesh()));
+      if (!m_flat.is_degenerate(f))
+        return orientation_of_corners(m_flat, f);
+    }
+    return 1;
   }
 
   static void set_axes(const Symmetric_3& covariance, Description& d)
@@ -196,8 +210,9 @@ private:
 template <typename Label>
 void scale_description(Segment_description<Label>& d, double unit)
 {
-  d.area *= unit * unit;
-  d.volume *= unit * unit * unit;
+  // One by one: the square of the unit may be infinite, the area 0.
+  d.area = d.area * unit * unit;
+  d.volume = d.volume * unit * unit * unit;
   d.centroid = unit * d.centroid;
   for (double& extent : d.extents)
     extent *= unit;

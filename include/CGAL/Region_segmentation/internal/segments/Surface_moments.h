@@ -13,6 +13,17 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
+/// 1, or -1 for a face of a component that was turned, see `Flat_mesh`: there the normals are, but not the corners.
+inline double orientation_of_corners(const Flat_mesh& mesh, std::size_t face)
+{
+  const Mesh_points& points = mesh.points();
+  const Double_3 origin = points[points.corner(face, 0)];
+  Double_3 area_vector{0, 0, 0};
+  for (std::size_t i = 2; i < points.number_of_corners(face); ++i)
+    area_vector = area_vector + cross(points[points.corner(face, i - 1)] - origin, points[points.corner(face, i)] - origin);
+  return dot(area_vector, mesh.normal(face)) < 0 ? -1 : 1;
+}
+
 /// Integrals over a surface of polygons, relative to a point near it, so that nothing cancels far from the origin.
 class Surface_moments
 {
@@ -24,20 +35,21 @@ public:
   void add_face(const Flat_mesh& mesh, std::size_t face)
   {
     const Mesh_points& points = mesh.points();
+    const double orientation = orientation_of_corners(mesh, face);
     const Double_3 a = points[points.corner(face, 0)] - m_origin;
     Double_3 b = points[points.corner(face, 1)] - m_origin;
     for (std::size_t i = 2; i < points.number_of_corners(face); ++i) {
       const Double_3 c = points[points.corner(face, i)] - m_origin;
-      add_triangle(a, b, c, dot(cross(b - a, c - a), mesh.normal(face)) / 2);
-      m_volume += dot(a, cross(b, c)) / 6;
+      add_triangle(a, b, c, orientation * dot(cross(b - a, c - a), mesh.normal(face)) / 2);
+      m_volume += orientation * dot(a, cross(b, c)) / 6;
       b = c;
     }
   }
 
-  /// Adds a triangle to the volume alone.
-  void add_cap(const Double_3& a, const Double_3& b, const Double_3& c)
+  /// Adds a triangle to the volume alone, turned around for the orientation -1.
+  void add_cap(const Double_3& a, const Double_3& b, const Double_3& c, double orientation)
   {
-    m_volume += dot(a - m_origin, cross(b - m_origin, c - m_origin)) / 6;
+    m_volume += orientation * dot(a - m_origin, cross(b - m_origin, c - m_origin)) / 6;
   }
 
   double area() const { return m_moments.weight; }
