@@ -33,6 +33,7 @@
 #include <CGAL/Region_segmentation/Methods/Number_below_cost.h>
 #include <CGAL/Region_segmentation/Methods/Number_from_costs.h>
 #include <CGAL/Region_segmentation/Methods/Number_from_expected_costs.h>
+#include <CGAL/Region_segmentation/Methods/Number_range.h>
 #include <CGAL/Region_segmentation/Methods/Policy_sequence.h>
 #include <CGAL/Region_segmentation/Methods/Region_growing.h>
 #include <CGAL/Region_segmentation/Methods/Scalar_annotator.h>
