@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <set>
@@ -118,6 +119,49 @@ TEST(Smooth_faces_test, joins_the_facets_of_a_coarse_cylinder)
     EXPECT_EQ(smooth_faces(cylinder.soup), cylinder.truth) << sides;
     EXPECT_EQ(number_of_labels(smooth_faces(triangulated(cylinder.soup))), 3u) << sides;
   }
+}
+
+/// As Boolean operations leave them: no face is as wide as its facet.
+TEST(Smooth_faces_test, joins_facets_that_are_divided_into_slivers)
+{
+  const std::size_t sides = 20;
+  Profile profile;
+  for (std::size_t i = 0; i < sides; ++i) {
+    const auto corner = [&](std::size_t j) {
+      return std::array<double, 2>{std::cos(2 * pi * double(j) / sides), std::sin(2 * pi * double(j) / sides)};
+    };
+    const auto a = corner(i), b = corner(i + 1);
+    profile.points.push_back(a);
+    const double t = i % 3 == 0 ? 0.03 : 0.97;
+    profile.points.push_back({a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])});
+    profile.faces.insert(profile.faces.end(), 2, 0);
+  }
+  const Labelled cylinder = prism(profile, 1.7);
+  EXPECT_EQ(smooth_faces(cylinder.soup), cylinder.truth);
+  EXPECT_EQ(number_of_labels(smooth_faces(triangulated(cylinder.soup))), 3u);
+}
+
+/// A corner that is there twice: two triangles without area reach from one cap to the other. Where they come first, they are a
+/// region of their own.
+TEST(Smooth_faces_test, faces_without_area_are_no_bridges)
+{
+  Labelled cylinder = regular_prism(16, true);
+  Soup& soup = cylinder.soup;
+  const std::size_t below = 5, above = 16 + 5, n = soup.points.size();
+  soup.points.push_back(soup.points[below]);
+  soup.points.push_back(soup.points[above]);
+  // The face after the corner takes the copies, and so do the caps between both.
+  std::replace(soup.polygons[2 + 5].begin(), soup.polygons[2 + 5].end(), below, n);
+  std::replace(soup.polygons[2 + 5].begin(), soup.polygons[2 + 5].end(), above, n + 1);
+  Polygon &cap_below = soup.polygons[0], &cap_above = soup.polygons[1];
+  cap_below.insert(std::find(cap_below.begin(), cap_below.end(), below), n);
+  cap_above.insert(std::find(cap_above.begin(), cap_above.end(), above) + 1, n + 1);
+  soup.polygons.insert(soup.polygons.begin(), {{below, n, n + 1}, {below, n + 1, above}});
+  ASSERT_TRUE(is_manifold(soup));
+  Labels found = smooth_faces(soup);
+  EXPECT_EQ(number_of_labels(found), 3u);
+  found.erase(found.begin(), found.begin() + 2);
+  EXPECT_TRUE(is_refinement(found, cylinder.truth) && is_refinement(cylinder.truth, found));
 }
 
 TEST(Smooth_faces_test, separates_the_sides_of_a_prism)

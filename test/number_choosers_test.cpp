@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 #include <random>
 #include <string>
 
@@ -125,6 +126,46 @@ TYPED_TEST(Number_choosers_test, a_drawn_loop_adds_a_segment)
   auto halves = face_map(ball);
   EXPECT_EQ(RS::segment(ball, halves, RS::parameters::method(TypeParam())), 1u);
   EXPECT_EQ(RS::segment(ball, halves, RS::parameters::method(TypeParam()).edge_is_constrained_map(equator)), 2u);
+}
+
+/// Chooses 3, and counts how often.
+struct Counting_chooser
+{
+  std::shared_ptr<int> calls = std::make_shared<int>(0);
+
+  std::size_t operator()(const RS::Merge_tree&) const
+  {
+    ++*calls;
+    return 3;
+  }
+};
+
+TEST(Number_chooser_of_Segmenter, is_asked_once_for_each_change)
+{
+  const Surface_mesh mesh = to_surface_mesh(sphere(2));
+  auto map = face_map(mesh);
+  auto seeds = face_map(mesh);
+  for (auto f : faces(mesh))
+    put(seeds, f, std::size_t(-1));
+  const Counting_chooser chooser;
+  const auto method = RS::Visibility_merging().with_chooser(chooser);
+  RS::Segmenter segmenter(mesh, RS::parameters::method(method));
+  EXPECT_EQ(segmenter.segment(map), 3u);
+  EXPECT_EQ(segmenter.segment(map), 3u);
+  EXPECT_EQ(segmenter.number_of_segments(), 3u);
+  EXPECT_EQ(*chooser.calls, 1);
+  segmenter.set_seeds(seeds);
+  EXPECT_EQ(segmenter.segment(map), 3u);
+  EXPECT_EQ(*chooser.calls, 2);
+  EXPECT_EQ(RS::segment(mesh, map, RS::parameters::method(method)), 3u);
+  EXPECT_EQ(*chooser.calls, 3);
+
+  RS::Segmenter with_number(mesh, RS::parameters::method(method).number_of_segments(5));
+  EXPECT_EQ(with_number.segment(map), 5u);
+  with_number.set_seeds(seeds);
+  EXPECT_EQ(with_number.segment(map), 5u);
+  EXPECT_EQ(RS::segment(mesh, map, 4, RS::parameters::method(method)), 4u);
+  EXPECT_EQ(*chooser.calls, 3) << "a number is given";
 }
 
 } // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // From CGAL's SDF segmentation to this package: the maps are the same; its labels can be used further here, and its values
-// could be a scalar in a cost (see write_a_method.cpp).
+// could be a scalar in a cost (see scalar.cpp).
 
 #include "input_mesh.h"
 

@@ -33,8 +33,11 @@
 #include <CGAL/Region_segmentation/Methods/Number_below_cost.h>
 #include <CGAL/Region_segmentation/Methods/Number_from_costs.h>
 #include <CGAL/Region_segmentation/Methods/Number_from_expected_costs.h>
+#include <CGAL/Region_segmentation/Methods/Number_range.h>
 #include <CGAL/Region_segmentation/Methods/Policy_sequence.h>
 #include <CGAL/Region_segmentation/Methods/Region_growing.h>
+#include <CGAL/Region_segmentation/Methods/Scalar_annotator.h>
+#include <CGAL/Region_segmentation/Methods/Scalar_cost.h>
 #include <CGAL/Region_segmentation/Methods/Segmentation_method.h>
 #include <CGAL/Region_segmentation/Methods/Smallest_region_first.h>
 #include <CGAL/Region_segmentation/Methods/Smooth_faces.h>

@@ -1,6 +1,8 @@
 #!/bin/sh
 # matrix.sh [NUMBER...]: builds and runs the core of the tests in combinations of releases of CGAL, compilers, language
-# standards and optional libraries: in those of the given numbers, or in all. They meet every pair of choices.
+# standards and optional libraries: in those of the given numbers, or in all. They meet every pair of choices. One
+# combination with each release also builds and runs the pipelines of the examples, on real meshes where the environment
+# variable REGION_SEGMENTATION_REAL_MESHES names them.
 #
 # The releases of CGAL are that of the system, and those of other Debian suites: apt fetches the headers from the machine's
 # own sources with the name of the suite changed, and they are unpacked beside the system, in build-matrix/ (or
@@ -11,25 +13,25 @@ set -eu
 root=$(cd "$(dirname "$0")/../.." && pwd)
 work=${MATRIX_DIR:-$root/build-matrix}
 
-#            CGAL   compiler standard checks TBB Eigen OpenMesh
+#  CGAL   compiler standard checks TBB Eigen OpenMesh pipelines
 combinations="
-1  system g++     20 OFF ON  ON  OFF
-2  system clang++ 17 OFF OFF ON  ON
-3  system g++     20 ON  OFF OFF ON
-4  system clang++ 17 ON  ON  OFF OFF
-5  trixie clang++ 20 ON  OFF ON  ON
-6  trixie g++     17 ON  ON  OFF ON
-7  trixie g++     17 OFF ON  ON  OFF
-8  trixie clang++ 20 OFF OFF OFF OFF
-9  sid    clang++ 17 ON  OFF OFF ON
-10 sid    g++     17 OFF ON  ON  ON
-11 sid    g++     20 OFF ON  OFF OFF
-12 sid    clang++ 20 ON  OFF ON  OFF
+1  system g++     20 OFF ON  ON  OFF ON
+2  system clang++ 17 OFF OFF ON  ON  OFF
+3  system g++     20 ON  OFF OFF ON  OFF
+4  system clang++ 17 ON  ON  OFF OFF OFF
+5  trixie clang++ 20 ON  OFF ON  ON  OFF
+6  trixie g++     17 ON  ON  OFF ON  OFF
+7  trixie g++     17 OFF ON  ON  OFF ON
+8  trixie clang++ 20 OFF OFF OFF OFF OFF
+9  sid    clang++ 17 ON  OFF OFF ON  OFF
+10 sid    g++     17 OFF ON  ON  ON  ON
+11 sid    g++     20 OFF ON  OFF OFF OFF
+12 sid    clang++ 20 ON  OFF ON  OFF OFF
 "
 
 # A pair that is missing would go unnoticed.
 echo "$combinations" | awk '
-  NF { for (i = 2; i <= NF; ++i) { value[i, $i] = 1; for (j = 2; j < i; ++j) pair[i, $i, j, $j] = 1 } }
+  NF { for (i = 2; i < NF; ++i) { value[i, $i] = 1; for (j = 2; j < i; ++j) pair[i, $i, j, $j] = 1 } }
   END {
     for (a in value) for (b in value) {
       split(a, x, SUBSEP); split(b, y, SUBSEP)
@@ -65,7 +67,7 @@ unpack()
   dpkg-deb -x "$folder"/libcgal-dev_*.deb "$folder/part" && mv "$folder/part" "$folder/root"
 }
 
-# run NUMBER CGAL COMPILER STANDARD CHECKS TBB EIGEN OPENMESH
+# run NUMBER CGAL COMPILER STANDARD CHECKS TBB EIGEN OPENMESH PIPELINES
 run()
 {
   if ! command -v "$3" >/dev/null; then
@@ -85,13 +87,15 @@ run()
   tested=$((tested + 1))
   if cmake -S "$root/test/matrix" -B "$build" -DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_COMPILER="$3" -DCMAKE_CXX_STANDARD="$4" \
        -DCMAKE_CXX_EXTENSIONS=OFF -DCMAKE_CXX_FLAGS="$flags" -DMATRIX_TBB="$6" -DMATRIX_EIGEN="$7" -DMATRIX_OPENMESH="$8" \
+       -DMATRIX_PIPELINES="$9" \
        ${cgal_dir:+"-DCGAL_DIR=$cgal_dir"} >"$build.log" 2>&1 &&
-     cmake --build "$build" -j "${MATRIX_JOBS:-2}" >>"$build.log" 2>&1 && "$build/matrix_test" >>"$build.log" 2>&1; then
-    echo "$1: passed: $(sed -n 's/^-- matrix: //p' "$build.log"), $3, C++$4, checks $5, TBB $6, Eigen $7, OpenMesh $8:" \
+     cmake --build "$build" -j "${MATRIX_JOBS:-2}" >>"$build.log" 2>&1 && "$build/matrix_test" >>"$build.log" 2>&1 &&
+     (cd "$build" && ctest --output-on-failure >>"$build.log" 2>&1); then
+    echo "$1: passed: $(sed -n 's/^-- matrix: //p' "$build.log"), $3, C++$4, checks $5, TBB $6, Eigen $7, OpenMesh $8, pipelines $9:" \
       "$(sed -n 's/^\[=*\] \(.*\) ran\..*/\1/p' "$build.log")"
   else
     failed=$((failed + 1))
-    echo "$1: FAILED: CGAL of $2, $3, C++$4, checks $5, TBB $6, Eigen $7, OpenMesh $8; the end of $build.log:"
+    echo "$1: FAILED: CGAL of $2, $3, C++$4, checks $5, TBB $6, Eigen $7, OpenMesh $8, pipelines $9; the end of $build.log:"
     grep -E 'error|FAILED|warning' "$build.log" | head -20
     tail -5 "$build.log"
   fi

@@ -53,6 +53,10 @@ void use_methods(const Mesh& mesh)
   RS::segment<ConcurrencyTag>(mesh, segments, RS::parameters::method(RS::Visibility_merging()));
   RS::segment<ConcurrencyTag>(mesh, segments, RS::parameters::method(RS::Smooth_faces()));
   RS::segment<ConcurrencyTag>(mesh, segments, 2, RS::parameters::method(RS::Two_step()));
+  const RS::Scalar_annotator scalar(RS::face_values(mesh, seeds));
+  RS::segment<ConcurrencyTag>(mesh, segments, 2,
+                              RS::parameters::method(RS::make_segmentation_method(
+                                RS::Superfacets(), scalar, RS::Lowest_cost_first(RS::Scalar_cost(1)))));
   const RS::Number_below_cost<RS::Visibility_cost> below{0};
   RS::segment<ConcurrencyTag>(mesh, segments, RS::parameters::method(RS::Visibility_merging().with_chooser(below)));
 #ifdef TEST_EIGEN

@@ -9,6 +9,7 @@ It declares the mesh data that it reads by `required_mesh_data`, like a `RegionI
 \cgalHasModel `CGAL::Region_segmentation::Geometry_annotator`
 \cgalHasModel `CGAL::Region_segmentation::Visibility_annotator`
 \cgalHasModel `CGAL::Region_segmentation::Learned_annotator`
+\cgalHasModel `CGAL::Region_segmentation::Scalar_annotator`
 \cgalHasModel `CGAL::Region_segmentation::Smoothness_annotator`
 */
 class GraphAnnotator

@@ -12,6 +12,7 @@ derived from it, they do not compile. They declare the mesh data that they read 
 \cgalHasModel `CGAL::Region_segmentation::Region_geometry`
 \cgalHasModel `CGAL::Region_segmentation::Visibility_region_data`
 \cgalHasModel `CGAL::Region_segmentation::Learned_region_data`
+\cgalHasModel `CGAL::Region_segmentation::Scalar_region_data`
 \cgalHasModel `CGAL::Region_segmentation::Smoothness_region_data`
 */
 class RegionData

@@ -10,6 +10,7 @@ compile.
 \cgalHasModel `CGAL::Region_segmentation::Visibility_cost`
 \cgalHasModel `CGAL::Region_segmentation::Learned_cost`
 \cgalHasModel `CGAL::Region_segmentation::Expected_merge_cost`
+\cgalHasModel `CGAL::Region_segmentation::Scalar_cost`
 \cgalHasModel `CGAL::Region_segmentation::Smoothness_cost`
 */
 class SectionCost

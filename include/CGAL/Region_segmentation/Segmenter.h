@@ -73,7 +73,6 @@ public:
   explicit Segmenter(const FaceGraph& mesh, const NamedParameters& np = parameters::default_values(),
                      ConcurrencyTag = ConcurrencyTag())
     : m_mesh(&mesh)
-    , m_number(internal::number_of_segments(internal::pack(np)))
     , m_prepared(internal::prepare<Method, ConcurrencyTag>(internal::make_mesh_traversal(mesh, internal::pack(np)),
                                                            internal::Preparation::FOR_CHANGES, internal::pack(np)))
   {
@@ -109,17 +108,14 @@ public:
   }
 
   /// The number of segments that `segment(segment_map)` aims at: the one given to the constructor, or else the one
-  /// chosen by the method.
+  /// chosen by the method, once for each change of constraints or seeds.
   std::size_t number_of_segments() const
   {
     static_assert(Prepared::has_one_tree,
                   "this method needs the number of segments: use segment(segment_map, number_of_segments)");
     static_assert(!Prepared::has_one_tree || internal::has_chooser<Method>(),
                   "this method has no NumberChooser: use segment(segment_map, number_of_segments)");
-    if constexpr (Prepared::has_one_tree && internal::has_chooser<Method>())
-      return m_number > 0 ? m_number : m_prepared.chosen_number();
-    else
-      return m_number;
+    return m_prepared.number_of_segments();
   }
 
   /// segments the mesh into the number given to the constructor, or else chosen by the method.
@@ -218,7 +214,6 @@ public:
 
 private:
   const FaceGraph* m_mesh;
-  std::size_t m_number; // wanted; 0: to be chosen
   Prepared m_prepared;
 };
 

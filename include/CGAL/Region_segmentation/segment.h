@@ -77,16 +77,13 @@ std::size_t segment(const FaceGraph& mesh, FaceSegmentMap segment_map,
   internal::check_parameters<Pack, internal::Segmenting_parameters>();
   static_assert(internal::has_number_of_segments<Pack> || internal::has_chooser<Method>(),
                 "segment() with this method needs the named parameter number_of_segments");
-  std::size_t number = internal::number_of_segments(pack);
 
   const auto traversal = internal::make_mesh_traversal(mesh, pack);
   auto prepared =
     internal::prepare<Method, ConcurrencyTag>(traversal, internal::Preparation::FOR_ONE_USE, pack);
-  if constexpr (!internal::has_number_of_segments<Pack> && internal::has_chooser<Method>())
-    number = prepared.chosen_number();
   Merge_tree tree;
   const internal::Segments segments =
-    prepared.take_segments(number, internal::has_merge_tree<Pack> ? &tree : nullptr, pack);
+    prepared.take_segments(prepared.number_of_segments(), internal::has_merge_tree<Pack> ? &tree : nullptr, pack);
 
   segments.visit([&](const auto& labels) { internal::write_face_map(traversal, segment_map, labels); });
   internal::write_regions(mesh, prepared.regions(), pack);

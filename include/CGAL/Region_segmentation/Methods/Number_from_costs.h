@@ -5,7 +5,7 @@
 
 #include <CGAL/Region_segmentation/Flat_mesh.h>
 #include <CGAL/Region_segmentation/Graph/Merge_tree.h>
-#include <CGAL/Region_segmentation/internal/regions/is_convex.h>
+#include <CGAL/Region_segmentation/Methods/Number_range.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,42 +21,30 @@ namespace Region_segmentation {
 ///
 /// With \f$c_k\f$ the largest cost of a merge down to \f$k - 1\f$ regions, from `maximum_number` regions
 /// on, and \f$c\f$ that of the last merge, the number is the largest \f$k\f$ for which all of
-/// \f$c_2 .. c_k\f$ are above the mean of \f$c\f$ and `level`, less the logarithm of `granularity`; at least `minimum_number`, if the tree
-/// has as many, and at least the number of connected components, where components also are what constrained edges separate: a
-/// drawn loop adds one. A surface that is convex is one segment a component, where the chooser sees the mesh.
+/// \f$c_2 .. c_k\f$ are above the mean of \f$c\f$ and `level`, less the logarithm of `granularity`; within `Number_range`.
 ///
 /// Complexity: O(m), m the larger of `maximum_number` and the number of connected pieces.
 ///
 /// \tparam Cost the cost that defines the units of the level: a method that merges by another one does not compile
 template <typename Cost>
-class Number_from_costs
+class Number_from_costs : public Number_range
 {
 public:
   using MergeCost = Cost;
 
-  double level;                   ///< in the units of the costs
-  std::size_t maximum_number;     ///< of segments, at least `minimum_number`; see `largest_number()`
-  std::size_t minimum_number = 2; ///< of segments, at least 1
+  double level; ///< in the units of the costs
   /// How much finer, more than 0: its logarithm is taken from the bound, so costs count as if that factor larger. 1 as fits the
   /// method, 2 finer, 0.5 coarser. The number never falls when it rises.
   double granularity = 1;
 
   explicit Number_from_costs(double level_, std::size_t maximum_number_ = 40)
-    : level(level_), maximum_number(maximum_number_)
+    : Number_range(maximum_number_), level(level_)
   {}
-
-  /// The largest number that is chosen for a tree: `maximum_number`, or the number of connected components if there are more,
-  /// and at most the number of first regions. Where this number was chosen, there may be more parts.
-  std::size_t largest_number(const Merge_tree& tree) const
-  {
-    const std::size_t leaves = tree.number_of_regions();
-    return (std::min)(leaves, (std::max)(maximum_number, leaves - tree.merges().size()));
-  }
 
   std::size_t operator()(const Merge_tree& tree) const
   {
     const std::size_t leaves = tree.number_of_regions();
-    const std::size_t least = leaves - tree.merges().size();
+    const std::size_t least = least_number(leaves, tree.merges().size());
     // The merge from k to k - 1 regions has the index leaves - k.
     const auto first = tree.merges().begin() + std::ptrdiff_t(leaves - largest_number(tree));
     const auto end = tree.merges().end();
@@ -67,13 +55,13 @@ public:
     const double threshold = (level + highest->cost) / 2 - std::log(granularity);
     const auto above = std::find_if(first, end, [=](const Merge_tree::Merge& m) { return m.cost > threshold; });
     const std::size_t number = leaves - std::size_t(above - tree.merges().begin());
-    return (std::max)(number, (std::min)(leaves, minimum_number));
+    return (std::max)(number, least);
   }
 
   /// As above, but the number of connected components if they are convex.
   std::size_t operator()(const Merge_tree& tree, const Flat_mesh& mesh) const
   {
-    return internal::is_convex(mesh) ? tree.number_of_regions() - tree.merges().size() : (*this)(tree);
+    return choose(*this, tree, mesh);
   }
 };
 

@@ -5,7 +5,7 @@
 
 #include <CGAL/Region_segmentation/Flat_mesh.h>
 #include <CGAL/Region_segmentation/Graph/Merge_tree.h>
-#include <CGAL/Region_segmentation/internal/regions/is_convex.h>
+#include <CGAL/Region_segmentation/Methods/Number_range.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -19,47 +19,36 @@ namespace Region_segmentation {
 /// `maximum_number` regions on, is lowest. A model of `NumberChooser`, for costs that are below 0 where a merge pays,
 /// such as `Expected_merge_cost`.
 ///
-/// The number is at least `minimum_number`, if the tree has as many, and at least the number of connected components, where
-/// components also are what constrained edges separate: a drawn loop adds one. It is the largest of several. A
-/// surface that is convex is one segment a component, where the chooser sees the mesh.
+/// The number is within `Number_range`. It is the largest of several.
 ///
 /// Complexity: O(m), m the larger of `maximum_number` and the number of connected components.
 ///
 /// \tparam Cost the cost in whose units the sums are: a method that merges by another one does not compile
 template <typename Cost>
-class Number_from_expected_costs
+class Number_from_expected_costs : public Number_range
 {
 public:
   using MergeCost = Cost;
 
-  std::size_t maximum_number;     ///< of segments, at least `minimum_number`; see `largest_number()`
-  std::size_t minimum_number = 2; ///< of segments, at least 1
   /// How much finer, more than 0: the factor by which costs above 0, of merges that do not pay, are multiplied. 1 as fits the
   /// method, 2 finer, 0.5 coarser. The number never falls when it rises.
   double granularity = 1;
 
-  explicit Number_from_expected_costs(std::size_t maximum_number_ = 40) : maximum_number(maximum_number_) {}
-
-  /// The largest number that is chosen for a tree: `maximum_number`, or the number of connected components if there are more,
-  /// and at most the number of first regions. Where this number was chosen, there may be more parts.
-  std::size_t largest_number(const Merge_tree& tree) const
-  {
-    return largest_number(tree.merges(), tree.number_of_regions());
-  }
+  explicit Number_from_expected_costs(std::size_t maximum_number_ = 40) : Number_range(maximum_number_) {}
 
   std::size_t operator()(const Merge_tree& tree) const { return number(tree.merges(), tree.number_of_regions()); }
 
   /// As above, but the number of connected components if they are convex.
   std::size_t operator()(const Merge_tree& tree, const Flat_mesh& mesh) const
   {
-    return internal::is_convex(mesh) ? tree.number_of_regions() - tree.merges().size() : (*this)(tree);
+    return choose(*this, tree, mesh);
   }
 
   /// As above, for the last merges of a tree: `number_of_regions` were left before them.
   std::size_t number(const std::vector<Merge_tree::Merge>& merges, std::size_t number_of_regions) const
   {
-    const std::size_t least = (std::max)(number_of_regions - merges.size(), (std::min)(number_of_regions, minimum_number));
-    std::size_t best = (std::max)(least, largest_number(merges, number_of_regions));
+    const std::size_t least = least_number(number_of_regions, merges.size());
+    std::size_t best = (std::max)(least, Number_range::largest_number(number_of_regions, merges.size()));
     double sum = 0, lowest = 0;
     for (std::size_t n = best; n > least; --n) {
       // The merge from n to n - 1 regions.
@@ -71,12 +60,6 @@ public:
       }
     }
     return best;
-  }
-
-private:
-  std::size_t largest_number(const std::vector<Merge_tree::Merge>& merges, std::size_t number_of_regions) const
-  {
-    return (std::min)(number_of_regions, (std::max)(maximum_number, number_of_regions - merges.size()));
   }
 };
 

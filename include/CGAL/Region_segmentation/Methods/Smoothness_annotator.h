@@ -39,10 +39,12 @@ namespace Region_segmentation {
 ///   \quad \bar\beta = \frac{\kappa_0 l_0 + \kappa_1 l_1}{2}, \f]
 /// with \f$K\f$ the largest curvature on the two faces, \f$w = 0.8\f$ and \f$\beta_1\f$ 5 degrees; at most 3. It
 /// has no unit: 0 is smooth, 1 a jump of the curvature to 0, as where a plane becomes a cylinder. It is
-/// \f$3 \beta / \beta_c\f$ if \f$\beta\f$ exceeds the angle \f$\beta_c\f$ of a certain crease, and 0 beside a
-/// degenerate face.
+/// \f$3 \beta / \beta_c\f$ if \f$\beta\f$ exceeds the angle \f$\beta_c\f$ of a certain crease. Edges of degenerate
+/// faces are left out.
 ///
-/// Paths are 2.5 times as long as the face at the edge is high, and at most 7.5 times as long as the other one is.
+/// Paths are 2.5 times as long as the face at the edge is high, and at most 7.5 times as long as the other one is. Where
+/// \f$\beta\f$ is above 2 degrees, the facet counts in place of the face: the flat piece of the surface on the path, of which
+/// faces may be slivers or a fine triangulation.
 ///
 /// Complexity: O(F log F) if a path crosses O(1) faces. Deterministic. With `Parallel_tag` the paths are followed in
 /// parallel.
@@ -88,22 +90,25 @@ public:
     if (cache.m_discontinuities.empty())
       cache.m_discontinuities = discontinuities(mesh, links, execution);
     for (auto range = edges(graph); range.first != range.second; ++range.first)
-      graph[*range.first].discontinuity = 0;
+      graph[*range.first].discontinuity = graph[*range.first].measured_length = 0;
     for_each_edge(mesh, links, 0, mesh.number_of_faces(), [&](const internal::Face_edge& e) {
       const auto a = regions[e.face], b = regions[links.opposite(e).face];
-      if (a == b)
+      if (a == b || mesh.is_degenerate(e.face) || mesh.is_degenerate(links.opposite(e).face))
         return;
-      if (const auto section = graph.section(a, b))
-        graph[*section].discontinuity +=
-          norm(links.target(e) - links.source(e)) * cache.m_discontinuities[links.number(e)];
+      if (const auto section = graph.section(a, b)) {
+        const double length = norm(links.target(e) - links.source(e));
+        graph[*section].measured_length += length;
+        graph[*section].discontinuity += length * cache.m_discontinuities[links.number(e)];
+      }
     });
   }
 
 private:
   using Face_edge = internal::Face_edge;
 
-  static constexpr double reach = 2.5;             // of a path, in heights of the face
-  static constexpr double largest_height = 3;      // of a face, in heights of the other one
+  static constexpr double reach = 2.5;             // of a path, in heights of the facet
+  static constexpr double largest_height = 3;      // of a facet, in heights of the other one
+  static constexpr double least_bend_of_facets = 2; // degrees: of faces that meet at less, none is a part of a coarse facet
   static constexpr double tolerance_of_bend = 4;   // of a bend that is not a crease, in those expected
   static constexpr double unit_of_crease = 5;      // beta_1, degrees
   static constexpr double most = 3;                // discontinuity short of a certain crease
@@ -163,7 +168,11 @@ private:
     if (std::abs(joint.bend) > radians(crease_angle))
       return joint;
     const Face_edge edges[] = {e, links.opposite(e)};
-    const double heights[] = {height(mesh, links, edges[0]), height(mesh, links, edges[1])};
+    const auto height = [&](const Face_edge& side) {
+      return std::abs(joint.bend) > radians(least_bend_of_facets) ? facet_height(mesh, links, side, radians(flat_angle))
+                                                                 : internal::height(mesh, links, side);
+    };
+    const double heights[] = {height(edges[0]), height(edges[1])};
     const auto section = [&](std::size_t side) {
       const double h = (std::min)(heights[side], largest_height * heights[1 - side]);
       return internal::Normal_section(mesh, links, edges[side], reach * h, radians(flat_angle), radians(crease_angle));

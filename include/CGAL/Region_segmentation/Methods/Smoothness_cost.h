@@ -17,6 +17,9 @@ namespace Region_segmentation {
 /// The mean of a few edges is uncertain, so crumbs would remain where triangles are irregular: between regions whose
 /// facets have similar areas it is multiplied by \f$n / (n + n_0)\f$, \f$n\f$ the smaller number of facets, unless it
 /// is that of a crease. The facets of fillets and planes are not similar.
+///
+/// A section of which nothing was measured, since all of its edges are beside degenerate faces, costs nothing. A region of
+/// degenerate faces alone joins a neighbor before all other merges, across the longest section first.
 struct Smoothness_cost
 {
   using RegionData = Smoothness_region_data;
@@ -29,8 +32,10 @@ struct Smoothness_cost
   template <typename Graph>
   double operator()(const Graph& graph, typename Graph::section_descriptor s) const
   {
-    const double mean = graph[s].mean_discontinuity();
     const Smoothness_region_data &a = graph[graph.source(s)], &b = graph[graph.target(s)];
+    if (!(graph[s].measured_length > 0))
+      return a.area > 0 && b.area > 0 ? 0 : -graph[s].length;
+    const double mean = graph[s].mean_discontinuity();
     const double areas[] = {a.mean_facet_area(), b.mean_facet_area()};
     const bool is_similar =
       areas[0] < similar_areas * areas[1] && areas[1] < similar_areas * areas[0] && mean < crease;

@@ -21,10 +21,12 @@ struct Smoothness_section_data
   using GraphAnnotator = Smoothness_annotator;
 
   double length = 0;               ///< in units of the mesh
-  double discontinuity = 0;        ///< integral along the section; see `Smoothness_annotator`
+  double measured_length = 0;      ///< of the edges that are not beside a degenerate face, in units of the mesh
+  double discontinuity = 0;        ///< integral along these; see `Smoothness_annotator`
   std::size_t number_of_edges = 0; ///< mesh edges
 
-  double mean_discontinuity() const { return length > 0 ? discontinuity / length : 0; }
+  /// \pre `measured_length` is not 0
+  double mean_discontinuity() const { return discontinuity / measured_length; }
 
   void add_edge(const Flat_mesh& mesh, std::size_t /* lower_face */, std::size_t edge)
   {
@@ -36,6 +38,7 @@ struct Smoothness_section_data
   void absorb(const Smoothness_section_data& other)
   {
     length += other.length;
+    measured_length += other.measured_length;
     discontinuity += other.discontinuity;
     number_of_edges += other.number_of_edges;
   }
@@ -48,12 +51,12 @@ struct Smoothness_region_data
   /// The annotator of the sections' data.
   using GraphAnnotator = Smoothness_annotator;
 
-  double area = 0;   ///< in squared units of the mesh
+  double area = 0;   ///< of the faces that are not degenerate, in squared units of the mesh
   double facets = 1; ///< first regions: plane pieces of the surface
 
   double mean_facet_area() const { return area / facets; }
 
-  void add_face(const Flat_mesh& mesh, std::size_t face) { area += mesh.area(face); }
+  void add_face(const Flat_mesh& mesh, std::size_t face) { area += mesh.is_degenerate(face) ? 0 : mesh.area(face); }
   void add_border_edge(const Flat_mesh&, std::size_t /* lower_face */, std::size_t /* edge */) {}
 
   /// Adds the region on the other side of a section.

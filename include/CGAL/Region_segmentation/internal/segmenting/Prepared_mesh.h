@@ -79,12 +79,14 @@ public:
   /// Whether one merge tree gives every number of segments.
   static constexpr bool has_one_tree = internal::has_one_tree<Method>();
 
-  /// `seeds`: of the faces; `np`: a pack with the visitor
+  /// `number`: of segments, 0 if it is to be chosen; `seeds`: of the faces; `np`: a pack with the visitor
   /// \throws Invalid_input if equal seeds cannot be joined, Segmentation_cancelled if the visitor cancels
   template <typename Pack>
-  Prepared_mesh(Flat_mesh flat, const Method& method, Seeds seeds, Preparation preparation, const Pack& np)
+  Prepared_mesh(Flat_mesh flat, const Method& method, std::size_t number, Seeds seeds, Preparation preparation,
+                const Pack& np)
     : m_flat(std::move(flat))
     , m_method(method)
+    , m_number(number)
     , m_preparation(preparation)
     , m_first_regions(
         initialize_regions(m_method.initializer, m_flat, make_execution<ConcurrencyTag>(np, "regions")))
@@ -103,14 +105,8 @@ public:
   /// \pre `has_one_tree`
   const Merge_tree& merge_tree() const { return m_result.tree; }
 
-  /// \pre `has_one_tree`, and the method has a chooser
-  std::size_t chosen_number() const
-  {
-    if constexpr (satisfies<Sees_mesh, decltype(m_method.chooser)>)
-      return m_method.chooser(merge_tree(), m_flat);
-    else
-      return m_method.chooser(merge_tree());
-  }
+  /// The number of segments that was given, or else that which the method has chosen; 0 if it has no chooser.
+  std::size_t number_of_segments() const { return m_number > 0 ? m_number : m_result.chosen_number; }
 
   /// Adds constrained dual edges. On failure nothing changes.
   template <typename Pack>
@@ -180,6 +176,7 @@ private:
     std::optional<Graph> graph;              // unless there is one tree
     Merge_tree tree;                         // of `regions()`
     std::optional<Partition> straightened_regions;
+    std::size_t chosen_number = 0; // of segments
     std::optional<Cache> cache; // of the annotator, for `merged_regions()`; empty after a failed change
   };
 
@@ -202,6 +199,9 @@ private:
       result.tree = merge(graph, 1, [](const Graph&, double) { return false; }, result.seeds, np);
       if constexpr (straightens_borders)
         straighten_borders(regions, result, np);
+      if constexpr (has_chooser<Method>())
+        if (m_number == 0)
+          result.chosen_number = choose_number(result.tree);
     }
     else
       result.graph = std::move(graph);
@@ -223,6 +223,14 @@ private:
       new_numbers[labels[f]] = straightened[f];
     result.tree = renumber_tree(result.tree, std::move(new_numbers));
     result.straightened_regions = std::move(straightened);
+  }
+
+  std::size_t choose_number(const Merge_tree& tree) const
+  {
+    if constexpr (satisfies<Sees_mesh, decltype(m_method.chooser)>)
+      return m_method.chooser(tree, m_flat);
+    else
+      return m_method.chooser(tree);
   }
 
   template <typename Pack>
@@ -316,6 +324,7 @@ private:
 
   Flat_mesh m_flat;
   Method m_method;
+  std::size_t m_number; // of segments, as given; 0: to be chosen
   Preparation m_preparation;
   Partition m_first_regions; // as the initializer made them and later constraints split them
   Seeds m_seeds;             // of the faces

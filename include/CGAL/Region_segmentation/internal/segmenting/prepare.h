@@ -7,6 +7,7 @@
 #include <CGAL/Region_segmentation/face_values.h>
 #include <CGAL/Region_segmentation/internal/reading/Mesh_traversal.h>
 #include <CGAL/Region_segmentation/internal/segmenting/Prepared_mesh.h>
+#include <CGAL/Region_segmentation/internal/support/options.h>
 #include <CGAL/Region_segmentation/parameters.h>
 #include <CGAL/Region_segmentation/read_flat_mesh.h>
 
@@ -78,10 +79,11 @@ Prepared_mesh<Method, ConcurrencyTag> prepare(const Mesh_traversal<FaceGraph, Pa
                 "a method with a GraphPartitioner takes no seeds");
   static_assert(!(has_merge_tree<Pack> && Method_traits<Method>::is_partitioning),
                 "a method with a GraphPartitioner has no merge_tree");
+  const std::size_t number = number_of_segments(np);
   Seeds seeds = seeds_of_pack(traversal.mesh(), np);
   return Prepared_mesh<Method, ConcurrencyTag>(
-    read_flat_mesh<ConcurrencyTag>(traversal, np, required_mesh_data<Method>()), method_of_pack<Method>(np), std::move(seeds),
-    preparation, np);
+    read_flat_mesh<ConcurrencyTag>(traversal, np, required_mesh_data<Method>()), method_of_pack<Method>(np), number,
+    std::move(seeds), preparation, np);
 }
 
 /// Writes the first regions to the map of a pack, if it has one.

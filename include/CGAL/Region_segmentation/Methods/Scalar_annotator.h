@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_METHODS_SCALAR_ANNOTATOR_H
+#define CGAL_REGION_SEGMENTATION_METHODS_SCALAR_ANNOTATOR_H
+
+#include <CGAL/Region_segmentation/Flat_mesh.h>
+#include <CGAL/Region_segmentation/Methods/Visibility_annotator.h>
+#include <CGAL/Region_segmentation/Partition.h>
+#include <CGAL/Region_segmentation/exceptions.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Region_segmentation {
+
+/// \ingroup PkgRegionSegmentationGraph
+/// Data of a region, and the mean of a scalar of its faces. A model of `RegionData`.
+///
+/// \tparam RegionData a model of `RegionData` that is a class
+template <typename RegionData>
+struct Scalar_region_data : RegionData
+{
+  double scalar = 0;         ///< integral over the area of the faces
+  double area_of_scalar = 0; ///< this area, in squared units of the mesh
+
+  /// 0 if the area is 0.
+  double mean_scalar() const { return area_of_scalar > 0 ? scalar / area_of_scalar : 0; }
+
+  /// Adds the region on the other side of a section.
+  template <typename SectionData>
+  void absorb(const Scalar_region_data& other, const SectionData& between)
+  {
+    RegionData::absorb(other, between);
+    scalar += other.scalar;
+    area_of_scalar += other.area_of_scalar;
+  }
+};
+
+/// \ingroup PkgRegionSegmentationAnnotators
+/// adds a scalar of the user's faces, such as curvature, color or temperature, to the data of another annotator, for
+/// `Scalar_cost` or a cost of the user's. A model of `GraphAnnotator`, for graphs with `Scalar_region_data`.
+///
+/// \code
+/// const auto method = RS::make_segmentation_method(
+///   RS::Superfacets(), RS::Scalar_annotator(RS::face_values(mesh, temperature)), RS::Lowest_cost_first(RS::Scalar_cost(2)));
+/// RS::segment(mesh, segment_id, 8, RS::parameters::method(method));
+/// \endcode
+///
+/// Complexity: that of `GraphAnnotator`, and O(F). Copies share the values, 8 bytes a face.
+///
+/// \tparam GraphAnnotator the other annotator, a model of `GraphAnnotator`
+template <typename GraphAnnotator = Visibility_annotator>
+class Scalar_annotator : public GraphAnnotator
+{
+public:
+  using RegionData = Scalar_region_data<typename GraphAnnotator::RegionData>;
+  using SectionData = typename GraphAnnotator::SectionData;
+
+  /// `values`: by face in iteration order, as `face_values()` gives them
+  template <typename Number>
+  explicit Scalar_annotator(const std::vector<Number>& values, GraphAnnotator annotator = GraphAnnotator())
+    : GraphAnnotator(std::move(annotator))
+    , m_values(std::make_shared<const std::vector<double>>(values.begin(), values.end()))
+  {
+    static_assert(std::is_arithmetic<Number>::value, "the scalar of a face is a number");
+  }
+
+  /// Takes what `GraphAnnotator` takes.
+  /// \throws Invalid_input if there is not one value for each face, or one is not finite
+  template <typename Graph, typename... Rest>
+  auto operator()(Graph& graph, const Flat_mesh& mesh, const Partition& regions, Rest&&... rest) const
+    -> decltype(std::declval<const GraphAnnotator&>()(graph, mesh, regions, std::forward<Rest>(rest)...))
+  {
+    check_values(mesh);
+    for (std::uint32_t r = 0; r < regions.number_of_parts(); ++r)
+      graph[r].scalar = graph[r].area_of_scalar = 0;
+    for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
+      graph[regions[f]].scalar += mesh.area(f) * (*m_values)[f];
+      graph[regions[f]].area_of_scalar += mesh.area(f);
+    }
+    GraphAnnotator::operator()(graph, mesh, regions, std::forward<Rest>(rest)...);
+  }
+
+private:
+  void check_values(const Flat_mesh& mesh) const
+  {
+    if (m_values->size() != mesh.number_of_faces())
+      throw Invalid_input("the Scalar_annotator has " + std::to_string(m_values->size()) + " values for " +
+                          std::to_string(mesh.number_of_faces()) + " faces");
+    for (std::size_t f = 0; f < m_values->size(); ++f)
+      if (!std::isfinite((*m_values)[f]))
+        throw Invalid_input("the scalar of face " + std::to_string(f) + " is not finite");
+  }
+
+  std::shared_ptr<const std::vector<double>> m_values;
+};
+
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_METHODS_SCALAR_ANNOTATOR_H
