@@ -90,7 +90,7 @@ auto build_region_adjacency_graph(const Flat_mesh& mesh, const Partition& region
 /// annotator. Deterministic: the sums over the edges of a section run by lower, then by higher face, for every mesh
 /// type.
 ///
-/// Source: Yang et al. 2014, section 3.3 (EdgeSection).
+/// Source: \cgalCite{YZWLL14}, section 3.3 (EdgeSection).
 template <typename ConcurrencyTag = CGAL::Sequential_tag, typename FaceGraph, typename FaceRegionMap,
           typename GraphAnnotator, typename NamedParameters = parameters::Default_named_parameters,
           typename = internal::Names_data<GraphAnnotator>>

@@ -72,7 +72,7 @@ using Feature_edge_parameters = Tag_list<CGAL::internal_np::maximum_angle_t, int
 ///
 /// Complexity: O(F). Deterministic. Concurrent calls on different maps are safe.
 ///
-/// Source: Yang et al. 2014, section 3.1.
+/// Source: \cgalCite{YZWLL14}, section 3.1.
 template <typename ConcurrencyTag = CGAL::Sequential_tag, typename FaceGraph, typename EdgeIsFeatureMap,
           typename NamedParameters = parameters::Default_named_parameters>
 std::size_t detect_feature_edges(const FaceGraph& mesh, EdgeIsFeatureMap edge_is_feature_map,

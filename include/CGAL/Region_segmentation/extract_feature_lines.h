@@ -133,7 +133,7 @@ struct Polyline_collector
 ///
 /// Complexity: O(F). Deterministic. Concurrent calls on different maps are safe.
 ///
-/// Source: Yang et al. 2014, section 3.1.
+/// Source: \cgalCite{YZWLL14}, section 3.1.
 template <typename ConcurrencyTag = CGAL::Sequential_tag, typename FaceGraph, typename EdgeIsFeatureMap,
           typename PolylineOutputIterator,
           typename NamedParameters = parameters::Default_named_parameters>

@@ -60,7 +60,7 @@ namespace Region_segmentation {
 ///
 /// Complexity: O(F). Deterministic. Concurrent calls on different maps are safe.
 ///
-/// Source: Yang et al. 2014, section 3.2.
+/// Source: \cgalCite{YZWLL14}, section 3.2.
 template <typename ConcurrencyTag = CGAL::Sequential_tag, typename FaceGraph, typename EdgeIsFeatureMap,
           typename FaceRegionMap,
           typename NamedParameters = parameters::Default_named_parameters>

@@ -97,8 +97,7 @@ namespace Region_segmentation {
 /// Deterministic: the same bits from every mesh type. Concurrent calls on different maps are safe.
 /// For several numbers of segments, or when constraints and seeds change, use a `Segmenter`.
 ///
-/// Source: Yang, Zhou, Wang, Liu, Luo, "A fast and efficient mesh segmentation method based on improved
-/// region growing", Appl. Math. J. Chinese Univ. 29(4):468-480, 2014.
+/// Source: \cgalCite{YZWLL14}.
 template <typename ConcurrencyTag = CGAL::Sequential_tag, typename FaceGraph, typename FaceSegmentMap,
           typename NamedParameters = parameters::Default_named_parameters,
           std::enable_if_t<!std::is_arithmetic<NamedParameters>::value, int> = 0>

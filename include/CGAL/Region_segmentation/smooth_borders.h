@@ -46,7 +46,7 @@ namespace Region_segmentation {
 /// a few hundred faces in practice; the connectivity of the two is decided locally, or by a traversal of them at worst.
 /// Deterministic: capacities are integers, so the result for a pair does not depend on the order of faces.
 ///
-/// Source: minimum cuts in a fuzzy band, Katz and Tal 2003; the flow, Boykov and Kolmogorov 2004.
+/// Source: minimum cuts in a fuzzy band \cgalCite{KT03}; the flow \cgalCite{BK04}.
 class Minimum_cut_borders
 {
 public:
@@ -163,7 +163,7 @@ private:
 /// Complexity: see `Minimum_cut_borders`. Deterministic: the same bits from every mesh type.
 /// Concurrent calls on different maps are safe.
 ///
-/// Source: Katz and Tal 2003.
+/// Source: \cgalCite{KT03}.
 template <typename ConcurrencyTag = CGAL::Sequential_tag, typename FaceGraph, typename FaceSegmentMap,
           typename NamedParameters = parameters::Default_named_parameters>
 std::size_t smooth_borders(const FaceGraph& mesh, FaceSegmentMap segment_map,

@@ -53,7 +53,7 @@ namespace Region_segmentation {
 ///
 /// Complexity: O(F log F). Deterministic: the same edges from every mesh type. Concurrent calls on different maps are safe.
 ///
-/// Source: Erickson and Whittlesey 2005.
+/// Source: \cgalCite{EW05}.
 template <typename FaceGraph, typename FaceSegmentMap, typename EdgeIsSeamMap,
           typename NamedParameters = parameters::Default_named_parameters>
 std::size_t mark_segment_seams(const FaceGraph& mesh, const FaceSegmentMap& segment_map, EdgeIsSeamMap edge_is_seam_map,

@@ -121,8 +121,7 @@ inline Consistency_error consistency_error(const Partition& a, const Partition& 
 /// run in an order determined by the faces. Read-only; concurrent calls are safe if reading the
 /// maps is.
 ///
-/// Source: Chen, Golovinskiy, Funkhouser 2009; D. Martin, C. Fowlkes, D. Tal, J. Malik,
-/// "A Database of Human Segmented Natural Images", ICCV 2001.
+/// Source: \cgalCite{CGF09}, \cgalCite{MFTM01}.
 template <typename FaceGraph, typename FaceLabelMapA, typename FaceLabelMapB,
           typename NamedParameters = parameters::Default_named_parameters>
 Consistency_error consistency_error(const FaceGraph& mesh, const FaceLabelMapA& a,

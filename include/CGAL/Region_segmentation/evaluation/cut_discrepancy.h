@@ -92,7 +92,7 @@ std::vector<Edge_graph::Index> cut_vertices(const Mesh_traversal<FaceGraph, Pack
 /// side, and O(F) memory, F including the vertices. Coordinates do not overflow. Deterministic.
 /// Read-only; concurrent calls are safe if reading the maps is.
 ///
-/// Source: Chen, Golovinskiy, Funkhouser 2009; Huang and Dom 1995. Distances there are
+/// Source: \cgalCite{CGF09}, \cgalCite{HD95}. Distances there are
 /// geodesic; the benchmark's evaluator measures along edges, and so does this function.
 template <typename FaceGraph, typename FaceLabelMapA, typename FaceLabelMapB,
           typename NamedParameters = parameters::Default_named_parameters>

@@ -98,8 +98,7 @@ inline Hamming_distance hamming_distance(const Partition& a, const Partition& b,
 /// Invariant under scaling by powers of two to the bit; areas do not overflow. Deterministic: sums
 /// run in the order of the faces. Read-only; concurrent calls are safe if reading the maps is.
 ///
-/// Source: Chen, Golovinskiy, Funkhouser 2009; Q. Huang, B. Dom, "Quantitative Methods
-/// of Evaluating Image Segmentation", ICIP 1995.
+/// Source: \cgalCite{CGF09}, \cgalCite{HD95}.
 template <typename FaceGraph, typename FaceLabelMapA, typename FaceLabelMapB,
           typename NamedParameters = parameters::Default_named_parameters>
 Hamming_distance hamming_distance(const FaceGraph& mesh, const FaceLabelMapA& a,
