@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A method whose parts are all of one's own: facets of nearly equal normals are merged by the angle between the mean normals
+// A method all of whose parts are user-defined: facets of nearly equal normals are merged by the angle between the mean normals
 // of regions, until the cost of a merge jumps.
 
 #include "dumbbell.h"
