@@ -1,8 +1,7 @@
 #!/bin/sh
 # make_figures.sh [PROGRAM]: makes the figures of the manual and the README anew, from the meshes of CGAL's demos (Debian's
 # libcgal-demo, or the folder REGION_SEGMENTATION_REAL_MESHES), by the program (default: build/bin/segment_mesh, where
-# examples/run.sh puts it). Installs what is missing. Prints what the program says of each picture: the captions state
-# these numbers of segments.
+# examples/run.sh puts it). Installs what is missing. Prints what the program says of each picture.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/.." && pwd)
@@ -26,6 +25,11 @@ view() {
   printf '%s: ' "$name"
   "$program" --quiet "$meshes/$mesh.off" --view "$azimuth" "$elevation" "$@" -o "$work/$name.png" | sed 's/.*: //'
   convert "$work/$name.png" -trim +repage "$work/$name.png"
+}
+
+# crop NAME WIDTHxHEIGHT: the lower right part of a view.
+crop() {
+  convert "$work/$1.png" -gravity southeast -crop "$2+0+0" +repage "$work/$1.png"
 }
 
 # mark FILE KIND MESH NUMBER...: marks of mark_mesh.py.
@@ -61,9 +65,9 @@ view bear bear 15 10
 view triceratops triceratops 30 15
 row four_meshes 260 camel homer bear triceratops
 
-view learned elephant -60 15 -k 10
-view visibility elephant -60 15 -k 10 --method visibility
-view two_step elephant -60 15 -k 10 --method two-step
+view learned elephant 60 15 -k 10
+view visibility elephant 60 15 -k 10 --method visibility
+view two_step elephant 60 15 -k 10 --method two-step
 row methods 260 learned visibility two_step
 
 view too_few homer 20 10 -k 5
@@ -71,42 +75,44 @@ view chosen homer 20 10
 view too_many homer 20 10 -k 40
 row numbers 300 too_few chosen too_many
 
-view k2 diplodocus 30 15 -k 2
-view k4 diplodocus 30 15 -k 4
-view k7 diplodocus 30 15 -k 7
-view k16 diplodocus 30 15 -k 16
+view k2 diplodocus 10 15 -k 2
+view k4 diplodocus 10 15 -k 4
+view k7 diplodocus 10 15 -k 7
+view k16 diplodocus 10 15 -k 16
 row nested 200 k2 k4 k7 k16
 
-view regions800 bunny00 20 15 -k 800
-view regions150 bunny00 20 15 -k 150
-view regions60 bunny00 20 15 -k 60
-view regions_chosen bunny00 20 15
+view regions800 bunny00 40 15 -k 800
+view regions150 bunny00 40 15 -k 150
+view regions60 bunny00 40 15 -k 60
+view regions_chosen bunny00 40 15
 row merging 240 regions800 regions150 regions60 regions_chosen
 
-view joint_learned joint 30 25
-view joint_smooth joint 30 25 --method smooth-faces
-view anchor_smooth anchor 30 25 --method smooth-faces
-view rotor rotor 30 25 --method smooth-faces
+view joint_learned joint 50 25
+view joint_smooth joint 50 25 --method smooth-faces
+view anchor_smooth anchor -10 25 --method smooth-faces
+view rotor rotor 60 20 --method smooth-faces
 row machine_parts 240 joint_learned joint_smooth anchor_smooth rotor
 
 view growing fandisk 30 25 --method two-step --features all --max-angle 20 -k 19
 view creases couplingdown 30 25 --method two-step --features all --max-angle 20 -k 12
 row features 240 growing creases
 
-view coarse elephant -60 15 -k 12
-view fine refined_elephant -60 15 -k 12
+view coarse elephant 60 15 -k 12
+view fine refined_elephant 60 15 -k 12
 row resolution 260 coarse fine
 
-view rough elephant -60 15 -k 7 --method two-step
-view smooth elephant -60 15 -k 7 --method two-step --smooth-borders
+view rough bunny00 40 15 -k 8 --method two-step
+view smooth bunny00 40 15 -k 8 --method two-step --smooth-borders
+crop rough 70%x60%
+crop smooth 70%x60%
 row borders 260 rough smooth
 
-mark ring ring diplodocus 0 -0.38 -0.38 -0.1 0 0.2
-view unconstrained diplodocus 30 15 -k 4
-view constrained diplodocus 30 15 -k 5 --constraints "$work/ring"
+mark ring ring diplodocus 1 0.12 0.26 0.12 0.06 0.12
+view unconstrained diplodocus 10 15 -k 4
+view constrained diplodocus 10 15 -k 5 --constraints "$work/ring"
 row constraints 240 unconstrained constrained
 
-mark dabs dabs homer 0.02 0 -0.1 -0.35 0 0 0.1 -0.35 0 1 0 0.3 0
+mark dabs dabs homer 0.03 0 -0.08 -0.3 0.15 1 0.08 -0.3 0.15 2 0 -0.02 0.15
 view unseeded homer 20 10 -k 5
 view seeded homer 20 10 -k 5 --seeds "$work/dabs"
 row seeds 300 unseeded seeded
@@ -115,8 +121,8 @@ view mask nefertiti 20 10
 view mask_few nefertiti 20 10 -k 6
 row open_surfaces 240 mask mask_few
 
-view sphere sphere 20 15 -k 2
-view planes head 20 15
+view sphere sphere -60 15 -k 2
+view planes head -80 10
 view noisy fandisk 30 25 --method smooth-faces
 row failures 220 sphere planes noisy
 

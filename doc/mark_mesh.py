@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """mark_mesh.py ring MESH.off AXIS VALUE X Y Z RADIUS: edges for --constraints, between the faces on both sides of a plane
 across an axis (0, 1 or 2), of the faces around a point.
-mark_mesh.py dabs MESH.off RADIUS SEED X Y Z [SEED X Y Z]...: faces for --seeds, those around each point."""
+mark_mesh.py dabs MESH.off RADIUS SEED X Y Z [SEED X Y Z]...: faces for --seeds, those around the one nearest to each point."""
 
 import math
 import sys
@@ -38,9 +38,10 @@ def ring(points, faces, axis, value, center, radius):
 
 
 def dabs(points, faces, radius, seeds):
-    for f, face in enumerate(faces):
-        middle = centroid(points, face)
-        for seed, center in seeds:
+    middles = [centroid(points, face) for face in faces]
+    for seed, point in seeds:
+        center = min(middles, key=lambda middle: math.dist(middle, point))
+        for f, middle in enumerate(middles):
             if math.dist(middle, center) <= radius:
                 print(f, seed)
 
