@@ -62,16 +62,27 @@ TEST_F(Program, keeps_faces_together_and_apart_by_seeds)
   EXPECT_NE(marked, folder.read("b.png")); // faces with a seed have an outline
 }
 
-TEST_F(Program, finds_marks_where_repair_has_merged_points)
+TEST_F(Program, counts_points_as_the_file_does)
 {
+  // Points of an STL file: the different ones.
   folder.write("a.stl", "solid\n"
                         "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n"
                         "facet normal 0 0 1\nouter loop\nvertex 1 1 0\nvertex 0 1 0\nvertex 1 0 0\nendloop\nendfacet\n"
                         "endsolid\n");
-  folder.write("a.txt", "4 5\n"); // the common edge, by the points of the second triangle
+  folder.write("a.txt", "1 2\n"); // the common edge
   EXPECT_NE(run("a.stl -k 1 --constraints a.txt").out.find("2 segments of 1"), std::string::npos);
   folder.write("b.txt", "0 3\n");
   EXPECT_EQ(run("a.stl -k 1 --constraints b.txt").err, "b.txt:1: no edge joins the points 0 and 3\n");
+
+  // A point that no face uses, and a face that repair turns.
+  folder.write("c.off", "OFF\n5 2 0\n9 9 9\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 1 2 3\n3 1 4 3\n");
+  folder.write("c.txt", "3 1\n");
+  EXPECT_NE(run("c.off -k 1 --constraints c.txt").out.find("2 segments of 1"), std::string::npos);
+  folder.write("d.txt", "0 1\n");
+  EXPECT_EQ(run("c.off -k 1 -q --constraints d.txt").err, "d.txt:1: no edge joins the points 0 and 1\n");
+  folder.write("s.txt", "0 5\n1 6\n");
+  EXPECT_EQ(run("c.off -k 1 -q --seeds s.txt -o c.seg").status, 0);
+  EXPECT_EQ(folder.read("c.seg"), "0\n1\n");
 }
 
 TEST_F(Program, refuses_marks_that_it_cannot_use)

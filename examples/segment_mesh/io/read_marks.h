@@ -12,7 +12,7 @@
 namespace segment_mesh {
 
 /// Reads what a user marked on a mesh. Both files are texts, with comments from `#` to the end of a line, and refer to points
-/// and faces of the input's file by their indices from 0.
+/// and faces of the input's file by their indices from 0 (of an STL file, by those of its different points).
 ///
 /// - `files.constraints`: a line is a sequence of points; each two that follow one another are the ends of an edge.
 /// - `files.seeds`: a line is a face and its seed, an integer of at least 0.
