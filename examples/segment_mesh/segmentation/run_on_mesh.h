@@ -25,6 +25,7 @@
 #include <functional>
 #include <optional>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace segment_mesh {
@@ -81,7 +82,8 @@ struct Face_seed_map
 template <typename Chooser, typename = void>
 constexpr bool has_largest_number = false;
 template <typename Chooser>
-constexpr bool has_largest_number<Chooser, std::void_t<decltype(&Chooser::largest_number)>> = true;
+constexpr bool has_largest_number<
+  Chooser, std::void_t<decltype(std::declval<const Chooser&>().largest_number(std::declval<const RS::Merge_tree&>()))>> = true;
 
 /// The number that was chosen, if the chooser would not choose a larger one, but the tree has more regions than it, and
 /// fewer components.
