@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A method of one's own, made of parts: here a scalar of the user's faces (as it might be curvature or color) goes
+// A user-defined method, made of parts: here a scalar of the faces (as it might be curvature or color) goes
 // into the cost of merging.
 
 #include "dumbbell.h"

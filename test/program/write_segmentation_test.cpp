@@ -34,7 +34,7 @@ protected:
     s_input = make_input_mesh("figure", make_articulated_figure().soup);
     s_settings.number_of_segments = 10;
     s_settings.method = Method::TWO_STEP;
-    s_segmentation = run_segmentation(s_input.mesh_soup(), s_settings, {});
+    s_segmentation = run_segmentation(s_input.mesh_soup(), {}, s_settings, {});
     s_labels = labels_of_faces(s_input, s_segmentation);
     s_details = std::make_unique<Segmentation_details>(s_input.mesh_soup(), s_segmentation);
   }
@@ -42,7 +42,7 @@ protected:
   std::string write(const std::string& name) const
   {
     write_segmentation(make_output(m_folder.path(name)),
-                       {s_name, s_input, s_settings, s_no_labels, s_segmentation, *s_details});
+                       {s_name, s_input, s_marks, s_settings, s_side_files, s_segmentation, *s_details, s_no_viewpoint});
     EXPECT_EQ(m_folder.names(), std::vector<std::string>{name}); // nothing temporary is left
     return m_folder.path(name);
   }
@@ -57,7 +57,9 @@ protected:
   static inline Input_mesh s_input;
   static inline Segmentation_settings s_settings;
   static inline Segmentation s_segmentation;
-  static inline const std::string s_no_labels;
+  static inline const Marks s_marks;
+  static inline const Side_files s_side_files;
+  static inline const std::optional<Viewpoint> s_no_viewpoint;
   static inline std::unique_ptr<Segmentation_details> s_details;
   static inline std::vector<std::size_t> s_labels;
   Temporary_folder m_folder;
@@ -176,7 +178,7 @@ TEST_F(Written, csv_agrees_with_json)
   std::istringstream in(text("a.csv"));
   const nlohmann::json json = [this] {
     std::ostringstream out;
-    write_json(out, {s_name, s_input, s_settings, s_no_labels, s_segmentation, *s_details});
+    write_json(out, {s_name, s_input, s_marks, s_settings, s_side_files, s_segmentation, *s_details});
     return nlohmann::json::parse(out.str());
   }();
   std::string line;
@@ -246,7 +248,7 @@ TEST_F(Written, nodes_are_described_as_segments_of_partitions)
 TEST_F(Written, a_file_for_each_segment)
 {
   write_segmentation(make_output(m_folder.path("part_{segment}.obj")),
-                     {s_name, s_input, s_settings, s_no_labels, s_segmentation, *s_details});
+                     {s_name, s_input, s_marks, s_settings, s_side_files, s_segmentation, *s_details});
   EXPECT_EQ(m_folder.names().size(), s_segmentation.number_of_segments);
   for (std::size_t s = 0; s < s_segmentation.number_of_segments; ++s) {
     const Polygon_soup part = read_mesh(m_folder.path("part_" + std::to_string(s) + ".obj")).soup;
@@ -270,7 +272,7 @@ TEST_F(Written, a_file_for_each_segment)
 TEST_F(Written, borders_have_the_length_of_the_borders)
 {
   write_segmentation(make_output(m_folder.path("b.obj"), Output_content::BORDERS),
-                     {s_name, s_input, s_settings, s_no_labels, s_segmentation, *s_details});
+                     {s_name, s_input, s_marks, s_settings, s_side_files, s_segmentation, *s_details});
   std::istringstream in(m_folder.read("b.obj"));
   std::vector<Point> points;
   double length = 0;
@@ -311,7 +313,7 @@ TEST_F(Written, all_mesh_types_give_the_same)
       continue;
     Segmentation_settings settings = s_settings;
     settings.mesh_type = type;
-    const Segmentation other = run_segmentation(s_input.mesh_soup(), settings, {});
+    const Segmentation other = run_segmentation(s_input.mesh_soup(), {}, settings, {});
     EXPECT_EQ(other.segment_of_face, s_segmentation.segment_of_face);
     EXPECT_EQ(other.region_of_face, s_segmentation.region_of_face);
   }
@@ -328,9 +330,9 @@ TEST_F(Written, smoothed_borders_are_shorter_and_regions_stay_nested)
       sum += segment.border_length;
     return sum;
   };
-  const Segmentation rough = run_segmentation(s_input.mesh_soup(), settings, {});
+  const Segmentation rough = run_segmentation(s_input.mesh_soup(), {}, settings, {});
   settings.borders = Border_treatment::SMOOTHING;
-  const Segmentation smooth = run_segmentation(s_input.mesh_soup(), settings, {});
+  const Segmentation smooth = run_segmentation(s_input.mesh_soup(), {}, settings, {});
   EXPECT_NE(smooth.segment_of_face, rough.segment_of_face);
   EXPECT_EQ(smooth.number_of_segments, rough.number_of_segments);
   EXPECT_LT(border_length(smooth), border_length(rough));

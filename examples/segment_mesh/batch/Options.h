@@ -4,8 +4,10 @@
 #define CGAL_REGION_SEGMENTATION_SEGMENT_MESH_OPTIONS_H
 
 #include "io/Mesh_format.h"
+#include "io/Side_files.h"
 #include "io/output_format.h"
 #include "segmentation/Segmentation_settings.h"
+#include "view/Viewpoint.h"
 
 #include <cstddef>
 #include <optional>
@@ -24,9 +26,10 @@ struct Options
   bool is_demo = false; ///< the model that the program builds, instead of inputs
   std::vector<Output> outputs;
   std::vector<std::string> truths;
-  std::string labels; ///< a file; if it is not empty, nothing is segmented
+  Side_files side_files;
   Segmentation_settings settings;
   std::size_t number_of_threads = 0; ///< 0: one for each core
+  std::optional<Viewpoint> viewpoint; ///< of pictures; if empty, the one that shows most
   Verbosity verbosity = Verbosity::NORMAL;
 };
 

@@ -29,6 +29,17 @@ std::string with_stem(std::string file, const std::string& stem)
   return file;
 }
 
+/// A side file, its option, and what it is in messages.
+struct Side_file
+{
+  std::string Side_files::*name;
+  const char *option, *what;
+};
+
+constexpr Side_file side_files[] = {{&Side_files::labels, "--labels", "the labels"},
+                                    {&Side_files::constraints, "--constraints", "the constraints"},
+                                    {&Side_files::seeds, "--seeds", "the seeds"}};
+
 /// A name of a file on the command line, and the option that it belongs to.
 struct Named_file
 {
@@ -47,8 +58,9 @@ std::vector<Named_file> files_of(const Options& options)
     files.push_back({option_of(output), output.file});
   for (const std::string& truth : options.truths)
     files.push_back({"--truth", truth});
-  if (!options.labels.empty())
-    files.push_back({"--labels", options.labels});
+  for (const Side_file& file : side_files)
+    if (const std::string& name = options.side_files.*file.name; !name.empty())
+      files.push_back({file.option, name});
   return files;
 }
 
@@ -166,8 +178,9 @@ void check_outputs(const std::vector<Job>& jobs)
       registry.add(job.input, "an input");
     for (const std::string& truth : job.truths)
       registry.add(truth, "a truth");
-    if (!job.labels.empty())
-      registry.add(job.labels, "the labels");
+    for (const Side_file& file : side_files)
+      if (const std::string& name = job.side_files.*file.name; !name.empty())
+        registry.add(name, file.what);
   }
   for (const Job& job : jobs)
     for (const Output& output : job.outputs)
@@ -176,11 +189,13 @@ void check_outputs(const std::vector<Job>& jobs)
 
 Job make_job(const std::string& input, const std::string& stem, const Options& options)
 {
-  Job job{input, options.is_demo, options.outputs, options.truths, with_stem(options.labels, stem)};
+  Job job{input, options.is_demo, options.outputs, options.truths, options.side_files};
   for (Output& output : job.outputs)
     output.file = with_stem(output.file, stem);
   for (std::string& truth : job.truths)
     truth = with_stem(truth, stem);
+  for (const Side_file& file : side_files)
+    job.side_files.*file.name = with_stem(job.side_files.*file.name, stem);
   return job;
 }
 
@@ -195,7 +210,7 @@ std::vector<Job> plan_jobs(const Options& options, const std::string& demo_model
       check_batch(file);
   }
   const Segmentation_settings& settings = options.settings;
-  if (!options.is_demo && options.labels.empty() && !settings.number_of_segments &&
+  if (!options.is_demo && options.side_files.labels.empty() && !settings.number_of_segments &&
       settings.method == Method::TWO_STEP)
     throw Usage_error("--method two-step needs the number of segments: -k N");
 

@@ -17,11 +17,11 @@ struct Job
   bool is_model = false;
   std::vector<Output> outputs;
   std::vector<std::string> truths;
-  std::string labels; ///< a file; if it is not empty, nothing is segmented
+  Side_files side_files;
 };
 
 /// A job for each input, in order, or one for the model `demo_model`. `{stem}` in the names of outputs, truths and
-/// labels becomes the name of the input without folder and endings.
+/// side files becomes the name of the input without folder and endings.
 /// \throws Usage_error for a number of segments that is neither given nor can be chosen, two outputs in one file, an output
 ///         in the place of another file of the run, a batch without `{stem}` or to stdout, standard input
 ///         without a format or twice, and any other `{name}`

@@ -6,6 +6,7 @@
 #include "demo/articulated_figure.h"
 #include "io/Text_scanner.h"
 #include "io/errors.h"
+#include "io/read_marks.h"
 #include "io/read_mesh.h"
 #include "io/write_segmentation.h"
 
@@ -24,6 +25,7 @@ namespace {
 struct Case
 {
   Input_mesh mesh;
+  Marks marks;
   std::vector<Truth> truths;
   std::size_t true_number_of_segments = 0; // of a procedural model
 };
@@ -40,6 +42,7 @@ Case load(const Job& job, const Options& options)
   } else {
     result.mesh = read_mesh(job.input, options.input_format);
   }
+  result.marks = read_marks(job.side_files, result.mesh);
   for (const std::string& truth : job.truths)
     result.truths.push_back(read_truth(truth, result.mesh.soup.polygons.size()));
   return result;
@@ -61,10 +64,22 @@ Segmentation segment(const Job& job, const Case& input, const Segmentation_setti
                      const Progress_listener& listener)
 {
   try {
-    return run_segmentation(input.mesh.mesh_soup(), settings, listener);
+    return run_segmentation(input.mesh.mesh_soup(), input.marks, settings, listener);
   } catch (const CGAL::Region_segmentation::Invalid_input& error) {
     throw Input_error(job.input, error.what());
   }
+}
+
+/// Why there are `n` segments and not those that were wanted.
+std::string reason_for_number(std::size_t n, std::size_t wanted, const Case& input, const Segmentation& segmentation,
+                              Method method)
+{
+  const bool has_marks = !input.marks.constrained_edges.empty() || !input.marks.seed_of_face.empty();
+  if (n > wanted)
+    return has_marks ? "connected pieces, constraints and seeds give no fewer" : "the mesh has " + counted(n, "connected piece");
+  if (method == Method::TWO_STEP || method == Method::SMOOTH_FACES)
+    return "growing gave " + counted(segmentation.number_of_regions, "region");
+  return "the mesh has " + counted(segmentation.segment_of_face.size(), "face");
 }
 
 /// `armadillo.off: 172974 faces, 812 regions, 9 segments, 0.214 s`
@@ -75,14 +90,12 @@ std::string describe(const Job& job, const Case& input, const Segmentation& segm
   const std::size_t wanted = settings.number_of_segments.value_or(n);
   std::string segments = counted(n, "segment");
   if (n != wanted)
-    segments +=
-      " of " + std::to_string(wanted) +
-      (n > wanted ? " (the mesh has " + counted(n, "connected piece") + ")"
-       : settings.method == Method::TWO_STEP || settings.method == Method::SMOOTH_FACES
-         ? " (growing gave " + counted(segmentation.number_of_regions, "region") + ")"
-         : " (the mesh has " + counted(segmentation.segment_of_face.size(), "face") + ")");
+    segments += " of " + std::to_string(wanted) + " (" +
+                reason_for_number(n, wanted, input, segmentation, settings.method) + ")";
+  else if (segmentation.largest_number)
+    segments += " (the most that are chosen: there may be more parts, see -k)";
   const std::string start = one_line(job.input) + ": " + counted(input.mesh.soup.polygons.size(), "face") + ", ";
-  if (!job.labels.empty())
+  if (!job.side_files.labels.empty())
     return start + segments + "\n";
   char seconds[32];
   std::snprintf(seconds, sizeof seconds, "%.3f s", segmentation.seconds);
@@ -109,8 +122,8 @@ void run(const Job& job, const Options& options, const Progress_listener& listen
   Segmentation_settings settings = options.settings;
   if (job.is_model && !settings.number_of_segments)
     settings.number_of_segments = input.true_number_of_segments;
-  const Segmentation segmentation = job.labels.empty() ? segment(job, input, settings, listener)
-                                                       : read_labels(job.labels, input.mesh);
+  const Segmentation segmentation = job.side_files.labels.empty() ? segment(job, input, settings, listener)
+                                                       : read_labels(job.side_files.labels, input.mesh);
   if (options.verbosity == Verbosity::NORMAL)
     for (const std::string& remark : input.mesh.remarks)
       report.err += remark + "\n";
@@ -125,7 +138,7 @@ void run(const Job& job, const Options& options, const Progress_listener& listen
     report.err += lines;
   listener("writing", 0);
   const Segmentation_details details(input.mesh.mesh_soup(), segmentation);
-  write_outputs(job, {job.input, input.mesh, settings, job.labels, segmentation, details}, report);
+  write_outputs(job, {job.input, input.mesh, input.marks, settings, job.side_files, segmentation, details, options.viewpoint}, report);
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 
 #include "command_line/format_help.h"
 #include "io/errors.h"
+#include "view/choose_viewpoint.h"
 
 #include <CGAL/Region_segmentation/version.h>
 
@@ -15,6 +16,7 @@
 #include <limits>
 #include <map>
 #include <system_error>
+#include <utility>
 
 namespace segment_mesh {
 
@@ -52,6 +54,7 @@ struct Raw_options
   std::string number_of_segments, number_of_threads = "0"; ///< CLI11 would cut off large numbers
   std::string method = "learned", features = "concave", mesh_type = "surface_mesh";
   std::string input_format;
+  std::pair<double, double> view; ///< azimuth and elevation, in degrees
 };
 
 template <typename Value>
@@ -102,7 +105,7 @@ void add_inputs(CLI::App& app, Raw_options& raw)
     ->check(one_of(formats));
   input.add_flag("--demo", "Instead of an INPUT: a figure that the program builds, of which it knows the parts. Their "
                            "number is the default of -k, and the score against them is printed.");
-  input.add("--labels", raw.options.labels, "FILE.seg",
+  input.add("--labels", raw.options.side_files.labels, "FILE.seg",
             "Instead of segmenting: take the segments from this file, a label for each face, to draw, describe and compare "
             "them. {stem} as in -o.");
 }
@@ -119,6 +122,9 @@ void add_outputs(CLI::App& app, Raw_options& raw)
     "stdout.");
   output.add_repeatable("--borders", raw.borders, "FILE",
                         "Repeatable. The borders between segments as polylines: .obj or .vtp.");
+  output.add("--view", raw.view, "AZIMUTH ELEVATION",
+             "Of .png: where the viewer stands, in degrees: around the y axis from the z axis, and above. Default: where most "
+             "segments are seen.");
   output.add("--output-format", raw.output_format, "FORMAT", "Of every -o, instead of what its ending says: seg, ply, ...")
     ->check(CLI::IsMember(output_format_names()));
 }
@@ -132,6 +138,13 @@ void add_segmentation(CLI::App& app, Raw_options& raw)
          "learned (parts as people see them; default), visibility (the same by a formula), smooth-faces (the faces of a "
          "machine part), or two-step (Yang et al. 2014; needs -k).")
     ->check(one_of(methods));
+  segmentation.add("--constraints", raw.options.side_files.constraints, "FILE",
+                   "Edges that are borders between segments, whatever the method. A line of the file is a sequence of points "
+                   "of the mesh, each two joined by an edge: their indices, from 0. {stem} as in -o.");
+  segmentation.add("--seeds", raw.options.side_files.seeds, "FILE",
+                   "Faces that belong together, and faces that do not. A line of the file is the index of a face, from 0, and "
+                   "its seed, a number from 0: equal seeds end in one segment, different ones in different segments. {stem} as "
+                   "in -o.");
   segmentation.add_flag("--smooth-borders", "Move the borders to where they are shorter and lie in valleys, by minimum cuts. "
                                             "Segments of different numbers are no longer nested.");
   segmentation
@@ -182,6 +195,16 @@ std::size_t whole_number(const std::string& option, const std::string& word, con
   return value;
 }
 
+/// \throws Usage_error unless both angles are within their ranges, in degrees
+Viewpoint checked_viewpoint(double azimuth, double elevation)
+{
+  if (!(azimuth >= -360 && azimuth <= 360))
+    throw Usage_error("--view: an azimuth from -360 to 360 degrees");
+  if (!(elevation >= -90 && elevation <= 90))
+    throw Usage_error("--view: an elevation from -90 to 90 degrees");
+  return viewpoint_from(azimuth, elevation);
+}
+
 /// \throws Usage_error if an option is given that another one makes meaningless
 void check_combinations(const CLI::App& app, const Raw_options& raw)
 {
@@ -192,9 +215,11 @@ void check_combinations(const CLI::App& app, const Raw_options& raw)
   for (const char* option : {"--features", "--max-angle"})
     if (raw.method != "two-step" && app.count(option) > 0)
       throw Usage_error(std::string(option) + ": --method " + raw.method + " has no feature edges");
-  for (const char* option : {"--segments", "--method", "--mesh", "--smooth-borders"})
+  for (const char* option : {"--segments", "--method", "--mesh", "--smooth-borders", "--constraints", "--seeds"})
     if (app.count("--labels") > 0 && app.count(option) > 0)
       throw Usage_error(std::string(option) + ": with --labels nothing is segmented");
+  if (app.count("--seeds") > 0 && app.count("--smooth-borders") > 0)
+    throw Usage_error("--smooth-borders: borders would move across faces with seeds");
 }
 
 std::vector<Output> make_outputs(const CLI::App& app, const Raw_options& raw)
@@ -235,6 +260,8 @@ Options checked(const CLI::App& app, const Raw_options& raw)
   options.settings.mesh_type = mesh_types.at(raw.mesh_type);
   if (!is_available(options.settings.mesh_type))
     throw Usage_error("--mesh " + raw.mesh_type + ": this program was built without it");
+  if (app.count("--view") > 0)
+    options.viewpoint = checked_viewpoint(raw.view.first, raw.view.second);
   options.verbosity = app.count("--quiet") > 0 ? Verbosity::QUIET : Verbosity::NORMAL;
   return options;
 }

@@ -7,9 +7,10 @@
 //   program       version of the program
 //   input         name (in UTF-8; U+FFFD stands for what is not), faces, points
 //   settings      method: as on the command line; segments: the wanted number, null if it was chosen;
-//                 mesh: the mesh type; smooth_borders: whether borders were smoothed; and of two-step
-//                 features: "concave", "convex" or "all"; max_angle: in degrees. Of a segmentation that
-//                 was read, labels alone: the name of its file
+//                 mesh: the mesh type; smooth_borders: whether borders were smoothed; constraints, seeds:
+//                 the names of the files, if given; and of two-step features: "concave", "convex" or
+//                 "all"; max_angle: in degrees. Of a segmentation that was read, labels alone: the name
+//                 of its file
 //   times         in seconds: total, from the mesh in memory to the labels, and its stages, each
 //                 with stage and seconds, in order
 //   segments      for each segment, by its id, what `Segment_description` has, with angles in degrees:
@@ -69,8 +70,8 @@ const char* name_of(Method method)
 
 ordered_json settings_json(const Result& result)
 {
-  if (!result.labels_file.empty())
-    return {{"labels", result.labels_file}};
+  if (!result.side_files.labels.empty())
+    return {{"labels", result.side_files.labels}};
   const Segmentation_settings& settings = result.settings;
   ordered_json json = {{"method", name_of(settings.method)},
                        {"segments", nullptr},
@@ -78,6 +79,10 @@ ordered_json settings_json(const Result& result)
                        {"smooth_borders", settings.borders == Border_treatment::SMOOTHING}};
   if (settings.number_of_segments)
     json["segments"] = *settings.number_of_segments;
+  if (!result.side_files.constraints.empty())
+    json["constraints"] = result.side_files.constraints;
+  if (!result.side_files.seeds.empty())
+    json["seeds"] = result.side_files.seeds;
   if (const auto& features = result.segmentation.features) {
     json["features"] = name_of(features->convexity);
     json["max_angle"] = features->maximum_angle;

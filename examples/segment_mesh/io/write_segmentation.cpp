@@ -8,6 +8,7 @@
 #include "io/errors.h"
 #include "io/inflate.h"
 #include "io/load_bytes.h"
+#include "io/read_marks.h"
 #include "io/write_mesh.h"
 #include "page/write_page.h"
 #include "view/render_view.h"
@@ -154,8 +155,11 @@ void write_seg(std::ostream& out, const Result& result)
 
 void write_view(std::ostream& out, const Result& result)
 {
+  View_options options;
+  options.viewpoint = result.viewpoint;
+  options.marked_edges = lines_of_marks(result.marks, result.input);
   write_png_view(out, result.input.soup, labels_of_faces(result.input, result.segmentation),
-                 edges_of_lines(feature_lines(result)));
+                 edges_of_lines(feature_lines(result)), options);
 }
 
 void write_html(std::ostream& out, const Result& result)

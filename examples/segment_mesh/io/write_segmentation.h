@@ -3,13 +3,16 @@
 #ifndef CGAL_REGION_SEGMENTATION_SEGMENT_MESH_WRITE_SEGMENTATION_H
 #define CGAL_REGION_SEGMENTATION_SEGMENT_MESH_WRITE_SEGMENTATION_H
 
+#include "io/Side_files.h"
 #include "io/output_format.h"
 #include "io/read_mesh.h"
 #include "segmentation/Segmentation_details.h"
 #include "segmentation/run_segmentation.h"
+#include "view/Viewpoint.h"
 
 #include <cstddef>
 #include <iosfwd>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,10 +23,12 @@ struct Result
 {
   const std::string& name; ///< of the input
   const Input_mesh& input;
+  const Marks& marks;
   const Segmentation_settings& settings;
-  const std::string& labels_file; ///< from which the segmentation was read; empty if it was computed
+  const Side_files& side_files;
   const Segmentation& segmentation;
   const Segmentation_details& details;
+  const std::optional<Viewpoint>& viewpoint; ///< of a picture
 };
 
 /// The segment of each face of the input's file.

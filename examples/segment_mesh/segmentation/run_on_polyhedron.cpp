@@ -11,14 +11,14 @@
 
 namespace segment_mesh {
 
-Segmentation run_on_polyhedron(const Polygon_soup& soup, const Segmentation_settings& settings,
+Segmentation run_on_polyhedron(const Polygon_soup& soup, const Marks& marks, const Segmentation_settings& settings,
                                const Progress_listener& listener)
 {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
   CGAL::Polyhedron_3<Kernel, CGAL::Polyhedron_items_with_id_3> mesh;
   CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(soup.points, soup.polygons, mesh);
   CGAL::set_halfedgeds_items_id(mesh);
-  return run_on_mesh(mesh, settings, listener);
+  return run_on_mesh(mesh, marks, settings, listener);
 }
 
 } // namespace segment_mesh

@@ -3,6 +3,7 @@
 #ifndef CGAL_REGION_SEGMENTATION_SEGMENT_MESH_RUN_SEGMENTATION_H
 #define CGAL_REGION_SEGMENTATION_SEGMENT_MESH_RUN_SEGMENTATION_H
 
+#include "segmentation/Marks.h"
 #include "segmentation/Segmentation_settings.h"
 #include "soup/Polygon_soup.h"
 
@@ -36,6 +37,8 @@ struct Segmentation
 {
   std::size_t number_of_regions = 0;
   std::size_t number_of_segments = 0;
+  /// Where the method chose the largest number that it chooses: there may be more parts.
+  std::optional<std::size_t> largest_number;
   std::optional<Feature_settings> features; ///< of a method that has feature edges
   std::vector<std::size_t> segment_of_face;
   std::vector<std::size_t> region_of_face; ///< a region lies in one segment
@@ -51,7 +54,7 @@ using Progress_listener = std::function<bool(const char* stage, double fraction)
 
 /// Segments a soup that is an oriented 2-manifold without isolated points.
 /// \pre `is_available(settings.mesh_type)`, and a number of segments is given or can be chosen
-Segmentation run_segmentation(const Polygon_soup& soup, const Segmentation_settings& settings,
+Segmentation run_segmentation(const Polygon_soup& soup, const Marks& marks, const Segmentation_settings& settings,
                               const Progress_listener& listener);
 
 /// A segmentation that exists: a segment for each label, in their order, and no other regions.
@@ -59,11 +62,11 @@ Segmentation segmentation_from_labels(const std::vector<std::int64_t>& labels);
 
 /// \name The same on one mesh type
 /// @{
-Segmentation run_on_surface_mesh(const Polygon_soup& soup, const Segmentation_settings& settings,
+Segmentation run_on_surface_mesh(const Polygon_soup& soup, const Marks& marks, const Segmentation_settings& settings,
                                  const Progress_listener& listener);
-Segmentation run_on_polyhedron(const Polygon_soup& soup, const Segmentation_settings& settings,
+Segmentation run_on_polyhedron(const Polygon_soup& soup, const Marks& marks, const Segmentation_settings& settings,
                                const Progress_listener& listener);
-Segmentation run_on_openmesh(const Polygon_soup& soup, const Segmentation_settings& settings,
+Segmentation run_on_openmesh(const Polygon_soup& soup, const Marks& marks, const Segmentation_settings& settings,
                              const Progress_listener& listener);
 /// @}
 

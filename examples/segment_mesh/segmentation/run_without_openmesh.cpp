@@ -8,7 +8,7 @@
 
 namespace segment_mesh {
 
-Segmentation run_on_openmesh(const Polygon_soup&, const Segmentation_settings&,
+Segmentation run_on_openmesh(const Polygon_soup&, const Marks&, const Segmentation_settings&,
                              const Progress_listener&)
 {
   throw std::logic_error("this program was built without OpenMesh");

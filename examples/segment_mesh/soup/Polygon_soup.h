@@ -13,6 +13,9 @@ namespace segment_mesh {
 /// those that compute with points know one.
 using Point = std::array<double, 3>;
 
+/// An edge by the indices of its points.
+using Vertex_pair = std::array<std::size_t, 2>;
+
 /// Points, and faces as cycles of indices of points.
 struct Polygon_soup
 {

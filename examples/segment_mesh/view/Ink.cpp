@@ -81,12 +81,12 @@ void Ink::draw_line(const Screen_point& from, const Screen_point& to,
 }
 
 void Ink::draw_edges(const Scene& scene, const Projection& projection,
-                     const std::vector<std::array<std::size_t, 2>>& edges, double radius,
+                     const std::vector<Vertex_pair>& edges, double radius,
                      std::uint8_t darkness)
 {
   const std::vector<Offset> round = disc(radius);
   const auto is_there = [&](std::size_t i) { return i < scene.points.size() && scene.is_used[i]; };
-  for (const auto& edge : edges)
+  for (const Vertex_pair& edge : edges)
     if (is_there(edge[0]) && is_there(edge[1]))
       draw_line(projection(scene.points[edge[0]]), projection(scene.points[edge[1]]), round,
                 darkness);

@@ -7,7 +7,6 @@
 #include "view/Sample_buffer.h"
 #include "view/Scene.h"
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -29,7 +28,7 @@ public:
 
   /// Lines on the surface, where no face is before them.
   void draw_edges(const Scene& scene, const Projection& projection,
-                  const std::vector<std::array<std::size_t, 2>>& edges, double radius,
+                  const std::vector<Vertex_pair>& edges, double radius,
                   std::uint8_t darkness);
 
   std::uint8_t darkness(std::size_t sample) const { return m_darkness[sample]; }

@@ -47,29 +47,26 @@ double worth(const Scene& scene, const Viewpoint& viewpoint)
   return sum;
 }
 
-/// The viewer is `elevation` above the plane across `up`, turned by `azimuth` from `front`.
-Viewpoint look_from(const Point& up, const Point& front, double azimuth, double elevation)
+} // namespace
+
+Viewpoint viewpoint_from(double azimuth, double elevation)
 {
-  const Point side = cross_product(up, front);
-  const Point level = plus(times(std::cos(azimuth), front), times(std::sin(azimuth), side));
+  constexpr double radian = pi / 180;
+  const double a = azimuth * radian, e = elevation * radian;
   Viewpoint v;
-  v.toward_viewer = plus(times(std::cos(elevation), level), times(std::sin(elevation), up));
-  v.right = unit_vector(cross_product(up, v.toward_viewer));
+  v.toward_viewer = {std::cos(e) * std::sin(a), std::sin(e), std::cos(e) * std::cos(a)};
+  v.right = {std::cos(a), 0, -std::sin(a)};
   v.up = cross_product(v.toward_viewer, v.right);
   return v;
 }
 
-} // namespace
-
 std::vector<Viewpoint> candidate_viewpoints()
 {
   constexpr std::size_t number_of_azimuths = 12;
-  const Point up = {0, 1, 0}, front = {0, 0, 1};
   std::vector<Viewpoint> result;
   for (double elevation : {15.0, 40.0})
     for (std::size_t i = 0; i < number_of_azimuths; ++i)
-      result.push_back(
-          look_from(up, front, 2 * pi * double(i) / number_of_azimuths, elevation * pi / 180));
+      result.push_back(viewpoint_from(360.0 * double(i) / number_of_azimuths, elevation));
   return result;
 }
 

@@ -103,6 +103,7 @@ Image render_view(const Polygon_soup& soup, const std::vector<std::size_t>& labe
   Ink ink(buffer);
   ink.draw_edges(scene, projection, feature_edges, 0.6 * line, 130);
   ink.draw_borders(scene, (std::max)(1.0, 0.85 * line), 215);
+  ink.draw_edges(scene, projection, options.marked_edges, 1.3 * line, 255);
 
   Image image(options.width, options.height, options.background);
   resolve(Shading(scene, buffer, ink, options.background), samples, image);

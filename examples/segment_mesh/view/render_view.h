@@ -7,15 +7,11 @@
 #include "view/Image.h"
 #include "view/Viewpoint.h"
 
-#include <array>
 #include <cstddef>
 #include <optional>
 #include <vector>
 
 namespace segment_mesh {
-
-/// An edge by the indices of its points in the soup.
-using Vertex_pair = std::array<std::size_t, 2>;
 
 /// The edges of lines of points.
 std::vector<Vertex_pair> edges_of_lines(const std::vector<std::vector<std::size_t>>& lines);
@@ -26,6 +22,7 @@ struct View_options
   std::size_t samples = 2; ///< a side of a pixel, so that lines and outlines are smooth
   Color background = {255, 255, 255};
   std::optional<Viewpoint> viewpoint; ///< by `choose_viewpoint()` if empty
+  std::vector<Vertex_pair> marked_edges; ///< drawn darker than borders
 };
 
 /// Draws a mesh: each segment shaded in its `segment_color()`, its borders as dark lines, feature

@@ -10,7 +10,8 @@ namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationData
 /// A point or vector of three doubles, uninitialized by default. Once a mesh is read, all computations are in double,
-/// independently of its kernel.
+/// independently of its kernel. It has the operators `a + b`, `a - b` and `s * a`, and the functions `dot(a, b)`, `cross(a, b)`,
+/// `norm(a)` and `squared_norm(a)` in the same namespace.
 struct Double_3
 {
   double x, y, z;

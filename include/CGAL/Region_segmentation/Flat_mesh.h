@@ -87,6 +87,7 @@ public:
   static constexpr double nearly_flat = 0.99984769515639124, not_flat = 0.99965732497555726;
 
   std::size_t number_of_faces() const { return m_normals.size(); }
+  /// Of dual edges: they have the indices below it.
   std::size_t number_of_edges() const { return m_higher_faces.size(); }
 
   /// The unit of length, in units of the mesh.
@@ -94,9 +95,12 @@ public:
 
   /// \name Faces
   /// @{
+
   /// The unit normal; the zero vector for a degenerate face.
   const Double_3& normal(std::size_t face) const { return m_normals[face]; }
+  /// In squared units of length.
   double area(std::size_t face) const { return m_areas[face]; }
+  /// Whether the area is so small that the normal has no meaning, see \ref RegionSegmentationTwoStep.
   bool is_degenerate(std::size_t face) const
   {
     const Double_3& n = m_normals[face];
@@ -106,6 +110,7 @@ public:
 
   /// \name Dual edges
   /// @{
+
   /// The first dual edge whose higher face is not below `face`. O(log F).
   std::size_t first_edge(std::size_t face) const
   {
@@ -114,12 +119,14 @@ public:
 
   Index lower_face(std::size_t edge) const { return m_lower_faces[edge]; }
   Index higher_face(std::size_t edge) const { return m_higher_faces[edge]; }
-  /// The length of the mesh edge.
+  /// The length of the mesh edge, in units of length.
   double length(std::size_t edge) const { return std::sqrt(m_squared_lengths[edge]); }
+  /// The sum of the `Edge_flag`s of an edge.
   std::uint8_t flags(std::size_t edge) const { return m_flags[edge]; }
+  /// Whether an edge has one of several flags.
   bool has_flag(std::size_t edge, std::uint8_t any) const { return (m_flags[edge] & any) != 0; }
 
-  /// The cosine of the deviation, N_i . N_j, in [-1, 1]; 1 beside a degenerate face.
+  /// The cosine of the deviation, N_i . N_j, in [-1, 1]; 1 beside a degenerate face. `lower` is `lower_face(edge)`.
   double cosine(std::size_t lower, std::size_t edge) const
   {
     if (has_flag(edge, JOINING | CLOSED))
@@ -128,7 +135,7 @@ public:
     return (std::max)(-1.0, (std::min)(1.0, c));
   }
 
-  /// The deviation of an edge in radians, in [0, pi].
+  /// The deviation of an edge in radians, in [0, pi]. `lower` is `lower_face(edge)`.
   double deviation(std::size_t lower, std::size_t edge) const
   {
     return std::acos(cosine(lower, edge));

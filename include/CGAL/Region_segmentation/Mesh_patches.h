@@ -32,7 +32,7 @@ class Patch_builder;
 ///    area, of equal ones the lower one. A patch of odd depth is joined to its parent, and a leaf of even depth to its
 ///    grandparent; the others of even depth, the root (of depth 0) among them, keep what is joined to them.
 /// -# Joined patches are numbered by the lowest one of each. The centroid of a union is the mean of the centroids,
-///    weighted by area; its normal is the sum of the normals of its faces, weighted by area, scaled to length 1.
+///    weighted by area (without area, that of the lowest one); its normal is the sum of the normals of its faces, weighted by area, scaled to length 1.
 ///
 /// The first round is always followed by another one; later ones end when one joins none of `n` patches, or has joined
 /// less than `n / 32` (rounded down). So a mesh of few large faces has a patch for each face, and a fine one some twenty

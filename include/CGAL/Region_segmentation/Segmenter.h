@@ -55,15 +55,51 @@ public:
   /// prepares a mesh.
   ///
   /// \param mesh an oriented 2-manifold with or without borders, its faces polygons of any size
-  /// \param np optional named parameters:
-  ///   - `method`: a model of `SegmentationMethod`, stored by value (default: `Method()`)
-  ///   - `number_of_segments` (at least 1): the number for `segment(segment_map)` (default: chosen by the method)
-  ///   - `edge_is_constrained_map`: edges that always are borders and are never merged across (default: none)
-  ///   - `face_seed_map`: see `set_seeds()` (default: no seeds)
-  ///   - `visitor`: a model of `SegmentationVisitor`; by `std::ref()` if it changes. It is used by the constructor only
-  ///   - `region_map`: receives the first regions: ids 0 .. r-1, numbered by the first face
-  ///   - `merge_tree`: receives the merges, with a method that has one tree for all numbers
-  ///   - `vertex_point_map`, `face_index_map`, `vertex_index_map`: as everywhere in \cgal
+  /// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
+  ///
+  /// \cgalNamedParamsBegin
+  ///   \cgalParamNBegin{method}
+  ///     \cgalParamDescription{how the mesh is segmented; stored by value}
+  ///     \cgalParamType{a model of `SegmentationMethod`}
+  ///     \cgalParamDefault{`Method()`}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{number_of_segments}
+  ///     \cgalParamDescription{the number for `segment(segment_map)`}
+  ///     \cgalParamType{an integral type; at least 1}
+  ///     \cgalParamDefault{chosen by the method}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{edge_is_constrained_map}
+  ///     \cgalParamDescription{edges that always are borders and are never merged across}
+  ///     \cgalParamType{a model of `ReadablePropertyMap` with the edge descriptor as key type and a value type
+  ///       convertible to `bool`}
+  ///     \cgalParamDefault{no edge}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{face_seed_map}
+  ///     \cgalParamDescription{faces with equal seeds belong to one segment, faces with different seeds to different
+  ///       ones; `std::size_t(-1)` is no seed; see `Segmenter::set_seeds()`}
+  ///     \cgalParamType{a model of `ReadablePropertyMap` with the face descriptor as key type and an integral value type}
+  ///     \cgalParamDefault{no seeds}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{visitor}
+  ///     \cgalParamDescription{follows the progress, and can cancel: stages "reading", "regions", "graph", "merging"}
+  ///     \cgalParamType{a model of `SegmentationVisitor`}
+  ///     \cgalParamDefault{none}
+  ///     \cgalParamExtra{used by the constructor only; pass it by `std::ref()` if it changes}
+  ///   \cgalParamNEnd
+  ///   \cgalParamVertexPointMap
+  ///   \cgalParamIndexMap{face}
+  ///   \cgalParamIndexMap{vertex}
+  ///   \cgalParamNBegin{region_map}
+  ///     \cgalParamDescription{an output: the first regions, with ids 0 .. r-1, numbered by the first face}
+  ///     \cgalParamType{a model of `WritablePropertyMap` with the face descriptor as key type and an integral value type}
+  ///     \cgalParamDefault{not written}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{merge_tree}
+  ///     \cgalParamDescription{an output: the merges, with a method that has one tree for all numbers}
+  ///     \cgalParamType{`Merge_tree`}
+  ///     \cgalParamDefault{not written}
+  ///   \cgalParamNEnd
+  /// \cgalNamedParamsEnd
   ///
   /// \throws Invalid_input if a point is not finite, or equal seeds cannot be joined; Segmentation_cancelled if the
   ///         visitor cancels; all maps are unchanged
@@ -138,8 +174,17 @@ public:
   ///
   /// \param segment_map every key is written: ids 0 .. n-1, numbered by the first face
   /// \param number_of_segments at least 1
-  /// \param np optional named parameters:
-  ///   - `visitor`: a model of `SegmentationVisitor`, for the stages that a method repeats for each number
+  /// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
+  ///
+  /// \cgalNamedParamsBegin
+  ///   \cgalParamNBegin{visitor}
+  ///     \cgalParamDescription{follows the progress, and can cancel: stages that a method repeats for each number}
+  ///     \cgalParamType{a model of `SegmentationVisitor`}
+  ///     \cgalParamDefault{none}
+  ///     \cgalParamExtra{pass it by `std::ref()` if it changes}
+  ///   \cgalParamNEnd
+  /// \cgalNamedParamsEnd
+  ///
   /// \returns the number n of segments. It is at least the number of connected components, and that of different seeds
   /// \throws Segmentation_cancelled if the visitor cancels; the map is unchanged
   ///
@@ -165,9 +210,19 @@ public:
   /// \tparam EdgeIsConstrainedMap a model of `ReadablePropertyMap` with the edge descriptor as key and a value type
   ///         that is convertible to `bool`
   /// \param edge_is_constrained_map whether an edge becomes constrained
-  /// \param np optional named parameters:
-  ///   - `face_index_map`, `vertex_index_map`: those of the constructor, or others of the same mesh
-  ///   - `visitor`: a model of `SegmentationVisitor`
+  /// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
+  ///
+  /// \cgalNamedParamsBegin
+  ///   \cgalParamNBegin{visitor}
+  ///     \cgalParamDescription{follows the progress, and can cancel}
+  ///     \cgalParamType{a model of `SegmentationVisitor`}
+  ///     \cgalParamDefault{none}
+  ///     \cgalParamExtra{pass it by `std::ref()` if it changes}
+  ///   \cgalParamNEnd
+  ///   \cgalParamIndexMap{face}
+  ///   \cgalParamIndexMap{vertex}
+  /// \cgalNamedParamsEnd
+  ///
   /// \throws Invalid_input if the edges separate equal seeds, Segmentation_cancelled if the visitor cancels; nothing
   ///         has changed then
   ///
@@ -196,8 +251,17 @@ public:
   /// \tparam FaceSeedMap a model of `ReadablePropertyMap` with the face descriptor as key and an integral value type;
   ///         the value `std::size_t(-1)`, after conversion to `std::size_t`, stands for no seed
   /// \param face_seed_map the seed of a face
-  /// \param np optional named parameters:
-  ///   - `visitor`: a model of `SegmentationVisitor`
+  /// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
+  ///
+  /// \cgalNamedParamsBegin
+  ///   \cgalParamNBegin{visitor}
+  ///     \cgalParamDescription{follows the progress, and can cancel}
+  ///     \cgalParamType{a model of `SegmentationVisitor`}
+  ///     \cgalParamDefault{none}
+  ///     \cgalParamExtra{pass it by `std::ref()` if it changes}
+  ///   \cgalParamNEnd
+  /// \cgalNamedParamsEnd
+  ///
   /// \throws Invalid_input if equal seeds are in different components, or separated by constraints or by other seeds;
   ///         Segmentation_cancelled if the visitor cancels; nothing has changed then
   ///

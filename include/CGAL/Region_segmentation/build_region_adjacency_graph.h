@@ -64,10 +64,25 @@ auto build_region_adjacency_graph(const Flat_mesh& mesh, const Partition& region
 /// \param mesh an oriented 2-manifold with or without borders
 /// \param region_map the region of every face, by any labels: regions are numbered by their first face
 /// \param annotator defines the data of the graph, and fills them
-/// \param np optional named parameters:
-///   - `edge_is_constrained_map`: edges that are never merged across (default: none)
-///   - `visitor`: a model of `SegmentationVisitor`, for the stages "reading" and "graph"
-///   - `vertex_point_map`, `face_index_map`, `vertex_index_map`: as everywhere in \cgal
+/// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{edge_is_constrained_map}
+///     \cgalParamDescription{edges that are never merged across}
+///     \cgalParamType{a model of `ReadablePropertyMap` with the edge descriptor as key type and a value type convertible
+///       to `bool`}
+///     \cgalParamDefault{no edge}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{follows the progress, and can cancel: stages "reading", "graph"}
+///     \cgalParamType{a model of `SegmentationVisitor`}
+///     \cgalParamDefault{none}
+///     \cgalParamExtra{pass it by `std::ref()` if it changes}
+///   \cgalParamNEnd
+///   \cgalParamVertexPointMap
+///   \cgalParamIndexMap{face}
+///   \cgalParamIndexMap{vertex}
+/// \cgalNamedParamsEnd
 ///
 /// \throws Invalid_input if a point is not finite, Segmentation_cancelled if the visitor cancels
 ///
@@ -75,7 +90,7 @@ auto build_region_adjacency_graph(const Flat_mesh& mesh, const Partition& region
 /// annotator. Deterministic: the sums over the edges of a section run by lower, then by higher face, for every mesh
 /// type.
 ///
-/// Source: Yang et al. 2014, section 3.3 (EdgeSection).
+/// Source: \cgalCite{YZWLL14}, section 3.3 (EdgeSection).
 template <typename ConcurrencyTag = CGAL::Sequential_tag, typename FaceGraph, typename FaceRegionMap,
           typename GraphAnnotator, typename NamedParameters = parameters::Default_named_parameters,
           typename = internal::Names_data<GraphAnnotator>>

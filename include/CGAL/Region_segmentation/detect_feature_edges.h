@@ -36,12 +36,35 @@ using Feature_edge_parameters = Tag_list<CGAL::internal_np::maximum_angle_t, int
 ///         value type that is constructible from `bool`
 /// \param mesh an oriented 2-manifold with or without borders, its faces polygons of any size
 /// \param edge_is_feature_map every key is written
-/// \param np optional named parameters:
-///   - `maximum_angle` (degrees, default `default_maximum_angle`, 1.2372...): the bound
-///   - `feature_convexity` (`Feature_convexity`, default `CONCAVE`): the selected kind
-///   - `edge_is_constrained_map`: edges that are always feature edges (default: none)
-///   - `visitor`: a model of `SegmentationVisitor`, for the stages "reading" and "features"
-///   - `vertex_point_map`, `face_index_map`, `vertex_index_map`: as everywhere in \cgal
+/// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{maximum_angle}
+///     \cgalParamDescription{the bound of the deviation, in degrees}
+///     \cgalParamType{`double`; from 0 to 180}
+///     \cgalParamDefault{`default_maximum_angle`, 1.2372...}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{feature_convexity}
+///     \cgalParamDescription{which edges can be feature edges}
+///     \cgalParamType{`Feature_convexity`}
+///     \cgalParamDefault{`Feature_convexity::CONCAVE`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{edge_is_constrained_map}
+///     \cgalParamDescription{edges that are always feature edges}
+///     \cgalParamType{a model of `ReadablePropertyMap` with the edge descriptor as key type and a value type convertible
+///       to `bool`}
+///     \cgalParamDefault{no edge}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{follows the progress, and can cancel: stages "reading", "features"}
+///     \cgalParamType{a model of `SegmentationVisitor`}
+///     \cgalParamDefault{none}
+///     \cgalParamExtra{pass it by `std::ref()` if it changes}
+///   \cgalParamNEnd
+///   \cgalParamVertexPointMap
+///   \cgalParamIndexMap{face}
+///   \cgalParamIndexMap{vertex}
+/// \cgalNamedParamsEnd
 ///
 /// \returns the number of edges written as true
 /// \pre `maximum_angle` is in [0, 180]
@@ -49,7 +72,7 @@ using Feature_edge_parameters = Tag_list<CGAL::internal_np::maximum_angle_t, int
 ///
 /// Complexity: O(F). Deterministic. Concurrent calls on different maps are safe.
 ///
-/// Source: Yang et al. 2014, section 3.1.
+/// Source: \cgalCite{YZWLL14}, section 3.1.
 template <typename ConcurrencyTag = CGAL::Sequential_tag, typename FaceGraph, typename EdgeIsFeatureMap,
           typename NamedParameters = parameters::Default_named_parameters>
 std::size_t detect_feature_edges(const FaceGraph& mesh, EdgeIsFeatureMap edge_is_feature_map,

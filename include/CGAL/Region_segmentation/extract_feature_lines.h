@@ -101,12 +101,30 @@ struct Polyline_collector
 /// \param edge_is_feature_map the feature edges; every key is written. Borders of the mesh are always
 ///        feature edges
 /// \param polylines receives the vertices of every line; a closed one ends with its first vertex
-/// \param np optional named parameters:
-///   - `minimum_length` (a number of edges, default: no line is that long): lines of at least this
-///     length are kept, although they end inside the surface
-///   - `edge_is_constrained_map`: feature edges that are never removed (default: none)
-///   - `visitor`: a model of `SegmentationVisitor`, for the stage "reading"
-///   - `vertex_point_map`, `face_index_map`, `vertex_index_map`: as everywhere in \cgal
+/// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{minimum_length}
+///     \cgalParamDescription{lines of at least this number of edges are kept, although they end inside the surface}
+///     \cgalParamType{an integral type}
+///     \cgalParamDefault{no line is that long}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{edge_is_constrained_map}
+///     \cgalParamDescription{feature edges that are never removed}
+///     \cgalParamType{a model of `ReadablePropertyMap` with the edge descriptor as key type and a value type convertible
+///       to `bool`}
+///     \cgalParamDefault{no edge}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{follows the progress, and can cancel: stages "reading"}
+///     \cgalParamType{a model of `SegmentationVisitor`}
+///     \cgalParamDefault{none}
+///     \cgalParamExtra{pass it by `std::ref()` if it changes}
+///   \cgalParamNEnd
+///   \cgalParamVertexPointMap
+///   \cgalParamIndexMap{face}
+///   \cgalParamIndexMap{vertex}
+/// \cgalNamedParamsEnd
 ///
 /// \returns the number of lines that remain
 /// \post every remaining line that is shorter than `minimum_length` is closed or ends at other
@@ -115,7 +133,7 @@ struct Polyline_collector
 ///
 /// Complexity: O(F). Deterministic. Concurrent calls on different maps are safe.
 ///
-/// Source: Yang et al. 2014, section 3.1.
+/// Source: \cgalCite{YZWLL14}, section 3.1.
 template <typename ConcurrencyTag = CGAL::Sequential_tag, typename FaceGraph, typename EdgeIsFeatureMap,
           typename PolylineOutputIterator,
           typename NamedParameters = parameters::Default_named_parameters>

@@ -33,10 +33,25 @@ namespace Region_segmentation {
 /// \param edge_is_feature_map the feature edges; those between two faces of one region are cleared
 ///        unless they are constrained; borders of the mesh are set
 /// \param region_map every key is written: ids 0 .. r-1, numbered by the first face
-/// \param np optional named parameters:
-///   - `edge_is_constrained_map`: edges that are not crossed (default: none)
-///   - `visitor`: a model of `SegmentationVisitor`, for the stages "reading" and "regions"
-///   - `vertex_point_map`, `face_index_map`, `vertex_index_map`: as everywhere in \cgal
+/// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{edge_is_constrained_map}
+///     \cgalParamDescription{edges that are not crossed}
+///     \cgalParamType{a model of `ReadablePropertyMap` with the edge descriptor as key type and a value type convertible
+///       to `bool`}
+///     \cgalParamDefault{no edge}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{follows the progress, and can cancel: stages "reading", "regions"}
+///     \cgalParamType{a model of `SegmentationVisitor`}
+///     \cgalParamDefault{none}
+///     \cgalParamExtra{pass it by `std::ref()` if it changes}
+///   \cgalParamNEnd
+///   \cgalParamVertexPointMap
+///   \cgalParamIndexMap{face}
+///   \cgalParamIndexMap{vertex}
+/// \cgalNamedParamsEnd
 ///
 /// \returns the number r of regions
 /// \post every region is connected; two faces that share an edge which is not a feature edge, and
@@ -45,7 +60,7 @@ namespace Region_segmentation {
 ///
 /// Complexity: O(F). Deterministic. Concurrent calls on different maps are safe.
 ///
-/// Source: Yang et al. 2014, section 3.2.
+/// Source: \cgalCite{YZWLL14}, section 3.2.
 template <typename ConcurrencyTag = CGAL::Sequential_tag, typename FaceGraph, typename EdgeIsFeatureMap,
           typename FaceRegionMap,
           typename NamedParameters = parameters::Default_named_parameters>

@@ -55,8 +55,16 @@ struct Stop_at_cost
 /// \param policy is initialized for the graph, so that it can be used again
 /// \param number_of_segments the wanted number, for a policy whose order depends on it; `stop` ends merging
 /// \param stop is called before each merge
-/// \param np optional named parameters:
-///   - `visitor`: a model of `SegmentationVisitor`, for the stage "merging"
+/// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{follows the progress, and can cancel: stages "merging"}
+///     \cgalParamType{a model of `SegmentationVisitor`}
+///     \cgalParamDefault{none}
+///     \cgalParamExtra{pass it by `std::ref()` if it changes}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
 ///
 /// \returns the tree of the merges, over all indices of regions of the graph
 /// \throws Segmentation_cancelled if the visitor cancels, Invalid_method if the policy proposes a section that is

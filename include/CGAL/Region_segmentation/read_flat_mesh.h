@@ -32,10 +32,25 @@ Flat_mesh read_flat_mesh(const Mesh_traversal<FaceGraph, Pack>& traversal, const
 /// \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \param mesh an oriented 2-manifold with or without borders, its faces polygons of any size
 /// \param data the data to be read in addition to normals, areas, lengths and angles
-/// \param np optional named parameters:
-///   - `edge_is_constrained_map`: edges that always are borders and are never merged across (default: none)
-///   - `visitor`: a model of `SegmentationVisitor`, for the stage "reading"
-///   - `vertex_point_map`, `face_index_map`, `vertex_index_map`: as everywhere in \cgal
+/// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{edge_is_constrained_map}
+///     \cgalParamDescription{edges that always are borders and are never merged across}
+///     \cgalParamType{a model of `ReadablePropertyMap` with the edge descriptor as key type and a value type convertible
+///       to `bool`}
+///     \cgalParamDefault{no edge}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{follows the progress, and can cancel: stages "reading"}
+///     \cgalParamType{a model of `SegmentationVisitor`}
+///     \cgalParamDefault{none}
+///     \cgalParamExtra{pass it by `std::ref()` if it changes}
+///   \cgalParamNEnd
+///   \cgalParamVertexPointMap
+///   \cgalParamIndexMap{face}
+///   \cgalParamIndexMap{vertex}
+/// \cgalNamedParamsEnd
 ///
 /// \throws Invalid_input if a point is not finite, or the mesh has 2^32 - 1 halfedges or more;
 ///         `Segmentation_cancelled` if the visitor cancels

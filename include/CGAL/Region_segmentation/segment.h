@@ -32,21 +32,55 @@ namespace Region_segmentation {
 ///         integral value type that holds the number of segments
 /// \param mesh an oriented 2-manifold with or without borders, its faces polygons of any size
 /// \param segment_map every key is written: ids 0 .. n-1, numbered by the first face
-/// \param np optional named parameters:
-///   - `number_of_segments` (at least 1): the wanted number k (default: chosen by the method, if it has a
-///     `NumberChooser`)
-///   - `method`: a model of `SegmentationMethod` (default: `Learned_merging()`; `Visibility_merging()` has a hand-made
-///     cost, `Smooth_faces()` finds the smooth faces of machine parts, `Two_step()` is the method of the
-///     paper). Constants are members of its parts
-///   - `edge_is_constrained_map`: edges that always are borders and are never merged across (none)
-///   - `face_seed_map`: faces with equal seeds belong to one segment, faces with different seeds to different ones; see
-///     `Segmenter::set_seeds()` (no seeds)
-///   - `visitor`: a model of `SegmentationVisitor`; by `std::ref()` if it changes
-///   - `vertex_point_map`, `face_index_map`, `vertex_index_map`: as everywhere in \cgal
-///   - `region_map`: receives the first regions: ids 0 .. r-1, numbered by the first face
-///   - `merge_tree`: receives the merges of the first regions: all of them, or, with a method whose order depends on
-///     the wanted number, those down to k. (For more segments than first regions, `segment()` splits those of
-///     `Superfacets`.)
+/// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{number_of_segments}
+///     \cgalParamDescription{the wanted number k of segments}
+///     \cgalParamType{an integral type; at least 1}
+///     \cgalParamDefault{chosen by the method, if it has a `NumberChooser`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{method}
+///     \cgalParamDescription{how the mesh is segmented; constants are members of its parts}
+///     \cgalParamType{a model of `SegmentationMethod`}
+///     \cgalParamDefault{`Learned_merging()`}
+///     \cgalParamExtra{`Visibility_merging()` has a hand-made cost, `Smooth_faces()` finds the smooth faces of machine
+///       parts, `Two_step()` is the method of \cgalCite{YZWLL14}}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{edge_is_constrained_map}
+///     \cgalParamDescription{edges that always are borders and are never merged across}
+///     \cgalParamType{a model of `ReadablePropertyMap` with the edge descriptor as key type and a value type convertible
+///       to `bool`}
+///     \cgalParamDefault{no edge}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{face_seed_map}
+///     \cgalParamDescription{faces with equal seeds belong to one segment, faces with different seeds to different ones;
+///       `std::size_t(-1)` is no seed; see `Segmenter::set_seeds()`}
+///     \cgalParamType{a model of `ReadablePropertyMap` with the face descriptor as key type and an integral value type}
+///     \cgalParamDefault{no seeds}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{follows the progress, and can cancel: stages "reading", "regions", "graph", "merging"}
+///     \cgalParamType{a model of `SegmentationVisitor`}
+///     \cgalParamDefault{none}
+///     \cgalParamExtra{pass it by `std::ref()` if it changes}
+///   \cgalParamNEnd
+///   \cgalParamVertexPointMap
+///   \cgalParamIndexMap{face}
+///   \cgalParamIndexMap{vertex}
+///   \cgalParamNBegin{region_map}
+///     \cgalParamDescription{an output: the first regions, with ids 0 .. r-1, numbered by the first face}
+///     \cgalParamType{a model of `WritablePropertyMap` with the face descriptor as key type and an integral value type}
+///     \cgalParamDefault{not written}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{merge_tree}
+///     \cgalParamDescription{an output: the merges of the first regions, all of them, or, with a method whose order
+///       depends on the wanted number, those down to k}
+///     \cgalParamType{`Merge_tree`, passed by `std::ref()` or as an lvalue}
+///     \cgalParamDefault{not written}
+///     \cgalParamExtra{for more segments than first regions, `segment()` splits those of `Superfacets`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
 ///
 /// \returns the number n of segments. It is more than k if the mesh has more connected components (or components
 ///          between constrained edges, or seeds) than k, and less if there are fewer first regions
@@ -63,8 +97,7 @@ namespace Region_segmentation {
 /// Deterministic: the same bits from every mesh type. Concurrent calls on different maps are safe.
 /// For several numbers of segments, or when constraints and seeds change, use a `Segmenter`.
 ///
-/// Source: Yang, Zhou, Wang, Liu, Luo, "A fast and efficient mesh segmentation method based on improved
-/// region growing", Appl. Math. J. Chinese Univ. 29(4):468-480, 2014.
+/// Source: \cgalCite{YZWLL14}.
 template <typename ConcurrencyTag = CGAL::Sequential_tag, typename FaceGraph, typename FaceSegmentMap,
           typename NamedParameters = parameters::Default_named_parameters,
           std::enable_if_t<!std::is_arithmetic<NamedParameters>::value, int> = 0>

@@ -46,7 +46,7 @@ namespace Region_segmentation {
 /// a few hundred faces in practice; the connectivity of the two is decided locally, or by a traversal of them at worst.
 /// Deterministic: capacities are integers, so the result for a pair does not depend on the order of faces.
 ///
-/// Source: minimum cuts in a fuzzy band, Katz and Tal 2003; the flow, Boykov and Kolmogorov 2004.
+/// Source: minimum cuts in a fuzzy band \cgalCite{KT03}; the flow \cgalCite{BK04}.
 class Minimum_cut_borders
 {
 public:
@@ -130,11 +130,25 @@ private:
 /// \param mesh an oriented 2-manifold with or without borders, its faces polygons of any size
 /// \param segment_map the segments, by any labels; only faces whose label changes are written
 /// \param smoother how borders are moved
-/// \param np optional named parameters:
-///   - `edge_is_constrained_map`: edges that keep the border that runs along them, and that no border
-///     moves across (default: none)
-///   - `visitor`: a model of `SegmentationVisitor`, for the stages "reading" and "borders"
-///   - `vertex_point_map`, `face_index_map`, `vertex_index_map`: as everywhere in \cgal
+/// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{edge_is_constrained_map}
+///     \cgalParamDescription{edges that keep the border that runs along them, and that no border moves across}
+///     \cgalParamType{a model of `ReadablePropertyMap` with the edge descriptor as key type and a value type convertible
+///       to `bool`}
+///     \cgalParamDefault{no edge}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{follows the progress, and can cancel: stages "reading", "borders"}
+///     \cgalParamType{a model of `SegmentationVisitor`}
+///     \cgalParamDefault{none}
+///     \cgalParamExtra{pass it by `std::ref()` if it changes}
+///   \cgalParamNEnd
+///   \cgalParamVertexPointMap
+///   \cgalParamIndexMap{face}
+///   \cgalParamIndexMap{vertex}
+/// \cgalNamedParamsEnd
 ///
 /// \returns the number of faces whose label changed
 /// \post the labels in use are the same; a segment that was connected across edges that are not
@@ -149,7 +163,7 @@ private:
 /// Complexity: see `Minimum_cut_borders`. Deterministic: the same bits from every mesh type.
 /// Concurrent calls on different maps are safe.
 ///
-/// Source: Katz and Tal 2003.
+/// Source: \cgalCite{KT03}.
 template <typename ConcurrencyTag = CGAL::Sequential_tag, typename FaceGraph, typename FaceSegmentMap,
           typename NamedParameters = parameters::Default_named_parameters>
 std::size_t smooth_borders(const FaceGraph& mesh, FaceSegmentMap segment_map,

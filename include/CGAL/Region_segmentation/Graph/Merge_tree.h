@@ -25,13 +25,16 @@ public:
   /// One merge. The region that is kept is the lower one of two ids.
   struct Merge
   {
-    std::uint32_t kept, removed;
+    std::uint32_t kept, removed; ///< first regions; `kept` stands for the merged region from here on
     double cost; ///< as its policy gave it; in the units of the policy
   };
 
+  /// A tree without merges.
   explicit Merge_tree(std::size_t number_of_regions = 0) : m_number_of_regions(number_of_regions) {}
 
+  /// Of the first regions.
   std::size_t number_of_regions() const { return m_number_of_regions; }
+  /// In the order in which they were made. After `m` of them there are `number_of_regions() - m` segments.
   const std::vector<Merge>& merges() const& { return m_merges; }
   std::vector<Merge> merges() && { return std::move(m_merges); }
 

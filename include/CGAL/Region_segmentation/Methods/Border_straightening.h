@@ -51,7 +51,7 @@ namespace Region_segmentation {
 ///
 /// Complexity: O(P + R log R) in practice for P elements and R regions, and the cuts, whose bands contain few elements.
 ///
-/// Source: minimum cuts in a fuzzy band, Katz and Tal 2003; the flow, Boykov and Kolmogorov 2004.
+/// Source: minimum cuts in a fuzzy band \cgalCite{KT03}; the flow \cgalCite{BK04}.
 struct Border_straightening
 {
   static constexpr Mesh_data required_mesh_data = Mesh_data::PATCHES;

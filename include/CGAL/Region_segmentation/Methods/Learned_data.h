@@ -85,7 +85,8 @@ struct Learned_region_data : Visibility_region_data
   Double_3 area_vector{0, 0, 0};       ///< integral of the normal
   internal::Second_moments moments;    ///< of the area
 
-  /// Adds the region on the other side of a section.
+  /// Adds the region on the other side of a section. All data are added; but the visibility of the section is added to
+  /// `own_visibility`, and twice its length is taken from `perimeter`.
   void absorb(const Learned_region_data& other, const Learned_section_data& between)
   {
     Visibility_region_data::absorb(other, between);

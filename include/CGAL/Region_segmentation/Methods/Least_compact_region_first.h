@@ -33,7 +33,7 @@ using Has_area_and_perimeter =
 /// a disc, more for any other plane shape, 0 for a region without neighbors, infinite where the area is
 /// 0. It has no unit.
 ///
-/// Source: Yang et al. 2014, eq. 2.
+/// Source: \cgalCite{YZWLL14}, eq. 2.
 template <typename RegionData>
 double planarity(const RegionData& region)
 {
@@ -54,7 +54,7 @@ double planarity(const RegionData& region)
 ///
 /// Complexity: O(R) per merge, and the choice of the section.
 ///
-/// Source: Yang et al. 2014, eq. 4.
+/// Source: \cgalCite{YZWLL14}, eq. 4.
 class Least_compact_region_first
 {
 public:

@@ -34,7 +34,7 @@ using Has_length_and_angle =
 /// Complexity: O(d p) for d sections, p of which are not dominated by another one in both length
 /// and angle: usually a few.
 ///
-/// Source: Yang et al. 2014, eq. 3.
+/// Source: \cgalCite{YZWLL14}, eq. 3.
 class Longest_flattest_section
 {
 public:

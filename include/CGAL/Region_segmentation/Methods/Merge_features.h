@@ -27,6 +27,13 @@ namespace Region_segmentation {
 /// Of the two regions, m is the smaller and M the larger (of equal ones, m is the one of lower id), u is their union.
 /// The data of u are those of m and M merged across the section. All features are invariant under motion, scaling and
 /// renumbering. Lengths are in units of the square root of the area of the surface.
+/// Of a section, L is the length, C, X and B are its `concave`, `convex` and `bend`, \f$s_{mM}\f$ its `visibility`, \f$t_s\f$ its
+/// `log_thickness` by L, and c the covariance of its moments, \f$c_1 \geq c_2 \geq c_3\f$ its eigenvalues. Of a region, a is the
+/// area, P the perimeter, t the `log_thickness` by a, s the `visibility`, V the area vector, \f$c_m\f$ (of m) the centroid of its moments,
+/// w their covariance, \f$w_1 \geq w_2 \geq w_3\f$ its eigenvalues, and \f$W = \sqrt{\mathrm{tr}\, w}\f$. Of moments with the sums
+/// \f$S_0, S_1, S_2\f$, the centroid is \f$S_1 / S_0\f$ and the covariance \f$S_2 / S_0 - S_1 S_1^T / S_0^2\f$. The standard deviation of the log
+/// thickness is \f$\sqrt{q / a - t^2}\f$, q the `squared_log_thickness`. The model reads the features in the order in which they are
+/// listed. Conventions:
 /// - A feature x is rounded to \f$\lfloor 512 x + 1/2 \rfloor\f$, an integer within [-32767, 32767], so that the last
 ///   bits of sums and logarithms do not matter.
 /// - A logarithm is that of at least \f$10^{-12}\f$; a quotient whose denominator is at most \f$10^{-12}\f$ is 0; a

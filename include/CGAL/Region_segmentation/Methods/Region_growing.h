@@ -25,7 +25,7 @@ namespace Region_segmentation {
 ///
 /// Complexity: O(F). Deterministic. Parallel with `Parallel_tag`, with bitwise equal results.
 ///
-/// Source: Yang et al. 2014, sections 3.1 and 3.2.
+/// Source: \cgalCite{YZWLL14}, sections 3.1 and 3.2.
 struct Region_growing
 {
   /// The deviation above which an edge is a feature edge, in degrees, in [0, 180].

@@ -27,7 +27,7 @@ namespace Region_segmentation {
 /// Complexity: O(log R) per merge, and the choice of the section. A section is visited O(log A) times, A the ratio of
 /// the largest to the smallest area, since a region that is smallest twice has at least doubled.
 ///
-/// Source: Yang et al. 2014, section 3.3.
+/// Source: \cgalCite{YZWLL14}, section 3.3.
 class Smallest_region_first
 {
 public:

@@ -115,8 +115,7 @@ double weight_of(const RegionData& region)
 ///
 /// \tparam SectionCost a model of `SectionCost`
 ///
-/// Source: normalized cuts, Shi and Malik 2000; commute times, Qiu and Hancock 2007; clusters, Ward 1963;
-/// on meshes, Liu and Zhang 2004.
+/// Source: normalized cuts \cgalCite{SM00}; commute times \cgalCite{QH07}; clusters \cgalCite{W63}; on meshes \cgalCite{LZ04}.
 template <typename SectionCost = Additive_visibility_cost>
 class Spectral_partitioner : public internal::Data_named_by<SectionCost>
 {

@@ -56,7 +56,7 @@ namespace Region_segmentation {
 /// Complexity: O(F + P log P) in practice, P the number of patches, at most some 60,000: a patch is reached by a few
 /// seeds. Deterministic.
 ///
-/// Source: farthest-point seeding, Gonzalez 1985; on meshes, Eldar et al. 1997.
+/// Source: farthest-point seeding \cgalCite{G85}, in images \cgalCite{ELPZ97}.
 class Superfacets
 {
 public:

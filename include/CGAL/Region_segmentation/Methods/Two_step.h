@@ -36,7 +36,7 @@ struct Two_step_merging
 ///
 /// It requires the number of segments.
 ///
-/// Source: Yang et al. 2014.
+/// Source: \cgalCite{YZWLL14}.
 struct Two_step : Segmentation_method<Region_growing, Geometry_annotator<>, Two_step_merging>
 {
   Two_step() = default;

@@ -41,7 +41,7 @@ namespace Region_segmentation {
 /// \f$v = -N \times u\f$. Degenerate faces cast none.
 ///
 /// A ray ends at the first other face, whichever side it hits, of several the lower one. This is computed in `float`,
-/// relative to the centroid of the surface (Moeller and Trumbore 1997, polygons as fans from the corner farthest from
+/// relative to the centroid of the surface (\cgalCite{MT97}, polygons as fans from the corner farthest from
 /// their centroid, of several the first, with a margin of \f$10^{-6}\f$ in the barycentric coordinates); so distances have
 /// relative errors of about \f$10^{-6}\f$.
 /// - The *thickness* of a region is the mean of \f$\ln(x / \sqrt{A} + 10^{-4})\f$, \f$x\f$ the lengths of
@@ -59,7 +59,7 @@ namespace Region_segmentation {
 /// Complexity: O(F log F + 18 R log F) in practice; at worst, where most faces are long and overlap, O(F) for each of at
 /// most 140,800 rays. Deterministic. With `Parallel_tag` the rays are traced in parallel.
 ///
-/// Source: thickness, Shapira, Shamir, Cohen-Or 2008.
+/// Source: thickness \cgalCite{SSC08}.
 class Visibility_annotator
 {
   using Index = Flat_mesh::Index;

@@ -46,7 +46,13 @@ struct Segment_topology
 /// \param mesh an oriented 2-manifold with or without borders, its faces polygons of any size
 /// \param segment_map the segments, by any labels; faces with the label `no_segment` belong to none
 /// \param topologies receives the results, in the order of the first faces of the segments
-/// \param np optional named parameters: `face_index_map`, `vertex_index_map`, `halfedge_index_map`, as everywhere in \cgal
+/// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamIndexMap{face}
+///   \cgalParamIndexMap{vertex}
+///   \cgalParamIndexMap{halfedge}
+/// \cgalNamedParamsEnd
 ///
 /// \returns the number of segments
 ///

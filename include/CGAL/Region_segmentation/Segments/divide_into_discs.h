@@ -40,8 +40,14 @@ namespace Region_segmentation {
 /// \param disc_map every key is written: ids 0 .. n-1, numbered by the first face; `no_segment` for the faces without a
 ///        segment. Can be the same map
 /// \param cost the cost of seams
-/// \param np optional named parameters: `vertex_point_map`, `face_index_map`, `vertex_index_map`, `halfedge_index_map`, as
-///        everywhere in \cgal
+/// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamVertexPointMap
+///   \cgalParamIndexMap{face}
+///   \cgalParamIndexMap{vertex}
+///   \cgalParamIndexMap{halfedge}
+/// \cgalNamedParamsEnd
 ///
 /// \returns the number n of discs
 /// \post every disc lies in one segment

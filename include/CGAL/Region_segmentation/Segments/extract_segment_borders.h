@@ -49,7 +49,12 @@ struct Segment_border
 /// \param mesh an oriented 2-manifold with or without borders, its faces polygons of any size
 /// \param segment_map the segments, by any labels; faces with the label `no_segment` belong to none
 /// \param borders receives the polylines, in the order of their first faces: open ones, then closed ones
-/// \param np optional named parameters: `face_index_map`, `vertex_index_map`, as everywhere in \cgal
+/// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamIndexMap{face}
+///   \cgalParamIndexMap{vertex}
+/// \cgalNamedParamsEnd
 ///
 /// \returns the number of polylines
 ///

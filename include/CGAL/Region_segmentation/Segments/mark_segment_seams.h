@@ -39,7 +39,13 @@ namespace Region_segmentation {
 /// \param segment_map the segments, by any labels; faces with the label `no_segment` are not opened
 /// \param edge_is_seam_map every key is written. Edges on the border of the mesh are not marked
 /// \param cost the cost of seams
-/// \param np optional named parameters: `vertex_point_map`, `face_index_map`, `vertex_index_map`, as everywhere in \cgal
+/// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamVertexPointMap
+///   \cgalParamIndexMap{face}
+///   \cgalParamIndexMap{vertex}
+/// \cgalNamedParamsEnd
 ///
 /// \returns the number of marked edges; more than `mark_segment_borders()` marks if a component of a segment is no disc
 /// \throws Invalid_input if a point is not finite; the map is unchanged
@@ -47,7 +53,7 @@ namespace Region_segmentation {
 ///
 /// Complexity: O(F log F). Deterministic: the same edges from every mesh type. Concurrent calls on different maps are safe.
 ///
-/// Source: Erickson and Whittlesey 2005.
+/// Source: \cgalCite{EW05}.
 template <typename FaceGraph, typename FaceSegmentMap, typename EdgeIsSeamMap,
           typename NamedParameters = parameters::Default_named_parameters>
 std::size_t mark_segment_seams(const FaceGraph& mesh, const FaceSegmentMap& segment_map, EdgeIsSeamMap edge_is_seam_map,

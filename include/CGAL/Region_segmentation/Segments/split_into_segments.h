@@ -52,8 +52,14 @@ struct Segment_piece
 /// \param mesh an oriented 2-manifold with or without borders, its faces polygons of any size
 /// \param segment_map the segments, by any labels; faces with the label `no_segment` are not copied
 /// \param pieces receives the copies, in the order of the first faces of the segments
-/// \param np optional named parameters: `vertex_point_map`, `face_index_map`, `vertex_index_map`, `halfedge_index_map`,
-///        as everywhere in \cgal. Points of another kernel are converted by way of `double`
+/// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamVertexPointMap
+///   \cgalParamIndexMap{face}
+///   \cgalParamIndexMap{vertex}
+///   \cgalParamIndexMap{halfedge}
+/// \cgalNamedParamsEnd
 ///
 /// \returns the number of segments
 ///

@@ -104,8 +104,13 @@ inline Consistency_error consistency_error(const Partition& a, const Partition& 
 ///        planar is the length of its area vector (Newell)
 /// \param a the first segmentation; labels may be sparse or negative
 /// \param b the second one; its labels need not be those of `a`
-/// \param np optional named parameters: `vertex_point_map`, `face_index_map`, `vertex_index_map`, as
-///        everywhere in \cgal
+/// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamVertexPointMap
+///   \cgalParamIndexMap{face}
+///   \cgalParamIndexMap{vertex}
+/// \cgalNamedParamsEnd
 ///
 /// \returns the global and the local error, by number of faces and by area
 /// \pre the mesh has fewer than 2^32 - 1 faces
@@ -116,8 +121,7 @@ inline Consistency_error consistency_error(const Partition& a, const Partition& 
 /// run in an order determined by the faces. Read-only; concurrent calls are safe if reading the
 /// maps is.
 ///
-/// Source: Chen, Golovinskiy, Funkhouser 2009; D. Martin, C. Fowlkes, D. Tal, J. Malik,
-/// "A Database of Human Segmented Natural Images", ICCV 2001.
+/// Source: \cgalCite{CGF09}, \cgalCite{MFTM01}.
 template <typename FaceGraph, typename FaceLabelMapA, typename FaceLabelMapB,
           typename NamedParameters = parameters::Default_named_parameters>
 Consistency_error consistency_error(const FaceGraph& mesh, const FaceLabelMapA& a,

@@ -76,8 +76,13 @@ std::vector<Edge_graph::Index> cut_vertices(const Mesh_traversal<FaceGraph, Pack
 ///        planar is the length of its area vector (Newell)
 /// \param a the first segmentation; labels may be sparse or negative
 /// \param b the second one; its labels need not be those of `a`
-/// \param np optional named parameters: `vertex_point_map`, `face_index_map`, `vertex_index_map`, as
-///        everywhere in \cgal
+/// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamVertexPointMap
+///   \cgalParamIndexMap{face}
+///   \cgalParamIndexMap{vertex}
+/// \cgalNamedParamsEnd
 ///
 /// \returns the cut discrepancy, or none if it is undefined
 /// \pre the mesh has fewer than 2^32 - 1 vertices and faces
@@ -87,7 +92,7 @@ std::vector<Edge_graph::Index> cut_vertices(const Mesh_traversal<FaceGraph, Pack
 /// side, and O(F) memory, F including the vertices. Coordinates do not overflow. Deterministic.
 /// Read-only; concurrent calls are safe if reading the maps is.
 ///
-/// Source: Chen, Golovinskiy, Funkhouser 2009; Huang and Dom 1995. Distances there are
+/// Source: \cgalCite{CGF09}, \cgalCite{HD95}. Distances there are
 /// geodesic; the benchmark's evaluator measures along edges, and so does this function.
 template <typename FaceGraph, typename FaceLabelMapA, typename FaceLabelMapB,
           typename NamedParameters = parameters::Default_named_parameters>

@@ -82,8 +82,13 @@ inline Hamming_distance hamming_distance(const Partition& a, const Partition& b,
 ///        planar is the length of its area vector (Newell)
 /// \param a the first segmentation, e.g. the result; labels may be sparse or negative
 /// \param b the second one, e.g. the truth; its labels need not be those of `a`
-/// \param np optional named parameters: `vertex_point_map`, `face_index_map`, `vertex_index_map`, as
-///        everywhere in \cgal
+/// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamVertexPointMap
+///   \cgalParamIndexMap{face}
+///   \cgalParamIndexMap{vertex}
+/// \cgalNamedParamsEnd
 ///
 /// \returns the distance, and the two rates whose mean it is
 /// \pre the mesh has fewer than 2^32 - 1 faces
@@ -93,8 +98,7 @@ inline Hamming_distance hamming_distance(const Partition& a, const Partition& b,
 /// Invariant under scaling by powers of two to the bit; areas do not overflow. Deterministic: sums
 /// run in the order of the faces. Read-only; concurrent calls are safe if reading the maps is.
 ///
-/// Source: Chen, Golovinskiy, Funkhouser 2009; Q. Huang, B. Dom, "Quantitative Methods
-/// of Evaluating Image Segmentation", ICIP 1995.
+/// Source: \cgalCite{CGF09}, \cgalCite{HD95}.
 template <typename FaceGraph, typename FaceLabelMapA, typename FaceLabelMapB,
           typename NamedParameters = parameters::Default_named_parameters>
 Hamming_distance hamming_distance(const FaceGraph& mesh, const FaceLabelMapA& a,

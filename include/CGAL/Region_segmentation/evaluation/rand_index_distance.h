@@ -81,8 +81,7 @@ inline double rand_index_distance(const Partition& a, const Partition& b)
 /// \note The evaluator of the Princeton benchmark halves F - 1 as an integer and so prints values
 /// larger by the factor ((F - 1) / 2) / floor((F - 1) / 2) where F is even. This function does not.
 ///
-/// Source: Chen, Golovinskiy, Funkhouser 2009; W. M. Rand, "Objective Criteria for the
-/// Evaluation of Clustering Methods", J. Amer. Stat. Assoc. 66, 1971.
+/// Source: \cgalCite{CGF09}, \cgalCite{R71}.
 template <typename FaceGraph, typename FaceLabelMapA, typename FaceLabelMapB>
 double rand_index_distance(const FaceGraph& mesh, const FaceLabelMapA& a, const FaceLabelMapB& b)
 {
