@@ -96,7 +96,8 @@ std::vector<std::string> provenance(const Options& options, const std::vector<Tr
                                     const Cross_validation& validation)
 {
   const Training_rows rows = all_rows(validation);
-  return {"Made by train_merge_cost --seed " + std::to_string(options.plan.seed) + " from " +
+  return {"Made by train_merge_cost --seed " + std::to_string(options.plan.seed) + " --trainings " +
+            std::to_string(options.plan.trainings) + " from " +
             std::to_string(models.size()) + " models of the Princeton Segmentation Benchmark, number " +
             std::to_string(models.front().number) + " to " + std::to_string(models.back().number) + ".",
           "Hash of the " + std::to_string(rows.size()) + " training rows: " + fingerprint(rows) +

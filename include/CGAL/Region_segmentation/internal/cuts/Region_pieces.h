@@ -19,8 +19,7 @@ namespace internal {
 
 /// The elements that regions still have while they lose some, in pieces: the connected components of each region. Which
 /// pieces are adjacent is known, so whether regions are connected together takes a search over their pieces, not over
-/// their elements. (Searches over elements took half of the time of moving borders on meshes of 30,000 faces, and more
-/// on finer ones.)
+/// their elements. (Those took half of the instructions of moving borders on meshes of 30,000 and of 270,000 faces.)
 class Region_pieces
 {
 public:
