@@ -169,7 +169,7 @@ TEST_F(Written, json_is_valid_whatever_the_name)
 {
   const std::string latin_1 = "caf\xe9.off";
   std::ostringstream out;
-  write_json(out, {latin_1, s_input, s_settings, s_no_labels, s_segmentation, *s_details});
+  write_json(out, {latin_1, s_input, s_marks, s_settings, s_side_files, s_segmentation, *s_details, s_no_viewpoint});
   EXPECT_EQ(nlohmann::json::parse(out.str())["input"]["name"], "caf\xef\xbf\xbd.off");
 }
 
@@ -178,7 +178,7 @@ TEST_F(Written, csv_agrees_with_json)
   std::istringstream in(text("a.csv"));
   const nlohmann::json json = [this] {
     std::ostringstream out;
-    write_json(out, {s_name, s_input, s_marks, s_settings, s_side_files, s_segmentation, *s_details});
+    write_json(out, {s_name, s_input, s_marks, s_settings, s_side_files, s_segmentation, *s_details, s_no_viewpoint});
     return nlohmann::json::parse(out.str());
   }();
   std::string line;
@@ -248,7 +248,7 @@ TEST_F(Written, nodes_are_described_as_segments_of_partitions)
 TEST_F(Written, a_file_for_each_segment)
 {
   write_segmentation(make_output(m_folder.path("part_{segment}.obj")),
-                     {s_name, s_input, s_marks, s_settings, s_side_files, s_segmentation, *s_details});
+                     {s_name, s_input, s_marks, s_settings, s_side_files, s_segmentation, *s_details, s_no_viewpoint});
   EXPECT_EQ(m_folder.names().size(), s_segmentation.number_of_segments);
   for (std::size_t s = 0; s < s_segmentation.number_of_segments; ++s) {
     const Polygon_soup part = read_mesh(m_folder.path("part_" + std::to_string(s) + ".obj")).soup;
@@ -272,7 +272,7 @@ TEST_F(Written, a_file_for_each_segment)
 TEST_F(Written, borders_have_the_length_of_the_borders)
 {
   write_segmentation(make_output(m_folder.path("b.obj"), Output_content::BORDERS),
-                     {s_name, s_input, s_marks, s_settings, s_side_files, s_segmentation, *s_details});
+                     {s_name, s_input, s_marks, s_settings, s_side_files, s_segmentation, *s_details, s_no_viewpoint});
   std::istringstream in(m_folder.read("b.obj"));
   std::vector<Point> points;
   double length = 0;
