@@ -7,7 +7,7 @@
 
 // Generated; a new training is a new version of the method.
 //
-// Made by train_merge_cost --seed 1 from 190 models of the Princeton Segmentation Benchmark, number 2 to 400.
+// Made by train_merge_cost --seed 1 --trainings 3 from 190 models of the Princeton Segmentation Benchmark, number 2 to 400.
 // Hash of the 783512 training rows: 804d6ebdc66ac46f; of the training sources: 2b3666b7a353d6b9.
 // 1 - Rand index, out of fold, k given / chosen: 0.0836 / 0.0844.
 
