@@ -9,6 +9,7 @@
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 #endif
 
 #include <algorithm>
@@ -47,6 +48,18 @@ void for_each_block_of(std::size_t first, std::size_t last, const F& f)
     f(block);
 }
 
+/// The least number of blocks between two reports of progress: threads wait for each other there. (With one range of blocks
+/// for each report, a visitor would undo the gain of two threads.)
+template <typename ConcurrencyTag>
+std::size_t least_blocks_between_reports()
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  if constexpr (Execution<ConcurrencyTag>::is_parallel)
+    return 4 * std::size_t(tbb::this_task_arena::max_concurrency());
+#endif
+  return 1;
+}
+
 /// Calls `f(block, begin, end)` for every block of the elements 0 .. n-1, in order or in parallel, and reports progress
 /// in between. Expensive elements use blocks of another size.
 template <typename ConcurrencyTag, typename F>
@@ -59,7 +72,10 @@ void for_each_block(const Execution<ConcurrencyTag>& execution, std::size_t numb
     f(block, begin, (std::min)(begin + size, number_of_elements));
   };
   constexpr std::size_t number_of_reports = 50;
-  const std::size_t between_reports = execution.has_visitor() ? number / number_of_reports + 1 : number;
+  const std::size_t between_reports =
+    execution.has_visitor()
+      ? (std::max)(number / number_of_reports + 1, least_blocks_between_reports<ConcurrencyTag>())
+      : number;
   for (std::size_t first = 0; first < number;) {
     const std::size_t last = (std::min)(first + between_reports, number);
     for_each_block_of<ConcurrencyTag>(first, last, work_on);
