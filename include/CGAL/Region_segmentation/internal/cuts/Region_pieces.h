@@ -89,7 +89,7 @@ public:
     for (const Index region : regions)
       for (const Index piece : m_pieces[region])
         if (m_is_waiting_piece[piece])
-          pieces_of.push_back(connected_pieces(piece));
+          pieces_of.push_back(waiting_pieces(piece));
     if (pieces_of.size() < 2)
       return {};
     std::vector<std::vector<Index>> result;
@@ -127,7 +127,7 @@ private:
     for_each_element(region, [&](Index element) {
       if (!m_is_waiting[element])
         return;
-      const std::vector<Index> component = waiting_component(element);
+      const std::vector<Index> component = waiting_elements(element);
       Index piece = m_piece_of[element];
       if (std::find(pieces.begin(), pieces.end(), piece) != pieces.end())
         piece = make_piece(component);
@@ -136,17 +136,38 @@ private:
     m_pieces[region] = std::move(pieces);
   }
 
-  std::vector<Index> waiting_component(Index first)
+  /// What a search reaches from a waiting element or piece through waiting ones, which do not wait any more then.
+  /// `for_each_neighbor(i, f)`: calls `f(neighbor)`
+  template <typename ForEachNeighbor>
+  static std::vector<Index> waiting_component(Index first, std::vector<char>& is_waiting,
+                                              const ForEachNeighbor& for_each_neighbor)
   {
     std::vector<Index> result{first};
-    m_is_waiting[first] = false;
+    is_waiting[first] = false;
     for (std::size_t i = 0; i < result.size(); ++i)
-      for (const auto& step : m_adjacency.steps(result[i]))
-        if (m_is_waiting[step.face]) {
-          m_is_waiting[step.face] = false;
-          result.push_back(step.face);
+      for_each_neighbor(result[i], [&](Index neighbor) {
+        if (is_waiting[neighbor]) {
+          is_waiting[neighbor] = false;
+          result.push_back(neighbor);
         }
+      });
     return result;
+  }
+
+  std::vector<Index> waiting_elements(Index first)
+  {
+    return waiting_component(first, m_is_waiting, [this](Index element, const auto& f) {
+      for (const auto& step : m_adjacency.steps(element))
+        f(step.face);
+    });
+  }
+
+  std::vector<Index> waiting_pieces(Index first)
+  {
+    return waiting_component(first, m_is_waiting_piece, [this](Index piece, const auto& f) {
+      for (const auto& contact : m_contacts[piece])
+        f(contact.first);
+    });
   }
 
   /// Of a component of a piece.
@@ -167,20 +188,6 @@ private:
         }
     }
     return piece;
-  }
-
-  /// Of the waiting ones.
-  std::vector<Index> connected_pieces(Index first)
-  {
-    std::vector<Index> result{first};
-    m_is_waiting_piece[first] = false;
-    for (std::size_t i = 0; i < result.size(); ++i)
-      for (const auto& contact : m_contacts[result[i]])
-        if (m_is_waiting_piece[contact.first]) {
-          m_is_waiting_piece[contact.first] = false;
-          result.push_back(contact.first);
-        }
-    return result;
   }
 
   /// In order.

@@ -28,15 +28,12 @@ Execution<ConcurrencyTag> make_execution(const Pack& np, const char* stage)
   if constexpr (CGAL::parameters::is_default_parameter<Pack, CGAL::internal_np::visitor_t>::value)
     return Execution<ConcurrencyTag>();
   else {
-    using Visitor = decltype(CGAL::parameters::get_parameter_reference(np, CGAL::internal_np::visitor));
-    static_assert(satisfies<Goes_further, std::remove_reference_t<Visitor>>,
+    auto&& visitor = CGAL::parameters::get_parameter_reference(np, CGAL::internal_np::visitor);
+    static_assert(satisfies<Goes_further, std::remove_reference_t<decltype(visitor)>>,
                   "a SegmentationVisitor needs: bool go_further(const char* stage, double fraction)");
-    static_assert(std::is_lvalue_reference<Visitor>::value,
+    static_assert(std::is_lvalue_reference<decltype(visitor)>::value,
                   "a SegmentationVisitor is not copied: pass it as visitor(std::ref(v))");
-    if constexpr (std::is_lvalue_reference<Visitor>::value)
-      return Execution<ConcurrencyTag>(CGAL::parameters::get_parameter_reference(np, CGAL::internal_np::visitor), stage);
-    else
-      return Execution<ConcurrencyTag>();
+    return Execution<ConcurrencyTag>(visitor, stage);
   }
 }
 
