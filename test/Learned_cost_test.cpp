@@ -10,6 +10,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <random>
@@ -27,37 +29,85 @@ int any_of(std::mt19937& random, int from, int to)
   return from + int(random() % unsigned(to - from + 1));
 }
 
-/// A random tree: leaves are split until there are `leaves` of them.
-Model::Tree random_tree(std::mt19937& random, std::size_t leaves)
+/// A binary tree of nodes and leaves.
+struct Tree
 {
-  Model::Tree tree{};
-  for (auto& value : tree.leaves)
-    value = any_of(random, -1000000, 1000000);
-  tree.nodes[0] = {0, 0, {Model::first_leaf, Model::first_leaf}};
-  if (leaves == 1)
-    return tree;
-  tree.nodes[0] = {Model::Feature(any_of(random, -300, 300)), 0, {Model::first_leaf, Model::first_leaf + 1}};
-  for (std::size_t n = 2; n < leaves; ++n) {
-    // One branch that leads to a leaf gets a node, with that leaf and a new one.
-    std::uint8_t* branch = nullptr;
-    while (!branch || *branch < Model::first_leaf) {
-      Model::Node& node = tree.nodes[random() % (n - 1)];
-      branch = &node.branches[random() % 2];
-    }
-    tree.nodes[n - 1] = {Model::Feature(any_of(random, -300, 300)), std::uint8_t(random() % number_of_features),
-                         {*branch, std::uint8_t(Model::first_leaf + n)}};
-    *branch = std::uint8_t(n - 1);
+  std::size_t feature = 0;
+  Model::Feature threshold = 0;
+  std::int32_t value = 0;        // of a leaf
+  std::vector<Tree> branches;    // left and right; none: a leaf
+
+  std::size_t number_of_leaves() const
+  {
+    return branches.empty() ? 1 : branches[0].number_of_leaves() + branches[1].number_of_leaves();
+  }
+
+  std::int32_t value_at(const Model::Features& x) const
+  {
+    return branches.empty() ? value : branches[x[feature] < threshold ? 0 : 1].value_at(x);
+  }
+};
+
+Tree random_tree(std::mt19937& random, std::size_t leaves)
+{
+  Tree tree;
+  tree.value = any_of(random, -1000000, 1000000);
+  if (leaves > 1) {
+    tree.feature = random() % number_of_features;
+    tree.threshold = Model::Feature(any_of(random, -30, 30)); // equal ones are frequent
+    const std::size_t left = 1 + random() % (leaves - 1);
+    tree.branches = {random_tree(random, left), random_tree(random, leaves - left)};
   }
   return tree;
 }
 
-double value_of(const Model::Tree& tree, std::uint8_t node, const std::vector<double>& x)
+/// Trees in the form of the model.
+struct Tables
 {
-  if (node >= Model::first_leaf)
-    return tree.leaves[node - Model::first_leaf] / std::ldexp(1.0, Model::result_bits);
-  const Model::Node& n = tree.nodes[node];
-  return value_of(tree, x[n.feature] < n.threshold / 512.0 ? n.branches[0] : n.branches[1], x);
-}
+  std::array<std::vector<Model::Trees::Condition>, number_of_features> conditions_of_features;
+  std::vector<Model::Trees::Condition> conditions;
+  std::vector<Model::Trees::Leaves> leaves;
+
+  explicit Tables(const std::vector<Tree>& trees)
+  {
+    for (const Tree& tree : trees) {
+      leaves.emplace_back();
+      add(tree, 0);
+    }
+  }
+
+  Model::Trees trees()
+  {
+    conditions.clear();
+    Model::Trees result{nullptr, {}, leaves.data(), leaves.size()};
+    for (std::size_t f = 0; f < number_of_features; ++f) {
+      auto& of_feature = conditions_of_features[f];
+      std::sort(of_feature.begin(), of_feature.end(),
+                [](const auto& a, const auto& b) { return a.threshold < b.threshold; });
+      conditions.insert(conditions.end(), of_feature.begin(), of_feature.end());
+      result.first_conditions[f + 1] = std::uint32_t(conditions.size());
+    }
+    result.conditions = conditions.data();
+    return result;
+  }
+
+private:
+  void add(const Tree& tree, std::size_t first_leaf)
+  {
+    if (tree.branches.empty()) {
+      leaves.back()[first_leaf] = tree.value;
+      return;
+    }
+    const std::size_t right = first_leaf + tree.branches[0].number_of_leaves();
+    unsigned remaining = 0xffff;
+    for (std::size_t leaf = first_leaf; leaf < right; ++leaf)
+      remaining -= 1u << leaf;
+    conditions_of_features[tree.feature].push_back(
+      {tree.threshold, std::uint16_t(leaves.size() - 1), Model::Trees::Leaf_set(remaining)});
+    add(tree.branches[0], first_leaf);
+    add(tree.branches[1], right);
+  }
+};
 
 /// The formula of the documentation, in real numbers.
 double value_of(const Model::Network& network, const std::vector<double>& x)
@@ -132,7 +182,7 @@ struct Concavity_model
     inputs[RS::Merge_features::CONCAVE].factor = 1 << (Full_model::factor_bits + Full_model::input_bits - 9);
     Full_model::Weights direct{};
     direct[RS::Merge_features::CONCAVE] = -8 * 1024;
-    model = {nullptr, 0, {inputs.data(), nullptr, 0, direct, std::int64_t(2) << 26}};
+    model = {Full_model::Trees(), {inputs.data(), nullptr, 0, direct, std::int64_t(2) << 26}};
   }
 };
 
@@ -143,34 +193,34 @@ TEST(Merge_model_test, agrees_with_real_numbers)
   for (unsigned seed = 0; seed < 20; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     std::mt19937 random(seed);
-    std::vector<Model::Tree> trees;
-    for (std::size_t leaves = 1; leaves <= Model::maximum_number_of_leaves; ++leaves)
+    std::vector<Tree> trees;
+    for (std::size_t leaves = 1; leaves <= Model::Trees::maximum_number_of_leaves; ++leaves)
       trees.push_back(random_tree(random, leaves));
+    Tables tables(trees);
     std::vector<Model::Input> inputs;
     for (std::size_t i = 0; i < number_of_features; ++i)
-      inputs.push_back({any_of(random, -100, 100), any_of(random, 10000, 200000)});
+      inputs.push_back({any_of(random, -10, 10), any_of(random, 100000, 2000000)});
     std::vector<Model::Unit> units;
     for (std::size_t j = 0; j < 5; ++j)
       units.push_back({any_of(random, -1000000, 1000000), any_of(random, -30000, 30000),
                        random_weights(random, Model::weight_bound)});
-    const Model model{trees.data(),
-                      trees.size(),
+    const Model model{tables.trees(),
                       {inputs.data(), units.data(), units.size(), random_weights(random, Model::weight_bound),
                        any_of(random, -100000000, 100000000)}};
     for (int i = 0; i < 200; ++i) {
       Model::Features x;
       std::vector<double> real;
       for (auto& value : x) {
-        value = Model::Feature(any_of(random, -500, 500));
+        value = Model::Feature(any_of(random, -40, 40));
         real.push_back(value / 512.0);
       }
-      double of_trees = 0;
-      for (const Model::Tree& tree : trees)
-        of_trees += value_of(tree, 0, real);
+      std::int64_t of_trees = 0;
+      for (const Tree& tree : trees)
+        of_trees += tree.value_at(x);
       const double of_network = value_of(model.network, real);
-      EXPECT_NEAR(std::ldexp(double(model.sum_of_trees(x)), -20), of_trees, 1e-9);
+      EXPECT_EQ(model.trees(x), of_trees);
       EXPECT_NEAR(std::ldexp(double(model.network_output(x)), -20), of_network, 0.01);
-      EXPECT_NEAR(std::ldexp(double(model(x)), -20), (of_trees + of_network) / 2, 0.01);
+      EXPECT_NEAR(std::ldexp(double(model(x)), -20), (std::ldexp(double(of_trees), -20) + of_network) / 2, 0.01);
     }
   }
 }

@@ -249,14 +249,17 @@ inline double power_of_e(double x)
 inline double probability(const Features& x)
 {
   const auto& model = CGAL::Region_segmentation::internal::learned_merge_model;
+  std::vector<unsigned> leaves(model.trees.number_of_trees, 65535); // as bits, those that no condition excludes
+  for (std::size_t f = 0; f < x.size(); ++f)
+    for (std::size_t i = model.trees.first_conditions[f]; i < model.trees.first_conditions[f + 1]; ++i)
+      if (x[f] >= model.trees.conditions[i].threshold)
+        leaves[model.trees.conditions[i].tree] &= model.trees.conditions[i].remaining;
   std::int64_t trees = 0;
-  for (std::size_t t = 0; t < model.number_of_trees; ++t) {
-    std::size_t node = 0;
-    while (node < 128) {
-      const auto& n = model.trees[t].nodes[node];
-      node = n.branches[x[n.feature] >= n.threshold ? 1 : 0];
-    }
-    trees += model.trees[t].leaves[node - 128];
+  for (std::size_t t = 0; t < leaves.size(); ++t) {
+    std::size_t first = 0;
+    while ((leaves[t] >> first & 1) == 0)
+      ++first;
+    trees += model.trees.leaves[t][first];
   }
   std::vector<std::int64_t> y;
   for (std::size_t i = 0; i < x.size(); ++i) { // in 2^-8

@@ -81,18 +81,22 @@ private:
 Trained_model mean_of(const std::vector<Trained_model>& models)
 {
   const double share = 1 / double(models.size());
-  Trained_model result;
+  std::vector<Tree_node> nodes;
+  std::vector<Model::Trees::Leaves> all_leaves;
   Network_sum networks(models.front().network.inputs);
   for (const Trained_model& each : models) {
-    for (Model::Tree tree : each.trees) {
-      for (std::int32_t& leaf : tree.leaves)
+    for (Tree_node node : each.trees.nodes()) {
+      node.condition.tree = std::uint16_t(node.condition.tree + all_leaves.size());
+      nodes.push_back(node);
+    }
+    for (Model::Trees::Leaves leaves : each.trees.leaves) {
+      for (std::int32_t& leaf : leaves)
         leaf = std::int32_t(std::lround(share * leaf));
-      result.trees.push_back(tree);
+      all_leaves.push_back(leaves);
     }
     networks.add(each.network, share);
   }
-  result.network = networks.take();
-  return result;
+  return {Integer_trees(std::move(nodes), std::move(all_leaves)), networks.take()};
 }
 
 } // namespace train_merge_cost

@@ -14,13 +14,13 @@ namespace train_merge_cost {
 /// The constants of a `Model`.
 struct Trained_model
 {
-  std::vector<Model::Tree> trees;
+  Integer_trees trees;
   Integer_network network;
 
   /// Refers to this object.
   Model model() const
   {
-    return {trees.data(), trees.size(), network.network()};
+    return {trees.trees(), network.network()};
   }
 };
 

@@ -13,6 +13,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <utility>
 
 namespace train_merge_cost {
@@ -131,41 +132,62 @@ public:
     , m_value(values_of<double>(tree.get_child("split_conditions")))
   {}
 
-  Model::Tree read()
+  /// Adds the nodes, as those of tree t, and returns the leaves.
+  Model::Trees::Leaves read(std::size_t t, std::vector<Tree_node>& nodes)
   {
-    m_tree = Model::Tree();
-    m_nodes = m_leaves = 0;
-    const std::uint8_t root = add(0);
-    if (root >= Model::first_leaf) // a tree without a split
-      m_tree.nodes[0] = {0, 0, {root, root}};
-    return m_tree;
+    m_leaves = Model::Trees::Leaves();
+    m_number_of_leaves = 0;
+    add(0, t, nodes);
+    return m_leaves;
   }
 
 private:
-  std::uint8_t add(int i)
+  void add(int i, std::size_t t, std::vector<Tree_node>& nodes)
   {
     if (m_left[i] < 0) {
-      m_tree.leaves.at(m_leaves) = std::int32_t(std::lround(std::ldexp(m_value[i], Model::result_bits)));
-      return std::uint8_t(Model::first_leaf + m_leaves++);
+      m_leaves.at(m_number_of_leaves++) = std::int32_t(std::lround(std::ldexp(m_value[i], Model::result_bits)));
+      return;
     }
-    const std::size_t place = m_nodes++;
-    Model::Node& node = m_tree.nodes.at(place);
-    node.threshold = Model::Feature(std::ceil(m_value[i]));
-    node.feature = std::uint8_t(m_feature[i]);
-    node.branches[0] = add(m_left[i]);
-    node.branches[1] = add(m_right[i]);
-    return std::uint8_t(place);
+    const std::size_t first = m_number_of_leaves;
+    add(m_left[i], t, nodes);
+    const unsigned excluded = (1u << m_number_of_leaves) - (1u << first);
+    nodes.push_back({std::size_t(m_feature[i]),
+                     {Model::Feature(std::ceil(m_value[i])), std::uint16_t(t), Model::Trees::Leaf_set(~excluded)}});
+    add(m_right[i], t, nodes);
   }
 
   std::vector<int> m_left, m_right, m_feature;
   std::vector<double> m_value; // the threshold of an inner node, the value of a leaf
-  Model::Tree m_tree;
-  std::size_t m_nodes = 0, m_leaves = 0;
+  Model::Trees::Leaves m_leaves;
+  std::size_t m_number_of_leaves = 0;
 };
 
 } // namespace
 
-std::vector<Model::Tree> grow_trees(const Training_rows& rows, const Boosting_options& options, unsigned seed)
+Integer_trees::Integer_trees(std::vector<Tree_node> nodes, std::vector<Model::Trees::Leaves> leaves_of_trees)
+  : leaves(std::move(leaves_of_trees))
+{
+  const auto key = [](const Tree_node& n) {
+    return std::make_tuple(n.feature, n.condition.threshold, n.condition.tree, n.condition.remaining);
+  };
+  std::sort(nodes.begin(), nodes.end(), [&](const Tree_node& a, const Tree_node& b) { return key(a) < key(b); });
+  for (const Tree_node& node : nodes) {
+    conditions.push_back(node.condition);
+    ++first_conditions[node.feature + 1];
+  }
+  std::partial_sum(first_conditions.begin(), first_conditions.end(), first_conditions.begin());
+}
+
+std::vector<Tree_node> Integer_trees::nodes() const
+{
+  std::vector<Tree_node> result;
+  for (std::size_t f = 0; f + 1 < first_conditions.size(); ++f)
+    for (std::size_t i = first_conditions[f]; i < first_conditions[f + 1]; ++i)
+      result.push_back({f, conditions[i]});
+  return result;
+}
+
+Integer_trees grow_trees(const Training_rows& rows, const Boosting_options& options, unsigned seed)
 {
   const Matrix matrix(rows);
   Booster booster(matrix);
@@ -173,10 +195,11 @@ std::vector<Model::Tree> grow_trees(const Training_rows& rows, const Boosting_op
   for (unsigned i = 0; i < options.number_of_trees; ++i)
     booster.add_tree(matrix, int(i));
   const ptree model = booster.model();
-  std::vector<Model::Tree> trees;
+  std::vector<Tree_node> nodes;
+  std::vector<Model::Trees::Leaves> leaves;
   for (const auto& entry : model.get_child("learner.gradient_booster.model.trees"))
-    trees.push_back(Tree_reader(entry.second).read());
-  return trees;
+    leaves.push_back(Tree_reader(entry.second).read(leaves.size(), nodes));
+  return {std::move(nodes), std::move(leaves)};
 }
 
 } // namespace train_merge_cost

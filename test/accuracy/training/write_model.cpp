@@ -63,33 +63,35 @@ private:
   std::size_t m_column = 0;
 };
 
-void write_tree(Line_breaker& line, const Model::Tree& tree)
-{
-  line.add("{{{");
-  for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
-    const Model::Node& n = tree.nodes[i];
-    line.add("{" + std::to_string(n.threshold) + "," + std::to_string(n.feature) + ",{" +
-             std::to_string(n.branches[0]) + "," + std::to_string(n.branches[1]) +
-             (i + 1 < tree.nodes.size() ? "}}," : "}}"));
-  }
-  line.add("}},{{");
-  for (std::size_t i = 0; i < tree.leaves.size(); ++i)
-    line.add_number(tree.leaves[i], i + 1 < tree.leaves.size() ? "," : "");
-  line.add("}}},");
-  line.end_line();
-}
-
-void write_weights(Line_breaker& line, const Model::Weights& weights)
+template <typename Array>
+void write_array(Line_breaker& line, const Array& array, const char* end)
 {
   line.add("{{");
-  for (std::size_t i = 0; i < weights.size(); ++i)
-    line.add_number(weights[i], i + 1 < weights.size() ? "," : "}}");
+  for (std::size_t i = 0; i < array.size(); ++i)
+    line.add_number(array[i], i + 1 < array.size() ? "," : end);
+}
+
+void write_trees(std::ostream& out, const std::string& type, const Integer_trees& trees)
+{
+  Line_breaker line(out);
+  out << "inline constexpr " << type << "::Trees::Condition learned_conditions[] = {\n";
+  for (const Model::Trees::Condition& c : trees.conditions)
+    line.add("{" + std::to_string(c.threshold) + "," + std::to_string(c.tree) + "," + std::to_string(c.remaining) + "},");
+  line.end_line();
+  out << "};\n\ninline constexpr " << type << "::Trees::Leaves learned_leaves[] = {\n";
+  for (const Model::Trees::Leaves& leaves : trees.leaves) {
+    write_array(line, leaves, "}},");
+    line.end_line();
+  }
+  out << "};\n\ninline constexpr " << type << "::Trees learned_trees{learned_conditions,\n";
+  write_array(line, trees.first_conditions, "}},");
+  out << "\nlearned_leaves, " << trees.leaves.size() << "};\n\n";
 }
 
 void write_unit(Line_breaker& line, const Model::Unit& unit)
 {
   line.add("{" + std::to_string(unit.bias) + "," + std::to_string(unit.output_weight) + ",");
-  write_weights(line, unit.weights);
+  write_array(line, unit.weights, "}}");
   line.add("},");
   line.end_line();
 }
@@ -101,13 +103,11 @@ void write_model(std::ostream& out, const Trained_model& trained, const std::vec
   out << head;
   for (const std::string& line : provenance)
     out << "// " << line << '\n';
+  out << "\nnamespace CGAL {\nnamespace Region_segmentation {\nnamespace internal {\n\n";
   const std::string type = "Merge_model<" + std::to_string(Merge_features::NUMBER_OF_FEATURES) + ">";
-  out << "\nnamespace CGAL {\nnamespace Region_segmentation {\nnamespace internal {\n\n"
-      << "inline constexpr " << type << "::Tree learned_trees[] = {\n";
+  write_trees(out, type, trained.trees);
   Line_breaker line(out);
-  for (const Model::Tree& tree : trained.trees)
-    write_tree(line, tree);
-  out << "};\n\ninline constexpr " << type << "::Input learned_inputs[] = {\n";
+  out << "inline constexpr " << type << "::Input learned_inputs[] = {\n";
   for (const Model::Input& input : trained.network.inputs)
     line.add("{" + std::to_string(input.center) + "," + std::to_string(input.factor) + "},");
   line.end_line();
@@ -115,10 +115,9 @@ void write_model(std::ostream& out, const Trained_model& trained, const std::vec
   for (const Model::Unit& unit : trained.network.units)
     write_unit(line, unit);
   out << "};\n\ninline constexpr " << type << "::Weights learned_direct_weights =\n";
-  write_weights(line, trained.network.direct_weights);
-  out << ";\n\ninline constexpr " << type << " learned_merge_model{\n  learned_trees, " << trained.trees.size()
-      << ", {learned_inputs, learned_units, " << trained.network.units.size() << ", learned_direct_weights, "
-      << trained.network.output_bias << "}};\n"
+  write_array(line, trained.network.direct_weights, "}}");
+  out << ";\n\ninline constexpr " << type << " learned_merge_model{\n  learned_trees, {learned_inputs, learned_units, "
+      << trained.network.units.size() << ", learned_direct_weights, " << trained.network.output_bias << "}};\n"
       << foot;
 }
 

@@ -20,7 +20,9 @@ namespace Region_segmentation {
 /// The model is a function of `Merge_features`, integers \f$x_i\f$. The logarithm of the odds, in units of
 /// \f$2^{-20}\f$, is half the sum of the two following, rounded toward 0:
 /// - the sum over the decision trees of the value of the leaf to which the features lead, in \f$2^{-20}\f$. A node
-///   sends to its second branch if the feature is at least its threshold;
+///   sends to its right branch if the feature is at least its threshold. It is stored as a condition: the threshold, the
+///   tree, and as bits the leaves, numbered from left to right, that are not in the left branch. So the value of a tree is that
+///   of its first leaf whose bit is in all of its conditions that hold;
 /// - a neural network with one hidden layer, with the inputs \f$y_i = f_i (x_i - c_i)\f$, in \f$2^{-8}\f$, rounded
 ///   toward 0 and clamped to [-4, 4]: \f$b + \sum_i s_i y_i + \sum_j v_j h_j / (1 + |h_j|)\f$,
 ///   \f$h_j = b_j + \sum_i w_{ji} y_i\f$. \f$s, w\f$ are integers in \f$2^{-10}\f$, \f$f\f$ in \f$2^{-16}\f$ of the

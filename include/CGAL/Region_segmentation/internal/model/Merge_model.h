@@ -3,6 +3,8 @@
 #ifndef CGAL_REGION_SEGMENTATION_INTERNAL_MODEL_MERGE_MODEL_H
 #define CGAL_REGION_SEGMENTATION_INTERNAL_MODEL_MERGE_MODEL_H
 
+#include <CGAL/Region_segmentation/internal/model/Decision_trees.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -24,33 +26,15 @@ namespace internal {
 ///
 /// The constants belong to others, such as the generated tables.
 ///
-/// Complexity: O(number of trees * depth + number of features * number of units).
+/// Complexity: that of the trees, and O(number of features * number of units).
 template <std::size_t number_of_features>
 struct Merge_model
 {
-  using Feature = std::int16_t;
-  using Features = std::array<Feature, number_of_features>;
+  using Trees = Decision_trees<number_of_features>;
+  using Feature = typename Trees::Feature;
+  using Features = typename Trees::Features;
 
   static constexpr int feature_bits = 9, result_bits = 20;
-
-  static constexpr std::size_t maximum_number_of_leaves = 16;
-
-  /// An inner node of a tree.
-  struct Node
-  {
-    Feature threshold;
-    std::uint8_t feature;
-    /// Inner nodes of the same tree; or leaves, counted from `first_leaf`. The second one is taken from the threshold on.
-    std::uint8_t branches[2];
-  };
-  static constexpr std::uint8_t first_leaf = 128;
-
-  /// The root is node 0; a tree that is one leaf has a node with two equal branches.
-  struct Tree
-  {
-    std::array<Node, maximum_number_of_leaves - 1> nodes;
-    std::array<std::int32_t, maximum_number_of_leaves> leaves; ///< in 2^-result_bits
-  };
 
   /// \name Bits of the fractions in the network
   /// @{
@@ -89,24 +73,11 @@ struct Merge_model
     std::int64_t output_bias; ///< b, in 2^-(activation_bits + output_weight_bits)
   };
 
-  const Tree* trees;
-  std::size_t number_of_trees;
+  Trees trees; ///< leaves in 2^-result_bits
   Network network;
 
   /// The logarithm of the odds that two regions belong to one part, in 2^-result_bits.
-  std::int64_t operator()(const Features& x) const { return (sum_of_trees(x) + network_output(x)) / 2; }
-
-  std::int64_t sum_of_trees(const Features& x) const
-  {
-    constexpr std::size_t in_step = 4;
-    std::int64_t sum = 0;
-    std::size_t t = 0;
-    for (; t + in_step <= number_of_trees; t += in_step)
-      sum += sum_in_step<in_step>(trees + t, x);
-    for (; t < number_of_trees; ++t)
-      sum += sum_in_step<1>(trees + t, x);
-    return sum;
-  }
+  std::int64_t operator()(const Features& x) const { return (trees(x) + network_output(x)) / 2; }
 
   std::int64_t network_output(const Features& x) const
   {
@@ -122,29 +93,6 @@ struct Merge_model
   }
 
 private:
-  /// Several trees are descended in step, so that their latencies overlap and one branch of the program is mispredicted
-  /// for all: 1.6 instead of 2.9 us for 120 trees.
-  template <std::size_t n>
-  static std::int64_t sum_in_step(const Tree* trees, const Features& x)
-  {
-    std::array<std::uint8_t, n> places{};
-    bool has_inner;
-    do {
-      has_inner = false;
-      for (std::size_t i = 0; i < n; ++i) {
-        const bool is_inner = places[i] < first_leaf;
-        const Node& node = trees[i].nodes[is_inner ? places[i] : 0];
-        const std::uint8_t next = node.branches[x[node.feature] >= node.threshold];
-        places[i] = is_inner ? next : places[i];
-        has_inner |= places[i] < first_leaf;
-      }
-    } while (has_inner);
-    std::int64_t sum = 0;
-    for (std::size_t i = 0; i < n; ++i)
-      sum += trees[i].leaves[places[i] - first_leaf];
-    return sum;
-  }
-
   Weights inputs_of(const Features& x) const
   {
     Weights y{};
