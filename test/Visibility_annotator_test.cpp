@@ -76,7 +76,7 @@ TEST(Patch_boxes_test, slices_needles_and_nothing_else)
 {
   const auto number_of_boxes = [](const RS::Flat_mesh& mesh) {
     const RS::internal::Patch_triangles triangles(mesh, mesh.centroid(0), 1);
-    return RS::internal::Patch_boxes::make(triangles).size();
+    return RS::internal::Patch_boxes::make(mesh, triangles).size();
   };
   EXPECT_GT(number_of_boxes(flat_mesh_of(needles(100, 1))), 1000u);
   for (const Soup& soup : {sphere(3), triangulated(torus(20, 10)), l_shape()}) {
@@ -91,6 +91,7 @@ std::size_t compare_hits(const Soup& soup, unsigned seed)
   const RS::Flat_mesh mesh = flat_mesh_of(soup);
   const RS::Mesh_points& points = mesh.points();
   const RS::internal::Ray_tree tree(mesh, mesh.centroid(0), RS::Execution<>());
+  const RS::internal::Ray_tree gathering(mesh, mesh.centroid(0), RS::Execution<>(), 0);
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> any(-1, 1);
   std::size_t hits = 0;
@@ -104,7 +105,10 @@ std::size_t compare_hits(const Soup& soup, unsigned seed)
       if (f != skipped)
         nearest = std::min(nearest, distance_to_triangle(source, d, points[points.corner(f, 0)],
                                                          points[points.corner(f, 1)], points[points.corner(f, 2)]));
-    const auto hit = tree.first_hit(source, d, RS::Flat_mesh::Index(skipped));
+    const auto hit = tree.first_hit(mesh, source, d, RS::Flat_mesh::Index(skipped));
+    const auto same = gathering.first_hit(mesh, source, d, RS::Flat_mesh::Index(skipped));
+    EXPECT_EQ(same.face, hit.face);
+    EXPECT_EQ(same.distance, hit.distance);
     if (std::isinf(nearest)) {
       EXPECT_EQ(hit.face, RS::internal::Ray_tree::no_face);
     } else {
@@ -136,8 +140,8 @@ TEST(Ray_tree_test, of_faces_hit_at_the_same_distance_it_is_the_lowest)
   std::size_t ties = 0;
   for (double x = 1; x < 16; x += 0.5)
     for (double y = 1; y < 16; y += 0.5) {
-      const auto hit = tree.first_hit({x, y, 3}, {0, 0, -1}, RS::internal::Ray_tree::no_face);
-      const auto next = tree.first_hit({x, y, 3}, {0, 0, -1}, hit.face);
+      const auto hit = tree.first_hit(mesh, {x, y, 3}, {0, 0, -1}, RS::internal::Ray_tree::no_face);
+      const auto next = tree.first_hit(mesh, {x, y, 3}, {0, 0, -1}, hit.face);
       ASSERT_NE(next.face, RS::internal::Ray_tree::no_face);
       EXPECT_GE(next.distance, hit.distance);
       if (next.distance == hit.distance) {

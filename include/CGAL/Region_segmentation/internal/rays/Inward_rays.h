@@ -149,7 +149,7 @@ private:
     for (std::size_t i = 0; i < number; ++i) {
       const Spiral& s = spirals[i];
       const Double_3 direction = s.cos_away * inward + s.sin_away * (s.cos_around * u + s.sin_around * v);
-      hits[i] = m_tree.first_hit(source, direction, face);
+      hits[i] = m_tree.first_hit(m_mesh, source, direction, face);
     }
   }
 

@@ -6,7 +6,7 @@
 #include <CGAL/Region_segmentation/Flat_mesh.h>
 #include <CGAL/Region_segmentation/internal/rays/Box_partition.h>
 #include <CGAL/Region_segmentation/internal/rays/Four_triangles.h>
-#include <CGAL/Region_segmentation/internal/support/Grouped_items.h>
+#include <CGAL/Region_segmentation/internal/rays/Patch_triangles.h>
 
 #include <algorithm>
 #include <array>
@@ -18,71 +18,6 @@
 namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
-
-/// The triangles of the patches of a mesh (polygons as fans), relative to an origin, in float.
-class Patch_triangles
-{
-public:
-  using Index = Flat_mesh::Index;
-
-  /// `scale`: of the relative coordinates
-  Patch_triangles(const Flat_mesh& mesh, const Double_3& origin, double scale)
-    : m_mesh(mesh), m_origin(origin), m_scale(scale), m_faces(mesh.patches().size())
-  {
-    const Partition& patches = mesh.patches().of_faces();
-    for (const Index patch : patches)
-      m_faces.count(patch);
-    m_faces.end_counting();
-    for (std::size_t f = 0; f < patches.size(); ++f)
-      m_faces.add(patches[f], Index(f));
-  }
-
-  std::size_t number_of_patches() const { return m_faces.number_of_groups(); }
-  /// Of a patch, relative.
-  double area(std::size_t patch) const { return m_mesh.patches()[patch].area * m_scale * m_scale; }
-  /// The root of the area of the surface, relative.
-  double unit() const { return m_mesh.relative_unit() * m_scale; }
-
-  /// Calls `f(corners, face)` for the triangles of a patch: the first corner of a fan, and two others.
-  template <typename F>
-  void for_each(std::size_t patch, const F& f) const
-  {
-    const Mesh_points& points = m_mesh.points();
-    for (const Index face : m_faces[patch]) {
-      const std::size_t n = points.number_of_corners(face), first = first_of_fan(face);
-      const auto corner = [&](std::size_t i) { return relative(points[points.corner(face, i < n ? i : i - n)]); };
-      for (std::size_t i = 1; i + 1 < n; ++i)
-        f(std::array<Float_3, 3>{corner(first), corner(first + i), corner(first + i + 1)}, face);
-    }
-  }
-
-private:
-  /// The corner of a polygon farthest from its centroid, of several the first: so that polygons that are not flat do not
-  /// depend on the numbering of vertices.
-  std::size_t first_of_fan(Index face) const
-  {
-    const Mesh_points& points = m_mesh.points();
-    std::size_t first = 0;
-    double farthest = -1;
-    for (std::size_t i = 0; points.number_of_corners(face) > 3 && i < points.number_of_corners(face); ++i)
-      if (const double d = squared_norm(points[points.corner(face, i)] - m_mesh.centroid(face)); d > farthest) {
-        farthest = d;
-        first = i;
-      }
-    return first;
-  }
-
-  Float_3 relative(const Double_3& point) const
-  {
-    const Double_3 v = m_scale * (point - m_origin);
-    return {float(v.x), float(v.y), float(v.z)};
-  }
-
-  const Flat_mesh& m_mesh;
-  const Double_3 m_origin;
-  const double m_scale;
-  Grouped_items<Index> m_faces; // by patch
-};
 
 /// The boxes of patches, slightly enlarged, so that rounding misses no triangle. A box that is large for the area in it,
 /// as that of a needle that is not parallel to an axis, would be entered by most rays: it is replaced by those of slices
@@ -98,9 +33,9 @@ private:
 class Patch_boxes
 {
 public:
-  static Box_partition make(const Patch_triangles& triangles)
+  static Box_partition make(const Flat_mesh& mesh, const Patch_triangles& triangles)
   {
-    Patch_boxes boxes(triangles);
+    Patch_boxes boxes(mesh, triangles);
     boxes.limit_slices();
     Box_partition result;
     result.reserve(triangles.number_of_patches());
@@ -127,8 +62,8 @@ private:
     float length() const { return box.high[axis] - box.low[axis]; }
   };
 
-  explicit Patch_boxes(const Patch_triangles& triangles)
-    : m_triangles(triangles), m_size(float(triangles.unit()))
+  Patch_boxes(const Flat_mesh& mesh, const Patch_triangles& triangles)
+    : m_mesh(mesh), m_triangles(triangles), m_size(float(triangles.relative(mesh.relative_unit())))
   {
     m_extents.reserve(triangles.number_of_patches());
     for (std::size_t patch = 0; patch < triangles.number_of_patches(); ++patch)
@@ -138,7 +73,7 @@ private:
   Extent extent(std::size_t patch) const
   {
     Extent result;
-    m_triangles.for_each(patch, [&](const std::array<Float_3, 3>& corners, Flat_mesh::Index) {
+    m_triangles.for_each(m_mesh, patch, [&](const std::array<Float_3, 3>& corners, Flat_mesh::Index) {
       for (const Float_3& c : corners)
         result.box.add(Float_4{c[0], c[1], c[2], 0});
       ++result.triangles;
@@ -146,8 +81,13 @@ private:
     const Float_4 side = result.box.high - result.box.low;
     result.axis = side[0] >= side[1] && side[0] >= side[2] ? 0 : side[1] >= side[2] ? 1 : 2;
     result.is_large = result.triangles <= most_triangles &&
-                      double(result.box.half_area()) > largest_ratio * m_triangles.area(patch);
+                      double(result.box.half_area()) > largest_ratio * relative_area(patch);
     return result;
+  }
+
+  double relative_area(std::size_t patch) const
+  {
+    return m_triangles.relative(m_triangles.relative(m_mesh.patches()[patch].area));
   }
 
   std::size_t number_of_slices(const Extent& extent) const
@@ -180,7 +120,7 @@ private:
       const auto bound = [&](std::size_t k) { return e.box.low[e.axis] + e.length() * float(k) / float(number); };
       const float low = i == 0 ? e.box.low[e.axis] : bound(i), high = i + 1 == number ? e.box.high[e.axis] : bound(i + 1);
       Box slice;
-      m_triangles.for_each(patch, [&](const std::array<Float_3, 3>& corners, Flat_mesh::Index) {
+      m_triangles.for_each(m_mesh, patch, [&](const std::array<Float_3, 3>& corners, Flat_mesh::Index) {
         add_slice(slice, corners, e.axis, low, high);
       });
       if (slice.low[0] <= slice.high[0])
@@ -212,6 +152,7 @@ private:
     return box;
   }
 
+  const Flat_mesh& m_mesh;
   const Patch_triangles& m_triangles;
   const float m_size;             // of the surface
   std::vector<Extent> m_extents;  // by patch

@@ -9,8 +9,9 @@
 #include <CGAL/Region_segmentation/internal/rays/Float_4.h>
 #include <CGAL/Region_segmentation/internal/rays/Four_triangles.h>
 #include <CGAL/Region_segmentation/internal/rays/Patch_boxes.h>
+#include <CGAL/Region_segmentation/internal/rays/Patch_triangles.h>
+#include <CGAL/Region_segmentation/internal/rays/Ray_leaves.h>
 #include <CGAL/Region_segmentation/internal/support/Float_key.h>
-#include <CGAL/Region_segmentation/internal/support/Large_array.h>
 #include <CGAL/Region_segmentation/internal/support/visitor.h>
 
 #include <algorithm>
@@ -33,8 +34,8 @@ namespace internal {
 /// are tested together: so there are few unpredictable branches. The result does not depend on the shape of the tree,
 /// and neither on the patches.
 ///
-/// About 50 bytes per triangle, and construction in O(T + P log P) for T triangles in P patches; a ray takes
-/// O(log P + T / P) in practice.
+/// About 50 bytes per triangle, or 5 on large meshes (see `Ray_leaves`), and construction in O(T + P log P) for T triangles in
+/// P patches; a ray takes O(log P + T / P) in practice.
 class Ray_tree
 {
   using Index = Flat_mesh::Index;
@@ -48,40 +49,39 @@ public:
   };
   static constexpr Index no_face = Ray::no_face;
 
-  /// `origin`: the centroid of the surface
+  /// `origin`: the centroid of the surface; `most_stored_faces`: see `Ray_leaves`
   /// \pre the mesh was read with its points and patches
   template <typename ConcurrencyTag>
-  Ray_tree(const Flat_mesh& mesh, const Double_3& origin, const Execution<ConcurrencyTag>& execution)
-    : m_origin(origin), m_unit(unit_of(mesh, origin)), m_scale(1 / m_unit)
+  Ray_tree(const Flat_mesh& mesh, const Double_3& origin, const Execution<ConcurrencyTag>& execution,
+           std::size_t most_stored_faces = Ray_leaves::most_stored_faces)
+    : m_unit(unit_of(mesh, origin)), m_leaves(mesh, Patch_triangles(mesh, origin, 1 / m_unit), most_stored_faces)
   {
     if (mesh.number_of_faces() == 0)
       return;
-    const Patch_triangles triangles(mesh, m_origin, m_scale);
-    Box_partition boxes = Patch_boxes::make(triangles);
+    Box_partition boxes = Patch_boxes::make(mesh, m_leaves.triangles());
     execution.report(0.4);
     Step_counter<ConcurrencyTag> steps(execution.step(0.4, 1), boxes.size());
-    const auto add = [&](const Part& part) {
+    m_nodes.reserve(boxes.size() * 3 / 20);
+    add_node(boxes, boxes.whole(), 0, [&](const Part& part) {
       for (std::size_t i = part.first; i < part.last; ++i)
         steps.advance();
-      return add_leaf(triangles, boxes, part);
-    };
-    m_first_groups.push_back(0);
-    m_groups.reserve(mesh.number_of_faces() / width + boxes.size() / 8); // usually a leaf fills all groups but one
-    m_nodes.reserve(boxes.size() * 3 / 20);
-    add_node(boxes, boxes.whole(), 0, add);
+      return add_leaf(mesh, boxes, part);
+    });
   }
 
-  /// The first face other than `skipped` that is hit in front of `source`; `direction` has length 1.
-  Hit first_hit(const Double_3& source, const Double_3& direction, Index skipped) const
+  /// The first face of the mesh of the tree, other than `skipped`, that is hit in front of `source`; `direction` has length 1.
+  Hit first_hit(const Flat_mesh& mesh, const Double_3& source, const Double_3& direction, Index skipped) const
   {
-    Ray ray{relative(source), to_float(direction), skipped};
-    if (!m_nodes.empty())
-      descend(ray);
+    Ray ray{m_leaves.triangles().relative(source), {float(direction.x), float(direction.y), float(direction.z)}, skipped};
+    if (m_leaves.are_stored())
+      descend(ray, [&](Index leaf) { m_leaves.intersect(leaf, ray); });
+    else
+      descend(ray, [&](Index leaf) { m_leaves.gather_and_intersect(mesh, leaf, ray); });
     return {ray.face, ray.face == no_face ? 0.0 : double(ray.distance) * m_unit};
   }
 
 private:
-  static constexpr std::size_t width = 4; // children of a node, patches of a leaf, triangles of a group
+  static constexpr std::size_t width = 4; // children of a node, patches of a leaf
   static_assert(width == Box_partition::leaf_size, "parts of this size become leaves");
   static constexpr int maximum_depth_of_cheap_splits = 48;
 
@@ -92,9 +92,6 @@ private:
     std::array<Float_4_3, 2> bounds; // lower and upper ones; reversed for missing children
     std::array<Child, width> child;
   };
-
-  static Float_3 to_float(const Double_3& v) { return {float(v.x), float(v.y), float(v.z)}; }
-  Float_3 relative(const Double_3& point) const { return to_float(m_scale * (point - m_origin)); }
 
   /// A power of two, so that it does not change any rounding.
   static double unit_of(const Flat_mesh& mesh, const Double_3& origin)
@@ -137,25 +134,14 @@ private:
 
   static float area_to_split(const Part& part) { return part.size() > width ? part.box.half_area() : -1; }
 
-  Child add_leaf(const Patch_triangles& triangles, const Box_partition& boxes, const Part& part)
+  Child add_leaf(const Flat_mesh& mesh, const Box_partition& boxes, const Part& part)
   {
-    std::size_t lane = width;
-    const auto add = [&](const std::array<Float_3, 3>& corners, Index face) {
-      if (lane == width) {
-        m_groups.emplace_back();
-        lane = 0;
-      }
-      m_groups.back().set(lane++, corners, face);
-    };
     std::array<Box_partition::Name, width> names{}; // several slices of a patch may be here
     std::size_t size = 0;
     for (std::size_t i = part.first; i < part.last; ++i)
       if (std::find(names.begin(), names.begin() + size, boxes.name(i)) == names.begin() + size)
         names[size++] = boxes.name(i);
-    for (std::size_t i = 0; i < size; ++i)
-      triangles.for_each(names[i], add);
-    m_first_groups.push_back(Index(m_groups.size()));
-    return Child(2 * (m_first_groups.size() - 2) + 1);
+    return Child(2 * m_leaves.add(mesh, names.data(), names.data() + size) + 1);
   }
 
   using Waiting = Float_key; // where the ray enters a box, and the child
@@ -176,8 +162,12 @@ private:
     }
   };
 
-  void descend(Ray& ray) const
+  /// Calls `intersect(leaf)` for the leaves that may contain the first hit.
+  template <typename Intersect>
+  void descend(Ray& ray, const Intersect& intersect) const
   {
+    if (m_nodes.empty())
+      return;
     const Slopes slopes(ray.direction);
     // A node adds at most three waiting entries; below the cheap splits are halves, of at most 2^32.
     std::array<Waiting, 3 * (maximum_depth_of_cheap_splits + 32)> stack;
@@ -186,8 +176,7 @@ private:
     while (true) {
       const Child child = index_of(nearest);
       if (child % 2 == 1)
-        for (Index i = m_first_groups[child / 2]; i < m_first_groups[child / 2 + 1]; ++i)
-          m_groups[i].intersect(ray);
+        intersect(child / 2);
       else {
         const std::array<Waiting, width> c = children(m_nodes[child / 2], ray, slopes);
         for (std::size_t i = 0; i < width - 1; ++i) {
@@ -230,11 +219,9 @@ private:
     return w;
   }
 
+  double m_unit; // of relative coordinates
+  Ray_leaves m_leaves;
   std::vector<Node> m_nodes;
-  std::vector<Index> m_first_groups; // by leaf, and the end of the last one
-  Large_array<Four_triangles> m_groups;
-  Double_3 m_origin;
-  double m_unit, m_scale;
 };
 
 } // namespace internal

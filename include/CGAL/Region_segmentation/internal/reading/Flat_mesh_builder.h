@@ -112,11 +112,11 @@ public:
   /// \name Points
   /// Only with `Mesh_data::POINTS`.
   /// @{
-  void resize_points(std::size_t number_of_points, std::size_t maximum_number_of_corners)
+  void resize_points(std::size_t number_of_points, std::size_t number_of_corners)
   {
     m_flat.m_points.m_points.resize(number_of_points);
     m_flat.m_points.m_first_corners.resize(m_flat.number_of_faces() + 1);
-    m_flat.m_points.m_corners.resize(maximum_number_of_corners);
+    m_flat.m_points.m_corners.resize(number_of_corners);
     m_flat.m_points.m_first_corners.front() = 0;
   }
   void set_point(std::size_t vertex, const Double_3& point) { m_flat.m_points.m_points[vertex] = point; }
@@ -161,7 +161,7 @@ public:
 
   /// `execution`: for the patches, if they are wanted
   template <typename ConcurrencyTag>
-  Flat_mesh finish(const Execution<ConcurrencyTag>& execution)
+  void finish(const Execution<ConcurrencyTag>& execution)
   {
     join_degenerate_faces();
     m_volumes = Signed_volumes(0); // patches need the memory
@@ -170,8 +170,9 @@ public:
         m_flat.m_surface_area += area;
     if (includes(m_flat.m_data, Mesh_data::PATCHES))
       m_flat.m_patches = Patch_builder::build(m_flat, execution);
-    return std::move(m_flat);
   }
+
+  Flat_mesh take() { return std::move(m_flat); }
   /// @}
 
 private:

@@ -26,7 +26,7 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// Reads a face graph, once, into a `Flat_mesh`.
+/// Reads a face graph into a `Flat_mesh`: once, and its corners again if the points are wanted.
 ///
 /// The dual edges of a face, those to lower faces, require the normals of these faces and an offset. Sequentially both
 /// are known. In parallel the edges are counted first; each thread reads ranges of blocks, and if an edge leads to a
@@ -61,17 +61,21 @@ public:
 
   Flat_mesh read()
   {
-    if (includes(m_data, Mesh_data::POINTS))
-      read_points();
-    const double share = includes(m_data, Mesh_data::PATCHES) ? 0.5 : 1; // of the time
+    const bool with_patches = includes(m_data, Mesh_data::PATCHES), with_points = includes(m_data, Mesh_data::POINTS);
+    const double after_faces = with_patches ? 0.4 : with_points ? 0.8 : 1; // of the time
+    const double after_patches = with_points ? after_faces + 0.1 : 1;
+    std::vector<Place> places(number_of_blocks(m_traversal.number_of_faces()));
     Place end;
     if constexpr (Execution<ConcurrencyTag>::is_parallel)
-      end = read_in_parallel(m_execution.step(0, share));
+      end = read_in_parallel(places, m_execution.step(0, after_faces));
     else
-      end = read_in_sequence(m_execution.step(0, share));
+      end = read_in_sequence(places, m_execution.step(0, after_faces));
     m_builder.set_number_of_edges(end.edge);
     turn_components(2 * end.edge == end.corner);
-    return m_builder.finish(m_execution.step(share, 1));
+    m_builder.finish(m_execution.step(after_faces, after_patches));
+    if (with_points)
+      read_points(places, end.corner, m_execution.step(after_patches, 1));
+    return m_builder.take();
   }
 
 private:
@@ -83,14 +87,15 @@ private:
 
   using Late_edges = std::vector<Flat_mesh_builder::Late_edge>;
 
-  /// Returns the numbers of dual edges and of corners.
-  Place read_in_sequence(const Execution<ConcurrencyTag>& execution)
+  /// Sets the place of every block. Returns the numbers of dual edges and of corners.
+  Place read_in_sequence(std::vector<Place>& places, const Execution<ConcurrencyTag>& execution)
   {
     Place end = {0, 0};
     Face_block faces;
     Late_edges none;
-    Step_counter<ConcurrencyTag> blocks(execution, number_of_blocks(m_traversal.number_of_faces()));
-    for (std::size_t block = 0; block < number_of_blocks(m_traversal.number_of_faces()); ++block) {
+    Step_counter<ConcurrencyTag> blocks(execution, places.size());
+    for (std::size_t block = 0; block < places.size(); ++block) {
+      places[block] = end;
       const std::size_t edges = read_block(block, end, 0, faces, none);
       end = {end.edge + edges, end.corner + faces.number_of_corners()};
       blocks.advance();
@@ -98,10 +103,9 @@ private:
     return end;
   }
 
-  /// Returns the numbers of dual edges and of corners.
-  Place read_in_parallel(const Execution<ConcurrencyTag>& execution)
+  /// As above.
+  Place read_in_parallel(std::vector<Place>& places, const Execution<ConcurrencyTag>& execution)
   {
-    std::vector<Place> places(number_of_blocks(m_traversal.number_of_faces()));
     const Place end = count_edges_and_corners(places, execution.step(0, 0.2));
     std::vector<Late_edges> late_edges(number_of_blocks(places.size(), blocks_in_range));
     for_each_block(
@@ -218,17 +222,29 @@ private:
     return unit_of_coordinates(largest_coordinate);
   }
 
-  void read_points()
+  /// Points and corners come last: while patches are made, there is more in memory than the mesh.
+  void read_points(const std::vector<Place>& places, std::size_t number_of_corners,
+                   const Execution<ConcurrencyTag>& execution)
   {
     const std::size_t size = m_traversal.number_of_vertices();
-    m_builder.resize_points(size, num_halfedges(m_traversal.mesh()));
-    for_each_block(Execution<ConcurrencyTag>(), size, [&](std::size_t block, std::size_t rank, std::size_t) {
+    m_builder.resize_points(size, number_of_corners);
+    for_each_block(execution.step(0, 0.3), size, [&](std::size_t block, std::size_t rank, std::size_t) {
       for (auto v : m_traversal.vertices_of_block(block))
         m_builder.set_point(rank++, m_faces.point(v));
     });
+    for_each_block(
+      execution.step(0.3, 1), places.size(),
+      [&](std::size_t, std::size_t first_block, std::size_t last_block) {
+        Face_block faces;
+        for (std::size_t block = first_block; block < last_block; ++block) {
+          m_faces.read(block, faces);
+          m_builder.set_corners(places[block].corner, faces);
+        }
+      },
+      blocks_in_range);
   }
 
-  /// Reads the faces of a block, and their edges and corners to `place`. Returns the number of edges.
+  /// Reads the faces of a block, and their edges to `place`. Returns the number of edges.
   std::size_t read_block(std::size_t block, const Place& place, std::size_t first_known_face, Face_block& faces,
                          Late_edges& late_edges)
   {
@@ -237,8 +253,6 @@ private:
                                       double squared_longest_edge) {
       m_builder.set_face(face, point, area_vector, squared_longest_edge);
     });
-    if (includes(m_data, Mesh_data::POINTS))
-      m_builder.set_corners(place.corner, faces);
     if (includes(m_data, Mesh_data::CENTROIDS))
       m_builder.set_centroids(faces);
     const std::size_t number = faces.collect_edges();

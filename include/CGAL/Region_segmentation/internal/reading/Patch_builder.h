@@ -138,8 +138,8 @@ private:
     Partition joined = select(patches);
     if (joined.number_of_parts() == before)
       return false;
+    replace_patches(patches, joined); // first, since it frees most memory
     replace_adjacencies(joined.number_of_parts(), [&](Index patch) { return joined[patch]; });
-    replace_patches(patches, joined);
     m_rounds.push_back(std::move(joined));
     return before - m_patches.size() >= before / 32;
   }

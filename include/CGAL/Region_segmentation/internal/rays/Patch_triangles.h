@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_RAYS_PATCH_TRIANGLES_H
+#define CGAL_REGION_SEGMENTATION_INTERNAL_RAYS_PATCH_TRIANGLES_H
+
+#include <CGAL/Region_segmentation/Double_3.h>
+#include <CGAL/Region_segmentation/Flat_mesh.h>
+#include <CGAL/Region_segmentation/internal/rays/Four_triangles.h>
+#include <CGAL/Region_segmentation/internal/support/Grouped_items.h>
+
+#include <array>
+#include <cstddef>
+
+namespace CGAL {
+namespace Region_segmentation {
+namespace internal {
+
+/// The triangles of the patches of a mesh (polygons as fans), relative to an origin, in float. They are computed from the
+/// mesh whenever they are wanted; only the faces of each patch are kept: 4 bytes a face.
+class Patch_triangles
+{
+public:
+  using Index = Flat_mesh::Index;
+
+  /// `scale`: of the relative coordinates
+  /// \pre the mesh was read with its points and patches
+  Patch_triangles(const Flat_mesh& mesh, const Double_3& origin, double scale)
+    : m_origin(origin), m_scale(scale), m_faces(mesh.patches().size())
+  {
+    const Partition& patches = mesh.patches().of_faces();
+    for (const Index patch : patches)
+      m_faces.count(patch);
+    m_faces.end_counting();
+    for (std::size_t f = 0; f < patches.size(); ++f)
+      m_faces.add(patches[f], Index(f));
+  }
+
+  std::size_t number_of_patches() const { return m_faces.number_of_groups(); }
+
+  Float_3 relative(const Double_3& point) const
+  {
+    const Double_3 v = m_scale * (point - m_origin);
+    return {float(v.x), float(v.y), float(v.z)};
+  }
+
+  /// A length, relative.
+  double relative(double length) const { return m_scale * length; }
+
+  /// Calls `f(corners, face)` for the triangles of a patch: the first corner of a fan, and two others.
+  template <typename F>
+  void for_each(const Flat_mesh& mesh, std::size_t patch, const F& f) const
+  {
+    const Mesh_points& points = mesh.points();
+    for (const Index face : m_faces[patch]) {
+      const std::size_t n = points.number_of_corners(face), first = first_of_fan(mesh, face);
+      const auto corner = [&](std::size_t i) { return relative(points[points.corner(face, i < n ? i : i - n)]); };
+      for (std::size_t i = 1; i + 1 < n; ++i)
+        f(std::array<Float_3, 3>{corner(first), corner(first + i), corner(first + i + 1)}, face);
+    }
+  }
+
+private:
+  /// The corner of a polygon farthest from its centroid, of several the first: so that polygons that are not flat do not
+  /// depend on the numbering of vertices.
+  static std::size_t first_of_fan(const Flat_mesh& mesh, Index face)
+  {
+    const Mesh_points& points = mesh.points();
+    std::size_t first = 0;
+    double farthest = -1;
+    for (std::size_t i = 0; points.number_of_corners(face) > 3 && i < points.number_of_corners(face); ++i)
+      if (const double d = squared_norm(points[points.corner(face, i)] - mesh.centroid(face)); d > farthest) {
+        farthest = d;
+        first = i;
+      }
+    return first;
+  }
+
+  Double_3 m_origin;
+  double m_scale;
+  Grouped_items<Index> m_faces; // by patch
+};
+
+} // namespace internal
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_INTERNAL_RAYS_PATCH_TRIANGLES_H

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_RAYS_RAY_LEAVES_H
+#define CGAL_REGION_SEGMENTATION_INTERNAL_RAYS_RAY_LEAVES_H
+
+#include <CGAL/Region_segmentation/Flat_mesh.h>
+#include <CGAL/Region_segmentation/internal/rays/Box_partition.h>
+#include <CGAL/Region_segmentation/internal/rays/Four_triangles.h>
+#include <CGAL/Region_segmentation/internal/rays/Patch_triangles.h>
+#include <CGAL/Region_segmentation/internal/support/Large_array.h>
+
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Region_segmentation {
+namespace internal {
+
+/// The triangles in the leaves of a `Ray_tree`, four by four.
+///
+/// Those of a mesh of few faces are stored, 40 bytes each. On large meshes this would be a quarter of the memory of a
+/// segmentation, for rays that meet each triangle once or never: there the triangles of a leaf are gathered from the mesh when a
+/// ray comes, in about the same time.
+class Ray_leaves
+{
+  using Index = Flat_mesh::Index;
+
+public:
+  using Name = Box_partition::Name; ///< of a patch
+
+  static constexpr std::size_t most_stored_faces = std::size_t(1) << 21;
+
+  /// `most_stored`: triangles of meshes of more faces are gathered
+  Ray_leaves(const Flat_mesh& mesh, Patch_triangles triangles, std::size_t most_stored)
+    : m_triangles(std::move(triangles)), m_are_stored(mesh.number_of_faces() <= most_stored), m_first(1, 0)
+  {
+    if (m_are_stored) // usually a leaf fills all groups but one
+      m_stored.reserve(mesh.number_of_faces() / 4 + m_triangles.number_of_patches() / 8);
+  }
+
+  const Patch_triangles& triangles() const { return m_triangles; }
+
+  /// Adds a leaf, and returns its index.
+  Index add(const Flat_mesh& mesh, const Name* begin, const Name* end)
+  {
+    if (m_are_stored)
+      for_each_group(mesh, begin, end, [this](const Four_triangles& group) { m_stored.push_back(group); });
+    else
+      m_patches.insert(m_patches.end(), begin, end);
+    m_first.push_back(Index(m_are_stored ? m_stored.size() : m_patches.size()));
+    return Index(m_first.size() - 2);
+  }
+
+  bool are_stored() const { return m_are_stored; }
+
+  /// \pre the triangles are stored
+  void intersect(Index leaf, Ray& ray) const
+  {
+    for (Index i = m_first[leaf]; i < m_first[leaf + 1]; ++i)
+      m_stored[i].intersect(ray);
+  }
+
+  /// `mesh`: that of the leaves
+  /// \pre the triangles are not stored
+  void gather_and_intersect(const Flat_mesh& mesh, Index leaf, Ray& ray) const
+  {
+    for_each_group(mesh, m_patches.data() + m_first[leaf], m_patches.data() + m_first[leaf + 1],
+                   [&](const Four_triangles& group) { group.intersect(ray); });
+  }
+
+private:
+  template <typename F>
+  void for_each_group(const Flat_mesh& mesh, const Name* begin, const Name* end, const F& f) const
+  {
+    Four_triangles group;
+    std::size_t lane = 0;
+    for (; begin != end; ++begin)
+      m_triangles.for_each(mesh, *begin, [&](const std::array<Float_3, 3>& corners, Index face) {
+        group.set(lane, corners, face);
+        if (++lane == 4) {
+          f(group);
+          group = Four_triangles();
+          lane = 0;
+        }
+      });
+    if (lane > 0)
+      f(group);
+  }
+
+  Patch_triangles m_triangles;
+  bool m_are_stored;
+  std::vector<Index> m_first; // by leaf: of its groups, or of its patches; and the end of the last one
+  Large_array<Four_triangles> m_stored;
+  std::vector<Name> m_patches;
+};
+
+} // namespace internal
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_INTERNAL_RAYS_RAY_LEAVES_H
