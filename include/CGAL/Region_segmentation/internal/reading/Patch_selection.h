@@ -5,8 +5,10 @@
 
 #include <CGAL/Region_segmentation/Double_3.h>
 #include <CGAL/Region_segmentation/Partition.h>
+#include <CGAL/Region_segmentation/internal/support/Float_key.h>
 #include <CGAL/Region_segmentation/internal/support/Large_array.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -34,20 +36,21 @@ public:
   Patch_selection(const Patches& patches, double maximum_area, double unit, double deviation_weight)
     : m_selected(patches.size())
   {
-    Large_array<Selection> selections(patches.size());
+    // The steps and the other patches; the lowest is selected without a branch, which would be mispredicted often.
+    Large_array<Float_key> selections(patches.size());
     for (std::size_t i = 0; i < selections.size(); ++i)
-      selections[i] = {unselected, Index(i)};
+      selections[i] = make_float_key(unselected, Index(i));
     const double scale = 1 / unit;
     patches.for_each_adjacency([&](Index a, Index b, std::size_t) {
       if (!(patches.area(a) + patches.area(b) <= maximum_area))
         return;
       const float step = float(scale * norm(patches.centroid(a) - patches.centroid(b)) +
                                deviation_weight * norm(patches.normal(a) - patches.normal(b)));
-      select(selections[a], step, b);
-      select(selections[b], step, a);
+      selections[a] = (std::min)(selections[a], make_float_key(step, b));
+      selections[b] = (std::min)(selections[b], make_float_key(step, a));
     });
     for (std::size_t i = 0; i < selections.size(); ++i)
-      m_selected[i] = selections[i].patch;
+      m_selected[i] = index_of(selections[i]);
     make_roots(patches);
   }
 
@@ -59,8 +62,9 @@ public:
     Index number_of_parts = 0;
     for (std::size_t i = 0; i < m_selected.size(); ++i) {
       Index& part = part_of[root(Index(i), state)];
-      if (part == none)
-        part = number_of_parts++;
+      const bool is_new = part == none; // unpredictable
+      part = is_new ? number_of_parts : part;
+      number_of_parts += is_new;
       part_of[i] = part;
     }
     return Partition(std::move(part_of), number_of_parts);
@@ -70,18 +74,6 @@ private:
   static constexpr Index none = (std::numeric_limits<Index>::max)();
   static constexpr float unselected = std::numeric_limits<float>::infinity();
   enum State : std::uint8_t { IS_KNOWN = 1, IS_ODD = 2, HAS_CHILD = 4 };
-
-  struct Selection
-  {
-    float step;
-    Index patch;
-  };
-
-  static void select(Selection& best, float step, Index other)
-  {
-    if (step < best.step || (step == best.step && other < best.patch))
-      best = {step, other};
-  }
 
   /// Of two patches that select each other, the larger one is a root: it selects itself; of equal ones, the lower one.
   template <typename Patches>
@@ -116,10 +108,9 @@ private:
 
   Index root(Index i, const std::vector<std::uint8_t>& state) const
   {
-    const Index parent = m_selected[i];
-    if (state[i] & IS_ODD)
-      return parent;
-    return state[i] & HAS_CHILD ? i : m_selected[parent];
+    const Index parent = m_selected[i], grandparent = m_selected[parent];
+    const Index of_even = state[i] & HAS_CHILD ? i : grandparent;
+    return state[i] & IS_ODD ? parent : of_even;
   }
 
   Large_array<Index> m_selected; // by patch; itself: a root
