@@ -62,8 +62,7 @@ public:
   Flat_mesh read()
   {
     const bool with_patches = includes(m_data, Mesh_data::PATCHES), with_points = includes(m_data, Mesh_data::POINTS);
-    const double after_faces = with_patches ? 0.4 : with_points ? 0.8 : 1; // of the time
-    const double after_patches = with_points ? after_faces + 0.1 : 1;
+    const double after_patches = with_points ? 0.9 : 1, after_faces = with_patches ? 0.4 : after_patches; // of the time
     std::vector<Place> places(number_of_blocks(m_traversal.number_of_faces()));
     Place end;
     if constexpr (Execution<ConcurrencyTag>::is_parallel)
