@@ -30,8 +30,8 @@ class Subject
 public:
   virtual ~Subject() = default;
   virtual std::size_t number_of_faces() const = 0;
-  /// One pass of `PMP::compute_face_normals`, the floor of runs on one thread.
-  virtual void compute_face_normals() = 0;
+  /// The processor time of one pass of `PMP::compute_face_normals`, the floor of runs on one thread.
+  virtual double seconds_of_face_normals() = 0;
   virtual Stage_seconds segment(const Pipeline& pipeline) = 0;
 };
 
