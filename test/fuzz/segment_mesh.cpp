@@ -3,57 +3,22 @@
 // Any valid half-edge mesh with any coordinates: every method gives connected segments, numbered by their first faces.
 
 #include "Bytes.h"
+#include "mesh_from.h"
 #include "require.h"
 
 #include <CGAL/Region_segmentation/Methods/Learned_merging.h>
+#include <CGAL/Region_segmentation/Methods/Smooth_faces.h>
 #include <CGAL/Region_segmentation/Methods/Two_step.h>
 #include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
 #include <CGAL/Region_segmentation/segment.h>
 
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/boost/graph/Euler_operations.h>
-
-#include <cmath>
-#include <set>
+#include <algorithm>
+#include <type_traits>
+#include <vector>
 
 namespace RS = CGAL::Region_segmentation;
 
 namespace {
-
-using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
-using Labels = std::vector<std::size_t>;
-
-/// Points, then polygons on them; those that would not leave a 2-manifold are left out.
-Mesh mesh_from(Bytes& bytes)
-{
-  Mesh mesh;
-  for (std::size_t i = 0, n = 3 + bytes.below(62); i < n; ++i) {
-    const double x = bytes.number(), y = bytes.number(), z = bytes.number();
-    mesh.add_vertex({x, y, z});
-  }
-  while (!bytes.empty()) {
-    std::vector<Mesh::Vertex_index> corners;
-    for (std::size_t i = 0, n = 3 + bytes.below(4); i < n; ++i)
-      corners.emplace_back(
-        Mesh::Vertex_index(Mesh::size_type(bytes.below(mesh.number_of_vertices()))));
-    if (std::set<Mesh::Vertex_index>(corners.begin(), corners.end()).size() == corners.size() &&
-        CGAL::Euler::can_add_face(corners, mesh))
-      CGAL::Euler::add_face(corners, mesh);
-  }
-  return mesh;
-}
-
-bool has_only_finite_points(const Mesh& mesh)
-{
-  for (const auto v : mesh.vertices()) {
-    const auto& p = mesh.point(v);
-    if (!mesh.is_isolated(v) &&
-        !(std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z())))
-      return false;
-  }
-  return true;
-}
 
 /// The faces that can be reached from `start` without leaving its label; marks them as seen.
 void visit(const Mesh& mesh, const Labels& labels, Mesh::Face_index start,
@@ -105,11 +70,10 @@ std::size_t number_of_components(const Mesh& mesh)
 template <typename Method>
 void check_method(const Mesh& mesh, const Method& method, std::size_t k)
 {
-  constexpr bool gives_any_number = !std::is_same<Method, RS::Two_step>::value;
+  constexpr bool gives_any_number =
+    !std::is_same<Method, RS::Two_step>::value && !std::is_same<Method, RS::Smooth_faces>::value;
   Labels labels(mesh.number_of_faces()), again(labels);
-  const auto map = [&mesh](Labels& l) {
-    return boost::make_iterator_property_map(l.begin(), get(boost::face_index, mesh));
-  };
+  const auto map = [&mesh](Labels& l) { return face_map(mesh, l); };
   const auto np = RS::parameters::method(method);
   try {
     const std::size_t n = RS::segment(mesh, map(labels), np.number_of_segments(k));
@@ -120,7 +84,7 @@ void check_method(const Mesh& mesh, const Method& method, std::size_t k)
               "no fewer segments than asked for");
     require(RS::segment(mesh, map(again), np.number_of_segments(k)) == n && again == labels,
             "twice the same");
-    if constexpr (gives_any_number)
+    if constexpr (!std::is_same<Method, RS::Two_step>::value) // the others choose a number
       check_labels(mesh, labels, RS::segment(mesh, map(labels), np));
     require(has_only_finite_points(mesh), "a point that is not finite is refused");
   } catch (const RS::Invalid_input& error) {
@@ -138,5 +102,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   check_method(mesh, RS::Two_step(), k);
   check_method(mesh, RS::Visibility_merging(), k);
   check_method(mesh, RS::Learned_merging(), k);
+  check_method(mesh, RS::Smooth_faces(), k);
   return 0;
 }

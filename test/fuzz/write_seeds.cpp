@@ -203,4 +203,5 @@ int main(int argc, char** argv)
   write_command_lines({root, "command_line"});
   write_soups({root, "repair_soup"});
   write_meshes({root, "segment_mesh"});
+  write_meshes({root, "use_segments"});
 }
