@@ -35,19 +35,18 @@ public:
   /// `most_stored`: triangles of meshes of more faces are gathered
   Ray_leaves(const Flat_mesh& mesh, Patch_triangles triangles, std::size_t most_stored)
     : m_triangles(std::move(triangles)), m_are_stored(mesh.number_of_faces() <= most_stored), m_first(1, 0)
-  {
-    if (m_are_stored) // usually a leaf fills all groups but one
-      m_stored.reserve(mesh.number_of_faces() / 4 + m_triangles.number_of_patches() / 8);
-  }
+  {}
 
   const Patch_triangles& triangles() const { return m_triangles; }
 
   /// Adds a leaf, and returns its index.
   Index add(const Flat_mesh& mesh, const Name* begin, const Name* end)
   {
-    if (m_are_stored)
+    if (m_are_stored) {
+      if (m_stored.empty()) // usually a leaf fills all groups but one
+        m_stored.reserve(mesh.number_of_faces() / 4 + m_triangles.number_of_patches() / 8);
       for_each_group(mesh, begin, end, [this](const Four_triangles& group) { m_stored.push_back(group); });
-    else
+    } else
       m_patches.insert(m_patches.end(), begin, end);
     m_first.push_back(Index(m_are_stored ? m_stored.size() : m_patches.size()));
     return Index(m_first.size() - 2);
