@@ -9,6 +9,7 @@
 #include <CGAL/Region_segmentation/Segments/Segment_description.h>
 #include <CGAL/Region_segmentation/internal/segments/Segment_describer.h>
 #include <CGAL/Region_segmentation/internal/segments/Segmented_mesh.h>
+#include <CGAL/Region_segmentation/internal/support/check_output.h>
 #include <CGAL/Region_segmentation/parameters.h>
 #include <CGAL/Region_segmentation/read_flat_mesh.h>
 
@@ -64,6 +65,8 @@ std::size_t describe_segments(const FaceGraph& mesh, const FaceSegmentMap& segme
                               DescriptionOutputIterator descriptions,
                               const NamedParameters& np = parameters::default_values())
 {
+  using Label = typename boost::property_traits<FaceSegmentMap>::value_type;
+  static_assert(internal::check_output_of_labels<DescriptionOutputIterator, Segment_description<Label>>());
   const auto& pack = internal::pack(np);
   using Pack = std::decay_t<decltype(pack)>;
   internal::check_parameters<Pack, internal::Tag_list<>>();

@@ -5,6 +5,7 @@
 
 #include <CGAL/Region_segmentation/internal/segments/Border_chains.h>
 #include <CGAL/Region_segmentation/internal/segments/Segmented_mesh.h>
+#include <CGAL/Region_segmentation/internal/support/check_output.h>
 #include <CGAL/Region_segmentation/parameters.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -67,6 +68,7 @@ std::size_t extract_segment_borders(const FaceGraph& mesh, const FaceSegmentMap&
                                     const NamedParameters& np = parameters::default_values())
 {
   using Label = typename boost::property_traits<FaceSegmentMap>::value_type;
+  static_assert(internal::check_output_of_labels<BorderOutputIterator, Segment_border<FaceGraph, Label>>());
   const auto& pack = internal::pack(np);
   internal::check_parameters<std::decay_t<decltype(pack)>, internal::Tag_list<>>();
   const auto traversal = internal::make_mesh_traversal(mesh, pack);
