@@ -44,7 +44,7 @@ struct Segment_topology
 ///         at most 64 bits
 /// \tparam TopologyOutputIterator a model of `OutputIterator` that takes `Segment_topology<Label>`, `Label` the value type
 ///         of `FaceSegmentMap`
-/// \param mesh an oriented 2-manifold with or without borders, its faces polygons of any size
+/// \param mesh an oriented 2-manifold with or without boundary, its faces polygons of any size
 /// \param segment_map the segments, by any labels; faces with the label `no_segment` belong to none
 /// \param topologies receives the results, in the order of the first faces of the segments
 /// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":

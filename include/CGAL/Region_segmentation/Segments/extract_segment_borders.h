@@ -47,7 +47,7 @@ struct Segment_border
 ///         at most 64 bits
 /// \tparam BorderOutputIterator a model of `OutputIterator` that takes `Segment_border<FaceGraph, Label>`, `Label` the value
 ///         type of `FaceSegmentMap`
-/// \param mesh an oriented 2-manifold with or without borders, its faces polygons of any size
+/// \param mesh an oriented 2-manifold with or without boundary, its faces polygons of any size
 /// \param segment_map the segments, by any labels; faces with the label `no_segment` belong to none
 /// \param borders receives the polylines, in the order of their first faces: open ones, then closed ones
 /// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
