@@ -1,5 +1,6 @@
 # cmake -D ROOT=source -D HTML=pages -D MATHJAX=copy -P check_pages.cmake: what Doxygen does not warn about. Public headers
-# belong to a group, concepts and examples have a page, figures are used and small, and pages load nothing from a network.
+# belong to a group, concepts and examples have a page, figures are used and small, rows of tables are separate, and pages load
+# nothing from a network.
 set(errors)
 cmake_minimum_required(VERSION 3.16)
 macro(error text)
@@ -68,6 +69,12 @@ file(GLOB pages ${HTML}/*.html)
 if(NOT pages)
   error("no pages in ${HTML}")
 endif()
+foreach(page IN LISTS pages)
+  file(STRINGS ${page} broken_rows REGEX "ilinebr")
+  if(broken_rows)
+    error("${page}: a table with rows that Doxygen did not separate")
+  endif()
+endforeach()
 if(MATHJAX)
   foreach(page IN LISTS pages)
     file(STRINGS ${page} loads REGEX "(src=|stylesheet.*href=|href=.*stylesheet)\"?(https?:)?//")

@@ -3,7 +3,7 @@
 #
 # Installs what is missing, builds the program in release mode into build/, and runs it. The result is
 # written in the folder from which this is called: NAME_segments.ply, with a color for each part, and NAME.html, a page
-# to turn them in a browser.
+# to view and rotate them in a browser.
 set -eu
 root=$(cd "$(dirname "$0")/.." && pwd)
 

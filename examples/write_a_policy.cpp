@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A section cost of one's own, and a merging policy of one's own.
+// A user-defined section cost and merging policy.
 
 #include "dumbbell.h"
 

@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+#include <optional>
 #include <string>
 
 namespace {
@@ -147,6 +149,31 @@ TEST(Merge_regions_test, a_policy_that_proposes_what_cannot_be_merged_is_an_erro
   EXPECT_THROW(RS::merge_regions(g, Stubborn_policy{*g.section(0, 1)}, 1, RS::Stop_at_count{1}), RS::Invalid_method)
       << "barred";
   EXPECT_EQ(g.number_of_regions(), 3u);
+}
+
+/// Proposes any section, at a cost that is not a number.
+struct Policy_without_a_cost
+{
+  void initialize(const Graph&) {}
+  std::optional<RS::Merge_candidate> next(const Graph& g)
+  {
+    return RS::Merge_candidate{*edges(g).first, std::numeric_limits<double>::quiet_NaN()};
+  }
+  void on_merge(const Graph&, const Graph::Merge&) {}
+};
+
+TEST(Merge_regions_test, a_policy_whose_cost_is_not_a_number_is_an_error)
+{
+  Graph g = path(4);
+  try {
+    RS::merge_regions(g, Policy_without_a_cost(), 1, RS::Stop_at_count{1});
+    ADD_FAILURE() << "taken";
+  } catch (const RS::Invalid_method& error) {
+    EXPECT_EQ(error.what(), std::string("the RegionMergingPolicy proposes to merge across section 0 at a cost that is not "
+                                        "a number"));
+  }
+  EXPECT_EQ(g.number_of_regions(), 4u);
+  EXPECT_NO_THROW(RS::merge_regions(g, Policy_without_a_cost(), 4, RS::Stop_at_count{4})) << "nothing is merged";
 }
 
 TEST(Merge_regions_test, the_policy_is_initialized_and_may_be_a_temporary)

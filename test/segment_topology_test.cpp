@@ -111,7 +111,7 @@ void expect_discs_when_cut(const Soup& soup, const Labels& labels)
   for (const auto& [segment, counts] : count_segments(soup, labels))
     components += counts.components;
 
-  // Components of the opened mesh: those of faces without a segment are no discs in general.
+  // Components of the opened mesh: those of faces without a segment are not discs in general.
   const std::size_t none = std::size_t(-1);
   Labels component_of(opened.polygons.size(), none);
   std::size_t number = 0;

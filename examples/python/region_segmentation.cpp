@@ -110,7 +110,7 @@ Labels segment(const Points& points, const Indices& faces, std::optional<std::si
 PYBIND11_MODULE(region_segmentation, module)
 {
   module.doc() = "Segmentation of surface meshes. A mesh is an array of n x 3 points, and an array of m x 3 (or more) "
-                 "indices of points, the faces: an oriented 2-manifold with or without borders.";
+                 "indices of points, the faces: an oriented 2-manifold with or without boundary.";
   py::register_exception<RS::Invalid_input>(module, "InvalidInput", PyExc_ValueError);
 
   module.def("segment", &segment,

@@ -34,7 +34,7 @@ TEST_F(Program, prints_a_line_for_an_input)
   EXPECT_TRUE(std::regex_match(outcome.out,
                                std::regex("a\\.off: 4 faces, 1 region, 1 segment" + time_at_end)))
     << outcome.out;
-  EXPECT_EQ(outcome.err, "Nothing is written. A page to turn the segments: -o a.html; a mesh in their colors: -o "
+  EXPECT_EQ(outcome.err, "Nothing is written. A page to view and rotate the segments: -o a.html; a mesh in their colors: -o "
                          "a_segments.ply\n");
   EXPECT_EQ(run("a.off -k 1 -q").err, "");
   EXPECT_EQ(run("a.off -k 1 -o a.seg").err, "");
@@ -245,7 +245,7 @@ TEST_F(Program, knows_wrong_usage)
   folder.write("a.off", sample::off());
   folder.write("b.off", sample::off());
   const std::string endings =
-    ": unknown ending of an output, not .seg, .ply, .off, .obj, .vtp, .json, .csv, .png or .html";
+    ": unknown extension of an output, not .seg, .ply, .off, .obj, .vtp, .json, .csv, .png or .html";
   expect_wrong_usage("a.off --method two-step",
                      "--method two-step needs the number of segments: -k N");
   for (const std::string number : {"0", "-1", "many", "2.5", "18446744073709551616"})

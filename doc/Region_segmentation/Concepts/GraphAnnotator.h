@@ -22,16 +22,19 @@ public:
   The data kept between calls for the same mesh with changed regions, so that only new regions are measured. Optional.
   It is default constructible and movable, and has a member function
   `void renumber(const std::vector<std::uint32_t>& previous_of)`: `previous_of[r]` is the former index of region r, or
-  the highest number if it is new.
+  the highest number if it is new. It is called before the graph of the changed regions is annotated. The example
+  \ref write_a_method.cpp has one.
   */
   using Cache = unspecified_type;
 
   /*!
   changes the data of regions and sections; may add sections between regions without a common edge by
-  `add_nonadjacent_section()`. The data already hold their sums over faces and edges. Annotating a graph again must have
-  no effect.
+  `add_nonadjacent_section()`. The data already hold their sums over faces and edges. The result must not depend on earlier
+  values of those data that the annotator itself fills: assign before adding. (A graph may be annotated more than once.)
 
-  A type may accept a fourth argument, `const Execution<ConcurrencyTag>&`, and with a cache a fifth, `Cache&`.
+  The call with these three arguments is required, or one with a fourth, `const Execution<ConcurrencyTag>&`, to run in
+  parallel, report progress and be cancelled. A type with a `Cache` is in addition callable with a fifth argument, `Cache&`.
+  The call with the most arguments is used.
   */
   void operator()(Graph& graph, const Flat_mesh& mesh, const Partition& regions) const;
 };

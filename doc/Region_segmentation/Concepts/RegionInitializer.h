@@ -22,6 +22,9 @@ public:
 
   \post there is an element for each face, no edge with the flag `CONSTRAINED` joins two faces of a region by itself,
         and every region is connected
+
+  Only the number of elements is checked. If regions are not connected, neither are segments; constrained edges inside a
+  region have no effect.
   */
   Partition operator()(const Flat_mesh& mesh) const;
 

@@ -28,8 +28,9 @@ public:
   void initialize(const Graph& graph, std::size_t number_of_segments);
   /// @}
 
-  /// proposes the next merge, of a section for which `graph.is_mergeable(section)`; empty if there is none. If called
-  /// again before the proposal is carried out, it proposes the same.
+  /// proposes the next merge, of a section for which `graph.is_mergeable(section)`; empty if there is none. The cost of the
+  /// candidate is a number: otherwise `CGAL::Region_segmentation::Invalid_method` is thrown. If called again before the
+  /// proposal is carried out, it proposes the same.
   std::optional<Merge_candidate> next(const Graph& graph);
 
   /// is called after each merge. Sections of the kept region may also have become not mergeable.

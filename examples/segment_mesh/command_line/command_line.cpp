@@ -98,10 +98,12 @@ private:
 void add_inputs(CLI::App& app, Raw_options& raw)
 {
   const Option_group input(app, "Input");
-  input.add("INPUT", raw.options.inputs, "", "Meshes: .off, .obj, .ply or .stl, also compressed as .gz; - is standard input. Several are a batch.");
+  input.add("INPUT", raw.options.inputs, "",
+            "Meshes: .off, .obj, .ply or .stl, also compressed as .gz; - is standard input. Several inputs are processed as a "
+            "batch.");
   input
     .add("--input-format", raw.input_format, "FORMAT",
-         "Of all inputs, whatever their endings: off, obj, ply or stl. Needed for standard input.")
+         "For all inputs, whatever their extensions: off, obj, ply or stl. Needed for standard input.")
     ->check(one_of(formats));
   input.add_flag("--demo", "Instead of an INPUT: a figure that the program builds, of which it knows the parts. Their "
                            "number is the default of -k, and the score against them is printed.");
@@ -115,17 +117,17 @@ void add_outputs(CLI::App& app, Raw_options& raw)
   const Option_group output(app, "Output");
   output.add_repeatable(
     "-o,--output", raw.outputs, "FILE",
-    "Repeatable. {stem} in FILE is the name of the input. The ending says what is written: .html (a page to turn the mesh, "
-    "with every number of segments), .png (a picture), .ply, .off, .obj, .vtp (the mesh with its segments in colors or "
-    "groups; .vtp is for ParaView), .seg (the label of each face on a line), .csv (a table: area, volume, shape ... of each "
+    "Repeatable. {stem} in FILE is the name of the input. The file name extension selects the format: .html (a page to view "
+    "and rotate the mesh, with every number of segments), .png (a picture), .ply, .off, .obj, .vtp (the mesh with its "
+    "segments in colors or groups; .vtp is for ParaView), .seg (the label of each face on a line), .csv (a table: area, volume, shape ... of each "
     "segment), .json (all of it). With .gz after it a file is compressed. {segment} in FILE: a mesh for each segment. - is "
     "stdout.");
   output.add_repeatable("--borders", raw.borders, "FILE",
                         "Repeatable. The borders between segments as polylines: .obj or .vtp.");
   output.add("--view", raw.view, "AZIMUTH ELEVATION",
-             "Of .png: where the viewer stands, in degrees: around the y axis from the z axis, and above. Default: where most "
+             "For .png: where the viewer stands, in degrees: around the y axis from the z axis, and above. Default: where most "
              "segments are seen.");
-  output.add("--output-format", raw.output_format, "FORMAT", "Of every -o, instead of what its ending says: seg, ply, ...")
+  output.add("--output-format", raw.output_format, "FORMAT", "For every -o, instead of what its extension selects: seg, ply, ...")
     ->check(CLI::IsMember(output_format_names()));
 }
 
@@ -140,18 +142,18 @@ void add_segmentation(CLI::App& app, Raw_options& raw)
     ->check(one_of(methods));
   segmentation.add("--constraints", raw.options.side_files.constraints, "FILE",
                    "Edges that are borders between segments, whatever the method. A line of the file is a sequence of points "
-                   "of the mesh, each two joined by an edge: their indices, from 0. {stem} as in -o.");
+                   "of the mesh, consecutive ones joined by edges; points are given by index, starting from 0. {stem} as in -o.");
   segmentation.add("--seeds", raw.options.side_files.seeds, "FILE",
-                   "Faces that belong together, and faces that do not. A line of the file is the index of a face, from 0, and "
-                   "its seed, a number from 0: equal seeds end in one segment, different ones in different segments. {stem} as "
+                   "Faces that belong together, and faces that do not. A line of the file is the index of a face and its "
+                   "seed, both starting from 0: equal seeds end in one segment, different ones in different segments. {stem} as "
                    "in -o.");
   segmentation.add_flag("--smooth-borders", "Move the borders to where they are shorter and lie in valleys, by minimum cuts. "
                                             "Segments of different numbers are no longer nested.");
   segmentation
-    .add("--features", raw.features, "KIND", "Of two-step: edges that can be features: concave (default), convex or all.")
+    .add("--features", raw.features, "KIND", "For two-step: edges that can be features: concave (default), convex or all.")
     ->check(one_of(features));
   segmentation.add("--max-angle", raw.maximum_angle, "DEGREES",
-                   "Of two-step: the angle between the normals of two faces above which their edge is a feature. Default: "
+                   "For two-step: the angle between the normals of two faces above which their edge is a feature. Default: "
                    "1.2372.");
   segmentation
     .add("--mesh", raw.mesh_type, "TYPE",

@@ -22,7 +22,7 @@ constexpr const char* one_sentence = "segments surface meshes into parts";
 constexpr const char* description =
   "Segments surface meshes into parts, and prints a line for each: its faces, the regions that were merged, the segments, "
   "and the time from the mesh in memory to the labels. A mesh that is not an oriented 2-manifold is repaired, with a "
-  "remark; labels come back for each face of the file. Files appear whole or not at all.";
+  "remark; labels come back for each face of the file. Output files are written completely or not at all.";
 
 struct Example
 {
@@ -30,11 +30,11 @@ struct Example
 };
 
 constexpr Example examples[] = {
-  {"segment_mesh armadillo.off -o armadillo.html", "A page to turn the parts, and to change their number."},
+  {"segment_mesh armadillo.off -o armadillo.html", "A page to view and rotate the parts, and to change their number."},
   {"segment_mesh armadillo.off -k 9 -o armadillo.seg -o parts.ply", "Nine parts: labels, and the mesh in colors."},
   {"segment_mesh gear.stl --method smooth-faces -o 'gear_{segment}.obj'", "A file for each face of a machine part."},
   {"segment_mesh *.off -k 7 -o 'parts/{stem}.vtp' --quiet", "A batch, for ParaView."},
-  {"segment_mesh a.off --labels a.seg --truth b.seg -o a.csv", "Segments that exist: compared, and described."},
+  {"segment_mesh a.off --labels a.seg --truth b.seg -o a.csv", "Compare and describe existing segments."},
   {"segment_mesh a.off -q -o - --output-format csv | sort", "A table on stdout."}};
 
 struct Status
@@ -110,7 +110,7 @@ std::string short_help()
   return "segment_mesh " CGAL_REGION_SEGMENTATION_VERSION " segments surface meshes into parts.\n"
          "\n"
          "  segment_mesh mesh.off                     says how many parts it sees\n"
-         "  segment_mesh mesh.off -o mesh.html        a page to turn them in a browser\n"
+         "  segment_mesh mesh.off -o mesh.html        a page to view them in a browser\n"
          "  segment_mesh mesh.off -k 9 -o parts.ply   nine parts, in colors\n"
          "  segment_mesh --demo -o demo.png           a picture of a model of its own\n"
          "\n"

@@ -43,7 +43,7 @@ Mesh_format mesh_format(const std::string& file)
     return Mesh_format::PLY;
   if (ending == ".stl")
     return Mesh_format::STL;
-  throw Input_error(file, "unknown ending " + in_quotes(ending) + ", not .off, .obj, .ply or .stl");
+  throw Input_error(file, "unknown extension " + in_quotes(ending) + ", not .off, .obj, .ply or .stl");
 }
 
 bool is_compressed(const std::string& file)

@@ -36,7 +36,7 @@ Output_format format_of_ending(const std::string& file, const std::string& endin
   const std::vector<std::string>& names = output_format_names();
   const auto found = std::find(names.begin(), names.end(), ending);
   if (found == names.end())
-    throw Usage_error(file + ": unknown ending of an output, not " + list_of_endings());
+    throw Usage_error(file + ": unknown extension of an output, not " + list_of_endings());
   return Output_format(found - names.begin());
 }
 

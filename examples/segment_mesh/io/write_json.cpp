@@ -18,9 +18,11 @@
 //                 boundary_length, neighbors (segment, border_length, mean_signed_deviation),
 //                 primitive (type, error, point, and where it has them direction, radius, half_angle)
 //   regions       for each region that merging started from, by its id: segment, faces, area,
-//                 perimeter (shared with other regions, in units of the mesh)
-//   sections      for each pair of regions that share edges: regions (two ids), edges, length (in
-//                 units of the mesh), mean_angle (the dihedral angle, in radians; pi is flat)
+//                 perimeter (shared with other regions)
+//   sections      for each pair of regions that share edges: regions (two ids), edges, length,
+//                 mean_angle (the dihedral angle, in radians; pi is flat). Lengths and areas of
+//                 regions and sections are in units of `Flat_mesh::unit()`: those of the mesh,
+//                 unless areas might exceed the range of double
 //   merges        in order: regions (the one that is kept, the one that joins it), cost (in units of
 //                 the method)
 //   face_segments the segment of each face, in the order of the input's file

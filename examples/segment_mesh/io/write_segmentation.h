@@ -50,7 +50,7 @@ void write_json(std::ostream& out, const Result& result);
 void write_csv(std::ostream& out, const Result& result);
 /// A picture of the segments and the feature lines, see `render_view()`.
 void write_view(std::ostream& out, const Result& result);
-/// A page to turn the mesh, see `write_page()`.
+/// A page to view and rotate the mesh, see `write_page()`.
 void write_html(std::ostream& out, const Result& result);
 /// @}
 

@@ -24,8 +24,8 @@ using Polyline = std::vector<std::size_t>;
 struct Region
 {
   std::size_t number_of_faces = 0;
-  double area = 0;      ///< in squared units of the mesh
-  double perimeter = 0; ///< shared with other regions, in units of the mesh
+  double area = 0;      ///< in squared units of `Flat_mesh::unit()`
+  double perimeter = 0; ///< shared with other regions, in units of `Flat_mesh::unit()`
   std::size_t segment = 0;
 };
 
@@ -34,7 +34,7 @@ struct Section
 {
   std::size_t regions[2];
   std::size_t number_of_edges = 0;
-  double length = 0;     ///< in units of the mesh
+  double length = 0;     ///< in units of `Flat_mesh::unit()`
   double mean_angle = 0; ///< the dihedral angle, in radians; pi is flat
 };
 

@@ -25,7 +25,7 @@ class Flat_mesh_builder;
 /// \ingroup PkgRegionSegmentationData
 /// The points of the vertices of a mesh, and the corners of its faces.
 ///
-/// Bytes: 4 a face, 4 a corner and 24 a vertex, so 28 a face on a closed triangle mesh.
+/// Bytes: 4 per face, 4 per corner and 24 per vertex, so 28 per face on a closed triangle mesh.
 class Mesh_points
 {
 public:
@@ -38,6 +38,7 @@ public:
   }
   /// The vertex at a corner of a face. The first corner is the vertex of lowest index.
   Index corner(std::size_t face, std::size_t i) const { return m_corners[m_first_corners[face] + i]; }
+  /// The point of a vertex, in units of `Flat_mesh::unit()`.
   const Double_3& operator[](std::size_t vertex) const { return m_points[vertex]; }
 
 private:
@@ -56,14 +57,18 @@ private:
 /// the higher one from its vertex of lowest index. Borders of the mesh have no dual edge. Both faces are stored with
 /// each dual edge: nested loops over the few edges of each face would mispredict their branches.
 ///
-/// Lengths are in units of `unit()` mesh units. It is 1, unless areas might exceed the range of double; then it is a
-/// power of two, so that results do not depend on it.
+/// Points and lengths are in units of `unit()`, areas in squared ones. It is 1, unless areas might exceed the range of double;
+/// then it is a power of two, so that results do not depend on it.
+///
+/// The dual edges of a face to lower faces are `first_edge(f)` to `first_edge(f + 1) - 1`. A part usually iterates over all
+/// dual edges, once; one that needs all neighbors of a face collects them in such a pass, from `lower_face()` and
+/// `higher_face()`.
 ///
 /// A closed component whose signed volume is below 0 is inside out: its faces are turned. Without `Mesh_data::PATCHES`, for
 /// speed, components are looked at only if the surface as a whole is closed and its signed volume is below 0. Open
 /// components are read as they are.
 ///
-/// Bytes: 32 a face and 17 a dual edge, so 57.5 a face on a closed triangle mesh; 28 a face more with the points and 24
+/// Bytes: 32 per face and 17 per dual edge, so 57.5 per face on a closed triangle mesh; 28 per face more with the points and 24
 /// with the centroids.
 class Flat_mesh
 {
@@ -90,7 +95,7 @@ public:
   /// Of dual edges: they have the indices below it.
   std::size_t number_of_edges() const { return m_higher_faces.size(); }
 
-  /// The unit of length, in units of the mesh.
+  /// The unit of points and lengths, as a multiple of that of the mesh.
   double unit() const { return m_unit; }
 
   /// \name Faces
@@ -98,7 +103,7 @@ public:
 
   /// The unit normal; the zero vector for a degenerate face.
   const Double_3& normal(std::size_t face) const { return m_normals[face]; }
-  /// In squared units of length.
+  /// In squared units of `unit()`.
   double area(std::size_t face) const { return m_areas[face]; }
   /// Whether the area is so small that the normal has no meaning, see \ref RegionSegmentationTwoStep.
   bool is_degenerate(std::size_t face) const
@@ -119,7 +124,7 @@ public:
 
   Index lower_face(std::size_t edge) const { return m_lower_faces[edge]; }
   Index higher_face(std::size_t edge) const { return m_higher_faces[edge]; }
-  /// The length of the mesh edge, in units of length.
+  /// The length of the mesh edge, in units of `unit()`.
   double length(std::size_t edge) const { return std::sqrt(m_squared_lengths[edge]); }
   /// The sum of the `Edge_flag`s of an edge.
   std::uint8_t flags(std::size_t edge) const { return m_flags[edge]; }
@@ -159,21 +164,21 @@ public:
     return m_points;
   }
 
-  /// The mean of the corners of a face. `Mesh_data::CENTROIDS`
+  /// The mean of the corners of a face, in units of `unit()`. `Mesh_data::CENTROIDS`
   const Double_3& centroid(std::size_t face) const
   {
     require(Mesh_data::CENTROIDS, "CENTROIDS");
     return m_centroids[face];
   }
 
-  /// The sum of the areas of the faces, in their order. `Mesh_data::SURFACE_AREA`
+  /// The sum of the areas of the faces, in their order, in squared units of `unit()`. `Mesh_data::SURFACE_AREA`
   double surface_area() const
   {
     require(Mesh_data::SURFACE_AREA, "SURFACE_AREA");
     return m_surface_area;
   }
 
-  /// The square root of the area of the surface; 1 if that is 0. `Mesh_data::SURFACE_AREA`
+  /// The square root of the area of the surface, in units of `unit()`; 1 if that is 0. `Mesh_data::SURFACE_AREA`
   double relative_unit() const
   {
     const double area = surface_area();

@@ -41,7 +41,9 @@ namespace Region_segmentation {
 /// Segmenting is `const`, and thread-safe with different maps. Adding constraints or seeds requires exclusive access. A
 /// segmenter can be moved and copied.
 ///
-/// Bytes, with the default method: about 180 a face.
+/// Bytes, with the default method: about 180 per face.
+///
+/// Omit the template arguments: `Segmenter segmenter(mesh, parameters::method(m))` deduces the type of the method.
 ///
 /// \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam Method a model of `SegmentationMethod`
@@ -54,7 +56,7 @@ class Segmenter
 public:
   /// prepares a mesh.
   ///
-  /// \param mesh an oriented 2-manifold with or without borders, its faces polygons of any size
+  /// \param mesh an oriented 2-manifold with or without boundary, its faces polygons of any size
   /// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
   ///
   /// \cgalNamedParamsBegin
@@ -133,8 +135,8 @@ public:
   /// seeds, and by moving borders (see `Border_straightening`).
   const Partition& regions() const { return m_prepared.regions(); }
 
-  /// The merges of the first regions, down to one segment for each connected piece. Only with a
-  /// method that has one tree for all numbers.
+  /// The merges of the first regions, down to one segment for each connected piece, unless the policy ends before or sections
+  /// are barred. Only with a method that has one tree for all numbers.
   const Merge_tree& merge_tree() const
   {
     static_assert(Prepared::has_one_tree,
@@ -185,7 +187,9 @@ public:
   ///   \cgalParamNEnd
   /// \cgalNamedParamsEnd
   ///
-  /// \returns the number n of segments. It is at least the number of connected components, and that of different seeds
+  /// \returns the number n of segments; see `segment()`. It is at least the number of connected components, and that of
+  ///          different seeds
+  /// \pre `number_of_segments` is at least 1; see `segment()`
   /// \throws Segmentation_cancelled if the visitor cancels; the map is unchanged
   ///
   /// Complexity: O(F) with a method that has one tree for all numbers, else that of merging.

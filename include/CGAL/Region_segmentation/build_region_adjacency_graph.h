@@ -61,7 +61,7 @@ auto build_region_adjacency_graph(const Flat_mesh& mesh, const Partition& region
 /// \tparam FaceRegionMap a model of `ReadablePropertyMap` with the face descriptor as key and an
 ///         integral value type
 /// \tparam GraphAnnotator a model of `GraphAnnotator`
-/// \param mesh an oriented 2-manifold with or without borders
+/// \param mesh an oriented 2-manifold with or without boundary
 /// \param region_map the region of every face, by any labels: regions are numbered by their first face
 /// \param annotator defines the data of the graph, and fills them
 /// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":

@@ -34,7 +34,7 @@ using Feature_edge_parameters = Tag_list<CGAL::internal_np::maximum_angle_t, int
 /// \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam EdgeIsFeatureMap a model of `WritablePropertyMap` with the edge descriptor as key and a
 ///         value type that is constructible from `bool`
-/// \param mesh an oriented 2-manifold with or without borders, its faces polygons of any size
+/// \param mesh an oriented 2-manifold with or without boundary, its faces polygons of any size
 /// \param edge_is_feature_map every key is written
 /// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
 ///

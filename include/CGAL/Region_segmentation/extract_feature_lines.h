@@ -97,7 +97,7 @@ struct Polyline_collector
 ///         value type convertible to and constructible from `bool`
 /// \tparam PolylineOutputIterator a model of `OutputIterator` that takes
 ///         `std::vector<vertex_descriptor>`
-/// \param mesh an oriented 2-manifold with or without borders
+/// \param mesh an oriented 2-manifold with or without boundary
 /// \param edge_is_feature_map the feature edges; every key is written. Borders of the mesh are always
 ///        feature edges
 /// \param polylines receives the vertices of every line; a closed one ends with its first vertex

@@ -29,7 +29,7 @@ namespace Region_segmentation {
 ///         value type convertible to and constructible from `bool`
 /// \tparam FaceRegionMap a model of `WritablePropertyMap` with the face descriptor as key and an
 ///         integral value type
-/// \param mesh an oriented 2-manifold with or without borders
+/// \param mesh an oriented 2-manifold with or without boundary
 /// \param edge_is_feature_map the feature edges; those between two faces of one region are cleared
 ///        unless they are constrained; borders of the mesh are set
 /// \param region_map every key is written: ids 0 .. r-1, numbered by the first face

@@ -68,7 +68,7 @@ struct Stop_at_cost
 ///
 /// \returns the tree of the merges, over all indices of regions of the graph
 /// \throws Segmentation_cancelled if the visitor cancels, Invalid_method if the policy proposes a section that is
-///         removed or not mergeable; the graph is then in the state between two merges
+///         removed or not mergeable, or a cost that is not a number; the graph is then in the state between two merges
 ///
 /// Complexity: that of the policy, and O((R + S) log R) expected for the graph itself. Deterministic.
 template <typename Graph, typename Policy, typename Stop,

@@ -168,6 +168,15 @@ pack(const CGAL::Named_function_parameters<T, Tag, Base>& np)
   return np;
 }
 
+/// For all other arguments: reports them, and only them.
+template <typename T>
+CGAL::Named_function_parameters<bool, CGAL::internal_np::all_default_t> pack(const T&)
+{
+  static_assert(!std::is_same<T, T>::value,
+                "this argument is a pack of named parameters: pass a method by parameters::method()");
+  return {};
+}
+
 template <typename... Tags>
 struct Tag_list
 {};

@@ -30,7 +30,7 @@ Flat_mesh read_flat_mesh(const Mesh_traversal<FaceGraph, Pack>& traversal, const
 ///
 /// \tparam ConcurrencyTag `Sequential_tag` or, with TBB, `Parallel_tag`; see `segment()`
 /// \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
-/// \param mesh an oriented 2-manifold with or without borders, its faces polygons of any size
+/// \param mesh an oriented 2-manifold with or without boundary, its faces polygons of any size
 /// \param data the data to be read in addition to normals, areas, lengths and angles
 /// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
 ///
@@ -55,7 +55,7 @@ Flat_mesh read_flat_mesh(const Mesh_traversal<FaceGraph, Pack>& traversal, const
 /// \throws Invalid_input if a point is not finite, or the mesh has 2^32 - 1 halfedges or more;
 ///         `Segmentation_cancelled` if the visitor cancels
 ///
-/// Complexity: O(F). Deterministic: the same bits from every mesh type. Read-only; concurrent calls are safe.
+/// Complexity: O(F). Deterministic: identical results from every mesh type. Read-only; concurrent calls are safe.
 template <typename ConcurrencyTag = CGAL::Sequential_tag, typename FaceGraph,
           typename NamedParameters = parameters::Default_named_parameters>
 Flat_mesh read_flat_mesh(const FaceGraph& mesh, Mesh_data data = Mesh_data::NOTHING_MORE,

@@ -30,7 +30,7 @@ namespace Region_segmentation {
 /// \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam FaceSegmentMap a model of `WritablePropertyMap` with the face descriptor as key and an
 ///         integral value type that holds the number of segments
-/// \param mesh an oriented 2-manifold with or without borders, its faces polygons of any size
+/// \param mesh an oriented 2-manifold with or without boundary, its faces polygons of any size
 /// \param segment_map every key is written: ids 0 .. n-1, numbered by the first face
 /// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
 ///
@@ -44,7 +44,7 @@ namespace Region_segmentation {
 ///     \cgalParamDescription{how the mesh is segmented; constants are members of its parts}
 ///     \cgalParamType{a model of `SegmentationMethod`}
 ///     \cgalParamDefault{`Learned_merging()`}
-///     \cgalParamExtra{`Visibility_merging()` has a hand-made cost, `Smooth_faces()` finds the smooth faces of machine
+///     \cgalParamExtra{`Visibility_merging()` has a hand-crafted cost, `Smooth_faces()` finds the smooth faces of machine
 ///       parts, `Two_step()` is the method of \cgalCite{YZWLL14}}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{edge_is_constrained_map}
@@ -83,9 +83,11 @@ namespace Region_segmentation {
 /// \cgalNamedParamsEnd
 ///
 /// \returns the number n of segments. It is more than k if the mesh has more connected components (or components
-///          between constrained edges, or seeds) than k, and less if there are fewer first regions
+///          between constrained edges, or seeds) than k, or if a user-defined policy ends before or its cost bars sections,
+///          and less if there are fewer first regions, which the method cannot split
 ///
-/// \pre `number_of_segments` is at least 1
+/// \pre `number_of_segments` is at least 1; with the checks of \cgal disabled, another number gives an unspecified number of
+///      segments
 /// \post every segment is connected where every first region is
 /// \throws Invalid_input if a point is not finite or equal seeds cannot be joined; `Segmentation_cancelled` if the
 ///         visitor cancels; all maps are unchanged. What `put()` of a map throws: `segment_map` is written first, in the
@@ -94,7 +96,7 @@ namespace Region_segmentation {
 ///
 /// Complexity: that of its parts; O(F log F) in practice for `Learned_merging`, O(F + R log R + k^2) expected for
 /// `Two_step`.
-/// Deterministic: the same bits from every mesh type. Concurrent calls on different maps are safe.
+/// Deterministic: identical results from every mesh type. Concurrent calls on different maps are safe.
 /// For several numbers of segments, or when constraints and seeds change, use a `Segmenter`.
 ///
 /// Source: \cgalCite{YZWLL14}.

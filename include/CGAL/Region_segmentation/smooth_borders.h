@@ -127,7 +127,7 @@ private:
 /// \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam FaceSegmentMap a model of `ReadWritePropertyMap` with the face descriptor as key and an integral
 ///         value type of at most 64 bits
-/// \param mesh an oriented 2-manifold with or without borders, its faces polygons of any size
+/// \param mesh an oriented 2-manifold with or without boundary, its faces polygons of any size
 /// \param segment_map the segments, by any labels; only faces whose label changes are written
 /// \param smoother how borders are moved
 /// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
@@ -157,10 +157,12 @@ private:
 ///       the band of `smoother` keeps its label
 /// \throws Invalid_input if a point is not finite, Segmentation_cancelled if the visitor cancels; the map is unchanged
 ///
+/// Constraints of the segmentation are not known here: `edge_is_constrained_map` is to be given again.
+///
 /// Labels may no longer be numbered by their first face. A second call may move borders further: the bands lie around
 /// the new ones.
 ///
-/// Complexity: see `Minimum_cut_borders`. Deterministic: the same bits from every mesh type.
+/// Complexity: see `Minimum_cut_borders`. Deterministic: identical results from every mesh type.
 /// Concurrent calls on different maps are safe.
 ///
 /// Source: \cgalCite{KT03}.

@@ -13,7 +13,7 @@ namespace Region_segmentation {
 struct Merge_candidate
 {
   Section_descriptor section;
-  double cost;
+  double cost; ///< a number, possibly infinite
 };
 
 } // namespace Region_segmentation

@@ -15,10 +15,12 @@ namespace Region_segmentation {
 /// \ingroup PkgRegionSegmentationGraph
 /// Length and mean dihedral angle of a section. A model of `SectionData`.
 ///
-/// User-defined data derives from it, or has the same member functions.
+/// User-defined data derives from it, or has the same member functions. A type that derives from it and has members of its
+/// own declares its own `add_edge()` and `absorb()`, which call those of this class: inherited ones do not know the members,
+/// and do not compile.
 struct Section_geometry
 {
-  double length = 0;               ///< in units of the mesh
+  double length = 0;               ///< in units of `Flat_mesh::unit()`
   double sum_of_angles = 0;        ///< of the dihedral angle theta over the edges, in radians
   std::size_t number_of_edges = 0; ///< mesh edges
 
@@ -44,10 +46,14 @@ struct Section_geometry
 
 /// \ingroup PkgRegionSegmentationGraph
 /// Area and perimeter of a region. A model of `RegionData`.
+///
+/// A type that derives from it and has members of its own declares its own `absorb()`, which calls that of this class: the
+/// inherited one would not merge the members, and does not compile. The same applies to the functions that sum them, unless
+/// an annotator fills them.
 struct Region_geometry
 {
-  double area = 0;      ///< in squared units of the mesh
-  double perimeter = 0; ///< length of the edges shared with other regions, in units of the mesh
+  double area = 0;      ///< in squared units of `Flat_mesh::unit()`
+  double perimeter = 0; ///< length of the edges shared with other regions, in units of `Flat_mesh::unit()`
 
   /// Accounts for a face of the region.
   void add_face(const Flat_mesh& mesh, std::size_t face) { area += mesh.area(face); }

@@ -34,6 +34,8 @@ namespace Region_segmentation {
 ///
 /// Complexity: O(min(d, `hub_degree`) log S) per merge, amortized, d the number of sections of the merged region.
 ///
+/// A lambda is a cost, too: `Lowest_cost_first([](const auto& graph, auto s) { return graph[s].length; })`.
+///
 /// \tparam Cost a model of `SectionCost`; a section whose cost is not a number is never merged across
 template <typename Cost>
 class Lowest_cost_first : public internal::Data_named_by<Cost>

@@ -23,7 +23,7 @@ namespace Region_segmentation {
 /// Complexity: that of `Lowest_cost_first<Order>`, and one evaluation of `Cost` per merge.
 ///
 /// \tparam Order a model of `SectionCost`: the section for which it is lowest is merged across next
-/// \tparam Cost a model of `SectionCost`, recorded for each merge
+/// \tparam Cost a model of `SectionCost`, recorded for each merge; a number for every section that `Order` does not bar
 template <typename Order, typename Cost>
 class Lowest_order_first : public internal::Data_named_by<Cost>
 {

@@ -23,12 +23,12 @@ namespace Region_segmentation {
 /// \ingroup PkgRegionSegmentationGraph
 /// Data of a region, and the mean of a scalar of its faces. A model of `RegionData`.
 ///
-/// \tparam RegionData a model of `RegionData` that is a class
-template <typename RegionData>
-struct Scalar_region_data : RegionData
+/// \tparam Base a model of `RegionData` that is a class
+template <typename Base>
+struct Scalar_region_data : Base
 {
   double scalar = 0;         ///< integral over the area of the faces
-  double area_of_scalar = 0; ///< this area, in squared units of the mesh
+  double area_of_scalar = 0; ///< this area, in squared units of `Flat_mesh::unit()`
 
   /// 0 if the area is 0.
   double mean_scalar() const { return area_of_scalar > 0 ? scalar / area_of_scalar : 0; }
@@ -37,7 +37,7 @@ struct Scalar_region_data : RegionData
   template <typename SectionData>
   void absorb(const Scalar_region_data& other, const SectionData& between)
   {
-    RegionData::absorb(other, between);
+    Base::absorb(other, between);
     scalar += other.scalar;
     area_of_scalar += other.area_of_scalar;
   }
@@ -53,30 +53,30 @@ struct Scalar_region_data : RegionData
 /// RS::segment(mesh, segment_id, 8, RS::parameters::method(method));
 /// \endcode
 ///
-/// Complexity: that of `GraphAnnotator`, and O(F). Copies share the values, 8 bytes a face.
+/// Complexity: that of `Base`, and O(F). Copies share the values, 8 bytes per face.
 ///
-/// \tparam GraphAnnotator the other annotator, a model of `GraphAnnotator`
-template <typename GraphAnnotator = Visibility_annotator>
-class Scalar_annotator : public GraphAnnotator
+/// \tparam Base the other annotator, a model of `GraphAnnotator`
+template <typename Base = Visibility_annotator>
+class Scalar_annotator : public Base
 {
 public:
-  using RegionData = Scalar_region_data<typename GraphAnnotator::RegionData>;
-  using SectionData = typename GraphAnnotator::SectionData;
+  using RegionData = Scalar_region_data<typename Base::RegionData>;
+  using SectionData = typename Base::SectionData;
 
   /// `values`: by face in iteration order, as `face_values()` gives them
   template <typename Number>
-  explicit Scalar_annotator(const std::vector<Number>& values, GraphAnnotator annotator = GraphAnnotator())
-    : GraphAnnotator(std::move(annotator))
+  explicit Scalar_annotator(const std::vector<Number>& values, Base annotator = Base())
+    : Base(std::move(annotator))
     , m_values(std::make_shared<const std::vector<double>>(values.begin(), values.end()))
   {
     static_assert(std::is_arithmetic<Number>::value, "the scalar of a face is a number");
   }
 
-  /// Takes what `GraphAnnotator` takes.
+  /// Takes what `Base` takes.
   /// \throws Invalid_input if there is not one value for each face, or one is not finite
   template <typename Graph, typename... Rest>
   auto operator()(Graph& graph, const Flat_mesh& mesh, const Partition& regions, Rest&&... rest) const
-    -> decltype(std::declval<const GraphAnnotator&>()(graph, mesh, regions, std::forward<Rest>(rest)...))
+    -> decltype(std::declval<const Base&>()(graph, mesh, regions, std::forward<Rest>(rest)...))
   {
     check_values(mesh);
     for (std::uint32_t r = 0; r < regions.number_of_parts(); ++r)
@@ -85,7 +85,7 @@ public:
       graph[regions[f]].scalar += mesh.area(f) * (*m_values)[f];
       graph[regions[f]].area_of_scalar += mesh.area(f);
     }
-    GraphAnnotator::operator()(graph, mesh, regions, std::forward<Rest>(rest)...);
+    Base::operator()(graph, mesh, regions, std::forward<Rest>(rest)...);
   }
 
 private:

@@ -20,8 +20,8 @@ struct Smoothness_section_data
   /// The annotator that fills these data.
   using GraphAnnotator = Smoothness_annotator;
 
-  double length = 0;               ///< in units of the mesh
-  double measured_length = 0;      ///< of the edges that are not beside a degenerate face, in units of the mesh
+  double length = 0;               ///< in units of `Flat_mesh::unit()`
+  double measured_length = 0;      ///< of the edges that are not beside a degenerate face, in these units
   double discontinuity = 0;        ///< integral along these; see `Smoothness_annotator`
   std::size_t number_of_edges = 0; ///< mesh edges
 
@@ -51,7 +51,7 @@ struct Smoothness_region_data
   /// The annotator of the sections' data.
   using GraphAnnotator = Smoothness_annotator;
 
-  double area = 0;   ///< of the faces that are not degenerate, in squared units of the mesh
+  double area = 0;   ///< of the faces that are not degenerate, in squared units of `Flat_mesh::unit()`
   double facets = 1; ///< first regions: plane pieces of the surface
 
   double mean_facet_area() const { return area / facets; }

@@ -97,6 +97,8 @@ double weight_of(const RegionData& region)
 /// \ingroup PkgRegionSegmentationPolicies
 /// partitions a region graph by a relaxed normalized cut. A model of `GraphPartitioner`.
 ///
+/// `#include <CGAL/Region_segmentation/Methods/Spectral_partitioner.h>`, which requires Eigen.
+///
 /// A section of cost \f$c\f$ has the affinity \f$w = e^{c_0 - c}\f$, \f$c_0\f$ the lowest cost; the scale
 /// of the affinities does not matter, and \f$c_0\f$ keeps them in [0, 1]. Regions become points by the
 /// \f$k + 3\f$ lowest solutions of \f$L y = \lambda D y\f$ (\f$D\f$ the sums of the affinities of the regions, \f$L = D

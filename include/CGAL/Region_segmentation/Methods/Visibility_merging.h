@@ -17,7 +17,7 @@ namespace CGAL {
 namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationMethods
-/// The method with a hand-made cost: `Superfacets`, annotated by `Visibility_annotator`, merged at the lowest `Visibility_cost`
+/// The method with a hand-crafted cost: `Superfacets`, annotated by `Visibility_annotator`, merged at the lowest `Visibility_cost`
 /// first, with different constants while there are more than 150 regions. A model of `SegmentationMethod`.
 ///
 /// The order of merges does not depend on the wanted number: one tree gives every segmentation, and

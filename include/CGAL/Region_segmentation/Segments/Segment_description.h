@@ -36,7 +36,8 @@ struct Segment_description
 
   /// The volume enclosed by the segment and a cap on each loop of its border, made of the triangles to the mean of the
   /// points of the loop; negative for a cavity. Where every loop separates two segments, the volumes add up to that of the
-  /// surface. A closed surface that is inside out is read as if it were not, see `Flat_mesh`.
+  /// surface. A closed surface that is inside out is read as if it were not, see `Flat_mesh`. On an open surface it depends on
+  /// the caps of loops along the boundary of the mesh, and is of little use.
   double volume = 0;
   /// The part of the sum of the volumes of all segments; 0 if this sum is not positive.
   double volume_share = 0;

@@ -5,6 +5,7 @@
 
 #include <CGAL/Region_segmentation/internal/segments/Segmented_mesh.h>
 #include <CGAL/Region_segmentation/internal/segments/topology.h>
+#include <CGAL/Region_segmentation/internal/support/check_output.h>
 #include <CGAL/Region_segmentation/parameters.h>
 
 #include <boost/property_map/property_map.hpp>
@@ -43,7 +44,7 @@ struct Segment_topology
 ///         at most 64 bits
 /// \tparam TopologyOutputIterator a model of `OutputIterator` that takes `Segment_topology<Label>`, `Label` the value type
 ///         of `FaceSegmentMap`
-/// \param mesh an oriented 2-manifold with or without borders, its faces polygons of any size
+/// \param mesh an oriented 2-manifold with or without boundary, its faces polygons of any size
 /// \param segment_map the segments, by any labels; faces with the label `no_segment` belong to none
 /// \param topologies receives the results, in the order of the first faces of the segments
 /// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
@@ -64,6 +65,7 @@ std::size_t compute_segment_topology(const FaceGraph& mesh, const FaceSegmentMap
                                      const NamedParameters& np = parameters::default_values())
 {
   using Label = typename boost::property_traits<FaceSegmentMap>::value_type;
+  static_assert(internal::check_output_of_labels<TopologyOutputIterator, Segment_topology<Label>>());
   const auto& pack = internal::pack(np);
   internal::check_parameters<std::decay_t<decltype(pack)>, internal::Tag_list<>>();
   const auto traversal = internal::make_mesh_traversal(mesh, pack);

@@ -9,6 +9,7 @@
 #include <CGAL/Region_segmentation/Segments/Segment_description.h>
 #include <CGAL/Region_segmentation/internal/segments/Segment_describer.h>
 #include <CGAL/Region_segmentation/internal/segments/Segmented_mesh.h>
+#include <CGAL/Region_segmentation/internal/support/check_output.h>
 #include <CGAL/Region_segmentation/parameters.h>
 #include <CGAL/Region_segmentation/read_flat_mesh.h>
 
@@ -24,7 +25,9 @@ namespace CGAL {
 namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationSegments
-/// describes every segment: area, volume, centroid, principal axes, neighbors, and the primitive that fits best. See
+/// `#include <CGAL/Region_segmentation/Segments/describe_segments.h>`, which requires Eigen.
+///
+/// Describes every segment: area, volume, centroid, principal axes, neighbors, and the primitive that fits best. See
 /// `Segment_description`.
 ///
 /// A plane, sphere, cylinder and cone are fitted to the corners of the faces, weighted by area: minimum of the mean square
@@ -41,7 +44,7 @@ namespace Region_segmentation {
 ///         at most 64 bits
 /// \tparam DescriptionOutputIterator a model of `OutputIterator` that takes `Segment_description<Label>`, `Label` the
 ///         value type of `FaceSegmentMap`
-/// \param mesh an oriented 2-manifold with or without borders, its faces polygons of any size
+/// \param mesh an oriented 2-manifold with or without boundary, its faces polygons of any size
 /// \param segment_map the segments, by any labels; faces with the label `no_segment` belong to none
 /// \param descriptions receives the descriptions, in the order of the first faces of the segments
 /// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
@@ -64,6 +67,8 @@ std::size_t describe_segments(const FaceGraph& mesh, const FaceSegmentMap& segme
                               DescriptionOutputIterator descriptions,
                               const NamedParameters& np = parameters::default_values())
 {
+  using Label = typename boost::property_traits<FaceSegmentMap>::value_type;
+  static_assert(internal::check_output_of_labels<DescriptionOutputIterator, Segment_description<Label>>());
   const auto& pack = internal::pack(np);
   using Pack = std::decay_t<decltype(pack)>;
   internal::check_parameters<Pack, internal::Tag_list<>>();

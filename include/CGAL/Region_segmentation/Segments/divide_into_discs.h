@@ -25,7 +25,7 @@ namespace Region_segmentation {
 /// divides segments into discs: connected, with one border loop and Euler characteristic 1, as parameterizations need
 /// them.
 ///
-/// A segment that is a disc stays as it is. Components become segments of their own. A component that is no disc is opened
+/// A segment that is a disc stays as it is. Components become segments of their own. A component that is not a disc is opened
 /// along the seams of `mark_segment_seams()`, and divided into the faces nearer to one side of the seams and those nearer to
 /// the other one (by the distance of centroids inside the opened disc); so a tube becomes two halves, and a sphere, too. In
 /// rare cases the halves are divided again.
@@ -35,7 +35,7 @@ namespace Region_segmentation {
 ///         at most 64 bits
 /// \tparam FaceDiscMap a model of `WritablePropertyMap` with the face descriptor as key and an integral value type that
 ///         holds the number of discs
-/// \param mesh an oriented 2-manifold with or without borders, its faces polygons of any size
+/// \param mesh an oriented 2-manifold with or without boundary, its faces polygons of any size
 /// \param segment_map the segments, by any labels; faces with the label `no_segment` belong to none
 /// \param disc_map every key is written: ids 0 .. n-1, numbered by the first face; `no_segment` for the faces without a
 ///        segment. Can be the same map

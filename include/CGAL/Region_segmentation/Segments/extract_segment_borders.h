@@ -5,6 +5,7 @@
 
 #include <CGAL/Region_segmentation/internal/segments/Border_chains.h>
 #include <CGAL/Region_segmentation/internal/segments/Segmented_mesh.h>
+#include <CGAL/Region_segmentation/internal/support/check_output.h>
 #include <CGAL/Region_segmentation/parameters.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -46,7 +47,7 @@ struct Segment_border
 ///         at most 64 bits
 /// \tparam BorderOutputIterator a model of `OutputIterator` that takes `Segment_border<FaceGraph, Label>`, `Label` the value
 ///         type of `FaceSegmentMap`
-/// \param mesh an oriented 2-manifold with or without borders, its faces polygons of any size
+/// \param mesh an oriented 2-manifold with or without boundary, its faces polygons of any size
 /// \param segment_map the segments, by any labels; faces with the label `no_segment` belong to none
 /// \param borders receives the polylines, in the order of their first faces: open ones, then closed ones
 /// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
@@ -67,6 +68,7 @@ std::size_t extract_segment_borders(const FaceGraph& mesh, const FaceSegmentMap&
                                     const NamedParameters& np = parameters::default_values())
 {
   using Label = typename boost::property_traits<FaceSegmentMap>::value_type;
+  static_assert(internal::check_output_of_labels<BorderOutputIterator, Segment_border<FaceGraph, Label>>());
   const auto& pack = internal::pack(np);
   internal::check_parameters<std::decay_t<decltype(pack)>, internal::Tag_list<>>();
   const auto traversal = internal::make_mesh_traversal(mesh, pack);

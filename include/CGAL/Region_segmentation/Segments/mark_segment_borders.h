@@ -17,6 +17,8 @@ namespace Region_segmentation {
 /// \ingroup PkgRegionSegmentationSegments
 /// marks the edges between different segments: the map that remeshing and simplification take as constrained edges.
 ///
+/// The constrained edges of a segmentation are marked where they separate two segments; those inside a segment are not.
+///
 /// Faces without a segment (`no_segment`) count as one more segment. Edges on the border of the mesh separate no two
 /// segments and are not marked: functions of \cgal that protect constrained edges know borders, or have a parameter for
 /// them.
@@ -26,7 +28,7 @@ namespace Region_segmentation {
 ///         value type
 /// \tparam EdgeIsBorderMap a model of `WritablePropertyMap` with the edge descriptor as key and a value type
 ///         constructible from `bool`
-/// \param mesh an oriented 2-manifold with or without borders, its faces polygons of any size
+/// \param mesh an oriented 2-manifold with or without boundary, its faces polygons of any size
 /// \param segment_map the segments, by any labels
 /// \param edge_is_border_map every key is written
 ///

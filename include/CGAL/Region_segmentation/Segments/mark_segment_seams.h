@@ -35,7 +35,7 @@ namespace Region_segmentation {
 ///         at most 64 bits
 /// \tparam EdgeIsSeamMap a model of `WritablePropertyMap` with the edge descriptor as key and a value type constructible
 ///         from `bool`
-/// \param mesh an oriented 2-manifold with or without borders, its faces polygons of any size
+/// \param mesh an oriented 2-manifold with or without boundary, its faces polygons of any size
 /// \param segment_map the segments, by any labels; faces with the label `no_segment` are not opened
 /// \param edge_is_seam_map every key is written. Edges on the border of the mesh are not marked
 /// \param cost the cost of seams
@@ -47,7 +47,7 @@ namespace Region_segmentation {
 ///   \cgalParamIndexMap{vertex}
 /// \cgalNamedParamsEnd
 ///
-/// \returns the number of marked edges; more than `mark_segment_borders()` marks if a component of a segment is no disc
+/// \returns the number of marked edges; more than `mark_segment_borders()` marks if a component of a segment is not a disc
 /// \throws Invalid_input if a point is not finite; the map is unchanged
 /// \pre `cost.concave_gain >= 0`
 ///

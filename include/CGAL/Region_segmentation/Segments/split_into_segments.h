@@ -5,6 +5,7 @@
 
 #include <CGAL/Region_segmentation/internal/segments/Segment_copier.h>
 #include <CGAL/Region_segmentation/internal/segments/Segmented_mesh.h>
+#include <CGAL/Region_segmentation/internal/support/check_output.h>
 #include <CGAL/Region_segmentation/parameters.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -49,7 +50,7 @@ struct Segment_piece
 ///         at most 64 bits
 /// \tparam PieceOutputIterator a model of `OutputIterator` that takes `Segment_piece<SegmentMesh, FaceGraph, Label>`,
 ///         `Label` the value type of `FaceSegmentMap`
-/// \param mesh an oriented 2-manifold with or without borders, its faces polygons of any size
+/// \param mesh an oriented 2-manifold with or without boundary, its faces polygons of any size
 /// \param segment_map the segments, by any labels; faces with the label `no_segment` are not copied
 /// \param pieces receives the copies, in the order of the first faces of the segments
 /// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
@@ -71,6 +72,7 @@ std::size_t split_into_segments(const FaceGraph& mesh, const FaceSegmentMap& seg
 {
   using Target = std::conditional_t<std::is_void<SegmentMesh>::value, FaceGraph, SegmentMesh>;
   using Label = typename boost::property_traits<FaceSegmentMap>::value_type;
+  static_assert(internal::check_output_of_labels<PieceOutputIterator, Segment_piece<Target, FaceGraph, Label>>());
   const auto& pack = internal::pack(np);
   using Pack = std::decay_t<decltype(pack)>;
   internal::check_parameters<Pack, internal::Tag_list<>>();

@@ -100,7 +100,7 @@ inline Consistency_error consistency_error(const Partition& a, const Partition& 
 /// \tparam FaceLabelMapA a model of `ReadablePropertyMap` with the face descriptor as key and an
 ///         integral value type of at most 64 bits
 /// \tparam FaceLabelMapB the same
-/// \param mesh a mesh, with or without borders, of faces of any size; the area of a face that is not
+/// \param mesh a mesh, with or without boundary, of faces of any size; the area of a face that is not
 ///        planar is the length of its area vector (Newell)
 /// \param a the first segmentation; labels may be sparse or negative
 /// \param b the second one; its labels need not be those of `a`

@@ -72,7 +72,7 @@ std::vector<Edge_graph::Index> cut_vertices(const Mesh_traversal<FaceGraph, Pack
 /// \tparam FaceLabelMapA a model of `ReadablePropertyMap` with the face descriptor as key and an
 ///         integral value type
 /// \tparam FaceLabelMapB the same
-/// \param mesh a mesh, with or without borders, of faces of any size; the area of a face that is not
+/// \param mesh a mesh, with or without boundary, of faces of any size; the area of a face that is not
 ///        planar is the length of its area vector (Newell)
 /// \param a the first segmentation; labels may be sparse or negative
 /// \param b the second one; its labels need not be those of `a`

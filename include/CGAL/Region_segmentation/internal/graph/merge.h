@@ -10,6 +10,7 @@
 #include <CGAL/Region_segmentation/internal/support/visitor.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <string>
 
@@ -19,7 +20,7 @@ namespace internal {
 
 /// Merges the regions of a graph in the order of a policy, until `stop` returns `true` or the policy has no further
 /// candidate. `on_merge(merge)` is called after each merge, before that of the policy.
-/// \throws Invalid_method if the policy proposes a section that is removed or not mergeable
+/// \throws Invalid_method if the policy proposes a section that is removed or not mergeable, or a cost that is not a number
 template <typename Graph, typename Policy, typename Stop, typename OnMerge, typename ConcurrencyTag>
 Merge_tree merge(Graph& graph, Policy& policy, std::size_t number_of_segments, Stop& stop, const OnMerge& on_merge,
                  const Execution<ConcurrencyTag>& execution)
@@ -35,6 +36,9 @@ Merge_tree merge(Graph& graph, Policy& policy, std::size_t number_of_segments, S
       throw Invalid_method("the RegionMergingPolicy proposes to merge across section " +
                            std::to_string(candidate->section.id()) + ", which is " +
                            (graph.is_removed(candidate->section) ? "removed" : "not mergeable"));
+    if (std::isnan(candidate->cost))
+      throw Invalid_method("the RegionMergingPolicy proposes to merge across section " +
+                           std::to_string(candidate->section.id()) + " at a cost that is not a number");
     const auto merge = graph.merge(candidate->section);
     on_merge(merge);
     policy.on_merge(graph, merge);

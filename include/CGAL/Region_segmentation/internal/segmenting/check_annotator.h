@@ -6,8 +6,10 @@
 #include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/Flat_mesh.h>
 #include <CGAL/Region_segmentation/Graph/Region_adjacency_graph.h>
+#include <CGAL/Region_segmentation/Methods/Geometry_annotator.h>
 #include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/internal/concepts/check_graph_data.h>
+#include <CGAL/Region_segmentation/internal/concepts/check_inherited_data.h>
 #include <CGAL/Region_segmentation/internal/support/satisfies.h>
 
 #include <type_traits>
@@ -55,6 +57,13 @@ constexpr bool fills()
 }
 
 template <typename T>
+struct Is_geometry_annotator : std::false_type
+{};
+template <typename RegionData, typename SectionData>
+struct Is_geometry_annotator<Geometry_annotator<RegionData, SectionData>> : std::true_type
+{};
+
+template <typename T>
 constexpr bool check_graph_annotator()
 {
   static_assert(satisfies<Names_data, T>,
@@ -62,6 +71,8 @@ constexpr bool check_graph_annotator()
                 "fills");
   if constexpr (satisfies<Names_data, T>) {
     static_assert(check_graph_data<typename T::RegionData, typename T::SectionData>());
+    if constexpr (Is_geometry_annotator<T>::value)
+      static_assert(check_inherited_sums<typename T::RegionData, typename T::SectionData>());
     static_assert(fills<T, typename T::RegionData>() && fills<T, typename T::SectionData>(),
                   "the GraphAnnotator does not fill its RegionData or SectionData: these name the one that does as "
                   "their GraphAnnotator");

@@ -41,8 +41,13 @@ Method method_of_pack(const Pack& np)
 {
   if constexpr (CGAL::parameters::is_default_parameter<Pack, internal_np::method_t>::value)
     return Method();
-  else
+  else {
+    using Given = std::decay_t<decltype(CGAL::parameters::get_parameter(np, internal_np::method))>;
+    static_assert(std::is_convertible<Given, Method>::value,
+                  "the Segmenter is of another type than the method: omit its template arguments, which are deduced in "
+                  "Segmenter segmenter(mesh, parameters::method(m))");
     return CGAL::parameters::get_parameter(np, internal_np::method);
+  }
 }
 
 template <typename Pack>
