@@ -25,10 +25,10 @@ namespace CGAL {
 namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationSegments
-/// `#include <CGAL/Region_segmentation/Segments/describe_segments.h>`, which requires Eigen.
-///
-/// Describes every segment: area, volume, centroid, principal axes, neighbors, and the primitive that fits best. See
+/// describes every segment: area, volume, centroid, principal axes, neighbors, and the primitive that fits best. See
 /// `Segment_description`.
+///
+/// `#include <CGAL/Region_segmentation/Segments/describe_segments.h>`, which requires Eigen.
 ///
 /// A plane, sphere, cylinder and cone are fitted to the corners of the faces, weighted by area: minimum of the mean square
 /// distance (Levenberg and Marquardt), from a start by linear systems in points and normals; for large segments from 2000
