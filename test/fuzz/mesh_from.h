@@ -61,12 +61,12 @@ inline bool has_only_manifold_vertices(const Mesh& mesh)
   return true;
 }
 
+/// Those of vertices without a face, too.
 inline bool has_only_finite_points(const Mesh& mesh)
 {
   for (const auto v : mesh.vertices()) {
     const auto& p = mesh.point(v);
-    if (!mesh.is_isolated(v) &&
-        !(std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z())))
+    if (!(std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z())))
       return false;
   }
   return true;
