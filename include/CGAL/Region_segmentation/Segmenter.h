@@ -248,7 +248,8 @@ public:
 
   /// replaces the seeds: faces with equal seeds belong to one segment, faces with different seeds to different ones.
   ///
-  /// The number of different seeds is the least number of segments. Equal seeds that are not adjacent are joined along
+  /// The number of different seeds is the least number of segments, that of the first regions with seeds the largest: the
+  /// initializer splits them no further. Equal seeds that are not adjacent are joined along
   /// the cheapest path of regions, or, if there is none, of faces, that avoids all other seeds: a step costs about its
   /// length, and 80 times as much for each radian of the deviation of concave edges that it crosses.
   ///

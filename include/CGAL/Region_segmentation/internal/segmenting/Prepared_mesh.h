@@ -307,10 +307,10 @@ private:
   static constexpr bool straightens_borders =
     satisfies<Straightens_borders, typename Traits::Initializer, ConcurrencyTag>;
 
-  /// Whether there are fewer regions than `number`, and their initializer can split them.
+  /// Whether there are fewer regions than `number`, and their initializer can split them: not those that equal seeds joined.
   bool can_split(std::size_t number) const
   {
-    return splits_regions && number > regions().number_of_parts();
+    return splits_regions && m_result.seeds.empty() && number > regions().number_of_parts();
   }
 
   template <typename Pack>
