@@ -73,19 +73,18 @@ void check_method(const Mesh& mesh, const Method& method, std::size_t k)
   constexpr bool gives_any_number =
     !std::is_same<Method, RS::Two_step>::value && !std::is_same<Method, RS::Smooth_faces>::value;
   Labels labels(mesh.number_of_faces()), again(labels);
-  const auto map = [&mesh](Labels& l) { return face_map(mesh, l); };
   const auto np = RS::parameters::method(method);
   try {
-    const std::size_t n = RS::segment(mesh, map(labels), np.number_of_segments(k));
+    const std::size_t n = RS::segment(mesh, face_map(mesh, labels), np.number_of_segments(k));
     check_labels(mesh, labels, n);
     require(n <= (std::max)(k, number_of_components(mesh)), "no more segments than asked for");
     if (gives_any_number)
       require(n >= (std::min)(k, std::size_t(mesh.number_of_faces())),
               "no fewer segments than asked for");
-    require(RS::segment(mesh, map(again), np.number_of_segments(k)) == n && again == labels,
+    require(RS::segment(mesh, face_map(mesh, again), np.number_of_segments(k)) == n && again == labels,
             "twice the same");
     if constexpr (!std::is_same<Method, RS::Two_step>::value) // the others choose a number
-      check_labels(mesh, labels, RS::segment(mesh, map(labels), np));
+      check_labels(mesh, labels, RS::segment(mesh, face_map(mesh, labels), np));
     require(has_only_finite_points(mesh), "a point that is not finite is refused");
   } catch (const RS::Invalid_input& error) {
     require(!has_only_finite_points(mesh), error.what());
