@@ -68,6 +68,7 @@ public:
   Name name(std::size_t i) const { return m_items[i].name; }
 
   Part whole() const { return make_part(0, m_items.size()); }
+  Part single(std::size_t i) const { return make_part(i, i + 1); }
 
   /// Splits where a ray is expected to intersect the fewest leaves: of the bounds between slices of equal width along
   /// the axis on which the centers differ most, the one with the lowest sum over both sides of surface area times

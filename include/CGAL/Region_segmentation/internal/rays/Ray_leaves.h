@@ -30,7 +30,7 @@ class Ray_leaves
 public:
   using Name = Box_partition::Name; ///< of a patch
 
-  static constexpr std::size_t most_stored_faces = std::size_t(1) << 21;
+  static constexpr std::size_t most_stored_faces = std::size_t(1) << 19;
 
   /// `most_stored`: triangles of meshes of more faces are gathered
   Ray_leaves(const Flat_mesh& mesh, Patch_triangles triangles, std::size_t most_stored)

@@ -30,8 +30,9 @@ namespace internal {
 /// `Patch_boxes`), whose triangles (polygons as fans) are the leaves. In float, relative to the centroid of the surface:
 /// distances are needed to a few digits only. (CGAL's AABB tree is exact, and GPL.)
 ///
-/// A node has up to four children, which are tested together, and a leaf up to four patches, of which four triangles
-/// are tested together: so there are few unpredictable branches. The result does not depend on the shape of the tree,
+/// A node has up to four children, which are tested together, and so are four triangles of a leaf: so there are few
+/// unpredictable branches. A leaf is up to four patches, or one if its triangles must be gathered (see
+/// `Ray_leaves`): testing its box first costs less. The result does not depend on the shape of the tree,
 /// and neither on the patches.
 ///
 /// About 50 bytes per triangle, or 5 on large meshes (see `Ray_leaves`), and construction in O(T + P log P) for T triangles in
@@ -81,8 +82,8 @@ public:
   }
 
 private:
-  static constexpr std::size_t width = 4; // children of a node, patches of a leaf
-  static_assert(width == Box_partition::leaf_size, "parts of this size become leaves");
+  static constexpr std::size_t width = 4; // children of a node
+  static_assert(width == Box_partition::leaf_size, "parts of this size are not split");
   static constexpr int maximum_depth_of_cheap_splits = 48;
 
   /// Twice the index of a node, or twice that of a leaf plus one.
@@ -92,6 +93,9 @@ private:
     std::array<Float_4_3, 2> bounds; // lower and upper ones; reversed for missing children
     std::array<Child, width> child;
   };
+
+  /// The most boxes of a leaf.
+  std::size_t leaf_size() const { return m_leaves.are_stored() ? width : 1; }
 
   /// A power of two, so that it does not change any rounding.
   static double unit_of(const Flat_mesh& mesh, const Double_3& origin)
@@ -106,17 +110,8 @@ private:
   template <typename AddLeaf>
   Child add_node(Box_partition& boxes, const Part& part, int depth, const AddLeaf& add_leaf)
   {
-    std::array<Part, width> parts{part, {}, {}, {}};
-    std::size_t size = 1;
-    for (; size < width; ++size) {
-      const auto largest = std::max_element(parts.begin(), parts.begin() + std::ptrdiff_t(size), [](const Part& a, const Part& b) {
-        return area_to_split(a) < area_to_split(b);
-      });
-      if (largest->size() <= width)
-        break;
-      std::tie(*largest, parts[size]) =
-        depth < maximum_depth_of_cheap_splits ? boxes.split(*largest) : boxes.split_at_median(*largest);
-    }
+    std::array<Part, width> parts{};
+    const std::size_t size = split(boxes, part, depth, parts);
     const std::size_t n = m_nodes.size();
     m_nodes.emplace_back();
     for (std::size_t i = 0; i < width; ++i)
@@ -126,10 +121,31 @@ private:
       }
     for (std::size_t i = 0; i < size; ++i) {
       const Child child =
-        parts[i].size() > width ? add_node(boxes, parts[i], depth + 1, add_leaf) : add_leaf(parts[i]);
+        parts[i].size() > leaf_size() ? add_node(boxes, parts[i], depth + 1, add_leaf) : add_leaf(parts[i]);
       m_nodes[n].child[i] = child;
     }
     return Child(2 * n);
+  }
+
+  /// Splits a part for the children of a node; returns their number.
+  std::size_t split(Box_partition& boxes, const Part& part, int depth, std::array<Part, width>& parts) const
+  {
+    std::size_t size = 0;
+    if (leaf_size() == 1 && part.size() <= width) {
+      for (; size < part.size(); ++size)
+        parts[size] = boxes.single(part.first + size);
+      return size;
+    }
+    for (parts[size++] = part; size < width; ++size) {
+      const auto largest = std::max_element(parts.begin(), parts.begin() + std::ptrdiff_t(size), [](const Part& a, const Part& b) {
+        return area_to_split(a) < area_to_split(b);
+      });
+      if (largest->size() <= width)
+        break;
+      std::tie(*largest, parts[size]) =
+        depth < maximum_depth_of_cheap_splits ? boxes.split(*largest) : boxes.split_at_median(*largest);
+    }
+    return size;
   }
 
   static float area_to_split(const Part& part) { return part.size() > width ? part.box.half_area() : -1; }
