@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <random>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -105,6 +106,40 @@ TEST(Border_straightening_test, moves_borders_as_documented)
     }
   EXPECT_GT(moved, 100u);
   EXPECT_GT(lost, 0u); // regions without faces occur
+}
+
+/// The segments of faces for a number, from the regions with borders moved for all numbers: the last merges are undone, as
+/// long as there are fewer segments with faces.
+Labels segments_of(const std::vector<Index>& regions, const RS::Merge_tree& tree, std::size_t number)
+{
+  for (std::size_t merged = tree.merges().size();; --merged) {
+    Labels segments(regions.begin(), regions.end());
+    for (std::size_t i = 0; i < merged; ++i)
+      std::replace(segments.begin(), segments.end(), std::size_t(tree.merges()[i].removed), std::size_t(tree.merges()[i].kept));
+    if (merged == 0 || std::set<std::size_t>(segments.begin(), segments.end()).size() >= number)
+      return segments;
+  }
+}
+
+TEST(Border_straightening_test, for_one_number_the_segments_are_the_same)
+{
+  for (Family family : {Family::SHEET, Family::SPHERE, Family::TORUS, Family::BLOCKS})
+    for (unsigned seed = 1; seed <= 3; ++seed) {
+      SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
+      std::mt19937 random(seed);
+      const RS::Flat_mesh mesh = flat_mesh_of(random_mesh(family, seed));
+      const RS::Partition regions = RS::Superfacets(40)(mesh);
+      const RS::Merge_tree tree = random_tree(mesh, regions, random);
+      RS::Border_straightening straightening;
+      straightening.number_of_cuts = 10;
+      straightening.width = 0.2;
+      straightening.width_of_segment = 0.5;
+      const std::vector<Index> all = straightening(mesh, regions, tree, no_region, RS::Execution<>());
+      for (std::size_t number = 1; number <= regions.number_of_parts() + 1; ++number) {
+        const auto labels = straightening(mesh, regions, tree, no_region, RS::Execution<>(), number);
+        EXPECT_EQ(Labels(labels.begin(), labels.end()), segments_of(all, tree, number)) << number << " segments";
+      }
+    }
 }
 
 TEST(Border_straightening_test, a_zigzag_becomes_straight)

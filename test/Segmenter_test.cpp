@@ -113,7 +113,13 @@ TEST(Segmenter_test, gives_what_segment_gives)
     const Surface_mesh mesh = to_surface_mesh(random_mesh(family, seed));
     const RS::Segmenter by_visibility(mesh, RS::parameters::method(visibility()));
     const RS::Segmenter by_two_step(mesh, RS::parameters::method(two_step()));
+    const RS::Segmenter by_default(mesh);
+    RS::Merge_tree tree;
     for (std::size_t k : {1, 2, 3, 7, 20, 39, 60, 1000}) {
+      // Alone, borders are moved for this number only; with the tree, for all.
+      EXPECT_EQ(labels(by_default, k), labels_by_segment(mesh, RS::parameters::number_of_segments(k)));
+      EXPECT_EQ(labels(by_default, k),
+                labels_by_segment(mesh, RS::parameters::number_of_segments(k).merge_tree(std::ref(tree))));
       EXPECT_EQ(labels(by_visibility, k),
                 labels_by_segment(mesh, RS::parameters::method(visibility()).number_of_segments(k)));
       EXPECT_EQ(labels(by_two_step, k),

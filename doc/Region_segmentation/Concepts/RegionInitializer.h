@@ -36,13 +36,17 @@ public:
   `tree`: of the merges of the regions. `is_fixed(region)`: whether its faces must stay in the segments of the region, since
   they have a seed; at most one region of those that are merged.
 
+  `number_of_segments`: if it is less than the number of regions, only the segments of this number are wanted. Then the
+  segment of each face may be returned, named by any of its regions; they are those that the regions give for this number.
+
   \post for every number of merges of `tree`, the faces of each segment are connected, and lie in the connected component of
         the region graph that they lay in
   */
   template <typename IsFixed, typename ConcurrencyTag>
   std::vector<Flat_mesh::Index> straighten_borders(const Flat_mesh& mesh, const Partition& regions,
                                                    const Merge_tree& tree, const IsFixed& is_fixed,
-                                                   const Execution<ConcurrencyTag>& execution) const;
+                                                   const Execution<ConcurrencyTag>& execution,
+                                                   std::size_t number_of_segments) const;
 
   /*!
   splits connected regions into a larger number of segments. Optional: without it, there are never more segments than

@@ -114,8 +114,7 @@ std::size_t segment(const FaceGraph& mesh, FaceSegmentMap segment_map,
                 "segment() with this method needs the named parameter number_of_segments");
 
   const auto traversal = internal::make_mesh_traversal(mesh, pack);
-  auto prepared =
-    internal::prepare<Method, ConcurrencyTag>(traversal, internal::Preparation::FOR_ONE_USE, pack);
+  auto prepared = internal::prepare<Method, ConcurrencyTag>(traversal, internal::preparation_of_pack<Pack>(), pack);
   Merge_tree tree;
   const internal::Segments segments =
     prepared.take_segments(prepared.number_of_segments(), internal::has_merge_tree<Pack> ? &tree : nullptr, pack);

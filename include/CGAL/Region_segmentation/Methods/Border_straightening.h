@@ -18,6 +18,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -62,20 +63,22 @@ struct Border_straightening
   double concave_gain = 10;           ///< g, 1/radian, at least 0: how much cheaper a border in a valley is
   double maximum_deviation = 0.6;     ///< m, radian, at least 0: deviations above it count as this one
 
-  /// The region of each face after moving borders, by its former number.
+  /// The region of each face after moving borders, by its former number; or, if `number_of_segments` is less than the number of
+  /// regions that are left, the segment of each face in that segmentation (or the one nearest to it), named by its lowest
+  /// region: the other merges are not undone then.
   ///
   /// `regions`: connected; `tree`: their merges; `is_fixed(region)`: whether its faces stay in the segments of the
   /// region, of at most one region of a tree.
   template <typename IsFixed, typename ConcurrencyTag>
   std::vector<Flat_mesh::Index> operator()(const Flat_mesh& mesh, const Partition& regions, const Merge_tree& tree,
-                                           const IsFixed& is_fixed,
-                                           const Execution<ConcurrencyTag>& execution) const
+                                           const IsFixed& is_fixed, const Execution<ConcurrencyTag>& execution,
+                                           std::size_t number_of_segments = (std::numeric_limits<std::size_t>::max)()) const
   {
     CGAL_precondition_msg(width >= 0 && width_of_segment >= 0 && concave_gain >= 0 && maximum_deviation >= 0,
                           "Border_straightening: constants are at least 0");
     if (are_unions_of_patches(mesh.patches(), regions))
-      return move_borders(mesh, mesh.patches(), regions, tree, is_fixed, execution);
-    return move_borders(mesh, divided_patches(mesh, regions), regions, tree, is_fixed, execution);
+      return move_borders(mesh, mesh.patches(), regions, tree, is_fixed, execution, number_of_segments);
+    return move_borders(mesh, divided_patches(mesh, regions), regions, tree, is_fixed, execution, number_of_segments);
   }
 
 private:
@@ -106,7 +109,7 @@ private:
   template <typename IsFixed, typename ConcurrencyTag>
   std::vector<Index> move_borders(const Flat_mesh& mesh, const Mesh_patches& patches, const Partition& regions,
                                   const Merge_tree& tree, const IsFixed& is_fixed,
-                                  const Execution<ConcurrencyTag>& execution) const
+                                  const Execution<ConcurrencyTag>& execution, std::size_t number_of_segments) const
   {
     const double unit = mesh.relative_unit();
     std::vector<double> areas;
@@ -124,7 +127,7 @@ private:
       return result >= narrowest_band ? result : 0;
     };
     internal::Nested_borders borders(costs, distance, areas, region_of, tree);
-    borders.run(number_of_cuts, band_width, is_fixed, execution);
+    borders.run(number_of_cuts, number_of_segments, band_width, is_fixed, execution);
     const std::vector<Index> labels = borders.take_labels();
     std::vector<Index> label_of_face;
     label_of_face.reserve(regions.size());

@@ -107,9 +107,10 @@ public:
   template <typename IsFixed, typename ConcurrencyTag = CGAL::Sequential_tag>
   std::vector<Flat_mesh::Index> straighten_borders(
     const Flat_mesh& mesh, const Partition& regions, const Merge_tree& tree, const IsFixed& is_fixed,
-    const Execution<ConcurrencyTag>& execution = Execution<ConcurrencyTag>()) const
+    const Execution<ConcurrencyTag>& execution = Execution<ConcurrencyTag>(),
+    std::size_t number_of_segments = (std::numeric_limits<std::size_t>::max)()) const
   {
-    return straightening(mesh, regions, tree, is_fixed, execution);
+    return straightening(mesh, regions, tree, is_fixed, execution, number_of_segments);
   }
 
 private:

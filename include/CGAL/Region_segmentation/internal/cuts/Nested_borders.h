@@ -57,17 +57,20 @@ public:
     }
   }
 
-  /// `number_of_cuts`: only the borders of so many last merges are moved.
+  /// `number_of_cuts`: only the borders of so many last merges are moved; `number_of_segments`: ends when there are so many,
+  /// empty ones not counted.
   /// `width(area)`: of the band in which the border of two parts can move, by the area of the smaller part; 0: it stays.
   /// `is_fixed(region)`: whether its elements stay in the segments of the region; at most one region of a tree
   template <typename Width, typename IsFixed, typename ConcurrencyTag>
-  void run(std::size_t number_of_cuts, const Width& width, const IsFixed& is_fixed,
+  void run(std::size_t number_of_cuts, std::size_t number_of_segments, const Width& width, const IsFixed& is_fixed,
            const Execution<ConcurrencyTag>& execution)
   {
     const std::size_t merges = m_tree.merges().size();
+    std::size_t segments = m_tree.number_of_regions() - merges;
     Step_counter<ConcurrencyTag> undone(execution, merges);
-    for (std::size_t i = merges; i-- > 0;) {
+    for (std::size_t i = merges; i-- > 0 && segments < number_of_segments;) {
       std::vector<Index> guests = divide(i, is_fixed);
+      segments += std::size_t(have_both_elements(i, guests));
       if (merges - i <= number_of_cuts)
         move_border(i, guests, width, is_fixed);
       for (const Index guest : guests)
@@ -76,7 +79,7 @@ public:
     }
   }
 
-  /// By element: one of the regions.
+  /// By element: the lowest region of its segment; its region, if `run()` did not end before.
   std::vector<Index> take_labels() { return std::move(m_label_of); }
 
 private:
@@ -100,6 +103,17 @@ private:
       m_label_of[guest] = none;
     join_parts(guests, a, b);
     return guests;
+  }
+
+  /// Whether both parts of a merge have elements of their own or guests.
+  bool have_both_elements(std::size_t i, const std::vector<Index>& guests) const
+  {
+    bool has_kept = false, has_removed = false;
+    for (const Index guest : guests)
+      (m_label_of[guest] == m_tree.merges()[i].kept ? has_kept : has_removed) = true;
+    m_tree_regions.for_each_kept(i, [&](Index region) { has_kept |= m_pieces.has_elements(region); });
+    m_tree_regions.for_each_removed(i, [&](Index region) { has_removed |= m_pieces.has_elements(region); });
+    return has_kept && has_removed;
   }
 
   /// That with fixed elements, else the largest by area; of equal ones that of the lowest element. The others become

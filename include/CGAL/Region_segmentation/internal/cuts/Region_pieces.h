@@ -56,6 +56,9 @@ public:
   /// Whether the region of an element still has it.
   bool has(Index element) const { return m_piece_of[element] != none; }
 
+  /// Whether a region has any left.
+  bool has_elements(Index region) const { return !m_pieces[region].empty(); }
+
   /// Calls `f(element)` for the elements that a region still has, in order.
   template <typename F>
   void for_each_element(Index region, const F& f) const

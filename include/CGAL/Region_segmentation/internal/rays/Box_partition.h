@@ -79,7 +79,7 @@ public:
     const Slicing slicing(*this, part);
     if (!(slicing.width > smallest_width))
       return split_at_median(part, slicing.axis);
-    return part.size() > 32 ? split_cheaply<16>(part, slicing) : split_cheaply<8>(part, slicing);
+    return part.size() > 32 ? split_cheaply<8>(part, slicing) : split_cheaply<4>(part, slicing);
   }
 
   /// Splits into halves, so that the depth is logarithmic.

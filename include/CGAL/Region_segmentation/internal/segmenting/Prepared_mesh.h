@@ -62,8 +62,9 @@ private:
   Partition m_parts;
 };
 
-/// Whether a prepared mesh is used once, or kept for changes of constraints and seeds.
-enum class Preparation { FOR_ONE_USE, FOR_CHANGES };
+/// What a prepared mesh is used for: the segments of one number alone, these and its regions and merges, or any number and
+/// changes of constraints and seeds.
+enum class Preparation { FOR_ONE_NUMBER, FOR_ONE_USE, FOR_CHANGES };
 
 /// A mesh prepared by a method for any number of segments: the mesh as arrays, its first regions, and, depending on the
 /// method, their merge tree or their graph. Independent of the mesh type.
@@ -154,9 +155,12 @@ public:
   }
 
   /// As above, for the last call: the graph is not copied. `tree`: receives the merges, unless it is null.
+  /// \pre if prepared for one number, `number` is `number_of_segments()`
   template <typename Pack>
   Segments take_segments(std::size_t number, Merge_tree* tree, const Pack& np)
   {
+    if (m_result.segments)
+      return Segments(std::move(*m_result.segments));
     if constexpr (has_one_tree) {
       if (tree)
         *tree = merge_tree();
@@ -176,7 +180,8 @@ private:
     std::optional<Graph> graph;              // unless there is one tree
     Merge_tree tree;                         // of `regions()`
     std::optional<Partition> straightened_regions;
-    std::size_t chosen_number = 0; // of segments
+    std::optional<Partition> segments; // of the faces, if prepared for one number whose borders were straightened
+    std::size_t chosen_number = 0;
     std::optional<Cache> cache; // of the annotator, for `merged_regions()`; empty after a failed change
   };
 
@@ -197,28 +202,41 @@ private:
     Graph graph = make_graph(regions, result.cache, np);
     if constexpr (has_one_tree) {
       result.tree = merge(graph, 1, [](const Graph&, double) { return false; }, result.seeds, np);
-      if constexpr (straightens_borders)
-        straighten_borders(regions, result, np);
       if constexpr (has_chooser<Method>())
         if (m_number == 0)
           result.chosen_number = choose_number(result.tree);
+      if constexpr (straightens_borders)
+        straighten_borders(regions, result, np);
     }
     else
       result.graph = std::move(graph);
     return result;
   }
 
-  /// Moves the borders of the regions that were merged, now that it is known which of them are borders of segments.
+  /// Moves the borders of the regions that were merged, now that it is known which of them are borders of segments. For one
+  /// number of segments, no further than it needs.
   template <typename Pack>
   void straighten_borders(const Partition& regions, Result& result, const Pack& np) const
   {
-    constexpr Partition::Index none = (std::numeric_limits<Partition::Index>::max)();
+    const std::size_t number = m_number > 0 ? m_number : result.chosen_number;
+    const bool is_one_number = m_preparation == Preparation::FOR_ONE_NUMBER && number > 0;
     const std::vector<Partition::Index> labels = m_method.initializer.straighten_borders(
       m_flat, regions, result.tree,
       [&](Partition::Index r) { return !result.seeds.empty() && result.seeds.of[r] != Seeds::none; },
-      make_execution<ConcurrencyTag>(np, "borders"));
+      make_execution<ConcurrencyTag>(np, "borders"), is_one_number ? number : regions.number_of_parts());
     Partition straightened = Partition::from_labels(labels);
-    std::vector<Partition::Index> new_numbers(regions.number_of_parts(), none);
+    // If there are fewer, the labels are those of regions, which may be split.
+    if (is_one_number && straightened.number_of_parts() >= number)
+      result.segments = std::move(straightened);
+    else
+      set_straightened_regions(labels, std::move(straightened), result);
+  }
+
+  /// `labels`: by face, the former number of its region
+  static void set_straightened_regions(const std::vector<Partition::Index>& labels, Partition straightened, Result& result)
+  {
+    constexpr Partition::Index none = (std::numeric_limits<Partition::Index>::max)();
+    std::vector<Partition::Index> new_numbers(result.tree.number_of_regions(), none);
     for (std::size_t f = 0; f < labels.size(); ++f)
       new_numbers[labels[f]] = straightened[f];
     result.tree = renumber_tree(result.tree, std::move(new_numbers));

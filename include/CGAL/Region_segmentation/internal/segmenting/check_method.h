@@ -68,7 +68,7 @@ template <typename T, typename ConcurrencyTag>
 using Straightens_borders = std::enable_if_t<std::is_convertible<
   decltype(std::declval<const T&>().straighten_borders(
     std::declval<const Flat_mesh&>(), std::declval<const Partition&>(), std::declval<const Merge_tree&>(),
-    std::declval<Is_fixed>(), std::declval<const Execution<ConcurrencyTag>&>())),
+    std::declval<Is_fixed>(), std::declval<const Execution<ConcurrencyTag>&>(), std::size_t())),
   std::vector<Partition::Index>>::value>;
 
 /// A NumberChooser that is also asked with the mesh.

@@ -54,6 +54,15 @@ template <typename Pack>
 constexpr bool has_seeds = !CGAL::parameters::is_default_parameter<Pack, internal_np::face_seed_map_t>::value;
 template <typename Pack>
 constexpr bool has_merge_tree = !CGAL::parameters::is_default_parameter<Pack, internal_np::merge_tree_t>::value;
+template <typename Pack>
+constexpr bool has_region_map = !CGAL::parameters::is_default_parameter<Pack, internal_np::region_map_t>::value;
+
+/// Of a mesh that is segmented once, by the outputs that a pack asks for.
+template <typename Pack>
+constexpr Preparation preparation_of_pack()
+{
+  return has_merge_tree<Pack> || has_region_map<Pack> ? Preparation::FOR_ONE_USE : Preparation::FOR_ONE_NUMBER;
+}
 
 template <typename FaceGraph, typename FaceSeedMap>
 Seeds read_seeds(const FaceGraph& mesh, const FaceSeedMap& map)
@@ -95,7 +104,7 @@ Prepared_mesh<Method, ConcurrencyTag> prepare(const Mesh_traversal<FaceGraph, Pa
 template <typename FaceGraph, typename Pack>
 void write_regions(const FaceGraph& mesh, const Partition& regions, const Pack& np)
 {
-  if constexpr (!CGAL::parameters::is_default_parameter<Pack, internal_np::region_map_t>::value)
+  if constexpr (has_region_map<Pack>)
     write_face_values(mesh, regions, CGAL::parameters::get_parameter(np, internal_np::region_map));
   else
     static_cast<void>(mesh), static_cast<void>(regions), static_cast<void>(np);
