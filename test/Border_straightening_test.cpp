@@ -61,8 +61,9 @@ reference::Straightening_input input_of(const RS::Flat_mesh& mesh, const RS::Par
   input.costs.resize(patches.size());
   input.lengths.resize(patches.size());
   input.region_of.resize(patches.size());
-  for (const auto& [lower, higher, length] : patches.adjacencies()) {
-    const double concavity = std::min(patches.concave_deviation(lower, higher), straightening.maximum_deviation);
+  for (std::size_t i = 0; i < patches.adjacencies().size(); ++i) {
+    const auto& [lower, higher, length] = patches.adjacencies()[i];
+    const double concavity = std::min(patches.concave_deviation(i), straightening.maximum_deviation);
     const float cost = float(length / mesh.relative_unit() / (1 + straightening.concave_gain * concavity));
     const double step = norm(patches[lower].centroid - patches[higher].centroid) / mesh.relative_unit();
     input.costs[lower][higher] = input.costs[higher][lower] = cost;

@@ -7,8 +7,6 @@
 #include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/internal/support/Large_array.h>
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 
 namespace CGAL {
@@ -70,16 +68,9 @@ public:
   /// By the lower, then by the higher patch.
   const internal::Large_array<Adjacency>& adjacencies() const { return m_adjacencies; }
 
-  /// The angle between the normals of two patches, in radians, if they face each other, else 0; 0, too, if one has no
-  /// normal.
-  double concave_deviation(std::size_t i, std::size_t j) const
-  {
-    const Patch &a = m_patches[i], &b = m_patches[j];
-    if (squared_norm(a.normal) == 0 || squared_norm(b.normal) == 0 ||
-        !(dot(b.normal - a.normal, b.centroid - a.centroid) < 0))
-      return 0;
-    return std::acos((std::max)(-1.0, (std::min)(1.0, dot(a.normal, b.normal))));
-  }
+  /// The angle between the normals of two adjacent patches, in radians, if they face each other, else 0; 0, too, if one has no
+  /// normal. `i`: of their adjacency
+  double concave_deviation(std::size_t i) const { return m_concave_deviations[i]; }
 
 private:
   friend class internal::Patch_builder;
@@ -87,6 +78,7 @@ private:
   Partition m_of_faces;
   internal::Large_array<Patch> m_patches;
   internal::Large_array<Adjacency> m_adjacencies;
+  internal::Large_array<double> m_concave_deviations; // by adjacency
 };
 
 } // namespace Region_segmentation

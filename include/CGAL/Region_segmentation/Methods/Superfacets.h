@@ -129,7 +129,7 @@ private:
     internal::Dual_graph steps(patches, [&](std::size_t i) {
       const Mesh_patches::Adjacency& a = patches.adjacencies()[i];
       return step(mesh, norm(patches[a.lower].centroid - patches[a.higher].centroid),
-                  patches.concave_deviation(a.lower, a.higher));
+                  patches.concave_deviation(i));
     });
     internal::Farthest_point_seeding seeding(std::move(steps), execution.step(0, 0.9));
     seeding.run(farthest_patch(patches), number);

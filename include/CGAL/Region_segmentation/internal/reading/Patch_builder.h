@@ -12,6 +12,7 @@
 #include <boost/sort/spreadsort/integer_sort.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -202,6 +203,9 @@ private:
     result.m_of_faces = std::move(m_rounds.front());
     result.m_patches = std::move(m_patches);
     result.m_adjacencies = std::move(m_adjacencies);
+    result.m_concave_deviations.reserve(result.m_adjacencies.size());
+    for (const Adjacency& a : result.m_adjacencies)
+      result.m_concave_deviations.push_back(concave_deviation(result.m_patches[a.lower], result.m_patches[a.higher]));
     return result;
   }
 
@@ -253,6 +257,14 @@ private:
         patch.face = Index(f);
       }
     }
+  }
+
+  static double concave_deviation(const Patch& a, const Patch& b)
+  {
+    if (squared_norm(a.normal) == 0 || squared_norm(b.normal) == 0 ||
+        !(dot(b.normal - a.normal, b.centroid - a.centroid) < 0))
+      return 0;
+    return std::acos((std::max)(-1.0, (std::min)(1.0, dot(a.normal, b.normal))));
   }
 
   static constexpr Index none = (std::numeric_limits<Index>::max)();

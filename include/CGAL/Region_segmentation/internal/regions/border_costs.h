@@ -19,9 +19,8 @@ inline Dual_graph border_costs(const Flat_mesh& mesh, const Mesh_patches& patche
                                double maximum_deviation)
 {
   return Dual_graph(patches, [&](std::size_t i) {
-    const Mesh_patches::Adjacency& a = patches.adjacencies()[i];
-    const double concavity = (std::min)(patches.concave_deviation(a.lower, a.higher), maximum_deviation);
-    return a.length / mesh.relative_unit() / (1 + concave_gain * concavity);
+    const double concavity = (std::min)(patches.concave_deviation(i), maximum_deviation);
+    return patches.adjacencies()[i].length / mesh.relative_unit() / (1 + concave_gain * concavity);
   });
 }
 
