@@ -4,6 +4,8 @@
 #include "oracles.h"
 
 #include <CGAL/Region_segmentation/detect_feature_edges.h>
+#include <CGAL/Region_segmentation/internal/regions/mark_feature_edges.h>
+#include <CGAL/Region_segmentation/read_flat_mesh.h>
 
 #include <gtest/gtest.h>
 
@@ -137,6 +139,49 @@ TEST(Detect_feature_edges_test, a_polygon_has_one_normal)
                   {{4, 0, 1, 2, 3}, {4, 3, 6, 5, 0}}};
   EXPECT_EQ(number_of_features(soup, Feature_convexity::ALL, 0),
             6u); // borders; 0-4 and 4-3 are flat
+}
+
+/// Those that `segment()` finds: dual edges of a flat mesh, by their flags. Borders are added.
+std::set<Edge> features_on_flat_mesh(const Soup& soup, double maximum_angle, Feature_convexity convexity,
+                                     const std::set<Edge>& constrained)
+{
+  const Surface_mesh mesh = to_surface_mesh(soup);
+  const auto np = RS::parameters::edge_is_constrained_map(edge_map(mesh, constrained));
+  const auto& pack = RS::internal::pack(np);
+  const auto traversal = RS::internal::make_mesh_traversal(mesh, pack);
+  const RS::Flat_mesh flat = RS::read_flat_mesh(mesh, RS::Mesh_data::NOTHING_MORE, np);
+  const auto marks = RS::internal::mark_feature_edges(flat, RS::internal::Feature_criterion(maximum_angle, convexity),
+                                                      RS::Execution<>());
+  auto map = edge_map(mesh, std::uint8_t(0));
+  traversal.for_each_dual_edge([&](auto h, std::size_t e) { put(map, edge(h, mesh), marks[e]); });
+  for (auto e : edges(mesh))
+    if (mesh.is_border(e))
+      put(map, e, std::uint8_t(1));
+  std::set<Edge> result;
+  for (const auto& [edge, is_feature] : flags_of(mesh, map))
+    if (is_feature)
+      result.insert(edge);
+  return result;
+}
+
+TEST(Detect_feature_edges_test, edges_are_those_of_a_flat_mesh)
+{
+  for (Family family : all_families)
+    for (unsigned seed = 0; seed < 10; ++seed) {
+      std::mt19937 random(seed);
+      const Soup soup = random_mesh(family, seed), other = translated(random_mesh(family, seed + 1), 300, 0, 0);
+      for (Soup mesh : {soup, reversed(soup), joined(soup, reversed(other)), joined(reversed(soup), other)})
+        for (Feature_convexity convexity : {Feature_convexity::ALL, Feature_convexity::CONVEX, Feature_convexity::CONCAVE})
+          for (double angle : {0.0, 1.2, 20.0, 90.0, 180.0}) {
+            SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed) + ", " + std::to_string(angle) + " degrees");
+            const auto constrained = random_edges(mesh, 9, random);
+            mesh.points.push_back({1, 2, 3}); // of no face
+            const auto in_order = to_surface_mesh(mesh);
+            EXPECT_EQ(features(mesh, RS::parameters::feature_convexity(convexity).maximum_angle(angle).edge_is_constrained_map(
+                                       edge_map(in_order, constrained))),
+                      features_on_flat_mesh(mesh, angle, convexity, constrained));
+          }
+    }
 }
 
 TEST(Detect_feature_edges_test, takes_an_empty_mesh)

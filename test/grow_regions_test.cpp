@@ -5,6 +5,8 @@
 
 #include <CGAL/Region_segmentation/detect_feature_edges.h>
 #include <CGAL/Region_segmentation/grow_regions.h>
+#include <CGAL/Region_segmentation/internal/regions/label_components.h>
+#include <CGAL/Region_segmentation/read_flat_mesh.h>
 
 #include <gtest/gtest.h>
 
@@ -135,6 +137,60 @@ TEST(Grow_regions_test, an_empty_mesh_and_a_single_face)
 {
   EXPECT_EQ(grow(Soup(), {}).n, 0u);
   EXPECT_EQ(grow(grid(1, 1), {}).n, 1u);
+}
+
+/// What `segment()` does: components of the dual edges of a flat mesh.
+Labels labels_on_flat_mesh(const Soup& soup, const std::set<Edge>& features, const std::set<Edge>& constrained)
+{
+  const Surface_mesh mesh = to_surface_mesh(soup);
+  const auto is_feature = edge_map(mesh, features);
+  const auto np = RS::parameters::edge_is_constrained_map(edge_map(mesh, constrained));
+  const auto& pack = RS::internal::pack(np);
+  const auto traversal = RS::internal::make_mesh_traversal(mesh, pack);
+  const RS::Flat_mesh flat = RS::read_flat_mesh(mesh, RS::Mesh_data::NOTHING_MORE, np);
+  RS::internal::Edge_marks marks(flat.number_of_edges());
+  traversal.for_each_dual_edge([&](auto h, std::size_t e) {
+    marks[e] = get(is_feature, edge(h, mesh)) || flat.has_flag(e, RS::Flat_mesh::CONSTRAINED);
+  });
+  const RS::Partition regions = RS::internal::label_components(flat, marks, RS::Execution<>());
+  return Labels(regions.begin(), regions.end());
+}
+
+TEST(Grow_regions_test, regions_are_those_of_a_flat_mesh)
+{
+  for (Family family : all_families)
+    for (unsigned seed = 0; seed < 20; ++seed) {
+      SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
+      Soup soup = random_mesh(family, seed);
+      std::mt19937 random(seed);
+      const auto features = random_edges(soup, 3, random), constrained = random_edges(soup, 9, random);
+      soup.points.push_back({1, 2, 3}); // of no face
+      EXPECT_EQ(grow(soup, features, constrained).labels, labels_on_flat_mesh(soup, features, constrained));
+    }
+}
+
+//  3-----------2
+//  |           |
+//  0----4,5----1     the face 0 5 1 4 has no area, and two edges of one length to each neighbor: 0 4 and 4 1 above, 0 5 and
+//  |           |     5 1 below
+//  6-----------7
+TEST(Grow_regions_test, of_equal_edges_to_one_face_the_first_is_joined)
+{
+  for (bool is_needle_first : {false, true}) {
+    Soup soup{{{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0}, {1, 0, 0}, {1, 0, 0}, {0, -1, 0}, {2, -1, 0}},
+              {{0, 4, 1, 2, 3}, {0, 5, 1, 4}, {0, 6, 7, 1, 5}}};
+    if (is_needle_first)
+      std::swap(soup.polygons[0], soup.polygons[1]);
+    for (const std::set<Edge>& features :
+         {std::set<Edge>{{0, 4}}, {{1, 4}}, {{0, 5}}, {{1, 5}}, {{0, 4}, {0, 5}}, {{1, 4}, {0, 5}}}) {
+      const auto result = grow(soup, features);
+      EXPECT_EQ(result.labels, labels_on_flat_mesh(soup, features, {}));
+      // The upper face is the lower neighbor. From vertex 0 its boundary begins with 0 4, that of the other face leads
+      // over 1 4 before 4 0.
+      const Edge joining = is_needle_first ? Edge{0, 4} : Edge{1, 4};
+      EXPECT_EQ(result.labels[0] == result.labels[1], features.count(joining) == 0);
+    }
+  }
 }
 
 TEST(Grow_regions_test, regions_are_the_components_between_features)

@@ -3,6 +3,7 @@
 #include "Mesh_store.h"
 
 #include "make_triangles.h"
+#include "subdivided_by_loop.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,7 +35,9 @@ struct Base
 };
 constexpr Base bases[] = {{"homer.off", 9856}, {"lion-head.off", 16674}};
 
-Triangles make_subdivided(const std::string& folder, std::size_t faces)
+/// `subdivide`: makes four triangles of each.
+template <typename Subdivide>
+Triangles make_subdivided(const std::string& folder, std::size_t faces, const Subdivide& subdivide)
 {
   const Base* nearest = nullptr;
   int levels = 0;
@@ -50,7 +53,7 @@ Triangles make_subdivided(const std::string& folder, std::size_t faces)
   }
   Triangles triangles = read_triangles(find_file(folder, nearest->file));
   for (; levels > 0; --levels)
-    triangles = subdivided(triangles);
+    triangles = subdivide(triangles);
   return triangles;
 }
 
@@ -72,7 +75,9 @@ Triangles Mesh_store::make_triangles(const Mesh_wanted& mesh) const
 {
   if (mesh.shape == Shape::TORUS)
     return make_torus(mesh.faces);
-  Triangles triangles = make_subdivided(m_folder, mesh.faces);
+  if (mesh.shape == Shape::LOOP)
+    return make_subdivided(m_folder, mesh.faces, subdivided_by_loop);
+  Triangles triangles = make_subdivided(m_folder, mesh.faces, subdivided);
   if (mesh.shape == Shape::NOISY)
     return roughened(std::move(triangles), amplitude_of_noise);
   return mesh.shape == Shape::SHUFFLED ? shuffled(triangles) : triangles;

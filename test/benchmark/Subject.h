@@ -50,6 +50,10 @@ public:
   virtual void shape_approximation(std::size_t number_of_segments) = 0;
   virtual void principal_curvatures() = 0;
   virtual void feature_lines() = 0;
+  /// The stages alone: concave feature edges, those of every sign, and regions between the edges that were found last.
+  virtual void detect_feature_edges() = 0;
+  virtual void detect_all_feature_edges() = 0;
+  virtual void grow_regions() = 0;
 };
 
 std::unique_ptr<Surface_mesh_subject> make_surface_mesh_subject(const Triangles& triangles);

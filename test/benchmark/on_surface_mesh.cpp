@@ -5,6 +5,7 @@
 
 #include <CGAL/Region_segmentation/detect_feature_edges.h>
 #include <CGAL/Region_segmentation/extract_feature_lines.h>
+#include <CGAL/Region_segmentation/grow_regions.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/iterator.h>
 
@@ -14,6 +15,8 @@ namespace speed_benchmark {
 
 namespace {
 
+namespace RS = CGAL::Region_segmentation;
+
 Surface_mesh::Vertex_index add_point(Surface_mesh& mesh, const Triangles::Point& p)
 {
   return mesh.add_vertex(Kernel::Point_3(p[0], p[1], p[2]));
@@ -21,6 +24,11 @@ Surface_mesh::Vertex_index add_point(Surface_mesh& mesh, const Triangles::Point&
 
 class On_surface_mesh : public Mesh_subject<Surface_mesh, Surface_mesh_subject>
 {
+  auto edge_marks()
+  {
+    return boost::make_iterator_property_map(m_edge_marks.begin(), get(CGAL::edge_index, m_mesh));
+  }
+
 public:
   explicit On_surface_mesh(const Triangles& triangles) : Mesh_subject(triangles, add_point) {}
 
@@ -59,12 +67,15 @@ public:
   }
   void feature_lines() override
   {
-    namespace RS = CGAL::Region_segmentation;
-    const auto is_feature =
-      boost::make_iterator_property_map(m_edge_marks.begin(), get(CGAL::edge_index, m_mesh));
-    RS::detect_feature_edges(m_mesh, is_feature);
-    RS::extract_feature_lines(m_mesh, is_feature, CGAL::Emptyset_iterator());
+    detect_feature_edges();
+    RS::extract_feature_lines(m_mesh, edge_marks(), CGAL::Emptyset_iterator());
   }
+  void detect_feature_edges() override { RS::detect_feature_edges(m_mesh, edge_marks()); }
+  void detect_all_feature_edges() override
+  {
+    RS::detect_feature_edges(m_mesh, edge_marks(), RS::parameters::feature_convexity(RS::Feature_convexity::ALL));
+  }
+  void grow_regions() override { RS::grow_regions(m_mesh, edge_marks(), face_map(m_face_numbers)); }
 
 private:
   /// CGAL does not.

@@ -8,7 +8,8 @@ namespace speed_benchmark {
 
 std::string name(Shape shape)
 {
-  return shape == Shape::SMOOTH ? "smooth" : shape == Shape::NOISY ? "noisy" : shape == Shape::SHUFFLED ? "shuffled" : "torus";
+  constexpr const char* names[] = {"smooth", "noisy", "shuffled", "loop", "torus"};
+  return names[std::size_t(shape)];
 }
 
 std::string name(Mesh_type type)
@@ -74,7 +75,7 @@ Case floor_in_type(const Mesh_wanted& mesh)
   return c;
 }
 
-/// Something of CGAL's, against something of ours.
+/// A call, against another: of CGAL and of ours.
 template <typename Call, typename Reference>
 Case call(const Mesh_wanted& mesh, const std::string& what, const Call& run, const std::string& reference,
           const Reference& run_reference)
@@ -115,6 +116,22 @@ void add_edge_methods(std::vector<Case>& cases, const Mesh_wanted& mesh)
     mesh, "sharp_edges_segmentation", [](auto& s) { s.sharp_edges_segmentation(); }, reference, regions));
 }
 
+/// Each stage alone, against what CGAL has.
+void add_stages(std::vector<Case>& cases, const Mesh_wanted& mesh)
+{
+  const auto add = [&](const std::string& what, auto run, const std::string& reference, auto run_reference) {
+    cases.push_back(call(mesh, what, run, reference, [run_reference](Surface_mesh_subject& s) {
+      return seconds_of(Clock::PROCESSOR, [&] { run_reference(s); });
+    }));
+  };
+  const auto sharp_edges = [](auto& s) { s.detect_sharp_edges(); };
+  add("detect_feature_edges", [](auto& s) { s.detect_feature_edges(); }, "detect_sharp_edges", sharp_edges);
+  add("detect_feature_edges, all edges", [](auto& s) { s.detect_all_feature_edges(); }, "detect_sharp_edges",
+      sharp_edges);
+  add("grow_regions", [](auto& s) { s.grow_regions(); }, "sharp_edges_segmentation",
+      [](auto& s) { s.sharp_edges_segmentation(); });
+}
+
 void add_slow_methods(std::vector<Case>& cases, const Mesh_wanted& mesh)
 {
   const auto learned = [](Subject& s) { return s.segment({Method::LEARNED}).whole(); };
@@ -144,6 +161,8 @@ std::vector<Case> plan_cases(const Plan& plan)
     add_pipelines(cases, mesh, plan.threads);
     add_pipelines(cases, {Shape::SHUFFLED, faces, Mesh_type::SURFACE_MESH}, 1);
     add_edge_methods(cases, mesh);
+    add_stages(cases, mesh);
+    add_stages(cases, {Shape::LOOP, faces, Mesh_type::SURFACE_MESH});
     if (faces <= most_faces_for_slow_methods)
       add_slow_methods(cases, mesh);
     if (faces <= most_faces_for_curvatures)
@@ -160,6 +179,7 @@ std::vector<Case> plan_cases(const Plan& plan)
       cases.push_back(pipeline(mesh, "two-step, k = " + std::to_string(plan.many_segments),
                                {Method::TWO_STEP, plan.many_segments}));
     add_edge_methods(cases, mesh);
+    add_stages(cases, mesh);
   }
   if (plan.huge > 0)
     for (const auto& [method, what] : methods)

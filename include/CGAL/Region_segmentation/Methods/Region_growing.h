@@ -38,8 +38,8 @@ struct Region_growing
                        const Execution<ConcurrencyTag>& execution = Execution<ConcurrencyTag>()) const
   {
     CGAL_precondition_msg(maximum_angle >= 0 && maximum_angle <= 180, "maximum_angle is in [0, 180] degrees");
-    const auto is_feature =
-      internal::mark_feature_edges(mesh, maximum_angle, feature_convexity, execution.step(0, 0.5));
+    const internal::Feature_criterion criterion(maximum_angle, feature_convexity);
+    const auto is_feature = internal::mark_feature_edges(mesh, criterion, execution.step(0, 0.5));
     return internal::label_components(mesh, is_feature, execution.step(0.5, 1));
   }
 };

@@ -5,9 +5,7 @@
 
 #include <CGAL/Region_segmentation/internal/reading/Face_block.h>
 #include <CGAL/Region_segmentation/internal/reading/Mesh_traversal.h>
-
-#include <CGAL/number_utils.h>
-#include <CGAL/property_map.h>
+#include <CGAL/Region_segmentation/internal/reading/Vertex_points.h>
 
 #include <cstddef>
 
@@ -23,20 +21,11 @@ class Face_reader
   using Boundary = typename Traversal::Boundary;
   using Traits = boost::graph_traits<FaceGraph>;
   using halfedge_descriptor = typename Traits::halfedge_descriptor;
-  using vertex_descriptor = typename Traits::vertex_descriptor;
-  using Point_map = typename GetVertexPointMap<FaceGraph, Pack>::const_type;
 
 public:
-  /// `scale`: the factor applied to coordinates
-  Face_reader(const Traversal& traversal, const Pack& np, double scale)
-    : m_traversal(traversal)
-    , m_point_map(CGAL::parameters::choose_parameter(
-        CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_point),
-        get_const_property_map(vertex_point, traversal.mesh())))
-    , m_scale(scale)
+  Face_reader(const Traversal& traversal, const Vertex_points<FaceGraph, Pack>& points)
+    : m_traversal(traversal), m_points(points)
   {}
-
-  Double_3 point(const vertex_descriptor& v) const { return point(m_point_map, v, m_scale); }
 
   /// Replaces the contents of `faces` by the faces of a block.
   void read(std::size_t block, Face_block& faces) const
@@ -54,12 +43,6 @@ public:
   }
 
 private:
-  static Double_3 point(const Point_map& map, const vertex_descriptor& v, double scale)
-  {
-    const auto& p = get(map, v);
-    return {scale * CGAL::to_double(p[0]), scale * CGAL::to_double(p[1]), scale * CGAL::to_double(p[2])};
-  }
-
   /// Reads faces up to the first one that is not a triangle. Loop variables are kept in registers. A face is read from
   /// the halfedge of the mesh on and rotated on writing, so that reads do not depend on the order of its corners.
   template <typename Iterator>
@@ -68,12 +51,11 @@ private:
     const FaceGraph& mesh = m_traversal.mesh();
     const auto rank_of_face = m_traversal.rank_of_face();
     const auto rank_of_vertex = m_traversal.rank_of_vertex();
-    const Point_map point_map = m_point_map;
-    const double scale = m_scale;
+    const auto point = m_points;
     const auto put = [&](const auto& v, std::size_t rank, halfedge_descriptor h, Corner& corner) {
       const auto f = face(opposite(h, mesh), mesh);
       const bool is_border = f == Traits::null_face();
-      corner.point = point(point_map, v, scale);
+      corner.point = point(v);
       corner.vertex = Flat_mesh::Index(rank);
       corner.neighbor = is_border ? Corner::no_neighbor : Flat_mesh::Index(rank_of_face(f));
     };
@@ -109,15 +91,14 @@ private:
     Corner* const c = block.add_polygon(n);
     for (std::size_t i = 0; i < n; ++i) {
       const std::size_t neighbor = m_traversal.opposite_face_rank(boundary[i]);
-      c[i].point = point(source(boundary[i], m_traversal.mesh()));
+      c[i].point = m_points(source(boundary[i], m_traversal.mesh()));
       c[i].vertex = Flat_mesh::Index(m_traversal.source_rank(boundary[i]));
       c[i].neighbor = neighbor == Traversal::none ? Corner::no_neighbor : Flat_mesh::Index(neighbor);
     }
   }
 
   const Traversal& m_traversal;
-  Point_map m_point_map;
-  double m_scale;
+  const Vertex_points<FaceGraph, Pack> m_points;
 };
 
 } // namespace internal

@@ -6,15 +6,15 @@
 #include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/Flat_mesh.h>
 #include <CGAL/Region_segmentation/internal/reading/Face_block.h>
+#include <CGAL/Region_segmentation/internal/reading/Joining_edges.h>
 #include <CGAL/Region_segmentation/internal/reading/Patch_builder.h>
 #include <CGAL/Region_segmentation/internal/reading/Signed_volumes.h>
+#include <CGAL/Region_segmentation/internal/reading/normals.h>
+#include <CGAL/Region_segmentation/internal/support/Lowest_root_forest.h>
 #include <CGAL/Region_segmentation/internal/support/blocks.h>
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -51,10 +51,7 @@ public:
     m_volumes.set(face, point, area_vector);
     const double area = norm(area_vector);
     m_flat.m_areas[face] = area;
-    // The inverse of a smaller area is infinite.
-    const bool is_degenerate =
-      !(area > 1e-12 * squared_longest_edge && area >= (std::numeric_limits<double>::min)());
-    m_flat.m_normals[face] = is_degenerate ? Double_3{} : (1 / area) * area_vector;
+    m_flat.m_normals[face] = unit_normal(area_vector, area, squared_longest_edge, Double_3{});
   }
 
   /// Marks a face with a side at a border of the mesh.
@@ -154,10 +151,16 @@ public:
   }
 
   /// The signed volume of a closed surface.
-  double volume() const { return m_volumes.sum() / 3; }
+  double volume() const { return m_volumes.sum(); }
 
   /// Turns the closed components that are inside out; faces at borders are marked.
-  void turn_components() { turn(m_volumes.faces_inside_out(m_flat)); }
+  void turn_components()
+  {
+    Lowest_root_forest components(m_flat.number_of_faces());
+    for (std::size_t e = 0; e < m_flat.number_of_edges(); ++e)
+      components.unite(m_flat.lower_face(e), m_flat.higher_face(e));
+    turn(m_volumes.faces_inside_out(components.take_partition()));
+  }
 
   /// `execution`: for the patches, if they are wanted
   template <typename ConcurrencyTag>
@@ -176,12 +179,10 @@ public:
   /// @}
 
 private:
-  /// Of the normals of the higher and the lower face, and the halfedge of the higher one. Both factors of the sign are
-  /// reversed with respect to the definition, which does not change its value.
+  /// Of the normals of the higher and the lower face, and the halfedge of the higher one.
   static std::uint8_t flags_of(const Double_3& a, const Double_3& b, double cosine, const Double_3& direction)
   {
-    const double sign = dot(cross(a, b), direction);
-    return std::uint8_t((sign > 0) * Flat_mesh::CONVEX + (sign < 0) * Flat_mesh::CONCAVE +
+    return std::uint8_t(sign_of_edge(a, b, direction) +
                         (cosine > Flat_mesh::nearly_flat) * Flat_mesh::NEARLY_FLAT +
                         (cosine < Flat_mesh::not_flat) * Flat_mesh::NOT_FLAT);
   }
@@ -212,38 +213,23 @@ private:
         m_flat.m_flags[e] ^= signs;
   }
 
-  /// Each degenerate face joins across its longest dual edge that is not constrained; of several, the
-  /// one to the lower face, and of several to that face the first.
   void join_degenerate_faces()
   {
-    struct Candidate
-    {
-      Index face, other, edge;
-    };
-    std::vector<Candidate> candidates;
+    Joining_edges joining;
     for (const auto& block : m_closed_edges)
       for (Index edge : block) {
         if (m_flat.has_flag(edge, Flat_mesh::CONSTRAINED))
           continue;
         const Index lower = m_flat.lower_face(edge), higher = m_flat.higher_face(edge);
         if (m_flat.is_degenerate(lower))
-          candidates.push_back({lower, higher, edge});
+          joining.add(lower, higher, m_flat.length(edge), edge);
         if (m_flat.is_degenerate(higher))
-          candidates.push_back({higher, lower, edge});
+          joining.add(higher, lower, m_flat.length(edge), edge);
       }
-    std::sort(candidates.begin(), candidates.end(), [this](const Candidate& a, const Candidate& b) {
-      const double a_length = m_flat.length(a.edge), b_length = m_flat.length(b.edge);
-      if (a.face != b.face)
-        return a.face < b.face;
-      if (a_length != b_length)
-        return a_length > b_length;
-      return a.other != b.other ? a.other < b.other : a.edge < b.edge;
+    joining.for_each([this](Index edge) {
+      std::uint8_t& flags = m_flat.m_flags[edge];
+      flags = std::uint8_t((flags & ~Flat_mesh::CLOSED) | Flat_mesh::JOINING);
     });
-    for (std::size_t i = 0; i < candidates.size(); ++i)
-      if (i == 0 || candidates[i].face != candidates[i - 1].face) {
-        std::uint8_t& flags = m_flat.m_flags[candidates[i].edge];
-        flags = std::uint8_t((flags & ~Flat_mesh::CLOSED) | Flat_mesh::JOINING);
-      }
   }
 
   Flat_mesh m_flat;

@@ -3,22 +3,16 @@
 #ifndef CGAL_REGION_SEGMENTATION_INTERNAL_READING_FLAT_MESH_READER_H
 #define CGAL_REGION_SEGMENTATION_INTERNAL_READING_FLAT_MESH_READER_H
 
-#include <CGAL/Region_segmentation/exceptions.h>
+#include <CGAL/Region_segmentation/internal/reading/Edge_constraints.h>
+#include <CGAL/Region_segmentation/internal/reading/Face_reader.h>
 #include <CGAL/Region_segmentation/internal/reading/Flat_mesh_builder.h>
 #include <CGAL/Region_segmentation/internal/reading/Mesh_traversal.h>
-#include <CGAL/Region_segmentation/internal/reading/Face_reader.h>
+#include <CGAL/Region_segmentation/internal/reading/Vertex_points.h>
+#include <CGAL/Region_segmentation/internal/reading/find_unit.h>
 #include <CGAL/Region_segmentation/internal/support/blocks.h>
-#include <CGAL/Region_segmentation/internal/support/check_maps.h>
 #include <CGAL/Region_segmentation/internal/support/visitor.h>
-#include <CGAL/Region_segmentation/internal/support/unit_of_coordinates.h>
 
-#include <CGAL/property_map.h>
-
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -37,13 +31,7 @@ class Flat_mesh_reader
   using Faces = Face_reader<FaceGraph, Pack>;
   using Traversal = Mesh_traversal<FaceGraph, Pack>;
   using halfedge_descriptor = typename Traversal::halfedge_descriptor;
-  using No_constraints =
-    Static_boolean_property_map<typename boost::graph_traits<FaceGraph>::edge_descriptor, false>;
-  using Constraint_map =
-    typename CGAL::internal_np::Lookup_named_param_def<CGAL::internal_np::edge_is_constrained_t, Pack,
-                                                       No_constraints>::type;
-  static_assert(check_edge_map<Constraint_map, FaceGraph>());
-  static constexpr bool has_constraints = !std::is_same<Constraint_map, No_constraints>::value;
+  using Constraints = Edge_constraints<FaceGraph, Pack>;
 
 public:
   /// \throws Invalid_input if a point is not finite
@@ -52,10 +40,10 @@ public:
     : m_traversal(traversal)
     , m_execution(execution)
     , m_data(data)
-    , m_unit(find_unit(traversal, np))
-    , m_faces(traversal, np, 1 / m_unit)
-    , m_is_constrained(CGAL::parameters::choose_parameter(
-        CGAL::parameters::get_parameter(np, CGAL::internal_np::edge_is_constrained), No_constraints()))
+    , m_unit(find_unit<ConcurrencyTag>(traversal, np))
+    , m_points(traversal.mesh(), np, 1 / m_unit)
+    , m_faces(traversal, m_points)
+    , m_is_constrained(np)
     , m_builder(traversal.number_of_faces(), num_halfedges(traversal.mesh()) / 2, data, m_unit)
   {}
 
@@ -179,48 +167,6 @@ private:
                    });
   }
 
-  /// Properties of the points of a block of vertices.
-  struct Extent
-  {
-    double largest_coordinate = 0; // of the vertices that are used
-    std::size_t not_finite = Traversal::none;
-  };
-
-  static Extent extent_of_block(const Traversal& traversal, const Faces& faces, std::size_t block, std::size_t rank)
-  {
-    Extent extent;
-    for (auto v : traversal.vertices_of_block(block)) {
-      const Double_3 p = faces.point(v);
-      const double x = std::abs(p.x), y = std::abs(p.y), z = std::abs(p.z);
-      // Rarely taken; also taken for NaN.
-      if (!(x <= extent.largest_coordinate && y <= extent.largest_coordinate && z <= extent.largest_coordinate)) {
-        if (!is_finite(p))
-          extent.not_finite = (std::min)(extent.not_finite, rank);
-        else if (halfedge(v, traversal.mesh()) != boost::graph_traits<FaceGraph>::null_halfedge())
-          extent.largest_coordinate = (std::max)({extent.largest_coordinate, x, y, z});
-      }
-      ++rank;
-    }
-    return extent;
-  }
-
-  static double find_unit(const Traversal& traversal, const Pack& np)
-  {
-    const Faces faces(traversal, np, 1);
-    const std::size_t size = traversal.number_of_vertices();
-    std::vector<Extent> extents(number_of_blocks(size));
-    for_each_block(Execution<ConcurrencyTag>(), size, [&](std::size_t block, std::size_t rank, std::size_t) {
-      extents[block] = extent_of_block(traversal, faces, block, rank);
-    });
-    double largest_coordinate = 0;
-    for (const Extent& extent : extents) {
-      if (extent.not_finite != Traversal::none)
-        throw Invalid_input("the point of vertex " + std::to_string(extent.not_finite) + " is not finite");
-      largest_coordinate = (std::max)(largest_coordinate, extent.largest_coordinate);
-    }
-    return unit_of_coordinates(largest_coordinate);
-  }
-
   /// Points and corners come last: while patches are made, there is more in memory than the mesh.
   void read_points(const std::vector<Place>& places, std::size_t number_of_corners,
                    const Execution<ConcurrencyTag>& execution)
@@ -229,7 +175,7 @@ private:
     m_builder.resize_points(size, number_of_corners);
     for_each_block(execution.step(0, 0.3), size, [&](std::size_t block, std::size_t rank, std::size_t) {
       for (auto v : m_traversal.vertices_of_block(block))
-        m_builder.set_point(rank++, m_faces.point(v));
+        m_builder.set_point(rank++, m_points(v));
     });
     for_each_block(
       execution.step(0.3, 1), places.size(),
@@ -256,9 +202,9 @@ private:
       m_builder.set_centroids(faces);
     const std::size_t number = faces.collect_edges();
     m_builder.set_edges(place.edge, faces, first_known_face, late_edges);
-    if constexpr (has_constraints)
+    if constexpr (Constraints::are_possible)
       m_traversal.for_each_dual_edge_of_block(block, place.edge, [&](halfedge_descriptor h, std::size_t dual_edge) {
-        if (get(m_is_constrained, edge(h, m_traversal.mesh())))
+        if (m_is_constrained(edge(h, m_traversal.mesh())))
           m_builder.set_constrained(dual_edge);
       });
     return number;
@@ -268,8 +214,9 @@ private:
   const Execution<ConcurrencyTag>& m_execution;
   const Mesh_data m_data;
   const double m_unit;
+  const Vertex_points<FaceGraph, Pack> m_points;
   const Faces m_faces;
-  Constraint_map m_is_constrained;
+  const Constraints m_is_constrained;
   Flat_mesh_builder m_builder;
 };
 

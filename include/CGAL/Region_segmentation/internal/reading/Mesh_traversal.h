@@ -206,6 +206,13 @@ public:
   template <typename IsWanted, typename F>
   void for_each_dual_edge_if(const Flat_mesh& flat, const IsWanted& is_wanted, const F& f) const
   {
+    for_each_dual_edge_if(is_wanted, [&](std::size_t face) { return flat.first_edge(face); }, f);
+  }
+
+  /// The same, in order; `first_edge(face)`: the first dual edge of a higher face.
+  template <typename IsWanted, typename FirstEdge, typename F>
+  void for_each_dual_edge_if(const IsWanted& is_wanted, const FirstEdge& first_edge, const F& f) const
+  {
     std::vector<std::pair<std::size_t, face_descriptor>> higher_faces; // with such an edge
     for (auto e : edges(m_mesh))
       if (is_wanted(e) && !CGAL::is_border(e, m_mesh)) {
@@ -218,7 +225,7 @@ public:
     std::size_t previous = none;
     for (const auto& [rank, fd] : higher_faces)
       if (std::exchange(previous, rank) != rank)
-        for_each_dual_edge_of_face(fd, rank, flat.first_edge(rank), of_face, [&](auto h, std::size_t dual_edge) {
+        for_each_dual_edge_of_face(fd, rank, first_edge(rank), of_face, [&](auto h, std::size_t dual_edge) {
           if (is_wanted(edge(h, m_mesh)))
             f(h, dual_edge);
         });

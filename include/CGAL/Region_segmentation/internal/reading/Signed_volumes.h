@@ -6,7 +6,6 @@
 #include <CGAL/Region_segmentation/Flat_mesh.h>
 #include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/internal/support/Large_array.h>
-#include <CGAL/Region_segmentation/internal/support/Lowest_root_forest.h>
 
 #include <cstddef>
 #include <limits>
@@ -37,16 +36,12 @@ public:
   /// Marks a face at a border: the volume of its component is not a number.
   void set_open(std::size_t face) { m_volumes[face] = std::numeric_limits<double>::quiet_NaN(); }
 
-  /// Of all faces.
-  double sum() const { return std::accumulate(m_volumes.begin(), m_volumes.end(), 0.0); }
+  /// Of all faces: of the body, if the surface is closed.
+  double sum() const { return std::accumulate(m_volumes.begin(), m_volumes.end(), 0.0) / 3; }
 
-  /// The faces of the closed components that are inside out, in order. Can be called once.
-  std::vector<Index> faces_inside_out(const Flat_mesh& mesh)
+  /// The faces of the closed components that are inside out, in order; `component`: of each face.
+  std::vector<Index> faces_inside_out(const Partition& component) const
   {
-    Lowest_root_forest components(mesh.number_of_faces());
-    for (std::size_t e = 0; e < mesh.number_of_edges(); ++e)
-      components.unite(mesh.lower_face(e), mesh.higher_face(e));
-    const Partition component = components.take_partition();
     std::vector<double> volumes(component.number_of_parts());
     for (std::size_t f = 0; f < component.size(); ++f)
       volumes[component[f]] += m_volumes[f];

@@ -56,20 +56,6 @@ Partition label_components(const Flat_mesh& flat, const Edge_marks& is_feature,
   return forest.take_partition();
 }
 
-/// Clears the marks of edges between two faces of one region, unless they are constrained.
-template <typename ConcurrencyTag>
-void clear_marks_within_regions(const Flat_mesh& flat, const Partition& regions, Edge_marks& is_feature,
-                                const Execution<ConcurrencyTag>& execution)
-{
-  for_each_block(
-    execution, flat.number_of_edges(), [&](std::size_t, std::size_t begin, std::size_t end) {
-      for (std::size_t e = begin; e < end; ++e)
-        if (is_feature[e] && !flat.has_flag(e, Flat_mesh::CONSTRAINED) &&
-            regions[flat.lower_face(e)] == regions[flat.higher_face(e)])
-          is_feature[e] = 0;
-    });
-}
-
 } // namespace internal
 } // namespace Region_segmentation
 } // namespace CGAL

@@ -4,15 +4,12 @@
 #define CGAL_REGION_SEGMENTATION_INTERNAL_REGIONS_MARK_FEATURE_EDGES_H
 
 #include <CGAL/Region_segmentation/Execution.h>
-#include <CGAL/Region_segmentation/Feature_convexity.h>
 #include <CGAL/Region_segmentation/Flat_mesh.h>
+#include <CGAL/Region_segmentation/internal/regions/Feature_criterion.h>
 #include <CGAL/Region_segmentation/internal/support/Edge_marks.h>
 #include <CGAL/Region_segmentation/internal/support/blocks.h>
 
-#include <CGAL/number_type_config.h>
-
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
@@ -20,16 +17,13 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// Marks the dual edges whose deviation is above `maximum_angle` (degrees) and whose sign is wanted,
-/// and the constrained ones. Only cosines are compared, most of them by the flags. O(F).
+/// Marks the dual edges that are feature edges by their angle and sign, and the constrained ones; most are compared by their
+/// flags. O(F).
 template <typename ConcurrencyTag>
-Edge_marks mark_feature_edges(const Flat_mesh& flat, double maximum_angle, Feature_convexity convexity,
+Edge_marks mark_feature_edges(const Flat_mesh& flat, const Feature_criterion& criterion,
                               const Execution<ConcurrencyTag>& execution)
 {
-  const double bound = std::cos(maximum_angle * (CGAL_PI / 180));
-  const std::size_t wanted_signs = convexity == Feature_convexity::CONVEX    ? std::size_t(Flat_mesh::CONVEX)
-                                   : convexity == Feature_convexity::CONCAVE ? std::size_t(Flat_mesh::CONCAVE)
-                                                                             : 0;
+  const double bound = criterion.bound();
   // The result for an edge if the flags alone decide it.
   enum Answer : std::uint8_t { NO, YES, ASK };
   std::array<Answer, 1 << Flat_mesh::number_of_flags> answers;
@@ -39,7 +33,7 @@ Edge_marks mark_feature_edges(const Flat_mesh& flat, double maximum_angle, Featu
                             : bound > Flat_mesh::nearly_flat ? YES
                             : bound <= Flat_mesh::not_flat   ? NO
                                                              : ASK;
-    const bool has_sign = wanted_signs == 0 || (flags & wanted_signs) != 0;
+    const bool has_sign = criterion.has_wanted_sign(std::uint8_t(flags));
     const bool has_angle = (flags & (Flat_mesh::JOINING | Flat_mesh::CLOSED)) == 0;
     answers[flags] = flags & Flat_mesh::CONSTRAINED ? YES : has_sign && has_angle ? is_sharp : NO;
   }
@@ -49,7 +43,7 @@ Edge_marks mark_feature_edges(const Flat_mesh& flat, double maximum_angle, Featu
     execution, flat.number_of_edges(), [&](std::size_t, std::size_t begin, std::size_t end) {
       for (std::size_t e = begin; e < end; ++e) {
         const Answer answer = answers[flat.flags(e)];
-        is_feature[e] = answer == ASK ? flat.cosine(flat.lower_face(e), e) < bound : answer == YES;
+        is_feature[e] = answer == ASK ? criterion.is_sharp(flat.cosine(flat.lower_face(e), e)) : answer == YES;
       }
     });
   return is_feature;
