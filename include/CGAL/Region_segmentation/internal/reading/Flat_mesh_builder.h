@@ -109,6 +109,7 @@ public:
   /// \name Points
   /// Only with `Mesh_data::POINTS`.
   /// @{
+  /// There may be fewer corners in the end.
   void resize_points(std::size_t number_of_points, std::size_t number_of_corners)
   {
     m_flat.m_points.m_points.resize(number_of_points);

@@ -20,7 +20,7 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// Reads a face graph into a `Flat_mesh`: once, and its corners again if the points are wanted.
+/// Reads a face graph into a `Flat_mesh`: once, and the corners of a large one again if the points are wanted.
 ///
 /// The dual edges of a face, those to lower faces, require the normals of these faces and an offset. Sequentially both
 /// are known. In parallel the edges are counted first; each thread reads ranges of blocks, and if an edge leads to a
@@ -34,12 +34,18 @@ class Flat_mesh_reader
   using Constraints = Edge_constraints<FaceGraph, Pack>;
 
 public:
+  /// While the patches of a large mesh are made, there is more in memory than in any later stage: its points and corners are
+  /// stored afterwards. Reading the corners again takes 137 instructions per face.
+  static constexpr std::size_t most_faces_with_early_corners = std::size_t(3) << 19;
+
   /// \throws Invalid_input if a point is not finite
   Flat_mesh_reader(const Traversal& traversal, const Pack& np, Mesh_data data,
-                   const Execution<ConcurrencyTag>& execution)
+                   const Execution<ConcurrencyTag>& execution,
+                   std::size_t most_with_early_corners = most_faces_with_early_corners)
     : m_traversal(traversal)
     , m_execution(execution)
     , m_data(data)
+    , m_has_corners_early(traversal.number_of_faces() <= most_with_early_corners)
     , m_unit(find_unit<ConcurrencyTag>(traversal, np))
     , m_points(traversal.mesh(), np, 1 / m_unit)
     , m_faces(traversal, m_points)
@@ -50,8 +56,12 @@ public:
   Flat_mesh read()
   {
     const bool with_patches = includes(m_data, Mesh_data::PATCHES), with_points = includes(m_data, Mesh_data::POINTS);
-    const double after_patches = with_points ? 0.9 : 1, after_faces = with_patches ? 0.4 : after_patches; // of the time
+    const double after_patches = with_points && !m_has_corners_early ? 0.9 : 1, after_faces = with_patches ? 0.4 : after_patches; // of the time
     std::vector<Place> places(number_of_blocks(m_traversal.number_of_faces()));
+    if (with_points && m_has_corners_early) {
+      m_builder.resize_points(m_traversal.number_of_vertices(), num_halfedges(m_traversal.mesh()));
+      read_points(Execution<ConcurrencyTag>());
+    }
     Place end;
     if constexpr (Execution<ConcurrencyTag>::is_parallel)
       end = read_in_parallel(places, m_execution.step(0, after_faces));
@@ -60,8 +70,11 @@ public:
     m_builder.set_number_of_edges(end.edge);
     turn_components(2 * end.edge == end.corner);
     m_builder.finish(m_execution.step(after_faces, after_patches));
-    if (with_points)
-      read_points(places, end.corner, m_execution.step(after_patches, 1));
+    if (with_points && !m_has_corners_early) {
+      m_builder.resize_points(m_traversal.number_of_vertices(), end.corner);
+      read_points(m_execution.step(after_patches, after_patches + 0.03));
+      read_corners(places, m_execution.step(after_patches + 0.03, 1));
+    }
     return m_builder.take();
   }
 
@@ -167,18 +180,18 @@ private:
                    });
   }
 
-  /// Points and corners come last: while patches are made, there is more in memory than the mesh.
-  void read_points(const std::vector<Place>& places, std::size_t number_of_corners,
-                   const Execution<ConcurrencyTag>& execution)
+  void read_points(const Execution<ConcurrencyTag>& execution)
   {
-    const std::size_t size = m_traversal.number_of_vertices();
-    m_builder.resize_points(size, number_of_corners);
-    for_each_block(execution.step(0, 0.3), size, [&](std::size_t block, std::size_t rank, std::size_t) {
+    for_each_block(execution, m_traversal.number_of_vertices(), [&](std::size_t block, std::size_t rank, std::size_t) {
       for (auto v : m_traversal.vertices_of_block(block))
         m_builder.set_point(rank++, m_points(v));
     });
+  }
+
+  void read_corners(const std::vector<Place>& places, const Execution<ConcurrencyTag>& execution)
+  {
     for_each_block(
-      execution.step(0.3, 1), places.size(),
+      execution, places.size(),
       [&](std::size_t, std::size_t first_block, std::size_t last_block) {
         Face_block faces;
         for (std::size_t block = first_block; block < last_block; ++block) {
@@ -200,6 +213,8 @@ private:
     });
     if (includes(m_data, Mesh_data::CENTROIDS))
       m_builder.set_centroids(faces);
+    if (m_has_corners_early && includes(m_data, Mesh_data::POINTS))
+      m_builder.set_corners(place.corner, faces);
     const std::size_t number = faces.collect_edges();
     m_builder.set_edges(place.edge, faces, first_known_face, late_edges);
     if constexpr (Constraints::are_possible)
@@ -213,6 +228,7 @@ private:
   const Traversal& m_traversal;
   const Execution<ConcurrencyTag>& m_execution;
   const Mesh_data m_data;
+  const bool m_has_corners_early; // if points are wanted: corners are stored with the faces
   const double m_unit;
   const Vertex_points<FaceGraph, Pack> m_points;
   const Faces m_faces;
