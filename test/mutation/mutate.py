@@ -365,6 +365,14 @@ def run(options, number, seconds):
     return failed.group(1) if failed else "(ends with %d)" % result.returncode
 
 
+def tests_of_headers():
+    """The files of the test programs of methods and of segments, and of what needs Eigen."""
+    text = (ROOT / "test/CMakeLists.txt").read_text()
+    return [name for start in (r"list\(APPEND optional_tests", r"add_executable\(region_segmentation_tests",
+                               r"add_executable\(region_segmentation_segments_test")
+            for name in re.findall(r"[\w/]+_test\.cpp", re.search(start + r"(.*?)\)", text, re.S).group(1))]
+
+
 def limit_memory():
     import resource
     resource.setrlimit(resource.RLIMIT_AS, (4 << 30, 4 << 30))
@@ -376,7 +384,7 @@ def main():
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--sites", type=int, default=300)
     parser.add_argument("--headers", nargs="*", default=[""], help="beginnings of paths in the library")
-    parser.add_argument("--tests", nargs="*", default=[], help="files of test/; all of the first test program if none")
+    parser.add_argument("--tests", nargs="*", default=[], help="files of test/; if none, all of headers")
     parser.add_argument("--filter", default="-*Real_meshes*", help="of GoogleTest")
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--at-least", type=float, default=0, help="percent to be noticed, else the exit status is 1")
@@ -400,8 +408,7 @@ def main():
         site.number = number
     print("seed %d: %d of %d possible sites" % (options.seed, len(sites), possible), flush=True)
 
-    names = options.tests or re.findall(r"\b(\S+_test\.cpp)", re.search(
-        r"add_executable\(region_segmentation_tests(.*?)\)", (ROOT / "test/CMakeLists.txt").read_text(), re.S).group(1))
+    names = options.tests or tests_of_headers()
     sources = [ROOT / "test" / name for name in names + ["meshes.cpp", "oracles.cpp"]]
     record = Record(options, key_of(options, sources))
     sites = [s for s in sites if record.results.get(s.number) != Record.NOT_COMPILED]
