@@ -247,6 +247,15 @@ TEST(Visibility_annotator_test, deviations_are_integrated_by_sign_up_to_a_bound)
   }
 }
 
+TEST(Visibility_annotator_test, regions_with_one_centroid_bend_away_from_each_other)
+{
+  const RS::Flat_mesh mesh = flat_mesh_of(pillow());
+  const Graph graph = annotated(mesh, face_each(mesh));
+  const auto& section = graph[*graph.section(0, 1)];
+  EXPECT_GT(section.length, 0);
+  EXPECT_DOUBLE_EQ(section.bend, -std::acos(-1.0) * section.length);
+}
+
 TEST(Visibility_annotator_test, annotating_again_changes_nothing)
 {
   const RS::Flat_mesh mesh = flat_mesh_of(random_mesh(Family::BLOCKS, 2));
