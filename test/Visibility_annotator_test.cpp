@@ -11,10 +11,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <random>
+#include <utility>
+#include <vector>
 
 namespace RS = CGAL::Region_segmentation;
 using namespace test;
@@ -79,6 +83,9 @@ TEST(Patch_boxes_test, slices_needles_and_nothing_else)
     return RS::internal::Patch_boxes::make(mesh, triangles).size();
   };
   EXPECT_GT(number_of_boxes(flat_mesh_of(needles(100, 1))), 1000u);
+  // Wider ones where there are many needles: slices add at most 2^18 triangles.
+  EXPECT_GT(number_of_boxes(flat_mesh_of(needles(20000, 1))), 20000u + (1u << 16));
+  EXPECT_LE(number_of_boxes(flat_mesh_of(needles(20000, 1))), 20000u + (1u << 18));
   for (const Soup& soup : {sphere(3), triangulated(torus(20, 10)), l_shape()}) {
     const RS::Flat_mesh mesh = flat_mesh_of(soup);
     EXPECT_EQ(number_of_boxes(mesh), mesh.patches().size());
@@ -150,6 +157,59 @@ TEST(Ray_tree_test, of_faces_hit_at_the_same_distance_it_is_the_lowest)
       }
     }
   EXPECT_GT(ties, 100u);
+}
+
+TEST(Ray_tree_test, of_corners_equally_far_from_the_centroid_a_fan_starts_at_the_first)
+{
+  // A square whose corners are in turn above and below its plane: folded along the diagonal from the first corner.
+  const Soup soup{{{-1, -1, 0.5}, {1, -1, -0.5}, {1, 1, 0.5}, {-1, 1, -0.5}}, {{0, 1, 2, 3}}};
+  const RS::Flat_mesh mesh = flat_mesh_of(soup);
+  const RS::internal::Ray_tree tree(mesh, mesh.centroid(0), RS::Execution<>());
+  EXPECT_NEAR(tree.first_hit(mesh, {0.1, 0, 5}, {0, 0, -1}, RS::internal::Ray_tree::no_face).distance, 5 - 0.45, 1e-6);
+}
+
+TEST(Inward_rays_test, start_from_patches_where_a_region_has_their_centers)
+{
+  // A bumpy sheet of faces that are joined to patches, above a large square.
+  std::mt19937 random(1);
+  Soup sheet = triangulated(grid(24, 24));
+  bump(sheet, 0.2, random);
+  const std::size_t small = sheet.polygons.size();
+  const Soup square = mapped(grid(1, 1), [](const Point& p) -> Point {
+    return {864 * p[0] - 420, 864 * p[1] - 420, -50 - 80 * p[0]};
+  });
+  const Soup soup = joined(sheet, triangulated(square));
+  const RS::Flat_mesh mesh = flat_mesh_of(soup);
+  const RS::Mesh_points& points = mesh.points();
+  std::vector<int> labels(soup.polygons.size(), 0);
+  labels[small] = labels[small + 1] = 1;
+  const RS::Partition regions = RS::Partition::from_labels(labels);
+  ASSERT_LT(mesh.patches().size(), small / 8);
+
+  const RS::internal::Region_shapes shapes(mesh, regions);
+  const RS::internal::Ray_tree tree(mesh, shapes.surface_centroid, RS::Execution<>());
+  std::vector<std::optional<RS::internal::Inward_rays::Hits>> hits(2);
+  RS::internal::Inward_rays(mesh, regions, shapes, tree).trace(hits, RS::Execution<>());
+
+  std::vector<std::pair<double, std::size_t>> centers; // distance to the centroid of the sheet, face
+  Double_3 centroid{0, 0, 0};
+  double area = 0;
+  for (std::size_t f = 0; f < small; ++f) {
+    centroid = centroid + mesh.area(f) * mesh.centroid(f);
+    area += mesh.area(f);
+  }
+  for (std::size_t p = 0; p < mesh.patches().size(); ++p)
+    if (const std::size_t f = mesh.patches()[p].face; f < small)
+      centers.push_back({norm(mesh.centroid(f) - (1 / area) * centroid), f});
+  std::sort(centers.begin(), centers.end());
+  for (std::size_t k : {0, 1, 2}) { // the first rays of three faces go straight down
+    const std::size_t f = centers[k * centers.size() * 9 / 30].second;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t g : {small, small + 1})
+      nearest = std::min(nearest, distance_to_triangle(mesh.centroid(f), -1.0 * mesh.normal(f), points[points.corner(g, 0)],
+                                                       points[points.corner(g, 1)], points[points.corner(g, 2)]));
+    EXPECT_NEAR((*hits[0])[6 * k].distance, nearest, 1e-3 * nearest);
+  }
 }
 
 TEST(Visibility_annotator_test, the_thickness_of_a_plate_is_its_height)
