@@ -4,7 +4,7 @@
 
 One build serves all: in a copy of include/ each site is `(::mutant(17) ? broken : original)`, and an environment variable
 selects the mutant of a run. What can only change the running time (prefetching, reserving, progress) is not broken, nor
-what the compiler evaluates. What was compiled and run is kept in DIR: a run that was stopped continues there, as long as
+what the compiler evaluates. Survivors that change no result are listed in equivalent.txt, with the reason. What was compiled and run is kept in DIR: a run that was stopped continues there, as long as
 neither the library nor the tests change.
 
     python3 test/mutation/mutate.py --work DIR [--seed 1] [--sites 300] [--headers PART...] [--tests FILE...] [--jobs 2]
@@ -247,6 +247,17 @@ def matching_depth(tokens, begin, i):
     return depth
 
 
+def equivalent_mutants():
+    """Why some mutants cannot be noticed, by header, original and replacement: blocks of four lines."""
+    text = (pathlib.Path(__file__).parent / "equivalent.txt").read_text()
+    blocks = [[line.strip() for line in block.splitlines() if not line.startswith("#")] for block in text.split("\n\n")]
+    return {tuple(block[:3]): block[3] for block in blocks if len(block) == 4}
+
+
+def one_line(text):
+    return " ".join(text.split())
+
+
 def draw(headers, number, seed):
     """Sites that do not overlap, at most one a statement."""
     everything = [s for h in headers for s in h.sites]
@@ -387,7 +398,7 @@ def main():
     parser.add_argument("--tests", nargs="*", default=[], help="files of test/; if none, all of headers")
     parser.add_argument("--filter", default="-*Real_meshes*", help="of GoogleTest")
     parser.add_argument("--jobs", type=int, default=2)
-    parser.add_argument("--at-least", type=float, default=0, help="percent to be noticed, else the exit status is 1")
+    parser.add_argument("--at-least", type=float, default=0, help="percent to be noticed of those that are not equivalent, else the exit status is 1")
     parser.add_argument("--compile-jobs", type=int, default=2)
     options = parser.parse_args()
     options.work.mkdir(parents=True, exist_ok=True)
@@ -443,12 +454,16 @@ def main():
             noticed += failed is not None
             if failed is None:
                 survivors.append(site)
+    equivalent, reasons = 0, equivalent_mutants()
     print("\nSurvivors:")
     for site in survivors:
-        print("%3d %s:%d\n      %s\n   -> %s" % (site.number, site.file.relative_to(LIBRARY), site.line,
-                                              " ".join(site.original.split()), " ".join(site.broken.split())))
-    percent = 100 * noticed / len(sites)
-    print("\nseed %d: %d of %d noticed, %.1f %%" % (options.seed, noticed, len(sites), percent))
+        header, original, broken = site.file.relative_to(LIBRARY), one_line(site.original), one_line(site.broken)
+        reason = reasons.get((header.as_posix(), original, broken), "A HOLE IN THE TESTS")
+        equivalent += (header.as_posix(), original, broken) in reasons
+        print("%3d %s:%d\n      %s\n   -> %s\n      %s" % (site.number, header, site.line, original, broken, reason))
+    percent = 100 * noticed / (len(sites) - equivalent)
+    print("\nseed %d: %d of %d noticed, %.1f %%; %d that survive are equivalent, of the others %.1f %% noticed" %
+          (options.seed, noticed, len(sites), 100 * noticed / len(sites), equivalent, percent))
     return 0 if percent >= options.at_least else 1
 
 
