@@ -138,6 +138,21 @@ TEST(Ray_tree_test, finds_what_a_look_at_every_triangle_finds)
   }
 }
 
+TEST(Ray_tree_test, finds_needles_up_to_their_tips)
+{
+  const RS::Flat_mesh mesh = flat_mesh_of(needles(400, 1));
+  const RS::internal::Ray_tree tree(mesh, mesh.centroid(0), RS::Execution<>());
+  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Double_3& corner = mesh.points()[mesh.points().corner(f, i)];
+      const Double_3 target = corner + 0.02 * (mesh.centroid(f) - corner);
+      const auto hit =
+        tree.first_hit(mesh, target + 0.5 * mesh.normal(f), -1.0 * mesh.normal(f), RS::internal::Ray_tree::no_face);
+      ASSERT_NE(hit.face, RS::internal::Ray_tree::no_face) << f;
+      EXPECT_LE(hit.distance, 0.5 + 1e-4) << f; // or another one before
+    }
+}
+
 TEST(Ray_tree_test, of_faces_hit_at_the_same_distance_it_is_the_lowest)
 {
   // Rays straight down on edges and corners of a plate of unit squares: without the face that was hit, another one is,
@@ -166,6 +181,20 @@ TEST(Ray_tree_test, of_corners_equally_far_from_the_centroid_a_fan_starts_at_the
   const RS::Flat_mesh mesh = flat_mesh_of(soup);
   const RS::internal::Ray_tree tree(mesh, mesh.centroid(0), RS::Execution<>());
   EXPECT_NEAR(tree.first_hit(mesh, {0.1, 0, 5}, {0, 0, -1}, RS::internal::Ray_tree::no_face).distance, 5 - 0.45, 1e-6);
+}
+
+TEST(Region_shapes_test, are_those_of_the_faces_and_of_the_first_face_where_there_is_no_area)
+{
+  const Soup point{{{7, 8, 9}, {7, 8, 9}, {7, 8, 9}}, {{0, 1, 2}}};
+  const RS::Flat_mesh mesh = flat_mesh_of(joined(grid(2, 1), point));
+  const RS::internal::Region_shapes shapes(mesh, RS::Partition::from_labels(std::vector<int>{0, 0, 1}));
+  EXPECT_EQ(shapes.areas, (std::vector<double>{2, 0}));
+  const auto expect_equal = [](const Double_3& a, const Double_3& b) { EXPECT_EQ(norm(a - b), 0) << a.x << ' ' << b.x; };
+  expect_equal(shapes.normals[0], {0, 0, 1});
+  expect_equal(shapes.normals[1], {0, 0, 0});
+  expect_equal(shapes.centroids[0], {1, 0.5, 0});
+  expect_equal(shapes.centroids[1], {0.5, 0.5, 0});
+  expect_equal(shapes.surface_centroid, {1, 0.5, 0});
 }
 
 TEST(Inward_rays_test, start_from_patches_where_a_region_has_their_centers)

@@ -165,6 +165,23 @@ TEST(Minimum_cut_test, finds_the_cheapest_of_all_cuts_and_moves_few_nodes)
   }
 }
 
+TEST(Minimum_cut_test, is_exact_for_many_nodes)
+{
+  // A chain from one terminal to the other, with one weaker link.
+  using Cut = RS::internal::Minimum_cut;
+  constexpr std::size_t number = 12000, weakest = 4321;
+  Cut cut;
+  std::vector<Cut::Node> nodes = {Cut::source};
+  for (std::size_t i = 1; i <= number; ++i) {
+    nodes.push_back(cut.add_node(i % 2));
+    cut.add_edge(nodes[i - 1], nodes[i], i == weakest ? 1 : 1.001);
+  }
+  cut.add_edge(nodes.back(), Cut::sink, 1.001);
+  EXPECT_TRUE(cut.improve());
+  for (std::size_t i = 0; i <= number; ++i)
+    ASSERT_EQ(cut.is_on_source_side(nodes[i]), i < weakest) << i;
+}
+
 namespace {
 
 using Index = RS::internal::Dual_graph::Index;
