@@ -129,6 +129,12 @@ TEST(Mesh_patches_test, are_those_of_the_definition)
     EXPECT_LT(mesh.patches().size(), mesh.number_of_faces() / 8);
     EXPECT_EQ(labels_of(mesh.patches().of_faces()), patches_by_definition(mesh));
   }
+  // Few patches, of which some rounds join just enough for another one.
+  for (unsigned seed = 6; seed <= 60; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const RS::Flat_mesh mesh = flat_mesh_of(small_faces(seed, 12));
+    EXPECT_EQ(labels_of(mesh.patches().of_faces()), patches_by_definition(mesh));
+  }
 }
 
 TEST(Mesh_patches_test, large_faces_are_patches)
