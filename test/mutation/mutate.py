@@ -4,8 +4,9 @@
 
 One build serves all: in a copy of include/ each site is `(::mutant(17) ? broken : original)`, and an environment variable
 selects the mutant of a run. What can only change the running time (prefetching, reserving, progress) is not broken, nor
-what the compiler evaluates. Survivors that change no result are listed in equivalent.txt, with the reason. What was compiled and run is kept in DIR: a run that was stopped continues there, as long as
-neither the library nor the tests change.
+what the compiler evaluates. Survivors that change no result are listed in equivalent.txt, with the reason. What was
+compiled and run is kept in DIR: a run that was stopped continues there, as long as neither the library nor the tests
+change.
 
     python3 test/mutation/mutate.py --work DIR [--seed 1] [--sites 300] [--headers PART...] [--tests FILE...] [--jobs 2]
 """
@@ -20,7 +21,6 @@ import re
 import shutil
 import subprocess
 import sys
-import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 LIBRARY = pathlib.PurePath("CGAL/Region_segmentation")
@@ -361,19 +361,35 @@ def key_of(options, sources):
     return digest.hexdigest()
 
 
-def run(options, number, seconds):
-    """The name of the first test that fails, or of another end; None if all pass."""
+def run(options, number, tests, seconds):
+    """How the tests of a filter of GoogleTest end: the output, and the first that fails, or another end, or None."""
     environment = dict(os.environ, MUTANT=str(number))
-    command = [str(options.work / "tests"), "--gtest_fail_fast", "--gtest_brief=1", "--gtest_filter=" + options.filter]
+    command = [str(options.work / "tests"), "--gtest_fail_fast", "--gtest_filter=" + tests]
     try:
         result = subprocess.run(command, capture_output=True, text=True, errors="replace", env=environment,
                                 timeout=seconds, cwd=options.work)
     except subprocess.TimeoutExpired:
-        return "(no end)"
+        return "", "(no end)"
     if result.returncode == 0:
-        return None
+        return result.stdout, None
     failed = re.search(r"\[  FAILED  \] ([^,\s]+)", result.stdout)
-    return failed.group(1) if failed else "(ends with %d)" % result.returncode
+    return result.stdout, failed.group(1) if failed else "(ends with %d)" % result.returncode
+
+
+def cheapest_first(options):
+    """The tests in groups with a bound of time for each, which doubles: most mutants are noticed in less than a second."""
+    output, failed = run(options, 0, options.filter, 3600)
+    if failed:
+        sys.exit("the tests fail without a mutant: " + failed)
+    times = re.findall(r"^\[       OK \] ([^,\s]+).*\((\d+) ms\)$", output, re.M)
+    groups, seconds = [[[], 0]], 0.3
+    for time, name in sorted((int(ms) / 1000, name) for name, ms in times):
+        if groups[-1][1] > seconds:
+            groups.append([[], 0])
+            seconds *= 2
+        groups[-1][0].append(name)
+        groups[-1][1] += time
+    return [(":".join(names), 20 + 6 * total) for names, total in groups]
 
 
 def tests_of_headers():
@@ -437,14 +453,14 @@ def main():
     subprocess.run(["g++", *objects, "-o", str(options.work / "tests"), "-lgtest", "-lgtest_main", "-lgmp", "-lmpfr",
                     "-lpthread"], check=True)
 
-    start = time.monotonic()
-    if run(options, 0, 3600):
-        sys.exit("the tests fail without a mutant: " + run(options, 0, 3600))
-    seconds = 20 + 6 * (time.monotonic() - start)
+    groups = cheapest_first(options)
     survivors, noticed = [], 0
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
         def result_of(site):
-            return site, record.results[site.number] if site.number in record.results else run(options, site.number, seconds)
+            if site.number in record.results:
+                return site, record.results[site.number]
+            ends = (run(options, site.number, tests, seconds)[1] for tests, seconds in groups)
+            return site, next((end for end in ends if end), None)
 
         for site, failed in pool.map(result_of, sites):
             if site.number not in record.results:
