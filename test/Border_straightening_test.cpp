@@ -9,6 +9,7 @@
 #include <CGAL/Region_segmentation/Methods/Superfacets.h>
 #include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
 #include <CGAL/Region_segmentation/Segmenter.h>
+#include <CGAL/Region_segmentation/internal/cuts/Region_pieces.h>
 #include <CGAL/Region_segmentation/read_flat_mesh.h>
 
 #include <gtest/gtest.h>
@@ -79,6 +80,67 @@ reference::Straightening_input input_of(const RS::Flat_mesh& mesh, const RS::Par
   input.width = straightening.width;
   input.width_of_segment = straightening.width_of_segment;
   return input;
+}
+
+/// The connected components of the elements that some regions still have, by a search over the elements.
+std::set<std::vector<Index>> components_by_search(const RS::internal::Dual_graph& adjacency, const std::vector<Index>& region_of,
+                                                  const std::set<Index>& removed, const std::vector<Index>& regions)
+{
+  std::set<Index> left;
+  for (Index e = 0; e < region_of.size(); ++e)
+    if (!removed.count(e) && std::count(regions.begin(), regions.end(), region_of[e]) > 0)
+      left.insert(e);
+  std::set<std::vector<Index>> result;
+  while (!left.empty()) {
+    std::vector<Index> component = {*left.begin()};
+    left.erase(left.begin());
+    for (std::size_t i = 0; i < component.size(); ++i)
+      for (const auto& step : adjacency.steps(component[i]))
+        if (left.erase(step.face))
+          component.push_back(step.face);
+    std::sort(component.begin(), component.end());
+    result.insert(component);
+  }
+  return result;
+}
+
+TEST(Region_pieces_test, are_connected_as_their_elements_are)
+{
+  std::size_t compared = 0;
+  for (Family family : {Family::SHEET, Family::SPHERE, Family::TORUS})
+    for (unsigned seed = 1; seed <= 4; ++seed) {
+      SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
+      std::mt19937 random(seed);
+      const RS::Flat_mesh mesh = flat_mesh_of(random_mesh(family, seed));
+      const RS::internal::Dual_graph adjacency(mesh, [](std::size_t, std::size_t) { return 1.0; });
+      const RS::Partition partition = RS::Superfacets(8)(mesh);
+      const std::vector<Index> region_of(partition.begin(), partition.end());
+      RS::internal::Region_pieces pieces(adjacency, region_of, partition.number_of_parts());
+      std::set<Index> removed;
+      while (3 * removed.size() < 2 * region_of.size()) {
+        std::vector<Index> elements;
+        while (elements.size() < 10) {
+          const Index e = Index(random() % region_of.size());
+          if (removed.insert(e).second)
+            elements.push_back(e);
+        }
+        pieces.remove(elements);
+        for (int i = 0; i < 5; ++i) {
+          std::vector<Index> regions;
+          for (Index r = 0; r < partition.number_of_parts(); ++r)
+            if (random() % 3 == 0)
+              regions.push_back(r);
+          std::set<std::vector<Index>> expected = components_by_search(adjacency, region_of, removed, regions);
+          if (expected.size() == 1)
+            expected.clear();
+          const auto found = pieces.components(regions);
+          EXPECT_EQ(found.size(), expected.size());
+          EXPECT_EQ(std::set<std::vector<Index>>(found.begin(), found.end()), expected);
+          compared += expected.size();
+        }
+      }
+    }
+  EXPECT_GT(compared, 1000u);
 }
 
 TEST(Border_straightening_test, moves_borders_as_documented)

@@ -207,6 +207,27 @@ TEST(Learned_annotator_test, data_of_merged_regions_is_that_of_their_union)
     }
 }
 
+TEST(Learned_annotator_test, the_thickness_of_first_regions_has_no_deviation)
+{
+  for (Family family : {Family::SPHERE, Family::BLOCKS, Family::TORUS}) {
+    SCOPED_TRACE(name(family));
+    std::mt19937 random(4);
+    const Soup soup = random_mesh(family, 4);
+    const Graph graph = annotated(soup, random_regions(soup, 12, random));
+    for (auto range = vertices(graph); range.first != range.second; ++range.first) {
+      const auto& region = graph[*range.first];
+      EXPECT_NE(region.log_thickness, 0);
+      EXPECT_NEAR(region.squared_log_thickness, region.log_thickness * region.log_thickness / region.area, 1e-12);
+    }
+    for (auto range = edges(graph); range.first != range.second; ++range.first) {
+      const auto &a = graph[graph.source(*range.first)], &b = graph[graph.target(*range.first)];
+      const auto& section = graph[*range.first];
+      EXPECT_NEAR(section.log_thickness,
+                  section.length * (a.log_thickness / a.area + b.log_thickness / b.area) / 2, 1e-12);
+    }
+  }
+}
+
 TEST(Learned_annotator_test, the_whole_surface_sees_itself_alone)
 {
   for (Family family : {Family::SPHERE, Family::BLOCKS, Family::TORUS}) {

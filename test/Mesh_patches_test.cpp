@@ -131,6 +131,22 @@ TEST(Mesh_patches_test, are_those_of_the_definition)
   }
 }
 
+TEST(Mesh_patches_test, another_round_follows_one_that_joined_just_enough)
+{
+  // The more large faces there are, the earlier the rounds end for the small ones.
+  std::mt19937 random(1);
+  Soup small = triangulated(grid(8, 8));
+  bump(small, 0.2, random);
+  std::set<std::size_t> numbers;
+  for (std::size_t columns = 1; columns <= 200; columns += 3) {
+    const Soup large = translated(scaled(grid(columns, 8), 300), 100, 0, 0);
+    const RS::Flat_mesh mesh = flat_mesh_of(joined(small, large));
+    EXPECT_EQ(labels_of(mesh.patches().of_faces()), patches_by_definition(mesh)) << columns;
+    numbers.insert(mesh.patches().size() - 8 * columns);
+  }
+  EXPECT_GT(numbers.size(), 3u);
+}
+
 TEST(Mesh_patches_test, large_faces_are_patches)
 {
   for (Family family : all_families) {

@@ -11,6 +11,8 @@
 #include <CGAL/Region_segmentation/Methods/Segmentation_method.h>
 #include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
 #include <CGAL/Region_segmentation/Segmenter.h>
+#include <CGAL/Region_segmentation/build_region_adjacency_graph.h>
+#include <CGAL/Region_segmentation/read_flat_mesh.h>
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
 
@@ -143,6 +145,20 @@ TEST(Scalar_annotator, takes_the_place_of_the_annotator_that_it_extends)
       EXPECT_EQ(segmenter.merge_tree().merges()[i].cost, expected.merge_tree().merges()[i].cost);
     expected.set_seeds(seed_map);
     segmenter.set_seeds(seed_map);
+  }
+}
+
+TEST(Scalar_annotator, annotating_again_changes_nothing)
+{
+  const RS::Flat_mesh mesh = RS::read_flat_mesh(to_surface_mesh(cube()), RS::Mesh_data::POINTS);
+  const RS::Partition regions = RS::Partition::from_labels(std::vector<int>{0, 0, 1, 1, 1, 1});
+  const RS::Scalar_annotator<RS::Geometry_annotator<>> annotator(std::vector<double>{1, 2, 3, 4, 5, 6});
+  auto graph = RS::build_region_adjacency_graph(mesh, regions, annotator);
+  for (int round = 0; round < 2; ++round) {
+    EXPECT_DOUBLE_EQ(graph[0].mean_scalar(), 1.5);
+    EXPECT_DOUBLE_EQ(graph[1].mean_scalar(), 4.5);
+    EXPECT_DOUBLE_EQ(graph[0].scalar, 3);
+    annotator(graph, mesh, regions);
   }
 }
 

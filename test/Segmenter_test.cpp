@@ -438,6 +438,29 @@ TEST(Segmenter_test, random_seeds_are_followed_or_refused)
   EXPECT_GT(followed, 2 * refused);
 }
 
+TEST(Segmenter_test, paths_between_equal_seeds_do_not_depend_on_scale)
+{
+  for (unsigned seed = 1; seed <= 10; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const Soup soup = random_mesh(Family::BLOCKS, seed);
+    std::mt19937 random(seed);
+    std::vector<std::size_t> values(soup.polygons.size(), no_seed);
+    values[random() % values.size()] = values[random() % values.size()] = 0;
+    values[random() % values.size()] = 1;
+    std::vector<Labels> found;
+    for (double factor : {1. / 64, 64.}) {
+      const Surface_mesh mesh = to_surface_mesh(scaled(soup, factor));
+      auto seeds = face_map(mesh);
+      for (auto f : mesh.faces())
+        put(seeds, f, values[f]);
+      RS::Segmenter segmenter(mesh, RS::parameters::method(visibility(60)));
+      segmenter.set_seeds(seeds);
+      found.push_back(labels(segmenter, 40));
+    }
+    EXPECT_EQ(found[0], found[1]);
+  }
+}
+
 /// The message of what seeds are refused with; empty if they are taken.
 template <typename Segmenter, typename Map>
 std::string refusal(Segmenter& segmenter, const Map& seeds)

@@ -2,9 +2,11 @@
 
 #include "meshes.h"
 #include "oracles.h"
+#include "reference_smoothness.h"
 
 #include <CGAL/Region_segmentation/Methods/Smooth_faces.h>
 #include <CGAL/Region_segmentation/Segmenter.h>
+#include <CGAL/Region_segmentation/Graph/Region_adjacency_graph.h>
 #include <CGAL/Region_segmentation/build_region_adjacency_graph.h>
 #include <CGAL/Region_segmentation/read_flat_mesh.h>
 #include <CGAL/Region_segmentation/segment.h>
@@ -14,7 +16,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
+#include <random>
 #include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -287,6 +292,75 @@ TEST(Smoothness_annotator_test, measures_a_fillet)
     EXPECT_TRUE(std::abs(discontinuity - 1) < 0.02 || discontinuity > 3) << discontinuity;
   }
   EXPECT_EQ(at_borders, 8u);
+}
+
+TEST(Smoothness_annotator_test, measures_as_documented)
+{
+  std::mt19937 random(1);
+  std::vector<Soup> soups = {sphere(2), torus(40, 20), regular_prism(20, true).soup, filleted_block(5).soup, grid(12, 12)};
+  for (Point& p : soups.back().points)
+    p[2] = std::sin(p[0] / 2) + 0.1 * p[1] * (p[1] > 6); // waves, and a shallow crease
+  std::size_t creases = 0, smooth = 0, between = 0;
+  for (Soup& soup : soups)
+    for (double amplitude : {1e-4, 0.01, 0.05}) {
+      SCOPED_TRACE(std::to_string(soup.polygons.size()) + " polygons, amplitude " + std::to_string(amplitude));
+      Soup bumpy = triangulated(soup);
+      bump(bumpy, amplitude, random);
+      const RS::Flat_mesh flat = RS::read_flat_mesh(to_surface_mesh(bumpy), RS::Mesh_data::POINTS);
+      Labels each(bumpy.polygons.size());
+      std::iota(each.begin(), each.end(), std::size_t(0));
+      const auto graph =
+        RS::build_region_adjacency_graph(flat, RS::Partition::from_labels(each), RS::Smoothness_annotator());
+      const reference::Smoothness expected(bumpy);
+      for (auto range = edges(graph); range.first != range.second; ++range.first) {
+        const double d = graph[*range.first].mean_discontinuity();
+        const std::size_t a = graph.source(*range.first), b = graph.target(*range.first);
+        EXPECT_NEAR(d, expected.discontinuity(a, b), 1e-6) << a << ' ' << b;
+        ++(d >= 3 ? creases : d < 0.5 ? smooth : between);
+      }
+    }
+  EXPECT_GT(creases, 100u);
+  EXPECT_GT(smooth, 100u);
+  EXPECT_GT(between, 100u);
+}
+
+TEST(Smoothness_data_test, degenerate_faces_have_no_area)
+{
+  Soup soup = grid(2, 1);
+  soup.points[2] = soup.points[1]; // the second face has only two corners that differ from each other
+  soup.points[5] = soup.points[4];
+  const RS::Flat_mesh flat = RS::read_flat_mesh(to_surface_mesh(soup), RS::Mesh_data::POINTS);
+  const auto graph =
+    RS::build_region_adjacency_graph(flat, RS::Partition::from_labels(Labels{0, 1}), RS::Smoothness_annotator());
+  EXPECT_EQ(graph[0].area, 1);
+  EXPECT_EQ(graph[1].area, 0);
+}
+
+TEST(Smoothness_cost_test, is_as_documented)
+{
+  using Graph = RS::Region_adjacency_graph<RS::Smoothness_region_data, RS::Smoothness_section_data>;
+  const auto cost = [](double area, double facets, double other_area, double other_facets, double measured, double mean) {
+    Graph graph;
+    graph.add_region({area, facets});
+    graph.add_region({other_area, other_facets});
+    RS::Smoothness_section_data data;
+    data.length = 7;
+    data.measured_length = measured;
+    data.discontinuity = measured * mean;
+    const auto section = graph.add_section(0, 1, data);
+    return RS::Smoothness_cost()(graph, section);
+  };
+  // Facets of areas 1 and 2 are similar: weighted by the smaller number of facets, of 3 and 4 more.
+  EXPECT_DOUBLE_EQ(cost(3, 3, 10, 5, 2, 0.7), 0.7 * 3 / 7);
+  EXPECT_DOUBLE_EQ(cost(10, 5, 3, 3, 2, 0.7), 0.7 * 3 / 7);
+  // A crease is not, and neither are facets whose areas have the ratio 3 or more.
+  EXPECT_DOUBLE_EQ(cost(3, 3, 10, 5, 2, 2), 2);
+  EXPECT_DOUBLE_EQ(cost(3, 3, 15, 5, 2, 0.7), 0.7);
+  EXPECT_DOUBLE_EQ(cost(15, 5, 3, 3, 2, 0.7), 0.7);
+  // Nothing measured: nothing, or the longest section first where a region has no area.
+  EXPECT_EQ(cost(1e-3, 1, 1e-3, 1, 0, 0), 0);
+  EXPECT_EQ(cost(0, 1, 1, 1, 0, 0), -7);
+  EXPECT_EQ(cost(1, 1, 0, 1, 0, 0), -7);
 }
 
 TEST(Number_below_cost_test, ends_before_the_first_merge_above_the_bound)

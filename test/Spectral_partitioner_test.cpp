@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <random>
 #include <set>
@@ -265,6 +266,20 @@ TEST(Spectral_partitioner_test, finds_the_balls_of_a_row)
     EXPECT_EQ(labels_of(mesh, map),
               segments_of(mesh, RS::parameters::number_of_segments(k).method(spectral_method())));
   }
+}
+
+TEST(Spectral_partitioner_test, can_be_cancelled_before_it_starts)
+{
+  struct Visitor
+  {
+    bool go_further(const char* stage, double) const { return std::string(stage) != "merging"; }
+  };
+  const Surface_mesh mesh = to_surface_mesh(sphere(2));
+  auto map = face_map(mesh);
+  const auto np = RS::parameters::number_of_segments(3).method(spectral_method());
+  Visitor visitor;
+  EXPECT_THROW(RS::segment(mesh, map, np.visitor(std::ref(visitor))), RS::Segmentation_cancelled);
+  EXPECT_EQ(RS::segment(mesh, map, np), 3u);
 }
 
 TEST(Spectral_partitioner_test, gives_connected_segments_on_random_meshes)

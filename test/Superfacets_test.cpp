@@ -318,6 +318,13 @@ TEST(Superfacets_test, every_piece_gets_a_seed_beyond_the_number)
   EXPECT_EQ(RS::Superfacets(2)(flat_mesh_of(soup)).number_of_parts(), 5u);
 }
 
+TEST(Superfacets_test, of_patches_at_one_distance_the_lower_one_is_first)
+{
+  // Three squares in a row: both ends are seeds, and the middle belongs to the first one, face 0.
+  const RS::Partition regions = RS::Superfacets(2)(flat_mesh_of(grid(3, 1)));
+  EXPECT_EQ(labels_of(regions), (Labels{0, 0, 1}));
+}
+
 TEST(Superfacets_test, there_are_no_more_regions_than_faces)
 {
   EXPECT_EQ(RS::Superfacets(800)(flat_mesh_of(cube())).number_of_parts(), 6u);

@@ -11,10 +11,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <random>
+#include <utility>
+#include <vector>
 
 namespace RS = CGAL::Region_segmentation;
 using namespace test;
@@ -79,6 +83,9 @@ TEST(Patch_boxes_test, slices_needles_and_nothing_else)
     return RS::internal::Patch_boxes::make(mesh, triangles).size();
   };
   EXPECT_GT(number_of_boxes(flat_mesh_of(needles(100, 1))), 1000u);
+  // Wider ones where there are many needles: slices add at most 2^18 triangles.
+  EXPECT_GT(number_of_boxes(flat_mesh_of(needles(20000, 1))), 20000u + (1u << 16));
+  EXPECT_LE(number_of_boxes(flat_mesh_of(needles(20000, 1))), 20000u + (1u << 18));
   for (const Soup& soup : {sphere(3), triangulated(torus(20, 10)), l_shape()}) {
     const RS::Flat_mesh mesh = flat_mesh_of(soup);
     EXPECT_EQ(number_of_boxes(mesh), mesh.patches().size());
@@ -131,6 +138,21 @@ TEST(Ray_tree_test, finds_what_a_look_at_every_triangle_finds)
   }
 }
 
+TEST(Ray_tree_test, finds_needles_up_to_their_tips)
+{
+  const RS::Flat_mesh mesh = flat_mesh_of(needles(400, 1));
+  const RS::internal::Ray_tree tree(mesh, mesh.centroid(0), RS::Execution<>());
+  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Double_3& corner = mesh.points()[mesh.points().corner(f, i)];
+      const Double_3 target = corner + 0.02 * (mesh.centroid(f) - corner);
+      const auto hit =
+        tree.first_hit(mesh, target + 0.5 * mesh.normal(f), -1.0 * mesh.normal(f), RS::internal::Ray_tree::no_face);
+      ASSERT_NE(hit.face, RS::internal::Ray_tree::no_face) << f;
+      EXPECT_LE(hit.distance, 0.5 + 1e-4) << f; // or another one before
+    }
+}
+
 TEST(Ray_tree_test, of_faces_hit_at_the_same_distance_it_is_the_lowest)
 {
   // Rays straight down on edges and corners of a plate of unit squares: without the face that was hit, another one is,
@@ -150,6 +172,73 @@ TEST(Ray_tree_test, of_faces_hit_at_the_same_distance_it_is_the_lowest)
       }
     }
   EXPECT_GT(ties, 100u);
+}
+
+TEST(Ray_tree_test, of_corners_equally_far_from_the_centroid_a_fan_starts_at_the_first)
+{
+  // A square whose corners are in turn above and below its plane: folded along the diagonal from the first corner.
+  const Soup soup{{{-1, -1, 0.5}, {1, -1, -0.5}, {1, 1, 0.5}, {-1, 1, -0.5}}, {{0, 1, 2, 3}}};
+  const RS::Flat_mesh mesh = flat_mesh_of(soup);
+  const RS::internal::Ray_tree tree(mesh, mesh.centroid(0), RS::Execution<>());
+  EXPECT_NEAR(tree.first_hit(mesh, {0.1, 0, 5}, {0, 0, -1}, RS::internal::Ray_tree::no_face).distance, 5 - 0.45, 1e-6);
+}
+
+TEST(Region_shapes_test, are_those_of_the_faces_and_of_the_first_face_where_there_is_no_area)
+{
+  const Soup point{{{7, 8, 9}, {7, 8, 9}, {7, 8, 9}}, {{0, 1, 2}}};
+  const RS::Flat_mesh mesh = flat_mesh_of(joined(grid(2, 1), point));
+  const RS::internal::Region_shapes shapes(mesh, RS::Partition::from_labels(std::vector<int>{0, 0, 1}));
+  EXPECT_EQ(shapes.areas, (std::vector<double>{2, 0}));
+  const auto expect_equal = [](const Double_3& a, const Double_3& b) { EXPECT_EQ(norm(a - b), 0) << a.x << ' ' << b.x; };
+  expect_equal(shapes.normals[0], {0, 0, 1});
+  expect_equal(shapes.normals[1], {0, 0, 0});
+  expect_equal(shapes.centroids[0], {1, 0.5, 0});
+  expect_equal(shapes.centroids[1], {0.5, 0.5, 0});
+  expect_equal(shapes.surface_centroid, {1, 0.5, 0});
+}
+
+TEST(Inward_rays_test, start_from_patches_where_a_region_has_their_centers)
+{
+  // A bumpy sheet of faces that are joined to patches, above a large square.
+  std::mt19937 random(1);
+  Soup sheet = triangulated(grid(24, 24));
+  bump(sheet, 0.2, random);
+  const std::size_t small = sheet.polygons.size();
+  const Soup square = mapped(grid(1, 1), [](const Point& p) -> Point {
+    return {864 * p[0] - 420, 864 * p[1] - 420, -50 - 80 * p[0]};
+  });
+  const Soup soup = joined(sheet, triangulated(square));
+  const RS::Flat_mesh mesh = flat_mesh_of(soup);
+  const RS::Mesh_points& points = mesh.points();
+  std::vector<int> labels(soup.polygons.size(), 0);
+  labels[small] = labels[small + 1] = 1;
+  const RS::Partition regions = RS::Partition::from_labels(labels);
+  ASSERT_LT(mesh.patches().size(), small / 8);
+
+  const RS::internal::Region_shapes shapes(mesh, regions);
+  const RS::internal::Ray_tree tree(mesh, shapes.surface_centroid, RS::Execution<>());
+  std::vector<std::optional<RS::internal::Inward_rays::Hits>> hits(2);
+  RS::internal::Inward_rays(mesh, regions, shapes, tree).trace(hits, RS::Execution<>());
+
+  std::vector<std::pair<double, std::size_t>> centers; // distance to the centroid of the sheet, face
+  Double_3 centroid{0, 0, 0};
+  double area = 0;
+  for (std::size_t f = 0; f < small; ++f) {
+    centroid = centroid + mesh.area(f) * mesh.centroid(f);
+    area += mesh.area(f);
+  }
+  for (std::size_t p = 0; p < mesh.patches().size(); ++p)
+    if (const std::size_t f = mesh.patches()[p].face; f < small)
+      centers.push_back({norm(mesh.centroid(f) - (1 / area) * centroid), f});
+  std::sort(centers.begin(), centers.end());
+  for (std::size_t k : {0, 1, 2}) { // the first rays of three faces go straight down
+    const std::size_t f = centers[k * centers.size() * 9 / 30].second;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t g : {small, small + 1})
+      nearest = std::min(nearest, distance_to_triangle(mesh.centroid(f), -1.0 * mesh.normal(f), points[points.corner(g, 0)],
+                                                       points[points.corner(g, 1)], points[points.corner(g, 2)]));
+    EXPECT_NEAR((*hits[0])[6 * k].distance, nearest, 1e-3 * nearest);
+  }
 }
 
 TEST(Visibility_annotator_test, the_thickness_of_a_plate_is_its_height)
@@ -245,6 +334,15 @@ TEST(Visibility_annotator_test, deviations_are_integrated_by_sign_up_to_a_bound)
     EXPECT_NEAR(section.concave, is_inside_out ? 0 : 0.6 * length, 1e-12);
     EXPECT_NEAR(section.convex, is_inside_out ? std::acos(-1.0) / 2 * length : 0, 1e-12);
   }
+}
+
+TEST(Visibility_annotator_test, regions_with_one_centroid_bend_away_from_each_other)
+{
+  const RS::Flat_mesh mesh = flat_mesh_of(pillow());
+  const Graph graph = annotated(mesh, face_each(mesh));
+  const auto& section = graph[*graph.section(0, 1)];
+  EXPECT_GT(section.length, 0);
+  EXPECT_DOUBLE_EQ(section.bend, -std::acos(-1.0) * section.length);
 }
 
 TEST(Visibility_annotator_test, annotating_again_changes_nothing)

@@ -3,6 +3,7 @@
 #include "segments.h"
 
 #include <CGAL/Region_segmentation/Segments/describe_segments.h>
+#include <CGAL/Region_segmentation/internal/segments/primitives.h>
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polyhedron_3.h>
@@ -16,6 +17,7 @@
 #include <limits>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace RS = CGAL::Region_segmentation;
@@ -209,6 +211,45 @@ TEST(Describe_segments_test, finds_a_plane)
   expect_near(d.primitive.direction, moved_direction({0, 0, 1}), 1e-9);
   EXPECT_NEAR(d.extents[0], 7, 1e-9);
   EXPECT_NEAR(d.extents[2], 0, 1e-9);
+}
+
+TEST(Describe_segments_test, finds_nothing_but_a_plane_where_all_points_are_on_it)
+{
+  const Description d = description_of(grid(7, 4));
+  EXPECT_EQ(d.primitive.error, 0);
+  for (RS::Primitive_type type : {RS::Primitive_type::SPHERE, RS::Primitive_type::CYLINDER, RS::Primitive_type::CONE})
+    EXPECT_EQ(d.primitive.error_of(type), std::numeric_limits<double>::infinity());
+}
+
+TEST(Primitives_test, have_one_form)
+{
+  RS::internal::Fitted_sphere sphere;
+  sphere.parameters << 1, 2, 3, -4;
+  sphere.normalize();
+  EXPECT_EQ(sphere.center(), Eigen::Vector3d(1, 2, 3));
+  EXPECT_EQ(sphere.radius(), 4);
+  EXPECT_EQ(sphere({1, 2, 9}), 2);
+
+  RS::internal::Fitted_cylinder cylinder;
+  cylinder.parameters << 1, 2, 3, 0, 0, 2, -5;
+  cylinder.normalize();
+  EXPECT_EQ(cylinder.point(), Eigen::Vector3d(1, 2, 0));
+  EXPECT_EQ(cylinder.parameters.segment<3>(3), Eigen::Vector3d(0, 0, 1));
+  EXPECT_EQ(cylinder.radius(), 5);
+  EXPECT_EQ(cylinder({1, 8, 7}), 1);
+
+  RS::internal::Fitted_cone cone;
+  for (const auto& [angle, normalized] : {std::make_pair(-0.1, 0.), std::make_pair(0.5, 0.5), std::make_pair(2., pi / 2)}) {
+    cone.parameters << 1, 2, 3, 0, 3, 0, angle;
+    cone.normalize();
+    EXPECT_EQ(cone.apex(), Eigen::Vector3d(1, 2, 3));
+    EXPECT_EQ(cone.parameters.segment<3>(3), Eigen::Vector3d(0, 1, 0));
+    EXPECT_DOUBLE_EQ(cone.half_angle(), normalized);
+  }
+  cone.parameters[6] = pi / 6;
+  EXPECT_NEAR(cone({3, 2, 3}), 2 * std::cos(pi / 6), 1e-12); // beside the apex
+  EXPECT_NEAR(cone({1, 4, 3}), -2 * std::sin(pi / 6), 1e-12); // on the axis
+  EXPECT_NEAR(cone({1, -3, 3}), 5, 1e-12); // behind the apex
 }
 
 TEST(Describe_segments_test, finds_a_sphere_and_a_part_of_it)

@@ -3,6 +3,7 @@
 // `Visibility_merging` and `Learned_merging` against reference implementations of the manual's text, which share no code with
 // them.
 
+#include "meshes.h"
 #include "real_meshes.h"
 #include "reference_learned.h"
 #include "reference_visibility.h"
@@ -76,6 +77,33 @@ void expect_same_labels(Surface_mesh& mesh, const reference::visibility::Mesh& c
   }
 }
 
+/// Of both methods on superfacets.
+void expect_as_defined(Surface_mesh& mesh)
+{
+  const reference::visibility::Mesh copy = to_reference(mesh);
+  const reference::visibility::Annotated annotated(copy);
+  {
+    SCOPED_TRACE("visibility");
+    expect_same_labels<RS::Visibility_merging, reference::visibility::Result>(mesh, copy, annotated);
+  }
+  SCOPED_TRACE("learned");
+  expect_same_labels<RS::Learned_merging, reference::learned::Result>(mesh, copy, annotated);
+}
+
+TEST(Reference_merging_test, methods_on_superfacets_are_as_the_manual_defines_them)
+{
+  std::mt19937 random(seed);
+  const Soup block = scaled(voxel_surface(voxel_block({0, 0, 0}, {9, 3, 3})), 0.1);
+  for (const Soup& soup : {sphere(3), torus(30, 12), joined(block, translated(sphere(2), 3, 0, 0)),
+                           random_mesh(Family::SPHERE, seed), random_mesh(Family::SHEET, seed),
+                           random_mesh(Family::BLOCKS, seed), random_mesh(Family::TORUS, seed)}) {
+    SCOPED_TRACE("seed " + std::to_string(seed) + ", " + std::to_string(soup.polygons.size()) + " faces");
+    Surface_mesh mesh = to_surface_mesh(soup);
+    add_noise(mesh, 0.05, random);
+    expect_as_defined(mesh);
+  }
+}
+
 TEST(Real_meshes, methods_on_superfacets_are_as_the_manual_defines_them)
 {
   std::mt19937 random(seed);
@@ -84,14 +112,7 @@ TEST(Real_meshes, methods_on_superfacets_are_as_the_manual_defines_them)
     if (num_faces(mesh) < 20)
       return false;
     add_noise(mesh, 0.01, random);
-    const reference::visibility::Mesh copy = to_reference(mesh);
-    const reference::visibility::Annotated annotated(copy);
-    {
-      SCOPED_TRACE("visibility");
-      expect_same_labels<RS::Visibility_merging, reference::visibility::Result>(mesh, copy, annotated);
-    }
-    SCOPED_TRACE("learned");
-    expect_same_labels<RS::Learned_merging, reference::learned::Result>(mesh, copy, annotated);
+    expect_as_defined(mesh);
     return true;
   });
 }

@@ -3,7 +3,9 @@
 #include "meshes.h"
 #include "oracles.h"
 
+#include <CGAL/Region_segmentation/internal/cuts/Border_cut.h>
 #include <CGAL/Region_segmentation/internal/cuts/Minimum_cut.h>
+#include <CGAL/Region_segmentation/read_flat_mesh.h>
 #include <CGAL/Region_segmentation/smooth_borders.h>
 
 #include <CGAL/Polyhedron_3.h>
@@ -22,6 +24,8 @@
 #include <random>
 #include <set>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace RS = CGAL::Region_segmentation;
 using namespace test;
@@ -159,6 +163,163 @@ TEST(Minimum_cut_test, finds_the_cheapest_of_all_cuts_and_moves_few_nodes)
     EXPECT_EQ(quality(after), best);
     EXPECT_EQ(after & 3, 1u);
   }
+}
+
+TEST(Minimum_cut_test, is_exact_for_many_nodes)
+{
+  // A chain from one terminal to the other, with one weaker link.
+  using Cut = RS::internal::Minimum_cut;
+  constexpr std::size_t number = 12000, weakest = 4321;
+  Cut cut;
+  std::vector<Cut::Node> nodes = {Cut::source};
+  for (std::size_t i = 1; i <= number; ++i) {
+    nodes.push_back(cut.add_node(i % 2));
+    cut.add_edge(nodes[i - 1], nodes[i], i == weakest ? 1 : 1.001);
+  }
+  cut.add_edge(nodes.back(), Cut::sink, 1.001);
+  EXPECT_TRUE(cut.improve());
+  for (std::size_t i = 0; i <= number; ++i)
+    ASSERT_EQ(cut.is_on_source_side(nodes[i]), i < weakest) << i;
+}
+
+namespace {
+
+using Index = RS::internal::Dual_graph::Index;
+
+/// A sheet whose faces are in three connected pieces, 0 to 2, with borders of random cost.
+struct Pieces
+{
+  static constexpr std::size_t number_of_faces = 20;
+
+  RS::Flat_mesh mesh = RS::read_flat_mesh(to_surface_mesh(grid(5, 4)));
+  RS::internal::Dual_graph costs;
+  std::vector<Index> of_face{std::vector<Index>(number_of_faces, 3)};
+
+  explicit Pieces(std::mt19937& random) : costs(mesh, [&](std::size_t, std::size_t) { return 1 + random() % 9; })
+  {
+    for (Index piece = 0; piece < 3; ++piece)
+      of_face[random() % 6 + 7 * piece] = piece;
+    while (std::count(of_face.begin(), of_face.end(), 3) > 0) {
+      const std::size_t f = random() % number_of_faces;
+      const auto& step = costs.steps(f).begin()[random() % costs.steps(f).size()];
+      if (of_face[f] == 3)
+        of_face[f] = of_face[step.face];
+    }
+  }
+
+  /// Of the border between pieces 0 and 1.
+  double cost() const
+  {
+    double sum = 0;
+    for (std::size_t f = 0; f < number_of_faces; ++f)
+      for (const auto& step : costs.steps(f))
+        sum += of_face[f] == 0 && of_face[step.face] == 1 ? double(step.length) : 0;
+    return sum;
+  }
+
+  bool is_connected(Index piece) const
+  {
+    const auto first = std::find(of_face.begin(), of_face.end(), piece);
+    std::vector<std::size_t> reached = {std::size_t(first - of_face.begin())};
+    for (std::size_t i = 0; i < reached.size() && first != of_face.end(); ++i)
+      for (const auto& step : costs.steps(reached[i]))
+        if (of_face[step.face] == piece && std::count(reached.begin(), reached.end(), step.face) == 0)
+          reached.push_back(step.face);
+    return first == of_face.end() || std::ptrdiff_t(reached.size()) == std::count(of_face.begin(), of_face.end(), piece);
+  }
+};
+
+/// The faces that can move, if some of both pieces stay.
+std::vector<std::size_t> movable_faces(const Pieces& pieces, const std::vector<Index>& border, int width, Index fixed)
+{
+  constexpr int far = 100;
+  std::vector<int> distance(Pieces::number_of_faces, far); // from face to face it is 1
+  for (const Index f : border)
+    distance[f] = 0;
+  const auto for_each_neighbor = [&](std::size_t f, const auto& visit) {
+    for (const auto& step : pieces.costs.steps(f))
+      if (pieces.of_face[step.face] == pieces.of_face[f])
+        visit(distance[step.face]);
+  };
+  for (int round = 0; round < width; ++round)
+    for (std::size_t f = 0; f < distance.size(); ++f)
+      if (distance[f] == far)
+        for_each_neighbor(f, [&](int d) { distance[f] = d == round ? round + 1 : distance[f]; });
+  std::vector<std::size_t> movable;
+  std::set<Index> staying;
+  for (std::size_t f = 0; f < distance.size(); ++f)
+    if (distance[f] != far) {
+      bool stays = f == fixed;
+      for_each_neighbor(f, [&](int d) { stays |= d == far; });
+      if (stays)
+        staying.insert(pieces.of_face[f]);
+      else
+        movable.push_back(f);
+    }
+  return staying.size() == 2 ? movable : std::vector<std::size_t>();
+}
+
+struct Best_border
+{
+  double cost;
+  std::size_t moves;
+  bool tears; // a piece, or another one of the same cost with as many moves does
+};
+
+/// Of all ways to divide some faces between the pieces 0 and 1.
+Best_border best_border(const Pieces& before, const std::vector<std::size_t>& movable)
+{
+  Best_border best{before.cost(), 0, false};
+  for (std::uint32_t choice = 1; choice < std::uint32_t(1) << movable.size(); ++choice) {
+    Pieces after = before;
+    const std::bitset<32> moves = choice;
+    for (std::size_t i = 0; i < movable.size(); ++i)
+      after.of_face[movable[i]] ^= Index(moves[i]);
+    const auto value = std::make_pair(after.cost(), moves.count()), value_of_best = std::make_pair(best.cost, best.moves);
+    if (value > value_of_best)
+      continue;
+    const bool tears = !after.is_connected(0) || !after.is_connected(1);
+    best = {value.first, value.second, tears || (value == value_of_best && best.tears)};
+  }
+  return best;
+}
+
+} // namespace
+
+TEST(Border_cut_test, finds_the_cheapest_of_all_borders_in_the_band)
+{
+  std::size_t moves = 0;
+  for (unsigned seed = 1; seed <= 300; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937 random(seed);
+    Pieces pieces(random);
+    const Pieces before = pieces;
+    std::vector<Index> border; // some of it
+    for (std::size_t f = 0; f < Pieces::number_of_faces; ++f)
+      for (const auto& step : pieces.costs.steps(f))
+        if (before.of_face[f] == 0 && before.of_face[step.face] == 1 && random() % 4 > 0)
+          border.insert(border.end(), {Index(f), step.face});
+    const int width = 1 + int(random() % 2);
+    const Index fixed = random() % Pieces::number_of_faces;
+    const Best_border best = best_border(before, movable_faces(before, border, width, fixed));
+
+    RS::internal::Border_cut cut(pieces.costs, [](std::size_t, std::size_t) { return 1.0; }, pieces.of_face);
+    const std::vector<Index> moved = cut.move_border(0, 1, border, width, [&](Index f) { return f == fixed; });
+    std::vector<Index> different;
+    for (Index f = 0; f < Pieces::number_of_faces; ++f)
+      if (pieces.of_face[f] != before.of_face[f])
+        different.push_back(f);
+    EXPECT_TRUE(std::is_permutation(moved.begin(), moved.end(), different.begin(), different.end()));
+    EXPECT_TRUE(pieces.is_connected(0) && pieces.is_connected(1) && pieces.is_connected(2));
+    if (moved.empty()) {
+      EXPECT_TRUE(best.tears || best.moves == 0);
+    } else {
+      ++moves;
+      EXPECT_EQ(pieces.cost(), best.cost);
+      EXPECT_EQ(moved.size(), best.moves);
+    }
+  }
+  EXPECT_GT(moves, 50u);
 }
 
 TEST(Smooth_borders_test, teeth_are_cut_off)

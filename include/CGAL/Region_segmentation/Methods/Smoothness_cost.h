@@ -26,7 +26,7 @@ struct Smoothness_cost
   using SectionData = Smoothness_section_data;
 
   double crumb_facets = 4;  ///< n_0, at least 0
-  double similar_areas = 3; ///< the largest ratio of mean areas of similar facets, at least 1
+  double similar_areas = 3; ///< the ratio of mean areas from which facets are not similar, at least 1
   double crease = 2;        ///< the least mean discontinuity of a crease
 
   template <typename Graph>

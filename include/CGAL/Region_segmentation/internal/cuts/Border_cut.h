@@ -41,7 +41,7 @@ public:
   /// Its elements at the inner ends stay, and those that `must_stay(element)`; if none stays in one of the pieces,
   /// nothing is moved, nor if a piece would be disconnected. Returns the elements that were moved.
   ///
-  /// `border`: the elements of both pieces that are adjacent to the other one.
+  /// `border`: the elements of both pieces that are adjacent to the other one, or some of them.
   template <typename MustStay>
   std::vector<Index> move_border(Index a, Index b, const std::vector<Index>& border, double width, const MustStay& must_stay)
   {
