@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """coverage.py ROOT BUILD: sums what gcov says of the headers of the library and the sources of the program.
 
-A line or branch of a template counts as executed if one of its instances executes it. Branches that only exceptions of
-called functions take are left out.
+A line or branch of a template counts as executed if one of its instances executes it. Both branches of a call that may
+throw are left out: they are no decision of the source.
 """
 
 import collections
@@ -39,9 +39,14 @@ def add(records, lines, branches):
     for record in records:
         number = record["line_number"]
         lines[number] = lines.get(number, False) or record["count"] > 0
-        taken = [b["count"] > 0 for b in record["branches"] if not b["throw"]]
-        for i, is_taken in enumerate(taken):
+        for i, is_taken in enumerate(decisions(record["branches"])):
             branches[number, i] = branches.get((number, i), False) or is_taken
+
+
+def decisions(branches):
+    """Whether each is taken. Of a call that may throw, gcov gives the branch without exception, then that with one."""
+    throws = [b["throw"] for b in branches] + [False]
+    return [b["count"] > 0 for i, b in enumerate(branches) if not throws[i] and not (b["fallthrough"] and throws[i + 1])]
 
 
 def share(lines, branches):
