@@ -67,7 +67,7 @@ public:
   {
     const std::size_t merges = m_tree.merges().size();
     std::size_t segments = m_tree.number_of_regions() - merges;
-    Step_counter<ConcurrencyTag> undone(execution, merges);
+    Step_counter<ConcurrencyTag> undone(execution, (std::min)(merges, number_of_segments));
     for (std::size_t i = merges; i-- > 0 && segments < number_of_segments;) {
       std::vector<Index> guests = divide(i, is_fixed);
       segments += std::size_t(have_both_elements(i, guests));

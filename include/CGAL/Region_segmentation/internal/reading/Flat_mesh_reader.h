@@ -75,6 +75,7 @@ public:
       read_points(m_execution.step(after_patches, after_patches + 0.03));
       read_corners(places, m_execution.step(after_patches + 0.03, 1));
     }
+    m_execution.report(1);
     return m_builder.take();
   }
 

@@ -114,7 +114,7 @@ private:
         if (m_normals.is_degenerate(rank(side)))
           joining.add(Index(rank(side)), Index(rank(opposite(side, mesh))), m_normals.length(side), Index(number));
     };
-    m_traversal.for_each_dual_edge_if(is_candidate, [](std::size_t) { return 0; },
+    m_traversal.for_each_dual_edge_if(is_candidate, [](std::size_t) { return std::size_t(0); },
                                       [&](halfedge_descriptor h, std::size_t) {
                                         add_candidate(h, candidates.size());
                                         candidates.push_back(h);
