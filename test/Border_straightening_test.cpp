@@ -54,6 +54,28 @@ RS::Merge_tree random_tree(const RS::Flat_mesh& mesh, const RS::Partition& regio
   }
 }
 
+/// A random mesh with regions that are merged at random.
+struct Merged_mesh
+{
+  RS::Flat_mesh mesh;
+  RS::Partition regions;
+  RS::Merge_tree tree;
+
+  Merged_mesh(Family family, unsigned seed, std::mt19937& random)
+      : mesh(flat_mesh_of(random_mesh(family, seed))), regions(RS::Superfacets(40)(mesh)),
+        tree(random_tree(mesh, regions, random))
+  {
+  }
+};
+
+RS::Border_straightening wide_straightening()
+{
+  RS::Border_straightening straightening;
+  straightening.width = 0.2;
+  straightening.width_of_segment = 0.5;
+  return straightening;
+}
+
 reference::Straightening_input input_of(const RS::Flat_mesh& mesh, const RS::Partition& regions,
                                         const RS::Merge_tree& tree, const RS::Border_straightening& straightening)
 {
@@ -150,13 +172,9 @@ TEST(Border_straightening_test, moves_borders_as_documented)
     for (unsigned seed = 1; seed <= 4; ++seed) {
       SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
       std::mt19937 random(seed);
-      const RS::Flat_mesh mesh = flat_mesh_of(random_mesh(family, seed));
-      const RS::Partition regions = RS::Superfacets(40)(mesh);
-      const RS::Merge_tree tree = random_tree(mesh, regions, random);
-      RS::Border_straightening straightening;
+      const auto [mesh, regions, tree] = Merged_mesh(family, seed, random);
+      RS::Border_straightening straightening = wide_straightening();
       straightening.number_of_cuts = seed % 2 == 0 ? 10 : 1000;
-      straightening.width = 0.2;
-      straightening.width_of_segment = 0.5;
       const std::vector<Index> labels = straightening(mesh, regions, tree, no_region, RS::Execution<>());
       const reference::Straightening expected(input_of(mesh, regions, tree, straightening));
       std::vector<bool> is_left(regions.number_of_parts(), false);
@@ -190,13 +208,9 @@ TEST(Border_straightening_test, for_one_number_the_segments_are_the_same)
     for (unsigned seed = 1; seed <= 3; ++seed) {
       SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
       std::mt19937 random(seed);
-      const RS::Flat_mesh mesh = flat_mesh_of(random_mesh(family, seed));
-      const RS::Partition regions = RS::Superfacets(40)(mesh);
-      const RS::Merge_tree tree = random_tree(mesh, regions, random);
-      RS::Border_straightening straightening;
+      const auto [mesh, regions, tree] = Merged_mesh(family, seed, random);
+      RS::Border_straightening straightening = wide_straightening();
       straightening.number_of_cuts = 10;
-      straightening.width = 0.2;
-      straightening.width_of_segment = 0.5;
       const std::vector<Index> all = straightening(mesh, regions, tree, no_region, RS::Execution<>());
       for (std::size_t number = 1; number <= regions.number_of_parts() + 1; ++number) {
         const auto labels = straightening(mesh, regions, tree, no_region, RS::Execution<>(), number);
@@ -243,13 +257,9 @@ TEST(Border_straightening_test, fixed_regions_keep_their_faces)
   for (unsigned seed = 1; seed <= 10; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     std::mt19937 random(seed);
-    const RS::Flat_mesh mesh = flat_mesh_of(random_mesh(Family::SPHERE, seed));
-    const RS::Partition regions = RS::Superfacets(40)(mesh);
-    const RS::Merge_tree tree = random_tree(mesh, regions, random);
+    const auto [mesh, regions, tree] = Merged_mesh(Family::SPHERE, seed, random);
     const Index fixed = Index(random() % regions.number_of_parts());
-    RS::Border_straightening straightening;
-    straightening.width = 0.2;
-    straightening.width_of_segment = 0.5;
+    const RS::Border_straightening straightening = wide_straightening();
     const std::vector<Index> labels =
       straightening(mesh, regions, tree, [&](Index r) { return r == fixed; }, RS::Execution<>());
     for (std::size_t f = 0; f < labels.size(); ++f)

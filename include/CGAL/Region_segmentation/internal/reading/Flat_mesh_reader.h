@@ -45,7 +45,9 @@ public:
     : m_traversal(traversal)
     , m_execution(execution)
     , m_data(data)
-    , m_has_corners_early(traversal.number_of_faces() <= most_with_early_corners)
+    , m_corners(!includes(data, Mesh_data::POINTS)                        ? Corners::NOT_WANTED
+                : traversal.number_of_faces() <= most_with_early_corners ? Corners::WITH_FACES
+                                                                         : Corners::AFTER_PATCHES)
     , m_unit(find_unit<ConcurrencyTag>(traversal, np))
     , m_points(traversal.mesh(), np, 1 / m_unit)
     , m_faces(traversal, m_points)
@@ -55,10 +57,11 @@ public:
 
   Flat_mesh read()
   {
-    const bool with_patches = includes(m_data, Mesh_data::PATCHES), with_points = includes(m_data, Mesh_data::POINTS);
-    const double after_patches = with_points && !m_has_corners_early ? 0.9 : 1, after_faces = with_patches ? 0.4 : after_patches; // of the time
+    const bool with_patches = includes(m_data, Mesh_data::PATCHES);
+    const double after_patches = m_corners == Corners::AFTER_PATCHES ? 0.9 : 1; // of the time
+    const double after_faces = with_patches ? 0.4 : after_patches;
     std::vector<Place> places(number_of_blocks(m_traversal.number_of_faces()));
-    if (with_points && m_has_corners_early) {
+    if (m_corners == Corners::WITH_FACES) {
       m_builder.resize_points(m_traversal.number_of_vertices(), num_halfedges(m_traversal.mesh()));
       read_points(Execution<ConcurrencyTag>());
     }
@@ -70,7 +73,7 @@ public:
     m_builder.set_number_of_edges(end.edge);
     turn_components(2 * end.edge == end.corner);
     m_builder.finish(m_execution.step(after_faces, after_patches));
-    if (with_points && !m_has_corners_early) {
+    if (m_corners == Corners::AFTER_PATCHES) {
       m_builder.resize_points(m_traversal.number_of_vertices(), end.corner);
       read_points(m_execution.step(after_patches, after_patches + 0.03));
       read_corners(places, m_execution.step(after_patches + 0.03, 1));
@@ -80,6 +83,9 @@ public:
   }
 
 private:
+  /// When points and corners are stored.
+  enum class Corners { NOT_WANTED, WITH_FACES, AFTER_PATCHES };
+
   /// Offsets of the data of the faces of a block in the arrays.
   struct Place
   {
@@ -214,7 +220,7 @@ private:
     });
     if (includes(m_data, Mesh_data::CENTROIDS))
       m_builder.set_centroids(faces);
-    if (m_has_corners_early && includes(m_data, Mesh_data::POINTS))
+    if (m_corners == Corners::WITH_FACES)
       m_builder.set_corners(place.corner, faces);
     const std::size_t number = faces.collect_edges();
     m_builder.set_edges(place.edge, faces, first_known_face, late_edges);
@@ -229,7 +235,7 @@ private:
   const Traversal& m_traversal;
   const Execution<ConcurrencyTag>& m_execution;
   const Mesh_data m_data;
-  const bool m_has_corners_early; // if points are wanted: corners are stored with the faces
+  const Corners m_corners;
   const double m_unit;
   const Vertex_points<FaceGraph, Pack> m_points;
   const Faces m_faces;
