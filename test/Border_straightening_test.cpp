@@ -21,7 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace Border_straightening_test {
 
 namespace RS = CGAL::Region_segmentation;
 using namespace test;
@@ -319,4 +319,4 @@ TEST(Border_straightening_test, a_tree_is_renumbered_without_lost_regions)
   }
 }
 
-} // namespace
+} // namespace Border_straightening_test

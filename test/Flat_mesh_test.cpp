@@ -23,7 +23,7 @@ namespace RS = CGAL::Region_segmentation;
 using namespace test;
 using RS::Double_3;
 
-namespace {
+namespace Flat_mesh_test {
 
 Double_3 vector(const Point& p)
 {
@@ -260,4 +260,4 @@ TEST(Unit_test, is_that_of_the_mesh_unless_coordinates_are_extreme)
   }
 }
 
-} // namespace
+} // namespace Flat_mesh_test

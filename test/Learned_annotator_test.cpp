@@ -24,7 +24,7 @@ using namespace test;
 using RS::Double_3;
 using RS::Merge_features;
 
-namespace {
+namespace Learned_annotator_test {
 
 using Graph = RS::Region_adjacency_graph<RS::Learned_region_data, RS::Learned_section_data>;
 using Region = Graph::region_descriptor;
@@ -104,8 +104,6 @@ std::vector<Region> identity(std::size_t n)
   std::iota(result.begin(), result.end(), Region(0));
   return result;
 }
-
-} // namespace
 
 TEST(Second_moments_test, eigenvalues_are_roots_of_the_characteristic_polynomial)
 {
@@ -362,3 +360,5 @@ TEST(Merge_features_test, of_two_regions_made_by_hand)
   EXPECT_NEAR(value(Merge_features::SECTION_ALONG), 0, step);
   EXPECT_NEAR(value(Merge_features::LOG_FILLING_M), std::log(0.1 / CGAL_PI), step);
 }
+
+} // namespace Learned_annotator_test

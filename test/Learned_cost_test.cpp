@@ -19,7 +19,7 @@
 
 namespace RS = CGAL::Region_segmentation;
 
-namespace {
+namespace Learned_cost_test {
 
 constexpr std::size_t number_of_features = 7;
 using Model = RS::internal::Merge_model<number_of_features>;
@@ -186,8 +186,6 @@ struct Concavity_model
   }
 };
 
-} // namespace
-
 TEST(Merge_model_test, agrees_with_real_numbers)
 {
   for (unsigned seed = 0; seed < 20; ++seed) {
@@ -313,3 +311,5 @@ TEST(Number_from_expected_costs_test, of_few_regions)
   EXPECT_EQ(chooser(RS::Merge_tree(1)), 1u);
   EXPECT_EQ(chooser(RS::Merge_tree(5)), 5u); // five components
 }
+
+} // namespace Learned_cost_test

@@ -16,7 +16,7 @@
 namespace RS = CGAL::Region_segmentation;
 using namespace test;
 
-namespace {
+namespace Learned_merging_test {
 
 Labels segment_into(const Soup& soup, std::size_t k)
 {
@@ -32,8 +32,6 @@ std::size_t number_of(const Labels& labels)
 {
   return 1 + *std::max_element(labels.begin(), labels.end());
 }
-
-} // namespace
 
 TEST(Learned_merging_test, segmentations_nest_and_are_connected)
 {
@@ -155,3 +153,5 @@ TEST(Learned_merging_test, gives_something_sensible_where_there_is_nothing)
   flat.points[2] = {2, 0, 0};
   EXPECT_EQ(number_of(segment_automatically(flat)), 1u);
 }
+
+} // namespace Learned_merging_test

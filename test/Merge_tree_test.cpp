@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace Merge_tree_test {
 
 using CGAL::Region_segmentation::Merge_tree;
 using namespace test;
@@ -101,4 +101,4 @@ TEST(Merge_tree_test, random_trees_nest_and_agree_with_sets)
   }
 }
 
-} // namespace
+} // namespace Merge_tree_test

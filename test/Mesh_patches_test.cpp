@@ -24,7 +24,7 @@ namespace RS = CGAL::Region_segmentation;
 using namespace test;
 using RS::Double_3;
 
-namespace {
+namespace Mesh_patches_test {
 
 using Patches = RS::Mesh_patches;
 
@@ -118,8 +118,6 @@ Labels patches_by_definition(const RS::Flat_mesh& mesh)
       return patch_of;
   }
 }
-
-} // namespace
 
 TEST(Mesh_patches_test, are_those_of_the_definition)
 {
@@ -286,3 +284,5 @@ TEST(Mesh_patches_test, each_round_is_reported_and_can_be_cancelled)
     EXPECT_EQ(cancelling.fractions.size(), last);
   }
 }
+
+} // namespace Mesh_patches_test

@@ -13,7 +13,7 @@
 #include <set>
 #include <vector>
 
-namespace {
+namespace Partition_editor_test {
 
 using CGAL::Region_segmentation::Merge_tree;
 using CGAL::Region_segmentation::Partition_editor;
@@ -84,8 +84,6 @@ Labels largest(const Merge_tree& tree, const IsGood& is_good)
         labels[r] = i;
   return renumbered(labels);
 }
-
-} // namespace
 
 TEST(Partition_editor_test, starts_from_whole_trees)
 {
@@ -207,3 +205,5 @@ TEST(Partition_editor_test, a_change_without_effect_is_none)
   EXPECT_TRUE(editor.undo());
   EXPECT_FALSE(editor.undo());
 }
+
+} // namespace Partition_editor_test

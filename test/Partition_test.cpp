@@ -12,7 +12,7 @@
 #include <set>
 #include <vector>
 
-namespace {
+namespace Partition_test {
 
 namespace RS = CGAL::Region_segmentation;
 using RS::Partition;
@@ -73,4 +73,4 @@ TEST(Partition_test, composed_joins_parts)
   EXPECT_EQ(composed(Partition(), Partition()), Partition());
 }
 
-} // namespace
+} // namespace Partition_test

@@ -20,7 +20,7 @@
 #include <cmath>
 #include <iterator>
 
-namespace {
+namespace Region_adjacency_graph_test {
 
 namespace RS = CGAL::Region_segmentation;
 using namespace test;
@@ -605,4 +605,4 @@ TEST(Build_region_adjacency_graph_test, merged_data_is_that_of_the_merged_labels
     }
 }
 
-} // namespace
+} // namespace Region_adjacency_graph_test

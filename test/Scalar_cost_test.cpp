@@ -25,7 +25,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace Scalar_cost_test {
 
 namespace RS = CGAL::Region_segmentation;
 using namespace test;
@@ -178,4 +178,4 @@ TEST(Scalar_annotator, names_values_that_are_missing_or_not_finite)
   EXPECT_EQ(message({1, 2, 3, std::nan(""), 5, 6}), "the scalar of face 3 is not finite");
 }
 
-} // namespace
+} // namespace Scalar_cost_test

@@ -18,7 +18,7 @@
 #include <thread>
 #include <vector>
 
-namespace {
+namespace Segmenter_test {
 
 namespace RS = CGAL::Region_segmentation;
 using namespace test;
@@ -521,4 +521,4 @@ TEST(Segmenter_test, seeds_within_one_region_split_it)
   EXPECT_LT(in_first, 80) << "the faces are dealt out evenly";
 }
 
-} // namespace
+} // namespace Segmenter_test

@@ -26,7 +26,7 @@
 namespace RS = CGAL::Region_segmentation;
 using namespace test;
 
-namespace {
+namespace Smooth_faces_test {
 
 constexpr double pi = 3.14159265358979323846;
 
@@ -377,4 +377,4 @@ TEST(Number_below_cost_test, ends_before_the_first_merge_above_the_bound)
   EXPECT_EQ(RS::Number_below_cost<RS::Smoothness_cost>{1}(RS::Merge_tree()), 0u);
 }
 
-} // namespace
+} // namespace Smooth_faces_test

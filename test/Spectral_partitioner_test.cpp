@@ -29,7 +29,7 @@
 namespace RS = CGAL::Region_segmentation;
 using namespace test;
 
-namespace {
+namespace Spectral_partitioner_test {
 
 // A graph whose sections know their affinity.
 
@@ -114,8 +114,6 @@ auto spectral_method()
 {
   return RS::make_partitioning_method(RS::Superfacets(), RS::Visibility_annotator(), RS::Spectral_partitioner<>());
 }
-
-} // namespace
 
 TEST(Spectral_partitioner_test, two_cliques_part_at_the_weak_link)
 {
@@ -298,3 +296,5 @@ TEST(Spectral_partitioner_test, gives_connected_segments_on_random_meshes)
       EXPECT_TRUE(is_connected(soup, labels, constrained));
     }
 }
+
+} // namespace Spectral_partitioner_test

@@ -24,7 +24,7 @@
 namespace RS = CGAL::Region_segmentation;
 using namespace test;
 
-namespace {
+namespace Superfacets_test {
 
 RS::Flat_mesh flat_mesh_of(const Soup& soup)
 {
@@ -92,8 +92,6 @@ Seeding seeding_of(const RS::Flat_mesh& mesh, std::size_t number, double weight)
   }
   return result;
 }
-
-} // namespace
 
 TEST(Front_queue_test, gives_what_a_heap_gives)
 {
@@ -212,8 +210,6 @@ TEST(Farthest_point_seeding_test, splitting_separates_the_face_farthest_from_its
     }
 }
 
-namespace {
-
 /// A face that moves to another region, and how much less the borders cost then.
 struct Move
 {
@@ -241,8 +237,6 @@ Move best_move(const RS::internal::Dual_graph& costs, const std::vector<std::siz
   }
   return best;
 }
-
-} // namespace
 
 TEST(Border_shortening_test, moves_the_face_with_the_largest_gain_until_there_is_none)
 {
@@ -373,3 +367,5 @@ TEST(Superfacets_test, parts_are_connected_where_steps_are_longer_than_a_float)
   EXPECT_EQ(parts.number_of_parts(), 3u);
   EXPECT_TRUE(is_connected(soup, labels_of(parts)));
 }
+
+} // namespace Superfacets_test

@@ -18,7 +18,7 @@
 #include <set>
 #include <vector>
 
-namespace {
+namespace User_parts_test {
 
 namespace RS = CGAL::Region_segmentation;
 using namespace test;
@@ -235,4 +235,4 @@ TEST(User_parts_test, a_method_is_used_again)
   }
 }
 
-} // namespace
+} // namespace User_parts_test

@@ -24,7 +24,7 @@ namespace RS = CGAL::Region_segmentation;
 using namespace test;
 using RS::Double_3;
 
-namespace {
+namespace Visibility_annotator_test {
 
 constexpr RS::Mesh_data all_data = RS::Mesh_data::POINTS | RS::Mesh_data::PATCHES;
 
@@ -58,8 +58,6 @@ RS::Partition face_each(const RS::Flat_mesh& mesh)
   std::iota(numbers.begin(), numbers.end(), RS::Partition::Index(0));
   return RS::Partition(numbers, numbers.size());
 }
-
-} // namespace
 
 /// Triangles that do not touch: long and thin, in any direction.
 Soup needles(std::size_t number, unsigned seed)
@@ -373,3 +371,5 @@ TEST(Visibility_annotator_test, a_surface_without_area_is_left_as_it_is)
   EXPECT_EQ(graph[0u].visibility, 0);
   EXPECT_EQ(graph[0u].mean_log_thickness(), 0);
 }
+
+} // namespace Visibility_annotator_test

@@ -15,7 +15,7 @@
 namespace RS = CGAL::Region_segmentation;
 using namespace test;
 
-namespace {
+namespace Visibility_merging_test {
 
 Labels segment_into(const Soup& soup, std::size_t k)
 {
@@ -64,8 +64,6 @@ Soup caterpillar(std::size_t levels, std::vector<std::size_t>& truth)
   }
   return soup;
 }
-
-} // namespace
 
 TEST(Visibility_merging_test, finds_the_balls_of_a_caterpillar_at_any_resolution)
 {
@@ -230,3 +228,5 @@ TEST(Number_from_costs_test, ends_where_merging_becomes_dear)
   EXPECT_EQ(Chooser(level)(RS::Merge_tree(1)), 1u);
   EXPECT_EQ(Chooser(level)(RS::Merge_tree(3)), 3u); // three pieces, nothing to merge
 }
+
+} // namespace Visibility_merging_test

@@ -23,7 +23,7 @@
 namespace RS = CGAL::Region_segmentation;
 using namespace test;
 
-namespace {
+namespace describe_segments_test {
 
 using Description = RS::Segment_description<std::size_t>;
 const double pi = std::acos(-1.0);
@@ -85,8 +85,6 @@ RS::Double_3 moved_direction(const RS::Double_3& v)
   const Point o = moved({0, 0, 0}), p = moved({v.x, v.y, v.z});
   return {p[0] - o[0], p[1] - o[1], p[2] - o[2]};
 }
-
-} // namespace
 
 TEST(Describe_segments_test, knows_a_box)
 {
@@ -411,3 +409,5 @@ TEST(Describe_segments_test, bears_surfaces_without_extent)
   infinite.points[2][1] = std::numeric_limits<double>::infinity();
   EXPECT_THROW(description_of(infinite), RS::Invalid_input);
 }
+
+} // namespace describe_segments_test

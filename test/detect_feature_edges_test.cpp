@@ -11,7 +11,7 @@
 
 #include <cmath>
 
-namespace {
+namespace detect_feature_edges_test {
 
 namespace RS = CGAL::Region_segmentation;
 using RS::Feature_convexity;
@@ -220,4 +220,4 @@ TEST(Detect_feature_edges_test, an_edge_inside_a_face_is_no_feature)
   EXPECT_FALSE(get(map, mesh.edge(spike)));
 }
 
-} // namespace
+} // namespace detect_feature_edges_test

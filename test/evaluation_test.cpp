@@ -29,7 +29,7 @@
 
 namespace RS = CGAL::Region_segmentation;
 
-namespace {
+namespace evaluation_test {
 
 using Kernel = CGAL::Simple_cartesian<double>;
 using Point = Kernel::Point_3;
@@ -855,4 +855,4 @@ TEST(Measures, tell_a_point_that_is_not_finite)
   }
 }
 
-} // namespace
+} // namespace evaluation_test

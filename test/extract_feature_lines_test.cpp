@@ -13,7 +13,7 @@
 #include <algorithm>
 #include <iterator>
 
-namespace {
+namespace extract_feature_lines_test {
 
 namespace RS = CGAL::Region_segmentation;
 using namespace test;
@@ -240,4 +240,4 @@ TEST(Extract_feature_lines_test, borders_hold_lines_though_they_are_not_marked)
   EXPECT_EQ(regions(sheet, result.features, {}), regions(sheet, across, {}));
 }
 
-} // namespace
+} // namespace extract_feature_lines_test

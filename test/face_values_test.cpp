@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace {
+namespace face_values_test {
 
 namespace RS = CGAL::Region_segmentation;
 using namespace test;
@@ -54,4 +54,4 @@ TEST(Partition_test, composes)
   EXPECT_EQ(both.number_of_parts(), 2u);
 }
 
-} // namespace
+} // namespace face_values_test

@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace grow_regions_test {
 
 namespace RS = CGAL::Region_segmentation;
 using RS::Feature_convexity;
@@ -215,4 +215,4 @@ TEST(Grow_regions_test, regions_are_the_components_between_features)
     }
 }
 
-} // namespace
+} // namespace grow_regions_test

@@ -10,7 +10,7 @@
 #include <fstream>
 #include <sstream>
 
-namespace {
+namespace labels_test {
 
 namespace RS = CGAL::Region_segmentation;
 using namespace test;
@@ -110,4 +110,4 @@ TEST(Labels_test, a_stream_that_fails_is_told)
   EXPECT_FALSE(RS::IO::write_labels(out, mesh, face_map(mesh, 0)));
 }
 
-} // namespace
+} // namespace labels_test

@@ -12,7 +12,7 @@
 #include <optional>
 #include <string>
 
-namespace {
+namespace merge_regions_test {
 
 namespace RS = CGAL::Region_segmentation;
 using Graph = RS::Region_adjacency_graph<>;
@@ -189,4 +189,4 @@ TEST(Merge_regions_test, the_policy_is_initialized_and_may_be_a_temporary)
     EXPECT_EQ(tree.merges()[i].removed, second.merges()[i].removed);
 }
 
-} // namespace
+} // namespace merge_regions_test

@@ -16,7 +16,7 @@
 #include <random>
 #include <string>
 
-namespace {
+namespace number_choosers_test {
 
 namespace RS = CGAL::Region_segmentation;
 using namespace test;
@@ -168,4 +168,4 @@ TEST(Number_chooser_of_Segmenter, is_asked_once_for_each_change)
   EXPECT_EQ(*chooser.calls, 3) << "a number is given";
 }
 
-} // namespace
+} // namespace number_choosers_test

@@ -18,7 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace parallel_test {
 
 namespace RS = CGAL::Region_segmentation;
 using namespace test;
@@ -293,4 +293,4 @@ TEST(Parallel, the_first_point_that_is_not_finite_is_named)
 
 INSTANTIATE_TEST_SUITE_P(seeds, Parallel_test, ::testing::Range(1u, 4u));
 
-} // namespace
+} // namespace parallel_test

@@ -15,7 +15,7 @@
 
 #include <cstdio>
 
-namespace {
+namespace parameters_test {
 
 namespace RS = CGAL::Region_segmentation;
 namespace RP = CGAL::Region_segmentation::parameters;
@@ -155,4 +155,4 @@ TEST(Parameters_test, a_pack_of_cgal_after_a_number_counts)
   EXPECT_NE(labels_of(mesh, of_pack), labels_of(mesh, own));
 }
 
-} // namespace
+} // namespace parameters_test

@@ -27,7 +27,7 @@
 #include <set>
 #include <tuple>
 
-namespace {
+namespace policies_test {
 
 namespace RS = CGAL::Region_segmentation;
 using Graph = RS::Region_adjacency_graph<>;
@@ -624,4 +624,4 @@ TEST(Two_step_merging_test, is_the_sequence_of_its_steps)
   EXPECT_NE(merges(g, RS::Two_step_merging(), 5), merges(g, RS::Least_compact_region_first(), 5));
 }
 
-} // namespace
+} // namespace policies_test

@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-namespace {
+namespace real_meshes_test {
 
 namespace RS = CGAL::Region_segmentation;
 using namespace test;
@@ -57,4 +57,4 @@ TEST(Real_meshes, agree_with_the_reference_where_they_are_small)
   });
 }
 
-} // namespace
+} // namespace real_meshes_test

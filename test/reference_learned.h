@@ -11,9 +11,8 @@
 
 /// `Learned_merging` as the manual defines it. Of the library it uses the constants of the model alone.
 namespace reference {
+namespace visibility {
 namespace learned {
-
-using namespace visibility;
 
 using Matrix = std::array<std::array<double, 3>, 3>;
 
@@ -331,6 +330,7 @@ struct Result
 };
 
 } // namespace learned
+} // namespace visibility
 } // namespace reference
 
 #endif // CGAL_REGION_SEGMENTATION_TEST_REFERENCE_LEARNED_H

@@ -19,7 +19,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace reference_merging_test {
 
 namespace RS = CGAL::Region_segmentation;
 using namespace test;
@@ -87,7 +87,7 @@ void expect_as_defined(Surface_mesh& mesh)
     expect_same_labels<RS::Visibility_merging, reference::visibility::Result>(mesh, copy, annotated);
   }
   SCOPED_TRACE("learned");
-  expect_same_labels<RS::Learned_merging, reference::learned::Result>(mesh, copy, annotated);
+  expect_same_labels<RS::Learned_merging, reference::visibility::learned::Result>(mesh, copy, annotated);
 }
 
 TEST(Reference_merging_test, methods_on_superfacets_are_as_the_manual_defines_them)
@@ -117,4 +117,4 @@ TEST(Real_meshes, methods_on_superfacets_are_as_the_manual_defines_them)
   });
 }
 
-} // namespace
+} // namespace reference_merging_test

@@ -18,7 +18,7 @@
 #include <random>
 #include <string>
 
-namespace {
+namespace reference_test {
 
 namespace RS = CGAL::Region_segmentation;
 using namespace test;
@@ -208,4 +208,4 @@ std::string parameter_name(const ::testing::TestParamInfo<Family>& info)
 INSTANTIATE_TEST_SUITE_P(families, Reference_test, ::testing::ValuesIn(all_families),
                          parameter_name);
 
-} // namespace
+} // namespace reference_test

@@ -33,7 +33,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace robustness_test {
 
 namespace RS = CGAL::Region_segmentation;
 namespace RP = CGAL::Region_segmentation::parameters;
@@ -242,4 +242,4 @@ TEST(Depth_test, a_strip_of_two_hundred_thousand_faces)
   EXPECT_EQ(RS::segment(mesh, face_map(mesh), RP::number_of_segments(3)), 3u);
 }
 
-} // namespace
+} // namespace robustness_test

@@ -17,7 +17,7 @@
 namespace RS = CGAL::Region_segmentation;
 using namespace test;
 
-namespace {
+namespace segment_borders_test {
 
 using Border = RS::Segment_border<Surface_mesh, std::size_t>;
 
@@ -82,8 +82,6 @@ void check_borders(const Soup& soup, const Labels& labels)
   }
   EXPECT_EQ(covered, edges_between(soup, labels));
 }
-
-} // namespace
 
 TEST(Mark_segment_borders_test, marks_the_edges_between_labels)
 {
@@ -168,3 +166,5 @@ TEST(Extract_segment_borders_test, bears_meshes_with_nothing_to_do)
   EXPECT_TRUE(borders_of(Surface_mesh(), {}).empty());
   EXPECT_TRUE(borders_of(to_surface_mesh(cube()), Labels(6, 2)).empty());
 }
+
+} // namespace segment_borders_test

@@ -25,7 +25,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace segment_properties_test {
 
 namespace RS = CGAL::Region_segmentation;
 namespace RP = CGAL::Region_segmentation::parameters;
@@ -606,4 +606,4 @@ TEST(Extreme_input_test, areas_that_overflow)
   EXPECT_TRUE(is_numbered_by_first_face(small.segments, small.number_of_segments));
 }
 
-} // namespace
+} // namespace segment_properties_test

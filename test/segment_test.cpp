@@ -16,7 +16,7 @@
 #include <random>
 #include <string>
 
-namespace {
+namespace segment_test {
 
 namespace RS = CGAL::Region_segmentation;
 using namespace test;
@@ -170,10 +170,6 @@ TEST(Segment_test, labels_of_any_integral_type)
   EXPECT_EQ(labels_of(mesh, sign), expected);
 }
 
-} // namespace
-
-namespace {
-
 // Squares and areas of such coordinates leave the range of double.
 TEST(Segment_test, labels_do_not_change_at_extreme_scales)
 {
@@ -211,4 +207,4 @@ TEST(Segment_test, any_finite_coordinates_are_segmented)
     }
 }
 
-} // namespace
+} // namespace segment_test

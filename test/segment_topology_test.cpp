@@ -26,7 +26,7 @@
 namespace RS = CGAL::Region_segmentation;
 using namespace test;
 
-namespace {
+namespace segment_topology_test {
 
 using Topology = RS::Segment_topology<std::size_t>;
 
@@ -193,8 +193,6 @@ Labels holes(std::size_t nx, std::size_t ny)
   return labels;
 }
 
-} // namespace
-
 TEST(Compute_segment_topology_test, knows_the_usual_surfaces)
 {
   const Topology sphere_ = topology_of(sphere(2));
@@ -333,3 +331,5 @@ TEST(Divide_into_discs_test, divides_random_segments)
       expect_divided(soup, Labels(soup.polygons.size(), 0));
     }
 }
+
+} // namespace segment_topology_test

@@ -29,10 +29,10 @@
 #include <tuple>
 #include <vector>
 
+namespace segments_mesh_types_test {
+
 namespace RS = CGAL::Region_segmentation;
 using namespace test;
-
-namespace {
 
 struct Double_traits : OpenMesh::DefaultTraits
 {
@@ -121,8 +121,6 @@ void expect_same_results(Family family, const Soup& soup, unsigned seed)
     EXPECT_EQ(results.pieces[i].points.size(), expected.pieces[i].points.size());
 }
 
-} // namespace
-
 TEST(Segments_on_openmesh, are_those_on_surface_mesh)
 {
   for (Family family : all_families)
@@ -145,3 +143,5 @@ TEST(Segments_on_openmesh, pieces_know_their_border_vertices)
     on_border += pieces[0].mesh.is_boundary(v); // by the outgoing halfedge alone
   EXPECT_EQ(on_border, 16u);
 }
+
+} // namespace segments_mesh_types_test

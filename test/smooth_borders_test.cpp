@@ -30,7 +30,7 @@
 namespace RS = CGAL::Region_segmentation;
 using namespace test;
 
-namespace {
+namespace smooth_borders_test {
 
 const RS::Minimum_cut_borders wide(0.2, 0.5);
 
@@ -121,8 +121,6 @@ Edge vertical_edge(std::size_t x, std::size_t y, std::size_t nx = 16)
   return make_edge(y * (nx + 1) + x, (y + 1) * (nx + 1) + x);
 }
 
-} // namespace
-
 TEST(Minimum_cut_test, finds_the_cheapest_of_all_cuts_and_moves_few_nodes)
 {
   for (unsigned seed = 1; seed <= 200; ++seed) {
@@ -181,8 +179,6 @@ TEST(Minimum_cut_test, is_exact_for_many_nodes)
   for (std::size_t i = 0; i <= number; ++i)
     ASSERT_EQ(cut.is_on_source_side(nodes[i]), i < weakest) << i;
 }
-
-namespace {
 
 using Index = RS::internal::Dual_graph::Index;
 
@@ -283,8 +279,6 @@ Best_border best_border(const Pieces& before, const std::vector<std::size_t>& mo
   }
   return best;
 }
-
-} // namespace
 
 TEST(Border_cut_test, finds_the_cheapest_of_all_borders_in_the_band)
 {
@@ -489,3 +483,5 @@ TEST(Smooth_borders_test, refuses_points_that_are_not_finite)
   soup.points[3][0] = std::numeric_limits<double>::infinity();
   EXPECT_THROW(smoothed(soup, {0, 1}), RS::Invalid_input);
 }
+
+} // namespace smooth_borders_test

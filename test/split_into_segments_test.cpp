@@ -20,7 +20,7 @@
 namespace RS = CGAL::Region_segmentation;
 using namespace test;
 
-namespace {
+namespace split_into_segments_test {
 
 /// Splits a mesh, and checks the pieces against the soup.
 template <typename Mesh, typename Piece_mesh>
@@ -72,8 +72,6 @@ void check_pieces(const Soup& soup, const Labels& labels)
 using Polyhedron = CGAL::Polyhedron_3<Kernel>;
 using Other_mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 
-} // namespace
-
 TEST(Split_into_segments_test, copies_every_segment_of_random_meshes)
 {
   for (Family family : all_families)
@@ -105,3 +103,5 @@ TEST(Split_into_segments_test, copies_a_closed_mesh_and_an_empty_one)
   check_pieces<Surface_mesh, Surface_mesh>(Soup(), {});
   check_pieces<Surface_mesh, Surface_mesh>(cube(), Labels(6, std::size_t(-1)));
 }
+
+} // namespace split_into_segments_test

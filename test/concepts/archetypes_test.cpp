@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace archetypes_test {
 
 namespace RS = CGAL::Region_segmentation;
 namespace RP = CGAL::Region_segmentation::parameters;
@@ -404,4 +404,4 @@ TEST(Archetypes_test, parts_that_break_their_promise)
   EXPECT_EQ(test::labels_of(mesh, map), test::Labels(6, 77));
 }
 
-} // namespace
+} // namespace archetypes_test
