@@ -90,6 +90,14 @@ TEST(Patch_boxes_test, slices_needles_and_nothing_else)
   }
 }
 
+RS::internal::Ray_tree::Hit first_hit(const RS::internal::Ray_tree& tree, const RS::Flat_mesh& mesh, const Double_3& source,
+                                      const Double_3& direction, RS::Flat_mesh::Index skipped)
+{
+  RS::internal::Ray ray = tree.make_ray(source, direction, skipped);
+  tree.trace(mesh, &ray, &ray + 1);
+  return tree.hit(ray);
+}
+
 /// Rays from faces in all directions; returns how many hit.
 std::size_t compare_hits(const Soup& soup, unsigned seed)
 {
@@ -100,6 +108,8 @@ std::size_t compare_hits(const Soup& soup, unsigned seed)
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> any(-1, 1);
   std::size_t hits = 0;
+  std::vector<RS::internal::Ray> together;
+  std::vector<RS::internal::Ray_tree::Hit> found;
   for (int i = 0; i < 300; ++i) {
     const std::size_t skipped = random() % mesh.number_of_faces();
     const Double_3 source = mesh.centroid(skipped);
@@ -110,15 +120,25 @@ std::size_t compare_hits(const Soup& soup, unsigned seed)
       if (f != skipped)
         nearest = std::min(nearest, distance_to_triangle(source, d, points[points.corner(f, 0)],
                                                          points[points.corner(f, 1)], points[points.corner(f, 2)]));
-    const auto hit = tree.first_hit(mesh, source, d, RS::Flat_mesh::Index(skipped));
-    const auto same = gathering.first_hit(mesh, source, d, RS::Flat_mesh::Index(skipped));
+    const auto hit = first_hit(tree, mesh, source, d, RS::Flat_mesh::Index(skipped));
+    const auto same = first_hit(gathering, mesh, source, d, RS::Flat_mesh::Index(skipped));
     EXPECT_EQ(same.face, hit.face);
     EXPECT_EQ(same.distance, hit.distance);
+    together.push_back(tree.make_ray(source, d, RS::Flat_mesh::Index(skipped)));
+    found.push_back(hit);
     if (std::isinf(nearest)) {
       EXPECT_EQ(hit.face, RS::internal::Ray_tree::no_face);
     } else {
       ++hits;
       EXPECT_NEAR(hit.distance, nearest, 1e-4 * (1 + nearest));
+    }
+  }
+  for (const auto* of_tree : {&tree, &gathering}) {
+    std::vector<RS::internal::Ray> rays = together;
+    of_tree->trace(mesh, rays.data(), rays.data() + rays.size());
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      EXPECT_EQ(of_tree->hit(rays[i]).face, found[i].face);
+      EXPECT_EQ(of_tree->hit(rays[i]).distance, found[i].distance);
     }
   }
   return hits;
@@ -145,7 +165,7 @@ TEST(Ray_tree_test, finds_needles_up_to_their_tips)
       const Double_3& corner = mesh.points()[mesh.points().corner(f, i)];
       const Double_3 target = corner + 0.02 * (mesh.centroid(f) - corner);
       const auto hit =
-        tree.first_hit(mesh, target + 0.5 * mesh.normal(f), -1.0 * mesh.normal(f), RS::internal::Ray_tree::no_face);
+        first_hit(tree, mesh, target + 0.5 * mesh.normal(f), -1.0 * mesh.normal(f), RS::internal::Ray_tree::no_face);
       ASSERT_NE(hit.face, RS::internal::Ray_tree::no_face) << f;
       EXPECT_LE(hit.distance, 0.5 + 1e-4) << f; // or another one before
     }
@@ -160,8 +180,8 @@ TEST(Ray_tree_test, of_faces_hit_at_the_same_distance_it_is_the_lowest)
   std::size_t ties = 0;
   for (double x = 1; x < 16; x += 0.5)
     for (double y = 1; y < 16; y += 0.5) {
-      const auto hit = tree.first_hit(mesh, {x, y, 3}, {0, 0, -1}, RS::internal::Ray_tree::no_face);
-      const auto next = tree.first_hit(mesh, {x, y, 3}, {0, 0, -1}, hit.face);
+      const auto hit = first_hit(tree, mesh, {x, y, 3}, {0, 0, -1}, RS::internal::Ray_tree::no_face);
+      const auto next = first_hit(tree, mesh, {x, y, 3}, {0, 0, -1}, hit.face);
       ASSERT_NE(next.face, RS::internal::Ray_tree::no_face);
       EXPECT_GE(next.distance, hit.distance);
       if (next.distance == hit.distance) {
@@ -178,7 +198,7 @@ TEST(Ray_tree_test, of_corners_equally_far_from_the_centroid_a_fan_starts_at_the
   const Soup soup{{{-1, -1, 0.5}, {1, -1, -0.5}, {1, 1, 0.5}, {-1, 1, -0.5}}, {{0, 1, 2, 3}}};
   const RS::Flat_mesh mesh = flat_mesh_of(soup);
   const RS::internal::Ray_tree tree(mesh, mesh.centroid(0), RS::Execution<>());
-  EXPECT_NEAR(tree.first_hit(mesh, {0.1, 0, 5}, {0, 0, -1}, RS::internal::Ray_tree::no_face).distance, 5 - 0.45, 1e-6);
+  EXPECT_NEAR(first_hit(tree, mesh, {0.1, 0, 5}, {0, 0, -1}, RS::internal::Ray_tree::no_face).distance, 5 - 0.45, 1e-6);
 }
 
 TEST(Region_shapes_test, are_those_of_the_faces_and_of_the_first_face_where_there_is_no_area)

@@ -11,6 +11,8 @@
 #include <CGAL/Region_segmentation/internal/support/Grouped_items.h>
 #include <CGAL/Region_segmentation/internal/support/blocks.h>
 
+#include <boost/container/static_vector.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -41,7 +43,7 @@ public:
     return share < smallest_of_a_ray ? 0 : share < smallest_of_all_rays ? 1 : rays_per_region;
   }
 
-  /// The hits of the rays of a region; the first is straight against the normal.
+  /// The hits of the rays of a region; those of degenerate faces, which cast none, are missing at the end.
   using Hits = std::array<Ray_tree::Hit, rays_per_region>;
 
   /// `shapes`: of the regions; `tree`: of the mesh
@@ -118,29 +120,39 @@ private:
 
   Hits hits_of(std::size_t region)
   {
+    boost::container::static_vector<Ray, rays_per_region> rays;
+    cast_rays(region, rays);
+    m_tree.trace(m_mesh, rays.data(), rays.data() + rays.size());
     Hits hits;
     hits.fill({Ray_tree::no_face, 0});
+    std::transform(rays.begin(), rays.end(), hits.begin(), [this](const Ray& ray) { return m_tree.hit(ray); });
+    return hits;
+  }
+
+  template <typename Rays>
+  void cast_rays(std::size_t region, Rays& rays)
+  {
     auto [begin, end] = m_faces[region];
     const std::size_t number = number_of_rays(m_shapes.areas[region] / m_mesh.surface_area());
-    if (number < rays_per_region) {
-      trace_from(std::min_element(begin, end)->second, m_spirals[0].data(), number, hits.data());
-      return hits;
-    }
+    if (number < rays_per_region)
+      return cast_rays_from(std::min_element(begin, end)->second, m_spirals[0].data(), number, rays);
     const std::size_t size = std::size_t(end - begin);
     const std::size_t samples = (std::min)(size, faces_per_region);
-    const Spirals& spirals = m_spirals[samples - 1];
-    const std::size_t rays = rays_per_region / samples; // of a face
+    std::array<Index, faces_per_region> faces;
     for (std::size_t k = samples; k-- > 0;) {
       // Faces behind a place in the order are not needed for those before it.
       const auto sample = begin + k * size * 9 / (10 * samples);
       std::nth_element(begin, sample, end);
       end = sample;
-      trace_from(sample->second, spirals.data() + k * rays, rays, hits.data() + k * rays);
+      faces[k] = sample->second;
     }
-    return hits;
+    const std::size_t rays_per_face = rays_per_region / samples;
+    for (std::size_t k = 0; k < samples; ++k)
+      cast_rays_from(faces[k], m_spirals[samples - 1].data() + k * rays_per_face, rays_per_face, rays);
   }
 
-  void trace_from(Index face, const Spiral* spirals, std::size_t number, Ray_tree::Hit* hits) const
+  template <typename Rays>
+  void cast_rays_from(Index face, const Spiral* spirals, std::size_t number, Rays& rays) const
   {
     if (m_mesh.is_degenerate(face))
       return;
@@ -148,8 +160,8 @@ private:
     const Double_3 u = start_of_spiral(face, source, inward), v = cross(inward, u);
     for (std::size_t i = 0; i < number; ++i) {
       const Spiral& s = spirals[i];
-      const Double_3 direction = s.cos_away * inward + s.sin_away * (s.cos_around * u + s.sin_around * v);
-      hits[i] = m_tree.first_hit(m_mesh, source, direction, face);
+      rays.push_back(
+        m_tree.make_ray(source, s.cos_away * inward + s.sin_away * (s.cos_around * u + s.sin_around * v), face));
     }
   }
 

@@ -7,6 +7,7 @@
 #include <CGAL/Region_segmentation/Flat_mesh.h>
 #include <CGAL/Region_segmentation/internal/rays/Four_triangles.h>
 #include <CGAL/Region_segmentation/internal/support/Grouped_items.h>
+#include <CGAL/Region_segmentation/internal/support/prefetch.h>
 
 #include <array>
 #include <cstddef>
@@ -57,6 +58,22 @@ public:
       for (std::size_t i = 1; i + 1 < n; ++i)
         f(std::array<Float_3, 3>{corner(first), corner(first + i), corner(first + i + 1)}, face);
     }
+  }
+
+  /// Prefetches what `for_each()` reads for each patch `patch_of(visit)`: first where all their faces are, and so on, since
+  /// each address depends on the read before.
+  template <typename Visits, typename PatchOf>
+  void prefetch(const Flat_mesh& mesh, const Visits& visits, const PatchOf& patch_of) const
+  {
+    const Mesh_points& points = mesh.points();
+    for (const auto& visit : visits)
+      m_faces.prefetch(patch_of(visit));
+    for (const auto& visit : visits)
+      internal::prefetch(m_faces[patch_of(visit)].begin());
+    for (const auto& visit : visits)
+      for (const Index face : m_faces[patch_of(visit)])
+        for (std::size_t i = 0; i < points.number_of_corners(face); ++i)
+          internal::prefetch(&points[points.corner(face, i)]);
   }
 
 private:

@@ -8,6 +8,9 @@
 #include <CGAL/Region_segmentation/internal/rays/Four_triangles.h>
 #include <CGAL/Region_segmentation/internal/rays/Patch_triangles.h>
 #include <CGAL/Region_segmentation/internal/support/Large_array.h>
+#include <CGAL/Region_segmentation/internal/support/prefetch.h>
+
+#include <CGAL/Iterator_range.h>
 
 #include <array>
 #include <cstddef>
@@ -21,8 +24,8 @@ namespace internal {
 /// The triangles in the leaves of a `Ray_tree`, four by four.
 ///
 /// Those of a mesh of few faces are stored, 40 bytes each. On large meshes this would be a quarter of the memory of a
-/// segmentation, for rays that meet each triangle once or never: there the triangles of a leaf are gathered from the mesh when a
-/// ray comes, in about the same time.
+/// segmentation, for rays that meet each triangle once or never: there a leaf is a patch, whose triangles are
+/// gathered from the mesh when a ray comes.
 class Ray_leaves
 {
   using Index = Flat_mesh::Index;
@@ -40,33 +43,42 @@ public:
   const Patch_triangles& triangles() const { return m_triangles; }
 
   /// Adds a leaf, and returns its index.
+  /// \pre it is one patch, unless triangles are stored
   Index add(const Flat_mesh& mesh, const Name* begin, const Name* end)
   {
-    if (m_are_stored) {
-      if (m_stored.empty()) // usually a leaf fills all groups but one
-        m_stored.reserve(mesh.number_of_faces() / 4 + m_triangles.number_of_patches() / 8);
-      for_each_group(mesh, begin, end, [this](const Four_triangles& group) { m_stored.push_back(group); });
-    } else
-      m_patches.insert(m_patches.end(), begin, end);
-    m_first.push_back(Index(m_are_stored ? m_stored.size() : m_patches.size()));
+    if (!m_are_stored)
+      return *begin;
+    if (m_stored.empty()) // usually a leaf fills all groups but one
+      m_stored.reserve(mesh.number_of_faces() / 4 + m_triangles.number_of_patches() / 8);
+    for_each_group(mesh, begin, end, [this](const Four_triangles& group) { m_stored.push_back(group); });
+    m_first.push_back(Index(m_stored.size()));
     return Index(m_first.size() - 2);
   }
 
   bool are_stored() const { return m_are_stored; }
 
-  /// \pre the triangles are stored
-  void intersect(Index leaf, Ray& ray) const
+  /// A ray in a leaf.
+  struct Visit
   {
-    for (Index i = m_first[leaf]; i < m_first[leaf + 1]; ++i)
-      m_stored[i].intersect(ray);
-  }
+    Ray* ray;
+    Index leaf;
+  };
 
-  /// `mesh`: that of the leaves
-  /// \pre the triangles are not stored
-  void gather_and_intersect(const Flat_mesh& mesh, Index leaf, Ray& ray) const
+  /// Intersects each ray with the triangles of its leaf. `mesh`: that of the leaves
+  void intersect(const Flat_mesh& mesh, Iterator_range<const Visit*> visits) const
   {
-    for_each_group(mesh, m_patches.data() + m_first[leaf], m_patches.data() + m_first[leaf + 1],
-                   [&](const Four_triangles& group) { group.intersect(ray); });
+    if (m_are_stored) {
+      for (const Visit& visit : visits)
+        for (const Four_triangles& group : stored(visit.leaf))
+          prefetch(&group);
+      for (const Visit& visit : visits)
+        for (const Four_triangles& group : stored(visit.leaf))
+          group.intersect(*visit.ray);
+    } else {
+      m_triangles.prefetch(mesh, visits, [](const Visit& visit) { return visit.leaf; });
+      for (const Visit& visit : visits)
+        for_each_group(mesh, &visit.leaf, &visit.leaf + 1, [&](const Four_triangles& group) { group.intersect(*visit.ray); });
+    }
   }
 
 private:
@@ -88,11 +100,15 @@ private:
       f(group);
   }
 
+  Iterator_range<const Four_triangles*> stored(Index leaf) const
+  {
+    return {m_stored.data() + m_first[leaf], m_stored.data() + m_first[leaf + 1]};
+  }
+
   Patch_triangles m_triangles;
   bool m_are_stored;
-  std::vector<Index> m_first; // by leaf: of its groups, or of its patches; and the end of the last one
+  std::vector<Index> m_first; // by leaf: of its groups; and the end of the last one
   Large_array<Four_triangles> m_stored;
-  std::vector<Name> m_patches;
 };
 
 } // namespace internal

@@ -14,6 +14,8 @@
 #include <CGAL/Region_segmentation/internal/support/Float_key.h>
 #include <CGAL/Region_segmentation/internal/support/visitor.h>
 
+#include <boost/container/static_vector.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -70,21 +72,30 @@ public:
     });
   }
 
-  /// The first face of the mesh of the tree, other than `skipped`, that is hit in front of `source`; `direction` has length 1.
-  Hit first_hit(const Flat_mesh& mesh, const Double_3& source, const Double_3& direction, Index skipped) const
+  /// A ray whose first hit is not known yet; `direction` has length 1.
+  Ray make_ray(const Double_3& source, const Double_3& direction, Index skipped) const
   {
-    Ray ray{m_leaves.triangles().relative(source), {float(direction.x), float(direction.y), float(direction.z)}, skipped};
-    if (m_leaves.are_stored())
-      descend(ray, [&](Index leaf) { m_leaves.intersect(leaf, ray); });
-    else
-      descend(ray, [&](Index leaf) { m_leaves.gather_and_intersect(mesh, leaf, ray); });
-    return {ray.face, ray.face == no_face ? 0.0 : double(ray.distance) * m_unit};
+    return {m_leaves.triangles().relative(source), {float(direction.x), float(direction.y), float(direction.z)}, skipped};
   }
+
+  /// Finds the first face of the mesh of the tree that each ray hits in front of its source, other than the one it skips.
+  ///
+  /// Up to `bundle_size` rays go from leaf to leaf together, so that the memory that they need next is fetched for all of them at a
+  /// time: .81 of the time of one ray after the other at 830,000 faces, .91 at 50,000.
+  void trace(const Flat_mesh& mesh, Ray* begin, Ray* end) const
+  {
+    for (; begin != end; begin += (std::min)(end - begin, std::ptrdiff_t(bundle_size)))
+      trace_bundle(mesh, begin, (std::min)(std::size_t(end - begin), bundle_size));
+  }
+
+  /// \pre the ray was traced
+  Hit hit(const Ray& ray) const { return {ray.face, ray.face == no_face ? 0.0 : double(ray.distance) * m_unit}; }
 
 private:
   static constexpr std::size_t width = 4; // children of a node
   static_assert(width == Box_partition::leaf_size, "parts of this size are not split");
   static constexpr int maximum_depth_of_cheap_splits = 48;
+  static constexpr std::size_t bundle_size = 18;
 
   /// Twice the index of a node, or twice that of a leaf plus one.
   using Child = Index;
@@ -178,36 +189,62 @@ private:
     }
   };
 
-  /// Calls `intersect(leaf)` for the leaves that may contain the first hit.
-  template <typename Intersect>
-  void descend(Ray& ray, const Intersect& intersect) const
+  /// The way of a ray through the tree.
+  class Walk
+  {
+  public:
+    static constexpr Index end = (std::numeric_limits<Index>::max)();
+
+    explicit Walk(const Ray& ray) : m_slopes(ray.direction) { m_waiting[0] = make_float_key(0, 0); }
+
+    /// The next leaf that may contain the first hit; or the end.
+    Index next_leaf(const std::vector<Node>& nodes, const Ray& ray)
+    {
+      while (m_size > 0) {
+        Waiting nearest = m_waiting[--m_size];
+        if (!(value_of(nearest) <= ray.distance))
+          continue;
+        while (nearest < never) {
+          const Child child = index_of(nearest);
+          if (child % 2 == 1)
+            return child / 2;
+          const std::array<Waiting, width> c = children(nodes[child / 2], ray, m_slopes);
+          for (std::size_t i = 0; i < width - 1; ++i) {
+            m_waiting[m_size] = c[i];
+            m_size += std::size_t(c[i] < never);
+          }
+          nearest = c[width - 1];
+        }
+      }
+      return end;
+    }
+
+  private:
+    Slopes m_slopes;
+    std::size_t m_size = 1;
+    // A node adds at most three waiting entries; below the cheap splits are halves, of at most 2^32.
+    std::array<Waiting, 3 * (maximum_depth_of_cheap_splits + 32)> m_waiting;
+  };
+
+  void trace_bundle(const Flat_mesh& mesh, Ray* rays, std::size_t number) const
   {
     if (m_nodes.empty())
       return;
-    const Slopes slopes(ray.direction);
-    // A node adds at most three waiting entries; below the cheap splits are halves, of at most 2^32.
-    std::array<Waiting, 3 * (maximum_depth_of_cheap_splits + 32)> stack;
-    std::size_t size = 0;
-    Waiting nearest = make_float_key(0, 0);
+    boost::container::static_vector<Walk, bundle_size> walks;
+    boost::container::static_vector<Ray_leaves::Visit, bundle_size> visits;
+    for (std::size_t i = 0; i < number; ++i) {
+      walks.emplace_back(rays[i]);
+      visits.push_back({rays + i, 0});
+    }
     while (true) {
-      const Child child = index_of(nearest);
-      if (child % 2 == 1)
-        intersect(child / 2);
-      else {
-        const std::array<Waiting, width> c = children(m_nodes[child / 2], ray, slopes);
-        for (std::size_t i = 0; i < width - 1; ++i) {
-          stack[size] = c[i];
-          size += std::size_t(c[i] < never);
-        }
-        nearest = c[width - 1];
-        if (nearest < never)
-          continue;
-      }
-      do {
-        if (size == 0)
-          return;
-        nearest = stack[--size];
-      } while (!(value_of(nearest) <= ray.distance));
+      const auto has_ended = [&](Ray_leaves::Visit& visit) {
+        visit.leaf = walks[std::size_t(visit.ray - rays)].next_leaf(m_nodes, *visit.ray);
+        return visit.leaf == Walk::end;
+      };
+      visits.erase(std::remove_if(visits.begin(), visits.end(), has_ended), visits.end());
+      if (visits.empty())
+        return;
+      m_leaves.intersect(mesh, {visits.data(), visits.data() + visits.size()});
     }
   }
 
