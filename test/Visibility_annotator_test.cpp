@@ -78,7 +78,7 @@ TEST(Patch_boxes_test, slices_needles_and_nothing_else)
 {
   const auto number_of_boxes = [](const RS::Flat_mesh& mesh) {
     const RS::internal::Patch_triangles triangles(mesh, mesh.centroid(0), 1);
-    return RS::internal::Patch_boxes::make(mesh, triangles).size();
+    return RS::internal::Patch_boxes::make<CGAL::Sequential_tag>(mesh, triangles).size();
   };
   EXPECT_GT(number_of_boxes(flat_mesh_of(needles(100, 1))), 1000u);
   // Wider ones where there are many needles: slices add at most 2^18 triangles.

@@ -13,6 +13,7 @@ namespace CGAL {
 namespace Region_segmentation {
 
 namespace internal {
+template <typename ConcurrencyTag>
 class Patch_builder;
 }
 
@@ -36,7 +37,7 @@ class Patch_builder;
 /// less than `n / 32` (rounded down). So a mesh of few large faces has a patch for each face, and a fine one some twenty
 /// to sixty thousand patches. They do not depend on the numbering of faces and vertices, ties excepted.
 ///
-/// Complexity: O(F) in practice.
+/// Complexity: O(F) in practice. Deterministic. Parallel with `Parallel_tag`, with bitwise equal results.
 class Mesh_patches
 {
 public:
@@ -73,6 +74,7 @@ public:
   double concave_deviation(std::size_t i) const { return m_concave_deviations[i]; }
 
 private:
+  template <typename ConcurrencyTag>
   friend class internal::Patch_builder;
 
   Partition m_of_faces;

@@ -102,7 +102,7 @@ private:
     labels.reserve(regions.size());
     for (std::size_t f = 0; f < regions.size(); ++f)
       labels.push_back((std::uint64_t(mesh.patches().of_faces()[f]) << 32) | regions[f]);
-    return internal::Patch_builder::build(mesh, internal::connected_pieces(mesh, labels));
+    return internal::Patch_builder<CGAL::Sequential_tag>::build(mesh, internal::connected_pieces(mesh, labels));
   }
 
   /// The regions are unions of the patches.

@@ -57,7 +57,8 @@ namespace Region_segmentation {
 /// Lengths are relative to \f$\sqrt{A}\f$ and areas to \f$A\f$, the area of the surface. If that is 0, all data are 0.
 ///
 /// Complexity: O(F log F + 18 R log F) in practice; at worst, where most faces are long and overlap, O(F) for each of at
-/// most 140,800 rays. Deterministic. With `Parallel_tag` the rays are traced in parallel.
+/// most 140,800 rays. Deterministic. With `Parallel_tag` the tree of the rays is
+/// built, and they are traced, in parallel, with bitwise equal results.
 ///
 /// Source: thickness \cgalCite{SSC08}.
 class Visibility_annotator

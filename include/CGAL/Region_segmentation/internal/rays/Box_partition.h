@@ -50,13 +50,17 @@ public:
   using Name = std::uint32_t;
   static constexpr std::size_t leaf_size = 4; ///< boxes that are tested together, at the cost of one
 
-  /// The boxes `first` .. `last - 1` and the box around them.
-  struct Part
+  /// The boxes `first` .. `last - 1`.
+  struct Range
   {
     std::size_t first, last;
-    Box box;
 
     std::size_t size() const { return last - first; }
+  };
+  /// And the box around them.
+  struct Part : Range
+  {
+    Box box;
   };
 
   void reserve(std::size_t number) { m_items.reserve(number); }
@@ -132,7 +136,7 @@ private:
 
   Part make_part(std::size_t first, std::size_t last) const
   {
-    Part part{first, last, Box()};
+    Part part{{first, last}, Box()};
     for (std::size_t i = first; i < last; ++i)
       part.box.add(m_items[i].box());
     return part;
@@ -188,7 +192,7 @@ private:
     std::partition(item(part.first), item(part.last),
                    [&](const Item& item) { return slice_of(item) < best; });
     const std::size_t middle = part.first + before_best.size;
-    return {{part.first, middle, before_best.box}, {middle, part.last, behind[best].box}};
+    return {{{part.first, middle}, before_best.box}, {{middle, part.last}, behind[best].box}};
   }
 
   std::pair<Part, Part> split_at_median(const Part& part, std::size_t axis)

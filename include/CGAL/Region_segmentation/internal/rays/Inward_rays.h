@@ -105,10 +105,13 @@ private:
     std::vector<bool> has_center(m_regions.number_of_parts(), false);
     for (std::size_t p = 0; p < m_mesh.patches().size(); ++p)
       has_center[m_regions[m_mesh.patches()[p].face]] = true;
+    const bool all_have = std::find(has_center.begin(), has_center.end(), false) == has_center.end();
     const auto for_each_face = [&](const auto& f) {
-      for (std::size_t face = 0; face < m_regions.size(); ++face)
-        if (const Index r = m_regions[face];
-            !hits[r] && (!has_center[r] || m_mesh.patches()[m_mesh.patches().of_faces()[face]].face == face))
+      for (std::size_t p = 0; p < m_mesh.patches().size(); ++p)
+        if (const Index face = m_mesh.patches()[p].face; !hits[m_regions[face]])
+          f(m_regions[face], face);
+      for (std::size_t face = 0; !all_have && face < m_regions.size(); ++face)
+        if (const Index r = m_regions[face]; !has_center[r] && !hits[r])
           f(r, face);
     };
     for_each_face([&](Index r, std::size_t) { m_faces.count(r); });

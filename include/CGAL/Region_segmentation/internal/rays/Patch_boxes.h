@@ -7,6 +7,7 @@
 #include <CGAL/Region_segmentation/internal/rays/Box_partition.h>
 #include <CGAL/Region_segmentation/internal/rays/Four_triangles.h>
 #include <CGAL/Region_segmentation/internal/rays/Patch_triangles.h>
+#include <CGAL/Region_segmentation/internal/support/blocks.h>
 
 #include <algorithm>
 #include <array>
@@ -33,9 +34,12 @@ namespace internal {
 class Patch_boxes
 {
 public:
+  template <typename ConcurrencyTag>
   static Box_partition make(const Flat_mesh& mesh, const Patch_triangles& triangles)
   {
     Patch_boxes boxes(mesh, triangles);
+    for_each_index<ConcurrencyTag>(
+      boxes.m_extents.size(), [&](std::size_t patch) { boxes.m_extents[patch] = boxes.extent(patch); });
     boxes.limit_slices();
     Box_partition result;
     result.reserve(triangles.number_of_patches());
@@ -63,12 +67,11 @@ private:
   };
 
   Patch_boxes(const Flat_mesh& mesh, const Patch_triangles& triangles)
-    : m_mesh(mesh), m_triangles(triangles), m_size(float(triangles.relative(mesh.relative_unit())))
-  {
-    m_extents.reserve(triangles.number_of_patches());
-    for (std::size_t patch = 0; patch < triangles.number_of_patches(); ++patch)
-      m_extents.push_back(extent(patch));
-  }
+    : m_mesh(mesh)
+    , m_triangles(triangles)
+    , m_size(float(triangles.relative(mesh.relative_unit())))
+    , m_extents(triangles.number_of_patches())
+  {}
 
   Extent extent(std::size_t patch) const
   {

@@ -9,6 +9,7 @@
 #include <CGAL/Region_segmentation/internal/support/Grouped_items.h>
 #include <CGAL/Region_segmentation/internal/support/prefetch.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -46,6 +47,14 @@ public:
 
   /// A length, relative.
   double relative(double length) const { return m_scale * length; }
+
+  std::size_t number_of_triangles(const Flat_mesh& mesh, std::size_t patch) const
+  {
+    std::size_t result = 0;
+    for (const Index face : m_faces[patch])
+      result += (std::max)(mesh.points().number_of_corners(face), std::size_t(2)) - 2;
+    return result;
+  }
 
   /// Calls `f(corners, face)` for the triangles of a patch: the first corner of a fan, and two others.
   template <typename F>

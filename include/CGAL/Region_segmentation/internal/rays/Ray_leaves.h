@@ -3,17 +3,23 @@
 #ifndef CGAL_REGION_SEGMENTATION_INTERNAL_RAYS_RAY_LEAVES_H
 #define CGAL_REGION_SEGMENTATION_INTERNAL_RAYS_RAY_LEAVES_H
 
+#include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/Flat_mesh.h>
 #include <CGAL/Region_segmentation/internal/rays/Box_partition.h>
 #include <CGAL/Region_segmentation/internal/rays/Four_triangles.h>
 #include <CGAL/Region_segmentation/internal/rays/Patch_triangles.h>
 #include <CGAL/Region_segmentation/internal/support/Large_array.h>
+#include <CGAL/Region_segmentation/internal/support/blocks.h>
 #include <CGAL/Region_segmentation/internal/support/prefetch.h>
 
 #include <CGAL/Iterator_range.h>
 
+#include <boost/container/static_vector.hpp>
+
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -42,17 +48,29 @@ public:
 
   const Patch_triangles& triangles() const { return m_triangles; }
 
-  /// Adds a leaf, and returns its index.
-  /// \pre it is one patch, unless triangles are stored
-  Index add(const Flat_mesh& mesh, const Name* begin, const Name* end)
+  /// Stores the triangles of all leaves, which are ranges of boxes of patches.
+  template <typename ConcurrencyTag>
+  void store(const Flat_mesh& mesh, const Box_partition& boxes, const std::vector<Box_partition::Range>& leaves,
+             const Execution<ConcurrencyTag>& execution)
   {
-    if (!m_are_stored)
-      return *begin;
-    if (m_stored.empty()) // usually a leaf fills all groups but one
-      m_stored.reserve(mesh.number_of_faces() / 4 + m_triangles.number_of_patches() / 8);
-    for_each_group(mesh, begin, end, [this](const Four_triangles& group) { m_stored.push_back(group); });
-    m_first.push_back(Index(m_stored.size()));
-    return Index(m_first.size() - 2);
+    m_first.resize(leaves.size() + 1);
+    for_each_block(execution.step(0, 0.2), leaves.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
+      for (std::size_t leaf = begin; leaf < end; ++leaf) {
+        std::size_t triangles = 0;
+        for (const Name patch : patches_of(boxes, leaves[leaf]))
+          triangles += m_triangles.number_of_triangles(mesh, patch);
+        m_first[leaf + 1] = Index((triangles + 3) / 4);
+      }
+    });
+    std::partial_sum(m_first.begin(), m_first.end(), m_first.begin());
+    m_stored.resize(m_first.back());
+    for_each_block(execution.step(0.2, 1), leaves.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
+      for (std::size_t leaf = begin; leaf < end; ++leaf) {
+        const Patches patches = patches_of(boxes, leaves[leaf]);
+        Four_triangles* group = m_stored.data() + m_first[leaf];
+        for_each_group(mesh, patches.data(), patches.data() + patches.size(), [&](const Four_triangles& g) { *group++ = g; });
+      }
+    }, 256);
   }
 
   bool are_stored() const { return m_are_stored; }
@@ -82,6 +100,18 @@ public:
   }
 
 private:
+  using Patches = boost::container::static_vector<Name, Box_partition::leaf_size>;
+
+  /// Each once: several slices of a patch may be in a leaf.
+  static Patches patches_of(const Box_partition& boxes, const Box_partition::Range& leaf)
+  {
+    Patches result;
+    for (std::size_t i = leaf.first; i < leaf.last; ++i)
+      if (std::find(result.begin(), result.end(), boxes.name(i)) == result.end())
+        result.push_back(boxes.name(i));
+    return result;
+  }
+
   template <typename F>
   void for_each_group(const Flat_mesh& mesh, const Name* begin, const Name* end, const F& f) const
   {

@@ -12,7 +12,7 @@
 #include <CGAL/Region_segmentation/internal/rays/Patch_triangles.h>
 #include <CGAL/Region_segmentation/internal/rays/Ray_leaves.h>
 #include <CGAL/Region_segmentation/internal/support/Float_key.h>
-#include <CGAL/Region_segmentation/internal/support/visitor.h>
+#include <CGAL/Region_segmentation/internal/support/blocks.h>
 
 #include <boost/container/static_vector.hpp>
 
@@ -57,19 +57,17 @@ public:
   template <typename ConcurrencyTag>
   Ray_tree(const Flat_mesh& mesh, const Double_3& origin, const Execution<ConcurrencyTag>& execution,
            std::size_t most_stored_faces = Ray_leaves::most_stored_faces)
-    : m_unit(unit_of(mesh, origin)), m_leaves(mesh, Patch_triangles(mesh, origin, 1 / m_unit), most_stored_faces)
+    : m_unit(unit_of<ConcurrencyTag>(mesh, origin))
+    , m_leaves(mesh, Patch_triangles(mesh, origin, 1 / m_unit), most_stored_faces)
   {
     if (mesh.number_of_faces() == 0)
       return;
-    Box_partition boxes = Patch_boxes::make(mesh, m_leaves.triangles());
+    Box_partition boxes = Patch_boxes::make<ConcurrencyTag>(mesh, m_leaves.triangles());
     execution.report(0.4);
-    Step_counter<ConcurrencyTag> steps(execution.step(0.4, 1), boxes.size());
-    m_nodes.reserve(boxes.size() * 3 / 20);
-    add_node(boxes, boxes.whole(), 0, [&](const Part& part) {
-      for (std::size_t i = part.first; i < part.last; ++i)
-        steps.advance();
-      return add_leaf(mesh, boxes, part);
-    });
+    const std::vector<Box_partition::Range> leaves = build(boxes, execution.step(0.4, 0.8));
+    if (m_leaves.are_stored())
+      m_leaves.store(mesh, boxes, leaves, execution.step(0.8, 1));
+    execution.report(1);
   }
 
   /// A ray whose first hit is not known yet; `direction` has length 1.
@@ -96,8 +94,9 @@ private:
   static_assert(width == Box_partition::leaf_size, "parts of this size are not split");
   static constexpr int maximum_depth_of_cheap_splits = 48;
   static constexpr std::size_t bundle_size = 18;
+  static constexpr std::size_t boxes_of_a_job = 4096;
 
-  /// Twice the index of a node, or twice that of a leaf plus one.
+  /// Twice the index of a node, or twice that of a leaf plus one: of the patch, unless triangles are stored.
   using Child = Index;
   struct Node
   {
@@ -109,33 +108,94 @@ private:
   std::size_t leaf_size() const { return m_leaves.are_stored() ? width : 1; }
 
   /// A power of two, so that it does not change any rounding.
+  template <typename ConcurrencyTag>
   static double unit_of(const Flat_mesh& mesh, const Double_3& origin)
   {
-    double squared = 0;
-    for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
-      squared = (std::max)(squared, squared_norm(mesh.centroid(f) - origin));
-    return std::ldexp(1.0, std::ilogb((std::max)(std::sqrt(squared), mesh.relative_unit())));
+    std::vector<double> squared(number_of_blocks(mesh.number_of_faces()), 0);
+    for_each_block(Execution<ConcurrencyTag>(), mesh.number_of_faces(),
+                   [&](std::size_t block, std::size_t begin, std::size_t end) {
+                     for (std::size_t f = begin; f < end; ++f)
+                       squared[block] = (std::max)(squared[block], squared_norm(mesh.centroid(f) - origin));
+                   });
+    const double largest = squared.empty() ? 0 : *std::max_element(squared.begin(), squared.end());
+    return std::ldexp(1.0, std::ilogb((std::max)(std::sqrt(largest), mesh.relative_unit())));
   }
 
-  /// Adds a node for a part, and its descendants.
-  template <typename AddLeaf>
-  Child add_node(Box_partition& boxes, const Part& part, int depth, const AddLeaf& add_leaf)
+  /// Nodes, and leaves if their triangles are stored; children are numbered within them.
+  struct Subtree
+  {
+    std::vector<Node> nodes;
+    std::vector<Box_partition::Range> leaves;
+  };
+
+  /// A part of the boxes whose subtree is built by one thread.
+  struct Job
+  {
+    Part part;
+    int depth;
+    std::size_t parent, position; // among its children
+    Subtree tree;
+  };
+
+  /// Makes the nodes; returns the leaves, if their triangles are stored.
+  template <typename ConcurrencyTag>
+  std::vector<Box_partition::Range> build(Box_partition& boxes, const Execution<ConcurrencyTag>& execution)
+  {
+    Subtree whole;
+    std::vector<Job> jobs;
+    add_node(boxes, boxes.whole(), 0, whole, &jobs);
+    for_each_block(
+      execution, jobs.size(),
+      [&](std::size_t i, std::size_t, std::size_t) { add_node(boxes, jobs[i].part, jobs[i].depth, jobs[i].tree, nullptr); }, 1);
+    for (const Job& job : jobs)
+      whole.nodes[job.parent].child[job.position] = append(whole, job.tree);
+    m_nodes = std::move(whole.nodes);
+    return std::move(whole.leaves);
+  }
+
+  /// Returns its root.
+  Child append(Subtree& whole, const Subtree& tree) const
+  {
+    const Child first_node = Child(2 * whole.nodes.size()), first_leaf = Child(2 * whole.leaves.size());
+    for (Node node : tree.nodes) {
+      for (Child& child : node.child)
+        child += child % 2 == 0 ? first_node : first_leaf;
+      whole.nodes.push_back(node);
+    }
+    whole.leaves.insert(whole.leaves.end(), tree.leaves.begin(), tree.leaves.end());
+    return first_node;
+  }
+
+  /// Adds a node for a part, and its descendants; those of few boxes become jobs, if these are wanted.
+  Child add_node(Box_partition& boxes, const Part& part, int depth, Subtree& tree, std::vector<Job>* jobs) const
   {
     std::array<Part, width> parts{};
     const std::size_t size = split(boxes, part, depth, parts);
-    const std::size_t n = m_nodes.size();
-    m_nodes.emplace_back();
+    const std::size_t n = tree.nodes.size();
+    tree.nodes.emplace_back();
     for (std::size_t i = 0; i < width; ++i)
       for (std::size_t k = 0; k < 3; ++k) {
-        m_nodes[n].bounds[0][k][i] = parts[i].box.low[k];
-        m_nodes[n].bounds[1][k][i] = parts[i].box.high[k];
+        tree.nodes[n].bounds[0][k][i] = parts[i].box.low[k];
+        tree.nodes[n].bounds[1][k][i] = parts[i].box.high[k];
       }
-    for (std::size_t i = 0; i < size; ++i) {
-      const Child child =
-        parts[i].size() > leaf_size() ? add_node(boxes, parts[i], depth + 1, add_leaf) : add_leaf(parts[i]);
-      m_nodes[n].child[i] = child;
-    }
+    for (std::size_t i = 0; i < size; ++i)
+      if (parts[i].size() <= leaf_size())
+        tree.nodes[n].child[i] = add_leaf(boxes, parts[i], tree);
+      else if (jobs && parts[i].size() <= boxes_of_a_job)
+        jobs->push_back({parts[i], depth + 1, n, i, {}});
+      else {
+        const Child child = add_node(boxes, parts[i], depth + 1, tree, jobs);
+        tree.nodes[n].child[i] = child;
+      }
     return Child(2 * n);
+  }
+
+  Child add_leaf(const Box_partition& boxes, const Part& part, Subtree& tree) const
+  {
+    if (!m_leaves.are_stored())
+      return Child(2 * boxes.name(part.first) + 1);
+    tree.leaves.push_back(part);
+    return Child(2 * tree.leaves.size() - 1);
   }
 
   /// Splits a part for the children of a node; returns their number.
@@ -160,16 +220,6 @@ private:
   }
 
   static float area_to_split(const Part& part) { return part.size() > width ? part.box.half_area() : -1; }
-
-  Child add_leaf(const Flat_mesh& mesh, const Box_partition& boxes, const Part& part)
-  {
-    std::array<Box_partition::Name, width> names{}; // several slices of a patch may be here
-    std::size_t size = 0;
-    for (std::size_t i = part.first; i < part.last; ++i)
-      if (std::find(names.begin(), names.begin() + size, boxes.name(i)) == names.begin() + size)
-        names[size++] = boxes.name(i);
-    return Child(2 * m_leaves.add(mesh, names.data(), names.data() + size) + 1);
-  }
 
   using Waiting = Float_key; // where the ray enters a box, and the child
   static constexpr Waiting never = Waiting(0x7f800000) << 32; // infinity

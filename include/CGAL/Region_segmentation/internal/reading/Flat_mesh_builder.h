@@ -173,7 +173,7 @@ public:
       for (const double area : m_flat.m_areas)
         m_flat.m_surface_area += area;
     if (includes(m_flat.m_data, Mesh_data::PATCHES))
-      m_flat.m_patches = Patch_builder::build(m_flat, execution);
+      m_flat.m_patches = Patch_builder<ConcurrencyTag>::build(m_flat, execution);
   }
 
   Flat_mesh take() { return std::move(m_flat); }

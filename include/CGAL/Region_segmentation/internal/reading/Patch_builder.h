@@ -7,9 +7,9 @@
 #include <CGAL/Region_segmentation/Flat_mesh.h>
 #include <CGAL/Region_segmentation/Mesh_patches.h>
 #include <CGAL/Region_segmentation/internal/reading/Patch_selection.h>
+#include <CGAL/Region_segmentation/internal/support/Grouped_items.h>
 #include <CGAL/Region_segmentation/internal/support/Large_array.h>
-
-#include <boost/sort/spreadsort/integer_sort.hpp>
+#include <CGAL/Region_segmentation/internal/support/blocks.h>
 
 #include <algorithm>
 #include <cmath>
@@ -24,6 +24,10 @@ namespace Region_segmentation {
 namespace internal {
 
 /// Makes the patches of a mesh, in rounds, see `Mesh_patches`.
+///
+/// What is summed for a patch or between two of them is summed by one thread, in the order of the elements: so the result is the
+/// same in parallel.
+template <typename ConcurrencyTag>
 class Patch_builder
 {
   using Index = Flat_mesh::Index;
@@ -32,7 +36,6 @@ class Patch_builder
 
 public:
   /// \pre the mesh was read with its centroids and the area of its surface
-  template <typename ConcurrencyTag>
   static Mesh_patches build(const Flat_mesh& mesh, const Execution<ConcurrencyTag>& execution)
   {
     Patch_builder builder(mesh);
@@ -71,17 +74,26 @@ private:
     double area(std::size_t f) const { return m_mesh.area(f); }
     const Double_3& centroid(std::size_t f) const { return m_mesh.centroid(f); }
     const Double_3& normal(std::size_t f) const { return m_mesh.normal(f); }
+    Double_3 area_vector(std::size_t f) const { return m_mesh.area(f) * m_mesh.normal(f); }
+
+    std::size_t number_of_ranges() const { return number_of_blocks(m_mesh.number_of_edges(), edges_in_range()); }
     template <typename F>
-    void for_each_adjacency(const F& f) const
+    void for_each_adjacency(std::size_t range, const F& f) const
     {
-      for (std::size_t e = 0; e < m_mesh.number_of_edges(); ++e)
+      const std::size_t end = (std::min)((range + 1) * edges_in_range(), m_mesh.number_of_edges());
+      for (std::size_t e = range * edges_in_range(); e < end; ++e)
         if (!m_mesh.has_flag(e, Flat_mesh::CONSTRAINED))
           f(m_mesh.lower_face(e), m_mesh.higher_face(e), e);
     }
-    double length(std::size_t e) const { return m_mesh.length(e); }
-    Double_3 area_vector(std::size_t f) const { return m_mesh.area(f) * m_mesh.normal(f); }
+    double length(std::size_t, std::size_t e) const { return m_mesh.length(e); }
 
   private:
+    std::size_t edges_in_range() const
+    {
+      constexpr std::size_t for_threads = std::size_t(1) << 16;
+      return Execution<ConcurrencyTag>::is_parallel ? for_threads : (std::max)(m_mesh.number_of_edges(), std::size_t(1));
+    }
+
     const Flat_mesh& m_mesh;
   };
 
@@ -90,38 +102,43 @@ private:
   class Joined
   {
   public:
-    explicit Joined(const Patch_builder& builder) : m_builder(builder) {}
+    explicit Joined(const Patch_builder& builder) : m_builder(builder), m_faces(builder.m_mesh) {}
     std::size_t size() const { return m_builder.m_patches.size(); }
     double area(std::size_t p) const { return m_builder.m_patches[p].area; }
     const Double_3& centroid(std::size_t p) const { return m_builder.m_patches[p].centroid; }
     const Double_3& normal(std::size_t p) const { return m_builder.m_patches[p].normal; }
-    template <typename F>
-    void for_each_adjacency(const F& f) const
-    {
-      if (m_builder.m_rounds.size() > 1) {
-        const Large_array<Adjacency>& adjacencies = m_builder.m_adjacencies;
-        for (std::size_t i = 0; i < adjacencies.size(); ++i)
-          f(adjacencies[i].lower, adjacencies[i].higher, i);
-        return;
-      }
-      const Partition& patch_of = m_builder.m_rounds.front();
-      Faces(m_builder.m_mesh).for_each_adjacency([&](Index lower, Index higher, std::size_t e) {
-        const Index a = patch_of[lower], b = patch_of[higher];
-        if (a != b)
-          f((std::min)(a, b), (std::max)(a, b), e);
-      });
-    }
-    double length(std::size_t i) const
-    {
-      return m_builder.m_rounds.size() > 1 ? m_builder.m_adjacencies[i].length : m_builder.m_mesh.length(i);
-    }
     Double_3 area_vector(std::size_t p) const
     {
       return m_builder.m_projected_areas[p] * m_builder.m_patches[p].normal;
     }
 
+    std::size_t number_of_ranges() const { return m_faces.number_of_ranges(); }
+    template <typename F>
+    void for_each_adjacency(std::size_t range, const F& f) const
+    {
+      if (are_stored()) {
+        const Large_array<Adjacency>& adjacencies = m_builder.m_adjacencies[range];
+        for (std::size_t i = 0; i < adjacencies.size(); ++i)
+          f(adjacencies[i].lower, adjacencies[i].higher, i);
+        return;
+      }
+      const Partition& patch_of = m_builder.m_rounds.front();
+      m_faces.for_each_adjacency(range, [&](Index lower, Index higher, std::size_t e) {
+        const Index a = patch_of[lower], b = patch_of[higher];
+        if (a != b)
+          f((std::min)(a, b), (std::max)(a, b), e);
+      });
+    }
+    double length(std::size_t range, std::size_t i) const
+    {
+      return are_stored() ? m_builder.m_adjacencies[range][i].length : m_faces.length(range, i);
+    }
+
   private:
+    bool are_stored() const { return m_builder.m_rounds.size() > 1; }
+
     const Patch_builder& m_builder;
+    const Faces m_faces;
   };
 
   void join_faces()
@@ -148,15 +165,33 @@ private:
   template <typename Patches>
   Partition select(const Patches& patches) const
   {
-    return Patch_selection(patches, m_maximum_area, m_unit, Mesh_patches::deviation_weight).joined();
+    return Patch_selection<ConcurrencyTag>(patches, m_maximum_area, m_unit, Mesh_patches::deviation_weight).joined();
+  }
+
+  /// Calls `f(part, element)` for all elements; those of a part in order, by one thread. Each thread has some of the parts, and looks at all
+  /// elements from the first on that may be in them.
+  template <typename F>
+  static void for_each_in_part(const Partition& partition, const F& f)
+  {
+    const std::size_t parts = partition.number_of_parts();
+    const std::size_t size = number_of_blocks(parts, parts_for_threads<ConcurrencyTag>());
+    for_each_block_of<ConcurrencyTag>(0, parts_for_threads<ConcurrencyTag>(), [&](std::size_t range) {
+      const std::size_t first = range * size;
+      for (std::size_t i = first; i < partition.size(); ++i) // no part is above its first element
+        if (partition[i] - first < size)
+          f(partition[i], i);
+    });
   }
 
   template <typename Patches>
   void replace_patches(const Patches& patches, const Partition& joined)
   {
-    Large_array<Patch> result(joined.number_of_parts(), Patch{{0, 0, 0}, {0, 0, 0}, 0, none});
-    for (std::size_t p = 0; p < joined.size(); ++p) {
-      Patch& patch = result[joined[p]];
+    Large_array<Patch> result(joined.number_of_parts());
+    Large_array<double> projected_areas(result.size());
+    for_each_index<ConcurrencyTag>(
+      result.size(), [&](std::size_t p) { result[p] = {{0, 0, 0}, {0, 0, 0}, 0, none}; });
+    for_each_in_part(joined, [&](Index part, std::size_t p) {
+      Patch& patch = result[part];
       const double area = patches.area(p);
       // Relative to the first of them, to avoid cancellation far from the origin.
       if (patch.face == none)
@@ -164,15 +199,13 @@ private:
       patch.centroid = patch.centroid + area * (patches.centroid(p) - patches.centroid(patch.face));
       patch.normal = patch.normal + patches.area_vector(p);
       patch.area += area;
-    }
-    Large_array<double> projected_areas;
-    projected_areas.reserve(result.size());
-    for (Patch& patch : result) {
-      const double length = norm(patch.normal);
-      projected_areas.push_back(length);
-      patch.normal = length > 0 ? (1 / length) * patch.normal : Double_3{0, 0, 0};
+    });
+    for_each_index<ConcurrencyTag>(result.size(), [&](std::size_t p) {
+      Patch& patch = result[p];
+      projected_areas[p] = norm(patch.normal);
+      patch.normal = projected_areas[p] > 0 ? (1 / projected_areas[p]) * patch.normal : Double_3{0, 0, 0};
       patch.centroid = patches.centroid(patch.face) + (patch.area > 0 ? 1 / patch.area : 0) * patch.centroid;
-    }
+    });
     m_patches = std::move(result);
     m_projected_areas = std::move(projected_areas);
   }
@@ -182,14 +215,18 @@ private:
   void replace_adjacencies(std::size_t number_of_parts, const PartOf& part_of)
   {
     const Joined patches(*this);
-    Large_array<Adjacency> adjacencies;
-    adjacencies.reserve(4 * number_of_parts); // usually enough
-    patches.for_each_adjacency([&](Index lower, Index higher, std::size_t i) {
-      const Index a = part_of(lower), b = part_of(higher);
-      if (a != b)
-        adjacencies.push_back({(std::min)(a, b), (std::max)(a, b), patches.length(i)});
+    std::vector<Large_array<Adjacency>> result(patches.number_of_ranges());
+    for_each_block_of<ConcurrencyTag>(0, result.size(), [&](std::size_t range) {
+      Large_array<Adjacency> adjacencies;
+      adjacencies.reserve(4 * number_of_parts / result.size()); // usually enough
+      patches.for_each_adjacency(range, [&](Index lower, Index higher, std::size_t i) {
+        const Index a = part_of(lower), b = part_of(higher);
+        if (a != b)
+          adjacencies.push_back({(std::min)(a, b), (std::max)(a, b), patches.length(range, i)});
+      });
+      result[range] = std::move(adjacencies);
     });
-    m_adjacencies = std::move(adjacencies);
+    m_adjacencies = std::move(result);
   }
 
   Mesh_patches finish()
@@ -197,15 +234,16 @@ private:
     if (m_rounds.size() == 1)
       replace_adjacencies(m_patches.size(), [](Index patch) { return patch; });
     compose_rounds();
-    unite_adjacencies();
     set_faces();
     Mesh_patches result;
+    result.m_adjacencies = united_adjacencies();
     result.m_of_faces = std::move(m_rounds.front());
     result.m_patches = std::move(m_patches);
-    result.m_adjacencies = std::move(m_adjacencies);
-    result.m_concave_deviations.reserve(result.m_adjacencies.size());
-    for (const Adjacency& a : result.m_adjacencies)
-      result.m_concave_deviations.push_back(concave_deviation(result.m_patches[a.lower], result.m_patches[a.higher]));
+    result.m_concave_deviations.resize(result.m_adjacencies.size());
+    for_each_index<ConcurrencyTag>(result.m_adjacencies.size(), [&](std::size_t i) {
+      const Adjacency& a = result.m_adjacencies[i];
+      result.m_concave_deviations[i] = concave_deviation(result.m_patches[a.lower], result.m_patches[a.higher]);
+    });
     return result;
   }
 
@@ -220,43 +258,47 @@ private:
   }
 
   /// One for each two patches, sorted.
-  void unite_adjacencies()
+  Large_array<Adjacency> united_adjacencies()
   {
-    std::vector<std::pair<std::uint64_t, std::uint32_t>> keys;
-    keys.reserve(m_adjacencies.size());
-    for (const Adjacency& a : m_adjacencies)
-      keys.push_back({(std::uint64_t(a.lower) << 32) | a.higher, std::uint32_t(keys.size())});
-    boost::sort::spreadsort::integer_sort(
-      keys.begin(), keys.end(), [](const auto& key, unsigned offset) { return key.first >> offset; });
+    Grouped_items<Adjacency> by_lower(m_patches.size());
+    for (const Large_array<Adjacency>& range : m_adjacencies)
+      for (const Adjacency& a : range)
+        by_lower.count(a.lower);
+    by_lower.end_counting();
+    for (const Large_array<Adjacency>& range : m_adjacencies)
+      for (const Adjacency& a : range)
+        by_lower.add(a.lower, a);
+    m_adjacencies.clear();
+    for_each_index<ConcurrencyTag>(m_patches.size(), [&](std::size_t p) {
+      std::stable_sort(by_lower[p].begin(), by_lower[p].end(),
+                       [](const Adjacency& a, const Adjacency& b) { return a.higher < b.higher; });
+    });
     Large_array<Adjacency> united;
-    united.reserve(keys.size());
-    for (const auto& key : keys) {
-      const Adjacency& a = m_adjacencies[key.second];
+    united.reserve(by_lower.all().size());
+    for (const Adjacency& a : by_lower.all())
       if (!united.empty() && united.back().lower == a.lower && united.back().higher == a.higher)
         united.back().length += a.length;
       else
         united.push_back(a);
-    }
-    m_adjacencies = std::move(united);
+    return united;
   }
 
   /// The face of each patch nearest to its centroid, a degenerate one only if there is no other.
   void set_faces()
   {
     constexpr double infinite = std::numeric_limits<double>::infinity();
-    const Partition& patch_of = m_rounds.front();
     std::vector<double> distances(m_patches.size(), infinite);
     for (Patch& patch : m_patches)
       patch.face = none;
-    for (std::size_t f = 0; f < m_mesh.number_of_faces(); ++f) {
-      Patch& patch = m_patches[patch_of[f]];
+    for_each_in_part(m_rounds.front(), [&](Index part, std::size_t f) {
+      Patch& patch = m_patches[part];
       const double distance =
         m_mesh.is_degenerate(f) ? infinite : squared_norm(m_mesh.centroid(f) - patch.centroid);
-      if (distance < distances[patch_of[f]] || patch.face == none) {
-        distances[patch_of[f]] = distance;
+      if (distance < distances[part] || patch.face == none) {
+        distances[part] = distance;
         patch.face = Index(f);
       }
-    }
+    });
   }
 
   static double concave_deviation(const Patch& a, const Patch& b)
@@ -274,7 +316,8 @@ private:
   std::vector<Partition> m_rounds; // of the faces, then of the patches of the round before
   Large_array<Patch> m_patches;
   Large_array<double> m_projected_areas; // of each patch on the plane of its normal: the length of its area vector
-  Large_array<Adjacency> m_adjacencies; // from the second round on; several between two patches, until the end
+  /// By range of edges of the mesh, from the second round on; several between two patches, until the end.
+  std::vector<Large_array<Adjacency>> m_adjacencies;
 };
 
 } // namespace internal

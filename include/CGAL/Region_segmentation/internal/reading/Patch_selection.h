@@ -7,8 +7,10 @@
 #include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/internal/support/Float_key.h>
 #include <CGAL/Region_segmentation/internal/support/Large_array.h>
+#include <CGAL/Region_segmentation/internal/support/Lowest_keys.h>
+#include <CGAL/Region_segmentation/internal/support/blocks.h>
 
-#include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -26,42 +28,53 @@ namespace internal {
 ///
 ///       depth  0  1  2  3  4
 ///              o--o  o--o--o      the last one is a leaf
+///
+/// Threads read what others write only where the order does not matter: the lowest step of a patch, and the parity of its
+/// depth, which is the same whoever finds it.
+template <typename ConcurrencyTag>
 class Patch_selection
 {
   using Index = Partition::Index;
 
 public:
-  /// `Patches`: `size()`, `area(i)`, `centroid(i)`, `normal(i)`, `for_each_adjacency(f)` with `f(lower, higher, ...)`
+  /// `Patches`: `size()`, `area(i)`, `centroid(i)`, `normal(i)`, `number_of_ranges()` of adjacencies,
+  /// `for_each_adjacency(range, f)` with `f(lower, higher, ...)`
   template <typename Patches>
   Patch_selection(const Patches& patches, double maximum_area, double unit, double deviation_weight)
-    : m_selected(patches.size())
+    : m_parents(patches.size())
   {
-    // The steps and the other patches; the lowest is selected without a branch, which would be mispredicted often.
-    Large_array<Float_key> selections(patches.size());
-    for (std::size_t i = 0; i < selections.size(); ++i)
-      selections[i] = make_float_key(unselected, Index(i));
+    Lowest_keys<ConcurrencyTag> selections(patches.size()); // the steps and the other patches
+    for_each_index<ConcurrencyTag>(
+      patches.size(), [&](std::size_t i) { selections.set(i, make_float_key(unselected, Index(i))); });
     const double scale = 1 / unit;
-    patches.for_each_adjacency([&](Index a, Index b, std::size_t) {
-      if (!(patches.area(a) + patches.area(b) <= maximum_area))
-        return;
-      const float step = float(scale * norm(patches.centroid(a) - patches.centroid(b)) +
-                               deviation_weight * norm(patches.normal(a) - patches.normal(b)));
-      selections[a] = (std::min)(selections[a], make_float_key(step, b));
-      selections[b] = (std::min)(selections[b], make_float_key(step, a));
+    for_each_block_of<ConcurrencyTag>(0, patches.number_of_ranges(), [&](std::size_t range) {
+      patches.for_each_adjacency(range, [&](Index a, Index b, std::size_t) {
+        if (!(patches.area(a) + patches.area(b) <= maximum_area))
+          return;
+        const float step = float(scale * norm(patches.centroid(a) - patches.centroid(b)) +
+                                 deviation_weight * norm(patches.normal(a) - patches.normal(b)));
+        selections.offer(a, make_float_key(step, b));
+        selections.offer(b, make_float_key(step, a));
+      });
     });
-    for (std::size_t i = 0; i < selections.size(); ++i)
-      m_selected[i] = index_of(selections[i]);
-    make_roots(patches);
+    // Of two patches that select each other, the larger one is a root; of equal ones, the lower one.
+    for_each_index<ConcurrencyTag>(patches.size(), [&](std::size_t i) {
+      const Index j = index_of(selections[i]);
+      const bool is_root = index_of(selections[j]) == i &&
+                           (i < j ? !(patches.area(j) > patches.area(i)) : patches.area(i) > patches.area(j));
+      m_parents[i] = is_root ? Index(i) : j;
+    });
   }
 
   /// The partition of the patches into those that are joined.
-  Partition joined() const
+  Partition joined() &&
   {
-    const std::vector<std::uint8_t> state = states();
-    std::vector<Index> part_of(m_selected.size(), none);
+    Large_array<Index> roots = find_roots();
+    m_parents = Large_array<Index>(); // its memory is needed
+    std::vector<Index> part_of(roots.size(), none);
     Index number_of_parts = 0;
-    for (std::size_t i = 0; i < m_selected.size(); ++i) {
-      Index& part = part_of[root(Index(i), state)];
+    for (std::size_t i = 0; i < roots.size(); ++i) {
+      Index& part = part_of[roots[i]];
       const bool is_new = part == none; // unpredictable
       part = is_new ? number_of_parts : part;
       number_of_parts += is_new;
@@ -73,47 +86,51 @@ public:
 private:
   static constexpr Index none = (std::numeric_limits<Index>::max)();
   static constexpr float unselected = std::numeric_limits<float>::infinity();
-  enum State : std::uint8_t { IS_KNOWN = 1, IS_ODD = 2, HAS_CHILD = 4 };
 
-  /// Of two patches that select each other, the larger one is a root: it selects itself; of equal ones, the lower one.
-  template <typename Patches>
-  void make_roots(const Patches& patches)
+  /// What is known of the depth of a patch.
+  enum Parity : std::uint8_t { UNKNOWN, EVEN, ODD };
+
+  /// The patch that keeps what each patch is joined to.
+  Large_array<Index> find_roots() const
   {
-    for (std::size_t i = 0; i < m_selected.size(); ++i)
-      if (const Index j = m_selected[i]; j > i && m_selected[j] == i) {
-        const Index larger = patches.area(j) > patches.area(i) ? j : Index(i);
-        m_selected[larger] = larger;
+    std::vector<std::atomic<bool>> has_child(m_parents.size());
+    std::vector<std::atomic<std::uint8_t>> parities(m_parents.size()); // UNKNOWN
+    for_each_block(Execution<ConcurrencyTag>(), m_parents.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
+      std::vector<Index> path;
+      for (std::size_t i = begin; i < end; ++i) {
+        if (m_parents[i] != i)
+          has_child[m_parents[i]].store(true, std::memory_order_relaxed);
+        find_parity(Index(i), parities, path);
       }
+    });
+    Large_array<Index> roots(m_parents.size());
+    for_each_index<ConcurrencyTag>(roots.size(), [&](std::size_t i) {
+      const Index parent = m_parents[i], grandparent = m_parents[parent];
+      const Index of_even = has_child[i].load(std::memory_order_relaxed) ? Index(i) : grandparent;
+      roots[i] = parities[i].load(std::memory_order_relaxed) == ODD ? parent : of_even;
+    });
+    return roots;
   }
 
-  /// The parity of the depth of each patch, and whether it is a leaf.
-  std::vector<std::uint8_t> states() const
+  /// Sets the parity of a patch, and of those above it. `path`: is empty, before and after
+  void find_parity(Index i, std::vector<std::atomic<std::uint8_t>>& parities, std::vector<Index>& path) const
   {
-    std::vector<std::uint8_t> state(m_selected.size(), 0);
-    std::vector<Index> path;
-    for (std::size_t i = 0; i < state.size(); ++i) {
-      if (m_selected[i] != i)
-        state[m_selected[i]] |= HAS_CHILD;
-      Index p = Index(i);
-      for (; !(state[p] & IS_KNOWN) && m_selected[p] != p; p = m_selected[p])
-        path.push_back(p);
-      state[p] |= IS_KNOWN;
-      for (std::uint8_t parity = state[p] & IS_ODD; !path.empty(); path.pop_back()) {
-        parity ^= IS_ODD;
-        state[path.back()] |= IS_KNOWN | parity;
+    std::uint8_t parity = parities[i].load(std::memory_order_relaxed);
+    for (; parity == UNKNOWN; parity = parities[i].load(std::memory_order_relaxed)) {
+      path.push_back(i);
+      if (m_parents[i] == i) {
+        parity = ODD; // of what would be above the root
+        break;
       }
+      i = m_parents[i];
     }
-    return state;
+    for (; !path.empty(); path.pop_back()) {
+      parity = parity == ODD ? EVEN : ODD;
+      parities[path.back()].store(parity, std::memory_order_relaxed);
+    }
   }
 
-  Index root(Index i, const std::vector<std::uint8_t>& state) const
-  {
-    const Index parent = m_selected[i], grandparent = m_selected[parent];
-    const Index of_even = state[i] & HAS_CHILD ? i : grandparent;
-    return state[i] & IS_ODD ? parent : of_even;
-  }
-
-  Large_array<Index> m_selected; // by patch; itself: a root
+  Large_array<Index> m_parents; // by patch: the one it selected; itself: a root
 };
 
 } // namespace internal

@@ -48,10 +48,9 @@ void for_each_block_of(std::size_t first, std::size_t last, const F& f)
     f(block);
 }
 
-/// The least number of blocks between two reports of progress: threads wait for each other there. (With one range of blocks
-/// for each report, a visitor would undo the gain of two threads.)
+/// How many parts work should be divided into at least, so that all threads are busy.
 template <typename ConcurrencyTag>
-std::size_t least_blocks_between_reports()
+std::size_t parts_for_threads()
 {
 #ifdef CGAL_LINKED_WITH_TBB
   if constexpr (Execution<ConcurrencyTag>::is_parallel)
@@ -62,6 +61,9 @@ std::size_t least_blocks_between_reports()
 
 /// Calls `f(block, begin, end)` for every block of the elements 0 .. n-1, in order or in parallel, and reports progress
 /// in between. Expensive elements use blocks of another size.
+///
+/// Threads wait for each other at a report. (With one range of blocks for each report, a visitor would undo the gain of two
+/// threads.)
 template <typename ConcurrencyTag, typename F>
 void for_each_block(const Execution<ConcurrencyTag>& execution, std::size_t number_of_elements, const F& f,
                     std::size_t size = block_size)
@@ -74,7 +76,7 @@ void for_each_block(const Execution<ConcurrencyTag>& execution, std::size_t numb
   constexpr std::size_t number_of_reports = 50;
   const std::size_t between_reports =
     execution.has_visitor()
-      ? (std::max)(number / number_of_reports + 1, least_blocks_between_reports<ConcurrencyTag>())
+      ? (std::max)(number / number_of_reports + 1, parts_for_threads<ConcurrencyTag>())
       : number;
   for (std::size_t first = 0; first < number;) {
     const std::size_t last = (std::min)(first + between_reports, number);
@@ -82,6 +84,16 @@ void for_each_block(const Execution<ConcurrencyTag>& execution, std::size_t numb
     execution.report(double(last) / double(number));
     first = last;
   }
+}
+
+/// Calls `f(i)` for 0 .. n-1, in order or in parallel.
+template <typename ConcurrencyTag, typename F>
+void for_each_index(std::size_t n, const F& f)
+{
+  for_each_block(Execution<ConcurrencyTag>(), n, [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      f(i);
+  });
 }
 
 } // namespace internal
