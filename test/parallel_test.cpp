@@ -110,7 +110,7 @@ TEST_P(Parallel_test, two_step_gives_the_same_bits)
   }
 }
 
-/// What is known of every dual edge, and every corner.
+/// What is known of every dual edge, every corner, and the patches.
 template <typename ConcurrencyTag, typename Parameters>
 std::vector<double> numbers_read(const Surface_mesh& mesh, const Parameters& np)
 {
@@ -129,6 +129,17 @@ std::vector<double> numbers_read(const Surface_mesh& mesh, const Parameters& np)
   }
   for (std::size_t v = 0; v < flat.points().number_of_points(); ++v)
     add(flat.points()[v]);
+  const RS::Mesh_patches& patches = flat.patches();
+  result.insert(result.end(), patches.of_faces().begin(), patches.of_faces().end());
+  for (std::size_t p = 0; p < patches.size(); ++p) {
+    add(patches[p].centroid);
+    add(patches[p].normal);
+    result.insert(result.end(), {patches[p].area, double(patches[p].face)});
+  }
+  for (std::size_t i = 0; i < patches.adjacencies().size(); ++i) {
+    const auto& adjacency = patches.adjacencies()[i];
+    result.insert(result.end(), {double(adjacency.lower), double(adjacency.higher), adjacency.length, patches.concave_deviation(i)});
+  }
   return result;
 }
 

@@ -257,22 +257,23 @@ private:
     }
   }
 
-  /// One for each two patches, sorted.
+  /// One for each two patches, sorted: a radix sort of two digits, since the order of those to be summed must be kept.
   Large_array<Adjacency> united_adjacencies()
   {
-    Grouped_items<Adjacency> by_lower(m_patches.size());
+    Grouped_items<Adjacency> by_higher(m_patches.size()), by_lower(m_patches.size());
     for (const Large_array<Adjacency>& range : m_adjacencies)
-      for (const Adjacency& a : range)
+      for (const Adjacency& a : range) {
+        by_higher.count(a.higher);
         by_lower.count(a.lower);
-    by_lower.end_counting();
+      }
+    by_higher.end_counting();
     for (const Large_array<Adjacency>& range : m_adjacencies)
       for (const Adjacency& a : range)
-        by_lower.add(a.lower, a);
+        by_higher.add(a.higher, a);
     m_adjacencies.clear();
-    for_each_index<ConcurrencyTag>(m_patches.size(), [&](std::size_t p) {
-      std::stable_sort(by_lower[p].begin(), by_lower[p].end(),
-                       [](const Adjacency& a, const Adjacency& b) { return a.higher < b.higher; });
-    });
+    by_lower.end_counting();
+    for (const Adjacency& a : by_higher.all())
+      by_lower.add(a.lower, a);
     Large_array<Adjacency> united;
     united.reserve(by_lower.all().size());
     for (const Adjacency& a : by_lower.all())
