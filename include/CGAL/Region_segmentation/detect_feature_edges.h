@@ -4,7 +4,6 @@
 #define CGAL_REGION_SEGMENTATION_DETECT_FEATURE_EDGES_H
 
 #include <CGAL/Region_segmentation/Feature_convexity.h>
-#include <CGAL/Region_segmentation/internal/reading/Edge_constraints.h>
 #include <CGAL/Region_segmentation/internal/reading/Face_normals.h>
 #include <CGAL/Region_segmentation/internal/reading/write_maps.h>
 #include <CGAL/Region_segmentation/internal/regions/Feature_criterion.h>
@@ -85,9 +84,8 @@ std::size_t detect_feature_edges(const FaceGraph& mesh, EdgeIsFeatureMap edge_is
   internal::check_parameters<std::decay_t<decltype(pack)>, internal::Feature_edge_parameters>();
   const auto traversal = internal::make_mesh_traversal(mesh, pack);
   const internal::Face_normals normals(traversal, pack, internal::make_execution<ConcurrencyTag>(pack, "reading"));
-  const internal::Edge_constraints<FaceGraph, std::decay_t<decltype(pack)>> is_constrained(pack);
   const internal::Feature_criterion criterion(internal::maximum_angle(pack), internal::feature_convexity(pack));
-  const auto is_feature = internal::mark_features_of_mesh(traversal, normals, is_constrained, criterion,
+  const auto is_feature = internal::mark_features_of_mesh(traversal, normals, pack, criterion,
                                                           internal::make_execution<ConcurrencyTag>(pack, "features"));
   return internal::write_edge_map(mesh, edge_is_feature_map, [&](std::size_t rank) { return is_feature[rank] != 0; });
 }

@@ -18,10 +18,10 @@ namespace internal {
 /// O(F).
 template <typename ConcurrencyTag, typename FaceGraph, typename Pack>
 Edge_marks mark_features_of_mesh(const Mesh_traversal<FaceGraph, Pack>& traversal,
-                                 const Face_normals<FaceGraph, Pack>& normals,
-                                 const Edge_constraints<FaceGraph, Pack>& is_constrained,
+                                 const Face_normals<FaceGraph, Pack>& normals, const Pack& np,
                                  const Feature_criterion& criterion, const Execution<ConcurrencyTag>& execution)
 {
+  const Edge_constraints<FaceGraph, Pack> is_constrained(np);
   Edge_marks is_feature(num_edges(traversal.mesh()));
   for_each_edge(traversal, execution, [&](const auto& e) {
     bool is_wanted = e.is_border();
