@@ -5,7 +5,7 @@
 
 #include <CGAL/Region_segmentation/detect_feature_edges.h>
 #include <CGAL/Region_segmentation/grow_regions.h>
-#include <CGAL/Region_segmentation/internal/regions/label_components.h>
+#include <CGAL/Region_segmentation/internal/support/label_components.h>
 #include <CGAL/Region_segmentation/read_flat_mesh.h>
 
 #include <gtest/gtest.h>
@@ -152,7 +152,8 @@ Labels labels_on_flat_mesh(const Soup& soup, const std::set<Edge>& features, con
   traversal.for_each_dual_edge([&](auto h, std::size_t e) {
     marks[e] = get(is_feature, edge(h, mesh)) || flat.has_flag(e, RS::Flat_mesh::CONSTRAINED);
   });
-  const RS::Partition regions = RS::internal::label_components(flat, marks, RS::Execution<>());
+  const auto joins = [&](std::size_t e) { return !marks[e] && !flat.has_flag(e, RS::Flat_mesh::CLOSED); };
+  const RS::Partition regions = RS::internal::label_components(flat, joins, RS::Execution<>());
   return Labels(regions.begin(), regions.end());
 }
 

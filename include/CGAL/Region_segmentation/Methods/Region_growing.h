@@ -7,8 +7,8 @@
 #include <CGAL/Region_segmentation/Feature_convexity.h>
 #include <CGAL/Region_segmentation/Flat_mesh.h>
 #include <CGAL/Region_segmentation/Partition.h>
-#include <CGAL/Region_segmentation/internal/regions/label_components.h>
 #include <CGAL/Region_segmentation/internal/regions/mark_feature_edges.h>
+#include <CGAL/Region_segmentation/internal/support/label_components.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/tags.h>
@@ -40,7 +40,8 @@ struct Region_growing
     CGAL_precondition_msg(maximum_angle >= 0 && maximum_angle <= 180, "maximum_angle is in [0, 180] degrees");
     const internal::Feature_criterion criterion(maximum_angle, feature_convexity);
     const auto is_feature = internal::mark_feature_edges(mesh, criterion, execution.step(0, 0.5));
-    return internal::label_components(mesh, is_feature, execution.step(0.5, 1));
+    const auto joins = [&](std::size_t e) { return !is_feature[e] && !mesh.has_flag(e, Flat_mesh::CLOSED); };
+    return internal::label_components(mesh, joins, execution.step(0.5, 1));
   }
 };
 

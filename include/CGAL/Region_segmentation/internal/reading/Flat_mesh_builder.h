@@ -10,8 +10,8 @@
 #include <CGAL/Region_segmentation/internal/reading/Patch_builder.h>
 #include <CGAL/Region_segmentation/internal/reading/Signed_volumes.h>
 #include <CGAL/Region_segmentation/internal/reading/normals.h>
-#include <CGAL/Region_segmentation/internal/support/Lowest_root_forest.h>
 #include <CGAL/Region_segmentation/internal/support/blocks.h>
+#include <CGAL/Region_segmentation/internal/support/label_components.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -155,12 +155,11 @@ public:
   double volume() const { return m_volumes.sum(); }
 
   /// Turns the closed components that are inside out; faces at borders are marked.
+  template <typename ConcurrencyTag>
   void turn_components()
   {
-    Lowest_root_forest components(m_flat.number_of_faces());
-    for (std::size_t e = 0; e < m_flat.number_of_edges(); ++e)
-      components.unite(m_flat.lower_face(e), m_flat.higher_face(e));
-    turn(m_volumes.faces_inside_out(components.take_partition()));
+    turn(m_volumes.faces_inside_out(
+      label_components(m_flat, [](std::size_t) { return true; }, Execution<ConcurrencyTag>())));
   }
 
   /// `execution`: for the patches, if they are wanted

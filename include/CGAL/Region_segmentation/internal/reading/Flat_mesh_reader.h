@@ -170,7 +170,7 @@ private:
       return;
     if (!is_closed)
       mark_open_faces();
-    m_builder.turn_components();
+    m_builder.template turn_components<ConcurrencyTag>();
   }
 
   void mark_open_faces()

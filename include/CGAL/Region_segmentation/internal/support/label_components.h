@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_REGIONS_LABEL_COMPONENTS_H
-#define CGAL_REGION_SEGMENTATION_INTERNAL_REGIONS_LABEL_COMPONENTS_H
+#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_SUPPORT_LABEL_COMPONENTS_H
+#define CGAL_REGION_SEGMENTATION_INTERNAL_SUPPORT_LABEL_COMPONENTS_H
 
 #include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/Flat_mesh.h>
 #include <CGAL/Region_segmentation/Partition.h>
-#include <CGAL/Region_segmentation/internal/support/Edge_marks.h>
 #include <CGAL/Region_segmentation/internal/support/Lowest_root_forest.h>
 #include <CGAL/Region_segmentation/internal/support/blocks.h>
 
@@ -17,13 +16,12 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// The connected components of the faces across edges that are neither marked nor closed by a
-/// degenerate face. O(F) in practice (inverse Ackermann is replaced by a logarithm at worst).
+/// The connected components of the faces across the dual edges `joins(edge)`. O(F) in practice (inverse Ackermann is
+/// replaced by a logarithm at worst).
 ///
 /// In parallel each thread unites the faces of its own range; edges between ranges are processed afterwards.
-template <typename ConcurrencyTag>
-Partition label_components(const Flat_mesh& flat, const Edge_marks& is_feature,
-                           const Execution<ConcurrencyTag>& execution)
+template <typename Joins, typename ConcurrencyTag>
+Partition label_components(const Flat_mesh& flat, const Joins& joins, const Execution<ConcurrencyTag>& execution)
 {
   using Index = Flat_mesh::Index;
   constexpr std::size_t size_of_range = blocks_in_range * block_size;
@@ -41,7 +39,7 @@ Partition label_components(const Flat_mesh& flat, const Edge_marks& is_feature,
         const Index lower = flat.lower_face(e), higher = flat.higher_face(e);
         root = higher == face ? root : higher;
         face = higher;
-        if (is_feature[e] || flat.has_flag(e, Flat_mesh::CLOSED))
+        if (!joins(e))
           continue;
         if (lower >= first_of_range)
           root = forest.unite_with_root(root, lower);
@@ -60,4 +58,4 @@ Partition label_components(const Flat_mesh& flat, const Edge_marks& is_feature,
 } // namespace Region_segmentation
 } // namespace CGAL
 
-#endif // CGAL_REGION_SEGMENTATION_INTERNAL_REGIONS_LABEL_COMPONENTS_H
+#endif // CGAL_REGION_SEGMENTATION_INTERNAL_SUPPORT_LABEL_COMPONENTS_H
