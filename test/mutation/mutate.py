@@ -400,9 +400,18 @@ def tests_of_headers():
             for name in re.findall(r"[\w/]+_test\.cpp", re.search(start + r"(.*?)\)", text, re.S).group(1))]
 
 
+def together(work, tests):
+    """Translation units of up to nine files, which instantiate the same templates (see test/CMakeLists.txt)."""
+    number = -(-len(tests) // 9)
+    sources = [work / ("unit_%d.cpp" % i) for i in range(number)]
+    for i, source in enumerate(sources):
+        source.write_text("".join('#include "%s"\n' % path for path in tests[i::number]))
+    return sources
+
+
 def limit_memory():
     import resource
-    resource.setrlimit(resource.RLIMIT_AS, (4 << 30, 4 << 30))
+    resource.setrlimit(resource.RLIMIT_AS, (8 << 30, 8 << 30))
 
 
 def main():
@@ -436,8 +445,9 @@ def main():
     print("seed %d: %d of %d possible sites" % (options.seed, len(sites), possible), flush=True)
 
     names = options.tests or tests_of_headers()
-    sources = [ROOT / "test" / name for name in names + ["meshes.cpp", "oracles.cpp"]]
-    record = Record(options, key_of(options, sources))
+    tests = [ROOT / "test" / name for name in names + ["meshes.cpp", "oracles.cpp"]]
+    record = Record(options, key_of(options, tests))
+    sources = together(options.work, tests)
     sites = [s for s in sites if record.results.get(s.number) != Record.NOT_COMPILED]
     to_compile = sources
     for _ in range(6):
