@@ -156,6 +156,12 @@ TEST(Ray_tree_test, finds_what_a_look_at_every_triangle_finds)
   }
 }
 
+TEST(Ray_tree_test, finds_them_in_subtrees_of_many_boxes)
+{
+  for (const Soup& soup : {needles(6000, 1), triangulated(torus(150, 60))})
+    EXPECT_GT(compare_hits(soup, 1), 20u);
+}
+
 TEST(Ray_tree_test, finds_needles_up_to_their_tips)
 {
   const RS::Flat_mesh mesh = flat_mesh_of(needles(400, 1));

@@ -6,6 +6,7 @@
 #include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/Flat_mesh.h>
 #include <CGAL/Region_segmentation/internal/rays/Box_partition.h>
+#include <CGAL/Region_segmentation/internal/rays/Box_tree_builder.h>
 #include <CGAL/Region_segmentation/internal/rays/Float_4.h>
 #include <CGAL/Region_segmentation/internal/rays/Four_triangles.h>
 #include <CGAL/Region_segmentation/internal/rays/Patch_boxes.h>
@@ -21,7 +22,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <tuple>
 #include <vector>
 
 namespace CGAL {
@@ -64,9 +64,10 @@ public:
       return;
     Box_partition boxes = Patch_boxes::make<ConcurrencyTag>(mesh, m_leaves.triangles());
     execution.report(0.4);
-    const std::vector<Box_partition::Range> leaves = build(boxes, execution.step(0.4, 0.8));
+    Box_tree_builder builder(boxes, !m_leaves.are_stored(), execution.step(0.4, 0.8));
+    m_nodes = builder.take_nodes();
     if (m_leaves.are_stored())
-      m_leaves.store(mesh, boxes, leaves, execution.step(0.8, 1));
+      m_leaves.store(mesh, boxes, builder.take_leaves(), execution.step(0.8, 1));
     execution.report(1);
   }
 
@@ -90,22 +91,10 @@ public:
   Hit hit(const Ray& ray) const { return {ray.face, ray.face == no_face ? 0.0 : double(ray.distance) * m_unit}; }
 
 private:
-  static constexpr std::size_t width = 4; // children of a node
-  static_assert(width == Box_partition::leaf_size, "parts of this size are not split");
-  static constexpr int maximum_depth_of_cheap_splits = 48;
+  using Node = Box_node;
+  using Child = Node::Child;
+  static constexpr std::size_t width = Node::width;
   static constexpr std::size_t bundle_size = 18;
-  static constexpr std::size_t boxes_of_a_job = 4096;
-
-  /// Twice the index of a node, or twice that of a leaf plus one: of the patch, unless triangles are stored.
-  using Child = Index;
-  struct Node
-  {
-    std::array<Float_4_3, 2> bounds; // lower and upper ones; reversed for missing children
-    std::array<Child, width> child;
-  };
-
-  /// The most boxes of a leaf.
-  std::size_t leaf_size() const { return m_leaves.are_stored() ? width : 1; }
 
   /// A power of two, so that it does not change any rounding.
   template <typename ConcurrencyTag>
@@ -120,106 +109,6 @@ private:
     const double largest = squared.empty() ? 0 : *std::max_element(squared.begin(), squared.end());
     return std::ldexp(1.0, std::ilogb((std::max)(std::sqrt(largest), mesh.relative_unit())));
   }
-
-  /// Nodes, and leaves if their triangles are stored; children are numbered within them.
-  struct Subtree
-  {
-    std::vector<Node> nodes;
-    std::vector<Box_partition::Range> leaves;
-  };
-
-  /// A part of the boxes whose subtree is built by one thread.
-  struct Job
-  {
-    Part part;
-    int depth;
-    std::size_t parent, position; // among its children
-    Subtree tree;
-  };
-
-  /// Makes the nodes; returns the leaves, if their triangles are stored.
-  template <typename ConcurrencyTag>
-  std::vector<Box_partition::Range> build(Box_partition& boxes, const Execution<ConcurrencyTag>& execution)
-  {
-    Subtree whole;
-    std::vector<Job> jobs;
-    add_node(boxes, boxes.whole(), 0, whole, &jobs);
-    for_each_block(
-      execution, jobs.size(),
-      [&](std::size_t i, std::size_t, std::size_t) { add_node(boxes, jobs[i].part, jobs[i].depth, jobs[i].tree, nullptr); }, 1);
-    for (const Job& job : jobs)
-      whole.nodes[job.parent].child[job.position] = append(whole, job.tree);
-    m_nodes = std::move(whole.nodes);
-    return std::move(whole.leaves);
-  }
-
-  /// Returns its root.
-  Child append(Subtree& whole, const Subtree& tree) const
-  {
-    const Child first_node = Child(2 * whole.nodes.size()), first_leaf = Child(2 * whole.leaves.size());
-    for (Node node : tree.nodes) {
-      for (Child& child : node.child)
-        child += child % 2 == 0 ? first_node : first_leaf;
-      whole.nodes.push_back(node);
-    }
-    whole.leaves.insert(whole.leaves.end(), tree.leaves.begin(), tree.leaves.end());
-    return first_node;
-  }
-
-  /// Adds a node for a part, and its descendants; those of few boxes become jobs, if these are wanted.
-  Child add_node(Box_partition& boxes, const Part& part, int depth, Subtree& tree, std::vector<Job>* jobs) const
-  {
-    std::array<Part, width> parts{};
-    const std::size_t size = split(boxes, part, depth, parts);
-    const std::size_t n = tree.nodes.size();
-    tree.nodes.emplace_back();
-    for (std::size_t i = 0; i < width; ++i)
-      for (std::size_t k = 0; k < 3; ++k) {
-        tree.nodes[n].bounds[0][k][i] = parts[i].box.low[k];
-        tree.nodes[n].bounds[1][k][i] = parts[i].box.high[k];
-      }
-    for (std::size_t i = 0; i < size; ++i)
-      if (parts[i].size() <= leaf_size())
-        tree.nodes[n].child[i] = add_leaf(boxes, parts[i], tree);
-      else if (jobs && parts[i].size() <= boxes_of_a_job)
-        jobs->push_back({parts[i], depth + 1, n, i, {}});
-      else {
-        const Child child = add_node(boxes, parts[i], depth + 1, tree, jobs);
-        tree.nodes[n].child[i] = child;
-      }
-    return Child(2 * n);
-  }
-
-  Child add_leaf(const Box_partition& boxes, const Part& part, Subtree& tree) const
-  {
-    if (!m_leaves.are_stored())
-      return Child(2 * boxes.name(part.first) + 1);
-    tree.leaves.push_back(part);
-    return Child(2 * tree.leaves.size() - 1);
-  }
-
-  /// Splits a part for the children of a node; returns their number.
-  std::size_t split(Box_partition& boxes, const Part& part, int depth, std::array<Part, width>& parts) const
-  {
-    std::size_t size = 0;
-    if (leaf_size() == 1 && part.size() <= width) {
-      for (; size < part.size(); ++size)
-        parts[size] = boxes.single(part.first + size);
-      return size;
-    }
-    for (parts[size++] = part; size < width; ++size) {
-      const auto largest = std::max_element(parts.begin(), parts.begin() + std::ptrdiff_t(size), [](const Part& a, const Part& b) {
-        return area_to_split(a) < area_to_split(b);
-      });
-      if (largest->size() <= width)
-        break;
-      std::tie(*largest, parts[size]) =
-        depth < maximum_depth_of_cheap_splits ? boxes.split(*largest) : boxes.split_at_median(*largest);
-    }
-    return size;
-  }
-
-  static float area_to_split(const Part& part) { return part.size() > width ? part.box.half_area() : -1; }
 
   using Waiting = Float_key; // where the ray enters a box, and the child
   static constexpr Waiting never = Waiting(0x7f800000) << 32; // infinity
@@ -272,8 +161,8 @@ private:
   private:
     Slopes m_slopes;
     std::size_t m_size = 1;
-    // A node adds at most three waiting entries; below the cheap splits are halves, of at most 2^32.
-    std::array<Waiting, 3 * (maximum_depth_of_cheap_splits + 32)> m_waiting;
+    // A node adds at most three waiting entries.
+    std::array<Waiting, 3 * Box_tree_builder::maximum_depth> m_waiting;
   };
 
   void trace_bundle(const Flat_mesh& mesh, Ray* rays, std::size_t number) const
