@@ -84,6 +84,10 @@ TEST(Patch_boxes_test, slices_needles_and_nothing_else)
   // Wider ones where there are many needles: slices add at most 2^18 triangles.
   EXPECT_GT(number_of_boxes(flat_mesh_of(needles(20000, 1))), 20000u + (1u << 16));
   EXPECT_LE(number_of_boxes(flat_mesh_of(needles(20000, 1))), 20000u + (1u << 18));
+  // Much longer than the distances of centroids, which are the unit of slices.
+  const Soup needle{{{1e6, 1e6, 0}, {-1e6, -1e6, 0}, {0, 0, 1}}, {{0, 1, 2}}};
+  EXPECT_GT(number_of_boxes(flat_mesh_of(needle)), 16u);
+  EXPECT_LE(number_of_boxes(flat_mesh_of(needle)), 65u);
   for (const Soup& soup : {sphere(3), triangulated(torus(20, 10)), l_shape()}) {
     const RS::Flat_mesh mesh = flat_mesh_of(soup);
     EXPECT_EQ(number_of_boxes(mesh), mesh.patches().size());

@@ -54,7 +54,8 @@ private:
                                               // with angles of at least 10 degrees
   static constexpr std::uint32_t most_triangles = 64; // of a patch in slices: each of these tests all of them
   static constexpr float finest_slice = 1.f / 32; // of relative coordinates, which are of magnitude 1
-  static constexpr std::size_t triangles_to_add = std::size_t(1) << 18; // at least; or as many as there are
+  static constexpr std::size_t triangles_to_add = std::size_t(1) << 18; // at most; or as many as there are
+  static constexpr std::size_t slices_per_triangle = 64; // at most: as many as one as long as the surface has
 
   struct Extent
   {
@@ -108,7 +109,7 @@ private:
       std::size_t added = 0;
       for (const Extent& e : m_extents)
         added += (number_of_slices(e) - 1) * e.triangles;
-      if (added <= (std::max)(all, triangles_to_add))
+      if (added <= (std::min)((std::max)(all, triangles_to_add), slices_per_triangle * all))
         return;
     }
   }
