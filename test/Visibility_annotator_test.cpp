@@ -76,8 +76,8 @@ Soup needles(std::size_t number, unsigned seed)
 
 TEST(Patch_boxes_test, slices_needles_and_nothing_else)
 {
-  const auto number_of_boxes = [](const RS::Flat_mesh& mesh) {
-    const RS::internal::Patch_triangles triangles(mesh, mesh.centroid(0), 1);
+  const auto number_of_boxes = [](const RS::Flat_mesh& mesh, double scale = 1) {
+    const RS::internal::Patch_triangles triangles(mesh, mesh.centroid(0), scale);
     return RS::internal::Patch_boxes::make<CGAL::Sequential_tag>(mesh, triangles).size();
   };
   EXPECT_GT(number_of_boxes(flat_mesh_of(needles(100, 1))), 1000u);
@@ -87,7 +87,11 @@ TEST(Patch_boxes_test, slices_needles_and_nothing_else)
   // Much longer than the distances of centroids, which are the unit of slices.
   const Soup needle{{{1e6, 1e6, 0}, {-1e6, -1e6, 0}, {0, 0, 1}}, {{0, 1, 2}}};
   EXPECT_GT(number_of_boxes(flat_mesh_of(needle)), 16u);
-  EXPECT_LE(number_of_boxes(flat_mesh_of(needle)), 65u);
+  EXPECT_LE(number_of_boxes(flat_mesh_of(needle)), 128u);
+  // Of a length beyond any integer, in these units: neither patch is lost.
+  const Soup needles_apart{{{1, 1, 0}, {-1, -1, 0}, {0, 0, 1e-36}, {1e-18, 1e-18, 0}, {-1e-18, -1e-18, 0}, {0, 0, 1e-20}},
+                           {{0, 1, 2}, {3, 4, 5}}};
+  EXPECT_GT(number_of_boxes(flat_mesh_of(needles_apart), 1e18), 128u);
   for (const Soup& soup : {sphere(3), triangulated(torus(20, 10)), l_shape()}) {
     const RS::Flat_mesh mesh = flat_mesh_of(soup);
     EXPECT_EQ(number_of_boxes(mesh), mesh.patches().size());

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <cmath>
@@ -153,11 +154,43 @@ TEST_P(Parallel_test, reading_gives_the_same_bits)
   const auto np = RS::parameters::edge_is_constrained_map(
     boost::make_iterator_property_map(constrained.begin(), get(boost::edge_index, mesh)));
   const auto expected = numbers_read<CGAL::Sequential_tag>(mesh, np);
-  for (const std::size_t threads : {1, 3}) {
-    const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
-    EXPECT_TRUE(numbers_read<CGAL::Parallel_tag>(mesh, np) == expected)
+  for (const int threads : {1, 3}) {
+    tbb::task_arena arena(threads);
+    EXPECT_TRUE(arena.execute([&] { return numbers_read<CGAL::Parallel_tag>(mesh, np); }) == expected)
         << "seed " << GetParam() << ", " << threads << " threads";
   }
+}
+
+/// The hits of rays from some faces to others, in a tree that stores triangles or gathers them.
+template <typename ConcurrencyTag>
+std::vector<double> hits_found(const RS::Flat_mesh& mesh, std::size_t most_stored_faces, unsigned seed)
+{
+  const RS::internal::Ray_tree tree(mesh, mesh.centroid(0), RS::Execution<ConcurrencyTag>(), most_stored_faces);
+  std::mt19937 random(seed);
+  std::vector<RS::internal::Ray> rays;
+  for (int i = 0; i < 1000; ++i) {
+    const std::size_t face = random() % mesh.number_of_faces();
+    const RS::Double_3 way = mesh.centroid(random() % mesh.number_of_faces()) - mesh.centroid(face);
+    if (norm(way) > 0)
+      rays.push_back(tree.make_ray(mesh.centroid(face), (1 / norm(way)) * way, RS::Flat_mesh::Index(face)));
+  }
+  tree.trace(mesh, rays.data(), rays.data() + rays.size());
+  std::vector<double> result;
+  for (const auto& ray : rays)
+    result.insert(result.end(), {double(tree.hit(ray).face), tree.hit(ray).distance});
+  return result;
+}
+
+TEST_P(Parallel_test, rays_hit_the_same_faces)
+{
+  Soup soup = torus(150, 60); // more boxes than one thread splits
+  std::mt19937 random(GetParam());
+  bump(soup, 0.01, random);
+  const Surface_mesh mesh = to_surface_mesh(soup);
+  const RS::Flat_mesh flat = RS::read_flat_mesh(mesh, RS::Mesh_data::POINTS | RS::Mesh_data::PATCHES, RS::parameters::default_values());
+  const auto expected = hits_found<CGAL::Sequential_tag>(flat, num_faces(mesh), GetParam());
+  for (const std::size_t most_stored_faces : {std::size_t(0), flat.number_of_faces()})
+    EXPECT_TRUE(hits_found<CGAL::Parallel_tag>(flat, most_stored_faces, GetParam()) == expected) << "seed " << GetParam();
 }
 
 TEST_P(Parallel_test, the_default_method_gives_the_same_bits)

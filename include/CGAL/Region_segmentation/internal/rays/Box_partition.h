@@ -164,7 +164,8 @@ private:
   {
     const float scale = float(slices) / slicing.width;
     const auto slice_of = [=](const Item& item) {
-      return std::size_t((std::min)(int(slices) - 1, int(scale * (item.position(slicing.axis) - slicing.low))));
+      const float x = scale * (item.position(slicing.axis) - slicing.low);
+      return std::size_t(int((std::min)((std::max)(0.f, x), float(slices - 1)))); // 0 if x is not a number
     };
     std::array<Slice, slices> slice;
     for (std::size_t i = part.first; i < part.last; ++i) {

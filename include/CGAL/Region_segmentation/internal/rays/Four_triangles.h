@@ -48,7 +48,7 @@ struct Ray
   float distance = (std::numeric_limits<float>::max)();
 };
 
-/// Up to four triangles of a mesh; missing ones have edges of length 0. 160 bytes.
+/// Up to four triangles of a mesh; missing ones have edges of length 0, as after `Four_triangles()`. 160 bytes.
 class Four_triangles
 {
 public:
@@ -91,8 +91,8 @@ public:
   }
 
 private:
-  Float_4_3 m_corner{}, m_edge_1{}, m_edge_2{};
-  std::array<Index, 4> m_face{};
+  Float_4_3 m_corner, m_edge_1, m_edge_2;
+  std::array<Index, 4> m_face;
 };
 
 } // namespace internal

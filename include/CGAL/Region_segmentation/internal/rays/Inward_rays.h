@@ -27,7 +27,7 @@ namespace internal {
 
 /// The rays that `Visibility_annotator` casts from every region into the body.
 ///
-/// Bytes, while they are traced: 16 per patch, 304 per region.
+/// Bytes, while they are traced: 16 per patch, and per face of the regions without the center of a patch; 304 per region.
 class Inward_rays
 {
   using Index = Flat_mesh::Index;
@@ -102,17 +102,19 @@ private:
   /// contains no such center.
   void group_faces(const std::vector<std::optional<Hits>>& hits)
   {
-    std::vector<bool> has_center(m_regions.number_of_parts(), false);
+    std::vector<bool> wants_all(m_regions.number_of_parts());
+    for (std::size_t r = 0; r < hits.size(); ++r)
+      wants_all[r] = !hits[r];
     for (std::size_t p = 0; p < m_mesh.patches().size(); ++p)
-      has_center[m_regions[m_mesh.patches()[p].face]] = true;
-    const bool all_have = std::find(has_center.begin(), has_center.end(), false) == has_center.end();
+      wants_all[m_regions[m_mesh.patches()[p].face]] = false;
+    const bool any_wants_all = std::find(wants_all.begin(), wants_all.end(), true) != wants_all.end();
     const auto for_each_face = [&](const auto& f) {
       for (std::size_t p = 0; p < m_mesh.patches().size(); ++p)
         if (const Index face = m_mesh.patches()[p].face; !hits[m_regions[face]])
           f(m_regions[face], face);
-      for (std::size_t face = 0; !all_have && face < m_regions.size(); ++face)
-        if (const Index r = m_regions[face]; !has_center[r] && !hits[r])
-          f(r, face);
+      for (std::size_t face = 0; any_wants_all && face < m_regions.size(); ++face)
+        if (wants_all[m_regions[face]])
+          f(m_regions[face], face);
     };
     for_each_face([&](Index r, std::size_t) { m_faces.count(r); });
     m_faces.end_counting();

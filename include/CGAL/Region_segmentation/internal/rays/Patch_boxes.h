@@ -55,7 +55,7 @@ private:
   static constexpr std::uint32_t most_triangles = 64; // of a patch in slices: each of these tests all of them
   static constexpr float finest_slice = 1.f / 32; // of relative coordinates, which are of magnitude 1
   static constexpr std::size_t triangles_to_add = std::size_t(1) << 18; // at most; or as many as there are
-  static constexpr std::size_t slices_per_triangle = 64; // at most: as many as one as long as the surface has
+  static constexpr float most_slices = 128; // of a patch: more than one as long as the surface has
 
   struct Extent
   {
@@ -96,7 +96,9 @@ private:
 
   std::size_t number_of_slices(const Extent& extent) const
   {
-    return extent.is_large && extent.length() > m_slice ? std::size_t(std::ceil(extent.length() / m_slice)) : 1;
+    return extent.is_large && extent.length() > m_slice
+             ? std::size_t((std::min)(std::ceil(extent.length() / m_slice), most_slices))
+             : 1;
   }
 
   /// Doubles the width of slices until they add few enough triangles to the leaves.
@@ -109,7 +111,7 @@ private:
       std::size_t added = 0;
       for (const Extent& e : m_extents)
         added += (number_of_slices(e) - 1) * e.triangles;
-      if (added <= (std::min)((std::max)(all, triangles_to_add), slices_per_triangle * all))
+      if (added <= (std::max)(all, triangles_to_add))
         return;
     }
   }

@@ -115,7 +115,7 @@ private:
   template <typename F>
   void for_each_group(const Flat_mesh& mesh, const Name* begin, const Name* end, const F& f) const
   {
-    Four_triangles group;
+    Four_triangles group{};
     std::size_t lane = 0;
     for (; begin != end; ++begin)
       m_triangles.for_each(mesh, *begin, [&](const std::array<Float_3, 3>& corners, Index face) {

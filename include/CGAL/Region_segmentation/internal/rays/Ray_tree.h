@@ -175,15 +175,15 @@ private:
       walks.emplace_back(rays[i]);
       visits.push_back({rays + i, 0});
     }
-    while (true) {
-      const auto has_ended = [&](Ray_leaves::Visit& visit) {
+    while (!visits.empty()) {
+      std::size_t size = 0;
+      for (Ray_leaves::Visit visit : visits) {
         visit.leaf = walks[std::size_t(visit.ray - rays)].next_leaf(m_nodes, *visit.ray);
-        return visit.leaf == Walk::end;
-      };
-      visits.erase(std::remove_if(visits.begin(), visits.end(), has_ended), visits.end());
-      if (visits.empty())
-        return;
-      m_leaves.intersect(mesh, {visits.data(), visits.data() + visits.size()});
+        if (visit.leaf != Walk::end)
+          visits[size++] = visit;
+      }
+      visits.resize(size);
+      m_leaves.intersect(mesh, {visits.data(), visits.data() + size});
     }
   }
 

@@ -173,9 +173,9 @@ private:
   template <typename F>
   static void for_each_in_part(const Partition& partition, const F& f)
   {
-    const std::size_t parts = partition.number_of_parts();
-    const std::size_t size = number_of_blocks(parts, parts_for_threads<ConcurrencyTag>());
-    for_each_block_of<ConcurrencyTag>(0, parts_for_threads<ConcurrencyTag>(), [&](std::size_t range) {
+    const std::size_t ranges = number_of_threads<ConcurrencyTag>();
+    const std::size_t size = number_of_blocks(partition.number_of_parts(), ranges);
+    for_each_block_of<ConcurrencyTag>(0, ranges, [&](std::size_t range) {
       const std::size_t first = range * size;
       for (std::size_t i = first; i < partition.size(); ++i) // no part is above its first element
         if (partition[i] - first < size)

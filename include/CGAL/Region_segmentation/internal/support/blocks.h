@@ -48,13 +48,13 @@ void for_each_block_of(std::size_t first, std::size_t last, const F& f)
     f(block);
 }
 
-/// How many parts work should be divided into at least, so that all threads are busy.
+/// Of which results must not depend.
 template <typename ConcurrencyTag>
-std::size_t parts_for_threads()
+std::size_t number_of_threads()
 {
 #ifdef CGAL_LINKED_WITH_TBB
   if constexpr (Execution<ConcurrencyTag>::is_parallel)
-    return 4 * std::size_t(tbb::this_task_arena::max_concurrency());
+    return std::size_t(tbb::this_task_arena::max_concurrency());
 #endif
   return 1;
 }
@@ -74,9 +74,10 @@ void for_each_block(const Execution<ConcurrencyTag>& execution, std::size_t numb
     f(block, begin, (std::min)(begin + size, number_of_elements));
   };
   constexpr std::size_t number_of_reports = 50;
+  constexpr std::size_t blocks_of_a_thread = Execution<ConcurrencyTag>::is_parallel ? 4 : 1;
   const std::size_t between_reports =
     execution.has_visitor()
-      ? (std::max)(number / number_of_reports + 1, parts_for_threads<ConcurrencyTag>())
+      ? (std::max)(number / number_of_reports + 1, blocks_of_a_thread * number_of_threads<ConcurrencyTag>())
       : number;
   for (std::size_t first = 0; first < number;) {
     const std::size_t last = (std::min)(first + between_reports, number);
