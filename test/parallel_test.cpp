@@ -161,6 +161,14 @@ TEST_P(Parallel_test, reading_gives_the_same_bits)
   }
 }
 
+Surface_mesh bumpy_torus(unsigned seed)
+{
+  Soup soup = torus(150, 60);
+  std::mt19937 random(seed);
+  bump(soup, 0.01, random);
+  return to_surface_mesh(soup);
+}
+
 /// The hits of rays from some faces to others, in a tree that stores triangles or gathers them.
 template <typename ConcurrencyTag>
 std::vector<double> hits_found(const RS::Flat_mesh& mesh, std::size_t most_stored_faces, unsigned seed)
@@ -183,10 +191,7 @@ std::vector<double> hits_found(const RS::Flat_mesh& mesh, std::size_t most_store
 
 TEST_P(Parallel_test, rays_hit_the_same_faces)
 {
-  Soup soup = torus(150, 60); // more boxes than one thread splits
-  std::mt19937 random(GetParam());
-  bump(soup, 0.01, random);
-  const Surface_mesh mesh = to_surface_mesh(soup);
+  const Surface_mesh mesh = bumpy_torus(GetParam()); // more boxes than one thread splits
   const RS::Flat_mesh flat = RS::read_flat_mesh(mesh, RS::Mesh_data::POINTS | RS::Mesh_data::PATCHES, RS::parameters::default_values());
   const auto expected = hits_found<CGAL::Sequential_tag>(flat, num_faces(mesh), GetParam());
   for (const std::size_t most_stored_faces : {std::size_t(0), flat.number_of_faces()})
@@ -195,10 +200,7 @@ TEST_P(Parallel_test, rays_hit_the_same_faces)
 
 TEST_P(Parallel_test, the_default_method_gives_the_same_bits)
 {
-  Soup soup = torus(150, 60);
-  std::mt19937 random(GetParam());
-  bump(soup, 0.01, random);
-  const Surface_mesh mesh = to_surface_mesh(soup);
+  const Surface_mesh mesh = bumpy_torus(GetParam());
   ASSERT_GT(num_faces(mesh), 2 * RS::internal::block_size);
   const auto np = RS::parameters::number_of_segments(7);
   EXPECT_EQ(run<CGAL::Parallel_tag>(mesh, np), run<CGAL::Sequential_tag>(mesh, np)) << "seed " << GetParam();
@@ -206,10 +208,7 @@ TEST_P(Parallel_test, the_default_method_gives_the_same_bits)
 
 TEST_P(Parallel_test, smoothed_borders_are_the_same)
 {
-  Soup soup = torus(150, 60);
-  std::mt19937 random(GetParam());
-  bump(soup, 0.01, random);
-  const Surface_mesh mesh = to_surface_mesh(soup);
+  const Surface_mesh mesh = bumpy_torus(GetParam());
   std::vector<std::size_t> in_sequence, in_parallel;
   RS::segment(mesh, by_face(mesh, in_sequence), RS::parameters::number_of_segments(7));
   in_parallel = in_sequence;
@@ -223,10 +222,7 @@ TEST_P(Parallel_test, smoothed_borders_are_the_same)
 
 TEST_P(Parallel_test, a_segmenter_gives_the_same_labels)
 {
-  Soup soup = torus(150, 60);
-  std::mt19937 random(GetParam());
-  bump(soup, 0.01, random);
-  const Surface_mesh mesh = to_surface_mesh(soup);
+  const Surface_mesh mesh = bumpy_torus(GetParam());
   const RS::Segmenter parallel(mesh, RS::parameters::default_values(), CGAL::Parallel_tag());
   const RS::Segmenter sequential(mesh);
   for (std::size_t k : {2, 7, 1000}) {

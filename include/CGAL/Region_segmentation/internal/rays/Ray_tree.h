@@ -42,7 +42,6 @@ namespace internal {
 class Ray_tree
 {
   using Index = Flat_mesh::Index;
-  using Part = Box_partition::Part;
 
 public:
   struct Hit

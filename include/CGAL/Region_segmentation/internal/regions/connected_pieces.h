@@ -3,9 +3,10 @@
 #ifndef CGAL_REGION_SEGMENTATION_INTERNAL_REGIONS_CONNECTED_PIECES_H
 #define CGAL_REGION_SEGMENTATION_INTERNAL_REGIONS_CONNECTED_PIECES_H
 
+#include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/Flat_mesh.h>
 #include <CGAL/Region_segmentation/Partition.h>
-#include <CGAL/Region_segmentation/internal/support/Lowest_root_forest.h>
+#include <CGAL/Region_segmentation/internal/support/label_components.h>
 
 #include <cstddef>
 
@@ -18,11 +19,10 @@ namespace internal {
 template <typename Labels, typename IsCrossed>
 Partition connected_pieces(const Flat_mesh& flat, const Labels& label_of_face, const IsCrossed& is_crossed)
 {
-  Lowest_root_forest forest(flat.number_of_faces());
-  for (std::size_t e = 0; e < flat.number_of_edges(); ++e)
-    if (label_of_face[flat.lower_face(e)] == label_of_face[flat.higher_face(e)] && is_crossed(e))
-      forest.unite(flat.lower_face(e), flat.higher_face(e));
-  return forest.take_partition();
+  const auto joins = [&](std::size_t e) {
+    return label_of_face[flat.lower_face(e)] == label_of_face[flat.higher_face(e)] && is_crossed(e);
+  };
+  return label_components(flat, joins, Execution<>());
 }
 
 /// The same across the edges that are not constrained.
