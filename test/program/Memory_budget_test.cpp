@@ -18,9 +18,9 @@
 #include <thread>
 #include <vector>
 
-using namespace segment_mesh;
+namespace Memory_budget_test {
 
-namespace {
+using namespace segment_mesh;
 
 TEST(Memory_budget, is_kept_but_by_who_is_alone)
 {
@@ -114,4 +114,4 @@ TEST(Memory_limit, is_the_least_of_the_control_groups)
   EXPECT_EQ(limit("4:memory\nnonsense\n"), none);
 }
 
-} // namespace
+} // namespace Memory_budget_test

@@ -11,9 +11,9 @@
 #include <string>
 #include <thread>
 
-using namespace segment_mesh;
+namespace Progress_bar_test {
 
-namespace {
+using namespace segment_mesh;
 
 constexpr std::chrono::milliseconds at_once(0);
 
@@ -101,4 +101,4 @@ TEST(Progress_bar, is_not_there_for_short_work)
   EXPECT_EQ(out.str(), "");
 }
 
-} // namespace
+} // namespace Progress_bar_test

@@ -12,9 +12,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-using namespace segment_mesh;
+namespace Whole_file_test {
 
-namespace {
+using namespace segment_mesh;
 
 TEST(Whole_file, leaves_the_old_file_until_it_is_complete)
 {
@@ -184,4 +184,4 @@ TEST(Whole_file, lives_on_where_a_signal_is_ignored)
   EXPECT_EQ(folder.read("a.seg"), "new");
 }
 
-} // namespace
+} // namespace Whole_file_test

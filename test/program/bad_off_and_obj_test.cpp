@@ -5,9 +5,9 @@
 
 #include <gtest/gtest.h>
 
-using sample::with;
+namespace bad_off_and_obj_test {
 
-namespace {
+using sample::with;
 
 class Bad_text : public testing::TestWithParam<Malformed>
 {};
@@ -104,4 +104,4 @@ INSTANTIATE_TEST_SUITE_P(
                             ":7: a face with 2 vertices, fewer than 3"}),
   [](const auto& info) { return info.param.name; });
 
-} // namespace
+} // namespace bad_off_and_obj_test

@@ -7,9 +7,9 @@
 
 #include <cmath>
 
-using sample::with;
+namespace bad_ply_and_stl_test {
 
-namespace {
+using sample::with;
 
 class Bad_data : public testing::TestWithParam<Malformed>
 {};
@@ -138,4 +138,4 @@ INSTANTIATE_TEST_SUITE_P(
               ": triangle 1, from 0, has a coordinate that is not a finite number"}),
   [](const auto& info) { return info.param.name; });
 
-} // namespace
+} // namespace bad_ply_and_stl_test

@@ -10,7 +10,7 @@
 #include <chrono>
 #include <random>
 
-namespace {
+namespace batch_test {
 
 std::vector<std::string> contents(const Temporary_folder& folder)
 {
@@ -133,4 +133,4 @@ TEST_F(Killed_program, leaves_nothing_after_the_next_run)
   EXPECT_EQ(folder.names(), (Names{"a.json", "b.json", "c.json", "figure.off"}));
 }
 
-} // namespace
+} // namespace batch_test

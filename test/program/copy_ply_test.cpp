@@ -9,9 +9,9 @@
 
 #include "view/segment_colors.h"
 
-using namespace segment_mesh;
+namespace copy_ply_test {
 
-namespace {
+using namespace segment_mesh;
 
 const std::vector<std::size_t> segments = {0, 1, 1, 2};
 
@@ -110,4 +110,4 @@ TEST_F(Program, keeps_the_properties_of_a_ply_input)
   EXPECT_EQ(folder.read("c.ply"), folder.read("b.ply"));
 }
 
-} // namespace
+} // namespace copy_ply_test

@@ -13,9 +13,9 @@
 
 #include <random>
 
-using namespace segment_mesh;
+namespace gzip_test {
 
-namespace {
+using namespace segment_mesh;
 
 /// By zlib's functions for files, which the program does not use.
 std::string compressed(const Temporary_folder& folder, const std::string& bytes)
@@ -99,4 +99,4 @@ TEST(Gzip, is_told_where_it_is_empty)
   }
 }
 
-} // namespace
+} // namespace gzip_test

@@ -13,9 +13,9 @@
 
 #include <sys/stat.h>
 
-using sample::with;
+namespace hostile_input_test {
 
-namespace {
+using sample::with;
 
 /// A row of the table. The program is run as `segment_mesh FILE -k 1 -o a.seg`, and what it does is compared with words
 /// that the row has in quotes.
@@ -164,4 +164,4 @@ TEST(Hostile_input_table, is_in_the_manual)
   EXPECT_NE(manual[at], '|') << "a row without a test";
 }
 
-} // namespace
+} // namespace hostile_input_test

@@ -9,9 +9,9 @@
 #include <algorithm>
 #include <random>
 
-using namespace segment_mesh;
+namespace is_oriented_manifold_test {
 
-namespace {
+using namespace segment_mesh;
 
 /// An n x n grid of squares, each whole or as two triangles, rolled up at random.
 Polygon_soup random_grid(std::mt19937& random)
@@ -92,4 +92,4 @@ TEST(Is_oriented_manifold, wants_three_corners_and_one_fan_a_point)
   EXPECT_FALSE(is_manifold(7, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {0, 4, 5}, {0, 5, 6}, {0, 6, 4}}));
 }
 
-} // namespace
+} // namespace is_oriented_manifold_test

@@ -9,7 +9,7 @@
 #include <set>
 #include <sstream>
 
-namespace {
+namespace largest_number_test {
 
 using Cell = std::array<int, 3>;
 
@@ -69,4 +69,4 @@ TEST_F(Program, says_where_the_largest_number_is_chosen)
   EXPECT_EQ(run("b.off").out.find(remark), std::string::npos);
 }
 
-} // namespace
+} // namespace largest_number_test

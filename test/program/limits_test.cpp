@@ -7,7 +7,7 @@
 
 #include <unistd.h>
 
-namespace {
+namespace limits_test {
 
 class Limited_program : public Program
 {
@@ -77,4 +77,4 @@ TEST_F(Limited_program, writes_outputs_when_its_reader_is_gone)
     EXPECT_EQ(folder.read(name), "0\n0\n0\n0\n") << name;
 }
 
-} // namespace
+} // namespace limits_test

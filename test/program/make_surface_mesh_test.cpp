@@ -12,9 +12,9 @@
 #include <iostream>
 #include <random>
 
-using namespace segment_mesh;
+namespace make_surface_mesh_test {
 
-namespace {
+using namespace segment_mesh;
 
 /// Some squares and triangles of a grid, whose sides may be joined to a cylinder or a torus.
 Polygon_soup random_faces(std::mt19937& random)
@@ -99,4 +99,4 @@ TEST(Make_surface_mesh, gives_the_mesh_that_cgal_gives)
   }
 }
 
-} // namespace
+} // namespace make_surface_mesh_test

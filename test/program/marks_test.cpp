@@ -6,7 +6,7 @@
 
 #include <sstream>
 
-namespace {
+namespace marks_test {
 
 /// A grid of 4 by 2 squares in a plane: point i + 5 j is at (i, j), square i + 4 j at its upper right.
 std::string grid()
@@ -122,4 +122,4 @@ TEST_F(Program, refuses_marks_that_it_cannot_use)
   expect_wrong_usage("a.off --seeds a.txt -o a.txt --output-format seg", "-o a.txt: would replace the seeds");
 }
 
-} // namespace
+} // namespace marks_test

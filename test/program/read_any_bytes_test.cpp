@@ -9,9 +9,9 @@
 
 #include <random>
 
-using namespace segment_mesh;
+namespace read_any_bytes_test {
 
-namespace {
+using namespace segment_mesh;
 
 /// Replaces, removes, doubles or cuts off a few bytes.
 std::string mutated(std::string bytes, std::mt19937& random)
@@ -84,4 +84,4 @@ TEST(Any_bytes, are_read_or_refused)
     }
 }
 
-} // namespace
+} // namespace read_any_bytes_test

@@ -10,10 +10,10 @@
 
 #include <ostream>
 
+namespace read_mesh_test {
+
 using namespace segment_mesh;
 using sample::with;
-
-namespace {
 
 /// The tetrahedron of sample_files.h, whatever the order of its points.
 void expect_tetrahedron(const Input_mesh& input)
@@ -174,4 +174,4 @@ TEST(Bad_file, that_ends_while_it_is_read_is_told)
   }
 }
 
-} // namespace
+} // namespace read_mesh_test

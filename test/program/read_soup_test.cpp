@@ -19,9 +19,9 @@
 #include <random>
 #include <sstream>
 
-using namespace segment_mesh;
+namespace read_soup_test {
 
-namespace {
+using namespace segment_mesh;
 
 class Random_files : public testing::Test
 {
@@ -325,4 +325,4 @@ TEST(Lying_headers, take_no_memory)
   EXPECT_THROW(read_soup("x", Mesh_format::PLY, faces + "\xff\xff\xff\xff", remarks), Input_error);
 }
 
-} // namespace
+} // namespace read_soup_test

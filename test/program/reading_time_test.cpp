@@ -16,9 +16,9 @@
 #include <algorithm>
 #include <iostream>
 
-using namespace segment_mesh;
+namespace reading_time_test {
 
-namespace {
+using namespace segment_mesh;
 
 using Mesh = CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>;
 
@@ -78,4 +78,4 @@ TEST(Reading_time, is_near_that_of_cgal)
   }
 }
 
-} // namespace
+} // namespace reading_time_test

@@ -15,8 +15,7 @@
 #include <stdexcept>
 
 namespace segment_mesh {
-
-namespace {
+namespace render_view_test {
 
 constexpr Color background = {250, 240, 230};
 
@@ -84,8 +83,6 @@ bool is_empty(const Image& image)
 {
   return number_of_pixels(image, background) == image.pixels.size();
 }
-
-} // namespace
 
 TEST(Render_view, a_cube_shows_three_sides_in_their_colors_with_dark_borders)
 {
@@ -247,4 +244,5 @@ TEST(Render_view, wrong_sizes_are_refused)
   EXPECT_THROW(render_view({{{0, 0, 0}}, {{0, 1, 2}}}, {0}, {}), std::invalid_argument);
 }
 
+} // namespace render_view_test
 } // namespace segment_mesh

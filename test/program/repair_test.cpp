@@ -8,9 +8,9 @@
 
 #include <ctime>
 
-using namespace segment_mesh;
+namespace repair_test {
 
-namespace {
+using namespace segment_mesh;
 
 using Polygons = std::vector<Polygon_soup::Polygon>;
 using Indices = std::vector<std::size_t>;
@@ -146,4 +146,4 @@ TEST(Repair, tells_when_nothing_is_left)
   }
 }
 
-} // namespace
+} // namespace repair_test

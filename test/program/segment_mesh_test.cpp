@@ -9,7 +9,7 @@
 
 #include <sys/stat.h>
 
-namespace {
+namespace segment_mesh_test {
 
 const std::string time_at_end = ", [0-9]+\\.[0-9]{3} s\n";
 
@@ -440,4 +440,4 @@ TEST_F(Program, fails_when_stdout_is_full)
   EXPECT_EQ(outcome.status, 1);
 }
 
-} // namespace
+} // namespace segment_mesh_test

@@ -9,9 +9,9 @@
 
 #include <random>
 
-using namespace segment_mesh;
+namespace split_pinched_polygons_test {
 
-namespace {
+using namespace segment_mesh;
 
 using Polygons = std::vector<Polygon_soup::Polygon>;
 
@@ -52,4 +52,4 @@ TEST(Split_pinched_polygons, gives_the_pieces_that_cgal_gives)
   }
 }
 
-} // namespace
+} // namespace split_pinched_polygons_test

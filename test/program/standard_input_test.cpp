@@ -5,7 +5,7 @@
 #include "Program.h"
 #include "sample_files.h"
 
-namespace {
+namespace standard_input_test {
 
 using Standard_input = Program;
 
@@ -47,4 +47,4 @@ TEST_F(Program, reads_compressed_files)
   EXPECT_EQ(folder.names(), (Names{"a.off.gz", "a.seg"}));
 }
 
-} // namespace
+} // namespace standard_input_test

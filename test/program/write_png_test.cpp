@@ -13,12 +13,9 @@
 #include <vector>
 
 namespace segment_mesh {
-
-namespace {
+namespace write_png_test {
 
 constexpr Color background = {250, 240, 230};
-
-} // namespace
 
 TEST(Write_png, has_a_palette_where_that_is_enough)
 {
@@ -61,4 +58,5 @@ TEST(Reduce_colors, keeps_few_colors_and_stays_near_many)
     EXPECT_NEAR(many.pixels[i][0], original.pixels[i][0], 12) << i;
 }
 
+} // namespace write_png_test
 } // namespace segment_mesh

@@ -22,9 +22,9 @@
 #include <set>
 #include <sstream>
 
-using namespace segment_mesh;
+namespace write_segmentation_test {
 
-namespace {
+using namespace segment_mesh;
 
 class Written : public testing::Test
 {
@@ -357,4 +357,4 @@ TEST(Segment_colors, differ)
     EXPECT_TRUE(colors.insert(segment_color(i)).second) << i;
 }
 
-} // namespace
+} // namespace write_segmentation_test
