@@ -40,6 +40,15 @@ public:
   Index corner(std::size_t face, std::size_t i) const { return m_corners[m_first_corners[face] + i]; }
   /// The point of a vertex, in units of `Flat_mesh::unit()`.
   const Double_3& operator[](std::size_t vertex) const { return m_points[vertex]; }
+  /// The mean of the corners of a face.
+  Double_3 centroid(std::size_t face) const
+  {
+    const Index begin = m_first_corners[face], end = m_first_corners[face + 1];
+    Double_3 sum{};
+    for (Index i = begin; i < end; ++i)
+      sum = sum + m_points[m_corners[i]];
+    return (1.0 / double(end - begin)) * sum;
+  }
 
 private:
   friend class internal::Flat_mesh_builder;
@@ -68,8 +77,8 @@ private:
 /// speed, components are looked at only if the surface as a whole is closed and its signed volume is below 0. Open
 /// components are read as they are.
 ///
-/// Bytes: 32 per face and 17 per dual edge, so 57.5 per face on a closed triangle mesh; 28 per face more with the points and 24
-/// with the centroids.
+/// Bytes: 32 per face and 17 per dual edge, so 57.5 per face on a closed triangle mesh; 28 per face more with the points, from
+/// which centroids are computed, and 24 with the centroids alone.
 class Flat_mesh
 {
 public:
@@ -165,10 +174,10 @@ public:
   }
 
   /// The mean of the corners of a face, in units of `unit()`. `Mesh_data::CENTROIDS`
-  const Double_3& centroid(std::size_t face) const
+  Double_3 centroid(std::size_t face) const
   {
     require(Mesh_data::CENTROIDS, "CENTROIDS");
-    return m_centroids[face];
+    return m_centroids.empty() ? m_points.centroid(face) : m_centroids[face];
   }
 
   /// The sum of the areas of the faces, in their order, in squared units of `unit()`. `Mesh_data::SURFACE_AREA`
@@ -215,7 +224,7 @@ private:
   internal::Large_array<Index> m_higher_faces;       // 4 bytes a dual edge
   internal::Large_array<double> m_squared_lengths;   // 8 bytes a dual edge
   internal::Large_array<std::uint8_t> m_flags;       // 1 byte a dual edge
-  internal::Large_array<Double_3> m_centroids;       // 24 bytes a face
+  internal::Large_array<Double_3> m_centroids;       // 24 bytes a face; empty if they are computed from the points
   Mesh_points m_points;
   Mesh_patches m_patches;
   double m_unit = 1, m_surface_area = 0;

@@ -56,7 +56,7 @@ public:
   template <typename ConcurrencyTag>
   Ray_tree(const Flat_mesh& mesh, const Double_3& origin, const Execution<ConcurrencyTag>& execution,
            std::size_t most_stored_faces = Ray_leaves::most_stored_faces)
-    : m_unit(unit_of<ConcurrencyTag>(mesh, origin))
+    : m_unit(unit_of(mesh, origin))
     , m_leaves(mesh, Patch_triangles(mesh, origin, 1 / m_unit), most_stored_faces)
   {
     if (mesh.number_of_faces() == 0)
@@ -96,16 +96,12 @@ private:
   static constexpr std::size_t bundle_size = 18;
 
   /// A power of two, so that it does not change any rounding.
-  template <typename ConcurrencyTag>
   static double unit_of(const Flat_mesh& mesh, const Double_3& origin)
   {
-    std::vector<double> squared(number_of_blocks(mesh.number_of_faces()), 0);
-    for_each_block(Execution<ConcurrencyTag>(), mesh.number_of_faces(),
-                   [&](std::size_t block, std::size_t begin, std::size_t end) {
-                     for (std::size_t f = begin; f < end; ++f)
-                       squared[block] = (std::max)(squared[block], squared_norm(mesh.centroid(f) - origin));
-                   });
-    const double largest = squared.empty() ? 0 : *std::max_element(squared.begin(), squared.end());
+    const Mesh_patches& patches = mesh.patches();
+    double largest = 0;
+    for (std::size_t p = 0; p < patches.size(); ++p)
+      largest = (std::max)(largest, squared_norm(patches[p].centroid - origin));
     return std::ldexp(1.0, std::ilogb((std::max)(std::sqrt(largest), mesh.relative_unit())));
   }
 

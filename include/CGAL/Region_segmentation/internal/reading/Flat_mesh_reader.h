@@ -78,6 +78,7 @@ public:
       read_points(m_execution.step(after_patches, after_patches + 0.03));
       read_corners(places, m_execution.step(after_patches + 0.03, 1));
     }
+    m_builder.template set_faces_of_patches<ConcurrencyTag>();
     m_execution.report(1);
     return m_builder.take();
   }
@@ -218,7 +219,7 @@ private:
                                       double squared_longest_edge) {
       m_builder.set_face(face, point, area_vector, squared_longest_edge);
     });
-    if (includes(m_data, Mesh_data::CENTROIDS))
+    if (m_builder.stores_centroids())
       m_builder.set_centroids(faces);
     if (m_corners == Corners::WITH_FACES)
       m_builder.set_corners(place.corner, faces);

@@ -35,15 +35,18 @@ class Patch_builder
   using Adjacency = Mesh_patches::Adjacency;
 
 public:
+  /// The patches without their faces. `release_centroids`: is called when the centroids of the faces are no longer read
   /// \pre the mesh was read with its centroids and the area of its surface
-  static Mesh_patches build(const Flat_mesh& mesh, const Execution<ConcurrencyTag>& execution)
+  template <typename Release>
+  static Mesh_patches build(const Flat_mesh& mesh, const Release& release_centroids,
+                            const Execution<ConcurrencyTag>& execution)
   {
     Patch_builder builder(mesh);
     // A round takes a time proportional to the number of patches before it.
     const auto report = [&] {
-      execution.report(1 - double(builder.m_patches.size()) / double((std::max)(mesh.number_of_faces(), std::size_t(1))));
+      execution.report(1 - double(builder.m_places.size()) / double((std::max)(mesh.number_of_faces(), std::size_t(1))));
     };
-    builder.join_faces();
+    builder.join_faces(release_centroids);
     for (report(); builder.join_patches();)
       report();
     return builder.finish();
@@ -53,9 +56,28 @@ public:
   static Mesh_patches build(const Flat_mesh& mesh, Partition of_faces)
   {
     Patch_builder builder(mesh);
+    const Faces faces(mesh);
     builder.m_rounds.push_back(std::move(of_faces));
-    builder.replace_patches(Faces(mesh), builder.m_rounds.back());
-    return builder.finish();
+    builder.replace_places(faces, builder.m_rounds.back());
+    builder.replace_directions(faces, builder.m_rounds.back());
+    Mesh_patches patches = builder.finish();
+    set_faces(patches, mesh);
+    return patches;
+  }
+
+  /// Sets the face of each patch nearest to its centroid, a degenerate one only if there is no other.
+  static void set_faces(Mesh_patches& patches, const Flat_mesh& mesh)
+  {
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    std::vector<double> distances(patches.size(), infinite);
+    for_each_in_part(patches.m_of_faces, [&](Index part, std::size_t f) {
+      Patch& patch = patches.m_patches[part];
+      const double distance = mesh.is_degenerate(f) ? infinite : squared_norm(mesh.centroid(f) - patch.centroid);
+      if (distance < distances[part] || patch.face == none) {
+        distances[part] = distance;
+        patch.face = Index(f);
+      }
+    });
   }
 
 private:
@@ -65,6 +87,18 @@ private:
     , m_unit(mesh.relative_unit())
   {}
 
+  /// Of a patch, while there are many of them. In two arrays, which are replaced one after the other: memory is used most then.
+  struct Place
+  {
+    Double_3 centroid;
+    double area;
+  };
+  struct Direction
+  {
+    Double_3 normal;
+    double projected_area; // on the plane of the normal: the length of the area vector
+  };
+
   /// The faces as the patches of the first round.
   class Faces
   {
@@ -72,7 +106,7 @@ private:
     explicit Faces(const Flat_mesh& mesh) : m_mesh(mesh) {}
     std::size_t size() const { return m_mesh.number_of_faces(); }
     double area(std::size_t f) const { return m_mesh.area(f); }
-    const Double_3& centroid(std::size_t f) const { return m_mesh.centroid(f); }
+    Double_3 centroid(std::size_t f) const { return m_mesh.centroid(f); }
     const Double_3& normal(std::size_t f) const { return m_mesh.normal(f); }
     Double_3 area_vector(std::size_t f) const { return m_mesh.area(f) * m_mesh.normal(f); }
 
@@ -103,13 +137,13 @@ private:
   {
   public:
     explicit Joined(const Patch_builder& builder) : m_builder(builder), m_faces(builder.m_mesh) {}
-    std::size_t size() const { return m_builder.m_patches.size(); }
-    double area(std::size_t p) const { return m_builder.m_patches[p].area; }
-    const Double_3& centroid(std::size_t p) const { return m_builder.m_patches[p].centroid; }
-    const Double_3& normal(std::size_t p) const { return m_builder.m_patches[p].normal; }
+    std::size_t size() const { return m_builder.m_places.size(); }
+    double area(std::size_t p) const { return m_builder.m_places[p].area; }
+    const Double_3& centroid(std::size_t p) const { return m_builder.m_places[p].centroid; }
+    const Double_3& normal(std::size_t p) const { return m_builder.m_directions[p].normal; }
     Double_3 area_vector(std::size_t p) const
     {
-      return m_builder.m_projected_areas[p] * m_builder.m_patches[p].normal;
+      return m_builder.m_directions[p].projected_area * m_builder.m_directions[p].normal;
     }
 
     std::size_t number_of_ranges() const { return m_faces.number_of_ranges(); }
@@ -141,11 +175,14 @@ private:
     const Faces m_faces;
   };
 
-  void join_faces()
+  template <typename Release>
+  void join_faces(const Release& release_centroids)
   {
     const Faces faces(m_mesh);
     m_rounds.push_back(select(faces));
-    replace_patches(faces, m_rounds.back());
+    replace_places(faces, m_rounds.back());
+    release_centroids();
+    replace_directions(faces, m_rounds.back());
   }
 
   /// Returns whether it is worth another round.
@@ -156,10 +193,11 @@ private:
     Partition joined = select(patches);
     if (joined.number_of_parts() == before)
       return false;
-    replace_patches(patches, joined); // first, since it frees most memory
+    replace_places(patches, joined); // before adjacencies, since it frees most memory
+    replace_directions(patches, joined);
     replace_adjacencies(joined.number_of_parts(), [&](Index patch) { return joined[patch]; });
     m_rounds.push_back(std::move(joined));
-    return before - m_patches.size() >= before / 32;
+    return before - m_places.size() >= before / 32;
   }
 
   template <typename Patches>
@@ -184,30 +222,45 @@ private:
   }
 
   template <typename Patches>
-  void replace_patches(const Patches& patches, const Partition& joined)
+  void replace_places(const Patches& patches, const Partition& joined)
   {
-    Large_array<Patch> result(joined.number_of_parts());
-    Large_array<double> projected_areas(result.size());
-    for_each_index<ConcurrencyTag>(
-      result.size(), [&](std::size_t p) { result[p] = {{0, 0, 0}, {0, 0, 0}, 0, none}; });
+    Large_array<Place> places(joined.number_of_parts());
+    Large_array<Index> firsts(places.size());
+    for_each_index<ConcurrencyTag>(places.size(), [&](std::size_t p) {
+      places[p] = {{0, 0, 0}, 0};
+      firsts[p] = none;
+    });
     for_each_in_part(joined, [&](Index part, std::size_t p) {
-      Patch& patch = result[part];
+      Place& place = places[part];
       const double area = patches.area(p);
+      if (firsts[part] == none)
+        firsts[part] = Index(p);
       // Relative to the first of them, to avoid cancellation far from the origin.
-      if (patch.face == none)
-        patch.face = Index(p);
-      patch.centroid = patch.centroid + area * (patches.centroid(p) - patches.centroid(patch.face));
-      patch.normal = patch.normal + patches.area_vector(p);
-      patch.area += area;
+      place.centroid = place.centroid + area * (patches.centroid(p) - patches.centroid(firsts[part]));
+      place.area += area;
     });
-    for_each_index<ConcurrencyTag>(result.size(), [&](std::size_t p) {
-      Patch& patch = result[p];
-      projected_areas[p] = norm(patch.normal);
-      patch.normal = projected_areas[p] > 0 ? (1 / projected_areas[p]) * patch.normal : Double_3{0, 0, 0};
-      patch.centroid = patches.centroid(patch.face) + (patch.area > 0 ? 1 / patch.area : 0) * patch.centroid;
+    for_each_index<ConcurrencyTag>(places.size(), [&](std::size_t p) {
+      Place& place = places[p];
+      place.centroid = patches.centroid(firsts[p]) + (place.area > 0 ? 1 / place.area : 0) * place.centroid;
     });
-    m_patches = std::move(result);
-    m_projected_areas = std::move(projected_areas);
+    m_places = std::move(places);
+  }
+
+  template <typename Patches>
+  void replace_directions(const Patches& patches, const Partition& joined)
+  {
+    Large_array<Direction> directions(joined.number_of_parts());
+    for_each_index<ConcurrencyTag>(directions.size(), [&](std::size_t p) { directions[p] = {{0, 0, 0}, 0}; });
+    for_each_in_part(joined, [&](Index part, std::size_t p) {
+      directions[part].normal = directions[part].normal + patches.area_vector(p);
+    });
+    for_each_index<ConcurrencyTag>(directions.size(), [&](std::size_t p) {
+      Direction& direction = directions[p];
+      direction.projected_area = norm(direction.normal);
+      direction.normal =
+        direction.projected_area > 0 ? (1 / direction.projected_area) * direction.normal : Double_3{0, 0, 0};
+    });
+    m_directions = std::move(directions);
   }
 
   /// By those between the parts `part_of(patch)`.
@@ -232,13 +285,15 @@ private:
   Mesh_patches finish()
   {
     if (m_rounds.size() == 1)
-      replace_adjacencies(m_patches.size(), [](Index patch) { return patch; });
+      replace_adjacencies(m_places.size(), [](Index patch) { return patch; });
     compose_rounds();
-    set_faces();
     Mesh_patches result;
     result.m_adjacencies = united_adjacencies();
     result.m_of_faces = std::move(m_rounds.front());
-    result.m_patches = std::move(m_patches);
+    result.m_patches.resize(m_places.size());
+    for_each_index<ConcurrencyTag>(m_places.size(), [&](std::size_t p) {
+      result.m_patches[p] = {m_places[p].centroid, m_directions[p].normal, m_places[p].area, none};
+    });
     result.m_concave_deviations.resize(result.m_adjacencies.size());
     for_each_index<ConcurrencyTag>(result.m_adjacencies.size(), [&](std::size_t i) {
       const Adjacency& a = result.m_adjacencies[i];
@@ -260,7 +315,7 @@ private:
   /// One for each two patches, sorted: a radix sort of two digits, since the order of those to be summed must be kept.
   Large_array<Adjacency> united_adjacencies()
   {
-    Grouped_items<Adjacency> by_higher(m_patches.size()), by_lower(m_patches.size());
+    Grouped_items<Adjacency> by_higher(m_places.size()), by_lower(m_places.size());
     for (const Large_array<Adjacency>& range : m_adjacencies)
       for (const Adjacency& a : range) {
         by_higher.count(a.higher);
@@ -281,25 +336,8 @@ private:
         united.back().length += a.length;
       else
         united.push_back(a);
+    united.shrink_to_fit(); // large patches have many edges with each other
     return united;
-  }
-
-  /// The face of each patch nearest to its centroid, a degenerate one only if there is no other.
-  void set_faces()
-  {
-    constexpr double infinite = std::numeric_limits<double>::infinity();
-    std::vector<double> distances(m_patches.size(), infinite);
-    for (Patch& patch : m_patches)
-      patch.face = none;
-    for_each_in_part(m_rounds.front(), [&](Index part, std::size_t f) {
-      Patch& patch = m_patches[part];
-      const double distance =
-        m_mesh.is_degenerate(f) ? infinite : squared_norm(m_mesh.centroid(f) - patch.centroid);
-      if (distance < distances[part] || patch.face == none) {
-        distances[part] = distance;
-        patch.face = Index(f);
-      }
-    });
   }
 
   static double concave_deviation(const Patch& a, const Patch& b)
@@ -315,8 +353,8 @@ private:
   const Flat_mesh& m_mesh;
   const double m_maximum_area, m_unit;
   std::vector<Partition> m_rounds; // of the faces, then of the patches of the round before
-  Large_array<Patch> m_patches;
-  Large_array<double> m_projected_areas; // of each patch on the plane of its normal: the length of its area vector
+  Large_array<Place> m_places;
+  Large_array<Direction> m_directions;
   /// By range of edges of the mesh, from the second round on; several between two patches, until the end.
   std::vector<Large_array<Adjacency>> m_adjacencies;
 };
