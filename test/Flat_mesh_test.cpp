@@ -168,7 +168,7 @@ TEST_P(Flat_mesh_test, points_centroids_and_the_area_of_the_surface)
   EXPECT_EQ(flat.relative_unit(), std::sqrt(area));
 }
 
-TEST_P(Flat_mesh_test, corners_are_the_same_when_they_are_read_after_the_patches)
+TEST_P(Flat_mesh_test, a_mesh_is_the_same_when_points_are_read_after_the_patches)
 {
   std::mt19937 random(GetParam());
   const Surface_mesh surface_mesh = to_surface_mesh(mixed_sheet(random));
@@ -176,11 +176,11 @@ TEST_P(Flat_mesh_test, corners_are_the_same_when_they_are_read_after_the_patches
   const auto traversal = RS::internal::make_mesh_traversal(surface_mesh, np);
   const RS::Execution<> execution;
   const RS::Mesh_data data = RS::Mesh_data::POINTS | RS::Mesh_data::PATCHES;
-  const auto points_of = [&](std::size_t most_with_early_corners) {
-    RS::internal::Flat_mesh_reader reader(traversal, np, data, execution, most_with_early_corners);
-    return reader.read().points();
+  const auto read = [&](std::size_t most_with_early_corners) {
+    return RS::internal::Flat_mesh_reader(traversal, np, data, execution, most_with_early_corners).read();
   };
-  const RS::Mesh_points early = points_of(num_faces(surface_mesh)), late = points_of(num_faces(surface_mesh) - 1);
+  const RS::Flat_mesh one = read(num_faces(surface_mesh)), other = read(num_faces(surface_mesh) - 1);
+  const RS::Mesh_points &early = one.points(), &late = other.points();
   ASSERT_EQ(early.number_of_points(), late.number_of_points());
   for (std::size_t v = 0; v < early.number_of_points(); ++v)
     EXPECT_EQ(squared_norm(early[v] - late[v]), 0);
@@ -188,7 +188,11 @@ TEST_P(Flat_mesh_test, corners_are_the_same_when_they_are_read_after_the_patches
     ASSERT_EQ(early.number_of_corners(f), late.number_of_corners(f));
     for (std::size_t i = 0; i < early.number_of_corners(f); ++i)
       EXPECT_EQ(early.corner(f, i), late.corner(f, i)) << "face " << f;
+    EXPECT_EQ(squared_norm(one.centroid(f) - other.centroid(f)), 0) << "stored, and computed, of face " << f;
+    EXPECT_EQ(one.patches().of_faces()[f], other.patches().of_faces()[f]) << "face " << f;
   }
+  for (std::size_t p = 0; p < one.patches().size(); ++p)
+    EXPECT_EQ(one.patches()[p].face, other.patches()[p].face) << "patch " << p;
 }
 
 TEST_P(Flat_mesh_test, a_constraint_can_be_set_and_taken_back)

@@ -77,8 +77,8 @@ private:
 /// speed, components are looked at only if the surface as a whole is closed and its signed volume is below 0. Open
 /// components are read as they are.
 ///
-/// Bytes: 32 per face and 17 per dual edge, so 57.5 per face on a closed triangle mesh; 28 per face more with the points, from
-/// which centroids are computed, and 24 with the centroids alone.
+/// Bytes: 32 per face and 17 per dual edge, so 57.5 per face on a closed triangle mesh; 28 per face more with the points and 24
+/// with the centroids, which with `Mesh_data::PATCHES` are computed from the points above 1,572,864 faces.
 class Flat_mesh
 {
 public:
@@ -224,7 +224,7 @@ private:
   internal::Large_array<Index> m_higher_faces;       // 4 bytes a dual edge
   internal::Large_array<double> m_squared_lengths;   // 8 bytes a dual edge
   internal::Large_array<std::uint8_t> m_flags;       // 1 byte a dual edge
-  internal::Large_array<Double_3> m_centroids;       // 24 bytes a face; empty if they are computed from the points
+  internal::Large_array<Double_3> m_centroids;       // 24 bytes a face; empty: computed from the points
   Mesh_points m_points;
   Mesh_patches m_patches;
   double m_unit = 1, m_surface_area = 0;

@@ -41,7 +41,7 @@ public:
     m_flat.m_higher_faces.resize(maximum_number_of_edges);
     m_flat.m_squared_lengths.resize(maximum_number_of_edges);
     m_flat.m_flags.resize(maximum_number_of_edges);
-    if (stores_centroids())
+    if (includes(data, Mesh_data::CENTROIDS))
       m_flat.m_centroids.resize(number_of_faces);
   }
 
@@ -129,7 +129,7 @@ public:
   }
   /// @}
 
-  /// Only if `stores_centroids()`.
+  /// Only with `Mesh_data::CENTROIDS`.
   void set_centroids(const Face_block& block)
   {
     for (std::size_t i = 0; i < block.number_of_faces(); ++i) {
@@ -162,9 +162,10 @@ public:
       label_components(m_flat, [](std::size_t) { return true; }, Execution<ConcurrencyTag>())));
   }
 
-  /// All but the faces of patches. `execution`: for the patches, if they are wanted
+  /// All but the faces of patches. `releases_centroids`: when patches are made of the faces; points follow, of which centroids
+  /// are computed; `execution`: for the patches, if they are wanted
   template <typename ConcurrencyTag>
-  void finish(const Execution<ConcurrencyTag>& execution)
+  void finish(bool releases_centroids, const Execution<ConcurrencyTag>& execution)
   {
     join_degenerate_faces();
     m_volumes = Signed_volumes(0); // patches need the memory
@@ -172,7 +173,13 @@ public:
       for (const double area : m_flat.m_areas)
         m_flat.m_surface_area += area;
     if (includes(m_flat.m_data, Mesh_data::PATCHES))
-      m_flat.m_patches = Patch_builder<ConcurrencyTag>::build(m_flat, [this] { release_centroids(); }, execution);
+      m_flat.m_patches = Patch_builder<ConcurrencyTag>::build(
+        m_flat,
+        [&] {
+          if (releases_centroids)
+            m_flat.m_centroids = Large_array<Double_3>();
+        },
+        execution);
   }
 
   /// After the points.
@@ -186,20 +193,7 @@ public:
   Flat_mesh take() { return std::move(m_flat); }
   /// @}
 
-  /// Whether centroids are stored: if they cannot be computed from points, and until the first patches are made of them.
-  bool stores_centroids() const
-  {
-    return includes(m_flat.m_data, Mesh_data::CENTROIDS) &&
-           (!includes(m_flat.m_data, Mesh_data::POINTS) || includes(m_flat.m_data, Mesh_data::PATCHES));
-  }
-
 private:
-  void release_centroids()
-  {
-    if (includes(m_flat.m_data, Mesh_data::POINTS))
-      m_flat.m_centroids = Large_array<Double_3>();
-  }
-
   /// Of the normals of the higher and the lower face, and the halfedge of the higher one.
   static std::uint8_t flags_of(const Double_3& a, const Double_3& b, double cosine, const Double_3& direction)
   {
