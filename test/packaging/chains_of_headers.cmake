@@ -2,7 +2,7 @@
 # before it. RESULT: a list of chains, the headers of each separated by `|`.
 #
 # A translation unit that includes a chain in this order shows of each of its headers that it compiles alone: what is
-# visible at its begin is only what it includes itself. So that is shown with as many units as there are chains (63 for 156
+# visible at its begin is only what it includes itself. So that is shown with as many units as there are chains (76 for 187
 # headers) instead of one for each header.
 
 # The headers of the list that a header includes, directly or not; cycles are allowed.

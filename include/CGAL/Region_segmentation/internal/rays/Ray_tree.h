@@ -13,7 +13,6 @@
 #include <CGAL/Region_segmentation/internal/rays/Patch_triangles.h>
 #include <CGAL/Region_segmentation/internal/rays/Ray_leaves.h>
 #include <CGAL/Region_segmentation/internal/support/Float_key.h>
-#include <CGAL/Region_segmentation/internal/support/blocks.h>
 
 #include <boost/container/static_vector.hpp>
 
