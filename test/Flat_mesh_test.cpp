@@ -208,6 +208,30 @@ TEST_P(Flat_mesh_test, a_constraint_can_be_set_and_taken_back)
 
 INSTANTIATE_TEST_SUITE_P(seeds, Flat_mesh_test, ::testing::Values(1u, 2u));
 
+TEST(Deviation_test, is_a_number_where_normals_are_equal_or_opposite)
+{
+  // Two unit squares in any plane, and two triangles back to back: rounding may bring the product of unit normals beyond 1 or -1.
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> any(-1, 1);
+  std::size_t beyond = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const Double_3 u{any(random), any(random), any(random)}, v{any(random), any(random), any(random)};
+    const auto on_plane = [&](const Point& p) -> Point {
+      return {p[0] * u.x + p[1] * v.x, p[0] * u.y + p[1] * v.y, p[0] * u.z + p[1] * v.z};
+    };
+    const auto read = [&](const Soup& soup) { return RS::read_flat_mesh(to_surface_mesh(mapped(soup, on_plane))); };
+    const RS::Flat_mesh flat = read(grid(2, 1)), folded = read({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 1}}});
+    beyond += dot(flat.normal(0), flat.normal(0)) > 1;
+    ASSERT_EQ(flat.number_of_edges(), 1u);
+    EXPECT_LE(flat.cosine(0, 0), 1);
+    EXPECT_NEAR(flat.deviation(0, 0), 0, 1e-6) << "plane " << i;
+    ASSERT_EQ(folded.number_of_edges(), 3u);
+    EXPECT_GE(folded.cosine(0, 0), -1);
+    EXPECT_NEAR(folded.deviation(0, 0), std::acos(-1.0), 1e-6) << "plane " << i;
+  }
+  EXPECT_GT(beyond, 100u);
+}
+
 TEST(Mesh_data_test, what_was_not_asked_for_cannot_be_read)
 {
   using RS::Mesh_data;

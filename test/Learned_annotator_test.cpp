@@ -252,6 +252,28 @@ TEST(Learned_annotator_test, the_whole_surface_sees_itself_alone)
   }
 }
 
+TEST(Learned_annotator_test, annotating_again_changes_nothing)
+{
+  const Soup soup = random_mesh(Family::BLOCKS, 2);
+  const RS::Flat_mesh mesh = flat_mesh_of(soup);
+  std::mt19937 random(2);
+  const RS::Partition regions = RS::Partition::from_labels(random_regions(soup, 20, random));
+  const Graph once = RS::build_region_adjacency_graph(mesh, regions, RS::Learned_annotator());
+  Graph twice = once;
+  RS::Learned_annotator()(twice, mesh, regions);
+  ASSERT_EQ(twice.number_of_sections(), once.number_of_sections());
+  for (auto range = vertices(once); range.first != range.second; ++range.first) {
+    const auto &a = twice[*range.first], &b = once[*range.first];
+    EXPECT_EQ(a.perimeter, b.perimeter);
+    EXPECT_EQ(a.own_visibility, b.own_visibility);
+    EXPECT_EQ(a.squared_log_thickness, b.squared_log_thickness);
+    EXPECT_EQ(norm(a.area_vector - b.area_vector), 0);
+    EXPECT_EQ(a.moments.second.xx, b.moments.second.xx);
+  }
+  for (auto range = edges(once); range.first != range.second; ++range.first)
+    EXPECT_EQ(twice[*range.first].log_thickness, once[*range.first].log_thickness);
+}
+
 TEST(Merge_features_test, do_not_depend_on_motion_and_size)
 {
   for (Family family : {Family::SPHERE, Family::BLOCKS, Family::TORUS, Family::SHEET})

@@ -304,6 +304,22 @@ TEST(Number_from_expected_costs_test, is_where_the_sum_is_lowest)
   }
 }
 
+TEST(Number_from_expected_costs_test, granularity_multiplies_every_cost_above_0)
+{
+  // Two merges of .5 that do not pay, then two that do, by .7 each: from 5 regions on to 1, unless the first two cost more.
+  RS::Merge_tree tree(5);
+  std::uint32_t n = 5;
+  for (double cost : {0.5, 0.5, -0.7, -0.7})
+    tree.push_back({0, --n, cost});
+  RS::Number_from_expected_costs<RS::Expected_merge_cost> chooser;
+  chooser.minimum_number = 1;
+  EXPECT_EQ(chooser(tree), 1u);
+  chooser.granularity = 1.3; // 1.3 - 1.4 < 0
+  EXPECT_EQ(chooser(tree), 1u);
+  chooser.granularity = 1.5; // 1.5 - 1.4 > 0
+  EXPECT_EQ(chooser(tree), 5u);
+}
+
 TEST(Number_from_expected_costs_test, of_few_regions)
 {
   const RS::Number_from_expected_costs<RS::Expected_merge_cost> chooser;

@@ -336,6 +336,22 @@ TEST(Smoothness_data_test, degenerate_faces_have_no_area)
   EXPECT_EQ(graph[1].area, 0);
 }
 
+TEST(Smoothness_data_test, counts_the_edges_of_a_section)
+{
+  const auto sections = [](const Soup& soup, const Labels& labels) {
+    const RS::Flat_mesh flat = RS::read_flat_mesh(to_surface_mesh(soup), RS::Mesh_data::POINTS);
+    return RS::build_region_adjacency_graph(flat, RS::Partition::from_labels(labels), RS::Smoothness_annotator());
+  };
+  const auto rows = sections(scaled(grid(3, 2), 2), {0, 0, 0, 1, 1, 1});
+  EXPECT_EQ(rows[*rows.section(0, 1)].number_of_edges, 3u);
+  EXPECT_EQ(rows[*rows.section(0, 1)].length, 6);
+  // One edge to each of two regions, which are merged.
+  auto three = sections(grid(2, 2), {0, 1, 2, 2});
+  three.merge(*three.section(0, 1));
+  ASSERT_EQ(three.number_of_sections(), 1u);
+  EXPECT_EQ(three[*edges(three).first].number_of_edges, 2u);
+}
+
 TEST(Smoothness_cost_test, is_as_documented)
 {
   using Graph = RS::Region_adjacency_graph<RS::Smoothness_region_data, RS::Smoothness_section_data>;

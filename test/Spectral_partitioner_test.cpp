@@ -109,6 +109,31 @@ bool is_each_connected(const Graph& graph, const RS::Partition& segments)
   return forest.take_partition().number_of_parts() == segments.number_of_parts();
 }
 
+TEST(Additive_visibility_cost_test, is_proportional_to_the_length_whatever_the_areas)
+{
+  using Visibility_graph = RS::Region_adjacency_graph<RS::Visibility_region_data, RS::Visibility_section_data>;
+  const auto affinity = [](double area, double other_area, double length) {
+    Visibility_graph graph;
+    for (double a : {area, other_area}) {
+      RS::Visibility_region_data region;
+      region.area = a;
+      region.visibility = 1;
+      graph.add_region(region);
+    }
+    RS::Visibility_section_data section;
+    section.length = length;
+    section.concave = 0.5 * length;
+    const auto s = graph.add_section(0, 1, section);
+    return std::exp(-RS::Additive_visibility_cost()(graph, s));
+  };
+  // The depth counts squared; regions are equally thick, and do not see each other.
+  const double expected = 0.25 / std::pow(0.5 + 0.05, 2) / 0.18 * std::pow(0.01, 0.195);
+  for (double area : {0.1, 0.3, 0.6}) {
+    EXPECT_NEAR(affinity(area, 0.4, 0.25), expected, 1e-12);
+    EXPECT_NEAR(affinity(area, 0.4, 0.5), 2 * expected, 1e-12);
+  }
+}
+
 /// The method of the partitioner on the regions of the default method.
 auto spectral_method()
 {

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <map>
@@ -32,8 +33,9 @@ RS::Flat_mesh flat_mesh_of(const Soup& soup)
 }
 
 /// The definition, step by step: all distances from scratch for each seed, by relaxing until nothing
-/// changes.
-std::vector<double> distances_from(const RS::Flat_mesh& mesh, std::size_t seed, double weight)
+/// changes. `inside`: along paths inside its parts.
+std::vector<double> distances_from(const RS::Flat_mesh& mesh, std::size_t seed, double weight,
+                                   const RS::Partition* inside = nullptr)
 {
   double area = 0;
   for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
@@ -44,6 +46,8 @@ std::vector<double> distances_from(const RS::Flat_mesh& mesh, std::size_t seed, 
     changed = false;
     for (std::size_t e = 0; e < mesh.number_of_edges(); ++e) {
       const std::size_t f = mesh.lower_face(e), g = mesh.higher_face(e);
+      if (inside && (*inside)[f] != (*inside)[g])
+        continue;
       const double concavity =
         mesh.has_flag(e, RS::Flat_mesh::CONCAVE) ? std::min(mesh.deviation(f, e), 0.6) : 0;
       const double step = norm(mesh.centroid(f) - mesh.centroid(g)) / std::sqrt(area) + weight * concavity;
@@ -91,6 +95,16 @@ Seeding seeding_of(const RS::Flat_mesh& mesh, std::size_t number, double weight)
     seed = std::size_t(std::max_element(result.nearest.begin(), result.nearest.end()) - result.nearest.begin());
   }
   return result;
+}
+
+TEST(Float_key_test, gives_back_its_value_and_index)
+{
+  for (float value : {0.f, 1e-40f, 0.25f, 3e38f, std::numeric_limits<float>::infinity()})
+    for (std::uint32_t index : {0u, 1u, 0x3f800000u, 0xffffffffu}) {
+      const auto key = RS::internal::make_float_key(value, index);
+      EXPECT_EQ(RS::internal::value_of(key), value);
+      EXPECT_EQ(RS::internal::index_of(key), index);
+    }
 }
 
 TEST(Front_queue_test, gives_what_a_heap_gives)
@@ -301,6 +315,44 @@ TEST(Superfacets_test, splitting_gives_any_number_of_connected_parts)
         coarse = fine;
       }
       EXPECT_EQ(superfacets.split(mesh, coarse, 2 * mesh.number_of_faces()).number_of_parts(), mesh.number_of_faces());
+    }
+}
+
+TEST(Superfacets_test, splitting_measures_between_the_centroids_of_faces)
+{
+  for (Family family : {Family::SHEET, Family::SPHERE, Family::TORUS, Family::BLOCKS})
+    for (unsigned seed = 1; seed <= 4; ++seed) {
+      SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
+      const RS::Flat_mesh mesh = flat_mesh_of(random_mesh(family, seed));
+      const RS::Superfacets superfacets(6);
+      const RS::Partition regions = superfacets(mesh);
+      const std::size_t n = regions.number_of_parts();
+      // The face nearest to the centroid of each region, and the face farthest from that of its own.
+      std::vector<RS::Double_3> centers(n);
+      std::vector<double> areas(n, 0);
+      for (std::size_t f = 0; f < regions.size(); ++f) {
+        centers[regions[f]] = centers[regions[f]] + mesh.area(f) * mesh.centroid(f);
+        areas[regions[f]] += mesh.area(f);
+      }
+      std::size_t farthest = 0, center_of_farthest = 0;
+      double largest = -1;
+      for (std::size_t r = 0; r < n; ++r) {
+        std::size_t center = regions.size();
+        const auto away = [&](std::size_t f) { return norm(mesh.centroid(f) - (1 / areas[r]) * centers[r]); };
+        for (std::size_t f = 0; f < regions.size(); ++f)
+          if (regions[f] == r && (center == regions.size() || away(f) < away(center)))
+            center = f;
+        const std::vector<double> distances = distances_from(mesh, center, 0.4, &regions);
+        for (std::size_t f = 0; f < regions.size(); ++f)
+          if (regions[f] == r && distances[f] > largest) {
+            largest = distances[f];
+            farthest = f;
+            center_of_farthest = center;
+          }
+      }
+      const RS::Partition finer = superfacets.split(mesh, regions, n + 1);
+      ASSERT_EQ(finer.number_of_parts(), n + 1);
+      EXPECT_NE(finer[farthest], finer[center_of_farthest]);
     }
 }
 

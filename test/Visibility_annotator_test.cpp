@@ -273,6 +273,49 @@ TEST(Inward_rays_test, start_from_patches_where_a_region_has_their_centers)
   }
 }
 
+TEST(Inward_rays_test, start_from_any_face_where_a_region_has_no_center_of_a_patch)
+{
+  // A sheet of faces that are joined to patches, above a slanted square; some faces are regions of their own.
+  std::mt19937 random(1);
+  Soup sheet = triangulated(grid(24, 24));
+  bump(sheet, 0.2, random);
+  const std::size_t small = sheet.polygons.size();
+  const Soup square = mapped(grid(1, 1), [](const Point& p) -> Point {
+    return {864 * p[0] - 420, 864 * p[1] - 420, -50 - 80 * p[0]};
+  });
+  const RS::Flat_mesh mesh = flat_mesh_of(joined(sheet, triangulated(square)));
+  const RS::Mesh_points& points = mesh.points();
+  std::vector<bool> is_center(mesh.number_of_faces());
+  for (std::size_t p = 0; p < mesh.patches().size(); ++p)
+    is_center[mesh.patches()[p].face] = true;
+  std::vector<std::size_t> labels(mesh.number_of_faces(), 0);
+  std::vector<std::size_t> alone; // their faces
+  for (std::size_t f = 0; f < small; f += 50)
+    if (!is_center[f]) {
+      alone.push_back(f);
+      labels[f] = alone.size();
+    }
+  ASSERT_GT(alone.size(), 10u);
+  const RS::Partition regions = RS::Partition::from_labels(labels);
+
+  // As if these were a larger part of the surface: small ones cast no rays.
+  RS::internal::Region_shapes shapes(mesh, regions);
+  for (double& area : shapes.areas)
+    area = mesh.surface_area();
+  const RS::internal::Ray_tree tree(mesh, shapes.surface_centroid, RS::Execution<>());
+  std::vector<std::optional<RS::internal::Inward_rays::Hits>> hits(regions.number_of_parts());
+  RS::internal::Inward_rays(mesh, regions, shapes, tree).trace(hits, RS::Execution<>());
+  for (std::size_t f : alone) { // the first ray goes against the normal
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t g = 0; g < mesh.number_of_faces(); ++g)
+      if (g != f)
+        nearest = std::min(nearest, distance_to_triangle(mesh.centroid(f), -1.0 * mesh.normal(f), points[points.corner(g, 0)],
+                                                         points[points.corner(g, 1)], points[points.corner(g, 2)]));
+    ASSERT_LT(nearest, std::numeric_limits<double>::infinity());
+    EXPECT_NEAR((*hits[regions[f]])[0].distance, nearest, 1e-3 * nearest) << f;
+  }
+}
+
 TEST(Visibility_annotator_test, the_thickness_of_a_plate_is_its_height)
 {
   // A plate of 20 x 20 x 1: rays against the normal go 1 deep, those 0.9 rad away 1 / cos(0.9).
@@ -342,6 +385,17 @@ TEST(Visibility_annotator_test, lengths_and_areas_are_relative_to_the_surface)
     EXPECT_NEAR(section.concave, 0, 1e-12);
     EXPECT_NEAR(section.convex, 0, 1e-12);
   }
+}
+
+TEST(Visibility_annotator_test, sections_of_merged_regions_have_the_edges_of_both)
+{
+  Graph graph = annotated(flat_mesh_of(grid(2, 2)), RS::Partition::from_labels(std::vector<int>{0, 1, 2, 2}));
+  EXPECT_EQ(graph[*graph.section(0, 2)].number_of_edges, 1u);
+  EXPECT_EQ(graph[*graph.section(1, 2)].number_of_edges, 1u);
+  graph.merge(*graph.section(0, 1));
+  ASSERT_EQ(graph.number_of_sections(), 1u);
+  EXPECT_EQ(graph[*edges(graph).first].number_of_edges, 2u);
+  EXPECT_EQ(graph[*edges(graph).first].length, 1); // 2 of a surface of area 4
 }
 
 TEST(Visibility_annotator_test, deviations_are_integrated_by_sign_up_to_a_bound)

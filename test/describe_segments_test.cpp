@@ -211,6 +211,15 @@ TEST(Describe_segments_test, finds_a_plane)
   EXPECT_NEAR(d.extents[2], 0, 1e-9);
 }
 
+TEST(Describe_segments_test, the_normal_of_a_plane_points_to_the_side_of_most_faces)
+{
+  // Corrugated, so that no face has the normal of the plane.
+  const Soup sheet = mapped(grid(9, 4), [](const Point& p) { return moved({p[0], p[1], int(p[0]) % 2 == 0 ? 0. : 0.1}); });
+  ASSERT_EQ(description_of(sheet).primitive.type, RS::Primitive_type::PLANE);
+  EXPECT_GT(dot(description_of(sheet).primitive.direction, moved_direction({0, 0, 1})), 0.99);
+  EXPECT_LT(dot(description_of(reversed(sheet)).primitive.direction, moved_direction({0, 0, 1})), -0.99);
+}
+
 TEST(Describe_segments_test, finds_nothing_but_a_plane_where_all_points_are_on_it)
 {
   const Description d = description_of(grid(7, 4));
@@ -345,6 +354,11 @@ TEST(Describe_segments_test, scales_with_the_mesh)
     EXPECT_EQ(small[i].volume * factor * factor * factor, large[i].volume);
     EXPECT_EQ(small[i].border_length * factor, large[i].border_length);
     EXPECT_NEAR(small[i].primitive.error * factor, large[i].primitive.error, 1e-6 * large[i].primitive.error);
+    for (RS::Primitive_type type : {RS::Primitive_type::PLANE, RS::Primitive_type::SPHERE}) {
+      const double error = large[i].primitive.error_of(type);
+      ASSERT_TRUE(std::isfinite(error));
+      EXPECT_NEAR(small[i].primitive.error_of(type) * factor, error, 1e-6 * error);
+    }
   }
 }
 

@@ -46,6 +46,7 @@ TYPED_TEST(Number_choosers_test, convex_bodies_are_one_part)
   EXPECT_EQ(number(block(8, 8, 8)), 1u);
   EXPECT_EQ(number(block(3, 3, 20)), 1u);
   EXPECT_EQ(number(joined(block(2, 2, 2), translated(sphere(2), 9, 0, 0))), 2u) << "components";
+  EXPECT_EQ(number(pillow()), 1u) << "closed, flat";
   for (std::size_t levels : {2, 4}) {
     EXPECT_EQ(number(sphere(levels)), 1u);
     EXPECT_EQ(number(mapped(sphere(levels), [](const Point& p) { return Point{3 * p[0], p[1], 0.2 * p[2]}; })), 1u);

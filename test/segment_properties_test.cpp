@@ -491,6 +491,23 @@ std::vector<std::string> stages_of(const Visitor& visitor)
 const std::vector<std::string> stages_of_two_step = {"reading", "regions", "graph", "merging"};
 const std::vector<std::string> stages_of_default = {"reading", "regions", "graph", "merging", "borders"};
 
+/// Cancels at every call in turn.
+template <typename Parameters>
+void expect_that_cancelling_writes_nothing(const Surface_mesh& mesh, const Parameters& np)
+{
+  Visitor whole;
+  Outputs(mesh).run(np.visitor(std::ref(whole)));
+  ASSERT_GT(whole.calls.size(), 4u);
+  for (std::size_t i = 1; i <= whole.calls.size(); ++i) {
+    Visitor visitor;
+    visitor.cancel_at = i;
+    Outputs outputs(mesh);
+    EXPECT_THROW(outputs.run(np.visitor(std::ref(visitor))), RS::Segmentation_cancelled);
+    EXPECT_EQ(visitor.calls.size(), i);
+    outputs.expect_untouched();
+  }
+}
+
 TEST(Visitor_test, sees_the_stages_in_order_with_progress)
 {
   const Surface_mesh mesh = to_surface_mesh(dumbbell());
@@ -502,6 +519,19 @@ TEST(Visitor_test, sees_the_stages_in_order_with_progress)
   Visitor of_default;
   Outputs(mesh).run(RP::number_of_segments(2).visitor(std::ref(of_default)));
   EXPECT_EQ(stages_of(of_default), stages_of_default);
+}
+
+TEST(Visitor_test, sees_the_stages_where_nothing_is_merged)
+{
+  // As many segments as first regions, and more.
+  const Surface_mesh mesh = to_surface_mesh(cube());
+  for (std::size_t number : {6, 100}) {
+    const Options options(number, reference::Convexity::all);
+    Visitor visitor;
+    Outputs(mesh).run(options.named().visitor(std::ref(visitor)));
+    EXPECT_EQ(stages_of(visitor), stages_of_two_step) << number;
+    expect_that_cancelling_writes_nothing(mesh, options.named());
+  }
 }
 
 TEST(Visitor_test, sees_the_stages_of_stage_functions)
@@ -529,23 +559,6 @@ TEST(Visitor_test, sees_progress_inside_long_stages)
     ++calls[call.first];
   for (const std::string& stage : stages_of_default)
     EXPECT_GT(calls[stage], 1u) << stage;
-}
-
-/// Cancels at every call in turn.
-template <typename Parameters>
-void expect_that_cancelling_writes_nothing(const Surface_mesh& mesh, const Parameters& np)
-{
-  Visitor whole;
-  Outputs(mesh).run(np.visitor(std::ref(whole)));
-  ASSERT_GT(whole.calls.size(), 4u);
-  for (std::size_t i = 1; i <= whole.calls.size(); ++i) {
-    Visitor visitor;
-    visitor.cancel_at = i;
-    Outputs outputs(mesh);
-    EXPECT_THROW(outputs.run(np.visitor(std::ref(visitor))), RS::Segmentation_cancelled);
-    EXPECT_EQ(visitor.calls.size(), i);
-    outputs.expect_untouched();
-  }
 }
 
 TEST(Visitor_test, can_cancel_anywhere_and_nothing_is_written)

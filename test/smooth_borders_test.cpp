@@ -326,6 +326,14 @@ TEST(Smooth_borders_test, teeth_are_cut_off)
   EXPECT_EQ(std::abs(std::count(labels.begin(), labels.end(), 0u) - 68), 4);
 }
 
+TEST(Smooth_borders_test, does_not_depend_on_the_size_of_the_surface)
+{
+  const Labels expected = smoothed(grid(16, 4), toothed(16, 4));
+  EXPECT_EQ(border_length(grid(16, 4), expected), 4);
+  for (double factor : {1. / 16, 1. / 8, 1. / 4}) // 1/8: a surface of area 1
+    EXPECT_EQ(smoothed(scaled(grid(16, 4), factor), toothed(16, 4)), expected) << factor;
+}
+
 TEST(Smooth_borders_test, a_straight_border_stays)
 {
   Labels labels;
@@ -349,6 +357,29 @@ TEST(Smooth_borders_test, a_border_falls_into_a_valley)
   // Seen from the other side it is a ridge, and no edge is cheaper than another.
   EXPECT_EQ(smoothed(reversed(valley), labels, RS::Minimum_cut_borders(0.3, 1)), labels);
   EXPECT_EQ(smoothed(valley, labels, RS::Minimum_cut_borders(0.3, 1, 0)), labels);
+}
+
+TEST(Smooth_borders_test, a_valley_is_chosen_by_the_ratio_of_the_costs)
+{
+  // A strip of 12 quads, bent up by .1 rad along an edge beside the border; with g = 10 this edge costs half its length. That of
+  // the border has length 1, all others 4.
+  const auto result = [](double length_of_valley) {
+    Soup strip;
+    for (std::size_t i = 0; i <= 12; ++i) {
+      const double length = i == 6 ? 1 : i == 7 ? length_of_valley : 4, beyond = 0.2 * std::max(0.0, double(i) - 7);
+      const double x = 0.2 * std::min(double(i), 7.0) + std::cos(0.1) * beyond, z = std::sin(0.1) * beyond;
+      strip.points.push_back({x, -length / 2, z});
+      strip.points.push_back({x, length / 2, z});
+    }
+    for (std::size_t i = 0; i < 12; ++i)
+      strip.polygons.push_back({2 * i, 2 * i + 2, 2 * i + 3, 2 * i + 1});
+    return smoothed(strip, {0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1}, RS::Minimum_cut_borders(0.2, 0.5, 10));
+  };
+  const Labels moved{0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1}, kept{0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1};
+  EXPECT_EQ(result(1.05), moved);
+  EXPECT_EQ(result(1.95), moved);
+  EXPECT_EQ(result(2.05), kept);
+  EXPECT_EQ(result(3.00), kept);
 }
 
 TEST(Smooth_borders_test, faces_beyond_the_band_stay)
