@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numeric>
 #include <optional>
 #include <random>
 #include <set>
@@ -471,6 +472,39 @@ std::string refusal(Segmenter& segmenter, const Map& seeds)
     return e.what();
   }
   return "";
+}
+
+TEST(Segmenter_test, paths_between_equal_seeds_avoid_valleys)
+{
+  // A wall across the middle of a plate: over it 5 squares, around it 13, but the way over it leads through two valleys.
+  std::vector<Voxel> voxels = voxel_block({0, 0, 0}, {9, 11, 3});
+  for (const Voxel& v : voxel_block({4, 1, 3}, {5, 10, 4}))
+    voxels.push_back(v);
+  const Surface_mesh mesh = to_surface_mesh(voxel_surface(voxels));
+  auto seeds = face_map(mesh, no_seed);
+  const Face first = face_near(mesh, 3.5, 5.5, 3), second = face_near(mesh, 5.5, 5.5, 3);
+  put(seeds, first, 0);
+  put(seeds, second, 0);
+  const auto face_each = [](const RS::Flat_mesh& flat) {
+    std::vector<RS::Partition::Index> numbers(flat.number_of_faces());
+    std::iota(numbers.begin(), numbers.end(), RS::Partition::Index(0));
+    return RS::Partition(numbers, numbers.size());
+  };
+  const RS::Two_step parts;
+  RS::Segmenter segmenter(mesh, RS::parameters::method(RS::make_segmentation_method(face_each, parts.annotator, parts.policy))
+                                  .number_of_segments(2));
+  ASSERT_EQ(segmenter.regions().number_of_parts(), num_faces(mesh));
+  segmenter.set_seeds(seeds);
+  const RS::Partition& regions = segmenter.regions();
+  ASSERT_EQ(regions[first], regions[second]);
+  std::size_t number = 0;
+  for (Face f : mesh.faces())
+    if (regions[f] == regions[first]) {
+      ++number;
+      for (auto v : vertices_around_face(mesh.halfedge(f), mesh))
+        EXPECT_LE(mesh.point(v).z(), 3) << "on the wall";
+    }
+  EXPECT_EQ(number, 13u);
 }
 
 TEST(Segmenter_test, seeds_that_cannot_be_joined_are_refused_by_name)
