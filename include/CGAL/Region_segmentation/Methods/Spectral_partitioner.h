@@ -106,7 +106,8 @@ double weight_of(const RegionData& region)
 /// commute time in a random traversal. Then the two adjacent sets of regions are united whose union adds least to the
 /// sum of squared distances to the means, weighted by area if the data of regions has a member `area`, until \f$k\f$
 /// remain. So all segments are connected, and nothing is random. Neither the signs of eigenvectors nor their choice in
-/// a common eigenspace matter, except at the last value.
+/// a common eigenspace matter, except at the last value. (Of a value that many eigenvectors share, as in a graph of many
+/// equal pieces, Spectra may miss some.)
 ///
 /// Sections that are not mergeable, or whose cost is not a number, do not connect regions.
 ///
