@@ -229,17 +229,22 @@ TEST(Region_shapes_test, are_those_of_the_faces_and_of_the_first_face_where_ther
   expect_equal(shapes.surface_centroid, {1, 0.5, 0});
 }
 
-TEST(Inward_rays_test, start_from_patches_where_a_region_has_their_centers)
+/// A bumpy sheet of faces that are joined to patches, above a large slanted square, whose two triangles are the last faces.
+Soup sheet_above_square()
 {
-  // A bumpy sheet of faces that are joined to patches, above a large square.
   std::mt19937 random(1);
   Soup sheet = triangulated(grid(24, 24));
   bump(sheet, 0.2, random);
-  const std::size_t small = sheet.polygons.size();
   const Soup square = mapped(grid(1, 1), [](const Point& p) -> Point {
     return {864 * p[0] - 420, 864 * p[1] - 420, -50 - 80 * p[0]};
   });
-  const Soup soup = joined(sheet, triangulated(square));
+  return joined(sheet, triangulated(square));
+}
+
+TEST(Inward_rays_test, start_from_patches_where_a_region_has_their_centers)
+{
+  const Soup soup = sheet_above_square();
+  const std::size_t small = soup.polygons.size() - 2;
   const RS::Flat_mesh mesh = flat_mesh_of(soup);
   const RS::Mesh_points& points = mesh.points();
   std::vector<int> labels(soup.polygons.size(), 0);
@@ -275,15 +280,9 @@ TEST(Inward_rays_test, start_from_patches_where_a_region_has_their_centers)
 
 TEST(Inward_rays_test, start_from_any_face_where_a_region_has_no_center_of_a_patch)
 {
-  // A sheet of faces that are joined to patches, above a slanted square; some faces are regions of their own.
-  std::mt19937 random(1);
-  Soup sheet = triangulated(grid(24, 24));
-  bump(sheet, 0.2, random);
-  const std::size_t small = sheet.polygons.size();
-  const Soup square = mapped(grid(1, 1), [](const Point& p) -> Point {
-    return {864 * p[0] - 420, 864 * p[1] - 420, -50 - 80 * p[0]};
-  });
-  const RS::Flat_mesh mesh = flat_mesh_of(joined(sheet, triangulated(square)));
+  // Some faces of the sheet are regions of their own.
+  const RS::Flat_mesh mesh = flat_mesh_of(sheet_above_square());
+  const std::size_t small = mesh.number_of_faces() - 2;
   const RS::Mesh_points& points = mesh.points();
   std::vector<bool> is_center(mesh.number_of_faces());
   for (std::size_t p = 0; p < mesh.patches().size(); ++p)

@@ -43,11 +43,11 @@ public:
   /// The mean of the corners of a face.
   Double_3 centroid(std::size_t face) const
   {
-    const Index begin = m_first_corners[face], end = m_first_corners[face + 1];
+    const std::size_t n = number_of_corners(face);
     Double_3 sum{};
-    for (Index i = begin; i < end; ++i)
-      sum = sum + m_points[m_corners[i]];
-    return (1.0 / double(end - begin)) * sum;
+    for (std::size_t i = 0; i < n; ++i)
+      sum = sum + m_points[corner(face, i)];
+    return (1.0 / double(n)) * sum;
   }
 
 private:

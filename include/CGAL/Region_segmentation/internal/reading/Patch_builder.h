@@ -56,10 +56,8 @@ public:
   static Mesh_patches build(const Flat_mesh& mesh, Partition of_faces)
   {
     Patch_builder builder(mesh);
-    const Faces faces(mesh);
     builder.m_rounds.push_back(std::move(of_faces));
-    builder.replace_places(faces, builder.m_rounds.back());
-    builder.replace_directions(faces, builder.m_rounds.back());
+    builder.replace_patches(Faces(mesh), builder.m_rounds.back(), [] {});
     Mesh_patches patches = builder.finish();
     set_faces(patches, mesh);
     return patches;
@@ -180,9 +178,7 @@ private:
   {
     const Faces faces(m_mesh);
     m_rounds.push_back(select(faces));
-    replace_places(faces, m_rounds.back());
-    release_centroids();
-    replace_directions(faces, m_rounds.back());
+    replace_patches(faces, m_rounds.back(), release_centroids);
   }
 
   /// Returns whether it is worth another round.
@@ -193,8 +189,7 @@ private:
     Partition joined = select(patches);
     if (joined.number_of_parts() == before)
       return false;
-    replace_places(patches, joined); // before adjacencies, since it frees most memory
-    replace_directions(patches, joined);
+    replace_patches(patches, joined, [] {}); // first, since it frees most memory
     replace_adjacencies(joined.number_of_parts(), [&](Index patch) { return joined[patch]; });
     m_rounds.push_back(std::move(joined));
     return before - m_places.size() >= before / 32;
@@ -219,6 +214,14 @@ private:
         if (partition[i] - first < size)
           f(partition[i], i);
     });
+  }
+
+  template <typename Patches, typename Release>
+  void replace_patches(const Patches& patches, const Partition& joined, const Release& release_centroids)
+  {
+    replace_places(patches, joined);
+    release_centroids();
+    replace_directions(patches, joined);
   }
 
   template <typename Patches>
