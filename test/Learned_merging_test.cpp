@@ -83,7 +83,6 @@ TEST(Learned_merging_test, is_the_default_and_needs_no_number)
   EXPECT_EQ(by_default.regions, by_name.regions);
 
   const Result chosen = run(mesh, RS::parameters::default_values());
-  EXPECT_EQ(chosen.number_of_segments, RS::Learned_merging().chooser(chosen.tree));
   EXPECT_EQ(chosen.segments, labels_of(chosen.regions, chosen.tree.partition_at_count(chosen.number_of_segments)));
 }
 

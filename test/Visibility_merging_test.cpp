@@ -173,7 +173,6 @@ TEST(Visibility_merging_test, needs_no_number)
 {
   const Surface_mesh mesh = to_surface_mesh(random_mesh(Family::BLOCKS, 4));
   const Result chosen = run(mesh, RS::parameters::method(RS::Visibility_merging()));
-  EXPECT_EQ(chosen.number_of_segments, RS::Visibility_merging().chooser(chosen.tree));
   EXPECT_EQ(chosen.segments, labels_of(chosen.regions, chosen.tree.partition_at_count(chosen.number_of_segments)));
 }
 

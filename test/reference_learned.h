@@ -300,21 +300,23 @@ struct Result
 {
   std::vector<std::size_t> region_of;
   std::vector<Merge> merges;
+  std::size_t chosen_number;
 
   Result(const Mesh& mesh, const Annotated& annotated)
   {
     Learned_graph graph = annotate(mesh, annotated.graph, annotated.region_of);
     merge_by_visibility(60, graph, merges);
     merge_down_to(1, graph, order_of, expected_cost, merges);
+    chosen_number = choose_number(number_of(annotated.region_of));
     const visibility::Straightened straightened(mesh, annotated, merges);
     region_of = straightened.region_of;
     merges = straightened.merges;
   }
 
-  /// The largest number, from 60 down to 2, at which the sum of the costs is lowest.
-  std::size_t chosen_number() const
+private:
+  /// The largest number, from 60 down to 2, at which the sum of the costs is lowest, as regions are before borders move.
+  std::size_t choose_number(std::size_t regions) const
   {
-    const std::size_t regions = number_of(region_of);
     const std::size_t least = std::max(regions - merges.size(), std::min<std::size_t>(regions, 2));
     std::size_t best = std::max(least, std::min<std::size_t>(regions, 60));
     double sum = 0, lowest = 0;

@@ -11,6 +11,7 @@
 #include <CGAL/Region_segmentation/Methods/Learned_merging.h>
 #include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
 #include <CGAL/Region_segmentation/Segmenter.h>
+#include <CGAL/Region_segmentation/segment.h>
 
 #include <gtest/gtest.h>
 
@@ -65,16 +66,23 @@ void expect_same_labels(Surface_mesh& mesh, const reference::visibility::Mesh& c
   auto segment_id = mesh.add_property_map<Surface_mesh::Face_index, std::size_t>("f:segment").first;
   const RS::Segmenter<Surface_mesh, Method> segmenter(mesh);
   const std::size_t components = reference::visibility::number_of(expected.region_of) - expected.merges.size();
-  EXPECT_EQ(segmenter.number_of_segments(), copy.is_convex() ? components : expected.chosen_number());
-  for (std::size_t k : {1, 2, 3, 5, 8, 12, 20, 40, 100, 200, 400, 800}) {
-    if (k > reference::visibility::number_of(expected.region_of))
-      break; // regions would be split
-    segmenter.segment(segment_id, k);
+  const auto expect_labels = [&](std::size_t k) {
     std::vector<std::size_t> labels;
     for (auto f : faces(mesh))
       labels.push_back(segment_id[f]);
     EXPECT_TRUE(labels == reference::visibility::labels_after(expected.region_of, expected.merges, k)) << k << " segments";
+  };
+  const std::size_t chosen_number = copy.is_convex() ? components : expected.chosen_number;
+  EXPECT_EQ(segmenter.number_of_segments(), chosen_number);
+  for (std::size_t k : {1, 2, 3, 5, 8, 12, 20, 40, 100, 200, 400, 800}) {
+    if (k > reference::visibility::number_of(expected.region_of))
+      break; // regions would be split
+    segmenter.segment(segment_id, k);
+    expect_labels(k);
   }
+  // Alone, it moves no other borders than those of the chosen number.
+  EXPECT_EQ(RS::segment(mesh, segment_id, RS::parameters::method(Method())), chosen_number);
+  expect_labels(chosen_number);
 }
 
 /// Of both methods on superfacets.

@@ -749,19 +749,23 @@ struct Result
 {
   std::vector<std::size_t> region_of;
   std::vector<Merge> merges;
+  std::size_t chosen_number;
 
   Result(const Mesh& mesh, const Annotated& annotated)
   {
     Graph graph = annotated.graph;
     merge_by_visibility(1, graph, merges);
+    chosen_number = choose_number(number_of(annotated.region_of));
     const Straightened straightened(mesh, annotated, merges);
     region_of = straightened.region_of;
     merges = straightened.merges;
   }
 
-  std::size_t chosen_number() const
+private:
+  /// As regions are before borders move.
+  std::size_t choose_number(std::size_t regions) const
   {
-    const std::size_t regions = number_of(region_of), least = regions - merges.size();
+    const std::size_t least = regions - merges.size();
     const std::size_t first = regions - std::min(regions, std::max<std::size_t>(40, least));
     double highest = -std::numeric_limits<double>::infinity();
     for (std::size_t i = first; i < merges.size(); ++i)

@@ -16,7 +16,8 @@ class NumberChooser
 public:
   /// the number of segments, at least 1. A number that the tree does not have is replaced by the nearest one that it has,
   /// unless it is larger and the `RegionInitializer` splits regions. The tree holds all merges, down to one segment for each
-  /// connected component, unless the policy ends before, or sections are barred.
+  /// connected component, unless the policy ends before, or sections are barred. Borders are straightened afterwards: merges that
+  are left out then, since a region loses all its faces, count here.
   std::size_t operator()(const Merge_tree& tree) const;
 
   /// Optional: is called instead, with the mesh on which the method works.

@@ -31,7 +31,7 @@ public:
   /*!
   moves the borders of the regions when it is known which of them are borders of segments: the region of each face
   afterwards, by its former number. Optional; called where one tree of merges gives every number of segments. A region
-  can lose all its faces: then its merge is left out.
+  can lose all its faces: then its merge is left out. A number that is not given has been chosen before.
 
   `tree`: of the merges of the regions. `is_fixed(region)`: whether its faces must stay in the segments of the region, since
   they have a seed; at most one region of those that are merged.

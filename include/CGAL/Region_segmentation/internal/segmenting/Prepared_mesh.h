@@ -180,7 +180,7 @@ private:
     std::optional<Graph> graph;              // unless there is one tree
     Merge_tree tree;                         // of `regions()`
     std::optional<Partition> straightened_regions;
-    std::optional<Partition> segments; // of the faces, if prepared for one given number whose borders were straightened
+    std::optional<Partition> segments; // of the faces, if prepared for one number whose borders were straightened
     std::size_t chosen_number = 0;     // of segments
     std::optional<Cache> cache; // of the annotator, for `merged_regions()`; empty after a failed change
   };
@@ -202,11 +202,11 @@ private:
     Graph graph = make_graph(regions, result.cache, np);
     if constexpr (has_one_tree) {
       result.tree = merge(graph, 1, [](const Graph&, double) { return false; }, result.seeds, np);
-      if constexpr (straightens_borders)
-        straighten_borders(regions, result, np);
       if constexpr (has_chooser<Method>())
         if (m_number == 0)
           result.chosen_number = choose_number(result.tree);
+      if constexpr (straightens_borders)
+        straighten_borders(regions, result, np);
     }
     else
       result.graph = std::move(graph);
@@ -214,18 +214,19 @@ private:
   }
 
   /// Moves the borders of the regions that were merged, now that it is known which of them are borders of segments. For one
-  /// given number of segments, no further than it needs; a number is chosen from all merges that remain.
+  /// number of segments, no further than it needs.
   template <typename Pack>
   void straighten_borders(const Partition& regions, Result& result, const Pack& np) const
   {
-    const bool is_one_number = m_preparation == Preparation::FOR_ONE_NUMBER && m_number > 0;
+    const std::size_t number = m_number > 0 ? m_number : result.chosen_number;
+    const bool is_one_number = m_preparation == Preparation::FOR_ONE_NUMBER && number > 0;
     const std::vector<Partition::Index> labels = m_method.initializer.straighten_borders(
       m_flat, regions, result.tree,
       [&](Partition::Index r) { return !result.seeds.empty() && result.seeds.of[r] != Seeds::none; },
-      make_execution<ConcurrencyTag>(np, "borders"), is_one_number ? m_number : regions.number_of_parts());
+      make_execution<ConcurrencyTag>(np, "borders"), is_one_number ? number : regions.number_of_parts());
     Partition straightened = Partition::from_labels(labels);
     // If there are fewer, the labels are those of regions, which may be split.
-    if (is_one_number && straightened.number_of_parts() >= m_number)
+    if (is_one_number && straightened.number_of_parts() >= number)
       result.segments = std::move(straightened);
     else
       set_straightened_regions(labels, std::move(straightened), result);
