@@ -78,6 +78,24 @@ TEST(Is_oriented_manifold, says_what_cgal_says)
   EXPECT_GT(count[true], 400u) << "seed " << seed;
 }
 
+TEST(Is_oriented_manifold, takes_fans_of_any_size)
+{
+  for (std::size_t n : {3, 4, 15, 16, 17, 18, 100}) {
+    Polygon_soup cone;
+    cone.points.resize(n + 3);
+    for (std::size_t i = 0; i < n; ++i)
+      cone.polygons.push_back({0, i + 1, (i + 1) % n + 1});
+    EXPECT_TRUE(is_oriented_manifold(cone)) << n;
+    cone.polygons.push_back({0, n + 1, n + 2});
+    EXPECT_FALSE(is_oriented_manifold(cone)) << n;
+    cone.polygons.back() = cone.polygons.front();
+    EXPECT_FALSE(is_oriented_manifold(cone)) << n;
+    cone.polygons.pop_back();
+    cone.polygons.pop_back();
+    EXPECT_TRUE(is_oriented_manifold(cone)) << n << ", open";
+  }
+}
+
 TEST(Is_oriented_manifold, wants_three_corners_and_one_fan_a_point)
 {
   const auto is_manifold = [](std::size_t points, std::vector<Polygon_soup::Polygon> polygons) {

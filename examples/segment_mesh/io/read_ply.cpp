@@ -25,12 +25,13 @@ public:
   {
     for (const Ply_element& element : m_header.elements) {
       reserve(element);
+      const bool is_vertex = element.is_vertex();
       for (std::uint64_t item = 0; item < element.count; ++item) {
         m_values.start(element, item);
         Point point{};
         for (const Ply_property& property : element.properties)
           read_property(property, point);
-        if (element.is_vertex())
+        if (is_vertex)
           m_soup.points.push_back(point);
       }
     }

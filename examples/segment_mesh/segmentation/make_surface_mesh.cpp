@@ -20,15 +20,14 @@ constexpr Index none = (std::numeric_limits<Index>::max)();
 class Connector
 {
 public:
-  Connector(Surface_mesh& mesh, std::size_t number_of_edges)
-      : m_mesh(mesh), m_first_edges(mesh.number_of_vertices(), none)
+  /// The mesh has its vertices and faces, and as many edges as it would have without borders.
+  explicit Connector(Surface_mesh& mesh) : m_mesh(mesh), m_first_edges(mesh.number_of_vertices(), none)
   {
-    m_edges.reserve(number_of_edges);
+    m_edges.reserve(mesh.number_of_edges());
   }
 
-  void add_face(const Polygon_soup::Polygon& polygon)
+  void connect(Surface_mesh::Face_index face, const Polygon_soup::Polygon& polygon)
   {
-    const Surface_mesh::Face_index face = m_mesh.add_face();
     const Halfedge first = add_halfedge(Index(polygon.back()), Index(polygon.front()));
     m_mesh.set_halfedge(face, first);
     Halfedge previous = first;
@@ -75,10 +74,20 @@ private:
       return m_mesh.opposite(m_mesh.halfedge(Surface_mesh::Edge_index(edge)));
     m_edges.push_back({higher, m_first_edges[lower]});
     m_first_edges[lower] = Index(m_edges.size() - 1);
-    const Halfedge h = m_mesh.add_edge(Vertex(source), Vertex(target));
+    const Halfedge h = new_edge();
+    m_mesh.set_target(h, Vertex(target));
+    m_mesh.set_target(m_mesh.opposite(h), Vertex(source));
     m_mesh.set_halfedge(Vertex(target), h);
     m_mesh.set_halfedge(Vertex(source), m_mesh.opposite(h));
     return h;
+  }
+
+  /// The first halfedge of the last one of `m_edges`.
+  Halfedge new_edge()
+  {
+    return m_edges.size() > m_mesh.number_of_edges()
+             ? m_mesh.add_edge()
+             : m_mesh.halfedge(Surface_mesh::Edge_index(Index(m_edges.size() - 1)));
   }
 
   Surface_mesh& m_mesh;
@@ -93,16 +102,16 @@ Surface_mesh make_surface_mesh(const Polygon_soup& soup)
   std::size_t number_of_corners = 0;
   for (const Polygon_soup::Polygon& polygon : soup.polygons)
     number_of_corners += polygon.size();
-  const std::size_t least_number_of_edges = number_of_corners / 2;
 
   Surface_mesh mesh;
-  mesh.reserve(Index(soup.points.size()), Index(least_number_of_edges),
-               Index(soup.polygons.size()));
-  for (const Point& p : soup.points)
-    mesh.add_vertex({p[0], p[1], p[2]});
-  Connector connector(mesh, least_number_of_edges);
-  for (const Polygon_soup::Polygon& polygon : soup.polygons)
-    connector.add_face(polygon);
+  mesh.resize(Index(soup.points.size()), Index(number_of_corners / 2), Index(soup.polygons.size()));
+  for (const Vertex v : mesh.vertices()) {
+    const Point& p = soup.points[v];
+    mesh.point(v) = {p[0], p[1], p[2]};
+  }
+  Connector connector(mesh);
+  for (const Surface_mesh::Face_index face : mesh.faces())
+    connector.connect(face, soup.polygons[face]);
   connector.close_borders();
   return mesh;
 }

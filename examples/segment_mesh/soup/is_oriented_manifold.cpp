@@ -3,16 +3,20 @@
 #include "soup/is_oriented_manifold.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <numeric>
 
 namespace segment_mesh {
 
 namespace {
 
+/// As in a `Surface_mesh`, which has no more points.
+using Index = std::uint32_t;
+
 /// A face at a point, as the points that come after and before that point on the face.
 struct Corner
 {
-  std::size_t next, previous;
+  Index next, previous;
 
   friend bool operator<(const Corner& a, const Corner& b) { return a.next < b.next; }
 };
@@ -44,21 +48,36 @@ Corners collect_corners(const Polygon_soup& soup)
   std::partial_sum(result.first.begin(), result.first.end(), result.first.begin());
   result.corners.resize(result.first.back());
   for (const Polygon_soup::Polygon& polygon : soup.polygons) {
-    std::size_t previous = polygon.back();
+    Index previous = Index(polygon.back());
     for (std::size_t i = 0; i < polygon.size(); ++i) {
-      const std::size_t next = polygon[i + 1 < polygon.size() ? i + 1 : 0];
+      const Index next = Index(polygon[i + 1 < polygon.size() ? i + 1 : 0]);
       result.corners[--result.first[polygon[i]]] = {next, previous};
-      previous = polygon[i];
+      previous = Index(polygon[i]);
     }
   }
   return result;
+}
+
+/// Whether the faces at a point, a few, are one closed fan, whose edges are all different: each leads to one, and all of them
+/// are passed before the first one is met again.
+bool is_closed_fan(const Corner* begin, const Corner* end)
+{
+  const Corner* corner = begin;
+  std::ptrdiff_t size = 0;
+  do {
+    const Index wanted = corner->previous;
+    corner = std::find_if(begin, end, [wanted](const Corner& other) { return other.next == wanted; });
+    ++size;
+  } while (corner != end && corner != begin && size < end - begin);
+  return corner == begin && size == end - begin;
 }
 
 /// Whether the faces at a point are one fan, whose edges are all different. Across the edge to its
 /// previous point a face has the one for which that is the next point. `is_led_to` is a buffer.
 bool is_fan(Corner* begin, Corner* end, std::vector<char>& is_led_to)
 {
-  if (begin == end)
+  constexpr std::ptrdiff_t few = 16; // most fans are closed and small, and then no order is needed
+  if (begin == end || (end - begin <= few && is_closed_fan(begin, end)))
     return true;
   std::sort(begin, end);
   const auto is_same_edge = [](const Corner& a, const Corner& b) { return a.next == b.next; };
