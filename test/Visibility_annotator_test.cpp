@@ -170,6 +170,17 @@ TEST(Ray_tree_test, finds_them_in_subtrees_of_many_boxes)
     EXPECT_GT(compare_hits(soup, 1), 20u);
 }
 
+TEST(Ray_tree_test, a_ray_that_is_not_a_number_hits_nothing)
+{
+  const RS::Flat_mesh mesh = flat_mesh_of(triangulated(sphere(3)));
+  const RS::internal::Ray_tree tree(mesh, mesh.centroid(0), RS::Execution<>());
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const auto& [source, direction] : {std::make_pair(Double_3{nan, nan, nan}, Double_3{0, 0, 1}),
+                                          std::make_pair(Double_3{0, 0, 0}, Double_3{nan, nan, nan})})
+    EXPECT_EQ(first_hit(tree, mesh, source, direction, RS::internal::Ray_tree::no_face).face,
+              RS::internal::Ray_tree::no_face);
+}
+
 TEST(Ray_tree_test, finds_needles_up_to_their_tips)
 {
   const RS::Flat_mesh mesh = flat_mesh_of(needles(400, 1));

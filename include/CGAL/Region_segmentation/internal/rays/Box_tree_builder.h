@@ -29,7 +29,8 @@ struct Box_node
   using Child = std::uint32_t;
 
   std::array<Float_4_3, 2> bounds; ///< of the children, lower and upper ones; reversed for missing children
-  std::array<Child, width> child;
+  /// Missing ones are the first leaf: no bound holds back a ray that is not a number, and no way must lead upwards.
+  std::array<Child, width> child = {1, 1, 1, 1};
 };
 
 /// Builds a tree of boxes. One thread splits them into parts of up to `boxes_of_a_job`, from which threads build subtrees.
