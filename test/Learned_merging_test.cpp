@@ -88,11 +88,13 @@ TEST(Learned_merging_test, is_the_default_and_needs_no_number)
 
 TEST(Learned_merging_test, does_not_depend_on_the_numbering)
 {
-  for (unsigned seed = 1; seed <= 4; ++seed) {
+  for (unsigned seed = 1; seed <= 8; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> any(-1, 1);
     Soup soup = triangulated(seed % 2 == 0 ? sphere(4) : torus(40, 24));
+    if (seed > 4) // other components
+      soup = joined(joined(soup, translated(triangulated(torus(30, 20)), 3, 8, 0)), translated(sphere(3), -4, 0, 1));
     for (Point& p : soup.points) // no two faces are alike
       for (double& x : p)
         x *= 1 + 0.05 * any(random);

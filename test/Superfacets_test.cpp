@@ -61,17 +61,16 @@ std::vector<double> distances_from(const RS::Flat_mesh& mesh, std::size_t seed, 
   return distances;
 }
 
-/// The face farthest from the centroid of the surface.
-std::size_t first_seed(const RS::Flat_mesh& mesh)
+/// Of each face, from the centroid of the surface.
+std::vector<double> distances_from_centroid(const RS::Flat_mesh& mesh)
 {
   RS::Double_3 center{};
   for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
     center = center + (mesh.area(f) / mesh.surface_area()) * mesh.centroid(f);
-  std::size_t farthest = 0;
-  for (std::size_t f = 1; f < mesh.number_of_faces(); ++f)
-    if (norm(mesh.centroid(f) - center) > norm(mesh.centroid(farthest) - center))
-      farthest = f;
-  return farthest;
+  std::vector<double> distances;
+  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
+    distances.push_back(norm(mesh.centroid(f) - center));
+  return distances;
 }
 
 /// Seeds, the distances from each of them, and of each face the distance to the nearest one.
@@ -82,17 +81,22 @@ struct Seeding
   std::vector<double> nearest;
 };
 
-/// Each seed is the face farthest from those before it.
+/// Of the faces that no seed reaches, that farthest from the centroid of the surface; then the face farthest from the seeds before it.
 Seeding seeding_of(const RS::Flat_mesh& mesh, std::size_t number, double weight)
 {
   Seeding result;
   result.nearest.assign(mesh.number_of_faces(), std::numeric_limits<double>::infinity());
-  for (std::size_t seed = first_seed(mesh); result.seeds.size() < number;) {
+  const std::vector<double> from_centroid = distances_from_centroid(mesh);
+  while (result.seeds.size() < number) {
+    std::size_t seed = 0;
+    for (std::size_t f = 1; f < mesh.number_of_faces(); ++f)
+      if (result.nearest[f] > result.nearest[seed] ||
+          (std::isinf(result.nearest[f]) && std::isinf(result.nearest[seed]) && from_centroid[f] > from_centroid[seed]))
+        seed = f;
     result.seeds.push_back(seed);
     result.from_seed.push_back(distances_from(mesh, seed, weight));
     for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
       result.nearest[f] = std::min(result.nearest[f], result.from_seed.back()[f]);
-    seed = std::size_t(std::max_element(result.nearest.begin(), result.nearest.end()) - result.nearest.begin());
   }
   return result;
 }
@@ -159,7 +163,7 @@ TEST(Farthest_point_seeding_test, every_face_goes_to_the_nearest_of_far_apart_se
       const RS::Flat_mesh mesh = flat_mesh_of(random_mesh(family, seed));
       const RS::Execution<> execution;
       RS::internal::Farthest_point_seeding seeding(dual_graph_of(mesh, 0.4), execution);
-      seeding.run(first_seed(mesh), 12);
+      seeding.run(distances_from_centroid(mesh), 12);
       const RS::Partition regions = seeding.regions();
       ASSERT_EQ(regions.number_of_parts(), 12u);
 
@@ -188,6 +192,28 @@ TEST(Superfacets_test, regions_are_connected_and_numbered_by_first_face)
     }
 }
 
+TEST(Farthest_point_seeding_test, every_component_gets_a_seed_where_it_is_farthest_from_the_centroid)
+{
+  for (unsigned seed = 1; seed <= 5; ++seed)
+    for (std::size_t number : {1, 3, 9}) {
+      SCOPED_TRACE("seed " + std::to_string(seed) + ", " + std::to_string(number) + " regions");
+      const Soup one = random_mesh(Family::SPHERE, seed), other = random_mesh(Family::TORUS, seed);
+      const RS::Flat_mesh mesh =
+        flat_mesh_of(joined(joined(one, translated(other, 20, 0, 0)), translated(one, 0, 50, 0)));
+      const RS::Execution<> execution;
+      RS::internal::Farthest_point_seeding seeding(dual_graph_of(mesh, 0.4), execution);
+      seeding.run(distances_from_centroid(mesh), number);
+      const RS::Partition regions = seeding.regions();
+      ASSERT_EQ(regions.number_of_parts(), std::max<std::size_t>(3, number));
+      const Seeding expected = seeding_of(mesh, regions.number_of_parts(), 0.4);
+      for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
+        for (std::size_t i = 0; i < regions.number_of_parts(); ++i)
+          if (regions[expected.seeds[i]] == regions[f]) {
+            EXPECT_NEAR(expected.from_seed[i][f], expected.nearest[f], 1e-9);
+          }
+    }
+}
+
 TEST(Farthest_point_seeding_test, splitting_separates_the_face_farthest_from_its_seed_first)
 {
   for (Family family : {Family::SHEET, Family::SPHERE, Family::TORUS, Family::BLOCKS})
@@ -202,7 +228,7 @@ TEST(Farthest_point_seeding_test, splitting_separates_the_face_farthest_from_its
       });
       const RS::Execution<> execution;
       RS::internal::Farthest_point_seeding seeding(dual_graph_of(mesh, 0.4), execution);
-      seeding.run(first_seed(mesh), 12);
+      seeding.run(distances_from_centroid(mesh), 12);
       RS::Partition before = seeding.regions();
       for (std::size_t i = 0; i + 12 < order.size(); ++i) {
         const RS::Partition after = seeding.split_regions(13 + i);
@@ -261,7 +287,7 @@ TEST(Border_shortening_test, moves_the_face_with_the_largest_gain_until_there_is
       const RS::Flat_mesh mesh = flat_mesh_of(random_mesh(family, seed));
       const RS::Execution<> execution;
       RS::internal::Farthest_point_seeding seeding(dual_graph_of(mesh, 0.4), execution);
-      seeding.run(first_seed(mesh), 15);
+      seeding.run(distances_from_centroid(mesh), 15);
       const RS::Partition before = seeding.regions();
       const RS::internal::Dual_graph costs(mesh, [&](std::size_t, std::size_t e) { return mesh.length(e); });
       std::vector<std::size_t> expected(before.begin(), before.end());
@@ -285,7 +311,7 @@ TEST(Superfacets_test, are_seeded_on_the_patches_and_shortened)
       ASSERT_EQ(mesh.patches().size(), mesh.number_of_faces());
       const RS::Execution<> execution;
       RS::internal::Farthest_point_seeding seeding(dual_graph_of(mesh, 0.4), execution);
-      seeding.run(first_seed(mesh), 15);
+      seeding.run(distances_from_centroid(mesh), 15);
       const RS::internal::Dual_graph costs(mesh, [&](std::size_t f, std::size_t e) {
         const double concavity = mesh.has_flag(e, RS::Flat_mesh::CONCAVE) ? std::min(mesh.deviation(f, e), 0.6) : 0;
         return mesh.length(e) / mesh.relative_unit() / (1 + 10 * concavity);

@@ -293,17 +293,23 @@ private:
       area += m_patches.areas[p];
     }
     center = (1 / area) * center;
-    std::size_t next = 0;
-    for (std::size_t p = 1; p < n; ++p)
-      if (norm(m_patches.centroids[p] - center) > norm(m_patches.centroids[next] - center))
-        next = p;
-    std::vector<double> distance(n, std::numeric_limits<double>::infinity());
+    constexpr double unreached = std::numeric_limits<double>::infinity();
+    std::vector<double> distance(n, unreached);
     m_region.assign(n, 0);
-    for (std::size_t seeds = 0; distance[next] > 0; ++seeds) {
-      if (seeds >= number && distance[next] != std::numeric_limits<double>::infinity())
+    std::size_t seeds = 0;
+    while (std::count(distance.begin(), distance.end(), unreached) > 0) {
+      std::size_t next = n;
+      for (std::size_t p = 0; p < n; ++p)
+        if (distance[p] == unreached &&
+            (next == n || norm(m_patches.centroids[p] - center) > norm(m_patches.centroids[next] - center)))
+          next = p;
+      grow(next, seeds++, distance);
+    }
+    while (seeds < number) {
+      const std::size_t next = std::size_t(std::max_element(distance.begin(), distance.end()) - distance.begin());
+      if (!(distance[next] > 0))
         break;
-      grow(next, seeds, distance);
-      next = std::size_t(std::max_element(distance.begin(), distance.end()) - distance.begin());
+      grow(next, seeds++, distance);
     }
     m_region = numbered(m_region);
   }

@@ -35,9 +35,9 @@ namespace Region_segmentation {
 /// A step between two adjacent patches has the length \f$|c_i - c_j| / \sqrt{A} + w \, \min(\delta^+, m)\f$, rounded to
 /// `float`, at least \f$10^{-37}\f$ and at most \f$10^{28}\f$, \f$c\f$ the centroids, \f$A\f$ the area of the surface, \f$\delta^+\f$ the
 /// angle of their normals if they face each other, \f$(n_j - n_i) \cdot (c_j - c_i) < 0\f$, else 0 (and 0 if one has no normal). Distances are sums
-/// of steps in `double`. The first seed is the patch farthest from the centroid of the surface, each further one the
-/// patch farthest from all seeds so far; of several, the lower one. A patch belongs to the nearest seed; of several at
-/// the same distance, to the one placed first. Every connected component gets a seed, even if this exceeds the number.
+/// of steps in `double`. The first seeds are placed in the connected components without one, each at the patch of them that is farthest from the
+/// centroid of the surface, even if this exceeds the number; then each further one at the patch farthest from all seeds so far; of
+/// several, at the lower one. A patch belongs to the nearest seed; of several at the same distance, to the one placed first.
 /// Regions are connected, and are numbered by their lowest patch.
 ///
 /// Then borders are shortened. A border of length \f$l\f$ (that of the edges that are not constrained) between two
@@ -132,7 +132,7 @@ private:
                   patches.concave_deviation(i));
     });
     internal::Farthest_point_seeding seeding(std::move(steps), execution.step(0, 0.9));
-    seeding.run(farthest_patch(patches), number);
+    seeding.run(distances_from_centroid(patches), number);
     return internal::Border_shortening(internal::border_costs(mesh, patches, concave_gain, maximum_deviation), seeding.regions()).take_regions();
   }
 
@@ -161,8 +161,8 @@ private:
     return faces;
   }
 
-  /// From the centroid of the surface.
-  static std::size_t farthest_patch(const Mesh_patches& patches)
+  /// Squared, from that of the surface.
+  static std::vector<double> distances_from_centroid(const Mesh_patches& patches)
   {
     // Relative to a point of the mesh, to avoid cancellation far from the origin.
     const Double_3 origin = patches[0].centroid;
@@ -173,11 +173,11 @@ private:
       area += patches[p].area;
     }
     center = origin + (area > 0 ? 1 / area : 0) * center;
-    std::size_t farthest = 0;
-    for (std::size_t p = 1; p < patches.size(); ++p)
-      if (squared_norm(patches[p].centroid - center) > squared_norm(patches[farthest].centroid - center))
-        farthest = p;
-    return farthest;
+    std::vector<double> distances;
+    distances.reserve(patches.size());
+    for (std::size_t p = 0; p < patches.size(); ++p)
+      distances.push_back(squared_norm(patches[p].centroid - center));
+    return distances;
   }
 
   static constexpr double shortest_step = 1e-37, longest_step = 1e28;

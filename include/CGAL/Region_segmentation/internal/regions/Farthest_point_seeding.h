@@ -22,9 +22,9 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// Farthest-point seeding on a dual graph: seeds are placed one after another, each at the face farthest from all seeds
-/// so far, of several at the lower one; a new seed updates the distances only where it is nearer. The region of a seed
-/// is the faces that are nearest to it, and is connected. Every connected component gets a seed.
+/// Farthest-point seeding on a dual graph: every connected component gets a seed, then seeds are placed one after another, each at
+/// the face farthest from all seeds so far, of several at the lower one; a new seed updates the distances only where it is nearer. The
+/// region of a seed is the faces that are nearest to it, and is connected.
 ///
 /// The faces are those of a mesh, or patches.
 template <typename ConcurrencyTag>
@@ -40,19 +40,20 @@ public:
     , m_front(m_graph.mean_length() / slices_of_mean_step)
   {}
 
-  /// Places `number` seeds, or more if there are more components, or fewer if all faces are seeds.
-  void run(std::size_t first_seed, std::size_t number)
+  /// Places `number` seeds, or more if there are more components, or fewer if all faces are seeds. `remoteness`: by face; each
+  /// component gets its first seed where it is highest, of several at the lower face, and components in this order
+  /// \pre there are faces
+  void run(const std::vector<double>& remoteness, std::size_t number)
   {
     m_number_wanted = number;
-    grow_from(first_seed);
+    Step_counter<ConcurrencyTag> seeds(m_execution, number);
+    seed_components(remoteness, seeds);
     for (std::size_t f = 0; f < m_reached.size(); f += faces_per_bound)
       m_bounds.push_back(farthest_in_block(f));
     std::make_heap(m_bounds.begin(), m_bounds.end(), is_nearer);
-    Step_counter<ConcurrencyTag> seeds(m_execution, number);
-    while (true) {
+    while (m_number_of_seeds < number) {
       const std::size_t seed = farthest();
-      const double distance = m_reached[seed].distance;
-      if (distance <= 0 || (m_number_of_seeds >= number && distance != unreached))
+      if (m_reached[seed].distance <= 0)
         break;
       grow_from(seed);
       seeds.advance();
@@ -107,6 +108,24 @@ private:
     Index seed, predecessor;
   };
   using Entry = std::pair<double, Index>; // distance, face
+
+  void seed_components(const std::vector<double>& remoteness, Step_counter<ConcurrencyTag>& seeds)
+  {
+    const auto is_before = [&](Index f, Index g) {
+      return remoteness[f] != remoteness[g] ? remoteness[f] > remoteness[g] : f < g;
+    };
+    std::vector<Index> faces(m_reached.size());
+    std::iota(faces.begin(), faces.end(), Index(0));
+    grow_from(*std::min_element(faces.begin(), faces.end(), is_before));
+    // Nothing is left where there is one component.
+    faces.erase(std::remove_if(faces.begin(), faces.end(), [&](Index f) { return m_reached[f].distance != unreached; }), faces.end());
+    std::sort(faces.begin(), faces.end(), is_before);
+    for (const Index f : faces)
+      if (m_reached[f].distance == unreached) {
+        grow_from(f);
+        seeds.advance();
+      }
+  }
 
   /// The farthest of all, the lower face of several, as the last of a heap's order.
   static bool is_nearer(const Entry& a, const Entry& b)
