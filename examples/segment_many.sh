@@ -1,6 +1,6 @@
 #!/bin/sh
 # segment_many.sh FOLDER ENDING[,ENDING...] [OPTION...] < LIST: segments the meshes of a list, a file name
-# on each line, by segment_mesh and GNU parallel. NAME.off gives FOLDER/NAME.ENDING.
+# on each line, by segment_mesh and GNU parallel. NAME.off, or NAME.off.gz, gives FOLDER/NAME.ENDING.
 #
 #   find meshes -name '*.off' | sh examples/segment_many.sh parts seg,ply -k 7
 #
@@ -36,8 +36,8 @@ program=${SEGMENT_MESH:-$root/build/bin/segment_mesh}
   fail "no segment_mesh: sh examples/run.sh builds it"
 command -v parallel >/dev/null || sh "$root/cmake/install_packages.sh" parallel
 
-list=$(cat)
-twice=$(printf '%s\n' "$list" | sed 's|.*/||; s|\.[^.]*$||' | sort | uniq -d | head -n 1)
+list=$(sed 's|^-|./-|') # no options
+twice=$(printf '%s\n' "$list" | sed 's|.*/||; s|\.gz$||; s|\.[^.]*$||' | sort | uniq -d | head -n 1)
 [ -z "$twice" ] || fail "two meshes would be written to $folder/$twice"
 
 share() {
@@ -49,6 +49,7 @@ share() {
 left() {
   share | while IFS= read -r mesh; do
     name=${mesh##*/}
+    name=${name%.gz}
     for ending in $endings; do
       output=$folder/${name%.*}.$ending
       if [ ! -e "$output" ] || [ "$mesh" -nt "$output" ]; then

@@ -9,6 +9,7 @@
 #include "demo/articulated_figure.h"
 #include "io/Temporary_file.h"
 #include "io/errors.h"
+#include "io/standard_streams.h"
 
 #include <tbb/global_control.h>
 #include <tbb/info.h>
@@ -90,12 +91,13 @@ void hint_at_outputs(const std::vector<Job>& jobs, const Options& options)
 int main(int argc, char** argv)
 {
   std::set_terminate(end_with_a_line);
+  occupy_closed_standard_streams();
   ignore_signals_of_writing();
   Temporary_file::remove_all_on_signals();
   try {
     const std::optional<Options> options = parse_command_line(argc, argv);
-    if (!options)
-      return DONE;
+    if (!options) // help or the like was written
+      return std::cout.flush() ? DONE : FAILED;
     const std::vector<Job> jobs = plan_jobs(*options, articulated_figure);
     const Exit_status status = run_with_threads(options->number_of_threads, [&] { return run_batch(jobs, *options); });
     if (status == DONE)

@@ -63,6 +63,27 @@ TEST(Whole_file, writes_through_a_symbolic_link)
   EXPECT_EQ(folder.read("target.seg"), "new");
 }
 
+TEST(Whole_file, writes_to_where_a_symbolic_link_leads_though_nothing_is_there)
+{
+  const Temporary_folder folder;
+  std::filesystem::create_directory(folder.path("other"));
+  std::filesystem::create_symlink("second.seg", folder.path("first.seg"));
+  std::filesystem::create_symlink("other/target.seg", folder.path("second.seg"));
+  const mode_t before = umask(022);
+  Whole_file whole(folder.path("first.seg"));
+  whole.stream() << "new";
+  whole.commit();
+  umask(before);
+  EXPECT_EQ(folder.read("other/target.seg"), "new");
+  EXPECT_TRUE(std::filesystem::is_symlink(folder.path("first.seg")));
+  EXPECT_TRUE(std::filesystem::is_symlink(folder.path("second.seg")));
+  EXPECT_EQ(std::filesystem::status(folder.path("other/target.seg")).permissions(), std::filesystem::perms(0644));
+
+  std::filesystem::create_symlink("loop.seg", folder.path("loop.seg"));
+  EXPECT_THROW(Whole_file(folder.path("loop.seg")), Output_error);
+  EXPECT_TRUE(std::filesystem::is_symlink(folder.path("loop.seg")));
+}
+
 TEST(Whole_file, writes_names_of_any_legal_length)
 {
   const Temporary_folder folder;
@@ -138,6 +159,22 @@ TEST(Temporary_file, of_a_killed_run_is_removed)
     EXPECT_FALSE(folder.has(".a.seg.0123456789abcdef.part"));
   }
   EXPECT_EQ(folder.names().size(), before - 1);
+}
+
+TEST(Temporary_file, of_a_segment_is_removed_whatever_its_number)
+{
+  const Temporary_folder folder;
+  const std::string digits = ".0123456789abcdef.part";
+  for (const char* name : {".part_0.ply", ".part_31.ply", ".part_31_of_31.ply"})
+    folder.write(name + digits, "left");
+  const std::vector<std::string> others = {".part_.ply" + digits, ".part_x.ply" + digits, ".part_3.plyx" + digits,
+                                           ".part_31_of_30.ply" + digits, ".other_3.ply" + digits};
+  for (const std::string& name : others)
+    folder.write(name, "of another target");
+  Temporary_file::remove_leftovers(folder.path(""), {"part_{segment}.ply", "part_{segment}_of_{segment}.ply"});
+  EXPECT_EQ(folder.names().size(), others.size());
+  for (const std::string& name : others)
+    EXPECT_TRUE(folder.has(name)) << name;
 }
 
 class Whole_file_on_signal : public testing::TestWithParam<int>

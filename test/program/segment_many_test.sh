@@ -100,6 +100,22 @@ mkdir expected
 "$segment_mesh" meshes/*.off -k 2 -o 'expected/{stem}.seg' -o 'expected/{stem}.ply' >out
 diff -r parts expected || fail "other outputs than by one run"
 
+# Compressed, and of a name that starts like an option.
+mkdir packed
+gzip -c "meshes/m 1.off" >packed.off.gz
+cp "meshes/m 2.off" -- -k.off
+printf 'packed.off.gz\n-k.off\n' >special
+"$segment_mesh" packed.off.gz ./-k.off -k 2 -o 'packed/{stem}.seg' >out
+ls packed >names
+rm packed/*
+for round in "packed.off.gz ./-k.off " ""; do
+  status=0
+  sh "$script" packed seg -k 2 <special >out 2>err || status=$?
+  expect 0 $status "exit status ($(cat err))"
+  expect "$round" "$([ ! -e log ] || calls)" "special names"
+done
+expect "$(cat names)" "$(ls packed)" "outputs of special names"
+
 # The tasks of an array share the list, whatever number they start from.
 for first in 0 1; do
   mkdir "share$first"

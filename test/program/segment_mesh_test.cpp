@@ -187,6 +187,20 @@ TEST_F(Program, leaves_nothing_half_written)
 }
 
 /// Under the names that its temporary files had when they could be foreseen.
+TEST_F(Program, writes_no_message_into_an_output_where_a_stream_is_closed)
+{
+  std::string inputs;
+  for (int i = 0; i < 40; ++i) // a face is turned: a remark for each
+    inputs += " '" + folder.write("a" + std::to_string(i) + ".off", "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 3 2\n") + "'";
+  for (const char* closed : {">&-", "2>&-", ">&- 2>&-", "<&- >&- 2>&-"}) {
+    const std::string command = "'" SEGMENT_MESH "'" + inputs + " -k 1 --threads 4 -o '" + folder.path("{stem}.seg") +
+                                "' >/dev/null 2>/dev/null " + closed;
+    static_cast<void>(std::system(command.c_str()));
+    for (int i = 0; i < 40; ++i)
+      EXPECT_EQ(folder.read("a" + std::to_string(i) + ".seg"), "0\n0\n") << closed;
+  }
+}
+
 TEST_F(Program, does_not_follow_what_is_planted)
 {
   folder.write("a.off", sample::off());
@@ -432,12 +446,22 @@ TEST_F(Program, says_if_it_has_no_pages)
     EXPECT_EQ(page.find(fetched), std::string::npos) << fetched;
 }
 
+TEST_F(Program, takes_no_empty_name_of_a_file)
+{
+  const std::string mesh = folder.write("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+  for (const std::string option : {"--labels", "--seeds", "--constraints", "--truth", "-o", "--borders"}) {
+    const Outcome outcome = run("a.off -k 1 " + option + " ''");
+    EXPECT_EQ(outcome.status, 2) << option;
+    EXPECT_NE(outcome.err.find("the name of a file is empty"), std::string::npos) << option << ": " << outcome.err;
+  }
+}
+
 TEST_F(Program, fails_when_stdout_is_full)
 {
   if (!std::filesystem::exists("/dev/full"))
     GTEST_SKIP() << "no /dev/full here";
-  const Outcome outcome = run("--demo > /dev/full; exit $?; true");
-  EXPECT_EQ(outcome.status, 1);
+  for (const std::string arguments : {"--demo", "--help", "--version", "--man", ""})
+    EXPECT_EQ(run(arguments + " > /dev/full; exit $?; true").status, 1) << arguments;
 }
 
 } // namespace segment_mesh_test

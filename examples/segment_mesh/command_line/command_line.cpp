@@ -15,6 +15,7 @@
 #include <iostream>
 #include <limits>
 #include <map>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -75,7 +76,10 @@ public:
   template <typename Value>
   CLI::Option* add(const char* names, Value& value, const char* type, const char* text) const
   {
-    return m_app.add_option(names, value, text)->type_name(type)->group(m_name);
+    CLI::Option* const option = m_app.add_option(names, value, text)->type_name(type)->group(m_name);
+    if (std::string_view(type).substr(0, 4) == "FILE") // a script's unset variable is no name
+      option->check(CLI::Validator([](const std::string& word) { return word.empty() ? "the name of a file is empty" : ""; }, ""));
+    return option;
   }
 
   /// An option that may be given several times, with one word each time.

@@ -3,13 +3,16 @@
 #include "io/Temporary_file.h"
 
 #include "io/exclusive_file.h"
+#include "io/output_format.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <mutex>
 #include <random>
 #include <string_view>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #if defined(__unix__) || defined(__APPLE__)
 #include <csignal>
@@ -66,6 +69,16 @@ std::string start_of_temporary(const std::string& name)
                        name.size() - ending.size()
            ? name.substr(0, name.size() - rest)
            : "";
+}
+
+/// Whether `start` is what `start_of_name()` gives for a name, with a number in place of `{segment}`.
+bool is_start_for_segment(const std::string& start, const std::string& name)
+{
+  const std::size_t first = name.find(segment_placeholder) + 1; // after the dot
+  for (std::size_t end = first; end < start.size() && start[end] >= '0' && start[end] <= '9'; ++end)
+    if (start_of_name(with_segment(name, start.substr(first, end + 1 - first))) == start)
+      return true;
+  return false;
 }
 
 #if defined(__unix__) || defined(__APPLE__)
@@ -136,12 +149,21 @@ void Temporary_file::replace_target()
 void Temporary_file::remove_leftovers(const fs::path& folder, const std::set<std::string>& names)
 {
   std::set<std::string> starts;
+  std::vector<std::string> names_for_segments;
   for (const std::string& name : names)
-    starts.insert(start_of_name(name));
+    if (name.find(segment_placeholder) == std::string::npos)
+      starts.insert(start_of_name(name));
+    else
+      names_for_segments.push_back(name);
+  const auto is_of_target = [&](const std::string& start) {
+    return starts.count(start) > 0 ||
+           (!start.empty() && std::any_of(names_for_segments.begin(), names_for_segments.end(),
+                                          [&](const std::string& name) { return is_start_for_segment(start, name); }));
+  };
   std::error_code error;
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
        entry.increment(error))
-    if (starts.count(start_of_temporary(entry->path().filename().string())) > 0)
+    if (is_of_target(start_of_temporary(entry->path().filename().string())))
       remove_if_left_behind(entry->path());
 }
 

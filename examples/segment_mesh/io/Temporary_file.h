@@ -32,7 +32,8 @@ public:
   /// \throws std::system_error
   void replace_target();
 
-  /// Removes the temporary files that killed runs left in `folder` for targets of these names.
+  /// Removes the temporary files that killed runs left in `folder` for targets of these names; `{segment}` in a name stands for
+  /// any number.
   static void remove_leftovers(const std::filesystem::path& folder,
                                const std::set<std::string>& names);
 

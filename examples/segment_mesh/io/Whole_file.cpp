@@ -26,6 +26,18 @@ std::unique_ptr<Temporary_file> make_temporary(const std::string& file)
   }
 }
 
+/// What `fs::weakly_canonical()` does not do.
+fs::path follow_links_to_nothing(const std::string& file, fs::path path)
+{
+  std::error_code ignored;
+  for (int links = 0; fs::is_symlink(fs::symlink_status(path, ignored)) && !fs::exists(path, ignored); ++links) {
+    if (links == 40)
+      throw Output_error(file, "is a symbolic link that leads to itself");
+    path = path.parent_path() / fs::read_symlink(path, ignored);
+  }
+  return path;
+}
+
 } // namespace
 
 Whole_file::Whole_file(const std::string& file)
@@ -51,7 +63,8 @@ fs::path Whole_file::target(const std::string& file)
 {
   std::error_code error;
   // Of a file that is not there the relative name would stay relative, and have no folder.
-  fs::path result = fs::weakly_canonical(fs::absolute(file, error), error);
+  const fs::path path = follow_links_to_nothing(file, fs::absolute(file, error));
+  fs::path result = fs::weakly_canonical(path, error);
   if (error)
     result = file;
   const fs::file_status status = fs::status(result, error);

@@ -33,10 +33,10 @@ bool is_at(const fs::path& path, int descriptor)
          file.st_dev == entry.st_dev && file.st_ino == entry.st_ino;
 }
 
-bool is_there(const fs::path& path)
+bool is_file(const fs::path& path)
 {
   struct stat entry;
-  return lstat(path.c_str(), &entry) == 0;
+  return lstat(path.c_str(), &entry) == 0 && S_ISREG(entry.st_mode);
 }
 
 /// Some file systems cannot do it for some kinds of files, and say so.
@@ -54,7 +54,7 @@ void sync(int descriptor)
 
 std::FILE* open_exclusively(const fs::path& path, const fs::path& target)
 {
-  const mode_t mode = is_there(target) ? 0600 : 0666;
+  const mode_t mode = is_file(target) ? 0600 : 0666;
   const int descriptor =
     open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, mode);
   if (descriptor < 0 && errno == EEXIST)

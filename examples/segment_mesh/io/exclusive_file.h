@@ -9,7 +9,7 @@
 namespace segment_mesh {
 
 /// Makes a file that is locked until it is closed, and opens it for writing. Only its owner may
-/// read it if `target` is there, which may be private; else those whom the umask lets.
+/// read it if `target` is a file, which may be private; else those whom the umask lets.
 /// \returns null if something of that name is there, which is neither opened nor followed
 /// \throws std::system_error
 std::FILE* open_exclusively(const std::filesystem::path& path, const std::filesystem::path& target);

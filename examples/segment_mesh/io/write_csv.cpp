@@ -7,7 +7,8 @@
 //   half_angle, error, neighbors
 //
 // They are those of `Segment_description`; lengths, areas and volumes in units of the mesh, half_angle in degrees. radius
-// is empty but for a sphere or a cylinder, half_angle but for a cone; neighbors are separated by spaces.
+// is empty but for a sphere or a cylinder, half_angle but for a cone; neighbors are separated by spaces. A value that
+// is too large for a double is inf.
 
 #include "io/Text_buffer.h"
 #include "io/write_segmentation.h"
