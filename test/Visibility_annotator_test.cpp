@@ -238,6 +238,11 @@ TEST(Region_shapes_test, are_those_of_the_faces_and_of_the_first_face_where_ther
   expect_equal(shapes.centroids[0], {1, 0.5, 0});
   expect_equal(shapes.centroids[1], {0.5, 0.5, 0});
   expect_equal(shapes.surface_centroid, {1, 0.5, 0});
+
+  const RS::internal::Region_shapes of_one(flat_mesh_of(grid(1, 1)), RS::Partition::from_labels(std::vector<int>{0}));
+  EXPECT_EQ(of_one.areas, std::vector<double>{1});
+  expect_equal(of_one.centroids[0], {0.5, 0.5, 0});
+  expect_equal(of_one.surface_centroid, {0.5, 0.5, 0});
 }
 
 /// A bumpy sheet of faces that are joined to patches, above a large slanted square, whose two triangles are the last faces.

@@ -335,6 +335,28 @@ TEST(Least_compact_region_first_test, follows_equation_4)
   EXPECT_EQ(merges(both, RS::Least_compact_region_first(0.1, 1), 2), (Merges{{0, 1}}));
 }
 
+TEST(Least_compact_region_first_test, costs_are_means_over_the_other_regions)
+{
+  const auto costs = [](std::vector<double> areas) {
+    Graph g;
+    for (const double area : areas)
+      add_region(g, area, 1);
+    for (std::uint32_t r = 1; r < areas.size(); ++r)
+      add_section(g, r - 1, r, 1);
+    RS::Least_compact_region_first policy(0.1, 0); // by area alone
+    std::vector<double> result;
+    for (const auto& merge : RS::merge_regions(g, policy, 1, RS::Stop_at_count{1}).merges())
+      result.push_back(merge.cost);
+    return result;
+  };
+  const std::vector<double> of_two = costs({1, 1}), of_three = costs({1, 2, 4});
+  ASSERT_EQ(of_two.size(), 1u);
+  EXPECT_NEAR(of_two[0], 1. / 2, 1e-12);
+  ASSERT_EQ(of_three.size(), 2u);
+  EXPECT_NEAR(of_three[0], (1. / 3 + 1. / 5) / 2, 1e-12);
+  EXPECT_NEAR(of_three[1], 3. / 7, 1e-12);
+}
+
 TEST(Least_compact_region_first_test, takes_planarities_of_any_size)
 {
   Graph g;

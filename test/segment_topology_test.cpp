@@ -19,6 +19,7 @@
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <random>
 #include <set>
 #include <string>
 #include <vector>
@@ -255,6 +256,27 @@ TEST(Mark_segment_seams_test, a_closed_segment_is_opened_along_two_edges_at_leas
   const Edge a = *seams.begin(), b = *seams.rbegin();
   EXPECT_EQ((std::set<std::size_t>{a.first, a.second, b.first, b.second}).size(), 3u) << "a path";
   expect_discs_when_cut(tetrahedron, Labels(4, 0));
+}
+
+TEST(Mark_segment_seams_test, no_seam_ends_on_a_closed_surface_with_a_handle)
+{
+  for (unsigned seed = 1; seed <= 8; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937 random(seed);
+    std::vector<std::size_t> new_vertex;
+    Soup soup = torus(30, 12);
+    for (Point& p : soup.points) // a horn, from whose tip the seams' tree grows
+      p[2] *= p[0] > 0 && p[2] > 0 ? 1 + 3 * p[0] : 1;
+    shuffle_vertices(soup, random, new_vertex);
+    std::map<std::size_t, int> seams_at;
+    for (const Edge& edge : seams_of(soup, Labels(soup.polygons.size(), 0))) {
+      ++seams_at[edge.first];
+      ++seams_at[edge.second];
+    }
+    EXPECT_FALSE(seams_at.empty());
+    for (const auto& [vertex, number] : seams_at)
+      EXPECT_GE(number, 2) << vertex;
+  }
 }
 
 TEST(Mark_segment_seams_test, opens_random_segments)
