@@ -414,6 +414,7 @@ TEST_F(Program, refuses_outputs_that_do_not_fit)
   expect_wrong_usage("7.off -k 2 -o '{segment}.off'", "-o {segment}.off: would replace an input");
   expect_wrong_usage("a.off -k 2 -o 'b{segment}.off' -o b12.off", "-o b12.off: would be written twice");
   expect_wrong_usage("a.off -k 2 -o b12.off -o 'b{segment}.off'", "-o b{segment}.off: would be written twice");
+  expect_wrong_usage("'b{segment}.off' -k 2 -o '{stem}.seg'", "-o {stem}.seg: {stem} is b{segment} here, which holds {segment}");
   expect_wrong_usage("a.off -k 2 -o '{segment}.png'", "{segment}.png: a file for each segment is .ply, .off, .obj or .vtp");
   expect_wrong_usage("a.off -k 2 -o '{segment}/b.ply'", "{segment}/b.ply: {segment} belongs to the name of the file, not of its "
                                                         "folder");

@@ -187,11 +187,15 @@ void check_outputs(const std::vector<Job>& jobs)
       registry.add_output(output);
 }
 
+/// \throws Usage_error for an input whose name would make an output one for each segment
 Job make_job(const std::string& input, const std::string& stem, const Options& options)
 {
   Job job{input, options.is_demo, options.outputs, options.truths, options.side_files};
-  for (Output& output : job.outputs)
+  for (Output& output : job.outputs) {
+    if (output.file.find(stem_placeholder) != std::string::npos && stem.find(segment_placeholder) != std::string::npos)
+      throw Usage_error("-o " + output.file + ": {stem} is " + stem + " here, which holds {segment}");
     output.file = with_stem(output.file, stem);
+  }
   for (std::string& truth : job.truths)
     truth = with_stem(truth, stem);
   for (const Side_file& file : side_files)
