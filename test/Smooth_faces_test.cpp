@@ -126,6 +126,18 @@ TEST(Smooth_faces_test, joins_the_facets_of_a_coarse_cylinder)
   }
 }
 
+TEST(Smooth_faces_test, starts_from_facets_that_are_flat_but_for_rounding)
+{
+  Surface_mesh mesh = to_surface_mesh(regular_prism(720, true).soup); // half a degree apart
+  auto region = mesh.add_property_map<Surface_mesh::Face_index, std::size_t>("f:region").first;
+  auto segment = mesh.add_property_map<Surface_mesh::Face_index, std::size_t>("f:segment").first;
+  EXPECT_EQ(RS::segment(mesh, segment, RS::parameters::method(RS::Smooth_faces()).region_map(region)), 3u);
+  std::set<std::size_t> regions;
+  for (auto f : mesh.faces())
+    regions.insert(region[f]);
+  EXPECT_EQ(regions.size(), 722u);
+}
+
 /// As Boolean operations leave them: no face is as wide as its facet.
 TEST(Smooth_faces_test, joins_facets_that_are_divided_into_slivers)
 {

@@ -313,6 +313,22 @@ TEST(Describe_segments_test, finds_a_cone)
     }
 }
 
+TEST(Describe_segments_test, takes_no_cone_that_is_nearly_a_cylinder_or_a_plane)
+{
+  // Half angles of 0.005 radians, and of as much less than a right angle: each a cone but for rounding.
+  const Description steep = description_of(tube(5, 24, [](double u, double v) {
+    const double r = 1 + 0.02 * u;
+    return moved({r * std::cos(2 * pi * v), r * std::sin(2 * pi * v), 4 * u});
+  }));
+  EXPECT_EQ(steep.primitive.type, RS::Primitive_type::CYLINDER);
+  EXPECT_NEAR(steep.primitive.radius, 1.01, 1e-3);
+  const Description flat = description_of(tube(5, 24, [](double u, double v) {
+    const double r = 1 + u;
+    return moved({r * std::cos(2 * pi * v), r * std::sin(2 * pi * v), 0.005 * r});
+  }));
+  EXPECT_NE(flat.primitive.type, RS::Primitive_type::CONE); // a plane, or a large sphere
+}
+
 TEST(Describe_segments_test, tells_two_circles_of_corners_from_a_sphere)
 {
   // As machine parts are meshed: the corners alone also lie on a sphere.
