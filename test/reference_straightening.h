@@ -130,6 +130,9 @@ private:
         m_label[e] = part;
       has_joined = !joined.empty();
     }
+    for (std::size_t e : segment) // of parts without elements of their own
+      if (m_label[e] == none)
+        m_label[e] = a;
   }
 
   void cut(const Elements& segment, std::size_t a, std::size_t b)

@@ -552,7 +552,7 @@ TEST(Visitor_test, sees_progress_inside_long_stages)
 {
   const Surface_mesh mesh = to_surface_mesh(sphere(6)); // 32,768 faces
   Visitor visitor;
-  RS::segment(mesh, face_map(mesh), RP::visitor(std::ref(visitor)));
+  RS::segment(mesh, face_map(mesh), RP::number_of_segments(8).visitor(std::ref(visitor)));
   EXPECT_EQ(stages_of(visitor), stages_of_default);
   std::map<std::string, std::size_t> calls;
   for (const auto& call : visitor.calls)
