@@ -165,13 +165,13 @@ TEST(Temporary_file, of_a_segment_is_removed_whatever_its_number)
 {
   const Temporary_folder folder;
   const std::string digits = ".0123456789abcdef.part";
-  for (const char* name : {".part_0.ply", ".part_31.ply", ".part_31_of_31.ply"})
+  for (const char* name : {".part_0.ply", ".part_31.ply", ".part_31_of_31.ply", ".x31.ply"})
     folder.write(name + digits, "left");
   const std::vector<std::string> others = {".part_.ply" + digits, ".part_x.ply" + digits, ".part_3.plyx" + digits,
-                                           ".part_31_of_30.ply" + digits, ".other_3.ply" + digits};
+                                           ".part_31_of_30.ply" + digits, ".other_3.ply" + digits, ".x1.ply" + digits};
   for (const std::string& name : others)
     folder.write(name, "of another target");
-  Temporary_file::remove_leftovers(folder.path(""), {"part_{segment}.ply", "part_{segment}_of_{segment}.ply"});
+  Temporary_file::remove_leftovers(folder.path(""), {"part_{segment}.ply", "part_{segment}_of_{segment}.ply", "x{segment}1.ply"});
   EXPECT_EQ(folder.names().size(), others.size());
   for (const std::string& name : others)
     EXPECT_TRUE(folder.has(name)) << name;

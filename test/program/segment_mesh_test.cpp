@@ -186,7 +186,6 @@ TEST_F(Program, leaves_nothing_half_written)
   EXPECT_EQ(folder.names(), (Names{"a.off", "figure.ply"}));
 }
 
-/// Under the names that its temporary files had when they could be foreseen.
 TEST_F(Program, writes_no_message_into_an_output_where_a_stream_is_closed)
 {
   std::string inputs;
@@ -201,6 +200,7 @@ TEST_F(Program, writes_no_message_into_an_output_where_a_stream_is_closed)
   }
 }
 
+/// Under the names that its temporary files had when they could be foreseen.
 TEST_F(Program, does_not_follow_what_is_planted)
 {
   folder.write("a.off", sample::off());
@@ -414,6 +414,9 @@ TEST_F(Program, refuses_outputs_that_do_not_fit)
   expect_wrong_usage("7.off -k 2 -o '{segment}.off'", "-o {segment}.off: would replace an input");
   expect_wrong_usage("a.off -k 2 -o 'b{segment}.off' -o b12.off", "-o b12.off: would be written twice");
   expect_wrong_usage("a.off -k 2 -o b12.off -o 'b{segment}.off'", "-o b{segment}.off: would be written twice");
+  expect_wrong_usage("a.off -k 2 -o 'b{segment}1.off' -o b121.off", "-o b121.off: would be written twice");
+  std::filesystem::create_symlink("c.seg", folder.path("link.seg"));
+  expect_wrong_usage("a.off -k 2 -o link.seg -o c.seg", "-o c.seg: would be written twice");
   expect_wrong_usage("'b{segment}.off' -k 2 -o '{stem}.seg'", "-o {stem}.seg: {stem} is b{segment} here, which holds {segment}");
   expect_wrong_usage("a.off -k 2 -o '{segment}.png'", "{segment}.png: a file for each segment is .ply, .off, .obj or .vtp");
   expect_wrong_usage("a.off -k 2 -o '{segment}/b.ply'", "{segment}/b.ply: {segment} belongs to the name of the file, not of its "

@@ -5,16 +5,13 @@
 #include "io/Mesh_format.h"
 #include "io/errors.h"
 #include "io/output_format.h"
+#include "io/resolve_links.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <map>
 #include <set>
-#include <system_error>
 
 namespace segment_mesh {
-
-namespace fs = std::filesystem;
 
 namespace {
 
@@ -89,14 +86,6 @@ void check_batch(const Named_file& file)
     throw Usage_error(file.option + " " + file.name + ": with several inputs it holds " + stem_placeholder);
 }
 
-/// The same for all names of a file.
-fs::path canonical_name(const std::string& file)
-{
-  std::error_code error;
-  const fs::path name = fs::weakly_canonical(fs::absolute(file, error), error);
-  return error ? fs::path(file) : name;
-}
-
 /// \throws Usage_error if the format of standard input is not given, or if it is to be read twice
 void check_standard_input(const Options& options)
 {
@@ -107,24 +96,11 @@ void check_standard_input(const Options& options)
     throw Usage_error("-: standard input can be read once");
 }
 
-/// Whether a file for a segment could have this name.
-bool is_segment_file(const std::string& pattern, const std::string& name)
-{
-  const std::string placeholder = segment_placeholder;
-  const std::size_t at = pattern.find(placeholder);
-  if (at == std::string::npos)
-    return pattern == name;
-  if (name.size() <= at || name.compare(0, at, pattern, 0, at) != 0)
-    return false;
-  const std::string number = name.substr(at, name.find_first_not_of("0123456789", at) - at);
-  return !number.empty() && is_segment_file(with_segment(pattern, number), name);
-}
-
 /// The files of a run, to find those that an output would replace.
 class File_registry
 {
 public:
-  void add(const std::string& file, const char* what) { m_files.emplace(canonical_name(file).string(), what); }
+  void add(const std::string& file, const char* what) { m_files.emplace(resolve_links(file).string(), what); }
 
   /// \throws Usage_error
   void add_output(const Output& output)
@@ -135,7 +111,7 @@ public:
       m_has_stdout = true;
       return;
     }
-    const std::string name = canonical_name(output.file).string();
+    const std::string name = resolve_links(output.file).string();
     if (const std::string* what = find_replaced(name, output))
       throw Usage_error(option_of(output) + " " + output.file + ": would replace " + *what);
     if (is_written_twice(name, output))

@@ -44,11 +44,8 @@ Registry& registry()
 constexpr std::string_view ending = ".part";
 constexpr std::size_t number_of_digits = 16;
 
-/// `.NAME.`, cut off so that with digits and ending it is a name of at most 255 bytes.
-std::string start_of_name(const std::string& name)
-{
-  return "." + name.substr(0, 255 - 2 - number_of_digits - ending.size()) + ".";
-}
+/// Of a target's name, of which a temporary file `.NAME.DIGITS.part` holds no more: a name has at most 255 bytes.
+constexpr std::size_t longest_name = 255 - 2 - number_of_digits - ending.size();
 
 std::string random_digits()
 {
@@ -59,26 +56,15 @@ std::string random_digits()
   return digits;
 }
 
-/// What `start_of_name()` gave for the name of a temporary file; empty for the name of another one.
-std::string start_of_temporary(const std::string& name)
+/// The name, cut off, of the target of the temporary file of this name; empty if that is the name of another file.
+std::string target_of_temporary(const std::string& name)
 {
-  const std::size_t rest = number_of_digits + ending.size();
-  const bool has_form =
-    name.size() > rest && name.compare(name.size() - ending.size(), ending.size(), ending) == 0;
-  return has_form && name.find_first_not_of("0123456789abcdef", name.size() - rest) ==
-                       name.size() - ending.size()
-           ? name.substr(0, name.size() - rest)
-           : "";
-}
-
-/// Whether `start` is what `start_of_name()` gives for a name, with a number in place of `{segment}`.
-bool is_start_for_segment(const std::string& start, const std::string& name)
-{
-  const std::size_t first = name.find(segment_placeholder) + 1; // after the dot
-  for (std::size_t end = first; end < start.size() && start[end] >= '0' && start[end] <= '9'; ++end)
-    if (start_of_name(with_segment(name, start.substr(first, end + 1 - first))) == start)
-      return true;
-  return false;
+  const std::size_t rest = 1 + number_of_digits + ending.size();
+  if (name.size() <= 1 + rest || name.front() != '.' || name[name.size() - rest] != '.' ||
+      name.compare(name.size() - ending.size(), ending.size(), ending) != 0 ||
+      name.find_first_not_of("0123456789abcdef", name.size() - rest + 1) != name.size() - ending.size())
+    return "";
+  return name.substr(1, name.size() - rest - 1);
 }
 
 #if defined(__unix__) || defined(__APPLE__)
@@ -115,7 +101,7 @@ void end_on_signal(sigset_t set)
 
 Temporary_file::Temporary_file(fs::path target) : m_target(std::move(target))
 {
-  const std::string start = start_of_name(m_target.filename().string());
+  const std::string start = "." + m_target.filename().string().substr(0, longest_name) + ".";
   const std::lock_guard<std::mutex> lock(registry().mutex);
   while (m_file == nullptr) {
     m_path = m_target.parent_path() / (start + random_digits() + std::string(ending));
@@ -148,22 +134,22 @@ void Temporary_file::replace_target()
 
 void Temporary_file::remove_leftovers(const fs::path& folder, const std::set<std::string>& names)
 {
-  std::set<std::string> starts;
-  std::vector<std::string> names_for_segments;
+  std::set<std::string> targets;
+  std::vector<std::string> patterns;
   for (const std::string& name : names)
     if (name.find(segment_placeholder) == std::string::npos)
-      starts.insert(start_of_name(name));
+      targets.insert(name.substr(0, longest_name));
     else
-      names_for_segments.push_back(name);
-  const auto is_of_target = [&](const std::string& start) {
-    return starts.count(start) > 0 ||
-           (!start.empty() && std::any_of(names_for_segments.begin(), names_for_segments.end(),
-                                          [&](const std::string& name) { return is_start_for_segment(start, name); }));
+      patterns.push_back(name);
+  const auto is_target = [&](const std::string& name) {
+    return targets.count(name) > 0 || std::any_of(patterns.begin(), patterns.end(), [&](const std::string& pattern) {
+             return is_segment_file(pattern, name, longest_name);
+           });
   };
   std::error_code error;
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
        entry.increment(error))
-    if (is_of_target(start_of_temporary(entry->path().filename().string())))
+    if (is_target(target_of_temporary(entry->path().filename().string())))
       remove_if_left_behind(entry->path());
 }
 

@@ -3,6 +3,7 @@
 #include "io/Whole_file.h"
 
 #include "io/errors.h"
+#include "io/resolve_links.h"
 
 #include <system_error>
 
@@ -24,18 +25,6 @@ std::unique_ptr<Temporary_file> make_temporary(const std::string& file)
   } catch (const std::system_error& error) {
     throw Output_error(file, "cannot be opened" + reason(error.code().value()));
   }
-}
-
-/// What `fs::weakly_canonical()` does not do.
-fs::path follow_links_to_nothing(const std::string& file, fs::path path)
-{
-  std::error_code ignored;
-  for (int links = 0; fs::is_symlink(fs::symlink_status(path, ignored)) && !fs::exists(path, ignored); ++links) {
-    if (links == 40)
-      throw Output_error(file, "is a symbolic link that leads to itself");
-    path = path.parent_path() / fs::read_symlink(path, ignored);
-  }
-  return path;
 }
 
 } // namespace
@@ -61,12 +50,10 @@ void Whole_file::commit()
 
 fs::path Whole_file::target(const std::string& file)
 {
+  const fs::path result = resolve_links(file);
   std::error_code error;
-  // Of a file that is not there the relative name would stay relative, and have no folder.
-  const fs::path path = follow_links_to_nothing(file, fs::absolute(file, error));
-  fs::path result = fs::weakly_canonical(path, error);
-  if (error)
-    result = file;
+  if (fs::is_symlink(fs::symlink_status(result, error)))
+    throw Output_error(file, "is a symbolic link that leads to itself");
   const fs::file_status status = fs::status(result, error);
   if (fs::exists(status) && !fs::is_regular_file(status))
     throw Output_error(file, fs::is_directory(status) ? "is a directory" : "is not a regular file");

@@ -79,6 +79,15 @@ std::string with_segment(std::string file, const std::string& number)
   return file;
 }
 
+bool is_segment_file(const std::string& pattern, const std::string& name, std::size_t longest)
+{
+  const std::size_t first = pattern.find(segment_placeholder);
+  for (std::size_t end = first; end < name.size() && name[end] >= '0' && name[end] <= '9'; ++end)
+    if (with_segment(pattern, name.substr(first, end + 1 - first)).substr(0, longest) == name)
+      return true;
+  return false;
+}
+
 Output make_output(const std::string& file, Output_content content, const std::optional<Output_format>& format)
 {
   Output output{file, Output_format::SEG, content, Compression::NONE};

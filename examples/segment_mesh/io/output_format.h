@@ -3,6 +3,7 @@
 #ifndef CGAL_REGION_SEGMENTATION_SEGMENT_MESH_OUTPUT_FORMAT_H
 #define CGAL_REGION_SEGMENTATION_SEGMENT_MESH_OUTPUT_FORMAT_H
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,6 +34,10 @@ struct Output
 
 /// The name with this number in place of each `{segment}`.
 std::string with_segment(std::string file, const std::string& number);
+
+/// Whether `name` is `pattern`, cut off after `longest` bytes, with the same number in place of each `{segment}`.
+/// \pre there is one in `pattern`
+bool is_segment_file(const std::string& pattern, const std::string& name, std::size_t longest = std::string::npos);
 
 /// The formats by the words for them, in the order of `Output_format`.
 const std::vector<std::string>& output_format_names();

@@ -111,16 +111,13 @@ private:
 
   void seed_components(const std::vector<double>& remoteness, Step_counter<ConcurrencyTag>& seeds)
   {
-    const auto is_before = [&](Index f, Index g) {
-      return remoteness[f] != remoteness[g] ? remoteness[f] > remoteness[g] : f < g;
-    };
-    std::vector<Index> faces(m_reached.size());
-    std::iota(faces.begin(), faces.end(), Index(0));
-    grow_from(*std::min_element(faces.begin(), faces.end(), is_before));
-    // Nothing is left where there is one component.
-    faces.erase(std::remove_if(faces.begin(), faces.end(), [&](Index f) { return m_reached[f].distance != unreached; }), faces.end());
-    std::sort(faces.begin(), faces.end(), is_before);
-    for (const Index f : faces)
+    grow_from(std::size_t(std::max_element(remoteness.begin(), remoteness.end()) - remoteness.begin()));
+    std::vector<Index> others; // none where there is one component
+    for (std::size_t f = 0; f < m_reached.size(); ++f)
+      if (m_reached[f].distance == unreached)
+        others.push_back(Index(f));
+    std::stable_sort(others.begin(), others.end(), [&](Index f, Index g) { return remoteness[f] > remoteness[g]; });
+    for (const Index f : others)
       if (m_reached[f].distance == unreached) {
         grow_from(f);
         seeds.advance();

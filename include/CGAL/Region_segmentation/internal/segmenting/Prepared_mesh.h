@@ -107,7 +107,7 @@ public:
   const Merge_tree& merge_tree() const { return m_result.tree; }
 
   /// The number of segments that was given, or else that which the method has chosen; 0 if it has no chooser.
-  std::size_t number_of_segments() const { return m_number > 0 ? m_number : m_result.chosen_number; }
+  std::size_t number_of_segments() const { return number_of_segments(m_result); }
 
   /// Adds constrained dual edges. On failure nothing changes.
   template <typename Pack>
@@ -213,12 +213,14 @@ private:
     return result;
   }
 
+  std::size_t number_of_segments(const Result& result) const { return m_number > 0 ? m_number : result.chosen_number; }
+
   /// Moves the borders of the regions that were merged, now that it is known which of them are borders of segments. For one
   /// number of segments, no further than it needs.
   template <typename Pack>
   void straighten_borders(const Partition& regions, Result& result, const Pack& np) const
   {
-    const std::size_t number = m_number > 0 ? m_number : result.chosen_number;
+    const std::size_t number = number_of_segments(result);
     const bool is_one_number = m_preparation == Preparation::FOR_ONE_NUMBER && number > 0;
     const std::vector<Partition::Index> labels = m_method.initializer.straighten_borders(
       m_flat, regions, result.tree,
