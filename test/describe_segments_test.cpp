@@ -254,9 +254,45 @@ TEST(Primitives_test, have_one_form)
     EXPECT_DOUBLE_EQ(cone.half_angle(), normalized);
   }
   cone.parameters[6] = pi / 6;
+  cone.normalize();
   EXPECT_NEAR(cone({3, 2, 3}), 2 * std::cos(pi / 6), 1e-12); // beside the apex
   EXPECT_NEAR(cone({1, 4, 3}), -2 * std::sin(pi / 6), 1e-12); // on the axis
   EXPECT_NEAR(cone({1, -3, 3}), 5, 1e-12); // behind the apex
+}
+
+/// At random points, in front of and behind an apex, by central differences; a changed axis has length 1 again.
+template <typename Primitive>
+void expect_gradients(Primitive primitive, std::mt19937& random)
+{
+  constexpr double step = 1e-6;
+  std::uniform_real_distribution<double> coordinate(-2, 2);
+  primitive.normalize();
+  for (int i = 0; i < 200; ++i) {
+    const Eigen::Vector3d p(coordinate(random), coordinate(random), coordinate(random));
+    const auto gradient = primitive.gradient(p);
+    for (int j = 0; j < Primitive::size; ++j) {
+      Primitive above = primitive, below = primitive;
+      above.parameters[j] += step;
+      below.parameters[j] -= step;
+      above.normalize();
+      below.normalize();
+      EXPECT_NEAR(gradient[j], (above(p) - below(p)) / (2 * step), 1e-6) << "parameter " << j << " at " << p.transpose();
+    }
+  }
+}
+
+TEST(Primitives_test, have_the_gradients_of_their_distances)
+{
+  std::mt19937 random(17);
+  RS::internal::Fitted_sphere sphere;
+  sphere.parameters << 0.1, -0.2, 0.3, 0.7;
+  expect_gradients(sphere, random);
+  RS::internal::Fitted_cylinder cylinder;
+  cylinder.parameters << 0.1, -0.2, 0.3, 0.4, 1, -0.6, 0.8;
+  expect_gradients(cylinder, random);
+  RS::internal::Fitted_cone cone;
+  cone.parameters << 0.1, -0.2, 0.3, 0.4, 1, -0.6, 0.5;
+  expect_gradients(cone, random);
 }
 
 TEST(Describe_segments_test, finds_a_sphere_and_a_part_of_it)

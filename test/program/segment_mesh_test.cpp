@@ -450,6 +450,28 @@ TEST_F(Program, says_if_it_has_no_pages)
     EXPECT_EQ(page.find(fetched), std::string::npos) << fetched;
 }
 
+/// Otherwise a page of ten thousands of pieces, in a file of 1 MB, takes a minute.
+TEST_F(Program, describes_no_more_segments_in_a_page_than_it_can_in_time)
+{
+  for (const std::size_t number : {30u, 200u, 201u}) {
+    std::string points, triangles;
+    for (std::size_t i = 0; i < 3 * number; i += 3) {
+      const std::string z = std::to_string(i);
+      points += "0 0 " + z + "\n1 0 " + z + "\n0 1 " + z + "\n";
+      triangles += "3 " + z + " " + std::to_string(i + 1) + " " + std::to_string(i + 2) + "\n";
+    }
+    folder.write("a.off", "OFF\n" + std::to_string(3 * number) + " " + std::to_string(number) + " 0\n" + points + triangles);
+    const Outcome outcome = run("a.off -o a.html");
+    if (outcome.status == 2)
+      GTEST_SKIP() << "built without pages";
+    const std::string page = folder.read("a.html"), described = "{\"node\":";
+    std::size_t found = 0;
+    for (std::size_t at = page.find(described); at != std::string::npos; at = page.find(described, at + 1))
+      ++found;
+    EXPECT_EQ(found, number <= 200 ? number : 0);
+  }
+}
+
 TEST_F(Program, takes_no_empty_name_of_a_file)
 {
   const std::string mesh = folder.write("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");

@@ -52,12 +52,15 @@ public:
     }
   }
 
-  /// The nodes of all partitions into at most `number_of_segments`, in groups of disjoint ones: of one height above those of
-  /// them that have no child among them. Groups are small, so that several threads have some.
+  /// The nodes of all partitions into at most `number_of_segments`, if there are any, in groups of disjoint ones: of one height
+  /// above those of them that have no child among them. Groups are small, so that several threads have some.
   std::vector<std::vector<std::size_t>> disjoint_groups(std::size_t number_of_segments)
   {
     constexpr std::size_t greatest_group = 8;
     std::vector<std::vector<std::size_t>> groups;
+    const std::size_t number_of_roots = 2 * m_number_of_regions - m_parents.size();
+    if (number_of_roots > number_of_segments)
+      return groups;
     std::map<std::size_t, std::size_t> open_groups; // by height
     std::fill(m_heights.begin(), m_heights.end(), 0);
     for (std::size_t node = 0; node < m_parents.size(); ++node) {

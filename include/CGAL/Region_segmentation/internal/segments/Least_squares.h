@@ -36,13 +36,14 @@ struct Weighted_samples
 /// Improves a primitive by the method of Levenberg and Marquardt: minimizes the weighted mean of squared distances. The
 /// points are about 1 in size. Parameters may be redundant (a point of an axis), since steps are damped.
 ///
-/// \tparam Primitive has `static constexpr int size`, a vector of as many `parameters`, `normalize()`, and distances as
-///         `double operator()(point) const`
+/// \tparam Primitive has `static constexpr int size`, a vector of as many `parameters`, `normalize()`, and of these distances as
+///         `double operator()(point) const`, and their `gradient(point)`
+/// \param primitive the start, normalized
 template <typename Primitive>
 Primitive least_squares_fit(Primitive primitive, const Weighted_samples& samples)
 {
   constexpr int most_iterations = 50;
-  constexpr double step = 1e-6, least_improvement = 1e-9, largest_damping = 1e8;
+  constexpr double least_improvement = 1e-9, largest_damping = 1e8;
   using Vector = Eigen::Matrix<double, Primitive::size, 1>;
   using Matrix = Eigen::Matrix<double, Primitive::size, Primitive::size>;
   double damping = 1e-3, error = samples.mean_squared_distance(primitive);
@@ -50,13 +51,7 @@ Primitive least_squares_fit(Primitive primitive, const Weighted_samples& samples
     Matrix normal_matrix = Matrix::Zero();
     Vector right_side = Vector::Zero();
     for (std::size_t i = 0; i < samples.points.size(); ++i) {
-      Vector gradient;
-      for (int j = 0; j < Primitive::size; ++j) {
-        Primitive above = primitive, below = primitive;
-        above.parameters[j] += step;
-        below.parameters[j] -= step;
-        gradient[j] = (above(samples.points[i]) - below(samples.points[i])) / (2 * step);
-      }
+      const Vector gradient = primitive.gradient(samples.points[i]);
       normal_matrix += samples.weights[i] * gradient * gradient.transpose();
       right_side -= samples.weights[i] * primitive(samples.points[i]) * gradient;
     }
