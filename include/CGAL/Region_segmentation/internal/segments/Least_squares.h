@@ -43,7 +43,7 @@ template <typename Primitive>
 Primitive least_squares_fit(Primitive primitive, const Weighted_samples& samples)
 {
   constexpr int most_iterations = 50;
-  constexpr double least_improvement = 1e-9, largest_damping = 1e8;
+  constexpr double least_improvement = 1e-6, largest_damping = 1e8;
   using Vector = Eigen::Matrix<double, Primitive::size, 1>;
   using Matrix = Eigen::Matrix<double, Primitive::size, Primitive::size>;
   double damping = 1e-3, error = samples.mean_squared_distance(primitive);
@@ -52,7 +52,7 @@ Primitive least_squares_fit(Primitive primitive, const Weighted_samples& samples
     Vector right_side = Vector::Zero();
     for (std::size_t i = 0; i < samples.points.size(); ++i) {
       const Vector gradient = primitive.gradient(samples.points[i]);
-      normal_matrix += samples.weights[i] * gradient * gradient.transpose();
+      normal_matrix.template selfadjointView<Eigen::Lower>().rankUpdate(gradient, samples.weights[i]);
       right_side -= samples.weights[i] * primitive(samples.points[i]) * gradient;
     }
     bool is_better = false, has_converged = false;
