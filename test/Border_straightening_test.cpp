@@ -94,7 +94,7 @@ reference::Straightening_input input_of(const RS::Flat_mesh& mesh, const RS::Par
   }
   for (std::size_t p = 0; p < patches.size(); ++p) {
     input.areas.push_back(patches[p].area / mesh.surface_area());
-    input.region_of[p] = regions[patches[p].face];
+    input.region_of[p] = regions[patches[p].center];
   }
   for (const auto& merge : tree.merges())
     input.merges.push_back({merge.kept, merge.removed});

@@ -192,7 +192,7 @@ TEST_P(Flat_mesh_test, a_mesh_is_the_same_when_points_are_read_after_the_patches
     EXPECT_EQ(one.patches().of_faces()[f], other.patches().of_faces()[f]) << "face " << f;
   }
   for (std::size_t p = 0; p < one.patches().size(); ++p)
-    EXPECT_EQ(one.patches()[p].face, other.patches()[p].face) << "patch " << p;
+    EXPECT_EQ(one.patches()[p].center, other.patches()[p].center) << "patch " << p;
 }
 
 TEST_P(Flat_mesh_test, a_constraint_can_be_set_and_taken_back)

@@ -15,6 +15,7 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <random>
 #include <set>
 #include <utility>
@@ -26,7 +27,7 @@ using RS::Double_3;
 
 namespace Mesh_patches_test {
 
-using Patches = RS::Mesh_patches;
+using RS::Mesh_patches;
 
 RS::Flat_mesh flat_mesh_of(const Soup& soup)
 {
@@ -60,12 +61,9 @@ struct Node
   Double_3 normal() const { return (1 / norm(area_vector)) * area_vector; }
 };
 
-/// The definition, with sets and maps: the patch of each face.
-Labels patches_by_definition(const RS::Flat_mesh& mesh)
+/// The definition, with sets and maps: the patch of each face. `patch_of`: before the first round
+Labels joined_in_rounds(const RS::Flat_mesh& mesh, Labels patch_of, double maximum_area)
 {
-  Labels patch_of(mesh.number_of_faces());
-  for (std::size_t f = 0; f < patch_of.size(); ++f)
-    patch_of[f] = f;
   while (true) {
     std::map<std::size_t, Node> nodes;
     for (std::size_t f = 0; f < patch_of.size(); ++f) {
@@ -79,10 +77,10 @@ Labels patches_by_definition(const RS::Flat_mesh& mesh)
       const std::size_t a = patch_of[mesh.lower_face(e)], b = patch_of[mesh.higher_face(e)];
       const Node &x = nodes[a], &y = nodes[b];
       if (a == b || mesh.has_flag(e, RS::Flat_mesh::CONSTRAINED) ||
-          x.area + y.area > Patches::maximum_area * mesh.surface_area())
+          x.area + y.area > maximum_area * mesh.surface_area())
         continue;
       const double step = norm(x.centroid() - y.centroid()) / std::sqrt(mesh.surface_area()) +
-                          Patches::deviation_weight * norm(x.normal() - y.normal());
+                          Mesh_patches::deviation_weight * norm(x.normal() - y.normal());
       for (auto [from, to] : {std::make_pair(a, b), std::make_pair(b, a)})
         if (!selected.count(from) || std::make_pair(step, to) < selected[from])
           selected[from] = {step, to};
@@ -119,6 +117,24 @@ Labels patches_by_definition(const RS::Flat_mesh& mesh)
   }
 }
 
+Labels patches_by_definition(const RS::Flat_mesh& mesh)
+{
+  Labels faces(mesh.number_of_faces());
+  std::iota(faces.begin(), faces.end(), 0);
+  return joined_in_rounds(mesh, faces, Mesh_patches::maximum_area);
+}
+
+Labels coarse_patches_by_definition(const RS::Flat_mesh& mesh)
+{
+  return joined_in_rounds(mesh, patches_by_definition(mesh), Mesh_patches::maximum_coarse_area);
+}
+
+/// Of the faces.
+Labels coarse_labels_of(const Mesh_patches& patches)
+{
+  return labels_of(composed(patches.of_faces(), patches.coarse().of_elements()));
+}
+
 TEST(Mesh_patches_test, are_those_of_the_definition)
 {
   for (unsigned seed = 1; seed <= 5; ++seed) {
@@ -126,6 +142,23 @@ TEST(Mesh_patches_test, are_those_of_the_definition)
     const RS::Flat_mesh mesh = flat_mesh_of(small_faces(seed));
     EXPECT_LT(mesh.patches().size(), mesh.number_of_faces() / 8);
     EXPECT_EQ(labels_of(mesh.patches().of_faces()), patches_by_definition(mesh));
+    EXPECT_LT(mesh.patches().coarse().size(), mesh.patches().size() / 4);
+    EXPECT_EQ(coarse_labels_of(mesh.patches()), coarse_patches_by_definition(mesh));
+  }
+}
+
+TEST(Mesh_patches_test, coarse_ones_are_made_of_single_faces_too)
+{
+  // No face is small enough to be joined at first.
+  for (unsigned seed = 1; seed <= 3; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937 random(seed);
+    Soup soup = triangulated(torus(120, 60));
+    bump(soup, 0.01, random);
+    const RS::Flat_mesh mesh = flat_mesh_of(soup);
+    EXPECT_EQ(mesh.patches().size(), mesh.number_of_faces());
+    EXPECT_LT(mesh.patches().coarse().size(), mesh.number_of_faces() / 2);
+    EXPECT_EQ(coarse_labels_of(mesh.patches()), coarse_patches_by_definition(mesh));
   }
 }
 
@@ -151,8 +184,53 @@ TEST(Mesh_patches_test, large_faces_are_patches)
     const RS::Flat_mesh mesh = flat_mesh_of(random_mesh(family, 1));
     std::size_t large = 0;
     for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
-      large += mesh.area(f) > Patches::maximum_area * mesh.surface_area();
+      large += mesh.area(f) > Mesh_patches::maximum_area * mesh.surface_area();
     EXPECT_GE(mesh.patches().size(), large) << name(family);
+  }
+}
+
+/// What patches should be, of the faces of a mesh. `patch_of`: the patch of each face
+void expect_description(const RS::Patches& patches, const RS::Flat_mesh& mesh, const Labels& patch_of)
+{
+  std::vector<Node> nodes(patches.size());
+  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
+    Node& node = nodes[patch_of[f]];
+    node.area += mesh.area(f);
+    node.moment = node.moment + mesh.area(f) * mesh.centroid(f);
+    node.area_vector = node.area_vector + mesh.area(f) * mesh.normal(f);
+  }
+  for (std::size_t p = 0; p < patches.size(); ++p) {
+    EXPECT_NEAR(patches[p].area, nodes[p].area, 1e-12 * nodes[p].area);
+    EXPECT_LT(norm(patches[p].centroid - nodes[p].centroid()), 1e-9);
+    EXPECT_LT(norm(patches[p].normal - nodes[p].normal()), 1e-9);
+  }
+  std::map<std::pair<std::size_t, std::size_t>, double> lengths;
+  for (std::size_t e = 0; e < mesh.number_of_edges(); ++e) {
+    const std::size_t a = patch_of[mesh.lower_face(e)], b = patch_of[mesh.higher_face(e)];
+    if (a != b)
+      lengths[std::minmax(a, b)] += mesh.length(e);
+  }
+  ASSERT_EQ(patches.adjacencies().size(), lengths.size());
+  auto expected = lengths.begin();
+  for (const RS::Patches::Adjacency& a : patches.adjacencies()) {
+    EXPECT_EQ(std::make_pair(std::size_t(a.lower), std::size_t(a.higher)), expected->first);
+    EXPECT_NEAR(a.length, expected->second, 1e-9);
+    ++expected;
+  }
+}
+
+/// `centroid(element)`
+template <typename Centroid>
+void expect_centers(const RS::Patches& patches, const Centroid& centroid)
+{
+  std::vector<double> nearest(patches.size(), std::numeric_limits<double>::infinity());
+  for (std::size_t i = 0; i < patches.of_elements().size(); ++i) {
+    const std::size_t p = patches.of_elements()[i];
+    nearest[p] = std::min(nearest[p], norm(centroid(i) - patches[p].centroid));
+  }
+  for (std::size_t p = 0; p < patches.size(); ++p) {
+    EXPECT_EQ(patches.of_elements()[patches[p].center], p);
+    EXPECT_NEAR(norm(centroid(patches[p].center) - patches[p].centroid), nearest[p], 1e-9);
   }
 }
 
@@ -162,42 +240,13 @@ TEST(Mesh_patches_test, are_connected_and_described)
     SCOPED_TRACE("seed " + std::to_string(seed));
     const Soup soup = small_faces(seed);
     const RS::Flat_mesh mesh = flat_mesh_of(soup);
-    const Patches& patches = mesh.patches();
+    const Mesh_patches& patches = mesh.patches();
     EXPECT_TRUE(is_connected(soup, labels_of(patches.of_faces())));
-
-    std::vector<Node> nodes(patches.size());
-    for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
-      Node& node = nodes[patches.of_faces()[f]];
-      node.area += mesh.area(f);
-      node.moment = node.moment + mesh.area(f) * mesh.centroid(f);
-      node.area_vector = node.area_vector + mesh.area(f) * mesh.normal(f);
-    }
-    std::vector<double> nearest(patches.size(), std::numeric_limits<double>::infinity());
-    for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
-      double& d = nearest[patches.of_faces()[f]];
-      d = std::min(d, norm(mesh.centroid(f) - nodes[patches.of_faces()[f]].centroid()));
-    }
-    for (std::size_t p = 0; p < patches.size(); ++p) {
-      EXPECT_NEAR(patches[p].area, nodes[p].area, 1e-12 * nodes[p].area);
-      EXPECT_LT(norm(patches[p].centroid - nodes[p].centroid()), 1e-9);
-      EXPECT_LT(norm(patches[p].normal - nodes[p].normal()), 1e-9);
-      EXPECT_EQ(patches.of_faces()[patches[p].face], p);
-      EXPECT_NEAR(norm(mesh.centroid(patches[p].face) - nodes[p].centroid()), nearest[p], 1e-9);
-    }
-
-    std::map<std::pair<std::size_t, std::size_t>, double> lengths;
-    for (std::size_t e = 0; e < mesh.number_of_edges(); ++e) {
-      const std::size_t a = patches.of_faces()[mesh.lower_face(e)], b = patches.of_faces()[mesh.higher_face(e)];
-      if (a != b)
-        lengths[std::minmax(a, b)] += mesh.length(e);
-    }
-    ASSERT_EQ(patches.adjacencies().size(), lengths.size());
-    auto expected = lengths.begin();
-    for (const Patches::Adjacency& a : patches.adjacencies()) {
-      EXPECT_EQ(std::make_pair(std::size_t(a.lower), std::size_t(a.higher)), expected->first);
-      EXPECT_NEAR(a.length, expected->second, 1e-9);
-      ++expected;
-    }
+    EXPECT_TRUE(is_connected(soup, coarse_labels_of(patches)));
+    expect_description(patches, mesh, labels_of(patches.of_faces()));
+    expect_description(patches.coarse(), mesh, coarse_labels_of(patches));
+    expect_centers(patches, [&](std::size_t f) { return mesh.centroid(f); });
+    expect_centers(patches.coarse(), [&](std::size_t p) { return patches[p].centroid; });
   }
 }
 
@@ -216,6 +265,7 @@ TEST(Mesh_patches_test, are_not_joined_across_constrained_edges)
       RS::read_flat_mesh(mesh, RS::Mesh_data::PATCHES, RS::parameters::edge_is_constrained_map(map));
     EXPECT_LT(flat.patches().size(), flat.number_of_faces() / 2);
     EXPECT_EQ(labels_of(flat.patches().of_faces()), patches_by_definition(flat));
+    EXPECT_EQ(coarse_labels_of(flat.patches()), coarse_patches_by_definition(flat));
   }
 }
 
@@ -270,7 +320,7 @@ TEST(Mesh_patches_test, each_round_is_reported_and_can_be_cancelled)
   read(RS::Mesh_data::CENTROIDS, without);
   EXPECT_EQ(without.fractions.back(), 1);
 
-  const std::size_t size = read(RS::Mesh_data::PATCHES, all).patches().size();
+  const std::size_t size = read(RS::Mesh_data::PATCHES, all).patches().coarse().size();
   EXPECT_TRUE(std::is_sorted(all.fractions.begin(), all.fractions.end()));
   const auto rounds = std::upper_bound(all.fractions.begin(), all.fractions.end(), 0.4);
   ASSERT_GT(all.fractions.end() - rounds, 3);

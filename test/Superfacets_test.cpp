@@ -214,6 +214,39 @@ TEST(Farthest_point_seeding_test, every_component_gets_a_seed_where_it_is_farthe
     }
 }
 
+TEST(Farthest_point_seeding_test, given_seeds_are_placed_all_at_once)
+{
+  for (Family family : {Family::SHEET, Family::SPHERE, Family::TORUS, Family::TWO_COMPONENTS})
+    for (unsigned seed = 1; seed <= 4; ++seed) {
+      SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
+      const Soup soup = random_mesh(family, seed);
+      const RS::Flat_mesh mesh = flat_mesh_of(soup);
+      std::vector<std::size_t> seeds = seeding_of(mesh, 2, 0.4).seeds; // one in each component
+      std::mt19937 random(seed);
+      while (seeds.size() < 9)
+        if (const std::size_t f = random() % mesh.number_of_faces(); std::find(seeds.begin(), seeds.end(), f) == seeds.end())
+          seeds.push_back(f);
+      const RS::Execution<> execution;
+      RS::internal::Farthest_point_seeding seeding(dual_graph_of(mesh, 0.4), execution);
+      seeding.run(std::vector<RS::Flat_mesh::Index>(seeds.begin(), seeds.end()));
+      const RS::Partition regions = seeding.regions();
+      ASSERT_EQ(regions.number_of_parts(), seeds.size());
+      EXPECT_TRUE(is_connected(soup, labels_of(regions)));
+      std::vector<std::vector<double>> from_seed;
+      for (const std::size_t s : seeds)
+        from_seed.push_back(distances_from(mesh, s, 0.4));
+      for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
+        double nearest = std::numeric_limits<double>::infinity(), own = nearest;
+        for (std::size_t i = 0; i < seeds.size(); ++i) {
+          nearest = std::min(nearest, from_seed[i][f]);
+          if (regions[seeds[i]] == regions[f])
+            own = from_seed[i][f];
+        }
+        EXPECT_NEAR(own, nearest, 1e-9);
+      }
+    }
+}
+
 TEST(Farthest_point_seeding_test, splitting_separates_the_face_farthest_from_its_seed_first)
 {
   for (Family family : {Family::SHEET, Family::SPHERE, Family::TORUS, Family::BLOCKS})
@@ -320,6 +353,55 @@ TEST(Superfacets_test, are_seeded_on_the_patches_and_shortened)
                                         RS::internal::Border_shortening(costs, seeding.regions()).take_regions()),
                 0.02); // but for rounding
     }
+}
+
+/// The graph of patches with the steps of the definition.
+RS::internal::Dual_graph dual_graph_of(const RS::Patches& patches, const RS::Flat_mesh& mesh)
+{
+  return RS::internal::Dual_graph(patches, [&](std::size_t i) {
+    const auto& a = patches.adjacencies()[i];
+    return norm(patches[a.lower].centroid - patches[a.higher].centroid) / mesh.relative_unit() +
+           0.4 * std::min(patches.concave_deviation(i), 0.6);
+  });
+}
+
+TEST(Superfacets_test, are_seeded_on_coarse_patches_where_there_are_four_for_each)
+{
+  std::mt19937 random(1);
+  Soup soup = triangulated(torus(120, 60));
+  bump(soup, 0.01, random);
+  const RS::Flat_mesh mesh = flat_mesh_of(soup);
+  const RS::Mesh_patches& patches = mesh.patches();
+  const RS::Patches& coarse = patches.coarse();
+  ASSERT_LT(coarse.size(), patches.size() / 2);
+  const RS::Execution<> execution;
+  RS::Double_3 center{}; // of the surface
+  for (std::size_t p = 0; p < coarse.size(); ++p)
+    center = center + (coarse[p].area / mesh.surface_area()) * coarse[p].centroid;
+  const auto remoteness = [&](const RS::Patches& of) {
+    std::vector<double> result;
+    for (std::size_t p = 0; p < of.size(); ++p)
+      result.push_back(norm(of[p].centroid - center));
+    return result;
+  };
+  for (const std::size_t number : {1ul, 40ul, coarse.size() / 4, coarse.size() / 4 + 1}) {
+    RS::internal::Farthest_point_seeding seeding(dual_graph_of(patches, mesh), execution);
+    if (number > coarse.size() / 4)
+      seeding.run(remoteness(patches), number);
+    else {
+      RS::internal::Farthest_point_seeding on_coarse(dual_graph_of(coarse, mesh), execution);
+      on_coarse.run(remoteness(coarse), number);
+      std::vector<RS::Flat_mesh::Index> seeds;
+      for (const RS::Flat_mesh::Index seed : on_coarse.seeds())
+        seeds.push_back(coarse[seed].center);
+      seeding.run(seeds);
+    }
+    const RS::internal::Dual_graph costs = RS::internal::border_costs(mesh, patches, 10, 0.6);
+    const RS::Partition expected = RS::internal::Border_shortening(costs, seeding.regions()).take_regions();
+    ASSERT_EQ(expected.number_of_parts(), number);
+    EXPECT_LT(RS::rand_index_distance(RS::Superfacets(number)(mesh), composed(patches.of_faces(), expected)), 0.001)
+      << number << " regions"; // but for rounding
+  }
 }
 
 TEST(Superfacets_test, splitting_gives_any_number_of_connected_parts)

@@ -77,7 +77,7 @@ Soup needles(std::size_t number, unsigned seed)
 TEST(Patch_boxes_test, slices_needles_and_nothing_else)
 {
   const auto number_of_boxes = [](const RS::Flat_mesh& mesh, double scale = 1) {
-    const RS::internal::Patch_triangles triangles(mesh, mesh.centroid(0), scale);
+    const RS::internal::Patch_triangles triangles(mesh, RS::internal::Patch_level::FINE, mesh.centroid(0), scale);
     return RS::internal::Patch_boxes::make<CGAL::Sequential_tag>(mesh, triangles).size();
   };
   EXPECT_GT(number_of_boxes(flat_mesh_of(needles(100, 1))), 1000u);
@@ -281,7 +281,7 @@ TEST(Inward_rays_test, start_from_patches_where_a_region_has_their_centers)
     area += mesh.area(f);
   }
   for (std::size_t p = 0; p < mesh.patches().size(); ++p)
-    if (const std::size_t f = mesh.patches()[p].face; f < small)
+    if (const std::size_t f = mesh.patches()[p].center; f < small)
       centers.push_back({norm(mesh.centroid(f) - (1 / area) * centroid), f});
   std::sort(centers.begin(), centers.end());
   for (std::size_t k : {0, 1, 2}) { // the first rays of three faces go straight down
@@ -302,7 +302,7 @@ TEST(Inward_rays_test, start_from_any_face_where_a_region_has_no_center_of_a_pat
   const RS::Mesh_points& points = mesh.points();
   std::vector<bool> is_center(mesh.number_of_faces());
   for (std::size_t p = 0; p < mesh.patches().size(); ++p)
-    is_center[mesh.patches()[p].face] = true;
+    is_center[mesh.patches()[p].center] = true;
   std::vector<std::size_t> labels(mesh.number_of_faces(), 0);
   std::vector<std::size_t> alone; // their faces
   for (std::size_t f = 0; f < small; f += 50)

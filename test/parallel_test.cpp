@@ -130,16 +130,19 @@ std::vector<double> numbers_read(const Surface_mesh& mesh, const Parameters& np)
   }
   for (std::size_t v = 0; v < flat.points().number_of_points(); ++v)
     add(flat.points()[v]);
-  const RS::Mesh_patches& patches = flat.patches();
-  result.insert(result.end(), patches.of_faces().begin(), patches.of_faces().end());
-  for (std::size_t p = 0; p < patches.size(); ++p) {
-    add(patches[p].centroid);
-    add(patches[p].normal);
-    result.insert(result.end(), {patches[p].area, double(patches[p].face)});
-  }
-  for (std::size_t i = 0; i < patches.adjacencies().size(); ++i) {
-    const auto& adjacency = patches.adjacencies()[i];
-    result.insert(result.end(), {double(adjacency.lower), double(adjacency.higher), adjacency.length, patches.concave_deviation(i)});
+  for (const RS::Patches* const patches : {static_cast<const RS::Patches*>(&flat.patches()), &flat.patches().coarse()}) {
+    result.insert(result.end(), patches->of_elements().begin(), patches->of_elements().end());
+    for (std::size_t p = 0; p < patches->size(); ++p) {
+      const RS::Patches::Patch& patch = (*patches)[p];
+      add(patch.centroid);
+      add(patch.normal);
+      result.insert(result.end(), {patch.area, double(patch.center)});
+    }
+    for (std::size_t i = 0; i < patches->adjacencies().size(); ++i) {
+      const RS::Patches::Adjacency& adjacency = patches->adjacencies()[i];
+      result.insert(result.end(),
+                    {double(adjacency.lower), double(adjacency.higher), adjacency.length, patches->concave_deviation(i)});
+    }
   }
   return result;
 }

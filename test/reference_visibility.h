@@ -138,10 +138,10 @@ private:
   }
 };
 
-/// Small flat patches of faces.
+/// Small flat patches of faces, or of other patches.
 struct Patches
 {
-  std::vector<std::size_t> of_face, center; // the patch of each face; the face at the center of each patch
+  std::vector<std::size_t> of_element, center; // the patch of each face; the face at the center of each patch
   std::vector<double> areas;
   std::vector<Vector> area_vectors, normals, centroids;
   std::map<Pair, double> lengths; // of borders
@@ -157,26 +157,39 @@ struct Patches
   explicit Patches(const Mesh& mesh)
     : areas(mesh.areas), normals(mesh.normals), centroids(mesh.centroids)
   {
-    for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-      of_face.push_back(f);
+    for (std::size_t f = 0; f < mesh.faces.size(); ++f)
       area_vectors.push_back(areas[f] * normals[f]);
-    }
     for (const Edge& e : mesh.edges)
       lengths[{e.lower, e.higher}] += e.length;
-    join(joined(mesh)); // the first round is always followed by another one
-    while (true) {
-      const std::size_t n = areas.size();
-      const std::vector<std::size_t> parts = joined(mesh);
-      join(parts);
-      if (n == areas.size() || n - areas.size() < n / 32)
-        break;
-    }
-    set_centers(mesh);
+    join_in_rounds(mesh, mesh.area / 60000);
+  }
+
+  /// The patches joined further: their elements are the patches.
+  Patches coarse(const Mesh& mesh) const
+  {
+    Patches result = *this;
+    result.join_in_rounds(mesh, mesh.area / 4000);
+    return result;
   }
 
 private:
+  void join_in_rounds(const Mesh& mesh, double maximum_area)
+  {
+    const std::vector<Vector> element_normals = normals, element_centroids = centroids;
+    of_element.clear();
+    for (std::size_t i = 0; i < areas.size(); ++i)
+      of_element.push_back(i);
+    while (true) {
+      const std::size_t n = areas.size();
+      join(joined(mesh, maximum_area));
+      if (n == areas.size() || n - areas.size() < n / 32)
+        break;
+    }
+    set_centers(element_normals, element_centroids);
+  }
+
   /// What each patch is joined to, in a round.
-  std::vector<std::size_t> joined(const Mesh& mesh) const
+  std::vector<std::size_t> joined(const Mesh& mesh, double maximum_area) const
   {
     const std::size_t n = areas.size();
     std::vector<std::pair<float, std::size_t>> selected(n, {std::numeric_limits<float>::infinity(), 0});
@@ -184,7 +197,7 @@ private:
       selected[i].second = i;
     for (const auto& entry : lengths) {
       const auto [i, j] = entry.first;
-      if (!(areas[i] + areas[j] <= mesh.area / 60000))
+      if (!(areas[i] + areas[j] <= maximum_area))
         continue;
       const double distance = norm(centroids[i] - centroids[j]) / mesh.unit_of_length();
       const float step = float(distance + 0.4 * norm(normals[i] - normals[j]));
@@ -236,22 +249,127 @@ private:
         united[{p, q}] += length;
     }
     areas = a, area_vectors = area_vector, normals = normal, centroids = centroid, lengths = united;
-    for (std::size_t& p : of_face)
+    for (std::size_t& p : of_element)
       p = parts[p];
   }
 
-  void set_centers(const Mesh& mesh)
+  void set_centers(const std::vector<Vector>& element_normals, const std::vector<Vector>& element_centroids)
   {
-    using Key = std::tuple<bool, double, std::size_t>; // degenerate, distance, face
-    std::vector<Key> best(areas.size(), {true, std::numeric_limits<double>::infinity(), mesh.faces.size()});
-    for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-      const bool is_degenerate = mesh.normals[f] == Vector{};
-      const Vector away = mesh.centroids[f] - centroids[of_face[f]];
-      best[of_face[f]] = std::min(best[of_face[f]], Key{is_degenerate, is_degenerate ? 0 : dot(away, away), f});
+    using Key = std::tuple<bool, double, std::size_t>; // degenerate, distance, element
+    std::vector<Key> best(areas.size(), {true, std::numeric_limits<double>::infinity(), of_element.size()});
+    for (std::size_t i = 0; i < of_element.size(); ++i) {
+      const bool is_degenerate = element_normals[i] == Vector{};
+      const Vector away = element_centroids[i] - centroids[of_element[i]];
+      best[of_element[i]] = std::min(best[of_element[i]], Key{is_degenerate, is_degenerate ? 0 : dot(away, away), i});
     }
+    center.clear();
     for (const Key& key : best)
       center.push_back(std::get<2>(key));
   }
+};
+
+using Neighbors = std::map<std::size_t, std::map<std::size_t, float>>;
+
+/// Seeds on patches, and the one to which each patch belongs.
+class Seeding
+{
+public:
+  Seeding(const Mesh& mesh, const Patches& patches) : m_patches(patches), m_seed_of(patches.areas.size())
+  {
+    for (const auto& [pair, length] : patches.lengths) {
+      const auto [i, j] = pair;
+      const double distance = norm(patches.centroids[i] - patches.centroids[j]) / mesh.unit_of_length();
+      const double step = distance + 0.4 * std::min(patches.concave_deviation(i, j), 0.6);
+      m_steps[i][j] = m_steps[j][i] = float(std::min(std::max(step, 1e-37), 1e28));
+    }
+  }
+
+  /// One seed after the other, each at the farthest patch.
+  void place_farthest(std::size_t number)
+  {
+    const std::size_t n = m_patches.areas.size();
+    Vector center{};
+    double area = 0;
+    for (std::size_t p = 0; p < n; ++p) {
+      center = center + m_patches.areas[p] * m_patches.centroids[p];
+      area += m_patches.areas[p];
+    }
+    center = (1 / area) * center;
+    std::vector<double> distance(n, unreached);
+    while (std::count(distance.begin(), distance.end(), unreached) > 0) {
+      std::size_t next = n;
+      for (std::size_t p = 0; p < n; ++p)
+        if (distance[p] == unreached &&
+            (next == n || norm(m_patches.centroids[p] - center) > norm(m_patches.centroids[next] - center)))
+          next = p;
+      place(next, distance);
+    }
+    while (m_seeds.size() < number) {
+      const std::size_t next = std::size_t(std::max_element(distance.begin(), distance.end()) - distance.begin());
+      if (!(distance[next] > 0))
+        break;
+      place(next, distance);
+    }
+  }
+
+  /// Given seeds, all at once.
+  void place_all(const std::vector<std::size_t>& seeds)
+  {
+    m_seeds = seeds;
+    std::vector<double> distance(m_patches.areas.size(), unreached);
+    relax(seeds, distance, [](std::size_t, std::size_t) {});
+    std::vector<std::size_t> order;
+    for (std::size_t p = 0; p < distance.size(); ++p)
+      order.push_back(p);
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t p, std::size_t q) { return distance[p] < distance[q]; });
+    for (const std::size_t p : order) {
+      std::pair<float, std::size_t> through{std::numeric_limits<float>::infinity(), 0};
+      for (const auto& [q, step] : m_steps[p])
+        if (distance[q] + double(step) == distance[p])
+          through = std::min(through, {float(distance[q]), q});
+      m_seed_of[p] = distance[p] == 0 ? std::size_t(std::find(seeds.begin(), seeds.end(), p) - seeds.begin())
+                                      : m_seed_of[through.second];
+    }
+  }
+
+  const std::vector<std::size_t>& seeds() const { return m_seeds; }
+  std::vector<std::size_t> regions() const { return numbered(m_seed_of); }
+
+private:
+  static constexpr double unreached = std::numeric_limits<double>::infinity();
+
+  void place(std::size_t seed, std::vector<double>& distance)
+  {
+    const std::size_t label = m_seeds.size();
+    m_seeds.push_back(seed);
+    m_seed_of[seed] = label;
+    relax({seed}, distance, [&](std::size_t, std::size_t q) { m_seed_of[q] = label; });
+  }
+
+  template <typename F>
+  void relax(const std::vector<std::size_t>& seeds, std::vector<double>& distance, const F& on_step)
+  {
+    std::set<std::pair<double, std::size_t>> front;
+    for (const std::size_t seed : seeds) {
+      distance[seed] = 0;
+      front.insert({0, seed});
+    }
+    while (!front.empty()) {
+      const auto [d, p] = *front.begin();
+      front.erase(front.begin());
+      for (const auto& [q, step] : m_steps[p])
+        if (d + double(step) < distance[q]) {
+          front.erase({distance[q], q});
+          distance[q] = d + double(step);
+          on_step(p, q);
+          front.insert({distance[q], q});
+        }
+    }
+  }
+
+  const Patches& m_patches;
+  Neighbors m_steps;
+  std::vector<std::size_t> m_seeds, m_seed_of;
 };
 
 /// The regions of `Superfacets`, by patch.
@@ -262,76 +380,34 @@ public:
   {
     for (const auto& [pair, length] : patches.lengths) {
       const auto [i, j] = pair;
-      const Vector &c_i = patches.centroids[i], &c_j = patches.centroids[j];
       const double concavity = std::min(patches.concave_deviation(i, j), 0.6);
-      const double step = std::min(std::max(norm(c_i - c_j) / mesh.unit_of_length() + 0.4 * concavity, 1e-37), 1e28);
-      m_steps[i][j] = m_steps[j][i] = float(step);
       m_costs[i][j] = m_costs[j][i] = float(length / mesh.unit_of_length() / (1 + 10 * concavity));
     }
-    seed(number);
+    const Patches coarse = patches.coarse(mesh);
+    Seeding seeding(mesh, patches);
+    if (coarse.areas.size() / 4 < number)
+      seeding.place_farthest(number);
+    else {
+      Seeding first(mesh, coarse);
+      first.place_farthest(number);
+      std::vector<std::size_t> seeds;
+      for (const std::size_t seed : first.seeds())
+        seeds.push_back(coarse.center[seed]);
+      seeding.place_all(seeds);
+    }
+    m_region = seeding.regions();
     shorten_borders();
   }
 
   std::vector<std::size_t> of_face() const
   {
     std::vector<std::size_t> labels;
-    for (std::size_t p : m_patches.of_face)
+    for (std::size_t p : m_patches.of_element)
       labels.push_back(m_region[p]);
     return numbered(labels);
   }
 
 private:
-  using Neighbors = std::map<std::size_t, std::map<std::size_t, float>>;
-
-  void seed(std::size_t number)
-  {
-    const std::size_t n = m_patches.areas.size();
-    Vector center{};
-    double area = 0;
-    for (std::size_t p = 0; p < n; ++p) {
-      center = center + m_patches.areas[p] * m_patches.centroids[p];
-      area += m_patches.areas[p];
-    }
-    center = (1 / area) * center;
-    constexpr double unreached = std::numeric_limits<double>::infinity();
-    std::vector<double> distance(n, unreached);
-    m_region.assign(n, 0);
-    std::size_t seeds = 0;
-    while (std::count(distance.begin(), distance.end(), unreached) > 0) {
-      std::size_t next = n;
-      for (std::size_t p = 0; p < n; ++p)
-        if (distance[p] == unreached &&
-            (next == n || norm(m_patches.centroids[p] - center) > norm(m_patches.centroids[next] - center)))
-          next = p;
-      grow(next, seeds++, distance);
-    }
-    while (seeds < number) {
-      const std::size_t next = std::size_t(std::max_element(distance.begin(), distance.end()) - distance.begin());
-      if (!(distance[next] > 0))
-        break;
-      grow(next, seeds++, distance);
-    }
-    m_region = numbered(m_region);
-  }
-
-  void grow(std::size_t seed, std::size_t label, std::vector<double>& distance)
-  {
-    std::set<std::pair<double, std::size_t>> front{{0, seed}};
-    distance[seed] = 0;
-    m_region[seed] = label;
-    while (!front.empty()) {
-      const auto [d, p] = *front.begin();
-      front.erase(front.begin());
-      for (const auto& [q, step] : m_steps[p])
-        if (d + double(step) < distance[q]) {
-          front.erase({distance[q], q});
-          distance[q] = d + double(step);
-          m_region[q] = label;
-          front.insert({distance[q], q});
-        }
-    }
-  }
-
   void shorten_borders()
   {
     using Move = std::tuple<double, std::size_t, std::size_t>; // -gain, patch, region
@@ -372,7 +448,7 @@ private:
   }
 
   const Patches& m_patches;
-  Neighbors m_steps, m_costs;
+  Neighbors m_costs;
   std::vector<std::size_t> m_region;
 };
 
@@ -490,7 +566,7 @@ private:
       if (m_region_of[f] == region) {
         const Vector away = m_mesh.centroids[f] - m_shapes[region].centroid;
         all.push_back({dot(away, away), f});
-        if (m_patches.center[m_patches.of_face[f]] == f)
+        if (m_patches.center[m_patches.of_element[f]] == f)
           centers.push_back(all.back());
       }
     auto& result = centers.empty() ? all : centers;
@@ -694,7 +770,7 @@ struct Annotated
 
   explicit Annotated(const Mesh& mesh) : patches(mesh)
   {
-    region_of = Superfacets(mesh, patches, 800).of_face();
+    region_of = Superfacets(mesh, patches, 480).of_face();
     graph = Annotation(mesh, patches, region_of).graph;
   }
 };
@@ -722,14 +798,14 @@ struct Straightened
     for (double area : patches.areas)
       input.areas.push_back(area / mesh.area);
     input.region_of.resize(n);
-    for (std::size_t f = 0; f < patches.of_face.size(); ++f)
-      input.region_of[patches.of_face[f]] = annotated.region_of[f];
+    for (std::size_t f = 0; f < patches.of_element.size(); ++f)
+      input.region_of[patches.of_element[f]] = annotated.region_of[f];
     for (const Merge& merge : merges_before)
       input.merges.push_back({merge.kept, merge.removed});
     const Straightening straightening(input);
 
     std::vector<std::size_t> labels;
-    for (std::size_t p : patches.of_face)
+    for (std::size_t p : patches.of_element)
       labels.push_back(straightening.labels()[p]);
     region_of = numbered(labels);
     std::map<std::size_t, std::size_t> lowest; // the lowest new region of each segment; none if it has no faces

@@ -8,6 +8,7 @@
 #include <CGAL/Region_segmentation/internal/support/Large_array.h>
 
 #include <cstddef>
+#include <utility>
 
 namespace CGAL {
 namespace Region_segmentation {
@@ -18,8 +19,52 @@ class Patch_builder;
 }
 
 /// \ingroup PkgRegionSegmentationData
-/// A partition of the faces of a mesh into small flat patches, and their adjacency: what stages work on whose cost
-/// must not grow with the resolution of the mesh.
+/// A partition of elements, the faces of a mesh or smaller patches, into connected patches, and the adjacency of these.
+class Patches
+{
+public:
+  using Index = Partition::Index;
+
+  struct Patch
+  {
+    Double_3 centroid; ///< the mean of the centroids of its faces, by area
+    Double_3 normal;   ///< the mean normal by area, of length 1, or zero
+    double area;
+    /// The element whose centroid is nearest to that of the patch, not a degenerate face if possible; of several, the lower one.
+    Index center;
+  };
+
+  /// Two adjacent patches, and the length of the edges between them that are not constrained.
+  struct Adjacency
+  {
+    Index lower, higher;
+    double length;
+  };
+
+  std::size_t size() const { return m_patches.size(); }
+  const Patch& operator[](std::size_t patch) const { return m_patches[patch]; }
+  /// The patch of each element.
+  const Partition& of_elements() const { return m_of_elements; }
+  /// By the lower, then by the higher patch.
+  const internal::Large_array<Adjacency>& adjacencies() const { return m_adjacencies; }
+
+  /// The angle between the normals of two adjacent patches, in radians, if they face each other, else 0; 0, too, if one has no
+  /// normal. `i`: of their adjacency
+  double concave_deviation(std::size_t i) const { return m_concave_deviations[i]; }
+
+private:
+  template <typename ConcurrencyTag>
+  friend class internal::Patch_builder;
+
+  Partition m_of_elements;
+  internal::Large_array<Patch> m_patches;
+  internal::Large_array<Adjacency> m_adjacencies;
+  internal::Large_array<double> m_concave_deviations; // by adjacency
+};
+
+/// \ingroup PkgRegionSegmentationData
+/// Two partitions of the faces of a mesh into small flat patches, a fine one and a coarse one of its patches: what stages work on
+/// whose cost must not grow with the resolution of the mesh.
 ///
 /// Patches are connected, and not joined across constrained edges. At first each face is a patch; then patches are
 /// joined in rounds:
@@ -33,54 +78,29 @@ class Patch_builder;
 /// -# Joined patches are numbered by the lowest one of each. The centroid of a union is the mean of the centroids,
 ///    weighted by area (without area, that of the lowest one); its normal is the sum of the normals of its faces, weighted by area, scaled to length 1.
 ///
-/// The first round is always followed by another one; later ones end when one joins none of `n` patches, or has joined
-/// less than `n / 32` (rounded down). So a mesh of few large faces has a patch for each face, and a fine one some twenty
-/// to sixty thousand patches. They do not depend on the numbering of faces and vertices, ties excepted.
+/// Rounds end when one joins none of `n` patches, or has joined less than `n / 32` (rounded down). Then the coarse patches are made
+/// of the fine ones in the same way, with `maximum_coarse_area`. So a mesh of few large faces has a patch for each face, and a fine one
+/// some twenty to sixty thousand patches and four to five thousand coarse ones. They do not depend on the numbering of faces and vertices,
+/// ties excepted.
 ///
 /// Complexity: O(F) in practice. Deterministic. Parallel with `Parallel_tag`, with bitwise equal results.
-class Mesh_patches
+class Mesh_patches : public Patches
 {
 public:
-  using Index = Partition::Index;
+  static constexpr double maximum_area = 1. / 60000;       ///< of two patches that are joined, share of the surface
+  static constexpr double maximum_coarse_area = 1. / 4000; ///< of two coarse patches that are joined
+  static constexpr double deviation_weight = 0.4;          ///< w, relative length per radian
 
-  static constexpr double maximum_area = 1. / 60000;    ///< of two patches that are joined, share of the surface
-  static constexpr double deviation_weight = 0.4;       ///< w, relative length per radian
+  Mesh_patches() = default;
+  explicit Mesh_patches(Patches fine, Patches coarse = Patches()) : Patches(std::move(fine)), m_coarse(std::move(coarse)) {}
 
-  struct Patch
-  {
-    Double_3 centroid; ///< the mean of the centroids of its faces, by area
-    Double_3 normal;   ///< the mean normal by area, of length 1, or zero
-    double area;
-    /// The one whose centroid is nearest to that of the patch, not a degenerate one if possible; of several, the lower one.
-    Index face;
-  };
-
-  /// Two adjacent patches, and the length of the edges between them that are not constrained.
-  struct Adjacency
-  {
-    Index lower, higher;
-    double length;
-  };
-
-  std::size_t size() const { return m_patches.size(); }
-  const Patch& operator[](std::size_t patch) const { return m_patches[patch]; }
   /// The patch of each face.
-  const Partition& of_faces() const { return m_of_faces; }
-  /// By the lower, then by the higher patch.
-  const internal::Large_array<Adjacency>& adjacencies() const { return m_adjacencies; }
-
-  /// The angle between the normals of two adjacent patches, in radians, if they face each other, else 0; 0, too, if one has no
-  /// normal. `i`: of their adjacency
-  double concave_deviation(std::size_t i) const { return m_concave_deviations[i]; }
+  const Partition& of_faces() const { return of_elements(); }
+  /// The coarse patches: their elements are the patches.
+  const Patches& coarse() const { return m_coarse; }
 
 private:
-  template <typename ConcurrencyTag>
-  friend class internal::Patch_builder;
-
-  Partition m_of_faces;
-  internal::Large_array<Patch> m_patches;
-  internal::Large_array<Adjacency> m_adjacencies;
-  internal::Large_array<double> m_concave_deviations; // by adjacency
+  Patches m_coarse;
 };
 
 } // namespace Region_segmentation

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <iterator>
 #include <limits>
+#include <numeric>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -36,6 +37,14 @@ public:
   Partition(std::vector<Index> part_of, std::size_t number_of_parts)
     : m_part_of(std::move(part_of)), m_number_of_parts(number_of_parts)
   {}
+
+  /// Each element is a part.
+  static Partition into_single_elements(std::size_t size)
+  {
+    std::vector<Index> part_of(size);
+    std::iota(part_of.begin(), part_of.end(), Index(0));
+    return Partition(std::move(part_of), size);
+  }
 
   /// The elements with equal labels form a part.
   ///

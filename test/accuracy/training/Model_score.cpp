@@ -112,7 +112,7 @@ Model_score score(const Training_model& model, Policy policy, const Chooser& cho
   result.given = mean(distances(model.number_of_segments));
   set_paper_scores(result, model, distances(model.number_of_segments));
   result.best = distances.lowest_mean();
-  result.chosen_number = choose(segments.tree);
+  result.chosen_number = choose(tree); // before borders are moved, as `segment()`
   result.automatic = mean(distances(result.chosen_number));
   return result;
 }

@@ -6,6 +6,7 @@
 #include "model_sources.h"
 
 #include <CGAL/Region_segmentation/Methods/Learned_merging.h>
+#include <CGAL/Region_segmentation/Methods/Superfacets.h>
 #include <CGAL/Region_segmentation/evaluation/rand_index_distance.h>
 #include <CGAL/Region_segmentation/segment.h>
 
@@ -41,7 +42,7 @@ double distance_of_segments(const NamedParameters& np)
 TEST(Model_score_test, is_that_of_segment)
 {
   const std::size_t k = procedural_model().number_of_segments;
-  const Training_model model = make_training_model(2, procedural_model(), 800, RS::Learned_merging::few);
+  const Training_model model = make_training_model(2, procedural_model(), RS::Superfacets().number, RS::Learned_merging::few);
   const Model_score score = score_learned(model, RS::internal::learned_merge_model);
   EXPECT_NEAR(score.given, distance_of_segments(RS::parameters::number_of_segments(k)), 1e-12);
   EXPECT_NEAR(score.automatic, distance_of_segments(RS::parameters::default_values()), 1e-12);

@@ -9,6 +9,7 @@
 #include "cross_validation.h"
 #include "fingerprint.h"
 #include "model_sources.h"
+#include "model_variants.h"
 #include "training_report.h"
 #include "training_sources_hash.h"
 #include "write_model.h"
@@ -16,12 +17,18 @@
 #include "io/Whole_file.h"
 #include "io/errors.h"
 
+#include <CGAL/Region_segmentation/Methods/Learned_merging.h>
+#include <CGAL/Region_segmentation/Methods/Superfacets.h>
+
 #include <CLI/CLI.hpp>
 
+#include <cstddef>
 #include <cstdio>
 #include <exception>
 #include <iostream>
+#include <numeric>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -33,7 +40,9 @@ struct Options
 {
   std::string data_folder, header;
   bool has_report = false;
-  std::size_t superfacets = 800, few = 60, folds = 5;
+  std::size_t superfacets = CGAL::Region_segmentation::Superfacets().number;
+  std::size_t few = CGAL::Region_segmentation::Learned_merging::few;
+  std::size_t folds = 5, subdivisions = 0;
   Training_plan plan;
 };
 
@@ -50,10 +59,13 @@ std::variant<Options, int> parse_command_line(int argc, char** argv)
                "Categories left out, calibration and the importance of features, too");
   app.add_option("--seed", options.plan.seed, "Of all that is random. Default: 1")->check(CLI::Range(1, 1000));
   app.add_option("--trainings", options.plan.trainings, "Whose mean is the model. Default: 3")->check(CLI::Range(1, 100));
-  app.add_option("--superfacets", options.superfacets, "First regions. Default: 800")->check(CLI::Range(1, 100000));
-  app.add_option("--few", options.few, "Regions from which on the model merges. Default: 60")
+  app.add_option("--superfacets", options.superfacets, "First regions. Default: that of Superfacets")->check(CLI::Range(1, 100000));
+  app.add_option("--few", options.few, "Regions from which on the model merges. Default: that of Learned_merging")
     ->check(CLI::Range(2, 100000));
   app.add_option("--folds", options.folds, "Of the models, for cross-validation. Default: 5")->check(CLI::Range(2, 1000));
+  app.add_option("--subdivisions", options.subdivisions,
+                 "Score the models with each face split into four so often, too, out of fold")
+    ->check(CLI::Range(1, 5));
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -69,6 +81,40 @@ std::vector<Training_model> load_models(const Princeton_data& data, const Option
   for (std::size_t i = 0; i < sources.size(); ++i)
     models.push_back(make_training_model(data.models()[i], sources[i].load(), options.superfacets, options.few));
   return models;
+}
+
+/// The same model with each face split into four.
+princeton_benchmark::Model subdivided(princeton_benchmark::Model model)
+{
+  segment_mesh::Labelled_model faces;
+  faces.soup = std::move(model.soup);
+  faces.labels.resize(faces.soup.polygons.size());
+  std::iota(faces.labels.begin(), faces.labels.end(), std::size_t(0));
+  segment_mesh::Labelled_model split = princeton_benchmark::split_into_four(faces);
+  model.soup = std::move(split.soup);
+  for (princeton_benchmark::Truth& truth : model.truths) {
+    std::vector<int> labels;
+    for (const std::size_t face : split.labels)
+      labels.push_back(truth.labels[face]);
+    truth.labels = std::move(labels);
+  }
+  return model;
+}
+
+/// Out of fold; one after the other, since they are large.
+std::vector<Model_score> scores_of_subdivided(const Princeton_data& data, const Options& options,
+                                              const Cross_validation& validation)
+{
+  std::vector<Model_score> scores;
+  const auto sources = princeton_benchmark::princeton_sources(data);
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    princeton_benchmark::Model model = sources[i].load();
+    for (std::size_t s = 0; s < options.subdivisions; ++s)
+      model = subdivided(std::move(model));
+    scores.push_back(score_learned(make_training_model(data.models()[i], model, options.superfacets, options.few),
+                                   validation.without(i)));
+  }
+  return scores;
 }
 
 template <typename Score>
@@ -113,6 +159,11 @@ void write_report(const Options& options, const std::vector<Training_model>& mod
   const std::vector<Model_score> in_sample =
     scores_of(models, [&](const Training_model& m) { return score_learned(m, model); });
   std::vector<Scored_way> ways = {{"hand-made", &by_hand}, {"in sample", &in_sample}, {"out of fold", &validation.scores}};
+  std::vector<Model_score> subdivided;
+  if (options.subdivisions > 0) {
+    subdivided = scores_of_subdivided(Princeton_data(options.data_folder), options, validation);
+    ways.push_back({"out of fold, subdivided", &subdivided});
+  }
   std::vector<Model_score> by_category;
   if (options.has_report) {
     by_category = cross_validate(models, folds_of_categories(models), options.plan).scores;
@@ -120,6 +171,8 @@ void write_report(const Options& options, const std::vector<Training_model>& mod
   }
   using princeton_benchmark::write_text;
   write_text(std::cout, means_table(ways));
+  if (options.subdivisions > 0)
+    write_text(std::cout, differences_table(validation.scores, subdivided));
   if (!options.has_report)
     return;
   write_text(std::cout, category_table(models, ways));

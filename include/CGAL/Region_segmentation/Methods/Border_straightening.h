@@ -92,12 +92,12 @@ private:
   static bool are_unions_of_patches(const Mesh_patches& patches, const Partition& regions)
   {
     for (std::size_t f = 0; f < regions.size(); ++f)
-      if (regions[f] != regions[patches[patches.of_faces()[f]].face])
+      if (regions[f] != regions[patches[patches.of_faces()[f]].center])
         return false;
     return true;
   }
 
-  static Mesh_patches divided_patches(const Flat_mesh& mesh, const Partition& regions)
+  static Patches divided_patches(const Flat_mesh& mesh, const Partition& regions)
   {
     std::vector<std::uint64_t> labels;
     labels.reserve(regions.size());
@@ -108,7 +108,7 @@ private:
 
   /// The regions are unions of the patches.
   template <typename IsFixed, typename ConcurrencyTag>
-  std::vector<Index> move_borders(const Flat_mesh& mesh, const Mesh_patches& patches, const Partition& regions,
+  std::vector<Index> move_borders(const Flat_mesh& mesh, const Patches& patches, const Partition& regions,
                                   const Merge_tree& tree, const IsFixed& is_fixed,
                                   const Execution<ConcurrencyTag>& execution, std::size_t number_of_segments) const
   {
@@ -119,7 +119,7 @@ private:
     region_of.reserve(patches.size());
     for (std::size_t p = 0; p < patches.size(); ++p) {
       areas.push_back(patches[p].area / unit / unit);
-      region_of.push_back(regions[patches[p].face]);
+      region_of.push_back(regions[patches[p].center]);
     }
     const internal::Dual_graph costs = internal::border_costs(mesh, patches, concave_gain, maximum_deviation);
     const auto distance = [&](Index p, Index q) { return norm(patches[p].centroid - patches[q].centroid) / unit; };
@@ -132,7 +132,7 @@ private:
     const std::vector<Index> labels = borders.take_labels();
     std::vector<Index> label_of_face;
     label_of_face.reserve(regions.size());
-    for (const Index patch : patches.of_faces())
+    for (const Index patch : patches.of_elements())
       label_of_face.push_back(labels[patch]);
     return label_of_face;
   }

@@ -37,7 +37,12 @@ namespace Region_segmentation {
 /// angle of their normals if they face each other, \f$(n_j - n_i) \cdot (c_j - c_i) < 0\f$, else 0 (and 0 if one has no normal). Distances are sums
 /// of steps in `double`. The first seeds are placed in the connected components without one, each at the patch of them that is farthest from the
 /// centroid of the surface, even if this exceeds the number; then each further one at the patch farthest from all seeds so far; of
-/// several, at the lower one. A patch belongs to the nearest seed; of several at the same distance, to the one placed first.
+/// several, at the lower one.
+///
+/// Seeds are placed like this on the coarse patches, if there are at least four for each region, and moved to their centers: a patch belongs
+/// to the nearest of these. It is reached through a neighbor; of several through which its distance is the same, through that with the smallest
+/// distance, rounded to `float`, then the lowest one; and belongs to the seed of this neighbor. If there are fewer coarse patches, seeds
+/// are placed on the patches, and a patch belongs to the nearest seed, of several to the one placed first.
 /// Regions are connected, and are numbered by their lowest patch.
 ///
 /// Then borders are shortened. A border of length \f$l\f$ (that of the edges that are not constrained) between two
@@ -53,8 +58,8 @@ namespace Region_segmentation {
 /// Since concavity is added to a step, not multiplied, and angles are those between patches, the regions of a surface
 /// depend little on the resolution of its mesh.
 ///
-/// Complexity: O(F + P log P) in practice, P the number of patches, at most some 60,000: a patch is reached by a few
-/// seeds. Deterministic.
+/// Complexity: O(F + P log P) in practice, P the number of patches, at most some 60,000, with a small constant: seeds are placed
+/// on some 4,000 coarse patches, each of which is reached by a few seeds. Deterministic.
 ///
 /// Source: farthest-point seeding \cgalCite{G85}, in images \cgalCite{ELPZ97}.
 class Superfacets
@@ -68,7 +73,7 @@ public:
   double concave_gain = 10; ///< g, 1/radian, at least 0: how much cheaper a border in a valley is
   Border_straightening straightening; ///< of the segments' borders
 
-  explicit Superfacets(std::size_t number_ = 800, double concave_weight_ = 0.4, double maximum_deviation_ = 0.6)
+  explicit Superfacets(std::size_t number_ = 480, double concave_weight_ = 0.4, double maximum_deviation_ = 0.6)
     : number(number_), concave_weight(concave_weight_), maximum_deviation(maximum_deviation_)
   {}
 
@@ -125,15 +130,37 @@ private:
   template <typename ConcurrencyTag>
   Partition regions_of_patches(const Flat_mesh& mesh, const Execution<ConcurrencyTag>& execution) const
   {
+    const internal::Dual_graph costs =
+      internal::border_costs(mesh, mesh.patches(), concave_gain, maximum_deviation);
+    return internal::Border_shortening(costs, nearest_seeds(mesh, execution.step(0, 0.9))).take_regions();
+  }
+
+  /// The partition of the patches by the seed to which each belongs.
+  template <typename ConcurrencyTag>
+  Partition nearest_seeds(const Flat_mesh& mesh, const Execution<ConcurrencyTag>& execution) const
+  {
     const Mesh_patches& patches = mesh.patches();
-    internal::Dual_graph steps(patches, [&](std::size_t i) {
-      const Mesh_patches::Adjacency& a = patches.adjacencies()[i];
-      return step(mesh, norm(patches[a.lower].centroid - patches[a.higher].centroid),
-                  patches.concave_deviation(i));
+    const Patches& coarse = patches.coarse();
+    internal::Farthest_point_seeding from_patches(steps(mesh, patches), execution.step(0.5, 1));
+    if (coarse.size() / coarse_patches_of_region < number)
+      from_patches.run(distances_from_centroid(patches), number);
+    else {
+      internal::Farthest_point_seeding from_coarse(steps(mesh, coarse), execution.step(0, 0.5));
+      from_coarse.run(distances_from_centroid(coarse), number);
+      std::vector<Index> seeds;
+      for (const Index seed : from_coarse.seeds())
+        seeds.push_back(coarse[seed].center);
+      from_patches.run(seeds);
+    }
+    return from_patches.regions();
+  }
+
+  internal::Dual_graph steps(const Flat_mesh& mesh, const Patches& patches) const
+  {
+    return internal::Dual_graph(patches, [&](std::size_t i) {
+      const Patches::Adjacency& a = patches.adjacencies()[i];
+      return step(mesh, norm(patches[a.lower].centroid - patches[a.higher].centroid), patches.concave_deviation(i));
     });
-    internal::Farthest_point_seeding seeding(std::move(steps), execution.step(0, 0.9));
-    seeding.run(distances_from_centroid(patches), number);
-    return internal::Border_shortening(internal::border_costs(mesh, patches, concave_gain, maximum_deviation), seeding.regions()).take_regions();
   }
 
   /// At least the smallest float, so that only seeds have the distance 0; and so short that a path along all faces is
@@ -162,7 +189,7 @@ private:
   }
 
   /// Squared, from that of the surface.
-  static std::vector<double> distances_from_centroid(const Mesh_patches& patches)
+  static std::vector<double> distances_from_centroid(const Patches& patches)
   {
     // Relative to a point of the mesh, to avoid cancellation far from the origin.
     const Double_3 origin = patches[0].centroid;
@@ -180,6 +207,7 @@ private:
     return distances;
   }
 
+  static constexpr std::size_t coarse_patches_of_region = 4; // at least, on average: fewer give no choice of seeds
   static constexpr double shortest_step = 1e-37, longest_step = 1e28;
 };
 

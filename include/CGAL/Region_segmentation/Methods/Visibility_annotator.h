@@ -26,7 +26,7 @@ namespace Region_segmentation {
 /// measures by rays from every region into the body its thickness there, and which regions see each other. A model of
 /// `GraphAnnotator`, for graphs with `Visibility_region_data` and `Visibility_section_data`.
 ///
-/// Each region casts 18 rays into the body. The candidates to start from are the faces `Patch::face` of the patches
+/// Each region casts 18 rays into the body. The candidates to start from are the faces at the centers (`Patch::center`) of the patches
 /// (see `Mesh_patches`) in the region, or, if there is none, all of its faces, in the order of the distance of their
 /// centroids to that of the region, then of their indices. Of \f$n\f$ candidates those at the places
 /// \f$\lfloor 9 k n / (10 m) \rfloor\f$ are used, \f$m = \min(n, 3)\f$, \f$k = 0 .. m - 1\f$, counted from 0: the one
@@ -73,7 +73,7 @@ public:
     Mesh_data::POINTS | Mesh_data::PATCHES;
 
   /// Cached data of a mesh and its regions, so that only the rays of new regions are traced when regions change. About
-  /// 62 bytes per triangle and 300 per region.
+  /// 60 bytes per triangle and 300 per region.
   class Cache
   {
   public:

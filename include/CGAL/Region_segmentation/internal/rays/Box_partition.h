@@ -48,7 +48,7 @@ class Box_partition
 {
 public:
   using Name = std::uint32_t;
-  static constexpr std::size_t leaf_size = 4; ///< boxes that are tested together, at the cost of one
+  static constexpr std::size_t group_size = 4; ///< boxes that are tested together, at the cost of one
 
   /// The boxes `first` .. `last - 1`.
   struct Range
@@ -74,9 +74,9 @@ public:
   Part whole() const { return make_part(0, m_items.size()); }
   Part single(std::size_t i) const { return make_part(i, i + 1); }
 
-  /// Splits where a ray is expected to intersect the fewest leaves: of the bounds between slices of equal width along
+  /// Splits where a ray is expected to intersect the fewest groups: of the bounds between slices of equal width along
   /// the axis on which the centers differ most, the one with the lowest sum over both sides of surface area times
-  /// number of leaves (Wald 2007). Splits at the median if no bound separates the boxes.
+  /// number of groups (Wald 2007). Splits at the median if no bound separates the boxes.
   /// \pre there is more than one box
   std::pair<Part, Part> split(const Part& part)
   {
@@ -155,7 +155,7 @@ private:
 
     float cost() const
     {
-      return size > 0 ? box.half_area() * float((size + leaf_size - 1) / leaf_size) : 0;
+      return size > 0 ? box.half_area() * float((size + group_size - 1) / group_size) : 0;
     }
   };
 

@@ -25,58 +25,46 @@ namespace internal {
 struct Box_node
 {
   static constexpr std::size_t width = 4; ///< most children: their boxes are tested together
-  /// Twice the index of a node, or twice that of a leaf plus one.
+  /// Twice the index of a node, or twice the name of a box plus one: a leaf.
   using Child = std::uint32_t;
 
   std::array<Float_4_3, 2> bounds; ///< of the children, lower and upper ones; reversed for missing children
-  /// Missing ones are the first leaf: no bound holds back a ray that is not a number, and no way must lead upwards.
+  /// Missing ones are box 0: no bound holds back a ray that is not a number, and no way must lead upwards.
   std::array<Child, width> child = {1, 1, 1, 1};
 };
 
-/// Builds a tree of boxes. One thread splits them into parts of up to `boxes_of_a_job`, from which threads build subtrees.
+/// Builds a tree whose leaves are boxes. One thread splits them into parts of up to `boxes_of_a_job`, from which threads build subtrees.
 class Box_tree_builder
 {
   using Node = Box_node;
   using Child = Node::Child;
-  using Range = Box_partition::Range;
   using Part = Box_partition::Part;
 
 public:
   /// Below the cheap splits are halves, of at most 2^32 boxes.
   static constexpr int maximum_depth = 48 + 32;
 
-  /// `boxes`: are reordered. `leaves_are_boxes`: each box is a leaf, and its name the index of the leaf; else leaves are ranges of up to
-  /// `Box_node::width` boxes
+  /// `boxes`: are reordered
   /// \pre there are boxes
   template <typename ConcurrencyTag>
-  Box_tree_builder(Box_partition& boxes, bool leaves_are_boxes, const Execution<ConcurrencyTag>& execution)
-    : m_boxes(boxes), m_leaf_size(leaves_are_boxes ? 1 : Node::width)
+  Box_tree_builder(Box_partition& boxes, const Execution<ConcurrencyTag>& execution) : m_boxes(boxes)
   {
     std::vector<Job> jobs;
-    add_node(boxes.whole(), 0, m_tree, &jobs);
-    const auto run = [&](std::size_t i, std::size_t, std::size_t) { add_node(jobs[i].part, jobs[i].depth, jobs[i].tree, nullptr); };
+    add_node(boxes.whole(), 0, m_nodes, &jobs);
+    const auto run = [&](std::size_t i, std::size_t, std::size_t) { add_node(jobs[i].part, jobs[i].depth, jobs[i].nodes, nullptr); };
     for_each_block(execution, jobs.size(), run, 1);
     for (const Job& job : jobs)
-      m_tree.nodes[job.parent].child[job.position] = append(job.tree);
+      m_nodes[job.parent].child[job.position] = append(job.nodes);
   }
 
   /// The root is the first.
-  std::vector<Node> take_nodes() { return std::move(m_tree.nodes); }
-  /// Unless they are boxes.
-  std::vector<Range> take_leaves() { return std::move(m_tree.leaves); }
+  std::vector<Node> take_nodes() { return std::move(m_nodes); }
 
 private:
   static constexpr std::size_t boxes_of_a_job = 4096;
   static constexpr int maximum_depth_of_cheap_splits = maximum_depth - 32;
   static constexpr std::size_t width = Node::width;
-  static_assert(width == Box_partition::leaf_size, "parts of this size are not split");
-
-  /// Children are numbered within it.
-  struct Tree
-  {
-    std::vector<Node> nodes;
-    std::vector<Range> leaves;
-  };
+  static_assert(width == Box_partition::group_size, "parts of this size are not split");
 
   /// A subtree to be built.
   struct Job
@@ -84,59 +72,50 @@ private:
     Part part;
     int depth;
     std::size_t parent, position; // among its children
-    Tree tree;
+    std::vector<Node> nodes;      // numbered within it
   };
 
   /// Adds a subtree; returns its root.
-  Child append(const Tree& tree)
+  Child append(const std::vector<Node>& nodes)
   {
-    const Child first_node = Child(2 * m_tree.nodes.size()), first_leaf = Child(2 * m_tree.leaves.size());
-    for (Node node : tree.nodes) {
+    const Child first = Child(2 * m_nodes.size());
+    for (Node node : nodes) {
       for (Child& child : node.child)
-        child += child % 2 == 0 ? first_node : first_leaf;
-      m_tree.nodes.push_back(node);
+        child += child % 2 == 0 ? first : 0;
+      m_nodes.push_back(node);
     }
-    m_tree.leaves.insert(m_tree.leaves.end(), tree.leaves.begin(), tree.leaves.end());
-    return first_node;
+    return first;
   }
 
   /// Adds a node for a part, and its descendants; those of few boxes become jobs, if these are wanted.
-  Child add_node(const Part& part, int depth, Tree& tree, std::vector<Job>* jobs) const
+  Child add_node(const Part& part, int depth, std::vector<Node>& nodes, std::vector<Job>* jobs) const
   {
     std::array<Part, width> parts{};
     const std::size_t size = split(part, depth, parts);
-    const std::size_t n = tree.nodes.size();
-    tree.nodes.emplace_back();
+    const std::size_t n = nodes.size();
+    nodes.emplace_back();
     for (std::size_t i = 0; i < width; ++i)
       for (std::size_t k = 0; k < 3; ++k) {
-        tree.nodes[n].bounds[0][k][i] = parts[i].box.low[k];
-        tree.nodes[n].bounds[1][k][i] = parts[i].box.high[k];
+        nodes[n].bounds[0][k][i] = parts[i].box.low[k];
+        nodes[n].bounds[1][k][i] = parts[i].box.high[k];
       }
     for (std::size_t i = 0; i < size; ++i)
-      if (parts[i].size() <= m_leaf_size)
-        tree.nodes[n].child[i] = add_leaf(parts[i], tree);
+      if (parts[i].size() == 1)
+        nodes[n].child[i] = Child(2 * m_boxes.name(parts[i].first) + 1);
       else if (jobs && parts[i].size() <= boxes_of_a_job)
         jobs->push_back({parts[i], depth + 1, n, i, {}});
       else {
-        const Child child = add_node(parts[i], depth + 1, tree, jobs);
-        tree.nodes[n].child[i] = child;
+        const Child child = add_node(parts[i], depth + 1, nodes, jobs);
+        nodes[n].child[i] = child;
       }
     return Child(2 * n);
-  }
-
-  Child add_leaf(const Part& part, Tree& tree) const
-  {
-    if (m_leaf_size == 1)
-      return Child(2 * m_boxes.name(part.first) + 1);
-    tree.leaves.push_back(part);
-    return Child(2 * tree.leaves.size() - 1);
   }
 
   /// Splits a part for the children of a node; returns their number.
   std::size_t split(const Part& part, int depth, std::array<Part, width>& parts) const
   {
     std::size_t size = 0;
-    if (m_leaf_size == 1 && part.size() <= width) {
+    if (part.size() <= width) {
       for (; size < part.size(); ++size)
         parts[size] = m_boxes.single(part.first + size);
       return size;
@@ -156,8 +135,7 @@ private:
   static float area_to_split(const Part& part) { return part.size() > width ? part.box.half_area() : -1; }
 
   Box_partition& m_boxes;
-  const std::size_t m_leaf_size;
-  Tree m_tree;
+  std::vector<Node> m_nodes;
 };
 
 } // namespace internal

@@ -106,11 +106,11 @@ private:
     for (std::size_t r = 0; r < hits.size(); ++r)
       wants_all[r] = !hits[r];
     for (std::size_t p = 0; p < m_mesh.patches().size(); ++p)
-      wants_all[m_regions[m_mesh.patches()[p].face]] = false;
+      wants_all[m_regions[m_mesh.patches()[p].center]] = false;
     const bool any_wants_all = std::find(wants_all.begin(), wants_all.end(), true) != wants_all.end();
     const auto for_each_face = [&](const auto& f) {
       for (std::size_t p = 0; p < m_mesh.patches().size(); ++p)
-        if (const Index face = m_mesh.patches()[p].face; !hits[m_regions[face]])
+        if (const Index face = m_mesh.patches()[p].center; !hits[m_regions[face]])
           f(m_regions[face], face);
       for (std::size_t face = 0; any_wants_all && face < m_regions.size(); ++face)
         if (wants_all[m_regions[face]])

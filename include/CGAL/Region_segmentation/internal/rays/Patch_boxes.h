@@ -42,8 +42,8 @@ public:
       boxes.m_extents.size(), [&](std::size_t patch) { boxes.m_extents[patch] = boxes.extent(patch); });
     boxes.limit_slices();
     Box_partition result;
-    result.reserve(triangles.number_of_patches());
-    for (std::size_t patch = 0; patch < triangles.number_of_patches(); ++patch)
+    result.reserve(triangles.patches(mesh).size());
+    for (std::size_t patch = 0; patch < triangles.patches(mesh).size(); ++patch)
       boxes.add(patch, result);
     return result;
   }
@@ -71,7 +71,7 @@ private:
     : m_mesh(mesh)
     , m_triangles(triangles)
     , m_size(float(triangles.relative(mesh.relative_unit())))
-    , m_extents(triangles.number_of_patches())
+    , m_extents(triangles.patches(mesh).size())
   {}
 
   Extent extent(std::size_t patch) const
@@ -91,7 +91,7 @@ private:
 
   double relative_area(std::size_t patch) const
   {
-    return m_triangles.relative(m_triangles.relative(m_mesh.patches()[patch].area));
+    return m_triangles.relative(m_triangles.relative(m_triangles.patches(m_mesh)[patch].area));
   }
 
   std::size_t number_of_slices(const Extent& extent) const

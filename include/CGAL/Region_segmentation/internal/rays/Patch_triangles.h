@@ -17,6 +17,9 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
+/// Which patches of a mesh, see `Mesh_patches`.
+enum class Patch_level { FINE, COARSE };
+
 /// The triangles of the patches of a mesh (polygons as fans), relative to an origin, in float. They are computed from the
 /// mesh whenever they are wanted; only the faces of each patch are kept: 4 bytes a face.
 class Patch_triangles
@@ -26,18 +29,22 @@ public:
 
   /// `scale`: of the relative coordinates
   /// \pre the mesh was read with its points and patches
-  Patch_triangles(const Flat_mesh& mesh, const Double_3& origin, double scale)
-    : m_origin(origin), m_scale(scale), m_faces(mesh.patches().size())
+  Patch_triangles(const Flat_mesh& mesh, Patch_level level, const Double_3& origin, double scale)
+    : m_level(level), m_origin(origin), m_scale(scale), m_faces(patches(mesh).size())
   {
-    const Partition& patches = mesh.patches().of_faces();
-    for (const Index patch : patches)
-      m_faces.count(patch);
+    const Partition &fine = mesh.patches().of_faces(), &coarse = mesh.patches().coarse().of_elements();
+    const auto patch_of = [&](Index patch) { return level == Patch_level::FINE ? patch : coarse[patch]; };
+    for (const Index patch : fine)
+      m_faces.count(patch_of(patch));
     m_faces.end_counting();
-    for (std::size_t f = 0; f < patches.size(); ++f)
-      m_faces.add(patches[f], Index(f));
+    for (std::size_t f = 0; f < fine.size(); ++f)
+      m_faces.add(patch_of(fine[f]), Index(f));
   }
 
-  std::size_t number_of_patches() const { return m_faces.number_of_groups(); }
+  const Patches& patches(const Flat_mesh& mesh) const
+  {
+    return m_level == Patch_level::FINE ? mesh.patches() : mesh.patches().coarse();
+  }
 
   Float_3 relative(const Double_3& point) const
   {
@@ -101,6 +108,7 @@ private:
     return first;
   }
 
+  Patch_level m_level;
   Double_3 m_origin;
   double m_scale;
   Grouped_items<Index> m_faces; // by patch

@@ -5,7 +5,6 @@
 
 #include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/Flat_mesh.h>
-#include <CGAL/Region_segmentation/internal/rays/Box_partition.h>
 #include <CGAL/Region_segmentation/internal/rays/Four_triangles.h>
 #include <CGAL/Region_segmentation/internal/rays/Patch_triangles.h>
 #include <CGAL/Region_segmentation/internal/support/Large_array.h>
@@ -14,66 +13,56 @@
 
 #include <CGAL/Iterator_range.h>
 
-#include <boost/container/static_vector.hpp>
-
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <numeric>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// The triangles in the leaves of a `Ray_tree`, four by four.
+/// The triangles in the leaves of a `Ray_tree`, which are patches, four by four.
 ///
-/// Those of a mesh of few faces are stored, 40 bytes each. On large meshes this would be a quarter of the memory of a
-/// segmentation, for rays that meet each triangle once or never: there a leaf is a patch, whose triangles are
-/// gathered from the mesh when a ray comes.
+/// Those of a mesh of few faces are stored, 40 bytes each, by coarse patches. On large meshes this would be a quarter of the memory
+/// of a segmentation, for rays that meet each triangle once or never: there they are gathered from the mesh when a ray comes, by
+/// fine patches.
 class Ray_leaves
 {
   using Index = Flat_mesh::Index;
 
 public:
-  using Name = Box_partition::Name; ///< of a patch
-
   static constexpr std::size_t most_stored_faces = std::size_t(1) << 19;
 
-  /// `most_stored`: triangles of meshes of more faces are gathered
-  Ray_leaves(const Flat_mesh& mesh, Patch_triangles triangles, std::size_t most_stored)
-    : m_triangles(std::move(triangles)), m_are_stored(mesh.number_of_faces() <= most_stored), m_first(1, 0)
+  /// `origin`, `scale`: of relative coordinates; `most_stored`: triangles of meshes of more faces are gathered
+  Ray_leaves(const Flat_mesh& mesh, const Double_3& origin, double scale, std::size_t most_stored)
+    : m_are_stored(mesh.number_of_faces() <= most_stored)
+    , m_triangles(mesh, m_are_stored ? Patch_level::COARSE : Patch_level::FINE, origin, scale)
   {}
 
   const Patch_triangles& triangles() const { return m_triangles; }
 
-  /// Stores the triangles of all leaves, which are ranges of boxes of patches.
+  /// To be called before rays are traced.
   template <typename ConcurrencyTag>
-  void store(const Flat_mesh& mesh, const Box_partition& boxes, const std::vector<Box_partition::Range>& leaves,
-             const Execution<ConcurrencyTag>& execution)
+  void store(const Flat_mesh& mesh, const Execution<ConcurrencyTag>& execution)
   {
-    m_first.resize(leaves.size() + 1);
-    for_each_block(execution.step(0, 0.2), leaves.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
-      for (std::size_t leaf = begin; leaf < end; ++leaf) {
-        std::size_t triangles = 0;
-        for (const Name patch : patches_of(boxes, leaves[leaf]))
-          triangles += m_triangles.number_of_triangles(mesh, patch);
-        m_first[leaf + 1] = Index((triangles + 3) / 4);
-      }
+    if (!m_are_stored)
+      return;
+    const std::size_t leaves = m_triangles.patches(mesh).size();
+    m_first.resize(leaves + 1);
+    m_first[0] = 0;
+    for_each_block(execution.step(0, 0.2), leaves, [&](std::size_t, std::size_t begin, std::size_t end) {
+      for (std::size_t leaf = begin; leaf < end; ++leaf)
+        m_first[leaf + 1] = Index((m_triangles.number_of_triangles(mesh, leaf) + 3) / 4);
     });
     std::partial_sum(m_first.begin(), m_first.end(), m_first.begin());
     m_stored.resize(m_first.back());
-    for_each_block(execution.step(0.2, 1), leaves.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
-      for (std::size_t leaf = begin; leaf < end; ++leaf) {
-        const Patches patches = patches_of(boxes, leaves[leaf]);
-        Four_triangles* group = m_stored.data() + m_first[leaf];
-        for_each_group(mesh, patches.data(), patches.data() + patches.size(), [&](const Four_triangles& g) { *group++ = g; });
-      }
+    for_each_block(execution.step(0.2, 1), leaves, [&](std::size_t, std::size_t begin, std::size_t end) {
+      Four_triangles* group = m_stored.data() + m_first[begin];
+      for (std::size_t leaf = begin; leaf < end; ++leaf)
+        for_each_group(mesh, leaf, [&](const Four_triangles& g) { *group++ = g; });
     }, 256);
   }
-
-  bool are_stored() const { return m_are_stored; }
 
   /// A ray in a leaf.
   struct Visit
@@ -95,37 +84,24 @@ public:
     } else {
       m_triangles.prefetch(mesh, visits, [](const Visit& visit) { return visit.leaf; });
       for (const Visit& visit : visits)
-        for_each_group(mesh, &visit.leaf, &visit.leaf + 1, [&](const Four_triangles& group) { group.intersect(*visit.ray); });
+        for_each_group(mesh, visit.leaf, [&](const Four_triangles& group) { group.intersect(*visit.ray); });
     }
   }
 
 private:
-  using Patches = boost::container::static_vector<Name, Box_partition::leaf_size>;
-
-  /// Each once: several slices of a patch may be in a leaf.
-  static Patches patches_of(const Box_partition& boxes, const Box_partition::Range& leaf)
-  {
-    Patches result;
-    for (std::size_t i = leaf.first; i < leaf.last; ++i)
-      if (std::find(result.begin(), result.end(), boxes.name(i)) == result.end())
-        result.push_back(boxes.name(i));
-    return result;
-  }
-
   template <typename F>
-  void for_each_group(const Flat_mesh& mesh, const Name* begin, const Name* end, const F& f) const
+  void for_each_group(const Flat_mesh& mesh, std::size_t leaf, const F& f) const
   {
     Four_triangles group{};
     std::size_t lane = 0;
-    for (; begin != end; ++begin)
-      m_triangles.for_each(mesh, *begin, [&](const std::array<Float_3, 3>& corners, Index face) {
-        group.set(lane, corners, face);
-        if (++lane == 4) {
-          f(group);
-          group = Four_triangles();
-          lane = 0;
-        }
-      });
+    m_triangles.for_each(mesh, leaf, [&](const std::array<Float_3, 3>& corners, Index face) {
+      group.set(lane, corners, face);
+      if (++lane == 4) {
+        f(group);
+        group = Four_triangles();
+        lane = 0;
+      }
+    });
     if (lane > 0)
       f(group);
   }
@@ -135,8 +111,8 @@ private:
     return {m_stored.data() + m_first[leaf], m_stored.data() + m_first[leaf + 1]};
   }
 
-  Patch_triangles m_triangles;
   bool m_are_stored;
+  Patch_triangles m_triangles;
   std::vector<Index> m_first; // by leaf: of its groups; and the end of the last one
   Large_array<Four_triangles> m_stored;
 };

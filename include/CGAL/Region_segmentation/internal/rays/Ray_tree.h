@@ -32,11 +32,10 @@ namespace internal {
 /// distances are needed to a few digits only. (CGAL's AABB tree is exact, and GPL.)
 ///
 /// A node has up to four children, which are tested together, and so are four triangles of a leaf: so there are few
-/// unpredictable branches. A leaf is up to four patches, or one if its triangles must be gathered (see
-/// `Ray_leaves`): testing its box first costs less. The result does not depend on the shape of the tree,
-/// and neither on the patches.
+/// unpredictable branches. A leaf is a patch, a coarse one on meshes of few faces (see `Ray_leaves`). The result does not depend
+/// on the shape of the tree, and neither on the patches.
 ///
-/// About 50 bytes per triangle, or 5 on large meshes (see `Ray_leaves`), and construction in O(T + P log P) for T triangles in
+/// About 60 bytes per triangle, or 5 on large meshes (see `Ray_leaves`), and construction in O(T + P log P) for T triangles in
 /// P patches; a ray takes O(log P + T / P) in practice.
 class Ray_tree
 {
@@ -56,16 +55,14 @@ public:
   Ray_tree(const Flat_mesh& mesh, const Double_3& origin, const Execution<ConcurrencyTag>& execution,
            std::size_t most_stored_faces = Ray_leaves::most_stored_faces)
     : m_unit(unit_of(mesh, origin))
-    , m_leaves(mesh, Patch_triangles(mesh, origin, 1 / m_unit), most_stored_faces)
+    , m_leaves(mesh, origin, 1 / m_unit, most_stored_faces)
   {
     if (mesh.number_of_faces() == 0)
       return;
     Box_partition boxes = Patch_boxes::make<ConcurrencyTag>(mesh, m_leaves.triangles());
     execution.report(0.4);
-    Box_tree_builder builder(boxes, !m_leaves.are_stored(), execution.step(0.4, 0.8));
-    m_nodes = builder.take_nodes();
-    if (m_leaves.are_stored())
-      m_leaves.store(mesh, boxes, builder.take_leaves(), execution.step(0.8, 1));
+    m_nodes = Box_tree_builder(boxes, execution.step(0.4, 0.8)).take_nodes();
+    m_leaves.store(mesh, execution.step(0.8, 1));
     execution.report(1);
   }
 

@@ -184,10 +184,10 @@ public:
 
   /// After the points.
   template <typename ConcurrencyTag>
-  void set_faces_of_patches()
+  void set_centers_of_patches()
   {
     if (includes(m_flat.m_data, Mesh_data::PATCHES))
-      Patch_builder<ConcurrencyTag>::set_faces(m_flat.m_patches, m_flat);
+      Patch_builder<ConcurrencyTag>::set_centers(m_flat.m_patches, m_flat);
   }
 
   Flat_mesh take() { return std::move(m_flat); }

@@ -79,7 +79,7 @@ public:
       read_points(m_execution.step(after_patches, after_patches + 0.03));
       read_corners(places, m_execution.step(after_patches + 0.03, 1));
     }
-    m_builder.template set_faces_of_patches<ConcurrencyTag>();
+    m_builder.template set_centers_of_patches<ConcurrencyTag>();
     m_execution.report(1);
     return m_builder.take();
   }

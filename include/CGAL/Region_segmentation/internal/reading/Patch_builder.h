@@ -23,7 +23,7 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// Makes the patches of a mesh, in rounds, see `Mesh_patches`.
+/// Makes the patches of a mesh, the fine ones and the coarse ones, in rounds, see `Mesh_patches`.
 ///
 /// What is summed for a patch or between two of them is summed by one thread, in the order of the elements: so the result is the
 /// same in parallel.
@@ -31,11 +31,12 @@ template <typename ConcurrencyTag>
 class Patch_builder
 {
   using Index = Flat_mesh::Index;
-  using Patch = Mesh_patches::Patch;
-  using Adjacency = Mesh_patches::Adjacency;
+  using Patch = Patches::Patch;
+  using Adjacency = Patches::Adjacency;
 
 public:
-  /// The patches without their faces. `release_centroids`: is called when the centroids of the faces are no longer read
+  /// The patches; the centers of the fine ones are missing. `release_centroids`: is called when the centroids of the faces are
+  /// no longer read
   /// \pre the mesh was read with its centroids and the area of its surface
   template <typename Release>
   static Mesh_patches build(const Flat_mesh& mesh, const Release& release_centroids,
@@ -46,44 +47,55 @@ public:
     const auto report = [&] {
       execution.report(1 - double(builder.m_places.size()) / double((std::max)(mesh.number_of_faces(), std::size_t(1))));
     };
-    builder.join_faces(release_centroids);
-    for (report(); builder.join_patches();)
-      report();
-    return builder.finish();
+    const double area = mesh.surface_area();
+    const bool is_worth_another = builder.join_faces(Mesh_patches::maximum_area * area, release_centroids);
+    report();
+    if (is_worth_another)
+      builder.join_patches(Mesh_patches::maximum_area * area, report);
+    Patches fine = builder.finish();
+    builder.m_adjacencies.push_back(fine.m_adjacencies);
+    builder.join_patches(Mesh_patches::maximum_coarse_area * area, report);
+    Patches coarse = builder.finish();
+    set_centers(coarse, [&](std::size_t p) { return fine[p].centroid; },
+                [&](std::size_t p) { return squared_norm(fine[p].normal) == 0; });
+    return Mesh_patches(std::move(fine), std::move(coarse));
   }
 
   /// The parts of a partition as patches.
-  static Mesh_patches build(const Flat_mesh& mesh, Partition of_faces)
+  static Patches build(const Flat_mesh& mesh, Partition of_faces)
   {
     Patch_builder builder(mesh);
     builder.m_rounds.push_back(std::move(of_faces));
     builder.replace_patches(Faces(mesh), builder.m_rounds.back(), [] {});
-    Mesh_patches patches = builder.finish();
-    set_faces(patches, mesh);
+    Patches patches = builder.finish();
+    set_centers(patches, mesh);
     return patches;
   }
 
-  /// Sets the face of each patch nearest to its centroid, a degenerate one only if there is no other.
-  static void set_faces(Mesh_patches& patches, const Flat_mesh& mesh)
+  /// Sets the centers of patches of faces.
+  static void set_centers(Patches& patches, const Flat_mesh& mesh)
   {
-    constexpr double infinite = std::numeric_limits<double>::infinity();
-    std::vector<double> distances(patches.size(), infinite);
-    for_each_in_part(patches.m_of_faces, [&](Index part, std::size_t f) {
-      Patch& patch = patches.m_patches[part];
-      const double distance = mesh.is_degenerate(f) ? infinite : squared_norm(mesh.centroid(f) - patch.centroid);
-      if (distance < distances[part] || patch.face == none) {
-        distances[part] = distance;
-        patch.face = Index(f);
-      }
-    });
+    set_centers(patches, [&](std::size_t f) { return mesh.centroid(f); }, [&](std::size_t f) { return mesh.is_degenerate(f); });
   }
 
 private:
-  explicit Patch_builder(const Flat_mesh& mesh)
-    : m_mesh(mesh)
-    , m_maximum_area(Mesh_patches::maximum_area * mesh.surface_area())
-    , m_unit(mesh.relative_unit())
-  {}
+  explicit Patch_builder(const Flat_mesh& mesh) : m_mesh(mesh), m_unit(mesh.relative_unit()) {}
+
+  /// A degenerate element only if there is no other.
+  template <typename Centroid, typename IsDegenerate>
+  static void set_centers(Patches& patches, const Centroid& centroid, const IsDegenerate& is_degenerate)
+  {
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    std::vector<double> distances(patches.size(), infinite);
+    for_each_in_part(patches.m_of_elements, [&](Index part, std::size_t i) {
+      Patch& patch = patches.m_patches[part];
+      const double distance = is_degenerate(i) ? infinite : squared_norm(centroid(i) - patch.centroid);
+      if (distance < distances[part] || patch.center == none) {
+        distances[part] = distance;
+        patch.center = Index(i);
+      }
+    });
+  }
 
   /// Of a patch, while there are many of them. In two arrays, which are replaced one after the other: memory is used most then.
   struct Place
@@ -129,8 +141,8 @@ private:
     const Flat_mesh& m_mesh;
   };
 
-  /// The patches of a later round. Before the second one their adjacencies are those of their faces: to store them would take
-  /// more memory than all else at that time.
+  /// The patches of a later round. Those of the first round are not stored, but found from their faces: they would take more
+  /// memory than all else at that time.
   class Joined
   {
   public:
@@ -144,7 +156,10 @@ private:
       return m_builder.m_directions[p].projected_area * m_builder.m_directions[p].normal;
     }
 
-    std::size_t number_of_ranges() const { return m_faces.number_of_ranges(); }
+    std::size_t number_of_ranges() const
+    {
+      return are_stored() ? m_builder.m_adjacencies.size() : m_faces.number_of_ranges();
+    }
     template <typename F>
     void for_each_adjacency(std::size_t range, const F& f) const
     {
@@ -167,38 +182,48 @@ private:
     }
 
   private:
-    bool are_stored() const { return m_builder.m_rounds.size() > 1; }
+    bool are_stored() const { return !m_builder.m_adjacencies.empty(); }
 
     const Patch_builder& m_builder;
     const Faces m_faces;
   };
 
+  /// The first round. Returns whether another one is worth it.
   template <typename Release>
-  void join_faces(const Release& release_centroids)
+  bool join_faces(double maximum_area, const Release& release_centroids)
   {
     const Faces faces(m_mesh);
-    m_rounds.push_back(select(faces));
+    m_rounds.push_back(select(faces, maximum_area));
     replace_patches(faces, m_rounds.back(), release_centroids);
+    return has_joined_enough(m_rounds.back());
   }
 
-  /// Returns whether it is worth another round.
-  bool join_patches()
+  template <typename Report>
+  void join_patches(double maximum_area, const Report& report)
   {
-    const Joined patches(*this);
-    const std::size_t before = patches.size();
-    Partition joined = select(patches);
-    if (joined.number_of_parts() == before)
-      return false;
-    replace_patches(patches, joined, [] {}); // first, since it frees most memory
-    replace_adjacencies(joined.number_of_parts(), [&](Index patch) { return joined[patch]; });
-    m_rounds.push_back(std::move(joined));
-    return before - m_places.size() >= before / 32;
+    for (bool is_worth_another = true; is_worth_another;) {
+      const Joined patches(*this);
+      Partition joined = select(patches, maximum_area);
+      is_worth_another = has_joined_enough(joined);
+      if (joined.number_of_parts() == joined.size())
+        return;
+      replace_patches(patches, joined, [] {}); // first, since it frees most memory
+      replace_adjacencies(joined.number_of_parts(), [&](Index patch) { return joined[patch]; });
+      m_rounds.push_back(std::move(joined));
+      report();
+    }
   }
 
-  template <typename Patches>
-  Partition select(const Patches& patches) const
+  static bool has_joined_enough(const Partition& joined)
   {
-    return Patch_selection<ConcurrencyTag>(patches, m_maximum_area, m_unit, Mesh_patches::deviation_weight).joined();
+    const std::size_t fewer = joined.size() - joined.number_of_parts();
+    return fewer > 0 && fewer >= joined.size() / 32;
+  }
+
+  template <typename Elements>
+  Partition select(const Elements& elements, double maximum_area) const
+  {
+    return Patch_selection<ConcurrencyTag>(elements, maximum_area, m_unit, Mesh_patches::deviation_weight).joined();
   }
 
   /// Calls `f(part, element)` for all elements; those of a part in order, by one thread. Each thread has some of the parts, and looks at all
@@ -216,16 +241,16 @@ private:
     });
   }
 
-  template <typename Patches, typename Release>
-  void replace_patches(const Patches& patches, const Partition& joined, const Release& release_centroids)
+  template <typename Elements, typename Release>
+  void replace_patches(const Elements& patches, const Partition& joined, const Release& release_centroids)
   {
     replace_places(patches, joined);
     release_centroids();
     replace_directions(patches, joined);
   }
 
-  template <typename Patches>
-  void replace_places(const Patches& patches, const Partition& joined)
+  template <typename Elements>
+  void replace_places(const Elements& patches, const Partition& joined)
   {
     Large_array<Place> places(joined.number_of_parts());
     Large_array<Index> firsts(places.size());
@@ -249,8 +274,8 @@ private:
     m_places = std::move(places);
   }
 
-  template <typename Patches>
-  void replace_directions(const Patches& patches, const Partition& joined)
+  template <typename Elements>
+  void replace_directions(const Elements& patches, const Partition& joined)
   {
     Large_array<Direction> directions(joined.number_of_parts());
     for_each_index<ConcurrencyTag>(directions.size(), [&](std::size_t p) { directions[p] = {{0, 0, 0}, 0}; });
@@ -285,14 +310,14 @@ private:
     m_adjacencies = std::move(result);
   }
 
-  Mesh_patches finish()
+  /// The patches of the rounds since the last call.
+  Patches finish()
   {
-    if (m_rounds.size() == 1)
+    if (m_adjacencies.empty())
       replace_adjacencies(m_places.size(), [](Index patch) { return patch; });
-    compose_rounds();
-    Mesh_patches result;
+    Patches result;
+    result.m_of_elements = take_rounds();
     result.m_adjacencies = united_adjacencies();
-    result.m_of_faces = std::move(m_rounds.front());
     result.m_patches.resize(m_places.size());
     for_each_index<ConcurrencyTag>(m_places.size(), [&](std::size_t p) {
       result.m_patches[p] = {m_places[p].centroid, m_directions[p].normal, m_places[p].area, none};
@@ -305,14 +330,13 @@ private:
     return result;
   }
 
-  /// From the last one on, so that the faces are relabelled once.
-  void compose_rounds()
+  /// The partition that the rounds make together: composed from the last one on, so that the faces are relabelled once.
+  Partition take_rounds()
   {
-    while (m_rounds.size() > 1) {
-      const Partition last = std::move(m_rounds.back());
-      m_rounds.pop_back();
-      m_rounds.back() = composed(m_rounds.back(), last);
-    }
+    Partition result = Partition::into_single_elements(m_places.size());
+    for (; !m_rounds.empty(); m_rounds.pop_back())
+      result = composed(m_rounds.back(), result);
+    return result;
   }
 
   /// One for each two patches, sorted: a radix sort of two digits, since the order of those to be summed must be kept.
@@ -354,11 +378,11 @@ private:
   static constexpr Index none = (std::numeric_limits<Index>::max)();
 
   const Flat_mesh& m_mesh;
-  const double m_maximum_area, m_unit;
-  std::vector<Partition> m_rounds; // of the faces, then of the patches of the round before
+  const double m_unit;
+  std::vector<Partition> m_rounds; // of the faces or the fine patches, then of the patches of the round before
   Large_array<Place> m_places;
   Large_array<Direction> m_directions;
-  /// By range of edges of the mesh, from the second round on; several between two patches, until the end.
+  /// By range of edges of the mesh; several between two patches, until the end. Empty before the second round.
   std::vector<Large_array<Adjacency>> m_adjacencies;
 };
 

@@ -48,7 +48,7 @@ public:
 
   /// Of patches in place of faces; `length(i)`: of the i-th adjacency.
   template <typename LengthOf>
-  Dual_graph_of(const Mesh_patches& patches, const LengthOf& length)
+  Dual_graph_of(const Patches& patches, const LengthOf& length)
     : m_steps(patches.size())
   {
     add_steps([&](const auto& add) {

@@ -51,7 +51,7 @@ public:
     for (std::size_t f = 0; f < m_reached.size(); f += faces_per_bound)
       m_bounds.push_back(farthest_in_block(f));
     std::make_heap(m_bounds.begin(), m_bounds.end(), is_nearer);
-    while (m_number_of_seeds < number) {
+    while (m_seeds.size() < number) {
       const std::size_t seed = farthest();
       if (m_reached[seed].distance <= 0)
         break;
@@ -60,17 +60,22 @@ public:
     }
   }
 
-  /// Places the given seeds alone.
+  /// Places the given seeds alone, all at once: of several seeds at the same distance a face belongs to that of the neighbor that
+  /// was nearer to its own, of these the lower one.
   void run(const std::vector<Index>& seeds)
   {
     m_number_wanted = seeds.size();
     for (const Index seed : seeds)
-      grow_from(seed);
+      place(seed);
+    grow();
   }
+
+  /// In the order in which they were placed.
+  const std::vector<Index>& seeds() const { return m_seeds; }
 
   Partition regions() const
   {
-    std::vector<Index> id_of(m_number_of_seeds, Index(none)), region_of;
+    std::vector<Index> id_of(m_seeds.size(), Index(none)), region_of;
     Index number = 0;
     region_of.reserve(m_reached.size());
     for (const Reached& r : m_reached) {
@@ -154,17 +159,28 @@ private:
     return m_bounds.front().second;
   }
 
-  /// The front is ordered by distances rounded to float. This cannot change a result, since a face whose distance
-  /// shrinks is pushed again.
   void grow_from(std::size_t seed)
   {
-    const Index label = Index(m_number_of_seeds++);
-    m_reached[seed] = {0, label, Index(seed)};
+    place(seed);
+    grow();
+  }
+
+  void place(std::size_t seed)
+  {
+    m_reached[seed] = {0, Index(m_seeds.size()), Index(seed)};
+    m_seeds.push_back(Index(seed));
     m_front.push(make_float_key(0, Index(seed)));
+  }
+
+  /// The front is ordered by distances rounded to float. This cannot change a distance, since a face whose distance
+  /// shrinks is pushed again.
+  void grow()
+  {
     while (!m_front.empty()) {
       const Float_key top = m_front.pop();
       const Index face = index_of(top);
       const double distance = m_reached[face].distance;
+      const Index label = m_reached[face].seed;
       if (top != make_float_key(float(distance), face))
         continue;
       report_now_and_then();
@@ -186,7 +202,7 @@ private:
   {
     constexpr std::size_t faces_per_report = 1 << 16;
     if (++m_number_of_visits % faces_per_report == 0)
-      m_execution.report((std::min)(1.0, double(m_number_of_seeds) / double(m_number_wanted)));
+      m_execution.report((std::min)(1.0, double(m_seeds.size()) / double(m_number_wanted)));
   }
 
   static constexpr double unreached = (std::numeric_limits<double>::max)();
@@ -199,7 +215,8 @@ private:
   Large_array<Reached> m_reached;
   std::vector<Entry> m_bounds; // a block of faces each
   Front_queue m_front;
-  std::size_t m_number_of_seeds = 0, m_number_wanted = 1, m_number_of_visits = 0;
+  std::vector<Index> m_seeds; // faces
+  std::size_t m_number_wanted = 1, m_number_of_visits = 0;
 };
 
 } // namespace internal

@@ -15,7 +15,7 @@ namespace internal {
 
 /// The costs of the borders between adjacent patches: l / (sqrt(A) (1 + g min(delta, m))), l the length, A the area of
 /// the surface, g `concave_gain`, delta the deviation if the patches face each other, else 0, m `maximum_deviation`.
-inline Dual_graph border_costs(const Flat_mesh& mesh, const Mesh_patches& patches, double concave_gain,
+inline Dual_graph border_costs(const Flat_mesh& mesh, const Patches& patches, double concave_gain,
                                double maximum_deviation)
 {
   return Dual_graph(patches, [&](std::size_t i) {
