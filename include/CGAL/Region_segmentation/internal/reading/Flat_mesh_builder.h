@@ -104,6 +104,9 @@ public:
       close_at_degenerate_face(late.edge);
   }
 
+  /// Its dual edges are there after `set_number_of_edges()`.
+  const Flat_mesh& flat() const { return m_flat; }
+
   void set_constrained(std::size_t edge) { m_flat.m_flags[edge] |= Flat_mesh::CONSTRAINED; }
 
   /// \name Points

@@ -72,6 +72,7 @@ public:
     else
       end = read_in_sequence(places, m_execution.step(0, after_faces));
     m_builder.set_number_of_edges(end.edge);
+    set_constraints();
     turn_components(2 * end.edge == end.corner);
     m_builder.finish(m_corners == Corners::AFTER_PATCHES, m_execution.step(after_faces, after_patches));
     if (m_corners == Corners::AFTER_PATCHES) {
@@ -226,12 +227,16 @@ private:
       m_builder.set_corners(place.corner, faces);
     const std::size_t number = faces.collect_edges();
     m_builder.set_edges(place.edge, faces, first_known_face, late_edges);
-    if constexpr (Constraints::are_possible)
-      m_traversal.for_each_dual_edge_of_block(block, place.edge, [&](halfedge_descriptor h, std::size_t dual_edge) {
-        if (m_is_constrained(edge(h, m_traversal.mesh())))
-          m_builder.set_constrained(dual_edge);
-      });
     return number;
+  }
+
+  /// In a pass of its own, since few edges are constrained: to know the dual edges of all faces takes a third of the reading.
+  void set_constraints()
+  {
+    if constexpr (Constraints::are_possible)
+      m_traversal.for_each_dual_edge_if(
+        m_builder.flat(), m_is_constrained,
+        [this](halfedge_descriptor, std::size_t dual_edge) { m_builder.set_constrained(dual_edge); });
   }
 
   const Traversal& m_traversal;

@@ -29,14 +29,16 @@ struct Seeds
   bool empty() const { return values.empty(); }
 };
 
-/// The seeds of faces, from the values of a map; the highest value stands for none.
-inline Seeds make_seeds(const std::vector<std::size_t>& values)
+/// The seeds of faces, from the values of a map; `std::size_t(-1)` stands for none.
+template <typename Value>
+Seeds make_seeds(const std::vector<Value>& values)
 {
   constexpr std::size_t no_seed = (std::numeric_limits<std::size_t>::max)();
   Seeds seeds;
   Key_numbering number(2 * values.size() + 1024);
   seeds.of.reserve(values.size());
-  for (const std::size_t value : values) {
+  for (const Value v : values) {
+    const std::size_t value = std::size_t(v);
     seeds.of.push_back(value == no_seed ? Seeds::Index(Seeds::none) : number(value));
     if (seeds.values.size() < number.size())
       seeds.values.push_back(value);

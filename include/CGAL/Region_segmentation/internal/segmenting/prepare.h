@@ -69,10 +69,7 @@ Seeds read_seeds(const FaceGraph& mesh, const FaceSeedMap& map)
 {
   static_assert(std::is_integral<typename boost::property_traits<FaceSeedMap>::value_type>::value,
                 "face_seed_map has an integral value type; std::size_t(-1) stands for no seed");
-  std::vector<std::size_t> values;
-  for (const auto value : face_values(mesh, map))
-    values.push_back(std::size_t(value));
-  return make_seeds(values);
+  return make_seeds(face_values(mesh, map));
 }
 
 template <typename FaceGraph, typename Pack>
