@@ -3,7 +3,7 @@
 // How close `Smooth_faces` comes to the faces of machine parts, without a number.
 
 #include "models/machine_parts.h"
-#include "soup/is_oriented_manifold.h"
+#include "soup/link_corners.h"
 
 #include <CGAL/Region_segmentation/Methods/Smooth_faces.h>
 #include <CGAL/Region_segmentation/evaluation/rand_index_distance.h>

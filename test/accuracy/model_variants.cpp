@@ -83,8 +83,8 @@ private:
     const std::size_t a = edge[0], b = edge[1], c = third(f, edge), d = third(g, edge);
     if (m_face_of.count({c, d}) > 0 || m_face_of.count({d, c}) > 0 || !keeps_surface(a, b, c, d))
       return;
-    m_polygons[f] = {a, d, c};
-    m_polygons[g] = {d, b, c};
+    m_polygons.replace(f, {a, d, c});
+    m_polygons.replace(g, {d, b, c});
     m_is_new[f] = m_is_new[g] = true;
     // Only these are looked up again: the other edges of new faces are of no use.
     m_face_of[{c, d}] = g;
@@ -121,7 +121,7 @@ private:
   }
 
   Labelled_model& m_model;
-  std::vector<Polygon_soup::Polygon>& m_polygons;
+  segment_mesh::Polygons& m_polygons;
   Engine m_engine;
   std::vector<char> m_is_new;
   std::map<Edge, std::size_t> m_face_of;
@@ -142,7 +142,7 @@ Labelled_model with_noise(Labelled_model model, double share, std::uint32_t seed
 Labelled_model split_into_four(const Labelled_model& model)
 {
   Labelled_model result = model;
-  result.soup.polygons.clear();
+  result.soup.polygons = {};
   result.labels.clear();
   std::vector<Point>& points = result.soup.points;
   std::map<Edge, std::size_t> middles;
@@ -155,7 +155,7 @@ Labelled_model split_into_four(const Labelled_model& model)
   for (std::size_t f = 0; f < model.soup.polygons.size(); ++f) {
     const Polygon_soup::Polygon& corners = model.soup.polygons[f];
     const std::size_t n = corners.size();
-    Polygon_soup::Polygon inner;
+    std::vector<std::size_t> inner;
     for (std::size_t i = 0; i < n; ++i)
       inner.push_back(middle(corners[i], corners[(i + 1) % n]));
     if (n > 3) {

@@ -5,7 +5,7 @@
 #include "score_model.h"
 
 #include "io/repair_soup.h"
-#include "soup/is_oriented_manifold.h"
+#include "soup/link_corners.h"
 
 #include <gtest/gtest.h>
 

@@ -11,16 +11,13 @@ using namespace segment_mesh;
 
 namespace {
 
-/// Bytes of memory for each byte of a file. The worst is a binary PLY of polygons with one-byte indices.
-constexpr std::size_t most_memory_per_byte = 64;
+/// Bytes of memory for each byte of a file. The worst is a header of a PLY that promises more faces than there are.
+constexpr std::size_t most_memory_per_byte = 32;
 
 std::size_t memory_of(const Polygon_soup& soup)
 {
-  std::size_t memory = soup.points.capacity() * sizeof(Point) +
-                       soup.polygons.capacity() * sizeof(Polygon_soup::Polygon);
-  for (const auto& polygon : soup.polygons)
-    memory += polygon.capacity() * sizeof(std::size_t);
-  return memory;
+  return soup.points.capacity() * sizeof(Point) +
+         (soup.polygons.capacity() + soup.polygons.corners().capacity()) * sizeof(Polygons::Index);
 }
 
 } // namespace

@@ -6,7 +6,7 @@
 #include "io/errors.h"
 #include "io/read_mesh.h"
 #include "require.h"
-#include "soup/is_oriented_manifold.h"
+#include "soup/link_corners.h"
 #include "soup/vector_algebra.h"
 
 #include <algorithm>
@@ -23,10 +23,9 @@ Polygon_soup soup_from(Bytes bytes)
     soup.points.push_back(is_finite(point) ? point : Point{0, 0, 0});
   }
   while (!bytes.empty()) {
-    Polygon_soup::Polygon polygon;
     for (std::size_t i = 0, n = 3 + bytes.below(8); i < n; ++i)
-      polygon.push_back(bytes.below(soup.points.size()));
-    soup.polygons.push_back(polygon);
+      soup.polygons.add_corner(bytes.below(soup.points.size()));
+    soup.polygons.close_polygon();
   }
   return soup;
 }

@@ -122,9 +122,10 @@ Polygon_soup grid(std::size_t n, bool is_closed, bool has_triangles)
     for (std::size_t j = 0; j < end; ++j) {
       const std::size_t a = i * n + j, b = (i + 1) % n * n + j, c = (i + 1) % n * n + (j + 1) % n,
                         d = i * n + (j + 1) % n;
-      if (has_triangles)
-        soup.polygons.insert(soup.polygons.end(), {{a, b, c}, {a, c, d}});
-      else
+      if (has_triangles) {
+        soup.polygons.push_back({a, b, c});
+        soup.polygons.push_back({a, c, d});
+      } else
         soup.polygons.push_back({a, b, c, d});
     }
   return soup;

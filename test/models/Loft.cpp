@@ -169,7 +169,7 @@ private:
   void add_quad(std::size_t i, std::size_t j)
   {
     const std::size_t rows = m_up.size(), next_i = (i + 1) % m_along.size(), next_j = (j + 1) % rows;
-    Polygon_soup::Polygon corners;
+    std::vector<std::size_t> corners;
     for (const std::size_t p : {m_point_at[i * rows + j], m_point_at[next_i * rows + j],
                                 m_point_at[next_i * rows + next_j], m_point_at[i * rows + next_j]})
       if (std::find(corners.begin(), corners.end(), p) == corners.end())

@@ -24,7 +24,7 @@ bool is_by_first_corner(Diagonals diagonals, std::size_t quad, Engine& engine)
 void split_quads(Labelled_model& model, Diagonals diagonals)
 {
   Engine engine;
-  std::vector<Polygon_soup::Polygon> triangles;
+  Polygons triangles;
   std::vector<std::size_t> labels;
   for (std::size_t f = 0; f < model.soup.polygons.size(); ++f) {
     const Polygon_soup::Polygon& polygon = model.soup.polygons[f];

@@ -125,7 +125,7 @@ private:
   void add_face(const Cell& cell, std::size_t axis, int side, std::size_t part, Bend bend)
   {
     // Counterclockwise seen from the high side.
-    Polygon_soup::Polygon face;
+    std::vector<std::size_t> face;
     for (const auto& [u, v] : {std::array<int, 2>{0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
       Cell corner = cell;
       corner[axis] += side;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "models/procedural_models.h"
-#include "soup/is_oriented_manifold.h"
+#include "soup/link_corners.h"
 
 #include <gtest/gtest.h>
 

@@ -85,9 +85,9 @@ public:
   }
 
 private:
-  void add_face(Polygon_soup::Polygon face, std::size_t part)
+  void add_face(std::initializer_list<std::size_t> face, std::size_t part)
   {
-    m_model.soup.polygons.push_back(std::move(face));
+    m_model.soup.polygons.push_back(face);
     m_model.labels.push_back(part);
     m_model.number_of_parts = (std::max)(m_model.number_of_parts, part + 1);
   }

@@ -1,28 +1,39 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "soup/is_oriented_manifold.h"
+#include "soup/link_corners.h"
 
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
+#include <optional>
 #include <random>
+#include <vector>
 
-namespace is_oriented_manifold_test {
+namespace link_corners_test {
 
 using namespace segment_mesh;
 
+/// Polygons whose corners may be changed.
+struct Loose_soup
+{
+  Polygon_soup soup() const { return {std::vector<Point>(number_of_points), polygons}; }
+
+  std::size_t number_of_points;
+  std::vector<std::vector<std::size_t>> polygons;
+};
+
 /// An n x n grid of squares, each whole or as two triangles, rolled up at random.
-Polygon_soup random_grid(std::mt19937& random)
+Loose_soup random_grid(std::mt19937& random)
 {
   const std::size_t n = 2 + random() % 3;
   const std::size_t columns = random() % 2 ? n : n + 1, rows = random() % 2 ? n : n + 1;
   const auto point = [=](std::size_t i, std::size_t j) {
     return i % columns + columns * (j % rows);
   };
-  Polygon_soup soup;
-  soup.points.resize(columns * rows);
+  Loose_soup soup = {columns * rows, {}};
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = 0; j < n; ++j) {
       const std::size_t a = point(i, j), b = point(i + 1, j), c = point(i + 1, j + 1),
@@ -36,10 +47,10 @@ Polygon_soup random_grid(std::mt19937& random)
 }
 
 /// Drops a face, turns one, moves one of its corners, doubles it, or merges two points.
-void damage(Polygon_soup& soup, std::mt19937& random)
+void damage(Loose_soup& soup, std::mt19937& random)
 {
-  Polygon_soup::Polygon& face = soup.polygons[random() % soup.polygons.size()];
-  const std::size_t p = random() % soup.points.size(), q = random() % soup.points.size();
+  std::vector<std::size_t>& face = soup.polygons[random() % soup.polygons.size()];
+  const std::size_t p = random() % soup.number_of_points, q = random() % soup.number_of_points;
   switch (random() % 5) {
   case 0:
     if (soup.polygons.size() > 1)
@@ -52,54 +63,91 @@ void damage(Polygon_soup& soup, std::mt19937& random)
     face[random() % face.size()] = p;
     break;
   case 3:
-    soup.polygons.push_back(Polygon_soup::Polygon(face));
+    soup.polygons.push_back(std::vector<std::size_t>(face));
     break;
   default:
-    for (Polygon_soup::Polygon& polygon : soup.polygons)
+    for (std::vector<std::size_t>& polygon : soup.polygons)
       std::replace(polygon.begin(), polygon.end(), p, q);
   }
 }
 
-TEST(Is_oriented_manifold, says_what_cgal_says)
+TEST(Link_corners, says_what_cgal_says)
 {
   const unsigned seed = std::random_device()();
   std::mt19937 random(seed);
   std::size_t count[2] = {0, 0};
   for (int round = 0; round < 4000; ++round) {
-    Polygon_soup soup = random_grid(random);
+    Loose_soup soup = random_grid(random);
     for (std::size_t i = random() % 4; i > 0; --i)
       damage(soup, random);
     const bool expected =
       CGAL::Polygon_mesh_processing::is_polygon_soup_a_polygon_mesh(soup.polygons);
-    ASSERT_EQ(is_oriented_manifold(soup), expected) << "seed " << seed << ", round " << round;
+    ASSERT_EQ(is_oriented_manifold(soup.soup()), expected) << "seed " << seed << ", round " << round;
     ++count[expected];
   }
   EXPECT_GT(count[false], 400u) << "seed " << seed;
   EXPECT_GT(count[true], 400u) << "seed " << seed;
 }
 
-TEST(Is_oriented_manifold, takes_fans_of_any_size)
+/// For each corner the one that an edge from its point to the previous one leaves.
+Corner_links expected_links(const Polygon_soup& soup)
+{
+  std::map<Vertex_pair, Polygons::Index> corner_of_edge;
+  Polygons::Index id = 0;
+  for (const auto& polygon : soup.polygons)
+    for (std::size_t i = 0; i < polygon.size(); ++i)
+      corner_of_edge[{polygon[i], polygon[(i + 1) % polygon.size()]}] = id++;
+  Corner_links links;
+  for (const auto& polygon : soup.polygons)
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      const auto found = corner_of_edge.find({polygon[i], polygon[(i + polygon.size() - 1) % polygon.size()]});
+      links.push_back(found == corner_of_edge.end() ? no_corner : found->second);
+    }
+  return links;
+}
+
+TEST(Link_corners, leads_across_edges)
+{
+  const unsigned seed = std::random_device()();
+  std::mt19937 random(seed);
+  int number_of_soups = 0;
+  while (number_of_soups < 500) {
+    Loose_soup soup = random_grid(random);
+    if (random() % 2)
+      damage(soup, random);
+    if (const std::optional<Corner_links> links = link_corners(soup.soup())) {
+      ++number_of_soups;
+      ASSERT_EQ(*links, expected_links(soup.soup())) << "seed " << seed;
+    }
+  }
+  Polygon_soup cone; // of more faces than are linked without an order
+  cone.points.resize(101);
+  for (std::size_t i = 0; i < 100; ++i)
+    cone.polygons.push_back({0, i + 1, (i + 1) % 100 + 1});
+  EXPECT_EQ(link_corners(cone), expected_links(cone));
+}
+
+TEST(Link_corners, takes_fans_of_any_size)
 {
   for (std::size_t n : {3, 4, 15, 16, 17, 18, 100}) {
-    Polygon_soup cone;
-    cone.points.resize(n + 3);
+    Loose_soup cone = {n + 3, {}};
     for (std::size_t i = 0; i < n; ++i)
       cone.polygons.push_back({0, i + 1, (i + 1) % n + 1});
-    EXPECT_TRUE(is_oriented_manifold(cone)) << n;
+    EXPECT_TRUE(is_oriented_manifold(cone.soup())) << n;
     cone.polygons.push_back({0, n + 1, n + 2});
-    EXPECT_FALSE(is_oriented_manifold(cone)) << n;
+    EXPECT_FALSE(is_oriented_manifold(cone.soup())) << n;
     cone.polygons.back() = cone.polygons.front();
-    EXPECT_FALSE(is_oriented_manifold(cone)) << n;
+    EXPECT_FALSE(is_oriented_manifold(cone.soup())) << n;
     cone.polygons.pop_back();
     cone.polygons.pop_back();
-    EXPECT_TRUE(is_oriented_manifold(cone)) << n << ", open";
+    EXPECT_TRUE(is_oriented_manifold(cone.soup())) << n << ", open";
   }
 }
 
-TEST(Is_oriented_manifold, wants_three_corners_and_one_fan_a_point)
+TEST(Link_corners, wants_three_corners_and_one_fan_a_point)
 {
-  const auto is_manifold = [](std::size_t points, std::vector<Polygon_soup::Polygon> polygons) {
-    return is_oriented_manifold({std::vector<Point>(points), std::move(polygons)});
+  const auto is_manifold = [](std::size_t points, const Polygons& polygons) {
+    return is_oriented_manifold({std::vector<Point>(points), polygons});
   };
   EXPECT_FALSE(is_manifold(2, {{0, 1}}));
   EXPECT_FALSE(is_manifold(1, {{}}));
@@ -110,4 +158,4 @@ TEST(Is_oriented_manifold, wants_three_corners_and_one_fan_a_point)
   EXPECT_FALSE(is_manifold(7, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {0, 4, 5}, {0, 5, 6}, {0, 6, 4}}));
 }
 
-} // namespace is_oriented_manifold_test
+} // namespace link_corners_test

@@ -2,7 +2,7 @@
 
 #include "segmentation/make_surface_mesh.h"
 
-#include "soup/is_oriented_manifold.h"
+#include "soup/link_corners.h"
 
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <iostream>
+#include <optional>
 #include <random>
 
 namespace make_surface_mesh_test {
@@ -33,19 +34,20 @@ Polygon_soup random_faces(std::mt19937& random)
         continue;
       if (random() % 2)
         soup.polygons.push_back({a, b, c, d});
-      else
-        soup.polygons.insert(soup.polygons.end(), {{a, b, c}, {a, c, d}});
+      else {
+        soup.polygons.push_back({a, b, c});
+        soup.polygons.push_back({a, c, d});
+      }
     }
   // Without isolated points.
   std::vector<std::size_t> new_index(columns * rows, std::size_t(-1));
-  for (auto& polygon : soup.polygons)
-    for (std::size_t& i : polygon) {
-      if (new_index[i] == std::size_t(-1)) {
-        new_index[i] = soup.points.size();
-        soup.points.push_back({double(i), double(random() % 100), 0});
-      }
-      i = new_index[i];
+  soup.polygons.renumber([&](std::size_t i) {
+    if (new_index[i] == std::size_t(-1)) {
+      new_index[i] = soup.points.size();
+      soup.points.push_back({double(i), double(random() % 100), 0});
     }
+    return new_index[i];
+  });
   return soup;
 }
 
@@ -80,10 +82,11 @@ TEST(Make_surface_mesh, gives_the_mesh_that_cgal_gives)
   int number_of_meshes = 0;
   while (number_of_meshes < 500) {
     const Polygon_soup soup = random_faces(random);
-    if (soup.polygons.empty() || !is_oriented_manifold(soup))
+    const std::optional<Corner_links> links = link_corners(soup);
+    if (soup.polygons.empty() || !links)
       continue;
     ++number_of_meshes;
-    const Surface_mesh mesh = make_surface_mesh(soup);
+    const Surface_mesh mesh = make_surface_mesh(soup, *links);
     Surface_mesh expected;
     CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(soup.points, soup.polygons,
                                                                 expected);

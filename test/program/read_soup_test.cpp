@@ -57,7 +57,7 @@ protected:
     for (std::size_t i = 0, n = 3 + below(10); i < n; ++i)
       soup.points.push_back({coordinate(), coordinate(), coordinate()});
     for (std::size_t i = 0, n = 1 + below(10); i < n; ++i) {
-      Polygon_soup::Polygon polygon;
+      std::vector<std::size_t> polygon;
       for (std::size_t j = 0, size = 3 + below(most_corners - 2); j < size; ++j)
         polygon.push_back(below(soup.points.size()));
       soup.polygons.push_back(polygon);
@@ -93,7 +93,7 @@ Polygon_soup by_cgal(const std::string& bytes, Read read)
   for (const Point_3& p : points)
     soup.points.push_back({p.x(), p.y(), p.z()});
   for (const auto& polygon : polygons)
-    soup.polygons.emplace_back(polygon.begin(), polygon.end());
+    soup.polygons.push_back(polygon);
   return soup;
 }
 

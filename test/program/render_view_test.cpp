@@ -106,7 +106,9 @@ TEST(Render_view, is_the_same_each_time_whatever_place_and_size)
 TEST(Render_view, the_order_of_faces_does_not_matter)
 {
   Polygon_soup reversed = make_cube();
-  std::reverse(reversed.polygons.begin(), reversed.polygons.end());
+  reversed.polygons = {};
+  for (std::size_t f = cube_labels.size(); f-- > 0;)
+    reversed.polygons.push_back(make_cube().polygons[f]);
   EXPECT_EQ(render_view(make_cube(), cube_labels, {}, small_view()).pixels,
             render_view(reversed, {5, 4, 3, 2, 1, 0}, {}, small_view()).pixels);
 }
@@ -187,7 +189,8 @@ TEST(Render_view, faces_that_share_edges_leave_no_gap)
 TEST(Render_view, a_face_turned_the_wrong_way_looks_the_same)
 {
   Polygon_soup turned = make_cube();
-  std::reverse(turned.polygons[5].begin(), turned.polygons[5].end());
+  const auto& last = turned.polygons[5];
+  turned.polygons.replace(5, {last[3], last[2], last[1], last[0]});
   View_options options = small_view();
   options.viewpoint = front;
   EXPECT_EQ(render_view(make_cube(), cube_labels, {}, options).pixels,
@@ -199,8 +202,12 @@ TEST(Render_view, the_viewpoint_shows_the_segments)
   // One side in four parts, which only a viewer in front of it sees.
   Polygon_soup soup = make_cube();
   soup.points.push_back({0, 0.5, 0.5});
-  soup.polygons[0] = {0, 4, 8};
-  soup.polygons.insert(soup.polygons.end(), {{4, 6, 8}, {6, 2, 8}, {2, 0, 8}});
+  Polygons polygons = {{0, 4, 8}};
+  for (std::size_t f = 1; f < soup.polygons.size(); ++f)
+    polygons.push_back(soup.polygons[f]);
+  for (const std::vector<std::size_t>& triangle : {std::vector<std::size_t>{4, 6, 8}, {6, 2, 8}, {2, 0, 8}})
+    polygons.push_back(triangle);
+  soup.polygons = polygons;
   const Image image = render_view(soup, {0, 1, 2, 3, 4, 5, 6, 7, 8}, {}, small_view());
   const std::set<std::size_t> visible = visible_segments(image, 9);
   for (std::size_t s : {0, 6, 7, 8})

@@ -2,7 +2,7 @@
 
 #include "io/errors.h"
 #include "io/read_mesh.h"
-#include "soup/is_oriented_manifold.h"
+#include "soup/link_corners.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,6 @@ namespace repair_test {
 
 using namespace segment_mesh;
 
-using Polygons = std::vector<Polygon_soup::Polygon>;
 using Indices = std::vector<std::size_t>;
 
 //  3 ----- 2 ----- 5
@@ -120,15 +119,15 @@ TEST(Repair, splits_large_pinched_polygons_in_time)
 {
   const std::size_t n = 40000;
   Polygon_soup soup;
-  soup.polygons.resize(2);
+  std::vector<std::vector<std::size_t>> polygons(2);
   for (std::size_t i = 0; i < n; ++i) {
     soup.points.push_back({double(i), double(i * i % 97), 0});
-    soup.polygons[0].push_back(i);
+    polygons[0].push_back(i);
   }
-  soup.polygons[0].insert(soup.polygons[0].end(), soup.polygons[0].rbegin(),
-                          soup.polygons[0].rend());
+  polygons[0].insert(polygons[0].end(), polygons[0].rbegin(), polygons[0].rend());
   for (std::size_t i = 0; i < n; ++i)
-    soup.polygons[1].insert(soup.polygons[1].end(), {0, 1, 2});
+    polygons[1].insert(polygons[1].end(), {0, 1, 2});
+  soup.polygons = polygons;
   const std::clock_t start = std::clock();
   const Input_mesh input = make_input_mesh("x", soup);
   EXPECT_LT(double(std::clock() - start) / CLOCKS_PER_SEC, 5);

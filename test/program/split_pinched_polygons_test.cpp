@@ -13,7 +13,8 @@ namespace split_pinched_polygons_test {
 
 using namespace segment_mesh;
 
-using Polygons = std::vector<Polygon_soup::Polygon>;
+using Polygon = std::vector<std::size_t>;
+using Polygons = std::vector<Polygon>;
 
 TEST(Split_pinched_polygons, splits_where_a_point_comes_again)
 {
@@ -23,7 +24,7 @@ TEST(Split_pinched_polygons, splits_where_a_point_comes_again)
 }
 
 /// What the two steps of CGAL's repair make of one polygon.
-Polygons split_by_cgal(std::size_t number_of_points, const Polygon_soup::Polygon& polygon)
+Polygons split_by_cgal(std::size_t number_of_points, const Polygon& polygon)
 {
   using Kernel = CGAL::Simple_cartesian<double>;
   std::vector<Kernel::Point_3> points;
@@ -43,7 +44,7 @@ TEST(Split_pinched_polygons, gives_the_pieces_that_cgal_gives)
   std::mt19937 random(seed);
   for (int i = 0; i < 2000; ++i) {
     const std::size_t number_of_points = 3 + random() % 20;
-    Polygon_soup::Polygon polygon(4 + random() % 40);
+    Polygon polygon(4 + random() % 40);
     for (std::size_t& point : polygon)
       point = random() % number_of_points;
     Polygons polygons = {polygon}, expected = split_by_cgal(number_of_points, polygon);

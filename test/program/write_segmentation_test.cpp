@@ -34,7 +34,7 @@ protected:
     s_input = make_input_mesh("figure", make_articulated_figure().soup);
     s_settings.number_of_segments = 10;
     s_settings.method = Method::TWO_STEP;
-    s_segmentation = run_segmentation(s_input.mesh_soup(), {}, s_settings, {});
+    s_segmentation = run_segmentation(s_input.mesh_soup(), s_input.links, {}, s_settings, {});
     s_labels = labels_of_faces(s_input, s_segmentation);
     s_details = std::make_unique<Segmentation_details>(s_input.mesh_soup(), s_segmentation);
   }
@@ -313,7 +313,7 @@ TEST_F(Written, all_mesh_types_give_the_same)
       continue;
     Segmentation_settings settings = s_settings;
     settings.mesh_type = type;
-    const Segmentation other = run_segmentation(s_input.mesh_soup(), {}, settings, {});
+    const Segmentation other = run_segmentation(s_input.mesh_soup(), s_input.links, {}, settings, {});
     EXPECT_EQ(other.segment_of_face, s_segmentation.segment_of_face);
     EXPECT_EQ(other.region_of_face, s_segmentation.region_of_face);
   }
@@ -330,9 +330,9 @@ TEST_F(Written, smoothed_borders_are_shorter_and_regions_stay_nested)
       sum += segment.border_length;
     return sum;
   };
-  const Segmentation rough = run_segmentation(s_input.mesh_soup(), {}, settings, {});
+  const Segmentation rough = run_segmentation(s_input.mesh_soup(), s_input.links, {}, settings, {});
   settings.borders = Border_treatment::SMOOTHING;
-  const Segmentation smooth = run_segmentation(s_input.mesh_soup(), {}, settings, {});
+  const Segmentation smooth = run_segmentation(s_input.mesh_soup(), s_input.links, {}, settings, {});
   EXPECT_NE(smooth.segment_of_face, rough.segment_of_face);
   EXPECT_EQ(smooth.number_of_segments, rough.number_of_segments);
   EXPECT_LT(border_length(smooth), border_length(rough));

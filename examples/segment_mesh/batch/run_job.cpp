@@ -64,7 +64,7 @@ Segmentation segment(const Job& job, const Case& input, const Segmentation_setti
                      const Progress_listener& listener)
 {
   try {
-    return run_segmentation(input.mesh.mesh_soup(), input.marks, settings, listener);
+    return run_segmentation(input.mesh.mesh_soup(), input.mesh.links, input.marks, settings, listener);
   } catch (const CGAL::Region_segmentation::Invalid_input& error) {
     throw Input_error(job.input, error.what());
   }

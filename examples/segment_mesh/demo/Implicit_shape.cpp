@@ -82,7 +82,7 @@ namespace {
 
 /// The neighbor of each triangle across each of its edges.
 std::vector<std::array<std::size_t, 3>>
-neighbors(const std::vector<Polygon_soup::Polygon>& triangles)
+neighbors(const Polygons& triangles)
 {
   std::map<std::pair<std::size_t, std::size_t>, std::size_t> face_of_halfedge;
   for (std::size_t f = 0; f < triangles.size(); ++f)
@@ -98,7 +98,7 @@ neighbors(const std::vector<Polygon_soup::Polygon>& triangles)
 /// Gives a triangle the label of two of its neighbors, until there is none whose own is another
 /// one: no part has an island of a triangle or two beyond its border. Each step shortens the
 /// borders, so it ends.
-void smooth_labels(const std::vector<Polygon_soup::Polygon>& triangles,
+void smooth_labels(const Polygons& triangles,
                    std::vector<std::size_t>& labels)
 {
   const std::vector<std::array<std::size_t, 3>> neighbors_of = neighbors(triangles);

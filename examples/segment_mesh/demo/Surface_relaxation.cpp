@@ -46,8 +46,9 @@ void Surface_relaxation::flip_edges()
     for (std::size_t i = 0; i < 3; ++i)
       face_of[{m_soup.polygons[f][i], m_soup.polygons[f][(i + 1) % 3]}] = f;
   const auto opposite = [this](std::size_t face, std::size_t p, std::size_t q) {
-    return *std::find_if(m_soup.polygons[face].begin(), m_soup.polygons[face].end(),
-                         [=](std::size_t r) { return r != p && r != q; });
+    const Polygon_soup::Polygon triangle = m_soup.polygons[face];
+    return std::size_t(
+      *std::find_if(triangle.begin(), triangle.end(), [=](std::size_t r) { return r != p && r != q; }));
   };
   std::vector<bool> is_new(m_soup.polygons.size());
   for (const auto& [edge, face] : std::map<Halfedge, std::size_t>(face_of)) {
@@ -63,8 +64,8 @@ void Surface_relaxation::flip_edges()
                          inner_product(area_vector(pa, pb, pc), old_normal) <= 0;
     if (is_delaunay || is_fold || face_of.count({a, b}) + face_of.count({b, a}) > 0)
       continue;
-    m_soup.polygons[face] = {a, d, b};
-    m_soup.polygons[twin] = {a, b, c};
+    m_soup.polygons.replace(face, {a, d, b});
+    m_soup.polygons.replace(twin, {a, b, c});
     is_new[face] = is_new[twin] = true;
     face_of[{a, b}] = twin;
   }

@@ -140,7 +140,7 @@ private:
     // Counterclockwise from the high side.
     const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
     const Node cubes[] = {moved(moved(low, u, -1), v, -1), moved(low, v, -1), low, moved(low, u, -1)};
-    Polygon_soup::Polygon quad;
+    std::vector<std::size_t> quad;
     for (const Node& cube : cubes)
       quad.push_back(m_point_of.at({cube, {low, high}}));
     if (!is_inside(low))

@@ -7,7 +7,6 @@
 #include <CGAL/Search_traits_3.h>
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <memory>
 #include <utility>
@@ -15,6 +14,8 @@
 namespace segment_mesh {
 
 namespace {
+
+using Polygon = Polygon_soup::Polygon;
 
 constexpr std::size_t none = std::size_t(-1);
 
@@ -43,7 +44,7 @@ class Mesh_faces
 {
 public:
   /// `polygons`: the faces of `mesh_soup` with the points of the file
-  Mesh_faces(const Polygon_soup& mesh_soup, std::vector<Polygon_soup::Polygon> polygons)
+  Mesh_faces(const Polygon_soup& mesh_soup, Polygons polygons)
       : m_mesh_soup(mesh_soup), m_polygons(std::move(polygons))
   {
     for (std::size_t f = 0; f < m_polygons.size(); ++f) {
@@ -55,12 +56,12 @@ public:
     }
   }
 
-  std::size_t same_face(const Polygon_soup::Polygon& polygon) const
+  std::size_t same_face(const Polygon& polygon) const
   {
     return find(m_by_points, as_set(polygon));
   }
 
-  std::size_t neighbor(const Polygon_soup::Polygon& polygon, const Point& center)
+  std::size_t neighbor(const Polygon& polygon, const Point& center)
   {
     for (std::size_t i = 0; i < polygon.size(); ++i)
       if (const std::size_t f = find(m_by_edge, edge(polygon, i)); f != none)
@@ -72,17 +73,20 @@ public:
   }
 
 private:
-  static Polygon_soup::Polygon as_set(Polygon_soup::Polygon polygon)
+  using Points = std::vector<std::size_t>;
+
+  static Points as_set(const Polygon& polygon)
   {
-    std::sort(polygon.begin(), polygon.end());
-    polygon.erase(std::unique(polygon.begin(), polygon.end()), polygon.end());
-    return polygon;
+    Points points(polygon.begin(), polygon.end());
+    std::sort(points.begin(), points.end());
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+    return points;
   }
 
-  static std::array<std::size_t, 2> edge(const Polygon_soup::Polygon& polygon, std::size_t i)
+  static Vertex_pair edge(const Polygon& polygon, std::size_t i)
   {
-    const auto [a, b] = std::minmax(polygon[i], polygon[(i + 1) % polygon.size()]);
-    return {a, b};
+    const std::size_t a = polygon[i], b = polygon[(i + 1) % polygon.size()];
+    return {(std::min)(a, b), (std::max)(a, b)};
   }
 
   template <typename Map>
@@ -107,22 +111,13 @@ private:
   }
 
   const Polygon_soup& m_mesh_soup;
-  std::vector<Polygon_soup::Polygon> m_polygons;
-  std::map<Polygon_soup::Polygon, std::size_t> m_by_points;
-  std::map<std::array<std::size_t, 2>, std::size_t> m_by_edge;
+  Polygons m_polygons;
+  std::map<Points, std::size_t> m_by_points;
+  std::map<Vertex_pair, std::size_t> m_by_edge;
   std::map<std::size_t, std::size_t> m_by_point;
   std::map<Kernel::Point_3, std::size_t> m_by_centroid;
   std::unique_ptr<Search::Tree> m_tree;
 };
-
-template <typename Index>
-std::vector<Polygon_soup::Polygon> renumber(std::vector<Polygon_soup::Polygon> polygons,
-                                            Index index)
-{
-  for (Polygon_soup::Polygon& polygon : polygons)
-    std::transform(polygon.begin(), polygon.end(), polygon.begin(), index);
-  return polygons;
-}
 
 } // namespace
 
@@ -132,20 +127,19 @@ Face_matching match_faces(const Polygon_soup& soup, const Polygon_soup& mesh_sou
   const First_index first = first_indices(soup);
   for (const Point& p : mesh_soup.points)
     matching.point_of_mesh_point.push_back(first.at(p));
-  Mesh_faces mesh_faces(mesh_soup, renumber(mesh_soup.polygons, [&](std::size_t i) {
-                          return matching.point_of_mesh_point[i];
-                        }));
+  Polygons with_points_of_file = mesh_soup.polygons;
+  with_points_of_file.renumber([&](std::size_t i) { return matching.point_of_mesh_point[i]; });
+  Mesh_faces mesh_faces(mesh_soup, std::move(with_points_of_file));
 
+  Polygons merged = soup.polygons;
+  merged.renumber([&](std::size_t i) { return first.at(soup.points[i]); });
   std::vector<bool> is_taken(mesh_soup.polygons.size(), false);
-  for (const Polygon_soup::Polygon& polygon : soup.polygons) {
-    Polygon_soup::Polygon merged = polygon;
-    for (std::size_t& i : merged)
-      i = first.at(soup.points[i]);
-    std::size_t f = mesh_faces.same_face(merged);
+  for (std::size_t i = 0; i < merged.size(); ++i) {
+    std::size_t f = mesh_faces.same_face(merged[i]);
     if (f == none || is_taken[f])
       ++matching.number_of_dropped_faces;
     if (f == none)
-      f = mesh_faces.neighbor(merged, centroid(soup, polygon));
+      f = mesh_faces.neighbor(merged[i], centroid(soup, soup.polygons[i]));
     else
       is_taken[f] = true;
     matching.mesh_face_of_face.push_back(f);

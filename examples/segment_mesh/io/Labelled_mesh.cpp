@@ -27,9 +27,8 @@ Polygon_soup extract_faces(const Polygon_soup& soup, const std::vector<std::size
   used.erase(std::unique(used.begin(), used.end()), used.end());
   for (std::size_t i : used)
     part.points.push_back(soup.points[i]);
-  for (Polygon_soup::Polygon& polygon : part.polygons)
-    for (std::size_t& i : polygon)
-      i = std::size_t(std::lower_bound(used.begin(), used.end(), i) - used.begin());
+  part.polygons.renumber(
+    [&](std::size_t i) { return std::lower_bound(used.begin(), used.end(), i) - used.begin(); });
   return part;
 }
 

@@ -5,40 +5,40 @@
 #include "io/errors.h"
 #include "io/read_mesh.h"
 #include "io/repair_soup.h"
-#include "soup/is_oriented_manifold.h"
+#include "soup/link_corners.h"
 
+#include <algorithm>
 #include <numeric>
+#include <optional>
+#include <utility>
 
 namespace segment_mesh {
 
 namespace {
-
-constexpr std::size_t none = std::size_t(-1);
 
 /// Leaves out the points that no face uses, if there are any; the others keep their order. Fills
 /// `point_of_mesh_point`.
 void take_used_points(Input_mesh& input)
 {
   const Polygon_soup& soup = input.soup;
-  std::vector<std::size_t> new_index(soup.points.size(), none);
-  for (const Polygon_soup::Polygon& polygon : soup.polygons)
-    for (std::size_t i : polygon)
-      new_index[i] = 0;
-  for (std::size_t i = 0; i < soup.points.size(); ++i) {
-    if (new_index[i] == none)
-      continue;
-    new_index[i] = input.point_of_mesh_point.size();
-    input.point_of_mesh_point.push_back(i);
-  }
-  if (input.point_of_mesh_point.size() == soup.points.size())
+  std::vector<char> is_used(soup.points.size());
+  for (const std::size_t i : soup.polygons.corners())
+    is_used[i] = true;
+  const std::size_t number_of_used = std::size_t(std::count(is_used.begin(), is_used.end(), true));
+  input.point_of_mesh_point.reserve(number_of_used);
+  for (std::size_t i = 0; i < is_used.size(); ++i)
+    if (is_used[i])
+      input.point_of_mesh_point.push_back(i);
+  if (number_of_used == soup.points.size())
     return;
   Polygon_soup& used = input.other_soup.emplace();
-  for (std::size_t i : input.point_of_mesh_point)
+  std::vector<std::size_t> new_index(soup.points.size());
+  for (std::size_t i : input.point_of_mesh_point) {
+    new_index[i] = used.points.size();
     used.points.push_back(soup.points[i]);
+  }
   used.polygons = soup.polygons;
-  for (Polygon_soup::Polygon& polygon : used.polygons)
-    for (std::size_t& i : polygon)
-      i = new_index[i];
+  used.polygons.renumber([&](std::size_t i) { return new_index[i]; });
 }
 
 void repair(const std::string& name, Input_mesh& input)
@@ -48,8 +48,10 @@ void repair(const std::string& name, Input_mesh& input)
   if (repaired.polygons.empty())
     throw Input_error(name, "no faces are left of " + counted(input.soup.polygons.size(), "face") +
                               " after repair");
-  if (!is_oriented_manifold(repaired))
+  std::optional<Corner_links> links = link_corners(repaired);
+  if (!links)
     throw Input_error(name, "is not an oriented 2-manifold, and cannot be repaired");
+  input.links = std::move(*links);
   Face_matching matching = match_faces(input.soup, repaired);
   input.mesh_face_of_face = std::move(matching.mesh_face_of_face);
   input.point_of_mesh_point = std::move(matching.point_of_mesh_point);
@@ -66,10 +68,12 @@ Input_mesh make_input_mesh(const std::string& name, Polygon_soup soup)
 {
   Input_mesh input;
   input.soup = std::move(soup);
-  if (!is_oriented_manifold(input.soup)) {
+  std::optional<Corner_links> links = link_corners(input.soup);
+  if (!links) {
     repair(name, input);
     return input;
   }
+  input.links = std::move(*links);
   take_used_points(input);
   input.mesh_face_of_face.resize(input.soup.polygons.size());
   std::iota(input.mesh_face_of_face.begin(), input.mesh_face_of_face.end(), std::size_t(0));

@@ -6,6 +6,7 @@
 #include "io/Mesh_format.h"
 #include "io/read_soup.h"
 #include "soup/Polygon_soup.h"
+#include "soup/link_corners.h"
 
 #include <cstddef>
 #include <optional>
@@ -19,6 +20,7 @@ struct Input_mesh
 {
   Polygon_soup soup; ///< faces in the order of the file: what labels and outputs refer to
   std::optional<Polygon_soup> other_soup;       ///< what is segmented, if it is not `soup`
+  Corner_links links;                           ///< of `mesh_soup()`
   std::vector<std::size_t> mesh_face_of_face;   ///< for each face of `soup`, one of `mesh_soup()`
   std::vector<std::size_t> point_of_mesh_point; ///< for each of `mesh_soup()`, its place in `soup`
   Remarks remarks;

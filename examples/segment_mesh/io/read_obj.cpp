@@ -112,7 +112,7 @@ private:
   std::string m_file;
   Text_scanner m_scan;
   Polygon_soup m_soup;
-  Polygon_soup::Polygon m_corners; // of the face that is read
+  std::vector<std::size_t> m_corners; // of the face that is read
   std::int64_t m_highest_index = 0;
   std::size_t m_line_of_highest_index = 0;
   std::string m_unknown; // the first one, in quotes

@@ -12,7 +12,6 @@ namespace {
 
 /// Bytes of the shortest line of a vertex, and of a face.
 constexpr std::size_t least_vertex_size = 6, least_face_size = 8;
-constexpr std::size_t least_index_size = 2; // with a blank
 
 struct Off_header
 {
@@ -88,13 +87,11 @@ Point read_point(Text_scanner& scan, const Off_header& header)
   return point;
 }
 
-Polygon_soup::Polygon read_face(Text_scanner& scan, const Off_header& header)
+void read_face(Text_scanner& scan, const Off_header& header, Polygons& polygons)
 {
   const std::int64_t size = scan.integer(scan.word(), "a number of vertices of a face");
   if (size < 3)
     scan.fail("a face with " + std::to_string(size) + " vertices, fewer than 3");
-  Polygon_soup::Polygon polygon;
-  polygon.reserve((std::min)(std::size_t(size), scan.available() / least_index_size));
   for (std::int64_t j = 0; j < size; ++j) {
     const std::string_view word = scan.word();
     if (word.empty())
@@ -103,9 +100,9 @@ Polygon_soup::Polygon read_face(Text_scanner& scan, const Off_header& header)
     if (index < 0 || index >= header.number_of_vertices)
       scan.fail("index " + std::to_string(index) + " is out of range: there are " +
                 counted(std::size_t(header.number_of_vertices), "vertex") + ", from 0");
-    polygon.push_back(std::size_t(index));
+    polygons.add_corner(std::size_t(index));
   }
-  return polygon;
+  polygons.close_polygon();
 }
 
 } // namespace
@@ -128,7 +125,7 @@ Polygon_soup read_off(const std::string& file, std::string_view bytes)
   while (soup.polygons.size() < number_of_faces) {
     if (!scan.next_line())
       fail_at_end(scan, soup.polygons.size(), header.number_of_faces, "face");
-    soup.polygons.push_back(read_face(scan, header));
+    read_face(scan, header, soup.polygons);
   }
   return soup;
 }

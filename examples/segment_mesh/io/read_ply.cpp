@@ -76,15 +76,14 @@ private:
   {
     if (size < 3)
       m_values.fail("a face with " + std::to_string(size) + " vertices, fewer than 3");
-    Polygon_soup::Polygon& polygon = m_soup.polygons.emplace_back();
-    polygon.reserve(bounded(std::uint64_t(size), Values::least_size_of(type)));
     for (std::int64_t i = 0; i < size; ++i) {
       const std::int64_t index = m_values.integer(type);
       if (index < 0 || std::uint64_t(index) >= m_header.number_of_vertices)
         m_values.fail("index " + std::to_string(index) + " is out of range: there are " +
                       counted(std::size_t(m_header.number_of_vertices), "vertex") + ", from 0");
-      polygon.push_back(std::size_t(index));
+      m_soup.polygons.add_corner(std::size_t(index));
     }
+    m_soup.polygons.close_polygon();
   }
 
   const Ply_header& m_header;

@@ -10,7 +10,7 @@ namespace segment_mesh {
 
 namespace {
 
-using Polygon = Polygon_soup::Polygon;
+using Polygon = std::vector<std::size_t>;
 
 constexpr std::size_t none = std::size_t(-1);
 

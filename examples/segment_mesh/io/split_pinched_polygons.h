@@ -3,8 +3,6 @@
 #ifndef CGAL_REGION_SEGMENTATION_SEGMENT_MESH_SPLIT_PINCHED_POLYGONS_H
 #define CGAL_REGION_SEGMENTATION_SEGMENT_MESH_SPLIT_PINCHED_POLYGONS_H
 
-#include "soup/Polygon_soup.h"
-
 #include <cstddef>
 #include <vector>
 
@@ -18,7 +16,7 @@ namespace segment_mesh {
 /// of a polygon anew after each split: one of 300,000 corners on three points takes it 20 s.
 /// \pre equal points have the same index; indices are below `number_of_points`
 void split_pinched_polygons(std::size_t number_of_points,
-                            std::vector<Polygon_soup::Polygon>& polygons);
+                            std::vector<std::vector<std::size_t>>& polygons);
 
 } // namespace segment_mesh
 

@@ -3,7 +3,7 @@
 #include "segmentation/make_surface_mesh.h"
 
 #include <algorithm>
-#include <limits>
+#include <cstddef>
 #include <vector>
 
 namespace segment_mesh {
@@ -13,106 +13,86 @@ namespace {
 using Index = Surface_mesh::size_type;
 using Halfedge = Surface_mesh::Halfedge_index;
 using Vertex = Surface_mesh::Vertex_index;
+using Face = Surface_mesh::Face_index;
 
-constexpr Index none = (std::numeric_limits<Index>::max)();
-
-/// Builds the connectivity of a mesh that is known to be an oriented 2-manifold.
+/// Connects the elements of a mesh, of which there are as many as are needed.
 class Connector
 {
 public:
-  /// The mesh has its vertices and faces, and as many edges as it would have without borders.
-  explicit Connector(Surface_mesh& mesh) : m_mesh(mesh), m_first_edges(mesh.number_of_vertices(), none)
+  Connector(const Polygons& polygons, const Corner_links& links, Surface_mesh& mesh)
+      : m_corners(polygons.corners()), m_links(links), m_mesh(mesh), m_halfedge_from(links.size())
   {
-    m_edges.reserve(mesh.number_of_edges());
-  }
-
-  void connect(Surface_mesh::Face_index face, const Polygon_soup::Polygon& polygon)
-  {
-    const Halfedge first = add_halfedge(Index(polygon.back()), Index(polygon.front()));
-    m_mesh.set_halfedge(face, first);
-    Halfedge previous = first;
-    for (std::size_t i = 0; i + 1 < polygon.size(); ++i) {
-      const Halfedge h = add_halfedge(Index(polygon[i]), Index(polygon[i + 1]));
-      m_mesh.set_next(previous, h);
-      m_mesh.set_face(h, face);
-      previous = h;
+    Index first = 0;
+    for (const Face face : m_mesh.faces()) {
+      const Index end = first + Index(polygons[face].size());
+      add_halfedges(first, end);
+      connect(face, first, end);
+      first = end;
     }
-    m_mesh.set_next(previous, first);
-    m_mesh.set_face(first, face);
-  }
-
-  /// Links the halfedges without a face. There is at most one from each vertex, and it is the one that the vertex keeps.
-  void close_borders()
-  {
-    std::vector<Index>& border_from = m_first_edges;
-    std::fill(border_from.begin(), border_from.end(), none);
-    for (const Halfedge h : m_mesh.halfedges())
-      if (m_mesh.is_border(h)) {
-        border_from[m_mesh.source(h)] = Index(h);
-        m_mesh.set_halfedge(m_mesh.target(h), h);
-      }
-    for (const Index first : border_from)
-      if (first != none)
-        m_mesh.set_next(Halfedge(first), Halfedge(border_from[m_mesh.target(Halfedge(first))]));
+    close_borders();
   }
 
 private:
-  /// An edge in the list of its vertex of lower index.
-  struct Edge
+  /// Gives the corners of a face the halfedges that leave them. Across the edge to a corner is the halfedge that leaves the
+  /// linked corner, which is known if it is of an earlier face.
+  void add_halfedges(Index first, Index end)
   {
-    Index higher_vertex, next;
-  };
-
-  /// From one vertex to another: the second halfedge of an edge that is there, or the first one of a new edge.
-  Halfedge add_halfedge(Index source, Index target)
-  {
-    const Index lower = (std::min)(source, target), higher = (std::max)(source, target);
-    Index edge = m_first_edges[lower];
-    while (edge != none && m_edges[edge].higher_vertex != higher)
-      edge = m_edges[edge].next;
-    if (edge != none)
-      return m_mesh.opposite(m_mesh.halfedge(Surface_mesh::Edge_index(edge)));
-    m_edges.push_back({higher, m_first_edges[lower]});
-    m_first_edges[lower] = Index(m_edges.size() - 1);
-    const Halfedge h = new_edge();
-    m_mesh.set_target(h, Vertex(target));
-    m_mesh.set_target(m_mesh.opposite(h), Vertex(source));
-    m_mesh.set_halfedge(Vertex(target), h);
-    m_mesh.set_halfedge(Vertex(source), m_mesh.opposite(h));
-    return h;
+    Index previous = end - 1;
+    for (Index corner = first; corner < end; previous = corner++) {
+      const Index link = m_links[corner];
+      const Halfedge h = link < first ? m_mesh.opposite(m_halfedge_from[link]) : Halfedge(2 * m_number_of_edges++);
+      m_halfedge_from[previous] = h;
+      if (link == no_corner) {
+        m_mesh.set_target(m_mesh.opposite(h), Vertex(m_corners[previous]));
+        m_border.push_back(m_mesh.opposite(h));
+      }
+    }
   }
 
-  /// The first halfedge of the last one of `m_edges`.
-  Halfedge new_edge()
+  void connect(Face face, Index first, Index end)
   {
-    return m_edges.size() > m_mesh.number_of_edges()
-             ? m_mesh.add_edge()
-             : m_mesh.halfedge(Surface_mesh::Edge_index(Index(m_edges.size() - 1)));
+    Halfedge h = m_halfedge_from[end - 1];
+    m_mesh.set_halfedge(face, h);
+    for (Index corner = first; corner < end; ++corner) {
+      const Vertex target(m_corners[corner]);
+      m_mesh.set_target(h, target);
+      m_mesh.set_halfedge(target, h);
+      m_mesh.set_face(h, face);
+      m_mesh.set_next(h, m_halfedge_from[corner]);
+      h = m_halfedge_from[corner];
+    }
   }
 
+  /// Of the halfedges without a face there is at most one to each vertex, and it is the one that the vertex keeps.
+  void close_borders()
+  {
+    for (const Halfedge h : m_border)
+      m_mesh.set_halfedge(m_mesh.target(h), h);
+    for (const Halfedge h : m_border)
+      m_mesh.set_next(m_mesh.halfedge(m_mesh.source(h)), h);
+  }
+
+  const std::vector<Index>& m_corners;
+  const Corner_links& m_links;
   Surface_mesh& m_mesh;
-  std::vector<Index> m_first_edges; // of each vertex
-  std::vector<Edge> m_edges;
+  std::vector<Halfedge> m_halfedge_from; // a corner
+  std::vector<Halfedge> m_border;        // without a face
+  Index m_number_of_edges = 0;
 };
 
 } // namespace
 
-Surface_mesh make_surface_mesh(const Polygon_soup& soup)
+Surface_mesh make_surface_mesh(const Polygon_soup& soup, const Corner_links& links)
 {
-  std::size_t number_of_corners = 0;
-  for (const Polygon_soup::Polygon& polygon : soup.polygons)
-    number_of_corners += polygon.size();
-
+  const std::size_t number_of_border_edges = std::size_t(std::count(links.begin(), links.end(), no_corner));
   Surface_mesh mesh;
-  mesh.resize(Index(soup.points.size()), Index(number_of_corners / 2), Index(soup.polygons.size()));
+  mesh.resize(Index(soup.points.size()), Index((links.size() + number_of_border_edges) / 2),
+              Index(soup.polygons.size()));
   for (const Vertex v : mesh.vertices()) {
     const Point& p = soup.points[v];
     mesh.point(v) = {p[0], p[1], p[2]};
   }
-  Connector connector(mesh);
-  for (const Surface_mesh::Face_index face : mesh.faces())
-    connector.connect(face, soup.polygons[face]);
-  connector.close_borders();
+  Connector(soup.polygons, links, mesh);
   return mesh;
 }
 

@@ -5,10 +5,10 @@
 
 namespace segment_mesh {
 
-Segmentation run_on_surface_mesh(const Polygon_soup& soup, const Marks& marks, const Segmentation_settings& settings,
-                                 const Progress_listener& listener)
+Segmentation run_on_surface_mesh(const Polygon_soup& soup, const Corner_links& links, const Marks& marks,
+                                 const Segmentation_settings& settings, const Progress_listener& listener)
 {
-  return run_on_mesh(make_surface_mesh(soup), marks, settings, listener);
+  return run_on_mesh(make_surface_mesh(soup, links), marks, settings, listener);
 }
 
 } // namespace segment_mesh

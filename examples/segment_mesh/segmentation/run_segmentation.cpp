@@ -6,12 +6,12 @@
 
 namespace segment_mesh {
 
-Segmentation run_segmentation(const Polygon_soup& soup, const Marks& marks, const Segmentation_settings& settings,
-                              const Progress_listener& listener)
+Segmentation run_segmentation(const Polygon_soup& soup, const Corner_links& links, const Marks& marks,
+                              const Segmentation_settings& settings, const Progress_listener& listener)
 {
   switch (settings.mesh_type) {
   case Mesh_type::SURFACE_MESH:
-    return run_on_surface_mesh(soup, marks, settings, listener);
+    return run_on_surface_mesh(soup, links, marks, settings, listener);
   case Mesh_type::POLYHEDRON:
     return run_on_polyhedron(soup, marks, settings, listener);
   case Mesh_type::OPENMESH:

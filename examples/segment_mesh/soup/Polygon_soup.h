@@ -3,6 +3,8 @@
 #ifndef CGAL_REGION_SEGMENTATION_SEGMENT_MESH_POLYGON_SOUP_H
 #define CGAL_REGION_SEGMENTATION_SEGMENT_MESH_POLYGON_SOUP_H
 
+#include "soup/Polygons.h"
+
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -19,10 +21,10 @@ using Vertex_pair = std::array<std::size_t, 2>;
 /// Points, and faces as cycles of indices of points.
 struct Polygon_soup
 {
-  using Polygon = std::vector<std::size_t>;
+  using Polygon = Polygons::Polygon;
 
   std::vector<Point> points;
-  std::vector<Polygon> polygons;
+  Polygons polygons;
 };
 
 /// The mean of the corners.

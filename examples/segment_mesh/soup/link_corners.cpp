@@ -1,83 +1,93 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "soup/is_oriented_manifold.h"
+#include "soup/link_corners.h"
 
 #include <algorithm>
-#include <cstdint>
+#include <cstddef>
+#include <memory>
 #include <numeric>
 
 namespace segment_mesh {
 
 namespace {
 
-/// As in a `Surface_mesh`, which has no more points.
-using Index = std::uint32_t;
+using Index = Polygons::Index;
 
-/// A face at a point, as the points that come after and before that point on the face.
+/// A corner at a point, with the points that come after and before that point on the face.
 struct Corner
 {
-  Index next, previous;
+  Index next, previous, id;
 
   friend bool operator<(const Corner& a, const Corner& b) { return a.next < b.next; }
 };
 
 /// The corners by their points: those of point p are at `[first[p], first[p + 1])`.
-struct Corners
+struct Corners_of_points
 {
-  std::vector<std::size_t> first;
-  std::vector<Corner> corners;
+  std::vector<Index> first;
+  std::unique_ptr<Corner[]> corners;
 };
 
 bool has_repeated_corner(const Polygon_soup::Polygon& polygon)
 {
   if (polygon.size() == 3)
     return polygon[0] == polygon[1] || polygon[1] == polygon[2] || polygon[2] == polygon[0];
-  Polygon_soup::Polygon sorted = polygon;
+  std::vector<Index> sorted(polygon.begin(), polygon.end());
   std::sort(sorted.begin(), sorted.end());
   return std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
 }
 
-Corners collect_corners(const Polygon_soup& soup)
+/// Nothing if a polygon is no face.
+std::optional<Corners_of_points> collect_corners(const Polygon_soup& soup)
 {
-  Corners result;
+  Corners_of_points result;
   result.first.resize(soup.points.size() + 1);
-  for (const Polygon_soup::Polygon& polygon : soup.polygons)
-    for (std::size_t point : polygon)
+  for (const Polygon_soup::Polygon& polygon : soup.polygons) {
+    if (polygon.size() < 3 || has_repeated_corner(polygon))
+      return std::nullopt;
+    for (const Index point : polygon)
       ++result.first[point];
+  }
   // The ends of the ranges, which filling them backwards makes their starts.
   std::partial_sum(result.first.begin(), result.first.end(), result.first.begin());
-  result.corners.resize(result.first.back());
+  result.corners.reset(new Corner[result.first.back()]); // uninitialized
+  Index id = 0;
   for (const Polygon_soup::Polygon& polygon : soup.polygons) {
-    Index previous = Index(polygon.back());
+    Index previous = polygon.back();
     for (std::size_t i = 0; i < polygon.size(); ++i) {
-      const Index next = Index(polygon[i + 1 < polygon.size() ? i + 1 : 0]);
-      result.corners[--result.first[polygon[i]]] = {next, previous};
-      previous = Index(polygon[i]);
+      const Index next = polygon[i + 1 < polygon.size() ? i + 1 : 0];
+      result.corners[--result.first[polygon[i]]] = {next, previous, id++};
+      previous = polygon[i];
     }
   }
   return result;
 }
 
-/// Whether the faces at a point, a few, are one closed fan, whose edges are all different: each leads to one, and all of them
-/// are passed before the first one is met again.
-bool is_closed_fan(const Corner* begin, const Corner* end)
+/// Links the corners at a point, a few, if they are one closed fan, whose edges are all different: each leads to one, and
+/// all of them are passed before the first one is met again.
+bool link_closed_fan(const Corner* begin, const Corner* end, Corner_links& links)
 {
   const Corner* corner = begin;
   std::ptrdiff_t size = 0;
   do {
     const Index wanted = corner->previous;
-    corner = std::find_if(begin, end, [wanted](const Corner& other) { return other.next == wanted; });
+    const Corner* const across =
+      std::find_if(begin, end, [wanted](const Corner& other) { return other.next == wanted; });
+    if (across == end)
+      return false;
+    links[corner->id] = across->id;
+    corner = across;
     ++size;
-  } while (corner != end && corner != begin && size < end - begin);
+  } while (corner != begin && size < end - begin);
   return corner == begin && size == end - begin;
 }
 
-/// Whether the faces at a point are one fan, whose edges are all different. Across the edge to its
+/// Links the corners at a point if they are one fan, whose edges are all different. Across the edge to its
 /// previous point a face has the one for which that is the next point. `is_led_to` is a buffer.
-bool is_fan(Corner* begin, Corner* end, std::vector<char>& is_led_to)
+bool link_fan(Corner* begin, Corner* end, Corner_links& links, std::vector<char>& is_led_to)
 {
   constexpr std::ptrdiff_t few = 16; // most fans are closed and small, and then no order is needed
-  if (begin == end || (end - begin <= few && is_closed_fan(begin, end)))
+  if (begin == end || (end - begin <= few && link_closed_fan(begin, end, links)))
     return true;
   std::sort(begin, end);
   const auto is_same_edge = [](const Corner& a, const Corner& b) { return a.next == b.next; };
@@ -85,15 +95,17 @@ bool is_fan(Corner* begin, Corner* end, std::vector<char>& is_led_to)
     return false;
 
   const auto across = [begin, end](const Corner* corner) {
-    const Corner wanted = {corner->previous, 0};
+    const Corner wanted = {corner->previous, 0, 0};
     Corner* const found = std::lower_bound(begin, end, wanted);
     return found != end && found->next == wanted.next ? found : end;
   };
   // A fan with two ends is walked from the face that no other one leads to.
   is_led_to.assign(std::size_t(end - begin), false);
   for (Corner* corner = begin; corner != end; ++corner)
-    if (Corner* const other = across(corner); other != end)
+    if (Corner* const other = across(corner); other != end) {
+      links[corner->id] = other->id;
       is_led_to[std::size_t(other - begin)] = true;
+    }
   const auto start = std::find(is_led_to.begin(), is_led_to.end(), false);
   Corner* const first = start == is_led_to.end() ? begin : begin + (start - is_led_to.begin());
   std::ptrdiff_t size = 1;
@@ -105,18 +117,18 @@ bool is_fan(Corner* begin, Corner* end, std::vector<char>& is_led_to)
 
 } // namespace
 
-bool is_oriented_manifold(const Polygon_soup& soup)
+std::optional<Corner_links> link_corners(const Polygon_soup& soup)
 {
-  for (const Polygon_soup::Polygon& polygon : soup.polygons)
-    if (polygon.size() < 3 || has_repeated_corner(polygon))
-      return false;
-  Corners corners = collect_corners(soup);
-  Corner* const all = corners.corners.data();
+  const std::optional<Corners_of_points> of_points = collect_corners(soup);
+  if (!of_points)
+    return std::nullopt;
+  Corner* const all = of_points->corners.get();
+  Corner_links links(soup.polygons.corners().size(), no_corner);
   std::vector<char> buffer;
   for (std::size_t point = 0; point < soup.points.size(); ++point)
-    if (!is_fan(all + corners.first[point], all + corners.first[point + 1], buffer))
-      return false;
-  return true;
+    if (!link_fan(all + of_points->first[point], all + of_points->first[point + 1], links, buffer))
+      return std::nullopt;
+  return links;
 }
 
 } // namespace segment_mesh

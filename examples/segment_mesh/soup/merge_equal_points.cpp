@@ -31,9 +31,7 @@ void merge_equal_points(Polygon_soup& soup)
       new_index[i] = new_index[first[i]];
   }
   points.resize(size);
-  for (Polygon_soup::Polygon& polygon : soup.polygons)
-    for (std::size_t& i : polygon)
-      i = new_index[i];
+  soup.polygons.renumber([&](std::size_t i) { return new_index[i]; });
 }
 
 } // namespace segment_mesh
