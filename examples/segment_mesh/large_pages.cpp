@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Large blocks of memory in huge pages, on Linux: of the time from a file of 10 million faces to a `Surface_mesh` the first
+// use of new memory takes more than half in pages of 4 kB (doc/performance.md). That mesh has vectors of its own, so it is
+// `operator new` that asks for them.
+
+#include <cstddef>
+#include <cstdlib>
+#include <memory>
+#include <new>
+
+#ifdef __linux__
+#include <sys/mman.h>
+#endif
+
+void* operator new(std::size_t size)
+{
+  void* block = nullptr;
+  while ((block = std::malloc(size == 0 ? 1 : size)) == nullptr) {
+    const std::new_handler handler = std::get_new_handler();
+    if (handler == nullptr)
+      throw std::bad_alloc();
+    handler();
+  }
+#if defined(__linux__) && defined(MADV_HUGEPAGE)
+  constexpr std::size_t large = std::size_t(1) << 22, multiple_of_pages = std::size_t(1) << 16;
+  void* first = block;
+  if (size >= large && std::align(multiple_of_pages, large / 2, first, size))
+    madvise(first, size, MADV_HUGEPAGE); // only a hint; failure is harmless
+#endif
+  return block;
+}
+
+void operator delete(void* block) noexcept
+{
+  std::free(block);
+}
+
+void operator delete(void* block, std::size_t) noexcept
+{
+  std::free(block);
+}
