@@ -321,6 +321,66 @@ TEST(Mark_segment_seams_test, a_tube_is_opened_along_its_shortest_line)
   EXPECT_EQ(inner_seams_of(tube, Labels(sides * rings, 0), RS::Seam_cost{0}), expected);
 }
 
+double length(const Soup& soup, const Edge& edge)
+{
+  const Point &p = soup.points[edge.first], &q = soup.points[edge.second];
+  return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+}
+
+/// The shortest line of edges from the border of a sheet to that of its one hole, by relaxing all edges again and again.
+double shortest_line(const Soup& sheet, const std::vector<bool>& is_outer, const std::vector<bool>& is_at_hole,
+                     const std::map<Edge, std::vector<std::size_t>>& inner_edges)
+{
+  std::vector<double> distances(sheet.points.size(), 1e300);
+  for (std::size_t v = 0; v < distances.size(); ++v)
+    if (is_outer[v])
+      distances[v] = 0;
+  for (bool has_changed = true; has_changed;) {
+    has_changed = false;
+    for (const auto& [edge, both] : inner_edges)
+      for (const auto& [from, to] : {edge, Edge(edge.second, edge.first)})
+        if (const double d = distances[from] + length(sheet, edge); !is_at_hole[from] && d < distances[to]) {
+          distances[to] = d;
+          has_changed = true;
+        }
+  }
+  double shortest = 1e300;
+  for (std::size_t v = 0; v < distances.size(); ++v)
+    if (is_at_hole[v])
+      shortest = (std::min)(shortest, distances[v]);
+  return shortest;
+}
+
+TEST(Mark_segment_seams_test, a_sheet_with_a_hole_is_opened_along_its_shortest_line)
+{
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937 random(seed);
+    Soup sheet = grid(15, 13);
+    bump(sheet, 0.25, random);
+    std::vector<std::size_t> new_vertex;
+    shuffle_vertices(sheet, random, new_vertex);
+    Labels labels(sheet.polygons.size(), 0);
+    for (std::size_t f = 0; f < labels.size(); ++f)
+      if (const std::size_t x = f % 15, y = f / 15; x >= 6 && x <= 8 && y >= 5 && y <= 7)
+        labels[f] = std::size_t(-1);
+    std::map<Edge, std::vector<std::size_t>> inner_edges;
+    std::vector<bool> is_outer(sheet.points.size()), is_at_hole(sheet.points.size());
+    for (const auto& [edge, both] : faces_of_edges(sheet)) {
+      if (both.size() == 1)
+        is_outer[edge.first] = is_outer[edge.second] = true;
+      else if (labels[both[0]] != labels[both[1]])
+        is_at_hole[edge.first] = is_at_hole[edge.second] = true;
+      else if (labels[both[0]] == 0)
+        inner_edges.insert({edge, both});
+    }
+    double seam = 0;
+    for (const Edge& edge : inner_seams_of(sheet, labels, RS::Seam_cost{0}))
+      seam += length(sheet, edge);
+    EXPECT_NEAR(seam, shortest_line(sheet, is_outer, is_at_hole, inner_edges), 1e-9);
+  }
+}
+
 TEST(Mark_segment_seams_test, is_the_same_on_every_mesh_type)
 {
   for (Family family : {Family::TORUS, Family::BLOCKS}) {
