@@ -269,6 +269,29 @@ TEST(Mesh_patches_test, are_not_joined_across_constrained_edges)
   }
 }
 
+TEST(Mesh_patches_test, folded_up_faces_have_an_angle_although_rounding_makes_the_product_of_their_normals_less_than_minus_one)
+{
+  std::size_t less = 0;
+  for (unsigned seed = 1; seed <= 100; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> any(-1, 1);
+    Soup book; // two pages, closed but for nothing, on the sides that face each other
+    for (int i = 0; i < 3; ++i)
+      book.points.push_back({any(random), any(random), any(random)});
+    const Point &a = book.points[0], &b = book.points[1], &c = book.points[2];
+    const Double_3 normal = cross(Double_3{b[0] - a[0], b[1] - a[1], b[2] - a[2]}, Double_3{c[0] - a[0], c[1] - a[1], c[2] - a[2]});
+    const Double_3 d = Double_3{c[0], c[1], c[2]} + (1e-10 / norm(normal)) * normal;
+    book.points.push_back({d.x, d.y, d.z});
+    book.polygons = {{0, 1, 2}, {1, 0, 3}};
+    const RS::Flat_mesh mesh = flat_mesh_of(book);
+    ASSERT_EQ(mesh.patches().adjacencies().size(), 1u);
+    less += dot(mesh.patches()[0].normal, mesh.patches()[1].normal) < -1;
+    EXPECT_NEAR(mesh.patches().concave_deviation(0), std::acos(-1.0), 1e-6);
+  }
+  EXPECT_GT(less, 0u);
+}
+
 TEST(Mesh_patches_test, do_not_depend_on_the_numbering)
 {
   for (unsigned seed = 1; seed <= 5; ++seed) {

@@ -196,6 +196,21 @@ TEST(Ray_tree_test, finds_needles_up_to_their_tips)
     }
 }
 
+TEST(Ray_tree_test, finds_faces_right_in_front_of_a_source)
+{
+  // Faces whose boxes have no thickness of their own, from both sides, at some units in the last place of a float.
+  const Soup block = voxel_surface(voxel_block({0, 0, 0}, {4, 4, 4}));
+  const RS::Flat_mesh mesh = flat_mesh_of(block);
+  const RS::internal::Ray_tree tree(mesh, {2, 2, 2}, RS::Execution<>());
+  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
+    for (const double side : {1.0, -1.0}) {
+      const Double_3 away = side * mesh.normal(f);
+      const auto hit = first_hit(tree, mesh, mesh.centroid(f) + 1e-6 * away, -1.0 * away, RS::internal::Ray_tree::no_face);
+      EXPECT_EQ(hit.face, f) << side;
+      EXPECT_LT(hit.distance, 2e-6) << side;
+    }
+}
+
 TEST(Ray_tree_test, of_faces_hit_at_the_same_distance_it_is_the_lowest)
 {
   // Rays straight down on edges and corners of a plate of unit squares: without the face that was hit, another one is,
