@@ -49,6 +49,32 @@ TEST(Whole_file, tells_file_and_cause)
             folder.path("none/a.seg") + ": cannot be opened: No such file or directory");
   std::filesystem::create_directory(folder.path("a.seg"));
   EXPECT_EQ(message(folder.path("a.seg")), folder.path("a.seg") + ": is a directory");
+  ASSERT_EQ(mkfifo(folder.path("b.seg").c_str(), 0600), 0);
+  EXPECT_EQ(message(folder.path("b.seg")), folder.path("b.seg") + ": is not a regular file");
+  std::filesystem::create_symlink("loop.seg", folder.path("loop.seg"));
+  EXPECT_EQ(message(folder.path("loop.seg")), folder.path("loop.seg") + ": is a symbolic link that leads to itself");
+}
+
+TEST(Whole_file, takes_single_characters)
+{
+  const Temporary_folder folder;
+  Whole_file whole(folder.path("a.seg"));
+  whole.stream().put('a').put('\xff').put('\0') << 'b' << std::flush;
+  whole.commit();
+  EXPECT_EQ(folder.read("a.seg"), std::string("a\xff\0b", 4));
+}
+
+TEST(Whole_file, tells_why_it_cannot_take_its_place)
+{
+  const Temporary_folder folder;
+  Whole_file whole(folder.path("a.seg"));
+  std::filesystem::create_directory(folder.path("a.seg"));
+  try {
+    whole.commit();
+    FAIL() << "a folder was replaced";
+  } catch (const Output_error& error) {
+    EXPECT_EQ(error.what(), folder.path("a.seg") + ": cannot be written: Is a directory");
+  }
 }
 
 TEST(Whole_file, writes_through_a_symbolic_link)
@@ -161,6 +187,19 @@ TEST(Temporary_file, of_a_killed_run_is_removed)
   EXPECT_EQ(folder.names().size(), before - 1);
 }
 
+TEST(Temporary_file, of_another_user_stays)
+{
+  const Temporary_folder folder;
+  const std::string name = ".a.seg.0123456789abcdef.part", file = folder.write(name, "left");
+  if (chown(file.c_str(), geteuid() + 1, gid_t(-1)) != 0)
+    GTEST_SKIP() << "this user cannot give files away";
+  Temporary_file::remove_leftovers(folder.path(""), {"a.seg"});
+  EXPECT_TRUE(folder.has(name));
+  ASSERT_EQ(chown(file.c_str(), geteuid(), gid_t(-1)), 0);
+  Temporary_file::remove_leftovers(folder.path(""), {"a.seg"});
+  EXPECT_FALSE(folder.has(name));
+}
+
 TEST(Temporary_file, of_a_segment_is_removed_whatever_its_number)
 {
   const Temporary_folder folder;
@@ -186,6 +225,7 @@ TEST_P(Whole_file_on_signal, leaves_nothing)
   const Temporary_folder folder;
   const std::string old = folder.write("a.seg", "old");
   const auto be_killed = [&] {
+    std::signal(GetParam(), SIG_DFL); // a shell lets what it runs in the background ignore some
     Temporary_file::remove_all_on_signals();
     Whole_file first(old), second(folder.path("b.seg"));
     first.stream() << "half" << std::flush;

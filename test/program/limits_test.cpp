@@ -20,11 +20,11 @@ protected:
 
   /// What to put before a call for at most `number` threads and processes of its user. The limit is
   /// not for root, so that its calls are made as a user who has no other processes.
-  static std::string limit_on_threads(int number)
+  std::string limit_on_threads(int number) const
   {
     const std::string n = std::to_string(number);
-    return geteuid() != 0 ? "ulimit -u " + n + " && exec"
-                          : "setpriv --reuid 2147480000 --clear-groups prlimit --nproc=" + n;
+    return without_counts() + (geteuid() != 0 ? "ulimit -u " + n + " && exec"
+                                              : "setpriv --reuid 2147480000 --clear-groups prlimit --nproc=" + n);
   }
 };
 

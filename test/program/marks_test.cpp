@@ -35,6 +35,11 @@ TEST_F(Program, makes_borders_of_drawn_edges)
     << one.out;
   EXPECT_NE(folder.read("a.json").find("\"constraints\":\"a.txt\""), std::string::npos);
 
+  // They are drawn.
+  EXPECT_EQ(run("a.off -k 2 --constraints a.txt -o a.png").status, 0);
+  EXPECT_EQ(run("a.off --labels a.seg -o b.png").status, 0);
+  EXPECT_NE(folder.read("a.png"), folder.read("b.png"));
+
   // An edge at a time, in any order and direction.
   folder.write("b.txt", "13 8\n3 8\n3 8\n");
   EXPECT_EQ(run("a.off -k 2 --constraints b.txt -o b.seg").status, 0);

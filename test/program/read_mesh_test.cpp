@@ -109,6 +109,8 @@ INSTANTIATE_TEST_SUITE_P(
     Sample{"stl_byte_order_mark", "a.stl", "\xef\xbb\xbf" + sample::stl()},
     Sample{"stl_name", "a.stl", with(sample::stl(), "tetrahedron", "facet vertex endsolid")},
     Sample{"stl_normal", "a.stl", with(sample::stl(), "normal 0 0 0", "normal nan nan nan")},
+    Sample{"off_signs_and_tiny_numbers", "a.off", with(sample::off(), "1 0 0", "+1 +0 1e-400")},
+    Sample{"stl_two_solids", "a.stl", with(sample::stl(), "endfacet\n", "endfacet\nendsolid\n\nsolid second\n")},
     Sample{"stl_solid_binary", "a.stl", sample::binary_stl("solid facet vertex")}),
   [](const auto& info) { return info.param.name; });
 

@@ -3,13 +3,19 @@
 // The program as its users meet it: what it prints, writes and returns.
 
 #include "Program.h"
+#include "io/read_mesh.h"
 #include "sample_files.h"
 
+#include <cmath>
 #include <sstream>
 
 #include <sys/stat.h>
 
 namespace segment_mesh_test {
+
+using segment_mesh::Point;
+using segment_mesh::Polygon_soup;
+using segment_mesh::read_mesh;
 
 const std::string time_at_end = ", [0-9]+\\.[0-9]{3} s\n";
 
@@ -130,12 +136,14 @@ TEST_F(Program, goes_on_after_a_bad_input)
   folder.write("a.off", sample::off());
   folder.write("c.obj", sample::obj());
   folder.write("b.off", sample::with(sample::off(), "3 1 2 3", "3 1 2 9"));
-  const Outcome outcome = run("a.off b.off none.off c.obj -k 1 -o '{stem}.seg'");
+  folder.write("d.foo", sample::off());
+  const Outcome outcome = run("a.off b.off d.foo none.off c.obj -k 1 -o '{stem}.seg'");
   EXPECT_EQ(outcome.status, 1);
   EXPECT_EQ(outcome.err, "b.off:9: index 9 is out of range: there are 4 vertices, from 0\n"
+                         "d.foo: unknown extension '.foo', not .off, .obj, .ply or .stl\n"
                          "none.off: no such file\n");
   EXPECT_EQ(std::count(outcome.out.begin(), outcome.out.end(), '\n'), 2);
-  EXPECT_EQ(folder.names(), (Names{"a.off", "a.seg", "b.off", "c.obj", "c.seg"}));
+  EXPECT_EQ(folder.names(), (Names{"a.off", "a.seg", "b.off", "c.obj", "c.seg", "d.foo"}));
 }
 
 TEST_F(Program, is_quiet_about_repair_if_asked)
@@ -173,13 +181,15 @@ TEST_F(Program, compares_with_truths)
   const Outcome short_truth = run("a.off -k 1 --truth b.seg");
   EXPECT_EQ(short_truth.err, "b.seg: 2 labels for 4 faces\n");
   EXPECT_EQ(short_truth.status, 1);
+  folder.write("b.seg", "0\n1 1\n2\n3\n");
+  EXPECT_EQ(run("a.off -k 1 --truth b.seg").err, "b.seg:2: more than one label on a line\n");
 }
 
 TEST_F(Program, leaves_nothing_half_written)
 {
   folder.write("a.off", sample::off());
   folder.write("figure.ply", "old");
-  const Outcome outcome = run("--demo -o figure.ply", "ulimit -f 8 &&");
+  const Outcome outcome = run("--demo -o figure.ply", without_counts() + "ulimit -f 8 &&");
   EXPECT_EQ(outcome.status, 1);
   EXPECT_EQ(outcome.err, "figure.ply: cannot be written: File too large\n");
   EXPECT_EQ(folder.read("figure.ply"), "old");
@@ -396,6 +406,165 @@ TEST_F(Program, writes_a_file_for_each_segment)
   EXPECT_EQ(folder.names(), (Names{"a.off", "a_0.off", "a_1.off", "a_2.off", "a_3.off", "b0.obj.gz", "b1.obj.gz", "b2.obj.gz",
                                    "b3.obj.gz"}));
   EXPECT_EQ(folder.read("a_3.off").substr(0, 30), "OFF\n3 1 0\n0 0 0\n0 1 0\n0 0 1\n3 ");
+}
+
+TEST_F(Program, writes_each_segment_as_ply)
+{
+  folder.write("a.off", sample::off());
+  EXPECT_EQ(run("a.off -k 4 -o 'b{segment}.ply'").status, 0);
+  const std::vector<Point> corners[4] = {{{0, 0, 0}, {0, 1, 0}, {1, 0, 0}}, {{0, 0, 0}, {1, 0, 0}, {0, 0, 1}},
+                                         {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 0, 0}, {0, 0, 1}, {0, 1, 0}}};
+  for (int i = 0; i < 4; ++i) {
+    const Polygon_soup soup = read_mesh(folder.path("b" + std::to_string(i) + ".ply")).soup;
+    ASSERT_EQ(soup.polygons.size(), 1u);
+    std::vector<Point> points;
+    for (const std::size_t corner : soup.polygons[0])
+      points.push_back(soup.points[corner]);
+    EXPECT_EQ(points, corners[i]);
+  }
+}
+
+TEST_F(Program, adds_segments_to_what_a_ply_file_has)
+{
+  for (const std::string end : {"\n", "\r\n"}) {
+    std::string mesh = sample::with(sample::ply(), "property float z\n", "property float z\nproperty float quality\n");
+    mesh = sample::with(mesh, "0 0 0\n1 0 0\n0 1 0\n0 0 1", "0 0 0 7\n1 0 0 8\n0 1 0 9\n0 0 1 10");
+    folder.write("a.ply", std::regex_replace(mesh, std::regex("\n"), end));
+    EXPECT_EQ(run("a.ply -k 4 -o b.ply").status, 0);
+    const std::string copy = folder.read("b.ply");
+    EXPECT_NE(copy.find("property float quality"), std::string::npos) << copy;
+    EXPECT_NE(copy.find("1 0 0 8"), std::string::npos) << copy;
+    EXPECT_NE(copy.find("property int segment"), std::string::npos) << copy;
+    EXPECT_EQ(read_mesh(folder.path("b.ply")).soup.polygons, read_mesh(folder.path("a.ply")).soup.polygons);
+  }
+}
+
+TEST_F(Program, writes_faces_of_more_than_255_corners)
+{
+  // A cylinder of one side and two polygons.
+  constexpr std::size_t n = 300;
+  std::ostringstream mesh, bottom, top, side;
+  mesh << "OFF\n" << 2 * n << " " << n + 2 << " 0\n";
+  bottom << n;
+  top << n;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double angle = 2 * std::acos(-1.0) * double(i) / n;
+    mesh << std::cos(angle) << " " << std::sin(angle) << " 0\n" << std::cos(angle) << " " << std::sin(angle) << " 1\n";
+    bottom << " " << 2 * (n - 1 - i);
+    top << " " << 2 * i + 1;
+    const std::size_t next = (i + 1) % n;
+    side << "4 " << 2 * i << " " << 2 * next << " " << 2 * next + 1 << " " << 2 * i + 1 << "\n";
+  }
+  mesh << bottom.str() << "\n" << top.str() << "\n" << side.str();
+  const Polygon_soup soup = read_mesh(folder.write("a.off", mesh.str())).soup;
+  EXPECT_EQ(run("a.off -k 3 -o a.ply").status, 0);
+  EXPECT_EQ(read_mesh(folder.path("a.ply")).soup.polygons, soup.polygons);
+  EXPECT_NE(folder.read("a.ply").find("property list uint int vertex_indices"), std::string::npos);
+}
+
+TEST_F(Program, describes_a_cone_and_segments_without_neighbors_or_area)
+{
+  std::ostringstream mesh; // rings of a cone with half an angle of 30 degrees
+  constexpr std::size_t sides = 60, rings = 6;
+  mesh << "OFF\n" << sides * rings << " " << sides * (rings - 1) << " 0\n";
+  for (std::size_t r = 1; r <= rings; ++r)
+    for (std::size_t s = 0; s < sides; ++s) {
+      const double angle = 2 * std::acos(-1.0) * double(s) / sides;
+      mesh << double(r) * std::cos(angle) << " " << double(r) * std::sin(angle) << " " << -std::sqrt(3.0) * double(r) << "\n";
+    }
+  std::string labels;
+  for (std::size_t r = 0; r + 1 < rings; ++r)
+    for (std::size_t s = 0; s < sides; ++s) {
+      const std::size_t t = (s + 1) % sides;
+      mesh << "4 " << r * sides + s << " " << (r + 1) * sides + s << " " << (r + 1) * sides + t << " " << r * sides + t << "\n";
+      labels += "0\n";
+    }
+  folder.write("a.off", mesh.str());
+  folder.write("a.seg", labels);
+  EXPECT_EQ(run("a.off --labels a.seg -o a.csv").status, 0);
+  const std::string table = folder.read("a.csv");
+  std::smatch found;
+  ASSERT_TRUE(std::regex_search(table, found, std::regex(",cone,,([0-9.]+),[^,]+,\n$"))) << table; // no radius, no neighbors
+  EXPECT_NEAR(std::stod(found[1]), 30, 0.5);
+
+  folder.write("b.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n2 0 0\n3 0 0\n3 0 1 2\n3 2 1 3\n"); // on a line
+  folder.write("b.seg", "0\n0\n");
+  EXPECT_EQ(run("b.off --labels b.seg -o b.csv").status, 0);
+  EXPECT_NE(folder.read("b.csv").find("\n0,2,0,0,"), std::string::npos) << folder.read("b.csv"); // no area, and no share
+  EXPECT_EQ(folder.read("b.csv").find("nan"), std::string::npos);
+}
+
+TEST_F(Program, tells_its_settings_in_json)
+{
+  folder.write("a.off", sample::off());
+  folder.write("a.txt", "0 1\n1 2\n");
+  const auto settings = [&](const std::string& arguments) {
+    const Outcome outcome = run("a.off -o a.json " + arguments);
+    const std::string json = folder.read("a.json"), name = "\"settings\": ";
+    const std::size_t start = json.find(name) + name.size();
+    return outcome.status == 0 ? json.substr(start, json.find('\n', start) - start) : outcome.err;
+  };
+  const auto expected = [](const std::string& method, const std::string& number, const std::string& mesh, const std::string& more) {
+    return "{\"method\":\"" + method + "\",\"segments\":" + number + ",\"mesh\":\"" + mesh + "\",\"smooth_borders\":false" + more + "},";
+  };
+  EXPECT_EQ(settings(""), expected("learned", "null", "surface_mesh", ""));
+  EXPECT_EQ(settings("--method visibility --mesh polyhedron"), expected("visibility", "null", "polyhedron", ""));
+  EXPECT_EQ(settings("--method smooth-faces -k 2"), expected("smooth-faces", "2", "surface_mesh", ""));
+  EXPECT_EQ(settings("-k 2 --seeds a.txt"), expected("learned", "2", "surface_mesh", ",\"seeds\":\"a.txt\""));
+  for (const std::string kind : {"concave", "convex", "all"})
+    EXPECT_EQ(settings("--method two-step -k 1 --max-angle 20 --features " + kind),
+              expected("two-step", "1", "surface_mesh", ",\"features\":\"" + kind + "\",\"max_angle\":20.0"));
+  const std::string open_mesh = settings("--mesh openmesh");
+  EXPECT_TRUE(open_mesh == expected("learned", "null", "openmesh", "") ||
+              open_mesh.find("this program was built without it") != std::string::npos) << open_mesh;
+}
+
+TEST_F(Program, draws_a_mesh_as_seen_from_a_place)
+{
+  const auto write = [&](const std::string& name, const double (&points)[4][3]) {
+    std::ostringstream mesh;
+    mesh << "OFF\n4 4 0\n";
+    for (const auto& p : points)
+      mesh << p[0] << " " << p[1] << " " << p[2] << "\n";
+    mesh << "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n";
+    folder.write(name, mesh.str());
+  };
+  const double points[4][3] = {{0, 0, 0}, {1.7, 0.1, 0.3}, {0.2, 1.3, 0.1}, {0.4, 0.3, 1.1}};
+  double turned[4][3]; // about the y axis, so that the x axis becomes the z axis
+  for (int i = 0; i < 4; ++i) {
+    turned[i][0] = -points[i][2];
+    turned[i][1] = points[i][1];
+    turned[i][2] = points[i][0];
+  }
+  write("a.off", points);
+  write("b.off", turned);
+  const auto picture = [&](const std::string& arguments) {
+    EXPECT_EQ(run(arguments + " -k 4 -o a.png").status, 0);
+    return folder.read("a.png");
+  };
+  EXPECT_EQ(picture("a.off --view 90 20"), picture("b.off --view 0 20"));
+  EXPECT_EQ(picture("a.off --view -270 20"), picture("a.off --view 90 20"));
+  EXPECT_NE(picture("a.off --view 0 20"), picture("a.off --view 90 20"));
+  EXPECT_NE(picture("a.off --view 90 -20"), picture("a.off --view 90 20"));
+  expect_wrong_usage("a.off --view 361 0", "--view: an azimuth from -360 to 360 degrees");
+  expect_wrong_usage("a.off --view nan 0", "--view: an azimuth from -360 to 360 degrees");
+  expect_wrong_usage("a.off --view 0 -91", "--view: an elevation from -90 to 90 degrees");
+  EXPECT_EQ(run("a.off --view 0").status, 2);
+}
+
+TEST_F(Program, reads_and_writes_regular_files_alone)
+{
+  folder.write("b.off", sample::off());
+  ASSERT_EQ(mkfifo(folder.path("a.off").c_str(), 0600), 0);
+  std::filesystem::create_directory(folder.path("c.off"));
+  const Outcome outcome = run("a.off c.off -k 1");
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_EQ(outcome.err, "a.off: is not a regular file\nc.off: is a directory\n");
+  const Outcome written = run("b.off -k 1 -o a.off -o c.off -o none/b.off");
+  EXPECT_EQ(written.status, 1);
+  EXPECT_EQ(written.err, "a.off: is not a regular file\nc.off: is a directory\nnone/b.off: cannot be written: No such file or "
+                         "directory\n");
+  EXPECT_EQ(written.out, "");
 }
 
 TEST_F(Program, refuses_outputs_that_do_not_fit)

@@ -30,6 +30,22 @@ TEST_F(Standard_input, may_come_through_a_pipe_and_be_one_of_several)
             "b.x: 4 faces, 4 regions, 1 segment\n-: 4 faces, 4 regions, 1 segment\n");
 }
 
+TEST_F(Standard_input, is_read_in_blocks)
+{
+  constexpr std::size_t block = std::size_t(1) << 20;
+  for (const std::size_t size : {block - 1, block, block + 1, 2 * block}) {
+    const std::string mesh = sample::off();
+    folder.write("a.off", mesh + "#" + std::string(size - mesh.size() - 1, 'x'));
+    const Outcome outcome = run("- --input-format off -k 1 < a.off");
+    EXPECT_EQ(without_times(outcome.out), "-: 4 faces, 4 regions, 1 segment\n") << size;
+  }
+  folder.write("a.off", sample::with(sample::off(), "0 0 1\n", "0 0 1\n#" + std::string(block, 'x') + "\n"));
+  EXPECT_EQ(without_times(run("- --input-format off -k 1 < a.off").out), "-: 4 faces, 4 regions, 1 segment\n");
+  const Outcome folder_outcome = run("- --input-format off < .");
+  EXPECT_EQ(folder_outcome.status, 1);
+  EXPECT_EQ(folder_outcome.err, "-: cannot be read: Is a directory\n");
+}
+
 TEST_F(Standard_input, has_a_format_and_is_read_once)
 {
   expect_wrong_usage("-", "-: standard input needs --input-format");

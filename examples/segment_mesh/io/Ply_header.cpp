@@ -141,7 +141,7 @@ bool is_floating_point(Ply_type type)
 
 std::string cut_off(const Ply_element& element, std::uint64_t item)
 {
-  return "the header promises " + std::to_string(element.count) + " items of element " +
+  return "the header promises " + counted(std::size_t(element.count), "item") + " of element " +
          in_quotes(element.name) + ", the file ends after " + std::to_string(item);
 }
 
