@@ -81,11 +81,11 @@ view k7 diplodocus 10 15 -k 7
 view k16 diplodocus 10 15 -k 16
 row nested 200 k2 k4 k7 k16
 
-view regions800 bunny00 40 15 -k 800
+view regions480 bunny00 40 15 -k 480
 view regions150 bunny00 40 15 -k 150
 view regions60 bunny00 40 15 -k 60
 view regions_chosen bunny00 40 15
-row merging 240 regions800 regions150 regions60 regions_chosen
+row merging 240 regions480 regions150 regions60 regions_chosen
 
 view joint_learned joint 50 25
 view joint_smooth joint 50 25 --method smooth-faces
