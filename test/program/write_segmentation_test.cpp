@@ -323,7 +323,6 @@ TEST_F(Written, all_mesh_types_give_the_same)
 TEST_F(Written, smoothed_borders_are_shorter_and_regions_stay_nested)
 {
   Segmentation_settings settings = s_settings;
-  settings.method = Method::TWO_STEP;
   const auto border_length = [](const Segmentation& s) {
     double sum = 0;
     for (const Segment_description& segment : Segmentation_details(s_input.mesh_soup(), s).segments())
