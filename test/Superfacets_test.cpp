@@ -370,7 +370,9 @@ TEST(Superfacets_test, are_seeded_on_coarse_patches_where_there_are_four_for_eac
   std::mt19937 random(1);
   Soup soup = triangulated(torus(120, 60));
   bump(soup, 0.01, random);
+  soup = scaled(soup, 0.01); // an area below 1
   const RS::Flat_mesh mesh = flat_mesh_of(soup);
+  ASSERT_LT(mesh.surface_area(), 1);
   const RS::Mesh_patches& patches = mesh.patches();
   const RS::Patches& coarse = patches.coarse();
   ASSERT_LT(coarse.size(), patches.size() / 2);
