@@ -4,14 +4,11 @@
 // use of new memory takes more than half in pages of 4 kB (doc/performance.md). That mesh has vectors of its own, so it is
 // `operator new` that asks for them.
 
+#include <CGAL/Region_segmentation/internal/support/Large_array.h>
+
 #include <cstddef>
 #include <cstdlib>
-#include <memory>
 #include <new>
-
-#ifdef __linux__
-#include <sys/mman.h>
-#endif
 
 void* operator new(std::size_t size)
 {
@@ -22,12 +19,7 @@ void* operator new(std::size_t size)
       throw std::bad_alloc();
     handler();
   }
-#if defined(__linux__) && defined(MADV_HUGEPAGE)
-  constexpr std::size_t large = std::size_t(1) << 22, multiple_of_pages = std::size_t(1) << 16;
-  void* first = block;
-  if (size >= large && std::align(multiple_of_pages, large / 2, first, size))
-    madvise(first, size, MADV_HUGEPAGE); // only a hint; failure is harmless
-#endif
+  CGAL::Region_segmentation::internal::ask_for_large_pages(block, size);
   return block;
 }
 

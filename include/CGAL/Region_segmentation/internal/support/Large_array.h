@@ -18,6 +18,19 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
+/// Asks for huge pages for a block of memory, if it is large, on Linux.
+inline void ask_for_large_pages(void* block, std::size_t size)
+{
+#if defined(__linux__) && defined(MADV_HUGEPAGE)
+  constexpr std::size_t large = std::size_t(1) << 22, multiple_of_pages = std::size_t(1) << 16;
+  if (size >= large && std::align(multiple_of_pages, large / 2, block, size))
+    madvise(block, size, MADV_HUGEPAGE); // only a hint; failure is harmless
+#else
+  static_cast<void>(block);
+  static_cast<void>(size);
+#endif
+}
+
 /// Asks for huge pages for large blocks, on Linux: with pages of 4 kB the first use of new memory takes a quarter of
 /// the time of `two-step` (`doc/performance.md`), and random accesses miss the TLB.
 template <typename T>
@@ -32,13 +45,7 @@ struct Large_page_allocator
   T* allocate(std::size_t n)
   {
     void* const block = new_block(n * sizeof(T));
-#if defined(__linux__) && defined(MADV_HUGEPAGE)
-    constexpr std::size_t large = std::size_t(1) << 22, multiple_of_pages = std::size_t(1) << 16;
-    void* first = block;
-    std::size_t size = n * sizeof(T);
-    if (size >= large && std::align(multiple_of_pages, large / 2, first, size))
-      madvise(first, size, MADV_HUGEPAGE); // only a hint; failure is harmless
-#endif
+    ask_for_large_pages(block, n * sizeof(T));
     return static_cast<T*>(block);
   }
 
