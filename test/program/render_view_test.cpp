@@ -3,6 +3,7 @@
 // The pictures: what must show does, what must not change does not.
 
 #include "soup/vector_algebra.h"
+#include "view/Sample_buffer.h"
 #include "view/choose_viewpoint.h"
 #include "view/render_view.h"
 
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <random>
 #include <set>
 #include <stdexcept>
 
@@ -111,6 +113,69 @@ TEST(Render_view, the_order_of_faces_does_not_matter)
     reversed.polygons.push_back(make_cube().polygons[f]);
   EXPECT_EQ(render_view(make_cube(), cube_labels, {}, small_view()).pixels,
             render_view(reversed, {5, 4, 3, 2, 1, 0}, {}, small_view()).pixels);
+}
+
+/// Large triangles that cross each other, each one twice: so their depths are equal.
+std::vector<std::vector<Sample_buffer::Corner>> crossing_triangles(std::size_t number)
+{
+  std::mt19937 random(1);
+  const auto uniform = [&random](double size) { return size * double(random()) / 4294967296.0; };
+  std::vector<std::vector<Sample_buffer::Corner>> result;
+  for (std::size_t f = 0; f < number; f += 2) {
+    result.emplace_back();
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      const double x = uniform(150), y = uniform(40);
+      result.back().push_back({x, y, uniform(1), uniform(1)});
+    }
+    result.push_back(result.back());
+  }
+  return result;
+}
+
+TEST(Sample_buffer, shows_the_nearest_of_faces_drawn_alone_whatever_their_order)
+{
+  constexpr std::size_t width = 150, height = 40;
+  const auto triangles = crossing_triangles(200);
+  Sample_buffer upward(width, height), downward(width, height);
+  std::vector<Sample_buffer> alone(triangles.size(), Sample_buffer(width, height));
+  for (std::size_t f = 0; f < triangles.size(); ++f) {
+    upward.draw_polygon(triangles[f], Sample_buffer::Index(f));
+    downward.draw_polygon(triangles[triangles.size() - 1 - f], Sample_buffer::Index(triangles.size() - 1 - f));
+    alone[f].draw_polygon(triangles[f], Sample_buffer::Index(f));
+  }
+  for (std::size_t sample = 0; sample < width * height; ++sample) {
+    Sample_buffer::Index nearest = 0;
+    for (std::size_t f = 0; f < alone.size(); ++f)
+      if (alone[f].depth(sample) < alone[nearest].depth(sample))
+        nearest = Sample_buffer::Index(f);
+    for (const Sample_buffer* buffer : {&upward, &downward}) {
+      ASSERT_EQ(buffer->face(sample), alone[nearest].face(sample)) << sample;
+      ASSERT_EQ(buffer->depth(sample), alone[nearest].depth(sample)) << sample;
+      ASSERT_EQ(buffer->light(sample), alone[nearest].light(sample)) << sample;
+    }
+  }
+}
+
+/// Of layers that cover each other only the nearest is seen, whether it comes first or last.
+TEST(Render_view, layers_show_the_nearest)
+{
+  constexpr std::size_t layers = 100;
+  for (const double step : {1.0, -1.0}) {
+    Polygon_soup soup;
+    for (std::size_t i = 0; i < layers; ++i) {
+      const double z = step * double(i) / layers;
+      for (const Point& p : {Point{0, 0, z}, Point{1, 0, z}, Point{1, 1, z}, Point{0, 1, z}})
+        soup.points.push_back(p);
+      soup.polygons.push_back({4 * i, 4 * i + 1, 4 * i + 2, 4 * i + 3});
+    }
+    std::vector<std::size_t> labels(layers, 0);
+    labels[step > 0 ? layers - 1 : 0] = 1;
+    View_options options = small_view();
+    options.viewpoint = front;
+    const Image image = render_view(soup, labels, {}, options);
+    EXPECT_TRUE(is_shade_of(image.at(80, 60), segment_color(1))) << step;
+    EXPECT_TRUE(is_shade_of(image.at(60, 40), segment_color(1))) << step;
+  }
 }
 
 TEST(Render_view, background_is_untouched)

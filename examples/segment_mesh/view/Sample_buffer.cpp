@@ -20,8 +20,12 @@ std::size_t first_sample(double coordinate, std::size_t size)
 } // namespace
 
 Sample_buffer::Sample_buffer(std::size_t width, std::size_t height)
-    : m_width(width), m_height(height), m_faces(width * height, Index(no_face)),
-      m_depths(width * height, std::numeric_limits<float>::infinity()), m_lights(width * height)
+    : m_width(width), m_height(height),
+      m_blocks_of_row((width + samples_of_block - 1) / samples_of_block),
+      m_faces(width * height, Index(no_face)),
+      m_depths(width * height, std::numeric_limits<float>::infinity()),
+      m_farthest(m_blocks_of_row * height, std::numeric_limits<float>::infinity()),
+      m_lights(width * height)
 {
 }
 
@@ -61,18 +65,40 @@ void Sample_buffer::find_crossings(const std::vector<Corner>& corners, double y)
 
 void Sample_buffer::draw_span(const Crossing& from, const Crossing& to, std::size_t row, Index face)
 {
+  constexpr std::size_t worth_a_bound = 16; // samples: finding the bound of a block takes a while
   const std::size_t end = first_sample(to.x, m_width);
   const double step = to.x > from.x ? 1 / (to.x - from.x) : 0;
-  for (std::size_t column = first_sample(from.x, m_width); column < end; ++column) {
-    const double t = (double(column) + 0.5 - from.x) * step;
-    const float depth = float(from.depth + t * (to.depth - from.depth));
-    const std::size_t sample = row * m_width + column;
-    if (!(depth < m_depths[sample]))
+  const auto position = [&](std::size_t column) { return (double(column) + 0.5 - from.x) * step; };
+  const auto depth_at = [&](double t) { return float(from.depth + t * (to.depth - from.depth)); };
+  for (std::size_t column = first_sample(from.x, m_width); column < end;) {
+    const std::size_t block = column / samples_of_block, first = column;
+    const std::size_t last = (std::min)(end, (block + 1) * samples_of_block);
+    // Depths rise or fall along a span, also when they are rounded.
+    const float nearest = (std::min)(depth_at(position(first)), depth_at(position(last - 1)));
+    if (nearest > m_farthest[row * m_blocks_of_row + block]) {
+      column = last;
       continue;
-    m_depths[sample] = depth;
-    m_lights[sample] = float(from.light + t * (to.light - from.light));
-    m_faces[sample] = face;
+    }
+    for (; column < last; ++column) {
+      const double t = position(column);
+      const float depth = depth_at(t);
+      const std::size_t sample = row * m_width + column;
+      if (depth < m_depths[sample] || (depth == m_depths[sample] && face < m_faces[sample])) {
+        m_depths[sample] = depth;
+        m_lights[sample] = float(from.light + t * (to.light - from.light));
+        m_faces[sample] = face;
+      }
+    }
+    if (last - first >= worth_a_bound)
+      bound_block(row, block);
   }
+}
+
+void Sample_buffer::bound_block(std::size_t row, std::size_t block)
+{
+  const auto begin = m_depths.begin() + std::ptrdiff_t(row * m_width + block * samples_of_block);
+  const std::size_t size = (std::min)(m_width - block * samples_of_block, samples_of_block);
+  m_farthest[row * m_blocks_of_row + block] = *std::max_element(begin, begin + std::ptrdiff_t(size));
 }
 
 } // namespace segment_mesh
