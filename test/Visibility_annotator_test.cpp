@@ -98,6 +98,25 @@ TEST(Patch_boxes_test, slices_needles_and_nothing_else)
   }
 }
 
+TEST(Patch_boxes_test, slices_are_close_to_a_needle_on_each_side)
+{
+  // It rises by 1/1024 along the diagonal: slices of 1/32 along x and y, and of 1/65536 from the lower edge up.
+  const RS::Flat_mesh mesh = flat_mesh_of({{{-1, -1, 0}, {1, 1, 0}, {1, 1, 1. / 1024}}, {{0, 1, 2}}});
+  const RS::internal::Patch_triangles triangles(mesh, RS::internal::Patch_level::FINE, {0, 0, 0}, 1);
+  const RS::internal::Box_partition boxes = RS::internal::Patch_boxes::make<CGAL::Sequential_tag>(mesh, triangles);
+  ASSERT_EQ(boxes.size(), 64u);
+  constexpr float most = 1e-6f; // the margin
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    const RS::internal::Box box = boxes.single(i).box;
+    const float step = float(i), lows[] = {-1 + step / 32, -1 + step / 32, 0},
+                highs[] = {-1 + (step + 1) / 32, -1 + (step + 1) / 32, (step + 1) / 65536};
+    for (std::size_t axis : {0, 1, 2}) {
+      EXPECT_TRUE(box.low[axis] < lows[axis] && box.low[axis] >= lows[axis] - most) << i << ' ' << axis;
+      EXPECT_TRUE(box.high[axis] > highs[axis] && box.high[axis] <= highs[axis] + most) << i << ' ' << axis;
+    }
+  }
+}
+
 RS::internal::Ray_tree::Hit first_hit(const RS::internal::Ray_tree& tree, const RS::Flat_mesh& mesh, const Double_3& source,
                                       const Double_3& direction, RS::Flat_mesh::Index skipped)
 {
@@ -270,6 +289,16 @@ Soup sheet_above_square()
     return {864 * p[0] - 420, 864 * p[1] - 420, -50 - 80 * p[0]};
   });
   return joined(sheet, triangulated(square));
+}
+
+TEST(Inward_rays_test, small_regions_cast_one_ray_or_none)
+{
+  const auto number_of_rays = [](double one_of) { return RS::internal::Inward_rays::number_of_rays(1 / one_of); };
+  EXPECT_EQ(number_of_rays(1), 18u);
+  EXPECT_EQ(number_of_rays(6399), 18u);
+  EXPECT_EQ(number_of_rays(6401), 1u);
+  EXPECT_EQ(number_of_rays(25599), 1u);
+  EXPECT_EQ(number_of_rays(25601), 0u);
 }
 
 TEST(Inward_rays_test, start_from_patches_where_a_region_has_their_centers)
