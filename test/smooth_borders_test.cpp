@@ -180,6 +180,24 @@ TEST(Minimum_cut_test, is_exact_for_many_nodes)
     ASSERT_EQ(cut.is_on_source_side(nodes[i]), i < weakest) << i;
 }
 
+TEST(Minimum_cut_test, moves_all_nodes_for_a_cut_that_is_cheaper_by_the_least)
+{
+  // A chain of four nodes. Its first edge costs less than the last one by a unit of the capacities, of which some 2^51 / 6,
+  // for six nodes, are their sum of 8.
+  using Cut = RS::internal::Minimum_cut;
+  Cut cut;
+  std::vector<Cut::Node> nodes = {Cut::source};
+  for (int i = 0; i < 4; ++i)
+    nodes.push_back(cut.add_node(1));
+  nodes.push_back(Cut::sink);
+  const std::vector<double> capacities = {1 - std::ldexp(1.0, -46), 2, 2, 2, 1};
+  for (std::size_t i = 0; i < capacities.size(); ++i)
+    cut.add_edge(nodes[i], nodes[i + 1], capacities[i]);
+  EXPECT_TRUE(cut.improve());
+  for (std::size_t i = 1; i <= 4; ++i)
+    EXPECT_FALSE(cut.is_on_source_side(nodes[i])) << i;
+}
+
 using Index = RS::internal::Dual_graph::Index;
 
 /// A sheet whose faces are in three connected pieces, 0 to 2, with borders of random cost.
@@ -314,6 +332,20 @@ TEST(Border_cut_test, finds_the_cheapest_of_all_borders_in_the_band)
     }
   }
   EXPECT_GT(moves, 50u);
+}
+
+TEST(Border_cut_test, reports_no_move_where_it_would_tear_a_piece)
+{
+  // Two rows of three faces: the border between them is expensive, so a face would leave its row. One at the end can.
+  const RS::Flat_mesh mesh = RS::read_flat_mesh(to_surface_mesh(grid(3, 2)));
+  const RS::internal::Dual_graph costs(mesh, [&](std::size_t f, std::size_t e) { return mesh.higher_face(e) == f + 3 ? 9 : 1; });
+  const std::vector<Index> rows = {0, 0, 0, 1, 1, 1}, all = {0, 1, 2, 3, 4, 5}, end = {0}, none;
+  for (const Index movable : {0, 1}) {
+    std::vector<Index> piece_of = rows;
+    RS::internal::Border_cut cut(costs, [](std::size_t, std::size_t) { return 1.0; }, piece_of);
+    EXPECT_EQ(cut.move_border(0, 1, all, 1, [movable](Index f) { return f != movable; }), movable == 0 ? end : none);
+    EXPECT_EQ(piece_of, movable == 0 ? (std::vector<Index>{1, 0, 0, 1, 1, 1}) : rows);
+  }
 }
 
 TEST(Smooth_borders_test, teeth_are_cut_off)
