@@ -6,6 +6,8 @@
 #include <CGAL/Region_segmentation/Methods/Two_step.h>
 #include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
 #include <CGAL/Region_segmentation/Segmenter.h>
+#include <CGAL/Region_segmentation/internal/segmenting/split_at_constraints.h>
+#include <CGAL/Region_segmentation/read_flat_mesh.h>
 #include <CGAL/Region_segmentation/segment.h>
 
 #include <gtest/gtest.h>
@@ -302,6 +304,20 @@ TEST(Segmenter_test, edges_that_separate_nothing_have_no_effect)
   segmenter.add_constraints(edge_map(mesh, within));
   EXPECT_EQ(Labels(segmenter.regions().begin(), segmenter.regions().end()), regions);
   EXPECT_EQ(labels(segmenter, 3), before);
+}
+
+TEST(Segmenter_test, regions_that_constraints_do_not_separate_stay_in_their_pieces)
+{
+  // A strip of two regions, each in two pieces; one piece of the second is divided.
+  //      +--+--+--+--+--+
+  //      |0 |1 |0 |1 # 1|
+  //      +--+--+--+--+--+
+  const Surface_mesh mesh = to_surface_mesh(grid(5, 1));
+  const RS::Flat_mesh flat = RS::read_flat_mesh(
+    mesh, RS::Mesh_data::NOTHING_MORE, RS::parameters::edge_is_constrained_map(edge_map(mesh, std::set<Edge>{{4, 10}})));
+  const RS::Partition split =
+    RS::internal::split_at_constraints(flat, RS::Partition::from_labels(Labels{0, 1, 0, 1, 1}));
+  EXPECT_EQ(Labels(split.begin(), split.end()), (Labels{0, 1, 0, 2, 3}));
 }
 
 TEST(Segmenter_test, random_constraints_are_never_merged_across)

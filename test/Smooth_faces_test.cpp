@@ -8,6 +8,8 @@
 #include <CGAL/Region_segmentation/Segmenter.h>
 #include <CGAL/Region_segmentation/Graph/Region_adjacency_graph.h>
 #include <CGAL/Region_segmentation/build_region_adjacency_graph.h>
+#include <CGAL/Region_segmentation/internal/regions/Face_links.h>
+#include <CGAL/Region_segmentation/internal/regions/Normal_section.h>
 #include <CGAL/Region_segmentation/read_flat_mesh.h>
 #include <CGAL/Region_segmentation/segment.h>
 
@@ -336,6 +338,18 @@ TEST(Smoothness_annotator_test, measures_as_documented)
   EXPECT_GT(between, 100u);
 }
 
+TEST(Normal_section_test, a_path_ends_after_the_most_crossings)
+{
+  // Along a strip of unit squares, from its end.
+  constexpr int most = RS::internal::Normal_path::most_crossings;
+  const RS::Flat_mesh flat = RS::read_flat_mesh(to_surface_mesh(grid(most + 10, 1)), RS::Mesh_data::POINTS);
+  const RS::internal::Face_links links(flat);
+  const RS::internal::Face_edge end{0, 3};
+  EXPECT_EQ(RS::internal::Normal_section(flat, links, end, 2 * most, 0.1, 0.5).length, most);
+  EXPECT_EQ(RS::internal::Normal_section(flat, links, end, most - 0.5, 0.1, 0.5).length, most - 0.5);
+  EXPECT_EQ(RS::internal::facet_height(flat, links, end, 0.1), most);
+}
+
 TEST(Smoothness_data_test, degenerate_faces_have_no_area)
 {
   Soup soup = grid(2, 1);
@@ -362,6 +376,7 @@ TEST(Smoothness_data_test, counts_the_edges_of_a_section)
   three.merge(*three.section(0, 1));
   ASSERT_EQ(three.number_of_sections(), 1u);
   EXPECT_EQ(three[*edges(three).first].number_of_edges, 2u);
+  EXPECT_EQ(three[*edges(three).first].length, 2);
 }
 
 TEST(Smoothness_cost_test, is_as_documented)

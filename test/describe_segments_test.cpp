@@ -3,6 +3,7 @@
 #include "segments.h"
 
 #include <CGAL/Region_segmentation/Segments/describe_segments.h>
+#include <CGAL/Region_segmentation/internal/segments/Surface_moments.h>
 #include <CGAL/Region_segmentation/internal/segments/primitives.h>
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
@@ -167,6 +168,15 @@ TEST(Describe_segments_test, volumes_add_up)
   EXPECT_NEAR(d[1].volume_share, 2. / 56, 1e-12);
   EXPECT_EQ(description_of(grid(2, 2)).volume, 0);
   EXPECT_EQ(description_of(grid(2, 2)).volume_share, 0);
+}
+
+TEST(Surface_moments_test, a_cap_has_the_volume_between_it_and_the_origin_of_the_moments)
+{
+  RS::internal::Surface_moments moments({1, 2, 3});
+  moments.add_cap({2, 2, 3}, {1, 4, 3}, {1, 2, 6}, 1);
+  EXPECT_EQ(moments.volume(), 1); // 1 * 2 * 3 / 6
+  moments.add_cap({2, 2, 3}, {1, 4, 3}, {1, 2, 6}, -1);
+  EXPECT_EQ(moments.volume(), 0);
 }
 
 TEST(Describe_segments_test, agrees_with_cgal_on_random_meshes)
