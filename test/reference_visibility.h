@@ -583,7 +583,7 @@ private:
       return;
     const bool is_small = share < 1. / 6400;
     for (std::size_t k = 0; k < (is_small ? 1 : m); ++k) {
-      const std::size_t face = from[9 * k * n / (10 * m)].second, q = 18 / m;
+      const std::size_t face = from[9 * k * n / (10 * m)].second, q = 12 / m;
       if (m_mesh.normals[face] == Vector{})
         continue;
       for (std::size_t i = 0; i < (is_small ? 1 : q); ++i) {
@@ -593,7 +593,7 @@ private:
           continue;
         sum += std::log(distance / m_mesh.unit_of_length() + 1e-4);
         ++hits;
-        add_ray(region, m_region_of[end], graph.regions[region].area / (is_small ? 1 : 18));
+        add_ray(region, m_region_of[end], graph.regions[region].area / (is_small ? 1 : 12));
       }
     }
   }

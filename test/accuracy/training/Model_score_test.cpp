@@ -2,6 +2,8 @@
 
 #include "Model_score.h"
 
+#include "cross_validation.h"
+
 #include "Benchmark_mesh.h"
 #include "model_sources.h"
 
@@ -12,6 +14,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -49,4 +52,29 @@ TEST(Model_score_test, is_that_of_segment)
   EXPECT_NEAR(score.first, score.given, 1e-12) << "there is one person";
   EXPECT_NEAR(score.nearest, score.given, 1e-12);
   EXPECT_LE(score.best, score.given + 1e-12);
+}
+
+/// Variants are learned from, in the folds that do not score their model, and are not scored.
+TEST(Cross_validation_test, learns_from_variants_with_the_fold_of_their_model)
+{
+  const auto make = [](int number, std::size_t superfacets) {
+    return make_training_model(number, procedural_model(), superfacets, RS::Learned_merging::few);
+  };
+  Training_plan plan;
+  plan.noisy_runs = plan.learned_runs = 0;
+  plan.options.network.epochs = 1;
+  std::vector<Training_model> models = {make(2, 200), make(4, 200)};
+  const Folds folds = {0, 1};
+  const Cross_validation alone = cross_validate(models, folds, plan);
+  models[0].variants.push_back(make(2, 150));
+  const Cross_validation with_variant = cross_validate(models, folds, plan);
+
+  ASSERT_EQ(with_variant.scores.size(), 2u);
+  ASSERT_EQ(with_variant.rows[0].size(), 2u);
+  EXPECT_EQ(with_variant.rows[0][1].features, alone.rows[0][1].features) << "of the other model";
+  const auto &before = alone.rows[0][0].features, &after = with_variant.rows[0][0].features;
+  ASSERT_GT(after.size(), before.size());
+  EXPECT_TRUE(std::equal(before.begin(), before.end(), after.begin())) << "then those of the variant";
+  EXPECT_EQ(with_variant.trained[0].trees.leaves, alone.trained[0].trees.leaves) << "without the model and its variant";
+  EXPECT_NE(with_variant.trained[1].trees.leaves, alone.trained[1].trees.leaves);
 }

@@ -22,8 +22,15 @@ namespace train_merge_cost {
 using Graph = CGAL::Region_segmentation::Region_adjacency_graph<CGAL::Region_segmentation::Learned_region_data,
                                                                 CGAL::Region_segmentation::Learned_section_data>;
 
+/// What is learned from: the regions from which the learned cost merges, and what people say of them.
+struct Training_graph
+{
+  Graph graph;
+  Label_counts counts;
+};
+
 /// A model of the benchmark at the number of regions from which the learned cost merges.
-struct Training_model
+struct Training_model : Training_graph
 {
   int number = 0; ///< in the benchmark
   std::size_t number_of_segments = 0; ///< k of the standard protocol
@@ -31,9 +38,8 @@ struct Training_model
   std::vector<std::vector<int>> people; ///< the labels of the faces by each person, from 0 on
   CGAL::Region_segmentation::Flat_mesh mesh;
   CGAL::Region_segmentation::Partition regions; ///< the first ones
-  CGAL::Region_segmentation::Merge_tree first_merges;
-  Graph graph;         ///< after them
-  Label_counts counts; ///< after them
+  CGAL::Region_segmentation::Merge_tree first_merges; ///< before the graph and the counts
+  std::vector<Training_graph> variants; ///< of the same model, to learn from: of other first regions, or finer faces
 };
 
 /// `superfacets`: the number of first regions; `few`: of regions to merge down to, by the hand-made cost

@@ -19,10 +19,15 @@ unsigned seed_of(const Training_plan& plan, std::size_t training)
   return (plan.seed - 1) * unsigned(plan.trainings) + 1 + unsigned(training);
 }
 
-/// A seed for each model and run.
-unsigned seed_of(unsigned training_seed, std::size_t run, const Training_model& model)
+/// Appends the rows of a run of a model and of its variants: `run(graph, seed)`, with a seed for each run, model and variant.
+template <typename Run>
+void append_rows(Training_rows& rows, const Training_model& model, unsigned training_seed, std::size_t run_number,
+                 const Run& run)
 {
-  return training_seed * 1000000u + unsigned(run) * 1000u + unsigned(model.number);
+  const unsigned seed = training_seed * 1000000u + unsigned(run_number) * 1000u + unsigned(model.number);
+  rows.append(run(model, seed));
+  for (std::size_t i = 0; i < model.variants.size(); ++i)
+    rows.append(run(model.variants[i], seed + unsigned(i + 1) * 100000u));
 }
 
 std::size_t number_of(const Folds& folds)
@@ -52,12 +57,12 @@ std::vector<Trained_model> train_folds(const std::vector<Training_rows>& rows, c
 /// The rows of runs by the hand-made cost, by model.
 std::vector<Training_rows> first_rows(const std::vector<Training_model>& models, const Training_plan& plan, unsigned seed)
 {
-  std::vector<Training_rows> rows;
-  for (const Training_model& model : models) {
-    rows.push_back(rows_of_visibility_run(model, 0, plan.share, seed_of(seed, 0, model)));
-    for (std::size_t run = 1; run <= plan.noisy_runs; ++run)
-      rows.back().append(rows_of_visibility_run(model, plan.noise, plan.share, seed_of(seed, run, model)));
-  }
+  std::vector<Training_rows> rows(models.size());
+  for (std::size_t i = 0; i < models.size(); ++i)
+    for (std::size_t run = 0; run <= plan.noisy_runs; ++run)
+      append_rows(rows[i], models[i], seed, run, [&](const Training_graph& start, unsigned run_seed) {
+        return rows_of_visibility_run(start, run > 0 ? plan.noise : 0, plan.share, run_seed);
+      });
   return rows;
 }
 
@@ -75,8 +80,10 @@ Trained_folds train_in_rounds(const std::vector<Training_model>& models, const F
   result.trained = train_folds(result.rows, folds, plan, seed);
   for (std::size_t round = 0; round < plan.learned_runs; ++round) {
     for (std::size_t i = 0; i < models.size(); ++i)
-      result.rows[i].append(rows_of_learned_run(models[i], result.trained[folds[i]].model(), plan.share,
-                                                seed_of(seed, plan.noisy_runs + 1 + round, models[i])));
+      append_rows(result.rows[i], models[i], seed, plan.noisy_runs + 1 + round,
+                  [&](const Training_graph& start, unsigned run_seed) {
+                    return rows_of_learned_run(start, result.trained[folds[i]].model(), plan.share, run_seed);
+                  });
     result.trained = train_folds(result.rows, folds, plan, seed);
   }
   return result;

@@ -17,7 +17,7 @@ namespace train_merge_cost {
 struct Training_plan
 {
   unsigned seed = 1;                  ///< at least 1
-  std::size_t trainings = 3;          ///< whose mean is the model; each from the first candidates on
+  std::size_t trainings = 1;          ///< whose mean is the model; each from the first candidates on
   std::size_t noisy_runs = 3;         ///< of the hand-made cost, in addition to one without noise
   double noise = 1.5;                 ///< standard deviation
   std::size_t learned_runs = 1;       ///< rounds in which models are merged by what was learned without them

@@ -96,19 +96,19 @@ struct Recorded_learned_cost
 
 } // namespace
 
-Training_rows rows_of_visibility_run(const Training_model& model, double noise, double share, unsigned seed)
+Training_rows rows_of_visibility_run(const Training_graph& start, double noise, double share, unsigned seed)
 {
-  Graph graph = model.graph;
-  Label_counts counts = model.counts;
+  Graph graph = start.graph;
+  Label_counts counts = start.counts;
   Recorder recorder(counts, share, seed);
   merge_all(graph, counts, Recorded_visibility_cost{&recorder, noise});
   return recorder.rows;
 }
 
-Training_rows rows_of_learned_run(const Training_model& model, const Model& learned, double share, unsigned seed)
+Training_rows rows_of_learned_run(const Training_graph& start, const Model& learned, double share, unsigned seed)
 {
-  Graph graph = model.graph;
-  Label_counts counts = model.counts;
+  Graph graph = start.graph;
+  Label_counts counts = start.counts;
   Recorder recorder(counts, share, seed);
   merge_all(graph, counts, Recorded_learned_cost{&recorder, RS::Learned_cost(learned)});
   return recorder.rows;

@@ -22,6 +22,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <cmath>
 #include <cstddef>
 #include <cstdio>
 #include <exception>
@@ -36,12 +37,20 @@ namespace train_merge_cost {
 
 namespace {
 
+/// Of each model, to learn from: `superfacets` times as many first regions, each face split into four `subdivisions` times.
+struct Variant
+{
+  double superfacets;
+  std::size_t subdivisions;
+};
+
 struct Options
 {
   std::string data_folder, header;
   bool has_report = false;
   std::size_t superfacets = CGAL::Region_segmentation::Superfacets().number;
   std::size_t few = CGAL::Region_segmentation::Learned_merging::few;
+  std::vector<Variant> variants = {{11. / 12, 0}, {13. / 12, 0}, {1, 1}};
   std::size_t folds = 5, subdivisions = 0;
   Training_plan plan;
 };
@@ -58,10 +67,12 @@ std::variant<Options, int> parse_command_line(int argc, char** argv)
   app.add_flag("--report", options.has_report,
                "Categories left out, calibration and the importance of features, too");
   app.add_option("--seed", options.plan.seed, "Of all that is random. Default: 1")->check(CLI::Range(1, 1000));
-  app.add_option("--trainings", options.plan.trainings, "Whose mean is the model. Default: 3")->check(CLI::Range(1, 100));
+  app.add_option("--trainings", options.plan.trainings, "Whose mean is the model. Default: 1")->check(CLI::Range(1, 100));
   app.add_option("--superfacets", options.superfacets, "First regions. Default: that of Superfacets")->check(CLI::Range(1, 100000));
   app.add_option("--few", options.few, "Regions from which on the model merges. Default: that of Learned_merging")
     ->check(CLI::Range(2, 100000));
+  app.add_flag_callback("--no-variants", [&options] { options.variants.clear(); },
+                        "Learn from the models alone, not from finer ones and other superfacets, too");
   app.add_option("--folds", options.folds, "Of the models, for cross-validation. Default: 5")->check(CLI::Range(2, 1000));
   app.add_option("--subdivisions", options.subdivisions,
                  "Score the models with each face split into four so often, too, out of fold")
@@ -74,17 +85,8 @@ std::variant<Options, int> parse_command_line(int argc, char** argv)
   return options;
 }
 
-std::vector<Training_model> load_models(const Princeton_data& data, const Options& options)
-{
-  std::vector<Training_model> models;
-  const auto sources = princeton_benchmark::princeton_sources(data);
-  for (std::size_t i = 0; i < sources.size(); ++i)
-    models.push_back(make_training_model(data.models()[i], sources[i].load(), options.superfacets, options.few));
-  return models;
-}
-
 /// The same model with each face split into four.
-princeton_benchmark::Model subdivided(princeton_benchmark::Model model)
+princeton_benchmark::Model split_into_four(princeton_benchmark::Model model)
 {
   segment_mesh::Labelled_model faces;
   faces.soup = std::move(model.soup);
@@ -101,6 +103,28 @@ princeton_benchmark::Model subdivided(princeton_benchmark::Model model)
   return model;
 }
 
+princeton_benchmark::Model subdivided(princeton_benchmark::Model model, std::size_t times)
+{
+  for (std::size_t i = 0; i < times; ++i)
+    model = split_into_four(std::move(model));
+  return model;
+}
+
+std::vector<Training_model> load_models(const Princeton_data& data, const Options& options)
+{
+  std::vector<Training_model> models;
+  const auto sources = princeton_benchmark::princeton_sources(data);
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    const princeton_benchmark::Model model = sources[i].load();
+    models.push_back(make_training_model(data.models()[i], model, options.superfacets, options.few));
+    for (const Variant& variant : options.variants)
+      models.back().variants.push_back(make_training_model(data.models()[i], subdivided(model, variant.subdivisions),
+                                                           std::size_t(std::llround(variant.superfacets * double(options.superfacets))),
+                                                           options.few));
+  }
+  return models;
+}
+
 /// Out of fold; one after the other, since they are large.
 std::vector<Model_score> scores_of_subdivided(const Princeton_data& data, const Options& options,
                                               const Cross_validation& validation)
@@ -108,9 +132,7 @@ std::vector<Model_score> scores_of_subdivided(const Princeton_data& data, const 
   std::vector<Model_score> scores;
   const auto sources = princeton_benchmark::princeton_sources(data);
   for (std::size_t i = 0; i < sources.size(); ++i) {
-    princeton_benchmark::Model model = sources[i].load();
-    for (std::size_t s = 0; s < options.subdivisions; ++s)
-      model = subdivided(std::move(model));
+    const princeton_benchmark::Model model = subdivided(sources[i].load(), options.subdivisions);
     scores.push_back(score_learned(make_training_model(data.models()[i], model, options.superfacets, options.few),
                                    validation.without(i)));
   }
@@ -143,7 +165,7 @@ std::vector<std::string> provenance(const Options& options, const std::vector<Tr
 {
   const Training_rows rows = all_rows(validation);
   return {"Made by train_merge_cost --seed " + std::to_string(options.plan.seed) + " --trainings " +
-            std::to_string(options.plan.trainings) + " from " +
+            std::to_string(options.plan.trainings) + (options.variants.empty() ? " --no-variants" : "") + " from " +
             std::to_string(models.size()) + " models of the Princeton Segmentation Benchmark, number " +
             std::to_string(models.front().number) + " to " + std::to_string(models.back().number) + ".",
           "Hash of the " + std::to_string(rows.size()) + " training rows: " + fingerprint(rows) +

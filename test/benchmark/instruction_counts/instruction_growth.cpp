@@ -46,7 +46,7 @@ void count_with_each_method(const std::string& name, Make_shape make)
 {
   count_at_two_sizes(name + ", two-step", make, RS::Two_step());
   count_at_two_sizes(name + ", smooth-faces", make, RS::Smooth_faces());
-  // Of thousands of overlapping components each casts 18 rays up to 6,400 of them: the time is bounded, not linear.
+  // Of thousands of overlapping components each casts 12 rays up to 6,400 of them: the time is bounded, not linear.
   if (make != shapes::triangles_at_one_edge && make != shapes::slivers)
     count_at_two_sizes(name + ", learned", make, RS::Learned_merging());
 }

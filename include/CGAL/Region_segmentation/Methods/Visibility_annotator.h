@@ -26,11 +26,11 @@ namespace Region_segmentation {
 /// measures by rays from every region into the body its thickness there, and which regions see each other. A model of
 /// `GraphAnnotator`, for graphs with `Visibility_region_data` and `Visibility_section_data`.
 ///
-/// Each region casts 18 rays into the body. The candidates to start from are the faces at the centers (`Patch::center`) of the patches
+/// Each region casts 12 rays into the body. The candidates to start from are the faces at the centers (`Patch::center`) of the patches
 /// (see `Mesh_patches`) in the region, or, if there is none, all of its faces, in the order of the distance of their
 /// centroids to that of the region, then of their indices. Of \f$n\f$ candidates those at the places
 /// \f$\lfloor 9 k n / (10 m) \rfloor\f$ are used, \f$m = \min(n, 3)\f$, \f$k = 0 .. m - 1\f$, counted from 0: the one
-/// nearest to the centroid, and those at 3/10 and 6/10 in the order. Each casts \f$q = 18 / m\f$ rays. A region of less
+/// nearest to the centroid, and those at 3/10 and 6/10 in the order. Each casts \f$q = 12 / m\f$ rays. A region of less
 /// than 1/6400 of the surface casts a single ray, that with \f$k = i = 0\f$; one of less than 1/25600 casts none.
 ///
 /// Ray \f$i\f$ of candidate \f$k\f$ leaves the centroid of the face in the direction
@@ -46,7 +46,7 @@ namespace Region_segmentation {
 /// relative errors of about \f$10^{-6}\f$.
 /// - The *thickness* of a region is the mean of \f$\ln(x / \sqrt{A} + 10^{-4})\f$, \f$x\f$ the lengths of
 ///   its rays; that of a region without rays that hit is the mean of the others' thicknesses.
-/// - Each ray has a weight: the share of its region in the area of the surface, divided by 18, or by 1 if the region
+/// - Each ray has a weight: the share of its region in the area of the surface, divided by 12, or by 1 if the region
 ///   casts one. It is added to the visibility of the region where it starts, to that of the region where it ends (so
 ///   twice if they are the same), and to that of the section between the two. Opposite sides of a limb see each other;
 ///   two limbs do not. Two regions without a common border that see each other get a section of no edges, which is
@@ -56,8 +56,8 @@ namespace Region_segmentation {
 ///
 /// Lengths are relative to \f$\sqrt{A}\f$ and areas to \f$A\f$, the area of the surface. If that is 0, all data are 0.
 ///
-/// Complexity: O(F log F + 18 R log F) in practice; at worst, where most faces are long and overlap, O(F) for each of at
-/// most 140,800 rays. Deterministic. With `Parallel_tag` the tree of the rays is
+/// Complexity: O(F log F + 12 R log F) in practice; at worst, where most faces are long and overlap, O(F) for each of at
+/// most 102,400 rays. Deterministic. With `Parallel_tag` the tree of the rays is
 /// built, and they are traced, in parallel, with bitwise equal results.
 ///
 /// Source: thickness \cgalCite{SSC08}.
@@ -73,7 +73,7 @@ public:
     Mesh_data::POINTS | Mesh_data::PATCHES;
 
   /// Cached data of a mesh and its regions, so that only the rays of new regions are traced when regions change. About
-  /// 60 bytes per triangle and 300 per region.
+  /// 60 bytes per triangle and 200 per region.
   class Cache
   {
   public:

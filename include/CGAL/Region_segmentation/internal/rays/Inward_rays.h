@@ -27,16 +27,16 @@ namespace internal {
 
 /// The rays that `Visibility_annotator` casts from every region into the body.
 ///
-/// Bytes, while they are traced: 16 per patch, and per face of the regions without the center of a patch; 304 per region.
+/// Bytes, while they are traced: 16 per patch, and per face of the regions without the center of a patch; 208 per region.
 class Inward_rays
 {
   using Index = Flat_mesh::Index;
 
 public:
-  static constexpr std::size_t faces_per_region = 3, rays_per_region = 18;
+  static constexpr std::size_t faces_per_region = 3, rays_per_region = 12;
 
   /// The number of rays that a region of a share of the area of the surface casts. Small regions cast one or none, so
-  /// that thousands of components cast less than 18 * 6,400 + 25,600 rays together.
+  /// that thousands of components cast less than 12 * 6,400 + 25,600 rays together.
   static std::size_t number_of_rays(double share)
   {
     constexpr double smallest_of_all_rays = 1. / 6400, smallest_of_a_ray = 1. / 25600;

@@ -89,7 +89,7 @@ private:
   using Node = Box_node;
   using Child = Node::Child;
   static constexpr std::size_t width = Node::width;
-  static constexpr std::size_t bundle_size = 18;
+  static constexpr std::size_t bundle_size = 12;
 
   /// A power of two, so that it does not change any rounding.
   static double unit_of(const Flat_mesh& mesh, const Double_3& origin)
