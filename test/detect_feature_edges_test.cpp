@@ -5,11 +5,13 @@
 
 #include <CGAL/Region_segmentation/detect_feature_edges.h>
 #include <CGAL/Region_segmentation/internal/regions/mark_feature_edges.h>
+#include <CGAL/Region_segmentation/internal/support/blocks.h>
 #include <CGAL/Region_segmentation/read_flat_mesh.h>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 
 namespace detect_feature_edges_test {
 
@@ -182,6 +184,45 @@ TEST(Detect_feature_edges_test, edges_are_those_of_a_flat_mesh)
                       features_on_flat_mesh(mesh, angle, convexity, constrained));
           }
     }
+}
+
+TEST(Detect_feature_edges_test, a_large_mesh_is_turned_as_a_flat_mesh_is)
+{
+  // Blocks of faces have volumes of both signs; the components together may be inside out although one of them is not.
+  const Soup large = translated(torus(120, 60), 30, 20, 10), small = scaled(torus(60, 30), 0.1);
+  ASSERT_GT(large.polygons.size(), RS::internal::block_size);
+  for (const Soup& mesh : {large, reversed(large), joined(small, reversed(large)), joined(reversed(small), large),
+                           joined(reversed(large), grid(3, 3))})
+    for (Feature_convexity convexity : {Feature_convexity::CONVEX, Feature_convexity::CONCAVE})
+      EXPECT_EQ(features(mesh, RS::parameters::feature_convexity(convexity).maximum_angle(2)),
+                features_on_flat_mesh(mesh, 2, convexity, {}));
+}
+
+/// Areas that are small compared with the coordinates: the longest edge tells whether a face is degenerate.
+TEST(Detect_feature_edges_test, far_from_the_origin_edges_are_those_of_a_flat_mesh)
+{
+  for (Family family : all_families)
+    for (double distance : {1e5, 1e7, 1e9}) {
+      SCOPED_TRACE(name(family) + ", " + std::to_string(distance));
+      const Soup mesh = translated(random_mesh(family, 1), distance, 0, -distance);
+      EXPECT_EQ(features(mesh, RS::parameters::maximum_angle(5)),
+                features_on_flat_mesh(mesh, 5, Feature_convexity::CONCAVE, {}));
+    }
+}
+
+struct Patient_visitor
+{
+  bool go_further(const char*, double) { return true; }
+};
+
+TEST(Detect_feature_edges_test, a_visitor_changes_nothing)
+{
+  Patient_visitor visitor;
+  for (Family family : all_families) {
+    const Soup mesh = random_mesh(family, 1);
+    const auto np = RS::parameters::feature_convexity(Feature_convexity::ALL).maximum_angle(20);
+    EXPECT_EQ(features(mesh, np.visitor(std::ref(visitor))), features(mesh, np)) << name(family);
+  }
 }
 
 TEST(Detect_feature_edges_test, takes_an_empty_mesh)

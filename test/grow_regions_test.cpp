@@ -5,6 +5,7 @@
 
 #include <CGAL/Region_segmentation/detect_feature_edges.h>
 #include <CGAL/Region_segmentation/grow_regions.h>
+#include <CGAL/Region_segmentation/internal/support/blocks.h>
 #include <CGAL/Region_segmentation/internal/support/label_components.h>
 #include <CGAL/Region_segmentation/read_flat_mesh.h>
 
@@ -167,6 +168,28 @@ TEST(Grow_regions_test, regions_are_those_of_a_flat_mesh)
       const auto features = random_edges(soup, 3, random), constrained = random_edges(soup, 9, random);
       soup.points.push_back({1, 2, 3}); // of no face
       EXPECT_EQ(grow(soup, features, constrained).labels, labels_on_flat_mesh(soup, features, constrained));
+    }
+}
+
+TEST(Grow_regions_test, degenerate_faces_of_one_block_alone)
+{
+  const Soup large = torus(120, 60);
+  ASSERT_GT(large.polygons.size(), RS::internal::block_size);
+  for (const Soup& soup : {joined(cap(), large), joined(large, cap()), translated(joined(large, cap()), 0, 1e5, 0)}) {
+    const auto result = grow(soup, {});
+    EXPECT_EQ(result.labels, labels_on_flat_mesh(soup, {}, {}));
+    EXPECT_EQ(result.n, 3u);
+  }
+}
+
+/// Areas that are small compared with the coordinates: the longest edge tells whether a face is degenerate.
+TEST(Grow_regions_test, far_from_the_origin_regions_are_those_of_a_flat_mesh)
+{
+  for (Family family : all_families)
+    for (double distance : {1e5, 1e7, 1e9}) {
+      SCOPED_TRACE(name(family) + ", " + std::to_string(distance));
+      const Soup soup = translated(random_mesh(family, 1), distance, 0, -distance);
+      EXPECT_EQ(grow(soup, {}).labels, labels_on_flat_mesh(soup, {}, {}));
     }
 }
 

@@ -71,8 +71,8 @@ using Feature_edge_parameters = Tag_list<CGAL::internal_np::maximum_angle_t, int
 /// \pre `maximum_angle` is in [0, 180]
 /// \throws Invalid_input if a point is not finite, Segmentation_cancelled if the visitor cancels; the map is unchanged
 ///
-/// Complexity: O(F); 24 bytes per face and 1 per edge, 8 more per face while the mesh is read. Deterministic. Parallel:
-/// reading, with `Parallel_tag`. Concurrent calls on different maps are safe.
+/// Complexity: O(F); 24 bytes per face, with a visitor 1 per edge. Deterministic. Parallel: reading, with
+/// `Parallel_tag`. Concurrent calls on different maps are safe.
 ///
 /// Source: \cgalCite{YZWLL14}, section 3.1.
 template <typename ConcurrencyTag = CGAL::Sequential_tag, typename FaceGraph, typename EdgeIsFeatureMap,
@@ -85,9 +85,10 @@ std::size_t detect_feature_edges(const FaceGraph& mesh, EdgeIsFeatureMap edge_is
   const auto traversal = internal::make_mesh_traversal(mesh, pack);
   const internal::Face_normals normals(traversal, pack, internal::make_execution<ConcurrencyTag>(pack, "reading"));
   const internal::Feature_criterion criterion(internal::maximum_angle(pack), internal::feature_convexity(pack));
-  const auto is_feature = internal::mark_features_of_mesh(traversal, normals, pack, criterion,
-                                                          internal::make_execution<ConcurrencyTag>(pack, "features"));
-  return internal::write_edge_map(mesh, edge_is_feature_map, [&](std::size_t rank) { return is_feature[rank] != 0; });
+  const auto features = internal::make_execution<ConcurrencyTag>(pack, "features");
+  return internal::write_edge_map(mesh, edge_is_feature_map, features, [&](const auto& write) {
+    internal::mark_features_of_mesh(traversal, normals, pack, criterion, features, write);
+  });
 }
 
 } // namespace Region_segmentation

@@ -4,7 +4,7 @@
 #define CGAL_REGION_SEGMENTATION_GROW_REGIONS_H
 
 #include <CGAL/Region_segmentation/Partition.h>
-#include <CGAL/Region_segmentation/internal/reading/Face_normals.h>
+#include <CGAL/Region_segmentation/internal/reading/Degenerate_faces.h>
 #include <CGAL/Region_segmentation/internal/reading/write_maps.h>
 #include <CGAL/Region_segmentation/internal/regions/Region_grower.h>
 #include <CGAL/Region_segmentation/internal/support/visitor.h>
@@ -59,8 +59,8 @@ namespace Region_segmentation {
 ///       neither of which is degenerate, have the same region
 /// \throws Invalid_input if a point is not finite, Segmentation_cancelled if the visitor cancels; the maps are unchanged
 ///
-/// Complexity: O(F); 28 bytes per face and 1 per edge, 4 more per face while the mesh is read. Deterministic. Parallel:
-/// reading, with `Parallel_tag`. Concurrent calls on different maps are safe.
+/// Complexity: O(F); 4 bytes per face. Deterministic. Parallel: reading, with `Parallel_tag`. Concurrent calls on different
+/// maps are safe.
 ///
 /// Source: \cgalCite{YZWLL14}, section 3.2.
 template <typename ConcurrencyTag = CGAL::Sequential_tag, typename FaceGraph, typename EdgeIsFeatureMap,
@@ -73,11 +73,12 @@ std::size_t grow_regions(const FaceGraph& mesh, EdgeIsFeatureMap edge_is_feature
   const auto& pack = internal::pack(np);
   internal::check_parameters<std::decay_t<decltype(pack)>, internal::Reading_parameters>();
   const auto traversal = internal::make_mesh_traversal(mesh, pack);
-  const internal::Face_normals normals(traversal, pack, internal::make_execution<ConcurrencyTag>(pack, "reading"));
-  internal::Region_grower grower(traversal, normals, pack, edge_is_feature_map);
+  const internal::Degenerate_faces degenerate(traversal, pack, internal::make_execution<ConcurrencyTag>(pack, "reading"));
+  internal::Region_grower grower(traversal, degenerate, pack, edge_is_feature_map);
   const Partition regions = grower.grow(internal::make_execution<ConcurrencyTag>(pack, "regions"));
 
-  internal::write_edge_map(mesh, edge_is_feature_map, [&](std::size_t rank) { return grower.is_feature(rank); });
+  internal::write_edge_map(mesh, edge_is_feature_map, Execution<>(),
+                           [&](const auto& write) { grower.for_each_edge_between(regions, write); });
   internal::write_face_map(traversal, region_map, regions);
   return regions.number_of_parts();
 }

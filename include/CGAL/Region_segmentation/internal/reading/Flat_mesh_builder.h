@@ -48,7 +48,7 @@ public:
   /// `point`: a corner
   void set_face(std::size_t face, const Double_3& point, const Double_3& area_vector, double squared_longest_edge)
   {
-    m_volumes.set(face, point, area_vector);
+    m_volumes.set(face, dot(point, area_vector));
     const double area = norm(area_vector);
     m_flat.m_areas[face] = area;
     m_flat.m_normals[face] = unit_normal(area_vector, area, squared_longest_edge, Double_3{});

@@ -52,10 +52,10 @@ Extent extent_of_block(const Mesh_traversal<FaceGraph, Pack>& traversal, const V
   return extent;
 }
 
-/// The unit of length for the points of a mesh.
+/// The largest coordinate of the vertices of faces.
 /// \throws Invalid_input if a point is not finite
 template <typename ConcurrencyTag, typename FaceGraph, typename Pack>
-double find_unit(const Mesh_traversal<FaceGraph, Pack>& traversal, const Pack& np)
+double find_largest_coordinate(const Mesh_traversal<FaceGraph, Pack>& traversal, const Pack& np)
 {
   const Vertex_points<FaceGraph, Pack> points(traversal.mesh(), np, 1);
   const std::size_t size = traversal.number_of_vertices();
@@ -69,7 +69,15 @@ double find_unit(const Mesh_traversal<FaceGraph, Pack>& traversal, const Pack& n
       throw Invalid_input("the point of vertex " + std::to_string(extent.not_finite) + " is not finite");
     largest_coordinate = (std::max)(largest_coordinate, extent.largest_coordinate);
   }
-  return unit_of_coordinates(largest_coordinate);
+  return largest_coordinate;
+}
+
+/// The unit of length for the points of a mesh.
+/// \throws Invalid_input if a point is not finite
+template <typename ConcurrencyTag, typename FaceGraph, typename Pack>
+double find_unit(const Mesh_traversal<FaceGraph, Pack>& traversal, const Pack& np)
+{
+  return unit_of_coordinates(find_largest_coordinate<ConcurrencyTag>(traversal, np));
 }
 
 } // namespace internal

@@ -6,6 +6,7 @@
 #include <CGAL/Region_segmentation/Double_3.h>
 #include <CGAL/Region_segmentation/Flat_mesh.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 
@@ -13,14 +14,25 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
+/// The inverse of a smaller area is infinite.
+inline bool is_degenerate(double area, double squared_longest_edge)
+{
+  return !(area > 1e-12 * squared_longest_edge && area >= (std::numeric_limits<double>::min)());
+}
+
+/// No face of a larger area is degenerate, if no coordinate is larger than this one: the diagonal of a cube bounds the edges.
+inline double certain_area(double largest_coordinate)
+{
+  constexpr double squared_diagonal = 12, rounding = 1.1;
+  return (std::max)(rounding * 1e-12 * squared_diagonal * largest_coordinate * largest_coordinate,
+                    (std::numeric_limits<double>::min)());
+}
+
 /// `area`: the length of the area vector; `of_degenerate`: the result for a degenerate face.
 inline Double_3 unit_normal(const Double_3& area_vector, double area, double squared_longest_edge,
                             const Double_3& of_degenerate)
 {
-  // The inverse of a smaller area is infinite.
-  const bool is_degenerate =
-    !(area > 1e-12 * squared_longest_edge && area >= (std::numeric_limits<double>::min)());
-  return is_degenerate ? of_degenerate : (1 / area) * area_vector;
+  return is_degenerate(area, squared_longest_edge) ? of_degenerate : (1 / area) * area_vector;
 }
 
 /// `Flat_mesh::CONVEX`, `Flat_mesh::CONCAVE` or 0, of the normals of the higher and the lower face, and the halfedge of

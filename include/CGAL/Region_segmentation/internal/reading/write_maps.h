@@ -3,7 +3,10 @@
 #ifndef CGAL_REGION_SEGMENTATION_INTERNAL_READING_WRITE_MAPS_H
 #define CGAL_REGION_SEGMENTATION_INTERNAL_READING_WRITE_MAPS_H
 
+#include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/internal/reading/Mesh_traversal.h>
+#include <CGAL/Region_segmentation/internal/reading/for_each_edge.h>
+#include <CGAL/Region_segmentation/internal/support/Edge_marks.h>
 #include <CGAL/Region_segmentation/internal/support/check_maps.h>
 
 #include <boost/property_map/property_map.hpp>
@@ -14,19 +17,29 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// Writes every key of an edge map: whether `is_true(rank)`, the rank being that in the order of edges. Returns the number
-/// of edges written as true.
-template <typename FaceGraph, typename EdgeMap, typename IsTrue>
-std::size_t write_edge_map(const FaceGraph& mesh, EdgeMap& map, const IsTrue& is_true)
+/// Writes every key of an edge map, and returns the number of edges written as true. `for_each_value(f)` calls
+/// `f(edge, value)` for all edges in their order, each a `Mesh_edge`. If a visitor can cancel it, the values are stored before
+/// they are written, 1 byte per edge: then the map is unchanged.
+template <typename FaceGraph, typename EdgeMap, typename ConcurrencyTag, typename ForEachValue>
+std::size_t write_edge_map(const FaceGraph& mesh, EdgeMap& map, const Execution<ConcurrencyTag>& execution,
+                           const ForEachValue& for_each_value)
 {
   static_assert(check_edge_map<EdgeMap, FaceGraph>());
   using Value = typename boost::property_traits<EdgeMap>::value_type;
-  std::size_t rank = 0, count = 0;
-  for (auto e : edges(mesh)) {
-    const bool value = is_true(rank++);
-    put(map, e, Value(value));
+  std::size_t count = 0;
+  const auto write = [&map, &count](const auto& descriptor, bool value) {
+    put(map, descriptor, Value(value));
     count += value;
+  };
+  if (!execution.has_visitor()) {
+    for_each_value([write](const Mesh_edge<FaceGraph>& e, bool value) { write(e.descriptor, value); });
+    return count;
   }
+  Edge_marks values(num_edges(mesh));
+  for_each_value([&](const Mesh_edge<FaceGraph>& e, bool value) { values[e.rank] = value; });
+  std::size_t rank = 0;
+  for (auto e : edges(mesh))
+    write(e, values[rank++] != 0);
   return count;
 }
 

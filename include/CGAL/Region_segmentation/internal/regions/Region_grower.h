@@ -6,18 +6,16 @@
 #include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/Flat_mesh.h>
 #include <CGAL/Region_segmentation/Partition.h>
+#include <CGAL/Region_segmentation/internal/reading/Degenerate_faces.h>
 #include <CGAL/Region_segmentation/internal/reading/Edge_constraints.h>
-#include <CGAL/Region_segmentation/internal/reading/Face_normals.h>
 #include <CGAL/Region_segmentation/internal/reading/Joining_edges.h>
 #include <CGAL/Region_segmentation/internal/reading/for_each_edge.h>
-#include <CGAL/Region_segmentation/internal/support/Large_array.h>
 #include <CGAL/Region_segmentation/internal/support/Lowest_root_forest.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 namespace CGAL {
@@ -27,24 +25,23 @@ namespace internal {
 /// Grows regions on the edges of a mesh in their order: the components that `label_components()` finds on the dual edges of a
 /// `Flat_mesh`. O(F) in practice.
 ///
-/// Bytes: 1 per edge and 4 per face.
+/// Bytes: 4 per face.
 template <typename FaceGraph, typename Pack, typename EdgeMap>
 class Region_grower
 {
   using Traversal = Mesh_traversal<FaceGraph, Pack>;
-  using Normals = Face_normals<FaceGraph, Pack>;
+  using Degenerate = Degenerate_faces<FaceGraph, Pack>;
   using Edge = Mesh_edge<FaceGraph>;
   using Index = Flat_mesh::Index;
   using halfedge_descriptor = typename boost::graph_traits<FaceGraph>::halfedge_descriptor;
 
 public:
   /// `is_feature`: the edges that are marked, not changed
-  Region_grower(const Traversal& traversal, const Normals& normals, const Pack& np, const EdgeMap& is_feature)
+  Region_grower(const Traversal& traversal, const Degenerate& degenerate, const Pack& np, const EdgeMap& is_feature)
     : m_traversal(traversal)
-    , m_normals(normals)
+    , m_degenerate(degenerate)
     , m_is_constrained(np)
     , m_is_feature(is_feature)
-    , m_barriers(num_edges(traversal.mesh()))
     , m_forest(traversal.number_of_faces())
   {}
 
@@ -54,32 +51,32 @@ public:
   {
     bool has_closed_edges = false;
     for_each_edge(m_traversal, execution, [&](const Edge& e) {
-      const Barrier barrier = barrier_of(e);
-      m_barriers[e.rank] = barrier;
       if (!e.has_two_faces())
         return;
       if (is_beside_degenerate_face(e.face, e.other_face))
         has_closed_edges = true;
-      else if (barrier == Barrier::NONE)
+      else if (barrier_of(e) == Barrier::NONE)
         m_forest.unite(Index(e.face), Index(e.other_face));
     });
     if (has_closed_edges)
       join_degenerate_faces();
-    const Partition regions = m_forest.take_partition();
-    for_each_edge(m_traversal, Execution<>(), [&](const Edge& e) {
-      Barrier& barrier = m_barriers[e.rank];
-      if (barrier == Barrier::FEATURE && regions[e.face] == regions[e.other_face])
-        barrier = Barrier::NONE;
-    });
-    return regions;
+    return m_forest.take_partition();
   }
 
-  /// After `grow()`: whether an edge is still a feature edge; `rank`: in the order of edges.
-  bool is_feature(std::size_t rank) const { return m_barriers[rank] != Barrier::NONE; }
+  /// Calls `f(edge, is_feature)` for the edges in their order: whether they are still feature edges between these regions.
+  template <typename F>
+  void for_each_edge_between(const Partition& regions, const F& f) const
+  {
+    for_each_edge(m_traversal, Execution<>(), [&](const Edge& e) {
+      const Barrier barrier = barrier_of(e);
+      f(e, barrier == Barrier::PERMANENT ||
+             (barrier == Barrier::FEATURE && regions[e.face] != regions[e.other_face]));
+    });
+  }
 
 private:
   /// `FEATURE`: until its faces are in one region; `PERMANENT`: borders of the mesh and constrained edges.
-  enum class Barrier : std::uint8_t { NONE, FEATURE, PERMANENT };
+  enum class Barrier { NONE, FEATURE, PERMANENT };
 
   Barrier barrier_of(const Edge& e) const
   {
@@ -94,7 +91,7 @@ private:
 
   bool is_beside_degenerate_face(std::size_t face, std::size_t other_face) const
   {
-    return m_normals.is_degenerate(face) || m_normals.is_degenerate(other_face);
+    return m_degenerate.is_degenerate(face) || m_degenerate.is_degenerate(other_face);
   }
 
   /// Each of them joins across one edge, unless that is marked.
@@ -111,8 +108,8 @@ private:
     Joining_edges joining;
     const auto add_candidate = [&](halfedge_descriptor h, std::size_t number) {
       for (const halfedge_descriptor side : {h, opposite(h, mesh)})
-        if (m_normals.is_degenerate(rank(side)))
-          joining.add(Index(rank(side)), Index(rank(opposite(side, mesh))), m_normals.length(side), Index(number));
+        if (m_degenerate.is_degenerate(rank(side)))
+          joining.add(Index(rank(side)), Index(rank(opposite(side, mesh))), m_degenerate.length(side), Index(number));
     };
     m_traversal.for_each_dual_edge_if(is_candidate, [](std::size_t) { return std::size_t(0); },
                                       [&](halfedge_descriptor h, std::size_t) {
@@ -127,10 +124,9 @@ private:
   }
 
   const Traversal& m_traversal;
-  const Normals& m_normals;
+  const Degenerate& m_degenerate;
   const Edge_constraints<FaceGraph, Pack> m_is_constrained;
   const EdgeMap m_is_feature;
-  Large_array<Barrier> m_barriers; // by the rank of an edge
   Lowest_root_forest m_forest;
 };
 
