@@ -10,8 +10,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
+#include <stdexcept>
 
 namespace detect_feature_edges_test {
 
@@ -196,6 +198,36 @@ TEST(Detect_feature_edges_test, a_large_mesh_is_turned_as_a_flat_mesh_is)
     for (Feature_convexity convexity : {Feature_convexity::CONVEX, Feature_convexity::CONCAVE})
       EXPECT_EQ(features(mesh, RS::parameters::feature_convexity(convexity).maximum_angle(2)),
                 features_on_flat_mesh(mesh, 2, convexity, {}));
+  const auto concave = RS::parameters::feature_convexity(Feature_convexity::CONCAVE).maximum_angle(2);
+  EXPECT_FALSE(features(large, concave).empty());
+  EXPECT_EQ(features(reversed(large), concave), features(large, concave)) << "whatever the orientation of all faces";
+}
+
+struct Throwing_constraints
+{
+  using key_type = Surface_mesh::Edge_index;
+  using value_type = bool;
+  using reference = bool;
+  using category = boost::readable_property_map_tag;
+  std::size_t last;
+
+  friend bool get(const Throwing_constraints& map, key_type e)
+  {
+    if (std::size_t(e) >= map.last)
+      throw std::runtime_error("no constraint");
+    return false;
+  }
+};
+
+TEST(Detect_feature_edges_test, constraints_that_throw_leave_the_map_as_it_was)
+{
+  const Surface_mesh mesh = to_surface_mesh(torus(12, 6));
+  std::vector<bool> marks(num_edges(mesh), true);
+  const auto map = boost::make_iterator_property_map(marks.begin(), get(boost::edge_index, mesh));
+  EXPECT_THROW(
+    RS::detect_feature_edges(mesh, map, RS::parameters::edge_is_constrained_map(Throwing_constraints{num_edges(mesh) / 2})),
+    std::runtime_error);
+  EXPECT_EQ(std::count(marks.begin(), marks.end(), true), std::ptrdiff_t(marks.size()));
 }
 
 /// Areas that are small compared with the coordinates: the longest edge tells whether a face is degenerate.

@@ -111,6 +111,26 @@ TEST_P(Parallel_test, two_step_gives_the_same_bits)
   }
 }
 
+TEST(Parallel_stages_test, a_surface_inside_out_has_the_features_of_the_other)
+{
+  const Soup soup = torus(600, 250);
+  const Surface_mesh mesh = to_surface_mesh(soup), inside_out = to_surface_mesh(reversed(soup));
+  ASSERT_GT(num_faces(mesh), 2 * RS::internal::blocks_in_range * RS::internal::block_size);
+  const auto count = [](const std::vector<bool>& marks) { return std::count(marks.begin(), marks.end(), true); };
+  const auto detected = [](const Surface_mesh& m, auto tag) {
+    std::vector<bool> marks(num_edges(m));
+    RS::detect_feature_edges<decltype(tag)>(
+      m, boost::make_iterator_property_map(marks.begin(), get(boost::edge_index, m)),
+      RS::parameters::maximum_angle(0.5).feature_convexity(RS::Feature_convexity::CONCAVE));
+    return marks;
+  };
+  const auto expected = count(detected(mesh, CGAL::Sequential_tag()));
+  EXPECT_GT(expected, 0);
+  EXPECT_NE(expected, std::ptrdiff_t(num_edges(mesh)));
+  EXPECT_EQ(count(detected(inside_out, CGAL::Sequential_tag())), expected);
+  EXPECT_EQ(detected(inside_out, CGAL::Parallel_tag()), detected(inside_out, CGAL::Sequential_tag()));
+}
+
 /// What is known of every dual edge, every corner, and the patches.
 template <typename ConcurrencyTag, typename Parameters>
 std::vector<double> numbers_read(const Surface_mesh& mesh, const Parameters& np)

@@ -156,6 +156,16 @@ TEST(Sample_buffer, shows_the_nearest_of_faces_drawn_alone_whatever_their_order)
   }
 }
 
+TEST(Sample_buffer, of_equal_depths_the_lower_face_stays_also_where_whole_blocks_are_behind)
+{
+  Sample_buffer buffer(150, 4);
+  const std::vector<Sample_buffer::Corner> all = {{0, 0, 1, 1}, {150, 0, 1, 1}, {150, 4, 1, 1}, {0, 4, 1, 1}};
+  for (const Sample_buffer::Index face : {7, 3, 5})
+    buffer.draw_polygon(all, face);
+  for (std::size_t sample = 0; sample < 150 * 4; ++sample)
+    ASSERT_EQ(buffer.face(sample), 3u) << sample;
+}
+
 /// Of layers that cover each other only the nearest is seen, whether it comes first or last.
 TEST(Render_view, layers_show_the_nearest)
 {

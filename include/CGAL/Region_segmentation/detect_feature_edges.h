@@ -71,7 +71,7 @@ using Feature_edge_parameters = Tag_list<CGAL::internal_np::maximum_angle_t, int
 /// \pre `maximum_angle` is in [0, 180]
 /// \throws Invalid_input if a point is not finite, Segmentation_cancelled if the visitor cancels; the map is unchanged
 ///
-/// Complexity: O(F); 24 bytes per face, with a visitor 1 per edge. Deterministic. Parallel: reading, with
+/// Complexity: O(F); 24 bytes per face (of a surface that is inside out up to 48), with a visitor or constraints 1 per edge. Deterministic. Parallel: reading, with
 /// `Parallel_tag`. Concurrent calls on different maps are safe.
 ///
 /// Source: \cgalCite{YZWLL14}, section 3.1.
@@ -86,7 +86,10 @@ std::size_t detect_feature_edges(const FaceGraph& mesh, EdgeIsFeatureMap edge_is
   const internal::Face_normals normals(traversal, pack, internal::make_execution<ConcurrencyTag>(pack, "reading"));
   const internal::Feature_criterion criterion(internal::maximum_angle(pack), internal::feature_convexity(pack));
   const auto features = internal::make_execution<ConcurrencyTag>(pack, "features");
-  return internal::write_edge_map(mesh, edge_is_feature_map, features, [&](const auto& write) {
+  // A visitor can cancel, and a map of constraints may throw.
+  const bool may_throw =
+    features.has_visitor() || internal::Edge_constraints<FaceGraph, std::decay_t<decltype(pack)>>::are_possible;
+  return internal::write_edge_map(mesh, edge_is_feature_map, may_throw, [&](const auto& write) {
     internal::mark_features_of_mesh(traversal, normals, pack, criterion, features, write);
   });
 }

@@ -77,7 +77,7 @@ std::size_t grow_regions(const FaceGraph& mesh, EdgeIsFeatureMap edge_is_feature
   internal::Region_grower grower(traversal, degenerate, pack, edge_is_feature_map);
   const Partition regions = grower.grow(internal::make_execution<ConcurrencyTag>(pack, "regions"));
 
-  internal::write_edge_map(mesh, edge_is_feature_map, Execution<>(),
+  internal::write_edge_map(mesh, edge_is_feature_map, false,
                            [&](const auto& write) { grower.for_each_edge_between(regions, write); });
   internal::write_face_map(traversal, region_map, regions);
   return regions.number_of_parts();

@@ -20,7 +20,7 @@ namespace internal {
 
 /// The faces of a mesh that are degenerate in a `Flat_mesh`, too: for stages that need no normals.
 ///
-/// Bytes: 24 per block, and 1/8 per face of blocks that have such faces.
+/// Bytes: the size of a vector per block, and 1/8 per face of blocks that have such faces.
 template <typename FaceGraph, typename Pack>
 class Degenerate_faces
 {

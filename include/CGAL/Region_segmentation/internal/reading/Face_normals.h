@@ -14,6 +14,7 @@
 #include <CGAL/Region_segmentation/internal/support/Large_array.h>
 #include <CGAL/Region_segmentation/internal/support/Lowest_root_forest.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -26,7 +27,7 @@ namespace internal {
 /// The normals of the faces of a mesh, and the angles and signs of its edges, with the same bits as in a `Flat_mesh`: for
 /// stages that need neither the order of the dual edges nor lengths and areas.
 ///
-/// Bytes: 24 per face; 13 more while components that are inside out are found.
+/// Bytes: 24 per face; up to 24 more while components that are inside out are found.
 template <typename FaceGraph, typename Pack>
 class Face_normals
 {
@@ -59,12 +60,14 @@ public:
   /// The computed cosine of the deviation of an edge between two faces; not a number beside a degenerate face.
   double cosine(const Edge& e) const { return dot(m_normals[e.face], m_normals[e.other_face]); }
 
-  /// `Flat_mesh::CONVEX`, `Flat_mesh::CONCAVE` or 0. The first face is that of the halfedge, not the higher one as in a
-  /// `Flat_mesh`: exchanging the faces and reversing the halfedge changes no bit.
+  /// `Flat_mesh::CONVEX`, `Flat_mesh::CONCAVE` or 0. From the higher face, as in a `Flat_mesh`: where products and sums are contracted
+  /// the cross product from the other one is not exactly the opposite.
   std::uint8_t sign(const Edge& e) const
   {
-    const auto h = is_turned(e.face) ? opposite(e.halfedge, m_mesh) : e.halfedge;
-    return sign_of_edge(m_normals[e.face], m_normals[e.other_face], m_corners.direction(h));
+    const bool is_first_higher = e.face > e.other_face;
+    const auto h = is_first_higher != is_turned(e.face) ? e.halfedge : opposite(e.halfedge, m_mesh);
+    const std::size_t higher = (std::max)(e.face, e.other_face), lower = (std::min)(e.face, e.other_face);
+    return sign_of_edge(m_normals[higher], m_normals[lower], m_corners.direction(h));
   }
 
 private:

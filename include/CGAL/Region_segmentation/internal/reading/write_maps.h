@@ -18,11 +18,10 @@ namespace Region_segmentation {
 namespace internal {
 
 /// Writes every key of an edge map, and returns the number of edges written as true. `for_each_value(f)` calls
-/// `f(edge, value)` for all edges in their order, each a `Mesh_edge`. If a visitor can cancel it, the values are stored before
-/// they are written, 1 byte per edge: then the map is unchanged.
-template <typename FaceGraph, typename EdgeMap, typename ConcurrencyTag, typename ForEachValue>
-std::size_t write_edge_map(const FaceGraph& mesh, EdgeMap& map, const Execution<ConcurrencyTag>& execution,
-                           const ForEachValue& for_each_value)
+/// `f(edge, value)` for all edges in their order, each a `Mesh_edge`. If it may throw, the values are stored before they are written,
+/// 1 byte per edge: then the map is unchanged.
+template <typename FaceGraph, typename EdgeMap, typename ForEachValue>
+std::size_t write_edge_map(const FaceGraph& mesh, EdgeMap& map, bool may_throw, const ForEachValue& for_each_value)
 {
   static_assert(check_edge_map<EdgeMap, FaceGraph>());
   using Value = typename boost::property_traits<EdgeMap>::value_type;
@@ -31,7 +30,7 @@ std::size_t write_edge_map(const FaceGraph& mesh, EdgeMap& map, const Execution<
     put(map, descriptor, Value(value));
     count += value;
   };
-  if (!execution.has_visitor()) {
+  if (!may_throw) {
     for_each_value([write](const Mesh_edge<FaceGraph>& e, bool value) { write(e.descriptor, value); });
     return count;
   }
