@@ -251,6 +251,9 @@ def equivalent_mutants():
     """Why some mutants cannot be noticed, by header, original and replacement: blocks of four lines."""
     text = (pathlib.Path(__file__).parent / "equivalent.txt").read_text()
     blocks = [[line.strip() for line in block.splitlines() if not line.startswith("#")] for block in text.split("\n\n")]
+    for header, original, *_ in [block for block in blocks if len(block) == 4]:
+        if original not in one_line((ROOT / "include" / LIBRARY / header).read_text()):
+            raise SystemExit("equivalent.txt: %s does not contain %s" % (header, original))
     return {tuple(block[:3]): block[3] for block in blocks if len(block) == 4}
 
 
@@ -429,6 +432,7 @@ def main():
     options.work.mkdir(parents=True, exist_ok=True)
     options.work = options.work.resolve()
     limit_memory()
+    reasons = equivalent_mutants()
 
     copy = options.work / "include"
     shutil.rmtree(copy, ignore_errors=True)
@@ -480,7 +484,7 @@ def main():
             noticed += failed is not None
             if failed is None:
                 survivors.append(site)
-    equivalent, reasons = 0, equivalent_mutants()
+    equivalent = 0
     print("\nSurvivors:")
     for site in survivors:
         header, original, broken = site.file.relative_to(LIBRARY), one_line(site.original), one_line(site.broken)
