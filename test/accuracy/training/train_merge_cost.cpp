@@ -110,6 +110,11 @@ princeton_benchmark::Model subdivided(princeton_benchmark::Model model, std::siz
   return model;
 }
 
+std::size_t superfacets_of(const Variant& variant, const Options& options)
+{
+  return std::size_t(std::llround(variant.superfacets * double(options.superfacets)));
+}
+
 std::vector<Training_model> load_models(const Princeton_data& data, const Options& options)
 {
   std::vector<Training_model> models;
@@ -119,8 +124,7 @@ std::vector<Training_model> load_models(const Princeton_data& data, const Option
     models.push_back(make_training_model(data.models()[i], model, options.superfacets, options.few));
     for (const Variant& variant : options.variants)
       models.back().variants.push_back(make_training_model(data.models()[i], subdivided(model, variant.subdivisions),
-                                                           std::size_t(std::llround(variant.superfacets * double(options.superfacets))),
-                                                           options.few));
+                                                           superfacets_of(variant, options), options.few));
   }
   return models;
 }
@@ -160,6 +164,15 @@ std::string mean_given_and_chosen(const std::vector<Model_score>& scores)
   return text;
 }
 
+std::string names_of_variants(const Options& options)
+{
+  std::string names = "With " + std::to_string(options.superfacets) + " superfacets; variants: ";
+  for (const Variant& variant : options.variants)
+    names += (&variant == &options.variants.front() ? "" : ", ") + std::to_string(superfacets_of(variant, options)) +
+             " superfacets of faces split " + std::to_string(variant.subdivisions) + " times";
+  return names + (options.variants.empty() ? "none." : ".");
+}
+
 std::vector<std::string> provenance(const Options& options, const std::vector<Training_model>& models,
                                     const Cross_validation& validation)
 {
@@ -168,6 +181,7 @@ std::vector<std::string> provenance(const Options& options, const std::vector<Tr
             std::to_string(options.plan.trainings) + (options.variants.empty() ? " --no-variants" : "") + " from " +
             std::to_string(models.size()) + " models of the Princeton Segmentation Benchmark, number " +
             std::to_string(models.front().number) + " to " + std::to_string(models.back().number) + ".",
+          names_of_variants(options),
           "Hash of the " + std::to_string(rows.size()) + " training rows: " + fingerprint(rows) +
             "; of the training sources: " + std::string(training_sources_hash) + ".",
           "1 - Rand index, out of fold, k given / chosen: " + mean_given_and_chosen(validation.scores) + "."};

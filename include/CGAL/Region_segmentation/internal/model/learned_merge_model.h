@@ -8,6 +8,7 @@
 // Generated; a new training is a new version of the method.
 //
 // Made by train_merge_cost --seed 1 --trainings 1 from 190 models of the Princeton Segmentation Benchmark, number 2 to 400.
+// With 480 superfacets; variants: 440 superfacets of faces split 0 times, 520 superfacets of faces split 0 times, 480 superfacets of faces split 1 times.
 // Hash of the 1091740 training rows: eb9e39e90e75b1a5; of the training sources: d6bb97309ee72b13.
 // 1 - Rand index, out of fold, k given / chosen: 0.0818 / 0.0828.
 
