@@ -201,6 +201,28 @@ TEST(Detect_feature_edges_test, a_large_mesh_is_turned_as_a_flat_mesh_is)
   const auto concave = RS::parameters::feature_convexity(Feature_convexity::CONCAVE).maximum_angle(2);
   EXPECT_FALSE(features(large, concave).empty());
   EXPECT_EQ(features(reversed(large), concave), features(large, concave)) << "whatever the orientation of all faces";
+  EXPECT_EQ(features(joined(small, reversed(large)), concave), features(joined(small, large), concave))
+      << "the small one is not turned";
+}
+
+/// A face is degenerate by its longest edge, whichever it is: the area is below 1e-12 times the square of that one, but above that
+/// of the others.
+TEST(Detect_feature_edges_test, the_longest_edge_of_a_cap_tells_that_it_is_degenerate)
+{
+  for (std::size_t turn = 0; turn < 3; ++turn) {
+    const auto corner = [turn](std::size_t i) { return (i + turn) % 3; };
+    Soup cap;
+    cap.points.resize(4);
+    cap.points[corner(0)] = {0, 0, 0};
+    cap.points[corner(1)] = {1, 0, 0};
+    cap.points[corner(2)] = {0.5, 1e-12, 0};
+    cap.points[3] = {0.5, -0.5, 0.5};
+    cap.polygons = {{corner(0), corner(1), corner(2)}, {corner(1), corner(0), 3}};
+    const auto all = RS::parameters::feature_convexity(Feature_convexity::ALL).maximum_angle(20);
+    EXPECT_EQ(features(cap, all).size(), 4u) << "its borders; turn " << turn;
+    cap.points[corner(2)] = {0.5, 3e-12, 0};
+    EXPECT_EQ(features(cap, all).size(), 5u) << turn;
+  }
 }
 
 struct Throwing_constraints
