@@ -5,40 +5,69 @@
 
 #include <CGAL/Region_segmentation/exceptions.h>
 
-#include <CGAL/tags.h>
-
-#include <type_traits>
+#include <algorithm>
+#include <cstddef>
 
 namespace CGAL {
 namespace Region_segmentation {
 
+namespace internal {
+
+/// Threads, as plain functions, so that no stage depends on a library of threads.
+struct Threads
+{
+  using Body = void (*)(const void* function, std::size_t i);
+  void (*for_each)(std::size_t first, std::size_t last, Body body, const void* function);
+  std::size_t (*number)();
+};
+
+} // namespace internal
+
 /// \ingroup PkgRegionSegmentationData
-/// How a stage runs: sequentially or in parallel, and which visitor follows its progress.
-///
-/// A part of a method that takes an `Execution` as its last argument reports its progress, so that a visitor can show
-/// it and cancel the run. Reports come from the thread that called the stage.
-///
-/// \tparam ConcurrencyTag `Sequential_tag` or `Parallel_tag`
-template <typename ConcurrencyTag = CGAL::Sequential_tag>
+/// How a run is executed: sequentially or in parallel, and which visitor follows its progress and may cancel it. A value that
+/// is passed to each stage. Reports come from the thread that called `segment()`.
 class Execution
 {
 public:
-  using Concurrency_tag = ConcurrencyTag;
-  static constexpr bool is_parallel = std::is_convertible<ConcurrencyTag, CGAL::Parallel_tag>::value;
-
-  /// Without a visitor.
+  /// Sequential, without a visitor.
   Execution() = default;
+  /// `threads`: null if sequential
+  explicit Execution(const internal::Threads* threads) : m_threads(threads) {}
 
-  /// With a model of `SegmentationVisitor`, stored by reference; reports the start of the stage.
-  /// \throws Segmentation_cancelled if the visitor cancels, here or later
+  /// With a model of `SegmentationVisitor`, stored by reference.
   template <typename SegmentationVisitor>
-  Execution(SegmentationVisitor& visitor, const char* stage)
-    : m_visitor(&visitor), m_go_further(&call<SegmentationVisitor>), m_stage(stage)
+  Execution with_visitor(SegmentationVisitor& visitor) const
   {
-    report(0);
+    Execution result = *this;
+    result.m_visitor = &visitor;
+    result.m_go_further = &call<SegmentationVisitor>;
+    return result;
   }
 
+  bool is_parallel() const { return m_threads != nullptr; }
+  std::size_t number_of_threads() const { return m_threads ? m_threads->number() : 1; }
   bool has_visitor() const { return m_go_further != nullptr; }
+
+  /// The execution of a stage; reports its start.
+  /// \throws Segmentation_cancelled if the visitor cancels, here or later
+  Execution stage(const char* name) const
+  {
+    Execution result = *this;
+    result.m_stage = name;
+    result.m_begin = 0;
+    result.m_share = 1;
+    result.report(0);
+    return result;
+  }
+
+  /// The execution of a step of a stage: its progress in [0, 1] is mapped to [`begin`, `end`] of the stage.
+  Execution step(double begin, double end) const
+  {
+    Execution result = *this;
+    result.m_begin = m_begin + begin * m_share;
+    result.m_share = (end - begin) * m_share;
+    return result;
+  }
 
   /// Reports the fraction of the stage that is completed, in [0, 1].
   /// \throws Segmentation_cancelled if the visitor cancels
@@ -48,13 +77,15 @@ public:
       throw Segmentation_cancelled();
   }
 
-  /// The execution of a step of the stage: its progress in [0, 1] is mapped to [`begin`, `end`] of the stage.
-  Execution step(double begin, double end) const
+  /// Calls `f(i)` for i = `first` .. `last - 1`, in order or in parallel.
+  template <typename F>
+  void for_each(std::size_t first, std::size_t last, const F& f) const
   {
-    Execution result = *this;
-    result.m_begin = m_begin + begin * m_share;
-    result.m_share = (end - begin) * m_share;
-    return result;
+    if (m_threads && last - first > 1)
+      m_threads->for_each(first, last, [](const void* g, std::size_t i) { (*static_cast<const F*>(g))(i); }, &f);
+    else
+      for (std::size_t i = first; i < last; ++i)
+        f(i);
   }
 
 private:
@@ -64,12 +95,81 @@ private:
     return const_cast<Visitor*>(static_cast<const Visitor*>(visitor))->go_further(stage, fraction);
   }
 
+  const internal::Threads* m_threads = nullptr;
   const void* m_visitor = nullptr;
   bool (*m_go_further)(const void*, const char*, double) = nullptr;
   const char* m_stage = "";
   double m_begin = 0, m_share = 1;
 };
 
+namespace internal {
+
+// Work on all elements is divided into blocks of a fixed size, independent of the number of threads: the result of a
+// block, and so every result, is the same sequentially and in parallel.
+inline constexpr std::size_t block_size = 1 << 12;
+
+/// Consecutive blocks for one thread, where elements between two ranges cost more.
+inline constexpr std::size_t blocks_in_range = 16;
+
+inline std::size_t number_of_blocks(std::size_t number_of_elements, std::size_t size = block_size)
+{
+  return (number_of_elements + size - 1) / size;
+}
+
+/// Calls `f(block, begin, end)` for the blocks of elements 0 .. `number_of_elements - 1`, and reports the progress.
+template <typename F>
+void for_each_block(const Execution& execution, std::size_t number_of_elements, const F& f,
+                    std::size_t size = block_size)
+{
+  constexpr std::size_t number_of_reports = 50;
+  const std::size_t number = number_of_blocks(number_of_elements, size);
+  const std::size_t between_reports =
+    execution.has_visitor()
+      ? (std::max)(number / number_of_reports + 1, 4 * execution.number_of_threads())
+      : number;
+  for (std::size_t first = 0; first < number;) {
+    const std::size_t last = (std::min)(first + between_reports, number);
+    execution.for_each(first, last, [&](std::size_t block) {
+      f(block, block * size, (std::min)((block + 1) * size, number_of_elements));
+    });
+    execution.report(double(last) / double(number));
+    first = last;
+  }
+}
+
+/// Calls `f(i)` for i = 0 .. `n - 1`, block by block. Reports nothing.
+template <typename F>
+void for_each_index(const Execution& execution, std::size_t n, const F& f)
+{
+  execution.for_each(0, number_of_blocks(n), [&](std::size_t block) {
+    const std::size_t end = (std::min)((block + 1) * block_size, n);
+    for (std::size_t i = block * block_size; i < end; ++i)
+      f(i);
+  });
+}
+
+/// Reports the progress of a known number of steps, of any of them at most a hundred times.
+class Step_counter
+{
+public:
+  Step_counter(const Execution& execution, std::size_t number_of_steps)
+    : m_execution(execution), m_number((std::max)(number_of_steps, std::size_t(1)))
+  {}
+
+  void advance()
+  {
+    if (++m_done < m_next_report)
+      return;
+    m_next_report = m_done + (std::max)(m_number / 100, std::size_t(1));
+    m_execution.report((std::min)(1.0, double(m_done) / double(m_number)));
+  }
+
+private:
+  Execution m_execution;
+  std::size_t m_number, m_done = 0, m_next_report = 0;
+};
+
+} // namespace internal
 } // namespace Region_segmentation
 } // namespace CGAL
 
