@@ -47,7 +47,7 @@ inline double squared_norm(const Double_3& a)
   return dot(a, a);
 }
 
-/// The length. Coordinates of a `Flat_mesh` are scaled so that no square overflows.
+/// The length. Coordinates of a `Surface` are scaled so that no square overflows.
 inline double norm(const Double_3& a)
 {
   return std::sqrt(squared_norm(a));

@@ -44,6 +44,9 @@ public:
     return result;
   }
 
+  /// The same threads; reports nothing.
+  Execution silent() const { return Execution(m_threads); }
+
   bool is_parallel() const { return m_threads != nullptr; }
   std::size_t number_of_threads() const { return m_threads ? m_threads->number() : 1; }
   bool has_visitor() const { return m_go_further != nullptr; }

@@ -3,26 +3,22 @@
 #ifndef CGAL_REGION_SEGMENTATION_SEGMENTER_H
 #define CGAL_REGION_SEGMENTATION_SEGMENTER_H
 
-#include <CGAL/Region_segmentation/Graph/Merge_tree.h>
-#include <CGAL/Region_segmentation/internal/support/check_maps.h>
-#include <CGAL/Region_segmentation/Methods/Learned_merging.h>
-#include <CGAL/Region_segmentation/Partition.h>
-#include <CGAL/Region_segmentation/face_values.h>
-#include <CGAL/Region_segmentation/internal/segmenting/check_method.h>
-#include <CGAL/Region_segmentation/internal/reading/Mesh_traversal.h>
-#include <CGAL/Region_segmentation/internal/segmenting/Prepared_mesh.h>
-#include <CGAL/Region_segmentation/internal/segmenting/prepare.h>
-#include <CGAL/Region_segmentation/internal/support/options.h>
+#include <CGAL/Region_segmentation/internal/segmenting/Face_graph_input.h>
+#include <CGAL/Region_segmentation/internal/segmenting/Polygon_input.h>
+#include <CGAL/Region_segmentation/internal/segmenting/run_method.h>
+#include <CGAL/Region_segmentation/internal/support/make_execution.h>
 #include <CGAL/Region_segmentation/parameters.h>
-#include <CGAL/Region_segmentation/read_flat_mesh.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/tags.h>
 
 #include <cstddef>
+#include <iterator>
+#include <limits>
+#include <memory>
 #include <type_traits>
 #include <utility>
-#include <vector>
+#include <variant>
 
 namespace CGAL {
 namespace Region_segmentation {
@@ -30,10 +26,9 @@ namespace Region_segmentation {
 /// \ingroup PkgRegionSegmentationMain
 /// A mesh that is prepared once and can then be segmented into any number of segments.
 ///
-/// Preparing reads the mesh, makes the first regions and annotates their graph. If the order of merges of the method
+/// Preparing reads the mesh and does what does not depend on constraints and seeds. If the order of merges of the method
 /// does not depend on the number of segments, the regions are also merged: each number of segments then takes only the
-/// time of writing labels, and the segmentations are nested. With another method (`Two_step`) or a partitioner each
-/// call of `segment()` merges a copy of the graph.
+/// time of writing labels, and the segmentations are nested. With another method (`Two_step`) each call of `segment()` merges.
 ///
 /// The segmenter refers to the mesh, whose faces must not change afterwards. Coordinates are read once: later changes
 /// of points have no effect.
@@ -43,20 +38,27 @@ namespace Region_segmentation {
 ///
 /// Bytes, with the default method: about 180 per face.
 ///
-/// Omit the template arguments: `Segmenter segmenter(mesh, parameters::method(m))` deduces the type of the method.
+/// Omit the template arguments, which are deduced: `Segmenter segmenter(mesh, parameters::method(m))`, or
+/// `Segmenter segmenter(points, polygons)`.
 ///
-/// \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \tparam Input `internal::Face_graph_input<FaceGraph>`, with `FaceGraph` a model of `FaceListGraph` and
+///         `HalfedgeListGraph`, or `internal::Polygon_input`
 /// \tparam Method a model of `SegmentationMethod`
 /// \tparam ConcurrencyTag `Sequential_tag` or, with TBB, `Parallel_tag`; see `segment()`
-template <typename FaceGraph, typename Method = Learned_merging, typename ConcurrencyTag = CGAL::Sequential_tag>
+template <typename Input, typename Method>
 class Segmenter
 {
-  using Prepared = internal::Prepared_mesh<Method, ConcurrencyTag>;
+  static_assert(internal::check_method<Method>());
+  using Prepared = internal::Prepared_by<Method>;
+  static constexpr bool needs_number = internal::needs_number<Method>();
+  /// What is merged again only if constraints or seeds change.
+  using Merged = std::conditional_t<needs_number, std::monostate, internal::Merged_by<Method>>;
 
 public:
-  /// prepares a mesh.
+  /// prepares a mesh, which must exist as long as the segmenter.
   ///
-  /// \param mesh an oriented 2-manifold with or without boundary, its faces polygons of any size
+  /// \tparam ConcurrencyTag `Sequential_tag` or, with TBB, `Parallel_tag`; see `segment()`
+  /// \param mesh see `segment()`
   /// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
   ///
   /// \cgalNamedParamsBegin
@@ -82,8 +84,14 @@ public:
   ///     \cgalParamType{a model of `ReadablePropertyMap` with the face descriptor as key type and an integral value type}
   ///     \cgalParamDefault{no seeds}
   ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{component_links}
+  ///     \cgalParamDescription{whether components that touch or are near each other are adjacent, see `segment()`}
+  ///     \cgalParamType{`bool`}
+  ///     \cgalParamDefault{`true`}
+  ///   \cgalParamNEnd
   ///   \cgalParamNBegin{visitor}
-  ///     \cgalParamDescription{follows the progress, and can cancel: stages "reading", "regions", "graph", "merging"}
+  ///     \cgalParamDescription{follows the progress, and can cancel: stages "reading", "regions", "rays", "graph", "merging",
+  ///       "borders", as far as the method has them}
   ///     \cgalParamType{a model of `SegmentationVisitor`}
   ///     \cgalParamDefault{none}
   ///     \cgalParamExtra{used by the constructor only; pass it by `std::ref()` if it changes}
@@ -106,193 +114,237 @@ public:
   /// \throws Invalid_input if a point is not finite, or equal seeds cannot be joined; Segmentation_cancelled if the
   ///         visitor cancels; all maps are unchanged
   ///
-  /// Complexity: that of the parts of the method.
-  template <typename NamedParameters = parameters::Default_named_parameters>
+  /// Complexity: that of the method.
+  template <typename FaceGraph, typename NamedParameters = parameters::Default_named_parameters,
+            typename ConcurrencyTag = CGAL::Sequential_tag,
+            std::enable_if_t<internal::is_pack<NamedParameters>, int> = 0>
   explicit Segmenter(const FaceGraph& mesh, const NamedParameters& np = parameters::default_values(),
                      ConcurrencyTag = ConcurrencyTag())
-    : m_mesh(&mesh)
-    , m_prepared(internal::prepare<Method, ConcurrencyTag>(internal::make_mesh_traversal(mesh, internal::pack(np)),
-                                                           internal::Preparation::FOR_CHANGES, internal::pack(np)))
-  {
-    const auto& pack = internal::pack(np);
-    internal::check_parameters<std::decay_t<decltype(pack)>, internal::Segmenting_parameters>();
-    internal::write_regions(mesh, m_prepared.regions(), pack);
-    if constexpr (internal::has_merge_tree<std::decay_t<decltype(pack)>>)
-      internal::merge_tree_of(pack) = merge_tree();
-  }
+    : Segmenter(Input(mesh), internal::pack(np), internal::make_execution<ConcurrencyTag>(internal::pack(np)),
+                [&](const Execution& execution) { return Input(mesh).surface(internal::pack(np), execution); })
+  {}
 
   /// Deleted, since a reference to a temporary mesh would dangle.
-  template <typename NamedParameters = parameters::Default_named_parameters>
-  explicit Segmenter(const FaceGraph&& mesh, const NamedParameters& np = parameters::default_values(),
+  template <typename FaceGraph, typename NamedParameters = parameters::Default_named_parameters,
+            typename ConcurrencyTag = CGAL::Sequential_tag,
+            std::enable_if_t<internal::is_pack<NamedParameters> && !std::is_lvalue_reference<FaceGraph>::value, int> = 0>
+  explicit Segmenter(FaceGraph&& mesh, const NamedParameters& np = parameters::default_values(),
                      ConcurrencyTag = ConcurrencyTag()) = delete;
 
-  const FaceGraph& mesh() const { return *m_mesh; }
-  const Method& method() const { return m_prepared.method(); }
+  /// prepares points and polygons, which are not referred to afterwards; see `segment()`.
+  template <typename PointRange, typename PolygonRange, typename NamedParameters = parameters::Default_named_parameters,
+            typename ConcurrencyTag = CGAL::Sequential_tag,
+            std::enable_if_t<internal::is_polygon_range<PolygonRange>(), int> = 0>
+  Segmenter(const PointRange& points, const PolygonRange& polygons,
+            const NamedParameters& np = parameters::default_values(), ConcurrencyTag = ConcurrencyTag())
+    : Segmenter(Input(std::size_t(std::distance(std::begin(polygons), std::end(polygons)))), internal::pack(np),
+                internal::make_execution<ConcurrencyTag>(internal::pack(np)), [&](const Execution& execution) {
+                  return internal::make_surface(points, polygons, internal::pack(np), execution);
+                })
+  {}
+
+  const Method& method() const { return m_prepared->method; }
 
   /// The mesh as arrays.
-  const Flat_mesh& flat_mesh() const { return m_prepared.flat_mesh(); }
-  /// What segments consist of: the first regions, by face in iteration order, including changes by later constraints and
-  /// seeds, and by moving borders (see `Border_straightening`).
-  const Partition& regions() const { return m_prepared.regions(); }
+  const Surface& surface() const { return m_prepared->surface; }
 
-  /// The merges of the first regions, down to one segment for each connected piece, unless the policy ends before or sections
-  /// are barred. Only with a method that has one tree for all numbers.
-  const Merge_tree& merge_tree() const
-  {
-    static_assert(Prepared::has_one_tree,
-                  "the order of merges of this method depends on the number of segments: it has no tree for all "
-                  "numbers, use segment(segment_map, number_of_segments)");
-    return m_prepared.merge_tree();
-  }
+  /// What segments consist of: the first regions as constraints and seeds change them, with their borders moved (see
+  /// `Border_straightening`), by face in iteration order. Only with a method that has one tree for all numbers.
+  const Partition& regions() const { return merged().regions(); }
+
+  /// The merges of `regions()`, down to one segment, unless the policy ends before or sections are barred. Only with a method that has
+  /// one tree for all numbers.
+  const Merge_tree& merge_tree() const { return merged().merge_tree(); }
 
   /// The number of segments that `segment(segment_map)` aims at: the one given to the constructor, or else the one
   /// chosen by the method, once for each change of constraints or seeds.
   std::size_t number_of_segments() const
   {
-    static_assert(Prepared::has_one_tree,
+    static_assert(!needs_number,
                   "this method needs the number of segments: use segment(segment_map, number_of_segments)");
-    static_assert(!Prepared::has_one_tree || internal::has_chooser<Method>(),
-                  "this method has no NumberChooser: use segment(segment_map, number_of_segments)");
-    return m_prepared.number_of_segments();
+    if constexpr (!needs_number)
+      return m_merged.number_of_segments();
   }
 
   /// segments the mesh into the number given to the constructor, or else chosen by the method.
   ///
-  /// \tparam FaceSegmentMap a model of `WritablePropertyMap` with the face descriptor as key and an
-  ///         integral value type that holds the number of segments
-  /// \param segment_map every key is written: ids 0 .. n-1, numbered by the first face
+  /// \param segment_map see `segment()`: every key is written, ids 0 .. n-1, numbered by the first face
   /// \returns the number n of segments
   ///
   /// Complexity: O(F).
-  template <typename FaceSegmentMap>
-  std::size_t segment(FaceSegmentMap segment_map) const
+  template <typename SegmentMap>
+  std::size_t segment(SegmentMap&& segment_map) const
   {
-    return segment(segment_map, number_of_segments());
+    return segment(std::forward<SegmentMap>(segment_map), number_of_segments());
   }
 
   /// segments the mesh into a given number, or the nearest possible one; see `segment()`.
   ///
-  /// For more segments than `regions()`, these are split if their initializer supports it, in O(F log F).
-  ///
   /// \param segment_map every key is written: ids 0 .. n-1, numbered by the first face
   /// \param number_of_segments at least 1
-  /// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
+  /// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters": `visitor`, for a method that merges
+  ///        for each number
   ///
-  /// \cgalNamedParamsBegin
-  ///   \cgalParamNBegin{visitor}
-  ///     \cgalParamDescription{follows the progress, and can cancel: stages that a method repeats for each number}
-  ///     \cgalParamType{a model of `SegmentationVisitor`}
-  ///     \cgalParamDefault{none}
-  ///     \cgalParamExtra{pass it by `std::ref()` if it changes}
-  ///   \cgalParamNEnd
-  /// \cgalNamedParamsEnd
-  ///
-  /// \returns the number n of segments; see `segment()`. It is at least the number of connected components, and that of
-  ///          different seeds
+  /// \returns the number n of segments; see `segment()`
   /// \pre `number_of_segments` is at least 1; see `segment()`
   /// \throws Segmentation_cancelled if the visitor cancels; the map is unchanged
   ///
-  /// Complexity: O(F) with a method that has one tree for all numbers, else that of merging.
-  template <typename FaceSegmentMap, typename NamedParameters = parameters::Default_named_parameters>
-  std::size_t segment(FaceSegmentMap segment_map, std::size_t number_of_segments,
+  /// Complexity: O(F) with a method that has one tree for all numbers, and O(F log F) where regions are split; else that of
+  /// merging.
+  template <typename SegmentMap, typename NamedParameters = parameters::Default_named_parameters>
+  std::size_t segment(SegmentMap&& segment_map, std::size_t number_of_segments,
                       const NamedParameters& np = parameters::default_values()) const
   {
     CGAL_precondition_msg(number_of_segments >= 1, "number_of_segments is at least 1");
     const auto& pack = internal::pack(np);
     internal::check_parameters<std::decay_t<decltype(pack)>, internal::Tag_list<CGAL::internal_np::visitor_t>>();
-    const internal::Segments segments = m_prepared.segments(number_of_segments, pack);
-    segments.visit([&](const auto& labels) { write_face_values(*m_mesh, labels, segment_map); });
-    return segments.number();
+    const Partition segments = segments_of(number_of_segments, internal::make_execution<CGAL::Sequential_tag>(pack));
+    m_input.write(segments, segment_map);
+    return segments.number_of_parts();
   }
 
   /// adds edges that are always borders and are never merged across to those that are constrained already.
   ///
-  /// First regions are split only where the edges separate their faces, and only the new regions are annotated; so the
-  /// segments may differ from those of a new segmenter. An edge that has the same region on both sides afterwards has
+  /// First regions are split only where the edges separate their faces, and only the new regions are annotated anew; the
+  /// segments are those of a new segmenter with all constraints. An edge that has the same region on both sides afterwards has
   /// no effect; one between two regions bars their section from being merged across.
   ///
-  /// \tparam EdgeIsConstrainedMap a model of `ReadablePropertyMap` with the edge descriptor as key and a value type
-  ///         that is convertible to `bool`
-  /// \param edge_is_constrained_map whether an edge becomes constrained
-  /// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
-  ///
-  /// \cgalNamedParamsBegin
-  ///   \cgalParamNBegin{visitor}
-  ///     \cgalParamDescription{follows the progress, and can cancel}
-  ///     \cgalParamType{a model of `SegmentationVisitor`}
-  ///     \cgalParamDefault{none}
-  ///     \cgalParamExtra{pass it by `std::ref()` if it changes}
-  ///   \cgalParamNEnd
-  ///   \cgalParamIndexMap{face}
-  ///   \cgalParamIndexMap{vertex}
-  /// \cgalNamedParamsEnd
+  /// \param edge_is_constrained_map whether an edge becomes constrained: as the named parameter of `segment()`
+  /// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters": `visitor`, `face_index_map`,
+  ///        `vertex_index_map`
   ///
   /// \throws Invalid_input if the edges separate equal seeds, Segmentation_cancelled if the visitor cancels; nothing
   ///         has changed then
   ///
   /// Complexity: O(F), and that of annotating the new regions and of merging.
   template <typename EdgeIsConstrainedMap, typename NamedParameters = parameters::Default_named_parameters>
-  void add_constraints(EdgeIsConstrainedMap edge_is_constrained_map,
+  void add_constraints(const EdgeIsConstrainedMap& edge_is_constrained_map,
                        const NamedParameters& np = parameters::default_values())
   {
-    static_assert(internal::check_edge_map<EdgeIsConstrainedMap, FaceGraph>());
     const auto& pack = internal::pack(np);
     internal::check_parameters<std::decay_t<decltype(pack)>, internal::Tag_list<CGAL::internal_np::visitor_t>>();
-    std::vector<Flat_mesh::Index> dual_edges;
-    internal::make_mesh_traversal(*m_mesh, pack)
-      .for_each_dual_edge_if(
-        flat_mesh(), [&](const auto& e) { return bool(get(edge_is_constrained_map, e)); },
-        [&](const auto&, std::size_t dual_edge) { dual_edges.push_back(Flat_mesh::Index(dual_edge)); });
-    m_prepared.add_constraints(dual_edges, pack);
+    Request request = m_request;
+    m_input.add_constraints(surface(), edge_is_constrained_map, pack, request.constraints);
+    change(std::move(request), internal::make_execution<CGAL::Sequential_tag>(pack));
   }
 
   /// replaces the seeds: faces with equal seeds belong to one segment, faces with different seeds to different ones.
   ///
-  /// The number of different seeds is the least number of segments, that of the first regions with seeds the largest: the
-  /// initializer splits them no further. Equal seeds that are not adjacent are joined along
+  /// The number of different seeds is the least number of segments. Equal seeds that are not adjacent are joined along
   /// the cheapest path of regions, or, if there is none, of faces, that avoids all other seeds: a step costs about its
   /// length, and 80 times as much for each radian of the deviation of concave edges that it crosses.
   ///
-  /// \tparam FaceSeedMap a model of `ReadablePropertyMap` with the face descriptor as key and an integral value type;
-  ///         the value `std::size_t(-1)`, after conversion to `std::size_t`, stands for no seed
-  /// \param face_seed_map the seed of a face
-  /// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
+  /// \param face_seed_map the seed of a face: as the named parameter of `segment()`
+  /// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters": `visitor`
   ///
-  /// \cgalNamedParamsBegin
-  ///   \cgalParamNBegin{visitor}
-  ///     \cgalParamDescription{follows the progress, and can cancel}
-  ///     \cgalParamType{a model of `SegmentationVisitor`}
-  ///     \cgalParamDefault{none}
-  ///     \cgalParamExtra{pass it by `std::ref()` if it changes}
-  ///   \cgalParamNEnd
-  /// \cgalNamedParamsEnd
-  ///
-  /// \throws Invalid_input if equal seeds are in different components, or separated by constraints or by other seeds;
+  /// \throws Invalid_input if equal seeds are separated by constraints or by other seeds, or in components without links;
   ///         Segmentation_cancelled if the visitor cancels; nothing has changed then
   ///
   /// Complexity: O(F), and that of annotating the new regions and of merging.
   template <typename FaceSeedMap, typename NamedParameters = parameters::Default_named_parameters>
-  void set_seeds(FaceSeedMap face_seed_map, const NamedParameters& np = parameters::default_values())
+  void set_seeds(const FaceSeedMap& face_seed_map, const NamedParameters& np = parameters::default_values())
   {
-    static_assert(!internal::Method_traits<Method>::is_partitioning,
-                  "a method with a GraphPartitioner takes no seeds");
     const auto& pack = internal::pack(np);
     internal::check_parameters<std::decay_t<decltype(pack)>, internal::Tag_list<CGAL::internal_np::visitor_t>>();
-    m_prepared.set_seeds(internal::read_seeds(*m_mesh, face_seed_map), pack);
+    Request request = m_request;
+    request.seeds = internal::read_seeds(m_input, face_seed_map);
+    change(std::move(request), internal::make_execution<CGAL::Sequential_tag>(pack));
   }
 
 private:
-  const FaceGraph* m_mesh;
-  Prepared m_prepared;
+  /// What does not change. Copies of a segmenter share it.
+  struct Unchanged
+  {
+    Method method;
+    Surface surface;
+    Prepared prepared;
+
+    Unchanged(Method m, Surface s, const Execution& execution)
+      : method(std::move(m)), surface(std::move(s)), prepared(method.prepare(surface, execution))
+    {}
+  };
+
+  template <typename Pack, typename ReadSurface>
+  Segmenter(Input input, const Pack& np, const Execution& execution, const ReadSurface& read_surface)
+    : m_input(std::move(input))
+    , m_prepared(std::make_shared<const Unchanged>(internal::method_of_pack<Method>(np), read_surface(execution),
+                                                   execution))
+    , m_request(internal::request_of_pack(m_input, surface(), np))
+    , m_merged(merge(m_request, execution))
+  {
+    internal::check_parameters<Pack, internal::Segmenting_parameters>();
+    if constexpr (internal::has_merge_tree<Pack> || internal::has_region_map<Pack>)
+      internal::write_outputs(m_input, regions(), merge_tree(), np);
+  }
+
+  Merged merge(const Request& request, const Execution& execution) const
+  {
+    if constexpr (needs_number)
+      return Merged();
+    else
+      return method().merge(surface(), m_prepared->prepared, request, execution);
+  }
+
+  const auto& merged() const
+  {
+    static_assert(!needs_number,
+                  "the order of merges of this method depends on the number of segments: it has no tree for all "
+                  "numbers, use segment(segment_map, number_of_segments)");
+    return m_merged;
+  }
+
+  Partition segments_of(std::size_t number, const Execution& execution) const
+  {
+    if constexpr (needs_number) {
+      Request request = m_request;
+      request.number_of_segments = number;
+      const Segmentation result = method().merge(surface(), m_prepared->prepared, request, execution);
+      return composed(result.regions, result.segments);
+    } else
+      return m_merged.segments(surface(), number);
+  }
+
+  void change(Request request, const Execution& execution)
+  {
+    if constexpr (needs_number) {
+      if (!request.seeds.empty()) // reports seeds that cannot be joined
+        segments_of_request(request, execution);
+    }
+    m_merged = merge(request, execution);
+    m_request = std::move(request);
+  }
+
+  void segments_of_request(Request request, const Execution& execution) const
+  {
+    request.number_of_segments = (std::numeric_limits<std::size_t>::max)();
+    method().merge(surface(), m_prepared->prepared, request, execution);
+  }
+
+  Input m_input;
+  std::shared_ptr<const Unchanged> m_prepared;
+  Request m_request;
+  Merged m_merged;
 };
 
 template <typename FaceGraph>
-Segmenter(const FaceGraph&) -> Segmenter<FaceGraph>;
-template <typename FaceGraph, typename NamedParameters>
-Segmenter(const FaceGraph&, const NamedParameters&) -> Segmenter<FaceGraph, internal::Method_of_pack<NamedParameters>>;
-template <typename FaceGraph, typename NamedParameters, typename ConcurrencyTag>
+Segmenter(const FaceGraph&) -> Segmenter<internal::Face_graph_input<FaceGraph>, Learned_merging>;
+template <typename FaceGraph, typename NamedParameters, std::enable_if_t<internal::is_pack<NamedParameters>, int> = 0>
+Segmenter(const FaceGraph&, const NamedParameters&)
+  -> Segmenter<internal::Face_graph_input<FaceGraph>, internal::Method_of_parameters<NamedParameters>>;
+template <typename FaceGraph, typename NamedParameters, typename ConcurrencyTag,
+          std::enable_if_t<internal::is_pack<NamedParameters>, int> = 0>
 Segmenter(const FaceGraph&, const NamedParameters&, ConcurrencyTag)
-  -> Segmenter<FaceGraph, internal::Method_of_pack<NamedParameters>, ConcurrencyTag>;
+  -> Segmenter<internal::Face_graph_input<FaceGraph>, internal::Method_of_parameters<NamedParameters>>;
+template <typename PointRange, typename PolygonRange, std::enable_if_t<internal::is_polygon_range<PolygonRange>(), int> = 0>
+Segmenter(const PointRange&, const PolygonRange&) -> Segmenter<internal::Polygon_input, Learned_merging>;
+template <typename PointRange, typename PolygonRange, typename NamedParameters,
+          std::enable_if_t<internal::is_polygon_range<PolygonRange>() && internal::is_pack<NamedParameters>, int> = 0>
+Segmenter(const PointRange&, const PolygonRange&, const NamedParameters&)
+  -> Segmenter<internal::Polygon_input, internal::Method_of_parameters<NamedParameters>>;
+template <typename PointRange, typename PolygonRange, typename NamedParameters, typename ConcurrencyTag,
+          std::enable_if_t<internal::is_polygon_range<PolygonRange>() && internal::is_pack<NamedParameters>, int> = 0>
+Segmenter(const PointRange&, const PolygonRange&, const NamedParameters&, ConcurrencyTag)
+  -> Segmenter<internal::Polygon_input, internal::Method_of_parameters<NamedParameters>>;
 
 } // namespace Region_segmentation
 } // namespace CGAL

@@ -66,7 +66,7 @@ public:
   /// The sum of the areas of the faces, in their order.
   double area() const { return m_area; }
   /// The square root of the area of the surface; 1 if that is 0.
-  double length_unit() const { return m_area > 0 ? std::sqrt(m_area) : 1; }
+  double length_unit() const { return m_length_unit; }
 
   /// \name Vertices and corners
   /// @{
@@ -128,6 +128,9 @@ public:
   /// The deviation in radians, in [0, pi]; 0 where there is no angle.
   double deviation(std::size_t adjacency) const { return std::acos(cosine(adjacency)); }
 
+  /// Whether there are adjacencies other than across edges.
+  bool has_seams_or_links() const { return m_has_seams_or_links; }
+
   bool has_angle(std::size_t adjacency) const
   {
     const std::uint8_t f = m_flags[adjacency];
@@ -150,7 +153,8 @@ private:
   Array<Index> m_higher_faces;     // 4 bytes an adjacency
   Array<double> m_squared_lengths; // 8 bytes an adjacency
   Array<std::uint8_t> m_flags;     // 1 byte an adjacency
-  double m_unit = 1, m_area = 0;
+  double m_unit = 1, m_area = 0, m_length_unit = 1;
+  bool m_has_seams_or_links = false;
 };
 
 namespace internal {
@@ -165,7 +169,8 @@ struct Surface_access
   explicit Surface_access(Surface& s)
     : points(s.m_points), first_corners(s.m_first_corners), corners(s.m_corners), normals(s.m_normals)
     , areas(s.m_areas), lower_faces(s.m_lower_faces), higher_faces(s.m_higher_faces)
-    , squared_lengths(s.m_squared_lengths), flags(s.m_flags), unit(s.m_unit), area(s.m_area)
+    , squared_lengths(s.m_squared_lengths), flags(s.m_flags), unit(s.m_unit), area(s.m_area), length_unit(s.m_length_unit)
+    , has_seams_or_links(s.m_has_seams_or_links)
   {}
 
   Array<Double_3>& points;
@@ -179,6 +184,8 @@ struct Surface_access
   Array<std::uint8_t>& flags;
   double& unit;
   double& area;
+  double& length_unit;
+  bool& has_seams_or_links;
 };
 
 } // namespace internal

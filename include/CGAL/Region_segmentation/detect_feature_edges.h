@@ -4,13 +4,13 @@
 #define CGAL_REGION_SEGMENTATION_DETECT_FEATURE_EDGES_H
 
 #include <CGAL/Region_segmentation/Feature_convexity.h>
-#include <CGAL/Region_segmentation/internal/reading/Face_normals.h>
-#include <CGAL/Region_segmentation/internal/reading/write_maps.h>
 #include <CGAL/Region_segmentation/internal/regions/Feature_criterion.h>
-#include <CGAL/Region_segmentation/internal/regions/mark_features_of_mesh.h>
+#include <CGAL/Region_segmentation/internal/regions/mark_feature_edges.h>
+#include <CGAL/Region_segmentation/internal/segmenting/Stage_input.h>
 #include <CGAL/Region_segmentation/internal/support/options.h>
-#include <CGAL/Region_segmentation/internal/support/visitor.h>
 #include <CGAL/Region_segmentation/parameters.h>
+
+#include <CGAL/tags.h>
 
 #include <cstddef>
 #include <type_traits>
@@ -71,8 +71,8 @@ using Feature_edge_parameters = Tag_list<CGAL::internal_np::maximum_angle_t, int
 /// \pre `maximum_angle` is in [0, 180]
 /// \throws Invalid_input if a point is not finite, Segmentation_cancelled if the visitor cancels; the map is unchanged
 ///
-/// Complexity: O(F); 24 bytes per face (of a surface that is inside out up to 48), with a visitor or constraints 1 per edge. Deterministic. Parallel: reading, with
-/// `Parallel_tag`. Concurrent calls on different maps are safe.
+/// Complexity: O(F); that of `make_surface()`. Deterministic. Parallel with `Parallel_tag`. Concurrent calls on different maps
+/// are safe.
 ///
 /// Source: \cgalCite{YZWLL14}, section 3.1.
 template <typename ConcurrencyTag = CGAL::Sequential_tag, typename FaceGraph, typename EdgeIsFeatureMap,
@@ -82,16 +82,14 @@ std::size_t detect_feature_edges(const FaceGraph& mesh, EdgeIsFeatureMap edge_is
 {
   const auto& pack = internal::pack(np);
   internal::check_parameters<std::decay_t<decltype(pack)>, internal::Feature_edge_parameters>();
-  const auto traversal = internal::make_mesh_traversal(mesh, pack);
-  const internal::Face_normals normals(traversal, pack, internal::make_execution<ConcurrencyTag>(pack, "reading"));
+  static_assert(internal::check_edge_map<EdgeIsFeatureMap, FaceGraph>());
+  const Execution execution = internal::make_execution<ConcurrencyTag>(pack);
   const internal::Feature_criterion criterion(internal::maximum_angle(pack), internal::feature_convexity(pack));
-  const auto features = internal::make_execution<ConcurrencyTag>(pack, "features");
-  // A visitor can cancel, and a map of constraints may throw.
-  const bool may_throw =
-    features.has_visitor() || internal::Edge_constraints<FaceGraph, std::decay_t<decltype(pack)>>::are_possible;
-  return internal::write_edge_map(mesh, edge_is_feature_map, may_throw, [&](const auto& write) {
-    internal::mark_features_of_mesh(traversal, normals, pack, criterion, features, write);
-  });
+  const internal::Stage_input input(mesh, pack, execution);
+  const internal::Edge_marks is_feature =
+    internal::mark_feature_edges(input.surface(), criterion, execution.stage("features"));
+  return input.write(edge_is_feature_map,
+                     [&](std::size_t a) { return is_feature[a] != 0 || input.constraints()[a]; });
 }
 
 } // namespace Region_segmentation

@@ -4,11 +4,12 @@
 #define CGAL_REGION_SEGMENTATION_EXTRACT_FEATURE_LINES_H
 
 #include <CGAL/Region_segmentation/internal/regions/prune_feature_graph.h>
+#include <CGAL/Region_segmentation/internal/segmenting/Stage_input.h>
 #include <CGAL/Region_segmentation/parameters.h>
-#include <CGAL/Region_segmentation/read_flat_mesh.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/split_graph_into_polylines.h>
+#include <CGAL/tags.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
@@ -28,33 +29,31 @@ using Feature_line_parameters = Tag_list<CGAL::internal_np::minimum_length_t, CG
 
 /// The marked edges of a mesh, its borders, and the unmarked edges that are barriers for growing, with
 /// their vertices as a graph.
-template <typename Traversal, typename EdgeIsFeatureMap>
-auto make_feature_graph(const Traversal& traversal, const Flat_mesh& flat,
-                        const EdgeIsFeatureMap& edge_is_feature_map)
+template <typename FaceGraph, typename Pack, typename EdgeIsFeatureMap>
+auto make_feature_graph(const Stage_input<FaceGraph, Pack>& input, const EdgeIsFeatureMap& edge_is_feature_map)
 {
-  using FaceGraph = std::remove_cv_t<std::remove_reference_t<decltype(traversal.mesh())>>;
   constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
-  const FaceGraph& mesh = traversal.mesh();
+  const FaceGraph& mesh = input.mesh();
   Feature_graph<FaceGraph> graph;
-  std::vector<std::size_t> node_of(traversal.number_of_vertices(), none);
-  const auto node = [&](auto h) {
-    std::size_t& n = node_of[traversal.source_rank(h)];
-    return n == none ? n = add_vertex(source(h, mesh), graph) : n;
+  std::vector<std::size_t> node_of(input.surface().number_of_vertices(), none);
+  const auto node = [&](auto v) {
+    std::size_t& n = node_of[input.rank(v)];
+    return n == none ? n = add_vertex(v, graph) : n;
   };
   const auto add = [&](auto h, Feature_edge_role role) {
-    const std::size_t from = node(h), to = node(opposite(h, mesh));
+    const std::size_t from = node(source(h, mesh)), to = node(target(h, mesh));
     add_edge(from, to, {edge(h, mesh), role}, graph);
   };
 
   for (auto e : edges(mesh))
     if (CGAL::is_border(e, mesh))
       add(halfedge(e, mesh), Feature_edge_role::FIXED);
-  traversal.for_each_dual_edge([&](auto h, std::size_t dual_edge) {
-    if (flat.has_flag(dual_edge, Flat_mesh::CONSTRAINED))
+  input.for_each_adjacency([&](auto h, std::size_t a) {
+    if (input.constraints()[a])
       add(h, Feature_edge_role::FIXED);
     else if (get(edge_is_feature_map, edge(h, mesh)))
       add(h, Feature_edge_role::REMOVABLE);
-    else if (flat.has_flag(dual_edge, Flat_mesh::CLOSED))
+    else if (input.surface().has_flag(a, Surface::CLOSED))
       add(h, Feature_edge_role::BARRIER);
   });
   return graph;
@@ -150,9 +149,8 @@ std::size_t extract_feature_lines(const FaceGraph& mesh, EdgeIsFeatureMap edge_i
     choose_parameter(get_parameter(pack, CGAL::internal_np::minimum_length),
                      (std::numeric_limits<std::size_t>::max)());
 
-  const auto traversal = internal::make_mesh_traversal(mesh, pack);
-  const Flat_mesh flat = internal::read_flat_mesh<ConcurrencyTag>(traversal, pack, Mesh_data::NOTHING_MORE);
-  auto graph = internal::make_feature_graph(traversal, flat, edge_is_feature_map);
+  const internal::Stage_input input(mesh, pack, internal::make_execution<ConcurrencyTag>(pack));
+  auto graph = internal::make_feature_graph(input, edge_is_feature_map);
   internal::prune_feature_graph(graph, minimum_length);
   internal::remove_barriers(graph);
 

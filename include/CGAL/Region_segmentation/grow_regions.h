@@ -4,11 +4,12 @@
 #define CGAL_REGION_SEGMENTATION_GROW_REGIONS_H
 
 #include <CGAL/Region_segmentation/Partition.h>
-#include <CGAL/Region_segmentation/internal/reading/Degenerate_faces.h>
-#include <CGAL/Region_segmentation/internal/reading/write_maps.h>
-#include <CGAL/Region_segmentation/internal/regions/Region_grower.h>
-#include <CGAL/Region_segmentation/internal/support/visitor.h>
+#include <CGAL/Region_segmentation/face_values.h>
+#include <CGAL/Region_segmentation/internal/regions/grow.h>
+#include <CGAL/Region_segmentation/internal/segmenting/Stage_input.h>
 #include <CGAL/Region_segmentation/parameters.h>
+
+#include <CGAL/tags.h>
 
 #include <cstddef>
 #include <type_traits>
@@ -72,14 +73,20 @@ std::size_t grow_regions(const FaceGraph& mesh, EdgeIsFeatureMap edge_is_feature
 {
   const auto& pack = internal::pack(np);
   internal::check_parameters<std::decay_t<decltype(pack)>, internal::Reading_parameters>();
-  const auto traversal = internal::make_mesh_traversal(mesh, pack);
-  const internal::Degenerate_faces degenerate(traversal, pack, internal::make_execution<ConcurrencyTag>(pack, "reading"));
-  internal::Region_grower grower(traversal, degenerate, pack, edge_is_feature_map);
-  const Partition regions = grower.grow(internal::make_execution<ConcurrencyTag>(pack, "regions"));
+  static_assert(internal::check_edge_map<EdgeIsFeatureMap, FaceGraph>());
+  static_assert(internal::check_face_map<FaceRegionMap, FaceGraph>());
+  const Execution execution = internal::make_execution<ConcurrencyTag>(pack);
+  const internal::Stage_input input(mesh, pack, execution);
+  const Surface& surface = input.surface();
+  internal::Edge_marks is_feature(surface.number_of_adjacencies());
+  input.for_each_adjacency([&](auto h, std::size_t a) { is_feature[a] = bool(get(edge_is_feature_map, edge(h, mesh))); });
+  const Partition regions = internal::grow(surface, is_feature, input.constraints(), execution.stage("regions"));
 
-  internal::write_edge_map(mesh, edge_is_feature_map, false,
-                           [&](const auto& write) { grower.for_each_edge_between(regions, write); });
-  internal::write_face_map(traversal, region_map, regions);
+  input.write(edge_is_feature_map, [&](std::size_t a) {
+    const bool is_between = regions[surface.lower_face(a)] != regions[surface.higher_face(a)];
+    return input.constraints()[a] || (is_feature[a] && is_between);
+  });
+  write_face_values(mesh, regions, region_map);
   return regions.number_of_parts();
 }
 

@@ -7,8 +7,8 @@
 #include <CGAL/Region_segmentation/Graph/Merge_tree.h>
 #include <CGAL/Region_segmentation/Graph/Region_adjacency_graph.h>
 #include <CGAL/Region_segmentation/internal/concepts/check_merging.h>
-#include <CGAL/Region_segmentation/internal/graph/merge.h>
-#include <CGAL/Region_segmentation/internal/support/visitor.h>
+#include <CGAL/Region_segmentation/internal/graph/merge_graph.h>
+#include <CGAL/Region_segmentation/internal/support/make_execution.h>
 #include <CGAL/Region_segmentation/parameters.h>
 
 #include <cstddef>
@@ -82,9 +82,10 @@ Merge_tree merge_regions(Graph& graph, Policy&& policy, std::size_t number_of_se
                 "merging changes the policy: pass one that is not const, or a temporary copy");
   static_assert(internal::check_merging_policy<std::decay_t<Policy>, Graph>());
   static_assert(internal::check_stop_predicate<Stop, Graph>());
-  const auto ignore = [](const typename Graph::Merge&) {};
-  return internal::merge(graph, policy, number_of_segments, stop, ignore,
-                         internal::make_execution<CGAL::Sequential_tag>(pack, "merging"));
+  internal::Merger<Graph> merger(graph, Seeds(), number_of_segments,
+                                 internal::make_execution<CGAL::Sequential_tag>(pack).stage("merging"));
+  merger.run(policy, stop);
+  return merger.take_tree();
 }
 
 } // namespace Region_segmentation

@@ -13,13 +13,16 @@
 #include <CGAL/Named_function_parameters.h>
 
 #include <functional>
+#include <iterator>
 #include <type_traits>
+#include <utility>
 
 // The parameters that the package adds: tag type, name. (And merge_tree, an output that is not a map.)
 #define CGAL_REGION_SEGMENTATION_PARAMETERS(ADD)        \
   ADD(number_of_segments_t, number_of_segments)         \
   ADD(method_t, method)                                 \
   ADD(face_seed_map_t, face_seed_map)                   \
+  ADD(component_links_t, component_links)               \
   ADD(feature_convexity_t, feature_convexity)           \
   ADD(region_map_t, region_map)
 
@@ -128,7 +131,6 @@ inline Default_named_parameters default_values()
       std::ref(value));                                                                   \
   }
 #define CGAL_add_extra_named_parameter_with_compatibility(TAG, ENUMERATOR, NAME)
-#include <CGAL/STL_Extension/internal/parameters_interface.h>
 #undef CGAL_add_named_parameter
 #undef CGAL_add_named_parameter_with_compatibility
 #undef CGAL_add_named_parameter_with_compatibility_cref_only
@@ -175,6 +177,35 @@ CGAL::Named_function_parameters<bool, CGAL::internal_np::all_default_t> pack(con
   static_assert(!std::is_same<T, T>::value,
                 "this argument is a pack of named parameters: pass a method by parameters::method()");
   return {};
+}
+
+template <typename T, typename Tag, typename Base>
+std::true_type is_pack_of(const CGAL::Named_function_parameters<T, Tag, Base>&);
+std::false_type is_pack_of(...);
+
+/// Whether a type is a pack of named parameters.
+template <typename T>
+constexpr bool is_pack = decltype(is_pack_of(std::declval<const T&>()))::value;
+
+template <typename T, typename = void>
+struct Is_range : std::false_type
+{};
+template <typename T>
+struct Is_range<T, std::void_t<decltype(std::begin(std::declval<const T&>()), std::end(std::declval<const T&>()))>>
+  : std::true_type
+{};
+
+template <typename T>
+constexpr bool is_range = Is_range<T>::value;
+
+/// Distinguishes polygons, a range of ranges, from property maps and named parameters.
+template <typename T>
+constexpr bool is_polygon_range()
+{
+  if constexpr (is_range<T>)
+    return is_range<std::decay_t<decltype(*std::begin(std::declval<const T&>()))>>;
+  else
+    return false;
 }
 
 template <typename... Tags>

@@ -3,19 +3,16 @@
 #ifndef CGAL_REGION_SEGMENTATION_SEGMENT_H
 #define CGAL_REGION_SEGMENTATION_SEGMENT_H
 
-#include <CGAL/Region_segmentation/Graph/Merge_tree.h>
-#include <CGAL/Region_segmentation/internal/reading/Mesh_traversal.h>
-#include <CGAL/Region_segmentation/internal/reading/write_maps.h>
-#include <CGAL/Region_segmentation/internal/segmenting/Prepared_mesh.h>
-#include <CGAL/Region_segmentation/internal/segmenting/prepare.h>
-#include <CGAL/Region_segmentation/internal/support/options.h>
+#include <CGAL/Region_segmentation/internal/segmenting/Face_graph_input.h>
+#include <CGAL/Region_segmentation/internal/segmenting/Polygon_input.h>
+#include <CGAL/Region_segmentation/internal/segmenting/run_method.h>
+#include <CGAL/Region_segmentation/internal/support/make_execution.h>
 #include <CGAL/Region_segmentation/parameters.h>
 
 #include <CGAL/tags.h>
 
 #include <cstddef>
 #include <type_traits>
-#include <utility>
 
 namespace CGAL {
 namespace Region_segmentation {
@@ -30,7 +27,8 @@ namespace Region_segmentation {
 /// \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam FaceSegmentMap a model of `WritablePropertyMap` with the face descriptor as key and an
 ///         integral value type that holds the number of segments
-/// \param mesh an oriented 2-manifold with or without boundary, its faces polygons of any size
+/// \param mesh its faces are polygons of any size. Border edges that coincide are joined, and components are linked, unless
+///             `component_links` is `false`
 /// \param segment_map every key is written: ids 0 .. n-1, numbered by the first face
 /// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
 ///
@@ -38,7 +36,7 @@ namespace Region_segmentation {
 ///   \cgalParamNBegin{number_of_segments}
 ///     \cgalParamDescription{the wanted number k of segments}
 ///     \cgalParamType{an integral type; at least 1}
-///     \cgalParamDefault{chosen by the method, if it has a `NumberChooser`}
+///     \cgalParamDefault{chosen by the method, unless its order of merges depends on it}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{method}
 ///     \cgalParamDescription{how the mesh is segmented; constants are members of its parts}
@@ -59,8 +57,15 @@ namespace Region_segmentation {
 ///     \cgalParamType{a model of `ReadablePropertyMap` with the face descriptor as key type and an integral value type}
 ///     \cgalParamDefault{no seeds}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{component_links}
+///     \cgalParamDescription{whether components that touch or are near each other are adjacent, see `Surface`: k counts
+///       parts then, otherwise every component is a segment at least}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`true`}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{follows the progress, and can cancel: stages "reading", "regions", "graph", "merging"}
+///     \cgalParamDescription{follows the progress, and can cancel: stages "reading", "regions", "rays", "graph", "merging",
+///       "borders", as far as the method has them}
 ///     \cgalParamType{a model of `SegmentationVisitor`}
 ///     \cgalParamDefault{none}
 ///     \cgalParamExtra{pass it by `std::ref()` if it changes}
@@ -82,9 +87,9 @@ namespace Region_segmentation {
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \returns the number n of segments. It is more than k if the mesh has more connected components (or components
-///          between constrained edges, or seeds) than k, or if a user-defined policy ends before or its cost bars sections,
-///          and less if there are fewer first regions, which the method cannot split
+/// \returns the number n of segments. It is more than k if constraints or seeds keep more apart, or components without links, or
+///          if a user-defined policy ends before or its cost bars sections, and less if there are fewer first regions, which
+///          the method cannot split
 ///
 /// \pre `number_of_segments` is at least 1; with the checks of \cgal disabled, another number gives an unspecified number of
 ///      segments
@@ -98,32 +103,18 @@ namespace Region_segmentation {
 /// `Two_step`.
 /// Deterministic: identical results from every mesh type. Concurrent calls on different maps are safe.
 /// For several numbers of segments, or when constraints and seeds change, use a `Segmenter`.
-///
-/// Source: \cgalCite{YZWLL14}.
 template <typename ConcurrencyTag = CGAL::Sequential_tag, typename FaceGraph, typename FaceSegmentMap,
           typename NamedParameters = parameters::Default_named_parameters,
-          std::enable_if_t<!std::is_arithmetic<NamedParameters>::value, int> = 0>
+          std::enable_if_t<internal::is_pack<NamedParameters>, int> = 0>
 std::size_t segment(const FaceGraph& mesh, FaceSegmentMap segment_map,
                     const NamedParameters& np = parameters::default_values())
 {
+  static_assert(internal::check_face_map<FaceSegmentMap, FaceGraph>());
   const auto& pack = internal::pack(np);
-  using Pack = std::decay_t<decltype(pack)>;
-  using Method = internal::Method_of_pack<Pack>;
-  internal::check_parameters<Pack, internal::Segmenting_parameters>();
-  static_assert(internal::has_number_of_segments<Pack> || internal::has_chooser<Method>(),
-                "segment() with this method needs the named parameter number_of_segments");
-
-  const auto traversal = internal::make_mesh_traversal(mesh, pack);
-  auto prepared = internal::prepare<Method, ConcurrencyTag>(traversal, internal::preparation_of_pack<Pack>(), pack);
-  Merge_tree tree;
-  const internal::Segments segments =
-    prepared.take_segments(prepared.number_of_segments(), internal::has_merge_tree<Pack> ? &tree : nullptr, pack);
-
-  segments.visit([&](const auto& labels) { internal::write_face_map(traversal, segment_map, labels); });
-  internal::write_regions(mesh, prepared.regions(), pack);
-  if constexpr (internal::has_merge_tree<Pack>)
-    internal::merge_tree_of(pack) = std::move(tree);
-  return segments.number();
+  internal::check_parameters<std::decay_t<decltype(pack)>, internal::Segmenting_parameters>();
+  const Execution execution = internal::make_execution<ConcurrencyTag>(pack);
+  const internal::Face_graph_input<FaceGraph> input(mesh);
+  return internal::run_method(input, input.surface(pack, execution), segment_map, pack, execution);
 }
 
 /// \ingroup PkgRegionSegmentationMain
@@ -142,6 +133,32 @@ std::size_t segment(const FaceGraph& mesh, FaceSegmentMap segment_map, Number nu
   static_assert(!internal::has_number_of_segments<Pack>, "the number of segments is given twice");
   return segment<ConcurrencyTag>(
     mesh, segment_map, Named_parameters<Number, internal_np::number_of_segments_t, Pack>(number_of_segments, pack));
+}
+
+/// \ingroup PkgRegionSegmentationMain
+/// segments points and polygons: a *polygon soup*. Nothing needs to be manifold, oriented, connected or free of duplicates; see
+/// `make_surface()` for what is adjacent.
+///
+/// As for a mesh, but
+/// \param points a range of points, see `make_surface()`
+/// \param polygons a range of ranges of indices of points
+/// \param segment_map a random access range, or a model of `WritablePropertyMap`, with the index of a polygon as key; every
+///        polygon gets a segment, a degenerate one that of a neighbor
+/// \param np `edge_is_constrained_map` is a range of pairs of indices of points, `face_seed_map` and `region_map` are
+///        random access ranges or property maps with the index of a polygon as key
+///
+/// \throws Invalid_input if a polygon has no corner or one that is not a point, or a point of a polygon is not finite
+template <typename ConcurrencyTag = CGAL::Sequential_tag, typename PointRange, typename PolygonRange,
+          typename PolygonSegmentMap, typename NamedParameters = parameters::Default_named_parameters,
+          std::enable_if_t<internal::is_polygon_range<PolygonRange>() && internal::is_pack<NamedParameters>, int> = 0>
+std::size_t segment(const PointRange& points, const PolygonRange& polygons, PolygonSegmentMap&& segment_map,
+                    const NamedParameters& np = parameters::default_values())
+{
+  const auto& pack = internal::pack(np);
+  internal::check_parameters<std::decay_t<decltype(pack)>, internal::Segmenting_parameters>();
+  const Execution execution = internal::make_execution<ConcurrencyTag>(pack);
+  const Surface surface = internal::make_surface(points, polygons, pack, execution);
+  return internal::run_method(internal::Polygon_input(surface.number_of_faces()), surface, segment_map, pack, execution);
 }
 
 } // namespace Region_segmentation

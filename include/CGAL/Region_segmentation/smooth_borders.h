@@ -4,16 +4,17 @@
 #define CGAL_REGION_SEGMENTATION_SMOOTH_BORDERS_H
 
 #include <CGAL/Region_segmentation/Execution.h>
-#include <CGAL/Region_segmentation/Flat_mesh.h>
+#include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/internal/cuts/Border_smoothing.h>
+#include <CGAL/Region_segmentation/internal/regions/border_costs.h>
 #include <CGAL/Region_segmentation/internal/regions/connected_pieces.h>
+#include <CGAL/Region_segmentation/internal/segmenting/Stage_input.h>
 #include <CGAL/Region_segmentation/internal/support/read_face_labels.h>
-#include <CGAL/Region_segmentation/internal/support/visitor.h>
 #include <CGAL/Region_segmentation/parameters.h>
-#include <CGAL/Region_segmentation/read_flat_mesh.h>
 
 #include <CGAL/assertions.h>
+#include <CGAL/number_type_config.h>
 #include <CGAL/tags.h>
 
 #include <boost/property_map/property_map.hpp>
@@ -47,47 +48,38 @@ namespace Region_segmentation {
 /// Deterministic: capacities are integers, so the result for a pair does not depend on the order of faces.
 ///
 /// Source: minimum cuts in a fuzzy band \cgalCite{KT03}; the flow \cgalCite{BK04}.
-class Minimum_cut_borders
+struct Minimum_cut_borders
 {
-public:
-  static constexpr Mesh_data required_mesh_data = Mesh_data::CENTROIDS | Mesh_data::SURFACE_AREA;
-
-  /// `width` (D_0, in units of the square root of the area of the surface): the width of the band on each side;
-  /// `width_of_segment` (q): at most this part of the square root of the area of the smaller segment;
-  /// `concave_gain` (g, 1/radian): how much cheaper a cut along concave edges is.
-  /// \pre all are at least 0
-  explicit Minimum_cut_borders(double width = 0.03, double width_of_segment = 0.2,
-                               double concave_gain = 10)
-    : m_width(width), m_width_of_segment(width_of_segment), m_concave_gain(concave_gain)
-  {
-    CGAL_precondition(width >= 0 && width_of_segment >= 0 && concave_gain >= 0);
-  }
+  double width = 0.03;           ///< D_0, at least 0, in units of the square root of the area of the surface
+  double width_of_segment = 0.2; ///< q, at least 0: at most this part of the square root of the area of the smaller segment
+  Border_cost cost = {Border_cost().concave_gain, CGAL_PI}; ///< of each edge
 
   /// Changes labels of faces; returns the number of changed faces.
   /// \pre there is a label for every face
-  std::size_t operator()(const Flat_mesh& mesh, std::vector<Flat_mesh::Index>& label_of_face,
-                         const Execution<>& execution = Execution<>()) const
+  std::size_t operator()(const Surface& surface, std::vector<Surface::Index>& label_of_face,
+                         const Constraints& constraints = Constraints(), const Execution& execution = Execution()) const
   {
-    CGAL_precondition(label_of_face.size() == mesh.number_of_faces());
-    const double area = mesh.surface_area();
+    CGAL_precondition_msg(width >= 0 && width_of_segment >= 0, "Minimum_cut_borders: constants are at least 0");
+    CGAL_precondition(label_of_face.size() == surface.number_of_faces());
+    const double area = surface.area();
     if (area == 0)
       return 0;
-    const Partition pieces = internal::connected_pieces(mesh, label_of_face);
-    std::vector<Flat_mesh::Index> label_of_piece(pieces.number_of_parts());
+    const Partition pieces = internal::connected_pieces(surface, label_of_face, constraints);
+    std::vector<Surface::Index> label_of_piece(pieces.number_of_parts());
     std::vector<double> sizes(pieces.number_of_parts()); // square roots of the relative areas
-    for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
+    for (std::size_t f = 0; f < surface.number_of_faces(); ++f) {
       label_of_piece[pieces[f]] = label_of_face[f];
-      sizes[pieces[f]] += mesh.area(f) / area;
+      sizes[pieces[f]] += surface.area(f) / area;
     }
     for (double& size : sizes)
       size = std::sqrt(size);
 
-    std::vector<Flat_mesh::Index> piece_of_face(pieces.begin(), pieces.end());
-    move_borders(mesh, std::sqrt(area), sizes, label_of_piece, piece_of_face, execution);
+    std::vector<Surface::Index> piece_of_face(pieces.begin(), pieces.end());
+    move_borders(surface, constraints, sizes, label_of_piece, piece_of_face, execution);
 
     std::size_t changed = 0;
-    for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
-      const Flat_mesh::Index label = label_of_piece[piece_of_face[f]];
+    for (std::size_t f = 0; f < surface.number_of_faces(); ++f) {
+      const Surface::Index label = label_of_piece[piece_of_face[f]];
       changed += label != label_of_face[f];
       label_of_face[f] = label;
     }
@@ -95,28 +87,29 @@ public:
   }
 
 private:
-  void move_borders(const Flat_mesh& mesh, double unit, const std::vector<double>& sizes,
-                    const std::vector<Flat_mesh::Index>& label_of_piece, std::vector<Flat_mesh::Index>& piece_of_face,
-                    const Execution<>& execution) const
+  void move_borders(const Surface& surface, const Constraints& constraints, const std::vector<double>& sizes,
+                    const std::vector<Surface::Index>& label_of_piece, std::vector<Surface::Index>& piece_of_face,
+                    const Execution& execution) const
   {
-    const internal::Dual_graph costs(mesh, [&](std::size_t f, std::size_t e) {
-      const double concavity = mesh.has_flag(e, Flat_mesh::CONCAVE) ? mesh.deviation(f, e) : 0;
-      return (std::min)(mesh.length(e) / unit / (1 + m_concave_gain * concavity), longest);
-    });
-    const auto distance = [&](Flat_mesh::Index f, Flat_mesh::Index g) {
-      return norm(mesh.centroid(f) - mesh.centroid(g)) / unit;
+    const double unit = surface.length_unit();
+    const internal::Dual_graph costs(
+      surface, [&](std::size_t a) { return !constraints[a]; },
+      [&](std::size_t a) {
+        const double concavity = surface.has_flag(a, Surface::CONCAVE) ? surface.deviation(a) : 0;
+        return (std::min)(cost(surface.length(a) / unit, concavity), longest);
+      });
+    const auto distance = [&](Surface::Index f, Surface::Index g) {
+      return norm(surface.centroid(f) - surface.centroid(g)) / unit;
     };
-    internal::Border_smoothing(mesh, costs, distance, piece_of_face, label_of_piece)
+    internal::Border_smoothing(surface, constraints, costs, distance, piece_of_face, label_of_piece)
       .run(
-        [&](Flat_mesh::Index a, Flat_mesh::Index b) {
-          return (std::min)(m_width, m_width_of_segment * (std::min)(sizes[a], sizes[b]));
+        [&](Surface::Index a, Surface::Index b) {
+          return (std::min)(width, width_of_segment * (std::min)(sizes[a], sizes[b]));
         },
         execution);
   }
 
   static constexpr double longest = 1e30; // relative; limits the lengths of extreme needles to the range of float
-
-  double m_width, m_width_of_segment, m_concave_gain;
 };
 
 /// \ingroup PkgRegionSegmentationStages
@@ -175,17 +168,17 @@ std::size_t smooth_borders(const FaceGraph& mesh, FaceSegmentMap segment_map,
   using Label = typename boost::property_traits<FaceSegmentMap>::value_type;
   const auto& pack = internal::pack(np);
   internal::check_parameters<std::decay_t<decltype(pack)>, internal::Reading_parameters>();
-  const auto traversal = internal::make_mesh_traversal(mesh, pack);
-  const Flat_mesh flat = internal::read_flat_mesh<ConcurrencyTag>(traversal, pack, Minimum_cut_borders::required_mesh_data);
+  const Execution execution = internal::make_execution<ConcurrencyTag>(pack);
+  const internal::Stage_input input(mesh, pack, execution);
   const Partition before = internal::read_face_labels(mesh, segment_map);
   std::vector<Label> labels(before.number_of_parts());
   std::size_t i = 0;
   for (auto f : faces(mesh))
     labels[before[i++]] = get(segment_map, f);
 
-  std::vector<Flat_mesh::Index> after(before.begin(), before.end());
+  std::vector<Surface::Index> after(before.begin(), before.end());
   const std::size_t changed =
-    smoother(flat, after, internal::make_execution<CGAL::Sequential_tag>(pack, "borders"));
+    smoother(input.surface(), after, input.constraints(), execution.stage("borders"));
   i = 0;
   for (auto f : faces(mesh)) {
     if (after[i] != before[i])

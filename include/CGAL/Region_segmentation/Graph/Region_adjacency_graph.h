@@ -5,7 +5,6 @@
 
 #include <CGAL/Region_segmentation/Graph/Section_descriptor.h>
 #include <CGAL/Region_segmentation/Graph/geometry_data.h>
-#include <CGAL/Region_segmentation/internal/concepts/check_inherited_data.h>
 #include <CGAL/Region_segmentation/internal/graph/region_graph_iterators.h>
 #include <CGAL/Region_segmentation/internal/support/Large_array.h>
 #include <CGAL/Region_segmentation/internal/graph/Section_lists.h>
@@ -188,7 +187,6 @@ public:
   /// \pre the section exists and is mergeable
   Merge merge(section_descriptor s)
   {
-    static_assert(internal::check_inherited_absorb<RegionData, SectionData>());
     CGAL_precondition_msg(!is_removed(s) && is_mergeable(s),
                           "a section that is removed or not mergeable is not merged across");
     const Merge result{(std::min)(source(s), target(s)), (std::max)(source(s), target(s))};

@@ -3,7 +3,7 @@
 #ifndef CGAL_REGION_SEGMENTATION_GRAPH_GEOMETRY_DATA_H
 #define CGAL_REGION_SEGMENTATION_GRAPH_GEOMETRY_DATA_H
 
-#include <CGAL/Region_segmentation/Flat_mesh.h>
+#include <CGAL/Region_segmentation/Surface.h>
 
 #include <CGAL/number_type_config.h>
 
@@ -16,31 +16,41 @@ namespace Region_segmentation {
 /// Length and mean dihedral angle of a section. A model of `SectionData`.
 ///
 /// User-defined data derives from it, or has the same member functions. A type that derives from it and has members of its
-/// own declares its own `add_edge()` and `absorb()`, which call those of this class: inherited ones do not know the members,
-/// and do not compile.
+/// own declares its own `add_adjacency()` and `absorb()`, which call those of this class: inherited ones do not know the members.
 struct Section_geometry
 {
-  double length = 0;               ///< in units of `Flat_mesh::unit()`
-  double sum_of_angles = 0;        ///< of the dihedral angle theta over the edges, in radians
-  std::size_t number_of_edges = 0; ///< mesh edges
+  double length = 0;                     ///< in units of `Surface::unit()`
+  double link_length = 0;                ///< of the links among them
+  double sum_of_angles = 0;              ///< of the dihedral angle theta, in radians; pi for a link
+  std::size_t number_of_adjacencies = 0; ///< edges, seams and links
+  std::size_t number_of_links = 0;
 
-  /// The plain mean of theta over the edges, in radians, in [0, pi].
-  double mean_angle() const { return sum_of_angles / double(number_of_edges); }
+  /// The plain mean of theta, in radians, in [0, pi].
+  double mean_angle() const { return sum_of_angles / double(number_of_adjacencies); }
+  /// Whether the two regions are adjacent across links alone.
+  bool has_links_alone() const { return number_of_links == number_of_adjacencies; }
 
-  /// Accounts for a dual edge of the mesh. An edge of a degenerate face counts with theta = pi.
-  void add_edge(const Flat_mesh& mesh, std::size_t lower_face, std::size_t edge)
+  /// Accounts for an adjacency. One without an angle counts with theta = pi.
+  void add_adjacency(const Surface& surface, std::size_t adjacency)
   {
-    length += mesh.length(edge);
-    sum_of_angles += CGAL_PI - mesh.deviation(lower_face, edge);
-    ++number_of_edges;
+    const double l = surface.length(adjacency);
+    length += l;
+    sum_of_angles += CGAL_PI - surface.deviation(adjacency);
+    ++number_of_adjacencies;
+    if (surface.has_flag(adjacency, Surface::LINK)) {
+      link_length += l;
+      ++number_of_links;
+    }
   }
 
   /// Adds another section between the same two regions.
   void absorb(const Section_geometry& other)
   {
     length += other.length;
+    link_length += other.link_length;
     sum_of_angles += other.sum_of_angles;
-    number_of_edges += other.number_of_edges;
+    number_of_adjacencies += other.number_of_adjacencies;
+    number_of_links += other.number_of_links;
   }
 };
 
@@ -52,16 +62,17 @@ struct Section_geometry
 /// an annotator fills them.
 struct Region_geometry
 {
-  double area = 0;      ///< in squared units of `Flat_mesh::unit()`
-  double perimeter = 0; ///< length of the edges shared with other regions, in units of `Flat_mesh::unit()`
+  double area = 0;      ///< in squared units of `Surface::unit()`
+  double perimeter = 0; ///< length of the edges and seams shared with other regions, in units of `Surface::unit()`
 
   /// Accounts for a face of the region.
-  void add_face(const Flat_mesh& mesh, std::size_t face) { area += mesh.area(face); }
+  void add_face(const Surface& mesh, std::size_t face) { area += mesh.area(face); }
 
-  /// Accounts for a dual edge between the region and another one.
-  void add_border_edge(const Flat_mesh& mesh, std::size_t /* lower_face */, std::size_t edge)
+  /// Accounts for an adjacency of the region and another one.
+  void add_border(const Surface& surface, std::size_t adjacency)
   {
-    perimeter += mesh.length(edge);
+    if (!surface.has_flag(adjacency, Surface::LINK))
+      perimeter += surface.length(adjacency);
   }
 
   /// Adds the region on the other side of the section `between`.
@@ -69,7 +80,7 @@ struct Region_geometry
   void absorb(const Region_geometry& other, const SectionData& between)
   {
     area += other.area;
-    perimeter += other.perimeter - 2 * between.length;
+    perimeter += other.perimeter - 2 * (between.length - between.link_length);
   }
 };
 

@@ -5,12 +5,11 @@
 
 #include <CGAL/Region_segmentation/Double_3.h>
 #include <CGAL/Region_segmentation/Execution.h>
-#include <CGAL/Region_segmentation/Flat_mesh.h>
+#include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/Methods/Learned_data.h>
 #include <CGAL/Region_segmentation/Methods/Visibility_annotator.h>
 #include <CGAL/Region_segmentation/Partition.h>
 
-#include <CGAL/tags.h>
 
 #include <cstddef>
 
@@ -34,29 +33,20 @@ namespace Region_segmentation {
 /// Complexity: that of `Visibility_annotator`, and O(F + S). Deterministic.
 class Learned_annotator : public Visibility_annotator
 {
-  using Index = Flat_mesh::Index;
+  using Index = Surface::Index;
 
 public:
   using RegionData = Learned_region_data;
   using SectionData = Learned_section_data;
 
-  template <typename Graph, typename ConcurrencyTag = CGAL::Sequential_tag>
-  void operator()(Graph& graph, const Flat_mesh& mesh, const Partition& regions,
-                  const Execution<ConcurrencyTag>& execution = Execution<ConcurrencyTag>()) const
+  /// `rays`: of the regions
+  template <typename Graph>
+  void operator()(Graph& graph, const Surface& surface, const Partition& regions, const Region_rays& rays) const
   {
-    Cache cache;
-    (*this)(graph, mesh, regions, execution, cache);
-  }
-
-  /// As above, with the data cached by an earlier call with the same mesh.
-  template <typename Graph, typename ConcurrencyTag>
-  void operator()(Graph& graph, const Flat_mesh& mesh, const Partition& regions,
-                  const Execution<ConcurrencyTag>& execution, Cache& cache) const
-  {
-    Visibility_annotator::operator()(graph, mesh, regions, execution, cache);
-    if (mesh.surface_area() == 0)
+    Visibility_annotator::operator()(graph, surface, regions, rays);
+    if (surface.area() == 0)
       return;
-    set_shapes(graph, mesh, regions);
+    set_shapes(graph, surface, regions);
     set_thickness_and_visibility(graph);
   }
 
@@ -65,13 +55,13 @@ private:
   static constexpr double variance_of_triangle = 0.096225044864937627;
 
   template <typename Graph>
-  static void set_shapes(Graph& graph, const Flat_mesh& mesh, const Partition& regions)
+  static void set_shapes(Graph& graph, const Surface& mesh, const Partition& regions)
   {
     for (auto range = vertices(graph); range.first != range.second; ++range.first) {
       graph[*range.first].area_vector = {0, 0, 0};
       graph[*range.first].moments = internal::Second_moments();
     }
-    const double per_area = 1 / mesh.surface_area(), per_length = 1 / mesh.relative_unit();
+    const double per_area = 1 / mesh.area(), per_length = 1 / mesh.length_unit();
     const Double_3 origin = mesh.centroid(0); // avoids cancellation far from the origin
     for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
       Learned_region_data& region = graph[Index(regions[f])];

@@ -4,7 +4,7 @@
 #define CGAL_REGION_SEGMENTATION_METHODS_LEARNED_DATA_H
 
 #include <CGAL/Region_segmentation/Double_3.h>
-#include <CGAL/Region_segmentation/Flat_mesh.h>
+#include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/Methods/Visibility_data.h>
 #include <CGAL/Region_segmentation/internal/support/Second_moments.h>
 
@@ -25,7 +25,6 @@ struct Learned_section_data : Visibility_section_data
 {
   /// The annotator that fills these data.
   using GraphAnnotator = Learned_annotator;
-  static constexpr Mesh_data required_mesh_data = Mesh_data::SURFACE_AREA | Mesh_data::CENTROIDS;
 
   /// \name Bounds of the deviation, in radians
   /// @{
@@ -40,12 +39,12 @@ struct Learned_section_data : Visibility_section_data
   internal::Second_moments moments;   ///< of the edges, each at the mean of the centroids of its faces
 
   /// Accounts for a dual edge of the mesh.
-  void add_edge(const Flat_mesh& mesh, std::size_t lower_face, std::size_t edge)
+  void add_adjacency(const Surface& mesh, std::size_t a)
   {
-    const double unit = mesh.relative_unit(), l = mesh.length(edge) / unit;
-    const double deviation = signed_deviation(mesh, lower_face, edge);
+    const double unit = mesh.length_unit(), l = mesh.length(a) / unit;
+    const double deviation = signed_deviation(mesh, a);
     add(l, deviation);
-    const Double_3 center = 0.5 * (mesh.centroid(lower_face) + mesh.centroid(mesh.higher_face(edge)));
+    const Double_3 center = 0.5 * (mesh.centroid(mesh.lower_face(a)) + mesh.centroid(mesh.higher_face(a)));
     moments.add(l, (1 / unit) * (center - mesh.centroid(0)));
     squared_deviation += l * deviation * std::abs(deviation);
     if (deviation > weakly_concave)

@@ -10,8 +10,7 @@
 #include <CGAL/Region_segmentation/Methods/Merge_features.h>
 #include <CGAL/Region_segmentation/Methods/Number_from_expected_costs.h>
 #include <CGAL/Region_segmentation/Methods/Policy_sequence.h>
-#include <CGAL/Region_segmentation/Methods/Segmentation_method.h>
-#include <CGAL/Region_segmentation/Methods/Superfacets.h>
+#include <CGAL/Region_segmentation/Methods/Superfacet_merging.h>
 #include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
 #include <CGAL/Region_segmentation/internal/model/learned_merge_model.h>
 
@@ -33,7 +32,6 @@ class Learned_policy
 public:
   using RegionData = Learned_region_data;
   using SectionData = Learned_section_data;
-  using MergeCost = Expected_merge_cost; ///< the unit of the costs from `few` regions on
 
   /// `few`: the number of regions from which on the learned model merges. `model` must exist as long as the policy.
   Learned_policy(const Merge_features::Model& model, std::size_t few)
@@ -44,12 +42,8 @@ public:
 };
 
 /// \ingroup PkgRegionSegmentationMethods
-/// The default method: `Superfacets`, annotated by `Learned_annotator`, merged by `Learned_policy`. A model of `SegmentationMethod`.
-///
-/// The order of merges does not depend on the wanted number: one tree gives every segmentation, and
-/// `Number_from_expected_costs` chooses a number where none is given.
-struct Learned_merging
-  : Segmentation_method<Superfacets, Learned_annotator, Learned_policy, Number_from_expected_costs<Expected_merge_cost>>
+/// The default method: superfacets, annotated by `Learned_annotator`, merged by `Learned_policy`. A model of `SegmentationMethod`.
+struct Learned_merging : Superfacet_merging<Learned_annotator, Learned_policy, Number_from_expected_costs>
 {
   /// The number of regions from which on the learned model merges: the model was trained for it. The largest number that
   /// is chosen.
@@ -57,8 +51,7 @@ struct Learned_merging
 
   /// `model`: another one than that of the package; it must exist as long as the method
   explicit Learned_merging(const Merge_features::Model& model = internal::learned_merge_model)
-    : Segmentation_method{Superfacets(), Learned_annotator(), Learned_policy(model, few),
-                          Number_from_expected_costs<Expected_merge_cost>(few)}
+    : Superfacet_merging{Learned_annotator(), Learned_policy(model, few), Number_from_expected_costs(few)}
   {}
 };
 

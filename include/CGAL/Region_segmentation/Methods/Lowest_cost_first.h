@@ -5,7 +5,7 @@
 
 #include <CGAL/Region_segmentation/Graph/Merge_candidate.h>
 #include <CGAL/Region_segmentation/internal/concepts/check_merging.h>
-#include <CGAL/Region_segmentation/internal/support/named_data.h>
+#include <CGAL/Region_segmentation/internal/concepts/check_graph_data.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -41,8 +41,6 @@ template <typename Cost>
 class Lowest_cost_first : public internal::Data_named_by<Cost>
 {
 public:
-  using MergeCost = Cost; ///< the cost that defines the units of merges
-
   /// Regions of more sections are hubs; a graph of at most as many regions has none.
   static constexpr std::size_t hub_degree = 1024;
 

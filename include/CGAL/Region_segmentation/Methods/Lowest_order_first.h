@@ -6,7 +6,7 @@
 #include <CGAL/Region_segmentation/Graph/Merge_candidate.h>
 #include <CGAL/Region_segmentation/Methods/Lowest_cost_first.h>
 #include <CGAL/Region_segmentation/internal/concepts/check_merging.h>
-#include <CGAL/Region_segmentation/internal/support/named_data.h>
+#include <CGAL/Region_segmentation/internal/concepts/check_graph_data.h>
 
 #include <optional>
 #include <utility>
@@ -28,8 +28,6 @@ template <typename Order, typename Cost>
 class Lowest_order_first : public internal::Data_named_by<Cost>
 {
 public:
-  using MergeCost = Cost; ///< the cost that defines the units of merges
-
   explicit Lowest_order_first(Order order = Order(), Cost cost = Cost())
     : m_policy(std::move(order)), m_cost(std::move(cost))
   {}

@@ -4,6 +4,7 @@
 #define CGAL_REGION_SEGMENTATION_METHODS_NUMBER_BELOW_COST_H
 
 #include <CGAL/Region_segmentation/Graph/Merge_tree.h>
+#include <CGAL/Region_segmentation/Surface.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -16,16 +17,11 @@ namespace Region_segmentation {
 /// costs that mean the same on every mesh, such as `Smoothness_cost`.
 ///
 /// Complexity: O(R).
-///
-/// \tparam Cost the cost that defines the units of the bound: a method that merges by another one does not compile
-template <typename Cost>
 struct Number_below_cost
 {
-  using MergeCost = Cost;
-
   double bound; ///< in the units of the costs
 
-  std::size_t operator()(const Merge_tree& tree) const
+  std::size_t operator()(const Merge_tree& tree, const Surface&) const
   {
     const auto above = std::find_if(tree.merges().begin(), tree.merges().end(),
                                     [this](const Merge_tree::Merge& merge) { return merge.cost > bound; });

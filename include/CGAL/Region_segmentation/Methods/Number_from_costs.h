@@ -3,7 +3,7 @@
 #ifndef CGAL_REGION_SEGMENTATION_METHODS_NUMBER_FROM_COSTS_H
 #define CGAL_REGION_SEGMENTATION_METHODS_NUMBER_FROM_COSTS_H
 
-#include <CGAL/Region_segmentation/Flat_mesh.h>
+#include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/Graph/Merge_tree.h>
 #include <CGAL/Region_segmentation/Methods/Number_range.h>
 
@@ -24,14 +24,9 @@ namespace Region_segmentation {
 /// \f$c_2 .. c_k\f$ are above the mean of \f$c\f$ and `level`, less the logarithm of `granularity`; within `Number_range`.
 ///
 /// Complexity: O(m), m the larger of `maximum_number` and the number of connected pieces.
-///
-/// \tparam Cost the cost that defines the units of the level: a method that merges by another one does not compile
-template <typename Cost>
 class Number_from_costs : public Number_range
 {
 public:
-  using MergeCost = Cost;
-
   double level; ///< in the units of the costs
   /// How much finer, more than 0: its logarithm is taken from the bound, so costs count as if that factor larger. 1 as fits the
   /// method, 2 finer, 0.5 coarser. The number never falls when it rises.
@@ -59,7 +54,7 @@ public:
   }
 
   /// As above, but the number of connected components if they are convex.
-  std::size_t operator()(const Merge_tree& tree, const Flat_mesh& mesh) const
+  std::size_t operator()(const Merge_tree& tree, const Surface& mesh) const
   {
     return choose(*this, tree, mesh);
   }

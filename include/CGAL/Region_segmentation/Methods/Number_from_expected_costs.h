@@ -3,7 +3,7 @@
 #ifndef CGAL_REGION_SEGMENTATION_METHODS_NUMBER_FROM_EXPECTED_COSTS_H
 #define CGAL_REGION_SEGMENTATION_METHODS_NUMBER_FROM_EXPECTED_COSTS_H
 
-#include <CGAL/Region_segmentation/Flat_mesh.h>
+#include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/Graph/Merge_tree.h>
 #include <CGAL/Region_segmentation/Methods/Number_range.h>
 
@@ -22,14 +22,9 @@ namespace Region_segmentation {
 /// The number is within `Number_range`. It is the largest of several.
 ///
 /// Complexity: O(m), m the larger of `maximum_number` and the number of connected components.
-///
-/// \tparam Cost the cost in whose units the sums are: a method that merges by another one does not compile
-template <typename Cost>
 class Number_from_expected_costs : public Number_range
 {
 public:
-  using MergeCost = Cost;
-
   /// How much finer, more than 0: the factor by which costs above 0, of merges that do not pay, are multiplied. 1 as fits the
   /// method, 2 finer, 0.5 coarser. The number never falls when it rises.
   double granularity = 1;
@@ -39,7 +34,7 @@ public:
   std::size_t operator()(const Merge_tree& tree) const { return number(tree.merges(), tree.number_of_regions()); }
 
   /// As above, but the number of connected components if they are convex.
-  std::size_t operator()(const Merge_tree& tree, const Flat_mesh& mesh) const
+  std::size_t operator()(const Merge_tree& tree, const Surface& mesh) const
   {
     return choose(*this, tree, mesh);
   }

@@ -3,8 +3,9 @@
 #ifndef CGAL_REGION_SEGMENTATION_METHODS_NUMBER_RANGE_H
 #define CGAL_REGION_SEGMENTATION_METHODS_NUMBER_RANGE_H
 
-#include <CGAL/Region_segmentation/Flat_mesh.h>
+#include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/Graph/Merge_tree.h>
+#include <CGAL/Region_segmentation/internal/regions/find_crumbs.h>
 #include <CGAL/Region_segmentation/internal/regions/is_convex.h>
 
 #include <algorithm>
@@ -45,9 +46,11 @@ protected:
 
   /// The number of components if they are convex, else what the chooser takes.
   template <typename NumberChooser>
-  static std::size_t choose(const NumberChooser& chooser, const Merge_tree& tree, const Flat_mesh& mesh)
+  static std::size_t choose(const NumberChooser& chooser, const Merge_tree& tree, const Surface& mesh)
   {
-    return internal::is_convex(mesh) ? tree.number_of_regions() - tree.merges().size() : chooser(tree);
+    if (!internal::is_convex(mesh))
+      return chooser(tree);
+    return mesh.has_seams_or_links() ? internal::Bodies(mesh).number() : tree.number_of_regions() - tree.merges().size();
   }
 };
 

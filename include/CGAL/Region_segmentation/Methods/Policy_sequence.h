@@ -35,32 +35,16 @@ struct Switch_at_count
   bool operator()(std::size_t number_of_regions) const { return number_of_regions <= count; }
 };
 
-namespace internal {
-
-template <typename First, typename Second, typename = void>
-struct Common_merge_cost
-{};
-template <typename First, typename Second>
-struct Common_merge_cost<
-  First, Second,
-  std::enable_if_t<std::is_same<typename First::MergeCost, typename Second::MergeCost>::value>>
-{
-  using MergeCost = typename First::MergeCost;
-};
-
-} // namespace internal
-
 /// \ingroup PkgRegionSegmentationPolicies
 /// One policy, then another. A model of `RegionMergingPolicy`.
 ///
 /// Its order depends on the wanted number of segments if one of the policies or the switch does.
 ///
-/// \tparam First, Second models of `RegionMergingPolicy`, such as another sequence; if they have the same cost, it is
-///         that of the sequence
+/// \tparam First, Second models of `RegionMergingPolicy`, such as another sequence
 /// \tparam Switch `Switch_at_multiple`, `Switch_at_count`, or a similar function object: whether the
 ///         second policy takes over
 template <typename First, typename Second, typename Switch>
-class Policy_sequence : public internal::Common_merge_cost<First, Second>
+class Policy_sequence
 {
   template <typename Graph>
   static constexpr bool depends_on_number =

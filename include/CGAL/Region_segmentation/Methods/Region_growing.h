@@ -5,13 +5,13 @@
 
 #include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/Feature_convexity.h>
-#include <CGAL/Region_segmentation/Flat_mesh.h>
+#include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/Partition.h>
+#include <CGAL/Region_segmentation/Request.h>
+#include <CGAL/Region_segmentation/internal/regions/grow.h>
 #include <CGAL/Region_segmentation/internal/regions/mark_feature_edges.h>
-#include <CGAL/Region_segmentation/internal/support/label_components.h>
 
 #include <CGAL/assertions.h>
-#include <CGAL/tags.h>
 
 namespace CGAL {
 namespace Region_segmentation {
@@ -33,15 +33,13 @@ struct Region_growing
   /// Which edges can be feature edges.
   Feature_convexity feature_convexity = Feature_convexity::CONCAVE;
 
-  template <typename ConcurrencyTag = CGAL::Sequential_tag>
-  Partition operator()(const Flat_mesh& mesh,
-                       const Execution<ConcurrencyTag>& execution = Execution<ConcurrencyTag>()) const
+  Partition operator()(const Surface& surface, const Constraints& constraints = Constraints(),
+                       const Execution& execution = Execution()) const
   {
     CGAL_precondition_msg(maximum_angle >= 0 && maximum_angle <= 180, "maximum_angle is in [0, 180] degrees");
     const internal::Feature_criterion criterion(maximum_angle, feature_convexity);
-    const auto is_feature = internal::mark_feature_edges(mesh, criterion, execution.step(0, 0.5));
-    const auto joins = [&](std::size_t e) { return !is_feature[e] && !mesh.has_flag(e, Flat_mesh::CLOSED); };
-    return internal::label_components(mesh, joins, execution.step(0.5, 1));
+    return internal::grow(surface, internal::mark_feature_edges(surface, criterion, execution.step(0, 0.5)), constraints,
+                          execution.step(0.5, 1));
   }
 };
 

@@ -3,7 +3,7 @@
 #ifndef CGAL_REGION_SEGMENTATION_METHODS_SCALAR_ANNOTATOR_H
 #define CGAL_REGION_SEGMENTATION_METHODS_SCALAR_ANNOTATOR_H
 
-#include <CGAL/Region_segmentation/Flat_mesh.h>
+#include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/Methods/Visibility_annotator.h>
 #include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/exceptions.h>
@@ -28,7 +28,7 @@ template <typename Base>
 struct Scalar_region_data : Base
 {
   double scalar = 0;         ///< integral over the area of the faces
-  double area_of_scalar = 0; ///< this area, in squared units of `Flat_mesh::unit()`
+  double area_of_scalar = 0; ///< this area, in squared units of `Surface::unit()`
 
   /// 0 if the area is 0.
   double mean_scalar() const { return area_of_scalar > 0 ? scalar / area_of_scalar : 0; }
@@ -48,9 +48,9 @@ struct Scalar_region_data : Base
 /// `Scalar_cost` or a cost of the user's. A model of `GraphAnnotator`, for graphs with `Scalar_region_data`.
 ///
 /// \code
-/// const auto method = RS::make_segmentation_method(
-///   RS::Superfacets(), RS::Scalar_annotator(RS::face_values(mesh, temperature)), RS::Lowest_cost_first(RS::Scalar_cost(2)));
-/// RS::segment(mesh, segment_id, 8, RS::parameters::method(method));
+/// const RS::Superfacet_merging method{RS::Scalar_annotator(RS::face_values(mesh, temperature)),
+///                                     RS::Lowest_cost_first(RS::Scalar_cost(2)), RS::Number_from_costs(-19.5)};
+/// RS::segment(mesh, segment_id, RS::parameters::number_of_segments(8).method(method));
 /// \endcode
 ///
 /// Complexity: that of `Base`, and O(F). Copies share the values, 8 bytes per face.
@@ -75,21 +75,20 @@ public:
   /// Takes what `Base` takes.
   /// \throws Invalid_input if there is not one value for each face, or one is not finite
   template <typename Graph, typename... Rest>
-  auto operator()(Graph& graph, const Flat_mesh& mesh, const Partition& regions, Rest&&... rest) const
-    -> decltype(std::declval<const Base&>()(graph, mesh, regions, std::forward<Rest>(rest)...))
+  void operator()(Graph& graph, const Surface& surface, const Partition& regions, const Rest&... rest) const
   {
-    check_values(mesh);
+    check_values(surface);
     for (std::uint32_t r = 0; r < regions.number_of_parts(); ++r)
       graph[r].scalar = graph[r].area_of_scalar = 0;
-    for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
-      graph[regions[f]].scalar += mesh.area(f) * (*m_values)[f];
-      graph[regions[f]].area_of_scalar += mesh.area(f);
+    for (std::size_t f = 0; f < surface.number_of_faces(); ++f) {
+      graph[regions[f]].scalar += surface.area(f) * (*m_values)[f];
+      graph[regions[f]].area_of_scalar += surface.area(f);
     }
-    Base::operator()(graph, mesh, regions, std::forward<Rest>(rest)...);
+    Base::operator()(graph, surface, regions, rest...);
   }
 
 private:
-  void check_values(const Flat_mesh& mesh) const
+  void check_values(const Surface& mesh) const
   {
     if (m_values->size() != mesh.number_of_faces())
       throw Invalid_input("the Scalar_annotator has " + std::to_string(m_values->size()) + " values for " +

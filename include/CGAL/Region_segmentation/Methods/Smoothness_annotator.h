@@ -4,16 +4,14 @@
 #define CGAL_REGION_SEGMENTATION_METHODS_SMOOTHNESS_ANNOTATOR_H
 
 #include <CGAL/Region_segmentation/Execution.h>
-#include <CGAL/Region_segmentation/Flat_mesh.h>
+#include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/Methods/Smoothness_data.h>
 #include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/internal/regions/Face_links.h>
 #include <CGAL/Region_segmentation/internal/regions/Normal_section.h>
-#include <CGAL/Region_segmentation/internal/support/blocks.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/number_type_config.h>
-#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <cmath>
@@ -53,52 +51,36 @@ class Smoothness_annotator
 public:
   using RegionData = Smoothness_region_data;
   using SectionData = Smoothness_section_data;
-  static constexpr Mesh_data required_mesh_data = Mesh_data::POINTS;
 
   double crease_angle = 32;     ///< degrees, in (0, 180]: a larger deviation is a crease, whatever is beside it
   double flat_angle = 0.15;     ///< degrees, positive: a smaller deviation is rounding
   double curvature_floor = 0.8; ///< w, in (0, 1]: the larger, the less the triangulation matters
 
-  /// The discontinuities of the edges of a mesh, which do not depend on its regions. 8 bytes an edge of a face.
-  class Cache
-  {
-  public:
-    void renumber(const std::vector<std::uint32_t>& /* previous_of */) {}
-
-  private:
-    friend class Smoothness_annotator;
-    std::vector<double> m_discontinuities; // by edge of a face; of the lower of the two faces
-  };
-
-  template <typename Graph, typename ConcurrencyTag = CGAL::Sequential_tag>
-  void operator()(Graph& graph, const Flat_mesh& mesh, const Partition& regions,
-                  const Execution<ConcurrencyTag>& execution = Execution<ConcurrencyTag>()) const
-  {
-    Cache cache;
-    (*this)(graph, mesh, regions, execution, cache);
-  }
-
-  /// As above, with the data cached by an earlier call with the same mesh.
-  template <typename Graph, typename ConcurrencyTag>
-  void operator()(Graph& graph, const Flat_mesh& mesh, const Partition& regions,
-                  const Execution<ConcurrencyTag>& execution, Cache& cache) const
+  /// The discontinuities of the edges of a surface, which do not depend on its regions: by side of a face; of the lower of
+  /// the two faces.
+  std::vector<double> discontinuities(const Surface& surface, const Execution& execution = Execution()) const
   {
     CGAL_precondition_msg(crease_angle > 0 && crease_angle <= 180, "crease_angle is in (0, 180] degrees");
     CGAL_precondition_msg(flat_angle > 0, "flat_angle is positive");
     CGAL_precondition_msg(curvature_floor > 0 && curvature_floor <= 1, "curvature_floor is in (0, 1]");
-    const internal::Face_links links(mesh);
-    if (cache.m_discontinuities.empty())
-      cache.m_discontinuities = discontinuities(mesh, links, execution);
+    return discontinuities(surface, internal::Face_links(surface), execution);
+  }
+
+  template <typename Graph>
+  void operator()(Graph& graph, const Surface& surface, const Partition& regions,
+                  const std::vector<double>& discontinuities) const
+  {
+    const internal::Face_links links(surface);
     for (auto range = edges(graph); range.first != range.second; ++range.first)
       graph[*range.first].discontinuity = graph[*range.first].measured_length = 0;
-    for_each_edge(mesh, links, 0, mesh.number_of_faces(), [&](const internal::Face_edge& e) {
+    for_each_edge(surface, links, 0, surface.number_of_faces(), [&](const internal::Face_edge& e) {
       const auto a = regions[e.face], b = regions[links.opposite(e).face];
-      if (a == b || mesh.is_degenerate(e.face) || mesh.is_degenerate(links.opposite(e).face))
+      if (a == b || surface.is_degenerate(e.face) || surface.is_degenerate(links.opposite(e).face))
         return;
       if (const auto section = graph.section(a, b)) {
         const double length = norm(links.target(e) - links.source(e));
         graph[*section].measured_length += length;
-        graph[*section].discontinuity += length * cache.m_discontinuities[links.number(e)];
+        graph[*section].discontinuity += length * discontinuities[links.number(e)];
       }
     });
   }
@@ -117,12 +99,12 @@ private:
 
   /// Calls `f` for each edge of the given faces whose other face is a higher one.
   template <typename F>
-  static void for_each_edge(const Flat_mesh& mesh, const internal::Face_links& links, std::size_t begin,
+  static void for_each_edge(const Surface& mesh, const internal::Face_links& links, std::size_t begin,
                             std::size_t end, const F& f)
   {
-    using Index = Flat_mesh::Index;
+    using Index = Surface::Index;
     for (Index face = Index(begin); face < end; ++face)
-      for (Face_edge e{face, 0}; e.corner < mesh.points().number_of_corners(face); ++e.corner) {
+      for (Face_edge e{face, 0}; e.corner < mesh.number_of_corners(face); ++e.corner) {
         const Face_edge other = links.opposite(e);
         if (other.exists() && other.face > face)
           f(e);
@@ -137,9 +119,8 @@ private:
     double path_length = 0; ///< the shorter one
   };
 
-  template <typename ConcurrencyTag>
-  std::vector<double> discontinuities(const Flat_mesh& mesh, const internal::Face_links& links,
-                                      const Execution<ConcurrencyTag>& execution) const
+  std::vector<double> discontinuities(const Surface& mesh, const internal::Face_links& links,
+                                      const Execution& execution) const
   {
     std::vector<Joint> joints(links.number_of_edges());
     internal::for_each_block(execution, mesh.number_of_faces(), [&](std::size_t, std::size_t begin, std::size_t end) {
@@ -161,7 +142,7 @@ private:
     return result;
   }
 
-  Joint measure(const Flat_mesh& mesh, const internal::Face_links& links, const Face_edge& e) const
+  Joint measure(const Surface& mesh, const internal::Face_links& links, const Face_edge& e) const
   {
     Joint joint;
     joint.bend = bend(mesh, links, e);

@@ -3,7 +3,7 @@
 #ifndef CGAL_REGION_SEGMENTATION_METHODS_SMOOTHNESS_DATA_H
 #define CGAL_REGION_SEGMENTATION_METHODS_SMOOTHNESS_DATA_H
 
-#include <CGAL/Region_segmentation/Flat_mesh.h>
+#include <CGAL/Region_segmentation/Surface.h>
 
 #include <cstddef>
 
@@ -20,7 +20,7 @@ struct Smoothness_section_data
   /// The annotator that fills these data.
   using GraphAnnotator = Smoothness_annotator;
 
-  double length = 0;               ///< in units of `Flat_mesh::unit()`
+  double length = 0;               ///< in units of `Surface::unit()`
   double measured_length = 0;      ///< of the edges that are not beside a degenerate face, in these units
   double discontinuity = 0;        ///< integral along these; see `Smoothness_annotator`
   std::size_t number_of_edges = 0; ///< mesh edges
@@ -28,7 +28,7 @@ struct Smoothness_section_data
   /// \pre `measured_length` is not 0
   double mean_discontinuity() const { return discontinuity / measured_length; }
 
-  void add_edge(const Flat_mesh& mesh, std::size_t /* lower_face */, std::size_t edge)
+  void add_adjacency(const Surface& mesh, std::size_t edge)
   {
     length += mesh.length(edge);
     ++number_of_edges;
@@ -51,13 +51,13 @@ struct Smoothness_region_data
   /// The annotator of the sections' data.
   using GraphAnnotator = Smoothness_annotator;
 
-  double area = 0;   ///< of the faces that are not degenerate, in squared units of `Flat_mesh::unit()`
+  double area = 0;   ///< of the faces that are not degenerate, in squared units of `Surface::unit()`
   double facets = 1; ///< first regions: plane pieces of the surface
 
   double mean_facet_area() const { return area / facets; }
 
-  void add_face(const Flat_mesh& mesh, std::size_t face) { area += mesh.is_degenerate(face) ? 0 : mesh.area(face); }
-  void add_border_edge(const Flat_mesh&, std::size_t /* lower_face */, std::size_t /* edge */) {}
+  void add_face(const Surface& mesh, std::size_t face) { area += mesh.is_degenerate(face) ? 0 : mesh.area(face); }
+  void add_border(const Surface&, std::size_t /* adjacency */) {}
 
   /// Adds the region on the other side of a section.
   void absorb(const Smoothness_region_data& other, const Smoothness_section_data& /* between */)

@@ -7,12 +7,13 @@
 /// Requires Eigen 3, and uses Spectra 1 if it is installed; so it is not part of region_segmentation.h.
 
 #include <CGAL/Region_segmentation/Methods/Visibility_cost.h>
+#include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
 #include <CGAL/Region_segmentation/Methods/Lowest_cost_first.h>
 #include <CGAL/Region_segmentation/Graph/Merge_tree.h>
 #include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/Graph/Region_adjacency_graph.h>
 #include <CGAL/Region_segmentation/internal/concepts/check_merging.h>
-#include <CGAL/Region_segmentation/internal/support/named_data.h>
+#include <CGAL/Region_segmentation/internal/concepts/check_graph_data.h>
 #include <CGAL/Region_segmentation/internal/cuts/normalized_cut.h>
 #include <CGAL/Region_segmentation/merge_regions.h>
 
@@ -183,6 +184,38 @@ private:
 
   SectionCost m_cost;
   std::size_t m_additional_eigenvectors;
+};
+
+/// \ingroup PkgRegionSegmentationMethods
+/// A method that partitions the graph of superfacets by `Spectral_partitioner` in place of merging them one pair at a time. A
+/// model of `SegmentationMethod` that requires the number of segments and takes no seeds.
+template <typename SectionCost = Additive_visibility_cost>
+struct Spectral_partitioning
+{
+  Spectral_partitioner<SectionCost> partitioner;
+  Visibility_merging superfacets; ///< its superfacets and their annotation are used
+
+  using Prepared = Visibility_merging::Prepared;
+
+  Prepared prepare(const Surface& surface, const Execution& execution = Execution()) const
+  {
+    return superfacets.prepare(surface, execution);
+  }
+
+  /// \throws Invalid_input if there are seeds
+  Segmentation merge(const Surface& surface, const Prepared& prepared, const Request& request,
+                     const Execution& execution = Execution()) const
+  {
+    if (!request.seeds.empty())
+      throw Invalid_input("Spectral_partitioning takes no seeds");
+    Partition regions = requested_regions(surface, prepared.regions, request).regions;
+    const auto graph = superfacets.annotated_graph(surface, prepared, regions, request.constraints,
+                                                   execution.stage("graph"));
+    execution.stage("merging");
+    Partition segments = partitioner(graph, request.number_of_segments);
+    const Merge_tree none(regions.number_of_parts());
+    return {std::move(regions), std::move(segments), none};
+  }
 };
 
 } // namespace Region_segmentation

@@ -4,10 +4,9 @@
 #define CGAL_REGION_SEGMENTATION_METHODS_SUPERFACETS_H
 
 #include <CGAL/Region_segmentation/Execution.h>
-#include <CGAL/Region_segmentation/Flat_mesh.h>
-#include <CGAL/Region_segmentation/Graph/Merge_tree.h>
-#include <CGAL/Region_segmentation/Methods/Border_straightening.h>
+#include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/Partition.h>
+#include <CGAL/Region_segmentation/Patches.h>
 #include <CGAL/Region_segmentation/internal/regions/Border_shortening.h>
 #include <CGAL/Region_segmentation/internal/regions/Dual_graph.h>
 #include <CGAL/Region_segmentation/internal/regions/Farthest_point_seeding.h>
@@ -16,12 +15,10 @@
 #include <CGAL/Region_segmentation/internal/support/Large_array.h>
 
 #include <CGAL/assertions.h>
-#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -29,8 +26,8 @@ namespace CGAL {
 namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationInitializers
-/// makes regions of bounded size whose borders are short and follow concave edges: each patch of the mesh (see
-/// `Mesh_patches`) belongs to the nearest seed. A model of `RegionInitializer`. Constrained edges are never crossed.
+/// makes regions of bounded size whose borders are short and follow concave edges: each patch of the surface (see
+/// `Surface_patches`) belongs to the nearest seed. Only edges are crossed, neither seams nor links.
 ///
 /// A step between two adjacent patches has the length \f$|c_i - c_j| / \sqrt{A} + w \, \min(\delta^+, m)\f$, rounded to
 /// `float`, at least \f$10^{-37}\f$ and at most \f$10^{28}\f$, \f$c\f$ the centroids, \f$A\f$ the area of the surface, \f$\delta^+\f$ the
@@ -45,15 +42,11 @@ namespace Region_segmentation {
 /// are placed on the patches, and a patch belongs to the nearest seed, of several to the one placed first.
 /// Regions are connected, and are numbered by their lowest patch.
 ///
-/// Then borders are shortened. A border of length \f$l\f$ (that of the edges that are not constrained) between two
-/// patches costs \f$l / (\sqrt{A} (1 + g \, \min(\delta^+, m)))\f$, rounded to `float`, so it is drawn into valleys. A
+/// Then borders are shortened, by their costs (see `Border_cost`), rounded to `float`. A
 /// patch that is adjacent to exactly one patch of its own region can move to an adjacent region; its gain is the cost
 /// of its borders to that region minus that of the border to the one patch. The move with the largest gain is made
 /// first (of equal ones that of the lowest patch, and to the lowest region), as long as there is one whose gain is
 /// above 1/1000 of the cost of all borders of its patch. Finally regions are numbered by their first face.
-///
-/// When it is known which regions are merged, the borders of segments are moved to minimum cuts, see
-/// `Border_straightening`.
 ///
 /// Since concavity is added to a step, not multiplied, and angles are those between patches, the regions of a surface
 /// depend little on the resolution of its mesh.
@@ -65,87 +58,58 @@ namespace Region_segmentation {
 class Superfacets
 {
 public:
-  static constexpr Mesh_data required_mesh_data = Mesh_data::PATCHES;
-
   std::size_t number;       ///< of regions, at least 1
   double concave_weight;    ///< w, relative length per radian, at least 0: the lengthening of steps into valleys
   double maximum_deviation; ///< m, radian, at least 0: deviations above it count as this one
-  double concave_gain = 10; ///< g, 1/radian, at least 0: how much cheaper a border in a valley is
-  Border_straightening straightening; ///< of the segments' borders
 
   explicit Superfacets(std::size_t number_ = 480, double concave_weight_ = 0.4, double maximum_deviation_ = 0.6)
     : number(number_), concave_weight(concave_weight_), maximum_deviation(maximum_deviation_)
   {}
 
-  template <typename ConcurrencyTag = CGAL::Sequential_tag>
-  Partition operator()(const Flat_mesh& mesh,
-                       const Execution<ConcurrencyTag>& execution = Execution<ConcurrencyTag>()) const
+  /// The regions of the patches of a surface. `border_costs`: between its fine patches
+  Partition operator()(const Surface& surface, const Surface_patches& patches,
+                       const internal::Dual_graph& border_costs, const Execution& execution = Execution()) const
   {
-    if (mesh.number_of_faces() == 0)
+    CGAL_precondition_msg(number >= 1 && concave_weight >= 0 && maximum_deviation >= 0,
+                          "Superfacets: number is at least 1, the other constants at least 0");
+    if (surface.number_of_faces() == 0)
       return Partition();
-    check_constants();
-    return composed(mesh.patches().of_faces(), regions_of_patches(mesh, execution));
+    return internal::Border_shortening(border_costs, nearest_seeds(surface, patches, execution)).take_regions();
   }
 
-  /// The partition into `number_of_segments` that splits connected regions further: the face farthest from that
+  /// The partition into `number_of_parts` that splits connected regions of the faces further: the face farthest from that
   /// nearest to the centroid of its region is separated first, with the faces that were reached through it. Steps
   /// between faces are measured as those between patches. O(F log F).
-  /// \pre `number_of_segments` is at least the number of regions
-  template <typename ConcurrencyTag = CGAL::Sequential_tag>
-  Partition split(const Flat_mesh& mesh, const Partition& regions, std::size_t number_of_segments,
-                  const Execution<ConcurrencyTag>& execution = Execution<ConcurrencyTag>()) const
+  /// \pre `number_of_parts` is at least the number of regions
+  Partition split(const Surface& surface, const Partition& regions, std::size_t number_of_parts,
+                  const Execution& execution = Execution()) const
   {
-    if (mesh.number_of_faces() == 0)
+    if (surface.number_of_faces() == 0)
       return Partition();
     internal::Dual_graph graph(
-      mesh, [&](std::size_t e) { return regions[mesh.lower_face(e)] == regions[mesh.higher_face(e)]; },
-      [&](std::size_t f, std::size_t e) {
-        const double concavity = mesh.has_flag(e, Flat_mesh::CONCAVE) ? mesh.deviation(f, e) : 0;
-        return step(mesh, norm(mesh.centroid(f) - mesh.centroid(mesh.higher_face(e))), concavity);
+      surface, [&](std::size_t a) { return regions[surface.lower_face(a)] == regions[surface.higher_face(a)]; },
+      [&](std::size_t a) {
+        const double concavity = surface.has_flag(a, Surface::CONCAVE) ? surface.deviation(a) : 0;
+        return step(surface, norm(surface.centroid(surface.lower_face(a)) - surface.centroid(surface.higher_face(a))),
+                    concavity);
       });
     internal::Farthest_point_seeding seeding(std::move(graph), execution);
-    seeding.run(central_faces(mesh, regions));
-    return seeding.split_regions(number_of_segments);
-  }
-
-  /// Moves the borders of the regions after they are merged, see `RegionInitializer::straighten_borders()`.
-  template <typename IsFixed, typename ConcurrencyTag = CGAL::Sequential_tag>
-  std::vector<Flat_mesh::Index> straighten_borders(
-    const Flat_mesh& mesh, const Partition& regions, const Merge_tree& tree, const IsFixed& is_fixed,
-    const Execution<ConcurrencyTag>& execution = Execution<ConcurrencyTag>(),
-    std::size_t number_of_segments = (std::numeric_limits<std::size_t>::max)()) const
-  {
-    return straightening(mesh, regions, tree, is_fixed, execution, number_of_segments);
+    seeding.run(central_faces(surface, regions));
+    return seeding.split_regions(number_of_parts);
   }
 
 private:
-  using Index = Flat_mesh::Index;
-
-  void check_constants() const
-  {
-    CGAL_precondition_msg(number >= 1 && concave_weight >= 0 && maximum_deviation >= 0 && concave_gain >= 0,
-                          "Superfacets: number is at least 1, the other constants at least 0");
-  }
-
-  template <typename ConcurrencyTag>
-  Partition regions_of_patches(const Flat_mesh& mesh, const Execution<ConcurrencyTag>& execution) const
-  {
-    const internal::Dual_graph costs =
-      internal::border_costs(mesh, mesh.patches(), concave_gain, maximum_deviation);
-    return internal::Border_shortening(costs, nearest_seeds(mesh, execution.step(0, 0.9))).take_regions();
-  }
+  using Index = Surface::Index;
 
   /// The partition of the patches by the seed to which each belongs.
-  template <typename ConcurrencyTag>
-  Partition nearest_seeds(const Flat_mesh& mesh, const Execution<ConcurrencyTag>& execution) const
+  Partition nearest_seeds(const Surface& surface, const Surface_patches& patches, const Execution& execution) const
   {
-    const Mesh_patches& patches = mesh.patches();
-    const Patches& coarse = patches.coarse();
-    internal::Farthest_point_seeding from_patches(steps(mesh, patches), execution.step(0.5, 1));
+    const Patches& coarse = patches.coarse;
+    internal::Farthest_point_seeding from_patches(steps(surface, patches.fine), execution.step(0.5, 1));
     if (coarse.size() / coarse_patches_of_region < number)
-      from_patches.run(distances_from_centroid(patches), number);
+      from_patches.run(distances_from_centroid(patches.fine), number);
     else {
-      internal::Farthest_point_seeding from_coarse(steps(mesh, coarse), execution.step(0, 0.5));
+      internal::Farthest_point_seeding from_coarse(steps(surface, coarse), execution.step(0, 0.5));
       from_coarse.run(distances_from_centroid(coarse), number);
       std::vector<Index> seeds;
       for (const Index seed : from_coarse.seeds())
@@ -155,7 +119,7 @@ private:
     return from_patches.regions();
   }
 
-  internal::Dual_graph steps(const Flat_mesh& mesh, const Patches& patches) const
+  internal::Dual_graph steps(const Surface& mesh, const Patches& patches) const
   {
     return internal::Dual_graph(patches, [&](std::size_t i) {
       const Patches::Adjacency& a = patches.adjacencies()[i];
@@ -165,14 +129,14 @@ private:
 
   /// At least the smallest float, so that only seeds have the distance 0; and so short that a path along all faces is
   /// finite in float, so that every face of a component is reached.
-  double step(const Flat_mesh& mesh, double distance, double concavity) const
+  double step(const Surface& mesh, double distance, double concavity) const
   {
-    const double length = distance / mesh.relative_unit() + concave_weight * (std::min)(concavity, maximum_deviation);
+    const double length = distance / mesh.length_unit() + concave_weight * (std::min)(concavity, maximum_deviation);
     return (std::min)((std::max)(length, shortest_step), longest_step);
   }
 
   /// The face of each region nearest to its centroid.
-  static std::vector<Index> central_faces(const Flat_mesh& mesh, const Partition& regions)
+  static std::vector<Index> central_faces(const Surface& mesh, const Partition& regions)
   {
     const internal::Region_shapes shapes(mesh, regions);
     std::vector<Index> faces(regions.number_of_parts());

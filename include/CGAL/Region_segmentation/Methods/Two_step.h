@@ -3,12 +3,23 @@
 #ifndef CGAL_REGION_SEGMENTATION_METHODS_TWO_STEP_H
 #define CGAL_REGION_SEGMENTATION_METHODS_TWO_STEP_H
 
-#include <CGAL/Region_segmentation/Methods/Geometry_annotator.h>
+#include <CGAL/Region_segmentation/Execution.h>
+#include <CGAL/Region_segmentation/Graph/geometry_data.h>
+#include <CGAL/Region_segmentation/Hierarchy.h>
 #include <CGAL/Region_segmentation/Methods/Least_compact_region_first.h>
 #include <CGAL/Region_segmentation/Methods/Policy_sequence.h>
 #include <CGAL/Region_segmentation/Methods/Region_growing.h>
-#include <CGAL/Region_segmentation/Methods/Segmentation_method.h>
 #include <CGAL/Region_segmentation/Methods/Smallest_region_first.h>
+#include <CGAL/Region_segmentation/Request.h>
+#include <CGAL/Region_segmentation/Surface.h>
+#include <CGAL/Region_segmentation/internal/graph/build_graph.h>
+#include <CGAL/Region_segmentation/internal/graph/merge_requested.h>
+#include <CGAL/Region_segmentation/requested_regions.h>
+
+#include <CGAL/assertions.h>
+
+#include <cstddef>
+#include <utility>
 
 namespace CGAL {
 namespace Region_segmentation {
@@ -34,17 +45,39 @@ struct Two_step_merging
 /// The method of the paper: `Region_growing` between feature edges, merged by `Two_step_merging`. A model of
 /// `SegmentationMethod`.
 ///
-/// It requires the number of segments.
+/// It requires the number of segments, on which the order of merges depends.
 ///
 /// Source: \cgalCite{YZWLL14}.
-struct Two_step : Segmentation_method<Region_growing, Geometry_annotator<>, Two_step_merging>
+struct Two_step
 {
-  Two_step() = default;
+  Region_growing growing;
+  Two_step_merging policy;
 
-  /// With the constants of `Two_step_merging`.
-  explicit Two_step(double beta, double gamma = 0.6, double factor = 2)
+  struct Prepared
   {
-    policy = Two_step_merging(beta, gamma, factor);
+    Partition regions; ///< grown without constraints
+  };
+
+  Prepared prepare(const Surface& surface, const Execution& execution = Execution()) const
+  {
+    return {growing(surface, Constraints(), execution.stage("regions"))};
+  }
+
+  Segmentation merge(const Surface& surface, const Prepared& prepared, const Request& request,
+                     const Execution& execution = Execution()) const
+  {
+    const std::size_t number = request.number_of_segments;
+    CGAL_precondition_msg(number >= 1, "Two_step needs the number of segments");
+    const bool are_grown_again = !request.constraints.empty();
+    const Partition grown = are_grown_again ? growing(surface, request.constraints) : Partition();
+    Requested_regions requested =
+      requested_regions(surface, are_grown_again ? grown : prepared.regions, request);
+    auto graph = internal::build_graph<Region_geometry, Section_geometry>(
+      surface, requested.regions, request.constraints, execution.stage("graph"));
+    Merge_tree tree =
+      internal::merge_requested(surface, requested, graph, policy, number, execution.stage("merging"));
+    Partition segments = tree.partition_at_count(number);
+    return {std::move(requested.regions), std::move(segments), std::move(tree)};
   }
 };
 

@@ -4,13 +4,12 @@
 #define CGAL_REGION_SEGMENTATION_METHODS_VISIBILITY_ANNOTATOR_H
 
 #include <CGAL/Region_segmentation/Execution.h>
-#include <CGAL/Region_segmentation/Flat_mesh.h>
+#include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/Methods/Visibility_data.h>
 #include <CGAL/Region_segmentation/Partition.h>
-#include <CGAL/Region_segmentation/internal/rays/Inward_rays.h>
+#include <CGAL/Region_segmentation/internal/rays/Region_rays.h>
 #include <CGAL/Region_segmentation/internal/regions/Region_shapes.h>
 
-#include <CGAL/tags.h>
 
 #include <cmath>
 #include <cstddef>
@@ -27,7 +26,7 @@ namespace Region_segmentation {
 /// `GraphAnnotator`, for graphs with `Visibility_region_data` and `Visibility_section_data`.
 ///
 /// Each region casts 12 rays into the body. The candidates to start from are the faces at the centers (`Patch::center`) of the patches
-/// (see `Mesh_patches`) in the region, or, if there is none, all of its faces, in the order of the distance of their
+/// (see `Surface_patches`) in the region, or, if there is none, all of its faces, in the order of the distance of their
 /// centroids to that of the region, then of their indices. Of \f$n\f$ candidates those at the places
 /// \f$\lfloor 9 k n / (10 m) \rfloor\f$ are used, \f$m = \min(n, 3)\f$, \f$k = 0 .. m - 1\f$, counted from 0: the one
 /// nearest to the centroid, and those at 3/10 and 6/10 in the order. Each casts \f$q = 12 / m\f$ rays. A region of less
@@ -63,60 +62,24 @@ namespace Region_segmentation {
 /// Source: thickness \cgalCite{SSC08}.
 class Visibility_annotator
 {
-  using Index = Flat_mesh::Index;
+  using Index = Surface::Index;
   using Hits = internal::Inward_rays::Hits;
 
 public:
   using RegionData = Visibility_region_data;
   using SectionData = Visibility_section_data;
-  static constexpr Mesh_data required_mesh_data =
-    Mesh_data::POINTS | Mesh_data::PATCHES;
 
-  /// Cached data of a mesh and its regions, so that only the rays of new regions are traced when regions change. About
-  /// 60 bytes per triangle and 200 per region.
-  class Cache
+  /// `rays`: of the regions
+  template <typename Graph>
+  void operator()(Graph& graph, const Surface& surface, const Partition& regions, const Region_rays& rays) const
   {
-  public:
-    /// `previous_of[r]`: the former index of region r; `none` if it is new
-    void renumber(const std::vector<Index>& previous_of)
-    {
-      std::vector<std::optional<Hits>> hits(previous_of.size());
-      for (std::size_t r = 0; r < hits.size(); ++r)
-        if (previous_of[r] < m_hits.size())
-          hits[r] = m_hits[previous_of[r]];
-      m_hits = std::move(hits);
-    }
-
-  private:
-    friend class Visibility_annotator;
-    std::optional<internal::Ray_tree> m_tree;
-    std::vector<std::optional<Hits>> m_hits; // by region
-  };
-
-  template <typename Graph, typename ConcurrencyTag = CGAL::Sequential_tag>
-  void operator()(Graph& graph, const Flat_mesh& mesh, const Partition& regions,
-                  const Execution<ConcurrencyTag>& execution = Execution<ConcurrencyTag>()) const
-  {
-    Cache cache;
-    (*this)(graph, mesh, regions, execution, cache);
-  }
-
-  /// As above, with the data cached by an earlier call with the same mesh.
-  template <typename Graph, typename ConcurrencyTag>
-  void operator()(Graph& graph, const Flat_mesh& mesh, const Partition& regions,
-                  const Execution<ConcurrencyTag>& execution, Cache& cache) const
-  {
-    if (mesh.surface_area() == 0)
+    if (surface.area() == 0)
       return;
-    const internal::Region_shapes shapes(mesh, regions);
+    const internal::Region_shapes shapes(surface, regions);
     for (std::size_t r = 0; r < regions.number_of_parts(); ++r)
-      graph[Index(r)].area = shapes.areas[r] / mesh.surface_area();
+      graph[Index(r)].area = shapes.areas[r] / surface.area();
     set_bends(graph, shapes);
-    if (!cache.m_tree)
-      cache.m_tree.emplace(mesh, shapes.surface_centroid, execution.step(0, 0.6));
-    cache.m_hits.resize(regions.number_of_parts());
-    internal::Inward_rays(mesh, regions, shapes, *cache.m_tree).trace(cache.m_hits, execution.step(0.6, 1));
-    set_rays(graph, regions, cache.m_hits, mesh.relative_unit());
+    set_rays(graph, regions, rays.hits(), surface.length_unit());
   }
 
 private:

@@ -3,7 +3,9 @@
 #ifndef CGAL_REGION_SEGMENTATION_METHODS_VISIBILITY_DATA_H
 #define CGAL_REGION_SEGMENTATION_METHODS_VISIBILITY_DATA_H
 
-#include <CGAL/Region_segmentation/Flat_mesh.h>
+#include <CGAL/Region_segmentation/Surface.h>
+
+#include <CGAL/number_type_config.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -21,7 +23,6 @@ struct Visibility_section_data
 {
   /// The annotator that fills these data.
   using GraphAnnotator = Visibility_annotator;
-  static constexpr Mesh_data required_mesh_data = Mesh_data::SURFACE_AREA;
 
   double length = 0;
   double concave = 0;    ///< integral of the deviation of concave edges, at most 0.6 rad each
@@ -29,12 +30,12 @@ struct Visibility_section_data
   double bend = 0;       ///< integral of the angle between the mean normals of the first regions,
                          ///< positive where they face each other
   double visibility = 0; ///< weight of the rays between the two regions
-  std::size_t number_of_edges = 0; ///< 0: the regions see each other, but are not adjacent
+  std::size_t number_of_adjacencies = 0; ///< 0: the regions see each other, but are not adjacent
 
   /// Accounts for a dual edge of the mesh. An edge of a degenerate face counts as flat.
-  void add_edge(const Flat_mesh& mesh, std::size_t lower_face, std::size_t edge)
+  void add_adjacency(const Surface& surface, std::size_t adjacency)
   {
-    add(mesh.length(edge) / mesh.relative_unit(), signed_deviation(mesh, lower_face, edge));
+    add(surface.length(adjacency) / surface.length_unit(), signed_deviation(surface, adjacency));
   }
 
   /// Adds another section between the same two regions.
@@ -45,23 +46,25 @@ struct Visibility_section_data
     convex += other.convex;
     bend += other.bend;
     visibility += other.visibility;
-    number_of_edges += other.number_of_edges;
+    number_of_adjacencies += other.number_of_adjacencies;
   }
 
 protected:
-  /// The deviation of a dual edge in radians: positive if it is concave, negative if it is convex.
-  static double signed_deviation(const Flat_mesh& mesh, std::size_t lower_face, std::size_t edge)
+  /// The deviation of an adjacency in radians: positive if it is concave, negative if it is convex. Where components touch
+  /// there is a valley: a link counts as one of a right angle.
+  static double signed_deviation(const Surface& surface, std::size_t adjacency)
   {
-    return mesh.has_flag(edge, Flat_mesh::CONCAVE)  ? mesh.deviation(lower_face, edge)
-           : mesh.has_flag(edge, Flat_mesh::CONVEX) ? -mesh.deviation(lower_face, edge)
-                                                    : 0;
+    return surface.has_flag(adjacency, Surface::LINK)      ? CGAL_PI / 2
+           : surface.has_flag(adjacency, Surface::CONCAVE) ? surface.deviation(adjacency)
+           : surface.has_flag(adjacency, Surface::CONVEX)  ? -surface.deviation(adjacency)
+                                                           : 0;
   }
 
   /// Accounts for an edge by its length and signed deviation.
   void add(double l, double deviation)
   {
     length += l;
-    ++number_of_edges;
+    ++number_of_adjacencies;
     if (deviation > 0)
       concave += l * (std::min)(deviation, 0.6);
     else
@@ -82,8 +85,8 @@ struct Visibility_region_data
 
   double mean_log_thickness() const { return area > 0 ? log_thickness / area : 0; }
 
-  void add_face(const Flat_mesh&, std::size_t /* face */) {}
-  void add_border_edge(const Flat_mesh&, std::size_t /* lower_face */, std::size_t /* edge */) {}
+  void add_face(const Surface&, std::size_t /* face */) {}
+  void add_border(const Surface&, std::size_t /* adjacency */) {}
 
   /// Adds the region on the other side of a section.
   void absorb(const Visibility_region_data& other, const Visibility_section_data& /* between */)

@@ -6,8 +6,7 @@
 #include <CGAL/Region_segmentation/Methods/Lowest_cost_first.h>
 #include <CGAL/Region_segmentation/Methods/Number_from_costs.h>
 #include <CGAL/Region_segmentation/Methods/Policy_sequence.h>
-#include <CGAL/Region_segmentation/Methods/Segmentation_method.h>
-#include <CGAL/Region_segmentation/Methods/Superfacets.h>
+#include <CGAL/Region_segmentation/Methods/Superfacet_merging.h>
 #include <CGAL/Region_segmentation/Methods/Visibility_annotator.h>
 #include <CGAL/Region_segmentation/Methods/Visibility_cost.h>
 
@@ -17,16 +16,13 @@ namespace CGAL {
 namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationMethods
-/// The method with a hand-crafted cost: `Superfacets`, annotated by `Visibility_annotator`, merged at the lowest `Visibility_cost`
+/// The method with a hand-crafted cost: superfacets, annotated by `Visibility_annotator`, merged at the lowest `Visibility_cost`
 /// first, with different constants while there are more than 150 regions. A model of `SegmentationMethod`.
-///
-/// The order of merges does not depend on the wanted number: one tree gives every segmentation, and
-/// `Number_from_costs` chooses a number where none is given.
 struct Visibility_merging
-  : Segmentation_method<
-      Superfacets, Visibility_annotator,
+  : Superfacet_merging<
+      Visibility_annotator,
       Policy_sequence<Lowest_cost_first<Visibility_cost>, Lowest_cost_first<Visibility_cost>, Switch_at_count>,
-      Number_from_costs<Visibility_cost>>
+      Number_from_costs>
 {
   /// The level of `Number_from_costs` for the constants of `Visibility_cost()`.
   static constexpr double default_level = -19.5;
@@ -35,11 +31,10 @@ struct Visibility_merging
   explicit Visibility_merging(const Visibility_cost& cost = Visibility_cost(),
                               const Visibility_cost& cost_of_many = Visibility_cost::for_many_regions(),
                               std::size_t many = 150)
-    : Segmentation_method{Superfacets(),
-                          Visibility_annotator(),
-                          {Lowest_cost_first<Visibility_cost>(cost_of_many), Lowest_cost_first<Visibility_cost>(cost),
-                           Switch_at_count{many}},
-                          Number_from_costs<Visibility_cost>(default_level)}
+    : Superfacet_merging{Visibility_annotator(),
+                         {Lowest_cost_first<Visibility_cost>(cost_of_many), Lowest_cost_first<Visibility_cost>(cost),
+                          Switch_at_count{many}},
+                         Number_from_costs(default_level)}
   {}
 };
 

@@ -3,7 +3,7 @@
 #ifndef CGAL_REGION_SEGMENTATION_INTERNAL_CONCEPTS_CHECK_GRAPH_DATA_H
 #define CGAL_REGION_SEGMENTATION_INTERNAL_CONCEPTS_CHECK_GRAPH_DATA_H
 
-#include <CGAL/Region_segmentation/Flat_mesh.h>
+#include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/internal/support/satisfies.h>
 
 #include <cstddef>
@@ -17,16 +17,15 @@ namespace Region_segmentation {
 namespace internal {
 
 template <typename T>
-using Adds_face = decltype(std::declval<T&>().add_face(std::declval<const Flat_mesh&>(), std::size_t()));
+using Adds_face = decltype(std::declval<T&>().add_face(std::declval<const Surface&>(), std::size_t()));
 template <typename T>
-using Adds_border_edge = decltype(std::declval<T&>().add_border_edge(std::declval<const Flat_mesh&>(), std::size_t(),
-                                                                     std::size_t()));
+using Adds_border = decltype(std::declval<T&>().add_border(std::declval<const Surface&>(), std::size_t()));
 template <typename T, typename Section>
 using Absorbs_region =
   decltype(std::declval<T&>().absorb(std::declval<const T&>(), std::declval<const Section&>()));
 template <typename T>
-using Adds_edge =
-  decltype(std::declval<T&>().add_edge(std::declval<const Flat_mesh&>(), std::size_t(), std::size_t()));
+using Adds_adjacency =
+  decltype(std::declval<T&>().add_adjacency(std::declval<const Surface&>(), std::size_t()));
 template <typename T>
 using Absorbs_section = decltype(std::declval<T&>().absorb(std::declval<const T&>()));
 
@@ -36,21 +35,30 @@ constexpr bool check_graph_data()
   static_assert(std::is_default_constructible<Region>::value && std::is_copy_constructible<Region>::value,
                 "a RegionData needs to be default and copy constructible");
   static_assert(satisfies<Adds_face, Region>,
-                "a RegionData needs: void add_face(const Flat_mesh&, std::size_t face)");
-  static_assert(satisfies<Adds_border_edge, Region>,
-                "a RegionData needs: void add_border_edge(const Flat_mesh&, std::size_t lower_face, "
-                "std::size_t edge)");
+                "a RegionData needs: void add_face(const Surface&, std::size_t face)");
+  static_assert(satisfies<Adds_border, Region>,
+                "a RegionData needs: void add_border(const Surface&, std::size_t adjacency)");
   static_assert(satisfies<Absorbs_region, Region, Section>,
                 "a RegionData needs: void absorb(const RegionData& other, const SectionData& between)");
   static_assert(std::is_default_constructible<Section>::value && std::is_copy_constructible<Section>::value,
                 "a SectionData needs to be default and copy constructible");
-  static_assert(satisfies<Adds_edge, Section>,
-                "a SectionData needs: void add_edge(const Flat_mesh&, std::size_t lower_face, "
-                "std::size_t edge)");
+  static_assert(satisfies<Adds_adjacency, Section>,
+                "a SectionData needs: void add_adjacency(const Surface&, std::size_t adjacency)");
   static_assert(satisfies<Absorbs_section, Section>,
                 "a SectionData needs: void absorb(const SectionData& other)");
   return true;
 }
+
+/// The types `RegionData` and `SectionData` that a cost or a policy names; nothing if it names none.
+template <typename T, typename = void>
+struct Data_named_by
+{};
+template <typename T>
+struct Data_named_by<T, std::void_t<typename T::RegionData, typename T::SectionData>>
+{
+  using RegionData = typename T::RegionData;
+  using SectionData = typename T::SectionData;
+};
 
 template <typename T>
 using Names_data = std::void_t<typename T::RegionData, typename T::SectionData>;

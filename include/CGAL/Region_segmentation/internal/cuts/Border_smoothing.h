@@ -3,10 +3,11 @@
 #ifndef CGAL_REGION_SEGMENTATION_INTERNAL_CUTS_BORDER_SMOOTHING_H
 #define CGAL_REGION_SEGMENTATION_INTERNAL_CUTS_BORDER_SMOOTHING_H
 
-#include <CGAL/Region_segmentation/Flat_mesh.h>
+#include <CGAL/Region_segmentation/Request.h>
+#include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/internal/cuts/Border_cut.h>
 #include <CGAL/Region_segmentation/internal/regions/Dual_graph.h>
-#include <CGAL/Region_segmentation/internal/support/visitor.h>
+#include <CGAL/Region_segmentation/Execution.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -24,25 +25,25 @@ template <typename Distance>
 class Border_smoothing
 {
 public:
-  using Index = Flat_mesh::Index;
+  using Index = Surface::Index;
 
   /// `costs`: of the borders between adjacent faces. `piece_of_face` is changed; `label_of_piece`: two pieces of one
   /// segment have no border to be moved.
-  Border_smoothing(const Flat_mesh& mesh, const Dual_graph& costs, const Distance& distance,
+  Border_smoothing(const Surface& surface, const Constraints& constraints, const Dual_graph& costs, const Distance& distance,
                    std::vector<Index>& piece_of_face, const std::vector<Index>& label_of_piece)
     : m_piece_of(piece_of_face)
     , m_label_of_piece(label_of_piece)
     , m_cut(costs, distance, piece_of_face)
   {
     collect_borders(costs);
-    collect_constrained_edges(mesh);
+    collect_constrained_edges(surface, constraints);
   }
 
   /// `width(a, b)`: the width of the band between two pieces on each side.
   template <typename Width>
-  void run(const Width& width, const Execution<>& execution)
+  void run(const Width& width, const Execution& execution)
   {
-    Step_counter<CGAL::Sequential_tag> borders(execution, m_borders.size());
+    Step_counter borders(execution, m_borders.size());
     for (auto first = m_borders.begin(); first != m_borders.end();) {
       const Index a = first->a, b = first->b;
       std::vector<Index> border;
@@ -80,10 +81,10 @@ private:
     std::sort(m_borders.begin(), m_borders.end());
   }
 
-  void collect_constrained_edges(const Flat_mesh& mesh)
+  void collect_constrained_edges(const Surface& mesh, const Constraints& constraints)
   {
-    for (std::size_t e = 0; e < mesh.number_of_edges(); ++e)
-      if (mesh.has_flag(e, Flat_mesh::CONSTRAINED)) {
+    for (std::size_t e = 0; e < mesh.number_of_adjacencies(); ++e)
+      if (constraints[e]) {
         m_constrained.push_back({mesh.lower_face(e), mesh.higher_face(e)});
         m_constrained.push_back({mesh.higher_face(e), mesh.lower_face(e)});
       }

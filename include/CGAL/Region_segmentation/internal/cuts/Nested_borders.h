@@ -9,7 +9,6 @@
 #include <CGAL/Region_segmentation/internal/cuts/Region_pieces.h>
 #include <CGAL/Region_segmentation/internal/graph/Tree_regions.h>
 #include <CGAL/Region_segmentation/internal/regions/Dual_graph.h>
-#include <CGAL/Region_segmentation/internal/support/visitor.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -61,13 +60,13 @@ public:
   /// empty ones not counted.
   /// `width(area)`: of the band in which the border of two parts can move, by the area of the smaller part; 0: it stays.
   /// `is_fixed(region)`: whether its elements stay in the segments of the region; at most one region of a tree
-  template <typename Width, typename IsFixed, typename ConcurrencyTag>
+  template <typename Width, typename IsFixed>
   void run(std::size_t number_of_cuts, std::size_t number_of_segments, const Width& width, const IsFixed& is_fixed,
-           const Execution<ConcurrencyTag>& execution)
+           const Execution& execution)
   {
     const std::size_t merges = m_tree.merges().size();
     std::size_t segments = m_tree.number_of_regions() - merges;
-    Step_counter<ConcurrencyTag> undone(execution, (std::min)(merges, number_of_segments));
+    Step_counter undone(execution, (std::min)(merges, number_of_segments));
     for (std::size_t i = merges; i-- > 0 && segments < number_of_segments;) {
       std::vector<Index> guests = divide(i, is_fixed);
       segments += std::size_t(have_both_elements(i, guests));

@@ -4,14 +4,11 @@
 #define CGAL_REGION_SEGMENTATION_INTERNAL_RAYS_INWARD_RAYS_H
 
 #include <CGAL/Region_segmentation/Execution.h>
-#include <CGAL/Region_segmentation/Flat_mesh.h>
+#include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/internal/rays/Ray_tree.h>
 #include <CGAL/Region_segmentation/internal/regions/Region_shapes.h>
 #include <CGAL/Region_segmentation/internal/support/Grouped_items.h>
-#include <CGAL/Region_segmentation/internal/support/blocks.h>
-
-#include <boost/container/static_vector.hpp>
 
 #include <algorithm>
 #include <array>
@@ -30,7 +27,7 @@ namespace internal {
 /// Bytes, while they are traced: 16 per patch, and per face of the regions without the center of a patch; 208 per region.
 class Inward_rays
 {
-  using Index = Flat_mesh::Index;
+  using Index = Surface::Index;
 
 public:
   static constexpr std::size_t faces_per_region = 3, rays_per_region = 12;
@@ -43,13 +40,13 @@ public:
     return share < smallest_of_a_ray ? 0 : share < smallest_of_all_rays ? 1 : rays_per_region;
   }
 
-  /// The hits of the rays of a region; those of degenerate faces, which cast none, are missing at the end.
+  /// The hits of the rays of a region; those of degenerate faces, which cast none, hit none.
   using Hits = std::array<Ray_tree::Hit, rays_per_region>;
 
   /// `shapes`: of the regions; `tree`: of the mesh
-  /// \pre the mesh was read with its points and patches
-  Inward_rays(const Flat_mesh& mesh, const Partition& regions, const Region_shapes& shapes, const Ray_tree& tree)
+  Inward_rays(const Surface& mesh, const Patches& patches, const Partition& regions, const Region_shapes& shapes, const Ray_tree& tree)
     : m_mesh(mesh)
+    , m_patches(patches)
     , m_regions(regions)
     , m_shapes(shapes)
     , m_tree(tree)
@@ -58,8 +55,7 @@ public:
   {}
 
   /// Computes the missing hits of regions. Can be called once.
-  template <typename ConcurrencyTag>
-  void trace(std::vector<std::optional<Hits>>& hits, const Execution<ConcurrencyTag>& execution)
+  void trace(std::vector<std::optional<Hits>>& hits, const Execution& execution)
   {
     group_faces(hits);
     for_each_block(
@@ -105,12 +101,12 @@ private:
     std::vector<bool> wants_all(m_regions.number_of_parts());
     for (std::size_t r = 0; r < hits.size(); ++r)
       wants_all[r] = !hits[r];
-    for (std::size_t p = 0; p < m_mesh.patches().size(); ++p)
-      wants_all[m_regions[m_mesh.patches()[p].center]] = false;
+    for (std::size_t p = 0; p < m_patches.size(); ++p)
+      wants_all[m_regions[m_patches[p].center]] = false;
     const bool any_wants_all = std::find(wants_all.begin(), wants_all.end(), true) != wants_all.end();
     const auto for_each_face = [&](const auto& f) {
-      for (std::size_t p = 0; p < m_mesh.patches().size(); ++p)
-        if (const Index face = m_mesh.patches()[p].center; !hits[m_regions[face]])
+      for (std::size_t p = 0; p < m_patches.size(); ++p)
+        if (const Index face = m_patches[p].center; !hits[m_regions[face]])
           f(m_regions[face], face);
       for (std::size_t face = 0; any_wants_all && face < m_regions.size(); ++face)
         if (wants_all[m_regions[face]])
@@ -125,39 +121,28 @@ private:
 
   Hits hits_of(std::size_t region)
   {
-    boost::container::static_vector<Ray, rays_per_region> rays;
-    cast_rays(region, rays);
-    m_tree.trace(m_mesh, rays.data(), rays.data() + rays.size());
     Hits hits;
     hits.fill({Ray_tree::no_face, 0});
-    std::transform(rays.begin(), rays.end(), hits.begin(), [this](const Ray& ray) { return m_tree.hit(ray); });
-    return hits;
-  }
-
-  template <typename Rays>
-  void cast_rays(std::size_t region, Rays& rays)
-  {
     auto [begin, end] = m_faces[region];
-    const std::size_t number = number_of_rays(m_shapes.areas[region] / m_mesh.surface_area());
-    if (number < rays_per_region)
-      return cast_rays_from(std::min_element(begin, end)->second, m_spirals[0].data(), number, rays);
-    const std::size_t size = std::size_t(end - begin);
-    const std::size_t samples = (std::min)(size, faces_per_region);
-    std::array<Index, faces_per_region> faces;
+    const std::size_t number = number_of_rays(m_shapes.areas[region] / m_mesh.area());
+    if (number < rays_per_region) {
+      trace_from(std::min_element(begin, end)->second, m_spirals[0].data(), number, hits.data());
+      return hits;
+    }
+    const std::size_t size = std::size_t(end - begin), samples = (std::min)(size, faces_per_region);
+    const std::size_t rays_per_face = rays_per_region / samples;
     for (std::size_t k = samples; k-- > 0;) {
       // Faces behind a place in the order are not needed for those before it.
       const auto sample = begin + k * size * 9 / (10 * samples);
       std::nth_element(begin, sample, end);
       end = sample;
-      faces[k] = sample->second;
+      const std::size_t first = k * rays_per_face;
+      trace_from(sample->second, m_spirals[samples - 1].data() + first, rays_per_face, hits.data() + first);
     }
-    const std::size_t rays_per_face = rays_per_region / samples;
-    for (std::size_t k = 0; k < samples; ++k)
-      cast_rays_from(faces[k], m_spirals[samples - 1].data() + k * rays_per_face, rays_per_face, rays);
+    return hits;
   }
 
-  template <typename Rays>
-  void cast_rays_from(Index face, const Spiral* spirals, std::size_t number, Rays& rays) const
+  void trace_from(Index face, const Spiral* spirals, std::size_t number, Ray_tree::Hit* hits) const
   {
     if (m_mesh.is_degenerate(face))
       return;
@@ -165,8 +150,8 @@ private:
     const Double_3 u = start_of_spiral(face, source, inward), v = cross(inward, u);
     for (std::size_t i = 0; i < number; ++i) {
       const Spiral& s = spirals[i];
-      rays.push_back(
-        m_tree.make_ray(source, s.cos_away * inward + s.sin_away * (s.cos_around * u + s.sin_around * v), face));
+      const Double_3 direction = s.cos_away * inward + s.sin_away * (s.cos_around * u + s.sin_around * v);
+      hits[i] = m_tree.first_hit(m_mesh, source, direction, face);
     }
   }
 
@@ -179,16 +164,16 @@ private:
     const Double_3 away = source - m_shapes.surface_centroid, u = in_plane(away);
     if (const double length = norm(u); length > smallest_part * norm(away))
       return (1 / length) * u;
-    const Mesh_points& points = m_mesh.points();
     Double_3 farthest{0, 0, 0};
-    for (std::size_t i = 0; i < points.number_of_corners(face); ++i)
-      if (const Double_3 w = in_plane(points[points.corner(face, i)] - source);
+    for (std::size_t i = 0; i < m_mesh.number_of_corners(face); ++i)
+      if (const Double_3 w = in_plane(m_mesh.point(m_mesh.corner(face, i)) - source);
           squared_norm(w) > squared_norm(farthest))
         farthest = w;
     return (1 / norm(farthest)) * farthest;
   }
 
-  const Flat_mesh& m_mesh;
+  const Surface& m_mesh;
+  const Patches& m_patches;
   const Partition& m_regions;
   const Region_shapes& m_shapes; // of the regions
   const Ray_tree& m_tree;

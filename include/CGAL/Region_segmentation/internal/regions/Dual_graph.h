@@ -3,7 +3,7 @@
 #ifndef CGAL_REGION_SEGMENTATION_INTERNAL_REGIONS_DUAL_GRAPH_H
 #define CGAL_REGION_SEGMENTATION_INTERNAL_REGIONS_DUAL_GRAPH_H
 
-#include <CGAL/Region_segmentation/Flat_mesh.h>
+#include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/internal/support/Grouped_items.h>
 
 #include <CGAL/Iterator_range.h>
@@ -20,7 +20,7 @@ template <typename Length>
 class Dual_graph_of
 {
 public:
-  using Index = Flat_mesh::Index;
+  using Index = Surface::Index;
 
   struct Step
   {
@@ -28,34 +28,29 @@ public:
     Length length;
   };
 
-  /// `length(face, edge)`: of a dual edge and its lower face.
-  template <typename LengthOf>
-  Dual_graph_of(const Flat_mesh& mesh, const LengthOf& length)
-    : Dual_graph_of(mesh, [](std::size_t) { return true; }, length)
-  {}
-
-  /// Only the dual edges for which `is_step(edge)`.
+  /// Of the adjacencies for which `is_step(adjacency)`.
   template <typename IsStep, typename LengthOf>
-  Dual_graph_of(const Flat_mesh& mesh, const IsStep& is_step, const LengthOf& length)
-    : m_steps(mesh.number_of_faces())
+  Dual_graph_of(const Surface& surface, const IsStep& is_step, const LengthOf& length)
+    : m_steps(surface.number_of_faces())
   {
     add_steps([&](const auto& add) {
-      for (std::size_t e = 0; e < mesh.number_of_edges(); ++e)
-        if (!mesh.has_flag(e, Flat_mesh::CONSTRAINED) && is_step(e))
-          add(mesh.lower_face(e), mesh.higher_face(e), [&] { return length(mesh.lower_face(e), e); });
+      for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a)
+        if (is_step(a))
+          add(surface.lower_face(a), surface.higher_face(a), [&] { return length(a); });
     });
   }
 
-  /// Of patches in place of faces; `length(i)`: of the i-th adjacency.
+  /// Of patches in place of faces, across edges; `length(i)`: of the i-th adjacency.
   template <typename LengthOf>
   Dual_graph_of(const Patches& patches, const LengthOf& length)
-    : m_steps(patches.size())
-  {
-    add_steps([&](const auto& add) {
-      for (std::size_t i = 0; i < patches.adjacencies().size(); ++i)
-        add(patches.adjacencies()[i].lower, patches.adjacencies()[i].higher, [&] { return length(i); });
-    });
-  }
+    : Dual_graph_of(patches, length, [](const Patches::Adjacency&) { return 0; }, 0)
+  {}
+
+  /// The same, and across seams and links; `length_of_contact(contact)`.
+  template <typename LengthOf, typename LengthOfContact>
+  Dual_graph_of(const Patches& patches, const LengthOf& length, const LengthOfContact& length_of_contact)
+    : Dual_graph_of(patches, length, length_of_contact, patches.contacts().size())
+  {}
 
   std::size_t number_of_faces() const { return m_steps.number_of_groups(); }
 
@@ -83,6 +78,21 @@ public:
   }
 
 private:
+  template <typename LengthOf, typename LengthOfContact>
+  Dual_graph_of(const Patches& patches, const LengthOf& length, const LengthOfContact& length_of_contact,
+                std::size_t number_of_contacts)
+    : m_steps(patches.size())
+  {
+    add_steps([&](const auto& add) {
+      for (std::size_t i = 0; i < patches.adjacencies().size(); ++i)
+        add(patches.adjacencies()[i].lower, patches.adjacencies()[i].higher, [&] { return length(i); });
+      for (std::size_t i = 0; i < number_of_contacts; ++i) {
+        const Patches::Adjacency& contact = patches.contacts()[i];
+        add(contact.lower, contact.higher, [&] { return length_of_contact(contact); });
+      }
+    });
+  }
+
   /// `for_each(add)` calls `add(face, other_face, length)` for each step; it is called twice.
   template <typename ForEach>
   void add_steps(const ForEach& for_each)

@@ -3,7 +3,7 @@
 #ifndef CGAL_REGION_SEGMENTATION_INTERNAL_REGIONS_FACE_LINKS_H
 #define CGAL_REGION_SEGMENTATION_INTERNAL_REGIONS_FACE_LINKS_H
 
-#include <CGAL/Region_segmentation/Flat_mesh.h>
+#include <CGAL/Region_segmentation/Surface.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -19,7 +19,7 @@ namespace internal {
 /// The edge of a face that starts at one of its corners.
 struct Face_edge
 {
-  using Index = Flat_mesh::Index;
+  using Index = Surface::Index;
   static constexpr Index no_face = (std::numeric_limits<Index>::max)();
 
   Index face, corner;
@@ -32,14 +32,14 @@ struct Face_edge
 class Face_links
 {
 public:
-  using Index = Flat_mesh::Index;
+  using Index = Surface::Index;
 
-  explicit Face_links(const Flat_mesh& flat) : m_points(flat.points())
+  explicit Face_links(const Surface& flat) : m_surface(flat)
   {
     m_first_edges.reserve(flat.number_of_faces() + 1);
     m_first_edges.push_back(0);
     for (std::size_t f = 0; f < flat.number_of_faces(); ++f)
-      m_first_edges.push_back(m_first_edges.back() + Index(m_points.number_of_corners(f)));
+      m_first_edges.push_back(m_first_edges.back() + Index(m_surface.number_of_corners(f)));
     m_opposite.assign(m_first_edges.back(), Face_edge{Face_edge::no_face, 0});
     link(flat);
   }
@@ -48,8 +48,8 @@ public:
   std::size_t number(const Face_edge& e) const { return m_first_edges[e.face] + e.corner; }
   Face_edge opposite(const Face_edge& e) const { return m_opposite[number(e)]; }
 
-  const Double_3& source(const Face_edge& e) const { return m_points[m_points.corner(e.face, e.corner)]; }
-  const Double_3& target(const Face_edge& e) const { return m_points[vertex_after(e)]; }
+  const Double_3& source(const Face_edge& e) const { return m_surface.point(m_surface.corner(e.face, e.corner)); }
+  const Double_3& target(const Face_edge& e) const { return m_surface.point(vertex_after(e)); }
 
 private:
   struct Entry
@@ -60,16 +60,16 @@ private:
 
   Index vertex_after(const Face_edge& e) const
   {
-    return m_points.corner(e.face, e.corner + 1 < m_points.number_of_corners(e.face) ? e.corner + 1 : 0);
+    return m_surface.corner(e.face, e.corner + 1 < m_surface.number_of_corners(e.face) ? e.corner + 1 : 0);
   }
 
-  void link(const Flat_mesh& flat)
+  void link(const Surface& flat)
   {
     std::vector<Entry> entries;
     entries.reserve(m_opposite.size());
     for (Index f = 0; f < flat.number_of_faces(); ++f)
-      for (Index i = 0; !flat.is_degenerate(f) && i < m_points.number_of_corners(f); ++i) {
-        const Index a = m_points.corner(f, i), b = vertex_after({f, i});
+      for (Index i = 0; !flat.is_degenerate(f) && i < m_surface.number_of_corners(f); ++i) {
+        const Index a = m_surface.corner(f, i), b = vertex_after({f, i});
         entries.push_back({(std::min)(a, b), (std::max)(a, b), {f, i}});
       }
     const auto key = [](const Entry& e) { return std::tie(e.lower, e.higher, e.edge.face, e.edge.corner); };
@@ -85,7 +85,7 @@ private:
     }
   }
 
-  const Mesh_points& m_points;
+  const Surface& m_surface;
   std::vector<Index> m_first_edges; // by face, and one more at the end
   std::vector<Face_edge> m_opposite;
 };

@@ -9,7 +9,6 @@
 #include <CGAL/Region_segmentation/internal/regions/Front_queue.h>
 #include <CGAL/Region_segmentation/internal/support/Lowest_root_forest.h>
 #include <CGAL/Region_segmentation/internal/support/Large_array.h>
-#include <CGAL/Region_segmentation/internal/support/visitor.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -27,13 +26,12 @@ namespace internal {
 /// region of a seed is the faces that are nearest to it, and is connected.
 ///
 /// The faces are those of a mesh, or patches.
-template <typename ConcurrencyTag>
 class Farthest_point_seeding
 {
   using Index = Dual_graph::Index;
 
 public:
-  Farthest_point_seeding(Dual_graph graph, const Execution<ConcurrencyTag>& execution)
+  Farthest_point_seeding(Dual_graph graph, const Execution& execution)
     : m_execution(execution)
     , m_graph(std::move(graph))
     , m_reached(m_graph.number_of_faces(), Reached{unreached, 0, 0})
@@ -46,7 +44,7 @@ public:
   void run(const std::vector<double>& remoteness, std::size_t number)
   {
     m_number_wanted = number;
-    Step_counter<ConcurrencyTag> seeds(m_execution, number);
+    Step_counter seeds(m_execution, number);
     seed_components(remoteness, seeds);
     for (std::size_t f = 0; f < m_reached.size(); f += faces_per_bound)
       m_bounds.push_back(farthest_in_block(f));
@@ -114,7 +112,7 @@ private:
   };
   using Entry = std::pair<double, Index>; // distance, face
 
-  void seed_components(const std::vector<double>& remoteness, Step_counter<ConcurrencyTag>& seeds)
+  void seed_components(const std::vector<double>& remoteness, Step_counter& seeds)
   {
     grow_from(std::size_t(std::max_element(remoteness.begin(), remoteness.end()) - remoteness.begin()));
     std::vector<Index> others; // none where there is one component
@@ -210,7 +208,7 @@ private:
   static constexpr std::size_t faces_per_bound = 64;
   static constexpr double slices_of_mean_step = 100; // tuned empirically; across flat edges steps are far shorter
 
-  const Execution<ConcurrencyTag> m_execution; // usually a step, a temporary
+  const Execution m_execution; // usually a step, a temporary
   Dual_graph m_graph;
   Large_array<Reached> m_reached;
   std::vector<Entry> m_bounds; // a block of faces each

@@ -4,7 +4,7 @@
 #define CGAL_REGION_SEGMENTATION_INTERNAL_REGIONS_FEATURE_CRITERION_H
 
 #include <CGAL/Region_segmentation/Feature_convexity.h>
-#include <CGAL/Region_segmentation/Flat_mesh.h>
+#include <CGAL/Region_segmentation/Surface.h>
 
 #include <CGAL/number_type_config.h>
 
@@ -23,8 +23,8 @@ public:
   /// `maximum_angle`: in degrees
   Feature_criterion(double maximum_angle, Feature_convexity convexity)
     : m_bound(std::cos(maximum_angle * (CGAL_PI / 180)))
-    , m_wanted_signs(convexity == Feature_convexity::CONVEX    ? Flat_mesh::CONVEX
-                     : convexity == Feature_convexity::CONCAVE ? Flat_mesh::CONCAVE
+    , m_wanted_signs(convexity == Feature_convexity::CONVEX    ? Surface::CONVEX
+                     : convexity == Feature_convexity::CONCAVE ? Surface::CONCAVE
                                                                : 0)
   {}
 

@@ -3,7 +3,7 @@
 #ifndef CGAL_REGION_SEGMENTATION_INTERNAL_REGIONS_NORMAL_SECTION_H
 #define CGAL_REGION_SEGMENTATION_INTERNAL_REGIONS_NORMAL_SECTION_H
 
-#include <CGAL/Region_segmentation/Flat_mesh.h>
+#include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/internal/regions/Face_links.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace Region_segmentation {
 namespace internal {
 
 /// The signed angle between the normals of the faces beside an edge, in radians, positive where it is convex.
-inline double bend(const Flat_mesh& flat, const Face_links& links, const Face_edge& e)
+inline double bend(const Surface& flat, const Face_links& links, const Face_edge& e)
 {
   const Double_3 &n = flat.normal(e.face), &m = flat.normal(links.opposite(e).face);
   const Double_3 d = links.target(e) - links.source(e);
@@ -24,13 +24,13 @@ inline double bend(const Flat_mesh& flat, const Face_links& links, const Face_ed
 }
 
 /// How far a face reaches from the line through one of its edges.
-inline double height(const Flat_mesh& flat, const Face_links& links, const Face_edge& e)
+inline double height(const Surface& flat, const Face_links& links, const Face_edge& e)
 {
   const Double_3 p = links.source(e), d = links.target(e) - p;
   const Double_3 inwards = cross(flat.normal(e.face), (1 / norm(d)) * d);
   double result = 0;
-  for (std::size_t i = 0; i < flat.points().number_of_corners(e.face); ++i)
-    result = (std::max)(result, dot(flat.points()[flat.points().corner(e.face, i)] - p, inwards));
+  for (std::size_t i = 0; i < flat.number_of_corners(e.face); ++i)
+    result = (std::max)(result, dot(flat.point(flat.corner(e.face, i)) - p, inwards));
   return result;
 }
 
@@ -40,7 +40,7 @@ class Normal_path
 public:
   static constexpr int most_crossings = 200;
 
-  Normal_path(const Flat_mesh& flat, const Face_links& links, const Face_edge& e)
+  Normal_path(const Surface& flat, const Face_links& links, const Face_edge& e)
     : m_flat(flat), m_links(links), m_entry(e), m_exit(e), m_place(0.5 * (links.source(e) + links.target(e)))
   {
     const Double_3 along = links.target(e) - links.source(e);
@@ -53,7 +53,7 @@ public:
     const double parallel = 1e-14; // cosine, relative to the length of the edge
     double nearest = (std::numeric_limits<double>::infinity)();
     Face_edge e{m_entry.face, 0};
-    for (; e.corner < m_flat.points().number_of_corners(e.face); ++e.corner) {
+    for (; e.corner < m_flat.number_of_corners(e.face); ++e.corner) {
       const Double_3 edge = m_links.target(e) - m_links.source(e);
       const Double_3 outwards = cross(edge, m_flat.normal(e.face));
       const double speed = dot(outwards, m_direction);
@@ -87,7 +87,7 @@ public:
   }
 
 private:
-  const Flat_mesh& m_flat;
+  const Surface& m_flat;
   const Face_links& m_links;
   Face_edge m_entry, m_exit;
   Double_3 m_place, m_direction;
@@ -95,7 +95,7 @@ private:
 
 /// How far the facet beside an edge reaches: its face, or the flat piece of the surface along the path. Faces may be slivers of
 /// the facet, or a fine triangulation of it.
-inline double facet_height(const Flat_mesh& flat, const Face_links& links, const Face_edge& e, double flat_angle)
+inline double facet_height(const Surface& flat, const Face_links& links, const Face_edge& e, double flat_angle)
 {
   Normal_path path(flat, links, e);
   double length = 0;
@@ -125,7 +125,7 @@ struct Normal_section
   bool is_open = false;    ///< it ends before a crease or border, and has not bent before: the curvature is unknown
 
   /// Bends of at most `flat_angle` (radians) do not count; those above `crease_angle` end the path.
-  Normal_section(const Flat_mesh& flat, const Face_links& links, const Face_edge& e, double reach, double flat_angle,
+  Normal_section(const Surface& flat, const Face_links& links, const Face_edge& e, double reach, double flat_angle,
                  double crease_angle)
   {
     Normal_path path(flat, links, e);

@@ -4,7 +4,7 @@
 #define CGAL_REGION_SEGMENTATION_INTERNAL_REGIONS_REGION_SHAPES_H
 
 #include <CGAL/Region_segmentation/Double_3.h>
-#include <CGAL/Region_segmentation/Flat_mesh.h>
+#include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/Partition.h>
 
 #include <cstddef>
@@ -24,7 +24,7 @@ struct Region_shapes
   Double_3 surface_centroid{0, 0, 0};
 
   /// \pre the mesh was read with its centroids and the area of its surface
-  Region_shapes(const Flat_mesh& mesh, const Partition& regions)
+  Region_shapes(const Surface& mesh, const Partition& regions)
     : areas(regions.number_of_parts()), normals(regions.number_of_parts()), centroids(regions.number_of_parts())
   {
     if (mesh.number_of_faces() == 0)
@@ -39,7 +39,7 @@ struct Region_shapes
     }
     for (std::size_t r = 0; r < areas.size(); ++r)
       surface_centroid = surface_centroid + centroids[r];
-    const double area = mesh.surface_area();
+    const double area = mesh.area();
     surface_centroid = origin + inverse(area) * surface_centroid;
     for (std::size_t r = 0; r < areas.size(); ++r) {
       const double length = norm(normals[r]);

@@ -3,25 +3,49 @@
 #ifndef CGAL_REGION_SEGMENTATION_INTERNAL_REGIONS_BORDER_COSTS_H
 #define CGAL_REGION_SEGMENTATION_INTERNAL_REGIONS_BORDER_COSTS_H
 
-#include <CGAL/Region_segmentation/Flat_mesh.h>
+#include <CGAL/Region_segmentation/Patches.h>
+#include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/internal/regions/Dual_graph.h>
+
+#include <CGAL/number_type_config.h>
 
 #include <algorithm>
 #include <cstddef>
 
 namespace CGAL {
 namespace Region_segmentation {
+
+/// \ingroup PkgRegionSegmentationParts
+/// What a border costs: \f$l / (1 + g \, \min(\delta^+, m))\f$, \f$l\f$ its length in units of the square root of the area of
+/// the surface, \f$\delta^+\f$ the deviation across it where it is concave, else 0. So borders are drawn into valleys.
+struct Border_cost
+{
+  double concave_gain = 10;       ///< g, 1/radian, at least 0: how much cheaper a border in a valley is
+  double maximum_deviation = 0.6; ///< m, radian, at least 0: deviations above it count as this one
+
+  double operator()(double length, double concave_deviation) const
+  {
+    return length / (1 + concave_gain * (std::min)(concave_deviation, maximum_deviation));
+  }
+};
+
 namespace internal {
 
-/// The costs of the borders between adjacent patches: l / (sqrt(A) (1 + g min(delta, m))), l the length, A the area of
-/// the surface, g `concave_gain`, delta the deviation if the patches face each other, else 0, m `maximum_deviation`.
-inline Dual_graph border_costs(const Flat_mesh& mesh, const Patches& patches, double concave_gain,
-                               double maximum_deviation)
+/// The costs of the borders between adjacent patches across edges.
+inline Dual_graph border_costs_of_edges(const Surface& surface, const Patches& patches, const Border_cost& cost)
 {
-  return Dual_graph(patches, [&](std::size_t i) {
-    const double concavity = (std::min)(patches.concave_deviation(i), maximum_deviation);
-    return patches.adjacencies()[i].length / mesh.relative_unit() / (1 + concave_gain * concavity);
-  });
+  const double unit = surface.length_unit();
+  return Dual_graph(
+    patches, [&](std::size_t i) { return cost(patches.adjacencies()[i].length / unit, patches.concave_deviation(i)); });
+}
+
+/// The same, and across seams and links, where there is a valley.
+inline Dual_graph border_costs(const Surface& surface, const Patches& patches, const Border_cost& cost)
+{
+  const double unit = surface.length_unit();
+  return Dual_graph(
+    patches, [&](std::size_t i) { return cost(patches.adjacencies()[i].length / unit, patches.concave_deviation(i)); },
+    [&](const Patches::Adjacency& contact) { return cost(contact.length / unit, CGAL_PI / 2); });
 }
 
 } // namespace internal

@@ -4,8 +4,9 @@
 #define CGAL_REGION_SEGMENTATION_INTERNAL_REGIONS_CONNECTED_PIECES_H
 
 #include <CGAL/Region_segmentation/Execution.h>
-#include <CGAL/Region_segmentation/Flat_mesh.h>
+#include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/Partition.h>
+#include <CGAL/Region_segmentation/Request.h>
 #include <CGAL/Region_segmentation/internal/support/label_components.h>
 
 #include <cstddef>
@@ -14,23 +15,14 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// The connected pieces of the faces with equal labels, across those dual edges that `is_crossed(edge)`. O(F) in
-/// practice.
-template <typename Labels, typename IsCrossed>
-Partition connected_pieces(const Flat_mesh& flat, const Labels& label_of_face, const IsCrossed& is_crossed)
-{
-  const auto joins = [&](std::size_t e) {
-    return label_of_face[flat.lower_face(e)] == label_of_face[flat.higher_face(e)] && is_crossed(e);
-  };
-  return label_components(flat, joins, Execution<>());
-}
-
-/// The same across the edges that are not constrained.
+/// The connected pieces of the faces with equal labels, across adjacencies that are not constrained. O(F) in practice.
 template <typename Labels>
-Partition connected_pieces(const Flat_mesh& flat, const Labels& label_of_face)
+Partition connected_pieces(const Surface& surface, const Labels& label_of_face, const Constraints& constraints)
 {
-  return connected_pieces(flat, label_of_face,
-                          [&](std::size_t e) { return !flat.has_flag(e, Flat_mesh::CONSTRAINED); });
+  const auto joins = [&](std::size_t a) {
+    return label_of_face[surface.lower_face(a)] == label_of_face[surface.higher_face(a)] && !constraints[a];
+  };
+  return label_components(surface, joins, Execution());
 }
 
 } // namespace internal

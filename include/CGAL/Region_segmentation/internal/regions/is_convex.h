@@ -4,7 +4,7 @@
 #define CGAL_REGION_SEGMENTATION_INTERNAL_REGIONS_IS_CONVEX_H
 
 #include <CGAL/Region_segmentation/Double_3.h>
-#include <CGAL/Region_segmentation/Flat_mesh.h>
+#include <CGAL/Region_segmentation/Surface.h>
 
 #include <cmath>
 #include <cstddef>
@@ -21,7 +21,7 @@ constexpr double largest_gap_of_closed = 1e-6;
 
 /// Whether all components of a surface bound convex bodies: it is closed, and has no concave edges. (A closed surface that is
 /// convex at all edges is convex: van Heijenoort 1952.) False for one without area. O(F).
-inline bool is_convex(const Flat_mesh& mesh)
+inline bool is_convex(const Surface& mesh)
 {
   double area = 0;
   Double_3 sum = {0, 0, 0};
@@ -32,9 +32,9 @@ inline bool is_convex(const Flat_mesh& mesh)
   if (!(std::sqrt(squared_norm(sum)) <= largest_gap_of_closed * area) || area == 0)
     return false;
   double concave = 0, convex = 0;
-  for (std::size_t e = 0; e < mesh.number_of_edges(); ++e)
-    if (mesh.has_flag(e, Flat_mesh::CONCAVE | Flat_mesh::CONVEX))
-      (mesh.has_flag(e, Flat_mesh::CONCAVE) ? concave : convex) += mesh.length(e) * mesh.deviation(mesh.lower_face(e), e);
+  for (std::size_t e = 0; e < mesh.number_of_adjacencies(); ++e)
+    if (mesh.has_flag(e, Surface::CONCAVE | Surface::CONVEX))
+      (mesh.has_flag(e, Surface::CONCAVE) ? concave : convex) += mesh.length(e) * mesh.deviation(e);
   return concave <= largest_concave_share_of_convex * (concave + convex);
 }
 

@@ -11,7 +11,7 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// One byte per dual edge of a `Flat_mesh`, or per edge of a mesh, not zero if the edge is marked. A vector whose `resize()` does not
+/// One byte per dual edge of a `Surface`, or per edge of a mesh, not zero if the edge is marked. A vector whose `resize()` does not
 /// initialize elements.
 using Edge_marks = Large_array<std::uint8_t>;
 

@@ -16,12 +16,11 @@ namespace Region_segmentation {
 namespace internal {
 
 /// The lowest key that each element was offered; with `Parallel_tag` threads may offer keys concurrently.
-template <typename ConcurrencyTag>
 class Lowest_keys
 {
 public:
-  /// Not initialized.
-  explicit Lowest_keys(std::size_t size) : m_keys(size) {}
+  /// Not initialized. `execution`: in parallel, threads may offer keys concurrently
+  Lowest_keys(std::size_t size, const Execution& execution) : m_keys(size), m_is_parallel(execution.is_parallel()) {}
 
   void set(std::size_t i, Float_key key) { m_keys[i].store(key, std::memory_order_relaxed); }
   Float_key operator[](std::size_t i) const { return m_keys[i].load(std::memory_order_relaxed); }
@@ -29,7 +28,7 @@ public:
   void offer(std::size_t i, Float_key key)
   {
     Float_key lowest = (*this)[i];
-    if constexpr (Execution<ConcurrencyTag>::is_parallel)
+    if (m_is_parallel)
       while (key < lowest && !m_keys[i].compare_exchange_weak(lowest, key, std::memory_order_relaxed)) {
       }
     else // without a branch, which would be mispredicted often
@@ -38,6 +37,7 @@ public:
 
 private:
   Large_array<std::atomic<Float_key>> m_keys;
+  bool m_is_parallel;
 };
 
 } // namespace internal

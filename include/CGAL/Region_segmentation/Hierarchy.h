@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_HIERARCHY_H
+#define CGAL_REGION_SEGMENTATION_HIERARCHY_H
+
+#include <CGAL/Region_segmentation/Graph/Merge_tree.h>
+#include <CGAL/Region_segmentation/Partition.h>
+#include <CGAL/Region_segmentation/Surface.h>
+
+#include <cstddef>
+#include <utility>
+
+namespace CGAL {
+namespace Region_segmentation {
+
+/// \ingroup PkgRegionSegmentationData
+/// What a method gives whose order of merges does not depend on the number of segments: first regions, their merges, and
+/// the number of segments that was given or chosen. Any number of segments is at hand, and the segmentations are nested.
+class Hierarchy
+{
+public:
+  Hierarchy() = default;
+  /// `regions`: of the faces; `tree`: their merges
+  Hierarchy(Partition regions, Merge_tree tree, std::size_t number_of_segments)
+    : m_regions(std::move(regions)), m_tree(std::move(tree)), m_number(number_of_segments)
+  {}
+
+  const Partition& regions() const { return m_regions; }
+  const Merge_tree& merge_tree() const { return m_tree; }
+  std::size_t number_of_segments() const { return m_number; }
+
+  /// The segments of the faces: `number` of them, or the nearest number that there is.
+  Partition segments(const Surface&, std::size_t number) const
+  {
+    return composed(m_regions, m_tree.partition_at_count(number));
+  }
+
+private:
+  Partition m_regions;
+  Merge_tree m_tree;
+  std::size_t m_number = 0;
+};
+
+/// \ingroup PkgRegionSegmentationData
+/// What a method gives whose order of merges depends on the number of segments.
+struct Segmentation
+{
+  Partition regions;    ///< of the faces
+  Partition segments;   ///< of the regions
+  Merge_tree merge_tree; ///< of the regions; without merges if they were not merged one pair at a time
+};
+
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_HIERARCHY_H

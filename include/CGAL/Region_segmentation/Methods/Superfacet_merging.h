@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_METHODS_SUPERFACET_MERGING_H
+#define CGAL_REGION_SEGMENTATION_METHODS_SUPERFACET_MERGING_H
+
+#include <CGAL/Region_segmentation/Execution.h>
+#include <CGAL/Region_segmentation/Hierarchy.h>
+#include <CGAL/Region_segmentation/Methods/Border_straightening.h>
+#include <CGAL/Region_segmentation/Methods/Superfacets.h>
+#include <CGAL/Region_segmentation/Patches.h>
+#include <CGAL/Region_segmentation/Request.h>
+#include <CGAL/Region_segmentation/Surface.h>
+#include <CGAL/Region_segmentation/internal/cells/Patch_builder.h>
+#include <CGAL/Region_segmentation/internal/graph/build_graph.h>
+#include <CGAL/Region_segmentation/internal/graph/merge_requested.h>
+#include <CGAL/Region_segmentation/internal/graph/renumber_tree.h>
+#include <CGAL/Region_segmentation/internal/rays/Region_rays.h>
+#include <CGAL/Region_segmentation/internal/regions/border_costs.h>
+#include <CGAL/Region_segmentation/requested_regions.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Region_segmentation {
+
+/// \ingroup PkgRegionSegmentationData
+/// A hierarchy whose first regions can be split further: so there are as many segments as are asked for, up to the number
+/// of faces.
+class Refinable_hierarchy : public Hierarchy
+{
+public:
+  Refinable_hierarchy() = default;
+  /// `is_fixed`: regions that seeds joined are not split
+  Refinable_hierarchy(Hierarchy hierarchy, const Superfacets& superfacets, bool is_fixed)
+    : Hierarchy(std::move(hierarchy)), m_superfacets(superfacets), m_is_fixed(is_fixed)
+  {}
+
+  /// The segments of the faces of the surface that the hierarchy was made of. O(F log F) where regions are split.
+  Partition segments(const Surface& surface, std::size_t number) const
+  {
+    return number > regions().number_of_parts() && !m_is_fixed ? m_superfacets.split(surface, regions(), number)
+                                                               : Hierarchy::segments(surface, number);
+  }
+
+private:
+  Superfacets m_superfacets;
+  bool m_is_fixed = false;
+};
+
+/// \ingroup PkgRegionSegmentationMethods
+/// Merges superfacets: `Superfacets` on the patches of the surface, annotated with what rays from them see, merged by a
+/// policy, and the borders of the segments moved to minimum cuts. A model of `SegmentationMethod`.
+///
+/// The order of merges does not depend on the number of segments. Where none is given, a chooser chooses it. A number that
+/// exceeds that of the superfacets splits them.
+///
+/// \tparam GraphAnnotator fills the data of the graph of regions: nested types `RegionData` and `SectionData`, and
+///         `void operator()(Graph&, const Surface&, const Partition& regions, const Region_rays&) const`
+/// \tparam MergingPolicy a model of `MergingPolicy` whose order does not depend on the number of segments
+/// \tparam NumberChooser a model of `NumberChooser`, for the costs of the policy
+template <typename GraphAnnotator, typename MergingPolicy, typename NumberChooser>
+struct Superfacet_merging
+{
+  GraphAnnotator annotator;
+  MergingPolicy policy;
+  NumberChooser chooser;
+  Superfacets superfacets = Superfacets();
+  Border_cost border_cost = Border_cost(); ///< for superfacets and for the borders of segments
+  Border_straightening straightening = Border_straightening();
+
+  /// What does not depend on the request.
+  struct Prepared
+  {
+    Surface_patches patches;
+    internal::Dual_graph border_costs; ///< between fine patches
+    Partition regions;                 ///< the superfacets, of the faces
+    Region_rays rays;
+  };
+
+  Prepared prepare(const Surface& surface, const Execution& execution = Execution()) const
+  {
+    const Execution stage = execution.stage("regions");
+    Surface_patches patches = internal::Patch_builder::build(surface, stage.step(0, 0.6));
+    internal::Dual_graph costs = internal::border_costs(surface, patches.fine, border_cost);
+    const Partition regions_of_patches =
+      patches.fine.contacts().empty()
+        ? superfacets(surface, patches, costs, stage.step(0.6, 1))
+        : superfacets(surface, patches, internal::border_costs_of_edges(surface, patches.fine, border_cost),
+                      stage.step(0.6, 1));
+    Partition regions = composed(patches.fine.of_elements(), regions_of_patches);
+    Region_rays rays(surface, patches, regions, execution.stage("rays"));
+    return {std::move(patches), std::move(costs), std::move(regions), std::move(rays)};
+  }
+
+  Refinable_hierarchy merge(const Surface& surface, const Prepared& prepared, const Request& request,
+                            const Execution& execution = Execution()) const
+  {
+    const Requested_regions requested = requested_regions(surface, prepared.regions, request);
+    auto graph =
+      annotated_graph(surface, prepared, requested.regions, request.constraints, execution.stage("graph"));
+    const Merge_tree tree =
+      internal::merge_requested(surface, requested, graph, policy, 1, execution.stage("merging"));
+    const std::size_t number =
+      request.number_of_segments > 0 ? request.number_of_segments : chooser(tree, surface);
+    return Refinable_hierarchy(
+      straightened(surface, prepared, requested, request, Hierarchy(Partition(), tree, number), execution),
+      superfacets, !request.seeds.empty());
+  }
+
+  /// The graph of regions, with the data of the annotator; the rays of superfacets among them are not traced again.
+  auto annotated_graph(const Surface& surface, const Prepared& prepared, const Partition& regions,
+                       const Constraints& constraints, const Execution& execution) const
+  {
+    auto graph = internal::build_graph<typename GraphAnnotator::RegionData, typename GraphAnnotator::SectionData>(
+      surface, regions, constraints, execution);
+    if (regions == prepared.regions)
+      annotator(graph, surface, regions, prepared.rays);
+    else
+      annotator(graph, surface, regions,
+                prepared.rays.of_changed_regions(surface, prepared.patches, prepared.regions, regions));
+    return graph;
+  }
+
+private:
+  using Index = Surface::Index;
+
+  /// The hierarchy with the borders of its segments moved: of all of them, or of one number alone if the request says so.
+  Hierarchy straightened(const Surface& surface, const Prepared& prepared, const Requested_regions& requested,
+                         const Request& request, const Hierarchy& merged, const Execution& execution) const
+  {
+    const Partition& regions = requested.regions;
+    const bool are_prepared = are_unions(prepared.patches.fine, regions);
+    const Patches divided = are_prepared ? Patches() : divided_patches(surface, prepared.patches.fine, regions, request);
+    const Patches& cells = are_prepared ? prepared.patches.fine : divided;
+    std::vector<Index> region_of;
+    for (std::size_t c = 0; c < cells.size(); ++c)
+      region_of.push_back(regions[cells[c].center]);
+    const std::size_t number = request.numbers == Request::Numbers::ONE ? merged.number_of_segments()
+                                                                        : regions.number_of_parts();
+    const std::vector<Index> label_of_cell = straightening(
+      cells, surface.length_unit(),
+      are_prepared ? prepared.border_costs : internal::border_costs(surface, cells, border_cost), region_of,
+      merged.merge_tree(), [&](Index r) { return requested.is_fixed(r); }, number, execution.stage("borders"));
+    return of_labels(cells.of_elements(), label_of_cell, merged, number);
+  }
+
+  static bool are_unions(const Patches& patches, const Partition& regions)
+  {
+    for (std::size_t f = 0; f < regions.size(); ++f)
+      if (regions[f] != regions[patches[patches.of_elements()[f]].center])
+        return false;
+    return true;
+  }
+
+  /// Cells: the pieces of patches in each region.
+  static Patches divided_patches(const Surface& surface, const Patches& patches, const Partition& regions,
+                                 const Request& request)
+  {
+    std::vector<std::uint64_t> labels;
+    labels.reserve(regions.size());
+    for (std::size_t f = 0; f < regions.size(); ++f)
+      labels.push_back((std::uint64_t(patches.of_elements()[f]) << 32) | regions[f]);
+    return internal::Patch_builder::build(
+      surface, internal::connected_pieces(surface, labels, request.constraints), request.constraints);
+  }
+
+  /// Of cells labelled by former regions, or by the segments of one number.
+  static Hierarchy of_labels(const Partition& cell_of, const std::vector<Index>& label_of_cell,
+                             const Hierarchy& merged, std::size_t number)
+  {
+    constexpr Index none = (std::numeric_limits<Index>::max)();
+    std::vector<Index> labels;
+    labels.reserve(cell_of.size());
+    for (const Index cell : cell_of)
+      labels.push_back(label_of_cell[cell]);
+    Partition straightened = Partition::from_labels(labels);
+    if (straightened.number_of_parts() >= number && number < merged.merge_tree().number_of_regions()) {
+      const std::size_t parts = straightened.number_of_parts();
+      return Hierarchy(std::move(straightened), Merge_tree(parts), merged.number_of_segments());
+    }
+    std::vector<Index> new_numbers(merged.merge_tree().number_of_regions(), none);
+    for (std::size_t f = 0; f < labels.size(); ++f)
+      new_numbers[labels[f]] = straightened[f];
+    Merge_tree tree = internal::renumber_tree(merged.merge_tree(), std::move(new_numbers));
+    return Hierarchy(std::move(straightened), std::move(tree), merged.number_of_segments());
+  }
+};
+
+template <typename GraphAnnotator, typename MergingPolicy, typename NumberChooser>
+Superfacet_merging(GraphAnnotator, MergingPolicy, NumberChooser)
+  -> Superfacet_merging<GraphAnnotator, MergingPolicy, NumberChooser>;
+
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_METHODS_SUPERFACET_MERGING_H

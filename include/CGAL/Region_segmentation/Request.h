@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_REQUEST_H
+#define CGAL_REGION_SEGMENTATION_REQUEST_H
+
+#include <CGAL/Region_segmentation/Partition.h>
+#include <CGAL/Region_segmentation/internal/support/Key_numbering.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Region_segmentation {
+
+/// \ingroup PkgRegionSegmentationData
+/// Adjacencies of a surface that always are borders and are never merged across.
+class Constraints
+{
+public:
+  bool empty() const { return m_marks.empty(); }
+  bool operator[](std::size_t adjacency) const { return !m_marks.empty() && m_marks[adjacency] != 0; }
+
+  void add(std::size_t adjacency, std::size_t number_of_adjacencies)
+  {
+    m_marks.resize(number_of_adjacencies);
+    m_marks[adjacency] = 1;
+  }
+
+private:
+  std::vector<std::uint8_t> m_marks;
+};
+
+/// \ingroup PkgRegionSegmentationData
+/// The seeds of faces or regions: elements with the same seed belong to one segment, elements with different seeds to
+/// different ones.
+struct Seeds
+{
+  using Index = Partition::Index;
+  static constexpr Index none = (std::numeric_limits<Index>::max)();
+
+  std::vector<Index> of;           ///< by element: 0 .. number() - 1, or none
+  std::vector<std::size_t> values; ///< of the user's map, by seed
+
+  std::size_t number() const { return values.size(); }
+  bool empty() const { return values.empty(); }
+
+  /// From the values of a map; `std::size_t(-1)` stands for none.
+  template <typename Value>
+  static Seeds from_values(const std::vector<Value>& values)
+  {
+    constexpr std::size_t no_seed = (std::numeric_limits<std::size_t>::max)();
+    Seeds seeds;
+    internal::Key_numbering number(2 * values.size() + 1024);
+    seeds.of.reserve(values.size());
+    for (const Value v : values) {
+      const std::size_t value = std::size_t(v);
+      seeds.of.push_back(value == no_seed ? Index(none) : number(value));
+      if (seeds.values.size() < number.size())
+        seeds.values.push_back(value);
+    }
+    return seeds;
+  }
+};
+
+/// \ingroup PkgRegionSegmentationData
+/// What a user wants of a segmentation, beyond the method.
+struct Request
+{
+  /// The numbers of segments for which labels will be asked.
+  enum class Numbers { ALL, ONE };
+
+  std::size_t number_of_segments = 0; ///< 0: chosen by the method
+  Numbers numbers = Numbers::ALL;     ///< `ONE`: a method may leave out what only other numbers need
+  Constraints constraints;
+  Seeds seeds; ///< of the faces
+};
+
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_REQUEST_H

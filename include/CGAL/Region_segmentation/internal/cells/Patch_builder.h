@@ -1,0 +1,419 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_CELLS_PATCH_BUILDER_H
+#define CGAL_REGION_SEGMENTATION_INTERNAL_CELLS_PATCH_BUILDER_H
+
+#include <CGAL/Region_segmentation/Execution.h>
+#include <CGAL/Region_segmentation/Surface.h>
+#include <CGAL/Region_segmentation/Patches.h>
+#include <CGAL/Region_segmentation/Request.h>
+#include <CGAL/Region_segmentation/internal/cells/Patch_selection.h>
+#include <CGAL/Region_segmentation/internal/support/Grouped_items.h>
+#include <CGAL/Region_segmentation/internal/support/Large_array.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Region_segmentation {
+namespace internal {
+
+/// Makes the patches of a surface, the fine ones and the coarse ones, in rounds, see `Surface_patches`.
+///
+/// What is summed for a patch or between two of them is summed by one thread, in the order of the elements: so the result is the
+/// same in parallel.
+class Patch_builder
+{
+  using Index = Surface::Index;
+  using Patch = Patches::Patch;
+  using Adjacency = Patches::Adjacency;
+
+public:
+  static Surface_patches build(const Surface& surface, const Execution& execution)
+  {
+    Patch_builder builder(surface, Constraints(), execution);
+    // A round takes a time proportional to the number of patches before it.
+    const auto report = [&] {
+      const double faces = double((std::max)(surface.number_of_faces(), std::size_t(1)));
+      execution.report(1 - double(builder.m_places.size()) / faces);
+    };
+    const bool is_worth_another = builder.join_faces(Surface_patches::maximum_area * surface.area());
+    report();
+    if (is_worth_another)
+      builder.join_patches(Surface_patches::maximum_area * surface.area(), report);
+    Surface_patches result;
+    result.fine = builder.finish();
+    set_centers(result.fine, surface);
+    set_contacts(result.fine, surface, Constraints());
+    builder.m_adjacencies.push_back(result.fine.m_adjacencies);
+    builder.join_patches(Surface_patches::maximum_coarse_area * surface.area(), report);
+    result.coarse = builder.finish();
+    const Patches& fine = result.fine;
+    set_centers(result.coarse, [&](std::size_t p) { return fine[p].centroid; },
+                [&](std::size_t p) { return squared_norm(fine[p].normal) == 0; });
+    return result;
+  }
+
+  /// The parts of a partition as patches; those on both sides of constrained edges are not adjacent there.
+  static Patches build(const Surface& surface, Partition of_faces, const Constraints& constraints)
+  {
+    Patch_builder builder(surface, constraints, Execution());
+    builder.m_rounds.push_back(std::move(of_faces));
+    builder.replace_patches(Faces(builder), builder.m_rounds.back());
+    Patches patches = builder.finish();
+    set_centers(patches, surface);
+    set_contacts(patches, surface, constraints);
+    return patches;
+  }
+
+private:
+  Patch_builder(const Surface& surface, const Constraints& constraints, const Execution& execution)
+    : m_surface(surface), m_constraints(constraints), m_execution(execution.silent()), m_unit(surface.length_unit())
+  {}
+
+  static void set_centers(Patches& patches, const Surface& surface)
+  {
+    set_centers(patches, [&](std::size_t f) { return surface.centroid(f); },
+                [&](std::size_t f) { return surface.is_degenerate(f); });
+  }
+
+  static void set_contacts(Patches& patches, const Surface& surface, const Constraints& constraints)
+  {
+    Large_array<Adjacency>& contacts = patches.m_contacts;
+    if (!surface.has_seams_or_links())
+      return;
+    for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a) {
+      const Index p = patches.m_of_elements[surface.lower_face(a)], q = patches.m_of_elements[surface.higher_face(a)];
+      if (surface.has_flag(a, Surface::SEAM | Surface::LINK) && !constraints[a] && p != q)
+        contacts.push_back({(std::min)(p, q), (std::max)(p, q), surface.length(a)});
+    }
+    std::stable_sort(contacts.begin(), contacts.end(), [](const Adjacency& a, const Adjacency& b) {
+      return a.lower != b.lower ? a.lower < b.lower : a.higher < b.higher;
+    });
+    unite(contacts);
+  }
+
+  /// Adds up the lengths of subsequent adjacencies of the same two patches.
+  static void unite(Large_array<Adjacency>& adjacencies)
+  {
+    std::size_t n = 0;
+    for (const Adjacency& a : adjacencies)
+      if (n > 0 && adjacencies[n - 1].lower == a.lower && adjacencies[n - 1].higher == a.higher)
+        adjacencies[n - 1].length += a.length;
+      else
+        adjacencies[n++] = a;
+    adjacencies.resize(n);
+    adjacencies.shrink_to_fit(); // large patches have many edges with each other
+  }
+
+  /// A degenerate element only if there is no other.
+  template <typename Centroid, typename IsDegenerate>
+  static void set_centers(Patches& patches, const Centroid& centroid, const IsDegenerate& is_degenerate)
+  {
+    std::vector<double> distances(patches.size(), std::numeric_limits<double>::infinity());
+    for (std::size_t i = 0; i < patches.m_of_elements.size(); ++i) {
+      const Index part = patches.m_of_elements[i];
+      Patch& patch = patches.m_patches[part];
+      const double distance = is_degenerate(i) ? std::numeric_limits<double>::infinity()
+                                               : squared_norm(centroid(i) - patch.centroid);
+      if (distance < distances[part] || patch.center == none) {
+        distances[part] = distance;
+        patch.center = Index(i);
+      }
+    }
+  }
+
+  /// Of a patch, while there are many of them. In two arrays, which are replaced one after the other: memory is used most then.
+  struct Place
+  {
+    Double_3 centroid;
+    double area;
+  };
+  struct Direction
+  {
+    Double_3 normal;
+    double projected_area; // on the plane of the normal: the length of the area vector
+  };
+
+  /// The faces as the patches of the first round.
+  class Faces
+  {
+  public:
+    explicit Faces(const Patch_builder& builder) : m_builder(builder), m_mesh(builder.m_surface) {}
+    std::size_t size() const { return m_mesh.number_of_faces(); }
+    double area(std::size_t f) const { return m_mesh.area(f); }
+    Double_3 centroid(std::size_t f) const { return m_mesh.centroid(f); }
+    const Double_3& normal(std::size_t f) const { return m_mesh.normal(f); }
+    Double_3 area_vector(std::size_t f) const { return m_mesh.area(f) * m_mesh.normal(f); }
+
+    std::size_t number_of_ranges() const { return number_of_blocks(m_mesh.number_of_adjacencies(), edges_in_range()); }
+    template <typename F>
+    void for_each_adjacency(std::size_t range, const F& f) const
+    {
+      const std::size_t end = (std::min)((range + 1) * edges_in_range(), m_mesh.number_of_adjacencies());
+      for (std::size_t e = range * edges_in_range(); e < end; ++e)
+        if (!m_mesh.has_flag(e, Surface::SEAM | Surface::LINK) && !m_builder.m_constraints[e])
+          f(m_mesh.lower_face(e), m_mesh.higher_face(e), e);
+    }
+    double length(std::size_t, std::size_t e) const { return m_mesh.length(e); }
+
+  private:
+    std::size_t edges_in_range() const
+    {
+      constexpr std::size_t for_threads = std::size_t(1) << 16;
+      return m_builder.m_execution.is_parallel() ? for_threads : (std::max)(m_mesh.number_of_adjacencies(), std::size_t(1));
+    }
+
+    const Patch_builder& m_builder;
+    const Surface& m_mesh;
+  };
+
+  /// The patches of a later round. Those of the first round are not stored, but found from their faces: they would take more
+  /// memory than all else at that time.
+  class Joined
+  {
+  public:
+    explicit Joined(const Patch_builder& builder) : m_builder(builder), m_faces(builder) {}
+    std::size_t size() const { return m_builder.m_places.size(); }
+    double area(std::size_t p) const { return m_builder.m_places[p].area; }
+    const Double_3& centroid(std::size_t p) const { return m_builder.m_places[p].centroid; }
+    const Double_3& normal(std::size_t p) const { return m_builder.m_directions[p].normal; }
+    Double_3 area_vector(std::size_t p) const
+    {
+      return m_builder.m_directions[p].projected_area * m_builder.m_directions[p].normal;
+    }
+
+    std::size_t number_of_ranges() const
+    {
+      return are_stored() ? m_builder.m_adjacencies.size() : m_faces.number_of_ranges();
+    }
+    template <typename F>
+    void for_each_adjacency(std::size_t range, const F& f) const
+    {
+      if (are_stored()) {
+        const Large_array<Adjacency>& adjacencies = m_builder.m_adjacencies[range];
+        for (std::size_t i = 0; i < adjacencies.size(); ++i)
+          f(adjacencies[i].lower, adjacencies[i].higher, i);
+        return;
+      }
+      const Partition& patch_of = m_builder.m_rounds.front();
+      m_faces.for_each_adjacency(range, [&](Index lower, Index higher, std::size_t e) {
+        const Index a = patch_of[lower], b = patch_of[higher];
+        if (a != b)
+          f((std::min)(a, b), (std::max)(a, b), e);
+      });
+    }
+    double length(std::size_t range, std::size_t i) const
+    {
+      return are_stored() ? m_builder.m_adjacencies[range][i].length : m_faces.length(range, i);
+    }
+
+  private:
+    bool are_stored() const { return !m_builder.m_adjacencies.empty(); }
+
+    const Patch_builder& m_builder;
+    const Faces m_faces;
+  };
+
+  /// The first round. Returns whether another one is worth it.
+  bool join_faces(double maximum_area)
+  {
+    const Faces faces(*this);
+    m_rounds.push_back(select(faces, maximum_area));
+    replace_patches(faces, m_rounds.back());
+    return has_joined_enough(m_rounds.back());
+  }
+
+  template <typename Report>
+  void join_patches(double maximum_area, const Report& report)
+  {
+    for (bool is_worth_another = true; is_worth_another;) {
+      const Joined patches(*this);
+      Partition joined = select(patches, maximum_area);
+      is_worth_another = has_joined_enough(joined);
+      if (joined.number_of_parts() == joined.size())
+        return;
+      replace_patches(patches, joined); // first, since it frees most memory
+      replace_adjacencies(joined.number_of_parts(), [&](Index patch) { return joined[patch]; });
+      m_rounds.push_back(std::move(joined));
+      report();
+    }
+  }
+
+  static bool has_joined_enough(const Partition& joined)
+  {
+    const std::size_t fewer = joined.size() - joined.number_of_parts();
+    return fewer > 0 && fewer >= joined.size() / 32;
+  }
+
+  template <typename Elements>
+  Partition select(const Elements& elements, double maximum_area) const
+  {
+    return Patch_selection(elements, maximum_area, m_unit, Surface_patches::deviation_weight, m_execution).joined();
+  }
+
+  /// Calls `f(part, element)` for all elements; those of a part in order, by one thread. Each thread has some of the parts, and looks at all
+  /// elements from the first on that may be in them.
+  template <typename F>
+  void for_each_in_part(const Partition& partition, const F& f) const
+  {
+    const std::size_t ranges = m_execution.number_of_threads();
+    const std::size_t size = number_of_blocks(partition.number_of_parts(), ranges);
+    m_execution.for_each(0, ranges, [&](std::size_t range) {
+      const std::size_t first = range * size;
+      for (std::size_t i = first; i < partition.size(); ++i) // no part is above its first element
+        if (partition[i] - first < size)
+          f(partition[i], i);
+    });
+  }
+
+  template <typename Elements>
+  void replace_patches(const Elements& patches, const Partition& joined)
+  {
+    replace_places(patches, joined);
+    replace_directions(patches, joined);
+  }
+
+  template <typename Elements>
+  void replace_places(const Elements& patches, const Partition& joined)
+  {
+    Large_array<Place> places(joined.number_of_parts());
+    Large_array<Index> firsts(places.size());
+    for_each_index(m_execution, places.size(), [&](std::size_t p) {
+      places[p] = {{0, 0, 0}, 0};
+      firsts[p] = none;
+    });
+    for_each_in_part(joined, [&](Index part, std::size_t p) {
+      Place& place = places[part];
+      const double area = patches.area(p);
+      if (firsts[part] == none)
+        firsts[part] = Index(p);
+      // Relative to the first of them, to avoid cancellation far from the origin.
+      place.centroid = place.centroid + area * (patches.centroid(p) - patches.centroid(firsts[part]));
+      place.area += area;
+    });
+    for_each_index(m_execution, places.size(), [&](std::size_t p) {
+      Place& place = places[p];
+      place.centroid = patches.centroid(firsts[p]) + (place.area > 0 ? 1 / place.area : 0) * place.centroid;
+    });
+    m_places = std::move(places);
+  }
+
+  template <typename Elements>
+  void replace_directions(const Elements& patches, const Partition& joined)
+  {
+    Large_array<Direction> directions(joined.number_of_parts());
+    for_each_index(m_execution, directions.size(), [&](std::size_t p) { directions[p] = {{0, 0, 0}, 0}; });
+    for_each_in_part(joined, [&](Index part, std::size_t p) {
+      directions[part].normal = directions[part].normal + patches.area_vector(p);
+    });
+    for_each_index(m_execution, directions.size(), [&](std::size_t p) {
+      Direction& direction = directions[p];
+      direction.projected_area = norm(direction.normal);
+      direction.normal =
+        direction.projected_area > 0 ? (1 / direction.projected_area) * direction.normal : Double_3{0, 0, 0};
+    });
+    m_directions = std::move(directions);
+  }
+
+  /// By those between the parts `part_of(patch)`.
+  template <typename PartOf>
+  void replace_adjacencies(std::size_t number_of_parts, const PartOf& part_of)
+  {
+    const Joined patches(*this);
+    std::vector<Large_array<Adjacency>> result(patches.number_of_ranges());
+    m_execution.for_each(0, result.size(), [&](std::size_t range) {
+      Large_array<Adjacency> adjacencies;
+      adjacencies.reserve(4 * number_of_parts / result.size()); // usually enough
+      patches.for_each_adjacency(range, [&](Index lower, Index higher, std::size_t i) {
+        const Index a = part_of(lower), b = part_of(higher);
+        if (a != b)
+          adjacencies.push_back({(std::min)(a, b), (std::max)(a, b), patches.length(range, i)});
+      });
+      result[range] = std::move(adjacencies);
+    });
+    m_adjacencies = std::move(result);
+  }
+
+  /// The patches of the rounds since the last call.
+  Patches finish()
+  {
+    if (m_adjacencies.empty())
+      replace_adjacencies(m_places.size(), [](Index patch) { return patch; });
+    Patches result;
+    result.m_of_elements = take_rounds();
+    result.m_adjacencies = united_adjacencies();
+    result.m_patches.resize(m_places.size());
+    for_each_index(m_execution, m_places.size(), [&](std::size_t p) {
+      result.m_patches[p] = {m_places[p].centroid, m_directions[p].normal, m_places[p].area, none};
+    });
+    result.m_concave_deviations.resize(result.m_adjacencies.size());
+    for_each_index(m_execution, result.m_adjacencies.size(), [&](std::size_t i) {
+      const Adjacency& a = result.m_adjacencies[i];
+      result.m_concave_deviations[i] = concave_deviation(result.m_patches[a.lower], result.m_patches[a.higher]);
+    });
+    return result;
+  }
+
+  /// The partition that the rounds make together: composed from the last one on, so that the faces are relabelled once.
+  Partition take_rounds()
+  {
+    Partition result = Partition::into_single_elements(m_places.size());
+    for (; !m_rounds.empty(); m_rounds.pop_back())
+      result = composed(m_rounds.back(), result);
+    return result;
+  }
+
+  /// One for each two patches, sorted: a radix sort of two digits, since the order of those to be summed must be kept.
+  Large_array<Adjacency> united_adjacencies()
+  {
+    Grouped_items<Adjacency> by_higher(m_places.size()), by_lower(m_places.size());
+    for (const Large_array<Adjacency>& range : m_adjacencies)
+      for (const Adjacency& a : range) {
+        by_higher.count(a.higher);
+        by_lower.count(a.lower);
+      }
+    by_higher.end_counting();
+    for (const Large_array<Adjacency>& range : m_adjacencies)
+      for (const Adjacency& a : range)
+        by_higher.add(a.higher, a);
+    m_adjacencies.clear();
+    by_lower.end_counting();
+    for (const Adjacency& a : by_higher.all())
+      by_lower.add(a.lower, a);
+    Large_array<Adjacency> united(by_lower.all());
+    unite(united);
+    return united;
+  }
+
+  static double concave_deviation(const Patch& a, const Patch& b)
+  {
+    if (squared_norm(a.normal) == 0 || squared_norm(b.normal) == 0 ||
+        !(dot(b.normal - a.normal, b.centroid - a.centroid) < 0))
+      return 0;
+    return std::acos((std::max)(-1.0, (std::min)(1.0, dot(a.normal, b.normal))));
+  }
+
+  static constexpr Index none = (std::numeric_limits<Index>::max)();
+
+  const Surface& m_surface;
+  const Constraints m_constraints;
+  const Execution m_execution; // silent
+  const double m_unit;
+  std::vector<Partition> m_rounds; // of the faces or the fine patches, then of the patches of the round before
+  Large_array<Place> m_places;
+  Large_array<Direction> m_directions;
+  /// By range of edges of the mesh; several between two patches, until the end. Empty before the second round.
+  std::vector<Large_array<Adjacency>> m_adjacencies;
+};
+
+} // namespace internal
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_INTERNAL_CELLS_PATCH_BUILDER_H

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_GRAPH_MERGE_GRAPH_H
+#define CGAL_REGION_SEGMENTATION_INTERNAL_GRAPH_MERGE_GRAPH_H
+
+#include <CGAL/Region_segmentation/Execution.h>
+#include <CGAL/Region_segmentation/Graph/Merge_tree.h>
+#include <CGAL/Region_segmentation/Request.h>
+#include <CGAL/Region_segmentation/exceptions.h>
+#include <CGAL/Region_segmentation/internal/concepts/check_merging.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Region_segmentation {
+namespace internal {
+
+/// Bars the sections between regions of different seeds, while regions are merged.
+class Seed_barriers
+{
+public:
+  template <typename Graph>
+  Seed_barriers(Seeds of_regions, Graph& graph) : m_seeds(std::move(of_regions))
+  {
+    if (!m_seeds.empty())
+      for (auto range = edges(graph); range.first != range.second; ++range.first)
+        bar_if_between_seeds(graph, *range.first);
+  }
+
+  template <typename Graph>
+  void on_merge(Graph& graph, const typename Graph::Merge& merge)
+  {
+    if (m_seeds.empty())
+      return;
+    Seeds::Index& kept = m_seeds.of[merge.kept];
+    if (kept == Seeds::none)
+      kept = m_seeds.of[merge.removed];
+    if (kept != Seeds::none)
+      for (auto s : graph.sections(merge.kept))
+        bar_if_between_seeds(graph, s);
+  }
+
+private:
+  template <typename Graph, typename Section>
+  void bar_if_between_seeds(Graph& graph, Section s) const
+  {
+    const Seeds::Index a = m_seeds.of[graph.source(s)], b = m_seeds.of[graph.target(s)];
+    if (a != b && a != Seeds::none && b != Seeds::none)
+      graph.forbid_merge(s);
+  }
+
+  Seeds m_seeds; // of the regions
+};
+
+/// Merges the regions of a graph, and records it.
+template <typename Graph>
+class Merger
+{
+public:
+  /// `number`: of regions, at which merging ends
+  Merger(Graph& graph, const Seeds& of_regions, std::size_t number, const Execution& execution)
+    : m_graph(graph)
+    , m_number(number)
+    , m_barriers(of_regions, graph)
+    , m_tree(graph.index_bound_of_regions())
+    , m_progress(execution, graph.number_of_regions() - (std::min)(graph.number_of_regions(), number))
+  {}
+
+  /// Merges pairs of first regions, if that is possible.
+  void merge_first(const std::vector<std::pair<Partition::Index, Partition::Index>>& pairs)
+  {
+    std::vector<Partition::Index> kept_of(m_graph.index_bound_of_regions());
+    for (std::size_t r = 0; r < kept_of.size(); ++r)
+      kept_of[r] = Partition::Index(r);
+    const auto kept = [&](Partition::Index r) {
+      while (kept_of[r] != r)
+        r = kept_of[r] = kept_of[kept_of[r]];
+      return r;
+    };
+    for (const auto& [r, s] : pairs) {
+      const Partition::Index a = kept(r), b = kept(s);
+      if (a == b || m_graph.number_of_regions() <= m_number)
+        continue;
+      if (const auto section = m_graph.section(a, b); section && m_graph.is_mergeable(*section)) {
+        const auto merge = this->merge(*section, std::numeric_limits<double>::lowest());
+        kept_of[merge.removed] = merge.kept;
+      }
+    }
+  }
+
+  /// Merges in the order of a policy, until `stop(graph, next_cost)` or the policy has no further candidate.
+  /// \throws Invalid_method if the policy proposes a section that is removed or not mergeable, or a cost that is not a number
+  template <typename Policy, typename Stop>
+  void run(Policy& policy, Stop& stop)
+  {
+    initialize_policy(policy, m_graph, m_number);
+    while (const auto candidate = policy.next(m_graph)) {
+      if (stop(m_graph, candidate->cost))
+        break;
+      check(*candidate);
+      policy.on_merge(m_graph, merge(candidate->section, candidate->cost));
+    }
+  }
+
+  Merge_tree take_tree() { return std::move(m_tree); }
+
+private:
+  typename Graph::Merge merge(typename Graph::section_descriptor section, double cost)
+  {
+    const auto merge = m_graph.merge(section);
+    m_barriers.on_merge(m_graph, merge);
+    m_tree.push_back({merge.kept, merge.removed, cost});
+    m_progress.advance();
+    return merge;
+  }
+
+  template <typename Candidate>
+  void check(const Candidate& candidate) const
+  {
+    const bool is_removed = m_graph.is_removed(candidate.section);
+    if (!is_removed && m_graph.is_mergeable(candidate.section) && !std::isnan(candidate.cost))
+      return;
+    throw Invalid_method("the MergingPolicy proposes to merge across section " +
+                         std::to_string(candidate.section.id()) +
+                         (is_removed                                  ? ", which is removed"
+                          : !m_graph.is_mergeable(candidate.section) ? ", which is not mergeable"
+                                                                     : " at a cost that is not a number"));
+  }
+
+  Graph& m_graph;
+  const std::size_t m_number;
+  Seed_barriers m_barriers;
+  Merge_tree m_tree;
+  Step_counter m_progress;
+};
+
+} // namespace internal
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_INTERNAL_GRAPH_MERGE_GRAPH_H

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_REGIONS_APPLY_SEEDS_H
+#define CGAL_REGION_SEGMENTATION_INTERNAL_REGIONS_APPLY_SEEDS_H
+
+#include <CGAL/Region_segmentation/Execution.h>
+#include <CGAL/Region_segmentation/Surface.h>
+#include <CGAL/Region_segmentation/Graph/Region_adjacency_graph.h>
+#include <CGAL/Region_segmentation/Partition.h>
+#include <CGAL/Region_segmentation/exceptions.h>
+#include <CGAL/Region_segmentation/internal/graph/build_graph.h>
+#include <CGAL/Region_segmentation/Request.h>
+#include <CGAL/Region_segmentation/internal/regions/split_at_seeds.h>
+#include <CGAL/Region_segmentation/internal/support/shortest_paths.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Region_segmentation {
+namespace internal {
+
+/// The concavity of a section.
+struct Section_concavity
+{
+  double length = 0, concave = 0; // concave: integral of the deviation of concave edges
+
+  void add_adjacency(const Surface& surface, std::size_t a)
+  {
+    length += surface.length(a);
+    if (surface.has_flag(a, Surface::CONCAVE))
+      concave += surface.length(a) * surface.deviation(a);
+  }
+  void absorb(const Section_concavity& other)
+  {
+    length += other.length;
+    concave += other.concave;
+  }
+};
+
+struct Region_area
+{
+  double area = 0;
+
+  void add_face(const Surface& mesh, std::size_t face) { area += mesh.area(face); }
+  void add_border(const Surface&, std::size_t) {}
+  void absorb(const Region_area& other, const Section_concavity&) { area += other.area; }
+};
+
+/// Joins the regions of each seed along the cheapest paths of regions that avoid all other seeds.
+///
+/// A step from region i to j across a section of length L costs (sqrt(a_i) + sqrt(a_j)) / 2 (1 + 80 C / L), a the areas
+/// and C the integral of the deviation of the concave edges of the section: the weight that `Superfacets` gives to
+/// them. Seeds are joined in order; a seed that cannot be joined any more is the first one in another attempt.
+///
+/// Complexity: O(F), and for each region of a seed that is not adjacent to the others O(S log R).
+class Seed_joining
+{
+  using Index = Partition::Index;
+  using Graph = Region_adjacency_graph<Region_area, Section_concavity>;
+
+public:
+  /// \pre each region has faces of one seed at most: that in `seeds`
+  Seed_joining(const Surface& surface, const Partition& regions, const Seeds& seeds, const Constraints& constraints)
+    : m_graph(build_graph<Region_area, Section_concavity>(surface, regions, constraints, Execution())), m_seeds(seeds), m_members(seeds.number())
+  {
+    for (Index r = 0; r < regions.number_of_parts(); ++r)
+      if (m_seeds.of[r] != Seeds::none)
+        m_members[m_seeds.of[r]].push_back(r);
+  }
+
+  /// The seeds, extended to the regions on the paths, so that the regions of each are connected. Empty if there are no
+  /// such paths.
+  std::optional<Seeds> join()
+  {
+    std::vector<Index> order(m_seeds.number());
+    std::iota(order.begin(), order.end(), Index(0));
+    // A seed that failed is first from then on, so that there are at most as many attempts as seeds.
+    for (std::size_t number_of_tries = 0; number_of_tries <= order.size(); ++number_of_tries) {
+      m_owner = m_seeds.of;
+      const auto failed =
+        std::find_if(order.begin(), order.end(), [this](Index seed) { return !join_members(seed); });
+      if (failed == order.end())
+        return Seeds{std::move(m_owner), m_seeds.values};
+      m_failed = *failed;
+      if (failed == order.begin())
+        break;
+      std::rotate(order.begin(), failed, failed + 1);
+    }
+    return std::nullopt;
+  }
+
+  /// The seed, as in the user's map, that could not be joined.
+  std::size_t failed_seed() const { return m_seeds.values[m_failed]; }
+
+private:
+  static constexpr double concave_weight = 80; // 1/radian
+
+  double cost(Section_descriptor s) const
+  {
+    const Section_concavity& section = m_graph[s];
+    const double concavity = section.length > 0 ? section.concave / section.length : 0;
+    return (std::sqrt(m_graph[m_graph.source(s)].area) + std::sqrt(m_graph[m_graph.target(s)].area)) / 2 *
+           (1 + concave_weight * concavity);
+  }
+
+  /// Whether the regions of a seed could be joined; if so, those on the paths now belong to the seed.
+  bool join_members(Index seed)
+  {
+    const std::vector<Index>& members = m_members[seed];
+    std::vector<Index> connected; // with the first member
+    std::vector<bool> is_connected(m_owner.size());
+    const auto connect = [&](Index r) {
+      if (is_connected[r])
+        return;
+      is_connected[r] = true;
+      m_owner[r] = seed;
+      connected.push_back(r);
+    };
+    connect(members.front());
+    while (std::any_of(members.begin(), members.end(), [&](Index r) { return !is_connected[r]; })) {
+      const auto path = cheapest_path(seed, connected, is_connected);
+      if (path.empty())
+        return false;
+      for (Index r : path)
+        connect(r);
+    }
+    return true;
+  }
+
+  /// The path from `connected` to the nearest other region of the seed, through regions of no other seed; empty if
+  /// there is none.
+  std::vector<Index> cheapest_path(Index seed, const std::vector<Index>& connected,
+                                   const std::vector<bool>& is_connected) const
+  {
+    std::vector<double> distances(m_owner.size(), std::numeric_limits<double>::infinity());
+    std::vector<Index> predecessor(m_owner.size(), Index(Seeds::none));
+    std::vector<Index> path;
+    find_shortest_paths(
+      connected, distances,
+      [&](Index r) {
+        if (is_connected[r] || m_seeds.of[r] != seed)
+          return true;
+        for (Index i = r; i != Seeds::none; i = predecessor[i])
+          path.push_back(i);
+        return false;
+      },
+      [&](Index r, const auto& enter) {
+        for (Section_descriptor s : m_graph.sections(r)) {
+          const Index next = m_graph.target(s);
+          const bool is_free = m_owner[next] == Seeds::none || m_owner[next] == seed;
+          if (m_graph.is_mergeable(s) && is_free && enter(next, cost(s)))
+            predecessor[next] = r;
+        }
+      });
+    return path;
+  }
+
+  const Graph m_graph;
+  const Seeds& m_seeds; // of the regions
+  std::vector<std::vector<Index>> m_members; // by seed: its regions
+  std::vector<Index> m_owner;                // by region: the seed that it or a path through it belongs to
+  Index m_failed = 0;
+};
+
+/// The partition with the parts of each seed joined.
+inline Partition joined(const Partition& regions, const Seeds& of_regions)
+{
+  std::vector<std::uint64_t> labels(regions.size());
+  for (std::size_t f = 0; f < labels.size(); ++f) {
+    const Seeds::Index seed = of_regions.of[regions[f]];
+    labels[f] = seed == Seeds::none ? regions[f] : (std::uint64_t(1) << 32) | seed;
+  }
+  return Partition::from_labels(labels);
+}
+
+/// The regions, split if they have faces of several seeds, and joined if their seeds are equal: one region for each
+/// seed. If there is no path of regions for a seed, one of faces is searched.
+/// \throws Invalid_input if the faces of a seed cannot be joined
+inline Partition apply_seeds(const Surface& surface, const Partition& regions, const Seeds& of_faces,
+                             const Constraints& constraints)
+{
+  Partition split = split_at_seeds(surface, regions, of_faces, constraints);
+  const Seeds of_split = seeds_of_regions(split, of_faces);
+  if (const auto of_joined = Seed_joining(surface, split, of_split, constraints).join())
+    return joined(split, *of_joined);
+
+  const Partition faces = Partition::into_single_elements(regions.size());
+  Seed_joining joining(surface, faces, of_faces, constraints);
+  const auto connected = joining.join();
+  if (!connected)
+    throw Invalid_input("the faces of seed " + std::to_string(joining.failed_seed()) +
+                        " cannot be joined: other components, constrained edges or other seeds are between them");
+  split = split_at_seeds(surface, regions, *connected, constraints);
+  return joined(split, seeds_of_regions(split, *connected));
+}
+
+} // namespace internal
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_INTERNAL_REGIONS_APPLY_SEEDS_H

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_REGIONS_SPLIT_AT_SEEDS_H
+#define CGAL_REGION_SEGMENTATION_INTERNAL_REGIONS_SPLIT_AT_SEEDS_H
+
+#include <CGAL/Region_segmentation/Surface.h>
+#include <CGAL/Region_segmentation/Partition.h>
+#include <CGAL/Region_segmentation/internal/regions/connected_pieces.h>
+#include <CGAL/Region_segmentation/Request.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Region_segmentation {
+namespace internal {
+
+/// The regions with faces of several seeds.
+inline std::vector<std::uint8_t> regions_of_several_seeds(const Partition& regions, const Seeds& seeds)
+{
+  std::vector<Seeds::Index> seed_of(regions.number_of_parts(), Seeds::none);
+  std::vector<std::uint8_t> has_several(regions.number_of_parts());
+  for (std::size_t f = 0; f < regions.size(); ++f) {
+    if (seeds.of[f] == Seeds::none)
+      continue;
+    Seeds::Index& seed = seed_of[regions[f]];
+    if (seed == Seeds::none)
+      seed = seeds.of[f];
+    has_several[regions[f]] |= seed != seeds.of[f];
+  }
+  return has_several;
+}
+
+/// Splits those regions that have faces of several seeds: a face is assigned to the seed from which the fewest edges
+/// have to be crossed, of several to the one that is reached first from the lower faces; constrained edges are not
+/// crossed. Each connected component becomes a region. O(F) and O(f log f) for the f faces of these regions.
+inline Partition split_at_seeds(const Surface& surface, const Partition& regions, const Seeds& seeds,
+                                const Constraints& constraints)
+{
+  using Index = Partition::Index;
+  const auto is_split = regions_of_several_seeds(regions, seeds);
+  if (std::find(is_split.begin(), is_split.end(), 1) == is_split.end())
+    return regions;
+
+  std::vector<std::pair<Index, Index>> steps; // between faces of one region
+  for (std::size_t e = 0; e < surface.number_of_adjacencies(); ++e) {
+    const Index f = surface.lower_face(e), g = surface.higher_face(e);
+    if (regions[f] == regions[g] && is_split[regions[f]] && !constraints[e]) {
+      steps.push_back({f, g});
+      steps.push_back({g, f});
+    }
+  }
+  std::sort(steps.begin(), steps.end());
+
+  std::vector<Index> seed_of = seeds.of, front;
+  for (std::size_t f = 0; f < regions.size(); ++f)
+    if (is_split[regions[f]] && seed_of[f] != Seeds::none)
+      front.push_back(Index(f));
+  for (std::size_t i = 0; i < front.size(); ++i)
+    for (auto step = std::lower_bound(steps.begin(), steps.end(), std::make_pair(front[i], Index(0)));
+         step != steps.end() && step->first == front[i]; ++step)
+      if (seed_of[step->second] == Seeds::none) {
+        seed_of[step->second] = seed_of[front[i]];
+        front.push_back(step->second);
+      }
+
+  // Faces that no seed reaches have none.
+  std::vector<std::uint64_t> labels(regions.size());
+  for (std::size_t f = 0; f < labels.size(); ++f)
+    labels[f] = (std::uint64_t(regions[f]) << 32) | (is_split[regions[f]] ? seed_of[f] : 0);
+  const Partition dealt = Partition::from_labels(labels);
+  const Partition pieces = connected_pieces(surface, dealt, constraints);
+  for (std::size_t f = 0; f < labels.size(); ++f)
+    labels[f] = (std::uint64_t(dealt[f]) << 32) | (is_split[regions[f]] ? pieces[f] : 0);
+  return Partition::from_labels(labels);
+}
+
+/// The seeds of regions, each of which has faces of one seed at most.
+inline Seeds seeds_of_regions(const Partition& regions, const Seeds& of_faces)
+{
+  Seeds result{std::vector<Seeds::Index>(regions.number_of_parts(), Seeds::Index(Seeds::none)), of_faces.values};
+  for (std::size_t f = 0; f < regions.size(); ++f)
+    if (of_faces.of[f] != Seeds::none)
+      result.of[regions[f]] = of_faces.of[f];
+  return result;
+}
+
+} // namespace internal
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_INTERNAL_REGIONS_SPLIT_AT_SEEDS_H

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_SEGMENTING_POLYGON_INPUT_H
+#define CGAL_REGION_SEGMENTATION_INTERNAL_SEGMENTING_POLYGON_INPUT_H
+
+#include <CGAL/Region_segmentation/Request.h>
+#include <CGAL/Region_segmentation/exceptions.h>
+#include <CGAL/Region_segmentation/internal/surface/mark_constraints.h>
+#include <CGAL/Region_segmentation/make_surface.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Region_segmentation {
+namespace internal {
+
+/// Polygons as input of a segmentation. Values of polygons are in a property map or a random access range, by index.
+class Polygon_input
+{
+public:
+  explicit Polygon_input(std::size_t number_of_polygons) : m_number(number_of_polygons) {}
+
+  /// Adds the constraints of a range of pairs of indices of points.
+  template <typename PairRange, typename Pack>
+  void add_constraints(const Surface& surface, const PairRange& pairs, const Pack&, Constraints& constraints) const
+  {
+    static_assert(is_range<PairRange>, "the constraints of polygons are a range of pairs of indices of points");
+    std::vector<Vertex_pair> edges;
+    for (const auto& [v, w] : pairs) {
+      if (std::size_t(v) >= surface.number_of_vertices() || std::size_t(w) >= surface.number_of_vertices())
+        throw Invalid_input("a constraint has a point that does not exist");
+      edges.push_back({Surface::Index(v), Surface::Index(w)});
+    }
+    mark_constraints(surface, std::move(edges), constraints);
+  }
+
+  template <typename Map>
+  auto values(const Map& map) const
+  {
+    using Value = std::decay_t<decltype(value(map, 0))>;
+    std::vector<Value> result;
+    result.reserve(m_number);
+    for (std::size_t i = 0; i < m_number; ++i)
+      result.push_back(value(map, i));
+    return result;
+  }
+
+  template <typename Values, typename Map>
+  void write(const Values& values, Map& map) const
+  {
+    for (std::size_t i = 0; i < m_number; ++i)
+      if constexpr (is_range<Map>)
+        map[i] = std::decay_t<decltype(map[i])>(values[i]);
+      else
+        put(map, i, typename boost::property_traits<Map>::value_type(values[i]));
+  }
+
+private:
+  template <typename Map>
+  static auto value(const Map& map, std::size_t i)
+  {
+    if constexpr (is_range<Map>)
+      return map[i];
+    else
+      return get(map, i);
+  }
+
+  std::size_t m_number;
+};
+
+} // namespace internal
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_INTERNAL_SEGMENTING_POLYGON_INPUT_H

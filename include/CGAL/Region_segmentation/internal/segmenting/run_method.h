@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_SEGMENTING_RUN_METHOD_H
+#define CGAL_REGION_SEGMENTATION_INTERNAL_SEGMENTING_RUN_METHOD_H
+
+#include <CGAL/Region_segmentation/Execution.h>
+#include <CGAL/Region_segmentation/Hierarchy.h>
+#include <CGAL/Region_segmentation/Request.h>
+#include <CGAL/Region_segmentation/Surface.h>
+#include <CGAL/Region_segmentation/internal/support/options.h>
+#include <CGAL/Region_segmentation/internal/support/satisfies.h>
+#include <CGAL/Region_segmentation/parameters.h>
+
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+namespace Region_segmentation {
+
+struct Learned_merging;
+
+namespace internal {
+
+template <typename Method>
+using Prepared_by =
+  decltype(std::declval<const Method&>().prepare(std::declval<const Surface&>(), std::declval<const Execution&>()));
+template <typename Method>
+using Merged_by = decltype(std::declval<const Method&>().merge(
+  std::declval<const Surface&>(), std::declval<const Prepared_by<Method>&>(), std::declval<const Request&>(),
+  std::declval<const Execution&>()));
+
+/// Whether the order of merges of a method depends on the number of segments.
+template <typename Method>
+constexpr bool needs_number()
+{
+  return std::is_same<Merged_by<Method>, Segmentation>::value;
+}
+
+template <typename Method>
+constexpr bool check_method()
+{
+  static_assert(satisfies<Merged_by, Method>,
+                "a SegmentationMethod needs: Prepared prepare(const Surface&, const Execution&) const, and Hierarchy or "
+                "Segmentation merge(const Surface&, const Prepared&, const Request&, const Execution&) const. "
+                "(The default method needs #include <CGAL/region_segmentation.h>)");
+  if constexpr (satisfies<Merged_by, Method>)
+    static_assert(needs_number<Method>() || std::is_base_of<Hierarchy, Merged_by<Method>>::value,
+                  "merge() of a SegmentationMethod returns a Hierarchy or a Segmentation");
+  return true;
+}
+
+/// The method of a pack, or the default one.
+template <typename Pack>
+using Method_of_pack =
+  std::decay_t<typename CGAL::internal_np::Lookup_named_param_def<internal_np::method_t, Pack, Learned_merging>::type>;
+
+template <typename NamedParameters>
+using Method_of_parameters = Method_of_pack<std::decay_t<decltype(pack(std::declval<const NamedParameters&>()))>>;
+
+/// A given method need not be default constructible.
+template <typename Method, typename Pack>
+Method method_of_pack(const Pack& np)
+{
+  if constexpr (CGAL::parameters::is_default_parameter<Pack, internal_np::method_t>::value)
+    return Method();
+  else {
+    using Given = std::decay_t<decltype(CGAL::parameters::get_parameter(np, internal_np::method))>;
+    static_assert(std::is_convertible<Given, Method>::value,
+                  "the Segmenter is of another type than the method: omit its template arguments, which are deduced in "
+                  "Segmenter segmenter(mesh, parameters::method(m))");
+    return CGAL::parameters::get_parameter(np, internal_np::method);
+  }
+}
+
+using Segmenting_parameters =
+  Tag_list<internal_np::number_of_segments_t, internal_np::method_t, internal_np::face_seed_map_t,
+           internal_np::component_links_t, internal_np::region_map_t, internal_np::merge_tree_t,
+           CGAL::internal_np::edge_is_constrained_t, CGAL::internal_np::visitor_t>;
+
+template <typename Pack>
+constexpr bool has_constraints =
+  !CGAL::parameters::is_default_parameter<Pack, CGAL::internal_np::edge_is_constrained_t>::value;
+template <typename Pack>
+constexpr bool has_seeds = !CGAL::parameters::is_default_parameter<Pack, internal_np::face_seed_map_t>::value;
+template <typename Pack>
+constexpr bool has_merge_tree = !CGAL::parameters::is_default_parameter<Pack, internal_np::merge_tree_t>::value;
+template <typename Pack>
+constexpr bool has_region_map = !CGAL::parameters::is_default_parameter<Pack, internal_np::region_map_t>::value;
+
+/// The seeds in a map.
+template <typename Input, typename SeedMap>
+Seeds read_seeds(const Input& input, const SeedMap& map)
+{
+  const auto values = input.values(map);
+  static_assert(std::is_integral<typename std::decay_t<decltype(values)>::value_type>::value,
+                "face_seed_map has an integral value type; std::size_t(-1) stands for no seed");
+  return Seeds::from_values(values);
+}
+
+/// What a pack asks for.
+template <typename Input, typename Pack>
+Request request_of_pack(const Input& input, const Surface& surface, const Pack& np)
+{
+  Request request;
+  request.number_of_segments = number_of_segments(np);
+  if constexpr (has_constraints<Pack>)
+    input.add_constraints(surface, CGAL::parameters::get_parameter(np, CGAL::internal_np::edge_is_constrained), np,
+                          request.constraints);
+  if constexpr (has_seeds<Pack>)
+    request.seeds = read_seeds(input, CGAL::parameters::get_parameter(np, internal_np::face_seed_map));
+  return request;
+}
+
+/// Writes the outputs that a pack asks for. `result`: a `Hierarchy` or a `Segmentation`
+template <typename Input, typename Pack>
+void write_outputs(const Input& input, const Partition& regions, const Merge_tree& tree, const Pack& np)
+{
+  if constexpr (has_region_map<Pack>) {
+    auto map = CGAL::parameters::get_parameter(np, internal_np::region_map);
+    input.write(regions, map);
+  }
+  if constexpr (has_merge_tree<Pack>)
+    CGAL::parameters::get_parameter_reference(np, internal_np::merge_tree) = tree;
+  static_cast<void>(input), static_cast<void>(regions), static_cast<void>(tree), static_cast<void>(np);
+}
+
+/// Segments a surface once, and writes labels and outputs. Returns the number of segments.
+template <typename Input, typename SegmentMap, typename Pack>
+std::size_t run_method(const Input& input, const Surface& surface, SegmentMap& segment_map, const Pack& np,
+                       const Execution& execution)
+{
+  using Method = Method_of_pack<Pack>;
+  static_assert(check_method<Method>());
+  const Method method = method_of_pack<Method>(np);
+  Request request = request_of_pack(input, surface, np);
+  if constexpr (!has_merge_tree<Pack> && !has_region_map<Pack>)
+    request.numbers = Request::Numbers::ONE;
+  const auto prepared = method.prepare(surface, execution);
+  const auto result = method.merge(surface, prepared, request, execution);
+  if constexpr (needs_number<Method>()) {
+    static_assert(has_number_of_segments<Pack>,
+                  "segment() with this method needs the named parameter number_of_segments");
+    input.write(composed(result.regions, result.segments), segment_map);
+    write_outputs(input, result.regions, result.merge_tree, np);
+    return result.segments.number_of_parts();
+  } else {
+    const Partition segments = result.segments(surface, result.number_of_segments());
+    input.write(segments, segment_map);
+    write_outputs(input, result.regions(), result.merge_tree(), np);
+    return segments.number_of_parts();
+  }
+}
+
+} // namespace internal
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_INTERNAL_SEGMENTING_RUN_METHOD_H

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_RAW_SURFACE_H
+#define CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_RAW_SURFACE_H
+
+#include <CGAL/Region_segmentation/Surface.h>
+#include <CGAL/Region_segmentation/exceptions.h>
+#include <CGAL/Region_segmentation/Execution.h>
+#include <CGAL/Region_segmentation/internal/support/unit_of_coordinates.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Region_segmentation {
+namespace internal {
+
+/// A surface as it is read: its points and corners, and the face across each side, as far as it is known.
+///
+/// A *side* of a face leads from one of its corners to the next one, and has the index of that corner.
+struct Raw_surface
+{
+  using Index = Surface::Index;
+  static constexpr Index none = (std::numeric_limits<Index>::max)(), at_seam = none - 1;
+
+  Surface surface;
+  Large_array<Index> neighbors; // by side: the face across; `none`: of a border, or not known; or `at_seam`
+
+  static bool is_face(Index neighbor) { return neighbor < at_seam; }
+};
+
+/// The corner of a face that follows another one around it.
+inline Surface::Index next_corner(const Surface_access& arrays, std::size_t face, std::size_t corner)
+{
+  return Surface::Index(corner + 1 == arrays.first_corners[face + 1] ? arrays.first_corners[face] : corner + 1);
+}
+
+/// Chooses the unit of the points, and scales them. Points of no corner may be anything but not a number or infinite.
+/// \throws Invalid_input if a point is not finite
+inline void set_unit(Surface& surface, const std::vector<bool>& is_used, const Execution& execution)
+{
+  Surface_access arrays(surface);
+  const std::size_t size = arrays.points.size();
+  std::vector<double> largest(number_of_blocks(size));
+  for_each_block(execution, size, [&](std::size_t block, std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) {
+      const Double_3& p = arrays.points[v];
+      if (!is_finite(p))
+        largest[block] = std::numeric_limits<double>::infinity();
+      else if (is_used.empty() || is_used[v])
+        largest[block] = (std::max)({largest[block], std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+    }
+  });
+  const double of_all = largest.empty() ? 0 : *std::max_element(largest.begin(), largest.end());
+  if (!std::isfinite(of_all))
+    for (std::size_t v = 0; v < size; ++v)
+      if (!is_finite(arrays.points[v]))
+        throw Invalid_input("the point of vertex " + std::to_string(v) + " is not finite");
+  arrays.unit = unit_of_coordinates(of_all);
+  if (arrays.unit != 1)
+    for (Double_3& p : arrays.points)
+      p = (1 / arrays.unit) * p;
+}
+
+} // namespace internal
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_RAW_SURFACE_H

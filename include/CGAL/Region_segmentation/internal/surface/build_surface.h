@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_BUILD_SURFACE_H
+#define CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_BUILD_SURFACE_H
+
+#include <CGAL/Region_segmentation/Execution.h>
+#include <CGAL/Region_segmentation/internal/support/label_components.h>
+#include <CGAL/Region_segmentation/internal/surface/collect_adjacencies.h>
+#include <CGAL/Region_segmentation/internal/surface/compute_normals.h>
+#include <CGAL/Region_segmentation/internal/surface/find_doubled_faces.h>
+#include <CGAL/Region_segmentation/internal/surface/match_sides.h>
+#include <CGAL/Region_segmentation/internal/surface/merge_points.h>
+#include <CGAL/Region_segmentation/internal/surface/orient_components.h>
+#include <CGAL/Region_segmentation/internal/surface/orient_faces.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Region_segmentation {
+namespace internal {
+
+/// What is adjacent beyond the neighbors that are known.
+enum class Adjacency_of { NEIGHBORS, COINCIDING_SIDES, COMPONENTS };
+
+/// Whether the boundary of a face runs from one vertex to another.
+inline bool runs_along(const Surface& surface, Surface::Index face, Surface::Index from, Surface::Index to)
+{
+  const std::size_t n = surface.number_of_corners(face);
+  for (std::size_t i = 0; i < n; ++i)
+    if (surface.corner(face, i) == from && surface.corner(face, i + 1 < n ? i + 1 : 0) == to)
+      return true;
+  return false;
+}
+
+/// A seam as an adjacency: with the sign of its angle if its faces are oriented consistently; an edge if one of them is
+/// degenerate.
+inline Added_adjacency adjacency_of_seam(const Surface& surface, const Seam& seam)
+{
+  const Surface::Index lower = (std::min)(seam.face, seam.other_face), higher = (std::max)(seam.face, seam.other_face);
+  const Double_3 direction = surface.point(seam.higher_vertex) - surface.point(seam.lower_vertex);
+  Added_adjacency result = {lower, higher, seam.share * seam.share * squared_norm(direction), 0};
+  if (surface.is_degenerate(lower) || surface.is_degenerate(higher))
+    return result;
+  result.flags = Surface::SEAM;
+  const bool is_forward = runs_along(surface, higher, seam.lower_vertex, seam.higher_vertex);
+  if (is_forward != runs_along(surface, lower, seam.lower_vertex, seam.higher_vertex))
+    result.flags |=
+      sign_of_edge(surface.normal(higher), surface.normal(lower), (is_forward ? 1.0 : -1.0) * direction);
+  return result;
+}
+
+/// From points and corners to a surface.
+inline Surface build_surface(Raw_surface raw, Adjacency_of wanted, const Execution& execution)
+{
+  Surface_access arrays(raw.surface);
+  std::vector<Added_adjacency> added;
+  std::vector<Seam> seams;
+  const bool has_open_sides =
+    std::find(raw.neighbors.begin(), raw.neighbors.end(), Raw_surface::none) != raw.neighbors.end();
+  const bool matches = wanted != Adjacency_of::NEIGHBORS && has_open_sides;
+  if (matches)
+    merge_points_of_open_sides(raw);
+  compute_normals(raw.surface, execution.step(0, 0.3));
+  if (matches) {
+    find_doubled_faces(raw, added);
+    Side_matcher matcher(raw);
+    matcher.match();
+    seams = matcher.seams();
+    orient_faces(raw, matcher.parallel_sides(), seams);
+  }
+  collect_adjacencies(raw, execution.step(0.3, 0.8));
+  const Partition component_of = edge_components(raw.surface, execution.step(0.8, 1));
+  orient_components(raw, component_of);
+  raw.neighbors = Large_array<Surface::Index>(); // later stages need the memory
+  for (const Seam& seam : seams)
+    added.push_back(adjacency_of_seam(raw.surface, seam));
+  insert_adjacencies(raw.surface, std::move(added));
+  join_degenerate_faces(raw.surface);
+  for (const double area : arrays.areas)
+    arrays.area += area;
+  arrays.length_unit = arrays.area > 0 ? std::sqrt(arrays.area) : 1;
+  return std::move(raw.surface);
+}
+
+} // namespace internal
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_BUILD_SURFACE_H

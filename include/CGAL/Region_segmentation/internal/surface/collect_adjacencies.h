@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_COLLECT_ADJACENCIES_H
+#define CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_COLLECT_ADJACENCIES_H
+
+#include <CGAL/Region_segmentation/Execution.h>
+#include <CGAL/Region_segmentation/internal/surface/Raw_surface.h>
+#include <CGAL/Region_segmentation/internal/surface/compute_normals.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Region_segmentation {
+namespace internal {
+
+/// Sorts the sides of a face that lead to lower faces by these, of several in order. Returns their number.
+template <typename Side>
+std::size_t sort_sides(const Surface::Index* neighbors, std::size_t number_of_sides, Surface::Index face, Side* sides)
+{
+  std::size_t n = 0;
+  for (std::size_t i = 0; i < number_of_sides; ++i)
+    if (neighbors[i] < face) {
+      std::size_t place = n++;
+      if (number_of_sides <= 8)
+        for (; place > 0 && sides[place - 1].first > neighbors[i]; --place)
+          sides[place] = sides[place - 1];
+      sides[place] = {neighbors[i], Surface::Index(i)};
+    }
+  if (number_of_sides > 8)
+    std::sort(sides, sides + n);
+  return n;
+}
+
+/// The adjacencies across edges, from the faces across the sides of each face.
+inline void collect_adjacencies(Raw_surface& raw, const Execution& execution)
+{
+  using Index = Surface::Index;
+  Surface_access arrays(raw.surface);
+  const std::size_t size = arrays.normals.size();
+  const Index *const first_corners = arrays.first_corners.data(), *const neighbors = raw.neighbors.data();
+  std::vector<std::size_t> offsets(number_of_blocks(size) + 1);
+  for_each_block(execution.step(0, 0.2), size, [&](std::size_t block, std::size_t begin, std::size_t end) {
+    std::size_t number = 0;
+    for (std::size_t f = begin; f < end; ++f)
+      for (Index c = first_corners[f]; c < first_corners[f + 1]; ++c)
+        number += neighbors[c] < f;
+    offsets[block + 1] = number;
+  });
+  for (std::size_t block = 1; block < offsets.size(); ++block)
+    offsets[block] += offsets[block - 1];
+
+  arrays.lower_faces.resize(offsets.back());
+  arrays.higher_faces.resize(offsets.back());
+  arrays.squared_lengths.resize(offsets.back());
+  arrays.flags.resize(offsets.back());
+  for_each_block(execution.step(0.2, 1), size, [&](std::size_t block, std::size_t begin, std::size_t end) {
+    std::vector<std::pair<Index, Index>> sides(16); // the face across, the side
+    std::size_t a = offsets[block];
+    for (std::size_t f = begin; f < end; ++f) {
+      const Index first = first_corners[f], number_of_sides = first_corners[f + 1] - first;
+      if (sides.size() < number_of_sides)
+        sides.resize(number_of_sides);
+      const std::size_t n = sort_sides(neighbors + first, number_of_sides, Index(f), sides.data());
+      for (std::size_t i = 0; i < n; ++i, ++a) {
+        const Index lower = sides[i].first, side = first + sides[i].second;
+        const Double_3 direction =
+          arrays.points[arrays.corners[next_corner(arrays, f, side)]] - arrays.points[arrays.corners[side]];
+        arrays.lower_faces[a] = lower;
+        arrays.higher_faces[a] = Index(f);
+        arrays.squared_lengths[a] = squared_norm(direction);
+        arrays.flags[a] = sign_of_edge(arrays.normals[f], arrays.normals[lower], direction);
+      }
+    }
+  });
+}
+
+/// An adjacency that is added to those across edges.
+struct Added_adjacency
+{
+  Surface::Index lower, higher;
+  double squared_length;
+  std::uint8_t flags;
+};
+
+/// Inserts adjacencies behind those of the same two faces.
+inline void insert_adjacencies(Surface& surface, std::vector<Added_adjacency> added)
+{
+  if (added.empty())
+    return;
+  const auto key = [](const Added_adjacency& a) { return std::make_tuple(a.higher, a.lower); };
+  std::stable_sort(added.begin(), added.end(),
+                   [&](const Added_adjacency& a, const Added_adjacency& b) { return key(a) < key(b); });
+  Surface_access arrays(surface);
+  std::size_t from = arrays.flags.size(), to = from + added.size();
+  arrays.lower_faces.resize(to);
+  arrays.higher_faces.resize(to);
+  arrays.squared_lengths.resize(to);
+  arrays.flags.resize(to);
+  for (std::size_t i = added.size(); i > 0;) {
+    --to;
+    if (from > 0 && std::make_tuple(arrays.higher_faces[from - 1], arrays.lower_faces[from - 1]) > key(added[i - 1])) {
+      --from;
+      arrays.lower_faces[to] = arrays.lower_faces[from];
+      arrays.higher_faces[to] = arrays.higher_faces[from];
+      arrays.squared_lengths[to] = arrays.squared_lengths[from];
+      arrays.flags[to] = arrays.flags[from];
+    } else {
+      --i;
+      arrays.lower_faces[to] = added[i].lower;
+      arrays.higher_faces[to] = added[i].higher;
+      arrays.squared_lengths[to] = added[i].squared_length;
+      arrays.flags[to] = added[i].flags;
+      arrays.has_seams_or_links |= (added[i].flags & (Surface::SEAM | Surface::LINK)) != 0;
+    }
+  }
+}
+
+/// Marks the adjacencies of degenerate faces: the longest edge of each (of equal ones that to the lowest face) joins it.
+inline void join_degenerate_faces(Surface& surface)
+{
+  using Index = Surface::Index;
+  Surface_access arrays(surface);
+  struct Candidate
+  {
+    Index face, other;
+    double length;
+    std::size_t adjacency;
+  };
+  const auto is_zero = [](const Double_3& n) { return n.x == 0 && n.y == 0 && n.z == 0; };
+  if (std::none_of(arrays.normals.begin(), arrays.normals.end(), is_zero))
+    return;
+  std::vector<Candidate> candidates;
+  for (std::size_t a = 0; a < arrays.flags.size(); ++a) {
+    const Index lower = arrays.lower_faces[a], higher = arrays.higher_faces[a];
+    const bool is_lower = surface.is_degenerate(lower), is_higher = surface.is_degenerate(higher);
+    if (!(is_lower || is_higher) || surface.has_flag(a, Surface::LINK))
+      continue;
+    arrays.flags[a] = Surface::CLOSED;
+    if (is_lower)
+      candidates.push_back({lower, higher, surface.length(a), a});
+    if (is_higher)
+      candidates.push_back({higher, lower, surface.length(a), a});
+  }
+  std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
+    return std::make_tuple(a.face, -a.length, a.other, a.adjacency) <
+           std::make_tuple(b.face, -b.length, b.other, b.adjacency);
+  });
+  for (std::size_t i = 0; i < candidates.size(); ++i)
+    if (i == 0 || candidates[i].face != candidates[i - 1].face)
+      arrays.flags[candidates[i].adjacency] = Surface::JOINING;
+}
+
+} // namespace internal
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_COLLECT_ADJACENCIES_H

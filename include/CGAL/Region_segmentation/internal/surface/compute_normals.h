@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_COMPUTE_NORMALS_H
+#define CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_COMPUTE_NORMALS_H
+
+#include <CGAL/Region_segmentation/Execution.h>
+#include <CGAL/Region_segmentation/Surface.h>
+#include <CGAL/Region_segmentation/internal/surface/Area_vector_sum.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+namespace CGAL {
+namespace Region_segmentation {
+namespace internal {
+
+/// Whether a face of this area has no normal that means anything.
+inline bool is_degenerate(double area, double squared_longest_edge)
+{
+  return !(area > 1e-12 * squared_longest_edge && area >= (std::numeric_limits<double>::min)());
+}
+
+/// The areas and normals of the faces, by Newell's formula relative to the first corner. The normal of a degenerate face
+/// is zero.
+inline void compute_normals(Surface& surface, const Execution& execution)
+{
+  Surface_access arrays(surface);
+  const std::size_t size = arrays.first_corners.size() - 1;
+  arrays.normals.resize(size);
+  arrays.areas.resize(size);
+  const Double_3* const points = arrays.points.data();
+  const Surface::Index* const corners = arrays.corners.data();
+  for_each_block(execution, size, [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t f = begin; f < end; ++f) {
+      const Surface::Index first = arrays.first_corners[f], past = arrays.first_corners[f + 1];
+      Double_3 area_vector{};
+      double area = 0, squared_longest_edge = 0;
+      if (past - first > 2) {
+        Area_vector_sum sum(points[corners[first]], points[corners[first + 1]]);
+        for (Surface::Index c = first + 2; c < past; ++c)
+          sum.add(points[corners[c]]);
+        area_vector = sum.area_vector();
+        area = norm(area_vector);
+        squared_longest_edge = sum.squared_longest_edge();
+      }
+      arrays.areas[f] = area;
+      arrays.normals[f] = is_degenerate(area, squared_longest_edge) ? Double_3{} : (1 / area) * area_vector;
+    }
+  });
+}
+
+/// The flags of the sign of an edge between two faces: of the normals of the higher and the lower one, and the direction in which
+/// the boundary of the higher one runs.
+inline std::uint8_t sign_of_edge(const Double_3& higher, const Double_3& lower, const Double_3& direction)
+{
+  const double sign = dot(cross(higher, lower), direction);
+  return std::uint8_t((sign > 0) * Surface::CONVEX + (sign < 0) * Surface::CONCAVE);
+}
+
+} // namespace internal
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_COMPUTE_NORMALS_H

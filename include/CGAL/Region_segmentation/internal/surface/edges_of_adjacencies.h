@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_EDGES_OF_ADJACENCIES_H
+#define CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_EDGES_OF_ADJACENCIES_H
+
+#include <CGAL/Region_segmentation/Surface.h>
+#include <CGAL/Region_segmentation/internal/surface/Mesh_order.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Region_segmentation {
+namespace internal {
+
+/// Which adjacency of a surface each edge of the face graph is that it was made of: the adjacencies of a face to the same
+/// lower face follow its boundary from its vertex of lowest number, edges first.
+template <typename FaceGraph, typename Pack>
+class Edges_of_adjacencies
+{
+  using Index = Surface::Index;
+  using Order = Mesh_order<FaceGraph, Pack>;
+  using halfedge_descriptor = typename Order::halfedge_descriptor;
+  using face_descriptor = typename Order::face_descriptor;
+
+public:
+  Edges_of_adjacencies(const Order& order, const Surface& surface) : m_order(order), m_surface(surface) {}
+
+  /// Calls `f(halfedge, adjacency)` for the edges that have two different faces, each with the halfedge of the lower face.
+  template <typename F>
+  void for_each(const F& f)
+  {
+    Index rank = 0;
+    m_order.for_each_face([&](face_descriptor fd) { for_each_of_face(fd, rank++, f); });
+  }
+
+  /// The same for those edges alone that `is_wanted`. Fast where few are.
+  template <typename IsWanted, typename F>
+  void for_each_if(const IsWanted& is_wanted, const F& f)
+  {
+    const FaceGraph& mesh = m_order.mesh();
+    std::vector<std::pair<Index, face_descriptor>> higher_faces; // with such an edge
+    for (auto e : edges(mesh))
+      if (is_wanted(e) && !CGAL::is_border(e, mesh)) {
+        const halfedge_descriptor h = halfedge(e, mesh), g = opposite(h, mesh);
+        const Index rank = m_order.face_rank(h), other = m_order.face_rank(g);
+        higher_faces.push_back(rank > other ? std::make_pair(rank, face(h, mesh)) : std::make_pair(other, face(g, mesh)));
+      }
+    std::sort(higher_faces.begin(), higher_faces.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    Index previous = Order::none;
+    for (const auto& [rank, fd] : higher_faces)
+      if (std::exchange(previous, rank) != rank)
+        for_each_of_face(fd, rank, [&](halfedge_descriptor h, std::size_t adjacency) {
+          if (is_wanted(edge(h, mesh)))
+            f(h, adjacency);
+        });
+  }
+
+private:
+  template <typename F>
+  void for_each_of_face(face_descriptor fd, Index rank, const F& f)
+  {
+    const FaceGraph& mesh = m_order.mesh();
+    const auto rank_of_vertex = m_order.rank_of_vertex();
+    m_sides.clear();
+    std::size_t lowest = Order::none, first = 0;
+    for (halfedge_descriptor h : CGAL::halfedges_around_face(halfedge(fd, mesh), mesh)) {
+      const std::size_t vertex = rank_of_vertex(source(h, mesh));
+      if (vertex < lowest) {
+        lowest = vertex;
+        first = m_sides.size();
+      }
+      m_sides.push_back({m_order.face_rank(opposite(h, mesh)), opposite(h, mesh)});
+    }
+    std::rotate(m_sides.begin(), m_sides.begin() + std::ptrdiff_t(first), m_sides.end());
+    m_sides.erase(std::remove_if(m_sides.begin(), m_sides.end(), [=](const Side& s) { return s.first >= rank; }),
+                  m_sides.end());
+    std::stable_sort(m_sides.begin(), m_sides.end(), [](const Side& a, const Side& b) { return a.first < b.first; });
+    std::size_t adjacency = m_sides.empty() ? 0 : m_surface.first_adjacency(rank);
+    for (const Side& side : m_sides) {
+      while (m_surface.lower_face(adjacency) < side.first)
+        ++adjacency;
+      f(side.second, adjacency++);
+    }
+  }
+
+  using Side = std::pair<Index, halfedge_descriptor>; // the face across, the halfedge there
+
+  const Order& m_order;
+  const Surface& m_surface;
+  std::vector<Side> m_sides;
+};
+
+} // namespace internal
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_EDGES_OF_ADJACENCIES_H

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_FIND_DOUBLED_FACES_H
+#define CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_FIND_DOUBLED_FACES_H
+
+#include <CGAL/Region_segmentation/internal/surface/Raw_surface.h>
+#include <CGAL/Region_segmentation/internal/surface/collect_adjacencies.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Region_segmentation {
+namespace internal {
+
+/// Whether two faces have the same vertices in the same cyclic order, or in the reverse one. Each begins at its vertex of lowest
+/// index.
+inline bool are_equal_faces(const Surface& s, Surface::Index f, Surface::Index g)
+{
+  const std::size_t n = s.number_of_corners(f);
+  if (s.number_of_corners(g) != n)
+    return false;
+  bool is_same = true, is_reverse = true;
+  for (std::size_t i = 0; i < n; ++i) {
+    is_same = is_same && s.corner(f, i) == s.corner(g, i);
+    is_reverse = is_reverse && s.corner(f, i) == s.corner(g, (n - i) % n);
+  }
+  return is_same || is_reverse;
+}
+
+/// Makes faces degenerate that were given before, in any orientation, and gives them an adjacency to the first of
+/// their kind alone. Only faces with a side whose neighbor is not known are looked at. O(F log F).
+inline void find_doubled_faces(Raw_surface& raw, std::vector<Added_adjacency>& added)
+{
+  using Index = Surface::Index;
+  Surface_access arrays(raw.surface);
+  std::vector<std::pair<std::uint64_t, Index>> keys; // a sum over the vertices, the face
+  for (Index f = 0; f + 1 < arrays.first_corners.size(); ++f) {
+    bool has_open_side = false;
+    std::uint64_t key = 0;
+    for (Index c = arrays.first_corners[f]; c < arrays.first_corners[f + 1]; ++c) {
+      has_open_side |= raw.neighbors[c] == Raw_surface::none;
+      const std::uint64_t mixed = (arrays.corners[c] + 1) * 0x9E3779B97F4A7C15u;
+      key += mixed ^ (mixed >> 29);
+    }
+    if (has_open_side)
+      keys.push_back({key, f});
+  }
+  std::sort(keys.begin(), keys.end());
+  std::size_t first = 0;
+  for (std::size_t i = 1; i < keys.size(); ++i) {
+    if (keys[i].first != keys[first].first)
+      first = i;
+    const Index original = keys[first].second, f = keys[i].second;
+    if (first == i || !are_equal_faces(raw.surface, original, f))
+      continue;
+    const auto begin = raw.neighbors.begin() + std::ptrdiff_t(arrays.first_corners[f]);
+    std::fill(begin, raw.neighbors.begin() + std::ptrdiff_t(arrays.first_corners[f + 1]), f);
+    arrays.normals[f] = {0, 0, 0};
+    arrays.areas[f] = 0;
+    added.push_back({original, f, 1, 0});
+  }
+}
+
+} // namespace internal
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_FIND_DOUBLED_FACES_H

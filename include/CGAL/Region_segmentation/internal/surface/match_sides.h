@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_MATCH_SIDES_H
+#define CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_MATCH_SIDES_H
+
+#include <CGAL/Region_segmentation/internal/support/Grouped_items.h>
+#include <CGAL/Region_segmentation/internal/surface/Raw_surface.h>
+#include <CGAL/Region_segmentation/internal/surface/compute_normals.h>
+#include <CGAL/Region_segmentation/internal/surface/collect_adjacencies.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Region_segmentation {
+namespace internal {
+
+/// A side of a face whose neighbor is not known: between two vertices, the lower one first.
+struct Open_side
+{
+  Surface::Index lower_vertex, higher_vertex, face, corner;
+  bool is_forward; ///< whether the boundary of the face runs from the lower to the higher vertex
+};
+
+/// The side that leaves a corner of a face.
+inline Open_side side_at(const Surface_access& arrays, Surface::Index face, Surface::Index corner)
+{
+  const Surface::Index v = arrays.corners[corner], w = arrays.corners[next_corner(arrays, face, corner)];
+  return {(std::min)(v, w), (std::max)(v, w), face, corner, v < w};
+}
+
+/// Two faces that are adjacent across an edge with more faces, or with neighbors that cannot be oriented.
+struct Seam
+{
+  Surface::Index lower_vertex, higher_vertex, face, other_face;
+  double share; ///< of the length of the edge
+};
+
+/// Finds what is adjacent across sides with the same two vertices.
+///
+/// Two sides make an edge. Of more of them, those of degenerate faces are edges to the first of the others; the others
+/// make seams, in the cyclic order of the directions in which their faces leave the edge, unless there are only two.
+class Side_matcher
+{
+  using Index = Surface::Index;
+
+public:
+  explicit Side_matcher(Raw_surface& raw) : m_raw(raw), m_arrays(raw.surface) {}
+
+  /// Sets the neighbors of sides that have none, and collects the seams.
+  void match()
+  {
+    Grouped_items<Open_side> by_lower = open_sides();
+    for (std::size_t v = 0; v < by_lower.number_of_groups(); ++v) {
+      const auto sides = by_lower[v];
+      std::sort(sides.begin(), sides.end(), [](const Open_side& a, const Open_side& b) {
+        return std::tie(a.higher_vertex, a.face, a.corner) < std::tie(b.higher_vertex, b.face, b.corner);
+      });
+      for (auto first = sides.begin(); first != sides.end();) {
+        const auto past = std::find_if(
+          first, sides.end(), [&](const Open_side& s) { return s.higher_vertex != first->higher_vertex; });
+        match_edge(first, past);
+        first = past;
+      }
+    }
+  }
+
+  /// Edges with two sides that run in the same direction: one of the faces is to be turned.
+  const std::vector<std::pair<Open_side, Open_side>>& parallel_sides() const { return m_parallel; }
+  const std::vector<Seam>& seams() const { return m_seams; }
+
+private:
+  Grouped_items<Open_side> open_sides() const
+  {
+    Grouped_items<Open_side> result(m_arrays.points.size());
+    for (const bool is_adding : {false, true}) {
+      for (Index f = 0; f + 1 < m_arrays.first_corners.size(); ++f)
+        for (Index c = m_arrays.first_corners[f]; c < m_arrays.first_corners[f + 1]; ++c) {
+          if (m_raw.neighbors[c] != Raw_surface::none)
+            continue;
+          const Open_side side = side_at(m_arrays, f, c);
+          if (side.lower_vertex == side.higher_vertex)
+            continue;
+          if (is_adding)
+            result.add(side.lower_vertex, side);
+          else
+            result.count(side.lower_vertex);
+        }
+      if (!is_adding)
+        result.end_counting();
+    }
+    return result;
+  }
+
+  template <typename Iterator>
+  void match_edge(Iterator first, Iterator past)
+  {
+    if (past - first == 2)
+      return join(first[0], first[1]);
+    m_proper.clear();
+    for (Iterator s = first; s != past; ++s)
+      if (!m_raw.surface.is_degenerate(s->face))
+        m_proper.push_back(*s);
+    const Open_side base = m_proper.empty() ? *first : m_proper.front();
+    for (Iterator s = first; s != past; ++s)
+      if (s->corner != base.corner && m_raw.surface.is_degenerate(s->face) && s->face != base.face)
+        add_seam(base, *s, 1);
+    if (m_proper.size() == 2)
+      join(m_proper[0], m_proper[1]);
+    else if (m_proper.size() > 2)
+      sew();
+  }
+
+  void join(const Open_side& a, const Open_side& b)
+  {
+    if (a.face == b.face)
+      return;
+    m_raw.neighbors[a.corner] = b.face;
+    m_raw.neighbors[b.corner] = a.face;
+    if (a.is_forward == b.is_forward)
+      m_parallel.push_back({a, b});
+  }
+
+  /// Seams between the proper sides, each to the next one around the edge.
+  void sew()
+  {
+    const Double_3 axis =
+      m_arrays.points[m_proper[0].higher_vertex] - m_arrays.points[m_proper[0].lower_vertex];
+    const Double_3 first = inward(m_proper[0], axis), second = (1 / norm(axis)) * cross(axis, first);
+    std::vector<std::pair<double, std::size_t>> around;
+    for (std::size_t i = 0; i < m_proper.size(); ++i) {
+      const Double_3 d = inward(m_proper[i], axis);
+      around.push_back({i == 0 ? 0 : pseudo_angle(dot(d, first), dot(d, second)), i});
+    }
+    std::sort(around.begin(), around.end());
+    for (std::size_t i = 0; i < around.size(); ++i) {
+      const Open_side &a = m_proper[around[i].second], &b = m_proper[around[(i + 1) % around.size()].second];
+      if (a.face != b.face)
+        add_seam(a, b, 0.5);
+    }
+  }
+
+  void add_seam(const Open_side& a, const Open_side& b, double share)
+  {
+    m_raw.neighbors[a.corner] = m_raw.neighbors[b.corner] = Raw_surface::at_seam;
+    m_seams.push_back({a.lower_vertex, a.higher_vertex, a.face, b.face, share});
+  }
+
+  /// The direction from an edge into its face, perpendicular to the edge.
+  Double_3 inward(const Open_side& s, const Double_3& axis) const
+  {
+    return cross(m_arrays.normals[s.face], (s.is_forward ? 1.0 : -1.0) * axis);
+  }
+
+  /// Grows with the angle of (x, y), from 0 to 4.
+  static double pseudo_angle(double x, double y)
+  {
+    const double share = y / (std::abs(x) + std::abs(y));
+    return x < 0 ? 2 - share : y < 0 ? 4 + share : share;
+  }
+
+  Raw_surface& m_raw;
+  const Surface_access m_arrays;
+  std::vector<Open_side> m_proper; // of an edge
+  std::vector<std::pair<Open_side, Open_side>> m_parallel;
+  std::vector<Seam> m_seams;
+};
+
+} // namespace internal
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_MATCH_SIDES_H

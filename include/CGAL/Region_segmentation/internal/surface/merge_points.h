@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_MERGE_POINTS_H
+#define CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_MERGE_POINTS_H
+
+#include <CGAL/Region_segmentation/internal/surface/Raw_surface.h>
+
+#include <boost/functional/hash.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Region_segmentation {
+namespace internal {
+
+/// The lowest index of equal points among those that were asked for; -0 is 0.
+class Point_numbering
+{
+  using Index = Surface::Index;
+
+public:
+  Point_numbering(const Large_array<Double_3>& points, std::size_t expected_number) : m_points(points)
+  {
+    std::size_t capacity = 16;
+    while (capacity < 2 * expected_number)
+      capacity *= 2;
+    m_table.assign(capacity, Index(Raw_surface::none));
+  }
+
+  /// \pre at most the expected number of different vertices are asked for
+  Index operator()(Index v)
+  {
+    const Double_3& p = m_points[v];
+    std::size_t hash = 0;
+    for (const double coordinate : {p.x + 0.0, p.y + 0.0, p.z + 0.0})
+      boost::hash_combine(hash, coordinate);
+    std::size_t place = (hash ^ (hash >> 32)) & (m_table.size() - 1);
+    while (m_table[place] != Raw_surface::none && !are_equal(p, m_points[m_table[place]]))
+      place = (place + 1) & (m_table.size() - 1);
+    if (m_table[place] == Raw_surface::none)
+      m_table[place] = v;
+    return m_table[place];
+  }
+
+private:
+  static bool are_equal(const Double_3& p, const Double_3& q) { return p.x == q.x && p.y == q.y && p.z == q.z; }
+
+  const Large_array<Double_3>& m_points;
+  std::vector<Index> m_table;
+};
+
+/// Makes equal points one vertex, the lowest, as far as they are at sides whose neighbor is not known.
+inline void merge_points_of_open_sides(Raw_surface& raw)
+{
+  using Index = Surface::Index;
+  Surface_access arrays(raw.surface);
+  std::vector<bool> is_at_open_side(arrays.points.size());
+  for (std::size_t f = 0; f + 1 < arrays.first_corners.size(); ++f)
+    for (Index c = arrays.first_corners[f]; c < arrays.first_corners[f + 1]; ++c)
+      if (raw.neighbors[c] == Raw_surface::none)
+        is_at_open_side[arrays.corners[c]] = is_at_open_side[arrays.corners[next_corner(arrays, f, c)]] = true;
+  std::vector<Index> lowest(arrays.points.size());
+  Point_numbering number(arrays.points, std::size_t(std::count(is_at_open_side.begin(), is_at_open_side.end(), true)));
+  bool is_any = false;
+  for (Index v = 0; v < lowest.size(); ++v) {
+    lowest[v] = is_at_open_side[v] ? number(v) : v;
+    is_any |= lowest[v] != v;
+  }
+  if (!is_any)
+    return;
+  for (std::size_t f = 0; f + 1 < arrays.first_corners.size(); ++f) {
+    const auto first = std::ptrdiff_t(arrays.first_corners[f]), past = std::ptrdiff_t(arrays.first_corners[f + 1]);
+    const auto begin = arrays.corners.begin() + first, end = arrays.corners.begin() + past;
+    for (auto c = begin; c != end; ++c)
+      *c = lowest[*c];
+    const auto shift = std::min_element(begin, end) - begin;
+    std::rotate(begin, begin + shift, end);
+    std::rotate(raw.neighbors.begin() + first, raw.neighbors.begin() + first + shift, raw.neighbors.begin() + past);
+  }
+}
+
+} // namespace internal
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_MERGE_POINTS_H

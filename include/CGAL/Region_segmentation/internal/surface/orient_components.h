@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_ORIENT_COMPONENTS_H
+#define CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_ORIENT_COMPONENTS_H
+
+#include <CGAL/Region_segmentation/Partition.h>
+#include <CGAL/Region_segmentation/internal/surface/orient_faces.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Region_segmentation {
+namespace internal {
+
+/// What decides whether a component is closed, and its orientation.
+struct Component_volume
+{
+  Double_3 origin{}, area_vector{};
+  double area = 0, volume = 0; // the volume times 3
+  std::size_t number_of_faces = 0;
+  bool has_border = false, has_seam = false;
+
+  /// The area vectors of a closed surface sum to zero; this decides where a component is closed only together with its seams.
+  bool is_closed() const
+  {
+    constexpr double largest_gap = 1e-9;
+    return !has_border && (!has_seam || norm(area_vector) <= largest_gap * area);
+  }
+};
+
+inline std::vector<Component_volume> component_volumes(const Raw_surface& raw, const Partition& component_of)
+{
+  const Surface& surface = raw.surface;
+  std::vector<Component_volume> components(component_of.number_of_parts());
+  std::size_t side = 0;
+  for (std::size_t f = 0; f < surface.number_of_faces(); ++f) {
+    Component_volume& c = components[component_of[f]];
+    const Double_3& point = surface.point(surface.corner(f, 0));
+    if (c.number_of_faces++ == 0)
+      c.origin = point;
+    const Double_3 area_vector = surface.area(f) * surface.normal(f);
+    c.area += surface.area(f);
+    c.area_vector = c.area_vector + area_vector;
+    c.volume += dot(point - c.origin, area_vector);
+    for (std::size_t i = 0; i < surface.number_of_corners(f); ++i, ++side)
+      if (!Raw_surface::is_face(raw.neighbors[side]))
+        (raw.neighbors[side] == Raw_surface::at_seam ? c.has_seam : c.has_border) = true;
+  }
+  return components;
+}
+
+/// Turns the closed components that are inside out: those of negative signed volume.
+inline void orient_components(Raw_surface& raw, const Partition& component_of)
+{
+  Surface_access arrays(raw.surface);
+  const std::vector<Component_volume> components = component_volumes(raw, component_of);
+  std::vector<bool> is_inside_out;
+  bool is_any = false;
+  for (const Component_volume& c : components) {
+    is_inside_out.push_back(c.is_closed() && c.volume < 0);
+    is_any |= is_inside_out.back();
+  }
+  if (!is_any)
+    return;
+  for (std::size_t f = 0; f < component_of.size(); ++f)
+    if (is_inside_out[component_of[f]])
+      turn_face(raw, f);
+  for (std::size_t a = 0; a < arrays.flags.size(); ++a)
+    if (is_inside_out[component_of[arrays.lower_faces[a]]] && (arrays.flags[a] & (Surface::CONVEX | Surface::CONCAVE)))
+      arrays.flags[a] ^= Surface::CONVEX | Surface::CONCAVE;
+}
+
+} // namespace internal
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_ORIENT_COMPONENTS_H

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_ORIENT_FACES_H
+#define CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_ORIENT_FACES_H
+
+#include <CGAL/Region_segmentation/internal/surface/match_sides.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Region_segmentation {
+namespace internal {
+
+/// Reverses the boundary of a face, which still begins at its vertex of lowest index.
+inline void turn_face(Raw_surface& raw, std::size_t face)
+{
+  Surface_access arrays(raw.surface);
+  const auto first = std::ptrdiff_t(arrays.first_corners[face]), past = std::ptrdiff_t(arrays.first_corners[face + 1]);
+  arrays.normals[face] = -1.0 * arrays.normals[face];
+  std::reverse(arrays.corners.begin() + first + 1, arrays.corners.begin() + past);
+  if (!raw.neighbors.empty())
+    std::reverse(raw.neighbors.begin() + first, raw.neighbors.begin() + past);
+}
+
+/// The side of `face` across which `a.face` is.
+inline Open_side opposite_side(const Raw_surface& raw, const Open_side& a, Surface::Index face)
+{
+  const Surface_access arrays(const_cast<Surface&>(raw.surface));
+  Open_side b = a;
+  for (Surface::Index c = arrays.first_corners[face]; c < arrays.first_corners[face + 1]; ++c) {
+    const Open_side side = side_at(arrays, face, c);
+    if (raw.neighbors[c] == a.face && side.lower_vertex == a.lower_vertex && side.higher_vertex == a.higher_vertex)
+      b = side;
+  }
+  return b;
+}
+
+/// Turns faces so that neighbors across edges run in opposite directions along them. Of each component the part of larger area (of
+/// equal ones that with the lowest face) remains as it is. Edges whose two faces cannot be oriented consistently become
+/// seams.
+inline void orient_faces(Raw_surface& raw, const std::vector<std::pair<Open_side, Open_side>>& parallel,
+                         std::vector<Seam>& seams)
+{
+  using Index = Surface::Index;
+  Surface_access arrays(raw.surface);
+  const std::size_t size = arrays.normals.size();
+  if (parallel.empty())
+    return;
+  std::vector<std::pair<Index, Index>> of_sides; // corners
+  for (const auto& [a, b] : parallel)
+    of_sides.insert(of_sides.end(), {{a.corner, b.corner}, {b.corner, a.corner}});
+  std::sort(of_sides.begin(), of_sides.end());
+  const auto is_parallel = [&](Index corner) {
+    const auto place = std::lower_bound(of_sides.begin(), of_sides.end(), std::make_pair(corner, Index(0)));
+    return place != of_sides.end() && place->first == corner;
+  };
+
+  std::vector<bool> is_reached(size), is_turned(size);
+  for (Index seed = 0; seed < size; ++seed) {
+    if (is_reached[seed])
+      continue;
+    std::vector<Index> component{seed};
+    double areas[2] = {0, 0}; // of the faces that are not turned, and of those that are
+    is_reached[seed] = true;
+    for (std::size_t i = 0; i < component.size(); ++i) {
+      const Index f = component[i];
+      areas[is_turned[f]] += arrays.areas[f];
+      for (Index c = arrays.first_corners[f]; c < arrays.first_corners[f + 1]; ++c)
+        if (const Index g = raw.neighbors[c]; Raw_surface::is_face(g) && !is_reached[g]) {
+          is_reached[g] = true;
+          is_turned[g] = is_turned[f] != is_parallel(c);
+          component.push_back(g);
+        }
+    }
+    if (areas[1] > areas[0])
+      for (const Index f : component)
+        is_turned[f] = !is_turned[f];
+  }
+  for (Index f = 0; f < size; ++f)
+    for (Index c = arrays.first_corners[f]; c < arrays.first_corners[f + 1]; ++c) {
+      const Index g = raw.neighbors[c];
+      if (!Raw_surface::is_face(g) || g <= f || (is_turned[f] != is_turned[g]) == is_parallel(c))
+        continue;
+      const Open_side a = side_at(arrays, f, c), b = opposite_side(raw, a, g);
+      raw.neighbors[a.corner] = raw.neighbors[b.corner] = Raw_surface::at_seam;
+      seams.push_back({a.lower_vertex, a.higher_vertex, f, g, 1});
+    }
+  for (Index f = 0; f < size; ++f)
+    if (is_turned[f])
+      turn_face(raw, f);
+}
+
+} // namespace internal
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_ORIENT_FACES_H

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_READ_POLYGONS_H
+#define CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_READ_POLYGONS_H
+
+#include <CGAL/Region_segmentation/Execution.h>
+#include <CGAL/Region_segmentation/exceptions.h>
+#include <CGAL/Region_segmentation/internal/surface/Raw_surface.h>
+
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Region_segmentation {
+namespace internal {
+
+/// The points and the corners of polygons. No neighbor is known yet.
+/// \throws Invalid_input if a polygon has no corner or one that is not a point, or a point is not finite
+template <typename PointRange, typename PolygonRange>
+Raw_surface read_polygons(const PointRange& points, const PolygonRange& polygons, const Execution& execution)
+{
+  using Index = Surface::Index;
+  Raw_surface raw;
+  Surface_access arrays(raw.surface);
+  for (const auto& p : points)
+    arrays.points.push_back({CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2])});
+  std::vector<bool> is_used(arrays.points.size());
+  arrays.first_corners.push_back(0);
+  for (const auto& polygon : polygons) {
+    const auto place = [&] { return "polygon " + std::to_string(arrays.first_corners.size() - 1); };
+    for (const auto& v : polygon) {
+      if (!(v >= 0 && std::size_t(v) < arrays.points.size()))
+        throw Invalid_input(place() + " has a corner " + std::to_string(v) + ", but there are " +
+                            std::to_string(arrays.points.size()) + " points");
+      arrays.corners.push_back(Index(v));
+      is_used[std::size_t(v)] = true;
+    }
+    if (arrays.corners.size() == arrays.first_corners.back())
+      throw Invalid_input(place() + " has no corners");
+    if (arrays.corners.size() >= Raw_surface::none)
+      throw Invalid_input("the polygons have fewer than 2^32 - 1 corners");
+    arrays.first_corners.push_back(Index(arrays.corners.size()));
+  }
+  for (std::size_t v = 0; v < is_used.size(); ++v)
+    if (!is_used[v])
+      arrays.points[v] = {0, 0, 0}; // may be anything
+  set_unit(raw.surface, is_used, execution);
+  for (std::size_t f = 0; f + 1 < arrays.first_corners.size(); ++f) {
+    const auto begin = arrays.corners.begin() + std::ptrdiff_t(arrays.first_corners[f]),
+               end = arrays.corners.begin() + std::ptrdiff_t(arrays.first_corners[f + 1]);
+    std::rotate(begin, std::min_element(begin, end), end);
+  }
+  raw.neighbors.assign(arrays.corners.size(), Raw_surface::none);
+  return raw;
+}
+
+} // namespace internal
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_READ_POLYGONS_H
