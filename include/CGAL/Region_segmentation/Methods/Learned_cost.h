@@ -42,7 +42,7 @@ public:
   /// \tparam Graph a `Region_adjacency_graph` with the data of `Learned_annotator`
   template <typename Graph>
   Merge_estimate(const Merge_features::Model& model, const Graph& graph, typename Graph::section_descriptor s)
-    : m_features(Merge_features::of(graph, s)), m_log_odds(model(m_features))
+    : m_features(Merge_features::of(graph, s)), m_log_odds(graph[s].length > 0 ? model(m_features) : never)
   {}
 
   const Merge_features::Values& features() const { return m_features; }
@@ -72,8 +72,10 @@ public:
   }
 
 private:
+  static constexpr std::int64_t never = -(std::int64_t(1) << 40);
+
   Merge_features::Values m_features;
-  std::int64_t m_log_odds;
+  std::int64_t m_log_odds; // `never` where two components do not touch
 };
 
 /// \ingroup PkgRegionSegmentationPolicies

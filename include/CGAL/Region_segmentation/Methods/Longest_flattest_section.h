@@ -19,7 +19,8 @@ namespace Region_segmentation {
 namespace internal {
 template <typename SectionData>
 using Has_length_and_angle =
-  decltype(std::declval<const SectionData&>().length + std::declval<const SectionData&>().mean_angle());
+  decltype(std::declval<const SectionData&>().length + std::declval<const SectionData&>().mean_angle() +
+           std::declval<const SectionData&>().has_links_alone());
 }
 
 /// \ingroup PkgRegionSegmentationPolicies
@@ -29,7 +30,8 @@ using Has_length_and_angle =
 /// The section \f$i\f$ has the largest sum over the region's other sections \f$j\f$ of
 /// \f[ P_{ij} = \beta \frac{L_i}{L_i + L_j} + (1 - \beta) \frac{A_i}{A_i + A_j}, \f]
 /// \f$L\f$ the length and \f$A\f$ the mean dihedral angle of a section; 0/0 is 1/2; the lower neighbor
-/// id of equal sums. Sections that are not mergeable count only as \f$j\f$.
+/// id of equal sums. Sections that are not mergeable count only as \f$j\f$. Sections of links alone count only if a region has no
+/// others.
 ///
 /// Complexity: O(d p) for d sections, p of which are not dominated by another one in both length
 /// and angle: usually a few.
@@ -46,7 +48,8 @@ public:
   static constexpr void check_section_data()
   {
     static_assert(internal::satisfies<internal::Has_length_and_angle, typename Graph::SectionData>,
-                  "Longest_flattest_section reads length and mean_angle() of SectionData, as Section_geometry has them");
+                  "Longest_flattest_section reads length, mean_angle() and has_links_alone() of SectionData, as Section_geometry has "
+                  "them");
   }
 
   /// The section, seen from the region; empty if the region has none that is mergeable.
@@ -76,17 +79,25 @@ private:
   template <typename Graph>
   void read_sections(const Graph& graph, std::uint32_t region)
   {
-    const std::size_t size = graph.degree(region);
-    m_sections.resize(size);
-    m_lengths.resize(size);
-    m_angles.resize(size);
-    m_terms.resize(size);
-    std::size_t i = 0;
+    m_sections.clear();
+    m_lengths.clear();
+    m_angles.clear();
+    bool are_links = true; // so far
     for (Section_descriptor s : graph.sections(region)) {
-      m_sections[i] = s;
-      m_lengths[i] = graph[s].length;
-      m_angles[i++] = graph[s].mean_angle();
+      const bool is_link = graph[s].has_links_alone();
+      if (is_link && !are_links)
+        continue;
+      if (are_links && !is_link) {
+        are_links = false;
+        m_sections.clear();
+        m_lengths.clear();
+        m_angles.clear();
+      }
+      m_sections.push_back(s);
+      m_lengths.push_back(graph[s].length);
+      m_angles.push_back(graph[s].mean_angle());
     }
+    m_terms.resize(m_sections.size());
   }
 
   /// P_ij increases with length and with angle, so a section that is dominated in both by a mergeable one cannot win;

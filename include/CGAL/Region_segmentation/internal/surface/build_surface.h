@@ -8,6 +8,7 @@
 #include <CGAL/Region_segmentation/internal/surface/collect_adjacencies.h>
 #include <CGAL/Region_segmentation/internal/surface/compute_normals.h>
 #include <CGAL/Region_segmentation/internal/surface/find_doubled_faces.h>
+#include <CGAL/Region_segmentation/internal/surface/find_links.h>
 #include <CGAL/Region_segmentation/internal/surface/match_sides.h>
 #include <CGAL/Region_segmentation/internal/surface/merge_points.h>
 #include <CGAL/Region_segmentation/internal/surface/orient_components.h>
@@ -53,6 +54,18 @@ inline Added_adjacency adjacency_of_seam(const Surface& surface, const Seam& sea
   return result;
 }
 
+/// Adds links between what is not connected by edges and seams.
+inline void insert_links(Surface& surface, std::size_t number_of_edge_components, const Execution& execution)
+{
+  if (number_of_edge_components < 2)
+    return;
+  const Partition connected = label_components(surface, [](std::size_t) { return true; }, execution.silent());
+  std::vector<Added_adjacency> added;
+  for (const Link& link : find_links(surface, connected, execution))
+    added.push_back({link.lower, link.higher, link.length * link.length, Surface::LINK});
+  insert_adjacencies(surface, std::move(added));
+}
+
 /// From points and corners to a surface.
 inline Surface build_surface(Raw_surface raw, Adjacency_of wanted, const Execution& execution)
 {
@@ -80,6 +93,8 @@ inline Surface build_surface(Raw_surface raw, Adjacency_of wanted, const Executi
     added.push_back(adjacency_of_seam(raw.surface, seam));
   insert_adjacencies(raw.surface, std::move(added));
   join_degenerate_faces(raw.surface);
+  if (wanted == Adjacency_of::COMPONENTS)
+    insert_links(raw.surface, component_of.number_of_parts(), execution.step(0.9, 1));
   for (const double area : arrays.areas)
     arrays.area += area;
   arrays.length_unit = arrays.area > 0 ? std::sqrt(arrays.area) : 1;

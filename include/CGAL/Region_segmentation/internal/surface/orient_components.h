@@ -4,8 +4,10 @@
 #define CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_ORIENT_COMPONENTS_H
 
 #include <CGAL/Region_segmentation/Partition.h>
+#include <CGAL/Region_segmentation/internal/surface/find_nesting.h>
 #include <CGAL/Region_segmentation/internal/surface/orient_faces.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -50,19 +52,24 @@ inline std::vector<Component_volume> component_volumes(const Raw_surface& raw, c
   return components;
 }
 
-/// Turns the closed components that are inside out: those of negative signed volume.
+/// Turns the outermost closed components of negative signed volume, together with the closed components inside them.
 inline void orient_components(Raw_surface& raw, const Partition& component_of)
 {
   Surface_access arrays(raw.surface);
   const std::vector<Component_volume> components = component_volumes(raw, component_of);
-  std::vector<bool> is_inside_out;
-  bool is_any = false;
+  std::vector<bool> is_closed, is_inside_out;
   for (const Component_volume& c : components) {
+    is_closed.push_back(c.is_closed());
     is_inside_out.push_back(c.is_closed() && c.volume < 0);
-    is_any |= is_inside_out.back();
   }
-  if (!is_any)
+  if (std::find(is_inside_out.begin(), is_inside_out.end(), true) == is_inside_out.end())
     return;
+  if (components.size() > 1) {
+    const std::vector<Surface::Index> outermost = outermost_of(raw.surface, component_of, is_closed);
+    const std::vector<bool> by_itself = is_inside_out;
+    for (std::size_t c = 0; c < components.size(); ++c)
+      is_inside_out[c] = is_closed[c] && by_itself[outermost[c]];
+  }
   for (std::size_t f = 0; f < component_of.size(); ++f)
     if (is_inside_out[component_of[f]])
       turn_face(raw, f);
