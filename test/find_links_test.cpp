@@ -261,6 +261,13 @@ TEST(find_links_test, a_box_on_another_has_the_border_of_the_contact_area)
       }
 }
 
+TEST(find_links_test, a_contact_of_faces_smaller_than_the_tolerance_has_about_its_border)
+{
+  const double length = checked_length(together({box(100), box(100).moved(0.052, 0.013, 1)}));
+  EXPECT_GT(length, 3);
+  EXPECT_LT(length, 6); // 2 * (0.948 + 0.987) = 3.87
+}
+
 TEST(find_links_test, a_contact_area_that_ends_within_faces_of_both_has_about_its_border)
 {
   for (std::size_t n : {1, 4, 9}) {
@@ -296,7 +303,7 @@ TEST(find_links_test, sheets_touch_along_their_border)
                     std::hypot(0.5, 0.2), 0.1)
           << n << ' ' << m << ' ' << gap;
         // in one plane, edge to edge, with other vertices
-        EXPECT_NEAR(checked_length(together({floor, square(n).moved(1 + gap, 0, 0)})), 1, 0.4)
+        EXPECT_NEAR(checked_length(together({floor, square(n).moved(1 + gap, 0, 0)})), 1, 0.5)
           << n << ' ' << m << ' ' << gap;
       }
 }
@@ -471,7 +478,7 @@ TEST(find_links_test, many_triangles_that_all_cross)
   std::mt19937 random(1);
   std::normal_distribution<double> normal;
   Soup scene;
-  for (int i = 0; i < 3000; ++i) {
+  for (int i = 0; i < 1500; ++i) {
     Soup s;
     for (int j = 0; j < 3; ++j)
       s.points.push_back({normal(random), normal(random), normal(random)});

@@ -24,7 +24,7 @@ namespace internal {
 
 /// A hierarchy of boxes over the components of a surface and, below each of them, over its faces, divided into triangles
 /// from their first corner. A node is divided when its children are first asked for: far from other components
-/// faces are never sorted. (Divided at once, the tree takes ... times as long.)
+/// faces are never sorted.
 ///
 /// Bytes: 16 per triangle, and 72 per node.
 class Component_tree

@@ -4,7 +4,6 @@
 #define CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_TRIANGLE_CONTACT_H
 
 #include <CGAL/Region_segmentation/Double_3.h>
-#include <CGAL/Region_segmentation/internal/surface/Axis_box.h>
 #include <CGAL/Region_segmentation/internal/surface/distances.h>
 
 #include <algorithm>
@@ -125,51 +124,51 @@ inline double crossing_length(const Plane_triangle& s, const Plane_triangle& t, 
   return std::sqrt(squared_length);
 }
 
-/// The length of the part of the segment a, b within the tolerance of a triangle: an interval, since the distance from a
-/// convex set is convex.
-inline double length_near(const Double_3& a, const Double_3& b, const Triangle& t, double tolerance)
+/// An interval of a segment, as a range of [0, 1], that is clipped.
+struct Clipped_segment
 {
-  if (squared_gap(box_of(Segment{a, b}), box_of(t)) > tolerance * tolerance)
-    return 0;
-  const auto distance = [&](double x) { return squared_distance(a + x * (b - a), t); };
-  double nearest = 0, least = distance(0);
-  const auto consider = [&](double x) {
-    const double d = distance(x);
-    if (d < least) {
-      least = d;
-      nearest = x;
-    }
-  };
-  consider(1);
-  for (std::size_t i = 0; i < 3; ++i)
-    consider(nearest_parameter(a, b, t[i], t[(i + 1) % 3]));
-  const double bound = tolerance * tolerance;
-  if (!(least <= bound))
-    return 0;
-  const auto end_of_interval = [&](double outside) {
-    double inside = nearest;
-    if (distance(outside) <= bound)
-      return outside;
-    for (int step = 0; step < 12; ++step) {
-      const double middle = (inside + outside) / 2;
-      (distance(middle) <= bound ? inside : outside) = middle;
-    }
-    return inside;
-  };
-  return (end_of_interval(1) - end_of_interval(0)) * norm(b - a);
+  double begin = 0, end = 1;
+
+  /// Keeps the part where a value is at most 0 that is `at_begin` and `at_end` at the ends of the segment.
+  void clip(double at_begin, double at_end)
+  {
+    if (at_begin > 0 && at_end > 0)
+      end = begin;
+    else if (at_begin > 0)
+      begin = (std::max)(begin, at_begin / (at_begin - at_end));
+    else if (at_end > 0)
+      end = (std::min)(end, at_begin / (at_begin - at_end));
+  }
+};
+
+/// The length of the part of the segment a, b within the tolerance of a triangle: of its plane, and of its edges seen along
+/// the normal.
+inline double length_near(const Double_3& a, const Double_3& b, const Plane_triangle& t, double tolerance)
+{
+  Clipped_segment part;
+  const double h = t.height(a), g = t.height(b);
+  part.clip(h - tolerance, g - tolerance);
+  part.clip(-h - tolerance, -g - tolerance);
+  for (std::size_t i = 0; i < 3 && part.begin < part.end; ++i) {
+    const Double_3& p = t.corners[i];
+    const Double_3 out = cross(t.corners[(i + 1) % 3] - p, t.normal);
+    const double bound = tolerance * norm(out);
+    part.clip(dot(a - p, out) - bound, dot(b - p, out) - bound);
+  }
+  return part.begin < part.end ? (part.end - part.begin) * norm(b - a) : 0;
 }
 
 /// The length of the longest part of an edge of one triangle that lies on the other; parts shorter than four times the
 /// tolerance and half of the edge, as where edges cross, do not count.
-inline double length_along_edge(const Triangle& s, const Triangle& t, double tolerance)
+inline double length_along_edge(const Plane_triangle& s, const Plane_triangle& t, double tolerance)
 {
   double longest = 0;
   for (const auto& [one, other] : {std::make_pair(&s, &t), std::make_pair(&t, &s)})
     for (std::size_t i = 0; i < 3; ++i) {
-      const Double_3 &a = (*one)[i], &b = (*one)[(i + 1) % 3];
+      const Double_3 &a = one->corners[i], &b = one->corners[(i + 1) % 3];
       const double length = length_near(a, b, *other, tolerance);
-      if (length >= (std::min)(norm(b - a) / 2, 4 * tolerance))
-        longest = (std::max)(longest, length);
+      if (length > longest && length >= (std::min)(norm(b - a) / 2, 4 * tolerance))
+        longest = length;
     }
   return longest;
 }
@@ -186,10 +185,12 @@ inline bool is_beside(const Plane_triangle& s, const Plane_triangle& t, double t
 template <typename Output>
 void find_contact(const Triangle& a, const Triangle& b, double tolerance, const Output& output)
 {
-  const Plane_triangle s(a), t(b);
+  Plane_triangle s(a), t(b);
+  if (s.area < t.area) // independently of their order
+    std::swap(s, t);
   if (!(s.area > 0) || !(t.area > 0) || is_beside(s, t, tolerance) || is_beside(t, s, tolerance))
     return;
-  const double smaller = (std::min)(s.area, t.area), size = std::sqrt(smaller);
+  const double smaller = t.area, size = std::sqrt(smaller);
   if (const double area = touching_area(s, t, tolerance); area > 0) {
     output(Triangle_contact{Triangle_contact::TOUCHING, area});
     if (area > (std::min)(tolerance * size, smaller / 10))
@@ -198,7 +199,7 @@ void find_contact(const Triangle& a, const Triangle& b, double tolerance, const 
     output(Triangle_contact{Triangle_contact::CROSSING, length});
     return;
   }
-  if (const double length = length_along_edge(a, b, (std::min)(tolerance, size / 4)); length > 0)
+  if (const double length = length_along_edge(s, t, (std::min)(tolerance, size / 4)); length > 0)
     output(Triangle_contact{Triangle_contact::ALONG_EDGE, length});
 }
 

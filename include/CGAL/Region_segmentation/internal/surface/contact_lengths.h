@@ -176,7 +176,8 @@ struct Contact_length
     const double area = (std::min)(sides[0].touching_area(), sides[1].touching_area());
     const double along = (std::min)(sides[0].length_along_edges(), sides[1].length_along_edges());
     const double crossing = sides[0].sum(Triangle_contact::CROSSING);
-    const bool is_strip = area <= tolerance * along;
+    const double resolution = (std::max)(sides[0].resolution(), sides[1].resolution());
+    const bool is_strip = area <= tolerance * along && resolution < 0.5; // mere slivers of faces touch
     kind = is_strip ? Triangle_contact::ALONG_EDGE : Triangle_contact::TOUCHING;
     length = is_strip ? along : border_of_touching_area(sides, area);
     if (crossing > length) {

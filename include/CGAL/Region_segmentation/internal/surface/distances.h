@@ -16,7 +16,6 @@ namespace internal {
 
 /// Three corners; may be degenerate.
 using Triangle = std::array<Double_3, 3>;
-using Segment = std::array<Double_3, 2>;
 
 inline double in_unit_interval(double x)
 {

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <tuple>
 #include <utility>
@@ -27,13 +28,15 @@ struct Face_contact
 };
 
 /// Finds the faces of different components that are in contact: those of components c and d within the smaller of their
-/// tolerances. O(F log F) for a bounded number of faces of other components near each face.
+/// tolerances, and within the square root of the area of the smaller face. O(F log F) for a bounded number of faces of other components near each face.
 class Contact_finder
 {
 public:
   using Index = Surface::Index;
 
-  Contact_finder(Component_tree& tree, const Partition& component_of_face) : m_tree(tree), m_component_of(component_of_face) {}
+  Contact_finder(const Surface& surface, Component_tree& tree, const Partition& component_of_face)
+    : m_surface(surface), m_tree(tree), m_component_of(component_of_face)
+  {}
 
   /// Sorted by components, then by faces.
   std::vector<Face_contact> find(const Execution& execution)
@@ -94,9 +97,12 @@ private:
       const Axis_box box = m_tree.box(*p);
       if (squared_gap(box, m_tree[b].box) > bound)
         continue;
-      for (const auto* q = m_tree.begin(b); q != m_tree.end(b); ++q)
-        if (squared_gap(box, m_tree.box(*q)) <= bound)
-          compare(*p, *q, tolerance(a, b));
+      for (const auto* q = m_tree.begin(b); q != m_tree.end(b); ++q) {
+        const double smaller = (std::min)(m_surface.area(p->face), m_surface.area(q->face));
+        const double squared = (std::min)(bound, smaller);
+        if (squared_gap(box, m_tree.box(*q)) <= squared)
+          compare(*p, *q, std::sqrt(squared));
+      }
     }
   }
 
@@ -108,6 +114,7 @@ private:
                  [&](const Triangle_contact& c) { m_contacts.push_back({{p.face, q.face}, c}); });
   }
 
+  const Surface& m_surface;
   Component_tree& m_tree;
   const Partition& m_component_of;
   std::vector<std::pair<Index, Index>> m_stack;

@@ -21,8 +21,9 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// By component: 1/250 of the square root of its area. Two components are in contact within the smaller one of
-/// theirs, so neither a large body nor a crumb far away changes what parts touch each other.
+/// By component: 1/250 of the square root of its area. Two faces are in contact within the least of those of their
+/// components and the square roots of their own areas. So neither a large body nor a crumb far away changes what parts
+/// touch each other, and a face is compared with few others.
 inline std::vector<double> contact_tolerances(const Surface& surface, const Partition& component_of_face)
 {
   std::vector<double> result(component_of_face.number_of_parts(), 0);
@@ -46,7 +47,7 @@ inline std::vector<Link> find_links(const Surface& surface, const Partition& com
     return {};
   const std::vector<double> tolerances = contact_tolerances(surface, component_of_face);
   Component_tree tree(surface, component_of_face, tolerances);
-  Contact_finder finder(tree, component_of_face);
+  Contact_finder finder(surface, tree, component_of_face);
   std::vector<Link> links =
     links_of_contacts(surface, component_of_face, tolerances, finder.find(execution.step(0, 0.5)));
   Nearest_joiner(tree, component_of_face, links).run(execution.step(0.5, 1));

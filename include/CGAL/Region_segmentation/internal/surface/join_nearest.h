@@ -22,9 +22,10 @@ namespace Region_segmentation {
 namespace internal {
 
 /// Links the nearest components of different groups until there is one group: Kruskal's algorithm, a minimum spanning tree
-/// by the distance of their nearest faces, ties by the lower, then the higher of these.
+/// by the distance of their nearest faces, ties by the lower, then the higher of these. Of faces of two components at the
+/// same distance those are taken that are found first; this depends on nothing but the surface.
 ///
-/// The pairs of faces by distance come from one queue that holds pairs of nodes by the gap between their boxes, too.
+/// The pairs of components by distance come from one queue, which also holds pairs of nodes by the gap between their boxes.
 /// Pairs in one group are dropped. Near linear: only faces whose boxes are nearer than the components are compared.
 class Nearest_joiner
 {
@@ -99,17 +100,18 @@ private:
 
   void push(Index a, Index b)
   {
-    const double gap = squared_gap(m_tree[a].box, m_tree[b].box);
-    m_queue.push({gap, false, (std::min)(a, b), (std::max)(a, b)});
+    m_queue.push({gap(a, b), false, (std::min)(a, b), (std::max)(a, b)});
   }
 
   void divide(Index a, Index b)
   {
-    const Index node = a == b ? a : m_tree.node_to_divide(a, b);
-    if (node == Component_tree::none) {
-      push_nearest_faces(a, b);
+    if (a != b && m_tree[a].component != Component_tree::none && m_tree[b].component != Component_tree::none) {
+      Pair nearest{std::numeric_limits<double>::infinity(), true, 0, 0};
+      find_nearest_faces(a, b, nearest);
+      m_queue.push(nearest);
       return;
     }
+    const Index node = a == b ? a : node_of_components(a, b);
     const Index child = m_tree.children(node);
     if (a == b) {
       m_queue.push({0, false, child, child});
@@ -121,11 +123,39 @@ private:
     }
   }
 
-  void push_nearest_faces(Index a, Index b)
+  /// The one of two nodes to divide that has several components.
+  Index node_of_components(Index a, Index b) const
   {
-    Pair nearest{std::numeric_limits<double>::infinity(), true, 0, 0};
+    if (m_tree[a].component != Component_tree::none)
+      return b;
+    return m_tree[b].component != Component_tree::none ? a : m_tree.node_to_divide(a, b);
+  }
+
+  double gap(Index a, Index b) const { return squared_gap(m_tree[a].box, m_tree[b].box); }
+
+  /// Depth first, the nearer child first.
+  void find_nearest_faces(Index a, Index b, Pair& nearest)
+  {
+    const Index node = m_tree.node_to_divide(a, b), other = node == a ? b : a;
+    if (node == Component_tree::none) {
+      compare_faces(a, b, nearest);
+      return;
+    }
+    Index nearer = m_tree.children(node), farther = nearer + 1;
+    if (gap(farther, other) < gap(nearer, other))
+      std::swap(nearer, farther);
+    for (Index child : {nearer, farther})
+      if (gap(child, other) < nearest.squared_distance)
+        find_nearest_faces(child, other, nearest);
+  }
+
+  /// \pre both nodes are leaves
+  void compare_faces(Index a, Index b, Pair& nearest)
+  {
     for (const auto* p = m_tree.begin(a); p != m_tree.end(a); ++p) {
       const Axis_box box = m_tree.box(*p);
+      if (squared_gap(box, m_tree[b].box) > nearest.squared_distance)
+        continue;
       for (const auto* q = m_tree.begin(b); q != m_tree.end(b); ++q) {
         if (squared_gap(box, m_tree.box(*q)) > nearest.squared_distance)
           continue;
@@ -135,7 +165,6 @@ private:
           nearest = pair;
       }
     }
-    m_queue.push(nearest);
   }
 
   Component_tree& m_tree;
