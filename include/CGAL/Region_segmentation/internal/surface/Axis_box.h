@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_AXIS_BOX_H
+#define CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_AXIS_BOX_H
+
+#include <CGAL/Region_segmentation/Double_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+
+namespace CGAL {
+namespace Region_segmentation {
+namespace internal {
+
+/// An axis-parallel box; empty by default.
+struct Axis_box
+{
+  std::array<double, 3> low = all(std::numeric_limits<double>::infinity());
+  std::array<double, 3> high = all(-std::numeric_limits<double>::infinity());
+
+  static constexpr std::array<double, 3> all(double x) { return {x, x, x}; }
+
+  void add(const Double_3& p)
+  {
+    const double c[3] = {p.x, p.y, p.z};
+    for (std::size_t i = 0; i < 3; ++i) {
+      low[i] = (std::min)(low[i], c[i]);
+      high[i] = (std::max)(high[i], c[i]);
+    }
+  }
+  void add(const Axis_box& b)
+  {
+    for (std::size_t i = 0; i < 3; ++i) {
+      low[i] = (std::min)(low[i], b.low[i]);
+      high[i] = (std::max)(high[i], b.high[i]);
+    }
+  }
+  double extent(std::size_t axis) const { return high[axis] - low[axis]; }
+  std::size_t longest_axis() const
+  {
+    const std::size_t axis = extent(1) > extent(0) ? 1 : 0;
+    return extent(2) > extent(axis) ? 2 : axis;
+  }
+};
+
+inline double squared_gap(const Axis_box& a, const Axis_box& b)
+{
+  double sum = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double gap = (std::max)({a.low[i] - b.high[i], b.low[i] - a.high[i], 0.0});
+    sum += gap * gap;
+  }
+  return sum;
+}
+
+/// Of an array of points.
+template <typename Points>
+Axis_box box_of(const Points& points)
+{
+  Axis_box result;
+  for (const Double_3& p : points)
+    result.add(p);
+  return result;
+}
+
+} // namespace internal
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_AXIS_BOX_H

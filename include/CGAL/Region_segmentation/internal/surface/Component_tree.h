@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_COMPONENT_TREE_H
+#define CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_COMPONENT_TREE_H
+
+#include <CGAL/Region_segmentation/Partition.h>
+#include <CGAL/Region_segmentation/Surface.h>
+#include <CGAL/Region_segmentation/internal/support/Large_array.h>
+#include <CGAL/Region_segmentation/internal/surface/Axis_box.h>
+#include <CGAL/Region_segmentation/internal/surface/distances.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Region_segmentation {
+namespace internal {
+
+/// A hierarchy of boxes over the components of a surface and, below each of them, over its faces, divided into triangles
+/// from their first corner. A node is divided when its children are first asked for: far from other components
+/// faces are never sorted.
+///
+/// Bytes: 16 per triangle, and 72 per node.
+class Component_tree
+{
+public:
+  using Index = Surface::Index;
+  static constexpr Index none = (std::numeric_limits<Index>::max)();
+
+  struct Part
+  {
+    std::array<Index, 3> corners;
+    Index face;
+  };
+
+  /// Parts begin to end - 1 of a component, or several components.
+  struct Node
+  {
+    Axis_box box;
+    Index begin, end;
+    Index children = none; ///< the first one, the second follows
+    Index component;       ///< `none` if there are several
+    double tolerance;      ///< the largest one of its components
+  };
+
+  /// `tolerances`: by component
+  Component_tree(const Surface& surface, const Partition& component_of_face, const std::vector<double>& tolerances)
+    : m_surface(surface), m_tolerances(tolerances), m_order(component_of_face.number_of_parts())
+    , m_boxes(m_order.size())
+  {
+    group_faces(component_of_face);
+    std::iota(m_order.begin(), m_order.end(), Index(0));
+    add_node_of_components(0, Index(m_order.size()));
+  }
+
+  static constexpr Index root() { return 0; }
+  /// Valid until a node is divided.
+  const Node& operator[](Index node) const { return m_nodes[node]; }
+  bool is_leaf(Index node) const
+  {
+    const Node& n = m_nodes[node];
+    return n.component != none && n.end - n.begin <= leaf_size;
+  }
+  const Part* begin(Index node) const { return m_parts.data() + m_nodes[node].begin; }
+  const Part* end(Index node) const { return m_parts.data() + m_nodes[node].end; }
+
+  Triangle triangle(const Part& p) const
+  {
+    return {m_surface.point(p.corners[0]), m_surface.point(p.corners[1]), m_surface.point(p.corners[2])};
+  }
+  Axis_box box(const Part& p) const
+  {
+    return box_of(triangle(p));
+  }
+
+  /// The first of the two children.
+  /// \pre the node is no leaf
+  Index children(Index node)
+  {
+    if (m_nodes[node].children == none)
+      divide(node);
+    return m_nodes[node].children;
+  }
+
+  /// Which of two nodes to divide to tell them apart; `none` if both are leaves.
+  Index node_to_divide(Index a, Index b) const
+  {
+    if (is_leaf(a) || is_leaf(b))
+      return !is_leaf(a) ? a : !is_leaf(b) ? b : none;
+    const Axis_box &s = m_nodes[a].box, &t = m_nodes[b].box;
+    const double x = s.extent(s.longest_axis()), y = t.extent(t.longest_axis());
+    return x > y || (x == y && m_nodes[a].end - m_nodes[a].begin >= m_nodes[b].end - m_nodes[b].begin) ? a : b;
+  }
+
+private:
+  static constexpr Index leaf_size = 4;
+
+  void group_faces(const Partition& component_of_face)
+  {
+    m_first_parts.assign(m_order.size() + 2, 0);
+    const auto number_of_triangles = [&](std::size_t face) {
+      return (std::max)(m_surface.number_of_corners(face), std::size_t(3)) - 2;
+    };
+    for (std::size_t f = 0; f < component_of_face.size(); ++f)
+      m_first_parts[component_of_face[f] + 2] += Index(number_of_triangles(f));
+    std::partial_sum(m_first_parts.begin(), m_first_parts.end(), m_first_parts.begin());
+    m_parts.resize(m_first_parts.back());
+    for (std::size_t f = 0; f < component_of_face.size(); ++f) {
+      const Index component = component_of_face[f];
+      const std::size_t last = m_surface.number_of_corners(f) - 1;
+      for (std::size_t i = 0; i < number_of_triangles(f); ++i) {
+        const auto corner = [&](std::size_t c) { return m_surface.corner(f, (std::min)(c, last)); };
+        const Part part{{corner(0), corner(i + 1), corner(i + 2)}, Index(f)};
+        m_boxes[component].add(box(part));
+        m_parts[m_first_parts[component + 1]++] = part;
+      }
+    }
+  }
+
+  void divide(Index node)
+  {
+    const Node n = m_nodes[node];
+    const Index children = Index(m_nodes.size());
+    const std::size_t axis = n.box.longest_axis();
+    const double middle = n.box.low[axis] + n.box.extent(axis) / 2;
+    if (n.component == none) {
+      const auto center = [&](Index c) { return m_boxes[c].low[axis] + m_boxes[c].extent(axis) / 2; };
+      const Index at = split(m_order.begin(), n, middle, center);
+      add_node_of_components(n.begin, at);
+      add_node_of_components(at, n.end);
+    } else {
+      const auto center = [&](const Part& p) {
+        double sum = 0;
+        for (Index v : p.corners)
+          sum += coordinate(m_surface.point(v), axis);
+        return sum / 3;
+      };
+      const Index at = split(m_parts.begin(), n, middle, center);
+      add_node_of_faces(n, n.begin, at);
+      add_node_of_faces(n, at, n.end);
+    }
+    m_nodes[node].children = children;
+  }
+
+  /// In the middle of the box, or at the median where this leaves one child with less than an eighth: then the depth is
+  /// logarithmic.
+  template <typename Iterator, typename Center>
+  static Index split(Iterator items, const Node& n, double middle, const Center& center)
+  {
+    const Iterator begin = items + n.begin, end = items + n.end;
+    const Iterator at = std::partition(begin, end, [&](const auto& i) { return center(i) < middle; });
+    if ((std::min)(at - begin, end - at) * 8 >= end - begin)
+      return Index(at - items);
+    const Iterator median = begin + (end - begin) / 2;
+    std::nth_element(begin, median, end, [&](const auto& i, const auto& j) { return center(i) < center(j); });
+    return Index(median - items);
+  }
+
+  static double coordinate(const Double_3& p, std::size_t axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
+
+  void add_node_of_components(Index begin, Index end)
+  {
+    Node n;
+    n.begin = begin;
+    n.end = end;
+    n.component = none;
+    n.tolerance = 0;
+    for (Index i = begin; i < end; ++i) {
+      n.box.add(m_boxes[m_order[i]]);
+      n.tolerance = (std::max)(n.tolerance, m_tolerances[m_order[i]]);
+    }
+    if (end - begin == 1) {
+      n.component = m_order[begin];
+      n.begin = m_first_parts[n.component];
+      n.end = m_first_parts[n.component + 1];
+    }
+    m_nodes.push_back(n);
+  }
+
+  void add_node_of_faces(const Node& parent, Index begin, Index end)
+  {
+    Node n = parent;
+    n.box = Axis_box();
+    n.begin = begin;
+    n.end = end;
+    n.children = none;
+    for (Index i = begin; i < end; ++i)
+      n.box.add(box(m_parts[i]));
+    m_nodes.push_back(n);
+  }
+
+  const Surface& m_surface;
+  const std::vector<double>& m_tolerances;
+  std::vector<Index> m_order;       // of components
+  std::vector<Axis_box> m_boxes;    // by component
+  std::vector<Index> m_first_parts; // by component
+  Large_array<Part> m_parts;        // of a component together
+  std::vector<Node> m_nodes;
+};
+
+} // namespace internal
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_COMPONENT_TREE_H

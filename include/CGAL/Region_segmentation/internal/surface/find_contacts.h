@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_FIND_CONTACTS_H
+#define CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_FIND_CONTACTS_H
+
+#include <CGAL/Region_segmentation/Execution.h>
+#include <CGAL/Region_segmentation/Partition.h>
+#include <CGAL/Region_segmentation/internal/surface/Component_tree.h>
+#include <CGAL/Region_segmentation/internal/surface/Triangle_contact.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Region_segmentation {
+namespace internal {
+
+/// A contact of triangles of two faces, the first one in the component of lower number.
+struct Face_contact
+{
+  std::array<Surface::Index, 2> faces;
+  Triangle_contact contact;
+};
+
+/// Finds the faces of different components that are in contact: those of components c and d within the smaller of their
+/// tolerances, and within the square root of the area of the smaller face. O(F log F) for a bounded number of faces of other components near each face.
+class Contact_finder
+{
+public:
+  using Index = Surface::Index;
+
+  Contact_finder(const Surface& surface, Component_tree& tree, const Partition& component_of_face)
+    : m_surface(surface), m_tree(tree), m_component_of(component_of_face)
+  {}
+
+  /// Sorted by components, then by faces.
+  std::vector<Face_contact> find(const Execution& execution)
+  {
+    Step_counter counter(execution, m_number_left);
+    m_stack.emplace_back(m_tree.root(), m_tree.root());
+    while (!m_stack.empty() && m_number_left > 0) {
+      const auto [a, b] = m_stack.back();
+      m_stack.pop_back();
+      if (a == b)
+        divide(a);
+      else if (squared_gap(m_tree[a].box, m_tree[b].box) <= squared_tolerance(a, b))
+        visit(a, b);
+      counter.advance();
+    }
+    const auto key = [&](const Face_contact& c) {
+      return std::make_tuple(m_component_of[c.faces[0]], m_component_of[c.faces[1]], c.faces[0], c.faces[1],
+                             int(c.contact.kind), c.contact.amount);
+    };
+    std::sort(m_contacts.begin(), m_contacts.end(),
+              [&](const Face_contact& s, const Face_contact& t) { return key(s) < key(t); });
+    return std::move(m_contacts);
+  }
+
+private:
+  double tolerance(Index a, Index b) const { return (std::min)(m_tree[a].tolerance, m_tree[b].tolerance); }
+  double squared_tolerance(Index a, Index b) const { return tolerance(a, b) * tolerance(a, b); }
+
+  void divide(Index node)
+  {
+    if (m_tree[node].component != Component_tree::none)
+      return;
+    const Index child = m_tree.children(node);
+    m_stack.emplace_back(child, child);
+    m_stack.emplace_back(child + 1, child + 1);
+    m_stack.emplace_back(child, child + 1);
+  }
+
+  void visit(Index a, Index b)
+  {
+    const Index node = m_tree.node_to_divide(a, b);
+    if (node == Component_tree::none) {
+      compare_faces(a, b);
+      return;
+    }
+    const Index child = m_tree.children(node), other = node == a ? b : a;
+    m_stack.emplace_back(child, other);
+    m_stack.emplace_back(child + 1, other);
+  }
+
+  /// \pre both nodes are leaves
+  void compare_faces(Index a, Index b)
+  {
+    if (m_tree[a].component > m_tree[b].component)
+      std::swap(a, b);
+    const double bound = squared_tolerance(a, b);
+    for (const auto* p = m_tree.begin(a); p != m_tree.end(a); ++p) {
+      const Axis_box box = m_tree.box(*p);
+      if (squared_gap(box, m_tree[b].box) > bound)
+        continue;
+      for (const auto* q = m_tree.begin(b); q != m_tree.end(b); ++q) {
+        const double smaller = (std::min)(m_surface.area(p->face), m_surface.area(q->face));
+        const double squared = (std::min)(bound, smaller);
+        if (squared_gap(box, m_tree.box(*q)) <= squared)
+          compare(*p, *q, std::sqrt(squared));
+      }
+    }
+  }
+
+  void compare(const Component_tree::Part& p, const Component_tree::Part& q, double tolerance)
+  {
+    if (m_number_left > 0)
+      --m_number_left;
+    find_contact(m_tree.triangle(p), m_tree.triangle(q), tolerance,
+                 [&](const Triangle_contact& c) { m_contacts.push_back({{p.face, q.face}, c}); });
+  }
+
+  const Surface& m_surface;
+  Component_tree& m_tree;
+  const Partition& m_component_of;
+  std::vector<std::pair<Index, Index>> m_stack;
+  std::vector<Face_contact> m_contacts;
+  /// A bound of the pairs that are compared, for thousands of triangles that all cross each other; further contacts are
+  /// not found.
+  std::size_t m_number_left = 64 * m_component_of.size() + 1000000;
+};
+
+} // namespace internal
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_FIND_CONTACTS_H

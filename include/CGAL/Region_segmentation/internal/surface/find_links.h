@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_FIND_LINKS_H
+#define CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_FIND_LINKS_H
+
+#include <CGAL/Region_segmentation/Execution.h>
+#include <CGAL/Region_segmentation/Partition.h>
+#include <CGAL/Region_segmentation/Surface.h>
+#include <CGAL/Region_segmentation/internal/surface/Component_tree.h>
+#include <CGAL/Region_segmentation/internal/surface/Link.h>
+#include <CGAL/Region_segmentation/internal/surface/contact_lengths.h>
+#include <CGAL/Region_segmentation/internal/surface/find_contacts.h>
+#include <CGAL/Region_segmentation/internal/surface/join_nearest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Region_segmentation {
+namespace internal {
+
+/// By component: 1/250 of the square root of its area. Two faces are in contact within the least of those of their
+/// components and the square roots of their own areas. So neither a large body nor a crumb far away changes what parts
+/// touch each other, and a face is compared with few others.
+inline std::vector<double> contact_tolerances(const Surface& surface, const Partition& component_of_face)
+{
+  std::vector<double> result(component_of_face.number_of_parts(), 0);
+  for (std::size_t f = 0; f < component_of_face.size(); ++f)
+    result[component_of_face[f]] += surface.area(f);
+  for (double& area : result)
+    area = std::sqrt(area) / 250;
+  return result;
+}
+
+/// Links between components, sorted by their higher, then by their lower face: where they are in contact, with the length
+/// of contact, and between the nearest ones, with length 0, until all are connected.
+///
+/// \pre the surface has its edges and seams, and `component_of_face` is its connected components
+///
+/// Nothing is done for one component. Otherwise O(F log F), see `Contact_finder` and `Nearest_joiner`.
+inline std::vector<Link> find_links(const Surface& surface, const Partition& component_of_face,
+                                    const Execution& execution)
+{
+  if (component_of_face.number_of_parts() < 2)
+    return {};
+  const std::vector<double> tolerances = contact_tolerances(surface, component_of_face);
+  Component_tree tree(surface, component_of_face, tolerances);
+  Contact_finder finder(surface, tree, component_of_face);
+  std::vector<Link> links =
+    links_of_contacts(surface, component_of_face, tolerances, finder.find(execution.step(0, 0.5)));
+  Nearest_joiner(tree, component_of_face, links).run(execution.step(0.5, 1));
+  std::sort(links.begin(), links.end());
+  return links;
+}
+
+} // namespace internal
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_FIND_LINKS_H

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_JOIN_NEAREST_H
+#define CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_JOIN_NEAREST_H
+
+#include <CGAL/Region_segmentation/Execution.h>
+#include <CGAL/Region_segmentation/Partition.h>
+#include <CGAL/Region_segmentation/internal/support/Lowest_root_forest.h>
+#include <CGAL/Region_segmentation/internal/surface/Component_tree.h>
+#include <CGAL/Region_segmentation/internal/surface/Link.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <queue>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Region_segmentation {
+namespace internal {
+
+/// Links the nearest components of different groups until there is one group: Kruskal's algorithm, a minimum spanning tree
+/// by the distance of their nearest faces, ties by the lower, then the higher of these. Of faces of two components at the
+/// same distance those are taken that are found first; this depends on nothing but the surface.
+///
+/// The pairs of components by distance come from one queue, which also holds pairs of nodes by the gap between their boxes.
+/// Pairs in one group are dropped. Near linear: only faces whose boxes are nearer than the components are compared.
+class Nearest_joiner
+{
+public:
+  using Index = Surface::Index;
+
+  /// `links`: components with a link are in one group
+  Nearest_joiner(Component_tree& tree, const Partition& component_of_face, std::vector<Link>& links)
+    : m_tree(tree), m_component_of(component_of_face), m_links(links), m_groups(component_of_face.number_of_parts())
+    , m_number_of_groups(component_of_face.number_of_parts())
+  {
+    for (const Link& l : links)
+      unite(l.lower, l.higher);
+  }
+
+  void run(const Execution& execution)
+  {
+    Step_counter counter(execution, m_number_of_groups - 1);
+    m_queue.push({0, false, m_tree.root(), m_tree.root()});
+    while (m_number_of_groups > 1) {
+      const Pair pair = m_queue.top();
+      m_queue.pop();
+      if (pair.is_of_faces) {
+        if (unite(pair.a, pair.b)) {
+          m_links.push_back({pair.a, pair.b, 0});
+          counter.advance();
+        }
+      } else if (!in_one_group(pair.a, pair.b)) {
+        divide(pair.a, pair.b);
+      }
+    }
+  }
+
+private:
+  struct Pair
+  {
+    double squared_distance;
+    bool is_of_faces; ///< or of nodes, which come first
+    Index a, b;
+
+    auto key() const { return std::make_tuple(squared_distance, is_of_faces, a, b); }
+    friend bool operator<(const Pair& p, const Pair& q) { return p.key() > q.key(); } // lowest first
+  };
+
+  bool unite(Index face, Index other)
+  {
+    const bool were_apart = m_groups.unite(m_component_of[face], m_component_of[other]);
+    m_number_of_groups -= were_apart;
+    return were_apart;
+  }
+
+  /// The root of the group of all components of a node, `none` if they are in several.
+  Index group(Index node)
+  {
+    if (m_tree[node].component != Component_tree::none)
+      return m_groups.root(m_tree[node].component);
+    if (node < m_members.size() && m_members[node] != Component_tree::none)
+      return m_groups.root(m_members[node]);
+    const Index child = m_tree.children(node), result = group(child);
+    if (result == Component_tree::none || result != group(child + 1))
+      return Component_tree::none;
+    if (node >= m_members.size())
+      m_members.resize(node + 1, Index(Component_tree::none));
+    return m_members[node] = result;
+  }
+
+  bool in_one_group(Index a, Index b)
+  {
+    const Index g = group(a);
+    return g != Component_tree::none && (a == b || g == group(b));
+  }
+
+  void push(Index a, Index b)
+  {
+    m_queue.push({gap(a, b), false, (std::min)(a, b), (std::max)(a, b)});
+  }
+
+  void divide(Index a, Index b)
+  {
+    if (a != b && m_tree[a].component != Component_tree::none && m_tree[b].component != Component_tree::none) {
+      Pair nearest{std::numeric_limits<double>::infinity(), true, 0, 0};
+      find_nearest_faces(a, b, nearest);
+      m_queue.push(nearest);
+      return;
+    }
+    const Index node = a == b ? a : node_of_components(a, b);
+    const Index child = m_tree.children(node);
+    if (a == b) {
+      m_queue.push({0, false, child, child});
+      m_queue.push({0, false, child + 1, child + 1});
+      push(child, child + 1);
+    } else {
+      push(child, node == a ? b : a);
+      push(child + 1, node == a ? b : a);
+    }
+  }
+
+  /// The one of two nodes to divide that has several components.
+  Index node_of_components(Index a, Index b) const
+  {
+    if (m_tree[a].component != Component_tree::none)
+      return b;
+    return m_tree[b].component != Component_tree::none ? a : m_tree.node_to_divide(a, b);
+  }
+
+  double gap(Index a, Index b) const { return squared_gap(m_tree[a].box, m_tree[b].box); }
+
+  /// Depth first, the nearer child first.
+  void find_nearest_faces(Index a, Index b, Pair& nearest)
+  {
+    const Index node = m_tree.node_to_divide(a, b), other = node == a ? b : a;
+    if (node == Component_tree::none) {
+      compare_faces(a, b, nearest);
+      return;
+    }
+    Index nearer = m_tree.children(node), farther = nearer + 1;
+    if (gap(farther, other) < gap(nearer, other))
+      std::swap(nearer, farther);
+    for (Index child : {nearer, farther})
+      if (gap(child, other) < nearest.squared_distance)
+        find_nearest_faces(child, other, nearest);
+  }
+
+  /// \pre both nodes are leaves
+  void compare_faces(Index a, Index b, Pair& nearest)
+  {
+    for (const auto* p = m_tree.begin(a); p != m_tree.end(a); ++p) {
+      const Axis_box box = m_tree.box(*p);
+      if (squared_gap(box, m_tree[b].box) > nearest.squared_distance)
+        continue;
+      for (const auto* q = m_tree.begin(b); q != m_tree.end(b); ++q) {
+        if (squared_gap(box, m_tree.box(*q)) > nearest.squared_distance)
+          continue;
+        const Pair pair{squared_distance(m_tree.triangle(*p), m_tree.triangle(*q)), true,
+                        (std::min)(p->face, q->face), (std::max)(p->face, q->face)};
+        if (nearest < pair)
+          nearest = pair;
+      }
+    }
+  }
+
+  Component_tree& m_tree;
+  const Partition& m_component_of;
+  std::vector<Link>& m_links;
+  Lowest_root_forest m_groups; // of components
+  std::size_t m_number_of_groups;
+  std::vector<Index> m_members; // by node: a component, if all are known to be in one group
+  std::priority_queue<Pair> m_queue;
+};
+
+} // namespace internal
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_JOIN_NEAREST_H

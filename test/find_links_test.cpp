@@ -1,0 +1,548 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Region_segmentation/internal/support/Lowest_root_forest.h>
+#include <CGAL/Region_segmentation/internal/surface/find_links.h>
+#include <CGAL/Region_segmentation/internal/surface/find_nesting.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <random>
+#include <set>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace find_links_test {
+
+namespace RS = CGAL::Region_segmentation;
+using RS::Double_3;
+using RS::Partition;
+using RS::Surface;
+using RS::internal::Link;
+using RS::internal::squared_distance;
+using Index = Surface::Index;
+
+/// Points and polygons.
+struct Soup
+{
+  std::vector<Double_3> points;
+  std::vector<std::vector<Index>> polygons;
+
+  void add(const Soup& other)
+  {
+    const Index first = Index(points.size());
+    points.insert(points.end(), other.points.begin(), other.points.end());
+    for (auto polygon : other.polygons) {
+      for (Index& v : polygon)
+        v += first;
+      polygons.push_back(polygon);
+    }
+  }
+
+  template <typename F>
+  Soup transformed(const F& f) const
+  {
+    Soup result = *this;
+    for (Double_3& p : result.points)
+      p = f(p);
+    return result;
+  }
+  Soup moved(double x, double y, double z) const
+  {
+    return transformed([&](const Double_3& p) { return Double_3{p.x + x, p.y + y, p.z + z}; });
+  }
+  Soup scaled(double s) const
+  {
+    return transformed([&](const Double_3& p) { return s * p; });
+  }
+};
+
+/// A surface with edges, and its components.
+struct Model
+{
+  explicit Model(const Soup& soup) : component_of(fill(soup)) {}
+
+  std::vector<Link> links() const { return RS::internal::find_links(surface, component_of, RS::Execution()); }
+
+  std::vector<Index> outermost() const
+  {
+    return RS::internal::outermost_of(surface, component_of, std::vector<bool>(component_of.number_of_parts(), true));
+  }
+
+  Surface surface;
+  Partition component_of;
+
+private:
+  Partition fill(const Soup& soup)
+  {
+    RS::internal::Surface_access to(surface);
+    double largest = 0;
+    for (const Double_3& p : soup.points)
+      largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+    to.unit = !(largest > 0) || std::abs(std::ilogb(largest)) <= 64 ? 1 : std::ldexp(1.0, std::ilogb(largest));
+    for (const Double_3& p : soup.points)
+      to.points.push_back({p.x / to.unit, p.y / to.unit, p.z / to.unit});
+    to.first_corners.push_back(0);
+    std::map<std::pair<Index, Index>, Index> face_of;
+    RS::internal::Lowest_root_forest forest(soup.polygons.size());
+    for (std::size_t f = 0; f < soup.polygons.size(); ++f) {
+      const auto& polygon = soup.polygons[f];
+      to.corners.insert(to.corners.end(), polygon.begin(), polygon.end());
+      to.first_corners.push_back(Index(to.corners.size()));
+      Double_3 n{0, 0, 0};
+      for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const Index v = polygon[i], w = polygon[(i + 1) % polygon.size()];
+        n = n + cross(to.points[v] - to.points[polygon[0]], to.points[w] - to.points[polygon[0]]);
+        const auto [place, is_new] = face_of.emplace(std::minmax(v, w), Index(f));
+        if (!is_new) {
+          to.lower_faces.push_back(place->second);
+          to.higher_faces.push_back(Index(f));
+          to.squared_lengths.push_back(squared_norm(to.points[v] - to.points[w]));
+          to.flags.push_back(0);
+          forest.unite(place->second, Index(f));
+        }
+      }
+      const double length = norm(n);
+      to.areas.push_back(length / 2);
+      to.normals.push_back(length > 0 ? (1 / length) * n : Double_3{0, 0, 0});
+      to.area += length / 2;
+    }
+    return forest.take_partition();
+  }
+};
+
+/// A grid of n x n squares, each of two triangles, on the unit square of the plane z = 0.
+Soup square(std::size_t n)
+{
+  Soup s;
+  for (std::size_t j = 0; j <= n; ++j)
+    for (std::size_t i = 0; i <= n; ++i)
+      s.points.push_back({double(i) / double(n), double(j) / double(n), 0});
+  for (std::size_t j = 0; j < n; ++j)
+    for (std::size_t i = 0; i < n; ++i) {
+      const Index a = Index(j * (n + 1) + i), b = a + 1, c = Index(a + n + 2), d = c - 1;
+      s.polygons.push_back({a, b, c});
+      s.polygons.push_back({a, c, d});
+    }
+  return s;
+}
+
+/// The unit cube, with edges divided into n.
+Soup box(std::size_t n = 1)
+{
+  std::map<std::array<Index, 3>, Index> vertices;
+  Soup s;
+  const auto vertex = [&](std::array<Index, 3> p) {
+    const auto [place, is_new] = vertices.emplace(p, Index(s.points.size()));
+    if (is_new)
+      s.points.push_back({double(p[0]) / double(n), double(p[1]) / double(n), double(p[2]) / double(n)});
+    return place->second;
+  };
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    for (Index side = 0; side < 2; ++side)
+      for (Index i = 0; i < n; ++i)
+        for (Index j = 0; j < n; ++j) {
+          const auto corner = [&](Index x, Index y) {
+            std::array<Index, 3> p;
+            p[axis] = side * Index(n);
+            p[(axis + 1) % 3] = x;
+            p[(axis + 2) % 3] = y;
+            return vertex(p);
+          };
+          Index a = corner(i, j), b = corner(i + 1, j), c = corner(i + 1, j + 1), d = corner(i, j + 1);
+          if (side == 0)
+            std::swap(b, d);
+          s.polygons.push_back({a, b, c});
+          s.polygons.push_back({a, c, d});
+        }
+  return s;
+}
+
+/// A box as a sphere of radius 1.
+Soup sphere(std::size_t n)
+{
+  return box(n).transformed([](const Double_3& p) {
+    const Double_3 q = p - Double_3{0.5, 0.5, 0.5};
+    return 1 / norm(q) * q;
+  });
+}
+
+/// Around the z axis.
+Soup torus(double radius, double tube, std::size_t n)
+{
+  constexpr double pi = 3.14159265358979323846;
+  Soup s;
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j) {
+      const double a = 2 * pi * double(i) / double(n), b = 2 * pi * double(j) / double(n);
+      const double r = radius + tube * std::cos(b);
+      s.points.push_back({r * std::cos(a), r * std::sin(a), tube * std::sin(b)});
+      const auto v = [&](std::size_t k, std::size_t l) { return Index((k % n) * n + l % n); };
+      s.polygons.push_back({v(i, j), v(i + 1, j), v(i + 1, j + 1), v(i, j + 1)});
+    }
+  return s;
+}
+
+Soup together(const std::vector<Soup>& soups)
+{
+  Soup result;
+  for (const Soup& s : soups)
+    result.add(s);
+  return result;
+}
+
+double length_of_contact(const std::vector<Link>& links)
+{
+  double sum = 0;
+  for (const Link& l : links)
+    sum += l.length;
+  return sum;
+}
+
+/// What holds for all links: order, different components, and everything connected; at most one link for a pair of faces.
+void check(const Model& m, const std::vector<Link>& links)
+{
+  RS::internal::Lowest_root_forest forest(m.component_of.number_of_parts());
+  std::size_t number = m.component_of.number_of_parts();
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    const Link& l = links[i];
+    EXPECT_LT(l.lower, l.higher);
+    EXPECT_NE(m.component_of[l.lower], m.component_of[l.higher]);
+    EXPECT_GE(l.length, 0);
+    EXPECT_TRUE(std::isfinite(l.length));
+    EXPECT_TRUE(i == 0 || links[i - 1] < l);
+    number -= forest.unite(m.component_of[l.lower], m.component_of[l.higher]);
+  }
+  EXPECT_EQ(number, m.component_of.number_of_parts() > 0 ? 1u : 0u);
+}
+
+double checked_length(const Soup& soup)
+{
+  const Model m(soup);
+  const auto links = m.links();
+  check(m, links);
+  return length_of_contact(links);
+}
+
+TEST(find_links_test, one_component_or_none_has_no_links)
+{
+  EXPECT_TRUE(Model(box()).links().empty());
+  EXPECT_TRUE(Model(Soup()).links().empty());
+}
+
+TEST(find_links_test, crossing_boxes_have_the_length_of_the_intersection)
+{
+  const Soup bar = box().transformed([](const Double_3& p) {
+    return Double_3{0.31 + 0.2 * p.x, 0.27 + 0.3 * p.y, -1 + 3.01 * p.z};
+  });
+  EXPECT_NEAR(checked_length(together({box(), bar})), 2 * (2 * 0.2 + 2 * 0.3), 1e-9);
+  EXPECT_NEAR(checked_length(together({box(7), bar})), 2 * (2 * 0.2 + 2 * 0.3), 1e-9);
+  EXPECT_NEAR(checked_length(together({bar, box(7)})), 2 * (2 * 0.2 + 2 * 0.3), 1e-9);
+}
+
+TEST(find_links_test, a_box_on_another_has_the_border_of_the_contact_area)
+{
+  for (double gap : {0.0, 0.001, -0.001})
+    for (std::size_t n : {1, 5})
+      for (std::size_t m : {1, 8}) {
+        const Soup leg = box(n).scaled(0.3).moved(0.33, 0.41, 1 + gap);
+        EXPECT_NEAR(checked_length(together({box(m), leg})), 4 * 0.3, 1e-6) << gap << ' ' << n << ' ' << m;
+        EXPECT_NEAR(checked_length(together({leg, box(m)})), 4 * 0.3, 1e-6) << gap << ' ' << n << ' ' << m;
+        // side by side, of the same size
+        EXPECT_NEAR(checked_length(together({box(n), box(n).moved(0, 0, 1 + gap)})), 4, 0.1) << gap << ' ' << n;
+        EXPECT_NEAR(checked_length(together({box(n), box(m).moved(0, 0, 1 + gap)})), 4, 0.1)
+          << gap << ' ' << n << ' ' << m;
+      }
+}
+
+TEST(find_links_test, a_contact_of_faces_smaller_than_the_tolerance_has_about_its_border)
+{
+  const double length = checked_length(together({box(100), box(100).moved(0.052, 0.013, 1)}));
+  EXPECT_GT(length, 3);
+  EXPECT_LT(length, 6); // 2 * (0.948 + 0.987) = 3.87
+}
+
+TEST(find_links_test, a_contact_area_that_ends_within_faces_of_both_has_about_its_border)
+{
+  for (std::size_t n : {1, 4, 9}) {
+    const double length = checked_length(together({box(n), box(n).moved(0.52, 0.03, 1)}));
+    EXPECT_GT(length, 1.9) << n;
+    EXPECT_LT(length, 4.5) << n; // 2 * (0.48 + 0.97) = 2.9
+  }
+}
+
+TEST(find_links_test, a_long_contact_has_its_length)
+{
+  const auto strip = [](const Double_3& p) { return Double_3{100 * p.x, p.y, p.z}; };
+  EXPECT_NEAR(checked_length(together({box(3).transformed(strip), box().moved(0, 0, 1).transformed(strip)})), 202, 1e-6);
+}
+
+TEST(find_links_test, coincident_closed_components_are_in_contact)
+{
+  EXPECT_GT(checked_length(together({box(3), box(3)})), 1);
+  EXPECT_GT(checked_length(together({sphere(5), sphere(5)})), 1);
+}
+
+TEST(find_links_test, sheets_touch_along_their_border)
+{
+  const auto wall = [](const Double_3& p) { return Double_3{0.3 + 0.5 * p.x, 0.37, p.y}; };
+  const auto rotated = [](const Double_3& p) { return Double_3{0.3 + 0.5 * p.x, 0.3 + 0.2 * p.x, p.y}; };
+  for (std::size_t n : {1, 6, 50})
+    for (std::size_t m : {1, 10})
+      for (double gap : {0.0, 0.0004, -0.0004}) {
+        const auto floor = square(m);
+        EXPECT_NEAR(checked_length(together({floor, square(n).transformed(wall).moved(0, 0, gap)})), 0.5, 0.12)
+          << n << ' ' << m << ' ' << gap;
+        EXPECT_NEAR(checked_length(together({floor, square(n).transformed(rotated).moved(0, 0, gap)})),
+                    std::hypot(0.5, 0.2), 0.1)
+          << n << ' ' << m << ' ' << gap;
+        // in one plane, edge to edge, with other vertices
+        EXPECT_NEAR(checked_length(together({floor, square(n).moved(1 + gap, 0, 0)})), 1, 0.5)
+          << n << ' ' << m << ' ' << gap;
+      }
+}
+
+TEST(find_links_test, overlapping_scans_have_about_the_border_of_the_overlap)
+{
+  const unsigned seed = std::random_device{}();
+  SCOPED_TRACE(seed);
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> noise(-1.0 / 8 / 40, 1.0 / 8 / 40);
+  const auto noisy = [&](const Double_3& p) { return Double_3{p.x + noise(random), p.y + noise(random), noise(random)}; };
+  const Soup scans = together({square(40).transformed(noisy), square(40).moved(0.503, 0.007, 0).transformed(noisy)});
+  const double length = checked_length(scans), expected = 2 * (0.497 + 0.993);
+  EXPECT_GT(length, expected / 2.5);
+  EXPECT_LT(length, expected * 4);
+}
+
+TEST(find_links_test, a_crumb_joins_the_nearest_component)
+{
+  const Soup floor = square(1).scaled(100);
+  const Soup crumb = sphere(4).scaled(0.01);
+  const Soup scene = together({floor, box().moved(40, 40, 3), crumb.moved(60, 30, 0.5), crumb.moved(40.5, 40.5, 3.5)});
+  const Model m(scene);
+  const auto links = m.links();
+  check(m, links);
+  std::set<std::pair<Index, Index>> pairs;
+  for (const Link& l : links) {
+    EXPECT_EQ(l.length, 0);
+    pairs.emplace(m.component_of[l.lower], m.component_of[l.higher]);
+  }
+  EXPECT_EQ(pairs, (std::set<std::pair<Index, Index>>{{0, 1}, {0, 2}, {1, 3}}));
+  EXPECT_EQ(links.size(), 3u);
+}
+
+/// The weight of a minimum spanning tree of the components by the distance of their nearest faces, compared with the
+/// links of length 0 after those of contact.
+void compare_with_all_distances(const Model& m, const std::vector<Link>& links)
+{
+  using RS::internal::Triangle;
+  const auto triangle = [&](std::size_t f) {
+    return Triangle{m.surface.point(m.surface.corner(f, 0)), m.surface.point(m.surface.corner(f, 1)),
+                    m.surface.point(m.surface.corner(f, 2))};
+  };
+  const std::size_t n = m.component_of.number_of_parts();
+  std::vector<std::tuple<double, Index, Index>> pairs;
+  for (Index f = 0; f < m.component_of.size(); ++f)
+    for (Index g = 0; g < f; ++g)
+      if (m.component_of[f] != m.component_of[g])
+        pairs.emplace_back(squared_distance(triangle(f), triangle(g)), g, f);
+  std::sort(pairs.begin(), pairs.end());
+  RS::internal::Lowest_root_forest forest(n);
+  std::set<std::pair<Index, Index>> expected, found;
+  for (const Link& l : links)
+    if (l.length > 0)
+      forest.unite(m.component_of[l.lower], m.component_of[l.higher]);
+    else
+      found.emplace(l.lower, l.higher);
+  for (const auto& [d, g, f] : pairs)
+    if (forest.unite(m.component_of[g], m.component_of[f]))
+      expected.emplace(g, f);
+  // The same faces, save where rounding decides: then as many, and as long together.
+  ASSERT_EQ(found.size(), expected.size());
+  double sum = 0, expected_sum = 0;
+  for (const auto& [g, f] : found)
+    sum += std::sqrt(squared_distance(triangle(f), triangle(g)));
+  for (const auto& [g, f] : expected)
+    expected_sum += std::sqrt(squared_distance(triangle(f), triangle(g)));
+  EXPECT_NEAR(sum, expected_sum, 1e-9 * expected_sum);
+  std::size_t equal = 0;
+  for (const auto& pair : found)
+    equal += expected.count(pair);
+  EXPECT_GE(equal + 1 + found.size() / 20, found.size());
+}
+
+TEST(find_links_test, random_crumbs_are_linked_as_by_all_distances)
+{
+  const unsigned seed = std::random_device{}();
+  SCOPED_TRACE(seed);
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> unit(0, 1);
+  for (int round = 0; round < 2; ++round) {
+    Soup scene = round % 2 == 0 ? sphere(5) : square(1).scaled(3);
+    for (int i = 0; i < 200; ++i) {
+      const double size = std::pow(10, -1 - 3 * unit(random));
+      Soup crumb = i % 5 == 0 ? box() :  square(1 + std::size_t(i) % 2);
+      crumb = crumb.transformed([&](const Double_3& p) {
+        return Double_3{p.x + 0.2 * unit(random), p.y + 0.2 * unit(random), p.z + 0.2 * unit(random)};
+      });
+      scene.add(crumb.scaled(size).moved(2.5 * unit(random) - 1.2, 2.5 * unit(random) - 1.2, 2.5 * unit(random) - 1.2));
+    }
+    const Model m(scene);
+    const auto links = m.links();
+    check(m, links);
+    compare_with_all_distances(m, links);
+  }
+}
+
+TEST(find_links_test, links_do_not_depend_on_the_order_of_faces)
+{
+  const unsigned seed = std::random_device{}();
+  SCOPED_TRACE(seed);
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> unit(0, 1);
+  Soup scene = together({sphere(8), torus(0.8, 0.3, 15), square(2).moved(-0.3, -0.4, 0.95)});
+  for (int i = 0; i < 60; ++i)
+    scene.add(sphere(2).scaled(0.1 * unit(random)).moved(2 * unit(random), 2 * unit(random), 2 * unit(random)));
+  std::vector<Index> order(scene.polygons.size());
+  for (Index i = 0; i < order.size(); ++i)
+    order[i] = i;
+  std::shuffle(order.begin(), order.end(), random);
+  Soup shuffled = scene;
+  for (std::size_t i = 0; i < order.size(); ++i)
+    shuffled.polygons[i] = scene.polygons[order[i]];
+  const Model m(scene), n(shuffled);
+  std::map<std::pair<Index, Index>, double> lengths, shuffled_lengths;
+  for (const Link& l : m.links()) // by components: partners of a face may be equally good
+    lengths[std::minmax(m.component_of[l.lower], m.component_of[l.higher])] += l.length;
+  for (const Link& l : n.links())
+    shuffled_lengths[std::minmax(m.component_of[order[l.lower]], m.component_of[order[l.higher]])] += l.length;
+  ASSERT_EQ(lengths.size(), shuffled_lengths.size());
+  for (const auto& [pair, length] : lengths) {
+    ASSERT_EQ(shuffled_lengths.count(pair), 1u);
+    EXPECT_NEAR(length, shuffled_lengths[pair], 1e-9);
+  }
+}
+
+TEST(find_links_test, two_thousand_boxes)
+{
+  Soup row;
+  for (int i = 0; i < 2000; ++i) // a wall of bricks: 50 x 40
+    row.add(box().moved(i % 50 + (i / 50 % 2) * 0.5, 0, i / 50));
+  const Model m(row);
+  const auto links = m.links();
+  check(m, links);
+  EXPECT_LT(links.size(), 5 * row.polygons.size());
+  EXPECT_GT(length_of_contact(links), 2000.0);
+}
+
+TEST(find_links_test, any_finite_coordinates)
+{
+  const Soup scene = together({box(2), box().scaled(0.3).moved(0.33, 0.41, 1), sphere(3).scaled(0.1).moved(3, 0, 0)});
+  const double expected = checked_length(scene);
+  EXPECT_NEAR(expected, 1.2, 1e-6);
+  for (double scale : {1e150, 1e-150, 1e300, 1e-290, 1e19, 1e-19}) {
+    const double length = checked_length(scene.scaled(scale));
+    const Model m(scene.scaled(scale));
+    EXPECT_NEAR(length * (m.surface.unit() / scale), expected, 1e-6) << scale;
+  }
+  checked_length(together({scene, scene.scaled(1e-150), scene.scaled(1e-150).moved(1, 2, 3), scene.scaled(1e-12)}));
+  checked_length(together({scene.scaled(1e150), scene.scaled(1e-150)}));
+  EXPECT_NEAR(checked_length(scene.moved(1000, 2000, -3000)), expected, 1e-6);
+}
+
+TEST(find_links_test, degenerate_faces)
+{
+  const auto face = [](const Double_3& p, const Double_3& q, const Double_3& r) {
+    Soup s;
+    s.points = {p, q, r};
+    s.polygons = {{0, 1, 2}};
+    return s;
+  };
+  const Soup point = face({0.5, 0.5, 2}, {0.5, 0.5, 2}, {0.5, 0.5, 2}), line = face({0, 0, 3}, {1, 1, 3}, {2, 2, 3});
+  EXPECT_EQ(checked_length(together({point, point, point})), 0);
+  EXPECT_EQ(checked_length(together({point, box(), line, line, face({0, 0, 0}, {1, 1, 1}, {0.5, 0.5, 0.5})})), 0);
+  Soup crossed_by_line = box();
+  crossed_by_line.polygons.push_back({0, 0, 1});
+  EXPECT_NEAR(checked_length(together({crossed_by_line, box().moved(0, 0, 1), point})), 4, 1e-6);
+}
+
+TEST(find_links_test, many_triangles_that_all_cross)
+{
+  std::mt19937 random(1);
+  std::normal_distribution<double> normal;
+  Soup scene;
+  for (int i = 0; i < 1500; ++i) {
+    Soup s;
+    for (int j = 0; j < 3; ++j)
+      s.points.push_back({normal(random), normal(random), normal(random)});
+    s.polygons = {{0, 1, 2}};
+    scene.add(s);
+  }
+  checked_length(scene);
+}
+
+TEST(find_nesting_test, nested_spheres)
+{
+  const Soup s = sphere(7);
+  const Model m(together({s.scaled(0.5), s, s.scaled(0.1).moved(0.3, 0.2, 0.1), s.moved(5, 0, 0),
+                          s.scaled(0.1).moved(0.7, 0, 0), s.scaled(0.2).moved(1.5, 0, 0), s.scaled(20), s.moved(30, 0, 0)}));
+  EXPECT_EQ(m.outermost(), (std::vector<Index>{6, 6, 6, 6, 6, 6, 6, 7}));
+}
+
+TEST(find_nesting_test, aligned_boxes)
+{
+  // In a box: flush with three of its sides, with all of one, in the middle, and on its top; below, beside.
+  const Soup b = box();
+  const Model m(together({b.scaled(0.5), b.scaled(0.5).moved(0.25, 0.25, 0.25), b.scaled(0.5).moved(0.5, 0.5, 0.5), b,
+                          b.moved(0, 0, 1), b.scaled(0.5).moved(0, 0, -0.5), b.scaled(0.5).moved(1, 0, 0), b}));
+  const auto outermost = m.outermost();
+  EXPECT_EQ(outermost[0], 3u);
+  EXPECT_EQ(outermost[1], 3u);
+  EXPECT_EQ(std::vector<Index>(outermost.begin() + 3, outermost.end()), (std::vector<Index>{3, 4, 5, 6, 7}));
+}
+
+TEST(find_nesting_test, linked_tori_and_a_sphere_in_the_hole)
+{
+  const Soup t = torus(1, 0.25, 40);
+  const Soup upright = t.transformed([](const Double_3& p) { return Double_3{p.x + 1, p.z, p.y}; });
+  const Soup ball = sphere(4).scaled(0.1);
+  const Model m(together({t, upright, ball, ball.moved(1, 0, 0.01), ball.moved(-1, 0, 0.02)}));
+  const auto outermost = m.outermost();
+  EXPECT_EQ(outermost, (std::vector<Index>{0, 1, 1, 0, 0}));
+}
+
+TEST(find_nesting_test, open_components_contain_nothing)
+{
+  const Model m(together({sphere(4), sphere(4).scaled(0.5)}));
+  EXPECT_EQ(RS::internal::outermost_of(m.surface, m.component_of, {false, true}), (std::vector<Index>{0, 1}));
+  EXPECT_EQ(RS::internal::outermost_of(m.surface, m.component_of, {true, false}), (std::vector<Index>{0, 1}));
+}
+
+TEST(find_nesting_test, random_spheres_in_spheres_in_any_position)
+{
+  const unsigned seed = std::random_device{}();
+  SCOPED_TRACE(seed);
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  std::vector<Soup> soups;
+  std::vector<Index> expected;
+  for (Index i = 0; i < 100; ++i) { // each with one inside, and one inside that
+    const Double_3 at{10 * double(i % 10), 10 * double(i / 10), 3 * unit(random)};
+    for (Index j = 0; j < 3; ++j) {
+      const double r = std::pow(0.3, j) * 3, move = j == 0 ? 1 : 0.3 * r;
+      soups.push_back(sphere(2 + i % 4).scaled(r).moved(at.x + move * unit(random), at.y + move * unit(random),
+                                                        at.z + move * unit(random)));
+      expected.push_back(3 * i);
+    }
+  }
+  EXPECT_EQ(Model(together(soups)).outermost(), expected);
+}
+
+} // namespace find_links_test
