@@ -255,6 +255,12 @@ TEST(find_links_test, crossing_boxes_have_the_length_of_the_intersection)
   EXPECT_NEAR(checked_length(together({bar, box(7)})), 2 * (2 * 0.2 + 2 * 0.3), 1e-9);
 }
 
+TEST(find_links_test, crossing_spheres_have_the_length_of_the_circle)
+{
+  const Soup s = sphere(30);
+  EXPECT_NEAR(checked_length(together({s, s.moved(0.9, 0.1, 0.03)})), 5.6, 0.5);
+}
+
 TEST(find_links_test, a_box_on_another_has_the_border_of_the_contact_area)
 {
   for (double gap : {0.0, 0.001, -0.001})

@@ -84,7 +84,7 @@ struct Clipped_triangle
 inline double touching_area(const Plane_triangle& s, const Plane_triangle& t, double tolerance)
 {
   const double cosine = dot(s.normal, t.normal);
-  if (std::abs(cosine) < 0.5)
+  if (std::abs(cosine) < 0.9)
     return 0;
   Clipped_triangle overlap(s.corners);
   const double side = cosine > 0 ? 1 : -1;
