@@ -3,18 +3,15 @@
 #ifndef CGAL_REGION_SEGMENTATION_INTERNAL_RAYS_RAY_TREE_H
 #define CGAL_REGION_SEGMENTATION_INTERNAL_RAYS_RAY_TREE_H
 
+#include <CGAL/Region_segmentation/Double_3.h>
 #include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/Flat_mesh.h>
-#include <CGAL/Region_segmentation/internal/rays/Box_partition.h>
-#include <CGAL/Region_segmentation/internal/rays/Box_tree_builder.h>
-#include <CGAL/Region_segmentation/internal/rays/Float_4.h>
 #include <CGAL/Region_segmentation/internal/rays/Four_triangles.h>
-#include <CGAL/Region_segmentation/internal/rays/Patch_boxes.h>
-#include <CGAL/Region_segmentation/internal/rays/Patch_triangles.h>
 #include <CGAL/Region_segmentation/internal/rays/Ray_leaves.h>
 #include <CGAL/Region_segmentation/internal/support/Float_key.h>
+#include <CGAL/Region_segmentation/internal/support/blocks.h>
 
-#include <boost/container/static_vector.hpp>
+#include <boost/config.hpp>
 
 #include <algorithm>
 #include <array>
@@ -27,16 +24,14 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// Finds the face that a ray hits first: a tree of bounding boxes over the patches of a mesh, or slices of them (see
-/// `Patch_boxes`), whose triangles (polygons as fans) are the leaves. In float, relative to the centroid of the surface:
-/// distances are needed to a few digits only. (CGAL's AABB tree is exact, and GPL.)
+/// Finds the face that a ray hits first: a tree of bounding boxes over the patches of a mesh. In
+/// float, relative to the centroid of the surface: distances are needed to a few digits only.
+/// (CGAL's AABB tree is exact, and GPL.)
 ///
-/// A node has up to four children, which are tested together, and so are four triangles of a leaf: so there are few
-/// unpredictable branches. A leaf is a patch, a coarse one on meshes of few faces (see `Ray_leaves`). The result does not depend
-/// on the shape of the tree, and neither on the patches.
+/// A node has four children, which are tested together. The leaves are patches, see `Ray_leaves`.
+/// The hits depend neither on the shape of the tree nor on the patches.
 ///
-/// About 60 bytes per triangle, or 5 on large meshes (see `Ray_leaves`), and construction in O(T + P log P) for T triangles in
-/// P patches; a ray takes O(log P + T / P) in practice.
+/// Construction takes O(F + P log P) for P patches, a ray O(log P + F / P) in practice.
 class Ray_tree
 {
   using Index = Flat_mesh::Index;
@@ -52,44 +47,99 @@ public:
   /// `origin`: the centroid of the surface; `most_stored_faces`: see `Ray_leaves`
   /// \pre the mesh was read with its points and patches
   template <typename ConcurrencyTag>
-  Ray_tree(const Flat_mesh& mesh, const Double_3& origin, const Execution<ConcurrencyTag>& execution,
+  Ray_tree(const Flat_mesh& mesh, const Double_3& origin,
+           const Execution<ConcurrencyTag>& execution,
            std::size_t most_stored_faces = Ray_leaves::most_stored_faces)
-    : m_unit(unit_of(mesh, origin))
-    , m_leaves(mesh, origin, 1 / m_unit, most_stored_faces)
+      : m_unit(unit_of(mesh, origin)), m_leaves(mesh, origin, 1 / m_unit, most_stored_faces)
   {
-    if (mesh.number_of_faces() == 0)
-      return;
-    Box_partition boxes = Patch_boxes::make<ConcurrencyTag>(mesh, m_leaves.triangles());
-    execution.report(0.4);
-    m_nodes = Box_tree_builder(boxes, execution.step(0.4, 0.8)).take_nodes();
-    m_leaves.store(mesh, execution.step(0.8, 1));
+    execution.report(0.3);
+    std::vector<Box> boxes(m_leaves.size());
+    std::vector<Item> items(m_leaves.size());
+    const auto make = [&](std::size_t, std::size_t begin, std::size_t end) {
+      for (std::size_t leaf = begin; leaf < end; ++leaf) {
+        boxes[leaf] = box_of(mesh, leaf);
+        items[leaf] = {boxes[leaf].center(), Index(leaf)};
+      }
+    };
+    for_each_block(execution.step(0.3, 0.6), items.size(), make, 256);
+    if (!items.empty())
+      add_node(items.data(), items.data() + items.size(), boxes);
     execution.report(1);
   }
 
-  /// A ray whose first hit is not known yet; `direction` has length 1.
-  Ray make_ray(const Double_3& source, const Double_3& direction, Index skipped) const
+  /// The first face of the mesh of the tree that a ray hits in front of its source, of several the
+  /// lowest one, other than `skipped`. `direction` has length 1.
+  Hit first_hit(const Flat_mesh& mesh, const Double_3& source, const Double_3& direction,
+                Index skipped) const
   {
-    return {m_leaves.triangles().relative(source), {float(direction.x), float(direction.y), float(direction.z)}, skipped};
+    Ray ray(m_leaves.relative(source), {float(direction.x), float(direction.y), float(direction.z)},
+            skipped);
+    // Where the ray enters a box, and the child; the nearest last. A level leaves at most three,
+    // whatever the ray.
+    std::array<Float_key, 3 * maximum_depth + width> waiting;
+    std::size_t size = 0;
+    if (!m_nodes.empty())
+      waiting[size++] = make_float_key(0, 0);
+    while (size > 0) {
+      const Float_key next = waiting[--size];
+      const Index child = index_of(next);
+      if (!(value_of(next) <= ray.distance))
+        continue;
+      if (child % 2 == 1)
+        m_leaves.intersect(mesh, child / 2, ray);
+      else
+        for (const Float_key key : children(m_nodes[child / 2], ray)) {
+          waiting[size] = key;
+          size += key < never ? 1 : 0;
+        }
+    }
+    return {ray.face, ray.face == no_face ? 0.0 : double(ray.distance) * m_unit};
   }
-
-  /// Finds the first face of the mesh of the tree that each ray hits in front of its source, other than the one it skips.
-  ///
-  /// Up to `bundle_size` rays go from leaf to leaf together, so that the memory that they need next is fetched for all of them at a
-  /// time: .81 of the time of one ray after the other at 830,000 faces, .91 at 50,000.
-  void trace(const Flat_mesh& mesh, Ray* begin, Ray* end) const
-  {
-    for (; begin != end; begin += (std::min)(end - begin, std::ptrdiff_t(bundle_size)))
-      trace_bundle(mesh, begin, (std::min)(std::size_t(end - begin), bundle_size));
-  }
-
-  /// \pre the ray was traced
-  Hit hit(const Ray& ray) const { return {ray.face, ray.face == no_face ? 0.0 : double(ray.distance) * m_unit}; }
 
 private:
-  using Node = Box_node;
-  using Child = Node::Child;
-  static constexpr std::size_t width = Node::width;
-  static constexpr std::size_t bundle_size = 12;
+  static constexpr std::size_t width = 4;
+
+  /// Empty until a point is added; coordinates that are not numbers are ignored.
+  struct Box
+  {
+    Float_3 low = all((std::numeric_limits<float>::max)()),
+            high = all(std::numeric_limits<float>::lowest());
+
+    static Float_3 all(float x) { return {x, x, x}; }
+
+    /// Finite.
+    Float_3 center() const
+    {
+      Float_3 c;
+      for (std::size_t k = 0; k < 3; ++k)
+        c[k] = std::isfinite(low[k] + high[k]) ? (low[k] + high[k]) / 2 : 0;
+      return c;
+    }
+
+    void add(const Float_3& a, const Float_3& b)
+    {
+      for (std::size_t k = 0; k < 3; ++k) {
+        low[k] = a[k] < low[k] ? a[k] : low[k];
+        high[k] = b[k] > high[k] ? b[k] : high[k];
+      }
+    }
+  };
+
+  /// A leaf to be sorted into the tree.
+  struct Item
+  {
+    Float_3 center; // of its box
+    Index leaf;
+  };
+
+  /// A child has at most a quarter of the items of its parent, rounded up.
+  static constexpr std::size_t maximum_depth = 17;
+
+  struct Node
+  {
+    std::array<std::array<Lanes, 3>, 2> bounds; // of the children, lower and upper ones
+    std::array<Index, width> child; // twice the index of a node, or twice that of a leaf plus one
+  };
 
   /// A power of two, so that it does not change any rounding.
   static double unit_of(const Flat_mesh& mesh, const Double_3& origin)
@@ -101,110 +151,124 @@ private:
     return std::ldexp(1.0, std::ilogb((std::max)(std::sqrt(largest), mesh.relative_unit())));
   }
 
-  using Waiting = Float_key; // where the ray enters a box, and the child
-  static constexpr Waiting never = Waiting(0x7f800000) << 32; // infinity
-
-  /// The values of a ray that box tests need.
-  struct Slopes
+  /// Slightly enlarged, so that rounding misses no triangle.
+  Box box_of(const Flat_mesh& mesh, std::size_t leaf) const
   {
-    Float_3 inverse;            // of the direction; infinite for 0
-    std::array<std::size_t, 3> entered; // by which of the two bounds the ray enters a box, by axis
-
-    explicit Slopes(const Float_3& direction)
-    {
-      for (std::size_t k = 0; k < 3; ++k) {
-        inverse[k] = 1 / direction[k];
-        entered[k] = inverse[k] < 0 ? 1 : 0;
-      }
+    constexpr float margin =
+      5e-7f; // relative to the distance from the origin, and to the size of the surface
+    Box box;
+    m_leaves.for_each_triangle(mesh, leaf,
+                               [&](const Float_3& p, const Float_3& q, const Float_3& r, Index) {
+                                 for (const Float_3* c : {&p, &q, &r})
+                                   box.add(*c, *c);
+                               });
+    float extent = float(mesh.relative_unit() / m_unit);
+    for (std::size_t k = 0; k < 3; ++k)
+      extent = (std::max)({extent, std::abs(box.low[k]), std::abs(box.high[k])});
+    for (std::size_t k = 0; k < 3; ++k) {
+      box.low[k] -= margin * extent;
+      box.high[k] += margin * extent;
     }
-  };
-
-  /// The way of a ray through the tree.
-  class Walk
-  {
-  public:
-    static constexpr Index end = (std::numeric_limits<Index>::max)();
-
-    explicit Walk(const Ray& ray) : m_slopes(ray.direction) { m_waiting[0] = make_float_key(0, 0); }
-
-    /// The next leaf that may contain the first hit; or the end.
-    Index next_leaf(const std::vector<Node>& nodes, const Ray& ray)
-    {
-      while (m_size > 0) {
-        Waiting nearest = m_waiting[--m_size];
-        if (!(value_of(nearest) <= ray.distance))
-          continue;
-        while (nearest < never) {
-          const Child child = index_of(nearest);
-          if (child % 2 == 1)
-            return child / 2;
-          const std::array<Waiting, width> c = children(nodes[child / 2], ray, m_slopes);
-          for (std::size_t i = 0; i < width - 1; ++i) {
-            m_waiting[m_size] = c[i];
-            m_size += std::size_t(c[i] < never);
-          }
-          nearest = c[width - 1];
-        }
-      }
-      return end;
-    }
-
-  private:
-    Slopes m_slopes;
-    std::size_t m_size = 1;
-    // A node adds at most three waiting entries.
-    std::array<Waiting, 3 * Box_tree_builder::maximum_depth> m_waiting;
-  };
-
-  void trace_bundle(const Flat_mesh& mesh, Ray* rays, std::size_t number) const
-  {
-    if (m_nodes.empty())
-      return;
-    boost::container::static_vector<Walk, bundle_size> walks;
-    boost::container::static_vector<Ray_leaves::Visit, bundle_size> visits;
-    for (std::size_t i = 0; i < number; ++i) {
-      walks.emplace_back(rays[i]);
-      visits.push_back({rays + i, 0});
-    }
-    while (!visits.empty()) {
-      std::size_t size = 0;
-      for (Ray_leaves::Visit visit : visits) {
-        visit.leaf = walks[std::size_t(visit.ray - rays)].next_leaf(m_nodes, *visit.ray);
-        if (visit.leaf != Walk::end)
-          visits[size++] = visit;
-      }
-      visits.resize(size);
-      m_leaves.intersect(mesh, {visits.data(), visits.data() + size});
-    }
+    return box;
   }
 
-  /// The children that the ray enters before its best hit, the nearest last; those that it does not enter come first.
-  static std::array<Waiting, width> children(const Node& node, const Ray& ray, const Slopes& slopes)
+  /// Adds a node for some items, and its descendants: halves of halves along the axis on which the
+  /// centers differ most. Returns the box around them.
+  Box add_node(Item* first, Item* last, const std::vector<Box>& boxes)
   {
-    Float_4 in = all_lanes(0), out = all_lanes(ray.distance);
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Float_4 source = all_lanes(ray.source[k]), inverse = all_lanes(slopes.inverse[k]);
-      const Float_4 near = (node.bounds[slopes.entered[k]][k] - source) * inverse;
-      const Float_4 far = (node.bounds[1 - slopes.entered[k]][k] - source) * inverse;
-      in = larger(near, in); // a NaN bound (0 * infinity) is ignored
-      out = smaller(far, out);
+    const std::size_t n = m_nodes.size();
+    m_nodes.emplace_back();
+    Item *middle = halve(first, last), *const ends[] = {first, halve(first, middle), middle,
+                                                        halve(middle, last), last};
+    Box all;
+    for (std::size_t i = 0; i < width; ++i) {
+      Box box;
+      Index child =
+        1; // a leaf where there is none, since a ray that is not a number enters all children
+      if (ends[i + 1] - ends[i] == 1) {
+        child = 2 * ends[i]->leaf + 1;
+        box = boxes[ends[i]->leaf];
+      } else if (ends[i] != ends[i + 1]) {
+        child = Index(2 * m_nodes.size());
+        box = add_node(ends[i], ends[i + 1], boxes);
+      }
+      for (std::size_t k = 0; k < 3; ++k) {
+        m_nodes[n].bounds[0][k][i] = box.low[k];
+        m_nodes[n].bounds[1][k][i] = box.high[k];
+      }
+      m_nodes[n].child[i] = child;
+      all.add(box.low, box.high);
     }
-    const Float_4 entries = select(in <= out, in, all_lanes(std::numeric_limits<float>::infinity()));
-    std::array<Waiting, width> w;
+    return all;
+  }
+
+  static Item* halve(Item* first, Item* last)
+  {
+    Item* const middle = first + (last - first) / 2;
+    Box centers;
+    for (const Item* item = first; item != last; ++item)
+      centers.add(item->center, item->center);
+    const auto side = [&](std::size_t k) { return centers.high[k] - centers.low[k]; };
+    const std::size_t axis = side(0) >= side(1) && side(0) >= side(2) ? 0
+                             : side(1) >= side(2)                     ? 1
+                                                                      : 2;
+    std::nth_element(first, middle, last, [axis](const Item& a, const Item& b) {
+      return a.center[axis] < b.center[axis];
+    });
+    return middle;
+  }
+
+  static constexpr Float_key never = Float_key(0x7f800000) << 32; // infinity
+
+  /// The children of a node, the one that the ray enters first last; without branches, which would
+  /// be unpredictable.
+  static std::array<Float_key, width> children(const Node& node, const Ray& ray)
+  {
+    const Lanes entries = entries_of(node, ray);
+    std::array<Float_key, width> keys;
     for (std::size_t i = 0; i < width; ++i)
-      w[i] = make_float_key(entries[i], node.child[i]);
+      keys[i] = make_float_key(entries[i], node.child[i]);
     const auto order = [&](std::size_t i, std::size_t j) {
-      const Waiting a = w[i], b = w[j];
-      w[i] = a > b ? a : b;
-      w[j] = a > b ? b : a;
+      const Float_key a = keys[i], b = keys[j];
+      keys[i] = a > b ? a : b;
+      keys[j] = a > b ? b : a;
     };
     order(0, 1), order(2, 3), order(0, 2), order(1, 3), order(1, 2);
-    return w;
+    return keys;
+  }
+
+  /// Where a ray enters the boxes of children; infinite where it does not.
+  BOOST_NOINLINE static Lanes entries_of(const Node& node, const Ray& ray)
+  {
+    const auto bounds = [&](std::size_t k, std::size_t side) {
+      return node.bounds[side][k].data();
+    };
+    const auto [entered_x, entered_y, entered_z] = ray.entered;
+    const float *near_x = bounds(0, entered_x), *near_y = bounds(1, entered_y),
+                *near_z = bounds(2, entered_z);
+    const float *far_x = bounds(0, 1 - entered_x), *far_y = bounds(1, 1 - entered_y),
+                *far_z = bounds(2, 1 - entered_z);
+    const auto [source_x, source_y, source_z] = ray.source;
+    const auto [inverse_x, inverse_y, inverse_z] = ray.inverse;
+    Lanes entries;
+    for (std::size_t i = 0; i < width; ++i) {
+      // One that is not a number (0 * infinity) is ignored.
+      const auto larger = [](float a, float b) { return a > b ? a : b; };
+      const auto smaller = [](float a, float b) { return a < b ? a : b; };
+      float in = larger((near_x[i] - source_x) * inverse_x, 0);
+      in = larger((near_y[i] - source_y) * inverse_y, in);
+      in = larger((near_z[i] - source_z) * inverse_z, in);
+      float out = smaller((far_x[i] - source_x) * inverse_x, ray.distance);
+      out = smaller((far_y[i] - source_y) * inverse_y, out);
+      out = smaller((far_z[i] - source_z) * inverse_z, out);
+      entries[i] = in <= out ? in : std::numeric_limits<float>::infinity();
+    }
+    return entries;
   }
 
   double m_unit; // of relative coordinates
   Ray_leaves m_leaves;
-  std::vector<Node> m_nodes;
+  std::vector<Node> m_nodes; // the root is the first
 };
 
 } // namespace internal
