@@ -103,8 +103,8 @@ void add_inputs(CLI::App& app, Raw_options& raw)
 {
   const Option_group input(app, "Input");
   input.add("INPUT", raw.options.inputs, "",
-            "Meshes: .off, .obj, .ply or .stl, also compressed as .gz; - is standard input. Several inputs are processed as a "
-            "batch.");
+            "Meshes: .off, .obj, .ply or .stl, also compressed as .gz; - is standard input. Several inputs are processed "
+            "one after the other.");
   input
     .add("--input-format", raw.input_format, "FORMAT",
          "For all inputs, whatever their extensions: off, obj, ply or stl. Needed for standard input.")
@@ -172,9 +172,7 @@ void add_run_options(CLI::App& app, Raw_options& raw)
                     "Repeatable. {stem} as in -o. Print five measures of the distance to this segmentation, and their means.");
   const Option_group run(app, "Run");
   run.add("--threads", raw.number_of_threads, "N",
-          "Most threads, and most meshes of a batch in memory at a time. Default: 0, one for each core. Unless it is "
-          "alone, a mesh waits while it and those in work would take more than half of the memory there is, at 36 times "
-          "the size of a .ply file and 16 times that of others.")
+          "Most threads for a mesh. Default: 0, one for each core.")
     ->take_last();
   run.add_flag("-q,--quiet", "No progress, remarks and hints on stderr.");
   app.set_help_flag("-h,--help", "Print this and exit.")->group("Run");

@@ -79,11 +79,11 @@ std::string with_segment(std::string file, const std::string& number)
   return file;
 }
 
-bool is_segment_file(const std::string& pattern, const std::string& name, std::size_t longest)
+bool is_segment_file(const std::string& pattern, const std::string& name)
 {
   const std::size_t first = pattern.find(segment_placeholder);
   for (std::size_t end = first; end < name.size() && name[end] >= '0' && name[end] <= '9'; ++end)
-    if (with_segment(pattern, name.substr(first, end + 1 - first)).substr(0, longest) == name)
+    if (with_segment(pattern, name.substr(first, end + 1 - first)) == name)
       return true;
   return false;
 }
