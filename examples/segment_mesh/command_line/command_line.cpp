@@ -178,8 +178,6 @@ void add_run_options(CLI::App& app, Raw_options& raw)
   app.set_help_flag("-h,--help", "Print this and exit.")->group("Run");
   app.set_version_flag("--version", "segment_mesh " CGAL_REGION_SEGMENTATION_VERSION, "Print the version and exit.")
     ->group("Run");
-  const char* const hidden = "";
-  app.add_flag("--man")->group(hidden);
 }
 
 struct Range
@@ -292,10 +290,6 @@ std::optional<Options> parse_command_line(int argc, const char* const* argv)
     return std::nullopt;
   } catch (const CLI::ParseError& error) {
     throw Usage_error(error.what());
-  }
-  if (app.count("--man") > 0) {
-    std::cout << format_man_page(app);
-    return std::nullopt;
   }
   return checked(app, raw);
 }
