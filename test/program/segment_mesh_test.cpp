@@ -453,6 +453,22 @@ TEST_F(Program, describes_a_cone_and_segments_without_neighbors_or_area)
   EXPECT_EQ(folder.read("b.csv").find("nan"), std::string::npos);
 }
 
+TEST_F(Program, writes_a_table_of_finite_numbers_for_coordinates_of_any_size)
+{
+  for (const std::string size : {"1e308", "1e200", "1e-200", "1e-308"}) {
+    folder.write("a.off", "OFF\n4 4 0\n0 0 0\n" + size + " 0 0\n0 " + size + " 0\n0 0 " + size +
+                            "\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n");
+    folder.write("a.seg", "0\n0\n1\n0\n");
+    EXPECT_EQ(run("a.off --labels a.seg -o a.csv").status, 0);
+    const std::string table = folder.read("a.csv"), lines = table.substr(table.find('\n'));
+    EXPECT_EQ(lines.find("inf"), std::string::npos) << lines;
+    EXPECT_EQ(lines.find("nan"), std::string::npos) << lines;
+    // The shares of the three small faces, and of the large one.
+    EXPECT_NE(lines.find(",0.6339745962"), std::string::npos) << lines;
+    EXPECT_NE(lines.find(",0.3660254037"), std::string::npos) << lines;
+  }
+}
+
 TEST_F(Program, tells_its_settings_in_json)
 {
   folder.write("a.off", sample::off());
@@ -565,17 +581,48 @@ TEST_F(Program, smooths_borders)
 
 TEST_F(Program, says_if_it_has_no_pages)
 {
-  const Outcome outcome = run("--demo -k 3 -o a.html");
-  if (outcome.status == 2) { // built without
-    EXPECT_EQ(outcome.err, "segment_mesh: a.html: this program was built without three.js, which pages need (see segment_mesh "
-                           "--help)\n");
+  const Outcome outcome = run("--demo -k 3 -o a.html -o a.seg");
+  EXPECT_TRUE(folder.has("a.seg"));
+  if (outcome.status == 1) { // built without
+    EXPECT_EQ(outcome.err, "a.html: pages need three.js, and this program was built without it (Debian: libjs-three)\n");
+    EXPECT_FALSE(folder.has("a.html"));
     return;
   }
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
   const std::string page = folder.read("a.html");
   EXPECT_EQ(page.rfind("<!DOCTYPE html>", 0), 0u);
   EXPECT_EQ(page.find("{{"), std::string::npos);
   for (const char* fetched : {"<script src", "<link", "@import"})
     EXPECT_EQ(page.find(fetched), std::string::npos) << fetched;
+}
+
+std::size_t number_of_described(const std::string& page)
+{
+  const std::string described = "{\"node\":";
+  std::size_t number = 0;
+  for (std::size_t at = page.find(described); at != std::string::npos; at = page.find(described, at + 1))
+    ++number;
+  return number;
+}
+
+/// A strip folded along each of its short edges.
+TEST_F(Program, describes_in_a_page_no_segments_that_it_does_not_show_at_first)
+{
+  constexpr int number = 250;
+  std::string points, faces;
+  for (int i = 0; i <= number; ++i)
+    for (const char* y : {"0", "1"})
+      points += std::to_string(i) + " " + y + (i % 2 == 0 ? " 0\n" : " 1\n");
+  for (int i = 0; i < 2 * number; i += 2)
+    faces += "4 " + std::to_string(i) + " " + std::to_string(i + 2) + " " + std::to_string(i + 3) + " " + std::to_string(i + 1) + "\n";
+  folder.write("a.off", "OFF\n" + std::to_string(2 * number + 2) + " " + std::to_string(number) + " 0\n" + points + faces);
+  const Outcome outcome = run("a.off --method smooth-faces -o a.html");
+  if (outcome.status == 1)
+    GTEST_SKIP() << "built without pages";
+  EXPECT_NE(outcome.out.find(" 250 segments"), std::string::npos) << outcome.out;
+  EXPECT_EQ(number_of_described(folder.read("a.html")), 2u * 20 - 1);
+  EXPECT_EQ(run("a.off -k 30 --method smooth-faces -o a.html").status, 0);
+  EXPECT_EQ(number_of_described(folder.read("a.html")), 2u * 30 - 1);
 }
 
 /// Otherwise a page of ten thousands of pieces, in a file of 1 MB, takes a minute.
@@ -590,13 +637,9 @@ TEST_F(Program, describes_no_more_segments_in_a_page_than_it_can_in_time)
     }
     folder.write("a.off", "OFF\n" + std::to_string(3 * number) + " " + std::to_string(number) + " 0\n" + points + triangles);
     const Outcome outcome = run("a.off -o a.html");
-    if (outcome.status == 2)
+    if (outcome.status == 1)
       GTEST_SKIP() << "built without pages";
-    const std::string page = folder.read("a.html"), described = "{\"node\":";
-    std::size_t found = 0;
-    for (std::size_t at = page.find(described); at != std::string::npos; at = page.find(described, at + 1))
-      ++found;
-    EXPECT_EQ(found, number <= 200 ? number : 0);
+    EXPECT_EQ(number_of_described(folder.read("a.html")), number <= 200 ? number : 0);
   }
 }
 

@@ -3,7 +3,6 @@
 #include "io/output_format.h"
 
 #include "io/errors.h"
-#include "page/write_page.h"
 
 #include <algorithm>
 #include <cctype>
@@ -59,8 +58,6 @@ void check(const Output& output)
     if (std::filesystem::path(output.file).filename().string().find(segment_placeholder) == std::string::npos)
       throw Usage_error(output.file + ": {segment} belongs to the name of the file, not of its folder");
   }
-  if (output.format == Output_format::HTML && !can_write_pages())
-    throw Usage_error(output.file + ": this program was built without three.js, which pages need");
 }
 
 } // namespace
