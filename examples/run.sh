@@ -1,9 +1,10 @@
 #!/bin/sh
 # run.sh [MESH] [K]: segments a mesh into K parts; without a mesh, a model that the program builds.
 #
-# Installs what is missing by apt, or, where there is no apt, says what is; builds the program in release mode into build/, and runs it. The result is
-# written in the folder from which this is called: NAME_segments.ply, with a color for each part, and NAME.html, a page
-# to view and rotate them in a browser.
+# Installs what is missing by apt, or, where there is no apt, says what is; builds the program in
+# release mode into build/, and runs it. The result is written in the folder from which this is
+# called: NAME_segments.ply, with a color for each part, and NAME.html, a page to view and rotate
+# them in a browser.
 set -eu
 root=$(cd "$(dirname "$0")/.." && pwd)
 

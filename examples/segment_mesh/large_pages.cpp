@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Large blocks of memory in huge pages, on Linux, whoever asks for them: the arrays of the file, of the soup and of the
-// `Surface_mesh`, not only those of the library. From a binary PLY of 2 million triangles to labels by two-step on one thread
-// it takes 1.25 s of CPU time, and 2.72 s without this file (the least of five runs each; 14,000 and 110,000 page faults).
+// Large blocks of memory in huge pages, on Linux, whoever asks for them: the arrays of the file, of
+// the soup and of the `Surface_mesh`, not only those of the library. From a binary PLY of 2 million
+// triangles to labels by two-step on one thread it takes 1.25 s of CPU time, and 2.72 s without
+// this file (the least of five runs each; 14,000 and 110,000 page faults).
 
 #include <CGAL/Region_segmentation/internal/support/Large_array.h>
 

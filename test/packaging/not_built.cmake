@@ -1,5 +1,5 @@
-# The headers are installed without building anything, and without GoogleTest; embedded in another project, the package adds no target doc, builds
-# no program and installs nothing.
+# The headers are installed without building anything, and without GoogleTest; embedded in another
+# project, the package adds no target doc, builds no program and installs nothing.
 include(${CMAKE_CURRENT_LIST_DIR}/run.cmake)
 
 set(settings -G ${GENERATOR} -D CMAKE_CXX_COMPILER=${CXX} -D CGAL_DIR=${CGAL_DIR} -D CMAKE_BUILD_TYPE=Release)

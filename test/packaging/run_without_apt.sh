@@ -1,5 +1,6 @@
 #!/bin/sh
-# run_without_apt.sh SOURCE: examples/run.sh where there is no apt and CLI11 is missing: one sentence says so.
+# run_without_apt.sh SOURCE: examples/run.sh where there is no apt and CLI11 is missing: one
+# sentence says so.
 set -eu
 source=$1
 folder=$(mktemp -d)

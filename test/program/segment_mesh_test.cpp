@@ -220,7 +220,8 @@ TEST_F(Program, tells_of_outputs_that_cannot_be_written)
   EXPECT_EQ(outcome.err, "a/c.seg: cannot be written: No such file or directory\n");
   EXPECT_EQ(folder.names(), (Names{"a.off", "a.seg", "b", "b.off", "b.seg"}));
   EXPECT_TRUE(folder.has("b/c.seg"));
-  EXPECT_EQ(run("a.off -k 1 -o a.off/c.seg").err, "a.off/c.seg: cannot be written: Not a directory\n");
+  EXPECT_EQ(run("a.off -k 1 -o a.off/c.seg").err,
+            "a.off/c.seg: cannot be written: Not a directory\n");
   EXPECT_EQ(run("a.off -k 1 -o b/../b.seg/../b").status, 2); // without an extension
 }
 
@@ -316,11 +317,15 @@ TEST_F(Program, has_a_manual_page_of_the_same_options)
   const std::regex option("\n  (?:-., )?(--[a-z-]+)");
   std::size_t number = 0;
   for (std::sregex_iterator i(help.out.begin(), help.out.end(), option); i != std::sregex_iterator(); ++i, ++number)
-    EXPECT_NE(page.find(std::regex_replace((*i)[1].str(), std::regex("-"), "\\-")), std::string::npos) << (*i)[1];
+    EXPECT_NE(page.find(std::regex_replace((*i)[1].str(), std::regex("-"), "\\-")),
+              std::string::npos)
+      << (*i)[1];
   EXPECT_GT(number, 14u);
   if (std::system("command -v groff >/dev/null") != 0)
     GTEST_SKIP() << "no groff";
-  ASSERT_EQ(std::system(("groff -man -ww -z '" MAN_PAGE "' 2>'" + folder.path("warnings") + "'").c_str()), 0);
+  ASSERT_EQ(
+    std::system(("groff -man -ww -z '" MAN_PAGE "' 2>'" + folder.path("warnings") + "'").c_str()),
+    0);
   EXPECT_EQ(folder.read("warnings"), "");
 }
 
@@ -584,7 +589,9 @@ TEST_F(Program, says_if_it_has_no_pages)
   const Outcome outcome = run("--demo -k 3 -o a.html -o a.seg");
   EXPECT_TRUE(folder.has("a.seg"));
   if (outcome.status == 1) { // built without
-    EXPECT_EQ(outcome.err, "a.html: pages need three.js, and this program was built without it (Debian: libjs-three)\n");
+    EXPECT_EQ(
+      outcome.err,
+      "a.html: pages need three.js, and this program was built without it (Debian: libjs-three)\n");
     EXPECT_FALSE(folder.has("a.html"));
     return;
   }
@@ -600,7 +607,8 @@ std::size_t number_of_described(const std::string& page)
 {
   const std::string described = "{\"node\":";
   std::size_t number = 0;
-  for (std::size_t at = page.find(described); at != std::string::npos; at = page.find(described, at + 1))
+  for (std::size_t at = page.find(described); at != std::string::npos;
+       at = page.find(described, at + 1))
     ++number;
   return number;
 }
@@ -614,8 +622,10 @@ TEST_F(Program, describes_in_a_page_no_segments_that_it_does_not_show_at_first)
     for (const char* y : {"0", "1"})
       points += std::to_string(i) + " " + y + (i % 2 == 0 ? " 0\n" : " 1\n");
   for (int i = 0; i < 2 * number; i += 2)
-    faces += "4 " + std::to_string(i) + " " + std::to_string(i + 2) + " " + std::to_string(i + 3) + " " + std::to_string(i + 1) + "\n";
-  folder.write("a.off", "OFF\n" + std::to_string(2 * number + 2) + " " + std::to_string(number) + " 0\n" + points + faces);
+    faces += "4 " + std::to_string(i) + " " + std::to_string(i + 2) + " " + std::to_string(i + 3) +
+             " " + std::to_string(i + 1) + "\n";
+  folder.write("a.off", "OFF\n" + std::to_string(2 * number + 2) + " " + std::to_string(number) +
+                          " 0\n" + points + faces);
   const Outcome outcome = run("a.off --method smooth-faces -o a.html");
   if (outcome.status == 1)
     GTEST_SKIP() << "built without pages";

@@ -21,22 +21,25 @@ struct Part
   double radius;
 };
 
-const Part parts[] = {{{0, 0, -0.1}, {0, 0, 1.25}, 0.38},         {{0, 0, 1.1}, {0, 0, 1.75}, 0.27},
-                      {{0.28, 0, 0.98}, {0.95, 0, 0.75}, 0.16},   {{-0.28, 0, 0.98}, {-0.95, 0, 0.75}, 0.16},
-                      {{0.85, 0, 0.8}, {1.5, 0.2, 0.95}, 0.13},   {{-0.85, 0, 0.8}, {-1.5, 0.2, 0.95}, 0.13},
-                      {{0.15, 0, 0.2}, {0.3, 0, -0.8}, 0.2},      {{-0.15, 0, 0.2}, {-0.3, 0, -0.8}, 0.2},
-                      {{0.29, 0, -0.7}, {0.38, -0.05, -1.6}, 0.16}, {{-0.29, 0, -0.7}, {-0.38, -0.05, -1.6}, 0.16}};
+const Part parts[] = {
+  {{0, 0, -0.1}, {0, 0, 1.25}, 0.38},           {{0, 0, 1.1}, {0, 0, 1.75}, 0.27},
+  {{0.28, 0, 0.98}, {0.95, 0, 0.75}, 0.16},     {{-0.28, 0, 0.98}, {-0.95, 0, 0.75}, 0.16},
+  {{0.85, 0, 0.8}, {1.5, 0.2, 0.95}, 0.13},     {{-0.85, 0, 0.8}, {-1.5, 0.2, 0.95}, 0.13},
+  {{0.15, 0, 0.2}, {0.3, 0, -0.8}, 0.2},        {{-0.15, 0, 0.2}, {-0.3, 0, -0.8}, 0.2},
+  {{0.29, 0, -0.7}, {0.38, -0.05, -1.6}, 0.16}, {{-0.29, 0, -0.7}, {-0.38, -0.05, -1.6}, 0.16}};
 
-/// About the distance from an ellipsoid, negative inside: k (k - 1) / |grad k| for the factor k by which the ellipsoid
-/// grows to contain the point.
+/// About the distance from an ellipsoid, negative inside: k (k - 1) / |grad k| for the factor k by
+/// which the ellipsoid grows to contain the point.
 double distance(const Part& part, const Point& p)
 {
-  const Point center = times(0.5, plus(part.from, part.to)), half_axis = minus(part.to, center), v = minus(p, center);
+  const Point center = times(0.5, plus(part.from, part.to)), half_axis = minus(part.to, center),
+              v = minus(p, center);
   const double half_length = std::sqrt(inner_product(half_axis, half_axis));
   const double along = inner_product(v, half_axis) / half_length,
                across = std::sqrt((std::max)(0.0, inner_product(v, v) - along * along));
   const double k = std::hypot(along / half_length, across / part.radius),
-               gradient = std::hypot(along / (half_length * half_length), across / (part.radius * part.radius));
+               gradient = std::hypot(along / (half_length * half_length),
+                                     across / (part.radius * part.radius));
   return gradient > 0 ? k * (k - 1) / gradient : -part.radius;
 }
 
@@ -54,14 +57,17 @@ double distance(const Point& p)
 
 std::int64_t part_at(const Point& p)
 {
-  return std::min_element(std::begin(parts), std::end(parts),
-                          [&](const Part& a, const Part& b) { return distance(a, p) < distance(b, p); }) - parts;
+  return std::min_element(
+           std::begin(parts), std::end(parts),
+           [&](const Part& a, const Part& b) { return distance(a, p) < distance(b, p); }) -
+         parts;
 }
 
 using Node = std::array<int, 3>; ///< of a grid
 
-/// The surface as a dual of a grid: a point in each cube that it crosses, a quadrilateral across each edge that it
-/// crosses, which is divided into triangles. No cube is crossed twice: the grid is fine enough.
+/// The surface as a dual of a grid: a point in each cube that it crosses, a quadrilateral across
+/// each edge that it crosses, which is divided into triangles. No cube is crossed twice: the grid
+/// is fine enough.
 class Surface_net
 {
 public:
@@ -97,15 +103,16 @@ private:
       return;
     // The four cubes around the edge, counterclockwise as seen from where it leads.
     const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
-    std::size_t q[4] = {point_in(node), point_in(moved(node, u, -1)), point_in(moved(moved(node, u, -1), v, -1)),
-                        point_in(moved(node, v, -1))};
+    std::size_t q[4] = {point_in(node), point_in(moved(node, u, -1)),
+                        point_in(moved(moved(node, u, -1), v, -1)), point_in(moved(node, v, -1))};
     if (here >= 0)
       std::reverse(std::begin(q), std::end(q));
     const auto squared_length = [this](std::size_t i, std::size_t j) {
       const Point d = minus(m_soup.points[i], m_soup.points[j]);
       return inner_product(d, d);
     };
-    const std::size_t s = squared_length(q[0], q[2]) <= squared_length(q[1], q[3]) ? 0 : 1; // the shorter diagonal
+    const std::size_t s =
+      squared_length(q[0], q[2]) <= squared_length(q[1], q[3]) ? 0 : 1; // the shorter diagonal
     m_soup.polygons.push_back({q[s], q[s + 1], q[s + 2]});
     m_soup.polygons.push_back({q[s], q[s + 2], q[(s + 3) % 4]});
   }

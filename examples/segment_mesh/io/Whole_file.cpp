@@ -21,7 +21,8 @@ std::string reason(int error_number)
   return error_number == 0 ? "" : ": " + std::generic_category().message(error_number);
 }
 
-/// The file that is to be replaced: behind symbolic links, since renaming onto a link would replace the link.
+/// The file that is to be replaced: behind symbolic links, since renaming onto a link would replace
+/// the link.
 fs::path target_of(const std::string& file)
 {
   const fs::path target = resolve_links(file);
@@ -51,7 +52,8 @@ fs::path make_temporary(const std::string& file, const fs::path& folder)
 } // namespace
 
 Whole_file::Whole_file(const std::string& file)
-    : m_file(file), m_target(target_of(file)), m_temporary(make_temporary(file, m_target.parent_path())),
+    : m_file(file), m_target(target_of(file)),
+      m_temporary(make_temporary(file, m_target.parent_path())),
       m_out(m_temporary, std::ios::binary)
 {
   // Before anything is written, since the old file may be private.

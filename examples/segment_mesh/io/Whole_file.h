@@ -9,9 +9,9 @@
 
 namespace segment_mesh {
 
-/// A file that appears whole or not at all: a temporary one beside it, of a name `.DIGITS.part` that nothing
-/// has, is written, and takes its place in the end. Until then, and for good if that fails, what was
-/// there before stays. A program that is killed may leave a temporary file.
+/// A file that appears whole or not at all: a temporary one beside it, of a name `.DIGITS.part`
+/// that nothing has, is written, and takes its place in the end. Until then, and for good if that
+/// fails, what was there before stays. A program that is killed may leave a temporary file.
 class Whole_file
 {
 public:

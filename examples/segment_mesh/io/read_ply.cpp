@@ -84,8 +84,8 @@ private:
     m_soup.polygons.close_polygon();
   }
 
-  /// Each point after two makes a triangle with these, whose orientation alternates; -1 ends a strip. Triangles with a
-  /// point twice lead from one strip to the next, and are none.
+  /// Each point after two makes a triangle with these, whose orientation alternates; -1 ends a
+  /// strip. Triangles with a point twice lead from one strip to the next, and are none.
   void read_strips(Ply_type type, std::int64_t size)
   {
     std::size_t a = 0, b = 0, length = 0;
@@ -124,9 +124,10 @@ Polygon_soup read_ply(const std::string& file, std::string_view bytes)
   Text_scanner scan(file, bytes, Text_scanner::no_comments);
   const Ply_header header = read_ply_header(file, scan);
   const std::string_view data = bytes.substr(scan.offset_of_next_line());
-  Polygon_soup soup = header.format == Ply_format::ASCII
-                        ? Ply_reader<Ply_text>(header, Ply_text(std::move(scan))).read()
-                        : Ply_reader<Ply_binary>(header, Ply_binary(file, data, header.format)).read();
+  Polygon_soup soup =
+    header.format == Ply_format::ASCII
+      ? Ply_reader<Ply_text>(header, Ply_text(std::move(scan))).read()
+      : Ply_reader<Ply_binary>(header, Ply_binary(file, data, header.format)).read();
   if (soup.polygons.empty())
     throw Input_error(file, "no faces");
   return soup;

@@ -40,7 +40,8 @@ void write_primitive(Text_buffer& text, const Fitted_primitive& primitive)
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   text << "," << name_of(primitive.type);
   write_value(text, has_radius(primitive) ? primitive.radius : none);
-  write_value(text, primitive.type == Primitive_type::CONE ? primitive.half_angle * 180 / CGAL_PI : none);
+  write_value(text,
+              primitive.type == Primitive_type::CONE ? primitive.half_angle * 180 / CGAL_PI : none);
   write_value(text, primitive.error);
 }
 
@@ -68,8 +69,9 @@ void write_csv(std::ostream& out, const Result& result)
   const std::vector<double> shares = area_shares(result);
   for (const Segment_description& s : result.details.segments()) {
     text << s.segment << "," << s.number_of_faces;
-    for (double value : {s.area, shares[s.segment], s.volume, s.volume_share, s.border_length, s.boundary_length,
-                         s.centroid.x, s.centroid.y, s.centroid.z, s.extents[0], s.extents[1], s.extents[2]})
+    for (double value :
+         {s.area, shares[s.segment], s.volume, s.volume_share, s.border_length, s.boundary_length,
+          s.centroid.x, s.centroid.y, s.centroid.z, s.extents[0], s.extents[1], s.extents[2]})
       write_value(text, value);
     write_primitive(text, s.primitive);
     const char* separator = ",";

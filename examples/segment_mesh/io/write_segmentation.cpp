@@ -94,7 +94,9 @@ std::vector<std::size_t> labels_of_faces(const Input_mesh& input, const Segmenta
 void write_segmentation(const Output& output, const Result& result)
 {
   if (output.format == Output_format::HTML && !can_write_pages())
-    throw Output_error(output.file, "pages need three.js, and this program was built without it (Debian: libjs-three)");
+    throw Output_error(
+      output.file,
+      "pages need three.js, and this program was built without it (Debian: libjs-three)");
   if (output.is_for_each_segment()) {
     write_each_segment(output, result);
     return;

@@ -176,9 +176,11 @@ class Page {
       more.textContent = "and " + counted(bySize.length - longest, "smaller segment");
       items.push(more);
     }
-    const list = element("list"), focused = list.contains(document.activeElement) && document.activeElement.closest("li").dataset.node;
+    const list = element("list"), active = document.activeElement;
+    const focused = list.contains(active) ? active.closest("li").dataset.node : null;
     list.replaceChildren(...items);
-    if (focused) (list.querySelector(`[data-node="${focused}"]`) || list.querySelector(".selected") || list.firstChild).focus();
+    if (focused !== null)
+      (list.querySelector(`[data-node="${focused}"]`) || list.querySelector(".selected") || list.firstChild).focus();
   }
 
   item(node, largest) {
@@ -397,7 +399,10 @@ class Page {
     if (event.ctrlKey || event.metaKey || event.altKey) {
       if (event.key !== "z" || event.altKey) return;
       this.undo();
-    } else if (!this.keyOfTool(event.key) && !(event.target.matches("body, #view") && this.keyOfView(event.key))) return;
+    } else {
+      const isForView = event.target.matches("body, #view");
+      if (!this.keyOfTool(event.key) && !(isForView && this.keyOfView(event.key))) return;
+    }
     event.preventDefault();
   }
 

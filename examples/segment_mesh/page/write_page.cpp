@@ -30,8 +30,9 @@ using nlohmann::ordered_json;
 /// The slider goes to this number of segments at least, and to twice the number of the segmentation.
 constexpr std::size_t least_range = 20;
 
-/// The shapes of segments are described for partitions up to the segmentation and to `least_range`; of a segmentation into more
-/// segments than this up to `least_range` alone: each takes up to 0.1 s, and the mesh is read again for each few of them.
+/// The shapes of segments are described for partitions up to the segmentation and to `least_range`;
+/// of a segmentation into more segments than this up to `least_range` alone: each takes up to 0.1 s,
+/// and the mesh is read again for each few of them.
 constexpr std::size_t most_described = 200;
 
 /// Colors of segments, repeated if there are more.

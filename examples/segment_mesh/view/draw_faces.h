@@ -16,8 +16,8 @@
 namespace segment_mesh {
 
 /// The faces, nearest first, by their nearest corners.
-inline std::vector<Sample_buffer::Index> faces_nearest_first(const Scene& scene,
-                                                             const std::vector<Screen_point>& screen)
+inline std::vector<Sample_buffer::Index>
+faces_nearest_first(const Scene& scene, const std::vector<Screen_point>& screen)
 {
   std::vector<double> depths(scene.number_of_faces(), std::numeric_limits<double>::infinity());
   for (std::size_t f = 0; f < depths.size(); ++f)

@@ -25,7 +25,8 @@ void write_png(const Image& image, std::ostream& out)
   png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(png);
   std::vector<char> bytes(size);
   constexpr int as_it_is = 0, rows_without_gaps = 0;
-  if (png_image_write_to_memory(&png, bytes.data(), &size, as_it_is, image.pixels.data(), rows_without_gaps, nullptr) == 0)
+  if (png_image_write_to_memory(&png, bytes.data(), &size, as_it_is, image.pixels.data(),
+                                rows_without_gaps, nullptr) == 0)
     throw std::runtime_error(std::string("libpng: ") + png.message);
   out.write(bytes.data(), std::streamsize(size));
 }
