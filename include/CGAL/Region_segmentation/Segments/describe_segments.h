@@ -7,13 +7,16 @@
 /// Requires Eigen 3; so it is not part of region_segmentation.h.
 
 #include <CGAL/Region_segmentation/Segments/Segment_description.h>
+#include <CGAL/Region_segmentation/internal/segments/Mesh_geometry.h>
 #include <CGAL/Region_segmentation/internal/segments/Segment_describer.h>
 #include <CGAL/Region_segmentation/internal/segments/Segmented_mesh.h>
 #include <CGAL/Region_segmentation/internal/support/check_output.h>
+#include <CGAL/Region_segmentation/internal/support/satisfies.h>
 #include <CGAL/Region_segmentation/parameters.h>
-#include <CGAL/Region_segmentation/read_flat_mesh.h>
 
-#include <CGAL/tags.h>
+#include <CGAL/Kernel_traits.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/boost/graph/named_params_helper.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -23,6 +26,21 @@
 
 namespace CGAL {
 namespace Region_segmentation {
+
+namespace internal {
+
+template <typename Kernel>
+using Has_points_and_vectors = std::pair<typename Kernel::Point_3, typename Kernel::Vector_3>;
+
+/// The kernel of the points of a map; `Simple_cartesian<double>` if they are not of a kernel.
+template <typename PointMap>
+using Kernel_of_points = std::conditional_t<
+  satisfies<Has_points_and_vectors,
+            typename Kernel_traits<typename boost::property_traits<PointMap>::value_type>::Kernel>,
+  typename Kernel_traits<typename boost::property_traits<PointMap>::value_type>::Kernel,
+  Simple_cartesian<double>>;
+
+} // namespace internal
 
 /// \ingroup PkgRegionSegmentationSegments
 /// describes every segment: area, volume, centroid, principal axes, neighbors, and the primitive that fits best. See
@@ -42,8 +60,10 @@ namespace Region_segmentation {
 /// \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam FaceSegmentMap a model of `ReadablePropertyMap` with the face descriptor as key and an integral value type of
 ///         at most 64 bits
-/// \tparam DescriptionOutputIterator a model of `OutputIterator` that takes `Segment_description<Label>`, `Label` the
-///         value type of `FaceSegmentMap`
+/// \tparam DescriptionOutputIterator a model of `OutputIterator` that takes
+///         `Segment_description<Label, Kernel>`: `Label` is the value type of `FaceSegmentMap`,
+///         `Kernel` the kernel of the points, `CGAL::Kernel_traits<Point>::Kernel` where `Point` is the
+///         value type of the vertex point map; `CGAL::Simple_cartesian<double>` if that has none
 /// \param mesh an oriented 2-manifold with or without boundary, its faces polygons of any size
 /// \param segment_map the segments, by any labels; faces with the label `no_segment` belong to none
 /// \param descriptions receives the descriptions, in the order of the first faces of the segments
@@ -68,19 +88,18 @@ std::size_t describe_segments(const FaceGraph& mesh, const FaceSegmentMap& segme
                               const NamedParameters& np = parameters::default_values())
 {
   using Label = typename boost::property_traits<FaceSegmentMap>::value_type;
-  static_assert(internal::check_output_of_labels<DescriptionOutputIterator, Segment_description<Label>>());
   const auto& pack = internal::pack(np);
   using Pack = std::decay_t<decltype(pack)>;
+  using Kernel = internal::Kernel_of_points<typename GetVertexPointMap<FaceGraph, Pack>::const_type>;
+  static_assert(
+    internal::check_output_of_labels<DescriptionOutputIterator, Segment_description<Label, Kernel>>());
   internal::check_parameters<Pack, internal::Tag_list<>>();
-  const auto traversal = internal::make_mesh_traversal(mesh, pack);
-  const Flat_mesh flat = internal::read_flat_mesh<CGAL::Sequential_tag>(traversal, pack, Mesh_data::POINTS);
-  const auto numbers = internal::number_segments(traversal, segment_map);
-  internal::Segment_describer<FaceGraph, Pack, std::decay_t<decltype(numbers)>> describer(traversal, pack, flat, numbers);
-  for (auto& description : describer.describe()) {
-    internal::scale_description(description, flat.unit());
+  const auto segmented = internal::make_segmented_mesh(mesh, segment_map, pack);
+  const internal::Mesh_geometry geometry(segmented, read_flat_mesh(mesh, Mesh_data::POINTS, pack));
+  internal::Segment_describer<FaceGraph, Label, Kernel> describer(segmented, geometry);
+  for (auto& description : describer.describe())
     *descriptions++ = std::move(description);
-  }
-  return numbers.labels.size();
+  return segmented.number_of_segments;
 }
 
 } // namespace Region_segmentation

@@ -71,14 +71,16 @@ std::size_t extract_segment_borders(const FaceGraph& mesh, const FaceSegmentMap&
   static_assert(internal::check_output_of_labels<BorderOutputIterator, Segment_border<FaceGraph, Label>>());
   const auto& pack = internal::pack(np);
   internal::check_parameters<std::decay_t<decltype(pack)>, internal::Tag_list<>>();
-  const auto traversal = internal::make_mesh_traversal(mesh, pack);
-  const auto numbers = internal::number_segments(traversal, segment_map);
-  const internal::Segmented_mesh segmented(traversal, numbers.of_face);
+  const auto segmented = internal::make_segmented_mesh(mesh, segment_map, pack);
+  const internal::Border_chains chains(segmented);
   std::size_t count = 0;
-  internal::Border_chains(segmented).for_each_chain([&](auto&& halfedges, bool is_closed) {
-    const auto h = halfedges.front();
-    Segment_border<FaceGraph, Label> border{numbers.label(segmented.segment(h)),
-                                            numbers.label(segmented.opposite_segment(h)), std::move(halfedges), is_closed};
+  chains.for_each_chain([&](const auto& chain, bool is_closed) {
+    Segment_border<FaceGraph, Label> border;
+    border.segment = segmented.label(segmented.segment(chain.front()));
+    border.opposite_segment = segmented.label(segmented.segment_across(chain.front()));
+    for (auto h : chain)
+      border.halfedges.push_back(segmented.descriptors[h]);
+    border.is_closed = is_closed;
     *borders++ = std::move(border);
     ++count;
   });

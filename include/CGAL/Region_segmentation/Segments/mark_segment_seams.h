@@ -5,17 +5,18 @@
 
 #include <CGAL/Region_segmentation/Segments/Seam_cost.h>
 #include <CGAL/Region_segmentation/Segments/mark_segment_borders.h>
+#include <CGAL/Region_segmentation/internal/segments/Mesh_geometry.h>
+#include <CGAL/Region_segmentation/internal/segments/Seam_finder.h>
 #include <CGAL/Region_segmentation/internal/segments/Segmented_mesh.h>
-#include <CGAL/Region_segmentation/internal/segments/find_seams.h>
 #include <CGAL/Region_segmentation/parameters.h>
-#include <CGAL/Region_segmentation/read_flat_mesh.h>
 
 #include <CGAL/assertions.h>
-#include <CGAL/tags.h>
 
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <type_traits>
 
 namespace CGAL {
@@ -63,20 +64,17 @@ std::size_t mark_segment_seams(const FaceGraph& mesh, const FaceSegmentMap& segm
   CGAL_precondition(cost.concave_gain >= 0);
   const auto& pack = internal::pack(np);
   internal::check_parameters<std::decay_t<decltype(pack)>, internal::Tag_list<>>();
-  const auto traversal = internal::make_mesh_traversal(mesh, pack);
-  const Flat_mesh flat = internal::read_flat_mesh<CGAL::Sequential_tag>(traversal, pack, Mesh_data::NOTHING_MORE);
-  const auto numbers = internal::number_segments(traversal, segment_map);
-  const internal::Segmented_mesh segmented(traversal, numbers.of_face);
-  const auto marks = internal::find_seams(segmented, flat, cost.concave_gain, [](auto) { return true; });
-
-  std::size_t count = mark_segment_borders(mesh, segment_map, edge_is_seam_map);
-  traversal.for_each_dual_edge([&](auto h, std::size_t dual_edge) {
-    if (!marks[dual_edge])
-      return;
-    put(edge_is_seam_map, edge(h, mesh), Value(true));
-    ++count;
+  const auto segmented = internal::make_segmented_mesh(mesh, segment_map, pack);
+  const internal::Mesh_geometry geometry(segmented, read_flat_mesh(mesh, Mesh_data::POINTS, pack));
+  internal::Seam_finder finder(segmented, [&](std::uint32_t h) {
+    const double concavity = (std::max)(0.0, -geometry.signed_deviation(h));
+    return geometry.length(h) / (1 + cost.concave_gain * concavity);
   });
-  return count;
+  const auto seams = finder.find();
+  const std::size_t number_of_borders = mark_segment_borders(mesh, segment_map, edge_is_seam_map);
+  for (auto h : seams)
+    put(edge_is_seam_map, edge(segmented.descriptors[h], mesh), Value(true));
+  return number_of_borders + seams.size();
 }
 
 /// \ingroup PkgRegionSegmentationSegments

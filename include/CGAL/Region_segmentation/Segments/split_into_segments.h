@@ -3,7 +3,7 @@
 #ifndef CGAL_REGION_SEGMENTATION_SEGMENTS_SPLIT_INTO_SEGMENTS_H
 #define CGAL_REGION_SEGMENTATION_SEGMENTS_SPLIT_INTO_SEGMENTS_H
 
-#include <CGAL/Region_segmentation/internal/segments/Segment_copier.h>
+#include <CGAL/Region_segmentation/internal/segments/Piece_builder.h>
 #include <CGAL/Region_segmentation/internal/segments/Segmented_mesh.h>
 #include <CGAL/Region_segmentation/internal/support/check_output.h>
 #include <CGAL/Region_segmentation/parameters.h>
@@ -70,25 +70,31 @@ template <typename SegmentMesh = void, typename FaceGraph, typename FaceSegmentM
 std::size_t split_into_segments(const FaceGraph& mesh, const FaceSegmentMap& segment_map, PieceOutputIterator pieces,
                                 const NamedParameters& np = parameters::default_values())
 {
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
   using Target = std::conditional_t<std::is_void<SegmentMesh>::value, FaceGraph, SegmentMesh>;
   using Label = typename boost::property_traits<FaceSegmentMap>::value_type;
   static_assert(internal::check_output_of_labels<PieceOutputIterator, Segment_piece<Target, FaceGraph, Label>>());
   const auto& pack = internal::pack(np);
   using Pack = std::decay_t<decltype(pack)>;
-  internal::check_parameters<Pack, internal::Tag_list<>>();
-  const auto traversal = internal::make_mesh_traversal(mesh, pack);
-  const auto numbers = internal::number_segments(traversal, segment_map);
-  const internal::Segmented_mesh segmented(traversal, numbers.of_face);
-  const auto faces = internal::faces_of_segments(segmented, numbers.labels.size());
-  internal::Segment_copier<Target, FaceGraph, Pack> copier(segmented, pack);
-  for (std::size_t s = 0; s < numbers.labels.size(); ++s) {
+  internal::check_parameters<Pack, internal::Tag_list<CGAL::internal_np::edge_is_constrained_t>>();
+  auto segmented = internal::make_segmented_mesh(mesh, segment_map, pack);
+  if constexpr (!CGAL::parameters::is_default_parameter<Pack, CGAL::internal_np::edge_is_constrained_t>::value) {
+    const auto is_cut = get_parameter(pack, CGAL::internal_np::edge_is_constrained);
+    for (std::uint32_t h = 0; h < segmented.size(); ++h)
+      if (get(is_cut, edge(segmented.descriptors[h], mesh)))
+        segmented.cut(h);
+  }
+  const auto points = choose_parameter(get_parameter(pack, CGAL::internal_np::vertex_point),
+                                       get_const_property_map(CGAL::vertex_point, mesh));
+  internal::Piece_builder<Target, FaceGraph, Label> builder(mesh, segmented);
+  for (std::size_t s = 0; s < segmented.number_of_segments; ++s) {
     Segment_piece<Target, FaceGraph, Label> piece;
-    piece.segment = numbers.labels[s];
-    piece.faces.assign(faces[s].begin(), faces[s].end());
-    piece.vertices = copier.copy(piece.faces, piece.mesh);
+    piece.segment = segmented.labels[s];
+    builder.build(s, points, piece);
     *pieces++ = std::move(piece);
   }
-  return numbers.labels.size();
+  return segmented.number_of_segments;
 }
 
 } // namespace Region_segmentation
