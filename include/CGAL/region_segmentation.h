@@ -4,7 +4,8 @@
 #define CGAL_REGION_SEGMENTATION_H
 
 /// \file region_segmentation.h
-/// Everything of the package but `Spectral_partitioner` and `describe_segments()`, which need Eigen.
+/// Everything of the package but the measures (`evaluation.h`), and `Spectral_partitioner` and
+/// `describe_segments()`, which need Eigen.
 
 #include <CGAL/Region_segmentation/Double_3.h>
 #include <CGAL/Region_segmentation/Execution.h>
@@ -56,7 +57,6 @@
 #include <CGAL/Region_segmentation/Segments/Seam_cost.h>
 #include <CGAL/Region_segmentation/Segments/Segment_description.h>
 #include <CGAL/Region_segmentation/Segments/compute_segment_topology.h>
-#include <CGAL/Region_segmentation/Segments/divide_into_discs.h>
 #include <CGAL/Region_segmentation/Segments/extract_segment_borders.h>
 #include <CGAL/Region_segmentation/Segments/mark_segment_borders.h>
 #include <CGAL/Region_segmentation/Segments/mark_segment_seams.h>
@@ -64,7 +64,6 @@
 #include <CGAL/Region_segmentation/Segments/split_into_segments.h>
 #include <CGAL/Region_segmentation/build_region_adjacency_graph.h>
 #include <CGAL/Region_segmentation/detect_feature_edges.h>
-#include <CGAL/Region_segmentation/evaluation.h>
 #include <CGAL/Region_segmentation/exceptions.h>
 #include <CGAL/Region_segmentation/extract_feature_lines.h>
 #include <CGAL/Region_segmentation/face_values.h>

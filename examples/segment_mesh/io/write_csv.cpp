@@ -20,7 +20,6 @@ namespace segment_mesh {
 
 namespace {
 
-using CGAL::Region_segmentation::Fitted_primitive;
 using CGAL::Region_segmentation::Primitive_type;
 
 void write_primitive(Text_buffer& text, const Fitted_primitive& primitive)
@@ -48,7 +47,7 @@ void write_csv(std::ostream& out, const Result& result)
   for (const Segment_description& s : segments) {
     text << s.segment << "," << s.number_of_faces << "," << s.area << "," << (area > 0 ? s.area / area : 0) << ","
          << s.volume << "," << s.volume_share << "," << s.border_length << "," << s.boundary_length << ","
-         << s.centroid.x << "," << s.centroid.y << "," << s.centroid.z;
+         << s.centroid.x() << "," << s.centroid.y() << "," << s.centroid.z();
     for (double extent : s.extents)
       text << "," << extent;
     write_primitive(text, s.primitive);

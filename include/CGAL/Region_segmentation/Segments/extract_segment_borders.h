@@ -55,6 +55,7 @@ struct Segment_border
 /// \cgalNamedParamsBegin
 ///   \cgalParamIndexMap{face}
 ///   \cgalParamIndexMap{vertex}
+///   \cgalParamIndexMap{halfedge}
 /// \cgalNamedParamsEnd
 ///
 /// \returns the number of polylines

@@ -46,6 +46,7 @@ namespace Region_segmentation {
 ///   \cgalParamVertexPointMap
 ///   \cgalParamIndexMap{face}
 ///   \cgalParamIndexMap{vertex}
+///   \cgalParamIndexMap{halfedge}
 /// \cgalNamedParamsEnd
 ///
 /// \returns the number of marked edges; more than `mark_segment_borders()` marks if a component of a segment is not a disc

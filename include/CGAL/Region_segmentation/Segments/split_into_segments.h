@@ -56,6 +56,13 @@ struct Segment_piece
 /// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
 ///
 /// \cgalNamedParamsBegin
+///   \cgalParamNBegin{edge_is_constrained_map}
+///     \cgalParamDescription{edges along which the copies are cut open, such as the seams of
+///       `mark_segment_seams()`: then every component of a segment becomes a disc}
+///     \cgalParamType{a model of `ReadablePropertyMap` with the edge descriptor as key type and a value
+///       type convertible to `bool`}
+///     \cgalParamDefault{no edge}
+///   \cgalParamNEnd
 ///   \cgalParamVertexPointMap
 ///   \cgalParamIndexMap{face}
 ///   \cgalParamIndexMap{vertex}
