@@ -17,14 +17,15 @@ namespace CGAL {
 namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationSegments
-/// The topology of a segment. Where it touches itself at a vertex, it has several vertices, one for each fan of its faces, as
-/// in `split_into_segments()`.
+/// The topology of a segment. Where it touches itself at a vertex, it has several vertices, one for
+/// each fan of its faces, as in `split_into_segments()`.
 template <typename Label>
 struct Segment_topology
 {
   Label segment;
-  std::size_t number_of_components;    ///< connected across edges
-  std::size_t number_of_border_loops;  ///< to other segments, to faces without a segment, and of the mesh
+  std::size_t number_of_components; ///< connected across edges
+  /// To other segments, to faces without a segment, and of the mesh.
+  std::size_t number_of_border_loops;
   std::ptrdiff_t euler_characteristic; ///< vertices - edges + faces
 
   bool is_disc() const
@@ -45,7 +46,8 @@ namespace internal {
 /// The numbers of elements of a segment, with a vertex for each fan of its faces.
 struct Topology_counts
 {
-  std::size_t faces = 0, halfedges = 0, border_halfedges = 0, vertices = 0, components = 0, loops = 0;
+  std::size_t faces = 0, halfedges = 0, border_halfedges = 0, vertices = 0, components = 0,
+              loops = 0;
 };
 
 /// Of each segment. The halfedges on its border meet in fans: a loop is a component of them.
@@ -89,13 +91,14 @@ inline std::vector<Topology_counts> count_topology(const Segmented_halfedges& me
 } // namespace internal
 
 /// \ingroup PkgRegionSegmentationSegments
-/// computes the Euler characteristic, the number of border loops and the number of components of every segment.
+/// computes the Euler characteristic, the number of border loops and the number of components of
+/// every segment.
 ///
 /// \tparam FaceGraph a model of `FaceListGraph`, `VertexListGraph` and `HalfedgeListGraph`
-/// \tparam FaceSegmentMap a model of `ReadablePropertyMap` with the face descriptor as key and an integral value type of
-///         at most 64 bits
-/// \tparam TopologyOutputIterator a model of `OutputIterator` that takes `Segment_topology<Label>`, `Label` the value type
-///         of `FaceSegmentMap`
+/// \tparam FaceSegmentMap a model of `ReadablePropertyMap` with the face descriptor as key and an
+///         integral value type of at most 64 bits
+/// \tparam TopologyOutputIterator a model of `OutputIterator` that takes `Segment_topology<Label>`,
+///         `Label` the value type of `FaceSegmentMap`
 /// \param mesh an oriented 2-manifold with or without boundary, its faces polygons of any size
 /// \param segment_map the segments, by any labels; faces with the label `no_segment` belong to none
 /// \param topologies receives the results, in the order of the first faces of the segments
@@ -117,7 +120,8 @@ std::size_t compute_segment_topology(const FaceGraph& mesh, const FaceSegmentMap
                                      const NamedParameters& np = parameters::default_values())
 {
   using Label = typename boost::property_traits<FaceSegmentMap>::value_type;
-  static_assert(internal::check_output_of_labels<TopologyOutputIterator, Segment_topology<Label>>());
+  static_assert(
+    internal::check_output_of_labels<TopologyOutputIterator, Segment_topology<Label>>());
   const auto& pack = internal::pack(np);
   internal::check_parameters<std::decay_t<decltype(pack)>, internal::Tag_list<>>();
   const auto segmented = internal::make_segmented_mesh(mesh, segment_map, pack);
@@ -125,8 +129,9 @@ std::size_t compute_segment_topology(const FaceGraph& mesh, const FaceSegmentMap
   for (std::size_t s = 0; s < counts.size(); ++s) {
     const auto& c = counts[s];
     const std::size_t edges = (c.halfedges + c.border_halfedges) / 2;
-    *topologies++ = Segment_topology<Label>{segmented.labels[s], c.components, c.loops,
-                                            std::ptrdiff_t(c.vertices + c.faces) - std::ptrdiff_t(edges)};
+    *topologies++ =
+      Segment_topology<Label>{segmented.labels[s], c.components, c.loops,
+                              std::ptrdiff_t(c.vertices + c.faces) - std::ptrdiff_t(edges)};
   }
   return counts.size();
 }

@@ -43,27 +43,30 @@ using Kernel_of_points = std::conditional_t<
 } // namespace internal
 
 /// \ingroup PkgRegionSegmentationSegments
-/// describes every segment: area, volume, centroid, principal axes, neighbors, and the primitive that fits best. See
-/// `Segment_description`.
+/// describes every segment: area, volume, centroid, principal axes, neighbors, and the primitive
+/// that fits best. See `Segment_description`.
 ///
 /// `#include <CGAL/Region_segmentation/Segments/describe_segments.h>`, which requires Eigen.
 ///
-/// A plane, sphere, cylinder and cone are fitted to the corners of the faces, weighted by area: minimum of the mean square
-/// distance (Levenberg and Marquardt), from a start by linear systems in points and normals; for large segments from 2000
-/// faces, spread evenly. The misfit of a primitive is the root mean square distance of these corners and of the middles of
-/// the faces together, since corners on two circles alone could be those of a sphere. From the simplest to the most complex,
-/// a primitive replaces the previous choice if its misfit is below 0.8 of it, and that one was more than \f$10^{-4}\f$ of
-/// the square root of the area. Planes are exact; for the
-/// others the minimum is local. Spheres, cylinders and cones whose radius or apex is more than 100 times that square root
-/// away are not considered, nor are cones whose half angle is within 0.01 radians of 0 or \f$\pi/2\f$.
+/// A plane, sphere, cylinder and cone are fitted to the corners of the faces, weighted by area:
+/// minimum of the mean square distance (Levenberg and Marquardt), from a start by linear systems in
+/// points and normals; for large segments from 2000 faces, spread evenly. The misfit of a primitive
+/// is the root mean square distance of these corners and of the middles of the faces together,
+/// since corners on two circles alone could be those of a sphere. From the simplest to the most
+/// complex, a primitive replaces the previous choice if its misfit is below 0.8 of it, and that one
+/// was more than \f$10^{-4}\f$ of the square root of the area. Planes are exact; for the others the
+/// minimum is local. Spheres, cylinders and cones whose radius or apex is more than 100 times that
+/// square root away are not considered, nor are cones whose half angle is within 0.01 radians of 0
+/// or \f$\pi/2\f$.
 ///
 /// \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
-/// \tparam FaceSegmentMap a model of `ReadablePropertyMap` with the face descriptor as key and an integral value type of
-///         at most 64 bits
+/// \tparam FaceSegmentMap a model of `ReadablePropertyMap` with the face descriptor as key and an
+///         integral value type of at most 64 bits
 /// \tparam DescriptionOutputIterator a model of `OutputIterator` that takes
 ///         `Segment_description<Label, Kernel>`: `Label` is the value type of `FaceSegmentMap`,
-///         `Kernel` the kernel of the points, `CGAL::Kernel_traits<Point>::Kernel` where `Point` is the
-///         value type of the vertex point map; `CGAL::Simple_cartesian<double>` if that has none
+///         `Kernel` the kernel of the points, `CGAL::Kernel_traits<Point>::Kernel` where `Point` is
+///         the value type of the vertex point map; `CGAL::Simple_cartesian<double>` if that has
+///         none
 /// \param mesh an oriented 2-manifold with or without boundary, its faces polygons of any size
 /// \param segment_map the segments, by any labels; faces with the label `no_segment` belong to none
 /// \param descriptions receives the descriptions, in the order of the first faces of the segments
@@ -79,8 +82,9 @@ using Kernel_of_points = std::conditional_t<
 /// \returns the number of segments
 /// \throws Invalid_input if a point is not finite
 ///
-/// Complexity: O(F log F). Deterministic: the same numbers from every mesh type. Read-only; concurrent calls are safe.
-/// Areas and volumes in units of the mesh may exceed the range of `double` if coordinates are extreme.
+/// Complexity: O(F log F). Deterministic: the same numbers from every mesh type. Read-only;
+/// concurrent calls are safe. Areas and volumes in units of the mesh may exceed the range of
+/// `double` if coordinates are extreme.
 template <typename FaceGraph, typename FaceSegmentMap, typename DescriptionOutputIterator,
           typename NamedParameters = parameters::Default_named_parameters>
 std::size_t describe_segments(const FaceGraph& mesh, const FaceSegmentMap& segment_map,
@@ -90,9 +94,10 @@ std::size_t describe_segments(const FaceGraph& mesh, const FaceSegmentMap& segme
   using Label = typename boost::property_traits<FaceSegmentMap>::value_type;
   const auto& pack = internal::pack(np);
   using Pack = std::decay_t<decltype(pack)>;
-  using Kernel = internal::Kernel_of_points<typename GetVertexPointMap<FaceGraph, Pack>::const_type>;
-  static_assert(
-    internal::check_output_of_labels<DescriptionOutputIterator, Segment_description<Label, Kernel>>());
+  using Kernel =
+    internal::Kernel_of_points<typename GetVertexPointMap<FaceGraph, Pack>::const_type>;
+  static_assert(internal::check_output_of_labels<DescriptionOutputIterator,
+                                                 Segment_description<Label, Kernel>>());
   internal::check_parameters<Pack, internal::Tag_list<>>();
   const auto segmented = internal::make_segmented_mesh(mesh, segment_map, pack);
   const internal::Mesh_geometry geometry(segmented, read_flat_mesh(mesh, Mesh_data::POINTS, pack));

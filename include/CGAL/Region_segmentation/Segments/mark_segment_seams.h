@@ -23,19 +23,20 @@ namespace CGAL {
 namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationSegments
-/// marks the borders between segments, and inside them the seams that open every component of a segment to a disc: the map
-/// of seam edges of `CGAL::Seam_mesh`.
+/// marks the borders between segments, and inside them the seams that open every component of a
+/// segment to a disc: the map of seam edges of `CGAL::Seam_mesh`.
 ///
-/// A component of genus \f$g\f$ with \f$b > 0\f$ border loops is opened along \f$2g + b - 1\f$ paths from border to border,
-/// a closed one of genus \f$g > 0\f$ along \f$2g\f$ loops through a vertex, and a sphere along a path between two vertices
-/// far from each other. A disc has no seam. Paths are those of a shortest path tree and its dual (tree-cotree
-/// decomposition): two shortest paths from an edge to the border each.
+/// A component of genus \f$g\f$ with \f$b > 0\f$ border loops is opened along \f$2g + b - 1\f$
+/// paths from border to border, a closed one of genus \f$g > 0\f$ along \f$2g\f$ loops through a
+/// vertex, and a sphere along a path between two vertices far from each other. A disc has no seam.
+/// Paths are those of a shortest path tree and its dual (tree-cotree decomposition): two shortest
+/// paths from an edge to the border each.
 ///
 /// \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
-/// \tparam FaceSegmentMap a model of `ReadablePropertyMap` with the face descriptor as key and an integral value type of
-///         at most 64 bits
-/// \tparam EdgeIsSeamMap a model of `WritablePropertyMap` with the edge descriptor as key and a value type constructible
-///         from `bool`
+/// \tparam FaceSegmentMap a model of `ReadablePropertyMap` with the face descriptor as key and an
+///         integral value type of at most 64 bits
+/// \tparam EdgeIsSeamMap a model of `WritablePropertyMap` with the edge descriptor as key and a
+///         value type constructible from `bool`
 /// \param mesh an oriented 2-manifold with or without boundary, its faces polygons of any size
 /// \param segment_map the segments, by any labels; faces with the label `no_segment` are not opened
 /// \param edge_is_seam_map every key is written. Edges on the border of the mesh are not marked
@@ -49,17 +50,20 @@ namespace Region_segmentation {
 ///   \cgalParamIndexMap{halfedge}
 /// \cgalNamedParamsEnd
 ///
-/// \returns the number of marked edges; more than `mark_segment_borders()` marks if a component of a segment is not a disc
+/// \returns the number of marked edges; more than `mark_segment_borders()` marks if a component of
+/// a segment is not a disc
 /// \throws Invalid_input if a point is not finite; the map is unchanged
 /// \pre `cost.concave_gain >= 0`
 ///
-/// Complexity: O(F log F). Deterministic: the same edges from every mesh type. Concurrent calls on different maps are safe.
+/// Complexity: O(F log F). Deterministic: the same edges from every mesh type. Concurrent calls on
+/// different maps are safe.
 ///
 /// Source: \cgalCite{EW05}.
 template <typename FaceGraph, typename FaceSegmentMap, typename EdgeIsSeamMap,
           typename NamedParameters = parameters::Default_named_parameters>
-std::size_t mark_segment_seams(const FaceGraph& mesh, const FaceSegmentMap& segment_map, EdgeIsSeamMap edge_is_seam_map,
-                               const Seam_cost& cost, const NamedParameters& np = parameters::default_values())
+std::size_t mark_segment_seams(const FaceGraph& mesh, const FaceSegmentMap& segment_map,
+                               EdgeIsSeamMap edge_is_seam_map, const Seam_cost& cost = Seam_cost(),
+                               const NamedParameters& np = parameters::default_values())
 {
   using Value = typename boost::property_traits<EdgeIsSeamMap>::value_type;
   CGAL_precondition(cost.concave_gain >= 0);
@@ -76,16 +80,6 @@ std::size_t mark_segment_seams(const FaceGraph& mesh, const FaceSegmentMap& segm
   for (auto h : seams)
     put(edge_is_seam_map, edge(segmented.descriptors[h], mesh), Value(true));
   return number_of_borders + seams.size();
-}
-
-/// \ingroup PkgRegionSegmentationSegments
-/// As above, with the constants of `Seam_cost`.
-template <typename FaceGraph, typename FaceSegmentMap, typename EdgeIsSeamMap,
-          typename NamedParameters = parameters::Default_named_parameters>
-std::size_t mark_segment_seams(const FaceGraph& mesh, const FaceSegmentMap& segment_map, EdgeIsSeamMap edge_is_seam_map,
-                               const NamedParameters& np = parameters::default_values())
-{
-  return mark_segment_seams(mesh, segment_map, edge_is_seam_map, Seam_cost(), np);
 }
 
 } // namespace Region_segmentation

@@ -4,8 +4,9 @@
 #define CGAL_REGION_SEGMENTATION_EVALUATION_CUT_DISCREPANCY_H
 
 #include <CGAL/Region_segmentation/internal/measures/Edge_graph.h>
-#include <CGAL/Region_segmentation/internal/measures/Surface_geometry.h>
+#include <CGAL/Region_segmentation/internal/measures/mean_distance_to_centroid.h>
 #include <CGAL/Region_segmentation/parameters.h>
+#include <CGAL/Region_segmentation/read_flat_mesh.h>
 
 #include <CGAL/boost/graph/helpers.h>
 
@@ -72,8 +73,8 @@ std::vector<Edge_graph::Index> cut_vertices(const Mesh_traversal<FaceGraph, Pack
 /// \tparam FaceLabelMapA a model of `ReadablePropertyMap` with the face descriptor as key and an
 ///         integral value type
 /// \tparam FaceLabelMapB the same
-/// \param mesh a mesh, with or without boundary, of faces of any size; the area of a face that is not
-///        planar is the length of its area vector (Newell)
+/// \param mesh a mesh, with or without boundary, of faces of any size; the area of a face that is
+///        not planar is the length of its area vector (Newell)
 /// \param a the first segmentation; labels may be sparse or negative
 /// \param b the second one; its labels need not be those of `a`
 /// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
@@ -102,13 +103,14 @@ std::optional<double> cut_discrepancy(const FaceGraph& mesh, const FaceLabelMapA
 {
   const auto& pack = internal::pack(np);
   const auto traversal = internal::make_mesh_traversal(mesh, pack);
-  const auto points = internal::read_normalized_points(traversal, pack);
-  const auto cut_a = internal::cut_vertices(traversal, a), cut_b = internal::cut_vertices(traversal, b);
-  const double size = internal::mean_distance_to_centroid(traversal, points);
+  const Flat_mesh flat = read_flat_mesh(mesh, Mesh_data::POINTS, pack);
+  const auto cut_a = internal::cut_vertices(traversal, a),
+             cut_b = internal::cut_vertices(traversal, b);
+  const double size = internal::mean_distance_to_centroid(flat);
   if (cut_a.empty() || cut_b.empty() || size == 0)
     return std::nullopt;
 
-  const internal::Edge_graph graph(traversal, points);
+  const internal::Edge_graph graph(traversal, flat.points());
   const double sum = graph.sum_of_distances(cut_b, cut_a) + graph.sum_of_distances(cut_a, cut_b);
   if (!std::isfinite(sum))
     return std::nullopt;

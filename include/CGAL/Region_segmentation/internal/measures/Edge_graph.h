@@ -6,7 +6,6 @@
 #include <CGAL/Region_segmentation/internal/support/Grouped_items.h>
 #include <CGAL/Region_segmentation/internal/support/shortest_paths.h>
 #include <CGAL/Region_segmentation/internal/reading/Mesh_traversal.h>
-#include <CGAL/Region_segmentation/Double_3.h>
 
 #include <cstddef>
 #include <limits>
@@ -24,7 +23,7 @@ public:
   using Index = Flat_mesh::Index;
 
   template <typename FaceGraph, typename Pack>
-  Edge_graph(const Mesh_traversal<FaceGraph, Pack>& traversal, const std::vector<Double_3>& points)
+  Edge_graph(const Mesh_traversal<FaceGraph, Pack>& traversal, const Mesh_points& points)
       : m_incident_edges(traversal.number_of_vertices())
   {
     for_each_edge(traversal, [&](std::size_t v, std::size_t w) {

@@ -22,7 +22,8 @@ class Border_chains
 
 public:
   explicit Border_chains(const Segmented_halfedges& mesh)
-    : m_mesh(mesh), m_leaving(mesh.number_of_vertices, Index(none)), m_is_junction(mesh.number_of_vertices, false)
+      : m_mesh(mesh), m_leaving(mesh.number_of_vertices, Index(none)),
+        m_is_junction(mesh.number_of_vertices, false)
   {
     std::vector<Index> arriving(mesh.number_of_vertices, Index(none));
     const auto add = [&](Index& place, Index h, Index vertex) {

@@ -55,7 +55,9 @@ auto read_halfedges(const FaceGraph& mesh, const Pack& np, Halfedge_table& table
   std::vector<Index> rank(num_vertices(mesh)), number(capacity, Halfedge_table::none);
   for (auto v : vertices(mesh))
     rank[std::size_t(get(vertex_index, v))] = Index(table.number_of_vertices++);
-  const auto source_of = [&](auto h) { return rank[std::size_t(get(vertex_index, source(h, mesh)))]; };
+  const auto source_of = [&](auto h) {
+    return rank[std::size_t(get(vertex_index, source(h, mesh)))];
+  };
   table.first.push_back(0);
   for (auto f : faces(mesh)) {
     const auto begin = std::ptrdiff_t(descriptors.size());

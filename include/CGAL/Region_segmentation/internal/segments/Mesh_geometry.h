@@ -17,15 +17,16 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// Lengths, areas and signed angles of a mesh, by the numbers of a `Halfedge_table`. Components that
-/// `Flat_mesh` turns, since they are inside out, are turned here, too.
+/// Lengths, areas and signed angles of a mesh, by the numbers of a `Halfedge_table`. Components
+/// that `Flat_mesh` turns, since they are inside out, are turned here, too.
 class Mesh_geometry
 {
 public:
   using Index = Halfedge_table::Index;
 
   Mesh_geometry(const Halfedge_table& halfedges, Flat_mesh flat)
-    : m_halfedges(halfedges), m_flat(std::move(flat)), m_orientations(halfedges.number_of_faces(), 1)
+      : m_halfedges(halfedges), m_flat(std::move(flat)),
+        m_orientations(halfedges.number_of_faces(), 1)
   {
     Lowest_root_forest components(halfedges.number_of_faces());
     for (Index h = 0; h < halfedges.size(); ++h)
@@ -79,7 +80,8 @@ private:
     const Double_3 origin = point(m_halfedges.source[first]);
     Double_3 sum{0, 0, 0};
     for (Index h = first + 2; h < end; ++h)
-      sum = sum + cross(point(m_halfedges.source[h - 1]) - origin, point(m_halfedges.source[h]) - origin);
+      sum = sum +
+            cross(point(m_halfedges.source[h - 1]) - origin, point(m_halfedges.source[h]) - origin);
     return 0.5 * sum;
   }
 

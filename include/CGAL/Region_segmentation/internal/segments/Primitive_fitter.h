@@ -21,9 +21,9 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// Fits primitives to the faces of a segment: first by linear systems in points and normals, then by
-/// least squares of the distances of the corners. Faces are added in a system of coordinates where
-/// the centroid of the segment is the origin and its area is 1.
+/// Fits primitives to the faces of a segment: first by linear systems in points and normals, then
+/// by least squares of the distances of the corners. Faces are added in a system of coordinates
+/// where the centroid of the segment is the origin and its area is 1.
 class Primitive_fitter
 {
 public:
@@ -32,7 +32,8 @@ public:
   {}
 
   /// `normal`: zero for a degenerate face.
-  void add_face(const std::vector<Eigen::Vector3d>& corners, const Eigen::Vector3d& normal, double area)
+  void add_face(const std::vector<Eigen::Vector3d>& corners, const Eigen::Vector3d& normal,
+                double area)
   {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     for (const Eigen::Vector3d& p : corners)
@@ -64,8 +65,8 @@ public:
     return m_best;
   }
 
-  /// The root mean square distance of the corners to the best primitive of each type; infinite where
-  /// none was found.
+  /// The root mean square distance of the corners to the best primitive of each type; infinite
+  /// where none was found.
   const std::array<double, 4>& errors() const { return m_errors; }
 
 private:
@@ -74,7 +75,7 @@ private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   static constexpr std::size_t most_fitted_faces = 2000; // errors are those of all faces
   static constexpr double tolerance = 1e-4;       // misfits below are as good as none
-  static constexpr double worthwhile = 0.8;       // what another parameter multiplies the misfit with
+  static constexpr double worthwhile = 0.8; // what another parameter multiplies the misfit with
   static constexpr double largest_radius = 100;   // beyond, a surface is as good as flat
   static constexpr double smallest_half_angle = 0.01; // radians; below, a cone is a cylinder
 
@@ -90,14 +91,15 @@ private:
   static bool is_proper(const Primitive_shape& shape)
   {
     const bool is_cone = shape.type == Primitive_type::CONE;
-    if (is_cone && !(shape.half_angle >= smallest_half_angle && shape.half_angle <= CGAL_PI / 2 - smallest_half_angle))
+    if (is_cone && !(shape.half_angle >= smallest_half_angle &&
+                     shape.half_angle <= CGAL_PI / 2 - smallest_half_angle))
       return false;
     return (is_cone ? shape.point.norm() : shape.radius) <= largest_radius;
   }
 
-  /// Compares by the misfit: the root mean square distance of corners and middles of faces together.
-  /// Corners alone do not tell a cylinder or a cone from a sphere if they lie on two circles, as on
-  /// many machine parts.
+  /// Compares by the misfit: the root mean square distance of corners and middles of faces
+  /// together. Corners alone do not tell a cylinder or a cone from a sphere if they lie on two
+  /// circles, as on many machine parts.
   void accept(const Primitive_shape& shape)
   {
     const double at_corners = mean_squared_distance(shape, m_corners);
@@ -173,7 +175,8 @@ private:
     return result;
   }
 
-  /// The normals of a cone lie on a circle around its axis, and its tangent planes meet in the apex.
+  /// The normals of a cone lie on a circle around its axis, and its tangent planes meet in the
+  /// apex.
   Primitive_shape cone() const
   {
     const Eigen::Vector3d mean_normal = mean(m_normals);

@@ -29,19 +29,6 @@ struct Primitive_shape
   Eigen::Vector3d point = Eigen::Vector3d::Zero(), direction = Eigen::Vector3d::Zero();
   double radius = 0, half_angle = 0;
 
-  /// Where a point is beside the axis: its coordinate along it, its distance, the unit vector away.
-  struct Beside_axis
-  {
-    double along, across;
-    Eigen::Vector3d outward; // zero on the axis
-  };
-  Beside_axis beside_axis(const Eigen::Vector3d& p) const
-  {
-    const Eigen::Vector3d v = p - point;
-    const double along = v.dot(direction);
-    return {along, direction.cross(v).norm(), (v - along * direction).normalized()};
-  }
-
   /// Signed: to the generator nearest to the point, or to the apex if the point is behind it.
   double distance(const Eigen::Vector3d& p) const
   {
@@ -61,14 +48,16 @@ struct Primitive_shape
   Gradient gradient(const Eigen::Vector3d& p) const
   {
     Gradient result = Gradient::Zero();
-    const Beside_axis at = beside_axis(p);
-    const double sine = std::sin(half_angle), cosine = std::cos(half_angle);
-    const double along_generator = at.along * cosine + at.across * sine;
+    const Eigen::Vector3d v = p - point;
+    const double sine = std::sin(half_angle), cosine = std::cos(half_angle),
+                 along = v.dot(direction);
+    const double along_generator = along * cosine + direction.cross(v).norm() * sine;
+    const Eigen::Vector3d outward = (v - along * direction).normalized(); // zero on the axis
     if (type == Primitive_type::SPHERE || (type == Primitive_type::CONE && along_generator <= 0))
-      result.head<3>() = (point - p).normalized();
+      result.head<3>() = -v.normalized();
     else {
-      result.head<3>() = sine * direction - cosine * at.outward;
-      result.segment<3>(3) = -along_generator * at.outward;
+      result.head<3>() = sine * direction - cosine * outward;
+      result.segment<3>(3) = -along_generator * outward;
       result[7] = type == Primitive_type::CONE ? -along_generator : 0;
     }
     result[6] = type == Primitive_type::CONE ? 0 : -1;

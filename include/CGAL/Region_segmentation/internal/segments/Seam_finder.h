@@ -16,12 +16,12 @@ namespace Region_segmentation {
 namespace internal {
 
 /// Finds short paths that open every component of every segment to a disc, all at once, by tree and
-/// cotree: shortest path trees grow from all borders, and from a vertex of each closed component; a
-/// spanning tree of the faces crosses edges that are in none of them, those first whose detour to
-/// the border is longest. The edges that it does not cross are the seams, without those that lead
-/// nowhere: 2 g + b - 1 arcs for genus g and b > 0 loops, or 2 g loops.
+/// cotree: shortest path trees grow from all borders, and from the first vertex of each closed
+/// component; a spanning tree of the faces crosses edges that are in none of them, those first
+/// whose detour to the border is longest. The edges that it does not cross are the seams, without
+/// those that lead nowhere: 2 g + b - 1 arcs for genus g and b > 0 loops, or 2 g loops.
 ///
-/// A sphere is opened along a shortest path between two vertices far from each other.
+/// A sphere is opened along a shortest path, to the farthest vertex.
 ///
 /// Source: Erickson and Whittlesey 2005; with borders, Erickson and Har-Peled 2004.
 class Seam_finder
@@ -32,8 +32,9 @@ public:
   /// `cost(halfedge)`: of a seam along it.
   template <typename Cost>
   Seam_finder(const Segmented_halfedges& mesh, const Cost& cost)
-    : m_mesh(mesh), m_edges_at(mesh.number_of_vertices), m_is_border(mesh.number_of_vertices, false)
-    , m_distances(mesh.number_of_vertices, infinity), m_tree_edge(mesh.number_of_vertices, Index(none))
+      : m_mesh(mesh), m_edges_at(mesh.number_of_vertices),
+        m_is_border(mesh.number_of_vertices, false), m_distances(mesh.number_of_vertices, infinity),
+        m_tree_edge(mesh.number_of_vertices, Index(none))
   {
     for (Index h = 0; h < mesh.size(); ++h)
       if (mesh.is_on_border(h))
@@ -53,14 +54,22 @@ public:
   /// A halfedge of each seam edge.
   std::vector<Index> find()
   {
-    grow_trees_from_borders();
-    const std::vector<std::vector<Index>> closed_components = grow_trees_of_closed_components();
+    std::vector<Index> vertices;
+    for (Index v = 0; v < m_is_border.size(); ++v)
+      if (m_is_border[v])
+        vertices.push_back(v);
+    grow_tree(vertices);
+    std::vector<std::vector<Index>> closed_components; // by their trees
+    for (Index v = 0; v < m_distances.size(); ++v)
+      if (m_distances[v] == infinity && !m_edges_at[v].empty())
+        closed_components.push_back(grow_tree({v}));
     leave_uncrossed();
     for (Index v = 0; v < m_is_border.size(); ++v)
       prune(v);
-    for (const std::vector<Index>& vertices : closed_components)
-      if (std::none_of(vertices.begin(), vertices.end(), [&](Index v) { return number_of_seams_at(v) > 0; }))
-        open_sphere(vertices.front(), vertices.back());
+    for (const std::vector<Index>& component : closed_components)
+      if (std::all_of(component.begin(), component.end(),
+                      [&](Index v) { return seams_at(v).empty(); }))
+        open_sphere(component);
     std::vector<Index> seams;
     for (Index e = 0; e < m_edges.size(); ++e)
       if (m_is_seam[e])
@@ -103,32 +112,6 @@ private:
     return order;
   }
 
-  void grow_trees_from_borders()
-  {
-    std::vector<Index> sources;
-    for (Index v = 0; v < m_is_border.size(); ++v)
-      if (m_is_border[v])
-        sources.push_back(v);
-    grow_tree(sources);
-  }
-
-  /// Each grows from the vertex that is farthest from the first one of the component. Returns the
-  /// vertices of each, the nearest first.
-  std::vector<std::vector<Index>> grow_trees_of_closed_components()
-  {
-    std::vector<std::vector<Index>> closed;
-    for (Index v = 0; v < m_distances.size(); ++v)
-      if (m_distances[v] == infinity && !m_edges_at[v].empty()) {
-        const std::vector<Index> component = grow_tree({v});
-        for (Index w : component) {
-          m_distances[w] = infinity;
-          m_tree_edge[w] = none;
-        }
-        closed.push_back(grow_tree({component.back()}));
-      }
-    return closed;
-  }
-
   /// Makes seams of all edges but those that the spanning tree of the faces crosses.
   void leave_uncrossed()
   {
@@ -150,31 +133,33 @@ private:
     }
   }
 
-  std::ptrdiff_t number_of_seams_at(Index v) const
+  std::vector<Index> seams_at(Index v) const
   {
-    const auto edges = m_edges_at[v];
-    return std::count_if(edges.begin(), edges.end(), [&](Index e) { return m_is_seam[e]; });
+    std::vector<Index> seams;
+    for (Index e : m_edges_at[v])
+      if (m_is_seam[e])
+        seams.push_back(e);
+    return seams;
   }
 
   /// Removes a path that ends at `v`, inside a segment.
   void prune(Index v)
   {
-    while (!m_is_border[v] && number_of_seams_at(v) == 1) {
-      const auto edges = m_edges_at[v];
-      const Index e = *std::find_if(edges.begin(), edges.end(), [&](Index i) { return m_is_seam[i]; });
-      m_is_seam[e] = false;
-      v = other_end(e, v);
+    for (auto seams = seams_at(v); !m_is_border[v] && seams.size() == 1; seams = seams_at(v)) {
+      m_is_seam[seams[0]] = false;
+      v = other_end(seams[0], v);
     }
   }
 
-  /// Along at least two edges, where there are: one alone would give a border of two vertices.
-  void open_sphere(Index root, Index farthest)
+  /// Along the path to the farthest vertex; along at least two edges, where there are: one alone
+  /// would give a border of two vertices.
+  void open_sphere(const std::vector<Index>& component)
   {
-    std::size_t number_of_edges = 0;
-    for (Index v = farthest; v != root; v = other_end(m_tree_edge[v], v), ++number_of_edges)
+    const Index root = component.front(), farthest = component.back();
+    for (Index v = farthest; v != root; v = other_end(m_tree_edge[v], v))
       m_is_seam[m_tree_edge[v]] = true;
     for (Index e : m_edges_at[farthest])
-      if (number_of_edges == 1 && other_end(e, farthest) != root) {
+      if (other_end(m_tree_edge[farthest], farthest) == root && other_end(e, farthest) != root) {
         m_is_seam[e] = true;
         return;
       }

@@ -34,9 +34,10 @@ class Segment_describer
 public:
   using Description = Segment_description<Label, Kernel>;
 
-  Segment_describer(const Segmented_mesh<FaceGraph, Label>& segmented, const Mesh_geometry& geometry)
-    : m_segmented(segmented), m_geometry(geometry), m_faces(segmented.faces_of_segments())
-    , m_descriptions(segmented.number_of_segments)
+  Segment_describer(const Segmented_mesh<FaceGraph, Label>& segmented,
+                    const Mesh_geometry& geometry)
+      : m_segmented(segmented), m_geometry(geometry), m_faces(segmented.faces_of_segments()),
+        m_descriptions(segmented.number_of_segments)
   {}
 
   std::vector<Description> describe()
@@ -57,11 +58,15 @@ private:
     using FT = typename Kernel::FT;
     return typename Kernel::Vector_3(FT(v[0]), FT(v[1]), FT(v[2]));
   }
-  static typename Kernel::Point_3 to_point(const Eigen::Vector3d& v) { return CGAL::ORIGIN + to_vector(v); }
+  static typename Kernel::Point_3 to_point(const Eigen::Vector3d& v)
+  {
+    return CGAL::ORIGIN + to_vector(v);
+  }
 
   /// Calls `f(face, corners)` for the faces of a segment; a corner is (p - origin) / unit.
   template <typename F>
-  void for_each_face(std::size_t segment, const Eigen::Vector3d& origin, double unit, const F& f) const
+  void for_each_face(std::size_t segment, const Eigen::Vector3d& origin, double unit,
+                     const F& f) const
   {
     Points corners;
     for (Index face : m_faces[segment]) {
@@ -77,7 +82,8 @@ private:
   {
     const Index first_face = *m_faces[segment].begin();
     // Relative to a point nearby, so that nothing cancels far from the origin.
-    const Eigen::Vector3d origin = to_eigen(m_geometry.point(m_segmented.source[m_segmented.first[first_face]]));
+    const Eigen::Vector3d origin =
+      to_eigen(m_geometry.point(m_segmented.source[m_segmented.first[first_face]]));
     double area = 0;
     Eigen::Vector3d first_moment = Eigen::Vector3d::Zero();
     Eigen::Matrix3d second_moment = Eigen::Matrix3d::Zero();
@@ -102,7 +108,8 @@ private:
   /// Of the triangles of a fan, each with its area as seen along the normal, so that a face may be
   /// concave. The integral of x x^T over a triangle a, b, c of area A is
   /// A / 12 (a a^T + b b^T + c c^T + s s^T), s = a + b + c.
-  static void add_moments(const Points& p, double& area, Eigen::Vector3d& first, Eigen::Matrix3d& second)
+  static void add_moments(const Points& p, double& area, Eigen::Vector3d& first,
+                          Eigen::Matrix3d& second)
   {
     Eigen::Vector3d normal = Eigen::Vector3d::Zero();
     for (std::size_t i = 2; i < p.size(); ++i)
@@ -132,9 +139,11 @@ private:
     return axes;
   }
 
-  void describe_extents(std::size_t segment, const Eigen::Vector3d& center, const Eigen::Matrix3d& axes)
+  void describe_extents(std::size_t segment, const Eigen::Vector3d& center,
+                        const Eigen::Matrix3d& axes)
   {
-    Eigen::Array3d lowest = Eigen::Array3d::Constant((std::numeric_limits<double>::max)()), highest = -lowest;
+    Eigen::Array3d lowest = Eigen::Array3d::Constant((std::numeric_limits<double>::max)()),
+                   highest = -lowest;
     for_each_face(segment, center, 1, [&](Index, const Points& corners) {
       for (const Eigen::Vector3d& p : corners) {
         lowest = lowest.min((axes.transpose() * p).array());
@@ -177,7 +186,8 @@ private:
       volume += v;
     for (std::size_t s = 0; s < m_descriptions.size(); ++s) {
       m_descriptions[s].volume = volumes[s] * unit * unit * unit;
-      m_descriptions[s].volume_share = volume > 1e-12 * std::pow(area, 1.5) ? volumes[s] / volume : 0;
+      m_descriptions[s].volume_share =
+        volume > 1e-12 * std::pow(area, 1.5) ? volumes[s] / volume : 0;
     }
   }
 

@@ -21,7 +21,8 @@ struct Weighted_point
   double weight;
 };
 
-inline double mean_squared_distance(const Primitive_shape& shape, const std::vector<Weighted_point>& samples)
+inline double mean_squared_distance(const Primitive_shape& shape,
+                                    const std::vector<Weighted_point>& samples)
 {
   double sum = 0;
   for (const Weighted_point& s : samples)
@@ -32,7 +33,8 @@ inline double mean_squared_distance(const Primitive_shape& shape, const std::vec
 /// Minimizes the mean squared distance from a start, by the method of Levenberg and Marquardt. The
 /// points are about 1 in size. Parameters may be redundant (a point of an axis) or unused, since
 /// steps are damped.
-inline Primitive_shape fit_by_least_squares(Primitive_shape shape, const std::vector<Weighted_point>& samples)
+inline Primitive_shape fit_by_least_squares(Primitive_shape shape,
+                                            const std::vector<Weighted_point>& samples)
 {
   constexpr int most_iterations = 50;
   constexpr double least_improvement = 1e-6, largest_damping = 1e8;
@@ -48,7 +50,8 @@ inline Primitive_shape fit_by_least_squares(Primitive_shape shape, const std::ve
       right_side -= s.weight * shape.distance(s.point) * gradient;
     }
     const double previous = error;
-    for (; !(error < previous) && damping < largest_damping; damping *= error < previous ? 0.1 : 10) {
+    for (; !(error < previous) && damping < largest_damping;
+         damping *= error < previous ? 0.1 : 10) {
       Primitive_shape next = shape;
       next.move((normal_matrix + damping * Matrix::Identity()).ldlt().solve(right_side));
       const double next_error = mean_squared_distance(next, samples);

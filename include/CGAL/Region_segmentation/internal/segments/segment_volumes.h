@@ -14,7 +14,8 @@ namespace Region_segmentation {
 namespace internal {
 
 /// For each vertex on a border, the mean of the vertices of its network of border edges.
-inline std::vector<Double_3> apices_of_caps(const Segmented_halfedges& mesh, const Mesh_geometry& geometry)
+inline std::vector<Double_3> apices_of_caps(const Segmented_halfedges& mesh,
+                                            const Mesh_geometry& geometry)
 {
   using Index = Halfedge_table::Index;
   Lowest_root_forest networks(mesh.number_of_vertices);
@@ -40,12 +41,13 @@ inline std::vector<Double_3> apices_of_caps(const Segmented_halfedges& mesh, con
   return apices;
 }
 
-/// The volume of each segment with its caps, and at the end that of the faces without a segment; see
-/// `Segment_description::volume`. They add up to the volume of the mesh.
+/// The volume of each segment with its caps, and at the end that of the faces without a segment;
+/// see `Segment_description::volume`. They add up to the volume of the mesh.
 ///
 /// By the divergence theorem, as the sum of the tetrahedra from a point of the segment to its faces
 /// and to the triangles of its caps.
-inline std::vector<double> segment_volumes(const Segmented_halfedges& mesh, const Mesh_geometry& geometry)
+inline std::vector<double> segment_volumes(const Segmented_halfedges& mesh,
+                                           const Mesh_geometry& geometry)
 {
   using Index = Halfedge_table::Index;
   const std::size_t number = mesh.number_of_segments;
@@ -53,7 +55,8 @@ inline std::vector<double> segment_volumes(const Segmented_halfedges& mesh, cons
   std::vector<double> volumes(number + 1, 0);
   std::vector<Index> origins(number + 1, Halfedge_table::none); // vertices
   for (Index f = 0; f < mesh.number_of_faces(); ++f) {
-    const std::size_t segment = mesh.segment_of_face[f] == mesh.none ? number : mesh.segment_of_face[f];
+    const std::size_t segment =
+      mesh.segment_of_face[f] == mesh.none ? number : mesh.segment_of_face[f];
     if (origins[segment] == mesh.none)
       origins[segment] = mesh.source[mesh.first[f]];
     const Double_3 origin = geometry.point(origins[segment]);
@@ -62,7 +65,8 @@ inline std::vector<double> segment_volumes(const Segmented_halfedges& mesh, cons
     for (Index h = mesh.first[f]; h < mesh.first[f + 1]; ++h)
       if (mesh.is_on_border(h)) {
         const Double_3 apex = apices[mesh.source[h]] - origin;
-        const Double_3 from = geometry.point(mesh.target(h)) - origin, to = geometry.point(mesh.source[h]) - origin;
+        const Double_3 from = geometry.point(mesh.target(h)) - origin,
+                       to = geometry.point(mesh.source[h]) - origin;
         volumes[segment] += geometry.orientation(f) * dot(apex, cross(from, to)) / 6;
       }
   }
