@@ -105,7 +105,6 @@ inline std::vector<Topology_counts> count_topology(const Segmented_halfedges& me
 /// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
 ///
 /// \cgalNamedParamsBegin
-///   \cgalParamIndexMap{face}
 ///   \cgalParamIndexMap{vertex}
 ///   \cgalParamIndexMap{halfedge}
 /// \cgalNamedParamsEnd

@@ -66,7 +66,6 @@ struct Segment_piece
 ///     \cgalParamDefault{no edge}
 ///   \cgalParamNEnd
 ///   \cgalParamVertexPointMap
-///   \cgalParamIndexMap{face}
 ///   \cgalParamIndexMap{vertex}
 ///   \cgalParamIndexMap{halfedge}
 /// \cgalNamedParamsEnd
