@@ -505,7 +505,8 @@ TEST(Describe_segments_test, a_surface_inside_out_is_described_as_if_it_were_not
       EXPECT_NEAR(found[i].area, expected[i].area, 1e-9 * expected[i].area);
       EXPECT_NEAR(found[i].volume, expected[i].volume, 1e-9 * std::pow(expected[i].area, 1.5));
       EXPECT_NEAR(found[i].volume_share, expected[i].volume_share, 1e-9);
-      EXPECT_NEAR(found[i].primitive.error, expected[i].primitive.error, 1e-6 * std::sqrt(expected[i].area));
+      // The minimum is flat where faces are of random segments.
+      EXPECT_NEAR(found[i].primitive.error, expected[i].primitive.error, 1e-3 * std::sqrt(expected[i].area));
     }
   }
 }
