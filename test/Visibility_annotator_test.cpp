@@ -100,7 +100,7 @@ double distance_to_face(const RS::Surface& surface, std::size_t triangle, const 
 /// Rays from faces in all directions; returns how many hit.
 std::size_t compare_hits(const Soup& soup, unsigned seed)
 {
-  const RS::Surface mesh = surface_of(soup);
+  const RS::Surface mesh = RS::make_surface(to_surface_mesh(soup), RS::parameters::component_links(false));
   const RS::internal::Ray_tree tree = tree_of(mesh);
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> any(-1, 1);

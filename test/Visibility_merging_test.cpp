@@ -17,12 +17,15 @@ using namespace test;
 
 namespace Visibility_merging_test {
 
+template <typename Parameters>
+Labels segment_into(const Soup& soup, std::size_t k, const Parameters& np)
+{
+  return segments_of(to_surface_mesh(soup), np.number_of_segments(k).method(RS::Visibility_merging()));
+}
+
 Labels segment_into(const Soup& soup, std::size_t k)
 {
-  Surface_mesh mesh = to_surface_mesh(soup);
-  auto map = mesh.add_property_map<Surface_mesh::Face_index, std::size_t>("f:segment").first;
-  RS::segment(mesh, map, RS::parameters::number_of_segments(k).method(RS::Visibility_merging()));
-  return labels_of(mesh, map);
+  return segment_into(soup, k, RS::parameters::default_values());
 }
 
 Labels segment_automatically(const Soup& soup)
@@ -96,13 +99,14 @@ TEST(Visibility_merging_test, segmentations_nest_down_to_the_faces)
     const std::size_t faces = soup.polygons.size();
     Labels coarse;
     for (std::size_t k = 1; k <= faces; k += 1 + k / 8) {
-      const Labels fine = segment_into(soup, k);
+      const Labels fine = segment_into(soup, k, RS::parameters::component_links(false));
       EXPECT_TRUE(is_connected(soup, fine));
       EXPECT_EQ(number_of(fine), std::max(k, number_of_components(soup)));
       if (!coarse.empty()) {
         EXPECT_TRUE(nests(fine, coarse));
       }
       coarse = fine;
+      EXPECT_EQ(number_of(segment_into(soup, k)), k) << "with links";
     }
     EXPECT_EQ(number_of(segment_into(soup, faces)), faces);
     EXPECT_EQ(number_of(segment_into(soup, 2 * faces)), faces);
@@ -181,7 +185,7 @@ TEST(Visibility_merging_test, constants_are_members_of_its_parts)
 {
   const Surface_mesh mesh = to_surface_mesh(random_mesh(Family::BLOCKS, 4));
   RS::Visibility_merging method;
-  method.initializer.number = 30;
+  method.superfacets.number = 30;
   method.chooser.level = 1000; // above all costs: as few as possible
   const Result few = run(mesh, RS::parameters::method(method));
   EXPECT_EQ(few.tree.number_of_regions(), 30u);
@@ -215,18 +219,17 @@ TEST(Visibility_merging_test, other_constants_while_there_are_many_regions)
 
 TEST(Number_from_costs_test, ends_where_merging_becomes_dear)
 {
-  using Chooser = RS::Number_from_costs<RS::Visibility_cost>;
   RS::Merge_tree tree(6);
   for (std::uint32_t i = 5; i > 0; --i)
     tree.push_back({0, i, i == 1 ? -10.0 : i == 2 ? -14.0 : -30.0 + i});
   // Costs -25, -26, -27, -14, -10: the mean of -10 and -20 is -15, so merges at -14 and -10 are left.
-  EXPECT_EQ(Chooser(-20)(tree), 3u);
-  EXPECT_EQ(Chooser(-1000)(tree), 6u);
-  EXPECT_EQ(Chooser(-1000, 4)(tree), 4u);
-  EXPECT_EQ(Chooser(1000)(tree), 2u);
+  EXPECT_EQ(RS::Number_from_costs(-20)(tree), 3u);
+  EXPECT_EQ(RS::Number_from_costs(-1000)(tree), 6u);
+  EXPECT_EQ(RS::Number_from_costs(-1000, 4)(tree), 4u);
+  EXPECT_EQ(RS::Number_from_costs(1000)(tree), 2u);
   const double level = RS::Visibility_merging::default_level;
-  EXPECT_EQ(Chooser(level)(RS::Merge_tree(1)), 1u);
-  EXPECT_EQ(Chooser(level)(RS::Merge_tree(3)), 3u); // three pieces, nothing to merge
+  EXPECT_EQ(RS::Number_from_costs(level)(RS::Merge_tree(1)), 1u);
+  EXPECT_EQ(RS::Number_from_costs(level)(RS::Merge_tree(3)), 3u); // three pieces, nothing to merge
 }
 
 } // namespace Visibility_merging_test
