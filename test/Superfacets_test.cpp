@@ -7,7 +7,8 @@
 #include <CGAL/Region_segmentation/Methods/Superfacets.h>
 #include <CGAL/Region_segmentation/evaluation/rand_index_distance.h>
 #include <CGAL/Region_segmentation/internal/cells/Patch_builder.h>
-#include <CGAL/Region_segmentation/internal/regions/Front_queue.h>
+#include <CGAL/Region_segmentation/internal/regions/Farthest_point_seeding.h>
+#include <CGAL/Region_segmentation/internal/support/Float_key.h>
 #include <CGAL/Region_segmentation/make_surface.h>
 
 #include <gtest/gtest.h>
@@ -15,7 +16,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <functional>
 #include <limits>
 #include <map>
 #include <numeric>
@@ -128,41 +128,6 @@ TEST(Float_key_test, gives_back_its_value_and_index)
       const auto key = RS::internal::make_float_key(value, index);
       EXPECT_EQ(RS::internal::value_of(key), value);
       EXPECT_EQ(RS::internal::index_of(key), index);
-    }
-}
-
-TEST(Front_queue_test, gives_what_a_heap_gives)
-{
-  using Queue = RS::internal::Front_queue;
-  for (double width : {0.0, 1e-9, 0.01, 1.0, 1e9})
-    for (unsigned seed = 1; seed <= 4; ++seed) {
-      SCOPED_TRACE("width " + std::to_string(width) + ", seed " + std::to_string(seed));
-      std::mt19937 random(seed);
-      std::exponential_distribution<double> step(1);
-      Queue queue(width);
-      // Twice, since an empty queue starts anew; steps of 0 and long ones, among them.
-      for (int round = 0; round < 2; ++round) {
-        std::priority_queue<Queue::Key, std::vector<Queue::Key>, std::greater<>> heap;
-        const auto push = [&](double distance) {
-          const Queue::Key key = RS::internal::make_float_key(float(distance), random() % 1000);
-          queue.push(key);
-          heap.push(key);
-        };
-        push(0);
-        std::size_t pushed = 1, most = 0;
-        while (!heap.empty()) {
-          ASSERT_FALSE(queue.empty());
-          most = std::max(most, heap.size());
-          const Queue::Key top = queue.pop();
-          ASSERT_EQ(top, heap.top());
-          heap.pop();
-          const float distance = RS::internal::value_of(top);
-          for (int i = 0; i < 3 && pushed < 2000; ++i, ++pushed)
-            push(distance + (random() % 8 == 0 ? 0.0 : random() % 50 == 0 ? 1e4 * step(random) : step(random)));
-        }
-        EXPECT_TRUE(queue.empty());
-        EXPECT_GT(most, 500u);
-      }
     }
 }
 
@@ -493,6 +458,17 @@ TEST(Superfacets_test, every_piece_gets_a_seed_beyond_the_number)
   for (int i = 1; i < 5; ++i)
     soup = joined(soup, translated(cube(), 3 * i, 0, 0));
   EXPECT_EQ(regions_of(surface_of(soup), RS::Superfacets(2)).number_of_parts(), 5u);
+}
+
+TEST(Superfacets_test, seeds_of_crumbs_do_not_count)
+{
+  const Soup body = random_mesh(Family::SPHERE, 1), crumb = scaled(cube(), 0.001);
+  const RS::Partition expected = regions_of(surface_of(body), RS::Superfacets(20)),
+                      regions = regions_of(surface_of(joined(body, translated(crumb, 20, 0, 0))), RS::Superfacets(20));
+  ASSERT_EQ(expected.number_of_parts(), 20u);
+  EXPECT_EQ(regions.number_of_parts(), 21u);
+  for (std::size_t f = 0; f < regions.size(); ++f)
+    EXPECT_EQ(regions[f], f < expected.size() ? expected[f] : 20u);
 }
 
 TEST(Superfacets_test, of_patches_at_one_distance_the_lower_one_is_first)

@@ -68,11 +68,15 @@ struct Model
 {
   explicit Model(const Soup& soup) : component_of(fill(soup)) {}
 
-  std::vector<Link> links() const { return RS::internal::find_links(surface, component_of, RS::Execution()); }
+  std::vector<Link> links() const
+  {
+    return RS::internal::find_links(surface, component_of, RS::Execution());
+  }
 
   std::vector<Index> outermost() const
   {
-    return RS::internal::outermost_of(surface, component_of, std::vector<bool>(component_of.number_of_parts(), true));
+    return RS::internal::outermost_of(surface, component_of,
+                                      std::vector<bool>(component_of.number_of_parts(), true));
   }
 
   Surface surface;
@@ -85,7 +89,9 @@ private:
     double largest = 0;
     for (const Double_3& p : soup.points)
       largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-    to.unit = !(largest > 0) || std::abs(std::ilogb(largest)) <= 64 ? 1 : std::ldexp(1.0, std::ilogb(largest));
+    to.unit = !(largest > 0) || std::abs(std::ilogb(largest)) <= 64
+                ? 1
+                : std::ldexp(1.0, std::ilogb(largest));
     for (const Double_3& p : soup.points)
       to.points.push_back({p.x / to.unit, p.y / to.unit, p.z / to.unit});
     to.first_corners.push_back(0);
@@ -141,7 +147,8 @@ Soup box(std::size_t n = 1)
   const auto vertex = [&](std::array<Index, 3> p) {
     const auto [place, is_new] = vertices.emplace(p, Index(s.points.size()));
     if (is_new)
-      s.points.push_back({double(p[0]) / double(n), double(p[1]) / double(n), double(p[2]) / double(n)});
+      s.points.push_back(
+        {double(p[0]) / double(n), double(p[1]) / double(n), double(p[2]) / double(n)});
     return place->second;
   };
   for (std::size_t axis = 0; axis < 3; ++axis)
@@ -155,7 +162,8 @@ Soup box(std::size_t n = 1)
             p[(axis + 2) % 3] = y;
             return vertex(p);
           };
-          Index a = corner(i, j), b = corner(i + 1, j), c = corner(i + 1, j + 1), d = corner(i, j + 1);
+          Index a = corner(i, j), b = corner(i + 1, j), c = corner(i + 1, j + 1),
+                d = corner(i, j + 1);
           if (side == 0)
             std::swap(b, d);
           s.polygons.push_back({a, b, c});
@@ -205,7 +213,8 @@ double length_of_contact(const std::vector<Link>& links)
   return sum;
 }
 
-/// What holds for all links: order, different components, and everything connected; at most one link for a pair of faces.
+/// What holds for all links: order, different components, and everything connected; at most one
+/// link for a pair of faces.
 void check(const Model& m, const std::vector<Link>& links)
 {
   RS::internal::Lowest_root_forest forest(m.component_of.number_of_parts());
@@ -246,16 +255,25 @@ TEST(find_links_test, crossing_boxes_have_the_length_of_the_intersection)
   EXPECT_NEAR(checked_length(together({bar, box(7)})), 2 * (2 * 0.2 + 2 * 0.3), 1e-9);
 }
 
+TEST(find_links_test, crossing_spheres_have_the_length_of_the_circle)
+{
+  const Soup s = sphere(30);
+  EXPECT_NEAR(checked_length(together({s, s.moved(0.9, 0.1, 0.03)})), 5.6, 0.5);
+}
+
 TEST(find_links_test, a_box_on_another_has_the_border_of_the_contact_area)
 {
   for (double gap : {0.0, 0.001, -0.001})
     for (std::size_t n : {1, 5})
       for (std::size_t m : {1, 8}) {
         const Soup leg = box(n).scaled(0.3).moved(0.33, 0.41, 1 + gap);
-        EXPECT_NEAR(checked_length(together({box(m), leg})), 4 * 0.3, 1e-6) << gap << ' ' << n << ' ' << m;
-        EXPECT_NEAR(checked_length(together({leg, box(m)})), 4 * 0.3, 1e-6) << gap << ' ' << n << ' ' << m;
+        EXPECT_NEAR(checked_length(together({box(m), leg})), 4 * 0.3, 1e-6)
+          << gap << ' ' << n << ' ' << m;
+        EXPECT_NEAR(checked_length(together({leg, box(m)})), 4 * 0.3, 1e-6)
+          << gap << ' ' << n << ' ' << m;
         // side by side, of the same size
-        EXPECT_NEAR(checked_length(together({box(n), box(n).moved(0, 0, 1 + gap)})), 4, 0.1) << gap << ' ' << n;
+        EXPECT_NEAR(checked_length(together({box(n), box(n).moved(0, 0, 1 + gap)})), 4, 0.1)
+          << gap << ' ' << n;
         EXPECT_NEAR(checked_length(together({box(n), box(m).moved(0, 0, 1 + gap)})), 4, 0.1)
           << gap << ' ' << n << ' ' << m;
       }
@@ -280,7 +298,9 @@ TEST(find_links_test, a_contact_area_that_ends_within_faces_of_both_has_about_it
 TEST(find_links_test, a_long_contact_has_its_length)
 {
   const auto strip = [](const Double_3& p) { return Double_3{100 * p.x, p.y, p.z}; };
-  EXPECT_NEAR(checked_length(together({box(3).transformed(strip), box().moved(0, 0, 1).transformed(strip)})), 202, 1e-6);
+  EXPECT_NEAR(
+    checked_length(together({box(3).transformed(strip), box().moved(0, 0, 1).transformed(strip)})),
+    202, 1e-6);
 }
 
 TEST(find_links_test, coincident_closed_components_are_in_contact)
@@ -292,15 +312,19 @@ TEST(find_links_test, coincident_closed_components_are_in_contact)
 TEST(find_links_test, sheets_touch_along_their_border)
 {
   const auto wall = [](const Double_3& p) { return Double_3{0.3 + 0.5 * p.x, 0.37, p.y}; };
-  const auto rotated = [](const Double_3& p) { return Double_3{0.3 + 0.5 * p.x, 0.3 + 0.2 * p.x, p.y}; };
+  const auto rotated = [](const Double_3& p) {
+    return Double_3{0.3 + 0.5 * p.x, 0.3 + 0.2 * p.x, p.y};
+  };
   for (std::size_t n : {1, 6, 50})
     for (std::size_t m : {1, 10})
       for (double gap : {0.0, 0.0004, -0.0004}) {
         const auto floor = square(m);
-        EXPECT_NEAR(checked_length(together({floor, square(n).transformed(wall).moved(0, 0, gap)})), 0.5, 0.12)
+        EXPECT_NEAR(checked_length(together({floor, square(n).transformed(wall).moved(0, 0, gap)})),
+                    0.5, 0.12)
           << n << ' ' << m << ' ' << gap;
-        EXPECT_NEAR(checked_length(together({floor, square(n).transformed(rotated).moved(0, 0, gap)})),
-                    std::hypot(0.5, 0.2), 0.1)
+        EXPECT_NEAR(
+          checked_length(together({floor, square(n).transformed(rotated).moved(0, 0, gap)})),
+          std::hypot(0.5, 0.2), 0.1)
           << n << ' ' << m << ' ' << gap;
         // in one plane, edge to edge, with other vertices
         EXPECT_NEAR(checked_length(together({floor, square(n).moved(1 + gap, 0, 0)})), 1, 0.5)
@@ -314,8 +338,11 @@ TEST(find_links_test, overlapping_scans_have_about_the_border_of_the_overlap)
   SCOPED_TRACE(seed);
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> noise(-1.0 / 8 / 40, 1.0 / 8 / 40);
-  const auto noisy = [&](const Double_3& p) { return Double_3{p.x + noise(random), p.y + noise(random), noise(random)}; };
-  const Soup scans = together({square(40).transformed(noisy), square(40).moved(0.503, 0.007, 0).transformed(noisy)});
+  const auto noisy = [&](const Double_3& p) {
+    return Double_3{p.x + noise(random), p.y + noise(random), noise(random)};
+  };
+  const Soup scans =
+    together({square(40).transformed(noisy), square(40).moved(0.503, 0.007, 0).transformed(noisy)});
   const double length = checked_length(scans), expected = 2 * (0.497 + 0.993);
   EXPECT_GT(length, expected / 2.5);
   EXPECT_LT(length, expected * 4);
@@ -325,7 +352,8 @@ TEST(find_links_test, a_crumb_joins_the_nearest_component)
 {
   const Soup floor = square(1).scaled(100);
   const Soup crumb = sphere(4).scaled(0.01);
-  const Soup scene = together({floor, box().moved(40, 40, 3), crumb.moved(60, 30, 0.5), crumb.moved(40.5, 40.5, 3.5)});
+  const Soup scene = together(
+    {floor, box().moved(40, 40, 3), crumb.moved(60, 30, 0.5), crumb.moved(40.5, 40.5, 3.5)});
   const Model m(scene);
   const auto links = m.links();
   check(m, links);
@@ -338,13 +366,14 @@ TEST(find_links_test, a_crumb_joins_the_nearest_component)
   EXPECT_EQ(links.size(), 3u);
 }
 
-/// The weight of a minimum spanning tree of the components by the distance of their nearest faces, compared with the
-/// links of length 0 after those of contact.
+/// The weight of a minimum spanning tree of the components by the distance of their nearest faces,
+/// compared with the links of length 0 after those of contact.
 void compare_with_all_distances(const Model& m, const std::vector<Link>& links)
 {
   using RS::internal::Triangle;
   const auto triangle = [&](std::size_t f) {
-    return Triangle{m.surface.point(m.surface.corner(f, 0)), m.surface.point(m.surface.corner(f, 1)),
+    return Triangle{m.surface.point(m.surface.corner(f, 0)),
+                    m.surface.point(m.surface.corner(f, 1)),
                     m.surface.point(m.surface.corner(f, 2))};
   };
   const std::size_t n = m.component_of.number_of_parts();
@@ -388,11 +417,13 @@ TEST(find_links_test, random_crumbs_are_linked_as_by_all_distances)
     Soup scene = round % 2 == 0 ? sphere(5) : square(1).scaled(3);
     for (int i = 0; i < 200; ++i) {
       const double size = std::pow(10, -1 - 3 * unit(random));
-      Soup crumb = i % 5 == 0 ? box() :  square(1 + std::size_t(i) % 2);
+      Soup crumb = i % 5 == 0 ? box() : square(1 + std::size_t(i) % 2);
       crumb = crumb.transformed([&](const Double_3& p) {
-        return Double_3{p.x + 0.2 * unit(random), p.y + 0.2 * unit(random), p.z + 0.2 * unit(random)};
+        return Double_3{p.x + 0.2 * unit(random), p.y + 0.2 * unit(random),
+                        p.z + 0.2 * unit(random)};
       });
-      scene.add(crumb.scaled(size).moved(2.5 * unit(random) - 1.2, 2.5 * unit(random) - 1.2, 2.5 * unit(random) - 1.2));
+      scene.add(crumb.scaled(size).moved(2.5 * unit(random) - 1.2, 2.5 * unit(random) - 1.2,
+                                         2.5 * unit(random) - 1.2));
     }
     const Model m(scene);
     const auto links = m.links();
@@ -409,7 +440,9 @@ TEST(find_links_test, links_do_not_depend_on_the_order_of_faces)
   std::uniform_real_distribution<double> unit(0, 1);
   Soup scene = together({sphere(8), torus(0.8, 0.3, 15), square(2).moved(-0.3, -0.4, 0.95)});
   for (int i = 0; i < 60; ++i)
-    scene.add(sphere(2).scaled(0.1 * unit(random)).moved(2 * unit(random), 2 * unit(random), 2 * unit(random)));
+    scene.add(sphere(2)
+                .scaled(0.1 * unit(random))
+                .moved(2 * unit(random), 2 * unit(random), 2 * unit(random)));
   std::vector<Index> order(scene.polygons.size());
   for (Index i = 0; i < order.size(); ++i)
     order[i] = i;
@@ -422,7 +455,8 @@ TEST(find_links_test, links_do_not_depend_on_the_order_of_faces)
   for (const Link& l : m.links()) // by components: partners of a face may be equally good
     lengths[std::minmax(m.component_of[l.lower], m.component_of[l.higher])] += l.length;
   for (const Link& l : n.links())
-    shuffled_lengths[std::minmax(m.component_of[order[l.lower]], m.component_of[order[l.higher]])] += l.length;
+    shuffled_lengths[std::minmax(m.component_of[order[l.lower]],
+                                 m.component_of[order[l.higher]])] += l.length;
   ASSERT_EQ(lengths.size(), shuffled_lengths.size());
   for (const auto& [pair, length] : lengths) {
     ASSERT_EQ(shuffled_lengths.count(pair), 1u);
@@ -444,7 +478,8 @@ TEST(find_links_test, two_thousand_boxes)
 
 TEST(find_links_test, any_finite_coordinates)
 {
-  const Soup scene = together({box(2), box().scaled(0.3).moved(0.33, 0.41, 1), sphere(3).scaled(0.1).moved(3, 0, 0)});
+  const Soup scene = together(
+    {box(2), box().scaled(0.3).moved(0.33, 0.41, 1), sphere(3).scaled(0.1).moved(3, 0, 0)});
   const double expected = checked_length(scene);
   EXPECT_NEAR(expected, 1.2, 1e-6);
   for (double scale : {1e150, 1e-150, 1e300, 1e-290, 1e19, 1e-19}) {
@@ -452,7 +487,8 @@ TEST(find_links_test, any_finite_coordinates)
     const Model m(scene.scaled(scale));
     EXPECT_NEAR(length * (m.surface.unit() / scale), expected, 1e-6) << scale;
   }
-  checked_length(together({scene, scene.scaled(1e-150), scene.scaled(1e-150).moved(1, 2, 3), scene.scaled(1e-12)}));
+  checked_length(together(
+    {scene, scene.scaled(1e-150), scene.scaled(1e-150).moved(1, 2, 3), scene.scaled(1e-12)}));
   checked_length(together({scene.scaled(1e150), scene.scaled(1e-150)}));
   EXPECT_NEAR(checked_length(scene.moved(1000, 2000, -3000)), expected, 1e-6);
 }
@@ -465,9 +501,12 @@ TEST(find_links_test, degenerate_faces)
     s.polygons = {{0, 1, 2}};
     return s;
   };
-  const Soup point = face({0.5, 0.5, 2}, {0.5, 0.5, 2}, {0.5, 0.5, 2}), line = face({0, 0, 3}, {1, 1, 3}, {2, 2, 3});
+  const Soup point = face({0.5, 0.5, 2}, {0.5, 0.5, 2}, {0.5, 0.5, 2}),
+             line = face({0, 0, 3}, {1, 1, 3}, {2, 2, 3});
   EXPECT_EQ(checked_length(together({point, point, point})), 0);
-  EXPECT_EQ(checked_length(together({point, box(), line, line, face({0, 0, 0}, {1, 1, 1}, {0.5, 0.5, 0.5})})), 0);
+  EXPECT_EQ(checked_length(
+              together({point, box(), line, line, face({0, 0, 0}, {1, 1, 1}, {0.5, 0.5, 0.5})})),
+            0);
   Soup crossed_by_line = box();
   crossed_by_line.polygons.push_back({0, 0, 1});
   EXPECT_NEAR(checked_length(together({crossed_by_line, box().moved(0, 0, 1), point})), 4, 1e-6);
@@ -492,20 +531,24 @@ TEST(find_nesting_test, nested_spheres)
 {
   const Soup s = sphere(7);
   const Model m(together({s.scaled(0.5), s, s.scaled(0.1).moved(0.3, 0.2, 0.1), s.moved(5, 0, 0),
-                          s.scaled(0.1).moved(0.7, 0, 0), s.scaled(0.2).moved(1.5, 0, 0), s.scaled(20), s.moved(30, 0, 0)}));
+                          s.scaled(0.1).moved(0.7, 0, 0), s.scaled(0.2).moved(1.5, 0, 0),
+                          s.scaled(20), s.moved(30, 0, 0)}));
   EXPECT_EQ(m.outermost(), (std::vector<Index>{6, 6, 6, 6, 6, 6, 6, 7}));
 }
 
 TEST(find_nesting_test, aligned_boxes)
 {
-  // In a box: flush with three of its sides, with all of one, in the middle, and on its top; below, beside.
+  // In a box: flush with three of its sides, with all of one, in the middle, and on its top; below,
+  // beside.
   const Soup b = box();
-  const Model m(together({b.scaled(0.5), b.scaled(0.5).moved(0.25, 0.25, 0.25), b.scaled(0.5).moved(0.5, 0.5, 0.5), b,
-                          b.moved(0, 0, 1), b.scaled(0.5).moved(0, 0, -0.5), b.scaled(0.5).moved(1, 0, 0), b}));
+  const Model m(together({b.scaled(0.5), b.scaled(0.5).moved(0.25, 0.25, 0.25),
+                          b.scaled(0.5).moved(0.5, 0.5, 0.5), b, b.moved(0, 0, 1),
+                          b.scaled(0.5).moved(0, 0, -0.5), b.scaled(0.5).moved(1, 0, 0), b}));
   const auto outermost = m.outermost();
   EXPECT_EQ(outermost[0], 3u);
   EXPECT_EQ(outermost[1], 3u);
-  EXPECT_EQ(std::vector<Index>(outermost.begin() + 3, outermost.end()), (std::vector<Index>{3, 4, 5, 6, 7}));
+  EXPECT_EQ(std::vector<Index>(outermost.begin() + 3, outermost.end()),
+            (std::vector<Index>{3, 4, 5, 6, 7}));
 }
 
 TEST(find_nesting_test, linked_tori_and_a_sphere_in_the_hole)
@@ -521,8 +564,10 @@ TEST(find_nesting_test, linked_tori_and_a_sphere_in_the_hole)
 TEST(find_nesting_test, open_components_contain_nothing)
 {
   const Model m(together({sphere(4), sphere(4).scaled(0.5)}));
-  EXPECT_EQ(RS::internal::outermost_of(m.surface, m.component_of, {false, true}), (std::vector<Index>{0, 1}));
-  EXPECT_EQ(RS::internal::outermost_of(m.surface, m.component_of, {true, false}), (std::vector<Index>{0, 1}));
+  EXPECT_EQ(RS::internal::outermost_of(m.surface, m.component_of, {false, true}),
+            (std::vector<Index>{0, 1}));
+  EXPECT_EQ(RS::internal::outermost_of(m.surface, m.component_of, {true, false}),
+            (std::vector<Index>{0, 1}));
 }
 
 TEST(find_nesting_test, random_spheres_in_spheres_in_any_position)
@@ -537,8 +582,8 @@ TEST(find_nesting_test, random_spheres_in_spheres_in_any_position)
     const Double_3 at{10 * double(i % 10), 10 * double(i / 10), 3 * unit(random)};
     for (Index j = 0; j < 3; ++j) {
       const double r = std::pow(0.3, j) * 3, move = j == 0 ? 1 : 0.3 * r;
-      soups.push_back(sphere(2 + i % 4).scaled(r).moved(at.x + move * unit(random), at.y + move * unit(random),
-                                                        at.z + move * unit(random)));
+      soups.push_back(sphere(2 + i % 4).scaled(r).moved(
+        at.x + move * unit(random), at.y + move * unit(random), at.z + move * unit(random)));
       expected.push_back(3 * i);
     }
   }

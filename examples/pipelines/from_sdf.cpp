@@ -5,6 +5,7 @@
 
 #include "input_mesh.h"
 
+#include <CGAL/Region_segmentation/evaluation.h>
 #include <CGAL/region_segmentation.h>
 
 #include <CGAL/mesh_segmentation.h>

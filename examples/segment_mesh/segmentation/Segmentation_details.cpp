@@ -13,7 +13,6 @@
 #include <CGAL/Region_segmentation/grow_regions.h>
 
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
 #include <boost/property_map/property_map.hpp>
@@ -31,7 +30,7 @@ namespace RS = CGAL::Region_segmentation;
 
 namespace {
 
-using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
 /// The merge tree with its nodes numbered: regions first, then the result of each merge.
 class Numbered_tree
@@ -83,11 +82,11 @@ public:
   /// For each region the one of `nodes` that contains it, or `no_segment`.
   std::vector<std::size_t> nodes_of_regions(const std::vector<std::size_t>& nodes) const
   {
-    std::vector<std::size_t> result(m_parents.size(), RS::no_segment<std::size_t>);
+    std::vector<std::size_t> result(m_parents.size(), std::size_t(RS::no_segment));
     for (std::size_t node : nodes)
       result[node] = node;
     for (std::size_t node = m_parents.size(); node-- > 0;)
-      if (result[node] == RS::no_segment<std::size_t> && m_parents[node] != none)
+      if (result[node] == RS::no_segment && m_parents[node] != none)
         result[node] = result[m_parents[node]];
     result.resize(m_number_of_regions);
     return result;

@@ -22,9 +22,9 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// A hierarchy of boxes over the components of a surface and, below each of them, over its faces, divided into triangles
-/// from their first corner. A node is divided when its children are first asked for: far from other components
-/// faces are never sorted.
+/// A hierarchy of boxes over the components of a surface and, below each of them, over its faces,
+/// divided into triangles from their first corner. A node is divided when its children are first
+/// asked for: far from other components faces are never sorted.
 ///
 /// Bytes: 16 per triangle, and 72 per node.
 class Component_tree
@@ -50,9 +50,10 @@ public:
   };
 
   /// `tolerances`: by component
-  Component_tree(const Surface& surface, const Partition& component_of_face, const std::vector<double>& tolerances)
-    : m_surface(surface), m_tolerances(tolerances), m_order(component_of_face.number_of_parts())
-    , m_boxes(m_order.size())
+  Component_tree(const Surface& surface, const Partition& component_of_face,
+                 const std::vector<double>& tolerances)
+      : m_surface(surface), m_tolerances(tolerances), m_order(component_of_face.number_of_parts()),
+        m_boxes(m_order.size())
   {
     group_faces(component_of_face);
     std::iota(m_order.begin(), m_order.end(), Index(0));
@@ -72,12 +73,10 @@ public:
 
   Triangle triangle(const Part& p) const
   {
-    return {m_surface.point(p.corners[0]), m_surface.point(p.corners[1]), m_surface.point(p.corners[2])};
+    return {m_surface.point(p.corners[0]), m_surface.point(p.corners[1]),
+            m_surface.point(p.corners[2])};
   }
-  Axis_box box(const Part& p) const
-  {
-    return box_of(triangle(p));
-  }
+  Axis_box box(const Part& p) const { return box_of(triangle(p)); }
 
   /// The first of the two children.
   /// \pre the node is no leaf
@@ -95,7 +94,10 @@ public:
       return !is_leaf(a) ? a : !is_leaf(b) ? b : none;
     const Axis_box &s = m_nodes[a].box, &t = m_nodes[b].box;
     const double x = s.extent(s.longest_axis()), y = t.extent(t.longest_axis());
-    return x > y || (x == y && m_nodes[a].end - m_nodes[a].begin >= m_nodes[b].end - m_nodes[b].begin) ? a : b;
+    return x > y ||
+               (x == y && m_nodes[a].end - m_nodes[a].begin >= m_nodes[b].end - m_nodes[b].begin)
+             ? a
+             : b;
   }
 
 private:
@@ -130,7 +132,9 @@ private:
     const std::size_t axis = n.box.longest_axis();
     const double middle = n.box.low[axis] + n.box.extent(axis) / 2;
     if (n.component == none) {
-      const auto center = [&](Index c) { return m_boxes[c].low[axis] + m_boxes[c].extent(axis) / 2; };
+      const auto center = [&](Index c) {
+        return m_boxes[c].low[axis] + m_boxes[c].extent(axis) / 2;
+      };
       const Index at = split(m_order.begin(), n, middle, center);
       add_node_of_components(n.begin, at);
       add_node_of_components(at, n.end);
@@ -148,21 +152,26 @@ private:
     m_nodes[node].children = children;
   }
 
-  /// In the middle of the box, or at the median where this leaves one child with less than an eighth: then the depth is
-  /// logarithmic.
+  /// In the middle of the box, or at the median where this leaves one child with less than an
+  /// eighth: then the depth is logarithmic.
   template <typename Iterator, typename Center>
   static Index split(Iterator items, const Node& n, double middle, const Center& center)
   {
     const Iterator begin = items + n.begin, end = items + n.end;
-    const Iterator at = std::partition(begin, end, [&](const auto& i) { return center(i) < middle; });
+    const Iterator at =
+      std::partition(begin, end, [&](const auto& i) { return center(i) < middle; });
     if ((std::min)(at - begin, end - at) * 8 >= end - begin)
       return Index(at - items);
     const Iterator median = begin + (end - begin) / 2;
-    std::nth_element(begin, median, end, [&](const auto& i, const auto& j) { return center(i) < center(j); });
+    std::nth_element(begin, median, end,
+                     [&](const auto& i, const auto& j) { return center(i) < center(j); });
     return Index(median - items);
   }
 
-  static double coordinate(const Double_3& p, std::size_t axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
+  static double coordinate(const Double_3& p, std::size_t axis)
+  {
+    return axis == 0 ? p.x : axis == 1 ? p.y : p.z;
+  }
 
   void add_node_of_components(Index begin, Index end)
   {

@@ -21,7 +21,8 @@ struct Triangle_contact
 {
   enum Kind { TOUCHING, CROSSING, ALONG_EDGE };
   Kind kind;
-  double amount; ///< the area of the overlap, the length of the intersection, the length of the part of the edge
+  double
+    amount; ///< the area of the overlap, the length of the intersection, the length of the part of the edge
 };
 
 /// A triangle that is not degenerate, with its plane.
@@ -77,12 +78,13 @@ struct Clipped_triangle
   std::size_t size = 3;
 };
 
-/// The area where two nearly parallel triangles lie on each other, seen along the normal of `s`; 0 if they come within the
-/// tolerance nowhere, or are further apart somewhere than it and a quarter of their size.
+/// The area where two nearly parallel triangles lie on each other, seen along the normal of `s`; 0
+/// if they come within the tolerance nowhere, or are further apart somewhere than it and a quarter
+/// of their size.
 inline double touching_area(const Plane_triangle& s, const Plane_triangle& t, double tolerance)
 {
   const double cosine = dot(s.normal, t.normal);
-  if (std::abs(cosine) < 0.5)
+  if (std::abs(cosine) < 0.9)
     return 0;
   Clipped_triangle overlap(s.corners);
   const double side = cosine > 0 ? 1 : -1;
@@ -102,7 +104,8 @@ inline double touching_area(const Plane_triangle& s, const Plane_triangle& t, do
   return is_near && highest <= bound && lowest >= -bound ? area : 0;
 }
 
-/// The length of the segment in which two triangles cross; 0 if a corner or edge of one only touches the other.
+/// The length of the segment in which two triangles cross; 0 if a corner or edge of one only
+/// touches the other.
 inline double crossing_length(const Plane_triangle& s, const Plane_triangle& t, double tolerance)
 {
   std::array<Double_3, 12> ends;
@@ -129,7 +132,8 @@ struct Clipped_segment
 {
   double begin = 0, end = 1;
 
-  /// Keeps the part where a value is at most 0 that is `at_begin` and `at_end` at the ends of the segment.
+  /// Keeps the part where a value is at most 0 that is `at_begin` and `at_end` at the ends of the
+  /// segment.
   void clip(double at_begin, double at_end)
   {
     if (at_begin > 0 && at_end > 0)
@@ -141,9 +145,10 @@ struct Clipped_segment
   }
 };
 
-/// The length of the part of the segment a, b within the tolerance of a triangle: of its plane, and of its edges seen along
-/// the normal.
-inline double length_near(const Double_3& a, const Double_3& b, const Plane_triangle& t, double tolerance)
+/// The length of the part of the segment a, b within the tolerance of a triangle: of its plane, and
+/// of its edges seen along the normal.
+inline double length_near(const Double_3& a, const Double_3& b, const Plane_triangle& t,
+                          double tolerance)
 {
   Clipped_segment part;
   const double h = t.height(a), g = t.height(b);
@@ -158,8 +163,8 @@ inline double length_near(const Double_3& a, const Double_3& b, const Plane_tria
   return part.begin < part.end ? (part.end - part.begin) * norm(b - a) : 0;
 }
 
-/// The length of the longest part of an edge of one triangle that lies on the other; parts shorter than four times the
-/// tolerance and half of the edge, as where edges cross, do not count.
+/// The length of the longest part of an edge of one triangle that lies on the other; parts shorter
+/// than four times the tolerance and half of the edge, as where edges cross, do not count.
 inline double length_along_edge(const Plane_triangle& s, const Plane_triangle& t, double tolerance)
 {
   double longest = 0;
@@ -176,12 +181,13 @@ inline double length_along_edge(const Plane_triangle& s, const Plane_triangle& t
 /// Whether all of a triangle is further from the plane of another one than the tolerance.
 inline bool is_beside(const Plane_triangle& s, const Plane_triangle& t, double tolerance)
 {
-  const double h0 = t.height(s.corners[0]), h1 = t.height(s.corners[1]), h2 = t.height(s.corners[2]);
+  const double h0 = t.height(s.corners[0]), h1 = t.height(s.corners[1]),
+               h2 = t.height(s.corners[2]);
   return (std::min)({h0, h1, h2}) > tolerance || (std::max)({h0, h1, h2}) < -tolerance;
 }
 
-/// Calls `output(contact)` for the contact of two triangles. An overlap that may be a strip along an edge, not wider than
-/// the tolerance, counts as both.
+/// Calls `output(contact)` for the contact of two triangles. An overlap that may be a strip along
+/// an edge, not wider than the tolerance, counts as both.
 template <typename Output>
 void find_contact(const Triangle& a, const Triangle& b, double tolerance, const Output& output)
 {

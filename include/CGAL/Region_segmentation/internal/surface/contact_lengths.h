@@ -35,7 +35,8 @@ public:
   };
 
   /// `side`: 0 or 1, the index in `Face_contact::faces`
-  Contact_side(const Surface& surface, Iterator begin, Iterator end, std::size_t side) : m_surface(surface)
+  Contact_side(const Surface& surface, Iterator begin, Iterator end, std::size_t side)
+      : m_surface(surface)
   {
     std::vector<Face_contact> contacts(begin, end);
     if (side == 1)
@@ -49,7 +50,8 @@ public:
 
   std::size_t number_of_faces(std::size_t kind) const
   {
-    return std::size_t(std::count_if(m_faces.begin(), m_faces.end(), [&](const Face& f) { return f.sums[kind] > 0; }));
+    return std::size_t(std::count_if(m_faces.begin(), m_faces.end(),
+                                     [&](const Face& f) { return f.sums[kind] > 0; }));
   }
 
   double sum(std::size_t kind) const
@@ -60,8 +62,9 @@ public:
   /// An edge counts once, however many faces of the other component it lies on.
   double length_along_edges() const
   {
-    return sum_of_faces(
-      [&](const Face& f) { return (std::min)(f.sums[Triangle_contact::ALONG_EDGE], lengths(f.face).longest); });
+    return sum_of_faces([&](const Face& f) {
+      return (std::min)(f.sums[Triangle_contact::ALONG_EDGE], lengths(f.face).longest);
+    });
   }
 
   double touching_area() const
@@ -73,12 +76,14 @@ public:
   double resolution() const
   {
     const double area = touching_area();
-    const double sum = sum_of_faces([&](const Face& f) { return fraction(f) * fraction(f) * m_surface.area(f.face); });
+    const double sum = sum_of_faces(
+      [&](const Face& f) { return fraction(f) * fraction(f) * m_surface.area(f.face); });
     return area > 0 ? sum / area : 0;
   }
 
-  /// The length of the border of the contact area: sum over edges of length |u_f - u_g|, with u the fraction of a face in
-  /// contact, 0 beyond a border. Exact if the border runs along edges of this component.
+  /// The length of the border of the contact area: sum over edges of length |u_f - u_g|, with u the
+  /// fraction of a face in contact, 0 beyond a border. Exact if the border runs along edges of this
+  /// component.
   double border_of_touching_area() const
   {
     double result = 0;
@@ -128,8 +133,8 @@ private:
     Lengths result;
     const std::size_t n = m_surface.number_of_corners(face);
     for (std::size_t i = 0; i < n; ++i) {
-      const double length =
-        norm(m_surface.point(m_surface.corner(face, (i + 1) % n)) - m_surface.point(m_surface.corner(face, i)));
+      const double length = norm(m_surface.point(m_surface.corner(face, (i + 1) % n)) -
+                                 m_surface.point(m_surface.corner(face, i)));
       result.sum += length;
       result.longest = (std::max)(result.longest, length);
     }
@@ -144,7 +149,8 @@ private:
 
   double fraction_of(Index face) const
   {
-    const auto f = std::lower_bound(m_faces.begin(), m_faces.end(), face, [](const Face& g, Index i) { return g.face < i; });
+    const auto f = std::lower_bound(m_faces.begin(), m_faces.end(), face,
+                                    [](const Face& g, Index i) { return g.face < i; });
     return f != m_faces.end() && f->face == face ? fraction(*f) : 0;
   }
 
@@ -154,8 +160,8 @@ private:
 
 using Contact_sides = std::array<Contact_side, 2>;
 
-/// The length of the border of the contact area, from the side whose faces are more wholly in contact; not below that of a
-/// disc of this area.
+/// The length of the border of the contact area, from the side whose faces are more wholly in
+/// contact; not below that of a disc of this area.
 inline double border_of_touching_area(const Contact_sides& sides, double area)
 {
   constexpr double pi = 3.14159265358979323846, almost_one = 1 - 1e-9;
@@ -177,7 +183,8 @@ struct Contact_length
     const double along = (std::min)(sides[0].length_along_edges(), sides[1].length_along_edges());
     const double crossing = sides[0].sum(Triangle_contact::CROSSING);
     const double resolution = (std::max)(sides[0].resolution(), sides[1].resolution());
-    const bool is_strip = area <= tolerance * along && resolution < 0.5; // mere slivers of faces touch
+    const bool is_strip =
+      area <= tolerance * along && resolution < 0.5; // mere slivers of faces touch
     kind = is_strip ? Triangle_contact::ALONG_EDGE : Triangle_contact::TOUCHING;
     length = is_strip ? along : border_of_touching_area(sides, area);
     if (crossing > length) {
@@ -190,22 +197,27 @@ struct Contact_length
   double length;
 };
 
-/// Links for the contacts of two components: one for each face in contact of the component that has more of them, with the
-/// face that it shares most with. The length of contact is divided among them as areas or lengths are.
-inline void add_links_of_pair(const Contact_sides& sides, const Contact_length& contact, std::vector<Link>& links)
+/// Links for the contacts of two components: one for each face in contact of the component that has
+/// more of them, with the face that it shares most with. The length of contact is divided among
+/// them as areas or lengths are.
+inline void add_links_of_pair(const Contact_sides& sides, const Contact_length& contact,
+                              std::vector<Link>& links)
 {
   const std::size_t k = contact.kind;
-  const Contact_side& side = sides[sides[1].number_of_faces(k) > sides[0].number_of_faces(k) ? 1 : 0];
+  const Contact_side& side =
+    sides[sides[1].number_of_faces(k) > sides[0].number_of_faces(k) ? 1 : 0];
   const double sum = side.sum(k);
   for (const Contact_side::Face& f : side.faces())
     if (f.sums[k] > 0) {
       const Surface::Index g = f.partners[k];
-      links.push_back({(std::min)(f.face, g), (std::max)(f.face, g), f.sums[k] / sum * contact.length});
+      links.push_back(
+        {(std::min)(f.face, g), (std::max)(f.face, g), f.sums[k] / sum * contact.length});
     }
 }
 
 /// \pre the contacts are sorted by components, then by faces
-inline std::vector<Link> links_of_contacts(const Surface& surface, const Partition& component_of_face,
+inline std::vector<Link> links_of_contacts(const Surface& surface,
+                                           const Partition& component_of_face,
                                            const std::vector<double>& tolerances,
                                            const std::vector<Face_contact>& contacts)
 {
@@ -215,8 +227,10 @@ inline std::vector<Link> links_of_contacts(const Surface& surface, const Partiti
   };
   for (auto begin = contacts.begin(); begin != contacts.end();) {
     const auto pair = components(*begin);
-    const auto end = std::find_if(begin, contacts.end(), [&](const auto& c) { return components(c) != pair; });
-    const Contact_sides sides{Contact_side(surface, begin, end, 0), Contact_side(surface, begin, end, 1)};
+    const auto end =
+      std::find_if(begin, contacts.end(), [&](const auto& c) { return components(c) != pair; });
+    const Contact_sides sides{Contact_side(surface, begin, end, 0),
+                              Contact_side(surface, begin, end, 1)};
     const double tolerance = (std::min)(tolerances[pair.first], tolerances[pair.second]);
     add_links_of_pair(sides, Contact_length(sides, tolerance), result);
     begin = end;

@@ -31,7 +31,8 @@ inline double squared_distance(const Double_3& p, const Double_3& a, const Doubl
   return squared_norm(p - a - x * along);
 }
 
-/// Whether the projection of a point to the plane of a triangle with the given area vector is in the triangle.
+/// Whether the projection of a point to the plane of a triangle with the given area vector is in
+/// the triangle.
 inline bool is_above(const Double_3& p, const Triangle& t, const Double_3& n)
 {
   return dot(cross(t[1] - t[0], p - t[0]), n) >= 0 && dot(cross(t[2] - t[1], p - t[1]), n) >= 0 &&
@@ -52,12 +53,15 @@ inline double squared_distance(const Double_3& p, const Triangle& t)
 }
 
 /// The x for which a + x (b - a) is the point of the segment a, b nearest to the segment c, d.
-inline double nearest_parameter(const Double_3& a, const Double_3& b, const Double_3& c, const Double_3& d)
+inline double nearest_parameter(const Double_3& a, const Double_3& b, const Double_3& c,
+                                const Double_3& d)
 {
   const Double_3 u = b - a, v = d - c, w = a - c;
-  const double uu = squared_norm(u), uv = dot(u, v), vv = squared_norm(v), uw = dot(u, w), vw = dot(v, w);
+  const double uu = squared_norm(u), uv = dot(u, v), vv = squared_norm(v), uw = dot(u, w),
+               vw = dot(v, w);
   const double determinant = uu * vv - uv * uv;
-  const double x = determinant > 1e-14 * uu * vv ? in_unit_interval((uv * vw - vv * uw) / determinant) : 0;
+  const double x =
+    determinant > 1e-14 * uu * vv ? in_unit_interval((uv * vw - vv * uw) / determinant) : 0;
   const double y = vv > 0 ? (uv * x + vw) / vv : 0;
   if (y >= 0 && y <= 1)
     return x;

@@ -27,16 +27,18 @@ struct Face_contact
   Triangle_contact contact;
 };
 
-/// Finds the faces of different components that are in contact: those of components c and d within the smaller of their
-/// tolerances, and within the square root of the area of the smaller face. O(F log F) for a bounded number of faces of other components near each face.
+/// Finds the faces of different components that are in contact: those of components c and d within
+/// the smaller of their tolerances, and within the square root of the area of the smaller face. O(F
+/// log F) for a bounded number of faces of other components near each face.
 class Contact_finder
 {
 public:
   using Index = Surface::Index;
 
   Contact_finder(const Surface& surface, Component_tree& tree, const Partition& component_of_face)
-    : m_surface(surface), m_tree(tree), m_component_of(component_of_face)
-  {}
+      : m_surface(surface), m_tree(tree), m_component_of(component_of_face)
+  {
+  }
 
   /// Sorted by components, then by faces.
   std::vector<Face_contact> find(const Execution& execution)
@@ -53,8 +55,8 @@ public:
       counter.advance();
     }
     const auto key = [&](const Face_contact& c) {
-      return std::make_tuple(m_component_of[c.faces[0]], m_component_of[c.faces[1]], c.faces[0], c.faces[1],
-                             int(c.contact.kind), c.contact.amount);
+      return std::make_tuple(m_component_of[c.faces[0]], m_component_of[c.faces[1]], c.faces[0],
+                             c.faces[1], int(c.contact.kind), c.contact.amount);
     };
     std::sort(m_contacts.begin(), m_contacts.end(),
               [&](const Face_contact& s, const Face_contact& t) { return key(s) < key(t); });
@@ -62,7 +64,10 @@ public:
   }
 
 private:
-  double tolerance(Index a, Index b) const { return (std::min)(m_tree[a].tolerance, m_tree[b].tolerance); }
+  double tolerance(Index a, Index b) const
+  {
+    return (std::min)(m_tree[a].tolerance, m_tree[b].tolerance);
+  }
   double squared_tolerance(Index a, Index b) const { return tolerance(a, b) * tolerance(a, b); }
 
   void divide(Index node)
@@ -110,8 +115,9 @@ private:
   {
     if (m_number_left > 0)
       --m_number_left;
-    find_contact(m_tree.triangle(p), m_tree.triangle(q), tolerance,
-                 [&](const Triangle_contact& c) { m_contacts.push_back({{p.face, q.face}, c}); });
+    find_contact(m_tree.triangle(p), m_tree.triangle(q), tolerance, [&](const Triangle_contact& c) {
+      m_contacts.push_back({{p.face, q.face}, c});
+    });
   }
 
   const Surface& m_surface;
@@ -119,8 +125,8 @@ private:
   const Partition& m_component_of;
   std::vector<std::pair<Index, Index>> m_stack;
   std::vector<Face_contact> m_contacts;
-  /// A bound of the pairs that are compared, for thousands of triangles that all cross each other; further contacts are
-  /// not found.
+  /// A bound of the pairs that are compared, for thousands of triangles that all cross each other;
+  /// further contacts are not found.
   std::size_t m_number_left = 64 * m_component_of.size() + 1000000;
 };
 

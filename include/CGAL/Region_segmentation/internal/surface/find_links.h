@@ -21,10 +21,11 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// By component: 1/250 of the square root of its area. Two faces are in contact within the least of those of their
-/// components and the square roots of their own areas. So neither a large body nor a crumb far away changes what parts
-/// touch each other, and a face is compared with few others.
-inline std::vector<double> contact_tolerances(const Surface& surface, const Partition& component_of_face)
+/// By component: 1/250 of the square root of its area. Two faces are in contact within the least of
+/// those of their components and the square roots of their own areas. So neither a large body nor a
+/// crumb far away changes what parts touch each other, and a face is compared with few others.
+inline std::vector<double> contact_tolerances(const Surface& surface,
+                                              const Partition& component_of_face)
 {
   std::vector<double> result(component_of_face.number_of_parts(), 0);
   for (std::size_t f = 0; f < component_of_face.size(); ++f)
@@ -34,12 +35,14 @@ inline std::vector<double> contact_tolerances(const Surface& surface, const Part
   return result;
 }
 
-/// Links between components, sorted by their higher, then by their lower face: where they are in contact, with the length
-/// of contact, and between the nearest ones, with length 0, until all are connected.
+/// Links between components, sorted by their higher, then by their lower face: where they are in
+/// contact, with the length of contact, and between the nearest ones, with length 0, until all are
+/// connected.
 ///
 /// \pre the surface has its edges and seams, and `component_of_face` is its connected components
 ///
-/// Nothing is done for one component. Otherwise O(F log F), see `Contact_finder` and `Nearest_joiner`.
+/// Nothing is done for one component. Otherwise O(F log F), see `Contact_finder` and
+/// `Nearest_joiner`.
 inline std::vector<Link> find_links(const Surface& surface, const Partition& component_of_face,
                                     const Execution& execution)
 {

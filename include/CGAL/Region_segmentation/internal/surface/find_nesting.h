@@ -21,20 +21,22 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// Finds which closed components lie in which: the parity of the faces above a vertex. Three vertices of each component
-/// vote, the extreme ones in three orders, in case that one touches another component.
+/// Finds which closed components lie in which: the parity of the faces above a vertex. Three
+/// vertices of each component vote, the extreme ones in three orders, in case that one touches
+/// another component.
 ///
-/// Comparisons are half-open and computed alike from both sides of an edge, so an upward ray passes through exactly one
-/// of the faces around an edge or a vertex. Vertices wait in a grid in the plane z = 0, where faces look them up:
-/// O(F + crossings) for faces of even size.
+/// Comparisons are half-open and computed alike from both sides of an edge, so an upward ray passes
+/// through exactly one of the faces around an edge or a vertex. Vertices wait in a grid in the
+/// plane z = 0, where faces look them up: O(F + crossings) for faces of even size.
 class Nesting_finder
 {
 public:
   using Index = Surface::Index;
 
-  Nesting_finder(const Surface& surface, const Partition& component_of_face, const std::vector<bool>& is_closed)
-    : m_surface(surface), m_component_of(component_of_face), m_is_closed(is_closed), m_boxes(is_closed.size())
-    , m_queries(number_of_orders * is_closed.size())
+  Nesting_finder(const Surface& surface, const Partition& component_of_face,
+                 const std::vector<bool>& is_closed)
+      : m_surface(surface), m_component_of(component_of_face), m_is_closed(is_closed),
+        m_boxes(is_closed.size()), m_queries(number_of_orders * is_closed.size())
   {
     find_boxes_and_queries();
     fill_grid();
@@ -48,9 +50,12 @@ public:
     std::vector<Index> result(m_boxes.size()), largest_first(m_boxes.size());
     std::iota(result.begin(), result.end(), Index(0));
     const std::vector<std::pair<Index, Index>> pairs = containments();
-    const auto size = [&](Index c) { return m_boxes[c].extent(0) + m_boxes[c].extent(1) + m_boxes[c].extent(2); };
+    const auto size = [&](Index c) {
+      return m_boxes[c].extent(0) + m_boxes[c].extent(1) + m_boxes[c].extent(2);
+    };
     std::iota(largest_first.begin(), largest_first.end(), Index(0));
-    std::stable_sort(largest_first.begin(), largest_first.end(), [&](Index c, Index d) { return size(c) > size(d); });
+    std::stable_sort(largest_first.begin(), largest_first.end(),
+                     [&](Index c, Index d) { return size(c) > size(d); });
     for (Index c : largest_first) {
       // A container has the larger box, so its result is known.
       const auto first = std::lower_bound(pairs.begin(), pairs.end(), std::make_pair(c, Index(0)));
@@ -73,7 +78,9 @@ private:
   {
     for (std::size_t face = 0; face < m_component_of.size(); ++face)
       if (m_is_closed[m_component_of[face]]) {
-        const auto point = [&](std::size_t i) { return m_surface.point(m_surface.corner(face, i)); };
+        const auto point = [&](std::size_t i) {
+          return m_surface.point(m_surface.corner(face, i));
+        };
         for (std::size_t i = 2; i < m_surface.number_of_corners(face); ++i)
           f(m_component_of[face], Triangle{point(0), point(i - 1), point(i)});
       }
@@ -81,8 +88,9 @@ private:
 
   static std::array<double, 3> in_order(const Double_3& p, std::size_t order)
   {
-    return order == 0 ? std::array<double, 3>{p.x, p.y, p.z}
-                      : order == 1 ? std::array<double, 3>{p.y, p.z, p.x} : std::array<double, 3>{p.z, p.x, p.y};
+    return order == 0   ? std::array<double, 3>{p.x, p.y, p.z}
+           : order == 1 ? std::array<double, 3>{p.y, p.z, p.x}
+                        : std::array<double, 3>{p.z, p.x, p.y};
   }
 
   void find_boxes_and_queries()
@@ -118,7 +126,8 @@ private:
     m_grid.resize(m_cells_of_axis * m_cells_of_axis);
     for (std::size_t q = 0; q < m_queries.size(); ++q)
       if (m_is_closed[q / number_of_orders])
-        m_grid[cell(m_queries[q].x, 0) * m_cells_of_axis + cell(m_queries[q].y, 1)].push_back(Index(q));
+        m_grid[cell(m_queries[q].x, 0) * m_cells_of_axis + cell(m_queries[q].y, 1)].push_back(
+          Index(q));
   }
 
   /// Whether the box of `inner` is in that of `outer` and not the same.
@@ -187,13 +196,15 @@ private:
   std::vector<Double_3> m_queries; // three for each component
   Axis_box m_all;
   std::size_t m_cells_of_axis = 1;
-  std::vector<std::vector<Index>> m_grid;             // queries by cell
+  std::vector<std::vector<Index>> m_grid;           // queries by cell
   std::vector<std::pair<Index, Index>> m_crossings; // a query and a component with a face above it
 };
 
-/// For each component the outermost closed one that contains it, itself if there is none or if it is open. Of two
-/// components that cross either, neither or one may be in the other. O(F + C log C) for faces of even size.
-inline std::vector<Surface::Index> outermost_of(const Surface& surface, const Partition& component_of_face,
+/// For each component the outermost closed one that contains it, itself if there is none or if it
+/// is open. Of two components that cross either, neither or one may be in the other. O(F + C log C)
+/// for faces of even size.
+inline std::vector<Surface::Index> outermost_of(const Surface& surface,
+                                                const Partition& component_of_face,
                                                 const std::vector<bool>& is_closed)
 {
   if (std::count(is_closed.begin(), is_closed.end(), true) < 2) {

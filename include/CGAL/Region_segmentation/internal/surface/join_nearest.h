@@ -21,12 +21,14 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// Links the nearest components of different groups until there is one group: Kruskal's algorithm, a minimum spanning tree
-/// by the distance of their nearest faces, ties by the lower, then the higher of these. Of faces of two components at the
-/// same distance those are taken that are found first; this depends on nothing but the surface.
+/// Links the nearest components of different groups until there is one group: Kruskal's algorithm,
+/// a minimum spanning tree by the distance of their nearest faces, ties by the lower, then the
+/// higher of these. Of faces of two components at the same distance those are taken that are found
+/// first; this depends on nothing but the surface.
 ///
-/// The pairs of components by distance come from one queue, which also holds pairs of nodes by the gap between their boxes.
-/// Pairs in one group are dropped. Near linear: only faces whose boxes are nearer than the components are compared.
+/// The pairs of components by distance come from one queue, which also holds pairs of nodes by the
+/// gap between their boxes. Pairs in one group are dropped. Near linear: only faces whose boxes are
+/// nearer than the components are compared.
 class Nearest_joiner
 {
 public:
@@ -34,8 +36,9 @@ public:
 
   /// `links`: components with a link are in one group
   Nearest_joiner(Component_tree& tree, const Partition& component_of_face, std::vector<Link>& links)
-    : m_tree(tree), m_component_of(component_of_face), m_links(links), m_groups(component_of_face.number_of_parts())
-    , m_number_of_groups(component_of_face.number_of_parts())
+      : m_tree(tree), m_component_of(component_of_face), m_links(links),
+        m_groups(component_of_face.number_of_parts()),
+        m_number_of_groups(component_of_face.number_of_parts())
   {
     for (const Link& l : links)
       unite(l.lower, l.higher);
@@ -67,7 +70,10 @@ private:
     Index a, b;
 
     auto key() const { return std::make_tuple(squared_distance, is_of_faces, a, b); }
-    friend bool operator<(const Pair& p, const Pair& q) { return p.key() > q.key(); } // lowest first
+    friend bool operator<(const Pair& p, const Pair& q)
+    {
+      return p.key() > q.key();
+    } // lowest first
   };
 
   bool unite(Index face, Index other)
@@ -105,7 +111,8 @@ private:
 
   void divide(Index a, Index b)
   {
-    if (a != b && m_tree[a].component != Component_tree::none && m_tree[b].component != Component_tree::none) {
+    if (a != b && m_tree[a].component != Component_tree::none &&
+        m_tree[b].component != Component_tree::none) {
       Pair nearest{std::numeric_limits<double>::infinity(), true, 0, 0};
       find_nearest_faces(a, b, nearest);
       m_queue.push(nearest);
