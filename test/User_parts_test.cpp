@@ -25,7 +25,8 @@ namespace User_parts_test {
 namespace RS = CGAL::Region_segmentation;
 using namespace test;
 
-/// Regions by the octant of their centroids, merged as those of the paper: a method whose order depends on the number.
+/// Regions by the octant of their centroids, merged as those of the paper: a method whose order
+/// depends on the number.
 struct Octants
 {
   RS::Two_step_merging policy;
@@ -45,11 +46,12 @@ struct Octants
     return {RS::Partition::from_labels(octants)};
   }
 
-  RS::Segmentation merge(const RS::Surface& surface, const Prepared& prepared, const RS::Request& request,
-                         const RS::Execution& execution) const
+  RS::Segmentation merge(const RS::Surface& surface, const Prepared& prepared,
+                         const RS::Request& request, const RS::Execution& execution) const
   {
     RS::Requested_regions requested = RS::requested_regions(surface, prepared.regions, request);
-    auto graph = RS::build_region_adjacency_graph(surface, requested.regions, request.constraints, execution.stage("graph"));
+    auto graph = RS::build_region_adjacency_graph(surface, requested.regions, request.constraints,
+                                                  execution.stage("graph"));
     const std::size_t number = request.number_of_segments;
     RS::Merge_tree tree =
       RS::merge_regions(graph, RS::Two_step_merging(policy), number, RS::Stop_at_count{number});
@@ -64,10 +66,12 @@ TEST(User_parts_test, a_method_for_one_number)
   const Result result = run(mesh, RS::parameters::number_of_segments(8).method(Octants()));
   EXPECT_EQ(result.number_of_segments, 8u);
   for (auto f : mesh.faces()) {
-    const auto c = CGAL::centroid(mesh.point(target(halfedge(f, mesh), mesh)), mesh.point(source(halfedge(f, mesh), mesh)),
+    const auto c = CGAL::centroid(mesh.point(target(halfedge(f, mesh), mesh)),
+                                  mesh.point(source(halfedge(f, mesh), mesh)),
                                   mesh.point(target(next(halfedge(f, mesh), mesh), mesh)));
-    const auto first = *std::find_if(mesh.faces().begin(), mesh.faces().end(),
-                                     [&](auto g) { return result.segments[g] == result.segments[f]; });
+    const auto first = *std::find_if(mesh.faces().begin(), mesh.faces().end(), [&](auto g) {
+      return result.segments[g] == result.segments[f];
+    });
     const auto d = mesh.point(target(halfedge(first, mesh), mesh));
     EXPECT_TRUE(c.x() * d.x() >= 0 && c.y() * d.y() >= 0 && c.z() * d.z() >= 0);
   }
@@ -97,7 +101,8 @@ struct Sharpest_cost
 
   template <typename Graph>
   void annotate(Graph&, const RS::Surface&, const RS::Partition&) const
-  {}
+  {
+  }
 
   template <typename Graph>
   double operator()(const Graph& graph, typename Graph::section_descriptor s) const
@@ -106,25 +111,30 @@ struct Sharpest_cost
   }
 };
 
-/// Merges faces at the lowest cost first, with the data that the cost names: a method with one tree for all numbers.
+/// Merges faces at the lowest cost first, with the data that the cost names: a method with one tree
+/// for all numbers.
 template <typename Cost>
 struct Merging_of_faces
 {
   Cost cost;
 
   struct Prepared
-  {};
+  {
+  };
 
   Prepared prepare(const RS::Surface&, const RS::Execution&) const { return {}; }
 
-  RS::Hierarchy merge(const RS::Surface& surface, const Prepared&, const RS::Request& request, const RS::Execution&) const
+  RS::Hierarchy merge(const RS::Surface& surface, const Prepared&, const RS::Request& request,
+                      const RS::Execution&) const
   {
     const RS::Partition faces = RS::Partition::into_single_elements(surface.number_of_faces());
     RS::Requested_regions requested = RS::requested_regions(surface, faces, request);
-    auto graph = RS::build_region_adjacency_graph<typename Cost::RegionData, typename Cost::SectionData>(
-      surface, requested.regions, request.constraints);
+    auto graph =
+      RS::build_region_adjacency_graph<typename Cost::RegionData, typename Cost::SectionData>(
+        surface, requested.regions, request.constraints);
     cost.annotate(graph, surface, requested.regions);
-    RS::Merge_tree tree = RS::merge_regions(graph, RS::Lowest_cost_first<Cost>(cost), 1, RS::Stop_at_count{1});
+    RS::Merge_tree tree =
+      RS::merge_regions(graph, RS::Lowest_cost_first<Cost>(cost), 1, RS::Stop_at_count{1});
     return RS::Hierarchy(std::move(requested.regions), std::move(tree),
                          request.number_of_segments > 0 ? request.number_of_segments : 1);
   }
@@ -132,11 +142,13 @@ struct Merging_of_faces
 
 TEST(User_parts_test, a_cost_on_a_datum)
 {
-  // A box on a plate: merging the least sharp first leaves the concave line and the creases for last.
+  // A box on a plate: merging the least sharp first leaves the concave line and the creases for
+  // last.
   const Surface_mesh mesh = to_surface_mesh(triangulated(box_on_plate()));
   const RS::Segmenter segmenter(mesh, RS::parameters::method(Merging_of_faces<Sharpest_cost>()));
   for (const auto& merge : segmenter.merge_tree().merges())
-    EXPECT_TRUE(std::abs(merge.cost) < 1e-9 || std::abs(merge.cost - CGAL_PI / 2) < 1e-9) << merge.cost;
+    EXPECT_TRUE(std::abs(merge.cost) < 1e-9 || std::abs(merge.cost - CGAL_PI / 2) < 1e-9)
+      << merge.cost;
   const RS::Partition flats = segmenter.merge_tree().partition_at_cost(0.1);
   EXPECT_EQ(flats.number_of_parts(), 11u) << "the flat faces: 5 of the box and 6 of the plate";
 }
@@ -212,7 +224,8 @@ struct Weak_visibility : RS::Visibility_annotator
   double factor = 1;
 
   template <typename Graph>
-  void operator()(Graph& graph, const RS::Surface& surface, const RS::Partition& regions, const RS::Region_rays& rays) const
+  void operator()(Graph& graph, const RS::Surface& surface, const RS::Partition& regions,
+                  const RS::Region_rays& rays) const
   {
     RS::Visibility_annotator::operator()(graph, surface, regions, rays);
     for (auto range = edges(graph); range.first != range.second; ++range.first)
@@ -226,7 +239,8 @@ TEST(User_parts_test, constants_of_an_annotator)
   Weak_visibility annotator;
   const auto costs = [&](double factor) {
     annotator.factor = factor;
-    const RS::Superfacet_merging method{annotator, RS::Visibility_merging().policy, RS::Visibility_merging().chooser};
+    const RS::Superfacet_merging method{annotator, RS::Visibility_merging().policy,
+                                        RS::Visibility_merging().chooser};
     const RS::Segmenter segmenter(mesh, RS::parameters::method(method));
     std::vector<double> result;
     for (const auto& merge : segmenter.merge_tree().merges())
@@ -244,13 +258,17 @@ TEST(User_parts_test, constants_of_an_annotator)
 /// A third of the first regions.
 struct A_third
 {
-  std::size_t operator()(const RS::Merge_tree& tree, const RS::Surface&) const { return tree.number_of_regions() / 3; }
+  std::size_t operator()(const RS::Merge_tree& tree, const RS::Surface&) const
+  {
+    return tree.number_of_regions() / 3;
+  }
 };
 
 TEST(User_parts_test, a_number_chooser)
 {
   const Surface_mesh mesh = to_surface_mesh(sphere(3));
-  RS::Superfacet_merging method{RS::Visibility_annotator(), RS::Visibility_merging().policy, A_third()};
+  RS::Superfacet_merging method{RS::Visibility_annotator(), RS::Visibility_merging().policy,
+                                A_third()};
   method.superfacets.number = 60;
   auto map = face_map(mesh);
   EXPECT_EQ(RS::segment(mesh, map, RS::parameters::method(method)), 20u);
@@ -259,8 +277,9 @@ TEST(User_parts_test, a_number_chooser)
 TEST(User_parts_test, a_method_is_used_again)
 {
   // Every run copies the policy, so nothing of one mesh is left for the next.
-  const RS::Superfacet_merging method{
-    RS::Visibility_annotator(), RS::Lowest_cost_first<RS::Visibility_cost>(), RS::Number_from_costs(-19.5)};
+  const RS::Superfacet_merging method{RS::Visibility_annotator(),
+                                      RS::Lowest_cost_first<RS::Visibility_cost>(),
+                                      RS::Number_from_costs(-19.5)};
   for (Family family : {Family::BLOCKS, Family::SPHERE, Family::TORUS, Family::BLOCKS}) {
     const Surface_mesh mesh = to_surface_mesh(random_mesh(family, 1));
     auto first = face_map(mesh), again = face_map(mesh);
