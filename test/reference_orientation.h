@@ -3,7 +3,8 @@
 #ifndef CGAL_REGION_SEGMENTATION_TEST_REFERENCE_ORIENTATION_H
 #define CGAL_REGION_SEGMENTATION_TEST_REFERENCE_ORIENTATION_H
 
-// Closed components that are inside out are turned: slow and obvious, for the reference implementations.
+// Closed components that are inside out are turned: slow and obvious, for the reference
+// implementations.
 
 #include <algorithm>
 #include <array>
@@ -17,20 +18,22 @@ namespace reference {
 
 /// Whether there are no borders and the signed volume of the whole is below 0.
 template <typename Point>
-bool is_closed_and_negative(const std::vector<Point>& points, const std::vector<std::vector<std::size_t>>& faces)
+bool is_closed_and_negative(const std::vector<Point>& points,
+                            const std::vector<std::vector<std::size_t>>& faces)
 {
   std::map<std::pair<std::size_t, std::size_t>, bool> halfedges;
   double volume = 0;
   for (const auto& face : faces)
     for (std::size_t i = 0; i < face.size(); ++i) {
       halfedges[{face[i], face[(i + 1) % face.size()]}] = true;
-      const Point &p = points[face[0]], &q = points[face[i]], &r = points[face[(i + 1) % face.size()]];
+      const Point &p = points[face[0]], &q = points[face[i]],
+                  &r = points[face[(i + 1) % face.size()]];
       volume += p[0] * (q[1] * r[2] - q[2] * r[1]) + p[1] * (q[2] * r[0] - q[0] * r[2]) +
                 p[2] * (q[0] * r[1] - q[1] * r[0]);
     }
   return volume < 0 && std::all_of(halfedges.begin(), halfedges.end(), [&](const auto& h) {
-    return halfedges.count({h.first.second, h.first.first}) > 0;
-  });
+           return halfedges.count({h.first.second, h.first.first}) > 0;
+         });
 }
 
 /// What turns the faces of a soup.
@@ -41,7 +44,7 @@ public:
   using Faces = std::vector<std::vector<std::size_t>>;
 
   Components(const std::vector<Point>& points, const Faces& faces)
-    : m_points(points), m_faces(faces), m_component_of(faces.size(), none)
+      : m_points(points), m_faces(faces), m_component_of(faces.size(), none)
   {
     std::map<std::pair<std::size_t, std::size_t>, std::size_t> face_of;
     for (std::size_t f = 0; f < faces.size(); ++f)
@@ -52,8 +55,8 @@ public:
         add_component(start, face_of);
   }
 
-  /// The faces that are inside out: of closed components whose outermost container, or they themselves without one, have a
-  /// negative volume.
+  /// The faces that are inside out: of closed components whose outermost container, or they
+  /// themselves without one, have a negative volume.
   std::vector<std::size_t> faces_inside_out() const
   {
     std::vector<std::size_t> result;
@@ -108,9 +111,11 @@ private:
     double angle = 0;
     for (std::size_t f : m_members[component])
       for (std::size_t i = 2; i < m_faces[f].size(); ++i) {
-        const Vector a = from(eye, m_faces[f][0]), b = from(eye, m_faces[f][i - 1]), c = from(eye, m_faces[f][i]);
+        const Vector a = from(eye, m_faces[f][0]), b = from(eye, m_faces[f][i - 1]),
+                     c = from(eye, m_faces[f][i]);
         const double x = length(a), y = length(b), z = length(c);
-        angle += 2 * std::atan2(determinant(a, b, c), x * y * z + dot(a, b) * z + dot(b, c) * x + dot(c, a) * y);
+        angle += 2 * std::atan2(determinant(a, b, c),
+                                x * y * z + dot(a, b) * z + dot(b, c) * x + dot(c, a) * y);
       }
     return std::abs(angle) > 6; // 4 pi, or 0
   }
@@ -122,22 +127,27 @@ private:
     const Point &o = m_points[origin], &p = m_points[vertex];
     return {p[0] - o[0], p[1] - o[1], p[2] - o[2]};
   }
-  static double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+  static double dot(const Vector& a, const Vector& b)
+  {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+  }
   static double length(const Vector& a) { return std::sqrt(dot(a, a)); }
   static double determinant(const Vector& a, const Vector& b, const Vector& c)
   {
-    return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
+    return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+           a[2] * (b[0] * c[1] - b[1] * c[0]);
   }
 
   const std::vector<Point>& m_points;
   const Faces& m_faces;
-  std::vector<std::size_t> m_component_of;        // by face
+  std::vector<std::size_t> m_component_of;         // by face
   std::vector<std::vector<std::size_t>> m_members; // faces, by component
   std::vector<bool> m_is_closed;
   std::vector<double> m_volumes;
 };
 
-/// Reverses the faces of each outermost closed component whose signed volume is below 0, and of the closed components in it.
+/// Reverses the faces of each outermost closed component whose signed volume is below 0, and of the
+/// closed components in it.
 template <typename Point>
 void turn_outward(const std::vector<Point>& points, std::vector<std::vector<std::size_t>>& faces)
 {
