@@ -94,7 +94,7 @@ void use_polygons()
   const std::vector<std::array<double, 3>> points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   const std::vector<std::array<std::size_t, 3>> polygons = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
   const std::vector<std::array<std::size_t, 2>> drawn = {{0, 1}};
-  std::vector<std::size_t> segments(polygons.size()), regions(polygons.size()), seeds(polygons.size());
+  std::vector<std::size_t> segments(polygons.size()), seeds(polygons.size());
   RS::segment<ConcurrencyTag>(points, polygons, segments,
                               RS::parameters::edge_is_constrained_map(drawn).face_seed_map(seeds).component_links(false));
   RS::Segmenter segmenter(points, polygons, RS::parameters::number_of_segments(2), ConcurrencyTag());
