@@ -6,8 +6,18 @@
 // Every function and every part of a method once, so that a compiler sees all of the library: for warnings and for other
 // versions of CGAL, language standards and compilers.
 
+#include <CGAL/Region_segmentation/Graph/Partition_editor.h>
+#include <CGAL/Region_segmentation/IO/labels.h>
+#include <CGAL/Region_segmentation/Methods/Scalar_annotator.h>
+#include <CGAL/Region_segmentation/Methods/Scalar_cost.h>
+#include <CGAL/Region_segmentation/Segments/compute_segment_topology.h>
+#include <CGAL/Region_segmentation/Segments/extract_segment_borders.h>
+#include <CGAL/Region_segmentation/Segments/mark_segment_borders.h>
+#include <CGAL/Region_segmentation/Segments/mark_segment_seams.h>
+#include <CGAL/Region_segmentation/Segments/split_into_segments.h>
 #include <CGAL/Region_segmentation/evaluation.h>
 #include <CGAL/region_segmentation.h>
+#include <CGAL/region_segmentation_stages.h>
 #ifdef TEST_EIGEN
 #include <CGAL/Region_segmentation/Methods/Spectral_partitioner.h>
 #include <CGAL/Region_segmentation/Segments/describe_segments.h>
@@ -15,6 +25,7 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -55,15 +66,11 @@ void use_methods(const Mesh& mesh)
   RS::segment<ConcurrencyTag>(mesh, segments, RS::parameters::method(RS::Smooth_faces()));
   RS::segment<ConcurrencyTag>(mesh, segments, 2, RS::parameters::method(RS::Two_step()));
   const RS::Scalar_annotator scalar(RS::face_values(mesh, seeds));
-  RS::segment<ConcurrencyTag>(mesh, segments, 2,
-                              RS::parameters::method(RS::make_segmentation_method(
-                                RS::Superfacets(), scalar, RS::Lowest_cost_first(RS::Scalar_cost(1)))));
-  const RS::Number_below_cost<RS::Visibility_cost> below{0};
-  RS::segment<ConcurrencyTag>(mesh, segments, RS::parameters::method(RS::Visibility_merging().with_chooser(below)));
+  const RS::Superfacet_merging by_scalar{scalar, RS::Lowest_cost_first(RS::Scalar_cost(1)), RS::Number_below_cost{0}};
+  RS::segment<ConcurrencyTag>(mesh, segments, RS::parameters::method(by_scalar));
 #ifdef TEST_EIGEN
-  RS::segment<ConcurrencyTag>(mesh, segments,
-                              RS::parameters::number_of_segments(2).method(RS::make_partitioning_method(
-                                RS::Superfacets(), RS::Visibility_annotator(), RS::Spectral_partitioner<>())));
+  RS::segment<ConcurrencyTag>(
+    mesh, segments, RS::parameters::number_of_segments(2).method(RS::Spectral_partitioning<>()));
 #endif
 
   RS::Segmenter segmenter(mesh, RS::parameters::number_of_segments(2), ConcurrencyTag());
@@ -79,6 +86,22 @@ void use_methods(const Mesh& mesh)
   editor.set_maximum_size(std::vector<double>(editor.merge_tree().number_of_regions(), 1.), 1);
   editor.undo();
   editor.partition();
+}
+
+template <typename ConcurrencyTag>
+void use_polygons()
+{
+  const std::vector<std::array<double, 3>> points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  const std::vector<std::array<std::size_t, 3>> polygons = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+  const std::vector<std::array<std::size_t, 2>> drawn = {{0, 1}};
+  std::vector<std::size_t> segments(polygons.size()), seeds(polygons.size());
+  RS::segment<ConcurrencyTag>(points, polygons, segments,
+                              RS::parameters::edge_is_constrained_map(drawn).face_seed_map(seeds).component_links(false));
+  RS::Segmenter segmenter(points, polygons, RS::parameters::number_of_segments(2), ConcurrencyTag());
+  segmenter.segment(segments);
+  segmenter.segment(segments, 3);
+  segmenter.add_constraints(drawn);
+  segmenter.set_seeds(seeds);
 }
 
 template <typename Mesh>

@@ -118,6 +118,7 @@ public:
   Index higher_face(std::size_t adjacency) const { return m_higher_faces[adjacency]; }
   /// The length of the edge, half of it for a seam of three and more faces, the length of contact of a link.
   double length(std::size_t adjacency) const { return std::sqrt(m_squared_lengths[adjacency]); }
+  double squared_length(std::size_t adjacency) const { return m_squared_lengths[adjacency]; }
   /// The sum of the `Flag`s.
   std::uint8_t flags(std::size_t adjacency) const { return m_flags[adjacency]; }
   /// Whether an adjacency has one of several flags.
