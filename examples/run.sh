@@ -1,9 +1,10 @@
 #!/bin/sh
 # run.sh [MESH] [K]: segments a mesh into K parts; without a mesh, a model that the program builds.
 #
-# Installs what is missing, builds the program in release mode into build/, and runs it. The result is
-# written in the folder from which this is called: NAME_segments.ply, with a color for each part, and NAME.html, a page
-# to view and rotate them in a browser.
+# Installs what is missing by apt, or, where there is no apt, says what is; builds the program in
+# release mode into build/, and runs it. The result is written in the folder from which this is
+# called: NAME_segments.ply, with a color for each part, and NAME.html, a page to view and rotate
+# them in a browser.
 set -eu
 root=$(cd "$(dirname "$0")/.." && pwd)
 
@@ -14,8 +15,12 @@ fi
 
 sh "$root/cmake/install_packages.sh" g++ make cmake libboost-iostreams-dev libcgal-dev libcli11-dev \
   libeigen3-dev libjs-three libopenmesh-dev libpng-dev libtbb-dev nlohmann-json3-dev zlib1g-dev
-cmake -S "$root" -B "$root/build" -DCMAKE_BUILD_TYPE=Release \
-  -DREGION_SEGMENTATION_BUILD_TESTS=OFF -DREGION_SEGMENTATION_BUILD_EXAMPLES=OFF >/dev/null
+configured=$(cmake -S "$root" -B "$root/build" -DCMAKE_BUILD_TYPE=Release \
+  -DREGION_SEGMENTATION_BUILD_TESTS=OFF -DREGION_SEGMENTATION_BUILD_EXAMPLES=OFF)
+if missing=$(printf '%s\n' "$configured" | grep "segment_mesh is not built"); then
+  echo "${missing#-- }" >&2
+  exit 1
+fi
 cmake --build "$root/build" -j 2 --target segment_mesh
 
 "$root/build/bin/segment_mesh" "${1:---demo}" ${2:+-k "$2"} -o "{stem}_segments.ply" -o "{stem}.html"

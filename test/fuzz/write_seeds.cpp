@@ -59,6 +59,10 @@ void write_ply(Corpus corpus)
   }
   for (const char* type : {"char", "ushort", "int", "uint32", "float64"})
     corpus.add(with(sample::ply(), "float x", std::string(type) + " x"));
+  corpus.add(
+    "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float "
+    "z\nelement tristrips 1\n"
+    "property list int int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n5 0 1 2 -1 0\n");
   corpus.add("ply\nformat ascii 1.0\ncomment x\nobj_info y\nelement vertex 3\nproperty uchar "
              "r\nproperty double x\n"
              "property double y\nproperty double z\nelement face 1\nproperty list uchar float uv\n"

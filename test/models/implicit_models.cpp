@@ -2,7 +2,7 @@
 
 #include "models/implicit_models.h"
 
-#include "demo/Implicit_shape.h"
+#include "models/Implicit_shape.h"
 #include "models/Quad_model.h"
 #include "soup/vector_algebra.h"
 

@@ -3,7 +3,7 @@
 #ifndef CGAL_REGION_SEGMENTATION_SEGMENT_MESH_IMPLICIT_MODELS_H
 #define CGAL_REGION_SEGMENTATION_SEGMENT_MESH_IMPLICIT_MODELS_H
 
-#include "demo/Labelled_model.h"
+#include "models/Labelled_model.h"
 
 namespace segment_mesh {
 

@@ -2,7 +2,7 @@
 
 #include "models/procedural_models.h"
 
-#include "demo/articulated_figure.h"
+#include "models/articulated_figure.h"
 #include "models/block_models.h"
 #include "models/implicit_models.h"
 #include "models/revolution_models.h"

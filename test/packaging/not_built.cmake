@@ -1,11 +1,11 @@
-# The headers are installed without building anything; embedded in another project, the package adds no target doc, builds
-# no program and installs nothing.
+# The headers are installed without building anything, and without GoogleTest; embedded in another
+# project, the package adds no target doc, builds no program and installs nothing.
 include(${CMAKE_CURRENT_LIST_DIR}/run.cmake)
 
 set(settings -G ${GENERATOR} -D CMAKE_CXX_COMPILER=${CXX} -D CGAL_DIR=${CGAL_DIR} -D CMAKE_BUILD_TYPE=Release)
 
 file(REMOVE_RECURSE ${WORK})
-run(${CMAKE_COMMAND} -S ${PACKAGE} -B ${WORK}/package ${settings} -D REGION_SEGMENTATION_BUILD_TESTS=OFF)
+run(${CMAKE_COMMAND} -S ${PACKAGE} -B ${WORK}/package ${settings} -D CMAKE_DISABLE_FIND_PACKAGE_GTest=ON)
 run(${CMAKE_COMMAND} --install ${WORK}/package --prefix ${WORK}/prefix)
 if(NOT EXISTS ${WORK}/prefix/include/CGAL/region_segmentation.h)
   message(FATAL_ERROR "The headers were not installed")

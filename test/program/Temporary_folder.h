@@ -56,17 +56,6 @@ public:
     return result;
   }
 
-  /// The names of what is written to take the place of `target`.
-  std::vector<std::string> temporary_names(const std::string& target) const
-  {
-    std::vector<std::string> result;
-    const std::string start = "." + target + ".";
-    for (const std::string& name : names())
-      if (name.rfind(start, 0) == 0 && std::filesystem::path(name).extension() == ".part")
-        result.push_back(name);
-    return result;
-  }
-
 private:
   std::filesystem::path m_path;
 };

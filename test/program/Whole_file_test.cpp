@@ -7,8 +7,6 @@
 
 #include <gtest/gtest.h>
 
-#include <csignal>
-
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -46,7 +44,7 @@ TEST(Whole_file, tells_file_and_cause)
     return "was opened";
   };
   EXPECT_EQ(message(folder.path("none/a.seg")),
-            folder.path("none/a.seg") + ": cannot be opened: No such file or directory");
+            folder.path("none/a.seg") + ": cannot be written: No such file or directory");
   std::filesystem::create_directory(folder.path("a.seg"));
   EXPECT_EQ(message(folder.path("a.seg")), folder.path("a.seg") + ": is a directory");
   ASSERT_EQ(mkfifo(folder.path("b.seg").c_str(), 0600), 0);
@@ -147,9 +145,8 @@ TEST(Whole_file, keeps_the_permissions_of_what_it_replaces)
     std::filesystem::permissions(file, mode);
     Whole_file whole(file);
     whole.stream() << "new";
-    const std::vector<std::string> temporary = folder.temporary_names("a.seg");
-    ASSERT_EQ(temporary.size(), 1u);
-    EXPECT_EQ(permissions(folder.path(temporary[0])), perms(0600));
+    for (const std::string& name : folder.names()) // also before it takes its place
+      EXPECT_EQ(permissions(folder.path(name)), mode);
     whole.commit();
     EXPECT_EQ(folder.read("a.seg"), "new");
     EXPECT_EQ(permissions(file), mode);
@@ -165,100 +162,6 @@ TEST(Whole_file, leaves_the_permissions_of_a_new_file_to_the_umask)
   whole.commit();
   umask(before);
   EXPECT_EQ(permissions(folder.path("a.seg")), std::filesystem::perms(0640));
-}
-
-TEST(Temporary_file, of_a_killed_run_is_removed)
-{
-  const Temporary_folder folder;
-  folder.write(".a.seg.0123456789abcdef.part", "left");
-  const std::vector<std::string> others = {".a.seg.part", ".b.seg.0123456789abcdef.part",
-                                           ".a.seg.0123456789abcdeX.part", "a.seg"};
-  for (const std::string& name : others)
-    folder.write(name, "not left by this target");
-  std::filesystem::create_symlink("a.seg", folder.path(".a.seg.aaaaaaaaaaaaaaaa.part"));
-  mkfifo(folder.path(".a.seg.bbbbbbbbbbbbbbbb.part").c_str(), 0600);
-  const std::size_t before = folder.names().size();
-  {
-    const Temporary_file in_work(folder.path("a.seg"));
-    Temporary_file::remove_leftovers(folder.path(""), {"a.seg"});
-    EXPECT_EQ(folder.names().size(), before); // one more, one less
-    EXPECT_FALSE(folder.has(".a.seg.0123456789abcdef.part"));
-  }
-  EXPECT_EQ(folder.names().size(), before - 1);
-}
-
-TEST(Temporary_file, of_another_user_stays)
-{
-  const Temporary_folder folder;
-  const std::string name = ".a.seg.0123456789abcdef.part", file = folder.write(name, "left");
-  if (chown(file.c_str(), geteuid() + 1, gid_t(-1)) != 0)
-    GTEST_SKIP() << "this user cannot give files away";
-  Temporary_file::remove_leftovers(folder.path(""), {"a.seg"});
-  EXPECT_TRUE(folder.has(name));
-  ASSERT_EQ(chown(file.c_str(), geteuid(), gid_t(-1)), 0);
-  Temporary_file::remove_leftovers(folder.path(""), {"a.seg"});
-  EXPECT_FALSE(folder.has(name));
-}
-
-TEST(Temporary_file, of_a_segment_is_removed_whatever_its_number)
-{
-  const Temporary_folder folder;
-  const std::string digits = ".0123456789abcdef.part";
-  for (const char* name : {".part_0.ply", ".part_31.ply", ".part_31_of_31.ply", ".x31.ply"})
-    folder.write(name + digits, "left");
-  const std::vector<std::string> others = {".part_.ply" + digits, ".part_x.ply" + digits, ".part_3.plyx" + digits,
-                                           ".part_31_of_30.ply" + digits, ".other_3.ply" + digits, ".x1.ply" + digits};
-  for (const std::string& name : others)
-    folder.write(name, "of another target");
-  Temporary_file::remove_leftovers(folder.path(""), {"part_{segment}.ply", "part_{segment}_of_{segment}.ply", "x{segment}1.ply"});
-  EXPECT_EQ(folder.names().size(), others.size());
-  for (const std::string& name : others)
-    EXPECT_TRUE(folder.has(name)) << name;
-}
-
-class Whole_file_on_signal : public testing::TestWithParam<int>
-{
-};
-
-TEST_P(Whole_file_on_signal, leaves_nothing)
-{
-  const Temporary_folder folder;
-  const std::string old = folder.write("a.seg", "old");
-  const auto be_killed = [&] {
-    std::signal(GetParam(), SIG_DFL); // a shell lets what it runs in the background ignore some
-    Temporary_file::remove_all_on_signals();
-    Whole_file first(old), second(folder.path("b.seg"));
-    first.stream() << "half" << std::flush;
-    if (folder.temporary_names("a.seg").empty() || folder.temporary_names("b.seg").empty())
-      std::_Exit(1);
-    kill(getpid(), GetParam());
-    for (;;)
-      pause();
-  };
-  EXPECT_EXIT(be_killed(), testing::KilledBySignal(GetParam()), "");
-  EXPECT_EQ(folder.names(), std::vector<std::string>{"a.seg"});
-  EXPECT_EQ(folder.read("a.seg"), "old");
-}
-
-INSTANTIATE_TEST_SUITE_P(Signals, Whole_file_on_signal,
-                         testing::Values(SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGXCPU, SIGALRM,
-                                         SIGUSR1, SIGUSR2));
-
-TEST(Whole_file, lives_on_where_a_signal_is_ignored)
-{
-  const Temporary_folder folder;
-  const auto be_hung_up = [&] {
-    std::signal(SIGHUP, SIG_IGN);
-    Temporary_file::remove_all_on_signals();
-    Whole_file whole(folder.path("a.seg"));
-    kill(getpid(), SIGHUP);
-    usleep(50000);
-    whole.stream() << "new";
-    whole.commit();
-    std::_Exit(0);
-  };
-  EXPECT_EXIT(be_hung_up(), testing::ExitedWithCode(0), "");
-  EXPECT_EQ(folder.read("a.seg"), "new");
 }
 
 } // namespace Whole_file_test

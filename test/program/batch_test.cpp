@@ -3,7 +3,6 @@
 // The program on many inputs, and what is left when it is killed.
 
 #include "Program.h"
-#include "can_limit_memory.h"
 #include "sample_files.h"
 
 #include <nlohmann/json.hpp>
@@ -57,22 +56,6 @@ TEST_F(Program, gives_the_same_by_any_number_of_threads)
   }
 }
 
-TEST_F(Program, gets_through_a_batch_that_needs_more_than_the_memory)
-{
-  if (!can_limit_memory)
-    GTEST_SKIP() << "no limit on the address space with the address sanitizer";
-  // By the estimate, 16 times their size, each of two files takes more than half of the limit.
-  const std::string comment = "#" + std::string(48 << 20, 'x') + "\n";
-  for (const char* name : {"a.off", "b.off"})
-    folder.write(name, comment + sample::off());
-  folder.write("c.off", sample::off());
-  const Outcome outcome = run("a.off b.off c.off -k 1 --threads 3", "ulimit -v 1500000 &&");
-  EXPECT_EQ(outcome.status, 0) << outcome.err;
-  const std::string rest = ".off: 4 faces, 4 regions, 1 segment\n";
-  EXPECT_EQ(without_times(outcome.out), "a" + rest + "b" + rest + "c" + rest);
-}
-
-/// Kills a run that writes, at several moments.
 class Killed_program : public Program
 {
 protected:
@@ -107,30 +90,14 @@ protected:
     }
   }
 
-  bool leaves_parts() const
-  {
-    for (const std::string& name : folder.names())
-      if (std::filesystem::path(name).extension() == ".part")
-        return true;
-    return false;
-  }
-
   const Names outputs = {"a.json", "b.json", "c.json"};
   const std::string arguments = "figure.off -k 10 --method two-step -o a.json -o b.json -o c.json";
 };
 
-TEST_F(Killed_program, leaves_nothing_after_a_signal)
+TEST_F(Killed_program, leaves_outputs_that_are_whole)
 {
-  kill_runs("TERM");
-  EXPECT_FALSE(leaves_parts());
-}
-
-TEST_F(Killed_program, leaves_nothing_after_the_next_run)
-{
-  kill_runs("KILL");
-  folder.write(".b.json.0123456789abcdef.part", "what a killed run may leave");
-  EXPECT_EQ(run(arguments).status, 0);
-  EXPECT_EQ(folder.names(), (Names{"a.json", "b.json", "c.json", "figure.off"}));
+  for (const char* signal : {"TERM", "KILL"})
+    kill_runs(signal);
 }
 
 } // namespace batch_test

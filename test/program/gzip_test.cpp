@@ -3,6 +3,7 @@
 // Inputs that gzip has compressed.
 
 #include "Temporary_folder.h"
+#include "batch/scores.h"
 #include "io/errors.h"
 #include "io/inflate.h"
 #include "io/load_bytes.h"
@@ -65,6 +66,29 @@ TEST(Gzip, is_inflated_in_several_members)
   const Temporary_folder folder;
   EXPECT_EQ(inflate("x", compressed(folder, "OFF\n") + compressed(folder, "1 2 3\n")),
             "OFF\n1 2 3\n");
+}
+
+TEST(Gzip, may_be_padded_by_zeros)
+{
+  const Temporary_folder folder;
+  const std::string bytes = compressed(folder, "OFF\n");
+  for (const std::size_t size : {1, 511, 100000})
+    EXPECT_EQ(inflate("x", bytes + std::string(size, '\0')), "OFF\n") << size;
+  EXPECT_EQ(message(bytes + std::string(9, '\0') + "x"), "x: is a damaged gzip file");
+}
+
+TEST(Gzip, of_labels_may_grow_as_much_as_they_do)
+{
+  const Temporary_folder folder;
+  constexpr std::size_t number_of_faces = 600000;
+  std::string labels;
+  for (std::size_t i = 0; i < number_of_faces; ++i)
+    labels += i < number_of_faces / 2 ? "0\n" : "1\n";
+  const std::string file = folder.write("a.seg.gz", compressed(folder, labels));
+  EXPECT_LT(100 * folder.read("a.seg.gz").size(), labels.size());
+  EXPECT_EQ(read_truth(file, number_of_faces).labels.back(), 1);
+  folder.write("a.seg.gz", compressed(folder, std::string(60000000, '0')));
+  EXPECT_THROW(read_truth(file, number_of_faces), Input_error);
 }
 
 TEST(Gzip, is_told_where_it_is_damaged)

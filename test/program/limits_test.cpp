@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The program where threads, address space or a reader of its lines are missing.
+// The program where address space or a reader of its lines is missing.
 
 #include "Program.h"
 #include "can_limit_memory.h"
 #include "sample_files.h"
-
-#include <unistd.h>
 
 namespace limits_test {
 
@@ -18,32 +16,7 @@ protected:
     for (const char* name : {"a.off", "b.off", "c.off"})
       folder.write(name, sample::off());
   }
-
-  /// What to put before a call for at most `number` threads and processes of its user. The limit is
-  /// not for root, so that its calls are made as a user who has no other processes.
-  std::string limit_on_threads(int number) const
-  {
-    const std::string n = std::to_string(number);
-    const std::string without_leaks = "export ASAN_OPTIONS=detect_leaks=0 && "; // to look for them takes a thread
-    return without_counts() + without_leaks +
-           (geteuid() != 0 ? "ulimit -u " + n + " && exec"
-                           : "setpriv --reuid 2147480000 --clear-groups prlimit --nproc=" + n);
-  }
 };
-
-const std::string rest = ".off: 4 faces, 4 regions, 1 segment\n";
-
-TEST_F(Limited_program, does_with_the_threads_there_are)
-{
-  if (run("", limit_on_threads(1) + " test -x").status != 0)
-    GTEST_SKIP() << "no limit on threads can be set here";
-  for (int number = 1; number <= 5; ++number) {
-    const Outcome outcome = run("a.off b.off c.off -k 1 --threads 4 --quiet", limit_on_threads(number));
-    EXPECT_EQ(outcome.status, 0) << number << " threads: " << outcome.err;
-    EXPECT_EQ(outcome.err, "") << number << " threads";
-    EXPECT_EQ(without_times(outcome.out), "a" + rest + "b" + rest + "c" + rest);
-  }
-}
 
 TEST_F(Limited_program, tells_in_a_line_that_memory_is_short)
 {

@@ -131,7 +131,7 @@ def partition_of(labels):
 
 
 def make_mesh(program, folder):
-    """Two of the figures of the program, side by side, with 237,440 faces."""
+    """Two of the figures of the program, side by side, with 222,080 faces."""
     subprocess.run([program, "--demo", "-q", "-o", "a.off"], cwd=folder, check=True, stdout=subprocess.DEVNULL)
     points, faces = subdivided(*subdivided(*read_off(folder / "a.off")))
     n = len(points)
@@ -139,6 +139,97 @@ def make_mesh(program, folder):
     faces += [tuple(i + n for i in face) for face in faces]
     write_off(folder / "a.off", points, faces)
     return len(faces)
+
+
+def check_keys(page, browser):
+    """What the mouse does, by the keyboard."""
+    def focused():
+        return browser.execute_script("return document.activeElement.dataset.node")
+
+    def selected():
+        items = browser.find_elements(By.CSS_SELECTOR, "#list li.selected")
+        return [item.get_attribute("data-node") for item in items]
+
+    browser.execute_script("window.page.select(null)")
+    browser.execute_script("document.querySelectorAll('#list li')[2].focus()")
+    node = focused()
+    for key, expected in ((Keys.ENTER, [node]), (Keys.ENTER, []), (Keys.SPACE, [node])):
+        browser.switch_to.active_element.send_keys(key)
+        assert selected() == expected and focused() == node, (selected(), focused(), node)
+    assert page.element("list").get_property("scrollTop") == 0, "the space bar scrolls"
+    split = browser.find_element(By.CSS_SELECTOR, "#list li.selected .actions button")
+    split.send_keys(Keys.ENTER)
+    assert selected() == [focused()] and focused(), "the focus is lost"
+    page.press("#undo")
+
+    def press(key, control):
+        """Whether it is left to the browser."""
+        return browser.execute_script(
+            "return document.body.dispatchEvent(new KeyboardEvent('keydown', "
+            "{key: arguments[0], ctrlKey: arguments[1], bubbles: true, cancelable: true}))", key, control)
+
+    def tool():
+        return browser.execute_script("return window.page.tool")
+
+    for key, name in (("2", "split"), ("3", "join"), ("1", "select")):
+        before = tool()
+        assert press(key, True) and tool() == before, key
+        assert not press(key, False) and tool() == name, key
+
+    def eye():
+        time.sleep(0.3)
+        return browser.execute_script(
+            """const {camera, controls} = window.page.view;
+               return camera.position.clone().sub(controls.target).toArray();""")
+
+    def distance(p, q=(0, 0, 0)):
+        return sum((x - y) ** 2 for x, y in zip(p, q)) ** 0.5
+
+    view, first = page.element("view"), eye()
+    for there, back in ((Keys.ARROW_LEFT, Keys.ARROW_RIGHT), (Keys.ARROW_UP, Keys.ARROW_DOWN)):
+        view.send_keys(there, there)
+        turned = eye()
+        assert distance(turned, first) > 0.1 * distance(first), turned
+        assert abs(distance(turned) / distance(first) - 1) < 1e-6, turned
+        view.send_keys(back, back)
+        assert distance(eye(), first) < 1e-6 * distance(first), "not turned back"
+    view.send_keys("+")
+    assert abs(distance(eye()) / distance(first) - 0.9) < 1e-6
+    view.send_keys("-")
+    assert distance(eye(), first) < 1e-6 * distance(first)
+
+
+def check_looks(browser):
+    """Texts have a contrast of at least 4.5 : 1, and a group of choices holds choices alone."""
+    found = browser.execute_script(
+        r"""const luminance = color => {
+             const linear = v => v <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4;
+             const [r, g, b] = color.map(v => linear(v / 255));
+             return 0.2126 * r + 0.7152 * g + 0.0722 * b;
+           };
+           const numbers = text => text.match(/[\d.]+/g).map(Number);
+           const groundOf = item => { // the darkest color of a gradient
+             for (; item; item = item.parentElement) {
+               const style = getComputedStyle(item), color = numbers(style.backgroundColor);
+               if (style.backgroundImage !== "none")
+                 return style.backgroundImage.match(/rgb\([^)]*\)/g).map(numbers)
+                   .sort((a, b) => luminance(a) - luminance(b))[0];
+               if (color.length === 3 || color[3] === 1) return color;
+             }
+           };
+           const contrasts = [];
+           for (const item of document.querySelectorAll("#help, aside *")) {
+             const texts = Array.from(item.childNodes).filter(node => node.nodeType === 3);
+             if (item.disabled || !texts.some(text => text.data.trim())) continue;
+             const [dark, bright] = [numbers(getComputedStyle(item).color), groundOf(item)]
+               .map(color => luminance(color.slice(0, 3))).sort((a, b) => a - b);
+             contrasts.push([(bright + 0.05) / (dark + 0.05), item.textContent]);
+           }
+           return contrasts.sort((a, b) => a[0] - b[0]);""")
+    assert len(found) > 20 and found[0][0] >= 4.5, found[:3]
+    for group in browser.find_elements(By.CSS_SELECTOR, "[role=radiogroup]"):
+        children = group.find_elements(By.CSS_SELECTOR, "*")
+        assert {child.get_attribute("role") for child in children} == {"radio"}
 
 
 def test(program, picture, folder):
@@ -191,6 +282,9 @@ def test(program, picture, folder):
         page.click(place)
         description = browser.find_element(By.CSS_SELECTOR, "#list li.selected dl").text
         assert "Area" in description and "Neighbors" in description, description
+
+        check_keys(page, browser)
+        check_looks(browser)
 
         # Turning changes the view.
         view = page.element("view")

@@ -80,6 +80,45 @@ const std::string rich_ply = "ply\ncomment before the format\nformat ascii 1.0\n
                              "end_header\n9 0 0 0 9 1 0\n0 9 0 1 0 9 0 0 1\n7 2 0.5 0.5\n3 0 2 1 0 "
                              "3 0 1 3 0\n3 1 2 3 0 3 0 3 2 0\n";
 
+/// The tetrahedron as strips of one triangle, of two with repeated points between them, of none, and
+/// of one.
+std::string strips_ply(const std::string& format)
+{
+  std::string bytes =
+    "ply\nformat " + format +
+    " 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+    "element tristrips 1\nproperty list int int vertex_indices\nend_header\n";
+  const std::vector<std::int32_t> strips = {0, 2, 1,  -1, 0, 1,  3, 3, 2, 2,
+                                            1, 3, -1, 2,  2, -1, 0, 3, 2, -1};
+  if (format == "ascii") {
+    bytes += "0 0 0\n1 0 0\n0 1 0\n0 0 1\n" + std::to_string(strips.size());
+    for (const std::int32_t i : strips)
+      bytes += " " + std::to_string(i);
+    return bytes + "\n";
+  }
+  for (const auto& p : sample::points)
+    for (const double x : p)
+      sample::append(bytes, float(x), format);
+  sample::append(bytes, std::int32_t(strips.size()), format);
+  for (const std::int32_t i : strips)
+    sample::append(bytes, i, format);
+  return bytes;
+}
+
+TEST(Triangle_strips, alternate_their_orientation)
+{
+  const Temporary_folder folder;
+  const std::string header =
+                      "ply\nformat ascii 1.0\nelement vertex 6\nproperty float x\nproperty float "
+                      "y\nproperty float z\n"
+                      "element tristrips 2\nproperty list int int vertex_indices\nend_header\n",
+                    points = "0 0 0\n0 1 0\n1 0 0\n1 1 0\n2 0 0\n2 1 0\n";
+  const Input_mesh input =
+    read_mesh(folder.write("a.ply", header + points + "6 0 2 1 3 -1 4\n4 2 4 3 5\n"));
+  EXPECT_EQ(input.soup.polygons, (Polygons{{0, 2, 1}, {1, 2, 3}, {2, 4, 3}, {3, 4, 5}}));
+  EXPECT_TRUE(input.remarks.empty());
+}
+
 INSTANTIATE_TEST_SUITE_P(
   Input, Well_formed,
   testing::Values(
@@ -93,7 +132,8 @@ INSTANTIATE_TEST_SUITE_P(
     Sample{"obj", "a.obj", sample::obj()}, Sample{"obj_rich", "a.obj", rich_obj},
     Sample{"obj_byte_order_mark", "a.obj", "\xef\xbb\xbf" + sample::obj()},
     Sample{"obj_continued", "a.obj", continued_obj},
-    Sample{"obj_faces_first", "a.obj", "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1"},
+    Sample{"obj_faces_first", "a.obj",
+           "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1"},
     Sample{"ply", "a.ply", sample::ply()}, Sample{"ply_rich", "a.ply", rich_ply},
     Sample{"ply_little", "a.ply", sample::binary_ply("binary_little_endian")},
     Sample{"ply_no_properties", "a.ply",
@@ -102,15 +142,19 @@ INSTANTIATE_TEST_SUITE_P(
            with(sample::binary_ply("binary_little_endian"), "element vertex",
                 "element empty 0\nelement vertex")},
     Sample{"ply_not_a_number_elsewhere", "a.ply",
-           with(with(sample::ply(), "element face", "property float quality\nelement face"), "0 0 0\n1 0 0\n0 1 0\n0 0 1",
-                "0 0 0 nan\n1 0 0 inf\n0 1 0 1\n0 0 1 -")},
+           with(with(sample::ply(), "element face", "property float quality\nelement face"),
+                "0 0 0\n1 0 0\n0 1 0\n0 0 1", "0 0 0 nan\n1 0 0 inf\n0 1 0 1\n0 0 1 -")},
+    Sample{"ply_strips", "a.ply", strips_ply("ascii")},
+    Sample{"ply_strips_little", "a.ply", strips_ply("binary_little_endian")},
+    Sample{"ply_strips_big", "a.ply", strips_ply("binary_big_endian")},
     Sample{"ply_big", "a.ply", sample::binary_ply("binary_big_endian")},
     Sample{"stl", "a.stl", sample::stl()}, Sample{"stl_binary", "a.stl", sample::binary_stl()},
     Sample{"stl_byte_order_mark", "a.stl", "\xef\xbb\xbf" + sample::stl()},
     Sample{"stl_name", "a.stl", with(sample::stl(), "tetrahedron", "facet vertex endsolid")},
     Sample{"stl_normal", "a.stl", with(sample::stl(), "normal 0 0 0", "normal nan nan nan")},
     Sample{"off_signs_and_tiny_numbers", "a.off", with(sample::off(), "1 0 0", "+1 +0 1e-400")},
-    Sample{"stl_two_solids", "a.stl", with(sample::stl(), "endfacet\n", "endfacet\nendsolid\n\nsolid second\n")},
+    Sample{"stl_two_solids", "a.stl",
+           with(sample::stl(), "endfacet\n", "endfacet\nendsolid\n\nsolid second\n")},
     Sample{"stl_solid_binary", "a.stl", sample::binary_stl("solid facet vertex")}),
   [](const auto& info) { return info.param.name; });
 

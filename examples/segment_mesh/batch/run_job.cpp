@@ -16,6 +16,7 @@
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <utility>
 
 namespace segment_mesh {
 
@@ -27,18 +28,17 @@ struct Case
   Input_mesh mesh;
   Marks marks;
   std::vector<Truth> truths;
-  std::size_t true_number_of_segments = 0; // of a procedural model
+  std::size_t true_number_of_segments = 0; // of the model
 };
 
 Case load(const Job& job, const Options& options)
 {
   Case result;
   if (job.is_model) {
-    Labelled_model model = make_articulated_figure();
-    const std::vector<std::int64_t> labels(model.labels.begin(), model.labels.end());
-    result.truths.push_back({"true parts", labels});
-    result.true_number_of_segments = model.number_of_parts;
-    result.mesh = make_input_mesh(job.input, std::move(model.soup));
+    Articulated_figure figure = make_articulated_figure();
+    result.truths.push_back({"true parts", std::move(figure.part_of_face)});
+    result.true_number_of_segments = figure.number_of_parts;
+    result.mesh = make_input_mesh(job.input, std::move(figure.soup));
   } else {
     result.mesh = read_mesh(job.input, options.input_format);
   }

@@ -21,8 +21,7 @@ struct Job_report
 };
 
 /// Reads, segments and writes, whatever happens in it: the others of the batch are to be done, too.
-/// May run in several threads at a time. The listener hears of the stages, also of reading and
-/// writing.
+/// The listener hears of the stages, also of reading and writing.
 Job_report run_job(const Job& job, const Options& options, const Progress_listener& listener);
 
 } // namespace segment_mesh

@@ -103,8 +103,8 @@ void add_inputs(CLI::App& app, Raw_options& raw)
 {
   const Option_group input(app, "Input");
   input.add("INPUT", raw.options.inputs, "",
-            "Meshes: .off, .obj, .ply or .stl, also compressed as .gz; - is standard input. Several inputs are processed as a "
-            "batch.");
+            "Meshes: .off, .obj, .ply or .stl, also compressed as .gz; - is standard input. "
+            "Several inputs are processed one after the other.");
   input
     .add("--input-format", raw.input_format, "FORMAT",
          "For all inputs, whatever their extensions: off, obj, ply or stl. Needed for standard input.")
@@ -171,17 +171,16 @@ void add_run_options(CLI::App& app, Raw_options& raw)
     .add_repeatable("--truth", raw.options.truths, "FILE.seg",
                     "Repeatable. {stem} as in -o. Print five measures of the distance to this segmentation, and their means.");
   const Option_group run(app, "Run");
-  run.add("--threads", raw.number_of_threads, "N",
-          "Most threads, and most meshes of a batch in memory at a time. Default: 0, one for each core. Unless it is "
-          "alone, a mesh waits while it and those in work would take more than half of the memory there is, at 36 times "
-          "the size of a .ply file and 16 times that of others.")
+  run
+    .add("--threads", raw.number_of_threads, "N",
+         "Most threads for a mesh. Default: 0, one for each core.")
     ->take_last();
   run.add_flag("-q,--quiet", "No progress, remarks and hints on stderr.");
   app.set_help_flag("-h,--help", "Print this and exit.")->group("Run");
-  app.set_version_flag("--version", "segment_mesh " CGAL_REGION_SEGMENTATION_VERSION, "Print the version and exit.")
+  app
+    .set_version_flag("--version", "segment_mesh " CGAL_REGION_SEGMENTATION_VERSION,
+                      "Print the version and exit.")
     ->group("Run");
-  const char* const hidden = "";
-  app.add_flag("--man")->group(hidden);
 }
 
 struct Range
@@ -294,10 +293,6 @@ std::optional<Options> parse_command_line(int argc, const char* const* argv)
     return std::nullopt;
   } catch (const CLI::ParseError& error) {
     throw Usage_error(error.what());
-  }
-  if (app.count("--man") > 0) {
-    std::cout << format_man_page(app);
-    return std::nullopt;
   }
   return checked(app, raw);
 }

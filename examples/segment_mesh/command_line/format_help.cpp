@@ -17,8 +17,6 @@ namespace {
 constexpr std::size_t columns = 80;
 constexpr std::size_t text_column = 26; ///< where the texts of options begin
 
-constexpr const char* one_sentence = "segments surface meshes into parts";
-
 constexpr const char* description =
   "Segments surface meshes into parts, and prints a line for each: its faces, the regions that were merged, the segments, "
   "and the time from the mesh in memory to the labels. A mesh that is not an oriented 2-manifold is repaired, with a "
@@ -94,15 +92,6 @@ std::vector<const CLI::Option*> options_of(const CLI::App& app, const std::strin
   return app.get_options([&group](const CLI::Option* o) { return o->get_group() == group; });
 }
 
-/// A text of roff: hyphens that can be copied, and no line that begins with a request.
-std::string roff(const std::string& text)
-{
-  std::string result = text.empty() || (text[0] != '.' && text[0] != '\'') ? "" : "\\&";
-  for (char c : text)
-    result += c == '-' ? "\\-" : c == '\\' ? "\\e" : c == '\'' ? "\\(aq" : std::string(1, c);
-  return result;
-}
-
 } // namespace
 
 std::string short_help()
@@ -136,26 +125,6 @@ std::string format_help(const CLI::App& app)
   for (const Status& status : statuses)
     help += wrapped(status.text, 5, 0).replace(2, 1, status.number);
   return help;
-}
-
-std::string format_man_page(const CLI::App& app)
-{
-  std::string page = ".TH SEGMENT_MESH 1 \"\" \"segment_mesh " CGAL_REGION_SEGMENTATION_VERSION "\" \"User Commands\"\n"
-                     ".SH NAME\nsegment_mesh \\- " +
-                     std::string(one_sentence) + "\n.SH SYNOPSIS\n" + roff(usage) + "\n.SH DESCRIPTION\n" + roff(description) +
-                     "\n";
-  for (const std::string group : groups) {
-    page += ".SH \"" + group + "\"\n";
-    for (const CLI::Option* option : options_of(app, group))
-      page += ".TP\n.B " + roff(title(*option)) + "\n" + roff(option->get_description()) + "\n";
-  }
-  page += ".SH EXAMPLES\n";
-  for (const Example& example : examples)
-    page += ".TP\n.B " + roff(example.command) + "\n" + roff(example.text) + "\n";
-  page += ".SH \"EXIT STATUS\"\n";
-  for (const Status& status : statuses)
-    page += ".TP\n.B " + std::string(status.number) + "\n" + roff(status.text) + "\n";
-  return page;
 }
 
 } // namespace segment_mesh

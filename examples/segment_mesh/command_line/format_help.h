@@ -17,9 +17,6 @@ std::string short_help();
 /// All options in their groups, in lines of at most 80 columns.
 std::string format_help(const CLI::App& app);
 
-/// The same as a manual page, in the man macros of troff.
-std::string format_man_page(const CLI::App& app);
-
 } // namespace segment_mesh
 
 #endif // CGAL_REGION_SEGMENTATION_SEGMENT_MESH_FORMAT_HELP_H

@@ -3,15 +3,25 @@
 #ifndef CGAL_REGION_SEGMENTATION_SEGMENT_MESH_ARTICULATED_FIGURE_H
 #define CGAL_REGION_SEGMENTATION_SEGMENT_MESH_ARTICULATED_FIGURE_H
 
-#include "demo/Labelled_model.h"
+#include "soup/Polygon_soup.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
 
 namespace segment_mesh {
 
 inline constexpr const char* articulated_figure = "articulated_figure"; ///< its name
 
-/// A figure of ten parts that meet in concave joints: trunk, head, and two of each of upper arm,
-/// forearm, thigh and shin.
-Labelled_model make_articulated_figure(const Making& making = {});
+struct Articulated_figure
+{
+  Polygon_soup soup; ///< a closed oriented manifold of triangles
+  std::vector<std::int64_t> part_of_face;
+  std::size_t number_of_parts = 0;
+};
+
+/// A figure of ten parts: trunk, head, and two parts for each arm and leg.
+Articulated_figure make_articulated_figure();
 
 } // namespace segment_mesh
 

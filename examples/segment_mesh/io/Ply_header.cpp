@@ -50,8 +50,11 @@ Ply_role role_of(const Ply_element& element, const std::string& property)
 {
   if (element.is_vertex() && property.size() == 1 && property >= "x" && property <= "z")
     return Ply_role(property[0] - 'x');
-  if (element.is_face() && (property == "vertex_indices" || property == "vertex_index"))
+  const bool is_list_of_vertices = property == "vertex_indices" || property == "vertex_index";
+  if (element.is_face() && is_list_of_vertices)
     return Ply_role::CORNERS;
+  if (element.is_strips() && is_list_of_vertices)
+    return Ply_role::STRIPS;
   return Ply_role::NONE;
 }
 
@@ -72,7 +75,7 @@ Ply_property read_property(Text_scanner& scan, const Ply_element& element)
     scan.fail("a property without a name");
 
   property.role = role_of(element, property.name);
-  if (property.role == Ply_role::CORNERS) {
+  if (property.role == Ply_role::CORNERS || property.role == Ply_role::STRIPS) {
     if (!property.is_list || is_floating_point(property.type))
       scan.fail("property " + property.name + " is not a list of integers");
   } else if (property.role != Ply_role::NONE && property.is_list)
@@ -102,6 +105,8 @@ void check_element(const std::string& file, const Ply_element& element)
     throw Input_error(file, element.line, "a vertex needs the properties x, y and z, once each");
   if (element.is_face() && count(Ply_role::CORNERS) != 1)
     throw Input_error(file, element.line, "a face needs the property vertex_indices, once");
+  if (element.is_strips() && count(Ply_role::STRIPS) != 1)
+    throw Input_error(file, element.line, "triangle strips need the property vertex_indices, once");
 }
 
 /// \returns the name of the format
@@ -149,16 +154,11 @@ Ply_header read_ply_header(const std::string& file, Text_scanner& scan)
 {
   Ply_header header{};
   header.format = read_format(file, read_lines(scan, header.elements));
-  std::uint64_t number_of_faces = 0;
   for (const Ply_element& element : header.elements) {
     check_element(file, element);
     if (element.is_vertex())
       header.number_of_vertices += element.count;
-    if (element.is_face())
-      number_of_faces += element.count;
   }
-  if (number_of_faces == 0)
-    throw Input_error(file, "no faces");
   return header;
 }
 

@@ -43,7 +43,7 @@ std::size_t size_of(Ply_type type);
 bool is_floating_point(Ply_type type);
 
 /// What the reader makes of a property.
-enum class Ply_role { X, Y, Z, CORNERS, NONE };
+enum class Ply_role { X, Y, Z, CORNERS, STRIPS, NONE };
 
 struct Ply_property
 {
@@ -63,6 +63,7 @@ struct Ply_element
 
   bool is_vertex() const { return name == "vertex" || name == "vertices"; }
   bool is_face() const { return name == "face" || name == "faces"; }
+  bool is_strips() const { return name == "tristrips"; }
 };
 
 enum class Ply_format { ASCII, BINARY_LITTLE_ENDIAN, BINARY_BIG_ENDIAN };
@@ -78,7 +79,7 @@ struct Ply_header
 /// What is wrong with a file that ends within an item.
 std::string cut_off(const Ply_element& element, std::uint64_t item);
 
-/// Reads the header, and checks that there are faces, and what vertices and faces need.
+/// Reads the header, and checks that there are what vertices, faces and triangle strips need.
 /// \param scan at the start of the file; left at its last line
 /// \throws Input_error naming file, line and cause
 Ply_header read_ply_header(const std::string& file, Text_scanner& scan);

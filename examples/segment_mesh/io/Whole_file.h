@@ -3,39 +3,32 @@
 #ifndef CGAL_REGION_SEGMENTATION_SEGMENT_MESH_WHOLE_FILE_H
 #define CGAL_REGION_SEGMENTATION_SEGMENT_MESH_WHOLE_FILE_H
 
-#include "io/File_buffer.h"
-#include "io/Temporary_file.h"
-
 #include <filesystem>
-#include <memory>
-#include <ostream>
+#include <fstream>
 #include <string>
 
 namespace segment_mesh {
 
-/// A file that appears whole or not at all: a temporary one beside it is written, and takes its
-/// place when all is on the disk. Until then, and for good if that fails, what was there before
-/// stays. Of two that write one file at the same time the last one stays.
+/// A file that appears whole or not at all: a temporary one beside it, of a name `.DIGITS.part`
+/// that nothing has, is written, and takes its place in the end. Until then, and for good if that
+/// fails, what was there before stays. A program that is killed may leave a temporary file.
 class Whole_file
 {
 public:
   /// \throws Output_error if no file can be written there
   explicit Whole_file(const std::string& file);
+  Whole_file(const Whole_file&) = delete;
+  Whole_file& operator=(const Whole_file&) = delete;
+  ~Whole_file();
 
   std::ostream& stream() { return m_out; }
   /// \throws Output_error if anything was not written
   void commit();
 
-  /// The file that is to be replaced: behind symbolic links, since renaming onto a link would
-  /// replace the link and leave alone what it stands for.
-  /// \throws Output_error if it is there and no regular file
-  static std::filesystem::path target(const std::string& file);
-
 private:
   std::string m_file;
-  std::unique_ptr<Temporary_file> m_temporary;
-  File_buffer m_buffer;
-  std::ostream m_out;
+  std::filesystem::path m_target, m_temporary;
+  std::ofstream m_out;
 };
 
 } // namespace segment_mesh

@@ -35,7 +35,7 @@ bool is_gzip(std::string_view bytes)
   return bytes.substr(0, 2) == "\x1f\x8b";
 }
 
-std::string inflate(const std::string& file, std::string_view bytes)
+std::string inflate(const std::string& file, std::string_view bytes, std::size_t expected_size)
 {
   z_stream stream{};
   if (inflateInit2(&stream, gzip_format + MAX_WBITS) != Z_OK)
@@ -46,8 +46,11 @@ std::string inflate(const std::string& file, std::string_view bytes)
   std::size_t size = 0, taken = 0;
   int status = Z_OK;
   while (status != Z_STREAM_END || taken < bytes.size()) {
-    if (status == Z_STREAM_END)
+    if (status == Z_STREAM_END) {
+      if (bytes.find_first_not_of('\0', taken) == std::string_view::npos)
+        break;
       inflateReset(&stream);
+    }
     if (size == result.size())
       result.resize(size + (std::max)(size, usual_inflation * bytes.size()));
     stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data() + taken));
@@ -62,7 +65,7 @@ std::string inflate(const std::string& file, std::string_view bytes)
       throw Input_error(file, "is a gzip file that is cut off");
     if (status != Z_OK && status != Z_STREAM_END)
       throw Input_error(file, "is a damaged gzip file");
-    if (size > (std::max)(least_refused_size, largest_inflation * bytes.size()))
+    if (size > (std::max)(expected_size, largest_inflation * bytes.size()))
       throw Input_error(file, "is a gzip file that grows by more than " +
                                 std::to_string(largest_inflation) + " times");
   }

@@ -4,7 +4,6 @@
 
 #include "io/Mesh_format.h"
 #include "io/errors.h"
-#include "io/inflate.h"
 
 #include <cerrno>
 #include <cstdio>
@@ -66,11 +65,11 @@ std::string load_standard_input()
 
 } // namespace
 
-std::string load_bytes(const std::string& file)
+std::string load_bytes(const std::string& file, std::size_t expected_size)
 {
   std::string bytes = file == standard_input ? load_standard_input() : load_file(file);
   if (is_gzip(bytes))
-    bytes = inflate(file, bytes);
+    bytes = inflate(file, bytes, expected_size);
   if (bytes.empty())
     throw Input_error(file, "is empty");
   return bytes;

@@ -3,7 +3,6 @@
 #include "io/output_format.h"
 
 #include "io/errors.h"
-#include "page/write_page.h"
 
 #include <algorithm>
 #include <cctype>
@@ -59,8 +58,6 @@ void check(const Output& output)
     if (std::filesystem::path(output.file).filename().string().find(segment_placeholder) == std::string::npos)
       throw Usage_error(output.file + ": {segment} belongs to the name of the file, not of its folder");
   }
-  if (output.format == Output_format::HTML && !can_write_pages())
-    throw Usage_error(output.file + ": this program was built without three.js, which pages need");
 }
 
 } // namespace
@@ -79,11 +76,11 @@ std::string with_segment(std::string file, const std::string& number)
   return file;
 }
 
-bool is_segment_file(const std::string& pattern, const std::string& name, std::size_t longest)
+bool is_segment_file(const std::string& pattern, const std::string& name)
 {
   const std::size_t first = pattern.find(segment_placeholder);
   for (std::size_t end = first; end < name.size() && name[end] >= '0' && name[end] <= '9'; ++end)
-    if (with_segment(pattern, name.substr(first, end + 1 - first)).substr(0, longest) == name)
+    if (with_segment(pattern, name.substr(first, end + 1 - first)) == name)
       return true;
   return false;
 }

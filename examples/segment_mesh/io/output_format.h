@@ -35,9 +35,9 @@ struct Output
 /// The name with this number in place of each `{segment}`.
 std::string with_segment(std::string file, const std::string& number);
 
-/// Whether `name` is `pattern`, cut off after `longest` bytes, with the same number in place of each `{segment}`.
+/// Whether `name` is `pattern` with the same number in place of each `{segment}`.
 /// \pre there is one in `pattern`
-bool is_segment_file(const std::string& pattern, const std::string& name, std::size_t longest = std::string::npos);
+bool is_segment_file(const std::string& pattern, const std::string& name);
 
 /// The formats by the words for them, in the order of `Output_format`.
 const std::vector<std::string>& output_format_names();

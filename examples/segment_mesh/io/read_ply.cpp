@@ -6,6 +6,7 @@
 #include "io/read_soup.h"
 
 #include <algorithm>
+#include <array>
 
 namespace segment_mesh {
 
@@ -66,6 +67,8 @@ private:
       read_face(property.type, size);
     else if (size < 0)
       m_values.fail("a list of " + std::to_string(size) + " values");
+    else if (property.role == Ply_role::STRIPS)
+      read_strips(property.type, size);
     else if (property.role == Ply_role::NONE)
       m_values.skip(property.type, std::uint64_t(size));
     else
@@ -76,14 +79,37 @@ private:
   {
     if (size < 3)
       m_values.fail("a face with " + std::to_string(size) + " vertices, fewer than 3");
+    for (std::int64_t i = 0; i < size; ++i)
+      m_soup.polygons.add_corner(checked(m_values.integer(type)));
+    m_soup.polygons.close_polygon();
+  }
+
+  /// Each point after two makes a triangle with these, whose orientation alternates; -1 ends a
+  /// strip. Triangles with a point twice lead from one strip to the next, and are none.
+  void read_strips(Ply_type type, std::int64_t size)
+  {
+    std::size_t a = 0, b = 0, length = 0;
     for (std::int64_t i = 0; i < size; ++i) {
       const std::int64_t index = m_values.integer(type);
-      if (index < 0 || std::uint64_t(index) >= m_header.number_of_vertices)
-        m_values.fail("index " + std::to_string(index) + " is out of range: there are " +
-                      counted(std::size_t(m_header.number_of_vertices), "vertex") + ", from 0");
-      m_soup.polygons.add_corner(std::size_t(index));
+      if (index == -1) {
+        length = 0;
+        continue;
+      }
+      const std::size_t c = checked(index);
+      if (length >= 2 && a != b && b != c && c != a)
+        m_soup.polygons.push_back(length % 2 == 0 ? std::array{a, b, c} : std::array{b, a, c});
+      a = b;
+      b = c;
+      ++length;
     }
-    m_soup.polygons.close_polygon();
+  }
+
+  std::size_t checked(std::int64_t index) const
+  {
+    if (index < 0 || std::uint64_t(index) >= m_header.number_of_vertices)
+      m_values.fail("index " + std::to_string(index) + " is out of range: there are " +
+                    counted(std::size_t(m_header.number_of_vertices), "vertex") + ", from 0");
+    return std::size_t(index);
   }
 
   const Ply_header& m_header;
@@ -97,10 +123,14 @@ Polygon_soup read_ply(const std::string& file, std::string_view bytes)
 {
   Text_scanner scan(file, bytes, Text_scanner::no_comments);
   const Ply_header header = read_ply_header(file, scan);
-  if (header.format == Ply_format::ASCII)
-    return Ply_reader<Ply_text>(header, Ply_text(std::move(scan))).read();
   const std::string_view data = bytes.substr(scan.offset_of_next_line());
-  return Ply_reader<Ply_binary>(header, Ply_binary(file, data, header.format)).read();
+  Polygon_soup soup =
+    header.format == Ply_format::ASCII
+      ? Ply_reader<Ply_text>(header, Ply_text(std::move(scan))).read()
+      : Ply_reader<Ply_binary>(header, Ply_binary(file, data, header.format)).read();
+  if (soup.polygons.empty())
+    throw Input_error(file, "no faces");
+  return soup;
 }
 
 } // namespace segment_mesh

@@ -4,21 +4,12 @@
 
 #include "io/Output_stream.h"
 #include "io/Text_buffer.h"
-#include "io/copy_ply.h"
 #include "io/errors.h"
-#include "io/inflate.h"
-#include "io/load_bytes.h"
 #include "io/read_marks.h"
 #include "io/write_mesh.h"
 #include "page/write_page.h"
 #include "view/render_view.h"
 #include "view/write_png.h"
-
-#include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <optional>
-#include <system_error>
 
 namespace segment_mesh {
 
@@ -47,36 +38,6 @@ void write_mesh(std::ostream& out, Output_format format, const Labelled_mesh& me
     write_obj(out, mesh, feature_lines);
 }
 
-/// Whether an input is a file that can be read again, with the magic bytes of PLY or of gzip.
-bool can_be_ply_file(const std::string& file)
-{
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(file, error))
-    return false;
-  std::string magic(4, '\0');
-  std::ifstream(file, std::ios::binary).read(magic.data(), 4);
-  return magic == "ply\n" || magic == "ply\r" || is_gzip(magic);
-}
-
-/// A PLY input with the segments added, where it can be read once more.
-std::optional<std::string> copy_ply_input(const std::string& file, const std::vector<std::size_t>& labels)
-{
-  try {
-    return can_be_ply_file(file) ? copy_ply(load_bytes(file), labels) : std::nullopt;
-  } catch (const Input_error&) { // it has changed since
-    return std::nullopt;
-  }
-}
-
-void write_ply_result(std::ostream& out, const Result& result)
-{
-  const std::vector<std::size_t> labels = labels_of_faces(result.input, result.segmentation);
-  if (const std::optional<std::string> copy = copy_ply_input(result.name, labels))
-    out.write(copy->data(), std::streamsize(copy->size()));
-  else
-    write_ply(out, {result.input.soup, labels});
-}
-
 void write_borders(std::ostream& out, Output_format format, const Result& result)
 {
   const std::vector<Point>& points = result.input.mesh_soup().points;
@@ -99,8 +60,6 @@ void write_whole(std::ostream& out, Output_format format, const Result& result)
     return write_view(out, result);
   case Output_format::HTML:
     return write_html(out, result);
-  case Output_format::PLY:
-    return write_ply_result(out, result);
   default: {
     const std::vector<std::size_t> labels = labels_of_faces(result.input, result.segmentation);
     return write_mesh(out, format, {result.input.soup, labels},
@@ -134,6 +93,10 @@ std::vector<std::size_t> labels_of_faces(const Input_mesh& input, const Segmenta
 
 void write_segmentation(const Output& output, const Result& result)
 {
+  if (output.format == Output_format::HTML && !can_write_pages())
+    throw Output_error(
+      output.file,
+      "pages need three.js, and this program was built without it (Debian: libjs-three)");
   if (output.is_for_each_segment()) {
     write_each_segment(output, result);
     return;

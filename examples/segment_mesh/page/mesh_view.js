@@ -74,6 +74,22 @@ class MeshView {
     this.controls.addEventListener("change", () => { this.areIdsStale = this.isStale = true; });
   }
 
+  /// Turns the mesh to the right and up, in radians, as a drag in these directions does.
+  turn(right, up) {
+    const {camera} = this, eye = camera.position.clone().sub(this.controls.target);
+    const sideways = new THREE.Vector3().crossVectors(camera.up, eye).normalize();
+    const rotation = new THREE.Quaternion().setFromAxisAngle(camera.up.clone().normalize(), -right)
+      .premultiply(new THREE.Quaternion().setFromAxisAngle(sideways, up));
+    camera.up.applyQuaternion(rotation);
+    camera.position.copy(this.controls.target).add(eye.applyQuaternion(rotation));
+  }
+
+  /// Multiplies the distance of the viewer.
+  zoom(factor) {
+    const {position} = this.camera, {target} = this.controls;
+    position.sub(target).multiplyScalar(factor).add(target);
+  }
+
   resize() {
     const {clientWidth: width, clientHeight: height} = this.canvas.parentElement;
     if (width === 0 || height === 0) return;

@@ -176,7 +176,11 @@ class Page {
       more.textContent = "and " + counted(bySize.length - longest, "smaller segment");
       items.push(more);
     }
-    element("list").replaceChildren(...items);
+    const list = element("list"), active = document.activeElement;
+    const focused = list.contains(active) ? active.closest("li").dataset.node : null;
+    list.replaceChildren(...items);
+    if (focused !== null)
+      (list.querySelector(`[data-node="${focused}"]`) || list.querySelector(".selected") || list.firstChild).focus();
   }
 
   item(node, largest) {
@@ -195,6 +199,7 @@ class Page {
     bar.innerHTML = "<i></i>";
     bar.firstChild.style.cssText = "width:" + 100 * this.tree.areas[node] / largest + "%;background:" + this.cssColor(node);
     item.append(row, bar);
+    item.classList.toggle("selected", node === this.selected);
     if (node === this.selected) item.append(this.description(node), this.actions(node));
     return item;
   }
@@ -247,7 +252,7 @@ class Page {
     for (const button of document.querySelectorAll("[data-tool]"))
       button.setAttribute("aria-checked", String(button.dataset.tool === tool));
     element("help").textContent = {
-      select: "Drag to turn · scroll to zoom · right drag to move · click a segment",
+      select: "Drag or arrow keys to turn · scroll or + − to zoom · right drag to move · click a segment",
       split: "Click a segment to split it in two",
       join: "Click a segment, then the one to join it with"
     }[tool];
@@ -345,7 +350,11 @@ class Page {
       else this.select(node === this.selected ? null : node);
     };
     list.addEventListener("click", choose);
-    list.addEventListener("keydown", event => { if (event.key === "Enter" && event.target.tagName === "LI") choose(event); });
+    list.addEventListener("keydown", event => {
+      if ((event.key !== "Enter" && event.key !== " ") || event.target.tagName !== "LI") return;
+      choose(event);
+      event.preventDefault(); // scrolling by the space bar
+    });
     element("save-labels").addEventListener("click", () => this.save(new Blob([this.labels()], {type: "text/plain"}), ".seg"));
     element("save-picture").addEventListener("click", () => this.view.picture(blob => this.save(blob, ".png")));
     document.addEventListener("keydown", event => this.key(event));
@@ -387,12 +396,29 @@ class Page {
 
   key(event) {
     if (event.target.tagName === "INPUT" && event.target.type === "number") return;
-    const tools = {1: "select", 2: "split", 3: "join"};
-    if (tools[event.key]) this.setTool(tools[event.key]);
-    else if (event.key === "Escape") this.setTool(this.tool);
-    else if (event.key === "z" && (event.ctrlKey || event.metaKey)) this.undo();
-    else return;
+    if (event.ctrlKey || event.metaKey || event.altKey) {
+      if (event.key !== "z" || event.altKey) return;
+      this.undo();
+    } else {
+      const isForView = event.target.matches("body, #view");
+      if (!this.keyOfTool(event.key) && !(isForView && this.keyOfView(event.key))) return;
+    }
     event.preventDefault();
+  }
+
+  keyOfTool(key) {
+    const tools = {1: "select", 2: "split", 3: "join", Escape: this.tool};
+    if (tools[key]) this.setTool(tools[key]);
+    return tools[key];
+  }
+
+  keyOfView(key) {
+    const angle = 5 * Math.PI / 180, factor = 0.9;
+    const turns = {ArrowRight: [1, 0], ArrowLeft: [-1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1]};
+    const zooms = {"+": factor, "=": factor, "-": 1 / factor};
+    if (turns[key]) this.view.turn(...turns[key].map(x => x * angle));
+    if (zooms[key]) this.view.zoom(zooms[key]);
+    return turns[key] || zooms[key];
   }
 }
 

@@ -30,8 +30,9 @@ using nlohmann::ordered_json;
 /// The slider goes to this number of segments at least, and to twice the number of the segmentation.
 constexpr std::size_t least_range = 20;
 
-/// The shapes of segments are described for partitions up to the segmentation and to `least_range`, but not of more segments:
-/// each takes up to 0.1 s, and the mesh is read again for each few of them.
+/// The shapes of segments are described for partitions up to the segmentation and to `least_range`;
+/// of a segmentation into more segments than this up to `least_range` alone: each takes up to 0.1 s,
+/// and the mesh is read again for each few of them.
 constexpr std::size_t most_described = 200;
 
 /// Colors of segments, repeated if there are more.
@@ -174,7 +175,8 @@ ordered_json content_json(const Page_content& content, const Array_file& file)
   for (std::size_t region : content.region_of_face)
     labels.push_back(segment_of_region[region]);
   const Viewpoint viewpoint = choose_viewpoint(content.soup, labels);
-  const std::size_t described = (std::min)(most_described, (std::max)(least_range, segmentation.number_of_segments));
+  const std::size_t n = segmentation.number_of_segments,
+                    described = n > most_described ? least_range : (std::max)(least_range, n);
   return {{"name", content.name},
           {"segments", segmentation.number_of_segments},
           {"regions", segmentation.number_of_regions},

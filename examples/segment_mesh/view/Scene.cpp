@@ -74,8 +74,8 @@ void take_points(const Polygon_soup& soup, Scene& scene)
     p = radius > 0 ? times(1 / radius, p) : p;
 }
 
-/// By Newell's formula, relative to the first corner.
-Point face_normal(const Scene& scene, std::size_t face)
+/// Twice the area, along the normal: by Newell's formula, relative to the first corner.
+Point area_vector(const Scene& scene, std::size_t face)
 {
   const Scene::Index first = scene.first_corners[face], end = scene.first_corners[face + 1];
   const Point& origin = scene.points[scene.corners[first]];
@@ -83,7 +83,7 @@ Point face_normal(const Scene& scene, std::size_t face)
   for (Scene::Index c = first + 1; c + 1 < end; ++c)
     sum = plus(sum, cross_product(minus(scene.points[scene.corners[c]], origin),
                                   minus(scene.points[scene.corners[c + 1]], origin)));
-  return unit_vector(sum);
+  return sum;
 }
 
 } // namespace
@@ -95,8 +95,11 @@ Scene make_scene(const Polygon_soup& soup, const std::vector<std::size_t>& label
   take_faces(soup, labels, scene);
   take_points(soup, scene);
   scene.normals.reserve(scene.number_of_faces());
-  for (std::size_t f = 0; f < scene.number_of_faces(); ++f)
-    scene.normals.push_back(face_normal(scene, f));
+  for (std::size_t f = 0; f < scene.number_of_faces(); ++f) {
+    const Point vector = area_vector(scene, f);
+    scene.normals.push_back(unit_vector(vector));
+    scene.area += std::sqrt(inner_product(vector, vector)) / 2;
+  }
   return scene;
 }
 

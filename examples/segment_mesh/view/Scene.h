@@ -23,6 +23,7 @@ struct Scene
   std::vector<std::size_t> labels;  ///< of each face
   std::vector<Point> normals;       ///< of each face: of unit length, or zero
   std::vector<char> is_used;        ///< for each point: a face has it
+  double area = 0;                  ///< of all faces; that of the unit ball is 12.6
 
   std::size_t number_of_faces() const { return labels.size(); }
 };

@@ -15,34 +15,18 @@
 
 namespace segment_mesh {
 
-/// The faces, nearest first by their nearest corners, where they cover the picture so often that this
-/// saves time; else in order.
-inline std::vector<Sample_buffer::Index> drawing_order(const Scene& scene,
-                                                       const std::vector<Screen_point>& screen,
-                                                       const Sample_buffer& buffer)
+/// The faces, nearest first, by their nearest corners.
+inline std::vector<Sample_buffer::Index>
+faces_nearest_first(const Scene& scene, const std::vector<Screen_point>& screen)
 {
-  constexpr double worth_sorting = 32; // times that bounding boxes cover the picture; a closed surface some eight times
-  std::vector<Sample_buffer::Index> order(scene.number_of_faces());
+  std::vector<double> depths(scene.number_of_faces(), std::numeric_limits<double>::infinity());
+  for (std::size_t f = 0; f < depths.size(); ++f)
+    for (Scene::Index c = scene.first_corners[f]; c < scene.first_corners[f + 1]; ++c)
+      depths[f] = (std::min)(depths[f], screen[scene.corners[c]].depth);
+  std::vector<Sample_buffer::Index> order(depths.size());
   std::iota(order.begin(), order.end(), Sample_buffer::Index(0));
-  std::vector<double> depths;
-  depths.reserve(order.size());
-  double covered = 0;
-  for (std::size_t f = 0; f < order.size(); ++f) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    Screen_point low = {infinity, infinity, infinity}, high = {-infinity, -infinity, -infinity};
-    for (Scene::Index c = scene.first_corners[f]; c < scene.first_corners[f + 1]; ++c) {
-      const Screen_point& s = screen[scene.corners[c]];
-      low = {(std::min)(low.x, s.x), (std::min)(low.y, s.y), (std::min)(low.depth, s.depth)};
-      high = {(std::max)(high.x, s.x), (std::max)(high.y, s.y), (std::max)(high.depth, s.depth)};
-    }
-    depths.push_back(low.depth);
-    if (high.x > low.x && high.y > low.y)
-      covered += (high.x - low.x) * (high.y - low.y);
-  }
-  if (covered > worth_sorting * double(buffer.width()) * double(buffer.height()))
-    std::sort(order.begin(), order.end(), [&](Sample_buffer::Index f, Sample_buffer::Index g) {
-      return depths[f] != depths[g] ? depths[f] < depths[g] : f < g;
-    });
+  std::sort(order.begin(), order.end(),
+            [&](Sample_buffer::Index f, Sample_buffer::Index g) { return depths[f] < depths[g]; });
   return order;
 }
 
@@ -51,19 +35,26 @@ template <typename Light>
 void draw_faces(const Scene& scene, const Projection& projection, const Light& light,
                 Sample_buffer& buffer)
 {
+  constexpr double area_worth_sorting = 100; // some 16 layers of faces
   std::vector<Screen_point> screen;
   screen.reserve(scene.points.size());
   for (const Point& p : scene.points)
     screen.push_back(projection(p));
   std::vector<Sample_buffer::Corner> corners;
-  for (const Sample_buffer::Index f : drawing_order(scene, screen, buffer)) {
+  const auto draw = [&](Sample_buffer::Index f) {
     corners.clear();
     for (Scene::Index c = scene.first_corners[f]; c < scene.first_corners[f + 1]; ++c) {
       const Screen_point& s = screen[scene.corners[c]];
       corners.push_back({s.x, s.y, s.depth, light(c)});
     }
     buffer.draw_polygon(corners, f);
-  }
+  };
+  if (scene.area > area_worth_sorting)
+    for (const Sample_buffer::Index f : faces_nearest_first(scene, screen))
+      draw(f);
+  else
+    for (Sample_buffer::Index f = 0; f < scene.number_of_faces(); ++f)
+      draw(f);
 }
 
 } // namespace segment_mesh

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "demo/Surface_relaxation.h"
+#include "models/Surface_relaxation.h"
 
 #include "soup/vector_algebra.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_REGION_SEGMENTATION_SEGMENT_MESH_SURFACE_RELAXATION_H
-#define CGAL_REGION_SEGMENTATION_SEGMENT_MESH_SURFACE_RELAXATION_H
+#ifndef CGAL_REGION_SEGMENTATION_TEST_SURFACE_RELAXATION_H
+#define CGAL_REGION_SEGMENTATION_TEST_SURFACE_RELAXATION_H
 
-#include "demo/Implicit_shape.h"
+#include "models/Implicit_shape.h"
 #include "soup/Polygon_soup.h"
 
 namespace segment_mesh {
@@ -33,4 +33,4 @@ private:
 
 } // namespace segment_mesh
 
-#endif // CGAL_REGION_SEGMENTATION_SEGMENT_MESH_SURFACE_RELAXATION_H
+#endif // CGAL_REGION_SEGMENTATION_TEST_SURFACE_RELAXATION_H

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_REGION_SEGMENTATION_SEGMENT_MESH_IMPLICIT_SHAPE_H
-#define CGAL_REGION_SEGMENTATION_SEGMENT_MESH_IMPLICIT_SHAPE_H
+#ifndef CGAL_REGION_SEGMENTATION_TEST_IMPLICIT_SHAPE_H
+#define CGAL_REGION_SEGMENTATION_TEST_IMPLICIT_SHAPE_H
 
-#include "demo/Labelled_model.h"
+#include "models/Labelled_model.h"
 #include "soup/Polygon_soup.h"
 
 #include <cstddef>
@@ -58,4 +58,4 @@ Labelled_model make_labelled_model(const Implicit_shape& shape, const Point& ins
 
 } // namespace segment_mesh
 
-#endif // CGAL_REGION_SEGMENTATION_SEGMENT_MESH_IMPLICIT_SHAPE_H
+#endif // CGAL_REGION_SEGMENTATION_TEST_IMPLICIT_SHAPE_H

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "demo/Implicit_shape.h"
-#include "demo/Surface_relaxation.h"
+#include "models/Implicit_shape.h"
+#include "models/Surface_relaxation.h"
 #include "soup/vector_algebra.h"
 
 #include <algorithm>

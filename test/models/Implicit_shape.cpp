@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "demo/Implicit_shape.h"
+#include "models/Implicit_shape.h"
 
 #include <algorithm>
 #include <array>
