@@ -6,7 +6,8 @@
 #include <CGAL/Region_segmentation/Methods/Region_growing.h>
 #include <CGAL/Region_segmentation/Methods/Superfacets.h>
 #include <CGAL/Region_segmentation/evaluation/rand_index_distance.h>
-#include <CGAL/Region_segmentation/internal/regions/Front_queue.h>
+#include <CGAL/Region_segmentation/internal/regions/Farthest_point_seeding.h>
+#include <CGAL/Region_segmentation/internal/support/Float_key.h>
 #include <CGAL/Region_segmentation/read_flat_mesh.h>
 
 #include <gtest/gtest.h>
@@ -14,7 +15,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <functional>
 #include <limits>
 #include <map>
 #include <numeric>
@@ -108,41 +108,6 @@ TEST(Float_key_test, gives_back_its_value_and_index)
       const auto key = RS::internal::make_float_key(value, index);
       EXPECT_EQ(RS::internal::value_of(key), value);
       EXPECT_EQ(RS::internal::index_of(key), index);
-    }
-}
-
-TEST(Front_queue_test, gives_what_a_heap_gives)
-{
-  using Queue = RS::internal::Front_queue;
-  for (double width : {0.0, 1e-9, 0.01, 1.0, 1e9})
-    for (unsigned seed = 1; seed <= 4; ++seed) {
-      SCOPED_TRACE("width " + std::to_string(width) + ", seed " + std::to_string(seed));
-      std::mt19937 random(seed);
-      std::exponential_distribution<double> step(1);
-      Queue queue(width);
-      // Twice, since an empty queue starts anew; steps of 0 and long ones, among them.
-      for (int round = 0; round < 2; ++round) {
-        std::priority_queue<Queue::Key, std::vector<Queue::Key>, std::greater<>> heap;
-        const auto push = [&](double distance) {
-          const Queue::Key key = RS::internal::make_float_key(float(distance), random() % 1000);
-          queue.push(key);
-          heap.push(key);
-        };
-        push(0);
-        std::size_t pushed = 1, most = 0;
-        while (!heap.empty()) {
-          ASSERT_FALSE(queue.empty());
-          most = std::max(most, heap.size());
-          const Queue::Key top = queue.pop();
-          ASSERT_EQ(top, heap.top());
-          heap.pop();
-          const float distance = RS::internal::value_of(top);
-          for (int i = 0; i < 3 && pushed < 2000; ++i, ++pushed)
-            push(distance + (random() % 8 == 0 ? 0.0 : random() % 50 == 0 ? 1e4 * step(random) : step(random)));
-        }
-        EXPECT_TRUE(queue.empty());
-        EXPECT_GT(most, 500u);
-      }
     }
 }
 

@@ -74,57 +74,6 @@ Soup needles(std::size_t number, unsigned seed)
   return soup;
 }
 
-TEST(Patch_boxes_test, slices_needles_and_nothing_else)
-{
-  const auto number_of_boxes = [](const RS::Flat_mesh& mesh, double scale = 1) {
-    const RS::internal::Patch_triangles triangles(mesh, RS::internal::Patch_level::FINE, mesh.centroid(0), scale);
-    return RS::internal::Patch_boxes::make<CGAL::Sequential_tag>(mesh, triangles).size();
-  };
-  EXPECT_GT(number_of_boxes(flat_mesh_of(needles(100, 1))), 1000u);
-  // Wider ones where there are many needles: slices add at most 2^18 triangles.
-  EXPECT_GT(number_of_boxes(flat_mesh_of(needles(20000, 1))), 20000u + (1u << 16));
-  EXPECT_LE(number_of_boxes(flat_mesh_of(needles(20000, 1))), 20000u + (1u << 18));
-  // Much longer than the distances of centroids, which are the unit of slices.
-  const Soup needle{{{1e6, 1e6, 0}, {-1e6, -1e6, 0}, {0, 0, 1}}, {{0, 1, 2}}};
-  EXPECT_GT(number_of_boxes(flat_mesh_of(needle)), 16u);
-  EXPECT_LE(number_of_boxes(flat_mesh_of(needle)), 128u);
-  // Of a length beyond any integer, in these units: neither patch is lost.
-  const Soup needles_apart{{{1, 1, 0}, {-1, -1, 0}, {0, 0, 1e-36}, {1e-18, 1e-18, 0}, {-1e-18, -1e-18, 0}, {0, 0, 1e-20}},
-                           {{0, 1, 2}, {3, 4, 5}}};
-  EXPECT_GT(number_of_boxes(flat_mesh_of(needles_apart), 1e18), 128u);
-  for (const Soup& soup : {sphere(3), triangulated(torus(20, 10)), l_shape()}) {
-    const RS::Flat_mesh mesh = flat_mesh_of(soup);
-    EXPECT_EQ(number_of_boxes(mesh), mesh.patches().size());
-  }
-}
-
-TEST(Patch_boxes_test, slices_are_close_to_a_needle_on_each_side)
-{
-  // It rises by 1/1024 along the diagonal: slices of 1/32 along x and y, and of 1/65536 from the lower edge up.
-  const RS::Flat_mesh mesh = flat_mesh_of({{{-1, -1, 0}, {1, 1, 0}, {1, 1, 1. / 1024}}, {{0, 1, 2}}});
-  const RS::internal::Patch_triangles triangles(mesh, RS::internal::Patch_level::FINE, {0, 0, 0}, 1);
-  const RS::internal::Box_partition boxes = RS::internal::Patch_boxes::make<CGAL::Sequential_tag>(mesh, triangles);
-  ASSERT_EQ(boxes.size(), 64u);
-  constexpr float most = 1e-6f; // the margin
-  for (std::size_t i = 0; i < boxes.size(); ++i) {
-    const RS::internal::Box box = boxes.single(i).box;
-    const float step = float(i), lows[] = {-1 + step / 32, -1 + step / 32, 0},
-                highs[] = {-1 + (step + 1) / 32, -1 + (step + 1) / 32, (step + 1) / 65536};
-    for (std::size_t axis : {0, 1, 2}) {
-      EXPECT_TRUE(box.low[axis] < lows[axis] && box.low[axis] >= lows[axis] - most) << i << ' ' << axis;
-      EXPECT_TRUE(box.high[axis] > highs[axis] && box.high[axis] <= highs[axis] + most) << i << ' ' << axis;
-    }
-  }
-}
-
-RS::internal::Ray_tree::Hit first_hit(const RS::internal::Ray_tree& tree, const RS::Flat_mesh& mesh, const Double_3& source,
-                                      const Double_3& direction, RS::Flat_mesh::Index skipped)
-{
-  RS::internal::Ray ray = tree.make_ray(source, direction, skipped);
-  tree.trace(mesh, &ray, &ray + 1);
-  return tree.hit(ray);
-}
-
 /// Rays from faces in all directions; returns how many hit.
 std::size_t compare_hits(const Soup& soup, unsigned seed)
 {
@@ -135,8 +84,6 @@ std::size_t compare_hits(const Soup& soup, unsigned seed)
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> any(-1, 1);
   std::size_t hits = 0;
-  std::vector<RS::internal::Ray> together;
-  std::vector<RS::internal::Ray_tree::Hit> found;
   for (int i = 0; i < 300; ++i) {
     const std::size_t skipped = random() % mesh.number_of_faces();
     const Double_3 source = mesh.centroid(skipped);
@@ -147,25 +94,15 @@ std::size_t compare_hits(const Soup& soup, unsigned seed)
       if (f != skipped)
         nearest = std::min(nearest, distance_to_triangle(source, d, points[points.corner(f, 0)],
                                                          points[points.corner(f, 1)], points[points.corner(f, 2)]));
-    const auto hit = first_hit(tree, mesh, source, d, RS::Flat_mesh::Index(skipped));
-    const auto same = first_hit(gathering, mesh, source, d, RS::Flat_mesh::Index(skipped));
+    const auto hit = tree.first_hit(mesh, source, d, RS::Flat_mesh::Index(skipped));
+    const auto same = gathering.first_hit(mesh, source, d, RS::Flat_mesh::Index(skipped));
     EXPECT_EQ(same.face, hit.face);
     EXPECT_EQ(same.distance, hit.distance);
-    together.push_back(tree.make_ray(source, d, RS::Flat_mesh::Index(skipped)));
-    found.push_back(hit);
     if (std::isinf(nearest)) {
       EXPECT_EQ(hit.face, RS::internal::Ray_tree::no_face);
     } else {
       ++hits;
       EXPECT_NEAR(hit.distance, nearest, 1e-4 * (1 + nearest));
-    }
-  }
-  for (const auto* of_tree : {&tree, &gathering}) {
-    std::vector<RS::internal::Ray> rays = together;
-    of_tree->trace(mesh, rays.data(), rays.data() + rays.size());
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-      EXPECT_EQ(of_tree->hit(rays[i]).face, found[i].face);
-      EXPECT_EQ(of_tree->hit(rays[i]).distance, found[i].distance);
     }
   }
   return hits;
@@ -183,7 +120,7 @@ TEST(Ray_tree_test, finds_what_a_look_at_every_triangle_finds)
   }
 }
 
-TEST(Ray_tree_test, finds_them_in_subtrees_of_many_boxes)
+TEST(Ray_tree_test, finds_them_in_trees_of_many_boxes)
 {
   for (const Soup& soup : {needles(6000, 1), triangulated(torus(150, 60))})
     EXPECT_GT(compare_hits(soup, 1), 20u);
@@ -196,7 +133,7 @@ TEST(Ray_tree_test, a_ray_that_is_not_a_number_hits_nothing)
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const auto& [source, direction] : {std::make_pair(Double_3{nan, nan, nan}, Double_3{0, 0, 1}),
                                           std::make_pair(Double_3{0, 0, 0}, Double_3{nan, nan, nan})})
-    EXPECT_EQ(first_hit(tree, mesh, source, direction, RS::internal::Ray_tree::no_face).face,
+    EXPECT_EQ(tree.first_hit(mesh, source, direction, RS::internal::Ray_tree::no_face).face,
               RS::internal::Ray_tree::no_face);
 }
 
@@ -209,7 +146,7 @@ TEST(Ray_tree_test, finds_needles_up_to_their_tips)
       const Double_3& corner = mesh.points()[mesh.points().corner(f, i)];
       const Double_3 target = corner + 0.02 * (mesh.centroid(f) - corner);
       const auto hit =
-        first_hit(tree, mesh, target + 0.5 * mesh.normal(f), -1.0 * mesh.normal(f), RS::internal::Ray_tree::no_face);
+        tree.first_hit(mesh, target + 0.5 * mesh.normal(f), -1.0 * mesh.normal(f), RS::internal::Ray_tree::no_face);
       ASSERT_NE(hit.face, RS::internal::Ray_tree::no_face) << f;
       EXPECT_LE(hit.distance, 0.5 + 1e-4) << f; // or another one before
     }
@@ -224,7 +161,7 @@ TEST(Ray_tree_test, finds_faces_right_in_front_of_a_source)
   for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
     for (const double side : {1.0, -1.0}) {
       const Double_3 away = side * mesh.normal(f);
-      const auto hit = first_hit(tree, mesh, mesh.centroid(f) + 1e-6 * away, -1.0 * away, RS::internal::Ray_tree::no_face);
+      const auto hit = tree.first_hit(mesh, mesh.centroid(f) + 1e-6 * away, -1.0 * away, RS::internal::Ray_tree::no_face);
       EXPECT_EQ(hit.face, f) << side;
       EXPECT_LT(hit.distance, 2e-6) << side;
     }
@@ -239,8 +176,8 @@ TEST(Ray_tree_test, of_faces_hit_at_the_same_distance_it_is_the_lowest)
   std::size_t ties = 0;
   for (double x = 1; x < 16; x += 0.5)
     for (double y = 1; y < 16; y += 0.5) {
-      const auto hit = first_hit(tree, mesh, {x, y, 3}, {0, 0, -1}, RS::internal::Ray_tree::no_face);
-      const auto next = first_hit(tree, mesh, {x, y, 3}, {0, 0, -1}, hit.face);
+      const auto hit = tree.first_hit(mesh, {x, y, 3}, {0, 0, -1}, RS::internal::Ray_tree::no_face);
+      const auto next = tree.first_hit(mesh, {x, y, 3}, {0, 0, -1}, hit.face);
       ASSERT_NE(next.face, RS::internal::Ray_tree::no_face);
       EXPECT_GE(next.distance, hit.distance);
       if (next.distance == hit.distance) {
@@ -257,7 +194,7 @@ TEST(Ray_tree_test, of_corners_equally_far_from_the_centroid_a_fan_starts_at_the
   const Soup soup{{{-1, -1, 0.5}, {1, -1, -0.5}, {1, 1, 0.5}, {-1, 1, -0.5}}, {{0, 1, 2, 3}}};
   const RS::Flat_mesh mesh = flat_mesh_of(soup);
   const RS::internal::Ray_tree tree(mesh, mesh.centroid(0), RS::Execution<>());
-  EXPECT_NEAR(first_hit(tree, mesh, {0.1, 0, 5}, {0, 0, -1}, RS::internal::Ray_tree::no_face).distance, 5 - 0.45, 1e-6);
+  EXPECT_NEAR(tree.first_hit(mesh, {0.1, 0, 5}, {0, 0, -1}, RS::internal::Ray_tree::no_face).distance, 5 - 0.45, 1e-6);
 }
 
 TEST(Region_shapes_test, are_those_of_the_faces_and_of_the_first_face_where_there_is_no_area)

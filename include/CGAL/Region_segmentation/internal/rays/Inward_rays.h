@@ -24,7 +24,8 @@ namespace internal {
 
 /// The rays that `Visibility_annotator` casts from every region into the body.
 ///
-/// Bytes, while they are traced: 16 per patch, and per face of the regions without the center of a patch; 208 per region.
+/// Bytes, while they are traced: 16 per patch, and per face of the regions without the center of a
+/// patch; 208 per region.
 class Inward_rays
 {
   using Index = Surface::Index;
@@ -32,8 +33,9 @@ class Inward_rays
 public:
   static constexpr std::size_t faces_per_region = 3, rays_per_region = 12;
 
-  /// The number of rays that a region of a share of the area of the surface casts. Small regions cast one or none, so
-  /// that thousands of components cast less than 12 * 6,400 + 25,600 rays together.
+  /// The number of rays that a region of a share of the area of the surface casts. Small regions
+  /// cast one or none, so that thousands of components cast less than 12 * 6,400 + 25,600 rays
+  /// together.
   static std::size_t number_of_rays(double share)
   {
     constexpr double smallest_of_all_rays = 1. / 6400, smallest_of_a_ray = 1. / 25600;
@@ -44,15 +46,13 @@ public:
   using Hits = std::array<Ray_tree::Hit, rays_per_region>;
 
   /// `shapes`: of the regions; `tree`: of the mesh
-  Inward_rays(const Surface& mesh, const Patches& patches, const Partition& regions, const Region_shapes& shapes, const Ray_tree& tree)
-    : m_mesh(mesh)
-    , m_patches(patches)
-    , m_regions(regions)
-    , m_shapes(shapes)
-    , m_tree(tree)
-    , m_faces(regions.number_of_parts())
-    , m_spirals{make_spirals(1), make_spirals(2), make_spirals(3)}
-  {}
+  Inward_rays(const Surface& mesh, const Patches& patches, const Partition& regions, const Region_shapes& shapes,
+              const Ray_tree& tree)
+      : m_mesh(mesh), m_patches(patches), m_regions(regions), m_shapes(shapes), m_tree(tree),
+        m_faces(regions.number_of_parts()), m_spirals{make_spirals(1), make_spirals(2),
+                                                      make_spirals(3)}
+  {
+  }
 
   /// Computes the missing hits of regions. Can be called once.
   void trace(std::vector<std::optional<Hits>>& hits, const Execution& execution)
@@ -78,12 +78,12 @@ private:
   };
   using Spirals = std::array<Spiral, rays_per_region>;
 
-  /// The directions of the rays of a region, by the number of faces that they start from: on a spiral of the golden
-  /// angle, turned from face to face.
+  /// The directions of the rays of a region, by the number of faces that they start from: on a
+  /// spiral of the golden angle, turned from face to face.
   static Spirals make_spirals(std::size_t samples)
   {
     constexpr double golden_angle = 2.399963229728653, half_cone = 0.9; // radian
-    const std::size_t rays = rays_per_region / samples; // of a face
+    const std::size_t rays = rays_per_region / samples;                 // of a face
     Spirals spirals;
     for (std::size_t i = 0; i < rays_per_region; ++i) {
       const std::size_t k = i / rays, q = i % rays;
@@ -94,8 +94,8 @@ private:
     return spirals;
   }
 
-  /// The faces at the centers of patches, of those regions of which hits are missing; all faces of a region that
-  /// contains no such center.
+  /// The faces at the centers of patches, of those regions of which hits are missing; all faces of
+  /// a region that contains no such center.
   void group_faces(const std::vector<std::optional<Hits>>& hits)
   {
     std::vector<bool> wants_all(m_regions.number_of_parts());
@@ -103,7 +103,8 @@ private:
       wants_all[r] = !hits[r];
     for (std::size_t p = 0; p < m_patches.size(); ++p)
       wants_all[m_regions[m_patches[p].center]] = false;
-    const bool any_wants_all = std::find(wants_all.begin(), wants_all.end(), true) != wants_all.end();
+    const bool any_wants_all =
+      std::find(wants_all.begin(), wants_all.end(), true) != wants_all.end();
     const auto for_each_face = [&](const auto& f) {
       for (std::size_t p = 0; p < m_patches.size(); ++p)
         if (const Index face = m_patches[p].center; !hits[m_regions[face]])
@@ -137,7 +138,8 @@ private:
       std::nth_element(begin, sample, end);
       end = sample;
       const std::size_t first = k * rays_per_face;
-      trace_from(sample->second, m_spirals[samples - 1].data() + first, rays_per_face, hits.data() + first);
+      trace_from(sample->second, m_spirals[samples - 1].data() + first, rays_per_face,
+                 hits.data() + first);
     }
     return hits;
   }
@@ -150,13 +152,15 @@ private:
     const Double_3 u = start_of_spiral(face, source, inward), v = cross(inward, u);
     for (std::size_t i = 0; i < number; ++i) {
       const Spiral& s = spirals[i];
-      const Double_3 direction = s.cos_away * inward + s.sin_away * (s.cos_around * u + s.sin_around * v);
+      const Double_3 direction =
+        s.cos_away * inward + s.sin_away * (s.cos_around * u + s.sin_around * v);
       hits[i] = m_tree.first_hit(m_mesh, source, direction, face);
     }
   }
 
-  /// A unit vector in the plane of a face that depends on the shape of the surface alone: away from its centroid; or,
-  /// where the face is orthogonal to that, to its corner farthest from its own centroid.
+  /// A unit vector in the plane of a face that depends on the shape of the surface alone: away from
+  /// its centroid; or, where the face is orthogonal to that, to its corner farthest from its own
+  /// centroid.
   Double_3 start_of_spiral(Index face, const Double_3& source, const Double_3& inward) const
   {
     constexpr double smallest_part = 1e-3; // in the plane

@@ -57,26 +57,6 @@ public:
   /// The steps from a face, those to lower faces first, in order.
   Iterator_range<const Step*> steps(std::size_t face) const { return m_steps[face]; }
 
-  /// Prefetches the steps from a face: searches are bound by memory latency. (Without it, superfacets take 1.28 times
-  /// as long at 160,000 faces, and 1.04 times at 10,000.)
-  void prefetch_steps(std::size_t face) const
-  {
-#ifdef __GNUC__
-    __builtin_prefetch(m_steps[face].begin());
-#else
-    static_cast<void>(face);
-#endif
-  }
-
-  /// Of a step; 0 where there is none.
-  double mean_length() const
-  {
-    double sum = 0;
-    for (const Step& step : m_steps.all())
-      sum += double(step.length);
-    return m_steps.all().empty() ? 0 : sum / double(m_steps.all().size());
-  }
-
 private:
   template <typename LengthOf, typename LengthOfContact>
   Dual_graph_of(const Patches& patches, const LengthOf& length, const LengthOfContact& length_of_contact,

@@ -6,14 +6,16 @@
 #include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/internal/regions/Dual_graph.h>
-#include <CGAL/Region_segmentation/internal/regions/Front_queue.h>
+#include <CGAL/Region_segmentation/internal/support/Float_key.h>
 #include <CGAL/Region_segmentation/internal/support/Lowest_root_forest.h>
 #include <CGAL/Region_segmentation/internal/support/Large_array.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <numeric>
+#include <queue>
 #include <utility>
 #include <vector>
 
@@ -35,7 +37,6 @@ public:
     : m_execution(execution)
     , m_graph(std::move(graph))
     , m_reached(m_graph.number_of_faces(), Reached{unreached, 0, 0})
-    , m_front(m_graph.mean_length() / slices_of_mean_step)
   {}
 
   /// Places `number` seeds, or more if there are more components, or fewer if all faces are seeds. `remoteness`: by face; each
@@ -175,7 +176,8 @@ private:
   void grow()
   {
     while (!m_front.empty()) {
-      const Float_key top = m_front.pop();
+      const Float_key top = m_front.top();
+      m_front.pop();
       const Index face = index_of(top);
       const double distance = m_reached[face].distance;
       const Index label = m_reached[face].seed;
@@ -190,7 +192,6 @@ private:
         if (longer < next.distance || (next.predecessor == face && next.seed != label)) {
           next = {longer, label, face};
           m_front.push(make_float_key(float(longer), step.face));
-          m_graph.prefetch_steps(step.face);
         }
       }
     }
@@ -206,13 +207,13 @@ private:
   static constexpr double unreached = (std::numeric_limits<double>::max)();
   static constexpr Index none = (std::numeric_limits<Index>::max)();
   static constexpr std::size_t faces_per_bound = 64;
-  static constexpr double slices_of_mean_step = 100; // tuned empirically; across flat edges steps are far shorter
 
   const Execution m_execution; // usually a step, a temporary
   Dual_graph m_graph;
   Large_array<Reached> m_reached;
   std::vector<Entry> m_bounds; // a block of faces each
-  Front_queue m_front;
+  // Distances, rounded, and faces.
+  std::priority_queue<Float_key, std::vector<Float_key>, std::greater<Float_key>> m_front;
   std::vector<Index> m_seeds; // faces
   std::size_t m_number_wanted = 1, m_number_of_visits = 0;
 };

@@ -6,11 +6,11 @@
 #include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/Surface.h>
+#include <CGAL/Region_segmentation/internal/support/Lowest_root_forest.h>
 #include <CGAL/Region_segmentation/internal/support/label_components.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -49,8 +49,9 @@ struct Bodies
   }
 };
 
-/// The pairs of regions to be merged first: those that unite a crumb, then that across which it joins another component, by the
-/// longest contact, of equal ones to the nearest face; smallest crumbs first.
+/// The pairs of regions to be merged first, so that each crumb is one region and joins another component: that with the longest
+/// contact, of equal ones the nearest; smallest crumbs first. Crumbs that join each other go on until they reach a
+/// component that is none.
 inline std::vector<std::pair<Partition::Index, Partition::Index>> merges_of_crumbs(const Surface& surface,
                                                                                    const Partition& regions)
 {
@@ -59,35 +60,47 @@ inline std::vector<std::pair<Partition::Index, Partition::Index>> merges_of_crum
   if (!surface.has_seams_or_links())
     return result;
   const Bodies bodies(surface);
-  struct Pair
+  struct Way
   {
-    Index crumb;
-    bool leads_outside;
+    Index crumb, component;
     double length, distance;
     Index region, other;
   };
-  std::vector<Pair> pairs;
+  std::vector<Way> ways; // out of crumbs
   for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a) {
     const Index f = surface.lower_face(a), g = surface.higher_face(a);
     const Index c = bodies.component_of[f], d = bodies.component_of[g];
-    if (regions[f] == regions[g] || !(bodies.is_crumb(c) || bodies.is_crumb(d)))
+    if (c == d && regions[f] != regions[g] && bodies.is_crumb(c))
+      result.push_back({regions[f], regions[g]});
+    if (c == d || !(bodies.is_crumb(c) || bodies.is_crumb(d)))
       continue;
     const double length = surface.length(a), distance = norm(surface.centroid(f) - surface.centroid(g));
     if (bodies.is_crumb(c))
-      pairs.push_back({c, c != d, length, distance, regions[f], regions[g]});
-    if (bodies.is_crumb(d) && c != d)
-      pairs.push_back({d, true, length, distance, regions[g], regions[f]});
+      ways.push_back({c, d, length, distance, regions[f], regions[g]});
+    if (bodies.is_crumb(d))
+      ways.push_back({d, c, length, distance, regions[g], regions[f]});
   }
-  const auto key = [&](const Pair& p) {
-    return std::make_tuple(bodies.areas[p.crumb], p.crumb, p.leads_outside, -p.length, p.distance, p.region, p.other);
+  const auto key = [&](const Way& w) {
+    return std::make_tuple(bodies.areas[w.crumb], w.crumb, -w.length, w.distance, w.region, w.other);
   };
-  std::sort(pairs.begin(), pairs.end(), [&](const Pair& p, const Pair& q) { return key(p) < key(q); });
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    const bool is_first_outside =
-      i == 0 || pairs[i].crumb != pairs[i - 1].crumb || !pairs[i - 1].leads_outside;
-    if (!pairs[i].leads_outside || is_first_outside)
-      result.push_back({pairs[i].region, pairs[i].other});
-  }
+  std::sort(ways.begin(), ways.end(), [&](const Way& v, const Way& w) { return key(v) < key(w); });
+
+  Lowest_root_forest joined(bodies.areas.size());
+  std::vector<bool> has_arrived(bodies.areas.size()); // by root: one of its components is no crumb
+  for (std::size_t c = 0; c < has_arrived.size(); ++c)
+    has_arrived[c] = !bodies.is_crumb(c);
+  for (bool is_any = true; std::exchange(is_any, false);)
+    for (std::size_t i = 0; i < ways.size(); ++i) {
+      const Way& way = ways[i];
+      const Index from = joined.root(way.crumb), to = joined.root(way.component);
+      if (from == to || has_arrived[from])
+        continue;
+      const bool arrives = has_arrived[to];
+      joined.unite(from, to);
+      has_arrived[joined.root(from)] = arrives;
+      result.push_back({way.region, way.other});
+      is_any = true;
+    }
   return result;
 }
 

@@ -10,10 +10,9 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// A non-negative float and an index as one number, ordered by the float, then by the index, for frequent comparisons.
-/// (The bits of such floats are ordered like their values.)
-///
-/// With pairs in a heap instead of keys, superfacets take 1.23 times as long at 160,000 faces, 1.3 times at 10,000.
+/// A non-negative float and an index as one number, ordered by the float, then by the index: it is
+/// compared without a branch, and exchanged between threads at once. (The bits of such floats are
+/// ordered like their values.)
 using Float_key = std::uint64_t;
 
 inline Float_key make_float_key(float value, std::uint32_t index)

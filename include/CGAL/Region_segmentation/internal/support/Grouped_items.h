@@ -4,7 +4,6 @@
 #define CGAL_REGION_SEGMENTATION_INTERNAL_SUPPORT_GROUPED_ITEMS_H
 
 #include <CGAL/Region_segmentation/internal/support/Large_array.h>
-#include <CGAL/Region_segmentation/internal/support/prefetch.h>
 
 #include <CGAL/Iterator_range.h>
 
@@ -52,8 +51,6 @@ public:
   {
     return {m_items.data() + m_first[group], m_items.data() + m_first[group + 1]};
   }
-  /// Before `operator[]`.
-  void prefetch(std::size_t group) const { internal::prefetch(&m_first[group]); }
   /// @}
 
 private:
