@@ -4,6 +4,8 @@
 
 #include "input_mesh.h"
 
+#include <CGAL/Region_segmentation/Segments/divide_into_discs.h>
+#include <CGAL/Region_segmentation/Segments/split_into_segments.h>
 #include <CGAL/region_segmentation.h>
 
 #include <CGAL/Surface_mesh_parameterization/LSCM_parameterizer_3.h>
