@@ -11,7 +11,8 @@
 #include <CGAL/Region_segmentation/Methods/Smooth_faces.h>
 #include <CGAL/Region_segmentation/Segmenter.h>
 #include <CGAL/Region_segmentation/Segments/compute_segment_topology.h>
-#include <CGAL/Region_segmentation/Segments/divide_into_discs.h>
+#include <CGAL/Region_segmentation/Segments/mark_segment_seams.h>
+#include <CGAL/Region_segmentation/Segments/split_into_segments.h>
 #include <CGAL/Region_segmentation/Segments/extract_segment_borders.h>
 #include <CGAL/Region_segmentation/segment.h>
 
@@ -135,8 +136,11 @@ TEST_P(Robustness_test, what_comes_after_takes_any_labels_and_coordinates)
     std::vector<RS::Segment_border<Surface_mesh, std::size_t>> borders;
     const std::size_t number = RS::extract_segment_borders(mesh, labels, std::back_inserter(borders));
     EXPECT_EQ(borders.size(), number);
-    const auto discs = face_map(mesh);
-    EXPECT_GE(RS::divide_into_discs(mesh, labels, discs), segments);
+    const auto is_seam = edge_map(mesh);
+    RS::mark_segment_seams(mesh, labels, is_seam);
+    std::vector<RS::Segment_piece<Surface_mesh, Surface_mesh, std::size_t>> pieces;
+    RS::split_into_segments(mesh, labels, std::back_inserter(pieces), RS::parameters::edge_is_constrained_map(is_seam));
+    EXPECT_EQ(pieces.size(), segments);
   });
 }
 

@@ -6,6 +6,7 @@
 // Every function and every part of a method once, so that a compiler sees all of the library: for warnings and for other
 // versions of CGAL, language standards and compilers.
 
+#include <CGAL/Region_segmentation/evaluation.h>
 #include <CGAL/region_segmentation.h>
 #ifdef TEST_EIGEN
 #include <CGAL/Region_segmentation/Methods/Spectral_partitioner.h>
@@ -106,15 +107,17 @@ void use_segments(const Mesh& mesh)
   auto marks = get(CGAL::dynamic_edge_property_t<std::uint8_t>(), mesh);
   RS::mark_segment_borders(mesh, segments, marks);
   RS::mark_segment_seams(mesh, segments, marks, RS::Seam_cost());
-  RS::divide_into_discs(mesh, segments, others);
   std::vector<RS::Segment_border<Mesh, std::size_t>> borders;
   RS::extract_segment_borders(mesh, segments, std::back_inserter(borders));
   std::vector<RS::Segment_topology<std::size_t>> topologies;
   RS::compute_segment_topology(mesh, segments, std::back_inserter(topologies));
   std::vector<RS::Segment_piece<Mesh, Mesh, std::size_t>> pieces;
-  RS::split_into_segments(mesh, segments, std::back_inserter(pieces));
+  RS::split_into_segments(mesh, segments, std::back_inserter(pieces),
+                          RS::parameters::edge_is_constrained_map(marks));
 #ifdef TEST_EIGEN
-  std::vector<RS::Segment_description<std::size_t>> descriptions;
+  using Point = typename boost::property_map_value<Mesh, CGAL::vertex_point_t>::type;
+  using Kernel = typename CGAL::Kernel_traits<Point>::Kernel;
+  std::vector<RS::Segment_description<std::size_t, Kernel>> descriptions;
   RS::describe_segments(mesh, segments, std::back_inserter(descriptions));
 #endif
 

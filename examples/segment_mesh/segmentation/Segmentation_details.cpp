@@ -80,11 +80,11 @@ public:
   /// For each region the one of `nodes` that contains it, or `no_segment`.
   std::vector<std::size_t> nodes_of_regions(const std::vector<std::size_t>& nodes) const
   {
-    std::vector<std::size_t> result(m_parents.size(), RS::no_segment<std::size_t>);
+    std::vector<std::size_t> result(m_parents.size(), std::size_t(RS::no_segment));
     for (std::size_t node : nodes)
       result[node] = node;
     for (std::size_t node = m_parents.size(); node-- > 0;)
-      if (result[node] == RS::no_segment<std::size_t> && m_parents[node] != none)
+      if (result[node] == RS::no_segment && m_parents[node] != none)
         result[node] = result[m_parents[node]];
     result.resize(m_number_of_regions);
     return result;

@@ -8,6 +8,7 @@
 #include "soup/Polygon_soup.h"
 
 #include <CGAL/Region_segmentation/Segments/Segment_description.h>
+#include <CGAL/Simple_cartesian.h>
 
 #include <array>
 #include <cstddef>
@@ -16,7 +17,9 @@
 
 namespace segment_mesh {
 
-using Segment_description = CGAL::Region_segmentation::Segment_description<std::size_t>;
+using Kernel = CGAL::Simple_cartesian<double>;
+using Segment_description = CGAL::Region_segmentation::Segment_description<std::size_t, Kernel>;
+using Fitted_primitive = CGAL::Region_segmentation::Fitted_primitive<Kernel>;
 
 /// Points by their indices.
 using Polyline = std::vector<std::size_t>;
