@@ -60,7 +60,7 @@ TEST_F(Program, says_why_it_gives_fewer_or_more_segments)
 
   folder.write("b.off", "OFF\n6 2 0\n0 0 0\n1 0 0\n0 1 0\n5 0 0\n6 0 0\n5 1 0\n3 0 1 2\n3 3 4 5\n");
   EXPECT_TRUE(std::regex_match(
-    run("b.off -k 1").out,
+    run("b.off -k 1 --no-links").out,
     std::regex(
       "b\\.off: 2 faces, 2 regions, 2 segments of 1 \\(the mesh has 2 connected pieces\\)" +
       time_at_end)));

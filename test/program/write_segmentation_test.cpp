@@ -60,7 +60,6 @@ protected:
   static inline const Side_files s_side_files;
   static inline const std::optional<Viewpoint> s_no_viewpoint;
   static inline std::unique_ptr<Segmentation_details> s_details;
-  static inline std::vector<std::size_t> s_segmentation.segment_of_face;
   Temporary_folder m_folder;
 };
 
