@@ -5,6 +5,8 @@
 
 #include "input_mesh.h"
 
+#include <CGAL/Region_segmentation/Segments/mark_segment_seams.h>
+#include <CGAL/Region_segmentation/Segments/split_into_segments.h>
 #include <CGAL/region_segmentation.h>
 
 #include <CGAL/Surface_mesh_parameterization/LSCM_parameterizer_3.h>

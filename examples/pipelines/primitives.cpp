@@ -5,6 +5,7 @@
 #include "input_mesh.h"
 
 #include <CGAL/Region_segmentation/Segments/describe_segments.h>
+#include <CGAL/Region_segmentation/Segments/describe_segments.h>
 #include <CGAL/region_segmentation.h>
 
 #include <iterator>

@@ -14,10 +14,10 @@
 #include <CGAL/Region_segmentation/internal/concepts/check_annotator.h>
 #include <CGAL/Region_segmentation/internal/concepts/check_merging.h>
 #include <CGAL/Region_segmentation/internal/graph/build_graph.h>
-#include <CGAL/Region_segmentation/internal/graph/merge_requested.h>
 #include <CGAL/Region_segmentation/internal/graph/renumber_tree.h>
 #include <CGAL/Region_segmentation/internal/rays/Region_rays.h>
 #include <CGAL/Region_segmentation/internal/regions/border_costs.h>
+#include <CGAL/Region_segmentation/merge_requested_regions.h>
 #include <CGAL/Region_segmentation/requested_regions.h>
 
 #include <cstddef>
@@ -106,7 +106,7 @@ struct Superfacet_merging
     auto graph =
       annotated_graph(surface, prepared, requested.regions, request.constraints, execution.stage("graph"));
     const Merge_tree tree =
-      internal::merge_requested(surface, requested, graph, policy, 1, execution.stage("merging"));
+      merge_requested_regions(surface, requested, graph, policy, 1, execution.stage("merging"));
     const std::size_t number =
       request.number_of_segments > 0 ? request.number_of_segments : chooser(tree, surface);
     return Refinable_hierarchy(
