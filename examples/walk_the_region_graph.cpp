@@ -4,7 +4,7 @@
 
 #include "dumbbell.h"
 
-#include <CGAL/region_segmentation.h>
+#include <CGAL/region_segmentation_stages.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>

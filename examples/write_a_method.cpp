@@ -1,95 +1,63 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A user-defined method, made of parts: here a scalar of the faces (as it might be curvature or color) goes
-// into the cost of merging.
+// A method of one's own: what does not depend on wishes in prepare(), the rest in merge(). It has a number that it chooses,
+// constraints, seeds, links and a Segmenter like those of the package.
 
 #include "dumbbell.h"
 
-#include <CGAL/region_segmentation.h>
+#include <CGAL/Region_segmentation/Methods/Lowest_cost_first.h>
+#include <CGAL/Region_segmentation/Methods/Region_growing.h>
+#include <CGAL/Region_segmentation/Segmenter.h>
+#include <CGAL/Region_segmentation/build_region_adjacency_graph.h>
+#include <CGAL/Region_segmentation/merge_requested_regions.h>
+#include <CGAL/Region_segmentation/segment.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
 
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
+#include <algorithm>
 #include <iostream>
-#include <memory>
 #include <utility>
-#include <vector>
 
 using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
 using Mesh = CGAL::Surface_mesh<Point>;
 namespace RS = CGAL::Region_segmentation;
 
-/// A model of `RegionData`: the area and perimeter of a region, and the integral of the scalar.
-struct Scalar_region : RS::Region_geometry
+/// A model of `SegmentationMethod`: facets between all edges of more than 2 degrees, those across long and flat borders merged
+/// first, small ones before large ones.
+struct Facet_merging
 {
-  double scalar = 0;
+  RS::Region_growing growing = {2, RS::Feature_convexity::ALL};
+  double maximum_cost = 0.15; // of what is merged where no number is given, in lengths of the unit
 
-  double mean_scalar() const { return area > 0 ? scalar / area : 0; }
-
-  void absorb(const Scalar_region& other, const RS::Section_geometry& between)
+  struct Prepared
   {
-    RS::Region_geometry::absorb(other, between);
-    scalar += other.scalar;
-  }
-};
-
-/// A model of `GraphAnnotator` that holds the values of the faces, by face in iteration order.
-struct Scalar_annotator
-{
-  using RegionData = Scalar_region;
-  using SectionData = RS::Section_geometry;
-
-  std::shared_ptr<const std::vector<double>> values;
-
-  /// Optional: what is known of regions when some of them change, so that only the new ones are measured.
-  struct Cache
-  {
-    std::vector<double> scalars; // by region; not a number if unknown
-
-    void renumber(const std::vector<std::uint32_t>& previous_of)
-    {
-      std::vector<double> renumbered;
-      for (std::uint32_t previous : previous_of)
-        renumbered.push_back(previous < scalars.size() ? scalars[previous] : NAN);
-      scalars = std::move(renumbered);
-    }
+    RS::Partition regions;
   };
 
-  template <typename Graph, typename ConcurrencyTag>
-  void operator()(Graph& graph, const RS::Flat_mesh& mesh, const RS::Partition& regions,
-                  const RS::Execution<ConcurrencyTag>&, Cache& cache) const
+  Prepared prepare(const RS::Surface& surface, const RS::Execution& execution) const
   {
-    cache.scalars.resize(regions.number_of_parts(), NAN);
-    for (std::uint32_t r = 0; r < regions.number_of_parts(); ++r)
-      graph[r].scalar = std::isnan(cache.scalars[r]) ? 0 : cache.scalars[r];
-    for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
-      if (std::isnan(cache.scalars[regions[f]]))
-        graph[regions[f]].scalar += mesh.area(f) * (*values)[f];
-    for (std::uint32_t r = 0; r < regions.number_of_parts(); ++r)
-      cache.scalars[r] = graph[r].scalar;
+    return {growing(surface, RS::Constraints(), execution.stage("regions"))};
   }
 
-  template <typename Graph>
-  void operator()(Graph& graph, const RS::Flat_mesh& mesh, const RS::Partition& regions) const
+  RS::Hierarchy merge(const RS::Surface& surface, const Prepared& prepared, const RS::Request& request,
+                      const RS::Execution& execution) const
   {
-    Cache unused;
-    (*this)(graph, mesh, regions, RS::Execution<>(), unused);
-  }
-};
-
-/// A model of `SectionCost`: regions of different scalars are merged last.
-struct Scalar_cost
-{
-  using RegionData = Scalar_region; // what it reads: a method without these data does not compile
-  using SectionData = RS::Section_geometry;
-
-  template <typename Graph>
-  double operator()(const Graph& graph, typename Graph::section_descriptor s) const
-  {
-    return std::abs(graph[graph.source(s)].mean_scalar() - graph[graph.target(s)].mean_scalar());
+    RS::Requested_regions requested = RS::requested_regions(surface, prepared.regions, request);
+    auto graph = RS::build_region_adjacency_graph(surface, requested.regions, request.constraints);
+    const auto bend_times_width = [](const auto& g, auto s) {
+      return (CGAL_PI - g[s].mean_angle()) * (std::min)(g[g.source(s)].area, g[g.target(s)].area) / g[s].length;
+    };
+    RS::Merge_tree tree = RS::merge_requested_regions(surface, requested, graph, RS::Lowest_cost_first(bend_times_width), 1,
+                                                      execution.stage("merging"));
+    std::size_t number = request.number_of_segments;
+    if (number == 0) {
+      const double bound = maximum_cost * surface.length_unit();
+      number = tree.number_of_regions();
+      for (auto merge = tree.merges().begin(); merge != tree.merges().end() && merge->cost <= bound; ++merge)
+        --number;
+    }
+    return RS::Hierarchy(std::move(requested.regions), std::move(tree), number);
   }
 };
 
@@ -97,27 +65,13 @@ int main()
 {
   Mesh mesh = make_dumbbell<Mesh, Point>();
   auto segment_id = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:segment").first;
-  auto scalar = mesh.add_property_map<Mesh::Face_index, double>("f:scalar").first;
-  for (auto f : faces(mesh)) // which side of the plane x = 1 a face is on
-    scalar[f] = mesh.point(target(halfedge(f, mesh), mesh)).x() > 1 ? 1 : 0;
+  auto seed = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:seed", std::size_t(-1)).first;
 
-  const auto method = RS::make_segmentation_method(
-    RS::Superfacets(200), Scalar_annotator{std::make_shared<std::vector<double>>(RS::face_values(mesh, scalar))},
-    RS::Lowest_cost_first<Scalar_cost>());
-  std::cout << RS::segment(mesh, segment_id, RS::parameters::number_of_segments(2).method(method)) << " segments\n";
-
-  // Edges drawn lengthwise: the regions that they split are new, all others come from the cache.
-  auto is_drawn = mesh.add_property_map<Mesh::Edge_index, bool>("e:is_drawn", false).first;
-  const auto is_above = [&mesh](auto f) { return mesh.point(target(halfedge(f, mesh), mesh)).y() > 0; };
-  for (auto e : edges(mesh))
-    is_drawn[e] = is_above(face(halfedge(e, mesh), mesh)) != is_above(face(opposite(halfedge(e, mesh), mesh), mesh));
-  RS::Segmenter segmenter(mesh, RS::parameters::method(method));
-  const std::size_t number_before = segmenter.regions().number_of_parts();
-  segmenter.add_constraints(is_drawn);
-  std::cout << segmenter.segment(segment_id, 2) << " segments of " << segmenter.regions().number_of_parts() << " regions, "
-            << number_before << " before\n";
-
-  // The parts of another method with one of them exchanged.
-  const auto other = RS::Two_step().with_initializer(RS::Superfacets(50));
-  std::cout << RS::segment(mesh, segment_id, RS::parameters::number_of_segments(3).method(other)) << " segments\n";
+  RS::Segmenter segmenter(mesh, RS::parameters::method(Facet_merging()));
+  std::cout << segmenter.regions().number_of_parts() << " facets, " << segmenter.segment(segment_id) << " segments chosen, "
+            << segmenter.segment(segment_id, 5) << " asked for\n";
+  seed[*faces(mesh).begin()] = 0;
+  seed[*std::prev(faces(mesh).end())] = 1;
+  segmenter.set_seeds(seed);
+  std::cout << segmenter.segment(segment_id, 1) << " segments with two seeds\n";
 }

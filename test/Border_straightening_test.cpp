@@ -9,8 +9,10 @@
 #include <CGAL/Region_segmentation/Methods/Superfacets.h>
 #include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
 #include <CGAL/Region_segmentation/Segmenter.h>
+#include <CGAL/Region_segmentation/internal/cells/Patch_builder.h>
 #include <CGAL/Region_segmentation/internal/cuts/Region_pieces.h>
-#include <CGAL/Region_segmentation/read_flat_mesh.h>
+#include <CGAL/Region_segmentation/internal/graph/renumber_tree.h>
+#include <CGAL/Region_segmentation/make_surface.h>
 
 #include <gtest/gtest.h>
 
@@ -27,21 +29,27 @@ namespace RS = CGAL::Region_segmentation;
 using namespace test;
 using Index = RS::Partition::Index;
 
-const auto no_region = [](Index) { return false; };
-
-RS::Flat_mesh flat_mesh_of(const Soup& soup)
+RS::Surface surface_of(const Soup& soup)
 {
-  return RS::read_flat_mesh(to_surface_mesh(soup), RS::Border_straightening::required_mesh_data);
+  return RS::make_surface(to_surface_mesh(soup));
+}
+
+/// Of the faces.
+RS::Partition superfacets_of(const RS::Surface& surface, std::size_t number)
+{
+  const RS::Surface_patches patches = RS::internal::Patch_builder::build(surface, RS::Execution());
+  const auto costs = RS::internal::border_costs_of_edges(surface, patches.fine, RS::Border_cost());
+  return composed(patches.fine.of_elements(), RS::Superfacets(number)(surface, patches, costs));
 }
 
 /// Merges of adjacent segments, drawn at random, until few are left.
-RS::Merge_tree random_tree(const RS::Flat_mesh& mesh, const RS::Partition& regions, std::mt19937& random)
+RS::Merge_tree random_tree(const RS::Surface& mesh, const RS::Partition& regions, std::mt19937& random)
 {
   RS::Merge_tree tree(regions.number_of_parts());
   Labels segments = labels_of(regions);
   while (true) {
     std::vector<std::pair<std::size_t, std::size_t>> adjacent;
-    for (std::size_t e = 0; e < mesh.number_of_edges(); ++e) {
+    for (std::size_t e = 0; e < mesh.number_of_adjacencies(); ++e) {
       const std::size_t a = segments[mesh.lower_face(e)], b = segments[mesh.higher_face(e)];
       if (a != b)
         adjacent.push_back(std::minmax(a, b));
@@ -54,17 +62,41 @@ RS::Merge_tree random_tree(const RS::Flat_mesh& mesh, const RS::Partition& regio
   }
 }
 
-/// A random mesh with regions that are merged at random.
-struct Merged_mesh
+/// A surface with regions that are merged at random. Its faces are so large that each is a patch.
+struct Merged_surface
 {
-  RS::Flat_mesh mesh;
+  RS::Surface surface;
+  RS::Patches patches;
+  RS::internal::Dual_graph costs;
   RS::Partition regions;
   RS::Merge_tree tree;
 
-  Merged_mesh(Family family, unsigned seed, std::mt19937& random)
-      : mesh(flat_mesh_of(random_mesh(family, seed))), regions(RS::Superfacets(40)(mesh)),
-        tree(random_tree(mesh, regions, random))
+  Merged_surface(RS::Surface surface_, const RS::Partition& regions_, RS::Merge_tree tree_)
+    : surface(std::move(surface_)), patches(RS::internal::Patch_builder::build(surface, RS::Execution()).fine)
+    , costs(RS::internal::border_costs(surface, patches, RS::Border_cost())), regions(regions_), tree(std::move(tree_))
   {
+    EXPECT_EQ(patches.size(), surface.number_of_faces());
+  }
+
+  static Merged_surface random(Family family, unsigned seed, std::mt19937& random)
+  {
+    RS::Surface surface = surface_of(random_mesh(family, seed));
+    const RS::Partition regions = superfacets_of(surface, 40);
+    RS::Merge_tree tree = random_tree(surface, regions, random);
+    return Merged_surface(std::move(surface), regions, std::move(tree));
+  }
+
+  /// By default for all numbers of segments.
+  template <typename IsFixed>
+  std::vector<Index> straightened(const RS::Border_straightening& straightening, const IsFixed& is_fixed,
+                                  std::size_t number = std::size_t(-1)) const
+  {
+    return straightening(patches, surface.length_unit(), costs, {regions.begin(), regions.end()}, tree, is_fixed, number,
+                         RS::Execution());
+  }
+  std::vector<Index> straightened(const RS::Border_straightening& straightening) const
+  {
+    return straightened(straightening, [](Index) { return false; });
   }
 };
 
@@ -76,27 +108,25 @@ RS::Border_straightening wide_straightening()
   return straightening;
 }
 
-reference::Straightening_input input_of(const RS::Flat_mesh& mesh, const RS::Partition& regions,
-                                        const RS::Merge_tree& tree, const RS::Border_straightening& straightening)
+reference::Straightening_input input_of(const Merged_surface& m, const RS::Border_straightening& straightening)
 {
-  const RS::Mesh_patches& patches = mesh.patches();
+  const RS::Patches& patches = m.patches;
   reference::Straightening_input input;
   input.costs.resize(patches.size());
   input.lengths.resize(patches.size());
-  input.region_of.resize(patches.size());
   for (std::size_t i = 0; i < patches.adjacencies().size(); ++i) {
     const auto& [lower, higher, length] = patches.adjacencies()[i];
-    const double concavity = std::min(patches.concave_deviation(i), straightening.maximum_deviation);
-    const float cost = float(length / mesh.relative_unit() / (1 + straightening.concave_gain * concavity));
-    const double step = norm(patches[lower].centroid - patches[higher].centroid) / mesh.relative_unit();
+    const double concavity = std::min(patches.concave_deviation(i), 0.6);
+    const float cost = float(length / m.surface.length_unit() / (1 + 10 * concavity));
+    const double step = norm(patches[lower].centroid - patches[higher].centroid) / m.surface.length_unit();
     input.costs[lower][higher] = input.costs[higher][lower] = cost;
     input.lengths[lower][higher] = input.lengths[higher][lower] = step;
   }
   for (std::size_t p = 0; p < patches.size(); ++p) {
-    input.areas.push_back(patches[p].area / mesh.surface_area());
-    input.region_of[p] = regions[patches[p].center];
+    input.areas.push_back(patches[p].area / m.surface.area());
+    input.region_of.push_back(m.regions[patches[p].center]);
   }
-  for (const auto& merge : tree.merges())
+  for (const auto& merge : m.tree.merges())
     input.merges.push_back({merge.kept, merge.removed});
   input.number_of_cuts = straightening.number_of_cuts;
   input.width = straightening.width;
@@ -133,9 +163,9 @@ TEST(Region_pieces_test, are_connected_as_their_elements_are)
     for (unsigned seed = 1; seed <= 4; ++seed) {
       SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
       std::mt19937 random(seed);
-      const RS::Flat_mesh mesh = flat_mesh_of(random_mesh(family, seed));
-      const RS::internal::Dual_graph adjacency(mesh, [](std::size_t, std::size_t) { return 1.0; });
-      const RS::Partition partition = RS::Superfacets(8)(mesh);
+      const RS::Surface mesh = surface_of(random_mesh(family, seed));
+      const RS::internal::Dual_graph adjacency(mesh, [](std::size_t) { return true; }, [](std::size_t) { return 1.0; });
+      const RS::Partition partition = superfacets_of(mesh, 8);
       const std::vector<Index> region_of(partition.begin(), partition.end());
       RS::internal::Region_pieces pieces(adjacency, region_of, partition.number_of_parts());
       std::set<Index> removed;
@@ -172,15 +202,15 @@ TEST(Border_straightening_test, moves_borders_as_documented)
     for (unsigned seed = 1; seed <= 4; ++seed) {
       SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
       std::mt19937 random(seed);
-      const auto [mesh, regions, tree] = Merged_mesh(family, seed, random);
+      const Merged_surface merged = Merged_surface::random(family, seed, random);
       RS::Border_straightening straightening = wide_straightening();
       straightening.number_of_cuts = seed % 2 == 0 ? 10 : 1000;
-      const std::vector<Index> labels = straightening(mesh, regions, tree, no_region, RS::Execution<>());
-      const reference::Straightening expected(input_of(mesh, regions, tree, straightening));
-      std::vector<bool> is_left(regions.number_of_parts(), false);
+      const std::vector<Index> labels = merged.straightened(straightening);
+      const reference::Straightening expected(input_of(merged, straightening));
+      std::vector<bool> is_left(merged.regions.number_of_parts(), false);
       for (std::size_t f = 0; f < labels.size(); ++f) {
-        EXPECT_EQ(labels[f], expected.labels()[mesh.patches().of_faces()[f]]) << "face " << f;
-        moved += labels[f] != regions[f];
+        EXPECT_EQ(labels[f], expected.labels()[f]) << "face " << f;
+        moved += labels[f] != merged.regions[f];
         is_left[labels[f]] = true;
       }
       lost += std::size_t(std::count(is_left.begin(), is_left.end(), false));
@@ -208,13 +238,13 @@ TEST(Border_straightening_test, for_one_number_the_segments_are_the_same)
     for (unsigned seed = 1; seed <= 3; ++seed) {
       SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
       std::mt19937 random(seed);
-      const auto [mesh, regions, tree] = Merged_mesh(family, seed, random);
+      const Merged_surface merged = Merged_surface::random(family, seed, random);
       RS::Border_straightening straightening = wide_straightening();
       straightening.number_of_cuts = 10;
-      const std::vector<Index> all = straightening(mesh, regions, tree, no_region, RS::Execution<>());
-      for (std::size_t number = 1; number <= regions.number_of_parts() + 1; ++number) {
-        const auto labels = straightening(mesh, regions, tree, no_region, RS::Execution<>(), number);
-        EXPECT_EQ(Labels(labels.begin(), labels.end()), segments_of(all, tree, number)) << number << " segments";
+      const std::vector<Index> all = merged.straightened(straightening);
+      for (std::size_t number = 1; number <= merged.regions.number_of_parts() + 1; ++number) {
+        const auto labels = merged.straightened(straightening, [](Index) { return false; }, number);
+        EXPECT_EQ(Labels(labels.begin(), labels.end()), segments_of(all, merged.tree, number)) << number << " segments";
       }
     }
 }
@@ -223,7 +253,7 @@ TEST(Border_straightening_test, a_zigzag_becomes_straight)
 {
   // Two halves of a plate with teeth of two squares between them.
   const std::size_t columns = 20, rows = 12;
-  const RS::Flat_mesh mesh = flat_mesh_of(grid(columns, rows));
+  const RS::Surface mesh = surface_of(grid(columns, rows));
   Labels halves, straight;
   for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
     const RS::Double_3 c = mesh.centroid(f);
@@ -238,18 +268,16 @@ TEST(Border_straightening_test, a_zigzag_becomes_straight)
   straightening.width_of_segment = 0.5;
   const auto border = [&](const auto& labels) {
     double length = 0;
-    for (std::size_t e = 0; e < mesh.number_of_edges(); ++e)
+    for (std::size_t e = 0; e < mesh.number_of_adjacencies(); ++e)
       if (labels[mesh.lower_face(e)] != labels[mesh.higher_face(e)])
         length += mesh.length(e);
     return length;
   };
   ASSERT_GT(border(halves), double(rows));
-  const std::vector<Index> labels =
-    straightening(mesh, RS::Partition::from_labels(halves), tree, no_region, RS::Execution<>());
-  EXPECT_DOUBLE_EQ(border(labels), border(straight));
+  const Merged_surface merged(surface_of(grid(columns, rows)), RS::Partition::from_labels(halves), tree);
+  EXPECT_DOUBLE_EQ(border(merged.straightened(straightening)), border(straight));
   straightening.number_of_cuts = 0;
-  EXPECT_EQ(border(straightening(mesh, RS::Partition::from_labels(halves), tree, no_region, RS::Execution<>())),
-            border(halves));
+  EXPECT_EQ(border(merged.straightened(straightening)), border(halves));
 }
 
 TEST(Border_straightening_test, fixed_regions_keep_their_faces)
@@ -257,13 +285,12 @@ TEST(Border_straightening_test, fixed_regions_keep_their_faces)
   for (unsigned seed = 1; seed <= 10; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     std::mt19937 random(seed);
-    const auto [mesh, regions, tree] = Merged_mesh(Family::SPHERE, seed, random);
-    const Index fixed = Index(random() % regions.number_of_parts());
+    const Merged_surface merged = Merged_surface::random(Family::SPHERE, seed, random);
+    const Index fixed = Index(random() % merged.regions.number_of_parts());
     const RS::Border_straightening straightening = wide_straightening();
-    const std::vector<Index> labels =
-      straightening(mesh, regions, tree, [&](Index r) { return r == fixed; }, RS::Execution<>());
+    const std::vector<Index> labels = merged.straightened(straightening, [&](Index r) { return r == fixed; });
     for (std::size_t f = 0; f < labels.size(); ++f)
-      if (regions[f] == fixed) {
+      if (merged.regions[f] == fixed) {
         EXPECT_EQ(labels[f], fixed) << "face " << f;
       }
   }
@@ -272,15 +299,15 @@ TEST(Border_straightening_test, fixed_regions_keep_their_faces)
 template <typename Method>
 void expect_connected_and_nested(Method method)
 {
-  method.initializer.number = 60;
-  method.initializer.straightening.width = 0.1;
+  method.superfacets.number = 60;
+  method.straightening.width = 0.1;
   for (Family family : all_families)
     for (unsigned seed = 1; seed <= 2; ++seed) {
       SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
       const Soup soup = random_mesh(family, seed);
       const Surface_mesh mesh = to_surface_mesh(soup);
       auto map = face_map(mesh);
-      const RS::Segmenter segmenter(mesh, RS::parameters::method(method).region_map(map));
+      const RS::Segmenter segmenter(mesh, RS::parameters::method(method).region_map(map).component_links(false));
       Labels finer = labels_of(mesh, map);
       EXPECT_TRUE(is_numbered_by_first_face(finer, segmenter.merge_tree().number_of_regions()));
       EXPECT_TRUE(is_connected(soup, finer));

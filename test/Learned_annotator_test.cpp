@@ -6,8 +6,10 @@
 #include <CGAL/Region_segmentation/Methods/Learned_annotator.h>
 #include <CGAL/Region_segmentation/Methods/Merge_features.h>
 #include <CGAL/Region_segmentation/build_region_adjacency_graph.h>
+#include <CGAL/Region_segmentation/internal/cells/Patch_builder.h>
+#include <CGAL/Region_segmentation/internal/rays/Region_rays.h>
 #include <CGAL/Region_segmentation/internal/support/Second_moments.h>
-#include <CGAL/Region_segmentation/read_flat_mesh.h>
+#include <CGAL/Region_segmentation/make_surface.h>
 
 #include <gtest/gtest.h>
 
@@ -29,21 +31,28 @@ namespace Learned_annotator_test {
 using Graph = RS::Region_adjacency_graph<RS::Learned_region_data, RS::Learned_section_data>;
 using Region = Graph::region_descriptor;
 
-RS::Flat_mesh flat_mesh_of(const Soup& soup)
+RS::Surface surface_of(const Soup& soup)
 {
-  return RS::read_flat_mesh(to_surface_mesh(soup), RS::Mesh_data::POINTS | RS::Mesh_data::PATCHES);
+  return RS::make_surface(to_surface_mesh(soup));
+}
+
+Graph annotated(const RS::Surface& surface, const RS::Partition& regions)
+{
+  auto graph = RS::build_region_adjacency_graph<RS::Learned_region_data, RS::Learned_section_data>(surface, regions);
+  const RS::Surface_patches patches = RS::internal::Patch_builder::build(surface, RS::Execution());
+  RS::Learned_annotator()(graph, surface, regions, RS::Region_rays(surface, patches, regions));
+  return graph;
 }
 
 Graph annotated(const Soup& soup, const std::vector<std::size_t>& labels)
 {
-  return RS::build_region_adjacency_graph(flat_mesh_of(soup), RS::Partition::from_labels(labels),
-                                          RS::Learned_annotator());
+  return annotated(surface_of(soup), RS::Partition::from_labels(labels));
 }
 
 /// The faces by their nearest of `n` random faces: regions that need not be connected.
 std::vector<std::size_t> random_regions(const Soup& soup, std::size_t n, std::mt19937& random)
 {
-  const RS::Flat_mesh mesh = flat_mesh_of(soup);
+  const RS::Surface mesh = surface_of(soup);
   std::vector<std::size_t> seeds, labels;
   for (std::size_t i = 0; i < n; ++i)
     seeds.push_back(random() % mesh.number_of_faces());
@@ -148,7 +157,7 @@ TEST(Learned_annotator_test, a_plate_has_the_moments_of_its_squares)
 TEST(Learned_annotator_test, the_concave_edges_of_an_l_are_weakly_and_strongly_concave)
 {
   const Soup soup = box_on_plate();
-  const RS::Flat_mesh mesh = flat_mesh_of(soup);
+  const RS::Surface mesh = surface_of(soup);
   std::vector<std::size_t> labels; // the box by its height
   for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
     labels.push_back(mesh.centroid(f).z > 1 * (1 / mesh.unit()) + 1e-9 ? 1 : 0);
@@ -255,12 +264,13 @@ TEST(Learned_annotator_test, the_whole_surface_sees_itself_alone)
 TEST(Learned_annotator_test, annotating_again_changes_nothing)
 {
   const Soup soup = random_mesh(Family::BLOCKS, 2);
-  const RS::Flat_mesh mesh = flat_mesh_of(soup);
+  const RS::Surface mesh = surface_of(soup);
   std::mt19937 random(2);
   const RS::Partition regions = RS::Partition::from_labels(random_regions(soup, 20, random));
-  const Graph once = RS::build_region_adjacency_graph(mesh, regions, RS::Learned_annotator());
+  const Graph once = annotated(mesh, regions);
   Graph twice = once;
-  RS::Learned_annotator()(twice, mesh, regions);
+  const RS::Surface_patches patches = RS::internal::Patch_builder::build(mesh, RS::Execution());
+  RS::Learned_annotator()(twice, mesh, regions, RS::Region_rays(mesh, patches, regions));
   ASSERT_EQ(twice.number_of_sections(), once.number_of_sections());
   for (auto range = vertices(once); range.first != range.second; ++range.first) {
     const auto &a = twice[*range.first], &b = once[*range.first];
@@ -343,7 +353,7 @@ TEST(Merge_features_test, of_two_regions_made_by_hand)
   section.length = 0.5;
   section.concave = 0.1;
   section.visibility = 0.05;
-  section.number_of_edges = 1;
+  section.number_of_adjacencies = 1;
   section.weakly_concave_length = 0.25;
   section.squared_deviation = 0.2;
   section.log_thickness = 0.5 * -1.5;

@@ -162,7 +162,7 @@ Graph random_graph(std::mt19937& random)
         RS::Learned_section_data section;
         section.length = any(random);
         section.concave = 0.5 * any(random) * section.length;
-        section.number_of_edges = 1;
+        section.number_of_adjacencies = 1;
         graph.add_section(i, j, section);
       }
   return graph;
@@ -276,7 +276,7 @@ TEST(Lowest_order_first_test, merges_in_one_order_and_records_another_cost)
 
 TEST(Number_from_expected_costs_test, is_where_the_sum_is_lowest)
 {
-  const RS::Number_from_expected_costs<RS::Expected_merge_cost> chooser(12);
+  const RS::Number_from_expected_costs chooser(12);
   for (unsigned seed = 0; seed < 200; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     std::mt19937 random(seed);
@@ -311,7 +311,7 @@ TEST(Number_from_expected_costs_test, granularity_multiplies_every_cost_above_0)
   std::uint32_t n = 5;
   for (double cost : {0.5, 0.5, -0.7, -0.7})
     tree.push_back({0, --n, cost});
-  RS::Number_from_expected_costs<RS::Expected_merge_cost> chooser;
+  RS::Number_from_expected_costs chooser;
   chooser.minimum_number = 1;
   EXPECT_EQ(chooser(tree), 1u);
   chooser.granularity = 1.3; // 1.3 - 1.4 < 0
@@ -322,7 +322,7 @@ TEST(Number_from_expected_costs_test, granularity_multiplies_every_cost_above_0)
 
 TEST(Number_from_expected_costs_test, of_few_regions)
 {
-  const RS::Number_from_expected_costs<RS::Expected_merge_cost> chooser;
+  const RS::Number_from_expected_costs chooser;
   EXPECT_EQ(chooser(RS::Merge_tree(0)), 0u);
   EXPECT_EQ(chooser(RS::Merge_tree(1)), 1u);
   EXPECT_EQ(chooser(RS::Merge_tree(5)), 5u); // five components

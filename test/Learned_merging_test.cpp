@@ -18,9 +18,15 @@ using namespace test;
 
 namespace Learned_merging_test {
 
+template <typename Parameters>
+Labels segment_into(const Soup& soup, std::size_t k, const Parameters& np)
+{
+  return segments_of(to_surface_mesh(soup), np.number_of_segments(k).method(RS::Learned_merging()));
+}
+
 Labels segment_into(const Soup& soup, std::size_t k)
 {
-  return segments_of(to_surface_mesh(soup), RS::parameters::number_of_segments(k).method(RS::Learned_merging()));
+  return segment_into(soup, k, RS::parameters::default_values());
 }
 
 Labels segment_automatically(const Soup& soup)
@@ -40,13 +46,14 @@ TEST(Learned_merging_test, segmentations_nest_and_are_connected)
     const Soup soup = random_mesh(family, 5);
     Labels coarse;
     for (std::size_t k : {1, 2, 3, 5, 9, 20, 50}) {
-      const Labels fine = segment_into(soup, k);
+      const Labels fine = segment_into(soup, k, RS::parameters::component_links(false));
       EXPECT_TRUE(is_connected(soup, fine));
       EXPECT_EQ(number_of(fine), std::max(k, number_of_components(soup)));
       if (!coarse.empty()) {
         EXPECT_TRUE(nests(fine, coarse));
       }
       coarse = fine;
+      EXPECT_EQ(number_of(segment_into(soup, k)), k) << "with links";
     }
   }
 }

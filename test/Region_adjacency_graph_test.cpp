@@ -4,9 +4,8 @@
 #include "oracles.h"
 
 #include <CGAL/Region_segmentation/Graph/Region_adjacency_graph.h>
-#include <CGAL/Region_segmentation/Methods/Geometry_annotator.h>
 #include <CGAL/Region_segmentation/build_region_adjacency_graph.h>
-#include <CGAL/Region_segmentation/read_flat_mesh.h>
+#include <CGAL/Region_segmentation/make_surface.h>
 
 #include <boost/concept/assert.hpp>
 #include <boost/graph/connected_components.hpp>
@@ -48,7 +47,7 @@ RS::Section_geometry section(double length, double sum_of_angles = 1, std::size_
   RS::Section_geometry data;
   data.length = length;
   data.sum_of_angles = sum_of_angles;
-  data.number_of_edges = edges;
+  data.number_of_adjacencies = edges;
   return data;
 }
 
@@ -132,7 +131,7 @@ TEST(Region_adjacency_graph_test, a_merge_keeps_the_lower_id_and_adds_up)
   EXPECT_EQ(g[1].area, 2 + 8);
   EXPECT_EQ(g[1].perimeter, -2 * 5);
   EXPECT_EQ(g[*g.section(0, 1)].length, 1 + 3);
-  EXPECT_EQ(g[*g.section(0, 1)].number_of_edges, 2u);
+  EXPECT_EQ(g[*g.section(0, 1)].number_of_adjacencies, 2u);
   EXPECT_EQ(g[*g.section(2, 1)].length, 2 + 4);
   EXPECT_TRUE(g.is_removed(Region(3)));
   EXPECT_EQ(g.number_of_regions(), 4u);
@@ -282,7 +281,7 @@ void expect_equal(const Graph& g, const Oracle& oracle)
     ASSERT_EQ(source(s, g), pair.first);
     ASSERT_EQ(target(s, g), pair.second);
     ASSERT_EQ(g[s].length, data.length);
-    ASSERT_EQ(g[s].number_of_edges, data.edges);
+    ASSERT_EQ(g[s].number_of_adjacencies, data.edges);
     ASSERT_EQ(g.is_mergeable(s), data.is_mergeable);
     neighbors[pair.first].insert(pair.second);
     neighbors[pair.second].insert(pair.first);
@@ -472,7 +471,7 @@ TEST(Build_region_adjacency_graph_test, borders_of_the_mesh_are_no_perimeter)
   EXPECT_EQ(g[1].area, 2);
   const auto& between = g[*g.section(0, 1)];
   EXPECT_EQ(between.length, 2);
-  EXPECT_EQ(between.number_of_edges, 2u);
+  EXPECT_EQ(between.number_of_adjacencies, 2u);
   EXPECT_EQ(between.mean_angle(), std::acos(-1.0)); // flat
 }
 
@@ -505,7 +504,7 @@ TEST(Build_region_adjacency_graph_test, regions_may_be_scattered)
   const Graph g = build(grid(4, 1), {0, 1, 0, 1}, RS::parameters::default_values());
   EXPECT_EQ(g.number_of_sections(), 1u);
   EXPECT_EQ(g[0].perimeter, 3);
-  EXPECT_EQ(g[*g.section(0, 1)].number_of_edges, 3u);
+  EXPECT_EQ(g[*g.section(0, 1)].number_of_adjacencies, 3u);
 }
 
 TEST(Build_region_adjacency_graph_test, labels_are_any_integers)
@@ -521,21 +520,21 @@ TEST(Build_region_adjacency_graph_test, labels_are_any_integers)
   EXPECT_EQ(g.number_of_regions(), 3u);
   EXPECT_EQ(g[0].area, 2);
   EXPECT_EQ(g[1].area, 1);
-  EXPECT_EQ(g[*g.section(0, 1)].number_of_edges, 2u);
-  EXPECT_EQ(g[*g.section(0, 2)].number_of_edges, 1u);
+  EXPECT_EQ(g[*g.section(0, 1)].number_of_adjacencies, 2u);
+  EXPECT_EQ(g[*g.section(0, 2)].number_of_adjacencies, 1u);
   EXPECT_FALSE(g.section(1, 2));
 }
 
-TEST(Build_region_adjacency_graph_test, of_a_flat_mesh_and_a_partition)
+TEST(Build_region_adjacency_graph_test, of_a_surface_and_a_partition)
 {
   for (Family family : all_families) {
     SCOPED_TRACE(name(family));
     const Soup soup = random_mesh(family, 3);
     const Labels labels = run(soup, Options(3, reference::Convexity::all)).regions;
     const Graph expected = build(soup, labels, RS::parameters::default_values());
-    const RS::Flat_mesh flat = RS::read_flat_mesh(to_surface_mesh(soup));
+    const RS::Surface surface = RS::make_surface(to_surface_mesh(soup));
     const auto partition = RS::Partition::from_labels(labels);
-    const Graph g = RS::build_region_adjacency_graph(flat, partition, RS::Geometry_annotator<>());
+    const Graph g = RS::build_region_adjacency_graph(surface, partition);
     ASSERT_EQ(g.number_of_regions(), expected.number_of_regions());
     ASSERT_EQ(g.number_of_sections(), expected.number_of_sections());
     for (auto range = edges(expected); range.first != range.second; ++range.first)
@@ -543,43 +542,8 @@ TEST(Build_region_adjacency_graph_test, of_a_flat_mesh_and_a_partition)
                 expected[*range.first].length);
 
     const std::vector<int> too_few(soup.polygons.size() - 1, 0);
-    EXPECT_THROW(
-        RS::build_region_adjacency_graph(flat, RS::Partition::from_labels(too_few), RS::Geometry_annotator<>()),
-        RS::Invalid_input);
+    EXPECT_THROW(RS::build_region_adjacency_graph(surface, RS::Partition::from_labels(too_few)), RS::Invalid_input);
   }
-}
-
-/// Counts the faces of regions, which no data sums up, and shows the annotator whole data of sections.
-struct Counting_annotator
-{
-  struct RegionData : RS::Region_geometry
-  {
-    std::size_t faces = 0, edges = 0;
-  };
-  using SectionData = RS::Section_geometry;
-
-  template <typename AnyGraph>
-  void operator()(AnyGraph& g, const RS::Flat_mesh& mesh, const RS::Partition& regions) const
-  {
-    for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
-      ++g[Region(regions[f])].faces;
-    for (auto range = edges(g); range.first != range.second; ++range.first)
-      for (Region r : {g.source(*range.first), g.target(*range.first)})
-        g[r].edges += g[*range.first].number_of_edges;
-  }
-};
-
-TEST(Build_region_adjacency_graph_test, data_that_an_annotator_fills)
-{
-  const Surface_mesh mesh = to_surface_mesh(grid(4, 1));
-  auto map = face_map(mesh);
-  for (auto f : faces(mesh))
-    put(map, f, std::size_t(f) / 3);
-  const auto g = RS::build_region_adjacency_graph(mesh, map, Counting_annotator());
-  EXPECT_EQ(g[0].faces, 3u);
-  EXPECT_EQ(g[1].faces, 1u);
-  EXPECT_EQ(g[0].edges, 1u);
-  EXPECT_EQ(g[0].area, 3);
 }
 
 TEST(Build_region_adjacency_graph_test, merged_data_is_that_of_the_merged_labels)

@@ -4,15 +4,15 @@
 
 #include "meshes.h"
 
-#include <CGAL/Region_segmentation/Methods/Geometry_annotator.h>
 #include <CGAL/Region_segmentation/Methods/Lowest_cost_first.h>
 #include <CGAL/Region_segmentation/Methods/Scalar_annotator.h>
 #include <CGAL/Region_segmentation/Methods/Scalar_cost.h>
-#include <CGAL/Region_segmentation/Methods/Segmentation_method.h>
+#include <CGAL/Region_segmentation/Methods/Superfacet_merging.h>
 #include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
 #include <CGAL/Region_segmentation/Segmenter.h>
 #include <CGAL/Region_segmentation/build_region_adjacency_graph.h>
-#include <CGAL/Region_segmentation/read_flat_mesh.h>
+#include <CGAL/Region_segmentation/make_surface.h>
+#include <CGAL/Region_segmentation/merge_regions.h>
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
 
@@ -31,15 +31,15 @@ namespace RS = CGAL::Region_segmentation;
 using namespace test;
 using Merges = std::vector<RS::Merge_tree::Merge>;
 
-struct Each_face
+/// Nothing but the data that a scalar is added to.
+struct No_annotator
 {
-  RS::Partition operator()(const RS::Flat_mesh& mesh) const
-  {
-    std::vector<std::size_t> labels;
-    for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
-      labels.push_back(f);
-    return RS::Partition::from_labels(labels);
-  }
+  using RegionData = RS::Region_geometry;
+  using SectionData = RS::Section_geometry;
+
+  template <typename Graph>
+  void operator()(Graph&, const RS::Surface&, const RS::Partition&) const
+  {}
 };
 
 struct No_cost
@@ -54,10 +54,13 @@ struct No_cost
   }
 };
 
-auto method_of_scalar_alone(const std::vector<double>& values, double weight)
+using Annotator = RS::Scalar_annotator<No_annotator>;
+
+auto annotated(const RS::Surface& surface, const RS::Partition& regions, const Annotator& annotator)
 {
-  return RS::make_segmentation_method(Each_face(), RS::Scalar_annotator<RS::Geometry_annotator<>>(values),
-                                      RS::Lowest_cost_first(RS::Scalar_cost<No_cost>(weight)));
+  auto graph = RS::build_region_adjacency_graph<Annotator::RegionData, Annotator::SectionData>(surface, regions);
+  annotator(graph, surface, regions);
+  return graph;
 }
 
 std::vector<double> random_values(std::size_t number)
@@ -96,12 +99,16 @@ TEST(Scalar_cost, merges_by_the_difference_of_the_means)
   const double weight = 2.5;
   const Surface_mesh mesh = to_surface_mesh(random_mesh(Family::SPHERE, 3));
   const std::vector<double> values = random_values(num_faces(mesh));
-  const RS::Segmenter segmenter(mesh, RS::parameters::method(method_of_scalar_alone(values, weight)));
+  const RS::Surface surface = RS::make_surface(mesh);
+  auto graph =
+    annotated(surface, RS::Partition::into_single_elements(surface.number_of_faces()), Annotator(values));
+  const RS::Merge_tree tree =
+    RS::merge_regions(graph, RS::Lowest_cost_first(RS::Scalar_cost<No_cost>(weight)), 1, RS::Stop_at_count{1});
   std::vector<std::size_t> region(num_faces(mesh));
   for (std::size_t f = 0; f < region.size(); ++f)
     region[f] = f;
-  ASSERT_EQ(segmenter.merge_tree().merges().size(), region.size() - 1);
-  for (const auto& merge : segmenter.merge_tree().merges()) {
+  ASSERT_EQ(tree.merges().size(), region.size() - 1);
+  for (const auto& merge : tree.merges()) {
     ASSERT_NEAR(merge.cost, weight * lowest_difference(mesh, values, region), 1e-9);
     for (std::size_t& r : region)
       if (r == merge.removed)
@@ -112,14 +119,13 @@ TEST(Scalar_cost, merges_by_the_difference_of_the_means)
 TEST(Scalar_cost, of_a_constant_is_that_of_the_other_cost)
 {
   const Surface_mesh mesh = to_surface_mesh(random_mesh(Family::TORUS, 5));
-  const RS::Lowest_cost_first<RS::Visibility_cost> policy;
-  const auto merges = [&](const auto& method) {
+  const auto merges = [&](const auto& annotator, const auto& policy) {
+    const RS::Superfacet_merging method{annotator, policy, RS::Number_from_costs(-19.5)};
     return RS::Segmenter(mesh, RS::parameters::method(method)).merge_tree().merges();
   };
-  const Merges expected =
-    merges(RS::make_segmentation_method(RS::Superfacets(), RS::Visibility_annotator(), policy));
-  const Merges merged = merges(RS::make_segmentation_method(
-    RS::Superfacets(), RS::Scalar_annotator(std::vector<int>(num_faces(mesh), 7)), RS::Lowest_cost_first(RS::Scalar_cost(9))));
+  const Merges expected = merges(RS::Visibility_annotator(), RS::Lowest_cost_first<RS::Visibility_cost>());
+  const Merges merged = merges(RS::Scalar_annotator(std::vector<int>(num_faces(mesh), 7)),
+                               RS::Lowest_cost_first(RS::Scalar_cost(9)));
   ASSERT_EQ(merged.size(), expected.size());
   for (std::size_t i = 0; i < merged.size(); ++i) {
     EXPECT_EQ(merged[i].kept, expected[i].kept);
@@ -134,7 +140,9 @@ TEST(Scalar_annotator, takes_the_place_of_the_annotator_that_it_extends)
   const Surface_mesh mesh = to_surface_mesh(sphere(2));
   RS::Segmenter expected(mesh, RS::parameters::method(RS::Visibility_merging()));
   const RS::Scalar_annotator annotator(random_values(num_faces(mesh)));
-  RS::Segmenter segmenter(mesh, RS::parameters::method(RS::Visibility_merging().with_annotator(annotator)));
+  const RS::Visibility_merging visibility;
+  const RS::Superfacet_merging method{annotator, visibility.policy, visibility.chooser};
+  RS::Segmenter segmenter(mesh, RS::parameters::method(method));
   std::vector<std::size_t> seeds(num_faces(mesh), std::size_t(-1));
   seeds.front() = 0;
   seeds.back() = 1;
@@ -150,10 +158,10 @@ TEST(Scalar_annotator, takes_the_place_of_the_annotator_that_it_extends)
 
 TEST(Scalar_annotator, annotating_again_changes_nothing)
 {
-  const RS::Flat_mesh mesh = RS::read_flat_mesh(to_surface_mesh(cube()), RS::Mesh_data::POINTS);
+  const RS::Surface mesh = RS::make_surface(to_surface_mesh(cube()));
   const RS::Partition regions = RS::Partition::from_labels(std::vector<int>{0, 0, 1, 1, 1, 1});
-  const RS::Scalar_annotator<RS::Geometry_annotator<>> annotator(std::vector<double>{1, 2, 3, 4, 5, 6});
-  auto graph = RS::build_region_adjacency_graph(mesh, regions, annotator);
+  const Annotator annotator(std::vector<double>{1, 2, 3, 4, 5, 6});
+  auto graph = annotated(mesh, regions, annotator);
   for (int round = 0; round < 2; ++round) {
     EXPECT_DOUBLE_EQ(graph[0].mean_scalar(), 1.5);
     EXPECT_DOUBLE_EQ(graph[1].mean_scalar(), 4.5);
@@ -164,10 +172,10 @@ TEST(Scalar_annotator, annotating_again_changes_nothing)
 
 TEST(Scalar_annotator, names_values_that_are_missing_or_not_finite)
 {
-  const Surface_mesh mesh = to_surface_mesh(cube());
+  const RS::Surface surface = RS::make_surface(to_surface_mesh(cube()));
   const auto message = [&](const std::vector<double>& values) -> std::string {
     try {
-      RS::Segmenter(mesh, RS::parameters::method(method_of_scalar_alone(values, 1)));
+      annotated(surface, RS::Partition::into_single_elements(6), Annotator(values));
     } catch (const RS::Invalid_input& error) {
       return error.what();
     }

@@ -2,18 +2,22 @@
 
 #include "meshes.h"
 #include "oracles.h"
+#include "user_method.h"
 
+#include <CGAL/Region_segmentation/Methods/Learned_merging.h>
+#include <CGAL/Region_segmentation/Methods/Smallest_region_first.h>
+#include <CGAL/Region_segmentation/Methods/Smooth_faces.h>
 #include <CGAL/Region_segmentation/Methods/Two_step.h>
 #include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
 #include <CGAL/Region_segmentation/Segmenter.h>
-#include <CGAL/Region_segmentation/internal/segmenting/split_at_constraints.h>
-#include <CGAL/Region_segmentation/read_flat_mesh.h>
+#include <CGAL/Region_segmentation/internal/regions/split_at_constraints.h>
+#include <CGAL/Region_segmentation/make_surface.h>
 #include <CGAL/Region_segmentation/segment.h>
 
+#include <boost/property_map/property_map.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <numeric>
 #include <optional>
 #include <random>
 #include <set>
@@ -31,24 +35,29 @@ using Face = Surface_mesh::Face_index;
 RS::Visibility_merging visibility(std::size_t number_of_regions = 40)
 {
   RS::Visibility_merging method;
-  method.initializer.number = number_of_regions;
+  method.superfacets.number = number_of_regions;
   return method;
 }
 
 RS::Two_step two_step(double maximum_angle = 5)
 {
   RS::Two_step method;
-  method.initializer.maximum_angle = maximum_angle;
-  method.initializer.feature_convexity = RS::Feature_convexity::ALL;
+  method.growing.maximum_angle = maximum_angle;
+  method.growing.feature_convexity = RS::Feature_convexity::ALL;
   return method;
+}
+
+/// A map into labels by the index of the face.
+auto index_map(Labels& labels)
+{
+  return boost::make_iterator_property_map(labels.begin(), boost::typed_identity_property_map<Face>());
 }
 
 template <typename Segmenter>
 Labels labels(const Segmenter& segmenter, std::size_t k)
 {
-  auto map = face_map(segmenter.mesh());
-  const std::size_t n = segmenter.segment(map, k);
-  const Labels result = labels_of(segmenter.mesh(), map);
+  Labels result(segmenter.surface().number_of_faces(), 12345);
+  const std::size_t n = segmenter.segment(index_map(result), k);
   EXPECT_TRUE(is_numbered_by_first_face(result, n)) << k;
   return result;
 }
@@ -166,21 +175,21 @@ TEST(Segmenter_test, writes_regions_and_tree)
   EXPECT_EQ(tree.number_of_regions(), 40u);
   EXPECT_EQ(tree.merges().size(), 39u);
   EXPECT_EQ(segmenter.merge_tree().merges().size(), 39u);
-  EXPECT_EQ(segmenter.flat_mesh().number_of_faces(), num_faces(mesh));
+  EXPECT_EQ(segmenter.surface().number_of_faces(), num_faces(mesh));
 }
 
 TEST(Segmenter_test, can_be_moved_copied_and_held_by_type)
 {
   const Surface_mesh mesh = fine_dumbbell();
-  RS::Segmenter<Surface_mesh, RS::Two_step> first(mesh, RS::parameters::method(two_step()));
+  RS::Segmenter first(mesh, RS::parameters::method(two_step()));
   const Labels before = labels(first, 3);
-  const RS::Segmenter<Surface_mesh, RS::Two_step> copy = first;
-  const RS::Segmenter<Surface_mesh, RS::Two_step> moved = std::move(first);
+  const auto copy = first;
+  const auto moved = std::move(first);
   EXPECT_EQ(labels(copy, 3), before);
   EXPECT_EQ(labels(moved, 3), before);
   RS::Segmenter by_default(mesh);
   const Labels by_default_before = labels(by_default, 4);
-  std::optional<RS::Segmenter<Surface_mesh>> held;
+  std::optional<decltype(RS::Segmenter(mesh))> held;
   held.emplace(std::move(by_default));
   EXPECT_EQ(labels(*held, 4), by_default_before);
 }
@@ -238,7 +247,7 @@ struct Cancelling_visitor
 TEST(Segmenter_test, can_be_cancelled_in_every_stage)
 {
   const Surface_mesh mesh = fine_dumbbell();
-  for (const char* stage : {"reading", "regions", "graph", "merging", "borders"})
+  for (const char* stage : {"reading", "regions", "rays", "graph", "merging", "borders"})
     for (double fraction : {0.0, 0.5}) {
       Cancelling_visitor visitor{stage, fraction};
       auto regions = face_map(mesh);
@@ -313,10 +322,11 @@ TEST(Segmenter_test, regions_that_constraints_do_not_separate_stay_in_their_piec
   //      |0 |1 |0 |1 # 1|
   //      +--+--+--+--+--+
   const Surface_mesh mesh = to_surface_mesh(grid(5, 1));
-  const RS::Flat_mesh flat = RS::read_flat_mesh(
-    mesh, RS::Mesh_data::NOTHING_MORE, RS::parameters::edge_is_constrained_map(edge_map(mesh, std::set<Edge>{{4, 10}})));
+  const RS::Surface surface = RS::make_surface(mesh);
+  RS::Constraints constraints;
+  constraints.add(3, surface.number_of_adjacencies()); // of faces 3 and 4
   const RS::Partition split =
-    RS::internal::split_at_constraints(flat, RS::Partition::from_labels(Labels{0, 1, 0, 1, 1}));
+    RS::internal::split_at_constraints(surface, RS::Partition::from_labels(Labels{0, 1, 0, 1, 1}), constraints);
   EXPECT_EQ(Labels(split.begin(), split.end()), (Labels{0, 1, 0, 2, 3}));
 }
 
@@ -329,7 +339,7 @@ TEST(Segmenter_test, random_constraints_are_never_merged_across)
     std::mt19937 random(seed);
     RS::Visibility_merging method = visibility(15);
     // A border that moves can come to lie on an edge that separated nothing, and has no effect.
-    method.initializer.straightening.number_of_cuts = 0;
+    method.straightening.number_of_cuts = 0;
     RS::Segmenter segmenter(mesh, RS::parameters::method(method));
     std::set<Edge> drawn;
     for (int round = 0; round < 3; ++round) {
@@ -341,6 +351,35 @@ TEST(Segmenter_test, random_constraints_are_never_merged_across)
         EXPECT_TRUE(separates(soup, drawn, regions, labels(segmenter, k))) << k;
     }
   }
+}
+
+template <typename Method>
+void test_late_constraints(const Method& method)
+{
+  for (const auto& [family, seed] : random_meshes(2)) {
+    SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
+    const Soup soup = random_mesh(family, seed);
+    const Surface_mesh mesh = to_surface_mesh(soup);
+    std::mt19937 random(seed);
+    RS::Segmenter segmenter(mesh, RS::parameters::method(method));
+    std::set<Edge> drawn;
+    for (int round = 0; round < 2; ++round) {
+      for (const Edge& e : random_edges(soup, 8, random))
+        drawn.insert(e);
+      segmenter.add_constraints(edge_map(mesh, drawn));
+      const auto early = RS::parameters::method(method).edge_is_constrained_map(edge_map(mesh, drawn));
+      for (std::size_t k : {1, 5, 30})
+        EXPECT_EQ(labels(segmenter, k), labels_by_segment(mesh, early.number_of_segments(k))) << "round " << round;
+    }
+  }
+}
+
+TEST(Segmenter_test, later_constraints_give_the_labels_of_a_new_segmenter)
+{
+  test_late_constraints(RS::Learned_merging());
+  test_late_constraints(visibility(15));
+  test_late_constraints(RS::Smooth_faces());
+  test_late_constraints(two_step());
 }
 
 TEST(Segmenter_test, constraints_that_are_cancelled_change_nothing)
@@ -501,14 +540,8 @@ TEST(Segmenter_test, paths_between_equal_seeds_avoid_valleys)
   const Face first = face_near(mesh, 3.5, 5.5, 3), second = face_near(mesh, 5.5, 5.5, 3);
   put(seeds, first, 0);
   put(seeds, second, 0);
-  const auto face_each = [](const RS::Flat_mesh& flat) {
-    std::vector<RS::Partition::Index> numbers(flat.number_of_faces());
-    std::iota(numbers.begin(), numbers.end(), RS::Partition::Index(0));
-    return RS::Partition(numbers, numbers.size());
-  };
-  const RS::Two_step parts;
-  RS::Segmenter segmenter(mesh, RS::parameters::method(RS::make_segmentation_method(face_each, parts.annotator, parts.policy))
-                                  .number_of_segments(2));
+  const auto method = make_user_method(Single_faces(), RS::Smallest_region_first());
+  RS::Segmenter segmenter(mesh, RS::parameters::method(method));
   ASSERT_EQ(segmenter.regions().number_of_parts(), num_faces(mesh));
   segmenter.set_seeds(seeds);
   const RS::Partition& regions = segmenter.regions();
@@ -529,7 +562,7 @@ TEST(Segmenter_test, seeds_that_cannot_be_joined_are_refused_by_name)
   auto seeds = face_map(two, no_seed);
   put(seeds, Face(3), 42);
   put(seeds, Face(200), 42);
-  RS::Segmenter of_two(two);
+  RS::Segmenter of_two(two, RS::parameters::component_links(false));
   EXPECT_EQ(refusal(of_two, seeds).rfind("the faces of seed 42 cannot be joined", 0), 0u);
 
   const Surface_mesh bar = fine_dumbbell();
@@ -562,7 +595,7 @@ TEST(Segmenter_test, seeds_within_one_region_split_it)
   put(seeds, face_near(mesh, 0, 0, 0), 0);
   put(seeds, face_near(mesh, 8, 8, 0), 1);
   RS::Segmenter segmenter(mesh, RS::parameters::method(two_step()));
-  ASSERT_EQ(segmenter.regions().number_of_parts(), 1u) << "a flat sheet has no feature edge";
+  ASSERT_EQ(labels(segmenter, 1000), Labels(num_faces(mesh), 0)) << "a flat sheet has no feature edge";
   segmenter.set_seeds(seeds);
   const Labels after = labels(segmenter, 1);
   EXPECT_TRUE(follows_seeds(after, labels_of(mesh, seeds)));

@@ -10,7 +10,7 @@
 #include <CGAL/Region_segmentation/build_region_adjacency_graph.h>
 #include <CGAL/Region_segmentation/internal/regions/Face_links.h>
 #include <CGAL/Region_segmentation/internal/regions/Normal_section.h>
-#include <CGAL/Region_segmentation/read_flat_mesh.h>
+#include <CGAL/Region_segmentation/make_surface.h>
 #include <CGAL/Region_segmentation/segment.h>
 
 #include <gtest/gtest.h>
@@ -272,21 +272,26 @@ TEST(Smooth_faces_test, accepts_borders_and_degenerate_faces)
   }
 }
 
+using Graph = RS::Region_adjacency_graph<RS::Smoothness_region_data, RS::Smoothness_section_data>;
+
+Graph annotated(const RS::Surface& surface, const Labels& labels)
+{
+  const RS::Partition regions = RS::Partition::from_labels(labels);
+  auto graph = RS::build_region_adjacency_graph<RS::Smoothness_region_data, RS::Smoothness_section_data>(surface, regions);
+  const RS::Smoothness_annotator annotator;
+  annotator(graph, surface, regions, annotator.discontinuities(surface));
+  return graph;
+}
+
 /// The discontinuities of the sections between the regions of a mesh.
 std::vector<double> discontinuities(const Labelled& part)
 {
-  const Surface_mesh mesh = to_surface_mesh(part.soup);
-  const RS::Flat_mesh flat = RS::read_flat_mesh(mesh, RS::Mesh_data::POINTS);
-  const RS::Partition regions = RS::Partition::from_labels(part.truth);
-  auto graph = RS::build_region_adjacency_graph(flat, regions, RS::Smoothness_annotator());
-  std::vector<double> first, second;
-  for (auto* result : {&first, &second}) {
-    RS::Smoothness_annotator()(graph, flat, regions);
-    for (auto range = edges(graph); range.first != range.second; ++range.first)
-      result->push_back(graph[*range.first].mean_discontinuity());
-  }
-  EXPECT_EQ(first, second); // annotating again has no effect
-  return first;
+  const RS::Surface surface = RS::make_surface(to_surface_mesh(part.soup));
+  const Graph graph = annotated(surface, part.truth);
+  std::vector<double> result;
+  for (auto range = edges(graph); range.first != range.second; ++range.first)
+    result.push_back(graph[*range.first].mean_discontinuity());
+  return result;
 }
 
 /// Each facet for itself. Facets of a cylinder are smooth; caps meet them at 90 degrees of 32, which count 3.
@@ -320,11 +325,10 @@ TEST(Smoothness_annotator_test, measures_as_documented)
       SCOPED_TRACE(std::to_string(soup.polygons.size()) + " polygons, amplitude " + std::to_string(amplitude));
       Soup bumpy = triangulated(soup);
       bump(bumpy, amplitude, random);
-      const RS::Flat_mesh flat = RS::read_flat_mesh(to_surface_mesh(bumpy), RS::Mesh_data::POINTS);
+      const RS::Surface surface = RS::make_surface(to_surface_mesh(bumpy));
       Labels each(bumpy.polygons.size());
       std::iota(each.begin(), each.end(), std::size_t(0));
-      const auto graph =
-        RS::build_region_adjacency_graph(flat, RS::Partition::from_labels(each), RS::Smoothness_annotator());
+      const Graph graph = annotated(surface, each);
       const reference::Smoothness expected(bumpy);
       for (auto range = edges(graph); range.first != range.second; ++range.first) {
         const double d = graph[*range.first].mean_discontinuity();
@@ -342,12 +346,12 @@ TEST(Normal_section_test, a_path_ends_after_the_most_crossings)
 {
   // Along a strip of unit squares, from its end.
   constexpr int most = RS::internal::Normal_path::most_crossings;
-  const RS::Flat_mesh flat = RS::read_flat_mesh(to_surface_mesh(grid(most + 10, 1)), RS::Mesh_data::POINTS);
-  const RS::internal::Face_links links(flat);
+  const RS::Surface surface = RS::make_surface(to_surface_mesh(grid(most + 10, 1)));
+  const RS::internal::Face_links links(surface);
   const RS::internal::Face_edge end{0, 3};
-  EXPECT_EQ(RS::internal::Normal_section(flat, links, end, 2 * most, 0.1, 0.5).length, most);
-  EXPECT_EQ(RS::internal::Normal_section(flat, links, end, most - 0.5, 0.1, 0.5).length, most - 0.5);
-  EXPECT_EQ(RS::internal::facet_height(flat, links, end, 0.1), most);
+  EXPECT_EQ(RS::internal::Normal_section(surface, links, end, 2 * most, 0.1, 0.5).length, most);
+  EXPECT_EQ(RS::internal::Normal_section(surface, links, end, most - 0.5, 0.1, 0.5).length, most - 0.5);
+  EXPECT_EQ(RS::internal::facet_height(surface, links, end, 0.1), most);
 }
 
 TEST(Smoothness_data_test, degenerate_faces_have_no_area)
@@ -355,9 +359,8 @@ TEST(Smoothness_data_test, degenerate_faces_have_no_area)
   Soup soup = grid(2, 1);
   soup.points[2] = soup.points[1]; // the second face has only two corners that differ from each other
   soup.points[5] = soup.points[4];
-  const RS::Flat_mesh flat = RS::read_flat_mesh(to_surface_mesh(soup), RS::Mesh_data::POINTS);
-  const auto graph =
-    RS::build_region_adjacency_graph(flat, RS::Partition::from_labels(Labels{0, 1}), RS::Smoothness_annotator());
+  const RS::Surface surface = RS::make_surface(to_surface_mesh(soup));
+  const Graph graph = annotated(surface, {0, 1});
   EXPECT_EQ(graph[0].area, 1);
   EXPECT_EQ(graph[1].area, 0);
 }
@@ -365,8 +368,7 @@ TEST(Smoothness_data_test, degenerate_faces_have_no_area)
 TEST(Smoothness_data_test, counts_the_edges_of_a_section)
 {
   const auto sections = [](const Soup& soup, const Labels& labels) {
-    const RS::Flat_mesh flat = RS::read_flat_mesh(to_surface_mesh(soup), RS::Mesh_data::POINTS);
-    return RS::build_region_adjacency_graph(flat, RS::Partition::from_labels(labels), RS::Smoothness_annotator());
+    return annotated(RS::make_surface(to_surface_mesh(soup)), labels);
   };
   const auto rows = sections(scaled(grid(3, 2), 2), {0, 0, 0, 1, 1, 1});
   EXPECT_EQ(rows[*rows.section(0, 1)].number_of_edges, 3u);
@@ -381,7 +383,6 @@ TEST(Smoothness_data_test, counts_the_edges_of_a_section)
 
 TEST(Smoothness_cost_test, is_as_documented)
 {
-  using Graph = RS::Region_adjacency_graph<RS::Smoothness_region_data, RS::Smoothness_section_data>;
   const auto cost = [](double area, double facets, double other_area, double other_facets, double measured, double mean) {
     Graph graph;
     graph.add_region({area, facets});
@@ -412,12 +413,12 @@ TEST(Number_below_cost_test, ends_before_the_first_merge_above_the_bound)
   tree.push_back({2, 3, 1});
   tree.push_back({1, 4, 5});
   tree.push_back({0, 2, 3});
-  const auto number = [&tree](double bound) { return RS::Number_below_cost<RS::Smoothness_cost>{bound}(tree); };
+  const auto number = [&tree](double bound) { return RS::Number_below_cost{bound}(tree, RS::Surface()); };
   EXPECT_EQ(number(0.5), 5u);
   EXPECT_EQ(number(1), 4u);
   EXPECT_EQ(number(4), 4u);
   EXPECT_EQ(number(5), 2u);
-  EXPECT_EQ(RS::Number_below_cost<RS::Smoothness_cost>{1}(RS::Merge_tree()), 0u);
+  EXPECT_EQ(RS::Number_below_cost{1}(RS::Merge_tree(), RS::Surface()), 0u);
 }
 
 } // namespace Smooth_faces_test

@@ -4,8 +4,6 @@
 #include "oracles.h"
 
 #include <CGAL/Region_segmentation/Methods/Spectral_partitioner.h>
-#include <CGAL/Region_segmentation/Methods/Superfacets.h>
-#include <CGAL/Region_segmentation/Methods/Visibility_annotator.h>
 #include <CGAL/Region_segmentation/Segmenter.h>
 #include <CGAL/Region_segmentation/evaluation.h>
 #include <CGAL/Region_segmentation/internal/support/Lowest_root_forest.h>
@@ -132,12 +130,6 @@ TEST(Additive_visibility_cost_test, is_proportional_to_the_length_whatever_the_a
     EXPECT_NEAR(affinity(area, 0.4, 0.25), expected, 1e-12);
     EXPECT_NEAR(affinity(area, 0.4, 0.5), 2 * expected, 1e-12);
   }
-}
-
-/// The method of the partitioner on the regions of the default method.
-auto spectral_method()
-{
-  return RS::make_partitioning_method(RS::Superfacets(), RS::Visibility_annotator(), RS::Spectral_partitioner<>());
 }
 
 TEST(Spectral_partitioner_test, two_cliques_part_at_the_weak_link)
@@ -288,7 +280,7 @@ TEST(Spectral_partitioner_test, finds_the_balls_of_a_row)
       x += soup.points[v][0] / double(polygon.size());
     truth.push_back(x < -0.85 ? 0 : x < 0.85 ? 1 : 2);
   }
-  const auto np = RS::parameters::number_of_segments(3).method(spectral_method());
+  const auto np = RS::parameters::number_of_segments(3).method(RS::Spectral_partitioning<>());
   const Surface_mesh mesh = to_surface_mesh(soup);
   const Labels labels = segments_of(mesh, np);
   EXPECT_LT(RS::rand_index_distance(labels, truth), 0.06);
@@ -297,12 +289,12 @@ TEST(Spectral_partitioner_test, finds_the_balls_of_a_row)
   EXPECT_EQ(segments_of(to_mesh<CGAL::Polyhedron_3<Kernel>>(soup), np), labels);
 
   // Prepared once, asked for several numbers.
-  const RS::Segmenter segmenter(mesh, RS::parameters::method(spectral_method()));
+  const RS::Segmenter segmenter(mesh, RS::parameters::method(RS::Spectral_partitioning<>()));
   for (std::size_t k : {3, 2, 9, 3}) {
     auto map = face_map(mesh);
     EXPECT_EQ(segmenter.segment(map, k), k);
     EXPECT_EQ(labels_of(mesh, map),
-              segments_of(mesh, RS::parameters::number_of_segments(k).method(spectral_method())));
+              segments_of(mesh, RS::parameters::number_of_segments(k).method(RS::Spectral_partitioning<>())));
   }
 }
 
@@ -314,10 +306,20 @@ TEST(Spectral_partitioner_test, can_be_cancelled_before_it_starts)
   };
   const Surface_mesh mesh = to_surface_mesh(sphere(2));
   auto map = face_map(mesh);
-  const auto np = RS::parameters::number_of_segments(3).method(spectral_method());
+  const auto np = RS::parameters::number_of_segments(3).method(RS::Spectral_partitioning<>());
   Visitor visitor;
   EXPECT_THROW(RS::segment(mesh, map, np.visitor(std::ref(visitor))), RS::Segmentation_cancelled);
   EXPECT_EQ(RS::segment(mesh, map, np), 3u);
+}
+
+TEST(Spectral_partitioning_test, takes_no_seeds)
+{
+  const Surface_mesh mesh = to_surface_mesh(sphere(2));
+  auto map = face_map(mesh), seeds = face_map(mesh, std::size_t(-1));
+  put(seeds, *faces(mesh).begin(), 0);
+  const auto np = RS::parameters::number_of_segments(3).method(RS::Spectral_partitioning<>()).face_seed_map(seeds);
+  EXPECT_THROW(RS::segment(mesh, map, np), RS::Invalid_input);
+  EXPECT_EQ(labels_of(mesh, map), Labels(num_faces(mesh), 12345)) << "nothing is written";
 }
 
 TEST(Spectral_partitioner_test, gives_connected_segments_on_random_meshes)
@@ -330,8 +332,9 @@ TEST(Spectral_partitioner_test, gives_connected_segments_on_random_meshes)
       const std::set<Edge> constrained = random_edges(soup, 8, random);
       const Surface_mesh mesh = to_surface_mesh(soup);
       const Labels labels = segments_of(mesh, RS::parameters::number_of_segments(6)
-                                                .method(spectral_method())
-                                                .edge_is_constrained_map(edge_map(mesh, constrained)));
+                                                .method(RS::Spectral_partitioning<>())
+                                                .edge_is_constrained_map(edge_map(mesh, constrained))
+                                                .component_links(false));
       EXPECT_GE(std::set<std::size_t>(labels.begin(), labels.end()).size(), 6u);
       EXPECT_TRUE(is_connected(soup, labels, constrained));
     }

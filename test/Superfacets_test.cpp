@@ -6,9 +6,10 @@
 #include <CGAL/Region_segmentation/Methods/Region_growing.h>
 #include <CGAL/Region_segmentation/Methods/Superfacets.h>
 #include <CGAL/Region_segmentation/evaluation/rand_index_distance.h>
+#include <CGAL/Region_segmentation/internal/cells/Patch_builder.h>
 #include <CGAL/Region_segmentation/internal/regions/Farthest_point_seeding.h>
 #include <CGAL/Region_segmentation/internal/support/Float_key.h>
-#include <CGAL/Region_segmentation/read_flat_mesh.h>
+#include <CGAL/Region_segmentation/make_surface.h>
 
 #include <gtest/gtest.h>
 
@@ -27,14 +28,33 @@ using namespace test;
 
 namespace Superfacets_test {
 
-RS::Flat_mesh flat_mesh_of(const Soup& soup)
+RS::Surface surface_of(const Soup& soup)
 {
-  return RS::read_flat_mesh(to_surface_mesh(soup), RS::Superfacets::required_mesh_data);
+  return RS::make_surface(to_surface_mesh(soup));
+}
+
+RS::Surface_patches patches_of(const RS::Surface& surface)
+{
+  return RS::internal::Patch_builder::build(surface, RS::Execution());
+}
+
+/// The regions of the faces.
+RS::Partition regions_of(const RS::Surface& surface, const RS::Superfacets& superfacets,
+                         const RS::Border_cost& cost = RS::Border_cost())
+{
+  const RS::Surface_patches patches = patches_of(surface);
+  return composed(patches.fine.of_elements(),
+                  superfacets(surface, patches, RS::internal::border_costs_of_edges(surface, patches.fine, cost)));
+}
+
+bool is_edge(const RS::Surface& surface, std::size_t adjacency)
+{
+  return !surface.has_flag(adjacency, RS::Surface::SEAM | RS::Surface::LINK);
 }
 
 /// The definition, step by step: all distances from scratch for each seed, by relaxing until nothing
 /// changes. `inside`: along paths inside its parts.
-std::vector<double> distances_from(const RS::Flat_mesh& mesh, std::size_t seed, double weight,
+std::vector<double> distances_from(const RS::Surface& mesh, std::size_t seed, double weight,
                                    const RS::Partition* inside = nullptr)
 {
   double area = 0;
@@ -44,12 +64,12 @@ std::vector<double> distances_from(const RS::Flat_mesh& mesh, std::size_t seed, 
   distances[seed] = 0;
   for (bool changed = true; changed;) {
     changed = false;
-    for (std::size_t e = 0; e < mesh.number_of_edges(); ++e) {
+    for (std::size_t e = 0; e < mesh.number_of_adjacencies(); ++e) {
       const std::size_t f = mesh.lower_face(e), g = mesh.higher_face(e);
-      if (inside && (*inside)[f] != (*inside)[g])
+      if (!is_edge(mesh, e) || (inside && (*inside)[f] != (*inside)[g]))
         continue;
       const double concavity =
-        mesh.has_flag(e, RS::Flat_mesh::CONCAVE) ? std::min(mesh.deviation(f, e), 0.6) : 0;
+        mesh.has_flag(e, RS::Surface::CONCAVE) ? std::min(mesh.deviation(e), 0.6) : 0;
       const double step = norm(mesh.centroid(f) - mesh.centroid(g)) / std::sqrt(area) + weight * concavity;
       for (auto [from, to] : {std::make_pair(f, g), std::make_pair(g, f)})
         if (distances[from] + double(float(step)) < distances[to]) { // steps are stored as float
@@ -62,11 +82,11 @@ std::vector<double> distances_from(const RS::Flat_mesh& mesh, std::size_t seed, 
 }
 
 /// Of each face, from the centroid of the surface.
-std::vector<double> distances_from_centroid(const RS::Flat_mesh& mesh)
+std::vector<double> distances_from_centroid(const RS::Surface& mesh)
 {
   RS::Double_3 center{};
   for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
-    center = center + (mesh.area(f) / mesh.surface_area()) * mesh.centroid(f);
+    center = center + (mesh.area(f) / mesh.area()) * mesh.centroid(f);
   std::vector<double> distances;
   for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
     distances.push_back(norm(mesh.centroid(f) - center));
@@ -82,7 +102,7 @@ struct Seeding
 };
 
 /// Of the faces that no seed reaches, that farthest from the centroid of the surface; then the face farthest from the seeds before it.
-Seeding seeding_of(const RS::Flat_mesh& mesh, std::size_t number, double weight)
+Seeding seeding_of(const RS::Surface& mesh, std::size_t number, double weight)
 {
   Seeding result;
   result.nearest.assign(mesh.number_of_faces(), std::numeric_limits<double>::infinity());
@@ -112,11 +132,11 @@ TEST(Float_key_test, gives_back_its_value_and_index)
 }
 
 /// The dual graph of the faces with the steps of `distances_from()`.
-RS::internal::Dual_graph dual_graph_of(const RS::Flat_mesh& mesh, double weight)
+RS::internal::Dual_graph dual_graph_of(const RS::Surface& mesh, double weight)
 {
-  return RS::internal::Dual_graph(mesh, [&](std::size_t f, std::size_t e) {
-    const double concavity = mesh.has_flag(e, RS::Flat_mesh::CONCAVE) ? std::min(mesh.deviation(f, e), 0.6) : 0;
-    return norm(mesh.centroid(f) - mesh.centroid(mesh.higher_face(e))) / mesh.relative_unit() + weight * concavity;
+  return RS::internal::Dual_graph(mesh, [&](std::size_t e) { return is_edge(mesh, e); }, [&](std::size_t e) {
+    const double concavity = mesh.has_flag(e, RS::Surface::CONCAVE) ? std::min(mesh.deviation(e), 0.6) : 0;
+    return norm(mesh.centroid(mesh.lower_face(e)) - mesh.centroid(mesh.higher_face(e))) / mesh.length_unit() + weight * concavity;
   });
 }
 
@@ -125,8 +145,8 @@ TEST(Farthest_point_seeding_test, every_face_goes_to_the_nearest_of_far_apart_se
   for (Family family : {Family::SHEET, Family::SPHERE, Family::TORUS, Family::BLOCKS})
     for (unsigned seed = 1; seed <= 4; ++seed) {
       SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
-      const RS::Flat_mesh mesh = flat_mesh_of(random_mesh(family, seed));
-      const RS::Execution<> execution;
+      const RS::Surface mesh = surface_of(random_mesh(family, seed));
+      const RS::Execution execution;
       RS::internal::Farthest_point_seeding seeding(dual_graph_of(mesh, 0.4), execution);
       seeding.run(distances_from_centroid(mesh), 12);
       const RS::Partition regions = seeding.regions();
@@ -151,7 +171,7 @@ TEST(Superfacets_test, regions_are_connected_and_numbered_by_first_face)
     for (unsigned seed = 1; seed <= 5; ++seed) {
       SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
       const Soup soup = random_mesh(family, seed);
-      const RS::Partition regions = RS::Superfacets(20)(flat_mesh_of(soup));
+      const RS::Partition regions = regions_of(surface_of(soup), RS::Superfacets(20));
       EXPECT_TRUE(is_numbered_by_first_face(labels_of(regions), regions.number_of_parts()));
       EXPECT_TRUE(is_connected(soup, labels_of(regions)));
     }
@@ -163,9 +183,9 @@ TEST(Farthest_point_seeding_test, every_component_gets_a_seed_where_it_is_farthe
     for (std::size_t number : {1, 3, 9}) {
       SCOPED_TRACE("seed " + std::to_string(seed) + ", " + std::to_string(number) + " regions");
       const Soup one = random_mesh(Family::SPHERE, seed), other = random_mesh(Family::TORUS, seed);
-      const RS::Flat_mesh mesh =
-        flat_mesh_of(joined(joined(one, translated(other, 20, 0, 0)), translated(one, 0, 50, 0)));
-      const RS::Execution<> execution;
+      const RS::Surface mesh =
+        surface_of(joined(joined(one, translated(other, 20, 0, 0)), translated(one, 0, 50, 0)));
+      const RS::Execution execution;
       RS::internal::Farthest_point_seeding seeding(dual_graph_of(mesh, 0.4), execution);
       seeding.run(distances_from_centroid(mesh), number);
       const RS::Partition regions = seeding.regions();
@@ -185,15 +205,15 @@ TEST(Farthest_point_seeding_test, given_seeds_are_placed_all_at_once)
     for (unsigned seed = 1; seed <= 4; ++seed) {
       SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
       const Soup soup = random_mesh(family, seed);
-      const RS::Flat_mesh mesh = flat_mesh_of(soup);
+      const RS::Surface mesh = surface_of(soup);
       std::vector<std::size_t> seeds = seeding_of(mesh, 2, 0.4).seeds; // one in each component
       std::mt19937 random(seed);
       while (seeds.size() < 9)
         if (const std::size_t f = random() % mesh.number_of_faces(); std::find(seeds.begin(), seeds.end(), f) == seeds.end())
           seeds.push_back(f);
-      const RS::Execution<> execution;
+      const RS::Execution execution;
       RS::internal::Farthest_point_seeding seeding(dual_graph_of(mesh, 0.4), execution);
-      seeding.run(std::vector<RS::Flat_mesh::Index>(seeds.begin(), seeds.end()));
+      seeding.run(std::vector<RS::Surface::Index>(seeds.begin(), seeds.end()));
       const RS::Partition regions = seeding.regions();
       ASSERT_EQ(regions.number_of_parts(), seeds.size());
       EXPECT_TRUE(is_connected(soup, labels_of(regions)));
@@ -217,14 +237,14 @@ TEST(Farthest_point_seeding_test, splitting_separates_the_face_farthest_from_its
   for (Family family : {Family::SHEET, Family::SPHERE, Family::TORUS, Family::BLOCKS})
     for (unsigned seed = 1; seed <= 2; ++seed) {
       SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
-      const RS::Flat_mesh mesh = flat_mesh_of(random_mesh(family, seed));
+      const RS::Surface mesh = surface_of(random_mesh(family, seed));
       const Seeding expected = seeding_of(mesh, 12, 0.4);
       std::vector<std::size_t> order(mesh.number_of_faces()); // the farthest first, of several the higher face
       std::iota(order.begin(), order.end(), std::size_t(0));
       std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
         return expected.nearest[a] != expected.nearest[b] ? expected.nearest[a] > expected.nearest[b] : a > b;
       });
-      const RS::Execution<> execution;
+      const RS::Execution execution;
       RS::internal::Farthest_point_seeding seeding(dual_graph_of(mesh, 0.4), execution);
       seeding.run(distances_from_centroid(mesh), 12);
       RS::Partition before = seeding.regions();
@@ -282,12 +302,13 @@ TEST(Border_shortening_test, moves_the_face_with_the_largest_gain_until_there_is
   for (Family family : {Family::SHEET, Family::SPHERE, Family::TORUS, Family::BLOCKS})
     for (unsigned seed = 1; seed <= 3; ++seed) {
       SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
-      const RS::Flat_mesh mesh = flat_mesh_of(random_mesh(family, seed));
-      const RS::Execution<> execution;
+      const RS::Surface mesh = surface_of(random_mesh(family, seed));
+      const RS::Execution execution;
       RS::internal::Farthest_point_seeding seeding(dual_graph_of(mesh, 0.4), execution);
       seeding.run(distances_from_centroid(mesh), 15);
       const RS::Partition before = seeding.regions();
-      const RS::internal::Dual_graph costs(mesh, [&](std::size_t, std::size_t e) { return mesh.length(e); });
+      const RS::internal::Dual_graph costs(mesh, [&](std::size_t e) { return is_edge(mesh, e); },
+                                           [&](std::size_t e) { return mesh.length(e); });
       std::vector<std::size_t> expected(before.begin(), before.end());
       for (Move move = best_move(costs, expected); move.gain > 0; move = best_move(costs, expected)) {
         expected[move.face] = move.to;
@@ -305,27 +326,27 @@ TEST(Superfacets_test, are_seeded_on_the_patches_and_shortened)
     for (unsigned seed = 1; seed <= 3; ++seed) {
       SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
       // The faces are so large that each is a patch.
-      const RS::Flat_mesh mesh = flat_mesh_of(random_mesh(family, seed));
-      ASSERT_EQ(mesh.patches().size(), mesh.number_of_faces());
-      const RS::Execution<> execution;
+      const RS::Surface mesh = surface_of(random_mesh(family, seed));
+      ASSERT_EQ(patches_of(mesh).fine.size(), mesh.number_of_faces());
+      const RS::Execution execution;
       RS::internal::Farthest_point_seeding seeding(dual_graph_of(mesh, 0.4), execution);
       seeding.run(distances_from_centroid(mesh), 15);
-      const RS::internal::Dual_graph costs(mesh, [&](std::size_t f, std::size_t e) {
-        const double concavity = mesh.has_flag(e, RS::Flat_mesh::CONCAVE) ? std::min(mesh.deviation(f, e), 0.6) : 0;
-        return mesh.length(e) / mesh.relative_unit() / (1 + 10 * concavity);
+      const RS::internal::Dual_graph costs(mesh, [&](std::size_t e) { return is_edge(mesh, e); }, [&](std::size_t e) {
+        const double concavity = mesh.has_flag(e, RS::Surface::CONCAVE) ? std::min(mesh.deviation(e), 0.6) : 0;
+        return mesh.length(e) / mesh.length_unit() / (1 + 10 * concavity);
       });
-      EXPECT_LT(RS::rand_index_distance(RS::Superfacets(15)(mesh),
+      EXPECT_LT(RS::rand_index_distance(regions_of(mesh, RS::Superfacets(15)),
                                         RS::internal::Border_shortening(costs, seeding.regions()).take_regions()),
                 0.02); // but for rounding
     }
 }
 
 /// The graph of patches with the steps of the definition.
-RS::internal::Dual_graph dual_graph_of(const RS::Patches& patches, const RS::Flat_mesh& mesh)
+RS::internal::Dual_graph dual_graph_of(const RS::Patches& patches, const RS::Surface& mesh)
 {
   return RS::internal::Dual_graph(patches, [&](std::size_t i) {
     const auto& a = patches.adjacencies()[i];
-    return norm(patches[a.lower].centroid - patches[a.higher].centroid) / mesh.relative_unit() +
+    return norm(patches[a.lower].centroid - patches[a.higher].centroid) / mesh.length_unit() +
            0.4 * std::min(patches.concave_deviation(i), 0.6);
   });
 }
@@ -336,15 +357,15 @@ TEST(Superfacets_test, are_seeded_on_coarse_patches_where_there_are_four_for_eac
   Soup soup = triangulated(torus(120, 60));
   bump(soup, 0.01, random);
   soup = scaled(soup, 0.01); // an area below 1
-  const RS::Flat_mesh mesh = flat_mesh_of(soup);
-  ASSERT_LT(mesh.surface_area(), 1);
-  const RS::Mesh_patches& patches = mesh.patches();
-  const RS::Patches& coarse = patches.coarse();
-  ASSERT_LT(coarse.size(), patches.size() / 2);
-  const RS::Execution<> execution;
+  const RS::Surface mesh = surface_of(soup);
+  ASSERT_LT(mesh.area(), 1);
+  const RS::Surface_patches patches = patches_of(mesh);
+  const RS::Patches &fine = patches.fine, &coarse = patches.coarse;
+  ASSERT_LT(coarse.size(), fine.size() / 2);
+  const RS::Execution execution;
   RS::Double_3 center{}; // of the surface
   for (std::size_t p = 0; p < coarse.size(); ++p)
-    center = center + (coarse[p].area / mesh.surface_area()) * coarse[p].centroid;
+    center = center + (coarse[p].area / mesh.area()) * coarse[p].centroid;
   const auto remoteness = [&](const RS::Patches& of) {
     std::vector<double> result;
     for (std::size_t p = 0; p < of.size(); ++p)
@@ -352,21 +373,21 @@ TEST(Superfacets_test, are_seeded_on_coarse_patches_where_there_are_four_for_eac
     return result;
   };
   for (const std::size_t number : {1ul, 40ul, coarse.size() / 4, coarse.size() / 4 + 1}) {
-    RS::internal::Farthest_point_seeding seeding(dual_graph_of(patches, mesh), execution);
+    RS::internal::Farthest_point_seeding seeding(dual_graph_of(fine, mesh), execution);
     if (number > coarse.size() / 4)
-      seeding.run(remoteness(patches), number);
+      seeding.run(remoteness(fine), number);
     else {
       RS::internal::Farthest_point_seeding on_coarse(dual_graph_of(coarse, mesh), execution);
       on_coarse.run(remoteness(coarse), number);
-      std::vector<RS::Flat_mesh::Index> seeds;
-      for (const RS::Flat_mesh::Index seed : on_coarse.seeds())
+      std::vector<RS::Surface::Index> seeds;
+      for (const RS::Surface::Index seed : on_coarse.seeds())
         seeds.push_back(coarse[seed].center);
       seeding.run(seeds);
     }
-    const RS::internal::Dual_graph costs = RS::internal::border_costs(mesh, patches, 10, 0.6);
+    const RS::internal::Dual_graph costs = RS::internal::border_costs_of_edges(mesh, fine, RS::Border_cost());
     const RS::Partition expected = RS::internal::Border_shortening(costs, seeding.regions()).take_regions();
     ASSERT_EQ(expected.number_of_parts(), number);
-    EXPECT_LT(RS::rand_index_distance(RS::Superfacets(number)(mesh), composed(patches.of_faces(), expected)), 0.001)
+    EXPECT_LT(RS::rand_index_distance(regions_of(mesh, RS::Superfacets(number)), composed(fine.of_elements(), expected)), 0.001)
       << number << " regions"; // but for rounding
   }
 }
@@ -377,9 +398,9 @@ TEST(Superfacets_test, splitting_gives_any_number_of_connected_parts)
     for (unsigned seed = 1; seed <= 3; ++seed) {
       SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
       const Soup soup = random_mesh(family, seed);
-      const RS::Flat_mesh mesh = flat_mesh_of(soup);
+      const RS::Surface mesh = surface_of(soup);
       const RS::Superfacets superfacets(20);
-      RS::Partition coarse = superfacets(mesh);
+      RS::Partition coarse = regions_of(mesh, superfacets);
       EXPECT_EQ(superfacets.split(mesh, coarse, coarse.number_of_parts()), coarse);
       for (std::size_t k = coarse.number_of_parts(); k < mesh.number_of_faces(); k += 1 + k / 3) {
         const RS::Partition fine = superfacets.split(mesh, coarse, k);
@@ -398,9 +419,9 @@ TEST(Superfacets_test, splitting_measures_between_the_centroids_of_faces)
   for (Family family : {Family::SHEET, Family::SPHERE, Family::TORUS, Family::BLOCKS})
     for (unsigned seed = 1; seed <= 4; ++seed) {
       SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
-      const RS::Flat_mesh mesh = flat_mesh_of(random_mesh(family, seed));
+      const RS::Surface mesh = surface_of(random_mesh(family, seed));
       const RS::Superfacets superfacets(6);
-      const RS::Partition regions = superfacets(mesh);
+      const RS::Partition regions = regions_of(mesh, superfacets);
       const std::size_t n = regions.number_of_parts();
       // The face nearest to the centroid of each region, and the face farthest from that of its own.
       std::vector<RS::Double_3> centers(n);
@@ -436,29 +457,40 @@ TEST(Superfacets_test, every_piece_gets_a_seed_beyond_the_number)
   Soup soup = cube();
   for (int i = 1; i < 5; ++i)
     soup = joined(soup, translated(cube(), 3 * i, 0, 0));
-  EXPECT_EQ(RS::Superfacets(2)(flat_mesh_of(soup)).number_of_parts(), 5u);
+  EXPECT_EQ(regions_of(surface_of(soup), RS::Superfacets(2)).number_of_parts(), 5u);
+}
+
+TEST(Superfacets_test, seeds_of_crumbs_do_not_count)
+{
+  const Soup body = random_mesh(Family::SPHERE, 1), crumb = scaled(cube(), 0.001);
+  const RS::Partition expected = regions_of(surface_of(body), RS::Superfacets(20)),
+                      regions = regions_of(surface_of(joined(body, translated(crumb, 20, 0, 0))), RS::Superfacets(20));
+  ASSERT_EQ(expected.number_of_parts(), 20u);
+  EXPECT_EQ(regions.number_of_parts(), 21u);
+  for (std::size_t f = 0; f < regions.size(); ++f)
+    EXPECT_EQ(regions[f], f < expected.size() ? expected[f] : 20u);
 }
 
 TEST(Superfacets_test, of_patches_at_one_distance_the_lower_one_is_first)
 {
   // Three squares in a row: both ends are seeds, and the middle belongs to the first one, face 0.
-  const RS::Partition regions = RS::Superfacets(2)(flat_mesh_of(grid(3, 1)));
+  const RS::Partition regions = regions_of(surface_of(grid(3, 1)), RS::Superfacets(2));
   EXPECT_EQ(labels_of(regions), (Labels{0, 0, 1}));
 }
 
 TEST(Superfacets_test, there_are_no_more_regions_than_faces)
 {
-  EXPECT_EQ(RS::Superfacets(800)(flat_mesh_of(cube())).number_of_parts(), 6u);
-  EXPECT_EQ(RS::Superfacets(800)(flat_mesh_of(Soup())).number_of_parts(), 0u);
+  EXPECT_EQ(regions_of(surface_of(cube()), RS::Superfacets(800)).number_of_parts(), 6u);
+  EXPECT_EQ(regions_of(surface_of(Soup()), RS::Superfacets(800)).number_of_parts(), 0u);
 }
 
 TEST(Superfacets_test, a_concave_line_is_a_border)
 {
-  const RS::Flat_mesh mesh = flat_mesh_of(box_on_plate());
+  const RS::Surface mesh = surface_of(box_on_plate());
   RS::Region_growing growing;
   growing.maximum_angle = 10;
   growing.feature_convexity = RS::Feature_convexity::CONCAVE;
-  EXPECT_EQ(RS::Superfacets(2, 50)(mesh), growing(mesh));
+  EXPECT_EQ(regions_of(mesh, RS::Superfacets(2, 50)), growing(mesh));
 }
 
 // Centroids of slivers whose steps differ by more than double can add: rounding hides that a seed is nearer.
@@ -478,7 +510,7 @@ TEST(Superfacets_test, regions_of_slivers_are_connected)
     shuffle_faces(soup, random);
     const Surface_mesh mesh = to_surface_mesh(soup);
     const RS::Superfacets superfacets(3 + seed);
-    const RS::Partition regions = superfacets(RS::read_flat_mesh(mesh, RS::Superfacets::required_mesh_data));
+    const RS::Partition regions = regions_of(RS::make_surface(mesh), superfacets);
     EXPECT_TRUE(is_connected(soup, labels_of(regions)));
   }
 }
@@ -506,18 +538,19 @@ TEST(Superfacets_test, a_patch_follows_the_one_it_was_reached_through_although_r
   add({{2 - s, h, 0}, {2 - s, -h, 0}, {2, -h, 0}, {2, h, 0}});
   add({{2, h, 0}, {2, -h, 0}, {2 + 2 * s, -h, 0}, {2 + 2 * s, h, 0}}); // the end of the second arm
   add({{0.5, 0.5, 0}, {1.5, 0.5, 0}, {2, 1, 0}, {1, 1, 0}});            // the third arm
-  const RS::Flat_mesh mesh = flat_mesh_of(soup);
-  ASSERT_EQ(mesh.patches().size(), soup.polygons.size());
+  const RS::Surface mesh = surface_of(soup);
+  const RS::Patches patches = patches_of(mesh).fine;
+  ASSERT_EQ(patches.size(), soup.polygons.size());
 
   const auto step = [&](std::size_t f, std::size_t g) {
-    return double(float(norm(mesh.patches()[f].centroid - mesh.patches()[g].centroid) / mesh.relative_unit()));
+    return double(float(norm(patches[f].centroid - patches[g].centroid) / mesh.length_unit()));
   };
   const double first = step(0, 1) + step(1, 2) + step(2, 3), second = step(5, 4) + step(4, 3);
   ASSERT_LT(second, first);
   ASSERT_EQ(second + step(3, 6), first + step(3, 6));
-  RS::Superfacets superfacets(2, 0);
-  superfacets.concave_gain = 0;
-  EXPECT_EQ(labels_of(superfacets(mesh)), (Labels{0, 0, 0, 1, 1, 1, 1}));
+  RS::Border_cost cost;
+  cost.concave_gain = 0;
+  EXPECT_EQ(labels_of(regions_of(mesh, RS::Superfacets(2, 0), cost)), (Labels{0, 0, 0, 1, 1, 1, 1}));
 }
 
 // The area of the surface is that of one tiny face, so that steps between the others are longer than any float.
@@ -526,8 +559,8 @@ TEST(Superfacets_test, parts_are_connected_where_steps_are_longer_than_a_float)
   Soup soup;
   soup.points = {{0, 0, 0}, {1e-60, 0, 0}, {0, 1e-60, 0}, {1, 0, 0}, {1.5, 0, 0}, {1.7, 0, 0}, {1.2, 0, 0}, {1.9, 0, 0}};
   soup.polygons = {{0, 1, 2}, {3, 4, 5}, {4, 3, 6}, {5, 4, 7}};
-  const RS::Flat_mesh mesh = flat_mesh_of(soup);
-  const RS::Partition parts = RS::Superfacets(1).split(mesh, RS::Superfacets(1)(mesh), 3);
+  const RS::Surface mesh = surface_of(soup);
+  const RS::Partition parts = RS::Superfacets(1).split(mesh, regions_of(mesh, RS::Superfacets(1)), 3);
   EXPECT_EQ(parts.number_of_parts(), 3u);
   EXPECT_TRUE(is_connected(soup, labels_of(parts)));
 }

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Parts of methods as users write them, with public headers alone, on three mesh types.
+// Methods and parts of them as users write them, with public headers alone, on three mesh types.
 
 #include "meshes.h"
 #include "oracles.h"
 
+#include <CGAL/Region_segmentation/requested_regions.h>
 #include <CGAL/region_segmentation.h>
+#include <CGAL/region_segmentation_stages.h>
 
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Polyhedron_items_with_id_3.h>
@@ -15,7 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <utility>
 #include <vector>
 
 namespace User_parts_test {
@@ -23,33 +25,53 @@ namespace User_parts_test {
 namespace RS = CGAL::Region_segmentation;
 using namespace test;
 
-/// Regions by the octant of their centroids: what a user's initializer might do.
-struct By_octant
+/// Regions by the octant of their centroids, merged as those of the paper: a method whose order
+/// depends on the number.
+struct Octants
 {
-  static constexpr RS::Mesh_data required_mesh_data = RS::Mesh_data::CENTROIDS;
+  RS::Two_step_merging policy;
 
-  RS::Partition operator()(const RS::Flat_mesh& mesh) const
+  struct Prepared
+  {
+    RS::Partition regions;
+  };
+
+  Prepared prepare(const RS::Surface& surface, const RS::Execution&) const
   {
     std::vector<int> octants;
-    for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
-      const RS::Double_3& c = mesh.centroid(f);
+    for (std::size_t f = 0; f < surface.number_of_faces(); ++f) {
+      const RS::Double_3 c = surface.centroid(f);
       octants.push_back((c.x > 0) + 2 * (c.y > 0) + 4 * (c.z > 0));
     }
-    return RS::Partition::from_labels(octants);
+    return {RS::Partition::from_labels(octants)};
+  }
+
+  RS::Segmentation merge(const RS::Surface& surface, const Prepared& prepared,
+                         const RS::Request& request, const RS::Execution& execution) const
+  {
+    RS::Requested_regions requested = RS::requested_regions(surface, prepared.regions, request);
+    auto graph = RS::build_region_adjacency_graph(surface, requested.regions, request.constraints,
+                                                  execution.stage("graph"));
+    const std::size_t number = request.number_of_segments;
+    RS::Merge_tree tree =
+      RS::merge_regions(graph, RS::Two_step_merging(policy), number, RS::Stop_at_count{number});
+    RS::Partition segments = tree.partition_at_count(number);
+    return {std::move(requested.regions), std::move(segments), std::move(tree)};
   }
 };
 
-TEST(User_parts_test, a_region_initializer)
+TEST(User_parts_test, a_method_for_one_number)
 {
   const Surface_mesh mesh = to_surface_mesh(sphere(3));
-  const auto method = RS::Two_step().with_initializer(By_octant());
-  const Result result = run(mesh, RS::parameters::number_of_segments(8).method(method));
+  const Result result = run(mesh, RS::parameters::number_of_segments(8).method(Octants()));
   EXPECT_EQ(result.number_of_segments, 8u);
   for (auto f : mesh.faces()) {
-    const auto c = CGAL::centroid(mesh.point(target(halfedge(f, mesh), mesh)), mesh.point(source(halfedge(f, mesh), mesh)),
+    const auto c = CGAL::centroid(mesh.point(target(halfedge(f, mesh), mesh)),
+                                  mesh.point(source(halfedge(f, mesh), mesh)),
                                   mesh.point(target(next(halfedge(f, mesh), mesh), mesh)));
-    const auto first = *std::find_if(mesh.faces().begin(), mesh.faces().end(),
-                                     [&](auto g) { return result.segments[g] == result.segments[f]; });
+    const auto first = *std::find_if(mesh.faces().begin(), mesh.faces().end(), [&](auto g) {
+      return result.segments[g] == result.segments[f];
+    });
     const auto d = mesh.point(target(halfedge(first, mesh), mesh));
     EXPECT_TRUE(c.x() * d.x() >= 0 && c.y() * d.y() >= 0 && c.z() * d.z() >= 0);
   }
@@ -60,10 +82,10 @@ struct Sharpest_section : RS::Section_geometry
 {
   double sharpest = 0; // radian
 
-  void add_edge(const RS::Flat_mesh& mesh, std::size_t lower_face, std::size_t edge)
+  void add_adjacency(const RS::Surface& surface, std::size_t adjacency)
   {
-    RS::Section_geometry::add_edge(mesh, lower_face, edge);
-    sharpest = std::max(sharpest, mesh.deviation(lower_face, edge));
+    RS::Section_geometry::add_adjacency(surface, adjacency);
+    sharpest = std::max(sharpest, surface.deviation(adjacency));
   }
   void absorb(const Sharpest_section& other)
   {
@@ -78,22 +100,55 @@ struct Sharpest_cost
   using SectionData = Sharpest_section;
 
   template <typename Graph>
+  void annotate(Graph&, const RS::Surface&, const RS::Partition&) const
+  {
+  }
+
+  template <typename Graph>
   double operator()(const Graph& graph, typename Graph::section_descriptor s) const
   {
     return graph[s].sharpest;
   }
 };
 
+/// Merges faces at the lowest cost first, with the data that the cost names: a method with one tree
+/// for all numbers.
+template <typename Cost>
+struct Merging_of_faces
+{
+  Cost cost;
+
+  struct Prepared
+  {
+  };
+
+  Prepared prepare(const RS::Surface&, const RS::Execution&) const { return {}; }
+
+  RS::Hierarchy merge(const RS::Surface& surface, const Prepared&, const RS::Request& request,
+                      const RS::Execution&) const
+  {
+    const RS::Partition faces = RS::Partition::into_single_elements(surface.number_of_faces());
+    RS::Requested_regions requested = RS::requested_regions(surface, faces, request);
+    auto graph =
+      RS::build_region_adjacency_graph<typename Cost::RegionData, typename Cost::SectionData>(
+        surface, requested.regions, request.constraints);
+    cost.annotate(graph, surface, requested.regions);
+    RS::Merge_tree tree =
+      RS::merge_regions(graph, RS::Lowest_cost_first<Cost>(cost), 1, RS::Stop_at_count{1});
+    return RS::Hierarchy(std::move(requested.regions), std::move(tree),
+                         request.number_of_segments > 0 ? request.number_of_segments : 1);
+  }
+};
+
 TEST(User_parts_test, a_cost_on_a_datum)
 {
-  // A box on a plate: merging the least sharp first leaves the concave line and the creases for last.
+  // A box on a plate: merging the least sharp first leaves the concave line and the creases for
+  // last.
   const Surface_mesh mesh = to_surface_mesh(triangulated(box_on_plate()));
-  const auto method = RS::make_segmentation_method(
-    RS::Superfacets(1000), RS::Geometry_annotator<RS::Region_geometry, Sharpest_section>(),
-    RS::Lowest_cost_first<Sharpest_cost>());
-  const RS::Segmenter segmenter(mesh, RS::parameters::method(method));
+  const RS::Segmenter segmenter(mesh, RS::parameters::method(Merging_of_faces<Sharpest_cost>()));
   for (const auto& merge : segmenter.merge_tree().merges())
-    EXPECT_TRUE(std::abs(merge.cost) < 1e-9 || std::abs(merge.cost - CGAL_PI / 2) < 1e-9) << merge.cost;
+    EXPECT_TRUE(std::abs(merge.cost) < 1e-9 || std::abs(merge.cost - CGAL_PI / 2) < 1e-9)
+      << merge.cost;
   const RS::Partition flats = segmenter.merge_tree().partition_at_cost(0.1);
   EXPECT_EQ(flats.number_of_parts(), 11u) << "the flat faces: 5 of the box and 6 of the plate";
 }
@@ -110,24 +165,18 @@ struct Scalar_region : RS::Region_geometry
   }
 };
 
-struct Scalar_annotator
+struct Scalar_cost
 {
   using RegionData = Scalar_region;
   using SectionData = RS::Section_geometry;
   std::vector<double> values; // by face
 
   template <typename Graph>
-  void operator()(Graph& graph, const RS::Flat_mesh& mesh, const RS::Partition& regions) const
+  void annotate(Graph& graph, const RS::Surface& surface, const RS::Partition& regions) const
   {
-    for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
-      graph[regions[f]].scalar += mesh.area(f) * values[f];
+    for (std::size_t f = 0; f < surface.number_of_faces(); ++f)
+      graph[regions[f]].scalar += surface.area(f) * values[f];
   }
-};
-
-struct Scalar_cost
-{
-  using RegionData = Scalar_region;
-  using SectionData = RS::Section_geometry;
 
   template <typename Graph>
   double operator()(const Graph& graph, typename Graph::section_descriptor s) const
@@ -145,8 +194,7 @@ Labels segment_by_scalar(const Mesh& mesh)
   const auto points = get(CGAL::vertex_point, mesh);
   for (auto f : faces(mesh))
     put(scalar, f, get(points, target(halfedge(f, mesh), mesh))[0] > 0.3 ? 1.0 : 0.0);
-  const auto method = RS::make_segmentation_method(
-    RS::Superfacets(1000), Scalar_annotator{RS::face_values(mesh, scalar)}, RS::Lowest_cost_first<Scalar_cost>());
+  const Merging_of_faces<Scalar_cost> method{Scalar_cost{RS::face_values(mesh, scalar)}};
   auto map = face_map(mesh);
   EXPECT_EQ(RS::segment(mesh, map, RS::parameters::number_of_segments(2).method(method)), 2u);
   for (auto f : faces(mesh))
@@ -175,11 +223,11 @@ struct Weak_visibility : RS::Visibility_annotator
 {
   double factor = 1;
 
-  template <typename Graph, typename ConcurrencyTag, typename... Cache>
-  void operator()(Graph& graph, const RS::Flat_mesh& mesh, const RS::Partition& regions,
-                  const RS::Execution<ConcurrencyTag>& execution, Cache&... cache) const
+  template <typename Graph>
+  void operator()(Graph& graph, const RS::Surface& surface, const RS::Partition& regions,
+                  const RS::Region_rays& rays) const
   {
-    RS::Visibility_annotator::operator()(graph, mesh, regions, execution, cache...);
+    RS::Visibility_annotator::operator()(graph, surface, regions, rays);
     for (auto range = edges(graph); range.first != range.second; ++range.first)
       graph[*range.first].visibility *= factor;
   }
@@ -191,7 +239,9 @@ TEST(User_parts_test, constants_of_an_annotator)
   Weak_visibility annotator;
   const auto costs = [&](double factor) {
     annotator.factor = factor;
-    const RS::Segmenter segmenter(mesh, RS::parameters::method(RS::Visibility_merging().with_annotator(annotator)));
+    const RS::Superfacet_merging method{annotator, RS::Visibility_merging().policy,
+                                        RS::Visibility_merging().chooser};
+    const RS::Segmenter segmenter(mesh, RS::parameters::method(method));
     std::vector<double> result;
     for (const auto& merge : segmenter.merge_tree().merges())
       result.push_back(merge.cost);
@@ -208,24 +258,28 @@ TEST(User_parts_test, constants_of_an_annotator)
 /// A third of the first regions.
 struct A_third
 {
-  std::size_t operator()(const RS::Merge_tree& tree) const { return tree.number_of_regions() / 3; }
+  std::size_t operator()(const RS::Merge_tree& tree, const RS::Surface&) const
+  {
+    return tree.number_of_regions() / 3;
+  }
 };
 
 TEST(User_parts_test, a_number_chooser)
 {
   const Surface_mesh mesh = to_surface_mesh(sphere(3));
-  RS::Visibility_merging method;
-  method.initializer.number = 60;
+  RS::Superfacet_merging method{RS::Visibility_annotator(), RS::Visibility_merging().policy,
+                                A_third()};
+  method.superfacets.number = 60;
   auto map = face_map(mesh);
-  EXPECT_EQ(RS::segment(mesh, map, RS::parameters::method(method.with_chooser(A_third()))), 20u);
+  EXPECT_EQ(RS::segment(mesh, map, RS::parameters::method(method)), 20u);
 }
 
 TEST(User_parts_test, a_method_is_used_again)
 {
   // Every run copies the policy, so nothing of one mesh is left for the next.
-  const auto method = RS::Two_step().with_policy(RS::Policy_sequence<RS::Smallest_region_first, RS::Smallest_region_first,
-                                                                     RS::Switch_at_count>(
-    RS::Smallest_region_first(), RS::Smallest_region_first(), RS::Switch_at_count{5}));
+  const RS::Superfacet_merging method{RS::Visibility_annotator(),
+                                      RS::Lowest_cost_first<RS::Visibility_cost>(),
+                                      RS::Number_from_costs(-19.5)};
   for (Family family : {Family::BLOCKS, Family::SPHERE, Family::TORUS, Family::BLOCKS}) {
     const Surface_mesh mesh = to_surface_mesh(random_mesh(family, 1));
     auto first = face_map(mesh), again = face_map(mesh);

@@ -7,7 +7,9 @@
 #include <CGAL/Region_segmentation/Methods/Superfacets.h>
 #include <CGAL/Region_segmentation/Methods/Visibility_annotator.h>
 #include <CGAL/Region_segmentation/build_region_adjacency_graph.h>
-#include <CGAL/Region_segmentation/read_flat_mesh.h>
+#include <CGAL/Region_segmentation/internal/cells/Patch_builder.h>
+#include <CGAL/Region_segmentation/internal/rays/Region_rays.h>
+#include <CGAL/Region_segmentation/make_surface.h>
 
 #include <gtest/gtest.h>
 
@@ -26,11 +28,14 @@ using RS::Double_3;
 
 namespace Visibility_annotator_test {
 
-constexpr RS::Mesh_data all_data = RS::Mesh_data::POINTS | RS::Mesh_data::PATCHES;
-
-RS::Flat_mesh flat_mesh_of(const Soup& soup)
+RS::Surface surface_of(const Soup& soup)
 {
-  return RS::read_flat_mesh(to_surface_mesh(soup), all_data);
+  return RS::make_surface(to_surface_mesh(soup));
+}
+
+RS::Surface_patches patches_of(const RS::Surface& surface)
+{
+  return RS::internal::Patch_builder::build(surface, RS::Execution());
 }
 
 /// Where a ray meets the plane of a triangle, if that is inside by the signs of three volumes.
@@ -47,12 +52,14 @@ double distance_to_triangle(const Double_3& o, const Double_3& d, const Double_3
 
 using Graph = RS::Region_adjacency_graph<RS::Visibility_region_data, RS::Visibility_section_data>;
 
-Graph annotated(const RS::Flat_mesh& mesh, const RS::Partition& regions)
+Graph annotated(const RS::Surface& mesh, const RS::Partition& regions)
 {
-  return RS::build_region_adjacency_graph(mesh, regions, RS::Visibility_annotator());
+  auto graph = RS::build_region_adjacency_graph<RS::Visibility_region_data, RS::Visibility_section_data>(mesh, regions);
+  RS::Visibility_annotator()(graph, mesh, regions, RS::Region_rays(mesh, patches_of(mesh), regions));
+  return graph;
 }
 
-RS::Partition face_each(const RS::Flat_mesh& mesh)
+RS::Partition face_each(const RS::Surface& mesh)
 {
   std::vector<RS::Partition::Index> numbers(mesh.number_of_faces());
   std::iota(numbers.begin(), numbers.end(), RS::Partition::Index(0));
@@ -74,13 +81,28 @@ Soup needles(std::size_t number, unsigned seed)
   return soup;
 }
 
+RS::internal::Ray_tree tree_of(const RS::Surface& surface, const Double_3& origin)
+{
+  return RS::internal::Ray_tree(surface, patches_of(surface), origin, RS::Execution());
+}
+
+RS::internal::Ray_tree tree_of(const RS::Surface& surface)
+{
+  return tree_of(surface, surface.centroid(0));
+}
+
+double distance_to_face(const RS::Surface& surface, std::size_t triangle, const Double_3& source, const Double_3& direction)
+{
+  const auto corner = [&](std::size_t i) { return surface.point(surface.corner(triangle, i)); };
+  return distance_to_triangle(source, direction, corner(0), corner(1), corner(2));
+}
+
 /// Rays from faces in all directions; returns how many hit.
 std::size_t compare_hits(const Soup& soup, unsigned seed)
 {
-  const RS::Flat_mesh mesh = flat_mesh_of(soup);
-  const RS::Mesh_points& points = mesh.points();
-  const RS::internal::Ray_tree tree(mesh, mesh.centroid(0), RS::Execution<>());
-  const RS::internal::Ray_tree gathering(mesh, mesh.centroid(0), RS::Execution<>(), 0);
+  const RS::Surface mesh = RS::make_surface(to_surface_mesh(soup), RS::parameters::component_links(false));
+  const RS::internal::Ray_tree tree = tree_of(mesh);
+  const RS::internal::Ray_tree gathering(mesh, patches_of(mesh), mesh.centroid(0), RS::Execution(), 0);
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> any(-1, 1);
   std::size_t hits = 0;
@@ -92,10 +114,9 @@ std::size_t compare_hits(const Soup& soup, unsigned seed)
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
       if (f != skipped)
-        nearest = std::min(nearest, distance_to_triangle(source, d, points[points.corner(f, 0)],
-                                                         points[points.corner(f, 1)], points[points.corner(f, 2)]));
-    const auto hit = tree.first_hit(mesh, source, d, RS::Flat_mesh::Index(skipped));
-    const auto same = gathering.first_hit(mesh, source, d, RS::Flat_mesh::Index(skipped));
+        nearest = std::min(nearest, distance_to_face(mesh, f, source, d));
+    const auto hit = tree.first_hit(mesh, source, d, RS::Surface::Index(skipped));
+    const auto same = gathering.first_hit(mesh, source, d, RS::Surface::Index(skipped));
     EXPECT_EQ(same.face, hit.face);
     EXPECT_EQ(same.distance, hit.distance);
     if (std::isinf(nearest)) {
@@ -128,8 +149,8 @@ TEST(Ray_tree_test, finds_them_in_trees_of_many_boxes)
 
 TEST(Ray_tree_test, a_ray_that_is_not_a_number_hits_nothing)
 {
-  const RS::Flat_mesh mesh = flat_mesh_of(triangulated(sphere(3)));
-  const RS::internal::Ray_tree tree(mesh, mesh.centroid(0), RS::Execution<>());
+  const RS::Surface mesh = surface_of(triangulated(sphere(3)));
+  const RS::internal::Ray_tree tree = tree_of(mesh);
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const auto& [source, direction] : {std::make_pair(Double_3{nan, nan, nan}, Double_3{0, 0, 1}),
                                           std::make_pair(Double_3{0, 0, 0}, Double_3{nan, nan, nan})})
@@ -139,11 +160,11 @@ TEST(Ray_tree_test, a_ray_that_is_not_a_number_hits_nothing)
 
 TEST(Ray_tree_test, finds_needles_up_to_their_tips)
 {
-  const RS::Flat_mesh mesh = flat_mesh_of(needles(400, 1));
-  const RS::internal::Ray_tree tree(mesh, mesh.centroid(0), RS::Execution<>());
+  const RS::Surface mesh = surface_of(needles(400, 1));
+  const RS::internal::Ray_tree tree = tree_of(mesh);
   for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
     for (std::size_t i = 0; i < 3; ++i) {
-      const Double_3& corner = mesh.points()[mesh.points().corner(f, i)];
+      const Double_3& corner = mesh.point(mesh.corner(f, i));
       const Double_3 target = corner + 0.02 * (mesh.centroid(f) - corner);
       const auto hit =
         tree.first_hit(mesh, target + 0.5 * mesh.normal(f), -1.0 * mesh.normal(f), RS::internal::Ray_tree::no_face);
@@ -156,8 +177,8 @@ TEST(Ray_tree_test, finds_faces_right_in_front_of_a_source)
 {
   // Faces whose boxes have no thickness of their own, from both sides, at some units in the last place of a float.
   const Soup block = voxel_surface(voxel_block({0, 0, 0}, {4, 4, 4}));
-  const RS::Flat_mesh mesh = flat_mesh_of(block);
-  const RS::internal::Ray_tree tree(mesh, {2, 2, 2}, RS::Execution<>());
+  const RS::Surface mesh = surface_of(block);
+  const RS::internal::Ray_tree tree = tree_of(mesh, {2, 2, 2});
   for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
     for (const double side : {1.0, -1.0}) {
       const Double_3 away = side * mesh.normal(f);
@@ -171,8 +192,8 @@ TEST(Ray_tree_test, of_faces_hit_at_the_same_distance_it_is_the_lowest)
 {
   // Rays straight down on edges and corners of a plate of unit squares: without the face that was hit, another one is,
   // and not a lower one at the same distance.
-  const RS::Flat_mesh mesh = flat_mesh_of(voxel_surface(voxel_block({0, 0, 0}, {16, 16, 1})));
-  const RS::internal::Ray_tree tree(mesh, mesh.centroid(0), RS::Execution<>());
+  const RS::Surface mesh = surface_of(voxel_surface(voxel_block({0, 0, 0}, {16, 16, 1})));
+  const RS::internal::Ray_tree tree = tree_of(mesh);
   std::size_t ties = 0;
   for (double x = 1; x < 16; x += 0.5)
     for (double y = 1; y < 16; y += 0.5) {
@@ -192,15 +213,15 @@ TEST(Ray_tree_test, of_corners_equally_far_from_the_centroid_a_fan_starts_at_the
 {
   // A square whose corners are in turn above and below its plane: folded along the diagonal from the first corner.
   const Soup soup{{{-1, -1, 0.5}, {1, -1, -0.5}, {1, 1, 0.5}, {-1, 1, -0.5}}, {{0, 1, 2, 3}}};
-  const RS::Flat_mesh mesh = flat_mesh_of(soup);
-  const RS::internal::Ray_tree tree(mesh, mesh.centroid(0), RS::Execution<>());
+  const RS::Surface mesh = surface_of(soup);
+  const RS::internal::Ray_tree tree = tree_of(mesh);
   EXPECT_NEAR(tree.first_hit(mesh, {0.1, 0, 5}, {0, 0, -1}, RS::internal::Ray_tree::no_face).distance, 5 - 0.45, 1e-6);
 }
 
 TEST(Region_shapes_test, are_those_of_the_faces_and_of_the_first_face_where_there_is_no_area)
 {
   const Soup point{{{7, 8, 9}, {7, 8, 9}, {7, 8, 9}}, {{0, 1, 2}}};
-  const RS::Flat_mesh mesh = flat_mesh_of(joined(grid(2, 1), point));
+  const RS::Surface mesh = surface_of(joined(grid(2, 1), point));
   const RS::internal::Region_shapes shapes(mesh, RS::Partition::from_labels(std::vector<int>{0, 0, 1}));
   EXPECT_EQ(shapes.areas, (std::vector<double>{2, 0}));
   const auto expect_equal = [](const Double_3& a, const Double_3& b) { EXPECT_EQ(norm(a - b), 0) << a.x << ' ' << b.x; };
@@ -210,7 +231,7 @@ TEST(Region_shapes_test, are_those_of_the_faces_and_of_the_first_face_where_ther
   expect_equal(shapes.centroids[1], {0.5, 0.5, 0});
   expect_equal(shapes.surface_centroid, {1, 0.5, 0});
 
-  const RS::internal::Region_shapes of_one(flat_mesh_of(grid(1, 1)), RS::Partition::from_labels(std::vector<int>{0}));
+  const RS::internal::Region_shapes of_one(surface_of(grid(1, 1)), RS::Partition::from_labels(std::vector<int>{0}));
   EXPECT_EQ(of_one.areas, std::vector<double>{1});
   expect_equal(of_one.centroids[0], {0.5, 0.5, 0});
   expect_equal(of_one.surface_centroid, {0.5, 0.5, 0});
@@ -242,17 +263,17 @@ TEST(Inward_rays_test, start_from_patches_where_a_region_has_their_centers)
 {
   const Soup soup = sheet_above_square();
   const std::size_t small = soup.polygons.size() - 2;
-  const RS::Flat_mesh mesh = flat_mesh_of(soup);
-  const RS::Mesh_points& points = mesh.points();
+  const RS::Surface mesh = surface_of(soup);
   std::vector<int> labels(soup.polygons.size(), 0);
   labels[small] = labels[small + 1] = 1;
   const RS::Partition regions = RS::Partition::from_labels(labels);
-  ASSERT_LT(mesh.patches().size(), small / 8);
+  const RS::Patches patches = patches_of(mesh).fine;
+  ASSERT_LT(patches.size(), small / 8);
 
   const RS::internal::Region_shapes shapes(mesh, regions);
-  const RS::internal::Ray_tree tree(mesh, shapes.surface_centroid, RS::Execution<>());
+  const RS::internal::Ray_tree tree = tree_of(mesh, shapes.surface_centroid);
   std::vector<std::optional<RS::internal::Inward_rays::Hits>> hits(2);
-  RS::internal::Inward_rays(mesh, regions, shapes, tree).trace(hits, RS::Execution<>());
+  RS::internal::Inward_rays(mesh, patches, regions, shapes, tree).trace(hits, RS::Execution());
 
   std::vector<std::pair<double, std::size_t>> centers; // distance to the centroid of the sheet, face
   Double_3 centroid{0, 0, 0};
@@ -261,16 +282,15 @@ TEST(Inward_rays_test, start_from_patches_where_a_region_has_their_centers)
     centroid = centroid + mesh.area(f) * mesh.centroid(f);
     area += mesh.area(f);
   }
-  for (std::size_t p = 0; p < mesh.patches().size(); ++p)
-    if (const std::size_t f = mesh.patches()[p].center; f < small)
+  for (std::size_t p = 0; p < patches.size(); ++p)
+    if (const std::size_t f = patches[p].center; f < small)
       centers.push_back({norm(mesh.centroid(f) - (1 / area) * centroid), f});
   std::sort(centers.begin(), centers.end());
   for (std::size_t k : {0, 1, 2}) { // the first rays of three faces go straight down
     const std::size_t f = centers[k * centers.size() * 9 / 30].second;
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t g : {small, small + 1})
-      nearest = std::min(nearest, distance_to_triangle(mesh.centroid(f), -1.0 * mesh.normal(f), points[points.corner(g, 0)],
-                                                       points[points.corner(g, 1)], points[points.corner(g, 2)]));
+      nearest = std::min(nearest, distance_to_face(mesh, g, mesh.centroid(f), -1.0 * mesh.normal(f)));
     EXPECT_NEAR((*hits[0])[4 * k].distance, nearest, 1e-3 * nearest);
   }
 }
@@ -278,12 +298,12 @@ TEST(Inward_rays_test, start_from_patches_where_a_region_has_their_centers)
 TEST(Inward_rays_test, start_from_any_face_where_a_region_has_no_center_of_a_patch)
 {
   // Some faces of the sheet are regions of their own.
-  const RS::Flat_mesh mesh = flat_mesh_of(sheet_above_square());
+  const RS::Surface mesh = surface_of(sheet_above_square());
   const std::size_t small = mesh.number_of_faces() - 2;
-  const RS::Mesh_points& points = mesh.points();
+  const RS::Patches patches = patches_of(mesh).fine;
   std::vector<bool> is_center(mesh.number_of_faces());
-  for (std::size_t p = 0; p < mesh.patches().size(); ++p)
-    is_center[mesh.patches()[p].center] = true;
+  for (std::size_t p = 0; p < patches.size(); ++p)
+    is_center[patches[p].center] = true;
   std::vector<std::size_t> labels(mesh.number_of_faces(), 0);
   std::vector<std::size_t> alone; // their faces
   for (std::size_t f = 0; f < small; f += 50)
@@ -297,18 +317,44 @@ TEST(Inward_rays_test, start_from_any_face_where_a_region_has_no_center_of_a_pat
   // As if these were a larger part of the surface: small ones cast no rays.
   RS::internal::Region_shapes shapes(mesh, regions);
   for (double& area : shapes.areas)
-    area = mesh.surface_area();
-  const RS::internal::Ray_tree tree(mesh, shapes.surface_centroid, RS::Execution<>());
+    area = mesh.area();
+  const RS::internal::Ray_tree tree = tree_of(mesh, shapes.surface_centroid);
   std::vector<std::optional<RS::internal::Inward_rays::Hits>> hits(regions.number_of_parts());
-  RS::internal::Inward_rays(mesh, regions, shapes, tree).trace(hits, RS::Execution<>());
+  RS::internal::Inward_rays(mesh, patches, regions, shapes, tree).trace(hits, RS::Execution());
   for (std::size_t f : alone) { // the first ray goes against the normal
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t g = 0; g < mesh.number_of_faces(); ++g)
       if (g != f)
-        nearest = std::min(nearest, distance_to_triangle(mesh.centroid(f), -1.0 * mesh.normal(f), points[points.corner(g, 0)],
-                                                         points[points.corner(g, 1)], points[points.corner(g, 2)]));
+        nearest = std::min(nearest, distance_to_face(mesh, g, mesh.centroid(f), -1.0 * mesh.normal(f)));
     ASSERT_LT(nearest, std::numeric_limits<double>::infinity());
     EXPECT_NEAR((*hits[regions[f]])[0].distance, nearest, 1e-3 * nearest) << f;
+  }
+}
+
+TEST(Region_rays_test, of_changed_regions_are_those_of_all)
+{
+  for (unsigned seed = 1; seed <= 3; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937 random(seed);
+    const RS::Surface mesh = surface_of(triangulated(random_mesh(Family::TORUS, seed)));
+    const RS::Surface_patches patches = patches_of(mesh);
+    std::vector<std::size_t> labels;
+    for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
+      labels.push_back(std::size_t(5 + 2 * mesh.centroid(f).x) + 20 * (mesh.centroid(f).y > 0));
+    const RS::Partition before = RS::Partition::from_labels(labels);
+    for (std::size_t& label : labels) // two of them in pieces, at random
+      if (label == labels[0] || label == labels.back() + 1000)
+        label += 1000 * (1 + random() % 2);
+    const RS::Partition after = RS::Partition::from_labels(labels);
+    ASSERT_GT(after.number_of_parts(), before.number_of_parts());
+    const RS::Region_rays rays(mesh, patches, before), anew(mesh, patches, after),
+      changed = rays.of_changed_regions(mesh, patches, before, after);
+    ASSERT_EQ(changed.hits().size(), after.number_of_parts());
+    for (std::size_t r = 0; r < after.number_of_parts(); ++r)
+      for (std::size_t i = 0; i < RS::internal::Inward_rays::rays_per_region; ++i) {
+        EXPECT_EQ((*changed.hits()[r])[i].face, (*anew.hits()[r])[i].face);
+        EXPECT_EQ((*changed.hits()[r])[i].distance, (*anew.hits()[r])[i].distance);
+      }
   }
 }
 
@@ -316,7 +362,7 @@ TEST(Visibility_annotator_test, the_thickness_of_a_plate_is_its_height)
 {
   // A plate of 20 x 20 x 1: rays against the normal go 1 deep, those 0.9 rad away 1 / cos(0.9).
   std::vector<Voxel> plate = voxel_block({0, 0, 0}, {20, 20, 1});
-  const RS::Flat_mesh mesh = flat_mesh_of(voxel_surface(plate));
+  const RS::Surface mesh = surface_of(voxel_surface(plate));
   const Graph graph = annotated(mesh, face_each(mesh));
   const double unit = std::sqrt(2 * 400 + 4 * 20.0);
   std::size_t middle = 0;
@@ -335,7 +381,7 @@ TEST(Visibility_annotator_test, the_thickness_of_a_plate_is_its_height)
 TEST(Visibility_annotator_test, areas_are_shares_and_every_ray_has_two_ends)
 {
   for (Family family : {Family::SPHERE, Family::TORUS, Family::DEGENERATE_TORUS}) {
-    const RS::Flat_mesh mesh = flat_mesh_of(random_mesh(family, 3));
+    const RS::Surface mesh = surface_of(random_mesh(family, 3));
     const Graph graph = annotated(mesh, face_each(mesh));
     double area = 0, ends = 0, between = 0;
     for (auto range = vertices(graph); range.first != range.second; ++range.first) {
@@ -354,13 +400,13 @@ TEST(Visibility_annotator_test, areas_are_shares_and_every_ray_has_two_ends)
 TEST(Visibility_annotator_test, opposite_sides_see_each_other_without_a_common_border)
 {
   // The six faces of a cube: rays from one end on others, the one straight in on the opposite one.
-  const RS::Flat_mesh mesh = flat_mesh_of(cube());
+  const RS::Surface mesh = surface_of(cube());
   const Graph graph = annotated(mesh, face_each(mesh));
   EXPECT_EQ(graph.number_of_sections(), 12u + 3u);
   for (std::uint32_t axis : {0u, 2u, 4u}) {
     const auto opposite = graph.section(axis, axis + 1);
     ASSERT_TRUE(opposite.has_value());
-    EXPECT_EQ(graph[*opposite].number_of_edges, 0u);
+    EXPECT_EQ(graph[*opposite].number_of_adjacencies, 0u);
     EXPECT_GT(graph[*opposite].visibility, 0);
   }
 }
@@ -370,14 +416,14 @@ TEST(Visibility_annotator_test, lengths_and_areas_are_relative_to_the_surface)
   // Two cubes side by side, each a region, of 5 squares; the surface has 10. They share 4 flat edges.
   const Soup soup = voxel_surface(voxel_block({0, 0, 0}, {2, 1, 1}));
   for (double size : {1.0, 1024.0, 3.7}) {
-    const RS::Flat_mesh mesh = flat_mesh_of(scaled(soup, size));
+    const RS::Surface mesh = surface_of(scaled(soup, size));
     const RS::Partition regions = RS::Partition::from_labels(std::vector<int>{0, 0, 0, 0, 0, 1, 1, 1, 1, 1});
     const Graph graph = annotated(mesh, regions);
     EXPECT_NEAR(graph[0u].area, 0.5, 1e-12);
     EXPECT_NEAR(graph[1u].area, 0.5, 1e-12);
     const auto& section = graph[*graph.section(0, 1)];
     EXPECT_NEAR(section.length, 4 / std::sqrt(10), 1e-12);
-    EXPECT_EQ(section.number_of_edges, 4u);
+    EXPECT_EQ(section.number_of_adjacencies, 4u);
     EXPECT_NEAR(section.concave, 0, 1e-12);
     EXPECT_NEAR(section.convex, 0, 1e-12);
   }
@@ -385,12 +431,12 @@ TEST(Visibility_annotator_test, lengths_and_areas_are_relative_to_the_surface)
 
 TEST(Visibility_annotator_test, sections_of_merged_regions_have_the_edges_of_both)
 {
-  Graph graph = annotated(flat_mesh_of(grid(2, 2)), RS::Partition::from_labels(std::vector<int>{0, 1, 2, 2}));
-  EXPECT_EQ(graph[*graph.section(0, 2)].number_of_edges, 1u);
-  EXPECT_EQ(graph[*graph.section(1, 2)].number_of_edges, 1u);
+  Graph graph = annotated(surface_of(grid(2, 2)), RS::Partition::from_labels(std::vector<int>{0, 1, 2, 2}));
+  EXPECT_EQ(graph[*graph.section(0, 2)].number_of_adjacencies, 1u);
+  EXPECT_EQ(graph[*graph.section(1, 2)].number_of_adjacencies, 1u);
   graph.merge(*graph.section(0, 1));
   ASSERT_EQ(graph.number_of_sections(), 1u);
-  EXPECT_EQ(graph[*edges(graph).first].number_of_edges, 2u);
+  EXPECT_EQ(graph[*edges(graph).first].number_of_adjacencies, 2u);
   EXPECT_EQ(graph[*edges(graph).first].length, 1); // 2 of a surface of area 4
 }
 
@@ -403,7 +449,7 @@ TEST(Visibility_annotator_test, deviations_are_integrated_by_sign_up_to_a_bound)
       soup.polygons.pop_back(); // open, so that it is read as it is
       soup = reversed(soup);
     }
-    const RS::Flat_mesh mesh = flat_mesh_of(soup);
+    const RS::Surface mesh = surface_of(soup);
     RS::Region_growing growing;
     growing.maximum_angle = 30;
     growing.feature_convexity = is_inside_out ? RS::Feature_convexity::CONVEX : RS::Feature_convexity::CONCAVE;
@@ -411,7 +457,7 @@ TEST(Visibility_annotator_test, deviations_are_integrated_by_sign_up_to_a_bound)
     ASSERT_EQ(regions.number_of_parts(), 2u);
     const Graph graph = annotated(mesh, regions);
     const auto& section = graph[*graph.section(0, 1)];
-    const double length = double(section.number_of_edges) / std::sqrt(mesh.surface_area());
+    const double length = double(section.number_of_adjacencies) / std::sqrt(mesh.area());
     EXPECT_NEAR(section.length, length, 1e-12);
     EXPECT_NEAR(section.concave, is_inside_out ? 0 : 0.6 * length, 1e-12);
     EXPECT_NEAR(section.convex, is_inside_out ? std::acos(-1.0) / 2 * length : 0, 1e-12);
@@ -420,7 +466,7 @@ TEST(Visibility_annotator_test, deviations_are_integrated_by_sign_up_to_a_bound)
 
 TEST(Visibility_annotator_test, regions_with_one_centroid_bend_away_from_each_other)
 {
-  const RS::Flat_mesh mesh = flat_mesh_of(pillow());
+  const RS::Surface mesh = surface_of(pillow());
   const Graph graph = annotated(mesh, face_each(mesh));
   const auto& section = graph[*graph.section(0, 1)];
   EXPECT_GT(section.length, 0);
@@ -429,11 +475,13 @@ TEST(Visibility_annotator_test, regions_with_one_centroid_bend_away_from_each_ot
 
 TEST(Visibility_annotator_test, annotating_again_changes_nothing)
 {
-  const RS::Flat_mesh mesh = flat_mesh_of(random_mesh(Family::BLOCKS, 2));
-  const RS::Partition regions = RS::Superfacets(30)(mesh);
+  const RS::Surface mesh = surface_of(random_mesh(Family::BLOCKS, 2));
+  const RS::Surface_patches patches = patches_of(mesh);
+  const auto costs = RS::internal::border_costs_of_edges(mesh, patches.fine, RS::Border_cost());
+  const RS::Partition regions = composed(patches.fine.of_elements(), RS::Superfacets(30)(mesh, patches, costs));
   const Graph once = annotated(mesh, regions);
   Graph twice = once;
-  RS::Visibility_annotator()(twice, mesh, regions);
+  RS::Visibility_annotator()(twice, mesh, regions, RS::Region_rays(mesh, patches, regions));
   ASSERT_EQ(twice.number_of_sections(), once.number_of_sections());
   for (auto range = vertices(once); range.first != range.second; ++range.first) {
     EXPECT_EQ(twice[*range.first].area, once[*range.first].area);
@@ -449,7 +497,7 @@ TEST(Visibility_annotator_test, annotating_again_changes_nothing)
 TEST(Visibility_annotator_test, a_surface_without_area_is_left_as_it_is)
 {
   const Soup point{{{1, 1, 1}, {1, 1, 1}, {1, 1, 1}, {1, 1, 1}}, {{0, 1, 2}, {0, 2, 3}}};
-  const RS::Flat_mesh mesh = flat_mesh_of(point);
+  const RS::Surface mesh = surface_of(point);
   const Graph graph = annotated(mesh, face_each(mesh));
   EXPECT_EQ(graph[0u].area, 0);
   EXPECT_EQ(graph[0u].visibility, 0);

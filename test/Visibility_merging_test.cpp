@@ -17,12 +17,16 @@ using namespace test;
 
 namespace Visibility_merging_test {
 
+template <typename Parameters>
+Labels segment_into(const Soup& soup, std::size_t k, const Parameters& np)
+{
+  return segments_of(to_surface_mesh(soup),
+                     np.number_of_segments(k).method(RS::Visibility_merging()));
+}
+
 Labels segment_into(const Soup& soup, std::size_t k)
 {
-  Surface_mesh mesh = to_surface_mesh(soup);
-  auto map = mesh.add_property_map<Surface_mesh::Face_index, std::size_t>("f:segment").first;
-  RS::segment(mesh, map, RS::parameters::number_of_segments(k).method(RS::Visibility_merging()));
-  return labels_of(mesh, map);
+  return segment_into(soup, k, RS::parameters::default_values());
 }
 
 Labels segment_automatically(const Soup& soup)
@@ -51,7 +55,8 @@ Soup caterpillar(std::size_t levels, std::vector<std::size_t>& truth)
     const double away = std::hypot(p[1], p[2]);
     double radius = 0;
     for (double center : {-2.55, -0.85, 0.85, 2.55})
-      radius = std::max(radius, std::sqrt(std::max(0.0, 0.85 * 0.85 * 1.1 - (x - center) * (x - center))));
+      radius =
+        std::max(radius, std::sqrt(std::max(0.0, 0.85 * 0.85 * 1.1 - (x - center) * (x - center))));
     radius = std::max(radius, 0.02);
     p = {x, away > 0 ? radius * p[1] / away : 0, away > 0 ? radius * p[2] / away : 0};
   }
@@ -96,13 +101,14 @@ TEST(Visibility_merging_test, segmentations_nest_down_to_the_faces)
     const std::size_t faces = soup.polygons.size();
     Labels coarse;
     for (std::size_t k = 1; k <= faces; k += 1 + k / 8) {
-      const Labels fine = segment_into(soup, k);
+      const Labels fine = segment_into(soup, k, RS::parameters::component_links(false));
       EXPECT_TRUE(is_connected(soup, fine));
       EXPECT_EQ(number_of(fine), std::max(k, number_of_components(soup)));
       if (!coarse.empty()) {
         EXPECT_TRUE(nests(fine, coarse));
       }
       coarse = fine;
+      EXPECT_EQ(number_of(segment_into(soup, k)), k) << "with links";
     }
     EXPECT_EQ(number_of(segment_into(soup, faces)), faces);
     EXPECT_EQ(number_of(segment_into(soup, 2 * faces)), faces);
@@ -144,7 +150,8 @@ TEST(Visibility_merging_test, chooses_the_number_of_balls)
 TEST(Visibility_merging_test, gives_something_sensible_where_there_is_nothing)
 {
   EXPECT_EQ(number_of(segment_automatically(sphere(3))), 1u);
-  EXPECT_EQ(number_of(segment_automatically(joined(sphere(1), translated(sphere(1), 5, 0, 0)))), 2u);
+  EXPECT_EQ(number_of(segment_automatically(joined(sphere(1), translated(sphere(1), 5, 0, 0)))),
+            2u);
   Soup triangle;
   triangle.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   triangle.polygons = {{0, 1, 2}};
@@ -164,7 +171,8 @@ TEST(Visibility_merging_test, never_merges_across_a_constrained_line)
         p.x() == 3 && q.x() == 3)
       constrained[e] = true;
   auto map = mesh.add_property_map<Surface_mesh::Face_index, std::size_t>("f:segment").first;
-  const auto np = RS::parameters::edge_is_constrained_map(constrained).method(RS::Visibility_merging());
+  const auto np =
+    RS::parameters::edge_is_constrained_map(constrained).method(RS::Visibility_merging());
   EXPECT_EQ(RS::segment(mesh, map, np.number_of_segments(1)), 2u);
   for (std::size_t f = 0; f < 32; ++f)
     EXPECT_EQ(map[Surface_mesh::Face_index(unsigned(f))], f % 8 < 3 ? 0u : 1u);
@@ -174,14 +182,15 @@ TEST(Visibility_merging_test, needs_no_number)
 {
   const Surface_mesh mesh = to_surface_mesh(random_mesh(Family::BLOCKS, 4));
   const Result chosen = run(mesh, RS::parameters::method(RS::Visibility_merging()));
-  EXPECT_EQ(chosen.segments, labels_of(chosen.regions, chosen.tree.partition_at_count(chosen.number_of_segments)));
+  EXPECT_EQ(chosen.segments,
+            labels_of(chosen.regions, chosen.tree.partition_at_count(chosen.number_of_segments)));
 }
 
 TEST(Visibility_merging_test, constants_are_members_of_its_parts)
 {
   const Surface_mesh mesh = to_surface_mesh(random_mesh(Family::BLOCKS, 4));
   RS::Visibility_merging method;
-  method.initializer.number = 30;
+  method.superfacets.number = 30;
   method.chooser.level = 1000; // above all costs: as few as possible
   const Result few = run(mesh, RS::parameters::method(method));
   EXPECT_EQ(few.tree.number_of_regions(), 30u);
@@ -202,9 +211,10 @@ TEST(Visibility_merging_test, other_constants_while_there_are_many_regions)
   const auto of_few = RS::Visibility_cost(), of_many = RS::Visibility_cost::for_many_regions();
   bool differ = false;
   for (std::size_t k : {5, 10, 20, 40, 80}) {
-    const auto segments = [&](const RS::Visibility_cost& few, const RS::Visibility_cost& of_more, std::size_t many) {
-      return segments_of(
-        mesh, RS::parameters::number_of_segments(k).method(RS::Visibility_merging(few, of_more, many)));
+    const auto segments = [&](const RS::Visibility_cost& few, const RS::Visibility_cost& of_more,
+                              std::size_t many) {
+      return segments_of(mesh, RS::parameters::number_of_segments(k).method(
+                                 RS::Visibility_merging(few, of_more, many)));
     };
     EXPECT_EQ(segments(of_few, of_few, 150), segments(of_few, of_many, 100000));
     EXPECT_EQ(segments(of_many, of_many, 150), segments(of_few, of_many, 1));
@@ -215,18 +225,18 @@ TEST(Visibility_merging_test, other_constants_while_there_are_many_regions)
 
 TEST(Number_from_costs_test, ends_where_merging_becomes_dear)
 {
-  using Chooser = RS::Number_from_costs<RS::Visibility_cost>;
   RS::Merge_tree tree(6);
   for (std::uint32_t i = 5; i > 0; --i)
     tree.push_back({0, i, i == 1 ? -10.0 : i == 2 ? -14.0 : -30.0 + i});
-  // Costs -25, -26, -27, -14, -10: the mean of -10 and -20 is -15, so merges at -14 and -10 are left.
-  EXPECT_EQ(Chooser(-20)(tree), 3u);
-  EXPECT_EQ(Chooser(-1000)(tree), 6u);
-  EXPECT_EQ(Chooser(-1000, 4)(tree), 4u);
-  EXPECT_EQ(Chooser(1000)(tree), 2u);
+  // Costs -25, -26, -27, -14, -10: the mean of -10 and -20 is -15, so merges at -14 and -10 are
+  // left.
+  EXPECT_EQ(RS::Number_from_costs(-20)(tree), 3u);
+  EXPECT_EQ(RS::Number_from_costs(-1000)(tree), 6u);
+  EXPECT_EQ(RS::Number_from_costs(-1000, 4)(tree), 4u);
+  EXPECT_EQ(RS::Number_from_costs(1000)(tree), 2u);
   const double level = RS::Visibility_merging::default_level;
-  EXPECT_EQ(Chooser(level)(RS::Merge_tree(1)), 1u);
-  EXPECT_EQ(Chooser(level)(RS::Merge_tree(3)), 3u); // three pieces, nothing to merge
+  EXPECT_EQ(RS::Number_from_costs(level)(RS::Merge_tree(1)), 1u);
+  EXPECT_EQ(RS::Number_from_costs(level)(RS::Merge_tree(3)), 3u); // three pieces, nothing to merge
 }
 
 } // namespace Visibility_merging_test

@@ -8,6 +8,7 @@
 
 #include <CGAL/assertions_behaviour.h>
 #include <CGAL/region_segmentation.h>
+#include <CGAL/region_segmentation_stages.h>
 #ifdef TEST_EIGEN
 #include <CGAL/Region_segmentation/Methods/Spectral_partitioner.h>
 #endif
@@ -69,7 +70,7 @@ TEST_F(Debug_checks_test, maximum_angle_is_between_0_and_180)
 {
   for (double angle : {-0.001, 180.001, std::nan("")}) {
     RS::Two_step method;
-    method.initializer.maximum_angle = angle;
+    method.growing.maximum_angle = angle;
     EXPECT_THROW(RS::segment(mesh, labels, RP::number_of_segments(2).method(method)), Precondition_exception);
     EXPECT_THROW(RS::detect_feature_edges(mesh, features, RP::maximum_angle(angle)), Precondition_exception);
   }
@@ -94,7 +95,7 @@ TEST_F(Debug_checks_test, constants_of_superfacets)
   for (const RS::Superfacets& wrong :
        {RS::Superfacets(0), RS::Superfacets(10, -1), RS::Superfacets(10, 80, -1), RS::Superfacets(10, std::nan(""))}) {
     RS::Visibility_merging method;
-    method.initializer = wrong;
+    method.superfacets = wrong;
     EXPECT_THROW(RS::segment(mesh, labels, RP::number_of_segments(2).method(method)), Precondition_exception);
   }
 }
@@ -176,7 +177,7 @@ TEST_F(Debug_checks_test, a_tree_takes_the_lower_region_first)
 TEST(Checked_build_test, right_use_passes)
 {
   RS::Two_step all_edges;
-  all_edges.initializer.feature_convexity = RS::Feature_convexity::ALL;
+  all_edges.growing.feature_convexity = RS::Feature_convexity::ALL;
   for (test::Family family : test::all_families) {
     const Surface_mesh mesh = test::to_surface_mesh(test::random_mesh(family, 3));
     auto map = get(CGAL::dynamic_face_property_t<std::size_t>(), mesh);

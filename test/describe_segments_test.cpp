@@ -3,19 +3,21 @@
 #include "segments.h"
 
 #include <CGAL/Region_segmentation/Segments/describe_segments.h>
-#include <CGAL/Region_segmentation/internal/segments/Surface_moments.h>
-#include <CGAL/Region_segmentation/internal/segments/primitives.h>
+#include <CGAL/Region_segmentation/internal/segments/Primitive_shape.h>
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polyhedron_3.h>
+#include <CGAL/Simple_cartesian.h>
 #include <CGAL/boost/graph/graph_traits_Polyhedron_3.h>
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <random>
 #include <string>
 #include <utility>
@@ -26,7 +28,9 @@ using namespace test;
 
 namespace describe_segments_test {
 
-using Description = RS::Segment_description<std::size_t>;
+using Description = RS::Segment_description<std::size_t, Kernel>;
+using Vector_3 = Kernel::Vector_3;
+using Point_3 = Kernel::Point_3;
 const double pi = std::acos(-1.0);
 
 template <typename Mesh = Surface_mesh>
@@ -44,16 +48,11 @@ Description description_of(const Soup& soup)
   return descriptions_of(soup, Labels(soup.polygons.size(), 0)).front();
 }
 
-double length(const RS::Double_3& v)
+template <typename Triple>
+void expect_near(const Triple& a, const Triple& b, double tolerance)
 {
-  return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
-}
-
-void expect_near(const RS::Double_3& a, const RS::Double_3& b, double tolerance)
-{
-  EXPECT_NEAR(a.x, b.x, tolerance);
-  EXPECT_NEAR(a.y, b.y, tolerance);
-  EXPECT_NEAR(a.z, b.z, tolerance);
+  for (int i = 0; i < 3; ++i)
+    EXPECT_NEAR(a[i], b[i], tolerance);
 }
 
 /// An open surface of `across` times `around` quads; a point for each pair in [0, 1] x [0, 1).
@@ -81,10 +80,14 @@ Point moved(const Point& p)
   return {x + 5, d * y - t * p[2] - 3, t * y + d * p[2] + 11};
 }
 
-RS::Double_3 moved_direction(const RS::Double_3& v)
+Point_3 moved_point(const Point& p)
 {
-  const Point o = moved({0, 0, 0}), p = moved({v.x, v.y, v.z});
-  return {p[0] - o[0], p[1] - o[1], p[2] - o[2]};
+  return {moved(p)[0], moved(p)[1], moved(p)[2]};
+}
+
+Vector_3 moved_direction(const Point& v)
+{
+  return moved_point(v) - moved_point({0, 0, 0});
 }
 
 TEST(Describe_segments_test, knows_a_box)
@@ -95,14 +98,13 @@ TEST(Describe_segments_test, knows_a_box)
   EXPECT_NEAR(d.area, 62, 1e-10);
   EXPECT_NEAR(d.volume, 30, 1e-10);
   EXPECT_DOUBLE_EQ(d.volume_share, 1);
-  const Point center = moved({2.5, 1, 1.5});
-  expect_near(d.centroid, {center[0], center[1], center[2]}, 1e-10);
+  expect_near(d.centroid, moved_point({2.5, 1, 1.5}), 1e-10);
   EXPECT_NEAR(d.extents[0], 5, 1e-10);
   EXPECT_NEAR(d.extents[1], 3, 1e-10);
   EXPECT_NEAR(d.extents[2], 2, 1e-10);
-  EXPECT_NEAR(std::abs(dot(d.axes[0], moved_direction({1, 0, 0}))), 1, 1e-10);
-  EXPECT_NEAR(std::abs(dot(d.axes[1], moved_direction({0, 0, 1}))), 1, 1e-10);
-  EXPECT_NEAR(dot(cross(d.axes[0], d.axes[1]), d.axes[2]), 1, 1e-10);
+  EXPECT_NEAR(std::abs(d.axes[0] * moved_direction({1, 0, 0})), 1, 1e-10);
+  EXPECT_NEAR(std::abs(d.axes[1] * moved_direction({0, 0, 1})), 1, 1e-10);
+  EXPECT_NEAR(CGAL::determinant(d.axes[0], d.axes[1], d.axes[2]), 1, 1e-10);
   EXPECT_TRUE(d.neighbors.empty());
   EXPECT_EQ(d.border_length, 0);
 }
@@ -170,13 +172,79 @@ TEST(Describe_segments_test, volumes_add_up)
   EXPECT_EQ(description_of(grid(2, 2)).volume_share, 0);
 }
 
-TEST(Surface_moments_test, a_cap_has_the_volume_between_it_and_the_origin_of_the_moments)
+TEST(Describe_segments_test, volumes_add_up_where_three_segments_meet)
 {
-  RS::internal::Surface_moments moments({1, 2, 3});
-  moments.add_cap({2, 2, 3}, {1, 4, 3}, {1, 2, 6}, 1);
-  EXPECT_EQ(moments.volume(), 1); // 1 * 2 * 3 / 6
-  moments.add_cap({2, 2, 3}, {1, 4, 3}, {1, 2, 6}, -1);
-  EXPECT_EQ(moments.volume(), 0);
+  for (const Description& d : descriptions_of(mapped(cube(), moved), {0, 1, 2, 3, 4, 5})) {
+    EXPECT_NEAR(d.volume, 1. / 6, 1e-12);
+    EXPECT_NEAR(d.volume_share, 1. / 6, 1e-12);
+  }
+  for (Family family : {Family::SPHERE, Family::TORUS, Family::BLOCKS})
+    for (unsigned seed = 1; seed <= 4; ++seed) {
+      SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
+      const Soup soup = random_mesh(family, seed);
+      Labels labels = random_labels(soup, 5, seed);
+      const double whole = description_of(soup).volume;
+      for (bool has_unlabelled : {true, false}) {
+        double volume = 0, share = 0;
+        for (const Description& d : descriptions_of(soup, labels)) {
+          EXPECT_NEAR(d.volume_share, d.volume / whole, 1e-9);
+          volume += d.volume;
+          share += d.volume_share;
+        }
+        if (!has_unlabelled) {
+          EXPECT_NEAR(volume, whole, 1e-9 * whole);
+          EXPECT_NEAR(share, 1, 1e-9);
+        }
+        for (std::size_t& label : labels)
+          label = label == std::size_t(-1) ? 0 : label;
+      }
+    }
+}
+
+TEST(Describe_segments_test, a_flat_mesh_has_no_shares_of_its_volume)
+{
+  // Its volume is that of rounding.
+  const Soup sheet = mapped(grid(3, 3), moved);
+  for (const Description& d : descriptions_of(sheet, {0, 1, 2, 0, 1, 2, 0, 1, 2}))
+    EXPECT_EQ(d.volume_share, 0);
+}
+
+TEST(Describe_segments_test, counts_the_areas_of_needles)
+{
+  // Degenerate, and of area 1/2 each: a fan of needles of 1e12 : 1.
+  Soup needles;
+  needles.points = {{0, 0, 0}, {1e6, 0, 0}, {1e6, 1e-6, 0}, {1e6, 2e-6, 0}};
+  needles.polygons = {{0, 1, 2}, {0, 2, 3}};
+  const Description d = description_of(needles);
+  EXPECT_NEAR(d.area, 1, 1e-9);
+  EXPECT_NEAR(d.centroid[0], 2e6 / 3, 1e-3);
+}
+
+TEST(Describe_segments_test, outputs_points_of_the_kernel_of_the_mesh)
+{
+  using Float_kernel = CGAL::Simple_cartesian<float>;
+  const auto mesh = to_mesh<CGAL::Surface_mesh<Float_kernel::Point_3>>(cube());
+  std::vector<RS::Segment_description<std::size_t, Float_kernel>> descriptions;
+  RS::describe_segments(mesh, face_labels(mesh, Labels(6, 0)), std::back_inserter(descriptions));
+  const Float_kernel::Point_3 centroid = descriptions.at(0).centroid;
+  const Float_kernel::Vector_3 axis = descriptions.at(0).axes[0];
+  EXPECT_EQ(centroid, Float_kernel::Point_3(.5f, .5f, .5f));
+  EXPECT_NEAR(axis.squared_length(), 1, 1e-6);
+}
+
+/// Points that are not of a kernel.
+TEST(Describe_segments_test, outputs_points_of_doubles_otherwise)
+{
+  const Surface_mesh mesh = to_surface_mesh(cube());
+  using Array = std::array<double, 3>;
+  std::map<Surface_mesh::Vertex_index, Array> points;
+  for (auto v : vertices(mesh))
+    points[v] = {mesh.point(v)[0], mesh.point(v)[1], mesh.point(v)[2]};
+  const boost::associative_property_map<std::map<Surface_mesh::Vertex_index, Array>> arrays(points);
+  std::vector<RS::Segment_description<std::size_t, CGAL::Simple_cartesian<double>>> descriptions;
+  RS::describe_segments(mesh, face_labels(mesh, Labels(6, 0)), std::back_inserter(descriptions),
+                        RS::parameters::vertex_point_map(arrays));
+  EXPECT_EQ(descriptions.at(0).centroid, (CGAL::Simple_cartesian<double>::Point_3(.5, .5, .5)));
 }
 
 TEST(Describe_segments_test, agrees_with_cgal_on_random_meshes)
@@ -226,8 +294,8 @@ TEST(Describe_segments_test, the_normal_of_a_plane_points_to_the_side_of_most_fa
   // Corrugated, so that no face has the normal of the plane.
   const Soup sheet = mapped(grid(9, 4), [](const Point& p) { return moved({p[0], p[1], int(p[0]) % 2 == 0 ? 0. : 0.1}); });
   ASSERT_EQ(description_of(sheet).primitive.type, RS::Primitive_type::PLANE);
-  EXPECT_GT(dot(description_of(sheet).primitive.direction, moved_direction({0, 0, 1})), 0.99);
-  EXPECT_LT(dot(description_of(reversed(sheet)).primitive.direction, moved_direction({0, 0, 1})), -0.99);
+  EXPECT_GT(description_of(sheet).primitive.direction * moved_direction({0, 0, 1}), 0.99);
+  EXPECT_LT(description_of(reversed(sheet)).primitive.direction * moved_direction({0, 0, 1}), -0.99);
 }
 
 TEST(Describe_segments_test, finds_nothing_but_a_plane_where_all_points_are_on_it)
@@ -238,76 +306,74 @@ TEST(Describe_segments_test, finds_nothing_but_a_plane_where_all_points_are_on_i
     EXPECT_EQ(d.primitive.error_of(type), std::numeric_limits<double>::infinity());
 }
 
-TEST(Primitives_test, have_one_form)
+using Shape = RS::internal::Primitive_shape;
+
+Shape make_shape(RS::Primitive_type type, const Eigen::Vector3d& point, const Eigen::Vector3d& direction, double size)
 {
-  RS::internal::Fitted_sphere sphere;
-  sphere.parameters << 1, 2, 3, -4;
-  sphere.normalize();
-  EXPECT_EQ(sphere.center(), Eigen::Vector3d(1, 2, 3));
-  EXPECT_EQ(sphere.radius(), 4);
-  EXPECT_EQ(sphere({1, 2, 9}), 2);
-
-  RS::internal::Fitted_cylinder cylinder;
-  cylinder.parameters << 1, 2, 3, 0, 0, 2, -5;
-  cylinder.normalize();
-  EXPECT_EQ(cylinder.point(), Eigen::Vector3d(1, 2, 0));
-  EXPECT_EQ(cylinder.parameters.segment<3>(3), Eigen::Vector3d(0, 0, 1));
-  EXPECT_EQ(cylinder.radius(), 5);
-  EXPECT_EQ(cylinder({1, 8, 7}), 1);
-
-  RS::internal::Fitted_cone cone;
-  for (const auto& [angle, normalized] : {std::make_pair(-0.1, 0.), std::make_pair(0.5, 0.5), std::make_pair(2., pi / 2)}) {
-    cone.parameters << 1, 2, 3, 0, 3, 0, angle;
-    cone.normalize();
-    EXPECT_EQ(cone.apex(), Eigen::Vector3d(1, 2, 3));
-    EXPECT_EQ(cone.parameters.segment<3>(3), Eigen::Vector3d(0, 1, 0));
-    EXPECT_DOUBLE_EQ(cone.half_angle(), normalized);
-  }
-  cone.parameters[6] = pi / 6;
-  cone.normalize();
-  EXPECT_NEAR(cone({3, 2, 3}), 2 * std::cos(pi / 6), 1e-12); // beside the apex
-  EXPECT_NEAR(cone({1, 4, 3}), -2 * std::sin(pi / 6), 1e-12); // on the axis
-  EXPECT_NEAR(cone({1, -3, 3}), 5, 1e-12); // behind the apex
+  Shape shape;
+  shape.type = type;
+  shape.point = point;
+  shape.direction = direction;
+  (type == RS::Primitive_type::CONE ? shape.half_angle : shape.radius) = size;
+  shape.move(Shape::Gradient::Zero());
+  return shape;
 }
 
-/// At random points, in front of and behind an apex, by central differences; a changed axis has length 1 again.
-template <typename Primitive>
-void expect_gradients(Primitive primitive, std::mt19937& random)
+TEST(Primitive_shape_test, has_one_form)
+{
+  const Shape sphere = make_shape(RS::Primitive_type::SPHERE, {1, 2, 3}, {0, 0, 0}, -4);
+  EXPECT_EQ(sphere.point, Eigen::Vector3d(1, 2, 3));
+  EXPECT_EQ(sphere.radius, 4);
+  EXPECT_EQ(sphere.distance({1, 2, 9}), 2);
+
+  const Shape cylinder = make_shape(RS::Primitive_type::CYLINDER, {1, 2, 3}, {0, 0, 2}, -5);
+  EXPECT_EQ(cylinder.point, Eigen::Vector3d(1, 2, 0));
+  EXPECT_EQ(cylinder.direction, Eigen::Vector3d(0, 0, 1));
+  EXPECT_EQ(cylinder.radius, 5);
+  EXPECT_EQ(cylinder.distance({1, 8, 7}), 1);
+
+  for (const auto& [angle, normalized] : {std::make_pair(-0.1, 0.), std::make_pair(0.5, 0.5), std::make_pair(2., pi / 2)}) {
+    const Shape cone = make_shape(RS::Primitive_type::CONE, {1, 2, 3}, {0, 3, 0}, angle);
+    EXPECT_EQ(cone.point, Eigen::Vector3d(1, 2, 3));
+    EXPECT_EQ(cone.direction, Eigen::Vector3d(0, 1, 0));
+    EXPECT_DOUBLE_EQ(cone.half_angle, normalized);
+  }
+  const Shape cone = make_shape(RS::Primitive_type::CONE, {1, 2, 3}, {0, 3, 0}, pi / 6);
+  EXPECT_NEAR(cone.distance({3, 2, 3}), 2 * std::cos(pi / 6), 1e-12);  // beside the apex
+  EXPECT_NEAR(cone.distance({1, 4, 3}), -2 * std::sin(pi / 6), 1e-12); // on the axis
+  EXPECT_NEAR(cone.distance({1, -3, 3}), 5, 1e-12);                    // behind the apex
+}
+
+/// At random points, in front of and behind an apex, by central differences.
+TEST(Primitive_shape_test, has_the_gradient_of_its_distance)
 {
   constexpr double step = 1e-6;
+  std::mt19937 random(17);
   std::uniform_real_distribution<double> coordinate(-2, 2);
-  primitive.normalize();
-  for (int i = 0; i < 200; ++i) {
-    const Eigen::Vector3d p(coordinate(random), coordinate(random), coordinate(random));
-    const auto gradient = primitive.gradient(p);
-    for (int j = 0; j < Primitive::size; ++j) {
-      Primitive above = primitive, below = primitive;
-      above.parameters[j] += step;
-      below.parameters[j] -= step;
-      above.normalize();
-      below.normalize();
-      EXPECT_NEAR(gradient[j], (above(p) - below(p)) / (2 * step), 1e-6) << "parameter " << j << " at " << p.transpose();
+  for (RS::Primitive_type type : {RS::Primitive_type::SPHERE, RS::Primitive_type::CYLINDER, RS::Primitive_type::CONE}) {
+    const bool is_sphere = type == RS::Primitive_type::SPHERE;
+    const Shape shape = make_shape(type, {0.1, -0.2, 0.3}, Eigen::Vector3d(0.4, 1, -0.6) * !is_sphere, 0.7);
+    for (int i = 0; i < 200; ++i) {
+      const Eigen::Vector3d p(coordinate(random), coordinate(random), coordinate(random));
+      const Shape::Gradient gradient = shape.gradient(p);
+      for (int j = 0; j < 8; ++j) {
+        if ((is_sphere && j >= 3 && j < 6) || (j == 6 && type == RS::Primitive_type::CONE) ||
+            (j == 7 && type != RS::Primitive_type::CONE)) {
+          EXPECT_EQ(gradient[j], 0) << "a parameter that is not used";
+          continue;
+        }
+        Shape above = shape, below = shape;
+        above.move(step * Shape::Gradient::Unit(j));
+        below.move(-step * Shape::Gradient::Unit(j));
+        EXPECT_NEAR(gradient[j], (above.distance(p) - below.distance(p)) / (2 * step), 1e-6)
+          << "parameter " << j << " at " << p.transpose();
+      }
     }
   }
 }
 
-TEST(Primitives_test, have_the_gradients_of_their_distances)
-{
-  std::mt19937 random(17);
-  RS::internal::Fitted_sphere sphere;
-  sphere.parameters << 0.1, -0.2, 0.3, 0.7;
-  expect_gradients(sphere, random);
-  RS::internal::Fitted_cylinder cylinder;
-  cylinder.parameters << 0.1, -0.2, 0.3, 0.4, 1, -0.6, 0.8;
-  expect_gradients(cylinder, random);
-  RS::internal::Fitted_cone cone;
-  cone.parameters << 0.1, -0.2, 0.3, 0.4, 1, -0.6, 0.5;
-  expect_gradients(cone, random);
-}
-
 TEST(Describe_segments_test, finds_a_sphere_and_a_part_of_it)
 {
-  const Point center = moved({0, 0, 0});
   Soup whole = mapped(sphere(3), [](const Point& p) { return moved({2 * p[0], 2 * p[1], 2 * p[2]}); });
   Labels labels(whole.polygons.size());
   for (std::size_t f = 0; f < labels.size(); ++f)
@@ -318,7 +384,7 @@ TEST(Describe_segments_test, finds_a_sphere_and_a_part_of_it)
     EXPECT_EQ(d.primitive.type, RS::Primitive_type::SPHERE);
     EXPECT_NEAR(d.primitive.radius, 2, 1e-6);
     EXPECT_NEAR(d.primitive.error, 0, 1e-6);
-    expect_near(d.primitive.point, {center[0], center[1], center[2]}, 1e-6);
+    expect_near(d.primitive.point, moved_point({0, 0, 0}), 1e-6);
   }
 }
 
@@ -329,12 +395,11 @@ TEST(Describe_segments_test, finds_a_cylinder)
       5, 24, [](double u, double v) { return moved({2 * std::cos(2 * pi * v), 2 * std::sin(2 * pi * v), 6 * u}); }, part));
     EXPECT_EQ(d.primitive.type, RS::Primitive_type::CYLINDER);
     EXPECT_NEAR(d.primitive.radius, 2, 1e-6);
-    EXPECT_NEAR(std::abs(dot(d.primitive.direction, moved_direction({0, 0, 1}))), 1, 1e-6);
+    EXPECT_NEAR(std::abs(d.primitive.direction * moved_direction({0, 0, 1})), 1, 1e-6);
     EXPECT_NEAR(d.primitive.error, 0, 1e-6);
-    const Point on_axis = moved({0, 0, 0});
-    const RS::Double_3 away = d.primitive.point - RS::Double_3{on_axis[0], on_axis[1], on_axis[2]};
-    EXPECT_NEAR(length(cross(away, d.primitive.direction)), 0, 1e-5);
-    EXPECT_NEAR(dot(d.primitive.point - d.centroid, d.primitive.direction), 0, 1e-6);
+    const Vector_3 away = d.primitive.point - moved_point({0, 0, 0});
+    EXPECT_NEAR(CGAL::cross_product(away, d.primitive.direction).squared_length(), 0, 1e-10);
+    EXPECT_NEAR((d.primitive.point - d.centroid) * d.primitive.direction, 0, 1e-6);
   }
 }
 
@@ -353,8 +418,7 @@ TEST(Describe_segments_test, finds_a_cone)
       EXPECT_EQ(d.primitive.type, RS::Primitive_type::CONE);
       EXPECT_NEAR(d.primitive.half_angle, std::atan(0.25), 1e-6);
       EXPECT_NEAR(d.primitive.error, 0, 1e-6);
-      const Point apex = moved({0, 0, 0});
-      expect_near(d.primitive.point, {apex[0], apex[1], apex[2]}, 1e-4);
+      expect_near(d.primitive.point, moved_point({0, 0, 0}), 1e-4);
       expect_near(d.primitive.direction, moved_direction({0, 0, 1}), 1e-6);
     }
 }
@@ -441,7 +505,8 @@ TEST(Describe_segments_test, a_surface_inside_out_is_described_as_if_it_were_not
       EXPECT_NEAR(found[i].area, expected[i].area, 1e-9 * expected[i].area);
       EXPECT_NEAR(found[i].volume, expected[i].volume, 1e-9 * std::pow(expected[i].area, 1.5));
       EXPECT_NEAR(found[i].volume_share, expected[i].volume_share, 1e-9);
-      EXPECT_NEAR(found[i].primitive.error, expected[i].primitive.error, 1e-6 * std::sqrt(expected[i].area));
+      // The minimum is flat where faces are of random segments.
+      EXPECT_NEAR(found[i].primitive.error, expected[i].primitive.error, 1e-3 * std::sqrt(expected[i].area));
     }
   }
 }
@@ -480,7 +545,7 @@ TEST(Describe_segments_test, bears_surfaces_without_extent)
   const Description d = description_of(point);
   EXPECT_EQ(d.area, 0);
   EXPECT_EQ(d.primitive.error, 0);
-  expect_near(d.centroid, {1, 2, 3}, 0);
+  expect_near(d.centroid, Point_3(1, 2, 3), 0);
   Soup infinite = grid(1, 1);
   infinite.points[2][1] = std::numeric_limits<double>::infinity();
   EXPECT_THROW(description_of(infinite), RS::Invalid_input);

@@ -5,9 +5,8 @@
 
 #include <CGAL/Region_segmentation/detect_feature_edges.h>
 #include <CGAL/Region_segmentation/grow_regions.h>
-#include <CGAL/Region_segmentation/internal/support/blocks.h>
-#include <CGAL/Region_segmentation/internal/support/label_components.h>
-#include <CGAL/Region_segmentation/read_flat_mesh.h>
+#include <CGAL/Region_segmentation/Execution.h>
+#include <CGAL/Region_segmentation/make_surface.h>
 
 #include <gtest/gtest.h>
 
@@ -140,25 +139,20 @@ TEST(Grow_regions_test, an_empty_mesh_and_a_single_face)
   EXPECT_EQ(grow(grid(1, 1), {}).n, 1u);
 }
 
-/// What `segment()` does: components of the dual edges of a flat mesh.
-Labels labels_on_flat_mesh(const Soup& soup, const std::set<Edge>& features, const std::set<Edge>& constrained)
+/// Those of the reference implementation, with given features.
+Labels reference_labels(const Soup& soup, const std::set<Edge>& features, const std::set<Edge>& constrained)
 {
-  const Surface_mesh mesh = to_surface_mesh(soup);
-  const auto is_feature = edge_map(mesh, features);
-  const auto np = RS::parameters::edge_is_constrained_map(edge_map(mesh, constrained));
-  const auto& pack = RS::internal::pack(np);
-  const auto traversal = RS::internal::make_mesh_traversal(mesh, pack);
-  const RS::Flat_mesh flat = RS::read_flat_mesh(mesh, RS::Mesh_data::NOTHING_MORE, np);
-  RS::internal::Edge_marks marks(flat.number_of_edges());
-  traversal.for_each_dual_edge([&](auto h, std::size_t e) {
-    marks[e] = get(is_feature, edge(h, mesh)) || flat.has_flag(e, RS::Flat_mesh::CONSTRAINED);
-  });
-  const auto joins = [&](std::size_t e) { return !marks[e] && !flat.has_flag(e, RS::Flat_mesh::CLOSED); };
-  const RS::Partition regions = RS::internal::label_components(flat, joins, RS::Execution<>());
-  return Labels(regions.begin(), regions.end());
+  reference::Two_step_options options;
+  options.constrained_edges = constrained;
+  const reference::Mesh mesh = reference::read_mesh(soup.points, soup.polygons, options);
+  std::map<Edge, bool> is_feature;
+  for (const auto& [edge, faces] : faces_of_edges(soup))
+    is_feature[edge] = faces.size() == 1 || features.count(edge) > 0 || constrained.count(edge) > 0;
+  std::size_t number = 0;
+  return reference::grow_regions(mesh, is_feature, number);
 }
 
-TEST(Grow_regions_test, regions_are_those_of_a_flat_mesh)
+TEST(Grow_regions_test, regions_are_those_of_the_reference)
 {
   for (Family family : all_families)
     for (unsigned seed = 0; seed < 20; ++seed) {
@@ -167,7 +161,7 @@ TEST(Grow_regions_test, regions_are_those_of_a_flat_mesh)
       std::mt19937 random(seed);
       const auto features = random_edges(soup, 3, random), constrained = random_edges(soup, 9, random);
       soup.points.push_back({1, 2, 3}); // of no face
-      EXPECT_EQ(grow(soup, features, constrained).labels, labels_on_flat_mesh(soup, features, constrained));
+      EXPECT_EQ(grow(soup, features, constrained).labels, reference_labels(soup, features, constrained));
     }
 }
 
@@ -177,19 +171,19 @@ TEST(Grow_regions_test, degenerate_faces_of_one_block_alone)
   ASSERT_GT(large.polygons.size(), RS::internal::block_size);
   for (const Soup& soup : {joined(cap(), large), joined(large, cap()), translated(joined(large, cap()), 0, 1e5, 0)}) {
     const auto result = grow(soup, {});
-    EXPECT_EQ(result.labels, labels_on_flat_mesh(soup, {}, {}));
+    EXPECT_EQ(result.labels, reference_labels(soup, {}, {}));
     EXPECT_EQ(result.n, 3u);
   }
 }
 
 /// Areas that are small compared with the coordinates: the longest edge tells whether a face is degenerate.
-TEST(Grow_regions_test, far_from_the_origin_regions_are_those_of_a_flat_mesh)
+TEST(Grow_regions_test, far_from_the_origin_regions_are_those_of_the_reference)
 {
   for (Family family : all_families)
     for (double distance : {1e5, 1e7, 1e9}) {
       SCOPED_TRACE(name(family) + ", " + std::to_string(distance));
       const Soup soup = translated(random_mesh(family, 1), distance, 0, -distance);
-      EXPECT_EQ(grow(soup, {}).labels, labels_on_flat_mesh(soup, {}, {}));
+      EXPECT_EQ(grow(soup, {}).labels, reference_labels(soup, {}, {}));
     }
 }
 
@@ -208,7 +202,6 @@ TEST(Grow_regions_test, of_equal_edges_to_one_face_the_first_is_joined)
     for (const std::set<Edge>& features :
          {std::set<Edge>{{0, 4}}, {{1, 4}}, {{0, 5}}, {{1, 5}}, {{0, 4}, {0, 5}}, {{1, 4}, {0, 5}}}) {
       const auto result = grow(soup, features);
-      EXPECT_EQ(result.labels, labels_on_flat_mesh(soup, features, {}));
       // The upper face is the lower neighbor. From vertex 0 its boundary begins with 0 4, that of the other face leads
       // over 1 4 before 4 0.
       const Edge joining = is_needle_first ? Edge{0, 4} : Edge{1, 4};

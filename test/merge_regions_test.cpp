@@ -31,7 +31,7 @@ Graph path(std::size_t n)
     g.add_region();
     RS::Section_geometry data;
     data.length = double(r);
-    data.number_of_edges = 1;
+    data.number_of_adjacencies = 1;
     if (r > 0)
       g.add_section(r - 1, r, data);
   }
@@ -141,7 +141,7 @@ TEST(Merge_regions_test, a_policy_that_proposes_what_cannot_be_merged_is_an_erro
     RS::merge_regions(g, Stubborn_policy{s}, 1, RS::Stop_at_count{1});
     ADD_FAILURE() << "taken";
   } catch (const RS::Invalid_method& error) {
-    EXPECT_EQ(error.what(), "the RegionMergingPolicy proposes to merge across section " + std::to_string(s.id()) +
+    EXPECT_EQ(error.what(), "the MergingPolicy proposes to merge across section " + std::to_string(s.id()) +
                               ", which is removed");
   }
   EXPECT_EQ(g.number_of_regions(), 3u);
@@ -169,7 +169,7 @@ TEST(Merge_regions_test, a_policy_whose_cost_is_not_a_number_is_an_error)
     RS::merge_regions(g, Policy_without_a_cost(), 1, RS::Stop_at_count{1});
     ADD_FAILURE() << "taken";
   } catch (const RS::Invalid_method& error) {
-    EXPECT_EQ(error.what(), std::string("the RegionMergingPolicy proposes to merge across section 0 at a cost that is not "
+    EXPECT_EQ(error.what(), std::string("the MergingPolicy proposes to merge across section 0 at a cost that is not "
                                         "a number"));
   }
   EXPECT_EQ(g.number_of_regions(), 4u);

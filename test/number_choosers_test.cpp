@@ -134,7 +134,7 @@ struct Counting_chooser
 {
   std::shared_ptr<int> calls = std::make_shared<int>(0);
 
-  std::size_t operator()(const RS::Merge_tree&) const
+  std::size_t operator()(const RS::Merge_tree&, const RS::Surface&) const
   {
     ++*calls;
     return 3;
@@ -149,7 +149,8 @@ TEST(Number_chooser_of_Segmenter, is_asked_once_for_each_change)
   for (auto f : faces(mesh))
     put(seeds, f, std::size_t(-1));
   const Counting_chooser chooser;
-  const auto method = RS::Visibility_merging().with_chooser(chooser);
+  const RS::Visibility_merging visibility;
+  const RS::Superfacet_merging method{visibility.annotator, visibility.policy, chooser};
   RS::Segmenter segmenter(mesh, RS::parameters::method(method));
   EXPECT_EQ(segmenter.segment(map), 3u);
   EXPECT_EQ(segmenter.segment(map), 3u);

@@ -223,16 +223,17 @@ struct Options : reference::Two_step_options
 
   CGAL::Region_segmentation::Two_step method() const
   {
-    CGAL::Region_segmentation::Two_step method(beta, gamma, factor);
-    method.initializer.maximum_angle = maximum_angle;
-    method.initializer.feature_convexity = feature_convexity();
+    CGAL::Region_segmentation::Two_step method;
+    method.policy = CGAL::Region_segmentation::Two_step_merging(beta, gamma, factor);
+    method.growing.maximum_angle = maximum_angle;
+    method.growing.feature_convexity = feature_convexity();
     return method;
   }
 
   /// Of segment().
   auto named() const
   {
-    return CGAL::Region_segmentation::parameters::number_of_segments(k).method(method());
+    return CGAL::Region_segmentation::parameters::number_of_segments(k).method(method()).component_links(false);
   }
 
   /// Of detect_feature_edges().

@@ -5,6 +5,7 @@
 #include "meshes.h"
 
 #include <CGAL/region_segmentation.h>
+#include <CGAL/region_segmentation_stages.h>
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
@@ -58,8 +59,8 @@ Outputs run(const Surface_mesh& mesh, const Parameters& np)
 RS::Two_step two_step(RS::Feature_convexity convexity)
 {
   RS::Two_step method;
-  method.initializer.maximum_angle = 3;
-  method.initializer.feature_convexity = convexity;
+  method.growing.maximum_angle = 3;
+  method.growing.feature_convexity = convexity;
   return method;
 }
 
@@ -131,26 +132,27 @@ TEST(Parallel_stages_test, a_surface_inside_out_has_the_features_of_the_other)
   EXPECT_EQ(detected(inside_out, CGAL::Parallel_tag()), detected(inside_out, CGAL::Sequential_tag()));
 }
 
-/// What is known of every dual edge, every corner, and the patches.
-template <typename ConcurrencyTag, typename Parameters>
-std::vector<double> numbers_read(const Surface_mesh& mesh, const Parameters& np)
+/// What is known of every adjacency, every corner, and the patches.
+template <typename ConcurrencyTag>
+std::vector<double> numbers_read(const Surface_mesh& mesh)
 {
-  const RS::Flat_mesh flat = RS::read_flat_mesh<ConcurrencyTag>(
-    mesh, RS::Mesh_data::POINTS | RS::Mesh_data::PATCHES, np);
-  std::vector<double> result = {flat.unit(), flat.surface_area()};
+  const RS::Surface flat = RS::make_surface<ConcurrencyTag>(mesh);
+  const RS::Execution execution(RS::internal::threads_of<ConcurrencyTag>());
+  const RS::Surface_patches both = RS::internal::Patch_builder::build(flat, execution);
+  std::vector<double> result = {flat.unit(), flat.area()};
   const auto add = [&](const RS::Double_3& p) { result.insert(result.end(), {p.x, p.y, p.z}); };
-  for (std::size_t e = 0; e < flat.number_of_edges(); ++e)
+  for (std::size_t e = 0; e < flat.number_of_adjacencies(); ++e)
     result.insert(result.end(), {double(flat.lower_face(e)), double(flat.higher_face(e)), flat.length(e),
                                  double(flat.flags(e)), flat.cosine(flat.lower_face(e), e)});
   for (std::size_t f = 0; f < flat.number_of_faces(); ++f) {
     add(flat.normal(f));
     add(flat.centroid(f));
-    for (std::size_t i = 0; i < flat.points().number_of_corners(f); ++i)
-      result.push_back(flat.points().corner(f, i));
+    for (std::size_t i = 0; i < flat.number_of_corners(f); ++i)
+      result.push_back(flat.corner(f, i));
   }
-  for (std::size_t v = 0; v < flat.points().number_of_points(); ++v)
-    add(flat.points()[v]);
-  for (const RS::Patches* const patches : {static_cast<const RS::Patches*>(&flat.patches()), &flat.patches().coarse()}) {
+  for (std::size_t v = 0; v < flat.number_of_vertices(); ++v)
+    add(flat.point(v));
+  for (const RS::Patches* const patches : {&both.fine, &both.coarse}) {
     result.insert(result.end(), patches->of_elements().begin(), patches->of_elements().end());
     for (std::size_t p = 0; p < patches->size(); ++p) {
       const RS::Patches::Patch& patch = (*patches)[p];
@@ -170,16 +172,10 @@ std::vector<double> numbers_read(const Surface_mesh& mesh, const Parameters& np)
 TEST_P(Parallel_test, reading_gives_the_same_bits)
 {
   const Surface_mesh mesh = to_surface_mesh(large_sheet(GetParam()));
-  std::mt19937 random(GetParam());
-  std::vector<char> constrained(num_edges(mesh));
-  for (char& c : constrained)
-    c = random() % 10 == 0;
-  const auto np = RS::parameters::edge_is_constrained_map(
-    boost::make_iterator_property_map(constrained.begin(), get(boost::edge_index, mesh)));
-  const auto expected = numbers_read<CGAL::Sequential_tag>(mesh, np);
+  const auto expected = numbers_read<CGAL::Sequential_tag>(mesh);
   for (const int threads : {1, 3}) {
     tbb::task_arena arena(threads);
-    EXPECT_TRUE(arena.execute([&] { return numbers_read<CGAL::Parallel_tag>(mesh, np); }) == expected)
+    EXPECT_TRUE(arena.execute([&] { return numbers_read<CGAL::Parallel_tag>(mesh); }) == expected)
         << "seed " << GetParam() << ", " << threads << " threads";
   }
 }
@@ -192,33 +188,33 @@ Surface_mesh bumpy_torus(unsigned seed)
   return to_surface_mesh(soup);
 }
 
-/// The hits of rays from some faces to others, in a tree that stores triangles or gathers them.
+/// The hits of rays from some faces to others.
 template <typename ConcurrencyTag>
-std::vector<double> hits_found(const RS::Flat_mesh& mesh, std::size_t most_stored_faces, unsigned seed)
+std::vector<double> hits_found(const RS::Surface& surface, unsigned seed)
 {
-  const RS::internal::Ray_tree tree(mesh, mesh.centroid(0), RS::Execution<ConcurrencyTag>(), most_stored_faces);
+  const RS::Execution execution(RS::internal::threads_of<ConcurrencyTag>());
+  const RS::Surface_patches patches = RS::internal::Patch_builder::build(surface, execution);
+  const RS::internal::Ray_tree tree(surface, patches, surface.centroid(0), execution);
   std::mt19937 random(seed);
-  std::vector<RS::internal::Ray> rays;
-  for (int i = 0; i < 1000; ++i) {
-    const std::size_t face = random() % mesh.number_of_faces();
-    const RS::Double_3 way = mesh.centroid(random() % mesh.number_of_faces()) - mesh.centroid(face);
-    if (norm(way) > 0)
-      rays.push_back(tree.make_ray(mesh.centroid(face), (1 / norm(way)) * way, RS::Flat_mesh::Index(face)));
-  }
-  tree.trace(mesh, rays.data(), rays.data() + rays.size());
   std::vector<double> result;
-  for (const auto& ray : rays)
-    result.insert(result.end(), {double(tree.hit(ray).face), tree.hit(ray).distance});
+  for (int i = 0; i < 1000; ++i) {
+    const std::size_t face = random() % surface.number_of_faces();
+    const RS::Double_3 way = surface.centroid(random() % surface.number_of_faces()) - surface.centroid(face);
+    if (norm(way) == 0)
+      continue;
+    const auto hit =
+      tree.first_hit(surface, surface.centroid(face), (1 / norm(way)) * way, RS::Surface::Index(face));
+    result.insert(result.end(), {double(hit.face), hit.distance});
+  }
   return result;
 }
 
 TEST_P(Parallel_test, rays_hit_the_same_faces)
 {
-  const Surface_mesh mesh = bumpy_torus(GetParam()); // more boxes than one thread splits
-  const RS::Flat_mesh flat = RS::read_flat_mesh(mesh, RS::Mesh_data::POINTS | RS::Mesh_data::PATCHES, RS::parameters::default_values());
-  const auto expected = hits_found<CGAL::Sequential_tag>(flat, num_faces(mesh), GetParam());
-  for (const std::size_t most_stored_faces : {std::size_t(0), flat.number_of_faces()})
-    EXPECT_TRUE(hits_found<CGAL::Parallel_tag>(flat, most_stored_faces, GetParam()) == expected) << "seed " << GetParam();
+  const RS::Surface surface = RS::make_surface(bumpy_torus(GetParam())); // more boxes than one thread makes
+  EXPECT_TRUE(hits_found<CGAL::Parallel_tag>(surface, GetParam()) ==
+              hits_found<CGAL::Sequential_tag>(surface, GetParam()))
+    << "seed " << GetParam();
 }
 
 TEST_P(Parallel_test, the_default_method_gives_the_same_bits)
@@ -260,8 +256,8 @@ TEST(Parallel, a_segmenter_is_asked_from_several_threads)
 {
   const Surface_mesh mesh = to_surface_mesh(torus(60, 30));
   RS::Two_step method;
-  method.initializer.maximum_angle = 1;
-  method.initializer.feature_convexity = RS::Feature_convexity::ALL;
+  method.growing.maximum_angle = 1;
+  method.growing.feature_convexity = RS::Feature_convexity::ALL;
   const RS::Segmenter by_default(mesh);
   const RS::Segmenter two_step(mesh, RS::parameters::method(method));
   constexpr std::size_t n = 24;

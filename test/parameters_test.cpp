@@ -5,6 +5,8 @@
 #include "meshes.h"
 #include "oracles.h"
 
+#include <CGAL/Region_segmentation/Methods/Learned_merging.h>
+#include <CGAL/Region_segmentation/Methods/Two_step.h>
 #include <CGAL/Region_segmentation/detect_feature_edges.h>
 #include <CGAL/Region_segmentation/parameters.h>
 #include <CGAL/Region_segmentation/segment.h>

@@ -47,7 +47,7 @@ RS::Section_descriptor add_section(Graph& g, std::uint32_t a, std::uint32_t b, d
   RS::Section_geometry data;
   data.length = length;
   data.sum_of_angles = angle;
-  data.number_of_edges = 1;
+  data.number_of_adjacencies = 1;
   return g.add_section(a, b, data);
 }
 

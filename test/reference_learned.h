@@ -9,7 +9,8 @@
 
 #include <cstdint>
 
-/// `Learned_merging` as the manual defines it. Of the library it uses the constants of the model alone.
+/// `Learned_merging` as the manual defines it. Of the library it uses the constants of the model
+/// alone.
 namespace reference {
 namespace visibility {
 namespace learned {
@@ -34,7 +35,10 @@ inline Matrix sum(const Matrix& a, double s, const Matrix& b)
   return m;
 }
 
-inline double trace(const Matrix& m) { return m[0][0] + m[1][1] + m[2][2]; }
+inline double trace(const Matrix& m)
+{
+  return m[0][0] + m[1][1] + m[2][2];
+}
 
 inline double trace_of_product(const Matrix& a, const Matrix& b)
 {
@@ -59,8 +63,10 @@ inline Vector eigenvalues(const Matrix& m)
   if (!(radius > 0))
     return {mean, mean, mean};
   const double determinant = dot(Vector{d[0]}, cross(Vector{d[1]}, Vector{d[2]}));
-  const double phi = std::acos(std::max(-1.0, std::min(1.0, determinant / (2 * radius * radius * radius)))) / 3;
-  const double first = mean + 2 * radius * std::cos(phi), last = mean + 2 * radius * std::cos(phi + third);
+  const double phi =
+    std::acos(std::max(-1.0, std::min(1.0, determinant / (2 * radius * radius * radius)))) / 3;
+  const double first = mean + 2 * radius * std::cos(phi),
+               last = mean + 2 * radius * std::cos(phi + third);
   return {first, 3 * mean - first - last, last};
 }
 
@@ -83,19 +89,24 @@ struct Moments
     second = sum(second, 1, other.second);
   }
   Vector centroid() const { return weight > 0 ? (1 / weight) * first : Vector{}; }
-  Matrix covariance() const { return weight > 0 ? sum(sum({}, 1 / weight, second), -1, square(centroid())) : Matrix{}; }
+  Matrix covariance() const
+  {
+    return weight > 0 ? sum(sum({}, 1 / weight, second), -1, square(centroid())) : Matrix{};
+  }
 };
 
 struct Learned_section : Section
 {
-  double weakly_concave = 0, strongly_concave = 0, strongly_convex = 0, squared = 0, log_thickness = 0;
+  double weakly_concave = 0, strongly_concave = 0, strongly_convex = 0, squared = 0,
+         log_thickness = 0;
   Moments moments;
 
   void add(const Learned_section& other)
   {
     Section::add(other);
     weakly_concave += other.weakly_concave, strongly_concave += other.strongly_concave;
-    strongly_convex += other.strongly_convex, squared += other.squared, log_thickness += other.log_thickness;
+    strongly_convex += other.strongly_convex, squared += other.squared,
+      log_thickness += other.log_thickness;
     moments.add(other.moments);
   }
 };
@@ -119,7 +130,8 @@ struct Learned_region : Region
 
 using Learned_graph = Basic_graph<Learned_region, Learned_section>;
 
-inline Learned_graph annotate(const Mesh& mesh, const Graph& graph, const std::vector<std::size_t>& region_of)
+inline Learned_graph annotate(const Mesh& mesh, const Graph& graph,
+                              const std::vector<std::size_t>& region_of)
 {
   Learned_graph result;
   for (const auto& [r, region] : graph.regions) {
@@ -165,8 +177,14 @@ inline Learned_graph annotate(const Mesh& mesh, const Graph& graph, const std::v
 }
 
 constexpr double tiny = 1e-12;
-inline double ln(double x) { return std::log(std::max(x, tiny)); }
-inline double quotient(double a, double b) { return b > tiny ? a / b : 0; }
+inline double ln(double x)
+{
+  return std::log(std::max(x, tiny));
+}
+inline double quotient(double a, double b)
+{
+  return b > tiny ? a / b : 0;
+}
 
 /// sqrt(a / b) of two eigenvalues of which `e` is the largest.
 inline double root(double a, double b, double e)
@@ -186,17 +204,23 @@ inline Features features(const Learned_region& a, const Learned_region& b, const
   Learned_region u = m;
   u.add(M, s);
   const auto q = [&](double x) { return quotient(x, s.length); };
-  const double d = std::max(0.0, (s.concave - 0.3 * s.convex + 0.08 * s.bend) / std::max(s.length, tiny)) + 0.022;
+  const double d =
+    std::max(0.0, (s.concave - 0.3 * s.convex + 0.08 * s.bend) / std::max(s.length, tiny)) + 0.022;
   const Matrix c = s.moments.covariance();
   const Vector e = eigenvalues(c);
-  const double e_sums = c[0][0] * c[1][1] + c[1][1] * c[2][2] + c[2][2] * c[0][0] - c[0][1] * c[0][1] -
-                        c[1][2] * c[1][2] - c[0][2] * c[0][2];
+  const double e_sums = c[0][0] * c[1][1] + c[1][1] * c[2][2] + c[2][2] * c[0][0] -
+                        c[0][1] * c[0][1] - c[1][2] * c[1][2] - c[0][2] * c[0][2];
   const auto area = [](const Learned_region& r) { return std::max(r.area, tiny); };
   const auto deviation = [&](const Learned_region& r) {
-    return std::sqrt(std::max(0.0, quotient(r.squared_log_thickness, r.area) - r.thickness() * r.thickness()));
+    return std::sqrt(
+      std::max(0.0, quotient(r.squared_log_thickness, r.area) - r.thickness() * r.thickness()));
   };
-  const auto width = [](const Learned_region& r) { return std::sqrt(std::max(0.0, trace(r.moments.covariance()))); };
-  const auto own = [&](const Learned_region& r) { return quotient(2 * r.own_visibility, r.visibility); };
+  const auto width = [](const Learned_region& r) {
+    return std::sqrt(std::max(0.0, trace(r.moments.covariance())));
+  };
+  const auto own = [&](const Learned_region& r) {
+    return quotient(2 * r.own_visibility, r.visibility);
+  };
   const auto flatness = [&](const Learned_region& r) { return norm(r.area_vector) / area(r); };
   const auto elongation = [&](const Learned_region& r) {
     const Vector w = eigenvalues(r.moments.covariance());
@@ -206,29 +230,73 @@ inline Features features(const Learned_region& a, const Learned_region& b, const
     const Vector w = eigenvalues(r.moments.covariance());
     return root(w[2], w[1], w[0]);
   };
-  const auto filling = [&](const Learned_region& r) { return ln(area(r)) - ln(pi * trace(r.moments.covariance())); };
+  const auto filling = [&](const Learned_region& r) {
+    return ln(area(r)) - ln(pi * trace(r.moments.covariance()));
+  };
   const Vector line = m.moments.centroid() - M.moments.centroid();
   const double t_m = m.thickness(), t_M = M.thickness(), t_s = q(s.log_thickness);
   const Matrix w_m = m.moments.covariance(), w_M = M.moments.covariance();
   const std::array<double, 59> values = {
-    cost(a, b, s, false), ln(d), q(s.concave), q(s.convex), q(s.bend),
-    q(s.weakly_concave), q(s.strongly_concave), q(s.strongly_convex), q(s.squared),
-    ln(s.length * s.length) - ln(4 * pi * pi * trace(c)), root(e[1], e[0], e[0]), root(e[2], e[0], e[0]),
+    cost(a, b, s, false),
+    ln(d),
+    q(s.concave),
+    q(s.convex),
+    q(s.bend),
+    q(s.weakly_concave),
+    q(s.strongly_concave),
+    q(s.strongly_convex),
+    q(s.squared),
+    ln(s.length * s.length) - ln(4 * pi * pi * trace(c)),
+    root(e[1], e[0], e[0]),
+    root(e[2], e[0], e[0]),
     std::log(2 * pi * std::sqrt(std::max(0.0, e_sums)) / area(m) + 1e-4),
-    ln(m.area), ln(M.area), ln(u.area), 2 * ln(s.length) - ln(m.area), 2 * ln(s.length) - ln(M.area),
-    quotient(s.length, m.perimeter), quotient(s.length, M.perimeter), 2 * ln(m.perimeter) - ln(m.area),
-    2 * ln(M.perimeter) - ln(M.area), 2 * ln(std::max(u.perimeter, 1e-6)) - ln(u.area),
-    std::abs(t_m - t_M), t_m - t_M, t_m, t_M, t_s - t_m, t_s - t_M, deviation(m), deviation(M), deviation(u),
-    ln(s.length) - std::min(t_m, t_M), ln(width(m)) - t_m, ln(width(M)) - t_M,
+    ln(m.area),
+    ln(M.area),
+    ln(u.area),
+    2 * ln(s.length) - ln(m.area),
+    2 * ln(s.length) - ln(M.area),
+    quotient(s.length, m.perimeter),
+    quotient(s.length, M.perimeter),
+    2 * ln(m.perimeter) - ln(m.area),
+    2 * ln(M.perimeter) - ln(M.area),
+    2 * ln(std::max(u.perimeter, 1e-6)) - ln(u.area),
+    std::abs(t_m - t_M),
+    t_m - t_M,
+    t_m,
+    t_M,
+    t_s - t_m,
+    t_s - t_M,
+    deviation(m),
+    deviation(M),
+    deviation(u),
+    ln(s.length) - std::min(t_m, t_M),
+    ln(width(m)) - t_m,
+    ln(width(M)) - t_M,
     quotient(s.visibility, std::min(m.visibility, M.visibility)),
-    quotient(s.visibility, std::max(m.visibility, M.visibility)), own(m), own(M), own(u),
-    flatness(m), flatness(M), flatness(u),
+    quotient(s.visibility, std::max(m.visibility, M.visibility)),
+    own(m),
+    own(M),
+    own(u),
+    flatness(m),
+    flatness(M),
+    flatness(u),
     quotient(dot(m.area_vector, M.area_vector), norm(m.area_vector) * norm(M.area_vector)),
     quotient(dot(m.area_vector, line), norm(m.area_vector) * norm(line)) -
       quotient(dot(M.area_vector, line), norm(M.area_vector) * norm(line)),
-    norm(line) / std::sqrt(area(u)), elongation(m), elongation(M), elongation(u), roundness(m), roundness(M), roundness(u),
-    quotient(trace_of_product(w_m, w_M), trace(w_m) * trace(w_M)), quotient(along(c, line), trace(c) * dot(line, line)),
-    quotient(width(u), width(m) + width(M)), quotient(width(u), width(M)), filling(m), filling(M), filling(u)};
+    norm(line) / std::sqrt(area(u)),
+    elongation(m),
+    elongation(M),
+    elongation(u),
+    roundness(m),
+    roundness(M),
+    roundness(u),
+    quotient(trace_of_product(w_m, w_M), trace(w_m) * trace(w_M)),
+    quotient(along(c, line), trace(c) * dot(line, line)),
+    quotient(width(u), width(m) + width(M)),
+    quotient(width(u), width(M)),
+    filling(m),
+    filling(M),
+    filling(u)};
   Features x;
   for (std::size_t i = 0; i < x.size(); ++i)
     x[i] = std::int64_t(std::max(-32767.0, std::min(32767.0, std::floor(512 * values[i] + 0.5))));
@@ -248,9 +316,11 @@ inline double power_of_e(double x)
 inline double probability(const Features& x)
 {
   const auto& model = CGAL::Region_segmentation::internal::learned_merge_model;
-  std::vector<unsigned> leaves(model.trees.number_of_trees, 65535); // as bits, those that no condition excludes
+  std::vector<unsigned> leaves(model.trees.number_of_trees,
+                               65535); // as bits, those that no condition excludes
   for (std::size_t f = 0; f < x.size(); ++f)
-    for (std::size_t i = model.trees.first_conditions[f]; i < model.trees.first_conditions[f + 1]; ++i)
+    for (std::size_t i = model.trees.first_conditions[f]; i < model.trees.first_conditions[f + 1];
+         ++i)
       if (x[f] >= model.trees.conditions[i].threshold)
         leaves[model.trees.conditions[i].tree] &= model.trees.conditions[i].remaining;
   std::int64_t trees = 0;
@@ -263,7 +333,8 @@ inline double probability(const Features& x)
   std::vector<std::int64_t> y;
   for (std::size_t i = 0; i < x.size(); ++i) { // in 2^-8
     const auto& input = model.network.inputs[i];
-    y.push_back(std::max<std::int64_t>(-1024, std::min<std::int64_t>(1024, (x[i] - input.center) * input.factor / 65536)));
+    y.push_back(std::max<std::int64_t>(
+      -1024, std::min<std::int64_t>(1024, (x[i] - input.center) * input.factor / 65536)));
   }
   const auto product = [&](const auto& weights) { // in 2^-18
     std::int64_t sum = 0;
@@ -271,7 +342,8 @@ inline double probability(const Features& x)
       sum += weights[i] * y[i];
     return sum;
   };
-  std::int64_t network = model.network.output_bias + product(model.network.direct_weights) * 256; // in 2^-26
+  std::int64_t network =
+    model.network.output_bias + product(model.network.direct_weights) * 256; // in 2^-26
   for (std::size_t j = 0; j < model.network.number_of_units; ++j) {
     const auto& unit = model.network.units[j];
     const double h = double(unit.bias + product(unit.weights));
@@ -289,7 +361,8 @@ inline double order_of(const Learned_region& a, const Learned_region& b, const L
   return z * power_of_e((z < 0 ? 0.1 : 0.2) * (log_share + 4.605)) + 0.1 * double(x[0]) / 512;
 }
 
-inline double expected_cost(const Learned_region& a, const Learned_region& b, const Learned_section& s)
+inline double expected_cost(const Learned_region& a, const Learned_region& b,
+                            const Learned_section& s)
 {
   const Features x = features(a, b, s);
   return 2 * power_of_e(double(x[13]) / 512 + double(x[14]) / 512) * (0.45 - probability(x));
@@ -314,7 +387,8 @@ struct Result
   }
 
 private:
-  /// The largest number, from 60 down to 2, at which the sum of the costs is lowest, as regions are before borders move.
+  /// The largest number, from 60 down to 2, at which the sum of the costs is lowest, as regions are
+  /// before borders move.
   std::size_t choose_number(std::size_t regions) const
   {
     const std::size_t least = std::max(regions - merges.size(), std::min<std::size_t>(regions, 2));

@@ -11,8 +11,9 @@
 #include <map>
 #include <utility>
 
-// The slow, obvious implementation of what `Smoothness_annotator` measures, for triangles without degenerate ones, written
-// from its documentation: paths are followed in the plane of one triangle after another, by their angle to the edges.
+// The slow, obvious implementation of what `Smoothness_annotator` measures, for triangles without
+// degenerate ones, written from its documentation: paths are followed in the plane of one triangle
+// after another, by their angle to the edges.
 
 namespace reference {
 
@@ -47,9 +48,10 @@ public:
     const auto [k0, k1] = j.curvatures;
     const double turn_0 = k0 * j.facets[0], turn_1 = k1 * j.facets[1];
     const double largest = std::max(m_largest_curvature.at(a), m_largest_curvature.at(b));
-    const double jump = std::abs(k0 - k1) / (std::max({std::abs(k0), std::abs(k1), 0.8 * largest}) + flat / j.length);
-    const double excess =
-      std::abs(bend(side) - (turn_0 + turn_1) / 2) - 4 * std::max(std::abs(turn_0), std::abs(turn_1));
+    const double jump =
+      std::abs(k0 - k1) / (std::max({std::abs(k0), std::abs(k1), 0.8 * largest}) + flat / j.length);
+    const double excess = std::abs(bend(side) - (turn_0 + turn_1) / 2) -
+                          4 * std::max(std::abs(turn_0), std::abs(turn_1));
     return std::min(most, jump + std::max(0.0, excess) / radians(5));
   }
 
@@ -63,8 +65,14 @@ private:
   {
     return m_soup.points[m_soup.polygons[side.first][(side.second + offset) % 3]];
   }
-  static test::Point minus(const test::Point& p, const test::Point& q) { return {p[0] - q[0], p[1] - q[1], p[2] - q[2]}; }
-  static double dot(const test::Point& p, const test::Point& q) { return p[0] * q[0] + p[1] * q[1] + p[2] * q[2]; }
+  static test::Point minus(const test::Point& p, const test::Point& q)
+  {
+    return {p[0] - q[0], p[1] - q[1], p[2] - q[2]};
+  }
+  static double dot(const test::Point& p, const test::Point& q)
+  {
+    return p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
+  }
   static double length(const test::Point& p) { return std::sqrt(dot(p, p)); }
   static test::Point cross(const test::Point& p, const test::Point& q)
   {
@@ -79,7 +87,8 @@ private:
   bool has_opposite(const Side& side) const { return m_sides.count(across(side)) != 0; }
   Side opposite(const Side& side) const { return m_sides.at(across(side)); }
 
-  /// The corners of a triangle in its plane: the edge from (0, 0) to (c, 0), the third corner at (x, y).
+  /// The corners of a triangle in its plane: the edge from (0, 0) to (c, 0), the third corner at
+  /// (x, y).
   struct Triangle
   {
     double c, x, y;
@@ -87,7 +96,8 @@ private:
 
   Triangle flattened(const Side& side) const
   {
-    const test::Point edge = minus(point(side, 1), point(side, 0)), other = minus(point(side, 2), point(side, 0));
+    const test::Point edge = minus(point(side, 1), point(side, 0)),
+                      other = minus(point(side, 2), point(side, 0));
     const double c = length(edge), x = dot(edge, other) / c;
     return {c, x, length(cross(edge, other)) / c};
   }
@@ -117,8 +127,10 @@ private:
   {
     const Triangle t = flattened(path.side);
     const double dx = std::cos(path.angle), dy = std::sin(path.angle);
-    const bool is_right = dx * t.y - dy * (t.x - path.place) > 0; // it leaves the third corner to the left
-    const double px = is_right ? t.c : t.x, py = is_right ? 0 : t.y, qx = is_right ? t.x : 0, qy = is_right ? t.y : 0;
+    const bool is_right =
+      dx * t.y - dy * (t.x - path.place) > 0; // it leaves the third corner to the left
+    const double px = is_right ? t.c : t.x, py = is_right ? 0 : t.y, qx = is_right ? t.x : 0,
+                 qy = is_right ? t.y : 0;
     const double ex = qx - px, ey = qy - py, l = std::hypot(ex, ey);
     const double distance = (ex * py - ey * (px - path.place)) / (ex * dy - ey * dx);
     const double x = path.place + distance * dx, y = distance * dy;
@@ -194,7 +206,8 @@ private:
       result.curvatures[i] = s[i].curvature;
       result.facets[i] = s[i].facet;
     }
-    // A facet before a crease: half of its turn is at the edge, with half of that on the other side.
+    // A facet before a crease: half of its turn is at the edge, with half of that on the other
+    // side.
     for (int i : {0, 1})
       if (s[i].is_open && !s[1 - i].is_open)
         result.curvatures[i] = (2 * angle - s[1 - i].curvature * s[1 - i].facet) / s[i].facet;

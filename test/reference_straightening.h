@@ -14,18 +14,20 @@
 #include <utility>
 #include <vector>
 
-// The slow, obvious implementation of `Border_straightening`, written from its documentation: everything is computed
-// anew for each merge, and flows are found by augmenting along shortest paths.
+// The slow, obvious implementation of `Border_straightening`, written from its documentation:
+// everything is computed anew for each merge, and flows are found by augmenting along shortest
+// paths.
 
 namespace reference {
 
 /// Elements with borders between them, which regions and their merges are made of.
 struct Straightening_input
 {
-  std::vector<double> areas;                                 // of the elements, relative to the surface
-  std::vector<std::map<std::size_t, double>> costs, lengths; // by element and adjacent element: of border and step
+  std::vector<double> areas; // of the elements, relative to the surface
+  std::vector<std::map<std::size_t, double>> costs,
+    lengths; // by element and adjacent element: of border and step
   std::vector<std::size_t> region_of;
-  std::vector<std::pair<std::size_t, std::size_t>> merges;   // kept, removed
+  std::vector<std::pair<std::size_t, std::size_t>> merges; // kept, removed
   std::size_t number_of_cuts = 63;
   double width = 0.03, width_of_segment = 0.2;
 };
@@ -34,7 +36,8 @@ class Straightening
 {
 public:
   explicit Straightening(Straightening_input input)
-    : m_in(std::move(input)), m_is_own(m_in.areas.size(), true), m_label(labels_after(m_in.merges.size()))
+      : m_in(std::move(input)), m_is_own(m_in.areas.size(), true),
+        m_label(labels_after(m_in.merges.size()))
   {
     for (std::size_t i = m_in.merges.size(); i-- > 0;)
       undo(i);
@@ -50,7 +53,8 @@ private:
   /// Of the elements, by their former regions.
   std::vector<std::size_t> labels_after(std::size_t number_of_merges) const
   {
-    std::map<std::size_t, std::size_t> segment_of; // from the last merge on, so that what is kept has its segment
+    std::map<std::size_t, std::size_t>
+      segment_of; // from the last merge on, so that what is kept has its segment
     for (std::size_t i = number_of_merges; i-- > 0;) {
       const auto [kept, removed] = m_in.merges[i];
       segment_of[removed] = segment_of.emplace(kept, kept).first->second;
@@ -162,7 +166,8 @@ private:
       if (node_of[e] > sink)
         network.add(node_of[e], m_label[e] == a ? source : sink, 1); // moving costs something
       for (const auto& [f, c] : m_in.costs[e]) {
-        const std::int64_t capacity = std::max<std::int64_t>(1, std::llround(std::ldexp(c, 38))) * std::int64_t(nodes);
+        const std::int64_t capacity =
+          std::max<std::int64_t>(1, std::llround(std::ldexp(c, 38))) * std::int64_t(nodes);
         if (band.count(f) > 0 && e < f)
           network.add(node_of[e], node_of[f], capacity);
         else if (band.count(f) == 0 && (m_label[f] == a || m_label[f] == b))
@@ -185,7 +190,8 @@ private:
         m_is_own[e] = false;
   }
 
-  std::set<std::size_t> band_of(const Elements& segment, std::size_t a, std::size_t b, double width) const
+  std::set<std::size_t> band_of(const Elements& segment, std::size_t a, std::size_t b,
+                                double width) const
   {
     std::map<std::size_t, double> distance;
     for (std::size_t e : segment)
@@ -198,7 +204,8 @@ private:
         if (distance.count(e) > 0)
           for (const auto& [f, length] : m_in.lengths[e]) {
             const double d = distance[e] + length;
-            if (m_label[f] == m_label[e] && d <= width && (distance.count(f) == 0 || d < distance[f])) {
+            if (m_label[f] == m_label[e] && d <= width &&
+                (distance.count(f) == 0 || d < distance[f])) {
               distance[f] = d;
               has_changed = true;
             }

@@ -17,31 +17,57 @@
 #include <utility>
 #include <vector>
 
-/// `Visibility_merging` as the manual defines it, step by step and slowly. Shares no code with the library, and uses the
-/// obvious data structures: maps, and a search of all candidates for each choice.
+/// `Visibility_merging` as the manual defines it, step by step and slowly. Shares no code with the
+/// library, and uses the obvious data structures: maps, and a search of all candidates for each
+/// choice.
 namespace reference {
 namespace visibility {
 
 using Vector = std::array<double, 3>;
 using Pair = std::pair<std::size_t, std::size_t>; // lower, higher
 
-inline Vector operator+(const Vector& a, const Vector& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
-inline Vector operator-(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-inline Vector operator*(double s, const Vector& a) { return {s * a[0], s * a[1], s * a[2]}; }
-inline double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+inline Vector operator+(const Vector& a, const Vector& b)
+{
+  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
+}
+inline Vector operator-(const Vector& a, const Vector& b)
+{
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+inline Vector operator*(double s, const Vector& a)
+{
+  return {s * a[0], s * a[1], s * a[2]};
+}
+inline double dot(const Vector& a, const Vector& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
 inline Vector cross(const Vector& a, const Vector& b)
 {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
-inline double norm(const Vector& a) { return std::sqrt(dot(a, a)); }
-inline Vector unit(const Vector& a) { return norm(a) > 0 ? (1 / norm(a)) * a : Vector{}; }
-inline double angle(const Vector& a, const Vector& b) { return std::acos(std::max(-1.0, std::min(1.0, dot(a, b)))); }
-inline bool face_each_other(const Vector& n_i, const Vector& n_j, const Vector& c_i, const Vector& c_j)
+inline double norm(const Vector& a)
+{
+  return std::sqrt(dot(a, a));
+}
+inline Vector unit(const Vector& a)
+{
+  return norm(a) > 0 ? (1 / norm(a)) * a : Vector{};
+}
+inline double angle(const Vector& a, const Vector& b)
+{
+  return std::acos(std::max(-1.0, std::min(1.0, dot(a, b))));
+}
+inline bool face_each_other(const Vector& n_i, const Vector& n_j, const Vector& c_i,
+                            const Vector& c_j)
 {
   return dot(n_j - n_i, c_j - c_i) < 0;
 }
 
-inline Pair ordered(std::size_t a, std::size_t b) { return {std::min(a, b), std::max(a, b)}; }
+inline Pair ordered(std::size_t a, std::size_t b)
+{
+  return {std::min(a, b), std::max(a, b)};
+}
 
 /// The labels renumbered by their first element.
 inline std::vector<std::size_t> numbered(const std::vector<std::size_t>& labels)
@@ -60,7 +86,7 @@ inline std::size_t number_of(const std::vector<std::size_t>& labels)
 
 struct Edge
 {
-  std::size_t lower, higher; // faces
+  std::size_t lower, higher;       // faces
   double length, signed_deviation; // positive: concave
 };
 
@@ -74,7 +100,7 @@ struct Mesh
   double area = 0;
 
   Mesh(std::vector<Vector> points_, std::vector<std::vector<std::size_t>> faces_)
-    : points(std::move(points_)), faces(std::move(faces_))
+      : points(std::move(points_)), faces(std::move(faces_))
   {
     turn_outward(points, faces);
     std::map<Pair, std::size_t> face_of_halfedge;
@@ -141,7 +167,8 @@ private:
 /// Small flat patches of faces, or of other patches.
 struct Patches
 {
-  std::vector<std::size_t> of_element, center; // the patch of each face; the face at the center of each patch
+  std::vector<std::size_t> of_element,
+    center; // the patch of each face; the face at the center of each patch
   std::vector<double> areas;
   std::vector<Vector> area_vectors, normals, centroids;
   std::map<Pair, double> lengths; // of borders
@@ -155,7 +182,7 @@ struct Patches
   }
 
   explicit Patches(const Mesh& mesh)
-    : areas(mesh.areas), normals(mesh.normals), centroids(mesh.centroids)
+      : areas(mesh.areas), normals(mesh.normals), centroids(mesh.centroids)
   {
     for (std::size_t f = 0; f < mesh.faces.size(); ++f)
       area_vectors.push_back(areas[f] * normals[f]);
@@ -192,7 +219,8 @@ private:
   std::vector<std::size_t> joined(const Mesh& mesh, double maximum_area) const
   {
     const std::size_t n = areas.size();
-    std::vector<std::pair<float, std::size_t>> selected(n, {std::numeric_limits<float>::infinity(), 0});
+    std::vector<std::pair<float, std::size_t>> selected(
+      n, {std::numeric_limits<float>::infinity(), 0});
     for (std::size_t i = 0; i < n; ++i)
       selected[i].second = i;
     for (const auto& entry : lengths) {
@@ -217,7 +245,9 @@ private:
       std::size_t depth = 0;
       for (std::size_t j = i; parent[j] != j; j = parent[j])
         ++depth;
-      result[i] = depth % 2 == 1 ? parent[i] : depth > 0 && number_of_children[i] == 0 ? parent[parent[i]] : i;
+      result[i] = depth % 2 == 1                            ? parent[i]
+                  : depth > 0 && number_of_children[i] == 0 ? parent[parent[i]]
+                                                            : i;
     }
     return numbered(result);
   }
@@ -253,14 +283,17 @@ private:
       p = parts[p];
   }
 
-  void set_centers(const std::vector<Vector>& element_normals, const std::vector<Vector>& element_centroids)
+  void set_centers(const std::vector<Vector>& element_normals,
+                   const std::vector<Vector>& element_centroids)
   {
     using Key = std::tuple<bool, double, std::size_t>; // degenerate, distance, element
-    std::vector<Key> best(areas.size(), {true, std::numeric_limits<double>::infinity(), of_element.size()});
+    std::vector<Key> best(areas.size(),
+                          {true, std::numeric_limits<double>::infinity(), of_element.size()});
     for (std::size_t i = 0; i < of_element.size(); ++i) {
       const bool is_degenerate = element_normals[i] == Vector{};
       const Vector away = element_centroids[i] - centroids[of_element[i]];
-      best[of_element[i]] = std::min(best[of_element[i]], Key{is_degenerate, is_degenerate ? 0 : dot(away, away), i});
+      best[of_element[i]] =
+        std::min(best[of_element[i]], Key{is_degenerate, is_degenerate ? 0 : dot(away, away), i});
     }
     center.clear();
     for (const Key& key : best)
@@ -274,11 +307,13 @@ using Neighbors = std::map<std::size_t, std::map<std::size_t, float>>;
 class Seeding
 {
 public:
-  Seeding(const Mesh& mesh, const Patches& patches) : m_patches(patches), m_seed_of(patches.areas.size())
+  Seeding(const Mesh& mesh, const Patches& patches)
+      : m_patches(patches), m_seed_of(patches.areas.size())
   {
     for (const auto& [pair, length] : patches.lengths) {
       const auto [i, j] = pair;
-      const double distance = norm(patches.centroids[i] - patches.centroids[j]) / mesh.unit_of_length();
+      const double distance =
+        norm(patches.centroids[i] - patches.centroids[j]) / mesh.unit_of_length();
       const double step = distance + 0.4 * std::min(patches.concave_deviation(i, j), 0.6);
       m_steps[i][j] = m_steps[j][i] = float(std::min(std::max(step, 1e-37), 1e28));
     }
@@ -299,13 +334,14 @@ public:
     while (std::count(distance.begin(), distance.end(), unreached) > 0) {
       std::size_t next = n;
       for (std::size_t p = 0; p < n; ++p)
-        if (distance[p] == unreached &&
-            (next == n || norm(m_patches.centroids[p] - center) > norm(m_patches.centroids[next] - center)))
+        if (distance[p] == unreached && (next == n || norm(m_patches.centroids[p] - center) >
+                                                        norm(m_patches.centroids[next] - center)))
           next = p;
       place(next, distance);
     }
     while (m_seeds.size() < number) {
-      const std::size_t next = std::size_t(std::max_element(distance.begin(), distance.end()) - distance.begin());
+      const std::size_t next =
+        std::size_t(std::max_element(distance.begin(), distance.end()) - distance.begin());
       if (!(distance[next] > 0))
         break;
       place(next, distance);
@@ -321,14 +357,16 @@ public:
     std::vector<std::size_t> order;
     for (std::size_t p = 0; p < distance.size(); ++p)
       order.push_back(p);
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t p, std::size_t q) { return distance[p] < distance[q]; });
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t p, std::size_t q) { return distance[p] < distance[q]; });
     for (const std::size_t p : order) {
       std::pair<float, std::size_t> through{std::numeric_limits<float>::infinity(), 0};
       for (const auto& [q, step] : m_steps[p])
         if (distance[q] + double(step) == distance[p])
           through = std::min(through, {float(distance[q]), q});
-      m_seed_of[p] = distance[p] == 0 ? std::size_t(std::find(seeds.begin(), seeds.end(), p) - seeds.begin())
-                                      : m_seed_of[through.second];
+      m_seed_of[p] = distance[p] == 0
+                       ? std::size_t(std::find(seeds.begin(), seeds.end(), p) - seeds.begin())
+                       : m_seed_of[through.second];
     }
   }
 
@@ -442,7 +480,8 @@ private:
     std::tuple<double, std::size_t, std::size_t> best{0, patch, m_region[patch]};
     if (inside == 1)
       for (const auto& [region, cost] : cost_of)
-        if (const double gain = cost - cost_of[m_region[patch]]; region != m_region[patch] && gain > 1e-3 * all)
+        if (const double gain = cost - cost_of[m_region[patch]];
+            region != m_region[patch] && gain > 1e-3 * all)
           best = std::min(best, {-gain, patch, region});
     return best;
   }
@@ -489,7 +528,7 @@ class Annotation
 {
 public:
   Annotation(const Mesh& mesh, const Patches& patches, const std::vector<std::size_t>& region_of)
-    : m_mesh(mesh), m_patches(patches), m_region_of(region_of), m_shapes(number_of(region_of))
+      : m_mesh(mesh), m_patches(patches), m_region_of(region_of), m_shapes(number_of(region_of))
   {
     set_shapes();
     set_sections();
@@ -538,7 +577,8 @@ private:
     for (auto& [pair, section] : graph.sections) {
       const Shape &i = m_shapes[pair.first], &j = m_shapes[pair.second];
       const double bend = std::atan2(norm(cross(i.normal, j.normal)), dot(i.normal, j.normal));
-      section.bend = section.length * (face_each_other(i.normal, j.normal, i.centroid, j.centroid) ? bend : -bend);
+      section.bend = section.length *
+                     (face_each_other(i.normal, j.normal, i.centroid, j.centroid) ? bend : -bend);
     }
   }
 
@@ -556,7 +596,8 @@ private:
       }
     mean = regions > 0 ? mean / regions : 0;
     for (std::size_t r = 0; r < m_shapes.size(); ++r)
-      graph.regions[r].log_thickness = graph.regions[r].area * (hits[r] > 0 ? sum[r] / double(hits[r]) : mean);
+      graph.regions[r].log_thickness =
+        graph.regions[r].area * (hits[r] > 0 ? sum[r] / double(hits[r]) : mean);
   }
 
   std::vector<std::pair<double, std::size_t>> candidates(std::size_t region) const
@@ -587,7 +628,8 @@ private:
       if (m_mesh.normals[face] == Vector{})
         continue;
       for (std::size_t i = 0; i < (is_small ? 1 : q); ++i) {
-        const double a = 0.9 * std::sqrt(double(i) / double(q - 1)), b = 2.399963229728653 * double(i) + double(k);
+        const double a = 0.9 * std::sqrt(double(i) / double(q - 1)),
+                     b = 2.399963229728653 * double(i) + double(k);
         const auto [end, distance] = first_hit(face, direction(face, a, b));
         if (end == m_mesh.faces.size())
           continue;
@@ -625,7 +667,8 @@ private:
   /// The number of faces if there is none.
   std::pair<std::size_t, double> first_hit(std::size_t from, const Vector& direction) const
   {
-    std::pair<double, std::size_t> best{std::numeric_limits<double>::infinity(), m_mesh.faces.size()};
+    std::pair<double, std::size_t> best{std::numeric_limits<double>::infinity(),
+                                        m_mesh.faces.size()};
     for (std::size_t f = 0; f < m_mesh.faces.size(); ++f)
       for (std::size_t i = 1; f != from && i + 1 < m_mesh.faces[f].size(); ++i)
         if (const double d = distance_to(f, i, m_mesh.centroids[from], direction); d < best.first)
@@ -640,14 +683,19 @@ private:
   {
     return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
   }
-  static float times(const Float_vector& a, const Float_vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+  static float times(const Float_vector& a, const Float_vector& b)
+  {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+  }
   static Float_vector cross_product(const Float_vector& a, const Float_vector& b)
   {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
   }
 
-  /// To triangle i of the fan of a face, in float relative to the centroid of the surface; infinite if the ray misses it.
-  double distance_to(std::size_t face, std::size_t i, const Vector& source, const Vector& direction) const
+  /// To triangle i of the fan of a face, in float relative to the centroid of the surface; infinite
+  /// if the ray misses it.
+  double distance_to(std::size_t face, std::size_t i, const Vector& source,
+                     const Vector& direction) const
   {
     const auto& vertices = m_mesh.faces[face];
     std::size_t first = 0;
@@ -657,11 +705,13 @@ private:
     const auto corner = [&](std::size_t j) {
       return to_float(m_mesh.points[vertices[(first + j) % vertices.size()]] - m_center);
     };
-    const Float_vector d = to_float(direction), e = minus(corner(i), corner(0)), g = minus(corner(i + 1), corner(0));
+    const Float_vector d = to_float(direction), e = minus(corner(i), corner(0)),
+                       g = minus(corner(i + 1), corner(0));
     const Float_vector to_source = minus(to_float(source - m_center), corner(0));
     const Float_vector p = cross_product(d, g), q = cross_product(to_source, e);
     const float determinant = times(e, p), inverse = 1 / determinant;
-    const float u = times(to_source, p) * inverse, v = times(d, q) * inverse, distance = times(g, q) * inverse;
+    const float u = times(to_source, p) * inverse, v = times(d, q) * inverse,
+                distance = times(g, q) * inverse;
     const bool is_outside = u < -1e-6f || v < -1e-6f || u + v > 1 + 1e-6f;
     const bool is_hit = !is_outside && determinant != 0 && distance > 0;
     return is_hit ? double(distance) : std::numeric_limits<double>::infinity();
@@ -682,15 +732,18 @@ private:
 
 inline double cost(const Region& a, const Region& b, const Section& s, bool are_many)
 {
-  const double p_d = are_many ? 3.14 : 4, d_0 = are_many ? 0.055 : 0.022, p_a = are_many ? 1.2 : 1.74;
+  const double p_d = are_many ? 3.14 : 4, d_0 = are_many ? 0.055 : 0.022,
+               p_a = are_many ? 1.2 : 1.74;
   const double p_l = are_many ? 0.87 : 0.95, p_s = are_many ? 0.49 : 0.195;
   const double eta = 0.16, p_t = 1, t_0 = 0.18, s_0 = 0.01, w_x = 0.3, w_b = 0.08;
   const auto at_least = [](double x) { return std::max(x, 1e-12); };
-  const double length = at_least(s.length), m = at_least(std::min(a.area, b.area)), l = at_least(std::max(a.area, b.area));
+  const double length = at_least(s.length), m = at_least(std::min(a.area, b.area)),
+               l = at_least(std::max(a.area, b.area));
   const double d = std::max(0.0, (s.concave - w_x * s.convex + w_b * s.bend) / length) + d_0;
   const double seen = std::min(a.visibility, b.visibility);
   return p_d * std::log(d) + p_a * ((1 - eta) * std::log(m) + eta * std::log(2 * m * l / (m + l))) -
-         p_l * std::log(length * length / m) + p_t * std::log(t_0 + std::abs(a.thickness() - b.thickness())) -
+         p_l * std::log(length * length / m) +
+         p_t * std::log(t_0 + std::abs(a.thickness() - b.thickness())) -
          p_s * std::log(s_0 + (seen > 0 ? s.visibility / seen : 0));
 }
 
@@ -715,20 +768,23 @@ void merge(Basic_graph<RegionData, SectionData>& graph, std::size_t kept, std::s
   graph.sections = std::move(sections);
 }
 
-/// Merges across the section of lowest `order(a, b, section)` until `few` regions are left, or none is adjacent to
-/// another; the section costs `cost(a, b, section)`.
+/// Merges across the section of lowest `order(a, b, section)` until `few` regions are left, or none
+/// is adjacent to another; the section costs `cost(a, b, section)`.
 template <typename Graph, typename Order, typename Cost>
-void merge_down_to(std::size_t few, Graph& graph, const Order& order, const Cost& cost, std::vector<Merge>& merges)
+void merge_down_to(std::size_t few, Graph& graph, const Order& order, const Cost& cost,
+                   std::vector<Merge>& merges)
 {
   while (graph.regions.size() > few) {
     Merge best{0, 0, std::numeric_limits<double>::infinity()};
     for (const auto& [pair, section] : graph.sections)
       if (section.number_of_edges > 0)
-        if (const double c = order(graph.regions[pair.first], graph.regions[pair.second], section); c < best.cost)
+        if (const double c = order(graph.regions[pair.first], graph.regions[pair.second], section);
+            c < best.cost)
           best = {pair.first, pair.second, c};
     if (best.removed == 0)
       return;
-    best.cost = cost(graph.regions[best.kept], graph.regions[best.removed], graph.sections[{best.kept, best.removed}]);
+    best.cost = cost(graph.regions[best.kept], graph.regions[best.removed],
+                     graph.sections[{best.kept, best.removed}]);
     merge(graph, best.kept, best.removed);
     merges.push_back(best);
   }
@@ -739,13 +795,16 @@ template <typename Graph>
 void merge_by_visibility(std::size_t few, Graph& graph, std::vector<Merge>& merges)
 {
   for (bool are_many : {true, false}) {
-    const auto order = [=](const Region& a, const Region& b, const Section& s) { return cost(a, b, s, are_many); };
+    const auto order = [=](const Region& a, const Region& b, const Section& s) {
+      return cost(a, b, s, are_many);
+    };
     merge_down_to(are_many ? std::max<std::size_t>(150, few) : few, graph, order, order, merges);
   }
 }
 
 /// The labels of the faces after the merges down to a number of segments.
-inline std::vector<std::size_t> labels_after(const std::vector<std::size_t>& region_of, const std::vector<Merge>& merges,
+inline std::vector<std::size_t> labels_after(const std::vector<std::size_t>& region_of,
+                                             const std::vector<Merge>& merges,
                                              std::size_t number_of_segments)
 {
   const std::size_t regions = number_of(region_of);
@@ -781,7 +840,8 @@ struct Straightened
   std::vector<std::size_t> region_of;
   std::vector<Merge> merges;
 
-  Straightened(const Mesh& mesh, const Annotated& annotated, const std::vector<Merge>& merges_before)
+  Straightened(const Mesh& mesh, const Annotated& annotated,
+               const std::vector<Merge>& merges_before)
   {
     const Patches& patches = annotated.patches;
     const std::size_t n = patches.areas.size();
@@ -792,7 +852,8 @@ struct Straightened
       const auto [i, j] = pair;
       const Vector &c_i = patches.centroids[i], &c_j = patches.centroids[j];
       const double concavity = std::min(patches.concave_deviation(i, j), 0.6);
-      input.costs[i][j] = input.costs[j][i] = float(length / mesh.unit_of_length() / (1 + 10 * concavity));
+      input.costs[i][j] = input.costs[j][i] =
+        float(length / mesh.unit_of_length() / (1 + 10 * concavity));
       input.lengths[i][j] = input.lengths[j][i] = norm(c_i - c_j) / mesh.unit_of_length();
     }
     for (double area : patches.areas)
@@ -808,7 +869,8 @@ struct Straightened
     for (std::size_t p : patches.of_element)
       labels.push_back(straightening.labels()[p]);
     region_of = numbered(labels);
-    std::map<std::size_t, std::size_t> lowest; // the lowest new region of each segment; none if it has no faces
+    std::map<std::size_t, std::size_t>
+      lowest; // the lowest new region of each segment; none if it has no faces
     for (std::size_t f = 0; f < labels.size(); ++f)
       lowest[labels[f]] = region_of[f];
     for (const Merge& merge : merges_before) {

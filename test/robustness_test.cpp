@@ -6,13 +6,17 @@
 #include "meshes.h"
 #include "oracles.h"
 #include "segments.h"
+#include "user_method.h"
 
 #include <CGAL/Region_segmentation/Methods/Learned_merging.h>
 #include <CGAL/Region_segmentation/Methods/Smooth_faces.h>
 #include <CGAL/Region_segmentation/Segmenter.h>
 #include <CGAL/Region_segmentation/Segments/compute_segment_topology.h>
-#include <CGAL/Region_segmentation/Segments/divide_into_discs.h>
+#include <CGAL/Region_segmentation/Segments/mark_segment_seams.h>
+#include <CGAL/Region_segmentation/Segments/split_into_segments.h>
 #include <CGAL/Region_segmentation/Segments/extract_segment_borders.h>
+#include <CGAL/Region_segmentation/internal/graph/merge_requested.h>
+#include <CGAL/Region_segmentation/make_surface.h>
 #include <CGAL/Region_segmentation/segment.h>
 
 #include <boost/property_map/property_map.hpp>
@@ -94,9 +98,12 @@ TEST_P(Robustness_test, any_finite_coordinates_give_segments)
         EXPECT_TRUE(nests(result.regions, result.segments));
       }
     };
-    expect_segments(RP::number_of_segments(k));
-    expect_segments(RP::number_of_segments(k).method(options.method()));
-    expect_segments(RP::method(RS::Smooth_faces()));
+    expect_segments(RP::number_of_segments(k).component_links(false));
+    expect_segments(RP::number_of_segments(k).method(options.method()).component_links(false));
+    expect_segments(RP::method(RS::Smooth_faces()).component_links(false));
+    segments_of(mesh, RP::number_of_segments(k)); // with links
+    segments_of(mesh, RP::number_of_segments(k).method(options.method()));
+    segments_of(mesh, RP::method(RS::Smooth_faces()));
   });
 }
 
@@ -105,7 +112,7 @@ TEST_P(Robustness_test, a_segmenter_takes_constraints_and_seeds_of_wild_meshes)
   for_each_wild_mesh(3, [](const Soup& soup, unsigned seed) {
     std::mt19937 random(seed);
     const Surface_mesh mesh = to_surface_mesh(soup);
-    RS::Segmenter segmenter(mesh);
+    RS::Segmenter segmenter(mesh, RP::component_links(false));
     const std::set<Edge> constrained = random_edges(soup, 10, random);
     segmenter.add_constraints(edge_map(mesh, constrained));
     auto seeds = face_map(mesh, std::size_t(-1));
@@ -135,8 +142,11 @@ TEST_P(Robustness_test, what_comes_after_takes_any_labels_and_coordinates)
     std::vector<RS::Segment_border<Surface_mesh, std::size_t>> borders;
     const std::size_t number = RS::extract_segment_borders(mesh, labels, std::back_inserter(borders));
     EXPECT_EQ(borders.size(), number);
-    const auto discs = face_map(mesh);
-    EXPECT_GE(RS::divide_into_discs(mesh, labels, discs), segments);
+    const auto is_seam = edge_map(mesh);
+    RS::mark_segment_seams(mesh, labels, is_seam);
+    std::vector<RS::Segment_piece<Surface_mesh, Surface_mesh, std::size_t>> pieces;
+    RS::split_into_segments(mesh, labels, std::back_inserter(pieces), RS::parameters::edge_is_constrained_map(is_seam));
+    EXPECT_EQ(pieces.size(), segments);
   });
 }
 
@@ -222,10 +232,14 @@ struct Unused_policy
 
 TEST(Unused_policy_test, as_many_segments_as_regions)
 {
-  const Surface_mesh mesh = to_surface_mesh(cube());
-  const auto method = Options(6, reference::Convexity::all).method().with_policy(Unused_policy());
-  for (const std::size_t k : {6, 100})
-    EXPECT_EQ(RS::segment(mesh, face_map(mesh), RP::number_of_segments(k).method(method)), 6u);
+  const RS::Surface surface = RS::make_surface(to_surface_mesh(cube()));
+  const RS::Requested_regions requested = RS::requested_regions(surface, Single_faces()(surface), RS::Request());
+  for (const std::size_t k : {6, 100}) {
+    auto graph = RS::build_region_adjacency_graph(surface, requested.regions);
+    const RS::Merge_tree tree =
+      RS::internal::merge_requested(surface, requested, graph, Unused_policy(), k, RS::Execution());
+    EXPECT_TRUE(tree.merges().empty());
+  }
 }
 
 // Depth: nothing recurs as deep as the mesh is large.

@@ -154,7 +154,7 @@ TEST(Extract_segment_borders_test, ends_at_the_border_of_the_mesh)
 
 TEST(Extract_segment_borders_test, faces_without_a_segment_are_across)
 {
-  const std::size_t none = RS::no_segment<std::size_t>;
+  const std::size_t none = RS::no_segment;
   const std::vector<Border> borders = borders_of(to_surface_mesh(grid(3, 1)), {none, none, 4});
   ASSERT_EQ(borders.size(), 1u);
   EXPECT_EQ(borders[0].segment, 4u);

@@ -4,13 +4,15 @@
 
 #include "meshes.h"
 #include "oracles.h"
+#include "user_method.h"
 
 #include <CGAL/Region_segmentation/Methods/Learned_merging.h>
 #include <CGAL/Region_segmentation/Methods/Lowest_cost_first.h>
 #include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
 #include <CGAL/Region_segmentation/build_region_adjacency_graph.h>
 #include <CGAL/Region_segmentation/extract_feature_lines.h>
-#include <CGAL/Region_segmentation/read_flat_mesh.h>
+#include <CGAL/Region_segmentation/internal/cells/Patch_builder.h>
+#include <CGAL/Region_segmentation/make_surface.h>
 #include <CGAL/Region_segmentation/segment.h>
 
 #include <boost/property_map/function_property_map.hpp>
@@ -38,7 +40,7 @@ Result run_by(Method method, const Soup& soup, const Options& options)
 {
   const Surface_mesh mesh = to_surface_mesh(soup);
   const auto run_with = [&](const auto& any_method) {
-    const auto np = RP::number_of_segments(options.k).method(any_method);
+    const auto np = RP::number_of_segments(options.k).method(any_method).component_links(false);
     return options.constrained_edges.empty()
              ? run(mesh, np)
              : run(mesh, np.edge_is_constrained_map(edge_map(mesh, options.constrained_edges)));
@@ -147,7 +149,7 @@ TEST_P(Two_step_properties_test, a_policy_that_does_not_know_k_gives_one_tree)
 {
   for_each_mesh(5, [](const Soup& soup, Options options, std::mt19937&) {
     const Surface_mesh mesh = to_surface_mesh(soup);
-    const auto method = options.method().with_policy(RS::Lowest_cost_first<Length_cost>());
+    const auto method = make_user_method(options.method().growing, RS::Lowest_cost_first<Length_cost>());
     const auto with = [&](std::size_t k) { return test::run(mesh, RP::number_of_segments(k).method(method)); };
     const Result whole = with(1);
     for (std::size_t k : {2, 3, 7, 20}) {
@@ -337,8 +339,7 @@ TEST_P(Closed_surfaces_test, are_turned_component_by_component)
     const Result expected = run(joined(large, soup), options);
     expect_same(run(joined(reversed(large), soup), options), expected);
     expect_same(run(joined(reversed(large), reversed(soup)), options), expected);
-    if (method() != Method::TWO_STEP) // where the sum of the volumes is positive, it does not look
-      expect_same(run(joined(large, reversed(soup)), options), expected);
+    expect_same(run(joined(large, reversed(soup)), options), expected);
   });
 }
 
@@ -374,13 +375,13 @@ TEST(Orientation_test, an_open_surface_is_read_as_it_is)
   std::mt19937 random(1);
   Soup soup = triangulated(grid(6, 6));
   bump(soup, 0.3, random);
-  const RS::Flat_mesh mesh = RS::read_flat_mesh(to_surface_mesh(soup)),
-                      other = RS::read_flat_mesh(to_surface_mesh(reversed(soup)));
+  const RS::Surface mesh = RS::make_surface(to_surface_mesh(soup)),
+                      other = RS::make_surface(to_surface_mesh(reversed(soup)));
   std::size_t signs = 0;
-  for (std::size_t e = 0; e < mesh.number_of_edges(); ++e) {
-    EXPECT_EQ(mesh.has_flag(e, RS::Flat_mesh::CONVEX), other.has_flag(e, RS::Flat_mesh::CONCAVE));
-    EXPECT_EQ(mesh.has_flag(e, RS::Flat_mesh::CONCAVE), other.has_flag(e, RS::Flat_mesh::CONVEX));
-    signs += mesh.has_flag(e, RS::Flat_mesh::CONVEX | RS::Flat_mesh::CONCAVE);
+  for (std::size_t e = 0; e < mesh.number_of_adjacencies(); ++e) {
+    EXPECT_EQ(mesh.has_flag(e, RS::Surface::CONVEX), other.has_flag(e, RS::Surface::CONCAVE));
+    EXPECT_EQ(mesh.has_flag(e, RS::Surface::CONCAVE), other.has_flag(e, RS::Surface::CONVEX));
+    signs += mesh.has_flag(e, RS::Surface::CONVEX | RS::Surface::CONCAVE);
   }
   EXPECT_GT(signs, 50u);
 }
@@ -389,7 +390,7 @@ TEST(Orientation_test, normals_of_a_closed_surface_lead_outward)
 {
   const Soup outward = cube();
   for (const Soup& soup : {outward, reversed(outward), translated(reversed(outward), -1e6, 3e5, 1e6)}) {
-    const RS::Flat_mesh mesh = RS::read_flat_mesh(to_surface_mesh(soup), RS::Mesh_data::CENTROIDS);
+    const RS::Surface mesh = RS::make_surface(to_surface_mesh(soup));
     RS::Double_3 center{0, 0, 0};
     for (std::size_t f = 0; f < 6; ++f)
       center = center + (1. / 6) * mesh.centroid(f);
@@ -489,7 +490,7 @@ std::vector<std::string> stages_of(const Visitor& visitor)
 }
 
 const std::vector<std::string> stages_of_two_step = {"reading", "regions", "graph", "merging"};
-const std::vector<std::string> stages_of_default = {"reading", "regions", "graph", "merging", "borders"};
+const std::vector<std::string> stages_of_default = {"reading", "regions", "rays", "graph", "merging", "borders"};
 
 /// Cancels at every call in turn.
 template <typename Parameters>
@@ -573,8 +574,8 @@ TEST(Visitor_test, can_cancel_while_patches_are_made_and_nothing_is_written)
   // Beside a large square each face of a small grid is small enough to be joined.
   const Surface_mesh mesh =
     to_surface_mesh(joined(triangulated(grid(8, 8)), translated(scaled(grid(1, 1), 1000), 2000, 0, 0)));
-  const auto patches = RS::read_flat_mesh(mesh, RS::Mesh_data::PATCHES).patches();
-  ASSERT_LT(patches.size(), num_faces(mesh) / 4);
+  const auto patches = RS::internal::Patch_builder::build(RS::make_surface(mesh), RS::Execution());
+  ASSERT_LT(patches.fine.size(), num_faces(mesh) / 4);
   expect_that_cancelling_writes_nothing(mesh, RP::number_of_segments(2));
   expect_that_cancelling_writes_nothing(mesh, Options(2, reference::Convexity::all).named());
 }

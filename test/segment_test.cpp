@@ -4,17 +4,23 @@
 
 #include "meshes.h"
 #include "oracles.h"
+#include "user_method.h"
 
+#include <CGAL/Region_segmentation/Methods/Learned_merging.h>
 #include <CGAL/Region_segmentation/Methods/Lowest_cost_first.h>
+#include <CGAL/Region_segmentation/Methods/Two_step.h>
+#include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
+#include <CGAL/Region_segmentation/face_values.h>
 #include <CGAL/Region_segmentation/segment.h>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <random>
+#include <set>
 #include <string>
+#include <vector>
 
 namespace segment_test {
 
@@ -118,21 +124,10 @@ TEST(Segment_test, constrained_edges_are_never_merged_across)
   EXPECT_EQ(run(cube(), closed).number_of_segments, 6u);
 }
 
-/// Every face is a region of its own.
-struct Single_faces
-{
-  RS::Partition operator()(const RS::Flat_mesh& flat) const
-  {
-    std::vector<RS::Partition::Index> numbers(flat.number_of_faces());
-    std::iota(numbers.begin(), numbers.end(), RS::Partition::Index(0));
-    return RS::Partition(numbers, numbers.size());
-  }
-};
-
 TEST(Segment_test, takes_other_makers_of_regions)
 {
   const Surface_mesh mesh = to_surface_mesh(l_shape());
-  const auto method = Options(1).method().with_initializer(Single_faces());
+  const auto method = make_user_method(Single_faces(), RS::Two_step_merging());
   const Result result = run(mesh, RS::parameters::number_of_segments(14).method(method));
   EXPECT_EQ(result.number_of_segments, 14u);
   EXPECT_TRUE(is_numbered_by_first_face(result.regions, 14));
@@ -152,8 +147,7 @@ TEST(Segment_test, takes_other_policies)
 {
   // Single squares of a dumbbell, merged by angle: first all that is flat.
   const Surface_mesh mesh = to_surface_mesh(dumbbell());
-  const auto method =
-      RS::Two_step().with_initializer(Single_faces()).with_policy(RS::Lowest_cost_first<Angle_cost>());
+  const auto method = make_user_method(Single_faces(), RS::Lowest_cost_first<Angle_cost>());
   const Result result = run(mesh, RS::parameters::number_of_segments(16).method(method));
   EXPECT_EQ(result.segments, run(dumbbell(), Options(16, all)).regions);
 }
@@ -170,11 +164,55 @@ TEST(Segment_test, labels_of_any_integral_type)
   EXPECT_EQ(labels_of(mesh, sign), expected);
 }
 
+// Polygons
+
+template <typename Method>
+void test_polygons(const Soup& soup, const Surface_mesh& mesh, const Method& method, std::mt19937& random)
+{
+  const auto np = RS::parameters::number_of_segments(5).method(method);
+  const std::size_t size = soup.polygons.size();
+  Labels segments(size, 77);
+  RS::segment(soup.points, soup.polygons, segments, np);
+  EXPECT_EQ(segments, segments_of(mesh, np));
+
+  const std::set<Edge> drawn = random_edges(soup, 8, random);
+  RS::segment(soup.points, soup.polygons, segments,
+              np.edge_is_constrained_map(std::vector<Edge>(drawn.begin(), drawn.end())));
+  EXPECT_EQ(segments, segments_of(mesh, np.edge_is_constrained_map(edge_map(mesh, drawn))));
+
+  Labels seeds(size, std::size_t(-1));
+  for (std::size_t i = 0; i < 4; ++i)
+    seeds[random() % size] = 10 * i;
+  auto seed_map = face_map(mesh);
+  RS::write_face_values(mesh, seeds, seed_map);
+  RS::segment(soup.points, soup.polygons, segments, np.face_seed_map(seeds));
+  EXPECT_EQ(segments, segments_of(mesh, np.face_seed_map(seed_map)));
+}
+
+TEST(Segment_test, polygons_have_the_labels_of_their_mesh)
+{
+  for (Family family : all_families)
+    for (unsigned seed = 1; seed <= 2; ++seed) {
+      if (has_degenerate_faces(family))
+        continue; // points that coincide are one
+      SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
+      std::mt19937 random(seed);
+      Soup soup = random_mesh(family, seed);
+      const Surface_mesh mesh = to_surface_mesh(soup);
+      if (family == Family::SPHERE || family == Family::TORUS || family == Family::BLOCKS)
+        for (Polygon& polygon : soup.polygons) // of any orientation
+          if (random() % 2)
+            std::reverse(polygon.begin(), polygon.end());
+      test_polygons(soup, mesh, RS::Learned_merging(), random);
+      test_polygons(soup, mesh, Options(1, all, 20).method(), random);
+    }
+}
+
 // Squares and areas of such coordinates leave the range of double.
 TEST(Segment_test, labels_do_not_change_at_extreme_scales)
 {
   RS::Visibility_merging visibility;
-  visibility.initializer.number = 30;
+  visibility.superfacets.number = 30;
   for (Family family : all_families)
     for (int exponent : {-1050, -600, -100, 100, 600, 1010}) {
       SCOPED_TRACE(name(family) + ", scaled by 2^" + std::to_string(exponent));

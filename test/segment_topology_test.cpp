@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// compute_segment_topology(), mark_segment_seams(), divide_into_discs(): against counts on polygon soups.
+// compute_segment_topology(), mark_segment_seams(): against counts on polygon soups.
 
 #include "segments.h"
 
 #include <CGAL/Region_segmentation/Segments/compute_segment_topology.h>
-#include <CGAL/Region_segmentation/Segments/divide_into_discs.h>
 #include <CGAL/Region_segmentation/Segments/mark_segment_borders.h>
 #include <CGAL/Region_segmentation/Segments/mark_segment_seams.h>
 #include <CGAL/Region_segmentation/Segments/split_into_segments.h>
@@ -146,42 +145,6 @@ void expect_discs_when_cut(const Soup& soup, const Labels& labels)
     EXPECT_EQ(counts.loops, 1u);
     EXPECT_EQ(counts.euler_characteristic(), 1);
   }
-}
-
-template <typename Mesh = Surface_mesh>
-Labels discs_of(const Soup& soup, const Labels& labels)
-{
-  const Mesh mesh = to_mesh<Mesh>(soup);
-  auto map = face_map(mesh);
-  const std::size_t number = RS::divide_into_discs(mesh, face_labels(mesh, labels), map);
-  const Labels discs = labels_of(mesh, map);
-  std::set<std::size_t> used(discs.begin(), discs.end());
-  used.erase(std::size_t(-1));
-  EXPECT_EQ(used.size(), number);
-  EXPECT_TRUE(used.empty() || *used.rbegin() == number - 1);
-  return discs;
-}
-
-void expect_divided(const Soup& soup, const Labels& labels)
-{
-  const Labels discs = discs_of(soup, labels);
-  for (std::size_t f = 0; f < labels.size(); ++f)
-    EXPECT_EQ(labels[f] == std::size_t(-1), discs[f] == std::size_t(-1));
-  EXPECT_TRUE(nests(discs, labels));
-  for (const auto& [disc, counts] : count_segments(soup, discs)) {
-    EXPECT_EQ(counts.components, 1u);
-    EXPECT_EQ(counts.loops, 1u);
-    EXPECT_EQ(counts.euler_characteristic(), 1);
-  }
-  // Those that were discs stay.
-  const auto counts_before = count_segments(soup, labels);
-  std::map<std::size_t, std::set<std::size_t>> discs_in;
-  for (std::size_t f = 0; f < labels.size(); ++f)
-    discs_in[labels[f]].insert(discs[f]);
-  for (const auto& [segment, counts] : counts_before)
-    if (counts.components == 1 && counts.loops == 1 && counts.euler_characteristic() == 1) {
-      EXPECT_EQ(discs_in[segment].size(), 1u);
-    }
 }
 
 /// A sheet with square holes: labels of a grid, faces at odd columns and rows without a segment.
@@ -387,41 +350,44 @@ TEST(Mark_segment_seams_test, is_the_same_on_every_mesh_type)
     const Soup soup = random_mesh(family, 3);
     const Labels labels = random_labels(soup, 3, 3);
     EXPECT_EQ(seams_of(soup, labels), seams_of<CGAL::Polyhedron_3<Kernel>>(soup, labels));
-    EXPECT_EQ(discs_of(soup, labels), discs_of<CGAL::Polyhedron_3<Kernel>>(soup, labels));
   }
 }
 
-TEST(Divide_into_discs_test, divides_the_usual_surfaces_in_few)
+/// Pieces cut along seams: a disc for each component of a segment.
+template <typename Mesh>
+void expect_pieces_are_discs(const Soup& soup, const Labels& labels)
 {
-  const auto number = [](const Soup& soup, const Labels& labels) {
-    expect_divided(soup, labels);
-    const Labels discs = discs_of(soup, labels);
-    std::set<std::size_t> used(discs.begin(), discs.end());
-    used.erase(std::size_t(-1));
-    return used.size();
-  };
-  EXPECT_EQ(number(sphere(3), Labels(512, 4)), 2u);
-  EXPECT_LE(number(torus(20, 12), Labels(240, 4)), 4u); // both halves meet themselves at a face
-  EXPECT_EQ(number(grid(5, 5), holes(5, 5)), 2u); // a ring
-  EXPECT_EQ(number(grid(4, 4), Labels(16, 7)), 1u);
-  EXPECT_LE(number(triangulated(grid(9, 9)), [] {
-    Labels labels;
-    for (std::size_t f : holes(9, 9)) {
-      labels.push_back(f);
-      labels.push_back(f);
-    }
-    return labels;
-  }()), 3u); // four holes
+  const Mesh mesh = to_mesh<Mesh>(soup);
+  auto is_seam = edge_map(mesh, std::uint8_t(0));
+  RS::mark_segment_seams(mesh, face_labels(mesh, labels), is_seam);
+  std::vector<RS::Segment_piece<Mesh, Mesh, std::size_t>> pieces;
+  RS::split_into_segments(mesh, face_labels(mesh, labels), std::back_inserter(pieces),
+                          RS::parameters::edge_is_constrained_map(is_seam));
+  auto counts = count_segments(soup, labels);
+  ASSERT_EQ(pieces.size(), counts.size());
+  for (const auto& piece : pieces) {
+    EXPECT_TRUE(CGAL::is_valid_polygon_mesh(piece.mesh));
+    const Topology topology = topology_of(soup_of(piece.mesh));
+    EXPECT_EQ(topology.number_of_components, counts[piece.segment].components);
+    EXPECT_EQ(topology.number_of_border_loops, topology.number_of_components);
+    EXPECT_EQ(topology.euler_characteristic, std::ptrdiff_t(topology.number_of_components));
+    EXPECT_EQ(piece.faces.size(), counts[piece.segment].faces);
+    for (std::size_t v = 0; v < piece.vertices.size(); ++v)
+      EXPECT_EQ(soup_of(piece.mesh).points[v], soup.points[Ranks<Mesh>(mesh)(piece.vertices[v])]);
+  }
 }
 
-TEST(Divide_into_discs_test, divides_random_segments)
+TEST(Mark_segment_seams_test, pieces_cut_along_seams_are_discs)
 {
+  expect_pieces_are_discs<Surface_mesh>(sphere(2), Labels(128, 0));
+  expect_pieces_are_discs<Surface_mesh>(torus(9, 7), Labels(63, 0));
+  expect_pieces_are_discs<Surface_mesh>(grid(9, 9), holes(9, 9));
   for (Family family : all_families)
-    for (unsigned seed = 1; seed <= 8; ++seed) {
+    for (unsigned seed = 1; seed <= 4; ++seed) {
       SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
       const Soup soup = random_mesh(family, seed);
-      expect_divided(soup, random_labels(soup, 1 + seed, seed));
-      expect_divided(soup, Labels(soup.polygons.size(), 0));
+      expect_pieces_are_discs<Surface_mesh>(soup, random_labels(soup, 1 + seed, seed));
+      expect_pieces_are_discs<CGAL::Polyhedron_3<Kernel>>(soup, Labels(soup.polygons.size(), 0));
     }
 }
 

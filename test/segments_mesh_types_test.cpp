@@ -9,7 +9,6 @@
 #include "segments.h"
 
 #include <CGAL/Region_segmentation/Segments/compute_segment_topology.h>
-#include <CGAL/Region_segmentation/Segments/divide_into_discs.h>
 #include <CGAL/Region_segmentation/Segments/extract_segment_borders.h>
 #include <CGAL/Region_segmentation/Segments/mark_segment_borders.h>
 #include <CGAL/Region_segmentation/Segments/mark_segment_seams.h>
@@ -53,11 +52,16 @@ struct Results
 {
   Edge_flags borders, seams;
   std::vector<std::vector<Edge>> lines;
-  Labels discs;
   std::vector<std::tuple<std::size_t, std::size_t, std::size_t, std::ptrdiff_t>> topologies;
   std::vector<Soup> pieces;
   std::vector<double> areas_and_errors;
 };
+
+#ifdef TEST_EIGEN
+template <typename Mesh>
+using Kernel_of_points = typename CGAL::Kernel_traits<
+  typename boost::property_map_value<Mesh, CGAL::vertex_point_t>::type>::Kernel;
+#endif
 
 template <typename Mesh>
 Results results_on(const Mesh& mesh, const Labels& labels)
@@ -70,9 +74,6 @@ Results results_on(const Mesh& mesh, const Labels& labels)
   results.borders = flags_of(mesh, marks);
   RS::mark_segment_seams(mesh, segments, marks);
   results.seams = flags_of(mesh, marks);
-  auto discs = face_map(mesh);
-  RS::divide_into_discs(mesh, segments, discs);
-  results.discs = labels_of(mesh, discs);
 
   std::vector<RS::Segment_border<Mesh, std::size_t>> borders;
   RS::extract_segment_borders(mesh, segments, std::back_inserter(borders));
@@ -95,7 +96,7 @@ Results results_on(const Mesh& mesh, const Labels& labels)
       std::rotate(polygon.begin(), std::min_element(polygon.begin(), polygon.end()), polygon.end());
   }
 #ifdef TEST_EIGEN
-  std::vector<RS::Segment_description<std::size_t>> descriptions;
+  std::vector<RS::Segment_description<std::size_t, Kernel_of_points<Mesh>>> descriptions;
   RS::describe_segments(mesh, segments, std::back_inserter(descriptions));
   for (const auto& d : descriptions)
     results.areas_and_errors.insert(results.areas_and_errors.end(), {d.area, d.volume, d.primitive.error});
@@ -113,7 +114,6 @@ void expect_same_results(Family family, const Soup& soup, unsigned seed)
   EXPECT_EQ(results.borders, expected.borders);
   EXPECT_EQ(results.seams, expected.seams);
   EXPECT_EQ(results.lines, expected.lines);
-  EXPECT_EQ(results.discs, expected.discs);
   EXPECT_EQ(results.topologies, expected.topologies);
   EXPECT_EQ(results.areas_and_errors, expected.areas_and_errors);
   ASSERT_EQ(results.pieces.size(), expected.pieces.size());

@@ -5,7 +5,7 @@
 
 #include <CGAL/Region_segmentation/internal/cuts/Border_cut.h>
 #include <CGAL/Region_segmentation/internal/cuts/Minimum_cut.h>
-#include <CGAL/Region_segmentation/read_flat_mesh.h>
+#include <CGAL/Region_segmentation/make_surface.h>
 #include <CGAL/Region_segmentation/smooth_borders.h>
 
 #include <CGAL/Polyhedron_3.h>
@@ -32,7 +32,15 @@ using namespace test;
 
 namespace smooth_borders_test {
 
-const RS::Minimum_cut_borders wide(0.2, 0.5);
+const RS::Minimum_cut_borders wide = {0.2, 0.5};
+
+/// `gain`: how much cheaper a border in a valley is
+RS::Minimum_cut_borders borders(double width, double width_of_segment, double gain)
+{
+  RS::Minimum_cut_borders result = {width, width_of_segment};
+  result.cost.concave_gain = gain;
+  return result;
+}
 
 template <typename Mesh>
 Labels smoothed_on(const Soup& soup, const Labels& labels, const RS::Minimum_cut_borders& smoother,
@@ -205,11 +213,11 @@ struct Pieces
 {
   static constexpr std::size_t number_of_faces = 20;
 
-  RS::Flat_mesh mesh = RS::read_flat_mesh(to_surface_mesh(grid(5, 4)));
+  RS::Surface mesh = RS::make_surface(to_surface_mesh(grid(5, 4)));
   RS::internal::Dual_graph costs;
   std::vector<Index> of_face{std::vector<Index>(number_of_faces, 3)};
 
-  explicit Pieces(std::mt19937& random) : costs(mesh, [&](std::size_t, std::size_t) { return 1 + random() % 9; })
+  explicit Pieces(std::mt19937& random) : costs(mesh, [](std::size_t) { return true; }, [&](std::size_t) { return 1 + random() % 9; })
   {
     for (Index piece = 0; piece < 3; ++piece)
       of_face[random() % 6 + 7 * piece] = piece;
@@ -337,8 +345,10 @@ TEST(Border_cut_test, finds_the_cheapest_of_all_borders_in_the_band)
 TEST(Border_cut_test, reports_no_move_where_it_would_tear_a_piece)
 {
   // Two rows of three faces: the border between them is expensive, so a face would leave its row. One at the end can.
-  const RS::Flat_mesh mesh = RS::read_flat_mesh(to_surface_mesh(grid(3, 2)));
-  const RS::internal::Dual_graph costs(mesh, [&](std::size_t f, std::size_t e) { return mesh.higher_face(e) == f + 3 ? 9 : 1; });
+  const RS::Surface mesh = RS::make_surface(to_surface_mesh(grid(3, 2)));
+  const RS::internal::Dual_graph costs(mesh, [](std::size_t) { return true; }, [&](std::size_t a) {
+    return mesh.higher_face(a) == mesh.lower_face(a) + 3 ? 9 : 1;
+  });
   const std::vector<Index> rows = {0, 0, 0, 1, 1, 1}, all = {0, 1, 2, 3, 4, 5}, end = {0}, none;
   for (const Index movable : {0, 1}) {
     std::vector<Index> piece_of = rows;
@@ -383,12 +393,12 @@ TEST(Smooth_borders_test, a_border_falls_into_a_valley)
   Labels labels;
   for (std::size_t f = 0; f < 128; ++f)
     labels.push_back(f % 16 < 9 ? 0 : 1);
-  const Labels result = smoothed(valley, labels, RS::Minimum_cut_borders(0.3, 1));
+  const Labels result = smoothed(valley, labels, RS::Minimum_cut_borders{0.3, 1});
   for (std::size_t f = 0; f < result.size(); ++f)
     EXPECT_EQ(result[f], f % 16 < 7 ? 0u : 1u) << f;
   // Seen from the other side it is a ridge, and no edge is cheaper than another.
-  EXPECT_EQ(smoothed(reversed(valley), labels, RS::Minimum_cut_borders(0.3, 1)), labels);
-  EXPECT_EQ(smoothed(valley, labels, RS::Minimum_cut_borders(0.3, 1, 0)), labels);
+  EXPECT_EQ(smoothed(reversed(valley), labels, RS::Minimum_cut_borders{0.3, 1}), labels);
+  EXPECT_EQ(smoothed(valley, labels, borders(0.3, 1, 0)), labels);
 }
 
 TEST(Smooth_borders_test, a_valley_is_chosen_by_the_ratio_of_the_costs)
@@ -405,7 +415,7 @@ TEST(Smooth_borders_test, a_valley_is_chosen_by_the_ratio_of_the_costs)
     }
     for (std::size_t i = 0; i < 12; ++i)
       strip.polygons.push_back({2 * i, 2 * i + 2, 2 * i + 3, 2 * i + 1});
-    return smoothed(strip, {0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1}, RS::Minimum_cut_borders(0.2, 0.5, 10));
+    return smoothed(strip, {0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1}, borders(0.2, 0.5, 10));
   };
   const Labels moved{0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1}, kept{0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1};
   EXPECT_EQ(result(1.05), moved);
@@ -421,10 +431,10 @@ TEST(Smooth_borders_test, faces_beyond_the_band_stay)
   Labels labels;
   for (std::size_t f = 0; f < 128; ++f)
     labels.push_back(f % 16 < 8 || (f % 16 < 11 && f / 16 >= 3 && f / 16 < 6) ? 0 : 1);
-  EXPECT_EQ(border_length(grid(16, 8), smoothed(grid(16, 8), labels, RS::Minimum_cut_borders(0.3, 1))),
+  EXPECT_EQ(border_length(grid(16, 8), smoothed(grid(16, 8), labels, RS::Minimum_cut_borders{0.3, 1})),
             8);
-  EXPECT_EQ(smoothed(grid(16, 8), labels, RS::Minimum_cut_borders(0, 1)), labels);
-  EXPECT_EQ(smoothed(grid(16, 8), labels, RS::Minimum_cut_borders(1, 0)), labels);
+  EXPECT_EQ(smoothed(grid(16, 8), labels, RS::Minimum_cut_borders{0, 1}), labels);
+  EXPECT_EQ(smoothed(grid(16, 8), labels, RS::Minimum_cut_borders{1, 0}), labels);
 }
 
 TEST(Smooth_borders_test, a_constrained_line_keeps_its_border)
@@ -453,7 +463,7 @@ TEST(Smooth_borders_test, a_neck_is_not_cut_through)
       labels.push_back(x < 8 || x >= 13 || y == 0 ? 0 : 1);
   const Soup soup = grid(nx, ny);
   for (double width : {0.05, 0.1, 0.15, 0.2, 0.4}) {
-    const Labels result = smoothed(soup, labels, RS::Minimum_cut_borders(width, 1));
+    const Labels result = smoothed(soup, labels, RS::Minimum_cut_borders{width, 1});
     EXPECT_TRUE(is_connected(soup, result)) << width;
   }
 }
@@ -476,7 +486,7 @@ TEST(Smooth_borders_test, keeps_its_promises_on_random_meshes)
                 std::set<std::size_t>(result.begin(), result.end()));
       EXPECT_TRUE(separates(soup, constrained, labels, result));
       EXPECT_EQ(smoothed_on<CGAL::Polyhedron_3<Kernel>>(soup, labels, wide, constrained), result);
-      const RS::Minimum_cut_borders by_length(0.2, 0.5, 0);
+      const RS::Minimum_cut_borders by_length = borders(0.2, 0.5, 0);
       EXPECT_LE(border_length(soup, smoothed(soup, labels, by_length, constrained), constrained),
                 border_length(soup, labels, constrained) * (1 + 1e-6));
     }

@@ -5,6 +5,9 @@
 
 #include "input_mesh.h"
 
+#include <CGAL/Region_segmentation/Segments/mark_segment_borders.h>
+#include <CGAL/Region_segmentation/evaluation.h>
+#include <CGAL/Region_segmentation/smooth_borders.h>
 #include <CGAL/region_segmentation.h>
 
 #include <CGAL/mesh_segmentation.h>

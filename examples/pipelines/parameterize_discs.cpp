@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Segments are divided into discs, and each disc is flattened.
+// Segments, which the default method makes connected, are cut open along seams, each to a mesh of its
+// own that is a disc, and flattened.
 
 #include "input_mesh.h"
 
+#include <CGAL/Region_segmentation/Segments/mark_segment_seams.h>
+#include <CGAL/Region_segmentation/Segments/split_into_segments.h>
 #include <CGAL/region_segmentation.h>
 
 #include <CGAL/Surface_mesh_parameterization/LSCM_parameterizer_3.h>
@@ -20,12 +23,13 @@ int main(int argc, char** argv)
 {
   Mesh mesh = input_mesh(argc, argv);
   auto segment_id = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:segment").first;
-  auto disc_id = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:disc").first;
-  std::cout << RS::segment(mesh, segment_id) << " segments, ";
-  std::cout << RS::divide_into_discs(mesh, segment_id, disc_id) << " discs\n";
+  auto is_seam = mesh.add_property_map<Mesh::Edge_index, bool>("e:seam").first;
+  RS::segment(mesh, segment_id);
+  RS::mark_segment_seams(mesh, segment_id, is_seam);
 
   std::vector<RS::Segment_piece<Mesh, Mesh, std::size_t>> discs;
-  RS::split_into_segments(mesh, disc_id, std::back_inserter(discs));
+  RS::split_into_segments(mesh, segment_id, std::back_inserter(discs),
+                          RS::parameters::edge_is_constrained_map(is_seam));
   std::size_t failures = 0;
   for (auto& disc : discs) {
     auto uv = disc.mesh.add_property_map<Mesh::Vertex_index, Kernel::Point_2>("v:uv").first;
@@ -33,6 +37,6 @@ int main(int argc, char** argv)
     const auto border = *std::find_if(all.begin(), all.end(), [&](auto h) { return disc.mesh.is_border(h); });
     failures += SMP::parameterize(disc.mesh, SMP::LSCM_parameterizer_3<Mesh>(), border, uv) != SMP::OK;
   }
-  std::cout << failures << " are not flattened\n";
+  std::cout << discs.size() << " discs, " << failures << " are not flattened\n";
   return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

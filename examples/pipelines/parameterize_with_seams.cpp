@@ -7,6 +7,7 @@
 #include <CGAL/Surface_mesh_parameterization/LSCM_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
 #include <CGAL/boost/graph/Seam_mesh.h>
+#include <CGAL/Region_segmentation/Segments/mark_segment_seams.h>
 #include <CGAL/region_segmentation.h>
 
 #include <set>

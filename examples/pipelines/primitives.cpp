@@ -5,6 +5,7 @@
 #include "input_mesh.h"
 
 #include <CGAL/Region_segmentation/Segments/describe_segments.h>
+#include <CGAL/Region_segmentation/Segments/describe_segments.h>
 #include <CGAL/region_segmentation.h>
 
 #include <iterator>
@@ -18,12 +19,12 @@ int main(int argc, char** argv)
   auto face_id = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:smooth_face").first;
   RS::segment(mesh, face_id, RS::parameters::method(RS::Smooth_faces()));
 
-  std::vector<RS::Segment_description<std::size_t>> descriptions;
+  std::vector<RS::Segment_description<std::size_t, Kernel>> descriptions;
   const std::size_t n = RS::describe_segments(mesh, face_id, std::back_inserter(descriptions));
   const char* const names[] = {"plane", "sphere", "cylinder", "cone"};
   bool is_best = true;
   for (const auto& d : descriptions) {
-    const RS::Fitted_primitive& p = d.primitive;
+    const RS::Fitted_primitive<Kernel>& p = d.primitive;
     std::cout << "face " << d.segment << ": area " << d.area << ", " << d.neighbors.size() << " neighbors, "
               << names[int(p.type)] << ", radius " << p.radius << ", error " << p.error << '\n';
     is_best = is_best && p.error <= p.error_of(RS::Primitive_type::PLANE);

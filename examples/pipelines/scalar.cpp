@@ -4,6 +4,8 @@
 
 #include "input_mesh.h"
 
+#include <CGAL/Region_segmentation/Methods/Scalar_annotator.h>
+#include <CGAL/Region_segmentation/Methods/Scalar_cost.h>
 #include <CGAL/region_segmentation.h>
 
 #include <CGAL/Polygon_mesh_processing/bbox.h>
@@ -20,8 +22,8 @@ int main(int argc, char** argv)
     gray[f] = mesh.point(target(halfedge(f, mesh), mesh)).y() < (box.ymin() + box.ymax()) / 2 ? 0 : 1;
 
   const auto edges_of_paint_within_segments = [&](double weight) {
-    const auto method = RS::make_segmentation_method(
-      RS::Superfacets(2000), RS::Scalar_annotator(RS::face_values(mesh, gray)), RS::Lowest_cost_first(RS::Scalar_cost(weight)));
+    const RS::Superfacet_merging method{RS::Scalar_annotator(RS::face_values(mesh, gray)),
+                                        RS::Lowest_cost_first(RS::Scalar_cost(weight)), RS::Number_from_costs(-19.5)};
     RS::segment(mesh, segment_id, 8, RS::parameters::method(method));
     std::size_t number = 0;
     for (auto e : edges(mesh)) {

@@ -4,6 +4,8 @@
 
 #include "input_mesh.h"
 
+#include <CGAL/Region_segmentation/Segments/extract_segment_borders.h>
+#include <CGAL/Region_segmentation/build_region_adjacency_graph.h>
 #include <CGAL/region_segmentation.h>
 
 #include <algorithm>
@@ -18,7 +20,7 @@ int main(int argc, char** argv)
 {
   Mesh mesh = input_mesh(argc, argv);
   auto segment_id = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:segment").first;
-  const std::size_t n = RS::segment(mesh, segment_id);
+  const std::size_t n = RS::segment(mesh, segment_id, RS::parameters::component_links(false)); // joints are edges
 
   std::vector<std::vector<Point>> points_of_part(n);
   for (auto f : faces(mesh))
@@ -30,7 +32,7 @@ int main(int argc, char** argv)
     for (auto h : border.halfedges)
       points_of_joint[{border.segment, border.opposite_segment}].push_back(mesh.point(target(h, mesh)));
   const auto middle = [](const std::vector<Point>& p) { return CGAL::centroid(p.begin(), p.end(), CGAL::Dimension_tag<0>()); };
-  const auto graph = RS::build_region_adjacency_graph(mesh, segment_id);
+  const auto graph = RS::build_region_adjacency_graph(mesh, segment_id, RS::parameters::component_links(false));
   for (auto s : CGAL::make_range(edges(graph))) { // as a polyline of CGAL's .polylines.txt
     const auto [a, b] = std::minmax<std::size_t>({source(s, graph), target(s, graph)});
     std::cout << "3 " << middle(points_of_part[a]) << ' ' << middle(points_of_joint.at({a, b})) << ' '

@@ -4,6 +4,7 @@
 
 #include "input_mesh.h"
 
+#include <CGAL/Region_segmentation/Graph/Partition_editor.h>
 #include <CGAL/region_segmentation.h>
 
 #include <chrono>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A Python module: points and faces as NumPy arrays in, labels out.
+// A Python module: points and faces as arrays in, labels out.
 
-#include "Numpy_mesh.h"
+#include "Soup.h"
 
 #include <CGAL/Region_segmentation/Methods/Learned_merging.h>
 #include <CGAL/Region_segmentation/Methods/Smooth_faces.h>
@@ -15,113 +15,199 @@
 
 #include <memory>
 #include <optional>
+#include <stdexcept>
+#include <string>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
-namespace py = pybind11;
 namespace RS = CGAL::Region_segmentation;
 
 namespace {
 
 using Labels = py::array_t<std::size_t>;
+using Seeds = std::vector<std::int64_t>;
 
-/// A mesh prepared by one of the methods.
+/// A soup prepared by one of the methods.
 class Prepared
 {
 public:
   virtual ~Prepared() = default;
-  /// Writes the label of each face; without a number the method chooses one.
-  virtual void write_labels(std::optional<std::size_t> number_of_segments, std::size_t* labels) const = 0;
+  /// Without a number the method chooses one. Returns the number of segments.
+  virtual std::size_t segment(std::optional<std::size_t> number_of_segments, std::vector<std::size_t>& labels) const = 0;
+  virtual void add_constraints(const Edges& edges) = 0;
+  virtual void set_seeds(const Seeds& seeds) = 0;
+  virtual const RS::Partition& regions() const = 0;
+  virtual const RS::Merge_tree& merge_tree() const = 0;
 };
 
 template <typename Method>
 class Prepared_by : public Prepared
 {
+  static constexpr bool needs_number = std::is_same<Method, RS::Two_step>::value;
+
+  [[noreturn]] static void refuse(const char* what) { throw std::invalid_argument(std::string("method two-step ") + what); }
+
 public:
-  template <typename NamedParameters>
-  Prepared_by(const Mesh& mesh, const NamedParameters& np)
-    : m_segmenter(mesh, np.method(Method()))
+  Prepared_by(const Soup& soup, bool component_links)
+    : m_segmenter(soup.points, soup.polygons, RS::parameters::method(Method()).component_links(component_links))
   {}
 
-  void write_labels(std::optional<std::size_t> number_of_segments, std::size_t* labels) const override
+  std::size_t segment(std::optional<std::size_t> number_of_segments, std::vector<std::size_t>& labels) const override
   {
-    const auto map = boost::make_iterator_property_map(labels, get(boost::face_index, m_segmenter.mesh()));
     if (number_of_segments)
-      m_segmenter.segment(map, *number_of_segments);
-    else if constexpr (std::is_same<Method, RS::Two_step>::value)
-      throw std::invalid_argument("method two-step needs number_of_segments");
+      return m_segmenter.segment(labels, *number_of_segments);
+    if constexpr (needs_number)
+      refuse("needs number_of_segments");
     else
-      m_segmenter.segment(map);
+      return m_segmenter.segment(labels);
+  }
+  void add_constraints(const Edges& edges) override { m_segmenter.add_constraints(edges); }
+  void set_seeds(const Seeds& seeds) override { m_segmenter.set_seeds(seeds); }
+  const RS::Partition& regions() const override
+  {
+    if constexpr (needs_number)
+      refuse("has no regions for all numbers");
+    else
+      return m_segmenter.regions();
+  }
+  const RS::Merge_tree& merge_tree() const override
+  {
+    if constexpr (needs_number)
+      refuse("has no tree for all numbers");
+    else
+      return m_segmenter.merge_tree();
   }
 
 private:
-  RS::Segmenter<Mesh, Method> m_segmenter;
+  decltype(RS::Segmenter(std::declval<const std::vector<Point>&>(), std::declval<const Polygons&>(),
+                         RS::parameters::method(std::declval<const Method&>()))) m_segmenter;
 };
 
-/// The class of the module. It keeps the mesh; the array of points is read by the constructor only.
+std::unique_ptr<Prepared> prepare(const std::string& method, const Soup& soup, bool component_links)
+{
+  if (method == "learned")
+    return std::make_unique<Prepared_by<RS::Learned_merging>>(soup, component_links);
+  if (method == "visibility")
+    return std::make_unique<Prepared_by<RS::Visibility_merging>>(soup, component_links);
+  if (method == "two-step")
+    return std::make_unique<Prepared_by<RS::Two_step>>(soup, component_links);
+  if (method == "smooth-faces")
+    return std::make_unique<Prepared_by<RS::Smooth_faces>>(soup, component_links);
+  throw std::invalid_argument("method: not learned, visibility, two-step or smooth-faces");
+}
+
+/// The class of the module.
 class Segmenter
 {
 public:
-  Segmenter(const Points& points, const Indices& faces, const std::string& method,
-            const std::optional<Indices>& constrained_edges)
-    : m_mesh(make_mesh(points, faces))
+  Segmenter(const py::object& points, const py::object& faces, const std::string& method, const py::object& constrained_edges,
+            const py::object& seeds, bool component_links, const py::object& face_sizes)
+    : m_soup(make_soup(points, faces, face_sizes))
   {
-    std::vector<bool> marks(m_mesh.number_of_edges());
-    if (constrained_edges)
-      marks = marked_edges(m_mesh, *constrained_edges);
-    const Point_map point_map{points.data()};
-    const py::gil_scoped_release release;
-    const auto np = RS::parameters::vertex_point_map(point_map).edge_is_constrained_map(
-      boost::make_iterator_property_map(marks.begin(), get(boost::edge_index, m_mesh)));
-    if (method == "learned")
-      m_prepared = std::make_unique<Prepared_by<RS::Learned_merging>>(m_mesh, np);
-    else if (method == "visibility")
-      m_prepared = std::make_unique<Prepared_by<RS::Visibility_merging>>(m_mesh, np);
-    else if (method == "two-step")
-      m_prepared = std::make_unique<Prepared_by<RS::Two_step>>(m_mesh, np);
-    else if (method == "smooth-faces")
-      m_prepared = std::make_unique<Prepared_by<RS::Smooth_faces>>(m_mesh, np);
-    else
-      throw std::invalid_argument("method: not learned, visibility, two-step or smooth-faces");
+    {
+      const py::gil_scoped_release release;
+      m_prepared = prepare(method, m_soup, component_links);
+    }
+    if (!constrained_edges.is_none())
+      add_constraints(constrained_edges);
+    if (!seeds.is_none())
+      set_seeds(seeds);
   }
 
   Labels segment(std::optional<std::size_t> number_of_segments) const
   {
-    check_shape(number_of_segments != std::size_t(0), "number_of_segments: at least 1");
-    Labels labels{py::ssize_t(m_mesh.number_of_faces())};
-    std::size_t* const values = labels.mutable_data();
+    if (number_of_segments == std::size_t(0))
+      throw std::invalid_argument("number_of_segments: at least 1");
+    std::vector<std::size_t> labels(m_soup.polygons.size());
+    std::size_t n = 0;
+    {
+      const py::gil_scoped_release release;
+      n = m_prepared->segment(number_of_segments, labels);
+    }
+    if (number_of_segments && n != *number_of_segments) {
+      const std::string text = std::to_string(n) + " segments: " + std::to_string(*number_of_segments) + " are not possible";
+      if (PyErr_WarnEx(PyExc_UserWarning, text.c_str(), 1) != 0)
+        throw py::error_already_set();
+    }
+    return Labels(py::ssize_t(labels.size()), labels.data());
+  }
+
+  void add_constraints(const py::object& constrained_edges)
+  {
+    const Edges edges = make_edges(m_soup, constrained_edges);
     const py::gil_scoped_release release;
-    m_prepared->write_labels(number_of_segments, values);
-    return labels;
+    m_prepared->add_constraints(edges);
+  }
+
+  void set_seeds(const py::object& object)
+  {
+    const char* const expected = "seeds: not an integer for each face, -1 for none";
+    const Indices array = to_indices(object, expected);
+    if (array.ndim() != 1 || std::size_t(array.size()) != m_soup.polygons.size())
+      throw std::invalid_argument(expected);
+    const Seeds seeds(array.data(), array.data() + array.size());
+    const py::gil_scoped_release release;
+    m_prepared->set_seeds(seeds);
+  }
+
+  Labels regions() const
+  {
+    const RS::Partition& regions = m_prepared->regions();
+    const std::vector<std::size_t> labels(regions.begin(), regions.end());
+    return Labels(py::ssize_t(labels.size()), labels.data());
+  }
+
+  py::list merges() const
+  {
+    py::list result;
+    for (const RS::Merge_tree::Merge& merge : m_prepared->merge_tree().merges())
+      result.append(py::make_tuple(std::size_t(merge.kept), std::size_t(merge.removed), merge.cost));
+    return result;
   }
 
 private:
-  const Mesh m_mesh;
-  std::unique_ptr<const Prepared> m_prepared;
+  const Soup m_soup;
+  std::unique_ptr<Prepared> m_prepared;
 };
 
-Labels segment(const Points& points, const Indices& faces, std::optional<std::size_t> number_of_segments,
-               const std::string& method, const std::optional<Indices>& constrained_edges)
+Labels segment(const py::object& points, const py::object& faces, std::optional<std::size_t> number_of_segments,
+               const std::string& method, const py::object& constrained_edges, const py::object& seeds, bool component_links,
+               const py::object& face_sizes)
 {
-  return Segmenter(points, faces, method, constrained_edges).segment(number_of_segments);
+  return Segmenter(points, faces, method, constrained_edges, seeds, component_links, face_sizes).segment(number_of_segments);
 }
 
 } // namespace
 
 PYBIND11_MODULE(region_segmentation, module)
 {
-  module.doc() = "Segmentation of surface meshes. A mesh is an array of n x 3 points, and an array of m x 3 (or more) "
-                 "indices of points, the faces: an oriented 2-manifold with or without boundary.";
+  module.doc() =
+    "Segmentation of surface meshes. A mesh is an array of n x 3 points and faces: an array of m x 3 (or more) indices of\n"
+    "points; a list of faces of different sizes; or all indices with face_sizes. Or an object with vertices and faces. It need\n"
+    "not be manifold, oriented or connected.";
   py::register_exception<RS::Invalid_input>(module, "InvalidInput", PyExc_ValueError);
+  const py::none none;
 
   module.def("segment", &segment,
              "The segment of each face, 0 to n - 1 in the order of their first faces.\n\n"
-             "number_of_segments: None lets the method choose it. method: learned, visibility, two-step (needs a number)\n"
-             "or smooth-faces. constrained_edges: an array of n x 2 indices of points; these edges always are borders.",
-             py::arg("points"), py::arg("faces"), py::arg("number_of_segments") = py::none(),
-             py::arg("method") = "learned", py::arg("constrained_edges") = py::none());
+             "number_of_segments: None lets the method choose it; where it is not possible, there is a UserWarning.\n"
+             "method: learned, visibility, two-step (needs a number) or smooth-faces. constrained_edges: an array of n x 2\n"
+             "indices of points; these edges always are borders. seeds: an integer for each face, -1 for none; equal seeds end\n"
+             "in one segment, different ones in different segments. component_links: whether components that touch or are\n"
+             "near each other are adjacent.",
+             py::arg("points"), py::arg("faces") = none, py::arg("number_of_segments") = none, py::arg("method") = "learned",
+             py::arg("constrained_edges") = none, py::arg("seeds") = none, py::arg("component_links") = true,
+             py::arg("face_sizes") = none);
 
   py::class_<Segmenter>(module, "Segmenter", "A mesh that is prepared once, and segmented for any numbers.")
-    .def(py::init<const Points&, const Indices&, const std::string&, const std::optional<Indices>&>(), py::arg("points"),
-         py::arg("faces"), py::arg("method") = "learned", py::arg("constrained_edges") = py::none())
-    .def("segment", &Segmenter::segment, "As the function of this name.", py::arg("number_of_segments") = py::none());
+    .def(py::init<const py::object&, const py::object&, const std::string&, const py::object&, const py::object&, bool,
+                  const py::object&>(),
+         py::arg("points"), py::arg("faces") = none, py::arg("method") = "learned", py::arg("constrained_edges") = none,
+         py::arg("seeds") = none, py::arg("component_links") = true, py::arg("face_sizes") = none)
+    .def("segment", &Segmenter::segment, "As the function of this name.", py::arg("number_of_segments") = none)
+    .def("add_constraints", &Segmenter::add_constraints, "More constrained edges.", py::arg("constrained_edges"))
+    .def("set_seeds", &Segmenter::set_seeds, "Replaces the seeds.", py::arg("seeds"))
+    .def_property_readonly("regions", &Segmenter::regions, "What segments consist of: the region of each face.")
+    .def_property_readonly("merges", &Segmenter::merges, "The merges of the regions: (kept, removed, cost), in order.");
 }

@@ -12,7 +12,7 @@ setup(
     ext_modules=[
         Pybind11Extension(
             "region_segmentation",
-            ["region_segmentation.cpp"],
+            ["region_segmentation.cpp", "Soup.cpp"],
             include_dirs=[os.path.relpath(library, folder), "/usr/include/eigen3"],
             libraries=["gmp", "mpfr"],
             define_macros=[("NDEBUG", None)],

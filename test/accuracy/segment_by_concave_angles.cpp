@@ -4,15 +4,14 @@
 #include "thread_seconds.h"
 
 #include <CGAL/Region_segmentation/Graph/geometry_data.h>
-#include <CGAL/Region_segmentation/Methods/Geometry_annotator.h>
 #include <CGAL/Region_segmentation/Methods/Lowest_cost_first.h>
-#include <CGAL/Region_segmentation/Methods/Segmentation_method.h>
+#include <CGAL/Region_segmentation/build_region_adjacency_graph.h>
+#include <CGAL/Region_segmentation/merge_requested_regions.h>
 #include <CGAL/Region_segmentation/segment.h>
 
 #include <algorithm>
-#include <cstdint>
-#include <numeric>
-#include <vector>
+#include <cstddef>
+#include <utility>
 
 namespace princeton_benchmark {
 
@@ -20,27 +19,16 @@ namespace RS = CGAL::Region_segmentation;
 
 namespace {
 
-/// Each face is a region.
-struct Single_faces
-{
-  RS::Partition operator()(const RS::Flat_mesh& mesh) const
-  {
-    std::vector<RS::Partition::Index> part_of(mesh.number_of_faces());
-    std::iota(part_of.begin(), part_of.end(), RS::Partition::Index(0));
-    return RS::Partition(std::move(part_of), mesh.number_of_faces());
-  }
-};
-
 /// A model of `SectionData`.
 struct Concave_section : RS::Section_geometry
 {
   double concave = 0; ///< integral of the concave deviation along the section
 
-  void add_edge(const RS::Flat_mesh& mesh, std::size_t lower_face, std::size_t edge)
+  void add_adjacency(const RS::Surface& surface, std::size_t a)
   {
-    RS::Section_geometry::add_edge(mesh, lower_face, edge);
-    if (mesh.has_flag(edge, RS::Flat_mesh::CONCAVE))
-      concave += mesh.length(edge) * mesh.deviation(lower_face, edge);
+    RS::Section_geometry::add_adjacency(surface, a);
+    if (surface.has_flag(a, RS::Surface::CONCAVE))
+      concave += surface.length(a) * surface.deviation(a);
   }
 
   void absorb(const Concave_section& other)
@@ -65,18 +53,35 @@ struct Concave_angle_cost
   }
 };
 
+/// Each face is a region.
+struct Concave_angle_merging
+{
+  struct Prepared
+  {};
+
+  Prepared prepare(const RS::Surface&, const RS::Execution&) const { return {}; }
+
+  RS::Hierarchy merge(const RS::Surface& surface, const Prepared&, const RS::Request& request, const RS::Execution& execution) const
+  {
+    RS::Requested_regions requested =
+      RS::requested_regions(surface, RS::Partition::into_single_elements(surface.number_of_faces()), request);
+    auto graph =
+      RS::build_region_adjacency_graph<RS::Region_geometry, Concave_section>(surface, requested.regions, request.constraints);
+    RS::Merge_tree tree = RS::merge_requested_regions(surface, requested, graph, RS::Lowest_cost_first<Concave_angle_cost>(), 1,
+                                                      execution.stage("merging"));
+    return RS::Hierarchy(std::move(requested.regions), std::move(tree), request.number_of_segments);
+  }
+};
+
 } // namespace
 
 Timed_segmentation segment_by_concave_angles(const Benchmark_mesh& mesh, Wanted_number number)
 {
-  const auto method =
-    RS::make_segmentation_method(Single_faces(), RS::Geometry_annotator<RS::Region_geometry, Concave_section>(),
-                                 RS::Lowest_cost_first<Concave_angle_cost>());
   Timed_segmentation result;
   result.labels.resize(num_faces(mesh));
   const double start = thread_seconds();
   result.number_of_segments = RS::segment(mesh, face_map(mesh, result.labels),
-                                          RS::parameters::method(method).number_of_segments(number.value()));
+                                          RS::parameters::method(Concave_angle_merging()).number_of_segments(number.value()));
   result.seconds.merging = thread_seconds() - start;
   result.number_of_regions = num_faces(mesh);
   return result;

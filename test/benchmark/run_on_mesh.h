@@ -19,7 +19,6 @@
 #include <cstdint>
 #include <functional>
 #include <stdexcept>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -44,21 +43,20 @@ void fill_mesh(const Triangles& triangles, Mesh& mesh, AddPoint add_point)
   }
 }
 
-/// An initializer that counts its regions.
-template <typename Initializer>
-struct Counting : Initializer
+/// A method that tells the clock its number of regions.
+template <typename Method>
+struct Counting : Method
 {
   Stage_clock* clock;
 
-  Counting(const Initializer& initializer, Stage_clock& c) : Initializer(initializer), clock(&c) {}
+  Counting(const Method& method, Stage_clock& c) : Method(method), clock(&c) {}
 
-  template <typename ConcurrencyTag>
-  auto operator()(const CGAL::Region_segmentation::Flat_mesh& mesh,
-                  const CGAL::Region_segmentation::Execution<ConcurrencyTag>& execution) const
+  auto prepare(const CGAL::Region_segmentation::Surface& surface,
+               const CGAL::Region_segmentation::Execution& execution) const
   {
-    auto regions = Initializer::operator()(mesh, execution);
-    clock->set_number_of_regions(regions.number_of_parts());
-    return regions;
+    auto prepared = Method::prepare(surface, execution);
+    clock->set_number_of_regions(prepared.regions.number_of_parts());
+    return prepared;
   }
 };
 
@@ -94,7 +92,7 @@ public:
       return segment_by(Learned_merging(), pipeline);
     Two_step method;
     if (pipeline.method == Method::REGIONS)
-      method.initializer.feature_convexity = Feature_convexity::ALL;
+      method.growing.feature_convexity = Feature_convexity::ALL;
     return segment_by(method, pipeline);
   }
 
@@ -112,11 +110,10 @@ private:
   Stage_seconds segment_by(const SegmentationMethod& method, const Pipeline& pipeline)
   {
     using namespace CGAL::Region_segmentation;
-    using Initializer = decltype(method.initializer);
     Stage_clock clock(pipeline.clock, pipeline.method == Method::REGIONS ? Stage::GRAPH : Stage::BORDERS);
     const auto np =
       CGAL::Region_segmentation::parameters::number_of_segments(pipeline.number_of_segments)
-        .method(method.with_initializer(Counting<std::decay_t<Initializer>>(method.initializer, clock)))
+        .method(Counting<SegmentationMethod>(method, clock))
         .visitor(std::ref(clock));
     try {
 #ifdef REGION_SEGMENTATION_BENCHMARK_PARALLEL

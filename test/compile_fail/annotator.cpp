@@ -3,15 +3,16 @@
 #include "common.h"
 struct Annotator
 {
-  using RegionData = RS::Region_geometry;
-  using SectionData = RS::Section_geometry;
+  using RegionData = RS::Visibility_region_data;
+  using SectionData = RS::Visibility_section_data;
 #ifdef WITH_FAULT
-  void operator()(Graph&, const RS::Flat_mesh&) const {}
+  void operator()(Visibility_graph&, const RS::Surface&) const {}
 #else
-  void operator()(Graph&, const RS::Flat_mesh&, const RS::Partition&) const {}
+  void operator()(Visibility_graph&, const RS::Surface&, const RS::Partition&, const RS::Region_rays&) const {}
 #endif
 };
 void test(const Mesh& mesh, Labels labels)
 {
-  RS::segment(mesh, labels, RS::parameters::number_of_segments(3).method(RS::Two_step().with_annotator(Annotator())));
+  const RS::Superfacet_merging method{Annotator(), RS::Visibility_merging().policy, RS::Number_below_cost{0}};
+  RS::segment(mesh, labels, RS::parameters::method(method));
 }

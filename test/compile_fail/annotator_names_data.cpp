@@ -4,14 +4,15 @@
 struct Annotator
 {
 #ifndef WITH_FAULT
-  using RegionData = RS::Region_geometry;
+  using RegionData = RS::Visibility_region_data;
 #endif
-  using SectionData = RS::Section_geometry;
+  using SectionData = RS::Visibility_section_data;
   template <typename AnyGraph>
-  void operator()(AnyGraph&, const RS::Flat_mesh&, const RS::Partition&) const
+  void operator()(AnyGraph&, const RS::Surface&, const RS::Partition&, const RS::Region_rays&) const
   {}
 };
 void test(const Mesh& mesh, Labels labels)
 {
-  RS::segment(mesh, labels, RS::parameters::number_of_segments(3).method(RS::Two_step().with_annotator(Annotator())));
+  const RS::Superfacet_merging method{Annotator(), RS::Visibility_merging().policy, RS::Number_below_cost{0}};
+  RS::segment(mesh, labels, RS::parameters::method(method));
 }

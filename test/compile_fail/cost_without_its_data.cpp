@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // expect: the RegionMergingPolicy reads RegionData or SectionData that the annotator of the graph does not provide
 #include "common.h"
-// A cost that reads the data of another annotator.
+// A cost that reads the data of another graph.
 void test(const Mesh& mesh, Labels labels)
 {
-  const RS::Lowest_cost_first<RS::Visibility_cost> policy;
 #ifdef WITH_FAULT
-  const auto method = RS::Two_step().with_policy(policy);
+  auto graph = RS::build_region_adjacency_graph(mesh, labels);
 #else
-  const auto method = RS::Two_step().with_annotator(RS::Visibility_annotator()).with_policy(policy);
+  auto graph = RS::build_region_adjacency_graph<RS::Visibility_region_data, RS::Visibility_section_data>(mesh, labels);
 #endif
-  RS::segment(mesh, labels, RS::parameters::number_of_segments(3).method(method));
+  RS::merge_regions(graph, RS::Lowest_cost_first<RS::Visibility_cost>(), 3, RS::Stop_at_count{3});
 }

@@ -8,5 +8,7 @@ void test(const Mesh& mesh, Labels labels)
 #else
   const RS::Learned_annotator annotator;
 #endif
-  RS::segment(mesh, labels, RS::parameters::method(RS::Learned_merging().with_annotator(annotator)));
+  const RS::Learned_merging learned;
+  const RS::Superfacet_merging method{annotator, learned.policy, learned.chooser};
+  RS::segment(mesh, labels, RS::parameters::method(method));
 }

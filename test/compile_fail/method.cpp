@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// expect: a SegmentationMethod needs the members initializer, annotator, and either policy and chooser or partitioner
+// expect: a SegmentationMethod needs: Prepared prepare(const Surface&, const Execution&) const, and Hierarchy or Segmentation merge(
 #include "common.h"
 struct Method
 {
-  RS::Region_growing initializer;
-#ifndef WITH_FAULT
-  RS::Geometry_annotator<> annotator;
+  int prepare(const RS::Surface&, const RS::Execution&) const { return 0; }
+#ifdef WITH_FAULT
+  RS::Hierarchy merge(const RS::Surface&, const RS::Request&, const RS::Execution&) const { return {}; }
+#else
+  RS::Hierarchy merge(const RS::Surface&, int, const RS::Request&, const RS::Execution&) const { return {}; }
 #endif
-  RS::Two_step_merging policy;
-  RS::No_number_chooser chooser;
 };
 void test(const Mesh& mesh, Labels labels)
 {

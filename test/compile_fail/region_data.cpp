@@ -4,9 +4,9 @@
 struct Region_data
 {
 #ifndef WITH_FAULT
-  void add_face(const RS::Flat_mesh&, std::size_t) {}
+  void add_face(const RS::Surface&, std::size_t) {}
 #endif
-  void add_border_edge(const RS::Flat_mesh&, std::size_t, std::size_t) {}
+  void add_border(const RS::Surface&, std::size_t) {}
   template <typename Section>
   void absorb(const Region_data&, const Section&)
   {
@@ -14,5 +14,5 @@ struct Region_data
 };
 void test(const Mesh& mesh, Labels labels)
 {
-  RS::build_region_adjacency_graph(mesh, labels, RS::Geometry_annotator<Region_data>());
+  RS::build_region_adjacency_graph<Region_data>(mesh, labels);
 }

@@ -3,8 +3,8 @@
 #include "common.h"
 struct Region_data
 {
-  void add_face(const RS::Flat_mesh&, std::size_t) {}
-  void add_border_edge(const RS::Flat_mesh&, std::size_t, std::size_t) {}
+  void add_face(const RS::Surface&, std::size_t) {}
+  void add_border(const RS::Surface&, std::size_t) {}
 #ifdef WITH_FAULT
   void absorb(const Region_data&) {}
 #else
@@ -16,5 +16,5 @@ struct Region_data
 };
 void test(const Mesh& mesh, Labels labels)
 {
-  RS::build_region_adjacency_graph(mesh, labels, RS::Geometry_annotator<Region_data>());
+  RS::build_region_adjacency_graph<Region_data>(mesh, labels);
 }

@@ -5,8 +5,8 @@ Mesh make_mesh();
 void test(const Mesh& mesh)
 {
 #ifdef WITH_FAULT
-  const RS::Segmenter<Mesh> segmenter(make_mesh());
+  const RS::Segmenter segmenter(make_mesh());
 #else
-  const RS::Segmenter<Mesh> segmenter(mesh);
+  const RS::Segmenter segmenter(mesh);
 #endif
 }

@@ -4,7 +4,8 @@
 void test(const Mesh& mesh)
 {
 #ifdef WITH_FAULT
-  const RS::Segmenter<Mesh> segmenter(mesh, RS::parameters::method(RS::Two_step()));
+  using Segmenter = decltype(RS::Segmenter(mesh)); // of the default method
+  const Segmenter segmenter(mesh, RS::parameters::method(RS::Two_step()));
 #else
   const RS::Segmenter segmenter(mesh, RS::parameters::method(RS::Two_step()));
 #endif

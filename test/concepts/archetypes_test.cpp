@@ -8,8 +8,17 @@
 #include "oracles.h"
 
 #include <CGAL/region_segmentation.h>
+#include <CGAL/region_segmentation_stages.h>
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <numeric>
+#include <optional>
+#include <utility>
+#include <vector>
 
 namespace archetypes_test {
 
@@ -22,16 +31,16 @@ struct Region_data_archetype
   Region_data_archetype(const Region_data_archetype&) = default;
   Region_data_archetype& operator=(const Region_data_archetype&) = delete;
 
-  void add_face(const RS::Flat_mesh&, std::size_t) { ++faces; }
-  void add_border_edge(const RS::Flat_mesh&, std::size_t, std::size_t) { ++border_edges; }
+  void add_face(const RS::Surface&, std::size_t) { ++faces; }
+  void add_border(const RS::Surface&, std::size_t) { ++borders; }
   template <typename Section>
   void absorb(const Region_data_archetype& other, const Section& between)
   {
     faces += other.faces;
-    border_edges += other.border_edges - 2 * between.edges;
+    borders += other.borders - 2 * between.adjacencies;
   }
 
-  std::size_t faces = 0, border_edges = 0;
+  std::size_t faces = 0, borders = 0;
 };
 
 struct Section_data_archetype
@@ -40,45 +49,13 @@ struct Section_data_archetype
   Section_data_archetype(const Section_data_archetype&) = default;
   Section_data_archetype& operator=(const Section_data_archetype&) = delete;
 
-  void add_edge(const RS::Flat_mesh&, std::size_t, std::size_t) { ++edges; }
-  void absorb(const Section_data_archetype& other) { edges += other.edges; }
+  void add_adjacency(const RS::Surface&, std::size_t) { ++adjacencies; }
+  void absorb(const Section_data_archetype& other) { adjacencies += other.adjacencies; }
 
-  std::size_t edges = 0;
+  std::size_t adjacencies = 0;
 };
 
 using Graph = RS::Region_adjacency_graph<Region_data_archetype, Section_data_archetype>;
-
-class Region_initializer_archetype
-{
-public:
-  explicit Region_initializer_archetype(int) {}
-  Region_initializer_archetype(const Region_initializer_archetype&) = default;
-  Region_initializer_archetype& operator=(const Region_initializer_archetype&) = delete;
-
-  RS::Partition operator()(const RS::Flat_mesh& flat) const
-  {
-    std::vector<std::size_t> labels;
-    for (std::size_t f = 0; f < flat.number_of_faces(); ++f)
-      labels.push_back(f);
-    return RS::Partition::from_labels(labels);
-  }
-};
-
-/// Takes the optional last argument, too.
-class Region_initializer_with_execution
-{
-public:
-  explicit Region_initializer_with_execution(int) {}
-  Region_initializer_with_execution(const Region_initializer_with_execution&) = default;
-  Region_initializer_with_execution& operator=(const Region_initializer_with_execution&) = delete;
-
-  template <typename ConcurrencyTag>
-  RS::Partition operator()(const RS::Flat_mesh& flat, const RS::Execution<ConcurrencyTag>& execution) const
-  {
-    execution.report(0.5);
-    return Region_initializer_archetype(0)(flat);
-  }
-};
 
 class Annotator_archetype
 {
@@ -90,42 +67,12 @@ public:
   Annotator_archetype(const Annotator_archetype&) = default;
   Annotator_archetype& operator=(const Annotator_archetype&) = delete;
 
-  void operator()(Graph&, const RS::Flat_mesh&, const RS::Partition&) const {}
-};
-
-/// What an annotator keeps between two calls; it reads data that it asks for.
-class Annotator_with_cache
-{
-public:
-  using RegionData = Region_data_archetype;
-  using SectionData = Section_data_archetype;
-  static constexpr RS::Mesh_data required_mesh_data = RS::Mesh_data::CENTROIDS;
-
-  class Cache
+  void operator()(Graph& graph, const RS::Surface& surface, const RS::Partition& regions,
+                  const RS::Region_rays& rays) const
   {
-  public:
-    void renumber(const std::vector<std::uint32_t>& previous_of) { number_of_regions = previous_of.size(); }
-    std::size_t number_of_regions = 0;
-  };
-
-  explicit Annotator_with_cache(int) {}
-  Annotator_with_cache(const Annotator_with_cache&) = default;
-  Annotator_with_cache& operator=(const Annotator_with_cache&) = delete;
-
-  template <typename ConcurrencyTag>
-  void operator()(Graph& graph, const RS::Flat_mesh& mesh, const RS::Partition& regions,
-                  const RS::Execution<ConcurrencyTag>& execution) const
-  {
-    Cache cache;
-    (*this)(graph, mesh, regions, execution, cache);
-  }
-  template <typename ConcurrencyTag>
-  void operator()(Graph& graph, const RS::Flat_mesh& mesh, const RS::Partition& regions,
-                  const RS::Execution<ConcurrencyTag>&, Cache& cache) const
-  {
-    EXPECT_TRUE(cache.number_of_regions == 0 || cache.number_of_regions == regions.number_of_parts());
     EXPECT_EQ(graph.number_of_regions(), regions.number_of_parts());
-    EXPECT_NO_THROW(mesh.centroid(0));
+    EXPECT_EQ(regions.size(), surface.number_of_faces());
+    EXPECT_EQ(rays.hits().size(), regions.number_of_parts());
   }
 };
 
@@ -136,10 +83,7 @@ public:
   Section_cost_archetype(const Section_cost_archetype&) = default;
   Section_cost_archetype& operator=(const Section_cost_archetype&) = delete;
 
-  double operator()(const Graph& g, Graph::section_descriptor s) const
-  {
-    return -double(g[s].edges);
-  }
+  double operator()(const Graph& g, Graph::section_descriptor s) const { return -double(g[s].adjacencies); }
 };
 
 /// Any section that is mergeable.
@@ -169,7 +113,7 @@ public:
   Policy_for_number_archetype(const Policy_for_number_archetype&) = default;
   Policy_for_number_archetype& operator=(const Policy_for_number_archetype&) = delete;
 
-  void initialize(const Graph&, std::size_t number_of_segments) { EXPECT_GE(number_of_segments, 1u); }
+  void initialize(const Graph&, std::size_t number_of_segments) { EXPECT_EQ(number_of_segments, 2u); }
   std::optional<RS::Merge_candidate> next(const Graph& g) { return m_policy.next(g); }
   void on_merge(const Graph&, const Graph::Merge&) {}
 
@@ -184,36 +128,11 @@ public:
   Number_chooser_archetype(const Number_chooser_archetype&) = default;
   Number_chooser_archetype& operator=(const Number_chooser_archetype&) = delete;
 
-  std::size_t operator()(const RS::Merge_tree& tree) const { return tree.number_of_regions() / 2; }
-};
-
-/// Two segments: the first region, and the others.
-class Partitioner_archetype
-{
-public:
-  explicit Partitioner_archetype(int) {}
-  Partitioner_archetype(const Partitioner_archetype&) = default;
-  Partitioner_archetype& operator=(const Partitioner_archetype&) = delete;
-
-  RS::Partition operator()(const Graph& g, std::size_t) const
+  std::size_t operator()(const RS::Merge_tree& tree, const RS::Surface& surface) const
   {
-    std::vector<int> labels(g.number_of_regions(), 1);
-    labels[0] = 0;
-    return RS::Partition::from_labels(labels);
+    EXPECT_EQ(surface.number_of_faces(), 6u);
+    return tree.number_of_regions() / 2;
   }
-};
-
-/// A method that is no `Segmentation_method`.
-struct Method_archetype
-{
-  Method_archetype() = default;
-  Method_archetype(const Method_archetype&) = default;
-  Method_archetype& operator=(const Method_archetype&) = delete;
-
-  Region_initializer_archetype initializer{0};
-  Annotator_archetype annotator{0};
-  Policy_archetype policy{0};
-  Number_chooser_archetype chooser{0};
 };
 
 class Stop_archetype
@@ -236,6 +155,79 @@ public:
   bool go_further(const char*, double) { return true; }
 };
 
+/// What a method prepares is neither copied nor moved.
+class Prepared_archetype
+{
+public:
+  explicit Prepared_archetype(std::size_t faces) : m_faces(faces) {}
+  Prepared_archetype(const Prepared_archetype&) = delete;
+  Prepared_archetype& operator=(const Prepared_archetype&) = delete;
+
+  /// Every face is a region.
+  RS::Partition regions() const
+  {
+    std::vector<std::size_t> labels(m_faces);
+    std::iota(labels.begin(), labels.end(), std::size_t(0));
+    return RS::Partition::from_labels(labels);
+  }
+
+private:
+  std::size_t m_faces;
+};
+
+/// A method with one order of merges for all numbers: each region is merged with the first one.
+class Method_archetype
+{
+public:
+  explicit Method_archetype(int) {}
+  Method_archetype(const Method_archetype&) = default;
+  Method_archetype& operator=(const Method_archetype&) = delete;
+
+  Prepared_archetype prepare(const RS::Surface& surface, const RS::Execution& execution) const
+  {
+    execution.stage("regions").report(0.5);
+    return Prepared_archetype(surface.number_of_faces());
+  }
+
+  RS::Hierarchy merge(const RS::Surface& surface, const Prepared_archetype& prepared, const RS::Request& request,
+                      const RS::Execution& execution) const
+  {
+    execution.stage("merging");
+    RS::Requested_regions requested = RS::requested_regions(surface, prepared.regions(), request);
+    RS::Merge_tree tree(requested.regions.number_of_parts());
+    if (request.constraints.empty())
+      for (std::uint32_t r = 1; r < tree.number_of_regions(); ++r)
+        tree.push_back({0, r, double(r)});
+    const std::size_t number = request.number_of_segments > 0 ? request.number_of_segments : 3;
+    return RS::Hierarchy(std::move(requested.regions), std::move(tree), number);
+  }
+};
+
+/// A method whose merges depend on the number: the first region, and the others.
+class Method_for_number_archetype
+{
+public:
+  explicit Method_for_number_archetype(int) {}
+  Method_for_number_archetype(const Method_for_number_archetype&) = default;
+  Method_for_number_archetype& operator=(const Method_for_number_archetype&) = delete;
+
+  Prepared_archetype prepare(const RS::Surface& surface, const RS::Execution&) const
+  {
+    return Prepared_archetype(surface.number_of_faces());
+  }
+
+  RS::Segmentation merge(const RS::Surface&, const Prepared_archetype& prepared, const RS::Request& request,
+                         const RS::Execution&) const
+  {
+    EXPECT_EQ(request.number_of_segments, 2u);
+    RS::Partition regions = prepared.regions();
+    std::vector<int> labels(regions.number_of_parts(), 1);
+    labels[0] = 0;
+    const RS::Merge_tree none(regions.number_of_parts());
+    return {std::move(regions), RS::Partition::from_labels(labels), none};
+  }
+};
+
 Graph graph_of_cube()
 {
   const auto mesh = test::to_surface_mesh(test::cube());
@@ -243,15 +235,15 @@ Graph graph_of_cube()
   std::size_t i = 0;
   for (auto f : faces(mesh))
     put(map, f, i++);
-  return RS::build_region_adjacency_graph(mesh, map, Annotator_archetype(0));
+  return RS::build_region_adjacency_graph<Region_data_archetype, Section_data_archetype>(mesh, map);
 }
 
 TEST(Archetypes_test, data)
 {
   const Graph g = graph_of_cube();
   EXPECT_EQ(g[0].faces, 1u);
-  EXPECT_EQ(g[0].border_edges, 4u);
-  EXPECT_EQ(g[*g.section(0, 2)].edges, 1u);
+  EXPECT_EQ(g[0].borders, 4u);
+  EXPECT_EQ(g[*g.section(0, 2)].adjacencies, 1u);
 }
 
 TEST(Archetypes_test, policy_stop_and_visitor)
@@ -267,6 +259,13 @@ TEST(Archetypes_test, policy_stop_and_visitor)
   EXPECT_EQ(faces, 6u);
 }
 
+TEST(Archetypes_test, policy_whose_order_depends_on_the_number)
+{
+  Graph g = graph_of_cube();
+  RS::merge_regions(g, Policy_for_number_archetype(0), 2, RS::Stop_at_count{2});
+  EXPECT_EQ(g.number_of_regions(), 2u);
+}
+
 TEST(Archetypes_test, cost)
 {
   Graph g = graph_of_cube();
@@ -275,23 +274,17 @@ TEST(Archetypes_test, cost)
   EXPECT_EQ(g.number_of_regions(), 2u);
 }
 
-TEST(Archetypes_test, method_and_visitor_in_the_pipeline)
+/// What segment() and a segmenter do with a method that gives one tree, and three segments of a cube.
+template <typename Method>
+void use_method(const Method& method)
 {
   const auto mesh = test::to_surface_mesh(test::cube());
   Visitor_archetype visitor(0);
-  const auto result =
-      test::run(mesh, RP::number_of_segments(2).method(Method_archetype()).visitor(std::ref(visitor)));
+  const auto result = test::run(mesh, RP::number_of_segments(2).method(method).visitor(std::ref(visitor)));
   EXPECT_EQ(result.number_of_segments, 2u);
   EXPECT_EQ(result.tree.number_of_regions(), 6u);
-  EXPECT_EQ(test::run(mesh, RP::method(Method_archetype())).number_of_segments, 3u) << "chosen";
-}
+  EXPECT_EQ(test::run(mesh, RP::method(method)).number_of_segments, 3u) << "chosen";
 
-/// What a segmenter does with a method that gives one tree.
-template <typename Method>
-void use_segmenter(const Method& method)
-{
-  const auto mesh = test::to_surface_mesh(test::cube());
-  Visitor_archetype visitor(0);
   RS::Segmenter segmenter(mesh, RP::method(method).visitor(std::ref(visitor)));
   auto map = test::face_map(mesh);
   EXPECT_EQ(segmenter.segment(map), 3u);
@@ -303,55 +296,34 @@ void use_segmenter(const Method& method)
   EXPECT_EQ(segmenter.segment(map, 1), 6u);
 }
 
-TEST(Archetypes_test, method_in_a_segmenter)
+TEST(Archetypes_test, method)
 {
-  use_segmenter(Method_archetype());
-  use_segmenter(RS::make_segmentation_method(Region_initializer_with_execution(0), Annotator_with_cache(0),
-                                             Policy_archetype(0), Number_chooser_archetype(0)));
+  use_method(Method_archetype(0));
 }
 
-TEST(Archetypes_test, policy_whose_order_depends_on_the_number)
+TEST(Archetypes_test, parts_of_superfacet_merging)
 {
-  const auto mesh = test::to_surface_mesh(test::cube());
-  const auto method = RS::make_segmentation_method(Region_initializer_with_execution(0), Annotator_with_cache(0),
-                                                   Policy_for_number_archetype(0));
-  EXPECT_EQ(test::run(mesh, RP::number_of_segments(2).method(method)).number_of_segments, 2u);
-  const RS::Segmenter segmenter(mesh, RP::method(method));
-  auto map = test::face_map(mesh);
-  EXPECT_EQ(segmenter.segment(map, 4), 4u);
+  use_method(
+    RS::Superfacet_merging{Annotator_archetype(0), Policy_archetype(0), Number_chooser_archetype(0)});
 }
 
-TEST(Archetypes_test, partitioner)
+TEST(Archetypes_test, method_whose_merges_depend_on_the_number)
 {
   const auto mesh = test::to_surface_mesh(test::cube());
-  const auto method = RS::make_partitioning_method(Region_initializer_archetype(0), Annotator_archetype(0),
-                                                   Partitioner_archetype(0));
-  EXPECT_EQ(test::segments_of(mesh, RP::number_of_segments(2).method(method)), (test::Labels{0, 1, 1, 1, 1, 1}));
-  const RS::Segmenter segmenter(mesh, RP::method(method));
+  const auto np = RP::method(Method_for_number_archetype(0));
+  EXPECT_EQ(test::segments_of(mesh, np.number_of_segments(2)), (test::Labels{0, 1, 1, 1, 1, 1}));
+  const RS::Segmenter segmenter(mesh, np);
   auto map = test::face_map(mesh);
   EXPECT_EQ(segmenter.segment(map, 2), 2u);
+  EXPECT_EQ(test::labels_of(mesh, map), (test::Labels{0, 1, 1, 1, 1, 1}));
 }
 
-TEST(Archetypes_test, parts_are_exchanged_one_by_one)
-{
-  const auto mesh = test::to_surface_mesh(test::cube());
-  const auto method = RS::Two_step()
-                          .with_initializer(Region_initializer_archetype(0))
-                          .with_annotator(Annotator_archetype(0))
-                          .with_policy(Policy_archetype(0))
-                          .with_chooser(Number_chooser_archetype(0));
-  EXPECT_EQ(test::run(mesh, RP::method(method)).number_of_segments, 3u);
-}
-
-// A cost can name the data that it reads; the annotator of the method must provide them.
+// A cost can name the data that it reads; the graph must have them.
 struct Cost_with_data
 {
   using RegionData = Region_data_archetype;
   using SectionData = Section_data_archetype;
-  double operator()(const Graph& g, Graph::section_descriptor s) const
-  {
-    return double(g[s].edges);
-  }
+  double operator()(const Graph& g, Graph::section_descriptor s) const { return double(g[s].adjacencies); }
 };
 
 TEST(Archetypes_test, a_cost_that_names_its_data)
@@ -360,47 +332,42 @@ TEST(Archetypes_test, a_cost_that_names_its_data)
   EXPECT_TRUE((std::is_same<Policy::RegionData, Region_data_archetype>::value));
   EXPECT_TRUE((RS::internal::reads_data_of<Policy, Graph>()));
   EXPECT_FALSE((RS::internal::reads_data_of<Policy, RS::Region_adjacency_graph<>>()));
-  const auto mesh = test::to_surface_mesh(test::cube());
-  const auto method = RS::make_segmentation_method(Region_initializer_archetype(0), Annotator_archetype(0), Policy());
-  EXPECT_EQ(test::run(mesh, RP::number_of_segments(2).method(method)).number_of_segments, 2u);
+  Graph g = graph_of_cube();
+  RS::merge_regions(g, Policy(), 2, RS::Stop_at_count{2});
+  EXPECT_EQ(g.number_of_regions(), 2u);
 }
 
-// What the types of a part cannot tell is an exception.
-struct Short_initializer
+// What the types of a method cannot tell is an exception.
+
+/// Its regions are those of a mesh of two faces.
+struct Method_of_two_faces
 {
-  RS::Partition operator()(const RS::Flat_mesh&) const { return RS::Partition::from_labels(std::vector<int>{0, 1}); }
-};
-struct Short_partitioner
-{
-  template <typename G>
-  RS::Partition operator()(const G&, std::size_t) const
+  int prepare(const RS::Surface&, const RS::Execution&) const { return 0; }
+  RS::Hierarchy merge(const RS::Surface&, int, const RS::Request&, const RS::Execution&) const
   {
-    return RS::Partition();
-  }
-};
-struct Reader_of_points // without required_mesh_data
-{
-  RS::Partition operator()(const RS::Flat_mesh& flat) const
-  {
-    const std::size_t label = flat.points().number_of_points();
-    return RS::Partition::from_labels(std::vector<std::size_t>(flat.number_of_faces(), label));
+    return RS::Hierarchy(RS::Partition::from_labels(std::vector<int>{0, 1}), RS::Merge_tree(2), 2);
   }
 };
 
-TEST(Archetypes_test, parts_that_break_their_promise)
+/// Its segments are not those of its regions.
+struct Method_of_no_segments
+{
+  int prepare(const RS::Surface&, const RS::Execution&) const { return 0; }
+  RS::Segmentation merge(const RS::Surface& surface, int, const RS::Request&, const RS::Execution&) const
+  {
+    return {RS::Partition::from_labels(std::vector<int>(surface.number_of_faces())), RS::Partition(), RS::Merge_tree(1)};
+  }
+};
+
+TEST(Archetypes_test, methods_that_break_their_promise)
 {
   const auto mesh = test::to_surface_mesh(test::cube());
   auto map = test::face_map(mesh, 77);
-  EXPECT_THROW(RS::segment(mesh, map, RP::number_of_segments(2).method(
-                                        RS::Two_step().with_initializer(Short_initializer()))),
-               RS::Invalid_method);
-  EXPECT_THROW(RS::segment(mesh, map, RP::number_of_segments(2).method(
-                                        RS::Two_step().with_initializer(Reader_of_points()))),
-               RS::Invalid_method);
-  EXPECT_THROW(RS::segment(mesh, map,
-                           RP::number_of_segments(2).method(RS::make_partitioning_method(
-                               RS::Region_growing(), RS::Geometry_annotator<>(), Short_partitioner()))),
-               RS::Invalid_method);
+  EXPECT_THROW(RS::segment(mesh, map, 2, RP::method(Method_of_two_faces())), RS::Invalid_method);
+  EXPECT_THROW(RS::segment(mesh, map, 2, RP::method(Method_of_no_segments())), RS::Invalid_method);
+  EXPECT_THROW(RS::Segmenter(mesh, RP::method(Method_of_two_faces())), RS::Invalid_method);
+  const RS::Segmenter of_no_segments(mesh, RP::method(Method_of_no_segments()));
+  EXPECT_THROW(of_no_segments.segment(map, 2), RS::Invalid_method);
   EXPECT_EQ(test::labels_of(mesh, map), test::Labels(6, 77));
 }
 

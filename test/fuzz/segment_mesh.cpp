@@ -73,7 +73,7 @@ void check_method(const Mesh& mesh, const Method& method, std::size_t k)
   constexpr bool gives_any_number =
     !std::is_same<Method, RS::Two_step>::value && !std::is_same<Method, RS::Smooth_faces>::value;
   Labels labels(mesh.number_of_faces()), again(labels);
-  const auto np = RS::parameters::method(method);
+  const auto np = RS::parameters::method(method).component_links(false);
   try {
     const std::size_t n = RS::segment(mesh, face_map(mesh, labels), np.number_of_segments(k));
     check_labels(mesh, labels, n);

@@ -10,7 +10,6 @@
 #include <CGAL/Region_segmentation/Methods/Smooth_faces.h>
 #include <CGAL/Region_segmentation/Segmenter.h>
 #include <CGAL/Region_segmentation/Segments/compute_segment_topology.h>
-#include <CGAL/Region_segmentation/Segments/divide_into_discs.h>
 #include <CGAL/Region_segmentation/Segments/extract_segment_borders.h>
 #include <CGAL/Region_segmentation/Segments/mark_segment_borders.h>
 #include <CGAL/Region_segmentation/Segments/mark_segment_seams.h>
@@ -87,21 +86,23 @@ void check_pieces(const Mesh& mesh, Labels& labels)
 
 void check_discs(const Mesh& mesh, Labels& labels)
 {
-  Labels discs(labels.size());
   Edges seams(mesh.number_of_edges());
   try {
-    const std::size_t n = RS::divide_into_discs(mesh, face_map(mesh, labels), face_map(mesh, discs));
     RS::mark_segment_seams(mesh, face_map(mesh, labels), edge_map(mesh, seams));
-    std::vector<RS::Segment_topology<std::size_t>> topologies;
-    RS::compute_segment_topology(mesh, face_map(mesh, discs), std::back_inserter(topologies));
-    require(topologies.size() == n, "as many discs as said");
-    for (const auto& topology : topologies)
-      require(topology.is_disc(), "a disc");
-    std::map<std::size_t, std::size_t> segment_of_disc;
-    for (const auto f : mesh.faces())
-      require(segment_of_disc.emplace(discs[f], labels[f]).first->second == labels[f], "a disc lies in one segment");
     for (const auto e : mesh.edges())
       require(seams[e] || !is_between_segments(mesh, labels, e), "seams contain the borders");
+    std::vector<RS::Segment_piece<Mesh, Mesh, std::size_t>> pieces;
+    RS::split_into_segments(mesh, face_map(mesh, labels), std::back_inserter(pieces),
+                            RS::parameters::edge_is_constrained_map(edge_map(mesh, seams)));
+    for (const auto& piece : pieces) {
+      require(piece.mesh.is_valid(false), "a piece is a 2-manifold");
+      Labels one(piece.mesh.number_of_faces());
+      std::vector<RS::Segment_topology<std::size_t>> topology;
+      RS::compute_segment_topology(piece.mesh, face_map(piece.mesh, one), std::back_inserter(topology));
+      const auto components = topology[0].number_of_components;
+      require(topology[0].number_of_border_loops == components && topology[0].euler_characteristic == long(components),
+              "a piece cut along seams consists of discs");
+    }
     RS::smooth_borders(mesh, face_map(mesh, labels));
     require(has_only_finite_points(mesh), "a point that is not finite is refused");
   } catch (const RS::Invalid_input& error) {

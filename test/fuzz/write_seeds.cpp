@@ -206,7 +206,7 @@ int main(int argc, char** argv)
   write_gzip({root, "inflate_gzip"}, root);
   write_labels({root, "read_labels"});
   write_command_lines({root, "command_line"});
-  write_soups({root, "repair_soup"});
+  write_soups({root, "segment_soup"});
   write_meshes({root, "segment_mesh"});
   write_meshes({root, "use_segments"});
 }

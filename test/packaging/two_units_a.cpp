@@ -2,7 +2,18 @@
 
 // With two_units_b.cpp: everything in the headers may be in two translation units of one program.
 
+#include <CGAL/Region_segmentation/Graph/Partition_editor.h>
+#include <CGAL/Region_segmentation/IO/labels.h>
+#include <CGAL/Region_segmentation/Methods/Scalar_annotator.h>
+#include <CGAL/Region_segmentation/Methods/Scalar_cost.h>
+#include <CGAL/Region_segmentation/Segments/compute_segment_topology.h>
+#include <CGAL/Region_segmentation/Segments/extract_segment_borders.h>
+#include <CGAL/Region_segmentation/Segments/mark_segment_borders.h>
+#include <CGAL/Region_segmentation/Segments/mark_segment_seams.h>
+#include <CGAL/Region_segmentation/Segments/split_into_segments.h>
+#include <CGAL/Region_segmentation/evaluation.h>
 #include <CGAL/region_segmentation.h>
+#include <CGAL/region_segmentation_stages.h>
 
 #if defined CGAL_REGION_SEGMENTATION_PARAMETERS || defined CGAL_REGION_SEGMENTATION_ADD || defined CGAL_add_named_parameter
 #error "a macro of the named parameters is left defined"

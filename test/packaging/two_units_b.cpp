@@ -1,6 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <CGAL/Region_segmentation/Graph/Partition_editor.h>
+#include <CGAL/Region_segmentation/IO/labels.h>
+#include <CGAL/Region_segmentation/Methods/Scalar_annotator.h>
+#include <CGAL/Region_segmentation/Methods/Scalar_cost.h>
+#include <CGAL/Region_segmentation/Segments/compute_segment_topology.h>
+#include <CGAL/Region_segmentation/Segments/extract_segment_borders.h>
+#include <CGAL/Region_segmentation/Segments/mark_segment_borders.h>
+#include <CGAL/Region_segmentation/Segments/mark_segment_seams.h>
+#include <CGAL/Region_segmentation/Segments/split_into_segments.h>
+#include <CGAL/Region_segmentation/evaluation.h>
 #include <CGAL/region_segmentation.h>
+#include <CGAL/region_segmentation_stages.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

@@ -20,14 +20,14 @@ std::vector<std::string> contents(const Temporary_folder& folder)
   return result;
 }
 
-/// Twelve inputs, of which the first takes longest, one is repaired, one is bad and one is not there.
+/// Twelve inputs, of which the first takes longest, one has a remark, one is bad and one is not there.
 std::string write_inputs(const Temporary_folder& folder)
 {
   std::string names = "figure.off none.off";
   for (int i = 0; i < 10; ++i) {
-    const std::string name = "m" + std::to_string(i) + ".off";
+    const std::string name = "m" + std::to_string(i) + (i == 5 ? ".obj" : ".off");
     folder.write(name, i == 3   ? sample::with(sample::off(), "3 1 2 3", "3 1 2 9")
-                       : i == 5 ? sample::with(sample::off(), "3 1 2 3", "3 1 3 2")
+                       : i == 5 ? "hello\n" + sample::obj()
                                 : sample::off());
     names += " " + name;
   }

@@ -5,6 +5,8 @@
 #include "soup/link_corners.h"
 
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/helpers.h>
 
 #include <gtest/gtest.h>
@@ -16,6 +18,7 @@
 namespace make_surface_mesh_test {
 
 using namespace segment_mesh;
+using Surface_mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 
 /// Some squares and triangles of a grid, whose sides may be joined to a cylinder or a torus.
 Polygon_soup random_faces(std::mt19937& random)
@@ -86,7 +89,7 @@ TEST(Make_surface_mesh, gives_the_mesh_that_cgal_gives)
     if (soup.polygons.empty() || !links)
       continue;
     ++number_of_meshes;
-    const Surface_mesh mesh = make_surface_mesh(soup, *links);
+    const Surface_mesh mesh = make_surface_mesh<Surface_mesh>(soup, *links);
     Surface_mesh expected;
     CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(soup.points, soup.polygons,
                                                                 expected);

@@ -46,10 +46,7 @@ void expect_read_or_refused(const std::string& file)
   try {
     const Input_mesh input = read_mesh(file);
     ASSERT_FALSE(input.soup.polygons.empty());
-    ASSERT_EQ(input.mesh_face_of_face.size(), input.soup.polygons.size());
-    for (std::size_t f : input.mesh_face_of_face)
-      ASSERT_LT(f, input.mesh_soup().polygons.size());
-    for (std::size_t p : input.point_of_mesh_point)
+    for (std::size_t p : input.soup.polygons.corners())
       ASSERT_LT(p, input.soup.points.size());
   } catch (const Input_error& error) {
     const std::string message = error.what();

@@ -60,7 +60,7 @@ TEST_F(Program, says_why_it_gives_fewer_or_more_segments)
 
   folder.write("b.off", "OFF\n6 2 0\n0 0 0\n1 0 0\n0 1 0\n5 0 0\n6 0 0\n5 1 0\n3 0 1 2\n3 3 4 5\n");
   EXPECT_TRUE(std::regex_match(
-    run("b.off -k 1").out,
+    run("b.off -k 1 --no-links").out,
     std::regex(
       "b\\.off: 2 faces, 2 regions, 2 segments of 1 \\(the mesh has 2 connected pieces\\)" +
       time_at_end)));
@@ -146,18 +146,44 @@ TEST_F(Program, goes_on_after_a_bad_input)
   EXPECT_EQ(folder.names(), (Names{"a.off", "a.seg", "b.off", "c.obj", "c.seg", "d.foo"}));
 }
 
-TEST_F(Program, is_quiet_about_repair_if_asked)
+TEST_F(Program, is_quiet_about_remarks_if_asked)
 {
-  folder.write("a.off", sample::with(sample::off(), "3 1 2 3", "3 1 3 2"));
-  const Outcome loud = run("a.off -k 1 -o a.seg");
+  folder.write("a.obj", "hello\n" + sample::obj());
+  const Outcome loud = run("a.obj -k 1 -o a.seg");
   EXPECT_EQ(loud.status, 0);
-  EXPECT_EQ(loud.err.rfind("a.off: not an oriented 2-manifold, repaired: 0 faces dropped", 0), 0u)
-    << loud.err;
+  EXPECT_EQ(loud.err.rfind("a.obj:1: unknown statement 'hello' skipped", 0), 0u) << loud.err;
   EXPECT_EQ(folder.read("a.seg"), "0\n0\n0\n0\n");
-  const Outcome quiet = run("a.off -k 1 --quiet");
+  const Outcome quiet = run("a.obj -k 1 --quiet");
   EXPECT_EQ(quiet.status, 0);
   EXPECT_EQ(quiet.err, "");
   EXPECT_NE(quiet.out, "");
+}
+
+/// Two tetrahedra a little apart, each face with points of its own, some of them turned.
+TEST_F(Program, segments_what_is_no_manifold)
+{
+  const double corners[4][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  const int faces[4][3] = {{0, 2, 1}, {0, 1, 3}, {1, 3, 2}, {0, 3, 2}};
+  std::ostringstream points, polygons;
+  for (int body = 0; body < 2; ++body)
+    for (int f = 0; f < 4; ++f) {
+      for (int i : faces[f])
+        points << corners[i][0] + 1.1 * body << " " << corners[i][1] << " " << corners[i][2] << "\n";
+      const int first = 12 * body + 3 * f;
+      polygons << "3 " << first << " " << first + 1 << " " << first + 2 << "\n";
+    }
+  folder.write("a.off", "OFF\n24 8 0\n" + points.str() + polygons.str());
+  const Outcome linked = run("a.off -k 1 -o a.seg -o a.json -o a.csv");
+  EXPECT_EQ(linked.status, 0) << linked.err;
+  EXPECT_NE(linked.out.find("8 faces, "), std::string::npos);
+  EXPECT_NE(linked.out.find(", 1 segment, "), std::string::npos) << linked.out;
+  EXPECT_EQ(folder.read("a.seg"), "0\n0\n0\n0\n0\n0\n0\n0\n");
+  const Outcome apart = run("a.off -k 1 --no-links -o a.seg");
+  EXPECT_NE(apart.out.find("2 segments of 1 (the mesh has 2 connected pieces)"), std::string::npos) << apart.out;
+  EXPECT_EQ(folder.read("a.seg"), "0\n0\n0\n0\n1\n1\n1\n1\n");
+  folder.write("b.off", "OFF\n5 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 -1 0\n3 0 1 2\n3 0 1 3\n3 0 1 4\n");
+  for (const char* type : {"surface_mesh", "polyhedron"})
+    EXPECT_EQ(run(std::string("b.off -k 1 --mesh ") + type).err, "b.off: is not an oriented 2-manifold: omit --mesh\n");
 }
 
 TEST_F(Program, compares_with_truths)

@@ -31,12 +31,11 @@ class Written : public testing::Test
 protected:
   static void SetUpTestSuite()
   {
-    s_input = make_input_mesh("figure", make_articulated_figure().soup);
+    s_input.soup = make_articulated_figure().soup;
     s_settings.number_of_segments = 10;
     s_settings.method = Method::TWO_STEP;
-    s_segmentation = run_segmentation(s_input.mesh_soup(), s_input.links, {}, s_settings, {});
-    s_labels = labels_of_faces(s_input, s_segmentation);
-    s_details = std::make_unique<Segmentation_details>(s_input.mesh_soup(), s_segmentation);
+    s_segmentation = run_segmentation(s_input.soup, {}, s_settings, {});
+    s_details = std::make_unique<Segmentation_details>(s_input.soup, s_settings, s_segmentation);
   }
 
   std::string write(const std::string& name) const
@@ -61,7 +60,6 @@ protected:
   static inline const Side_files s_side_files;
   static inline const std::optional<Viewpoint> s_no_viewpoint;
   static inline std::unique_ptr<Segmentation_details> s_details;
-  static inline std::vector<std::size_t> s_labels;
   Temporary_folder m_folder;
 };
 
@@ -71,7 +69,7 @@ TEST_F(Written, seg_has_a_label_a_line)
   std::vector<std::size_t> labels;
   for (std::string line; std::getline(in, line);)
     labels.push_back(std::stoul(line));
-  EXPECT_EQ(labels, s_labels);
+  EXPECT_EQ(labels, s_segmentation.segment_of_face);
 }
 
 TEST_F(Written, meshes_are_read_back_to_the_bit)
@@ -93,10 +91,10 @@ TEST_F(Written, ply_has_segments_and_colors)
   using Face = CGAL::SM_Face_index;
   const auto segment = mesh.add_property_map<Face, std::int32_t>("f:segment").first;
   const auto color = mesh.add_property_map<Face, CGAL::IO::Color>("f:color").first;
-  ASSERT_EQ(mesh.number_of_faces(), s_labels.size());
+  ASSERT_EQ(mesh.number_of_faces(), s_segmentation.segment_of_face.size());
   for (const Face f : mesh.faces()) {
-    ASSERT_EQ(std::size_t(segment[f]), s_labels[f]);
-    const Color expected = segment_color(s_labels[f]);
+    ASSERT_EQ(std::size_t(segment[f]), s_segmentation.segment_of_face[f]);
+    const Color expected = segment_color(s_segmentation.segment_of_face[f]);
     ASSERT_EQ(color[f], CGAL::IO::Color(expected[0], expected[1], expected[2]));
   }
 }
@@ -107,11 +105,11 @@ TEST_F(Written, off_has_colors)
   std::string line;
   for (std::size_t i = 0; i < 2 + s_input.soup.points.size(); ++i)
     std::getline(in, line);
-  for (std::size_t f = 0; f < s_labels.size(); ++f) {
+  for (std::size_t f = 0; f < s_segmentation.segment_of_face.size(); ++f) {
     std::size_t size, a, b, c;
     int red, green, blue;
     ASSERT_TRUE(in >> size >> a >> b >> c >> red >> green >> blue);
-    const Color expected = segment_color(s_labels[f]);
+    const Color expected = segment_color(s_segmentation.segment_of_face[f]);
     ASSERT_EQ((std::array<int, 3>{red, green, blue}),
               (std::array<int, 3>{expected[0], expected[1], expected[2]}));
   }
@@ -133,7 +131,7 @@ TEST_F(Written, obj_has_groups_and_lines)
     else
       ASSERT_TRUE(line[0] == 'v' || line == "g feature_lines") << line;
   }
-  EXPECT_EQ(labels, s_labels);
+  EXPECT_EQ(labels, s_segmentation.segment_of_face);
   EXPECT_EQ(number_of_lines, s_details->feature_lines().size());
   EXPECT_GT(number_of_lines, 0u);
 }
@@ -151,7 +149,7 @@ TEST_F(Written, json_has_all)
   EXPECT_EQ(json["settings"]["features"], "concave");
   EXPECT_NEAR(json["settings"]["max_angle"], 1.2372, 1e-4);
   EXPECT_EQ(json["times"]["stages"].size(), s_segmentation.stages.size());
-  EXPECT_EQ(json["face_segments"].get<std::vector<std::size_t>>(), s_labels);
+  EXPECT_EQ(json["face_segments"].get<std::vector<std::size_t>>(), s_segmentation.segment_of_face);
   EXPECT_EQ(json["regions"].size(), s_segmentation.number_of_regions);
   EXPECT_EQ(json["sections"].size(), s_details->sections().size());
   EXPECT_EQ(json["merges"].size(), s_segmentation.tree.merges().size());
@@ -161,7 +159,7 @@ TEST_F(Written, json_has_all)
     areas[region["segment"]] += region["area"].get<double>();
   for (std::size_t s = 0; s < areas.size(); ++s) {
     EXPECT_NEAR(json["segments"][s]["area"], areas[s], 1e-9 * areas[s]);
-    EXPECT_EQ(json["segments"][s]["faces"], std::count(s_labels.begin(), s_labels.end(), s));
+    EXPECT_EQ(json["segments"][s]["faces"], std::count(s_segmentation.segment_of_face.begin(), s_segmentation.segment_of_face.end(), s));
   }
 }
 
@@ -235,7 +233,7 @@ TEST_F(Written, nodes_are_described_as_segments_of_partitions)
     for (std::size_t f = 0; f < partitioned.segment_of_face.size(); ++f)
       partitioned.segment_of_face[f] = partition[s_segmentation.region_of_face[f]];
     partitioned.number_of_segments = k;
-    for (const Segment_description& segment : Segmentation_details(s_input.mesh_soup(), partitioned).segments())
+    for (const Segment_description& segment : Segmentation_details(s_input.soup, s_settings, partitioned).segments())
       number_of_found += std::any_of(nodes.begin(), nodes.end(), [&](const Node_description& node) {
         return node.shape.number_of_faces == segment.number_of_faces && node.shape.area == segment.area &&
                node.shape.volume == segment.volume && node.shape.extents == segment.extents;
@@ -254,8 +252,8 @@ TEST_F(Written, a_file_for_each_segment)
     const Polygon_soup part = read_mesh(m_folder.path("part_" + std::to_string(s) + ".obj")).soup;
     std::size_t i = 0;
     std::vector<bool> is_used(part.points.size());
-    for (std::size_t f = 0; f < s_labels.size(); ++f) {
-      if (s_labels[f] != s)
+    for (std::size_t f = 0; f < s_segmentation.segment_of_face.size(); ++f) {
+      if (s_segmentation.segment_of_face[f] != s)
         continue;
       ASSERT_LT(i, part.polygons.size());
       for (std::size_t c = 0; c < part.polygons[i].size(); ++c) {
@@ -308,12 +306,12 @@ TEST_F(Written, gzip_is_undone_by_gzip)
 
 TEST_F(Written, all_mesh_types_give_the_same)
 {
-  for (const Mesh_type type : {Mesh_type::POLYHEDRON, Mesh_type::OPENMESH}) {
+  for (const Mesh_type type : {Mesh_type::SURFACE_MESH, Mesh_type::POLYHEDRON, Mesh_type::OPENMESH}) {
     if (!is_available(type))
       continue;
     Segmentation_settings settings = s_settings;
     settings.mesh_type = type;
-    const Segmentation other = run_segmentation(s_input.mesh_soup(), s_input.links, {}, settings, {});
+    const Segmentation other = run_segmentation(s_input.soup, {}, settings, {});
     EXPECT_EQ(other.segment_of_face, s_segmentation.segment_of_face);
     EXPECT_EQ(other.region_of_face, s_segmentation.region_of_face);
   }
@@ -325,13 +323,13 @@ TEST_F(Written, smoothed_borders_are_shorter_and_regions_stay_nested)
   Segmentation_settings settings = s_settings;
   const auto border_length = [](const Segmentation& s) {
     double sum = 0;
-    for (const Segment_description& segment : Segmentation_details(s_input.mesh_soup(), s).segments())
+    for (const Segment_description& segment : Segmentation_details(s_input.soup, s_settings, s).segments())
       sum += segment.border_length;
     return sum;
   };
-  const Segmentation rough = run_segmentation(s_input.mesh_soup(), s_input.links, {}, settings, {});
+  const Segmentation rough = run_segmentation(s_input.soup, {}, settings, {});
   settings.borders = Border_treatment::SMOOTHING;
-  const Segmentation smooth = run_segmentation(s_input.mesh_soup(), s_input.links, {}, settings, {});
+  const Segmentation smooth = run_segmentation(s_input.soup, {}, settings, {});
   EXPECT_NE(smooth.segment_of_face, rough.segment_of_face);
   EXPECT_EQ(smooth.number_of_segments, rough.number_of_segments);
   EXPECT_LT(border_length(smooth), border_length(rough));

@@ -61,6 +61,63 @@ def test_quads():
     assert (region_segmentation.segment(points, quads, 2, method="two-step") == halves(10)[::2]).all()
 
 
+def test_faces_of_different_sizes():
+    points, faces = grid(10, 1)
+    quads = numpy.concatenate([faces[::2], faces[1::2, 2:]], 1)
+    mixed = quads[:50].tolist() + faces[100:].tolist()
+    expected = [0] * 50 + [1] * 100
+    assert (region_segmentation.segment(points, mixed, 2, method="two-step") == expected).all()
+    sizes = [len(face) for face in mixed]
+    flat = numpy.concatenate(mixed).astype("u2")
+    assert (region_segmentation.segment(points, flat, 2, method="two-step", face_sizes=sizes) == expected).all()
+
+
+class Mesh:
+    def __init__(self, vertices, faces):
+        self.vertices, self.faces = vertices, faces
+
+
+def test_objects_with_vertices_and_faces():
+    points, faces = grid(10, 1)
+    labels = region_segmentation.segment(Mesh(points, faces), number_of_segments=2, method="two-step")
+    assert (labels == halves(10)).all()
+
+
+def test_soups():
+    points, faces = grid(10, 1)
+    separate = points[faces].reshape(-1, 3), numpy.arange(faces.size).reshape(-1, 3)
+    turned = numpy.where((numpy.arange(len(faces)) % 3 == 0)[:, None], faces[:, ::-1], faces)
+    unused = numpy.concatenate([points, [[1e9, 0, 0]]])
+    expected = region_segmentation.segment(points, faces, 5)
+    for p, f in separate, (points, turned), (unused, faces):
+        assert (region_segmentation.segment(p, f, 5) == expected).all()
+
+
+def test_components_are_linked_unless_asked_off():
+    points, faces = grid(10, 1)
+    two = numpy.concatenate([points, points + [10.5, 0, 0]]), numpy.concatenate([faces, faces + len(points)])
+    assert region_segmentation.segment(*two, 1).max() == 0
+    with pytest.warns(UserWarning, match="2 segments: 1 are not possible"):
+        labels = region_segmentation.segment(*two, 1, component_links=False)
+    assert (labels == numpy.repeat([0, 1], 200)).all()
+
+
+def test_seeds_and_tree():
+    points, faces = grid(10, 1)
+    segmenter = region_segmentation.Segmenter(points, faces)
+    regions, merges = segmenter.regions, segmenter.merges
+    assert len(merges) == regions.max()
+    seeds = numpy.full(len(faces), -1)
+    seeds[0], seeds[1] = 4, 2
+    segmenter.set_seeds(seeds)
+    labels = segmenter.segment(2)
+    assert labels[0] != labels[1]
+    column = 5 * 11 + numpy.arange(11)
+    segmenter.set_seeds(numpy.full(len(faces), -1))
+    segmenter.add_constraints(numpy.stack([column[:-1], column[1:]], -1))
+    assert (segmenter.segment(2) == halves(10)).all()
+
+
 def test_wrong_input_is_named():
     points, faces = grid(3, 1)
 
@@ -72,8 +129,8 @@ def test_wrong_input_is_named():
     assert message(points[:, :2], faces) == "points: not an array of n x 3 numbers"
     assert message(points, faces[:, :2]).startswith("faces: not an array of m x 3 indices")
     assert message(points, faces + 7) == "face 6, from 0: index 16 is out of range: there are 16 points"
-    assert message(points, [[0, 1, 1]]) == "face 0, from 0: point 1 is there twice"
-    assert message(points, [[0, 1, 2], [0, 1, 3]]) == "face 1, from 0: the faces up to this one are not an oriented 2-manifold"
+    assert message(points, [0, 1, 2], face_sizes=[4]) == "face_sizes: their sum is not the number of indices"
+    assert message(points, faces, seeds=[1]) == "seeds: not an integer for each face, -1 for none"
     assert message(points, faces, 0) == "number_of_segments: at least 1"
     assert message(points, faces, method="two-step") == "method two-step needs number_of_segments"
     assert message(points, faces, method="x").startswith("method: not learned")
@@ -81,8 +138,9 @@ def test_wrong_input_is_named():
     points[5] = numpy.nan
     with pytest.raises(region_segmentation.InvalidInput):
         region_segmentation.segment(points, faces)
-    with pytest.raises(TypeError):
-        region_segmentation.segment(points, faces.astype("f8"))
+    for arguments in (points, faces.astype("f8")), ("abc", faces), (points, 5.5), (points,):
+        with pytest.raises(TypeError, match=": not "):
+            region_segmentation.segment(*arguments)
 
 
 def test_other_threads_run_meanwhile():

@@ -6,9 +6,10 @@
 #include "make_mesh.h"
 #include "make_triangles.h"
 
+#include <CGAL/Region_segmentation/Execution.h>
+#include <CGAL/Region_segmentation/Methods/Learned_merging.h>
 #include <CGAL/Region_segmentation/Methods/Two_step.h>
 #include <CGAL/Region_segmentation/Segmenter.h>
-#include <CGAL/Region_segmentation/internal/support/blocks.h>
 #include <CGAL/Region_segmentation/segment.h>
 
 #include <CGAL/tags.h>

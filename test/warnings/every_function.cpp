@@ -26,3 +26,8 @@ void use_functions(const CGAL::Polyhedron_3<CGAL::Simple_cartesian<float>>& mesh
   test::use_stages(mesh);
   test::use_segments(mesh);
 }
+
+void use_polygons()
+{
+  test::use_polygons<Tag>();
+}

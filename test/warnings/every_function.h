@@ -6,7 +6,18 @@
 // Every function and every part of a method once, so that a compiler sees all of the library: for warnings and for other
 // versions of CGAL, language standards and compilers.
 
+#include <CGAL/Region_segmentation/Graph/Partition_editor.h>
+#include <CGAL/Region_segmentation/IO/labels.h>
+#include <CGAL/Region_segmentation/Methods/Scalar_annotator.h>
+#include <CGAL/Region_segmentation/Methods/Scalar_cost.h>
+#include <CGAL/Region_segmentation/Segments/compute_segment_topology.h>
+#include <CGAL/Region_segmentation/Segments/extract_segment_borders.h>
+#include <CGAL/Region_segmentation/Segments/mark_segment_borders.h>
+#include <CGAL/Region_segmentation/Segments/mark_segment_seams.h>
+#include <CGAL/Region_segmentation/Segments/split_into_segments.h>
+#include <CGAL/Region_segmentation/evaluation.h>
 #include <CGAL/region_segmentation.h>
+#include <CGAL/region_segmentation_stages.h>
 #ifdef TEST_EIGEN
 #include <CGAL/Region_segmentation/Methods/Spectral_partitioner.h>
 #include <CGAL/Region_segmentation/Segments/describe_segments.h>
@@ -14,6 +25,7 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -54,15 +66,11 @@ void use_methods(const Mesh& mesh)
   RS::segment<ConcurrencyTag>(mesh, segments, RS::parameters::method(RS::Smooth_faces()));
   RS::segment<ConcurrencyTag>(mesh, segments, 2, RS::parameters::method(RS::Two_step()));
   const RS::Scalar_annotator scalar(RS::face_values(mesh, seeds));
-  RS::segment<ConcurrencyTag>(mesh, segments, 2,
-                              RS::parameters::method(RS::make_segmentation_method(
-                                RS::Superfacets(), scalar, RS::Lowest_cost_first(RS::Scalar_cost(1)))));
-  const RS::Number_below_cost<RS::Visibility_cost> below{0};
-  RS::segment<ConcurrencyTag>(mesh, segments, RS::parameters::method(RS::Visibility_merging().with_chooser(below)));
+  const RS::Superfacet_merging by_scalar{scalar, RS::Lowest_cost_first(RS::Scalar_cost(1)), RS::Number_below_cost{0}};
+  RS::segment<ConcurrencyTag>(mesh, segments, RS::parameters::method(by_scalar));
 #ifdef TEST_EIGEN
-  RS::segment<ConcurrencyTag>(mesh, segments,
-                              RS::parameters::number_of_segments(2).method(RS::make_partitioning_method(
-                                RS::Superfacets(), RS::Visibility_annotator(), RS::Spectral_partitioner<>())));
+  RS::segment<ConcurrencyTag>(
+    mesh, segments, RS::parameters::number_of_segments(2).method(RS::Spectral_partitioning<>()));
 #endif
 
   RS::Segmenter segmenter(mesh, RS::parameters::number_of_segments(2), ConcurrencyTag());
@@ -78,6 +86,22 @@ void use_methods(const Mesh& mesh)
   editor.set_maximum_size(std::vector<double>(editor.merge_tree().number_of_regions(), 1.), 1);
   editor.undo();
   editor.partition();
+}
+
+template <typename ConcurrencyTag>
+void use_polygons()
+{
+  const std::vector<std::array<double, 3>> points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  const std::vector<std::array<std::size_t, 3>> polygons = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+  const std::vector<std::array<std::size_t, 2>> drawn = {{0, 1}};
+  std::vector<std::size_t> segments(polygons.size()), seeds(polygons.size());
+  RS::segment<ConcurrencyTag>(points, polygons, segments,
+                              RS::parameters::edge_is_constrained_map(drawn).face_seed_map(seeds).component_links(false));
+  RS::Segmenter segmenter(points, polygons, RS::parameters::number_of_segments(2), ConcurrencyTag());
+  segmenter.segment(segments);
+  segmenter.segment(segments, 3);
+  segmenter.add_constraints(drawn);
+  segmenter.set_seeds(seeds);
 }
 
 template <typename Mesh>
@@ -106,15 +130,17 @@ void use_segments(const Mesh& mesh)
   auto marks = get(CGAL::dynamic_edge_property_t<std::uint8_t>(), mesh);
   RS::mark_segment_borders(mesh, segments, marks);
   RS::mark_segment_seams(mesh, segments, marks, RS::Seam_cost());
-  RS::divide_into_discs(mesh, segments, others);
   std::vector<RS::Segment_border<Mesh, std::size_t>> borders;
   RS::extract_segment_borders(mesh, segments, std::back_inserter(borders));
   std::vector<RS::Segment_topology<std::size_t>> topologies;
   RS::compute_segment_topology(mesh, segments, std::back_inserter(topologies));
   std::vector<RS::Segment_piece<Mesh, Mesh, std::size_t>> pieces;
-  RS::split_into_segments(mesh, segments, std::back_inserter(pieces));
+  RS::split_into_segments(mesh, segments, std::back_inserter(pieces),
+                          RS::parameters::edge_is_constrained_map(marks));
 #ifdef TEST_EIGEN
-  std::vector<RS::Segment_description<std::size_t>> descriptions;
+  using Point = typename boost::property_map_value<Mesh, CGAL::vertex_point_t>::type;
+  using Kernel = typename CGAL::Kernel_traits<Point>::Kernel;
+  std::vector<RS::Segment_description<std::size_t, Kernel>> descriptions;
   RS::describe_segments(mesh, segments, std::back_inserter(descriptions));
 #endif
 

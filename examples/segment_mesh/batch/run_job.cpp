@@ -38,7 +38,7 @@ Case load(const Job& job, const Options& options)
     Articulated_figure figure = make_articulated_figure();
     result.truths.push_back({"true parts", std::move(figure.part_of_face)});
     result.true_number_of_segments = figure.number_of_parts;
-    result.mesh = make_input_mesh(job.input, std::move(figure.soup));
+    result.mesh.soup = std::move(figure.soup);
   } else {
     result.mesh = read_mesh(job.input, options.input_format);
   }
@@ -52,7 +52,7 @@ Case load(const Job& job, const Options& options)
 Segmentation read_labels(const std::string& file, Input_mesh& mesh)
 {
   const Truth labels = read_truth(file, mesh.soup.polygons.size());
-  Segmentation result = segmentation_from_labels(labels_of_mesh_faces(mesh, labels.labels));
+  Segmentation result = segmentation_from_labels(labels.labels);
   const auto [least, greatest] = std::minmax_element(labels.labels.begin(), labels.labels.end());
   if (!labels.labels.empty() && (*least != 0 || *greatest != std::int64_t(result.number_of_segments) - 1))
     mesh.remarks.push_back(one_line(file) + ": labels from " + std::to_string(*least) + " to " + std::to_string(*greatest) +
@@ -64,7 +64,9 @@ Segmentation segment(const Job& job, const Case& input, const Segmentation_setti
                      const Progress_listener& listener)
 {
   try {
-    return run_segmentation(input.mesh.mesh_soup(), input.mesh.links, input.marks, settings, listener);
+    return run_segmentation(input.mesh.soup, input.marks, settings, listener);
+  } catch (const Not_a_manifold& error) {
+    throw Input_error(job.input, error.what());
   } catch (const CGAL::Region_segmentation::Invalid_input& error) {
     throw Input_error(job.input, error.what());
   }
@@ -72,12 +74,14 @@ Segmentation segment(const Job& job, const Case& input, const Segmentation_setti
 
 /// Why there are `n` segments and not those that were wanted.
 std::string reason_for_number(std::size_t n, std::size_t wanted, const Case& input, const Segmentation& segmentation,
-                              Method method)
+                              const Segmentation_settings& settings)
 {
   const bool has_marks = !input.marks.constrained_edges.empty() || !input.marks.seed_of_face.empty();
+  if (n > wanted && has_marks)
+    return "constraints and seeds give no fewer";
   if (n > wanted)
-    return has_marks ? "connected pieces, constraints and seeds give no fewer" : "the mesh has " + counted(n, "connected piece");
-  if (method == Method::TWO_STEP || method == Method::SMOOTH_FACES)
+    return settings.links == Component_links::NONE ? "the mesh has " + counted(n, "connected piece") : "its parts are not adjacent";
+  if (settings.method == Method::TWO_STEP || settings.method == Method::SMOOTH_FACES)
     return "growing gave " + counted(segmentation.number_of_regions, "region");
   return "the mesh has " + counted(segmentation.segment_of_face.size(), "face");
 }
@@ -91,7 +95,7 @@ std::string describe(const Job& job, const Case& input, const Segmentation& segm
   std::string segments = counted(n, "segment");
   if (n != wanted)
     segments += " of " + std::to_string(wanted) + " (" +
-                reason_for_number(n, wanted, input, segmentation, settings.method) + ")";
+                reason_for_number(n, wanted, input, segmentation, settings) + ")";
   else if (segmentation.largest_number)
     segments += " (the most that are chosen: there may be more parts, see -k)";
   const std::string start = one_line(job.input) + ": " + counted(input.mesh.soup.polygons.size(), "face") + ", ";
@@ -137,7 +141,7 @@ void run(const Job& job, const Options& options, const Progress_listener& listen
   else if (options.verbosity == Verbosity::NORMAL)
     report.err += lines;
   listener("writing", 0);
-  const Segmentation_details details(input.mesh.mesh_soup(), segmentation);
+  const Segmentation_details details(input.mesh.soup, settings, segmentation);
   write_outputs(job, {job.input, input.mesh, input.marks, settings, job.side_files, segmentation, details, options.viewpoint}, report);
 }
 

@@ -5,12 +5,9 @@
 #include "io/Text_scanner.h"
 #include "io/errors.h"
 #include "io/load_bytes.h"
+#include "segmentation/Manifold.h"
 
 #include <CGAL/Region_segmentation/evaluation.h>
-
-#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -25,7 +22,7 @@ namespace {
 
 namespace RS = CGAL::Region_segmentation;
 
-using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+using Mesh = Manifold::Mesh;
 
 constexpr std::size_t number_of_measures = 5;
 constexpr const char* names[number_of_measures] = {"Rand index distance", "cut discrepancy",
@@ -100,27 +97,18 @@ Truth read_truth(const std::string& file, std::size_t number_of_faces)
   return truth;
 }
 
-std::vector<std::int64_t> labels_of_mesh_faces(const Input_mesh& input, const std::vector<std::int64_t>& labels)
-{
-  std::vector<std::int64_t> result(input.mesh_soup().polygons.size());
-  for (std::size_t f = labels.size(); f-- > 0;)
-    result[input.mesh_face_of_face[f]] = labels[f];
-  return result;
-}
-
 std::string describe_scores(const Input_mesh& input,
                             const std::vector<std::size_t>& segment_of_face,
                             const std::vector<Truth>& truths)
 {
   if (truths.empty())
     return {};
-  Mesh mesh;
-  CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(input.mesh_soup().points,
-                                                              input.mesh_soup().polygons, mesh);
+  const Manifold manifold = make_manifold(input.soup);
+  const std::vector<std::size_t> labels = manifold.values_of_mesh_faces(segment_of_face);
   std::string text;
   std::vector<Scores> all;
   for (const Truth& truth : truths) {
-    all.push_back(compare(mesh, segment_of_face, labels_of_mesh_faces(input, truth.labels)));
+    all.push_back(compare(manifold.mesh, labels, manifold.values_of_mesh_faces(truth.labels)));
     text += line(truth.name, all.back());
   }
   return truths.size() > 1 ? text + line("mean", mean(all)) : text;

@@ -23,13 +23,9 @@ struct Truth
 /// \throws Input_error unless it has a label for each of `number_of_faces` faces
 Truth read_truth(const std::string& file, std::size_t number_of_faces);
 
-/// The labels of the faces of the mesh; of several faces of the file that became one, the first
-/// counts.
-std::vector<std::int64_t> labels_of_mesh_faces(const Input_mesh& input, const std::vector<std::int64_t>& labels);
-
 /// The measures against each truth, a line each, and a line of means if there are several;
-/// each line ends with a newline. They are taken on the faces of the mesh that was segmented.
-/// \param segment_of_face one for each face of `input.mesh_soup()`
+/// each line ends with a newline. They are taken on `make_manifold()` of the input.
+/// \param segment_of_face one for each face of the input
 std::string describe_scores(const Input_mesh& input,
                             const std::vector<std::size_t>& segment_of_face,
                             const std::vector<Truth>& truths);

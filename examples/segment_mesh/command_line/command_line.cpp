@@ -35,7 +35,8 @@ const std::map<std::string, Feature_convexity> features = {
   {"convex", Feature_convexity::CONVEX},
   {"all", Feature_convexity::ALL}};
 
-const std::map<std::string, Mesh_type> mesh_types = {{"surface_mesh", Mesh_type::SURFACE_MESH},
+const std::map<std::string, Mesh_type> mesh_types = {{"polygon_soup", Mesh_type::POLYGON_SOUP},
+                                                     {"surface_mesh", Mesh_type::SURFACE_MESH},
                                                      {"polyhedron", Mesh_type::POLYHEDRON},
                                                      {"openmesh", Mesh_type::OPENMESH}};
 
@@ -53,7 +54,7 @@ struct Raw_options
   std::string output_format;
   double maximum_angle = 0;
   std::string number_of_segments, number_of_threads = "0"; ///< CLI11 would cut off large numbers
-  std::string method = "learned", features = "concave", mesh_type = "surface_mesh";
+  std::string method = "learned", features = "concave", mesh_type = "polygon_soup";
   std::string input_format;
   std::pair<double, double> view; ///< azimuth and elevation, in degrees
 };
@@ -151,6 +152,8 @@ void add_segmentation(CLI::App& app, Raw_options& raw)
                    "Faces that belong together, and faces that do not. A line of the file is the index of a face and its "
                    "seed, both starting from 0: equal seeds end in one segment, different ones in different segments. {stem} as "
                    "in -o.");
+  segmentation.add_flag("--no-links", "Components stay apart. Default: those that touch or are near each other are adjacent, and "
+                                      "-k counts parts, not components.");
   segmentation.add_flag("--smooth-borders", "Move the borders to where they are shorter and lie in valleys, by minimum cuts. "
                                             "Segments of different numbers are no longer nested.");
   segmentation
@@ -161,7 +164,8 @@ void add_segmentation(CLI::App& app, Raw_options& raw)
                    "1.2372.");
   segmentation
     .add("--mesh", raw.mesh_type, "TYPE",
-         "The mesh type to run on, with the same labels: surface_mesh (default), polyhedron or openmesh.")
+         "What to run on, with the same labels: polygon_soup (default; any mesh), or, for an oriented 2-manifold, "
+         "surface_mesh, polyhedron or openmesh.")
     ->check(one_of(mesh_types));
 }
 
@@ -220,7 +224,7 @@ void check_combinations(const CLI::App& app, const Raw_options& raw)
   for (const char* option : {"--features", "--max-angle"})
     if (raw.method != "two-step" && app.count(option) > 0)
       throw Usage_error(std::string(option) + ": --method " + raw.method + " has no feature edges");
-  for (const char* option : {"--segments", "--method", "--mesh", "--smooth-borders", "--constraints", "--seeds"})
+  for (const char* option : {"--segments", "--method", "--mesh", "--no-links", "--smooth-borders", "--constraints", "--seeds"})
     if (app.count("--labels") > 0 && app.count(option) > 0)
       throw Usage_error(std::string(option) + ": with --labels nothing is segmented");
   if (app.count("--seeds") > 0 && app.count("--smooth-borders") > 0)
@@ -262,6 +266,7 @@ Options checked(const CLI::App& app, const Raw_options& raw)
   options.settings.method = methods.at(raw.method);
   options.settings.features = features.at(raw.features);
   options.settings.borders = app.count("--smooth-borders") > 0 ? Border_treatment::SMOOTHING : Border_treatment::NONE;
+  options.settings.links = app.count("--no-links") > 0 ? Component_links::NONE : Component_links::FOUND;
   options.settings.mesh_type = mesh_types.at(raw.mesh_type);
   if (!is_available(options.settings.mesh_type))
     throw Usage_error("--mesh " + raw.mesh_type + ": this program was built without it");

@@ -19,8 +19,8 @@ constexpr std::size_t text_column = 26; ///< where the texts of options begin
 
 constexpr const char* description =
   "Segments surface meshes into parts, and prints a line for each: its faces, the regions that were merged, the segments, "
-  "and the time from the mesh in memory to the labels. A mesh that is not an oriented 2-manifold is repaired, with a "
-  "remark; labels come back for each face of the file. Output files are written completely or not at all.";
+  "and the time from the mesh in memory to the labels. Meshes need not be manifold, oriented or connected; "
+  "labels come back for each face of the file. Output files are written completely or not at all.";
 
 struct Example
 {

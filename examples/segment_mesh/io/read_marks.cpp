@@ -6,10 +6,8 @@
 #include "io/load_bytes.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <map>
-#include <numeric>
 #include <string>
 
 namespace segment_mesh {
@@ -31,60 +29,34 @@ Vertex_pair sorted_pair(std::size_t a, std::size_t b)
   return {low, high};
 }
 
-/// For each point of the file the one that stands for it in `point_of_mesh_point`: another one where repair has merged
-/// equal points.
-std::vector<std::size_t> representatives(const Input_mesh& input)
-{
-  std::vector<std::size_t> result(input.soup.points.size());
-  std::iota(result.begin(), result.end(), std::size_t(0));
-  if (!input.other_soup)
-    return result;
-  std::map<Point, std::size_t> by_coordinates;
-  for (std::size_t point : input.point_of_mesh_point)
-    by_coordinates.emplace(input.soup.points[point], point);
-  for (std::size_t i = 0; i < result.size(); ++i)
-    if (const auto found = by_coordinates.find(input.soup.points[i]); found != by_coordinates.end())
-      result[i] = found->second;
-  return result;
-}
-
-/// The edges of the mesh, by the points of the file that stand for their ends.
-class Mesh_edges
+/// The edges of polygons. Points at the same place are one.
+class Edge_list
 {
 public:
-  explicit Mesh_edges(const Input_mesh& input) : m_representative(representatives(input))
+  explicit Edge_list(const Polygon_soup& soup)
   {
-    for (const Polygon_soup::Polygon& polygon : input.mesh_soup().polygons)
-      for (std::size_t i = 0; i < polygon.size(); ++i) {
-        const std::size_t a = polygon[i], b = polygon[(i + 1) % polygon.size()];
-        m_edges.push_back({sorted_pair(input.point_of_mesh_point[a], input.point_of_mesh_point[b]), sorted_pair(a, b)});
-      }
+    std::map<Point, std::size_t> first;
+    for (std::size_t i = 0; i < soup.points.size(); ++i)
+      m_first.push_back(first.emplace(soup.points[i], i).first->second);
+    for (const Polygon_soup::Polygon& polygon : soup.polygons)
+      for (std::size_t i = 0; i < polygon.size(); ++i)
+        m_edges.push_back(edge(polygon[i], polygon[(i + 1) % polygon.size()]));
     std::sort(m_edges.begin(), m_edges.end());
-    m_edges.erase(std::unique(m_edges.begin(), m_edges.end()), m_edges.end());
   }
 
-  /// The edges between two points of the file, as points of the mesh: several where repair has cut the surface.
-  std::vector<Vertex_pair> between(std::size_t a, std::size_t b) const
-  {
-    const Vertex_pair ends = sorted_pair(m_representative[a], m_representative[b]);
-    std::vector<Vertex_pair> result;
-    for (auto edge = std::lower_bound(m_edges.begin(), m_edges.end(), Edge{ends, {0, 0}});
-         edge != m_edges.end() && (*edge)[0] == ends; ++edge)
-      result.push_back((*edge)[1]);
-    return result;
-  }
+  bool has(std::size_t a, std::size_t b) const { return std::binary_search(m_edges.begin(), m_edges.end(), edge(a, b)); }
 
 private:
-  using Edge = std::array<Vertex_pair, 2>; // by points of the file, and of the mesh
+  Vertex_pair edge(std::size_t a, std::size_t b) const { return sorted_pair(m_first[a], m_first[b]); }
 
-  std::vector<std::size_t> m_representative;
-  std::vector<Edge> m_edges;
+  std::vector<std::size_t> m_first; // for each point the first one at its place
+  std::vector<Vertex_pair> m_edges;
 };
 
 std::vector<Vertex_pair> read_constraints(const std::string& file, const Input_mesh& input)
 {
   const std::string bytes = load_bytes(file);
-  const Mesh_edges mesh_edges(input);
+  const Edge_list edges(input.soup);
   Text_scanner scan(file, bytes, '#');
   const auto next_point = [&] { return index_below(scan, scan.word(), input.soup.points.size(), "point"); };
   std::vector<Vertex_pair> result;
@@ -94,10 +66,9 @@ std::vector<Vertex_pair> read_constraints(const std::string& file, const Input_m
       scan.fail("a line of 1 point");
     while (scan.has_word()) {
       const std::size_t to = next_point();
-      const std::vector<Vertex_pair> edges = mesh_edges.between(from, to);
-      if (edges.empty())
+      if (!edges.has(from, to))
         scan.fail("no edge joins the points " + std::to_string(from) + " and " + std::to_string(to));
-      result.insert(result.end(), edges.begin(), edges.end());
+      result.push_back(sorted_pair(from, to));
       from = to;
     }
   }
@@ -110,7 +81,7 @@ std::vector<std::size_t> read_seeds(const std::string& file, const Input_mesh& i
 {
   const std::string bytes = load_bytes(file);
   Text_scanner scan(file, bytes, '#');
-  std::vector<std::size_t> result(input.mesh_soup().polygons.size(), no_seed);
+  std::vector<std::size_t> result(input.soup.polygons.size(), no_seed);
   while (scan.next_line()) {
     const std::size_t face = index_below(scan, scan.word(), input.soup.polygons.size(), "face");
     if (!scan.has_word())
@@ -120,7 +91,7 @@ std::vector<std::size_t> read_seeds(const std::string& file, const Input_mesh& i
       scan.fail("a seed is at least 0");
     if (scan.has_word())
       scan.fail("more than a face and a seed on a line");
-    std::size_t& seed_of_face = result[input.mesh_face_of_face[face]];
+    std::size_t& seed_of_face = result[face];
     if (seed_of_face != no_seed && seed_of_face != std::size_t(seed))
       scan.fail("face " + std::to_string(face) + " has the seed " + std::to_string(seed_of_face) + " already");
     seed_of_face = std::size_t(seed);
@@ -142,12 +113,10 @@ Marks read_marks(const Side_files& files, const Input_mesh& input)
 
 std::vector<Vertex_pair> lines_of_marks(const Marks& marks, const Input_mesh& input)
 {
-  std::vector<Vertex_pair> lines;
-  for (const Vertex_pair& edge : marks.constrained_edges)
-    lines.push_back({input.point_of_mesh_point[edge[0]], input.point_of_mesh_point[edge[1]]});
+  std::vector<Vertex_pair> lines = marks.constrained_edges;
   for (std::size_t f = 0; f < input.soup.polygons.size() && !marks.seed_of_face.empty(); ++f) {
     const Polygon_soup::Polygon& polygon = input.soup.polygons[f];
-    if (marks.seed_of_face[input.mesh_face_of_face[f]] != no_seed)
+    if (marks.seed_of_face[f] != no_seed)
       for (std::size_t i = 0; i < polygon.size(); ++i)
         lines.push_back({polygon[i], polygon[(i + 1) % polygon.size()]});
   }

@@ -24,7 +24,6 @@ namespace segment_mesh {
 
 namespace {
 
-using CGAL::Region_segmentation::Fitted_primitive;
 using CGAL::Region_segmentation::Primitive_type;
 
 /// After a comma.
@@ -71,7 +70,7 @@ void write_csv(std::ostream& out, const Result& result)
     text << s.segment << "," << s.number_of_faces;
     for (double value :
          {s.area, shares[s.segment], s.volume, s.volume_share, s.border_length, s.boundary_length,
-          s.centroid.x, s.centroid.y, s.centroid.z, s.extents[0], s.extents[1], s.extents[2]})
+          s.centroid.x(), s.centroid.y(), s.centroid.z(), s.extents[0], s.extents[1], s.extents[2]})
       write_value(text, value);
     write_primitive(text, s.primitive);
     const char* separator = ",";

@@ -7,7 +7,7 @@
 //   program       version of the program
 //   input         name (in UTF-8; U+FFFD stands for what is not), faces, points
 //   settings      method: as on the command line; segments: the wanted number, null if it was chosen;
-//                 mesh: the mesh type; smooth_borders: whether borders were smoothed; constraints, seeds:
+//                 mesh: the mesh type; links: whether components are adjacent; smooth_borders: whether borders were smoothed; constraints, seeds:
 //                 the names of the files, if given; and of two-step features: "concave", "convex" or
 //                 "all"; max_angle: in degrees. Of a segmentation that was read, labels alone: the name
 //                 of its file
@@ -19,9 +19,9 @@
 //                 primitive (type, error, point, and where it has them direction, radius, half_angle)
 //   regions       for each region that merging started from, by its id: segment, faces, area,
 //                 perimeter (shared with other regions)
-//   sections      for each pair of regions that share edges: regions (two ids), edges, length,
+//   sections      for each pair of adjacent regions: regions (two ids), edges (seams and links, too), length,
 //                 mean_angle (the dihedral angle, in radians; pi is flat). Lengths and areas of
-//                 regions and sections are in units of `Flat_mesh::unit()`: those of the mesh,
+//                 regions and sections are in units of `Surface::unit()`: those of the mesh,
 //                 unless areas might exceed the range of double
 //   merges        in order: regions (the one that is kept, the one that joins it), cost (in units of
 //                 the method)
@@ -57,9 +57,17 @@ const char* name_of(CGAL::Region_segmentation::Feature_convexity features)
 
 const char* name_of(Mesh_type type)
 {
-  return type == Mesh_type::SURFACE_MESH ? "surface_mesh"
-         : type == Mesh_type::POLYHEDRON ? "polyhedron"
-                                         : "openmesh";
+  switch (type) {
+  case Mesh_type::POLYGON_SOUP:
+    return "polygon_soup";
+  case Mesh_type::SURFACE_MESH:
+    return "surface_mesh";
+  case Mesh_type::POLYHEDRON:
+    return "polyhedron";
+  case Mesh_type::OPENMESH:
+    return "openmesh";
+  }
+  return "";
 }
 
 const char* name_of(Method method)
@@ -78,6 +86,7 @@ ordered_json settings_json(const Result& result)
   ordered_json json = {{"method", name_of(settings.method)},
                        {"segments", nullptr},
                        {"mesh", name_of(settings.mesh_type)},
+                       {"links", settings.links == Component_links::FOUND},
                        {"smooth_borders", settings.borders == Border_treatment::SMOOTHING}};
   if (settings.number_of_segments)
     json["segments"] = *settings.number_of_segments;
@@ -116,7 +125,7 @@ void add_details(const Result& result, ordered_json& json)
     return {{"segment", r.segment}, {"faces", r.number_of_faces}, {"area", r.area}, {"perimeter", r.perimeter}};
   });
   json["sections"] = array_json(result.details.sections(), [](const Section& s) -> ordered_json {
-    return {{"regions", s.regions}, {"edges", s.number_of_edges}, {"length", s.length}, {"mean_angle", s.mean_angle}};
+    return {{"regions", s.regions}, {"edges", s.number_of_adjacencies}, {"length", s.length}, {"mean_angle", s.mean_angle}};
   });
   json["merges"] = array_json(result.segmentation.tree.merges(), [](const auto& merge) -> ordered_json {
     return {{"regions", {merge.kept, merge.removed}}, {"cost", merge.cost}};
@@ -160,9 +169,8 @@ void write_json(std::ostream& out, const Result& result)
   json["settings"] = settings_json(result);
   json["times"] = times_json(result.segmentation);
   add_details(result, json);
-  json["face_segments"] = labels_of_faces(result.input, result.segmentation);
-  json["face_regions"] = array_json(result.input.mesh_face_of_face,
-                                    [&](std::size_t f) { return result.segmentation.region_of_face[f]; });
+  json["face_segments"] = result.segmentation.segment_of_face;
+  json["face_regions"] = result.segmentation.region_of_face;
   json["remarks"] = result.input.remarks;
   write_members(out, json);
 }

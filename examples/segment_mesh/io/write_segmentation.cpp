@@ -15,16 +15,6 @@ namespace segment_mesh {
 
 namespace {
 
-/// The feature lines by the points of the file.
-std::vector<Polyline> feature_lines(const Result& result)
-{
-  std::vector<Polyline> lines = result.details.feature_lines();
-  for (Polyline& line : lines)
-    for (std::size_t& point : line)
-      point = result.input.point_of_mesh_point[point];
-  return lines;
-}
-
 void write_mesh(std::ostream& out, Output_format format, const Labelled_mesh& mesh,
                 const std::vector<Polyline>& feature_lines)
 {
@@ -40,7 +30,7 @@ void write_mesh(std::ostream& out, Output_format format, const Labelled_mesh& me
 
 void write_borders(std::ostream& out, Output_format format, const Result& result)
 {
-  const std::vector<Point>& points = result.input.mesh_soup().points;
+  const std::vector<Point>& points = result.input.soup.points;
   if (format == Output_format::VTP)
     write_borders_vtp(out, points, result.details.borders());
   else
@@ -60,18 +50,15 @@ void write_whole(std::ostream& out, Output_format format, const Result& result)
     return write_view(out, result);
   case Output_format::HTML:
     return write_html(out, result);
-  default: {
-    const std::vector<std::size_t> labels = labels_of_faces(result.input, result.segmentation);
-    return write_mesh(out, format, {result.input.soup, labels},
-                      format == Output_format::OBJ ? feature_lines(result) : std::vector<Polyline>());
-  }
+  default:
+    return write_mesh(out, format, {result.input.soup, result.segmentation.segment_of_face},
+                      format == Output_format::OBJ ? result.details.feature_lines() : std::vector<Polyline>());
   }
 }
 
 void write_each_segment(const Output& output, const Result& result)
 {
-  const auto faces = faces_of_segments(labels_of_faces(result.input, result.segmentation),
-                                       result.segmentation.number_of_segments);
+  const auto faces = faces_of_segments(result.segmentation.segment_of_face, result.segmentation.number_of_segments);
   for (std::size_t segment = 0; segment < faces.size(); ++segment) {
     const Polygon_soup part = extract_faces(result.input.soup, faces[segment]);
     Output_stream out(with_segment(output.file, std::to_string(segment)), output.compression);
@@ -81,15 +68,6 @@ void write_each_segment(const Output& output, const Result& result)
 }
 
 } // namespace
-
-std::vector<std::size_t> labels_of_faces(const Input_mesh& input, const Segmentation& segmentation)
-{
-  std::vector<std::size_t> labels;
-  labels.reserve(input.mesh_face_of_face.size());
-  for (std::size_t f : input.mesh_face_of_face)
-    labels.push_back(segmentation.segment_of_face[f]);
-  return labels;
-}
 
 void write_segmentation(const Output& output, const Result& result)
 {
@@ -112,7 +90,7 @@ void write_segmentation(const Output& output, const Result& result)
 void write_seg(std::ostream& out, const Result& result)
 {
   Text_buffer text(out);
-  for (std::size_t label : labels_of_faces(result.input, result.segmentation))
+  for (std::size_t label : result.segmentation.segment_of_face)
     text << label << "\n";
 }
 
@@ -121,17 +99,13 @@ void write_view(std::ostream& out, const Result& result)
   View_options options;
   options.viewpoint = result.viewpoint;
   options.marked_edges = lines_of_marks(result.marks, result.input);
-  write_png_view(out, result.input.soup, labels_of_faces(result.input, result.segmentation),
-                 edges_of_lines(feature_lines(result)), options);
+  write_png_view(out, result.input.soup, result.segmentation.segment_of_face,
+                 edges_of_lines(result.details.feature_lines()), options);
 }
 
 void write_html(std::ostream& out, const Result& result)
 {
-  std::vector<std::size_t> region_of_face;
-  region_of_face.reserve(result.input.mesh_face_of_face.size());
-  for (std::size_t f : result.input.mesh_face_of_face)
-    region_of_face.push_back(result.segmentation.region_of_face[f]);
-  write_page(out, {result.name, result.input.soup, region_of_face, result.segmentation, result.details});
+  write_page(out, {result.name, result.input.soup, result.segmentation, result.details});
 }
 
 } // namespace segment_mesh

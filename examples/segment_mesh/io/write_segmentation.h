@@ -31,9 +31,6 @@ struct Result
   const std::optional<Viewpoint>& viewpoint; ///< of a picture
 };
 
-/// The segment of each face of the input's file.
-std::vector<std::size_t> labels_of_faces(const Input_mesh& input, const Segmentation& segmentation);
-
 /// Writes a result in the format of `output`, or each of its segments. Faces come in the order of the
 /// input's file. A file appears whole or not at all.
 /// \throws Output_error naming file and cause

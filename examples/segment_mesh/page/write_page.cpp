@@ -116,7 +116,7 @@ void append_faces(const Page_content& content, Array_file& file)
       corners.append(i);
   file.end_array("corners", "Int32Array");
   Difference_writer regions(file);
-  for (std::size_t region : content.region_of_face)
+  for (std::size_t region : content.segmentation.region_of_face)
     regions.append(region);
   file.end_array("regions", "Int32Array");
 }
@@ -167,14 +167,7 @@ ordered_json content_json(const Page_content& content, const Array_file& file)
   const Segmentation& segmentation = content.segmentation;
   const std::size_t greatest =
     (std::min)(segmentation.number_of_regions, (std::max)(least_range, 2 * segmentation.number_of_segments));
-  std::vector<std::size_t> labels;
-  labels.reserve(content.region_of_face.size());
-  std::vector<std::size_t> segment_of_region(segmentation.number_of_regions);
-  for (std::size_t f = 0; f < segmentation.region_of_face.size(); ++f)
-    segment_of_region[segmentation.region_of_face[f]] = segmentation.segment_of_face[f];
-  for (std::size_t region : content.region_of_face)
-    labels.push_back(segment_of_region[region]);
-  const Viewpoint viewpoint = choose_viewpoint(content.soup, labels);
+  const Viewpoint viewpoint = choose_viewpoint(content.soup, segmentation.segment_of_face);
   const std::size_t n = segmentation.number_of_segments,
                     described = n > most_described ? least_range : (std::max)(least_range, n);
   return {{"name", content.name},

@@ -19,7 +19,6 @@ struct Page_content
 {
   const std::string& name; ///< of the input
   const Polygon_soup& soup;
-  const std::vector<std::size_t>& region_of_face; ///< of each face of the soup
   const Segmentation& segmentation;
   const Segmentation_details& details;
 };

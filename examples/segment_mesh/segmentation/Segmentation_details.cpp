@@ -11,10 +11,7 @@
 #include <CGAL/Region_segmentation/detect_feature_edges.h>
 #include <CGAL/Region_segmentation/extract_feature_lines.h>
 #include <CGAL/Region_segmentation/grow_regions.h>
-
-#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
+#include <CGAL/Region_segmentation/make_surface.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -31,7 +28,7 @@ namespace RS = CGAL::Region_segmentation;
 
 namespace {
 
-using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+using Mesh = Manifold::Mesh;
 
 /// The merge tree with its nodes numbered: regions first, then the result of each merge.
 class Numbered_tree
@@ -83,11 +80,11 @@ public:
   /// For each region the one of `nodes` that contains it, or `no_segment`.
   std::vector<std::size_t> nodes_of_regions(const std::vector<std::size_t>& nodes) const
   {
-    std::vector<std::size_t> result(m_parents.size(), RS::no_segment<std::size_t>);
+    std::vector<std::size_t> result(m_parents.size(), std::size_t(RS::no_segment));
     for (std::size_t node : nodes)
       result[node] = node;
     for (std::size_t node = m_parents.size(); node-- > 0;)
-      if (result[node] == RS::no_segment<std::size_t> && m_parents[node] != none)
+      if (result[node] == RS::no_segment && m_parents[node] != none)
         result[node] = result[m_parents[node]];
     result.resize(m_number_of_regions);
     return result;
@@ -103,47 +100,48 @@ private:
 
 } // namespace
 
-class Segmentation_details::Mesh_with_labels
+/// The graph of the regions, whose vertices are numbered by their first faces.
+struct Segmentation_details::Region_graph
 {
-public:
-  Mesh_with_labels(const Polygon_soup& soup, const Segmentation& segmentation) : m_segmentation(segmentation)
-  {
-    CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(soup.points, soup.polygons, m_mesh);
-  }
-
-  const Mesh& mesh() const { return m_mesh; }
-
-  auto map_of(const std::vector<std::size_t>& labels) const
-  {
-    return boost::make_iterator_property_map(labels.begin(), get(boost::face_index, m_mesh));
-  }
-  auto segment_map() const { return map_of(m_segmentation.segment_of_face); }
-  auto region_map() const { return map_of(m_segmentation.region_of_face); }
-
-  std::vector<Segment_description> describe(const std::vector<std::size_t>& labels) const
-  {
-    std::vector<Segment_description> result;
-    RS::describe_segments(m_mesh, map_of(labels), std::back_inserter(result));
-    return result;
-  }
-
-private:
-  const Segmentation& m_segmentation;
-  Mesh m_mesh;
+  RS::Region_adjacency_graph<> graph;
+  std::vector<std::size_t> region_of_vertex;
 };
 
-Segmentation_details::Segmentation_details(const Polygon_soup& soup, const Segmentation& segmentation)
-    : m_soup(soup), m_segmentation(segmentation)
+Segmentation_details::Segmentation_details(const Polygon_soup& soup, const Segmentation_settings& settings,
+                                           const Segmentation& segmentation)
+    : m_soup(soup), m_settings(settings), m_segmentation(segmentation)
 {
 }
 
-Segmentation_details::~Segmentation_details() = default;
-
-const Segmentation_details::Mesh_with_labels& Segmentation_details::mesh() const
+const Manifold& Segmentation_details::manifold() const
 {
-  if (!m_mesh)
-    m_mesh = std::make_unique<Mesh_with_labels>(m_soup, m_segmentation);
-  return *m_mesh;
+  if (!m_manifold)
+    m_manifold = std::make_unique<const Manifold>(make_manifold(m_soup));
+  return *m_manifold;
+}
+
+Segmentation_details::Region_graph Segmentation_details::region_graph() const
+{
+  const RS::Surface surface =
+    RS::make_surface(m_soup.points, m_soup.polygons,
+                     RS::parameters::component_links(m_settings.links == Component_links::FOUND));
+  const std::vector<std::size_t>& labels = m_segmentation.region_of_face;
+  const RS::Partition regions = RS::Partition::from_labels(labels);
+  Region_graph result = {RS::build_region_adjacency_graph(surface, regions),
+                         std::vector<std::size_t>(regions.number_of_parts())};
+  for (std::size_t f = 0; f < labels.size(); ++f)
+    result.region_of_vertex[regions[f]] = labels[f];
+  return result;
+}
+
+std::vector<Segment_description> Segmentation_details::describe(const std::vector<std::size_t>& labels) const
+{
+  const Mesh& mesh = manifold().mesh;
+  const std::vector<std::size_t> labels_of_mesh = manifold().values_of_mesh_faces(labels);
+  std::vector<Segment_description> result;
+  RS::describe_segments(mesh, boost::make_iterator_property_map(labels_of_mesh.begin(), get(boost::face_index, mesh)),
+                        std::back_inserter(result));
+  return result;
 }
 
 std::vector<Polyline> Segmentation_details::feature_lines() const
@@ -151,7 +149,7 @@ std::vector<Polyline> Segmentation_details::feature_lines() const
   const std::optional<Feature_settings>& features = m_segmentation.features;
   if (!features)
     return {};
-  const Mesh& m = mesh().mesh();
+  const Mesh& m = manifold().mesh;
   std::vector<char> marks(m.number_of_edges());
   const auto is_feature = boost::make_iterator_property_map(marks.begin(), get(boost::edge_index, m));
   std::vector<std::size_t> regions(m.number_of_faces());
@@ -164,14 +162,17 @@ std::vector<Polyline> Segmentation_details::feature_lines() const
   std::vector<std::vector<CGAL::SM_Vertex_index>> lines;
   RS::extract_feature_lines(m, is_feature, std::back_inserter(lines));
   std::vector<Polyline> result;
-  for (const auto& line : lines)
-    result.emplace_back(line.begin(), line.end());
+  for (const auto& line : lines) {
+    result.emplace_back();
+    for (const auto v : line)
+      result.back().push_back(manifold().point_of_mesh_point[v]);
+  }
   return result;
 }
 
 std::vector<Region> Segmentation_details::regions() const
 {
-  const auto graph = RS::build_region_adjacency_graph(mesh().mesh(), mesh().region_map());
+  const auto [graph, region_of_vertex] = region_graph();
   std::vector<Region> result(m_segmentation.number_of_regions);
   for (std::size_t f = 0; f < m_segmentation.region_of_face.size(); ++f) {
     Region& region = result[m_segmentation.region_of_face[f]];
@@ -179,20 +180,21 @@ std::vector<Region> Segmentation_details::regions() const
     region.segment = m_segmentation.segment_of_face[f];
   }
   for (auto range = vertices(graph); range.first != range.second; ++range.first) {
-    result[*range.first].area = graph[*range.first].area;
-    result[*range.first].perimeter = graph[*range.first].perimeter;
+    Region& region = result[region_of_vertex[*range.first]];
+    region.area = graph[*range.first].area;
+    region.perimeter = graph[*range.first].perimeter;
   }
   return result;
 }
 
 std::vector<Section> Segmentation_details::sections() const
 {
-  const auto graph = RS::build_region_adjacency_graph(mesh().mesh(), mesh().region_map());
+  const auto [graph, region_of_vertex] = region_graph();
   std::vector<Section> result;
   for (auto range = edges(graph); range.first != range.second; ++range.first) {
     const auto section = *range.first;
-    result.push_back({{source(section, graph), target(section, graph)},
-                      graph[section].number_of_edges,
+    result.push_back({{region_of_vertex[source(section, graph)], region_of_vertex[target(section, graph)]},
+                      graph[section].number_of_adjacencies,
                       graph[section].length,
                       graph[section].mean_angle()});
   }
@@ -201,22 +203,32 @@ std::vector<Section> Segmentation_details::sections() const
 
 std::vector<Segment_description> Segmentation_details::segments() const
 {
-  std::vector<Segment_description> result = mesh().describe(m_segmentation.segment_of_face);
-  std::sort(result.begin(), result.end(), [](const auto& a, const auto& b) { return a.segment < b.segment; });
+  std::vector<Segment_description> result(m_segmentation.number_of_segments);
+  for (std::size_t s = 0; s < result.size(); ++s)
+    result[s].segment = s;
+  for (Segment_description& description : describe(m_segmentation.segment_of_face))
+    result[description.segment] = std::move(description);
+  for (Segment_description& description : result)
+    description.number_of_faces = 0;
+  for (std::size_t segment : m_segmentation.segment_of_face) // of the soup
+    ++result[segment].number_of_faces;
   return result;
 }
 
 std::vector<Border> Segmentation_details::borders() const
 {
-  const Mesh& m = mesh().mesh();
+  const Mesh& m = manifold().mesh;
   std::vector<RS::Segment_border<Mesh, std::size_t>> borders;
-  RS::extract_segment_borders(m, mesh().segment_map(), std::back_inserter(borders));
+  const std::vector<std::size_t> labels = manifold().values_of_mesh_faces(m_segmentation.segment_of_face);
+  RS::extract_segment_borders(m, boost::make_iterator_property_map(labels.begin(), get(boost::face_index, m)),
+                              std::back_inserter(borders));
+  const std::vector<std::size_t>& points = manifold().point_of_mesh_point;
   std::vector<Border> result;
   for (const auto& border : borders) {
     Border& line = result.emplace_back(Border{{border.segment, border.opposite_segment}, {}});
-    line.points.push_back(source(border.halfedges.front(), m));
+    line.points.push_back(points[source(border.halfedges.front(), m)]);
     for (const auto h : border.halfedges)
-      line.points.push_back(target(h, m));
+      line.points.push_back(points[target(h, m)]);
   }
   return result;
 }
@@ -225,7 +237,7 @@ std::vector<Node_description> Segmentation_details::nodes(std::size_t number_of_
 {
   Numbered_tree tree(m_segmentation.tree);
   const std::vector<std::vector<std::size_t>> groups = tree.disjoint_groups(number_of_segments);
-  const Mesh_with_labels& labelled = mesh();
+  manifold(); // made by this thread
   std::vector<std::vector<Segment_description>> shapes(groups.size());
   tbb::parallel_for(std::size_t(0), groups.size(), [&](std::size_t i) {
     const std::vector<std::size_t> node_of_region = tree.nodes_of_regions(groups[i]);
@@ -233,7 +245,7 @@ std::vector<Node_description> Segmentation_details::nodes(std::size_t number_of_
     node_of_face.reserve(m_segmentation.region_of_face.size());
     for (std::size_t region : m_segmentation.region_of_face)
       node_of_face.push_back(node_of_region[region]);
-    shapes[i] = labelled.describe(node_of_face);
+    shapes[i] = describe(node_of_face);
   });
   std::vector<Node_description> result;
   for (std::vector<Segment_description>& group : shapes)

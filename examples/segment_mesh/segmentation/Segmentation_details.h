@@ -3,10 +3,12 @@
 #ifndef CGAL_REGION_SEGMENTATION_SEGMENT_MESH_SEGMENTATION_DETAILS_H
 #define CGAL_REGION_SEGMENTATION_SEGMENT_MESH_SEGMENTATION_DETAILS_H
 
+#include "segmentation/Manifold.h"
 #include "segmentation/run_segmentation.h"
 #include "soup/Polygon_soup.h"
 
 #include <CGAL/Region_segmentation/Segments/Segment_description.h>
+#include <CGAL/Simple_cartesian.h>
 
 #include <array>
 #include <cstddef>
@@ -15,7 +17,9 @@
 
 namespace segment_mesh {
 
-using Segment_description = CGAL::Region_segmentation::Segment_description<std::size_t>;
+using Kernel = CGAL::Simple_cartesian<double>;
+using Segment_description = CGAL::Region_segmentation::Segment_description<std::size_t, Kernel>;
+using Fitted_primitive = CGAL::Region_segmentation::Fitted_primitive<Kernel>;
 
 /// Points by their indices.
 using Polyline = std::vector<std::size_t>;
@@ -24,17 +28,17 @@ using Polyline = std::vector<std::size_t>;
 struct Region
 {
   std::size_t number_of_faces = 0;
-  double area = 0;      ///< in squared units of `Flat_mesh::unit()`
-  double perimeter = 0; ///< shared with other regions, in units of `Flat_mesh::unit()`
+  double area = 0;      ///< in squared units of `Surface::unit()`
+  double perimeter = 0; ///< edges and seams shared with other regions, in units of `Surface::unit()`
   std::size_t segment = 0;
 };
 
-/// All edges that two regions share.
+/// All adjacencies of two regions.
 struct Section
 {
   std::size_t regions[2];
-  std::size_t number_of_edges = 0;
-  double length = 0;     ///< in units of `Flat_mesh::unit()`
+  std::size_t number_of_adjacencies = 0; ///< edges, seams and links
+  double length = 0;     ///< in units of `Surface::unit()`
   double mean_angle = 0; ///< the dihedral angle, in radians; pi is flat
 };
 
@@ -52,15 +56,15 @@ struct Node_description
   Segment_description shape;
 };
 
-/// What outputs contain beside the labels; computed from them when it is asked for. The same from every mesh type.
+/// What outputs contain beside the labels; computed from them when it is asked for. Lines and shapes are those of
+/// `make_manifold()`.
 class Segmentation_details
 {
 public:
-  /// Refers to both.
-  Segmentation_details(const Polygon_soup& soup, const Segmentation& segmentation);
+  /// Refers to all.
+  Segmentation_details(const Polygon_soup& soup, const Segmentation_settings& settings, const Segmentation& segmentation);
   Segmentation_details(const Segmentation_details&) = delete;
   Segmentation_details& operator=(const Segmentation_details&) = delete;
-  ~Segmentation_details();
 
   /// The feature edges as lines from junction to junction, with borders of the mesh and without those that end inside the
   /// surface; none of a method without feature edges.
@@ -74,13 +78,17 @@ public:
   std::vector<Node_description> nodes(std::size_t number_of_segments) const;
 
 private:
-  class Mesh_with_labels;
+  struct Region_graph;
 
-  const Mesh_with_labels& mesh() const;
+  const Manifold& manifold() const;
+  Region_graph region_graph() const;
+  /// `labels`: of the faces of the soup
+  std::vector<Segment_description> describe(const std::vector<std::size_t>& labels) const;
 
   const Polygon_soup& m_soup;
+  const Segmentation_settings& m_settings;
   const Segmentation& m_segmentation;
-  mutable std::unique_ptr<Mesh_with_labels> m_mesh;
+  mutable std::unique_ptr<const Manifold> m_manifold;
 };
 
 } // namespace segment_mesh

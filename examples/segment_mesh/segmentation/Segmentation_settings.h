@@ -10,9 +10,9 @@
 
 namespace segment_mesh {
 
-/// The mesh type that the segmentation runs on. All have double coordinates; the labels are the
-/// same.
-enum class Mesh_type { SURFACE_MESH, POLYHEDRON, OPENMESH };
+/// What the segmentation runs on: any polygons, or a mesh type, for oriented 2-manifolds alone. All have double coordinates;
+/// the labels are the same.
+enum class Mesh_type { POLYGON_SOUP, SURFACE_MESH, POLYHEDRON, OPENMESH };
 
 /// Whether the program was built with what a mesh type needs.
 bool is_available(Mesh_type type);
@@ -22,6 +22,9 @@ enum class Method { TWO_STEP, VISIBILITY, LEARNED, SMOOTH_FACES };
 /// What becomes of the borders that a method gives.
 enum class Border_treatment { NONE, SMOOTHING };
 
+/// Whether components that touch or are near each other are adjacent.
+enum class Component_links { NONE, FOUND };
+
 struct Segmentation_settings
 {
   Method method = Method::LEARNED;
@@ -30,7 +33,8 @@ struct Segmentation_settings
   CGAL::Region_segmentation::Feature_convexity features = CGAL::Region_segmentation::Feature_convexity::CONCAVE;
   std::optional<double> maximum_angle; ///< in degrees; the method's own if empty
   Border_treatment borders = Border_treatment::NONE;
-  Mesh_type mesh_type = Mesh_type::SURFACE_MESH;
+  Mesh_type mesh_type = Mesh_type::POLYGON_SOUP;
+  Component_links links = Component_links::FOUND;
 };
 
 } // namespace segment_mesh

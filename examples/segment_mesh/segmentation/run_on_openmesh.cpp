@@ -7,8 +7,6 @@
 
 #include <CGAL/boost/graph/graph_traits_PolyMesh_ArrayKernelT.h>
 
-#include <stdexcept>
-
 namespace segment_mesh {
 
 namespace {
@@ -34,7 +32,7 @@ Mesh make_mesh(const Polygon_soup& soup)
     for (std::size_t i : polygon)
       corners.push_back(vertices[i]);
     if (!mesh.add_face(corners).is_valid())
-      throw std::runtime_error("OpenMesh does not take this mesh");
+      throw Not_a_manifold();
   }
   return mesh;
 }

@@ -2,22 +2,39 @@
 
 #include "segmentation/run_segmentation.h"
 
+#include "segmentation/smooth_borders.h"
+
 #include <algorithm>
 
 namespace segment_mesh {
 
-Segmentation run_segmentation(const Polygon_soup& soup, const Corner_links& links, const Marks& marks,
-                              const Segmentation_settings& settings, const Progress_listener& listener)
+namespace {
+
+Segmentation run_on(Mesh_type type, const Polygon_soup& soup, const Marks& marks, const Segmentation_settings& settings,
+                    const Progress_listener& listener)
 {
-  switch (settings.mesh_type) {
+  switch (type) {
+  case Mesh_type::POLYGON_SOUP:
+    return run_on_soup(soup, marks, settings, listener);
   case Mesh_type::SURFACE_MESH:
-    return run_on_surface_mesh(soup, links, marks, settings, listener);
+    return run_on_surface_mesh(soup, marks, settings, listener);
   case Mesh_type::POLYHEDRON:
     return run_on_polyhedron(soup, marks, settings, listener);
   case Mesh_type::OPENMESH:
     return run_on_openmesh(soup, marks, settings, listener);
   }
   return {};
+}
+
+} // namespace
+
+Segmentation run_segmentation(const Polygon_soup& soup, const Marks& marks, const Segmentation_settings& settings,
+                              const Progress_listener& listener)
+{
+  Segmentation result = run_on(settings.mesh_type, soup, marks, settings, listener);
+  if (settings.borders == Border_treatment::SMOOTHING)
+    smooth_borders(soup, marks, listener, result);
+  return result;
 }
 
 Segmentation segmentation_from_labels(const std::vector<std::int64_t>& labels)

@@ -6,7 +6,6 @@
 #include "segmentation/Marks.h"
 #include "segmentation/Segmentation_settings.h"
 #include "soup/Polygon_soup.h"
-#include "soup/link_corners.h"
 
 #include <CGAL/Region_segmentation/Graph/Merge_tree.h>
 
@@ -14,6 +13,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -53,18 +53,27 @@ struct Segmentation
 /// Hears of a stage and of how much of it is done, from 0 to 1; false cancels.
 using Progress_listener = std::function<bool(const char* stage, double fraction)>;
 
-/// Segments a soup that is an oriented 2-manifold without isolated points; `links` are those of its corners.
+/// A mesh that a mesh type cannot hold.
+struct Not_a_manifold : std::runtime_error
+{
+  Not_a_manifold() : std::runtime_error("is not an oriented 2-manifold: omit --mesh") {}
+};
+
+/// Segments a soup.
 /// \pre `is_available(settings.mesh_type)`, and a number of segments is given or can be chosen
-Segmentation run_segmentation(const Polygon_soup& soup, const Corner_links& links, const Marks& marks,
-                              const Segmentation_settings& settings, const Progress_listener& listener);
+/// \throws Not_a_manifold if a mesh type is chosen that does not hold the soup
+Segmentation run_segmentation(const Polygon_soup& soup, const Marks& marks, const Segmentation_settings& settings,
+                              const Progress_listener& listener);
 
 /// A segmentation that exists: a segment for each label, in their order, and no other regions.
 Segmentation segmentation_from_labels(const std::vector<std::int64_t>& labels);
 
-/// \name The same on one mesh type
+/// \name The same on one type
 /// @{
-Segmentation run_on_surface_mesh(const Polygon_soup& soup, const Corner_links& links, const Marks& marks,
-                                 const Segmentation_settings& settings, const Progress_listener& listener);
+Segmentation run_on_soup(const Polygon_soup& soup, const Marks& marks, const Segmentation_settings& settings,
+                         const Progress_listener& listener);
+Segmentation run_on_surface_mesh(const Polygon_soup& soup, const Marks& marks, const Segmentation_settings& settings,
+                                 const Progress_listener& listener);
 Segmentation run_on_polyhedron(const Polygon_soup& soup, const Marks& marks, const Segmentation_settings& settings,
                                const Progress_listener& listener);
 Segmentation run_on_openmesh(const Polygon_soup& soup, const Marks& marks, const Segmentation_settings& settings,

@@ -15,12 +15,13 @@ namespace {
 using nlohmann::ordered_json;
 namespace RS = CGAL::Region_segmentation;
 
-ordered_json vector_json(const RS::Double_3& v)
+template <typename Triple>
+ordered_json vector_json(const Triple& v)
 {
-  return {v.x, v.y, v.z};
+  return {v.x(), v.y(), v.z()};
 }
 
-ordered_json primitive_json(const RS::Fitted_primitive& primitive)
+ordered_json primitive_json(const Fitted_primitive& primitive)
 {
   ordered_json json = {{"type", name_of(primitive.type)}, {"error", primitive.error}, {"point", vector_json(primitive.point)}};
   if (primitive.type != RS::Primitive_type::SPHERE)
@@ -49,7 +50,7 @@ const char* name_of(RS::Primitive_type type)
   return "";
 }
 
-bool has_radius(const RS::Fitted_primitive& primitive)
+bool has_radius(const Fitted_primitive& primitive)
 {
   return primitive.type == RS::Primitive_type::SPHERE || primitive.type == RS::Primitive_type::CYLINDER;
 }
@@ -67,7 +68,7 @@ ordered_json segment_json(const Segment_description& segment)
                        {"boundary_length", segment.boundary_length},
                        {"neighbors", ordered_json::array()},
                        {"primitive", primitive_json(segment.primitive)}};
-  for (const RS::Double_3& axis : segment.axes)
+  for (const Kernel::Vector_3& axis : segment.axes)
     json["axes"].push_back(vector_json(axis));
   for (const auto& neighbor : segment.neighbors)
     if (RS::is_segment(neighbor.segment))

@@ -13,7 +13,7 @@ namespace segment_mesh {
 const char* name_of(CGAL::Region_segmentation::Primitive_type type);
 
 /// Whether a primitive is a sphere or a cylinder.
-bool has_radius(const CGAL::Region_segmentation::Fitted_primitive& primitive);
+bool has_radius(const Fitted_primitive& primitive);
 
 /// The shape of a segment as an object, see io/write_json.cpp; values that are not finite are null.
 nlohmann::ordered_json segment_json(const Segment_description& segment);

@@ -282,7 +282,7 @@ private:
     if constexpr (needs_number)
       return Merged();
     else
-      return method().merge(surface(), m_prepared->prepared, request, execution);
+      return internal::merge_by(method(), surface(), m_prepared->prepared, request, execution);
   }
 
   const auto& merged() const
@@ -298,7 +298,8 @@ private:
     if constexpr (needs_number) {
       Request request = m_request;
       request.number_of_segments = number;
-      const Segmentation result = method().merge(surface(), m_prepared->prepared, request, execution);
+      const Segmentation result =
+        internal::merge_by(method(), surface(), m_prepared->prepared, request, execution);
       return composed(result.regions, result.segments);
     } else
       return m_merged.segments(surface(), number);
@@ -317,7 +318,7 @@ private:
   void segments_of_request(Request request, const Execution& execution) const
   {
     request.number_of_segments = (std::numeric_limits<std::size_t>::max)();
-    method().merge(surface(), m_prepared->prepared, request, execution);
+    internal::merge_by(method(), surface(), m_prepared->prepared, request, execution);
   }
 
   Input m_input;

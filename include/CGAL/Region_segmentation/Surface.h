@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace CGAL {
 namespace Region_segmentation {
@@ -63,7 +64,7 @@ public:
   /// The unit of points and lengths, as a multiple of that of the mesh: 1, unless areas might exceed the range of double; then a
   /// power of two, so that results do not depend on it.
   double unit() const { return m_unit; }
-  /// The sum of the areas of the faces, in their order.
+  /// The sum of the weights of the faces, in their order.
   double area() const { return m_area; }
   /// The square root of the area of the surface; 1 if that is 0.
   double length_unit() const { return m_length_unit; }
@@ -82,6 +83,11 @@ public:
   /// The unit normal; the zero vector for a degenerate face.
   const Double_3& normal(std::size_t face) const { return m_normals[face]; }
   double area(std::size_t face) const { return m_areas[face]; }
+  /// Whether the face belongs to a crumb: a component of less than 1/1000 of the area of the largest one, where components are
+  /// linked.
+  bool is_crumb(std::size_t face) const { return !m_is_crumb.empty() && m_is_crumb[face]; }
+  /// The area, but 0 for a face of a crumb: so crumbs do not change how the rest is segmented.
+  double weight(std::size_t face) const { return is_crumb(face) ? 0 : m_areas[face]; }
   /// Whether the area is so small that the normal has no meaning, see \ref RegionSegmentationTwoStep; or the face is
   /// given twice.
   bool is_degenerate(std::size_t face) const
@@ -112,6 +118,7 @@ public:
   Index higher_face(std::size_t adjacency) const { return m_higher_faces[adjacency]; }
   /// The length of the edge, half of it for a seam of three and more faces, the length of contact of a link.
   double length(std::size_t adjacency) const { return std::sqrt(m_squared_lengths[adjacency]); }
+  double squared_length(std::size_t adjacency) const { return m_squared_lengths[adjacency]; }
   /// The sum of the `Flag`s.
   std::uint8_t flags(std::size_t adjacency) const { return m_flags[adjacency]; }
   /// Whether an adjacency has one of several flags.
@@ -155,6 +162,7 @@ private:
   Array<std::uint8_t> m_flags;     // 1 byte an adjacency
   double m_unit = 1, m_area = 0, m_length_unit = 1;
   bool m_has_seams_or_links = false;
+  std::vector<bool> m_is_crumb; // by face; empty: none is
 };
 
 namespace internal {
@@ -170,7 +178,7 @@ struct Surface_access
     : points(s.m_points), first_corners(s.m_first_corners), corners(s.m_corners), normals(s.m_normals)
     , areas(s.m_areas), lower_faces(s.m_lower_faces), higher_faces(s.m_higher_faces)
     , squared_lengths(s.m_squared_lengths), flags(s.m_flags), unit(s.m_unit), area(s.m_area), length_unit(s.m_length_unit)
-    , has_seams_or_links(s.m_has_seams_or_links)
+    , has_seams_or_links(s.m_has_seams_or_links), is_crumb(s.m_is_crumb)
   {}
 
   Array<Double_3>& points;
@@ -186,6 +194,7 @@ struct Surface_access
   double& area;
   double& length_unit;
   bool& has_seams_or_links;
+  std::vector<bool>& is_crumb;
 };
 
 } // namespace internal

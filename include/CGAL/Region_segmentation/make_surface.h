@@ -34,6 +34,15 @@ Surface make_surface(const Mesh_order<FaceGraph, Pack>& order, const Pack& np, c
                        component_links(np) ? Adjacency_of::COMPONENTS : Adjacency_of::NEIGHBORS, reading.step(0.5, 1));
 }
 
+/// For functions that read a face graph as it is: without links and coinciding borders.
+template <typename FaceGraph, typename Pack>
+Surface make_surface_of_neighbors(const FaceGraph& mesh, const Pack& np)
+{
+  const Execution execution;
+  return build_surface(read_face_graph(Mesh_order<FaceGraph, Pack>(mesh, np), np, execution), Adjacency_of::NEIGHBORS,
+                       execution);
+}
+
 template <typename PointRange, typename PolygonRange, typename Pack>
 Surface make_surface(const PointRange& points, const PolygonRange& polygons, const Pack& np, const Execution& execution)
 {

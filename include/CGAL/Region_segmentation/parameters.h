@@ -131,6 +131,7 @@ inline Default_named_parameters default_values()
       std::ref(value));                                                                   \
   }
 #define CGAL_add_extra_named_parameter_with_compatibility(TAG, ENUMERATOR, NAME)
+#include <CGAL/STL_Extension/internal/parameters_interface.h>
 #undef CGAL_add_named_parameter
 #undef CGAL_add_named_parameter_with_compatibility
 #undef CGAL_add_named_parameter_with_compatibility_cref_only

@@ -33,8 +33,15 @@ struct Straightened
 
 Straightened straighten_borders(const Training_model& model, const RS::Merge_tree& tree)
 {
-  const auto labels = RS::Superfacets().straighten_borders(
-    model.mesh, model.regions, tree, [](RS::Partition::Index) { return false; }, RS::Execution<CGAL::Sequential_tag>());
+  std::vector<RS::Partition::Index> region_of_cell;
+  for (std::size_t c = 0; c < model.cells.size(); ++c)
+    region_of_cell.push_back(model.regions[model.cells[c].center]);
+  const auto label_of_cell = RS::Border_straightening()(
+    model.cells, model.surface.length_unit(), model.border_costs, region_of_cell, tree,
+    [](RS::Partition::Index) { return false; }, model.regions.number_of_parts(), RS::Execution());
+  std::vector<RS::Partition::Index> labels;
+  for (const RS::Partition::Index cell : model.cells.of_elements())
+    labels.push_back(label_of_cell[cell]);
   RS::Partition regions = RS::Partition::from_labels(labels);
   std::vector<RS::Partition::Index> new_numbers(model.regions.number_of_parts(),
                                                 std::numeric_limits<RS::Partition::Index>::max());
@@ -122,7 +129,7 @@ Model_score score(const Training_model& model, Policy policy, const Chooser& cho
 Model_score score_learned(const Training_model& model, const Model& learned)
 {
   const RS::Learned_merging method(learned);
-  return score(model, method.policy.second, [&](const RS::Merge_tree& tree) { return method.chooser(tree, model.mesh); });
+  return score(model, method.policy.second, [&](const RS::Merge_tree& tree) { return method.chooser(tree, model.surface); });
 }
 
 Model_score score_visibility(const Training_model& model)

@@ -2,17 +2,14 @@
 
 #include "Training_model.h"
 
-#include "Benchmark_mesh.h"
-
-#include <CGAL/Region_segmentation/Methods/Learned_annotator.h>
-#include <CGAL/Region_segmentation/Methods/Superfacets.h>
+#include <CGAL/Region_segmentation/Methods/Learned_merging.h>
 #include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
-#include <CGAL/Region_segmentation/build_region_adjacency_graph.h>
+#include <CGAL/Region_segmentation/make_surface.h>
 #include <CGAL/Region_segmentation/merge_regions.h>
-#include <CGAL/Region_segmentation/read_flat_mesh.h>
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 namespace train_merge_cost {
 
@@ -45,10 +42,15 @@ Training_model make_training_model(int number, const princeton_benchmark::Model&
   for (const princeton_benchmark::Truth& truth : model.truths)
     result.segments_of_people.push_back(truth.number_of_segments);
   result.people = numbered_labels(model);
-  result.mesh = RS::read_flat_mesh(princeton_benchmark::make_mesh(model.soup),
-                                   RS::Mesh_data::POINTS | RS::Mesh_data::PATCHES);
-  result.regions = RS::Superfacets(superfacets)(result.mesh);
-  result.graph = RS::build_region_adjacency_graph(result.mesh, result.regions, RS::Learned_annotator());
+  result.surface = RS::make_surface(model.soup.points, model.soup.polygons);
+  RS::Learned_merging method;
+  method.superfacets.number = superfacets;
+  RS::Learned_merging::Prepared prepared = method.prepare(result.surface);
+  result.graph =
+    method.annotated_graph(result.surface, prepared, prepared.regions, RS::Constraints(), RS::Execution());
+  result.regions = std::move(prepared.regions);
+  result.cells = std::move(prepared.patches.fine);
+  result.border_costs = std::move(prepared.border_costs);
   result.first_merges = RS::merge_regions(result.graph, RS::Visibility_merging().policy, 1, RS::Stop_at_count{few});
   result.counts = Label_counts(std::vector<std::size_t>(result.regions.begin(), result.regions.end()),
                                result.regions.number_of_parts(), result.people);

@@ -7,11 +7,13 @@
 
 #include "model_sources.h"
 
-#include <CGAL/Region_segmentation/Flat_mesh.h>
 #include <CGAL/Region_segmentation/Graph/Merge_tree.h>
 #include <CGAL/Region_segmentation/Graph/Region_adjacency_graph.h>
 #include <CGAL/Region_segmentation/Methods/Learned_data.h>
 #include <CGAL/Region_segmentation/Partition.h>
+#include <CGAL/Region_segmentation/Patches.h>
+#include <CGAL/Region_segmentation/Surface.h>
+#include <CGAL/Region_segmentation/internal/regions/Dual_graph.h>
 
 #include <cstddef>
 #include <string>
@@ -36,8 +38,10 @@ struct Training_model : Training_graph
   std::size_t number_of_segments = 0; ///< k of the standard protocol
   std::vector<std::size_t> segments_of_people;
   std::vector<std::vector<int>> people; ///< the labels of the faces by each person, from 0 on
-  CGAL::Region_segmentation::Flat_mesh mesh;
+  CGAL::Region_segmentation::Surface surface;
   CGAL::Region_segmentation::Partition regions; ///< the first ones
+  CGAL::Region_segmentation::Patches cells;     ///< of the regions
+  CGAL::Region_segmentation::internal::Dual_graph border_costs; ///< between cells
   CGAL::Region_segmentation::Merge_tree first_merges; ///< before the graph and the counts
   std::vector<Training_graph> variants; ///< of the same model, to learn from: of other first regions, or finer faces
 };

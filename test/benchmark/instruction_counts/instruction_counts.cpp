@@ -5,7 +5,9 @@
 #include "make_mesh.h"
 #include "make_triangles.h"
 
+#include <CGAL/Region_segmentation/Methods/Learned_merging.h>
 #include <CGAL/Region_segmentation/Methods/Two_step.h>
+#include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
 #include <CGAL/Region_segmentation/segment.h>
 
 #include <valgrind/callgrind.h>

@@ -26,8 +26,8 @@ namespace IO {
 /// one line per face. Empty lines at the end are ignored.
 ///
 /// \tparam Label an integral type
-/// \throws Invalid_input if the stream cannot be read (a missing file), or a line is not an integer that `Label` can
-///         represent; the message states the line
+/// \throws Invalid_input if the stream cannot be read (a missing file), or a line is not an integer
+///         that `Label` can represent; the message states the line
 template <typename Label = long long>
 std::vector<Label> read_labels(std::istream& in)
 {
@@ -59,8 +59,8 @@ std::vector<Label> read_labels(std::istream& in)
 /// \ingroup PkgRegionSegmentationIO
 /// reads the labels of the faces of a mesh, in iteration order.
 ///
-/// \throws Invalid_input as above, or if the number of labels is not the number of faces; the map is
-///         unchanged
+/// \throws Invalid_input as above, or if the number of labels is not the number of faces; the map
+///         is unchanged
 template <typename FaceGraph, typename FaceLabelMap>
 void read_labels(std::istream& in, const FaceGraph& mesh, FaceLabelMap label_map)
 {

@@ -65,7 +65,7 @@ private:
     const Double_3 origin = mesh.centroid(0); // avoids cancellation far from the origin
     for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
       Learned_region_data& region = graph[Index(regions[f])];
-      const double area = per_area * mesh.area(f), variance = area * variance_of_triangle;
+      const double area = per_area * mesh.weight(f), variance = area * variance_of_triangle;
       const Double_3& normal = mesh.normal(f);
       region.area_vector = region.area_vector + area * normal;
       region.moments.add(area, per_length * (mesh.centroid(f) - origin));

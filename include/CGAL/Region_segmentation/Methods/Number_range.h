@@ -5,8 +5,8 @@
 
 #include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/Graph/Merge_tree.h>
-#include <CGAL/Region_segmentation/internal/regions/find_crumbs.h>
 #include <CGAL/Region_segmentation/internal/regions/is_convex.h>
+#include <CGAL/Region_segmentation/internal/surface/find_crumbs.h>
 
 #include <algorithm>
 #include <cstddef>

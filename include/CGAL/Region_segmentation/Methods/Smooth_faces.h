@@ -13,7 +13,7 @@
 #include <CGAL/Region_segmentation/Request.h>
 #include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/internal/graph/build_graph.h>
-#include <CGAL/Region_segmentation/internal/graph/merge_requested.h>
+#include <CGAL/Region_segmentation/merge_requested_regions.h>
 #include <CGAL/Region_segmentation/requested_regions.h>
 
 #include <cstddef>
@@ -64,7 +64,7 @@ struct Smooth_faces
     auto graph = internal::build_graph<Smoothness_region_data, Smoothness_section_data>(
       surface, requested.regions, request.constraints, execution.stage("graph"));
     annotator(graph, surface, requested.regions, prepared.discontinuities);
-    Merge_tree tree = internal::merge_requested(surface, requested, graph, Lowest_cost_first<Smoothness_cost>(cost), 1,
+    Merge_tree tree = merge_requested_regions(surface, requested, graph, Lowest_cost_first<Smoothness_cost>(cost), 1,
                                                 execution.stage("merging"));
     const std::size_t number = request.number_of_segments > 0 ? request.number_of_segments : chooser(tree, surface);
     return Hierarchy(std::move(requested.regions), std::move(tree), number);

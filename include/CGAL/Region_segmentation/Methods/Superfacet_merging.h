@@ -11,11 +11,13 @@
 #include <CGAL/Region_segmentation/Request.h>
 #include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/internal/cells/Patch_builder.h>
+#include <CGAL/Region_segmentation/internal/concepts/check_annotator.h>
+#include <CGAL/Region_segmentation/internal/concepts/check_merging.h>
 #include <CGAL/Region_segmentation/internal/graph/build_graph.h>
-#include <CGAL/Region_segmentation/internal/graph/merge_requested.h>
 #include <CGAL/Region_segmentation/internal/graph/renumber_tree.h>
 #include <CGAL/Region_segmentation/internal/rays/Region_rays.h>
 #include <CGAL/Region_segmentation/internal/regions/border_costs.h>
+#include <CGAL/Region_segmentation/merge_requested_regions.h>
 #include <CGAL/Region_segmentation/requested_regions.h>
 
 #include <cstddef>
@@ -99,11 +101,12 @@ struct Superfacet_merging
   Refinable_hierarchy merge(const Surface& surface, const Prepared& prepared, const Request& request,
                             const Execution& execution = Execution()) const
   {
+    static_assert(internal::check_number_chooser<NumberChooser>());
     const Requested_regions requested = requested_regions(surface, prepared.regions, request);
     auto graph =
       annotated_graph(surface, prepared, requested.regions, request.constraints, execution.stage("graph"));
     const Merge_tree tree =
-      internal::merge_requested(surface, requested, graph, policy, 1, execution.stage("merging"));
+      merge_requested_regions(surface, requested, graph, policy, 1, execution.stage("merging"));
     const std::size_t number =
       request.number_of_segments > 0 ? request.number_of_segments : chooser(tree, surface);
     return Refinable_hierarchy(
@@ -115,6 +118,7 @@ struct Superfacet_merging
   auto annotated_graph(const Surface& surface, const Prepared& prepared, const Partition& regions,
                        const Constraints& constraints, const Execution& execution) const
   {
+    static_assert(internal::check_annotator<GraphAnnotator>());
     auto graph = internal::build_graph<typename GraphAnnotator::RegionData, typename GraphAnnotator::SectionData>(
       surface, regions, constraints, execution);
     if (regions == prepared.regions)

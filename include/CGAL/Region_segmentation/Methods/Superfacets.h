@@ -13,6 +13,7 @@
 #include <CGAL/Region_segmentation/internal/regions/Region_shapes.h>
 #include <CGAL/Region_segmentation/internal/regions/border_costs.h>
 #include <CGAL/Region_segmentation/internal/support/Large_array.h>
+#include <CGAL/Region_segmentation/internal/surface/find_crumbs.h>
 
 #include <CGAL/assertions.h>
 
@@ -33,7 +34,7 @@ namespace Region_segmentation {
 /// `float`, at least \f$10^{-37}\f$ and at most \f$10^{28}\f$, \f$c\f$ the centroids, \f$A\f$ the area of the surface, \f$\delta^+\f$ the
 /// angle of their normals if they face each other, \f$(n_j - n_i) \cdot (c_j - c_i) < 0\f$, else 0 (and 0 if one has no normal). Distances are sums
 /// of steps in `double`. The first seeds are placed in the connected components without one, each at the patch of them that is farthest from the
-/// centroid of the surface, even if this exceeds the number; then each further one at the patch farthest from all seeds so far; of
+/// centroid of the surface, even if this exceeds the number (those of crumbs do not count); then each further one at the patch farthest from all seeds so far; of
 /// several, at the lower one.
 ///
 /// Seeds are placed like this on the coarse patches, if there are at least four for each region, and moved to their centers: a patch belongs
@@ -105,18 +106,28 @@ private:
   Partition nearest_seeds(const Surface& surface, const Surface_patches& patches, const Execution& execution) const
   {
     const Patches& coarse = patches.coarse;
+    const std::size_t number_of_seeds = number + number_of_crumbs(surface);
     internal::Farthest_point_seeding from_patches(steps(surface, patches.fine), execution.step(0.5, 1));
-    if (coarse.size() / coarse_patches_of_region < number)
-      from_patches.run(distances_from_centroid(patches.fine), number);
+    if (coarse.size() / coarse_patches_of_region < number_of_seeds)
+      from_patches.run(distances_from_centroid(patches.fine), number_of_seeds);
     else {
       internal::Farthest_point_seeding from_coarse(steps(surface, coarse), execution.step(0, 0.5));
-      from_coarse.run(distances_from_centroid(coarse), number);
+      from_coarse.run(distances_from_centroid(coarse), number_of_seeds);
       std::vector<Index> seeds;
       for (const Index seed : from_coarse.seeds())
         seeds.push_back(coarse[seed].center);
       from_patches.run(seeds);
     }
     return from_patches.regions();
+  }
+
+  /// Each has a seed of its own, which does not count.
+  static std::size_t number_of_crumbs(const Surface& surface)
+  {
+    if (!surface.has_seams_or_links())
+      return 0;
+    const internal::Bodies bodies(surface);
+    return bodies.areas.size() - bodies.number();
   }
 
   internal::Dual_graph steps(const Surface& mesh, const Patches& patches) const

@@ -13,7 +13,7 @@
 #include <CGAL/Region_segmentation/Request.h>
 #include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/internal/graph/build_graph.h>
-#include <CGAL/Region_segmentation/internal/graph/merge_requested.h>
+#include <CGAL/Region_segmentation/merge_requested_regions.h>
 #include <CGAL/Region_segmentation/requested_regions.h>
 
 #include <CGAL/assertions.h>
@@ -75,7 +75,7 @@ struct Two_step
     auto graph = internal::build_graph<Region_geometry, Section_geometry>(
       surface, requested.regions, request.constraints, execution.stage("graph"));
     Merge_tree tree =
-      internal::merge_requested(surface, requested, graph, policy, number, execution.stage("merging"));
+      merge_requested_regions(surface, requested, graph, policy, number, execution.stage("merging"));
     Partition segments = tree.partition_at_count(number);
     return {std::move(requested.regions), std::move(segments), std::move(tree)};
   }

@@ -3,8 +3,9 @@
 #ifndef CGAL_REGION_SEGMENTATION_SEGMENTS_SEGMENT_DESCRIPTION_H
 #define CGAL_REGION_SEGMENTATION_SEGMENTS_SEGMENT_DESCRIPTION_H
 
-#include <CGAL/Region_segmentation/Double_3.h>
 #include <CGAL/Region_segmentation/Segments/Fitted_primitive.h>
+
+#include <CGAL/Origin.h>
 
 #include <array>
 #include <cstddef>
@@ -20,39 +21,52 @@ struct Segment_neighbor
 {
   Label segment;        ///< `no_segment` for the faces that have none
   double border_length; ///< of the shared edges, in units of the mesh
-  /// The mean over the shared edges, weighted by length, of the angle between the two normals: in radians, in [-pi, pi],
-  /// positive for convex and negative for concave edges. Edges of degenerate faces count as flat.
+  /// The mean over the shared edges, weighted by length, of the angle between the two normals: in
+  /// radians, in [-pi, pi], positive for convex and negative for concave edges. Edges of degenerate
+  /// faces count as flat.
   double mean_signed_deviation;
 };
 
 /// \ingroup PkgRegionSegmentationSegments
 /// The shape of a segment, and where it is. Lengths, areas and volumes are in units of the mesh.
-template <typename Label>
+///
+/// \tparam Label the value type of the map of segments
+/// \tparam Kernel a model of `Kernel`: that of the points of the mesh, see `describe_segments()`
+template <typename Label, typename Kernel>
 struct Segment_description
 {
   Label segment;
   std::size_t number_of_faces = 0;
-  double area = 0;
+  double area = 0; ///< degenerate faces included
 
-  /// The volume enclosed by the segment and a cap on each loop of its border, made of the triangles to the mean of the
-  /// points of the loop; negative for a cavity. Where every loop separates two segments, the volumes add up to that of the
-  /// surface. A closed surface that is inside out is read as if it were not, see `Flat_mesh`. On an open surface it depends on
-  /// the caps of loops along the boundary of the mesh, and is of little use.
+  /// The volume enclosed by the segment and its caps; negative for a cavity.
+  ///
+  /// Border edges that share vertices, of any segments and of the mesh, form a network; its apex is
+  /// the mean of its vertices. The cap of a segment consists of the triangles between the edges of
+  /// its border and their apices. Two segments at an edge have the same triangle there, oppositely
+  /// oriented; so the volumes of all segments, and of the faces without a segment, add up to the
+  /// volume of the mesh. Where one loop separates two segments, the apex is its middle. Where
+  /// borders meet, as around the faces of a machine part, segments are pyramids to a common apex.
+  ///
+  /// A closed surface that is inside out is read as if it were not, see `make_surface()`. The borders of
+  /// an open surface have caps, too.
   double volume = 0;
-  /// The part of the sum of the volumes of all segments; 0 if this sum is not positive.
+  /// The part of the volume of the mesh; 0 if that is below 1e-12 of its area to the power of 3/2.
   double volume_share = 0;
 
-  Double_3 centroid{0, 0, 0}; ///< of the surface
-  /// The principal axes of the surface, of length 1, from the largest to the smallest moment; a right-handed system. The
-  /// first two point where their component of largest absolute value is positive.
-  std::array<Double_3, 3> axes{};
-  std::array<double, 3> extents{}; ///< along these axes: of the smallest box that contains the segment
+  typename Kernel::Point_3 centroid = CGAL::ORIGIN; ///< of the surface
+  /// The principal axes of the surface, of length 1, from the largest to the smallest moment; a
+  /// right-handed system. The first two point where their component of largest absolute value is
+  /// positive.
+  std::array<typename Kernel::Vector_3, 3> axes{};
+  std::array<double, 3> extents{}; ///< along these axes: of the smallest box with the segment
 
   double border_length = 0;   ///< of the edges to other segments, and to faces without a segment
   double boundary_length = 0; ///< of the edges on the border of the mesh
-  std::vector<Segment_neighbor<Label>> neighbors; ///< in the order of their first faces, `no_segment` last
+  /// In the order of their first faces, `no_segment` last.
+  std::vector<Segment_neighbor<Label>> neighbors;
 
-  Fitted_primitive primitive;
+  Fitted_primitive<Kernel> primitive;
 };
 
 } // namespace Region_segmentation

@@ -28,39 +28,41 @@ struct Segment_border
 {
   using halfedge_descriptor = typename boost::graph_traits<FaceGraph>::halfedge_descriptor;
 
-  Label segment;          ///< to the left, seen from outside: of the faces of `halfedges`. Of the two, that with the first face
+  Label segment; ///< to the left, seen from outside; of the two, that with the first face
   Label opposite_segment; ///< to the right; `no_segment` if these faces have none
   /// At least one; the target of each is the source of the next one.
   std::vector<halfedge_descriptor> halfedges;
-  /// Whether the polyline is a closed one without junctions. (One that begins and ends at the same junction is not.)
+  /// Whether the polyline is a closed one without junctions. (One that begins and ends at the same
+  /// junction is not.)
   bool is_closed;
 };
 
 /// \ingroup PkgRegionSegmentationSegments
 /// outputs the borders between segments as polylines from junction to junction, and closed ones.
 ///
-/// A *junction* is a vertex where the number of edges between segments is not 2, or on the border of the mesh. Every edge
-/// that `mark_segment_borders()` marks is in one polyline.
+/// A *junction* is a vertex where the number of edges between segments is not 2, or on the border
+/// of the mesh. Every edge that `mark_segment_borders()` marks is in one polyline.
 ///
 /// \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
-/// \tparam FaceSegmentMap a model of `ReadablePropertyMap` with the face descriptor as key and an integral value type of
-///         at most 64 bits
-/// \tparam BorderOutputIterator a model of `OutputIterator` that takes `Segment_border<FaceGraph, Label>`, `Label` the value
-///         type of `FaceSegmentMap`
+/// \tparam FaceSegmentMap a model of `ReadablePropertyMap` with the face descriptor as key and an
+///         integral value type of at most 64 bits
+/// \tparam BorderOutputIterator a model of `OutputIterator` that takes `Segment_border<FaceGraph,
+///         Label>`, `Label` the value type of `FaceSegmentMap`
 /// \param mesh an oriented 2-manifold with or without boundary, its faces polygons of any size
 /// \param segment_map the segments, by any labels; faces with the label `no_segment` belong to none
-/// \param borders receives the polylines, in the order of their first faces: open ones, then closed ones
+/// \param borders receives the polylines, in the order of their first faces: open ones, then closed
+///        ones
 /// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
 ///
 /// \cgalNamedParamsBegin
-///   \cgalParamIndexMap{face}
 ///   \cgalParamIndexMap{vertex}
+///   \cgalParamIndexMap{halfedge}
 /// \cgalNamedParamsEnd
 ///
 /// \returns the number of polylines
 ///
-/// Complexity: O(F log d), d the number of corners of a face. Deterministic: the same polylines from every mesh type.
-/// Read-only; concurrent calls are safe.
+/// Complexity: O(F log d), d the number of corners of a face. Deterministic: the same polylines
+/// from every mesh type. Read-only; concurrent calls are safe.
 template <typename FaceGraph, typename FaceSegmentMap, typename BorderOutputIterator,
           typename NamedParameters = parameters::Default_named_parameters>
 std::size_t extract_segment_borders(const FaceGraph& mesh, const FaceSegmentMap& segment_map,
@@ -68,17 +70,20 @@ std::size_t extract_segment_borders(const FaceGraph& mesh, const FaceSegmentMap&
                                     const NamedParameters& np = parameters::default_values())
 {
   using Label = typename boost::property_traits<FaceSegmentMap>::value_type;
-  static_assert(internal::check_output_of_labels<BorderOutputIterator, Segment_border<FaceGraph, Label>>());
+  static_assert(
+    internal::check_output_of_labels<BorderOutputIterator, Segment_border<FaceGraph, Label>>());
   const auto& pack = internal::pack(np);
   internal::check_parameters<std::decay_t<decltype(pack)>, internal::Tag_list<>>();
-  const auto traversal = internal::make_mesh_traversal(mesh, pack);
-  const auto numbers = internal::number_segments(traversal, segment_map);
-  const internal::Segmented_mesh segmented(traversal, numbers.of_face);
+  const auto segmented = internal::make_segmented_mesh(mesh, segment_map, pack);
+  const internal::Border_chains chains(segmented);
   std::size_t count = 0;
-  internal::Border_chains(segmented).for_each_chain([&](auto&& halfedges, bool is_closed) {
-    const auto h = halfedges.front();
-    Segment_border<FaceGraph, Label> border{numbers.label(segmented.segment(h)),
-                                            numbers.label(segmented.opposite_segment(h)), std::move(halfedges), is_closed};
+  chains.for_each_chain([&](const auto& chain, bool is_closed) {
+    Segment_border<FaceGraph, Label> border;
+    border.segment = segmented.label(segmented.segment(chain.front()));
+    border.opposite_segment = segmented.label(segmented.segment_across(chain.front()));
+    for (auto h : chain)
+      border.halfedges.push_back(segmented.descriptors[h]);
+    border.is_closed = is_closed;
     *borders++ = std::move(border);
     ++count;
   });

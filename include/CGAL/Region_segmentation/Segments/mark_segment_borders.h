@@ -15,19 +15,21 @@ namespace CGAL {
 namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationSegments
-/// marks the edges between different segments: the map that remeshing and simplification take as constrained edges.
+/// marks the edges between different segments: the map that remeshing and simplification take as
+/// constrained edges.
 ///
-/// The constrained edges of a segmentation are marked where they separate two segments; those inside a segment are not.
+/// The constrained edges of a segmentation are marked where they separate two segments; those
+/// inside a segment are not.
 ///
-/// Faces without a segment (`no_segment`) count as one more segment. Edges on the border of the mesh separate no two
-/// segments and are not marked: functions of \cgal that protect constrained edges know borders, or have a parameter for
-/// them.
+/// Faces without a segment (`no_segment`) count as one more segment. Edges on the border of the
+/// mesh separate no two segments and are not marked: functions of \cgal that protect constrained
+/// edges know borders, or have a parameter for them.
 ///
 /// \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
-/// \tparam FaceSegmentMap a model of `ReadablePropertyMap` with the face descriptor as key and an equality comparable
-///         value type
-/// \tparam EdgeIsBorderMap a model of `WritablePropertyMap` with the edge descriptor as key and a value type
-///         constructible from `bool`
+/// \tparam FaceSegmentMap a model of `ReadablePropertyMap` with the face descriptor as key and an
+///         equality comparable value type
+/// \tparam EdgeIsBorderMap a model of `WritablePropertyMap` with the edge descriptor as key and a
+///         value type constructible from `bool`
 /// \param mesh an oriented 2-manifold with or without boundary, its faces polygons of any size
 /// \param segment_map the segments, by any labels
 /// \param edge_is_border_map every key is written
@@ -45,8 +47,9 @@ std::size_t mark_segment_borders(const FaceGraph& mesh, const FaceSegmentMap& se
   std::size_t count = 0;
   for (auto e : edges(mesh)) {
     const auto h = halfedge(e, mesh);
-    const bool is_border = !CGAL::is_border(e, mesh) &&
-                           get(segment_map, face(h, mesh)) != get(segment_map, face(opposite(h, mesh), mesh));
+    const bool is_border =
+      !CGAL::is_border(e, mesh) &&
+      get(segment_map, face(h, mesh)) != get(segment_map, face(opposite(h, mesh), mesh));
     put(edge_is_border_map, e, Value(is_border));
     count += is_border;
   }

@@ -9,10 +9,20 @@ namespace CGAL {
 namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationSegments
-/// The label of a face that belongs to no segment: -1, which is the highest value of an unsigned type. A map of `bool`
-/// has no such label.
-template <typename Label>
-constexpr Label no_segment = Label(-1);
+/// The type of `no_segment`, which converts to, and is compared with, labels of any integral type.
+struct No_segment
+{
+  template <typename Label, typename = std::enable_if_t<std::is_integral<Label>::value>>
+  constexpr operator Label() const
+  {
+    return Label(-1);
+  }
+};
+
+/// \ingroup PkgRegionSegmentationSegments
+/// The label of a face that belongs to no segment: -1, which is the highest value of an unsigned
+/// type. A map of `bool` has no such label.
+constexpr No_segment no_segment{};
 
 /// \ingroup PkgRegionSegmentationSegments
 /// Whether a face with this label belongs to a segment.
@@ -20,7 +30,18 @@ template <typename Label>
 constexpr bool is_segment(Label label)
 {
   static_assert(std::is_integral<Label>::value, "the labels of segments are integral");
-  return std::is_same<Label, bool>::value || label != no_segment<Label>;
+  return std::is_same<Label, bool>::value || label != Label(-1);
+}
+
+template <typename Label>
+constexpr bool operator==(Label label, No_segment)
+{
+  return !is_segment(label);
+}
+template <typename Label>
+constexpr bool operator!=(Label label, No_segment)
+{
+  return is_segment(label);
 }
 
 } // namespace Region_segmentation

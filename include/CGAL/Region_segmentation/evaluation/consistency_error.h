@@ -5,8 +5,8 @@
 
 #include <CGAL/Region_segmentation/internal/measures/Contingency_table.h>
 #include <CGAL/Region_segmentation/internal/support/read_face_labels.h>
-#include <CGAL/Region_segmentation/internal/measures/Surface_geometry.h>
 #include <CGAL/Region_segmentation/parameters.h>
+#include <CGAL/Region_segmentation/make_surface.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -52,19 +52,16 @@ inline double refinement_error(double part, double whole)
   return whole > 0 ? (whole - part) / whole : 0;
 }
 
-inline Consistency_error consistency_error(const Partition& a, const Partition& b,
-                                           const Face_areas& areas)
+inline Consistency_error consistency_error(const Contingency_table& table, double number_of_faces)
 {
-  const std::vector<Face_total> rows = segment_totals(a, areas), columns = segment_totals(b, areas);
   Refinement_error_sums by_count, by_area;
-  for_each_cell(a, b, areas, [&](std::size_t i, std::size_t j, const Face_total& cell) {
+  for (const auto& [i, j, cell] : table.cells) {
+    const Face_total &row = table.rows[i], &column = table.columns[j];
     const double n = double(cell.count);
-    by_count.add(n, refinement_error(n, double(rows[i].count)),
-                 refinement_error(n, double(columns[j].count)));
-    by_area.add(n, refinement_error(cell.area, rows[i].area),
-                refinement_error(cell.area, columns[j].area));
-  });
-  const double number_of_faces = double((std::max<std::size_t>)(1, a.size()));
+    by_count.add(n, refinement_error(n, double(row.count)),
+                 refinement_error(n, double(column.count)));
+    by_area.add(n, refinement_error(cell.area, row.area), refinement_error(cell.area, column.area));
+  }
   Consistency_error result;
   result.global = by_count.global() / number_of_faces;
   result.local = by_count.local() / number_of_faces;
@@ -100,8 +97,8 @@ inline Consistency_error consistency_error(const Partition& a, const Partition& 
 /// \tparam FaceLabelMapA a model of `ReadablePropertyMap` with the face descriptor as key and an
 ///         integral value type of at most 64 bits
 /// \tparam FaceLabelMapB the same
-/// \param mesh a mesh, with or without boundary, of faces of any size; the area of a face that is not
-///        planar is the length of its area vector (Newell)
+/// \param mesh a mesh, with or without boundary, of faces of any size; the area of a face that is
+///        not planar is the length of its area vector (Newell)
 /// \param a the first segmentation; labels may be sparse or negative
 /// \param b the second one; its labels need not be those of `a`
 /// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
@@ -128,11 +125,12 @@ Consistency_error consistency_error(const FaceGraph& mesh, const FaceLabelMapA& 
                                     const FaceLabelMapB& b,
                                     const NamedParameters& np = parameters::default_values())
 {
-  const auto& pack = internal::pack(np);
-  const auto traversal = internal::make_mesh_traversal(mesh, pack);
-  return internal::consistency_error(internal::read_face_labels(mesh, a),
-                                     internal::read_face_labels(mesh, b),
-                                     internal::face_areas(traversal, pack));
+  const Surface flat = internal::make_surface_of_neighbors(mesh, internal::pack(np));
+  const internal::Contingency_table table(internal::read_face_labels(mesh, a),
+                                          internal::read_face_labels(mesh, b),
+                                          [&](std::size_t f) { return flat.area(f); });
+  return internal::consistency_error(table,
+                                     double((std::max<std::size_t>)(1, flat.number_of_faces())));
 }
 
 } // namespace Region_segmentation

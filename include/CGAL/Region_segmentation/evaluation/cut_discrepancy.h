@@ -4,8 +4,9 @@
 #define CGAL_REGION_SEGMENTATION_EVALUATION_CUT_DISCREPANCY_H
 
 #include <CGAL/Region_segmentation/internal/measures/Edge_graph.h>
-#include <CGAL/Region_segmentation/internal/measures/Surface_geometry.h>
+#include <CGAL/Region_segmentation/internal/measures/mean_distance_to_centroid.h>
 #include <CGAL/Region_segmentation/parameters.h>
+#include <CGAL/Region_segmentation/make_surface.h>
 
 #include <CGAL/boost/graph/helpers.h>
 
@@ -25,20 +26,20 @@ namespace internal {
 
 /// The end points, in order, of the edges whose two faces have different labels.
 template <typename FaceGraph, typename Pack, typename FaceLabelMap>
-std::vector<Edge_graph::Index> cut_vertices(const Mesh_traversal<FaceGraph, Pack>& traversal,
+std::vector<Edge_graph::Index> cut_vertices(const Mesh_order<FaceGraph, Pack>& order,
                                             const FaceLabelMap& label_map)
 {
   using Label = typename boost::property_traits<FaceLabelMap>::value_type;
   static_assert(std::is_integral<Label>::value, "labels are integral");
-  const FaceGraph& mesh = traversal.mesh();
-  std::vector<char> is_on_cut(traversal.number_of_vertices(), false);
+  const FaceGraph& mesh = order.mesh();
+  std::vector<char> is_on_cut(order.number_of_vertices(), false);
   for (auto e : edges(mesh)) {
     const auto h = halfedge(e, mesh), o = opposite(h, mesh);
     if (CGAL::is_border(h, mesh) || CGAL::is_border(o, mesh))
       continue;
     const Label label_h = get(label_map, face(h, mesh)), label_o = get(label_map, face(o, mesh));
     if (label_h != label_o)
-      is_on_cut[traversal.source_rank(h)] = is_on_cut[traversal.source_rank(o)] = true;
+      is_on_cut[order.rank_of_vertex()(source(h, mesh))] = is_on_cut[order.rank_of_vertex()(source(o, mesh))] = true;
   }
   std::vector<Edge_graph::Index> result;
   for (std::size_t v = 0; v < is_on_cut.size(); ++v)
@@ -72,8 +73,8 @@ std::vector<Edge_graph::Index> cut_vertices(const Mesh_traversal<FaceGraph, Pack
 /// \tparam FaceLabelMapA a model of `ReadablePropertyMap` with the face descriptor as key and an
 ///         integral value type
 /// \tparam FaceLabelMapB the same
-/// \param mesh a mesh, with or without boundary, of faces of any size; the area of a face that is not
-///        planar is the length of its area vector (Newell)
+/// \param mesh a mesh, with or without boundary, of faces of any size; the area of a face that is
+///        not planar is the length of its area vector (Newell)
 /// \param a the first segmentation; labels may be sparse or negative
 /// \param b the second one; its labels need not be those of `a`
 /// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
@@ -101,14 +102,15 @@ std::optional<double> cut_discrepancy(const FaceGraph& mesh, const FaceLabelMapA
                                       const NamedParameters& np = parameters::default_values())
 {
   const auto& pack = internal::pack(np);
-  const auto traversal = internal::make_mesh_traversal(mesh, pack);
-  const auto points = internal::read_normalized_points(traversal, pack);
-  const auto cut_a = internal::cut_vertices(traversal, a), cut_b = internal::cut_vertices(traversal, b);
-  const double size = internal::mean_distance_to_centroid(traversal, points);
+  const internal::Mesh_order<FaceGraph, std::decay_t<decltype(pack)>> order(mesh, pack);
+  const Surface surface = internal::make_surface_of_neighbors(mesh, pack);
+  const auto cut_a = internal::cut_vertices(order, a),
+             cut_b = internal::cut_vertices(order, b);
+  const double size = internal::mean_distance_to_centroid(surface);
   if (cut_a.empty() || cut_b.empty() || size == 0)
     return std::nullopt;
 
-  const internal::Edge_graph graph(traversal, points);
+  const internal::Edge_graph graph(order, surface);
   const double sum = graph.sum_of_distances(cut_b, cut_a) + graph.sum_of_distances(cut_a, cut_b);
   if (!std::isfinite(sum))
     return std::nullopt;

@@ -5,8 +5,8 @@
 
 #include <CGAL/Region_segmentation/internal/measures/Contingency_table.h>
 #include <CGAL/Region_segmentation/internal/support/read_face_labels.h>
-#include <CGAL/Region_segmentation/internal/measures/Surface_geometry.h>
 #include <CGAL/Region_segmentation/parameters.h>
+#include <CGAL/Region_segmentation/make_surface.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -41,17 +41,16 @@ inline double unmatched_part(const std::vector<Face_total>& segments,
   return total > 0 ? unmatched / total : 0;
 }
 
-inline Hamming_distance hamming_distance(const Partition& a, const Partition& b,
-                                         const Face_areas& areas)
+inline Hamming_distance hamming_distance(const Contingency_table& table)
 {
-  std::vector<double> largest_in_row(a.number_of_parts()), largest_in_column(b.number_of_parts());
-  for_each_cell(a, b, areas, [&](std::size_t i, std::size_t j, const Face_total& cell) {
-    largest_in_row[i] = (std::max)(largest_in_row[i], cell.area);
-    largest_in_column[j] = (std::max)(largest_in_column[j], cell.area);
-  });
+  std::vector<double> largest_in_row(table.rows.size()), largest_in_column(table.columns.size());
+  for (const auto& [row, column, total] : table.cells) {
+    largest_in_row[row] = (std::max)(largest_in_row[row], total.area);
+    largest_in_column[column] = (std::max)(largest_in_column[column], total.area);
+  }
   Hamming_distance result;
-  result.missing_rate = unmatched_part(segment_totals(b, areas), largest_in_column);
-  result.false_alarm_rate = unmatched_part(segment_totals(a, areas), largest_in_row);
+  result.missing_rate = unmatched_part(table.columns, largest_in_column);
+  result.false_alarm_rate = unmatched_part(table.rows, largest_in_row);
   result.distance = (result.missing_rate + result.false_alarm_rate) / 2;
   return result;
 }
@@ -78,8 +77,8 @@ inline Hamming_distance hamming_distance(const Partition& a, const Partition& b,
 /// \tparam FaceLabelMapA a model of `ReadablePropertyMap` with the face descriptor as key and an
 ///         integral value type of at most 64 bits
 /// \tparam FaceLabelMapB the same
-/// \param mesh a mesh, with or without boundary, of faces of any size; the area of a face that is not
-///        planar is the length of its area vector (Newell)
+/// \param mesh a mesh, with or without boundary, of faces of any size; the area of a face that is
+///        not planar is the length of its area vector (Newell)
 /// \param a the first segmentation, e.g. the result; labels may be sparse or negative
 /// \param b the second one, e.g. the truth; its labels need not be those of `a`
 /// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
@@ -105,11 +104,11 @@ Hamming_distance hamming_distance(const FaceGraph& mesh, const FaceLabelMapA& a,
                                   const FaceLabelMapB& b,
                                   const NamedParameters& np = parameters::default_values())
 {
-  const auto& pack = internal::pack(np);
-  const auto traversal = internal::make_mesh_traversal(mesh, pack);
-  return internal::hamming_distance(internal::read_face_labels(mesh, a),
-                                    internal::read_face_labels(mesh, b),
-                                    internal::face_areas(traversal, pack));
+  const Surface flat = internal::make_surface_of_neighbors(mesh, internal::pack(np));
+  const internal::Contingency_table table(internal::read_face_labels(mesh, a),
+                                          internal::read_face_labels(mesh, b),
+                                          [&](std::size_t f) { return flat.area(f); });
+  return internal::hamming_distance(table);
 }
 
 } // namespace Region_segmentation

@@ -22,28 +22,19 @@ inline std::uint64_t number_of_pairs(std::uint64_t n)
   return n == 0 ? 0 : n * (n - 1) / 2;
 }
 
-/// The number of pairs of faces that share a segment.
-inline std::uint64_t pairs_within(const Partition& labels)
-{
-  std::uint64_t pairs = 0;
-  for (const Face_count& segment : segment_totals(labels, No_areas()))
-    pairs += number_of_pairs(segment.count);
-  return pairs;
-}
-
 /// Exact integers up to the one division: every sum is at most C(F) < 2^63.
 inline double rand_index_distance(const Partition& a, const Partition& b)
 {
-  const std::uint64_t number_of_faces = a.size();
-  if (number_of_faces < 2)
+  if (a.size() < 2)
     return 0;
-  std::uint64_t together_in_both = 0;
-  for_each_cell(a, b, No_areas(), [&](std::size_t, std::size_t, const Face_count& cell) {
-    together_in_both += number_of_pairs(cell.count);
-  });
-  const std::uint64_t only_in_a = pairs_within(a) - together_in_both;
-  const std::uint64_t only_in_b = pairs_within(b) - together_in_both;
-  return double(only_in_a + only_in_b) / double(number_of_pairs(number_of_faces));
+  const Contingency_table table(a, b, [](std::size_t) { return 0.; });
+  std::uint64_t only_in_one = 0;
+  for (const auto* segments : {&table.rows, &table.columns})
+    for (const Face_total& segment : *segments)
+      only_in_one += number_of_pairs(segment.count);
+  for (const Contingency_table::Cell& cell : table.cells)
+    only_in_one -= 2 * number_of_pairs(cell.total.count);
+  return double(only_in_one) / double(number_of_pairs(a.size()));
 }
 
 } // namespace internal

@@ -146,10 +146,10 @@ private:
   public:
     explicit Faces(const Patch_builder& builder) : m_builder(builder), m_mesh(builder.m_surface) {}
     std::size_t size() const { return m_mesh.number_of_faces(); }
-    double area(std::size_t f) const { return m_mesh.area(f); }
+    double area(std::size_t f) const { return m_mesh.weight(f); }
     Double_3 centroid(std::size_t f) const { return m_mesh.centroid(f); }
     const Double_3& normal(std::size_t f) const { return m_mesh.normal(f); }
-    Double_3 area_vector(std::size_t f) const { return m_mesh.area(f) * m_mesh.normal(f); }
+    Double_3 area_vector(std::size_t f) const { return m_mesh.weight(f) * m_mesh.normal(f); }
 
     std::size_t number_of_ranges() const { return number_of_blocks(m_mesh.number_of_adjacencies(), edges_in_range()); }
     template <typename F>

@@ -3,6 +3,8 @@
 #ifndef CGAL_REGION_SEGMENTATION_INTERNAL_CONCEPTS_CHECK_MERGING_H
 #define CGAL_REGION_SEGMENTATION_INTERNAL_CONCEPTS_CHECK_MERGING_H
 
+#include <CGAL/Region_segmentation/Graph/Merge_tree.h>
+#include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/internal/concepts/check_graph_data.h>
 #include <CGAL/Region_segmentation/internal/support/satisfies.h>
 
@@ -10,7 +12,7 @@
 #include <type_traits>
 #include <utility>
 
-// SectionCost, RegionMergingPolicy, MergingStopPredicate
+// SectionCost, RegionMergingPolicy, NumberChooser, MergingStopPredicate
 
 namespace CGAL {
 namespace Region_segmentation {
@@ -75,6 +77,19 @@ void initialize_policy(Policy& policy, const Graph& graph, std::size_t number_of
     policy.initialize(graph, number_of_segments);
   else
     policy.initialize(graph);
+}
+
+template <typename T>
+using Chooses_number = std::enable_if_t<
+  std::is_convertible<decltype(std::declval<const T&>()(std::declval<const Merge_tree&>(), std::declval<const Surface&>())),
+                      std::size_t>::value>;
+
+template <typename T>
+constexpr bool check_number_chooser()
+{
+  static_assert(satisfies<Chooses_number, T>,
+                "a NumberChooser needs: std::size_t operator()(const Merge_tree&, const Surface&) const");
+  return true;
 }
 
 template <typename T, typename Graph>

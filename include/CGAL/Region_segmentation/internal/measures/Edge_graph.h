@@ -5,8 +5,7 @@
 
 #include <CGAL/Region_segmentation/internal/support/Grouped_items.h>
 #include <CGAL/Region_segmentation/internal/support/shortest_paths.h>
-#include <CGAL/Region_segmentation/internal/reading/Mesh_traversal.h>
-#include <CGAL/Region_segmentation/Double_3.h>
+#include <CGAL/Region_segmentation/internal/surface/Mesh_order.h>
 
 #include <cstddef>
 #include <limits>
@@ -21,19 +20,19 @@ namespace internal {
 class Edge_graph
 {
 public:
-  using Index = Flat_mesh::Index;
+  using Index = Surface::Index;
 
   template <typename FaceGraph, typename Pack>
-  Edge_graph(const Mesh_traversal<FaceGraph, Pack>& traversal, const std::vector<Double_3>& points)
-      : m_incident_edges(traversal.number_of_vertices())
+  Edge_graph(const Mesh_order<FaceGraph, Pack>& order, const Surface& surface)
+      : m_incident_edges(order.number_of_vertices())
   {
-    for_each_edge(traversal, [&](std::size_t v, std::size_t w) {
+    for_each_edge(order, [&](std::size_t v, std::size_t w) {
       m_incident_edges.count(v);
       m_incident_edges.count(w);
     });
     m_incident_edges.end_counting();
-    for_each_edge(traversal, [&](std::size_t v, std::size_t w) {
-      const double length = norm(points[v] - points[w]);
+    for_each_edge(order, [&](std::size_t v, std::size_t w) {
+      const double length = norm(surface.point(v) - surface.point(w));
       m_incident_edges.add(v, {Index(w), length});
       m_incident_edges.add(w, {Index(v), length});
     });
@@ -72,11 +71,12 @@ private:
   std::size_t number_of_vertices() const { return m_incident_edges.number_of_groups(); }
 
   template <typename FaceGraph, typename Pack, typename F>
-  static void for_each_edge(const Mesh_traversal<FaceGraph, Pack>& traversal, F f)
+  static void for_each_edge(const Mesh_order<FaceGraph, Pack>& order, F f)
   {
-    for (auto e : edges(traversal.mesh())) {
-      const auto h = halfedge(e, traversal.mesh());
-      f(traversal.source_rank(h), traversal.source_rank(opposite(h, traversal.mesh())));
+    for (auto e : edges(order.mesh())) {
+      const auto h = halfedge(e, order.mesh());
+      f(order.rank_of_vertex()(source(h, order.mesh())),
+        order.rank_of_vertex()(target(h, order.mesh())));
     }
   }
 

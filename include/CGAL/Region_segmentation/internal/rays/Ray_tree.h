@@ -158,6 +158,10 @@ private:
                                  for (const Float_3* c : {&p, &q, &r})
                                    box.add(*c, *c);
                                });
+    if (!(box.low[0] <= box.high[0])) { // of crumbs alone
+      constexpr Float_3 origin{0, 0, 0};
+      box.add(origin, origin);
+    }
     float extent = float(mesh.length_unit() / m_unit);
     for (std::size_t k = 0; k < 3; ++k)
       extent = (std::max)({extent, std::abs(box.low[k]), std::abs(box.high[k])});

@@ -32,7 +32,7 @@ struct Region_shapes
     const Double_3 origin = mesh.centroid(0); // avoids cancellation far from the origin
     for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
       const Partition::Index r = regions[f];
-      const double area = mesh.area(f);
+      const double area = mesh.weight(f);
       areas[r] += area;
       normals[r] = normals[r] + area * mesh.normal(f);
       centroids[r] = centroids[r] + area * (mesh.centroid(f) - origin);

@@ -19,28 +19,25 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// The edges that join degenerate faces in place of those that are constrained: the longest that is not, of equal ones that to
+/// The edges that join degenerate faces with constrained edges: the longest that is not constrained, of equal ones that to
 /// the lowest face.
-inline std::vector<std::size_t> replaced_joining_edges(const Surface& surface, const Constraints& constraints)
+inline std::vector<std::size_t> joining_edges_beside(const Surface& surface, const Constraints& constraints)
 {
   std::vector<std::size_t> result;
   if (constraints.empty())
     return result;
-  std::vector<bool> is_isolated(surface.number_of_faces());
+  std::vector<bool> has_constraint(surface.number_of_faces());
   for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a)
-    if (surface.has_flag(a, Surface::JOINING) && constraints[a])
+    if (constraints[a])
       for (const auto face : {surface.lower_face(a), surface.higher_face(a)})
-        is_isolated[face] = surface.is_degenerate(face);
-  for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a)
-    if (surface.has_flag(a, Surface::JOINING) && !constraints[a])
-      is_isolated[surface.lower_face(a)] = is_isolated[surface.higher_face(a)] = false;
+        has_constraint[face] = surface.is_degenerate(face);
   std::vector<std::tuple<Surface::Index, double, Surface::Index, std::size_t>> candidates;
   const auto add = [&](Surface::Index face, Surface::Index other, std::size_t a) {
-    if (is_isolated[face])
-      candidates.push_back({face, -surface.length(a), other, a});
+    if (has_constraint[face])
+      candidates.push_back({face, -surface.squared_length(a), other, a});
   };
   for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a)
-    if (surface.has_flag(a, Surface::CLOSED) && !constraints[a]) {
+    if (surface.has_flag(a, Surface::CLOSED | Surface::JOINING) && !constraints[a]) {
       add(surface.lower_face(a), surface.higher_face(a), a);
       add(surface.higher_face(a), surface.lower_face(a), a);
     }
@@ -57,11 +54,11 @@ inline std::vector<std::size_t> replaced_joining_edges(const Surface& surface, c
 inline Partition grow(const Surface& surface, const Edge_marks& is_feature, const Constraints& constraints,
                       const Execution& execution)
 {
-  const std::vector<std::size_t> replaced = replaced_joining_edges(surface, constraints);
+  const std::vector<std::size_t> joining = joining_edges_beside(surface, constraints);
   const auto joins = [&](std::size_t a) {
     if (is_feature[a] || constraints[a] || surface.has_flag(a, Surface::SEAM | Surface::LINK))
       return false;
-    return !surface.has_flag(a, Surface::CLOSED) || std::binary_search(replaced.begin(), replaced.end(), a);
+    return !surface.has_flag(a, Surface::CLOSED) || std::binary_search(joining.begin(), joining.end(), a);
   };
   return label_components(surface, joins, execution);
 }

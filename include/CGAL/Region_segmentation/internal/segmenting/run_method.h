@@ -7,11 +7,13 @@
 #include <CGAL/Region_segmentation/Hierarchy.h>
 #include <CGAL/Region_segmentation/Request.h>
 #include <CGAL/Region_segmentation/Surface.h>
+#include <CGAL/Region_segmentation/exceptions.h>
 #include <CGAL/Region_segmentation/internal/support/options.h>
 #include <CGAL/Region_segmentation/internal/support/satisfies.h>
 #include <CGAL/Region_segmentation/parameters.h>
 
 #include <cstddef>
+#include <string>
 #include <type_traits>
 #include <utility>
 
@@ -112,6 +114,27 @@ Request request_of_pack(const Input& input, const Surface& surface, const Pack& 
   return request;
 }
 
+/// What the method merges.
+/// \throws Invalid_method unless its regions are those of the faces, and its merges or segments those of the regions
+template <typename Method, typename Prepared>
+auto merge_by(const Method& method, const Surface& surface, const Prepared& prepared, const Request& request,
+              const Execution& execution)
+{
+  auto result = method.merge(surface, prepared, request, execution);
+  const auto check = [&](const Partition& regions, std::size_t number_of_regions) {
+    if (regions.size() != surface.number_of_faces() || regions.number_of_parts() != number_of_regions)
+      throw Invalid_method("merge() of the SegmentationMethod returns " + std::to_string(regions.number_of_parts()) +
+                           " regions of " + std::to_string(regions.size()) + " faces, and merges " +
+                           std::to_string(number_of_regions) + "; the mesh has " +
+                           std::to_string(surface.number_of_faces()) + " faces");
+  };
+  if constexpr (needs_number<Method>())
+    check(result.regions, result.segments.size());
+  else
+    check(result.regions(), result.merge_tree().number_of_regions());
+  return result;
+}
+
 /// Writes the outputs that a pack asks for. `result`: a `Hierarchy` or a `Segmentation`
 template <typename Input, typename Pack>
 void write_outputs(const Input& input, const Partition& regions, const Merge_tree& tree, const Pack& np)
@@ -137,7 +160,7 @@ std::size_t run_method(const Input& input, const Surface& surface, SegmentMap& s
   if constexpr (!has_merge_tree<Pack> && !has_region_map<Pack>)
     request.numbers = Request::Numbers::ONE;
   const auto prepared = method.prepare(surface, execution);
-  const auto result = method.merge(surface, prepared, request, execution);
+  const auto result = merge_by(method, surface, prepared, request, execution);
   if constexpr (needs_number<Method>()) {
     static_assert(has_number_of_segments<Pack>,
                   "segment() with this method needs the named parameter number_of_segments");

@@ -5,114 +5,76 @@
 
 #include <CGAL/Region_segmentation/internal/segments/Segmented_mesh.h>
 
-#include <CGAL/boost/graph/helpers.h>
-
 #include <cstddef>
-#include <limits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// The edges between segments, joined to chains. An edge is represented by its halfedge in the segment of lower number
-/// (`none` is above all), so chains between the same two segments run in one direction.
-template <typename Traversal>
+/// The edges between segments, joined to chains. An edge is represented by its halfedge in the
+/// segment of lower number (`none` is above all), so that the chains between two segments run in
+/// one direction.
 class Border_chains
 {
-public:
-  using halfedge_descriptor = typename Traversal::halfedge_descriptor;
+  using Index = Halfedge_table::Index;
+  static constexpr Index none = Halfedge_table::none;
 
-  explicit Border_chains(const Segmented_mesh<Traversal>& segmented)
-    : m_segmented(segmented), m_at_vertex(segmented.traversal().number_of_vertices())
+public:
+  explicit Border_chains(const Segmented_halfedges& mesh)
+      : m_mesh(mesh), m_leaving(mesh.number_of_vertices, Index(none)),
+        m_is_junction(mesh.number_of_vertices, false)
   {
-    collect_edges();
-    mark_borders_of_mesh();
+    std::vector<Index> arriving(mesh.number_of_vertices, Index(none));
+    const auto add = [&](Index& place, Index h, Index vertex) {
+      m_is_junction[vertex] |= place != none; // a second one
+      place = h;
+    };
+    for (Index h = 0; h < mesh.size(); ++h)
+      if (mesh.opposite[h] == none)
+        m_is_junction[mesh.source[h]] = m_is_junction[mesh.target(h)] = true;
+      else if (mesh.segment(h) < mesh.segment_across(h)) {
+        m_halfedges.push_back(h);
+        add(m_leaving[mesh.source[h]], h, mesh.source[h]);
+        add(arriving[mesh.target(h)], h, mesh.target(h));
+      }
+    // At any other vertex two edges separate the same two segments: one arrives, one leaves.
+    for (std::size_t v = 0; v < mesh.number_of_vertices; ++v)
+      m_is_junction[v] |= (m_leaving[v] == none) != (arriving[v] == none);
   }
 
-  /// Calls `f(halfedges, is_closed)`, with a temporary vector, for the open chains, then for the closed ones, each kind
-  /// by the order of the edges.
+  /// Calls `f(halfedges, is_closed)` for the open chains, then for the closed ones, each kind by
+  /// its first faces.
   template <typename F>
   void for_each_chain(const F& f) const
   {
-    std::vector<char> is_done(m_edges.size(), false);
-    for (std::size_t e = 0; e < m_edges.size(); ++e)
-      if (is_junction(source_of(e)))
-        f(chain_from(e, is_done), false);
-    for (std::size_t e = 0; e < m_edges.size(); ++e)
-      if (!is_done[e])
-        f(chain_from(e, is_done), true);
+    std::vector<char> is_done(m_mesh.size(), false);
+    for (Index h : m_halfedges)
+      if (m_is_junction[m_mesh.source[h]])
+        f(chain_from(h, is_done), false);
+    for (Index h : m_halfedges)
+      if (!is_done[h])
+        f(chain_from(h, is_done), true);
   }
 
 private:
-  static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
-
-  /// The edges between segments at a vertex.
-  struct Vertex
+  std::vector<Index> chain_from(Index h, std::vector<char>& is_done) const
   {
-    std::size_t leaving = 0, arriving = 0; // numbers of edges
-    std::size_t edge = none;               // one that leaves
-    bool is_on_border_of_mesh = false;
-  };
-
-  std::size_t source_of(std::size_t e) const { return m_segmented.traversal().source_rank(m_edges[e]); }
-  std::size_t target_of(std::size_t e) const
-  {
-    return m_segmented.traversal().source_rank(opposite(m_edges[e], m_segmented.mesh()));
-  }
-
-  void collect_edges()
-  {
-    const auto& mesh = m_segmented.mesh();
-    m_segmented.for_each_border_halfedge([&](halfedge_descriptor h, auto segment) {
-      if (CGAL::is_border(edge(h, mesh), mesh) || m_segmented.opposite_segment(h) < segment)
-        return;
-      m_edges.push_back(h);
-      const std::size_t e = m_edges.size() - 1;
-      Vertex& vertex = m_at_vertex[source_of(e)];
-      ++vertex.leaving;
-      vertex.edge = e;
-      ++m_at_vertex[target_of(e)].arriving;
-    });
-  }
-
-  void mark_borders_of_mesh()
-  {
-    const auto& mesh = m_segmented.mesh();
-    for (auto e : edges(mesh))
-      if (CGAL::is_border(e, mesh)) {
-        const halfedge_descriptor h = halfedge(e, mesh);
-        m_at_vertex[m_segmented.traversal().source_rank(h)].is_on_border_of_mesh = true;
-        m_at_vertex[m_segmented.traversal().source_rank(opposite(h, mesh))].is_on_border_of_mesh = true;
-      }
-  }
-
-  /// Inside the mesh, a vertex with two edges has two fans of faces: the edges separate the same two segments, and one of
-  /// them leaves.
-  bool is_junction(std::size_t vertex) const
-  {
-    const Vertex& v = m_at_vertex[vertex];
-    return v.leaving != 1 || v.arriving != 1 || v.is_on_border_of_mesh;
-  }
-
-  std::vector<halfedge_descriptor> chain_from(std::size_t e, std::vector<char>& is_done) const
-  {
-    std::vector<halfedge_descriptor> chain;
-    while (!is_done[e]) {
-      is_done[e] = true;
-      chain.push_back(m_edges[e]);
-      const std::size_t vertex = target_of(e);
-      if (is_junction(vertex))
+    std::vector<Index> chain;
+    while (!is_done[h]) {
+      is_done[h] = true;
+      chain.push_back(h);
+      if (m_is_junction[m_mesh.target(h)])
         break;
-      e = m_at_vertex[vertex].edge;
+      h = m_leaving[m_mesh.target(h)];
     }
     return chain;
   }
 
-  const Segmented_mesh<Traversal>& m_segmented;
-  std::vector<halfedge_descriptor> m_edges;
-  std::vector<Vertex> m_at_vertex;
+  const Segmented_halfedges& m_mesh;
+  std::vector<Index> m_halfedges;
+  std::vector<Index> m_leaving;     // by vertex: a halfedge that leaves it
+  std::vector<char> m_is_junction;  // by vertex
 };
 
 } // namespace internal

@@ -3,79 +3,89 @@
 #ifndef CGAL_REGION_SEGMENTATION_INTERNAL_SEGMENTS_SEAM_FINDER_H
 #define CGAL_REGION_SEGMENTATION_INTERNAL_SEGMENTS_SEAM_FINDER_H
 
-#include <CGAL/Region_segmentation/internal/support/Lowest_root_forest.h>
-#include <CGAL/Region_segmentation/internal/support/Grouped_items.h>
+#include <CGAL/Region_segmentation/internal/segments/Segmented_mesh.h>
 #include <CGAL/Region_segmentation/internal/support/shortest_paths.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
-#include <numeric>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// An edge inside a segment.
-struct Inner_edge
-{
-  std::uint32_t vertices[2], faces[2];
-  double cost; // of a seam along it
-};
-
-/// Finds short paths that open every component of every segment to a disc, all at once, by tree and cotree:
-/// the shortest path tree of a component grows from all of its border, or from a vertex if it is closed; a spanning tree
-/// of its dual crosses edges that are not in the tree, and those first whose detour to the border is longest. Every edge
-/// in neither tree becomes a seam with its paths to the border: 2 g + b - 1 arcs for genus g and b > 0 loops, or 2 g loops
-/// through the root.
+/// Finds short paths that open every component of every segment to a disc, all at once, by tree and
+/// cotree: shortest path trees grow from all borders, and from the first vertex of each closed
+/// component; a spanning tree of the faces crosses edges that are in none of them, those first
+/// whose detour to the border is longest. The edges that it does not cross are the seams, without
+/// those that lead nowhere: 2 g + b - 1 arcs for genus g and b > 0 loops, or 2 g loops.
 ///
-/// A sphere is opened along a shortest path between two vertices far from each other.
+/// A sphere is opened along a shortest path, to the farthest vertex.
 ///
 /// Source: Erickson and Whittlesey 2005; with borders, Erickson and Har-Peled 2004.
 class Seam_finder
 {
-public:
-  using Index = std::uint32_t;
+  using Index = Halfedge_table::Index;
 
-  /// `is_border`: of the vertices. Those inside a segment are on no edges of others.
-  Seam_finder(std::vector<Inner_edge> edges, const std::vector<char>& is_border, std::size_t number_of_faces)
-    : m_edges(std::move(edges)), m_is_border(is_border), m_number_of_faces(number_of_faces)
-    , m_edges_at(is_border.size()), m_distances(is_border.size(), infinity), m_tree_edge(is_border.size(), Index(none))
-    , m_is_seam(m_edges.size(), false)
+public:
+  /// `cost(halfedge)`: of a seam along it.
+  template <typename Cost>
+  Seam_finder(const Segmented_halfedges& mesh, const Cost& cost)
+      : m_mesh(mesh), m_edges_at(mesh.number_of_vertices),
+        m_is_border(mesh.number_of_vertices, false), m_distances(mesh.number_of_vertices, infinity),
+        m_tree_edge(mesh.number_of_vertices, Index(none))
   {
-    for (const Inner_edge& e : m_edges)
-      for (Index v : e.vertices)
-        m_edges_at.count(v);
+    for (Index h = 0; h < mesh.size(); ++h)
+      if (mesh.is_on_border(h))
+        m_is_border[mesh.source[h]] = m_is_border[mesh.target(h)] = true;
+      else if (h < mesh.opposite[h] && mesh.segment(h) != none) {
+        m_edges.push_back({{mesh.source[h], mesh.target(h)}, h, cost(h)});
+        for (Index v : m_edges.back().vertices)
+          m_edges_at.count(v);
+      }
     m_edges_at.end_counting();
-    for (std::size_t e = 0; e < m_edges.size(); ++e)
+    for (Index e = 0; e < m_edges.size(); ++e)
       for (Index v : m_edges[e].vertices)
-        m_edges_at.add(v, Index(e));
+        m_edges_at.add(v, e);
+    m_is_seam.assign(m_edges.size(), false);
   }
 
-  /// Whether each edge is a seam.
-  std::vector<char> find()
+  /// A halfedge of each seam edge.
+  std::vector<Index> find()
   {
-    grow_trees_from_borders();
-    const std::vector<Closed_component> closed = grow_trees_of_closed_components();
-    add_arcs();
-    prune();
-    for (const Closed_component& component : closed)
-      if (!has_seam(component))
+    std::vector<Index> vertices;
+    for (Index v = 0; v < m_is_border.size(); ++v)
+      if (m_is_border[v])
+        vertices.push_back(v);
+    grow_tree(vertices);
+    std::vector<std::vector<Index>> closed_components; // by their trees
+    for (Index v = 0; v < m_distances.size(); ++v)
+      if (m_distances[v] == infinity && !m_edges_at[v].empty())
+        closed_components.push_back(grow_tree({v}));
+    leave_uncrossed();
+    for (Index v = 0; v < m_is_border.size(); ++v)
+      prune(v);
+    for (const std::vector<Index>& component : closed_components)
+      if (std::all_of(component.begin(), component.end(),
+                      [&](Index v) { return seams_at(v).empty(); }))
         open_sphere(component);
-    return std::move(m_is_seam);
+    std::vector<Index> seams;
+    for (Index e = 0; e < m_edges.size(); ++e)
+      if (m_is_seam[e])
+        seams.push_back(m_edges[e].halfedge);
+    return seams;
   }
 
 private:
-  static constexpr Index none = (std::numeric_limits<Index>::max)();
+  static constexpr Index none = Halfedge_table::none;
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 
-  struct Closed_component
+  /// An edge inside a segment.
+  struct Inner_edge
   {
-    Index root, farthest;
-    std::vector<Index> vertices;
+    Index vertices[2], halfedge;
+    double cost;
   };
 
   Index other_end(Index edge, Index vertex) const
@@ -102,115 +112,66 @@ private:
     return order;
   }
 
-  void grow_trees_from_borders()
-  {
-    std::vector<Index> sources;
-    for (std::size_t v = 0; v < m_is_border.size(); ++v)
-      if (m_is_border[v])
-        sources.push_back(Index(v));
-    grow_tree(sources);
-  }
-
-  /// The root is the farthest vertex from the first one of the component.
-  std::vector<Closed_component> grow_trees_of_closed_components()
-  {
-    std::vector<Closed_component> closed;
-    for (std::size_t v = 0; v < m_distances.size(); ++v)
-      if (m_distances[v] == infinity && !m_edges_at[v].empty()) {
-        std::vector<Index> vertices = grow_tree({Index(v)});
-        const Index root = vertices.back();
-        for (Index w : vertices) {
-          m_distances[w] = infinity;
-          m_tree_edge[w] = none;
-        }
-        vertices = grow_tree({root});
-        const Index farthest = vertices.back();
-        closed.push_back({root, farthest, std::move(vertices)});
-      }
-    return closed;
-  }
-
-  bool is_in_tree(Index e) const
-  {
-    return m_tree_edge[m_edges[e].vertices[0]] == e || m_tree_edge[m_edges[e].vertices[1]] == e;
-  }
-
-  double length_of_arc(Index e) const
-  {
-    return m_distances[m_edges[e].vertices[0]] + m_edges[e].cost + m_distances[m_edges[e].vertices[1]];
-  }
-
-  void add_arcs()
+  /// Makes seams of all edges but those that the spanning tree of the faces crosses.
+  void leave_uncrossed()
   {
     std::vector<Index> candidates;
     std::vector<double> lengths(m_edges.size());
-    for (std::size_t e = 0; e < m_edges.size(); ++e)
-      if (!is_in_tree(Index(e))) {
-        candidates.push_back(Index(e));
-        lengths[e] = length_of_arc(Index(e));
-      }
-    std::stable_sort(candidates.begin(), candidates.end(), [&](Index a, Index b) { return lengths[a] > lengths[b]; });
-    Lowest_root_forest faces(m_number_of_faces);
-    for (Index e : candidates)
-      if (!faces.unite(m_edges[e].faces[0], m_edges[e].faces[1]))
-        for (Index v : m_edges[e].vertices) {
-          m_is_seam[e] = true;
-          add_path(v);
-        }
-  }
-
-  /// From a vertex to the border, or to the root.
-  void add_path(Index v)
-  {
-    while (m_tree_edge[v] != none && !m_is_seam[m_tree_edge[v]]) {
-      const Index e = m_tree_edge[v];
+    for (Index e = 0; e < m_edges.size(); ++e) {
+      const auto& [v, w] = m_edges[e].vertices;
       m_is_seam[e] = true;
-      v = other_end(e, v);
+      lengths[e] = m_distances[v] + m_edges[e].cost + m_distances[w];
+      if (m_tree_edge[v] != e && m_tree_edge[w] != e)
+        candidates.push_back(e);
+    }
+    std::stable_sort(candidates.begin(), candidates.end(),
+                     [&](Index a, Index b) { return lengths[a] > lengths[b]; });
+    Lowest_root_forest faces(m_mesh.number_of_faces());
+    for (Index e : candidates) {
+      const Index h = m_edges[e].halfedge;
+      m_is_seam[e] = !faces.unite(m_mesh.face[h], m_mesh.face[m_mesh.opposite[h]]);
     }
   }
 
-  std::size_t number_of_seams_at(Index v) const
+  std::vector<Index> seams_at(Index v) const
   {
-    return std::size_t(std::count_if(m_edges_at[v].begin(), m_edges_at[v].end(), [&](Index e) { return m_is_seam[e]; }));
+    std::vector<Index> seams;
+    for (Index e : m_edges_at[v])
+      if (m_is_seam[e])
+        seams.push_back(e);
+    return seams;
   }
 
-  /// Removes paths that end inside: in closed components, that to the root.
-  void prune()
+  /// Removes a path that ends at `v`, inside a segment.
+  void prune(Index v)
   {
-    for (std::size_t start = 0; start < m_is_border.size(); ++start)
-      for (Index v = Index(start); !m_is_border[v] && number_of_seams_at(v) == 1;) {
-        const Index e = *std::find_if(m_edges_at[v].begin(), m_edges_at[v].end(), [&](Index i) { return m_is_seam[i]; });
-        m_is_seam[e] = false;
-        v = other_end(e, v);
-      }
+    for (auto seams = seams_at(v); !m_is_border[v] && seams.size() == 1; seams = seams_at(v)) {
+      m_is_seam[seams[0]] = false;
+      v = other_end(seams[0], v);
+    }
   }
 
-  bool has_seam(const Closed_component& component) const
+  /// Along the path to the farthest vertex; along at least two edges, where there are: one alone
+  /// would give a border of two vertices.
+  void open_sphere(const std::vector<Index>& component)
   {
-    return std::any_of(component.vertices.begin(), component.vertices.end(),
-                       [&](Index v) { return number_of_seams_at(v) > 0; });
-  }
-
-  /// Along at least two edges, where there are: one alone would give a border of two vertices.
-  void open_sphere(const Closed_component& component)
-  {
-    add_path(component.farthest);
-    if (other_end(m_tree_edge[component.farthest], component.farthest) != component.root)
-      return;
-    for (Index e : m_edges_at[component.farthest])
-      if (other_end(e, component.farthest) != component.root) {
+    const Index root = component.front(), farthest = component.back();
+    for (Index v = farthest; v != root; v = other_end(m_tree_edge[v], v))
+      m_is_seam[m_tree_edge[v]] = true;
+    for (Index e : m_edges_at[farthest])
+      if (other_end(m_tree_edge[farthest], farthest) == root && other_end(e, farthest) != root) {
         m_is_seam[e] = true;
         return;
       }
   }
 
-  const std::vector<Inner_edge> m_edges;
-  const std::vector<char>& m_is_border;
-  const std::size_t m_number_of_faces;
+  const Segmented_halfedges& m_mesh;
+  std::vector<Inner_edge> m_edges;
   Grouped_items<Index> m_edges_at; // by vertex
+  std::vector<char> m_is_border;   // by vertex
   std::vector<double> m_distances; // from the border, or from the root; by vertex
   std::vector<Index> m_tree_edge;  // towards it
-  std::vector<char> m_is_seam;
+  std::vector<char> m_is_seam;     // by edge
 };
 
 } // namespace internal

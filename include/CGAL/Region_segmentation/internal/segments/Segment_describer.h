@@ -3,23 +3,19 @@
 #ifndef CGAL_REGION_SEGMENTATION_INTERNAL_SEGMENTS_SEGMENT_DESCRIBER_H
 #define CGAL_REGION_SEGMENTATION_INTERNAL_SEGMENTS_SEGMENT_DESCRIBER_H
 
-#include <CGAL/Region_segmentation/Flat_mesh.h>
 #include <CGAL/Region_segmentation/Segments/Segment_description.h>
+#include <CGAL/Region_segmentation/internal/segments/Mesh_geometry.h>
 #include <CGAL/Region_segmentation/internal/segments/Primitive_fitter.h>
 #include <CGAL/Region_segmentation/internal/segments/Segmented_mesh.h>
-#include <CGAL/Region_segmentation/internal/segments/Surface_moments.h>
-#include <CGAL/Region_segmentation/internal/segments/border_loops.h>
-#include <CGAL/Region_segmentation/internal/support/Grouped_items.h>
-
-#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/Region_segmentation/internal/segments/segment_volumes.h>
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
 
-#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
-#include <tuple>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -27,205 +23,208 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// Describes all segments of a mesh at once, in units of the flat mesh.
+/// Describes the segments of a mesh.
 ///
-/// \tparam Numbers `Segment_numbers` of some type of labels
-template <typename FaceGraph, typename Pack, typename Numbers>
+/// \tparam Kernel that of the results
+template <typename FaceGraph, typename Label, typename Kernel>
 class Segment_describer
 {
-  using Index = Flat_mesh::Index;
-  using Traversal = Mesh_traversal<FaceGraph, Pack>;
-  using Label = typename decltype(Numbers::labels)::value_type;
+  using Index = Halfedge_table::Index;
 
 public:
-  using Description = Segment_description<Label>;
+  using Description = Segment_description<Label, Kernel>;
 
-  Segment_describer(const Traversal& traversal, const Pack& np, const Flat_mesh& flat, const Numbers& numbers)
-    : m_traversal(traversal), m_np(np), m_flat(flat), m_numbers(numbers), m_faces(numbers.labels.size())
-    , m_descriptions(numbers.labels.size())
-  {
-    for (Index s : numbers.of_face)
-      if (s != Numbers::none)
-        m_faces.count(s);
-    m_faces.end_counting();
-    for (std::size_t f = 0; f < numbers.of_face.size(); ++f)
-      if (numbers.of_face[f] != Numbers::none)
-        m_faces.add(numbers.of_face[f], Index(f));
-  }
+  Segment_describer(const Segmented_mesh<FaceGraph, Label>& segmented,
+                    const Mesh_geometry& geometry)
+      : m_segmented(segmented), m_geometry(geometry), m_faces(segmented.faces_of_segments()),
+        m_descriptions(segmented.number_of_segments)
+  {}
 
   std::vector<Description> describe()
   {
-    integrate();
+    for (std::size_t s = 0; s < m_descriptions.size(); ++s)
+      describe_surface(s);
+    describe_volumes();
     describe_neighbors();
-    for (std::size_t s = 0; s < m_descriptions.size(); ++s) {
-      Description& d = m_descriptions[s];
-      d.segment = m_numbers.labels[s];
-      d.number_of_faces = m_faces[s].size();
-      d.primitive = Primitive_fitter(m_flat, m_faces[s], d.centroid, d.area).fit();
-    }
     return std::move(m_descriptions);
   }
 
 private:
-  const Double_3& point(typename Traversal::halfedge_descriptor h) const // of its source
+  using Points = std::vector<Eigen::Vector3d>;
+
+  static Eigen::Vector3d to_eigen(const Double_3& v) { return {v.x, v.y, v.z}; }
+  static typename Kernel::Vector_3 to_vector(const Eigen::Vector3d& v)
   {
-    return m_flat.points()[m_traversal.source_rank(h)];
+    using FT = typename Kernel::FT;
+    return typename Kernel::Vector_3(FT(v[0]), FT(v[1]), FT(v[2]));
+  }
+  static typename Kernel::Point_3 to_point(const Eigen::Vector3d& v)
+  {
+    return CGAL::ORIGIN + to_vector(v);
   }
 
-  void integrate()
+  /// Calls `f(face, corners)` for the faces of a segment; a corner is (p - origin) / unit.
+  template <typename F>
+  void for_each_face(std::size_t segment, const Eigen::Vector3d& origin, double unit,
+                     const F& f) const
   {
-    const Mesh_points& points = m_flat.points();
-    std::vector<Surface_moments> moments;
-    for (std::size_t s = 0; s < m_descriptions.size(); ++s) {
-      moments.emplace_back(points[points.corner(*m_faces[s].begin(), 0)]);
-      for (Index f : m_faces[s])
-        moments.back().add_face(m_flat, f);
+    Points corners;
+    for (Index face : m_faces[segment]) {
+      corners.clear();
+      for (Index h = m_segmented.first[face]; h < m_segmented.first[face + 1]; ++h)
+        corners.push_back((to_eigen(m_geometry.point(m_segmented.source[h])) - origin) / unit);
+      f(face, corners);
     }
-    close_borders(moments);
-    double sum_of_volumes = 0;
-    for (std::size_t s = 0; s < m_descriptions.size(); ++s) {
-      Description& d = m_descriptions[s];
-      d.area = moments[s].area();
-      d.centroid = moments[s].centroid();
-      d.volume = moments[s].volume();
-      sum_of_volumes += d.volume;
-      set_axes(moments[s].covariance(), d);
-      set_extents(s, d);
-    }
-    if (sum_of_volumes > 0)
-      for (Description& d : m_descriptions)
-        d.volume_share = d.volume / sum_of_volumes;
   }
 
-  void close_borders(std::vector<Surface_moments>& moments)
+  /// Area, centroid, axes, extents and primitive.
+  void describe_surface(std::size_t segment)
   {
-    const Segmented_mesh<Traversal> segmented(m_traversal, m_numbers.of_face);
-    const FaceGraph& mesh = m_traversal.mesh();
-    for_each_border_loop(segmented, m_np, [&](Index segment, const auto& loop) {
-      Double_3 sum{0, 0, 0};
-      for (auto h : loop) {
-        const Double_3 from = point(h), to = point(opposite(h, mesh));
-        sum = sum + from;
-        if (CGAL::is_border(opposite(h, mesh), mesh))
-          m_descriptions[segment].boundary_length += norm(to - from);
-      }
-      const Double_3 mean = 1 / double(loop.size()) * sum;
-      const double orientation = orientation_of_loop(loop);
-      for (auto h : loop)
-        moments[segment].add_cap(mean, point(opposite(h, mesh)), point(h), orientation);
+    const Index first_face = *m_faces[segment].begin();
+    // Relative to a point nearby, so that nothing cancels far from the origin.
+    const Eigen::Vector3d origin =
+      to_eigen(m_geometry.point(m_segmented.source[m_segmented.first[first_face]]));
+    double area = 0;
+    Eigen::Vector3d first_moment = Eigen::Vector3d::Zero();
+    Eigen::Matrix3d second_moment = Eigen::Matrix3d::Zero();
+    for_each_face(segment, origin, 1, [&](Index, const Points& p) {
+      add_moments(p, area, first_moment, second_moment);
     });
-  }
-
-  /// That of the first face which is not degenerate, since all of a loop are in one component.
-  template <typename Loop>
-  double orientation_of_loop(const Loop& loop) const
-  {
-    const auto rank = m_traversal.rank_of_face();
-    for (auto h : loop) {
-      const std::size_t f = rank(face(h, m_traversal.mesh()));
-      if (!m_flat.is_degenerate(f))
-        return orientation_of_corners(m_flat, f);
+    Eigen::Vector3d center = Eigen::Vector3d::Zero();
+    if (area > 0) {
+      center = first_moment / area;
+      second_moment = second_moment / area - center * center.transpose();
     }
-    return 1;
+    Description& d = m_descriptions[segment];
+    const double unit = m_geometry.unit();
+    d.segment = m_segmented.labels[segment];
+    d.number_of_faces = m_faces[segment].size();
+    d.area = area * unit * unit; // one by one: the square of the unit may be infinite, the area 0
+    d.centroid = to_point(unit * (origin + center));
+    describe_extents(segment, origin + center, principal_axes(second_moment));
+    fit_primitive(segment, origin + center, area > 0 ? std::sqrt(area) : 1);
   }
 
-  static void set_axes(const Symmetric_3& covariance, Description& d)
+  /// Of the triangles of a fan, each with its area as seen along the normal, so that a face may be
+  /// concave. The integral of x x^T over a triangle a, b, c of area A is
+  /// A / 12 (a a^T + b b^T + c c^T + s s^T), s = a + b + c.
+  static void add_moments(const Points& p, double& area, Eigen::Vector3d& first,
+                          Eigen::Matrix3d& second)
   {
-    const auto& [xx, xy, xz, yy, yz, zz] = covariance;
-    Eigen::Matrix3d matrix;
-    matrix << xx, xy, xz, xy, yy, yz, xz, yz, zz;
-    const Eigen::Matrix3d vectors = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(matrix).eigenvectors();
-    for (std::size_t i = 0; i < 2; ++i) {
-      Eigen::Vector3d axis = vectors.col(2 - Eigen::Index(i)); // eigenvalues increase
+    Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+    for (std::size_t i = 2; i < p.size(); ++i)
+      normal += (p[i - 1] - p[0]).cross(p[i] - p[0]);
+    normal.stableNormalize();
+    for (std::size_t i = 2; i < p.size(); ++i) {
+      const double a = normal.dot((p[i - 1] - p[0]).cross(p[i] - p[0])) / 2;
+      const Eigen::Vector3d sum = p[0] + p[i - 1] + p[i];
+      area += a;
+      first += a / 3 * sum;
+      for (const Eigen::Vector3d& v : {p[0], p[i - 1], p[i], sum})
+        second += a / 12 * v * v.transpose();
+    }
+  }
+
+  static Eigen::Matrix3d principal_axes(const Eigen::Matrix3d& covariance)
+  {
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance); // eigenvalues increase
+    Eigen::Matrix3d axes = solver.eigenvectors().rowwise().reverse();
+    for (Eigen::Index i = 0; i < 2; ++i) {
       Eigen::Index largest;
-      axis.cwiseAbs().maxCoeff(&largest);
-      if (axis[largest] < 0)
-        axis = -axis;
-      d.axes[i] = from_eigen(axis);
+      axes.col(i).cwiseAbs().maxCoeff(&largest);
+      if (axes(largest, i) < 0)
+        axes.col(i) = -axes.col(i);
     }
-    d.axes[2] = cross(d.axes[0], d.axes[1]);
+    axes.col(2) = axes.col(0).cross(axes.col(1));
+    return axes;
   }
 
-  void set_extents(std::size_t segment, Description& d) const
+  void describe_extents(std::size_t segment, const Eigen::Vector3d& center,
+                        const Eigen::Matrix3d& axes)
   {
-    const Mesh_points& points = m_flat.points();
+    Eigen::Array3d lowest = Eigen::Array3d::Constant((std::numeric_limits<double>::max)()),
+                   highest = -lowest;
+    for_each_face(segment, center, 1, [&](Index, const Points& corners) {
+      for (const Eigen::Vector3d& p : corners) {
+        lowest = lowest.min((axes.transpose() * p).array());
+        highest = highest.max((axes.transpose() * p).array());
+      }
+    });
     for (std::size_t i = 0; i < 3; ++i) {
-      double lowest = (std::numeric_limits<double>::max)(), highest = -lowest;
-      for (Index f : m_faces[segment])
-        for (std::size_t c = 0; c < points.number_of_corners(f); ++c) {
-          const double x = dot(points[points.corner(f, c)] - d.centroid, d.axes[i]);
-          lowest = (std::min)(lowest, x);
-          highest = (std::max)(highest, x);
-        }
-      d.extents[i] = highest - lowest;
+      m_descriptions[segment].axes[i] = to_vector(axes.col(Eigen::Index(i)));
+      m_descriptions[segment].extents[i] = (highest - lowest)[Eigen::Index(i)] * m_geometry.unit();
+    }
+  }
+
+  void fit_primitive(std::size_t segment, const Eigen::Vector3d& center, double size)
+  {
+    Primitive_fitter fitter(m_faces[segment].size());
+    for_each_face(segment, center, size, [&](Index f, const Points& corners) {
+      fitter.add_face(corners, to_eigen(m_geometry.normal(f)), norm(m_geometry.area_vector(f)));
+    });
+    const Primitive_shape shape = fitter.fit();
+    const double unit = m_geometry.unit();
+    Fitted_primitive<Kernel>& result = m_descriptions[segment].primitive;
+    result.type = shape.type;
+    result.point = to_point(unit * (center + size * shape.point));
+    result.direction = to_vector(shape.direction);
+    result.radius = shape.radius * size * unit;
+    result.half_angle = shape.half_angle;
+    for (std::size_t i = 0; i < result.errors.size(); ++i)
+      result.errors[i] = fitter.errors()[i] * size * unit;
+    result.error = result.error_of(shape.type);
+  }
+
+  void describe_volumes()
+  {
+    const double unit = m_geometry.unit();
+    const std::vector<double> volumes = segment_volumes(m_segmented, m_geometry);
+    double area = 0, volume = 0;
+    for (Index f = 0; f < m_segmented.number_of_faces(); ++f)
+      area += norm(m_geometry.area_vector(f));
+    for (double v : volumes)
+      volume += v;
+    for (std::size_t s = 0; s < m_descriptions.size(); ++s) {
+      m_descriptions[s].volume = volumes[s] * unit * unit * unit;
+      m_descriptions[s].volume_share =
+        volume > 1e-12 * std::pow(area, 1.5) ? volumes[s] / volume : 0;
     }
   }
 
   void describe_neighbors()
   {
-    struct Side
+    struct Joint
     {
-      Index segment, neighbor;
-      double length, signed_deviation;
+      double length = 0, weighted_deviation = 0;
     };
-    std::vector<Side> sides;
-    for (std::size_t e = 0; e < m_flat.number_of_edges(); ++e) {
-      const Index lower = m_flat.lower_face(e), a = m_numbers.of_face[lower],
-                  b = m_numbers.of_face[m_flat.higher_face(e)];
-      if (a == b)
+    std::map<std::pair<Index, Index>, Joint> joints; // of a segment with its neighbors
+    const double unit = m_geometry.unit();
+    for (Index h = 0; h < m_segmented.size(); ++h) {
+      const Index segment = m_segmented.segment(h);
+      if (segment == m_segmented.none || !m_segmented.is_on_border(h))
         continue;
-      const double sign = m_flat.has_flag(e, Flat_mesh::CONCAVE) ? -1 : 1;
-      const double length = m_flat.length(e), deviation = sign * m_flat.deviation(lower, e);
-      if (a != Numbers::none)
-        sides.push_back({a, b, length, deviation});
-      if (b != Numbers::none)
-        sides.push_back({b, a, length, deviation});
-    }
-    std::stable_sort(sides.begin(), sides.end(), [](const Side& x, const Side& y) {
-      return std::tie(x.segment, x.neighbor) < std::tie(y.segment, y.neighbor);
-    });
-    for (auto first = sides.begin(); first != sides.end();) {
-      double length = 0, sum = 0;
-      auto last = first;
-      for (; last != sides.end() && last->segment == first->segment && last->neighbor == first->neighbor; ++last) {
-        length += last->length;
-        sum += last->length * last->signed_deviation;
+      const double length = m_geometry.length(h);
+      if (m_segmented.opposite[h] == m_segmented.none)
+        m_descriptions[segment].boundary_length += length * unit;
+      else {
+        Joint& joint = joints[{segment, m_segmented.segment_across(h)}];
+        joint.length += length;
+        joint.weighted_deviation += length * m_geometry.signed_deviation(h);
       }
-      Description& d = m_descriptions[first->segment];
-      d.neighbors.push_back({m_numbers.label(first->neighbor), length, length > 0 ? sum / length : 0});
-      d.border_length += length;
-      first = last;
+    }
+    for (const auto& [segments, joint] : joints) {
+      Description& d = m_descriptions[segments.first];
+      const double mean = joint.length > 0 ? joint.weighted_deviation / joint.length : 0;
+      d.neighbors.push_back({m_segmented.label(segments.second), joint.length * unit, mean});
+      d.border_length += joint.length * unit;
     }
   }
 
-  const Traversal& m_traversal;
-  const Pack& m_np;
-  const Flat_mesh& m_flat;
-  const Numbers& m_numbers;
-  Grouped_items<Index> m_faces; // by segment
+  const Segmented_mesh<FaceGraph, Label>& m_segmented;
+  const Mesh_geometry& m_geometry;
+  const Grouped_items<Index> m_faces; // by segment
   std::vector<Description> m_descriptions;
 };
-
-/// Converts lengths in a unit to units of the mesh.
-template <typename Label>
-void scale_description(Segment_description<Label>& d, double unit)
-{
-  // One by one: the square of the unit may be infinite, the area 0.
-  d.area = d.area * unit * unit;
-  d.volume = d.volume * unit * unit * unit;
-  d.centroid = unit * d.centroid;
-  for (double& extent : d.extents)
-    extent *= unit;
-  d.border_length *= unit;
-  d.boundary_length *= unit;
-  for (auto& neighbor : d.neighbors)
-    neighbor.border_length *= unit;
-  d.primitive.point = unit * d.primitive.point;
-  d.primitive.radius *= unit;
-  d.primitive.error *= unit;
-  for (double& error : d.primitive.errors)
-    error *= unit;
-}
 
 } // namespace internal
 } // namespace Region_segmentation

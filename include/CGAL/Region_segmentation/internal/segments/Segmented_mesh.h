@@ -3,156 +3,108 @@
 #ifndef CGAL_REGION_SEGMENTATION_INTERNAL_SEGMENTS_SEGMENTED_MESH_H
 #define CGAL_REGION_SEGMENTATION_INTERNAL_SEGMENTS_SEGMENTED_MESH_H
 
-#include <CGAL/Region_segmentation/internal/support/check_maps.h>
+#include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/Segments/no_segment.h>
-#include <CGAL/Region_segmentation/internal/reading/Mesh_traversal.h>
+#include <CGAL/Region_segmentation/internal/segments/Halfedge_table.h>
 #include <CGAL/Region_segmentation/internal/support/Grouped_items.h>
 #include <CGAL/Region_segmentation/internal/support/Key_numbering.h>
+#include <CGAL/Region_segmentation/internal/support/Lowest_root_forest.h>
+#include <CGAL/Region_segmentation/internal/support/check_maps.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
 #include <cstddef>
 #include <cstdint>
-#include <limits>
-#include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// The segments of the faces by their rank, numbered by the first face, and the labels of the segments.
-template <typename Label>
-struct Segment_numbers
+/// The halfedges of a mesh whose faces have segments, which are numbered by their first faces. A
+/// segment is a surface with a border, where its faces have no neighbor or one of another segment.
+struct Segmented_halfedges : Halfedge_table
 {
-  using Index = std::uint32_t;
-  static constexpr Index none = (std::numeric_limits<Index>::max)();
+  std::size_t number_of_segments = 0;
+  std::vector<Index> segment_of_face; // none: no segment
 
-  std::vector<Index> of_face; // none: no segment
-  std::vector<Label> labels;  // of the segments
+  /// The segment of the face of a halfedge.
+  Index segment(Index h) const { return segment_of_face[face[h]]; }
+  /// That of the face across; none if there is no face.
+  Index segment_across(Index h) const { return opposite[h] == none ? none : segment(opposite[h]); }
 
-  Label label(Index segment) const { return segment == none ? no_segment<Label> : labels[segment]; }
+  /// Whether a halfedge is on the border of the segment of its face.
+  bool is_on_border(Index h) const
+  {
+    return opposite[h] == none || segment(h) != segment(opposite[h]);
+  }
+
+  /// Makes an edge a border of the mesh.
+  void cut(Index h)
+  {
+    if (opposite[h] != none)
+      opposite[opposite[h]] = none;
+    opposite[h] = none;
+  }
+
+  /// The fan of faces of one segment that each halfedge leaves from at its source. Where a segment
+  /// touches itself at a vertex, it has several fans there. With a vertex for each fan, every
+  /// segment is a 2-manifold.
+  Partition fans() const
+  {
+    Lowest_root_forest forest(size());
+    for (Index h = 0; h < size(); ++h)
+      if (!is_on_border(h))
+        forest.unite(h, next(opposite[h]));
+    return forest.take_partition();
+  }
+
+  Grouped_items<Index> faces_of_segments() const
+  {
+    Grouped_items<Index> faces(number_of_segments);
+    for (Index s : segment_of_face)
+      if (s != none)
+        faces.count(s);
+    faces.end_counting();
+    for (Index f = 0; f < segment_of_face.size(); ++f)
+      if (segment_of_face[f] != none)
+        faces.add(segment_of_face[f], f);
+    return faces;
+  }
 };
 
-template <typename Traversal, typename SegmentMap>
-auto number_segments(const Traversal& traversal, const SegmentMap& segment_map)
+/// The same with the descriptors of the halfedges and the labels of the segments.
+template <typename FaceGraph, typename Label>
+struct Segmented_mesh : Segmented_halfedges
 {
-  static_assert(check_face_map<SegmentMap, std::decay_t<decltype(traversal.mesh())>>());
-  using Label = typename boost::property_traits<SegmentMap>::value_type;
-  Segment_numbers<Label> numbers;
-  numbers.of_face.reserve(traversal.number_of_faces());
-  Key_numbering number(2 * traversal.number_of_faces() + 1024);
-  traversal.for_each_face([&](const auto& f) {
-    const Label label = get(segment_map, f);
-    if (!is_segment(label)) {
-      numbers.of_face.push_back(Segment_numbers<Label>::none);
-      return;
+  std::vector<typename boost::graph_traits<FaceGraph>::halfedge_descriptor> descriptors;
+  std::vector<Label> labels;
+
+  template <typename SegmentMap, typename Pack>
+  Segmented_mesh(const FaceGraph& mesh, const SegmentMap& segment_map, const Pack& np)
+    : descriptors(read_halfedges(mesh, np, *this))
+  {
+    Key_numbering number(2 * number_of_faces() + 1024);
+    for (auto f : faces(mesh)) {
+      const Label label = get(segment_map, f);
+      const bool has_segment = is_segment(label);
+      segment_of_face.push_back(has_segment ? number(static_cast<std::uint64_t>(label)) : none);
+      if (number.size() > labels.size())
+        labels.push_back(label);
     }
-    numbers.of_face.push_back(number(static_cast<std::uint64_t>(label)));
-    if (number.size() > numbers.labels.size())
-      numbers.labels.push_back(label);
-  });
-  return numbers;
-}
-
-/// A mesh whose faces have segments, by number: the view of it in which a segment is a surface with a border.
-///
-/// A halfedge is on the border of the segment of its face if the face across is of another segment, or of none, or if
-/// there is none. Around a vertex, the faces of a segment form fans between such halfedges; a vertex with several fans
-/// of one segment, where it touches itself, counts once for each of them. So every segment is a manifold.
-template <typename Traversal>
-class Segmented_mesh
-{
-public:
-  using FaceGraph = std::decay_t<decltype(std::declval<const Traversal&>().mesh())>;
-  using Index = std::uint32_t;
-  using face_descriptor = typename Traversal::face_descriptor;
-  using halfedge_descriptor = typename Traversal::halfedge_descriptor;
-  static constexpr Index none = (std::numeric_limits<Index>::max)();
-
-  /// Refers to both arguments.
-  Segmented_mesh(const Traversal& traversal, const std::vector<Index>& segment_of_face)
-    : m_traversal(traversal), m_segment_of_face(segment_of_face), m_rank_of_face(traversal.rank_of_face())
-  {}
-
-  const Traversal& traversal() const { return m_traversal; }
-  const auto& mesh() const { return m_traversal.mesh(); }
-  const std::vector<Index>& segment_of_face() const { return m_segment_of_face; }
-
-  /// The segment of the face of a halfedge; none if it has no face.
-  Index segment(halfedge_descriptor h) const
-  {
-    const face_descriptor f = face(h, mesh());
-    return f == boost::graph_traits<FaceGraph>::null_face() ? none : m_segment_of_face[m_rank_of_face(f)];
-  }
-  Index opposite_segment(halfedge_descriptor h) const { return segment(opposite(h, mesh())); }
-
-  /// Whether a halfedge is on the border of a segment: of that of its face, or of that across.
-  bool is_border(halfedge_descriptor h) const { return segment(h) != opposite_segment(h); }
-
-  /// The halfedge that follows another one on the border of a segment, around one of its fans.
-  halfedge_descriptor next_on_border(halfedge_descriptor h) const
-  {
-    h = next(h, mesh());
-    while (!is_border(h))
-      h = next(opposite(h, mesh()), mesh());
-    return h;
+    number_of_segments = labels.size();
   }
 
-  /// Calls `f(halfedge, segment)` for the halfedges on the borders of segments, by their faces in order, around each from its
-  /// vertex of lowest number.
-  template <typename F>
-  void for_each_border_halfedge(const F& f) const
-  {
-    typename Traversal::Boundary boundary;
-    m_traversal.for_each_face([&](face_descriptor fd) {
-      const Index segment_of_fd = m_segment_of_face[m_rank_of_face(fd)];
-      if (segment_of_fd == none || !touches_border(fd, segment_of_fd))
-        return;
-      m_traversal.read_boundary(fd, boundary);
-      for (halfedge_descriptor h : boundary)
-        if (opposite_segment(h) != segment_of_fd)
-          f(h, segment_of_fd);
-    });
-  }
-
-private:
-  bool touches_border(face_descriptor f, Index segment_of_f) const
-  {
-    const halfedge_descriptor start = halfedge(f, mesh());
-    halfedge_descriptor h = start;
-    do {
-      if (opposite_segment(h) != segment_of_f)
-        return true;
-      h = next(h, mesh());
-    } while (h != start);
-    return false;
-  }
-
-  const Traversal& m_traversal;
-  const std::vector<Index>& m_segment_of_face;
-  decltype(std::declval<const Traversal&>().rank_of_face()) m_rank_of_face;
+  Label label(Index segment) const { return segment == none ? Label(no_segment) : labels[segment]; }
 };
 
-/// The faces of each segment, in order.
-template <typename Traversal>
-Grouped_items<typename Traversal::face_descriptor>
-faces_of_segments(const Segmented_mesh<Traversal>& segmented, std::size_t number_of_segments)
+template <typename FaceGraph, typename SegmentMap, typename Pack>
+auto make_segmented_mesh(const FaceGraph& mesh, const SegmentMap& segment_map, const Pack& np)
 {
-  Grouped_items<typename Traversal::face_descriptor> result(number_of_segments);
-  for (auto segment : segmented.segment_of_face())
-    if (segment != segmented.none)
-      result.count(segment);
-  result.end_counting();
-  std::size_t rank = 0;
-  segmented.traversal().for_each_face([&](const auto& f) {
-    const auto segment = segmented.segment_of_face()[rank++];
-    if (segment != segmented.none)
-      result.add(segment, f);
-  });
-  return result;
+  static_assert(check_face_map<SegmentMap, FaceGraph>());
+  using Label = typename boost::property_traits<SegmentMap>::value_type;
+  return Segmented_mesh<FaceGraph, Label>(mesh, segment_map, np);
 }
 
 } // namespace internal

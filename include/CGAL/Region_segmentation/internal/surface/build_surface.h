@@ -7,6 +7,7 @@
 #include <CGAL/Region_segmentation/internal/support/label_components.h>
 #include <CGAL/Region_segmentation/internal/surface/collect_adjacencies.h>
 #include <CGAL/Region_segmentation/internal/surface/compute_normals.h>
+#include <CGAL/Region_segmentation/internal/surface/find_crumbs.h>
 #include <CGAL/Region_segmentation/internal/surface/find_doubled_faces.h>
 #include <CGAL/Region_segmentation/internal/surface/find_links.h>
 #include <CGAL/Region_segmentation/internal/surface/match_sides.h>
@@ -54,7 +55,7 @@ inline Added_adjacency adjacency_of_seam(const Surface& surface, const Seam& sea
   return result;
 }
 
-/// Adds links between what is not connected by edges and seams.
+/// Adds links between what is not connected by edges and seams, and marks crumbs.
 inline void insert_links(Surface& surface, std::size_t number_of_edge_components, const Execution& execution)
 {
   if (number_of_edge_components < 2)
@@ -64,6 +65,12 @@ inline void insert_links(Surface& surface, std::size_t number_of_edge_components
   for (const Link& link : find_links(surface, connected, execution))
     added.push_back({link.lower, link.higher, link.length * link.length, Surface::LINK});
   insert_adjacencies(surface, std::move(added));
+  const Bodies bodies(surface);
+  if (bodies.number() == bodies.areas.size())
+    return;
+  std::vector<bool>& is_crumb = Surface_access(surface).is_crumb;
+  for (const Partition::Index component : bodies.component_of)
+    is_crumb.push_back(bodies.is_crumb(component));
 }
 
 /// From points and corners to a surface.
@@ -95,8 +102,8 @@ inline Surface build_surface(Raw_surface raw, Adjacency_of wanted, const Executi
   join_degenerate_faces(raw.surface);
   if (wanted == Adjacency_of::COMPONENTS)
     insert_links(raw.surface, component_of.number_of_parts(), execution.step(0.9, 1));
-  for (const double area : arrays.areas)
-    arrays.area += area;
+  for (std::size_t f = 0; f < arrays.areas.size(); ++f)
+    arrays.area += raw.surface.weight(f);
   arrays.length_unit = arrays.area > 0 ? std::sqrt(arrays.area) : 1;
   return std::move(raw.surface);
 }

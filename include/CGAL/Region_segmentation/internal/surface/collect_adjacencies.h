@@ -129,7 +129,7 @@ inline void join_degenerate_faces(Surface& surface)
   struct Candidate
   {
     Index face, other;
-    double length;
+    double squared_length;
     std::size_t adjacency;
   };
   const auto is_zero = [](const Double_3& n) { return n.x == 0 && n.y == 0 && n.z == 0; };
@@ -143,13 +143,13 @@ inline void join_degenerate_faces(Surface& surface)
       continue;
     arrays.flags[a] = Surface::CLOSED;
     if (is_lower)
-      candidates.push_back({lower, higher, surface.length(a), a});
+      candidates.push_back({lower, higher, arrays.squared_lengths[a], a});
     if (is_higher)
-      candidates.push_back({higher, lower, surface.length(a), a});
+      candidates.push_back({higher, lower, arrays.squared_lengths[a], a});
   }
   std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
-    return std::make_tuple(a.face, -a.length, a.other, a.adjacency) <
-           std::make_tuple(b.face, -b.length, b.other, b.adjacency);
+    return std::make_tuple(a.face, -a.squared_length, a.other, a.adjacency) <
+           std::make_tuple(b.face, -b.squared_length, b.other, b.adjacency);
   });
   for (std::size_t i = 0; i < candidates.size(); ++i)
     if (i == 0 || candidates[i].face != candidates[i - 1].face)

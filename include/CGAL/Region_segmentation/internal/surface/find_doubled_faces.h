@@ -50,18 +50,22 @@ inline void find_doubled_faces(Raw_surface& raw, std::vector<Added_adjacency>& a
       keys.push_back({key, f});
   }
   std::sort(keys.begin(), keys.end());
-  std::size_t first = 0;
-  for (std::size_t i = 1; i < keys.size(); ++i) {
-    if (keys[i].first != keys[first].first)
-      first = i;
-    const Index original = keys[first].second, f = keys[i].second;
-    if (first == i || !are_equal_faces(raw.surface, original, f))
+  std::vector<Index> originals; // of a sum: several if it belongs to different faces
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    if (i > 0 && keys[i].first != keys[i - 1].first)
+      originals.clear();
+    const Index f = keys[i].second;
+    const auto original = std::find_if(originals.begin(), originals.end(),
+                                       [&](Index g) { return are_equal_faces(raw.surface, g, f); });
+    if (original == originals.end()) {
+      originals.push_back(f);
       continue;
+    }
     const auto begin = raw.neighbors.begin() + std::ptrdiff_t(arrays.first_corners[f]);
     std::fill(begin, raw.neighbors.begin() + std::ptrdiff_t(arrays.first_corners[f + 1]), f);
     arrays.normals[f] = {0, 0, 0};
     arrays.areas[f] = 0;
-    added.push_back({original, f, 1, 0});
+    added.push_back({*original, f, 1, 0});
   }
 }
 

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_FIND_CRUMBS_H
+#define CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_FIND_CRUMBS_H
+
+#include <CGAL/Region_segmentation/Execution.h>
+#include <CGAL/Region_segmentation/Partition.h>
+#include <CGAL/Region_segmentation/Surface.h>
+#include <CGAL/Region_segmentation/internal/support/Lowest_root_forest.h>
+#include <CGAL/Region_segmentation/internal/support/label_components.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Region_segmentation {
+namespace internal {
+
+/// Components of less than this share of the area of the largest one are crumbs.
+inline constexpr double area_of_crumbs = 1e-3;
+
+/// The components across edges, and which of them are crumbs.
+struct Bodies
+{
+  Partition component_of; // of the faces
+  std::vector<double> areas;
+  double area_of_largest = 0;
+
+  explicit Bodies(const Surface& surface)
+    : component_of(edge_components(surface, Execution())), areas(component_of.number_of_parts())
+  {
+    for (std::size_t f = 0; f < component_of.size(); ++f)
+      areas[component_of[f]] += surface.area(f);
+    for (const double area : areas)
+      area_of_largest = (std::max)(area_of_largest, area);
+  }
+
+  bool is_crumb(std::size_t component) const { return areas[component] < area_of_crumbs * area_of_largest; }
+  /// Those that are no crumbs.
+  std::size_t number() const
+  {
+    std::size_t result = 0;
+    for (std::size_t c = 0; c < areas.size(); ++c)
+      result += !is_crumb(c);
+    return result;
+  }
+};
+
+/// The pairs of regions to be merged first, so that each crumb is one region and joins another component: that with the longest
+/// contact, of equal ones the nearest; smallest crumbs first. Crumbs that join each other go on until they reach a
+/// component that is none.
+inline std::vector<std::pair<Partition::Index, Partition::Index>> merges_of_crumbs(const Surface& surface,
+                                                                                   const Partition& regions)
+{
+  using Index = Partition::Index;
+  std::vector<std::pair<Index, Index>> result;
+  if (!surface.has_seams_or_links())
+    return result;
+  const Bodies bodies(surface);
+  struct Way
+  {
+    Index crumb, component;
+    double length, distance;
+    Index region, other;
+  };
+  std::vector<Way> ways; // out of crumbs
+  for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a) {
+    const Index f = surface.lower_face(a), g = surface.higher_face(a);
+    const Index c = bodies.component_of[f], d = bodies.component_of[g];
+    if (c == d && regions[f] != regions[g] && bodies.is_crumb(c))
+      result.push_back({regions[f], regions[g]});
+    if (c == d || !(bodies.is_crumb(c) || bodies.is_crumb(d)))
+      continue;
+    const double length = surface.length(a), distance = norm(surface.centroid(f) - surface.centroid(g));
+    if (bodies.is_crumb(c))
+      ways.push_back({c, d, length, distance, regions[f], regions[g]});
+    if (bodies.is_crumb(d))
+      ways.push_back({d, c, length, distance, regions[g], regions[f]});
+  }
+  const auto key = [&](const Way& w) {
+    return std::make_tuple(bodies.areas[w.crumb], w.crumb, -w.length, w.distance, w.region, w.other);
+  };
+  std::sort(ways.begin(), ways.end(), [&](const Way& v, const Way& w) { return key(v) < key(w); });
+
+  Lowest_root_forest joined(bodies.areas.size());
+  std::vector<bool> has_arrived(bodies.areas.size()); // by root: one of its components is no crumb
+  for (std::size_t c = 0; c < has_arrived.size(); ++c)
+    has_arrived[c] = !bodies.is_crumb(c);
+  for (bool is_any = true; std::exchange(is_any, false);)
+    for (std::size_t i = 0; i < ways.size(); ++i) {
+      const Way& way = ways[i];
+      const Index from = joined.root(way.crumb), to = joined.root(way.component);
+      if (from == to || has_arrived[from])
+        continue;
+      const bool arrives = has_arrived[to];
+      joined.unite(from, to);
+      has_arrived[joined.root(from)] = arrives;
+      result.push_back({way.region, way.other});
+      is_any = true;
+    }
+  return result;
+}
+
+} // namespace internal
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_FIND_CRUMBS_H

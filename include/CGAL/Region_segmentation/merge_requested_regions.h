@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_MERGE_REQUESTED_REGIONS_H
+#define CGAL_REGION_SEGMENTATION_MERGE_REQUESTED_REGIONS_H
+
+#include <CGAL/Region_segmentation/internal/graph/merge_graph.h>
+#include <CGAL/Region_segmentation/internal/surface/find_crumbs.h>
+#include <CGAL/Region_segmentation/merge_regions.h>
+#include <CGAL/Region_segmentation/requested_regions.h>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace CGAL {
+namespace Region_segmentation {
+
+/// \ingroup PkgRegionSegmentationData
+/// merges the graph of requested regions by a policy until `number` are left: regions of different seeds never, crumbs first.
+///
+/// \tparam Graph a `Region_adjacency_graph` of `requested.regions`
+/// \tparam Policy a model of `RegionMergingPolicy`
+/// \returns the tree of the merges
+template <typename Graph, typename Policy>
+Merge_tree merge_requested_regions(const Surface& surface, const Requested_regions& requested, Graph& graph,
+                                   Policy policy, std::size_t number, const Execution& execution)
+{
+  static_assert(internal::check_merging_policy<Policy, Graph>());
+  auto of_crumbs = internal::merges_of_crumbs(surface, requested.regions);
+  of_crumbs.erase(std::remove_if(of_crumbs.begin(), of_crumbs.end(),
+                                 [&](const auto& pair) { return requested.is_fixed(pair.first); }),
+                  of_crumbs.end());
+  Stop_at_count stop{number};
+  internal::Merger<Graph> merger(graph, requested.seeds, number, execution);
+  merger.merge_first(of_crumbs);
+  if (graph.number_of_regions() > number) // initializing a policy may take quadratic time
+    merger.run(policy, stop);
+  return merger.take_tree();
+}
+
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_MERGE_REQUESTED_REGIONS_H

@@ -1,0 +1,405 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "meshes.h"
+#include "oracles.h"
+
+#include <CGAL/Region_segmentation/Execution.h>
+#include <CGAL/Region_segmentation/Patches.h>
+#include <CGAL/Region_segmentation/internal/cells/Patch_builder.h>
+#include <CGAL/Region_segmentation/make_surface.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <random>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace RS = CGAL::Region_segmentation;
+using namespace test;
+using RS::Double_3;
+
+namespace Patches_test {
+
+using RS::Surface_patches;
+
+RS::Surface surface_of(const Soup& soup)
+{
+  return RS::make_surface(to_surface_mesh(soup));
+}
+
+Surface_patches patches_of(const RS::Surface& surface)
+{
+  return RS::internal::Patch_builder::build(surface, RS::Execution());
+}
+
+/// A bumpy sheet beside a square that has nearly all of the area: the faces of the sheet are small enough to be joined.
+Soup small_faces(unsigned seed, std::size_t n = 24)
+{
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> any(-1, 1);
+  Soup soup = triangulated(grid(n, n));
+  for (Point& p : soup.points) {
+    p[0] += 0.2 * any(random);
+    p[1] += 0.2 * any(random);
+    p[2] = std::sin(p[0] / 4) + 0.1 * any(random);
+  }
+  Soup square = scaled(grid(1, 1), 36.0 * double(n));
+  square = translated(square, 100.0 * double(n), 0, 0);
+  soup = joined(soup, square);
+  shuffle_faces(soup, random);
+  return soup;
+}
+
+struct Node
+{
+  double area = 0;
+  Double_3 moment{0, 0, 0}, area_vector{0, 0, 0};
+
+  Double_3 centroid() const { return (1 / area) * moment; }
+  Double_3 normal() const { return (1 / norm(area_vector)) * area_vector; }
+};
+
+/// The definition, with sets and maps: the patch of each face. `patch_of`: before the first round
+Labels joined_in_rounds(const RS::Surface& mesh, Labels patch_of, double maximum_area)
+{
+  while (true) {
+    std::map<std::size_t, Node> nodes;
+    for (std::size_t f = 0; f < patch_of.size(); ++f) {
+      Node& node = nodes[patch_of[f]];
+      node.area += mesh.area(f);
+      node.moment = node.moment + mesh.area(f) * mesh.centroid(f);
+      node.area_vector = node.area_vector + mesh.area(f) * mesh.normal(f);
+    }
+    std::map<std::size_t, std::pair<double, std::size_t>> selected; // step and patch
+    for (std::size_t e = 0; e < mesh.number_of_adjacencies(); ++e) {
+      const std::size_t a = patch_of[mesh.lower_face(e)], b = patch_of[mesh.higher_face(e)];
+      const Node &x = nodes[a], &y = nodes[b];
+      if (a == b || mesh.has_flag(e, RS::Surface::SEAM | RS::Surface::LINK) ||
+          x.area + y.area > maximum_area * mesh.area())
+        continue;
+      const double step = norm(x.centroid() - y.centroid()) / std::sqrt(mesh.area()) +
+                          Surface_patches::deviation_weight * norm(x.normal() - y.normal());
+      for (auto [from, to] : {std::make_pair(a, b), std::make_pair(b, a)})
+        if (!selected.count(from) || std::make_pair(step, to) < selected[from])
+          selected[from] = {step, to};
+    }
+    const auto parent = [&](std::size_t i) {
+      if (!selected.count(i))
+        return i;
+      const std::size_t j = selected[i].second;
+      const bool is_larger = nodes[i].area != nodes[j].area ? nodes[i].area > nodes[j].area : i < j;
+      return selected[j].second == i && is_larger ? i : j;
+    };
+    const auto depth = [&](std::size_t i) {
+      std::size_t d = 0;
+      for (; parent(i) != i; i = parent(i))
+        ++d;
+      return d;
+    };
+    std::set<std::size_t> parents;
+    for (const auto& [i, node] : nodes)
+      if (parent(i) != i)
+        parents.insert(parent(i));
+    std::map<std::size_t, std::size_t> root;
+    std::size_t joined = 0;
+    for (const auto& [i, node] : nodes) {
+      root[i] = depth(i) % 2 == 1 ? parent(i) : parents.count(i) ? i : parent(parent(i));
+      joined += root[i] != i;
+    }
+    for (std::size_t& patch : patch_of)
+      patch = root[patch];
+    // Patches are named by their first face, so that ties are decided in the order of patches.
+    patch_of = renumbered(patch_of);
+    if (joined == 0 || joined < nodes.size() / 32)
+      return patch_of;
+  }
+}
+
+Labels patches_by_definition(const RS::Surface& mesh)
+{
+  Labels faces(mesh.number_of_faces());
+  std::iota(faces.begin(), faces.end(), 0);
+  return joined_in_rounds(mesh, faces, Surface_patches::maximum_area);
+}
+
+Labels coarse_patches_by_definition(const RS::Surface& mesh)
+{
+  return joined_in_rounds(mesh, patches_by_definition(mesh), Surface_patches::maximum_coarse_area);
+}
+
+/// Of the faces.
+Labels coarse_labels_of(const Surface_patches& patches)
+{
+  return labels_of(composed(patches.fine.of_elements(), patches.coarse.of_elements()));
+}
+
+TEST(Patches_test, are_those_of_the_definition)
+{
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const RS::Surface mesh = surface_of(small_faces(seed));
+    const Surface_patches patches = patches_of(mesh);
+    EXPECT_LT(patches.fine.size(), mesh.number_of_faces() / 8);
+    EXPECT_EQ(labels_of(patches.fine.of_elements()), patches_by_definition(mesh));
+    EXPECT_LT(patches.coarse.size(), patches.fine.size() / 4);
+    EXPECT_EQ(coarse_labels_of(patches), coarse_patches_by_definition(mesh));
+  }
+}
+
+TEST(Patches_test, coarse_ones_are_made_of_single_faces_too)
+{
+  // No face is small enough to be joined at first.
+  for (unsigned seed = 1; seed <= 3; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937 random(seed);
+    Soup soup = triangulated(torus(120, 60));
+    bump(soup, 0.01, random);
+    const RS::Surface mesh = surface_of(soup);
+    const Surface_patches patches = patches_of(mesh);
+    EXPECT_EQ(patches.fine.size(), mesh.number_of_faces());
+    EXPECT_LT(patches.coarse.size(), mesh.number_of_faces() / 2);
+    EXPECT_EQ(coarse_labels_of(patches), coarse_patches_by_definition(mesh));
+  }
+}
+
+TEST(Patches_test, another_round_follows_one_that_joined_just_enough)
+{
+  // The more large faces there are, the earlier the rounds end for the small ones.
+  std::mt19937 random(1);
+  Soup small = triangulated(grid(8, 8));
+  bump(small, 0.2, random);
+  std::set<std::size_t> numbers;
+  for (std::size_t columns = 1; columns <= 200; columns += 3) {
+    const Soup large = translated(scaled(grid(columns, 8), 300), 100, 0, 0);
+    const RS::Surface mesh = surface_of(joined(small, large));
+    const Surface_patches patches = patches_of(mesh);
+    EXPECT_EQ(labels_of(patches.fine.of_elements()), patches_by_definition(mesh)) << columns;
+    numbers.insert(patches.fine.size() - 8 * columns);
+  }
+  EXPECT_GT(numbers.size(), 3u);
+}
+
+TEST(Patches_test, large_faces_are_patches)
+{
+  for (Family family : all_families) {
+    const RS::Surface mesh = surface_of(random_mesh(family, 1));
+    const Surface_patches patches = patches_of(mesh);
+    std::size_t large = 0;
+    for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
+      large += mesh.area(f) > Surface_patches::maximum_area * mesh.area();
+    EXPECT_GE(patches.fine.size(), large) << name(family);
+  }
+}
+
+using Lengths = std::map<std::pair<std::size_t, std::size_t>, double>;
+
+template <typename Adjacencies>
+void expect_lengths(const Adjacencies& adjacencies, const Lengths& lengths)
+{
+  ASSERT_EQ(adjacencies.size(), lengths.size());
+  auto expected = lengths.begin();
+  for (const RS::Patches::Adjacency& a : adjacencies) {
+    EXPECT_EQ(std::make_pair(std::size_t(a.lower), std::size_t(a.higher)), expected->first);
+    EXPECT_NEAR(a.length, expected->second, 1e-9);
+    ++expected;
+  }
+}
+
+enum class Contacts { YES, NO };
+
+/// What patches should be, of the faces of a mesh. `patch_of`: the patch of each face; `have_contacts`: whether the patches know them
+void expect_description(const RS::Patches& patches, const RS::Surface& mesh, const Labels& patch_of, Contacts have_contacts,
+                        const RS::Constraints& is_constrained = RS::Constraints())
+{
+  std::vector<Node> nodes(patches.size());
+  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
+    Node& node = nodes[patch_of[f]];
+    node.area += mesh.area(f);
+    node.moment = node.moment + mesh.area(f) * mesh.centroid(f);
+    node.area_vector = node.area_vector + mesh.area(f) * mesh.normal(f);
+  }
+  for (std::size_t p = 0; p < patches.size(); ++p) {
+    EXPECT_NEAR(patches[p].area, nodes[p].area, 1e-12 * nodes[p].area);
+    EXPECT_LT(norm(patches[p].centroid - nodes[p].centroid()), 1e-9);
+    EXPECT_LT(norm(patches[p].normal - nodes[p].normal()), 1e-9);
+  }
+  Lengths lengths, contacts;
+  for (std::size_t e = 0; e < mesh.number_of_adjacencies(); ++e) {
+    const std::size_t a = patch_of[mesh.lower_face(e)], b = patch_of[mesh.higher_face(e)];
+    if (a != b && !is_constrained[e])
+      (mesh.has_flag(e, RS::Surface::SEAM | RS::Surface::LINK) ? contacts : lengths)[std::minmax(a, b)] += mesh.length(e);
+  }
+  expect_lengths(patches.adjacencies(), lengths);
+  if (have_contacts == Contacts::YES)
+    expect_lengths(patches.contacts(), contacts);
+}
+
+/// `centroid(element)`
+template <typename Centroid>
+void expect_centers(const RS::Patches& patches, const Centroid& centroid)
+{
+  std::vector<double> nearest(patches.size(), std::numeric_limits<double>::infinity());
+  for (std::size_t i = 0; i < patches.of_elements().size(); ++i) {
+    const std::size_t p = patches.of_elements()[i];
+    nearest[p] = std::min(nearest[p], norm(centroid(i) - patches[p].centroid));
+  }
+  for (std::size_t p = 0; p < patches.size(); ++p) {
+    EXPECT_EQ(patches.of_elements()[patches[p].center], p);
+    EXPECT_NEAR(norm(centroid(patches[p].center) - patches[p].centroid), nearest[p], 1e-9);
+  }
+}
+
+TEST(Patches_test, are_connected_and_described)
+{
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const Soup soup = small_faces(seed);
+    const RS::Surface mesh = surface_of(soup);
+    const Surface_patches patches = patches_of(mesh);
+    EXPECT_TRUE(is_connected(soup, labels_of(patches.fine.of_elements())));
+    EXPECT_TRUE(is_connected(soup, coarse_labels_of(patches)));
+    expect_description(patches.fine, mesh, labels_of(patches.fine.of_elements()), Contacts::YES);
+    expect_description(patches.coarse, mesh, coarse_labels_of(patches), Contacts::NO);
+    expect_centers(patches.fine, [&](std::size_t f) { return mesh.centroid(f); });
+    expect_centers(patches.coarse, [&](std::size_t p) { return patches.fine[p].centroid; });
+  }
+}
+
+TEST(Patches_test, are_not_joined_across_seams_and_links)
+{
+  // A hundred flat sheets, small beside a square, at a common side; and one that a link alone reaches.
+  Soup soup;
+  for (int i = 0; i < 100; ++i) {
+    const double angle = i;
+    soup = joined(soup, mapped(grid(4, 4), [=](const Point& p) {
+      return Point{p[0], p[1] * std::cos(angle), p[1] * std::sin(angle)};
+    }));
+  }
+  soup = joined(joined(soup, translated(grid(4, 4), 5, 0, 0)), translated(scaled(grid(1, 1), 3000), 20, 0, 0));
+  const RS::Surface surface = RS::make_surface(soup.points, soup.polygons);
+  ASSERT_TRUE(surface.has_seams_or_links());
+  const Surface_patches patches = patches_of(surface);
+  EXPECT_EQ(patches.fine.size(), 102u) << "each sheet";
+  EXPECT_EQ(labels_of(patches.fine.of_elements()), patches_by_definition(surface));
+  EXPECT_TRUE(patches.fine.adjacencies().empty());
+  EXPECT_GE(patches.fine.contacts().size(), 102u);
+  expect_description(patches.fine, surface, labels_of(patches.fine.of_elements()), Contacts::YES);
+}
+
+TEST(Patches_test, of_a_given_partition_are_not_adjacent_across_constraints)
+{
+  for (unsigned seed = 1; seed <= 3; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const Soup soup = small_faces(seed, 10);
+    const RS::Surface mesh = surface_of(soup);
+    std::mt19937 random(seed);
+    Labels labels;
+    for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
+      labels.push_back(random() % 20);
+    RS::Constraints constraints;
+    for (std::size_t a = 0; a < mesh.number_of_adjacencies(); ++a)
+      if (random() % 3 == 0)
+        constraints.add(a, mesh.number_of_adjacencies());
+    const RS::Partition parts = RS::Partition::from_labels(labels);
+    const RS::Patches patches = RS::internal::Patch_builder::build(mesh, parts, constraints);
+    EXPECT_EQ(labels_of(patches.of_elements()), labels_of(parts));
+    expect_description(patches, mesh, labels_of(parts), Contacts::YES, constraints);
+    expect_centers(patches, [&](std::size_t f) { return mesh.centroid(f); });
+  }
+}
+
+TEST(Patches_test, folded_up_faces_have_an_angle_although_rounding_makes_the_product_of_their_normals_less_than_minus_one)
+{
+  std::size_t less = 0;
+  for (unsigned seed = 1; seed <= 100; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> any(-1, 1);
+    Soup book; // two pages, closed but for nothing, on the sides that face each other
+    for (int i = 0; i < 3; ++i)
+      book.points.push_back({any(random), any(random), any(random)});
+    const Point &a = book.points[0], &b = book.points[1], &c = book.points[2];
+    const Double_3 normal = cross(Double_3{b[0] - a[0], b[1] - a[1], b[2] - a[2]}, Double_3{c[0] - a[0], c[1] - a[1], c[2] - a[2]});
+    const Double_3 d = Double_3{c[0], c[1], c[2]} + (1e-10 / norm(normal)) * normal;
+    book.points.push_back({d.x, d.y, d.z});
+    book.polygons = {{0, 1, 2}, {1, 0, 3}};
+    const RS::Surface mesh = surface_of(book);
+    const Surface_patches patches = patches_of(mesh);
+    ASSERT_EQ(patches.fine.adjacencies().size(), 1u);
+    less += dot(patches.fine[0].normal, patches.fine[1].normal) < -1;
+    EXPECT_NEAR(patches.fine.concave_deviation(0), std::acos(-1.0), 1e-6);
+  }
+  EXPECT_GT(less, 0u);
+}
+
+TEST(Patches_test, do_not_depend_on_the_numbering)
+{
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const Soup soup = small_faces(seed);
+    Soup other = soup;
+    std::mt19937 random(seed);
+    std::vector<std::size_t> order(soup.polygons.size()), new_vertex;
+    for (std::size_t i = 0; i < order.size(); ++i)
+      order[i] = i;
+    std::shuffle(order.begin(), order.end(), random);
+    for (std::size_t i = 0; i < order.size(); ++i)
+      other.polygons[order[i]] = soup.polygons[i];
+    shuffle_vertices(other, random, new_vertex);
+    const Labels a = labels_of(patches_of(surface_of(soup)).fine.of_elements());
+    const Labels b = labels_of(patches_of(surface_of(other)).fine.of_elements());
+    Labels b_of_a(a.size());
+    for (std::size_t i = 0; i < order.size(); ++i)
+      b_of_a[i] = b[order[i]];
+    EXPECT_EQ(renumbered(b_of_a), a);
+  }
+}
+
+TEST(Patches_test, a_mesh_without_area_is_one_patch_for_each_piece)
+{
+  const Soup point{{{1, 1, 1}, {1, 1, 1}, {1, 1, 1}, {1, 1, 1}}, {{0, 1, 2}, {0, 2, 3}}};
+  const RS::Surface mesh = surface_of(point);
+  const Surface_patches patches = patches_of(mesh);
+  EXPECT_EQ(patches.fine.size(), 1u);
+  EXPECT_EQ(patches.fine[0].area, 0);
+}
+
+TEST(Patches_test, each_round_is_reported_and_can_be_cancelled)
+{
+  struct Visitor
+  {
+    std::size_t last = std::numeric_limits<std::size_t>::max();
+    std::vector<double> fractions;
+    bool go_further(const char*, double fraction)
+    {
+      fractions.push_back(fraction);
+      return fractions.size() < last;
+    }
+  };
+  const RS::Surface surface = surface_of(small_faces(1));
+  const auto build = [&](Visitor& visitor) {
+    return RS::internal::Patch_builder::build(surface, RS::Execution().with_visitor(visitor));
+  };
+  Visitor all;
+  const std::size_t size = build(all).coarse.size();
+  EXPECT_TRUE(std::is_sorted(all.fractions.begin(), all.fractions.end()));
+  ASSERT_GT(all.fractions.size(), 3u);
+  EXPECT_EQ(all.fractions.back(), 1 - double(size) / double(surface.number_of_faces())) << "the last round";
+  EXPECT_EQ(std::adjacent_find(all.fractions.begin(), all.fractions.end()), all.fractions.end()) << "each round joins patches";
+  for (std::size_t last = 1; last <= all.fractions.size(); ++last) {
+    Visitor cancelling;
+    cancelling.last = last;
+    EXPECT_THROW(build(cancelling), RS::Segmentation_cancelled);
+    EXPECT_EQ(cancelling.fractions.size(), last);
+  }
+}
+
+} // namespace Patches_test
