@@ -4,14 +4,15 @@ cmake_minimum_required(VERSION 3.16)
 
 # The rooms in order: a header includes headers of its own room and of those before it. Headers by their paths below
 # include/CGAL/Region_segmentation.
-set(rooms data reading regions measures segments graph rays cuts model methods segmenting pipeline)
-set(data internal/support/ exceptions.h Execution.h parameters.h version.h Double_3.h Mesh_data.h Mesh_patches.h Feature_convexity.h
-  Partition.h Flat_mesh.h)
-set(reading internal/reading/ read_flat_mesh.h face_values.h)
-set(regions internal/regions/)
+set(rooms data surface cells graph measures segments rays cuts model methods segmenting pipeline)
+set(data internal/support/ exceptions.h Execution.h parameters.h version.h Double_3.h
+  Feature_convexity.h Partition.h Patches.h Request.h Surface.h)
+set(surface internal/surface/ make_surface.h face_values.h)
+set(cells internal/cells/)
+set(graph internal/concepts/ internal/regions/ internal/graph/ Graph/ Hierarchy.h merge_regions.h
+  requested_regions.h)
 set(measures internal/measures/ evaluation/ evaluation.h IO/)
 set(segments internal/segments/ Segments/)
-set(graph internal/concepts/ internal/graph/ Graph/ merge_regions.h)
 set(rays internal/rays/)
 set(cuts internal/cuts/)
 set(model internal/model/)

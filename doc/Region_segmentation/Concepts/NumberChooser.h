@@ -2,10 +2,8 @@
 \ingroup PkgRegionSegmentationConcepts
 \cgalConcept
 
-Chooses the number of segments where none is given, from the merges of a policy whose order does not depend on it.
-
-A chooser with a constant in the units of a cost declares this cost as `%MergeCost`; a policy that merges by another one
-does not compile with it.
+Chooses the number of segments where none is given, from the merges of a policy whose order does not
+depend on it.
 
 \cgalHasModel `CGAL::Region_segmentation::Number_from_costs`
 \cgalHasModel `CGAL::Region_segmentation::Number_from_expected_costs`
@@ -14,12 +12,13 @@ does not compile with it.
 class NumberChooser
 {
 public:
-  /// the number of segments, at least 1. A number that the tree does not have is replaced by the nearest one that it has,
-  /// unless it is larger and the `RegionInitializer` splits regions. The tree holds all merges, down to one segment for each
-  /// connected component, unless the policy ends before, or sections are barred. Borders are straightened afterwards: merges that
-  are left out then, since a region loses all its faces, count here.
-  std::size_t operator()(const Merge_tree& tree) const;
+  /*!
+  the number of segments, at least 1. A number that the tree does not have is replaced by the nearest
+  one that it has, unless it is larger and the method splits regions.
 
-  /// Optional: is called instead, with the mesh on which the method works.
-  std::size_t operator()(const Merge_tree& tree, const Flat_mesh& mesh) const;
+  The tree holds all merges, those of crumbs first, down to one segment for each connected piece of
+  the region graph, unless the policy ends before, or sections are barred. Borders are straightened
+  afterwards: merges that are left out then, since a region loses all its faces, count here.
+  */
+  std::size_t operator()(const Merge_tree& tree, const Surface& surface) const;
 };

@@ -2,38 +2,42 @@
 \ingroup PkgRegionSegmentationConcepts
 \cgalConcept
 
-The computation between reading a mesh and its labels: a value whose public members are the parts of a method, each an
-instance that may hold constants, data and state of the user. `CGAL::Region_segmentation::segment()` and
-`CGAL::Region_segmentation::Segmenter` store a copy. Every run copies the policy, so a method can be reused, also from
-several threads; parts that share state hold pointers to it.
+The computation between a surface and its segments: a value with constants as members and two functions.
+`CGAL::Region_segmentation::segment()` and `CGAL::Region_segmentation::Segmenter` store a copy. Every
+run is `const`, so a method can be used again, also from several threads; values that copies share are
+held by pointers.
 
-A method has the members `initializer`, `annotator`, and either `policy` and `chooser`, or `partitioner`.
+Nothing else is looked for in a method. What it can do is said by the type that `merge()` returns. A
+method of a user's own is shown in \ref RegionSegmentationOwnMethod.
 
-Only the annotator defines the types of the graph's data. The other parts must read these types: otherwise the
-combination does not compile, and a static assertion states the reason.
-
-\cgalHasModel `CGAL::Region_segmentation::Segmentation_method`
-\cgalHasModel `CGAL::Region_segmentation::Partitioning_method`
-\cgalHasModel `CGAL::Region_segmentation::Visibility_merging`
 \cgalHasModel `CGAL::Region_segmentation::Learned_merging`
-\cgalHasModel `CGAL::Region_segmentation::Two_step`
+\cgalHasModel `CGAL::Region_segmentation::Visibility_merging`
 \cgalHasModel `CGAL::Region_segmentation::Smooth_faces`
+\cgalHasModel `CGAL::Region_segmentation::Two_step`
+\cgalHasModel `CGAL::Region_segmentation::Superfacet_merging`
+\cgalHasModel `CGAL::Region_segmentation::Spectral_partitioning`
 */
 class SegmentationMethod
 {
 public:
-  RegionInitializer initializer; ///< makes the first regions
-  GraphAnnotator annotator;      ///< defines and fills the data of the region graph
+  /// what `prepare()` returns: any type that can be moved.
+  struct Prepared;
 
-  /// \name Merging
-  /// @{
-  RegionMergingPolicy policy; ///< proposes which regions are merged next
-  /// Chooses the number of segments where none is given, or `CGAL::Region_segmentation::No_number_chooser`.
-  NumberChooser chooser;
-  /// @}
+  /// computes what depends on the surface alone, and on no request. A `Segmenter` calls it once.
+  Prepared prepare(const Surface& surface, const Execution& execution) const;
 
-  /// \name Or Partitioning
-  /// @{
-  GraphPartitioner partitioner; ///< assigns the regions to a given number of segments
-  /// @}
+  /*!
+  segments the surface as the request says: with its number, or one of its own choice if that is 0, its
+  constraints and its seeds. `CGAL::Region_segmentation::requested_regions()` applies the last two to
+  first regions.
+
+  The result depends on the arguments alone, not on earlier calls.
+
+  \returns `Hierarchy`, or a type derived from it, if the order of merges does not depend on the number
+           of segments: a `Segmenter` calls it once for each change of constraints or seeds. Otherwise
+           `Segmentation`: it is called for each number, which must be given
+  \throws Invalid_input if the request cannot be met
+  */
+  Hierarchy merge(const Surface& surface, const Prepared& prepared, const Request& request,
+                  const Execution& execution) const;
 };

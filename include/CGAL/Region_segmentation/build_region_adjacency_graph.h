@@ -35,6 +35,7 @@ using Graph_parameters =
 ///         need more, such as `Visibility_region_data`, are filled by their annotator afterwards
 /// \param surface, regions the region of every face
 /// \param constraints adjacencies that are never merged across
+/// \param execution threads and visitor: reports the progress of the stage that it is of
 ///
 /// \returns a `Region_adjacency_graph`; its regions are the parts of `regions`
 /// \throws Invalid_input if the numbers of elements of `regions` and of faces differ

@@ -2,11 +2,11 @@
 \ingroup PkgRegionSegmentationConcepts
 \cgalConcept
 
-Proposes which regions are merged next. Copy constructible.
+Proposes which regions are merged next. Copy constructible. `Graph` is a
+`CGAL::Region_segmentation::Region_adjacency_graph`, which a policy does not change.
 
-It may declare the data that it reads by the types `%RegionData` and `%SectionData`: unless the data of the graph are or
-derive from these, the combination does not compile. It may declare the cost that defines the units of its merges by the
-type `%MergeCost`.
+It may declare the data that it reads by the types `%RegionData` and `%SectionData`: unless the data
+of the graph are or derive from these, the combination does not compile.
 
 \cgalHasModel `CGAL::Region_segmentation::Lowest_cost_first`
 \cgalHasModel `CGAL::Region_segmentation::Lowest_order_first`
@@ -16,21 +16,22 @@ type `%MergeCost`.
 \cgalHasModel `CGAL::Region_segmentation::Policy_sequence`
 \cgalHasModel `CGAL::Region_segmentation::Two_step_merging`
 */
-class RegionMergingPolicy
+class MergingPolicy
 {
 public:
   /// \name Initialization
   /// One of the two. It is called before the first merge of each run.
   /// @{
-  /// of a policy whose order does not depend on the wanted number of segments: one tree gives them all.
+  /// of a policy whose order does not depend on the wanted number of segments: one tree gives all.
   void initialize(const Graph& graph);
   /// of a policy whose order depends on it.
   void initialize(const Graph& graph, std::size_t number_of_segments);
   /// @}
 
-  /// proposes the next merge, of a section for which `graph.is_mergeable(section)`; empty if there is none. The cost of the
-  /// candidate is a number: otherwise `CGAL::Region_segmentation::Invalid_method` is thrown. If called again before the
-  /// proposal is carried out, it proposes the same.
+  /// proposes the next merge, of a section for which `graph.is_mergeable(section)`; empty if there
+  /// is none. The cost of the candidate is a number: otherwise
+  /// `CGAL::Region_segmentation::Invalid_method` is thrown. If called again before the proposal is
+  /// carried out, it proposes the same.
   std::optional<Merge_candidate> next(const Graph& graph);
 
   /// is called after each merge. Sections of the kept region may also have become not mergeable.
