@@ -13,8 +13,8 @@ class NumberChooser
 {
 public:
   /*!
-  the number of segments, at least 1. A number that the tree does not have is replaced by the nearest
-  one that it has, unless it is larger and the method splits regions.
+  the number of segments, at least 1. A number that the tree does not have is replaced by the
+  nearest one that it has, unless it is larger and the method splits regions.
 
   The tree holds all merges, those of crumbs first, down to one segment for each connected piece of
   the region graph, unless the policy ends before, or sections are barred. Borders are straightened

@@ -2,8 +2,8 @@
 \ingroup PkgRegionSegmentationConcepts
 \cgalConcept
 
-The data of a region. They are filled from the surface before merging, so that policies and costs need
-no surface. Default and copy constructible; `absorb()` is associative and commutative.
+The data of a region. They are filled from the surface before merging, so that policies and costs
+need no surface. Default and copy constructible; `absorb()` is associative and commutative.
 
 A type that derives from another model and has members of its own declares its own `absorb()`, which
 calls that of the base class, and the functions that sum its members.
@@ -20,10 +20,11 @@ public:
   /// accounts for a face of the region; called in the order of faces.
   void add_face(const Surface& surface, std::size_t face);
 
-  /// accounts for an adjacency of the region and another one; called once for each such adjacency and
-  /// each of its two regions, in the order of adjacencies.
+  /// accounts for an adjacency of the region and another one; called once for each such adjacency
+  /// and each of its two regions, in the order of adjacencies.
   void add_border(const Surface& surface, std::size_t adjacency);
 
-  /// adds a region on the other side of the section `between`, whose data are those before the merge.
+  /// adds a region on the other side of the section `between`, whose data are those before the
+  /// merge.
   void absorb(const RegionData& other, const SectionData& between);
 };

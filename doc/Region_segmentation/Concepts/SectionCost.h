@@ -3,9 +3,9 @@
 \cgalConcept
 
 The cost of merging across a section. It depends only on the section and its two regions.
-`CGAL::Region_segmentation::Lowest_cost_first` turns it into a \concept{MergingPolicy}. It may declare
-the data that it reads by the types `%RegionData` and `%SectionData`: unless the data of the graph are
-or derive from these, the combination does not compile. A lambda that takes
+`CGAL::Region_segmentation::Lowest_cost_first` turns it into a \concept{MergingPolicy}. It may
+declare the data that it reads by the types `%RegionData` and `%SectionData`: unless the data of the
+graph are or derive from these, the combination does not compile. A lambda that takes
 `(const auto& graph, auto section)` is a model, too.
 
 \cgalHasModel `CGAL::Region_segmentation::Visibility_cost`

@@ -4,8 +4,8 @@
 
 The data of a section: all edges, seams and links that two regions share. Default and copy
 constructible; `absorb()` is associative and commutative. A type that derives from another model and
-has members of its own declares its own `add_adjacency()` and `absorb()`, which call those of the base
-class.
+has members of its own declares its own `add_adjacency()` and `absorb()`, which call those of the
+base class.
 
 \cgalHasModel `CGAL::Region_segmentation::Section_geometry`
 \cgalHasModel `CGAL::Region_segmentation::Visibility_section_data`
@@ -15,8 +15,8 @@ class.
 class SectionData
 {
 public:
-  /// accounts for an adjacency of the surface; called once for each one of the section, in the order of
-  /// adjacencies: sorted by their higher, then by their lower face.
+  /// accounts for an adjacency of the surface; called once for each one of the section, in the
+  /// order of adjacencies: sorted by their higher, then by their lower face.
   void add_adjacency(const Surface& surface, std::size_t adjacency);
 
   /// adds another section between the same two regions.

@@ -2,10 +2,10 @@
 \ingroup PkgRegionSegmentationConcepts
 \cgalConcept
 
-The computation between a surface and its segments: a value with constants as members and two functions.
-`CGAL::Region_segmentation::segment()` and `CGAL::Region_segmentation::Segmenter` store a copy. Every
-run is `const`, so a method can be used again, also from several threads; values that copies share are
-held by pointers.
+The computation between a surface and its segments: a value with constants as members and two
+functions. `CGAL::Region_segmentation::segment()` and `CGAL::Region_segmentation::Segmenter` store a
+copy. Every run is `const`, so a method can be used again, also from several threads; values that
+copies share are held by pointers.
 
 Nothing else is looked for in a method. What it can do is said by the type that `merge()` returns. A
 method of a user's own is shown in \ref RegionSegmentationOwnMethod.
@@ -27,15 +27,15 @@ public:
   Prepared prepare(const Surface& surface, const Execution& execution) const;
 
   /*!
-  segments the surface as the request says: with its number, or one of its own choice if that is 0, its
-  constraints and its seeds. `CGAL::Region_segmentation::requested_regions()` applies the last two to
-  first regions.
+  segments the surface as the request says: with its number, or one of its own choice if that is 0,
+  its constraints and its seeds. `CGAL::Region_segmentation::requested_regions()` applies the last
+  two to first regions.
 
   The result depends on the arguments alone, not on earlier calls.
 
-  \returns `Hierarchy`, or a type derived from it, if the order of merges does not depend on the number
-           of segments: a `Segmenter` calls it once for each change of constraints or seeds. Otherwise
-           `Segmentation`: it is called for each number, which must be given
+  \returns `Hierarchy`, or a type derived from it, if the order of merges does not depend on the
+  number of segments: a `Segmenter` calls it once for each change of constraints or seeds. Otherwise
+  `Segmentation`: it is called for each number, which must be given
   \throws Invalid_input if the request cannot be met
   */
   Hierarchy merge(const Surface& surface, const Prepared& prepared, const Request& request,

@@ -2,8 +2,8 @@
 \ingroup PkgRegionSegmentationConcepts
 \cgalConcept
 
-Follows the progress of a segmentation, and can cancel it. It is called by the thread that called the
-function, also if stages run in parallel.
+Follows the progress of a segmentation, and can cancel it. It is called by the thread that called
+the function, also if stages run in parallel.
 */
 class SegmentationVisitor
 {
@@ -11,8 +11,8 @@ public:
   /*!
   is called at the start of each stage, and repeatedly within it. The stages are, in this order,
   "reading", "regions", "rays", "graph", "merging", "borders", as far as the method has them.
-  `detect_feature_edges()` has "features" after "reading", `smooth_borders()` has "borders". `fraction`
-  is in [0, 1] and does not decrease within a stage.
+  `detect_feature_edges()` has "features" after "reading", `smooth_borders()` has "borders".
+  `fraction` is in [0, 1] and does not decrease within a stage.
 
   \returns false to end the run by `CGAL::Region_segmentation::Segmentation_cancelled`; no map is
            written

@@ -18,7 +18,7 @@ namespace CGAL {
 namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationPolicies
-/// Stops when a number of regions is reached. A model of `MergingStopPredicate`.
+/// Stops when a number of regions is reached, in `merge_regions()`.
 struct Stop_at_count
 {
   std::size_t number_of_regions;
@@ -31,7 +31,7 @@ struct Stop_at_count
 };
 
 /// \ingroup PkgRegionSegmentationPolicies
-/// Stops before the first merge that costs more than a bound. A model of `MergingStopPredicate`.
+/// Stops before the first merge that costs more than a bound, in `merge_regions()`.
 struct Stop_at_cost
 {
   double maximum_cost;
@@ -49,8 +49,9 @@ struct Stop_at_cost
 /// Merging ends when `stop` returns `true` or the policy has no further candidate.
 ///
 /// \tparam Graph a `Region_adjacency_graph`
-/// \tparam Policy a model of `RegionMergingPolicy`
-/// \tparam Stop a model of `MergingStopPredicate`
+/// \tparam Policy a model of `MergingPolicy`
+/// \tparam Stop `bool operator()(const Graph&, double next_cost)`: whether to end before the next merge,
+///         which would cost `next_cost`. `Stop_at_count`, `Stop_at_cost`, or a user's own
 /// \param graph the regions; merged in place
 /// \param policy is initialized for the graph, so that it can be used again
 /// \param number_of_segments the wanted number, for a policy whose order depends on it; `stop` ends merging

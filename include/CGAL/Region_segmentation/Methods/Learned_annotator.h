@@ -17,8 +17,8 @@ namespace CGAL {
 namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationAnnotators
-/// fills, in addition to `Visibility_annotator`, the data of which `Merge_features` are made. A model of
-/// `GraphAnnotator`, for graphs with `Learned_region_data` and `Learned_section_data`.
+/// fills, in addition to `Visibility_annotator`, the data of which `Merge_features` are made:
+/// for graphs with `Learned_region_data` and `Learned_section_data`.
 ///
 /// A face of area \f$a\f$ (share of the surface), unit normal \f$N\f$ and centroid \f$c\f$ adds to its region
 /// - \f$a N\f$ to the area vector, and

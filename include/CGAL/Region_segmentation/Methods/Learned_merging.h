@@ -21,7 +21,7 @@ namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationPolicies
 /// Merges by the policy of `Visibility_merging` until few regions are left, and those by `Learned_cost`. A model of
-/// `RegionMergingPolicy`.
+/// `MergingPolicy`.
 ///
 /// The costs of the later merges are `Expected_merge_cost`; those of the earlier ones, `Visibility_cost`, have other
 /// units.

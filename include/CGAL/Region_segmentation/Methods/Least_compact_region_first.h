@@ -44,7 +44,7 @@ double planarity(const RegionData& region)
 
 /// \ingroup PkgRegionSegmentationPolicies
 /// Step two of the paper: merges a small region far from a disc next, across the section that
-/// `Longest_flattest_section` chooses. A model of `RegionMergingPolicy`.
+/// `Longest_flattest_section` chooses. A model of `MergingPolicy`.
 ///
 /// The region \f$i\f$ that has a section and the largest sum over all other regions \f$j\f$ of
 /// \f[ P_j(C_i) = 1 - \gamma \frac{e^{-\rho_i}}{e^{-\rho_i} + e^{-\rho_j}}

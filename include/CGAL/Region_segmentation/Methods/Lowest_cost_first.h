@@ -22,7 +22,7 @@ namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationPolicies
 /// Turns a cost of sections into a policy: merges across the cheapest section of the graph next; of
-/// equal ones, the one between the lower regions. A model of `RegionMergingPolicy`.
+/// equal ones, the one between the lower regions. A model of `MergingPolicy`.
 ///
 /// The order does not depend on the wanted number of segments, so one tree gives them all. A merge
 /// changes only the costs of the sections of the merged region: a cost may depend on a section and on

@@ -16,7 +16,7 @@ namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationPolicies
 /// Merges in the order of one cost, and records another one as the costs of the merges. A model of
-/// `RegionMergingPolicy`.
+/// `MergingPolicy`.
 ///
 /// The best next merge is not always the one whose cost should be added up to choose a number of segments.
 ///

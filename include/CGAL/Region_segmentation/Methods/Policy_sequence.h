@@ -36,11 +36,11 @@ struct Switch_at_count
 };
 
 /// \ingroup PkgRegionSegmentationPolicies
-/// One policy, then another. A model of `RegionMergingPolicy`.
+/// One policy, then another. A model of `MergingPolicy`.
 ///
 /// Its order depends on the wanted number of segments if one of the policies or the switch does.
 ///
-/// \tparam First, Second models of `RegionMergingPolicy`, such as another sequence
+/// \tparam First, Second models of `MergingPolicy`, such as another sequence
 /// \tparam Switch `Switch_at_multiple`, `Switch_at_count`, or a similar function object: whether the
 ///         second policy takes over
 template <typename First, typename Second, typename Switch>

@@ -17,8 +17,7 @@ namespace CGAL {
 namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationInitializers
-/// The regions of the paper: the connected components of the faces across edges that are not feature edges. A model of
-/// `RegionInitializer`.
+/// The regions of the paper: the connected components of the faces across edges that are not feature edges.
 ///
 /// The feature edges are those that `detect_feature_edges()` marks. A degenerate face joins the region across its
 /// longest interior edge.

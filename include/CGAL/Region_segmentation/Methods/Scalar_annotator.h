@@ -45,7 +45,7 @@ struct Scalar_region_data : Base
 
 /// \ingroup PkgRegionSegmentationAnnotators
 /// adds a scalar of the user's faces, such as curvature, color or temperature, to the data of another annotator, for
-/// `Scalar_cost` or a cost of the user's. A model of `GraphAnnotator`, for graphs with `Scalar_region_data`.
+/// `Scalar_cost` or a cost of the user's: for graphs with `Scalar_region_data`.
 ///
 /// \code
 /// const RS::Superfacet_merging method{RS::Scalar_annotator(RS::face_values(mesh, temperature)),
@@ -55,7 +55,7 @@ struct Scalar_region_data : Base
 ///
 /// Complexity: that of `Base`, and O(F). Copies share the values, 8 bytes per face.
 ///
-/// \tparam Base the other annotator, a model of `GraphAnnotator`
+/// \tparam Base the other annotator
 template <typename Base = Visibility_annotator>
 class Scalar_annotator : public Base
 {

@@ -21,7 +21,7 @@ namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationPolicies
 /// Step one of the paper: merges the region of smallest area next (the lower id of equal ones; never one whose area is
-/// NaN), across the section that `Longest_flattest_section` chooses. A model of `RegionMergingPolicy`; the cost is the
+/// NaN), across the section that `Longest_flattest_section` chooses. A model of `MergingPolicy`; the cost is the
 /// area of the region, in squared units of `Surface::unit()`.
 ///
 /// Complexity: O(log R) per merge, and the choice of the section. A section is visited O(log A) times, A the ratio of

@@ -24,7 +24,7 @@ namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationAnnotators
 /// measures at every edge whether it is a crease of a machine part, a joint of two smooth faces, or an edge of the
-/// triangulation of one. A model of `GraphAnnotator`, for graphs with `Smoothness_region_data` and
+/// triangulation of one: for graphs with `Smoothness_region_data` and
 /// `Smoothness_section_data`.
 ///
 /// From the middle of an edge a straight path is followed over the faces on either side, at right angles to the edge.

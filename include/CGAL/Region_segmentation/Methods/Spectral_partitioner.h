@@ -96,7 +96,7 @@ double weight_of(const RegionData& region)
 } // namespace internal
 
 /// \ingroup PkgRegionSegmentationPolicies
-/// partitions a region graph by a relaxed normalized cut. A model of `GraphPartitioner`.
+/// partitions a region graph by a relaxed normalized cut.
 ///
 /// `#include <CGAL/Region_segmentation/Methods/Spectral_partitioner.h>`, which requires Eigen.
 ///

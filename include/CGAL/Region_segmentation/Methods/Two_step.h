@@ -26,7 +26,7 @@ namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationPolicies
 /// The merging of the paper: `Smallest_region_first` while there are more than `factor` times the
-/// wanted number of regions, then `Least_compact_region_first`. A model of `RegionMergingPolicy`.
+/// wanted number of regions, then `Least_compact_region_first`. A model of `MergingPolicy`.
 ///
 /// The order of merges depends on the wanted number, so its tree is valid for that number only.
 struct Two_step_merging

@@ -22,8 +22,8 @@ namespace CGAL {
 namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationAnnotators
-/// measures by rays from every region into the body its thickness there, and which regions see each other. A model of
-/// `GraphAnnotator`, for graphs with `Visibility_region_data` and `Visibility_section_data`.
+/// measures by rays from every region into the body its thickness there, and which regions see each other:
+/// for graphs with `Visibility_region_data` and `Visibility_section_data`.
 ///
 /// Each region casts 12 rays into the body. The candidates to start from are the faces at the centers (`Patch::center`) of the patches
 /// (see `Surface_patches`) in the region, or, if there is none, all of its faces, in the order of the distance of their
