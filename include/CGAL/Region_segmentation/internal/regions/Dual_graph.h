@@ -3,6 +3,7 @@
 #ifndef CGAL_REGION_SEGMENTATION_INTERNAL_REGIONS_DUAL_GRAPH_H
 #define CGAL_REGION_SEGMENTATION_INTERNAL_REGIONS_DUAL_GRAPH_H
 
+#include <CGAL/Region_segmentation/Patches.h>
 #include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/internal/support/Grouped_items.h>
 
