@@ -39,7 +39,8 @@ struct No_annotator
 
   template <typename Graph>
   void operator()(Graph&, const RS::Surface&, const RS::Partition&) const
-  {}
+  {
+  }
 };
 
 struct No_cost
@@ -58,7 +59,8 @@ using Annotator = RS::Scalar_annotator<No_annotator>;
 
 auto annotated(const RS::Surface& surface, const RS::Partition& regions, const Annotator& annotator)
 {
-  auto graph = RS::build_region_adjacency_graph<Annotator::RegionData, Annotator::SectionData>(surface, regions);
+  auto graph = RS::build_region_adjacency_graph<Annotator::RegionData, Annotator::SectionData>(
+    surface, regions);
   annotator(graph, surface, regions);
   return graph;
 }
@@ -74,8 +76,10 @@ std::vector<double> random_values(std::size_t number)
   return values;
 }
 
-/// The lowest difference of means between regions with a common edge: from the faces, by CGAL's areas.
-double lowest_difference(const Surface_mesh& mesh, const std::vector<double>& values, const std::vector<std::size_t>& region)
+/// The lowest difference of means between regions with a common edge: from the faces, by CGAL's
+/// areas.
+double lowest_difference(const Surface_mesh& mesh, const std::vector<double>& values,
+                         const std::vector<std::size_t>& region)
 {
   std::vector<double> areas(values.size()), sums(values.size());
   for (auto f : faces(mesh)) {
@@ -100,10 +104,10 @@ TEST(Scalar_cost, merges_by_the_difference_of_the_means)
   const Surface_mesh mesh = to_surface_mesh(random_mesh(Family::SPHERE, 3));
   const std::vector<double> values = random_values(num_faces(mesh));
   const RS::Surface surface = RS::make_surface(mesh);
-  auto graph =
-    annotated(surface, RS::Partition::into_single_elements(surface.number_of_faces()), Annotator(values));
-  const RS::Merge_tree tree =
-    RS::merge_regions(graph, RS::Lowest_cost_first(RS::Scalar_cost<No_cost>(weight)), 1, RS::Stop_at_count{1});
+  auto graph = annotated(surface, RS::Partition::into_single_elements(surface.number_of_faces()),
+                         Annotator(values));
+  const RS::Merge_tree tree = RS::merge_regions(
+    graph, RS::Lowest_cost_first(RS::Scalar_cost<No_cost>(weight)), 1, RS::Stop_at_count{1});
   std::vector<std::size_t> region(num_faces(mesh));
   for (std::size_t f = 0; f < region.size(); ++f)
     region[f] = f;
@@ -123,7 +127,8 @@ TEST(Scalar_cost, of_a_constant_is_that_of_the_other_cost)
     const RS::Superfacet_merging method{annotator, policy, RS::Number_from_costs(-19.5)};
     return RS::Segmenter(mesh, RS::parameters::method(method)).merge_tree().merges();
   };
-  const Merges expected = merges(RS::Visibility_annotator(), RS::Lowest_cost_first<RS::Visibility_cost>());
+  const Merges expected =
+    merges(RS::Visibility_annotator(), RS::Lowest_cost_first<RS::Visibility_cost>());
   const Merges merged = merges(RS::Scalar_annotator(std::vector<int>(num_faces(mesh), 7)),
                                RS::Lowest_cost_first(RS::Scalar_cost(9)));
   ASSERT_EQ(merged.size(), expected.size());
@@ -134,7 +139,8 @@ TEST(Scalar_cost, of_a_constant_is_that_of_the_other_cost)
   }
 }
 
-/// Another method's annotator is exchanged, its costs read what they read before; seeds annotate anew.
+/// Another method's annotator is exchanged, its costs read what they read before; seeds annotate
+/// anew.
 TEST(Scalar_annotator, takes_the_place_of_the_annotator_that_it_extends)
 {
   const Surface_mesh mesh = to_surface_mesh(sphere(2));
@@ -146,7 +152,8 @@ TEST(Scalar_annotator, takes_the_place_of_the_annotator_that_it_extends)
   std::vector<std::size_t> seeds(num_faces(mesh), std::size_t(-1));
   seeds.front() = 0;
   seeds.back() = 1;
-  const auto seed_map = boost::make_iterator_property_map(seeds.begin(), get(boost::face_index, mesh));
+  const auto seed_map =
+    boost::make_iterator_property_map(seeds.begin(), get(boost::face_index, mesh));
   for (int round = 0; round < 2; ++round) {
     ASSERT_EQ(segmenter.merge_tree().merges().size(), expected.merge_tree().merges().size());
     for (std::size_t i = 0; i < segmenter.merge_tree().merges().size(); ++i)

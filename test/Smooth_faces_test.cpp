@@ -4,9 +4,9 @@
 #include "oracles.h"
 #include "reference_smoothness.h"
 
+#include <CGAL/Region_segmentation/Graph/Region_adjacency_graph.h>
 #include <CGAL/Region_segmentation/Methods/Smooth_faces.h>
 #include <CGAL/Region_segmentation/Segmenter.h>
-#include <CGAL/Region_segmentation/Graph/Region_adjacency_graph.h>
 #include <CGAL/Region_segmentation/build_region_adjacency_graph.h>
 #include <CGAL/Region_segmentation/internal/regions/Face_links.h>
 #include <CGAL/Region_segmentation/internal/regions/Normal_section.h>
@@ -45,8 +45,8 @@ struct Profile
   Labels faces;
 
   /// From one angle to the other, both included, in degrees; its last point starts another face.
-  void add_arc(double x, double y, double radius, double from, double to, int steps, std::size_t face,
-               std::size_t next_face)
+  void add_arc(double x, double y, double radius, double from, double to, int steps,
+               std::size_t face, std::size_t next_face)
   {
     for (int i = 0; i <= steps; ++i) {
       const double angle = (from + (to - from) * i / steps) * pi / 180;
@@ -133,7 +133,8 @@ TEST(Smooth_faces_test, starts_from_facets_that_are_flat_but_for_rounding)
   Surface_mesh mesh = to_surface_mesh(regular_prism(720, true).soup); // half a degree apart
   auto region = mesh.add_property_map<Surface_mesh::Face_index, std::size_t>("f:region").first;
   auto segment = mesh.add_property_map<Surface_mesh::Face_index, std::size_t>("f:segment").first;
-  EXPECT_EQ(RS::segment(mesh, segment, RS::parameters::method(RS::Smooth_faces()).region_map(region)), 3u);
+  EXPECT_EQ(
+    RS::segment(mesh, segment, RS::parameters::method(RS::Smooth_faces()).region_map(region)), 3u);
   std::set<std::size_t> regions;
   for (auto f : mesh.faces())
     regions.insert(region[f]);
@@ -147,7 +148,8 @@ TEST(Smooth_faces_test, joins_facets_that_are_divided_into_slivers)
   Profile profile;
   for (std::size_t i = 0; i < sides; ++i) {
     const auto corner = [&](std::size_t j) {
-      return std::array<double, 2>{std::cos(2 * pi * double(j) / sides), std::sin(2 * pi * double(j) / sides)};
+      return std::array<double, 2>{std::cos(2 * pi * double(j) / sides),
+                                   std::sin(2 * pi * double(j) / sides)};
     };
     const auto a = corner(i), b = corner(i + 1);
     profile.points.push_back(a);
@@ -160,8 +162,8 @@ TEST(Smooth_faces_test, joins_facets_that_are_divided_into_slivers)
   EXPECT_EQ(number_of_labels(smooth_faces(triangulated(cylinder.soup))), 3u);
 }
 
-/// A corner that is there twice: two triangles without area reach from one cap to the other. Where they come first, they are a
-/// region of their own.
+/// A corner that is there twice: two triangles without area reach from one cap to the other. Where
+/// they come first, they are a region of their own.
 TEST(Smooth_faces_test, faces_without_area_are_no_bridges)
 {
   Labelled cylinder = regular_prism(16, true);
@@ -277,7 +279,9 @@ using Graph = RS::Region_adjacency_graph<RS::Smoothness_region_data, RS::Smoothn
 Graph annotated(const RS::Surface& surface, const Labels& labels)
 {
   const RS::Partition regions = RS::Partition::from_labels(labels);
-  auto graph = RS::build_region_adjacency_graph<RS::Smoothness_region_data, RS::Smoothness_section_data>(surface, regions);
+  auto graph =
+    RS::build_region_adjacency_graph<RS::Smoothness_region_data, RS::Smoothness_section_data>(
+      surface, regions);
   const RS::Smoothness_annotator annotator;
   annotator(graph, surface, regions, annotator.discontinuities(surface));
   return graph;
@@ -294,12 +298,14 @@ std::vector<double> discontinuities(const Labelled& part)
   return result;
 }
 
-/// Each facet for itself. Facets of a cylinder are smooth; caps meet them at 90 degrees of 32, which count 3.
+/// Each facet for itself. Facets of a cylinder are smooth; caps meet them at 90 degrees of 32,
+/// which count 3.
 TEST(Smoothness_annotator_test, measures_a_cylinder)
 {
   Labelled cylinder = regular_prism(24, false);
   for (double discontinuity : discontinuities(cylinder))
-    EXPECT_TRUE(std::abs(discontinuity) < 1e-9 || std::abs(discontinuity - 3 * 90 / 32.0) < 1e-9) << discontinuity;
+    EXPECT_TRUE(std::abs(discontinuity) < 1e-9 || std::abs(discontinuity - 3 * 90 / 32.0) < 1e-9)
+      << discontinuity;
 }
 
 /// At the border of a fillet of four facets the curvature falls from 1 / r to 0.
@@ -316,13 +322,15 @@ TEST(Smoothness_annotator_test, measures_a_fillet)
 TEST(Smoothness_annotator_test, measures_as_documented)
 {
   std::mt19937 random(1);
-  std::vector<Soup> soups = {sphere(2), torus(40, 20), regular_prism(20, true).soup, filleted_block(5).soup, grid(12, 12)};
+  std::vector<Soup> soups = {sphere(2), torus(40, 20), regular_prism(20, true).soup,
+                             filleted_block(5).soup, grid(12, 12)};
   for (Point& p : soups.back().points)
     p[2] = std::sin(p[0] / 2) + 0.1 * p[1] * (p[1] > 6); // waves, and a shallow crease
   std::size_t creases = 0, smooth = 0, between = 0;
   for (Soup& soup : soups)
     for (double amplitude : {1e-4, 0.01, 0.05}) {
-      SCOPED_TRACE(std::to_string(soup.polygons.size()) + " polygons, amplitude " + std::to_string(amplitude));
+      SCOPED_TRACE(std::to_string(soup.polygons.size()) + " polygons, amplitude " +
+                   std::to_string(amplitude));
       Soup bumpy = triangulated(soup);
       bump(bumpy, amplitude, random);
       const RS::Surface surface = RS::make_surface(to_surface_mesh(bumpy));
@@ -350,14 +358,16 @@ TEST(Normal_section_test, a_path_ends_after_the_most_crossings)
   const RS::internal::Face_links links(surface);
   const RS::internal::Face_edge end{0, 3};
   EXPECT_EQ(RS::internal::Normal_section(surface, links, end, 2 * most, 0.1, 0.5).length, most);
-  EXPECT_EQ(RS::internal::Normal_section(surface, links, end, most - 0.5, 0.1, 0.5).length, most - 0.5);
+  EXPECT_EQ(RS::internal::Normal_section(surface, links, end, most - 0.5, 0.1, 0.5).length,
+            most - 0.5);
   EXPECT_EQ(RS::internal::facet_height(surface, links, end, 0.1), most);
 }
 
 TEST(Smoothness_data_test, degenerate_faces_have_no_area)
 {
   Soup soup = grid(2, 1);
-  soup.points[2] = soup.points[1]; // the second face has only two corners that differ from each other
+  soup.points[2] =
+    soup.points[1]; // the second face has only two corners that differ from each other
   soup.points[5] = soup.points[4];
   const RS::Surface surface = RS::make_surface(to_surface_mesh(soup));
   const Graph graph = annotated(surface, {0, 1});
@@ -383,7 +393,8 @@ TEST(Smoothness_data_test, counts_the_edges_of_a_section)
 
 TEST(Smoothness_cost_test, is_as_documented)
 {
-  const auto cost = [](double area, double facets, double other_area, double other_facets, double measured, double mean) {
+  const auto cost = [](double area, double facets, double other_area, double other_facets,
+                       double measured, double mean) {
     Graph graph;
     graph.add_region({area, facets});
     graph.add_region({other_area, other_facets});
@@ -413,7 +424,9 @@ TEST(Number_below_cost_test, ends_before_the_first_merge_above_the_bound)
   tree.push_back({2, 3, 1});
   tree.push_back({1, 4, 5});
   tree.push_back({0, 2, 3});
-  const auto number = [&tree](double bound) { return RS::Number_below_cost{bound}(tree, RS::Surface()); };
+  const auto number = [&tree](double bound) {
+    return RS::Number_below_cost{bound}(tree, RS::Surface());
+  };
   EXPECT_EQ(number(0.5), 5u);
   EXPECT_EQ(number(1), 4u);
   EXPECT_EQ(number(4), 4u);

@@ -23,7 +23,8 @@ using namespace test;
 
 template <typename Method>
 struct Number_choosers_test : ::testing::Test
-{};
+{
+};
 using Methods = ::testing::Types<RS::Learned_merging, RS::Visibility_merging>;
 TYPED_TEST_SUITE(Number_choosers_test, Methods);
 
@@ -49,7 +50,11 @@ TYPED_TEST(Number_choosers_test, convex_bodies_are_one_part)
   EXPECT_EQ(number(pillow()), 1u) << "closed, flat";
   for (std::size_t levels : {2, 4}) {
     EXPECT_EQ(number(sphere(levels)), 1u);
-    EXPECT_EQ(number(mapped(sphere(levels), [](const Point& p) { return Point{3 * p[0], p[1], 0.2 * p[2]}; })), 1u);
+    EXPECT_EQ(number(mapped(sphere(levels),
+                            [](const Point& p) {
+                              return Point{3 * p[0], p[1], 0.2 * p[2]};
+                            })),
+              1u);
   }
 }
 
@@ -61,10 +66,11 @@ TYPED_TEST(Number_choosers_test, other_bodies_are_divided)
   EXPECT_GE(number(triangulated(grid(4, 4))), 2u) << "not closed";
   EXPECT_GE(number(triangulated(l_shape())), 2u) << "one concave edge";
   // A waist that no edge shows: deviations are below a degree.
-  EXPECT_GE(number(mapped(sphere(6), [](const Point& p) {
-              const double waist = 0.3 + p[0] * p[0];
-              return Point{4 * p[0], waist * p[1], waist * p[2]};
-            })),
+  EXPECT_GE(number(mapped(sphere(6),
+                          [](const Point& p) {
+                            const double waist = 0.3 + p[0] * p[0];
+                            return Point{4 * p[0], waist * p[1], waist * p[2]};
+                          })),
             2u);
 }
 
@@ -109,24 +115,30 @@ TYPED_TEST(Number_choosers_test, a_drawn_loop_adds_a_segment)
     edges_of_loop += is_drawn;
   }
   ASSERT_EQ(edges_of_loop, 4u);
-  const RS::Segmenter with(mesh, RS::parameters::method(TypeParam()).edge_is_constrained_map(drawn));
+  const RS::Segmenter with(mesh,
+                           RS::parameters::method(TypeParam()).edge_is_constrained_map(drawn));
   auto map = face_map(mesh);
   const std::size_t n = with.segment(map);
   EXPECT_EQ(n, with.number_of_segments()) << "what is announced is what comes";
   EXPECT_GE(n, without.number_of_segments());
   for (auto e : edges(mesh))
     if (get(drawn, e)) {
-      EXPECT_NE(get(map, mesh.face(halfedge(e, mesh))), get(map, mesh.face(opposite(halfedge(e, mesh), mesh))));
+      EXPECT_NE(get(map, mesh.face(halfedge(e, mesh))),
+                get(map, mesh.face(opposite(halfedge(e, mesh), mesh))));
     }
 
   // On a convex body, exactly one more.
   const Surface_mesh ball = to_surface_mesh(sphere(4));
   auto equator = edge_map(ball);
   for (auto e : edges(ball))
-    put(equator, e, std::abs(ball.point(source(e, ball)).z()) < 1e-9 && std::abs(ball.point(target(e, ball)).z()) < 1e-9);
+    put(equator, e,
+        std::abs(ball.point(source(e, ball)).z()) < 1e-9 &&
+          std::abs(ball.point(target(e, ball)).z()) < 1e-9);
   auto halves = face_map(ball);
   EXPECT_EQ(RS::segment(ball, halves, RS::parameters::method(TypeParam())), 1u);
-  EXPECT_EQ(RS::segment(ball, halves, RS::parameters::method(TypeParam()).edge_is_constrained_map(equator)), 2u);
+  EXPECT_EQ(
+    RS::segment(ball, halves, RS::parameters::method(TypeParam()).edge_is_constrained_map(equator)),
+    2u);
 }
 
 /// Chooses 3, and counts how often.

@@ -11,7 +11,7 @@ struct Policy
   std::optional<RS::Merge_candidate> next(const Graph&) { return std::nullopt; }
   void on_merge(const Graph&, const Graph::Merge&) {}
 };
-void test(const Mesh& mesh, Labels labels)
+void test(Graph& graph)
 {
-  RS::segment(mesh, labels, RS::parameters::number_of_segments(3).method(RS::Two_step().with_policy(Policy())));
+  RS::merge_regions(graph, Policy(), 3, RS::Stop_at_count{3});
 }

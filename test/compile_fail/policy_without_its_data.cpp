@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// expect: Longest_flattest_section reads length and mean_angle() of SectionData
+// expect: Longest_flattest_section reads length, mean_angle() and has_links_alone() of SectionData
 #include "common.h"
 // A policy that reads the data of another graph.
 void test(Visibility_graph& graph)

@@ -11,6 +11,7 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <cstddef>
+#include <iterator>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -29,7 +30,8 @@ public:
   template <typename PairRange, typename Pack>
   void add_constraints(const Surface& surface, const PairRange& pairs, const Pack&, Constraints& constraints) const
   {
-    static_assert(is_range<PairRange>, "the constraints of polygons are a range of pairs of indices of points");
+    static_assert(is_range_of_pairs<PairRange>(),
+                  "the constraints of polygons are a range of pairs of indices of points");
     std::vector<Vertex_pair> edges;
     for (const auto& [v, w] : pairs) {
       if (std::size_t(v) >= surface.number_of_vertices() || std::size_t(w) >= surface.number_of_vertices())
@@ -61,6 +63,16 @@ public:
   }
 
 private:
+  /// Not a property map with the iterators of a range of `bool`, either.
+  template <typename Range>
+  static constexpr bool is_range_of_pairs()
+  {
+    if constexpr (is_range<Range>)
+      return !std::is_arithmetic<std::decay_t<decltype(*std::begin(std::declval<const Range&>()))>>::value;
+    else
+      return false;
+  }
+
   template <typename Map>
   static auto value(const Map& map, std::size_t i)
   {
