@@ -63,7 +63,7 @@ struct Normal_cost
   }
 };
 
-/// A model of `RegionMergingPolicy`: the flattest section of all goes next. Its order does not depend on the wanted
+/// A model of `MergingPolicy`: the flattest section of all goes next. Its order does not depend on the wanted
 /// number of segments, so `initialize()` does not take it.
 struct Flattest_first
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// expect: a RegionMergingPolicy needs: void initialize
+// expect: a MergingPolicy needs: void initialize
 #include "common.h"
 struct Policy
 {

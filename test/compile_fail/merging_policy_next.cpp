@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// expect: a RegionMergingPolicy needs: std::optional<Merge_candidate> next
+// expect: a MergingPolicy needs: std::optional<Merge_candidate> next
 #include "common.h"
 struct Policy
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// expect: a RegionMergingPolicy needs: void on_merge
+// expect: a MergingPolicy needs: void on_merge
 #include "common.h"
 struct Policy
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// expect: a MergingStopPredicate needs: bool operator()
+// expect: a predicate that stops merging needs: bool operator()
 #include "common.h"
 struct Stop
 {

@@ -18,7 +18,7 @@ namespace Region_segmentation {
 /// merges the graph of requested regions by a policy until `number` are left: regions of different seeds never, crumbs first.
 ///
 /// \tparam Graph a `Region_adjacency_graph` of `requested.regions`
-/// \tparam Policy a model of `RegionMergingPolicy`
+/// \tparam Policy a model of `MergingPolicy`
 /// \returns the tree of the merges
 template <typename Graph, typename Policy>
 Merge_tree merge_requested_regions(const Surface& surface, const Requested_regions& requested, Graph& graph,

@@ -12,7 +12,7 @@
 #include <type_traits>
 #include <utility>
 
-// SectionCost, RegionMergingPolicy, NumberChooser, MergingStopPredicate
+// SectionCost, MergingPolicy, NumberChooser, predicates that stop
 
 namespace CGAL {
 namespace Region_segmentation {
@@ -56,16 +56,16 @@ template <typename T, typename Graph>
 constexpr bool check_merging_policy()
 {
   static_assert(reads_data_of<T, Graph>(),
-                "the RegionMergingPolicy reads RegionData or SectionData that the annotator of the graph does not "
+                "the MergingPolicy reads RegionData or SectionData that the annotator of the graph does not "
                 "provide");
-  static_assert(std::is_copy_constructible<T>::value, "a RegionMergingPolicy needs to be copy constructible");
+  static_assert(std::is_copy_constructible<T>::value, "a MergingPolicy needs to be copy constructible");
   static_assert(satisfies<Initializes, T, Graph> || satisfies<Initializes_for_number, T, Graph>,
-                "a RegionMergingPolicy needs: void initialize(const Graph&), or, if its order depends on the wanted "
+                "a MergingPolicy needs: void initialize(const Graph&), or, if its order depends on the wanted "
                 "number, void initialize(const Graph&, std::size_t number_of_segments)");
   static_assert(satisfies<Proposes, T, Graph>,
-                "a RegionMergingPolicy needs: std::optional<Merge_candidate> next(const Graph&)");
+                "a MergingPolicy needs: std::optional<Merge_candidate> next(const Graph&)");
   static_assert(satisfies<Observes_merges, T, Graph>,
-                "a RegionMergingPolicy needs: void on_merge(const Graph&, const typename Graph::Merge&)");
+                "a MergingPolicy needs: void on_merge(const Graph&, const typename Graph::Merge&)");
   return true;
 }
 
@@ -100,7 +100,7 @@ template <typename T, typename Graph>
 constexpr bool check_stop_predicate()
 {
   static_assert(satisfies<Stops, T, Graph>,
-                "a MergingStopPredicate needs: bool operator()(const Graph&, double next_cost)");
+                "a predicate that stops merging needs: bool operator()(const Graph&, double next_cost)");
   return true;
 }
 
