@@ -143,7 +143,7 @@ std::vector<double> numbers_read(const Surface_mesh& mesh)
   const auto add = [&](const RS::Double_3& p) { result.insert(result.end(), {p.x, p.y, p.z}); };
   for (std::size_t e = 0; e < flat.number_of_adjacencies(); ++e)
     result.insert(result.end(), {double(flat.lower_face(e)), double(flat.higher_face(e)), flat.length(e),
-                                 double(flat.flags(e)), flat.cosine(flat.lower_face(e), e)});
+                                 double(flat.flags(e)), flat.cosine(e)});
   for (std::size_t f = 0; f < flat.number_of_faces(); ++f) {
     add(flat.normal(f));
     add(flat.centroid(f));
