@@ -43,7 +43,8 @@ RS::Partition superfacets_of(const RS::Surface& surface, std::size_t number)
 }
 
 /// Merges of adjacent segments, drawn at random, until few are left.
-RS::Merge_tree random_tree(const RS::Surface& mesh, const RS::Partition& regions, std::mt19937& random)
+RS::Merge_tree random_tree(const RS::Surface& mesh, const RS::Partition& regions,
+                           std::mt19937& random)
 {
   RS::Merge_tree tree(regions.number_of_parts());
   Labels segments = labels_of(regions);
@@ -72,8 +73,10 @@ struct Merged_surface
   RS::Merge_tree tree;
 
   Merged_surface(RS::Surface surface_, const RS::Partition& regions_, RS::Merge_tree tree_)
-    : surface(std::move(surface_)), patches(RS::internal::Patch_builder::build(surface, RS::Execution()).fine)
-    , costs(RS::internal::border_costs(surface, patches, RS::Border_cost())), regions(regions_), tree(std::move(tree_))
+      : surface(std::move(surface_)),
+        patches(RS::internal::Patch_builder::build(surface, RS::Execution()).fine),
+        costs(RS::internal::border_costs(surface, patches, RS::Border_cost())), regions(regions_),
+        tree(std::move(tree_))
   {
     EXPECT_EQ(patches.size(), surface.number_of_faces());
   }
@@ -88,11 +91,12 @@ struct Merged_surface
 
   /// By default for all numbers of segments.
   template <typename IsFixed>
-  std::vector<Index> straightened(const RS::Border_straightening& straightening, const IsFixed& is_fixed,
+  std::vector<Index> straightened(const RS::Border_straightening& straightening,
+                                  const IsFixed& is_fixed,
                                   std::size_t number = std::size_t(-1)) const
   {
-    return straightening(patches, surface.length_unit(), costs, {regions.begin(), regions.end()}, tree, is_fixed, number,
-                         RS::Execution());
+    return straightening(patches, surface.length_unit(), costs, {regions.begin(), regions.end()},
+                         tree, is_fixed, number, RS::Execution());
   }
   std::vector<Index> straightened(const RS::Border_straightening& straightening) const
   {
@@ -108,7 +112,8 @@ RS::Border_straightening wide_straightening()
   return straightening;
 }
 
-reference::Straightening_input input_of(const Merged_surface& m, const RS::Border_straightening& straightening)
+reference::Straightening_input input_of(const Merged_surface& m,
+                                        const RS::Border_straightening& straightening)
 {
   const RS::Patches& patches = m.patches;
   reference::Straightening_input input;
@@ -118,7 +123,8 @@ reference::Straightening_input input_of(const Merged_surface& m, const RS::Borde
     const auto& [lower, higher, length] = patches.adjacencies()[i];
     const double concavity = std::min(patches.concave_deviation(i), 0.6);
     const float cost = float(length / m.surface.length_unit() / (1 + 10 * concavity));
-    const double step = norm(patches[lower].centroid - patches[higher].centroid) / m.surface.length_unit();
+    const double step =
+      norm(patches[lower].centroid - patches[higher].centroid) / m.surface.length_unit();
     input.costs[lower][higher] = input.costs[higher][lower] = cost;
     input.lengths[lower][higher] = input.lengths[higher][lower] = step;
   }
@@ -134,9 +140,12 @@ reference::Straightening_input input_of(const Merged_surface& m, const RS::Borde
   return input;
 }
 
-/// The connected components of the elements that some regions still have, by a search over the elements.
-std::set<std::vector<Index>> components_by_search(const RS::internal::Dual_graph& adjacency, const std::vector<Index>& region_of,
-                                                  const std::set<Index>& removed, const std::vector<Index>& regions)
+/// The connected components of the elements that some regions still have, by a search over the
+/// elements.
+std::set<std::vector<Index>> components_by_search(const RS::internal::Dual_graph& adjacency,
+                                                  const std::vector<Index>& region_of,
+                                                  const std::set<Index>& removed,
+                                                  const std::vector<Index>& regions)
 {
   std::set<Index> left;
   for (Index e = 0; e < region_of.size(); ++e)
@@ -164,7 +173,8 @@ TEST(Region_pieces_test, are_connected_as_their_elements_are)
       SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
       std::mt19937 random(seed);
       const RS::Surface mesh = surface_of(random_mesh(family, seed));
-      const RS::internal::Dual_graph adjacency(mesh, [](std::size_t) { return true; }, [](std::size_t) { return 1.0; });
+      const RS::internal::Dual_graph adjacency(
+        mesh, [](std::size_t) { return true; }, [](std::size_t) { return 1.0; });
       const RS::Partition partition = superfacets_of(mesh, 8);
       const std::vector<Index> region_of(partition.begin(), partition.end());
       RS::internal::Region_pieces pieces(adjacency, region_of, partition.number_of_parts());
@@ -182,7 +192,8 @@ TEST(Region_pieces_test, are_connected_as_their_elements_are)
           for (Index r = 0; r < partition.number_of_parts(); ++r)
             if (random() % 3 == 0)
               regions.push_back(r);
-          std::set<std::vector<Index>> expected = components_by_search(adjacency, region_of, removed, regions);
+          std::set<std::vector<Index>> expected =
+            components_by_search(adjacency, region_of, removed, regions);
           if (expected.size() == 1)
             expected.clear();
           const auto found = pieces.components(regions);
@@ -219,14 +230,16 @@ TEST(Border_straightening_test, moves_borders_as_documented)
   EXPECT_GT(lost, 0u); // regions without faces occur
 }
 
-/// The segments of faces for a number, from the regions with borders moved for all numbers: the last merges are undone, as
-/// long as there are fewer segments with faces.
-Labels segments_of(const std::vector<Index>& regions, const RS::Merge_tree& tree, std::size_t number)
+/// The segments of faces for a number, from the regions with borders moved for all numbers: the
+/// last merges are undone, as long as there are fewer segments with faces.
+Labels segments_of(const std::vector<Index>& regions, const RS::Merge_tree& tree,
+                   std::size_t number)
 {
   for (std::size_t merged = tree.merges().size();; --merged) {
     Labels segments(regions.begin(), regions.end());
     for (std::size_t i = 0; i < merged; ++i)
-      std::replace(segments.begin(), segments.end(), std::size_t(tree.merges()[i].removed), std::size_t(tree.merges()[i].kept));
+      std::replace(segments.begin(), segments.end(), std::size_t(tree.merges()[i].removed),
+                   std::size_t(tree.merges()[i].kept));
     if (merged == 0 || std::set<std::size_t>(segments.begin(), segments.end()).size() >= number)
       return segments;
   }
@@ -243,8 +256,10 @@ TEST(Border_straightening_test, for_one_number_the_segments_are_the_same)
       straightening.number_of_cuts = 10;
       const std::vector<Index> all = merged.straightened(straightening);
       for (std::size_t number = 1; number <= merged.regions.number_of_parts() + 1; ++number) {
-        const auto labels = merged.straightened(straightening, [](Index) { return false; }, number);
-        EXPECT_EQ(Labels(labels.begin(), labels.end()), segments_of(all, merged.tree, number)) << number << " segments";
+        const auto labels = merged.straightened(
+          straightening, [](Index) { return false; }, number);
+        EXPECT_EQ(Labels(labels.begin(), labels.end()), segments_of(all, merged.tree, number))
+          << number << " segments";
       }
     }
 }
@@ -274,7 +289,8 @@ TEST(Border_straightening_test, a_zigzag_becomes_straight)
     return length;
   };
   ASSERT_GT(border(halves), double(rows));
-  const Merged_surface merged(surface_of(grid(columns, rows)), RS::Partition::from_labels(halves), tree);
+  const Merged_surface merged(surface_of(grid(columns, rows)), RS::Partition::from_labels(halves),
+                              tree);
   EXPECT_DOUBLE_EQ(border(merged.straightened(straightening)), border(straight));
   straightening.number_of_cuts = 0;
   EXPECT_EQ(border(merged.straightened(straightening)), border(halves));
@@ -288,7 +304,8 @@ TEST(Border_straightening_test, fixed_regions_keep_their_faces)
     const Merged_surface merged = Merged_surface::random(Family::SPHERE, seed, random);
     const Index fixed = Index(random() % merged.regions.number_of_parts());
     const RS::Border_straightening straightening = wide_straightening();
-    const std::vector<Index> labels = merged.straightened(straightening, [&](Index r) { return r == fixed; });
+    const std::vector<Index> labels =
+      merged.straightened(straightening, [&](Index r) { return r == fixed; });
     for (std::size_t f = 0; f < labels.size(); ++f)
       if (merged.regions[f] == fixed) {
         EXPECT_EQ(labels[f], fixed) << "face " << f;
@@ -307,7 +324,8 @@ void expect_connected_and_nested(Method method)
       const Soup soup = random_mesh(family, seed);
       const Surface_mesh mesh = to_surface_mesh(soup);
       auto map = face_map(mesh);
-      const RS::Segmenter segmenter(mesh, RS::parameters::method(method).region_map(map).component_links(false));
+      const RS::Segmenter segmenter(
+        mesh, RS::parameters::method(method).region_map(map).component_links(false));
       Labels finer = labels_of(mesh, map);
       EXPECT_TRUE(is_numbered_by_first_face(finer, segmenter.merge_tree().number_of_regions()));
       EXPECT_TRUE(is_connected(soup, finer));
@@ -316,7 +334,9 @@ void expect_connected_and_nested(Method method)
         const Labels labels = labels_of(mesh, map);
         EXPECT_EQ(n, std::max(k, number_of_components(soup)));
         EXPECT_TRUE(is_connected(soup, labels)) << k;
-        EXPECT_TRUE(k >= segmenter.merge_tree().number_of_regions() ? nests(labels, finer) : nests(finer, labels)) << k;
+        EXPECT_TRUE(k >= segmenter.merge_tree().number_of_regions() ? nests(labels, finer)
+                                                                    : nests(finer, labels))
+          << k;
       }
     }
 }

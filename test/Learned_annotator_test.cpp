@@ -38,7 +38,8 @@ RS::Surface surface_of(const Soup& soup)
 
 Graph annotated(const RS::Surface& surface, const RS::Partition& regions)
 {
-  auto graph = RS::build_region_adjacency_graph<RS::Learned_region_data, RS::Learned_section_data>(surface, regions);
+  auto graph = RS::build_region_adjacency_graph<RS::Learned_region_data, RS::Learned_section_data>(
+    surface, regions);
   const RS::Surface_patches patches = RS::internal::Patch_builder::build(surface, RS::Execution());
   RS::Learned_annotator()(graph, surface, regions, RS::Region_rays(surface, patches, regions));
   return graph;
@@ -57,10 +58,13 @@ std::vector<std::size_t> random_regions(const Soup& soup, std::size_t n, std::mt
   for (std::size_t i = 0; i < n; ++i)
     seeds.push_back(random() % mesh.number_of_faces());
   for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
-    const auto distance = [&](std::size_t seed) { return squared_norm(mesh.centroid(f) - mesh.centroid(seed)); };
-    labels.push_back(std::size_t(std::min_element(seeds.begin(), seeds.end(),
-                                                  [&](std::size_t a, std::size_t b) { return distance(a) < distance(b); }) -
-                                 seeds.begin()));
+    const auto distance = [&](std::size_t seed) {
+      return squared_norm(mesh.centroid(f) - mesh.centroid(seed));
+    };
+    labels.push_back(std::size_t(
+      std::min_element(seeds.begin(), seeds.end(),
+                       [&](std::size_t a, std::size_t b) { return distance(a) < distance(b); }) -
+      seeds.begin()));
   }
   return labels;
 }
@@ -87,19 +91,22 @@ Soup turned(const Soup& soup)
 {
   // About two axes, by 0.7 and 1.9 rad.
   return mapped(soup, [](const Point& p) -> Point {
-    const double x = std::cos(0.7) * p[0] - std::sin(0.7) * p[1], y = std::sin(0.7) * p[0] + std::cos(0.7) * p[1];
+    const double x = std::cos(0.7) * p[0] - std::sin(0.7) * p[1],
+                 y = std::sin(0.7) * p[0] + std::cos(0.7) * p[1];
     return {x, std::cos(1.9) * y - std::sin(1.9) * p[2], std::sin(1.9) * y + std::cos(1.9) * p[2]};
   });
 }
 
-/// The features of all sections differ by at most one step. `region_of[r]`: the region of `b` that is r in `a`
+/// The features of all sections differ by at most one step. `region_of[r]`: the region of `b` that
+/// is r in `a`
 void expect_same_features(const Graph& a, const Graph& b, const std::vector<Region>& region_of,
                           const std::set<std::size_t>& ignored = {})
 {
   for (auto range = edges(a); range.first != range.second; ++range.first) {
     if (!a.is_adjacent(*range.first))
       continue;
-    const auto other = b.section(region_of[a.source(*range.first)], region_of[a.target(*range.first)]);
+    const auto other =
+      b.section(region_of[a.source(*range.first)], region_of[a.target(*range.first)]);
     ASSERT_TRUE(other);
     const auto x = Merge_features::of(a, *range.first), y = Merge_features::of(b, *other);
     for (std::size_t i = 0; i < x.size(); ++i)
@@ -126,7 +133,8 @@ TEST(Second_moments_test, eigenvalues_are_roots_of_the_characteristic_polynomial
     EXPECT_GE(l[0], l[1]);
     EXPECT_GE(l[1], l[2] - 1e-12);
     EXPECT_NEAR(l[0] + l[1] + l[2], m.trace(), 1e-7 * l[0]);
-    EXPECT_NEAR(l[0] * l[0] + l[1] * l[1] + l[2] * l[2], trace_of_product(m, m), 1e-7 * l[0] * l[0]);
+    EXPECT_NEAR(l[0] * l[0] + l[1] * l[1] + l[2] * l[2], trace_of_product(m, m),
+                1e-7 * l[0] * l[0]);
     EXPECT_NEAR(l[0] * l[1] + l[1] * l[2] + l[2] * l[0], m.second_invariant(), 1e-7 * l[0] * l[0]);
     EXPECT_NEAR(l[0] * l[1] * l[2], m.determinant(), 1e-7 * l[0] * l[0] * l[0]);
   }
@@ -141,7 +149,8 @@ TEST(Learned_annotator_test, a_plate_has_the_moments_of_its_squares)
     EXPECT_NEAR(std::abs(graph[r].area_vector.z), 0.5, 1e-12);
     EXPECT_NEAR(graph[r].perimeter, 2 / std::sqrt(8.0), 1e-12);
     const auto c = graph[r].moments.covariance();
-    const double expected = (0.25 + 1 / (6 * std::sqrt(3.0))) / 8; // centroids at +-1/2, each face a triangle of area 1
+    const double expected =
+      (0.25 + 1 / (6 * std::sqrt(3.0))) / 8; // centroids at +-1/2, each face a triangle of area 1
     EXPECT_NEAR(c.xx, expected, 1e-12);
     EXPECT_NEAR(c.yy, expected, 1e-12);
     EXPECT_NEAR(c.zz, 0, 1e-12);
@@ -199,10 +208,13 @@ TEST(Learned_annotator_test, data_of_merged_regions_is_that_of_their_union)
         expect_near(a.area_vector, b.area_vector);
         expect_near(a.moments, b.moments);
         for (std::size_t g = 0; g < f; ++g)
-          if (const auto s = region_of[f] == region_of[g] ? std::nullopt : merged.section(region_of[f], region_of[g]);
+          if (const auto s = region_of[f] == region_of[g]
+                               ? std::nullopt
+                               : merged.section(region_of[f], region_of[g]);
               s && merged.is_adjacent(*s)) {
             const auto& x = merged[*s];
-            const auto& y = fresh[*fresh.section(Region(fresh_regions[f]), Region(fresh_regions[g]))];
+            const auto& y =
+              fresh[*fresh.section(Region(fresh_regions[f]), Region(fresh_regions[g]))];
             EXPECT_NEAR(x.length, y.length, 1e-9);
             EXPECT_NEAR(x.weakly_concave_length, y.weakly_concave_length, 1e-9);
             EXPECT_NEAR(x.strongly_concave_length, y.strongly_concave_length, 1e-9);
@@ -224,13 +236,15 @@ TEST(Learned_annotator_test, the_thickness_of_first_regions_has_no_deviation)
     for (auto range = vertices(graph); range.first != range.second; ++range.first) {
       const auto& region = graph[*range.first];
       EXPECT_NE(region.log_thickness, 0);
-      EXPECT_NEAR(region.squared_log_thickness, region.log_thickness * region.log_thickness / region.area, 1e-12);
+      EXPECT_NEAR(region.squared_log_thickness,
+                  region.log_thickness * region.log_thickness / region.area, 1e-12);
     }
     for (auto range = edges(graph); range.first != range.second; ++range.first) {
       const auto &a = graph[graph.source(*range.first)], &b = graph[graph.target(*range.first)];
       const auto& section = graph[*range.first];
       EXPECT_NEAR(section.log_thickness,
-                  section.length * (a.log_thickness / a.area + b.log_thickness / b.area) / 2, 1e-12);
+                  section.length * (a.log_thickness / a.area + b.log_thickness / b.area) / 2,
+                  1e-12);
     }
   }
 }
@@ -295,7 +309,8 @@ TEST(Merge_features_test, do_not_depend_on_motion_and_size)
       const Graph graph = annotated(soup, labels);
       const auto same = identity(graph.number_of_regions());
       expect_same_features(graph, annotated(scaled(soup, 0.037), labels), same);
-      expect_same_features(graph, annotated(translated(turned(soup), 3.3, -7.1, 0.9), labels), same);
+      expect_same_features(graph, annotated(translated(turned(soup), 3.3, -7.1, 0.9), labels),
+                           same);
     }
 }
 
@@ -303,8 +318,10 @@ TEST(Merge_features_test, do_not_depend_on_the_numbering)
 {
   // Of blocks, faces at the same distance from a centroid cast rays in the order of their numbers.
   std::set<std::size_t> by_rays = {Merge_features::COST, Merge_features::LENGTH_FOR_THICKNESS,
-                                   Merge_features::WIDTH_FOR_THICKNESS_M, Merge_features::WIDTH_FOR_THICKNESS_L};
-  for (std::size_t i = Merge_features::THICKNESS_STEP; i <= Merge_features::THICKNESS_DEVIATION_U; ++i)
+                                   Merge_features::WIDTH_FOR_THICKNESS_M,
+                                   Merge_features::WIDTH_FOR_THICKNESS_L};
+  for (std::size_t i = Merge_features::THICKNESS_STEP; i <= Merge_features::THICKNESS_DEVIATION_U;
+       ++i)
     by_rays.insert(i);
   for (std::size_t i = Merge_features::VISIBILITY_M; i <= Merge_features::OWN_VISIBILITY_U; ++i)
     by_rays.insert(i);
@@ -320,7 +337,8 @@ TEST(Merge_features_test, do_not_depend_on_the_numbering)
       shuffle_vertices(soup, random, new_of_old);
       std::reverse(soup.polygons.begin(), soup.polygons.end());
       const std::vector<std::size_t> reversed_labels(labels.rbegin(), labels.rend());
-      const RS::Partition before = RS::Partition::from_labels(labels), after = RS::Partition::from_labels(reversed_labels);
+      const RS::Partition before = RS::Partition::from_labels(labels),
+                          after = RS::Partition::from_labels(reversed_labels);
       std::vector<Region> region_of(before.number_of_parts());
       for (std::size_t f = 0; f < labels.size(); ++f)
         region_of[before[f]] = after[labels.size() - 1 - f];
@@ -365,7 +383,8 @@ TEST(Merge_features_test, of_two_regions_made_by_hand)
   const auto x = Merge_features::of(graph, graph.add_section(0, 1, section));
   const auto value = [&](Merge_features::Feature f) { return x[f] / 512.0; };
   const double step = 0.5 / 512 + 1e-12;
-  EXPECT_NEAR(value(Merge_features::COST), RS::Visibility_cost()(graph, *graph.section(0, 1)), step);
+  EXPECT_NEAR(value(Merge_features::COST), RS::Visibility_cost()(graph, *graph.section(0, 1)),
+              step);
   EXPECT_NEAR(value(Merge_features::LOG_DEPTH), std::log(0.222), step);
   EXPECT_NEAR(value(Merge_features::CONCAVE), 0.2, step);
   EXPECT_NEAR(value(Merge_features::WEAKLY_CONCAVE), 0.5, step);
@@ -385,10 +404,12 @@ TEST(Merge_features_test, of_two_regions_made_by_hand)
   EXPECT_NEAR(value(Merge_features::OWN_VISIBILITY_U), 2 * (0.05 + 0.2 + 0.05) / 0.7, step);
   EXPECT_NEAR(value(Merge_features::FLATNESS_M), 0.5, step);
   EXPECT_NEAR(value(Merge_features::NORMALS), 0, step);
-  EXPECT_NEAR(value(Merge_features::OUTWARD), 1, step); // the larger one faces away from the smaller one
+  EXPECT_NEAR(value(Merge_features::OUTWARD), 1,
+              step); // the larger one faces away from the smaller one
   EXPECT_NEAR(value(Merge_features::DISTANCE), 3 / std::sqrt(0.5), step);
   EXPECT_NEAR(value(Merge_features::ELONGATION_M), 0.001, step);
-  EXPECT_NEAR(value(Merge_features::CLOSEDNESS), std::log(0.25 / (4 * CGAL_PI * CGAL_PI * 0.01)), step);
+  EXPECT_NEAR(value(Merge_features::CLOSEDNESS), std::log(0.25 / (4 * CGAL_PI * CGAL_PI * 0.01)),
+              step);
   EXPECT_NEAR(value(Merge_features::SECTION_ALONG), 0, step);
   EXPECT_NEAR(value(Merge_features::LOG_FILLING_M), std::log(0.1 / CGAL_PI), step);
 }

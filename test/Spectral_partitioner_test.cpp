@@ -35,7 +35,8 @@ struct Nothing
 {
   template <typename Section>
   void absorb(const Nothing&, const Section&)
-  {}
+  {
+  }
 };
 
 struct Bond
@@ -65,8 +66,8 @@ Graph graph_of(std::size_t regions)
   return graph;
 }
 
-/// Groups of `size` regions, each joined to all of its group, in a row: the last of one to the first of
-/// the next by a weak link.
+/// Groups of `size` regions, each joined to all of its group, in a row: the last of one to the
+/// first of the next by a weak link.
 Graph row_of_cliques(std::uint32_t number, std::uint32_t size, double weak)
 {
   Graph graph = graph_of(number * size);
@@ -109,7 +110,8 @@ bool is_each_connected(const Graph& graph, const RS::Partition& segments)
 
 TEST(Additive_visibility_cost_test, is_proportional_to_the_length_whatever_the_areas)
 {
-  using Visibility_graph = RS::Region_adjacency_graph<RS::Visibility_region_data, RS::Visibility_section_data>;
+  using Visibility_graph =
+    RS::Region_adjacency_graph<RS::Visibility_region_data, RS::Visibility_section_data>;
   const auto affinity = [](double area, double other_area, double length) {
     Visibility_graph graph;
     for (double a : {area, other_area}) {
@@ -160,8 +162,9 @@ TEST(Spectral_partitioner_test, a_path_parts_at_its_weak_link)
 
 TEST(Spectral_partitioner_test, weighs_a_cut_against_what_it_cuts_off)
 {
-  // The last region hangs by the weakest link, but it alone is not worth a cut: the normalized cut is
-  // 0.3 (1 / 0.3 + 1 / 25.1) = 1.01 there, and 0.4 (1 / 12.4 + 1 / 13) = 0.06 between the cliques.
+  // The last region hangs by the weakest link, but it alone is not worth a cut: the normalized cut
+  // is 0.3 (1 / 0.3 + 1 / 25.1) = 1.01 there, and 0.4 (1 / 12.4 + 1 / 13) = 0.06 between the
+  // cliques.
   Graph graph = row_of_cliques(2, 4, 0.4);
   const auto last = graph.add_region();
   graph.add_section(7, last, {0.3});
@@ -170,12 +173,14 @@ TEST(Spectral_partitioner_test, weighs_a_cut_against_what_it_cuts_off)
 
 TEST(Spectral_partitioner_test, finds_the_second_eigenvector_of_a_path)
 {
-  // Of L y = lambda D y on a path of n nodes: lambda = 1 - cos(pi / (n - 1)), y_i = cos(pi i / (n - 1)).
+  // Of L y = lambda D y on a path of n nodes: lambda = 1 - cos(pi / (n - 1)), y_i = cos(pi i / (n -
+  // 1)).
   for (std::size_t n : {10, 300}) {
     std::vector<RS::internal::Affinity> bonds;
     for (std::size_t i = 1; i < n; ++i)
       bonds.push_back({i - 1, i, 0.25});
-    const Eigen::MatrixXd points = RS::internal::commute_time_embedding<RS::internal::Eigen_solver>(n, bonds, 4);
+    const Eigen::MatrixXd points =
+      RS::internal::commute_time_embedding<RS::internal::Eigen_solver>(n, bonds, 4);
     ASSERT_EQ(points.cols(), 4);
     const double angle = CGAL_PI / double(n - 1), scale = points(0, 1);
     // y^T D y = 1, D = 1/2 but for the ends, and the coordinate is y over the root of lambda.
@@ -209,13 +214,15 @@ TEST(Spectral_partitioner_test, dense_and_sparse_solvers_agree)
 
 TEST(Spectral_partitioner_test, finds_as_many_eigenpairs_as_asked_for_where_many_are_equal)
 {
-  // Paths of three nodes, whose eigenvalues are 0, 1 and 2. (Spectra 1.0.1 finds only 13 of 71 nodes.)
+  // Paths of three nodes, whose eigenvalues are 0, 1 and 2. (Spectra 1.0.1 finds only 13 of 71
+  // nodes.)
   for (std::size_t n : {64, 71, 90}) {
     std::vector<RS::internal::Affinity> bonds;
     for (std::size_t i = 0; i + 1 < n; ++i)
       if ((i + 1) % 3 != 0)
         bonds.push_back({i, i + 1, 1});
-    const Eigen::MatrixXd points = RS::internal::commute_time_embedding<RS::internal::Eigen_solver>(n, bonds, 14);
+    const Eigen::MatrixXd points =
+      RS::internal::commute_time_embedding<RS::internal::Eigen_solver>(n, bonds, 14);
     EXPECT_EQ(std::size_t(points.rows()), n);
     EXPECT_EQ(points.cols(), 14) << n;
     EXPECT_TRUE(points.allFinite()) << n;
@@ -253,7 +260,8 @@ TEST(Spectral_partitioner_test, keeps_pieces_and_barred_sections_apart)
   Graph graph = row_of_cliques(4, 4, 1);
   graph.forbid_merge(*graph.section(7, 8));
   graph[*graph.section(3, 4)].affinity = 0; // no connection either
-  EXPECT_EQ(labels_of(Partitioner()(graph, 1)), (Labels{0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 2, 2, 2, 2}));
+  EXPECT_EQ(labels_of(Partitioner()(graph, 1)),
+            (Labels{0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 2, 2, 2, 2}));
   const auto four = Partitioner()(graph, 4);
   EXPECT_EQ(four.number_of_parts(), 4u);
   EXPECT_TRUE(is_each_connected(graph, four));
@@ -264,8 +272,8 @@ TEST(Spectral_partitioner_test, keeps_pieces_and_barred_sections_apart)
 
 TEST(Spectral_partitioner_test, finds_the_balls_of_a_row)
 {
-  // Three balls in a row that overlap a little, of triangles: each point of a sphere goes out to the
-  // union.
+  // Three balls in a row that overlap a little, of triangles: each point of a sphere goes out to
+  // the union.
   Labels truth;
   const Soup soup = mapped(sphere(4), [](const Point& p) {
     const double x = 2.6 * std::asin(p[0]) / std::asin(1.0), away = std::hypot(p[1], p[2]);
@@ -293,8 +301,8 @@ TEST(Spectral_partitioner_test, finds_the_balls_of_a_row)
   for (std::size_t k : {3, 2, 9, 3}) {
     auto map = face_map(mesh);
     EXPECT_EQ(segmenter.segment(map, k), k);
-    EXPECT_EQ(labels_of(mesh, map),
-              segments_of(mesh, RS::parameters::number_of_segments(k).method(RS::Spectral_partitioning<>())));
+    EXPECT_EQ(labels_of(mesh, map), segments_of(mesh, RS::parameters::number_of_segments(k).method(
+                                                        RS::Spectral_partitioning<>())));
   }
 }
 
@@ -317,7 +325,9 @@ TEST(Spectral_partitioning_test, takes_no_seeds)
   const Surface_mesh mesh = to_surface_mesh(sphere(2));
   auto map = face_map(mesh), seeds = face_map(mesh, std::size_t(-1));
   put(seeds, *faces(mesh).begin(), 0);
-  const auto np = RS::parameters::number_of_segments(3).method(RS::Spectral_partitioning<>()).face_seed_map(seeds);
+  const auto np = RS::parameters::number_of_segments(3)
+                    .method(RS::Spectral_partitioning<>())
+                    .face_seed_map(seeds);
   EXPECT_THROW(RS::segment(mesh, map, np), RS::Invalid_input);
   EXPECT_EQ(labels_of(mesh, map), Labels(num_faces(mesh), 12345)) << "nothing is written";
 }
@@ -331,10 +341,11 @@ TEST(Spectral_partitioner_test, gives_connected_segments_on_random_meshes)
       std::mt19937 random(seed);
       const std::set<Edge> constrained = random_edges(soup, 8, random);
       const Surface_mesh mesh = to_surface_mesh(soup);
-      const Labels labels = segments_of(mesh, RS::parameters::number_of_segments(6)
-                                                .method(RS::Spectral_partitioning<>())
-                                                .edge_is_constrained_map(edge_map(mesh, constrained))
-                                                .component_links(false));
+      const Labels labels =
+        segments_of(mesh, RS::parameters::number_of_segments(6)
+                            .method(RS::Spectral_partitioning<>())
+                            .edge_is_constrained_map(edge_map(mesh, constrained))
+                            .component_links(false));
       EXPECT_GE(std::set<std::size_t>(labels.begin(), labels.end()).size(), 6u);
       EXPECT_TRUE(is_connected(soup, labels, constrained));
     }

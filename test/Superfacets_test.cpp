@@ -44,7 +44,8 @@ RS::Partition regions_of(const RS::Surface& surface, const RS::Superfacets& supe
 {
   const RS::Surface_patches patches = patches_of(surface);
   return composed(patches.fine.of_elements(),
-                  superfacets(surface, patches, RS::internal::border_costs_of_edges(surface, patches.fine, cost)));
+                  superfacets(surface, patches,
+                              RS::internal::border_costs_of_edges(surface, patches.fine, cost)));
 }
 
 bool is_edge(const RS::Surface& surface, std::size_t adjacency)
@@ -52,8 +53,8 @@ bool is_edge(const RS::Surface& surface, std::size_t adjacency)
   return !surface.has_flag(adjacency, RS::Surface::SEAM | RS::Surface::LINK);
 }
 
-/// The definition, step by step: all distances from scratch for each seed, by relaxing until nothing
-/// changes. `inside`: along paths inside its parts.
+/// The definition, step by step: all distances from scratch for each seed, by relaxing until
+/// nothing changes. `inside`: along paths inside its parts.
 std::vector<double> distances_from(const RS::Surface& mesh, std::size_t seed, double weight,
                                    const RS::Partition* inside = nullptr)
 {
@@ -70,7 +71,8 @@ std::vector<double> distances_from(const RS::Surface& mesh, std::size_t seed, do
         continue;
       const double concavity =
         mesh.has_flag(e, RS::Surface::CONCAVE) ? std::min(mesh.deviation(e), 0.6) : 0;
-      const double step = norm(mesh.centroid(f) - mesh.centroid(g)) / std::sqrt(area) + weight * concavity;
+      const double step =
+        norm(mesh.centroid(f) - mesh.centroid(g)) / std::sqrt(area) + weight * concavity;
       for (auto [from, to] : {std::make_pair(f, g), std::make_pair(g, f)})
         if (distances[from] + double(float(step)) < distances[to]) { // steps are stored as float
           distances[to] = distances[from] + double(float(step));
@@ -101,7 +103,8 @@ struct Seeding
   std::vector<double> nearest;
 };
 
-/// Of the faces that no seed reaches, that farthest from the centroid of the surface; then the face farthest from the seeds before it.
+/// Of the faces that no seed reaches, that farthest from the centroid of the surface; then the face
+/// farthest from the seeds before it.
 Seeding seeding_of(const RS::Surface& mesh, std::size_t number, double weight)
 {
   Seeding result;
@@ -111,7 +114,8 @@ Seeding seeding_of(const RS::Surface& mesh, std::size_t number, double weight)
     std::size_t seed = 0;
     for (std::size_t f = 1; f < mesh.number_of_faces(); ++f)
       if (result.nearest[f] > result.nearest[seed] ||
-          (std::isinf(result.nearest[f]) && std::isinf(result.nearest[seed]) && from_centroid[f] > from_centroid[seed]))
+          (std::isinf(result.nearest[f]) && std::isinf(result.nearest[seed]) &&
+           from_centroid[f] > from_centroid[seed]))
         seed = f;
     result.seeds.push_back(seed);
     result.from_seed.push_back(distances_from(mesh, seed, weight));
@@ -134,10 +138,15 @@ TEST(Float_key_test, gives_back_its_value_and_index)
 /// The dual graph of the faces with the steps of `distances_from()`.
 RS::internal::Dual_graph dual_graph_of(const RS::Surface& mesh, double weight)
 {
-  return RS::internal::Dual_graph(mesh, [&](std::size_t e) { return is_edge(mesh, e); }, [&](std::size_t e) {
-    const double concavity = mesh.has_flag(e, RS::Surface::CONCAVE) ? std::min(mesh.deviation(e), 0.6) : 0;
-    return norm(mesh.centroid(mesh.lower_face(e)) - mesh.centroid(mesh.higher_face(e))) / mesh.length_unit() + weight * concavity;
-  });
+  return RS::internal::Dual_graph(
+    mesh, [&](std::size_t e) { return is_edge(mesh, e); },
+    [&](std::size_t e) {
+      const double concavity =
+        mesh.has_flag(e, RS::Surface::CONCAVE) ? std::min(mesh.deviation(e), 0.6) : 0;
+      return norm(mesh.centroid(mesh.lower_face(e)) - mesh.centroid(mesh.higher_face(e))) /
+               mesh.length_unit() +
+             weight * concavity;
+    });
 }
 
 TEST(Farthest_point_seeding_test, every_face_goes_to_the_nearest_of_far_apart_seeds)
@@ -177,7 +186,8 @@ TEST(Superfacets_test, regions_are_connected_and_numbered_by_first_face)
     }
 }
 
-TEST(Farthest_point_seeding_test, every_component_gets_a_seed_where_it_is_farthest_from_the_centroid)
+TEST(Farthest_point_seeding_test,
+     every_component_gets_a_seed_where_it_is_farthest_from_the_centroid)
 {
   for (unsigned seed = 1; seed <= 5; ++seed)
     for (std::size_t number : {1, 3, 9}) {
@@ -209,7 +219,8 @@ TEST(Farthest_point_seeding_test, given_seeds_are_placed_all_at_once)
       std::vector<std::size_t> seeds = seeding_of(mesh, 2, 0.4).seeds; // one in each component
       std::mt19937 random(seed);
       while (seeds.size() < 9)
-        if (const std::size_t f = random() % mesh.number_of_faces(); std::find(seeds.begin(), seeds.end(), f) == seeds.end())
+        if (const std::size_t f = random() % mesh.number_of_faces();
+            std::find(seeds.begin(), seeds.end(), f) == seeds.end())
           seeds.push_back(f);
       const RS::Execution execution;
       RS::internal::Farthest_point_seeding seeding(dual_graph_of(mesh, 0.4), execution);
@@ -239,10 +250,13 @@ TEST(Farthest_point_seeding_test, splitting_separates_the_face_farthest_from_its
       SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
       const RS::Surface mesh = surface_of(random_mesh(family, seed));
       const Seeding expected = seeding_of(mesh, 12, 0.4);
-      std::vector<std::size_t> order(mesh.number_of_faces()); // the farthest first, of several the higher face
+      std::vector<std::size_t> order(
+        mesh.number_of_faces()); // the farthest first, of several the higher face
       std::iota(order.begin(), order.end(), std::size_t(0));
       std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-        return expected.nearest[a] != expected.nearest[b] ? expected.nearest[a] > expected.nearest[b] : a > b;
+        return expected.nearest[a] != expected.nearest[b]
+                 ? expected.nearest[a] > expected.nearest[b]
+                 : a > b;
       });
       const RS::Execution execution;
       RS::internal::Farthest_point_seeding seeding(dual_graph_of(mesh, 0.4), execution);
@@ -252,8 +266,8 @@ TEST(Farthest_point_seeding_test, splitting_separates_the_face_farthest_from_its
         const RS::Partition after = seeding.split_regions(13 + i);
         ASSERT_EQ(after.number_of_parts(), 13 + i);
         ASSERT_TRUE(nests(labels_of(after), labels_of(before)));
-        // What is separated are faces that were separated before, or nothing but this one: it is the nearest to the
-        // seed of its part, and its part was split.
+        // What is separated are faces that were separated before, or nothing but this one: it is
+        // the nearest to the seed of its part, and its part was split.
         const std::size_t separated = order[i];
         std::size_t others = 0;
         for (std::size_t f = 0; f < order.size(); ++f) {
@@ -275,7 +289,8 @@ struct Move
   std::size_t face = 0, to = 0;
 };
 
-/// The definition: all faces with one neighbor in their region, and all regions that they can move to.
+/// The definition: all faces with one neighbor in their region, and all regions that they can move
+/// to.
 Move best_move(const RS::internal::Dual_graph& costs, const std::vector<std::size_t>& region_of)
 {
   Move best;
@@ -307,10 +322,12 @@ TEST(Border_shortening_test, moves_the_face_with_the_largest_gain_until_there_is
       RS::internal::Farthest_point_seeding seeding(dual_graph_of(mesh, 0.4), execution);
       seeding.run(distances_from_centroid(mesh), 15);
       const RS::Partition before = seeding.regions();
-      const RS::internal::Dual_graph costs(mesh, [&](std::size_t e) { return is_edge(mesh, e); },
-                                           [&](std::size_t e) { return mesh.length(e); });
+      const RS::internal::Dual_graph costs(
+        mesh, [&](std::size_t e) { return is_edge(mesh, e); },
+        [&](std::size_t e) { return mesh.length(e); });
       std::vector<std::size_t> expected(before.begin(), before.end());
-      for (Move move = best_move(costs, expected); move.gain > 0; move = best_move(costs, expected)) {
+      for (Move move = best_move(costs, expected); move.gain > 0;
+           move = best_move(costs, expected)) {
         expected[move.face] = move.to;
         ++moves;
       }
@@ -331,12 +348,16 @@ TEST(Superfacets_test, are_seeded_on_the_patches_and_shortened)
       const RS::Execution execution;
       RS::internal::Farthest_point_seeding seeding(dual_graph_of(mesh, 0.4), execution);
       seeding.run(distances_from_centroid(mesh), 15);
-      const RS::internal::Dual_graph costs(mesh, [&](std::size_t e) { return is_edge(mesh, e); }, [&](std::size_t e) {
-        const double concavity = mesh.has_flag(e, RS::Surface::CONCAVE) ? std::min(mesh.deviation(e), 0.6) : 0;
-        return mesh.length(e) / mesh.length_unit() / (1 + 10 * concavity);
-      });
-      EXPECT_LT(RS::rand_index_distance(regions_of(mesh, RS::Superfacets(15)),
-                                        RS::internal::Border_shortening(costs, seeding.regions()).take_regions()),
+      const RS::internal::Dual_graph costs(
+        mesh, [&](std::size_t e) { return is_edge(mesh, e); },
+        [&](std::size_t e) {
+          const double concavity =
+            mesh.has_flag(e, RS::Surface::CONCAVE) ? std::min(mesh.deviation(e), 0.6) : 0;
+          return mesh.length(e) / mesh.length_unit() / (1 + 10 * concavity);
+        });
+      EXPECT_LT(RS::rand_index_distance(
+                  regions_of(mesh, RS::Superfacets(15)),
+                  RS::internal::Border_shortening(costs, seeding.regions()).take_regions()),
                 0.02); // but for rounding
     }
 }
@@ -384,10 +405,14 @@ TEST(Superfacets_test, are_seeded_on_coarse_patches_where_there_are_four_for_eac
         seeds.push_back(coarse[seed].center);
       seeding.run(seeds);
     }
-    const RS::internal::Dual_graph costs = RS::internal::border_costs_of_edges(mesh, fine, RS::Border_cost());
-    const RS::Partition expected = RS::internal::Border_shortening(costs, seeding.regions()).take_regions();
+    const RS::internal::Dual_graph costs =
+      RS::internal::border_costs_of_edges(mesh, fine, RS::Border_cost());
+    const RS::Partition expected =
+      RS::internal::Border_shortening(costs, seeding.regions()).take_regions();
     ASSERT_EQ(expected.number_of_parts(), number);
-    EXPECT_LT(RS::rand_index_distance(regions_of(mesh, RS::Superfacets(number)), composed(fine.of_elements(), expected)), 0.001)
+    EXPECT_LT(RS::rand_index_distance(regions_of(mesh, RS::Superfacets(number)),
+                                      composed(fine.of_elements(), expected)),
+              0.001)
       << number << " regions"; // but for rounding
   }
 }
@@ -410,7 +435,8 @@ TEST(Superfacets_test, splitting_gives_any_number_of_connected_parts)
         EXPECT_TRUE(nests(labels_of(fine), labels_of(coarse)));
         coarse = fine;
       }
-      EXPECT_EQ(superfacets.split(mesh, coarse, 2 * mesh.number_of_faces()).number_of_parts(), mesh.number_of_faces());
+      EXPECT_EQ(superfacets.split(mesh, coarse, 2 * mesh.number_of_faces()).number_of_parts(),
+                mesh.number_of_faces());
     }
 }
 
@@ -423,7 +449,8 @@ TEST(Superfacets_test, splitting_measures_between_the_centroids_of_faces)
       const RS::Superfacets superfacets(6);
       const RS::Partition regions = regions_of(mesh, superfacets);
       const std::size_t n = regions.number_of_parts();
-      // The face nearest to the centroid of each region, and the face farthest from that of its own.
+      // The face nearest to the centroid of each region, and the face farthest from that of its
+      // own.
       std::vector<RS::Double_3> centers(n);
       std::vector<double> areas(n, 0);
       for (std::size_t f = 0; f < regions.size(); ++f) {
@@ -434,7 +461,9 @@ TEST(Superfacets_test, splitting_measures_between_the_centroids_of_faces)
       double largest = -1;
       for (std::size_t r = 0; r < n; ++r) {
         std::size_t center = regions.size();
-        const auto away = [&](std::size_t f) { return norm(mesh.centroid(f) - (1 / areas[r]) * centers[r]); };
+        const auto away = [&](std::size_t f) {
+          return norm(mesh.centroid(f) - (1 / areas[r]) * centers[r]);
+        };
         for (std::size_t f = 0; f < regions.size(); ++f)
           if (regions[f] == r && (center == regions.size() || away(f) < away(center)))
             center = f;
@@ -464,7 +493,8 @@ TEST(Superfacets_test, seeds_of_crumbs_do_not_count)
 {
   const Soup body = random_mesh(Family::SPHERE, 1), crumb = scaled(cube(), 0.001);
   const RS::Partition expected = regions_of(surface_of(body), RS::Superfacets(20)),
-                      regions = regions_of(surface_of(joined(body, translated(crumb, 20, 0, 0))), RS::Superfacets(20));
+                      regions = regions_of(surface_of(joined(body, translated(crumb, 20, 0, 0))),
+                                           RS::Superfacets(20));
   ASSERT_EQ(expected.number_of_parts(), 20u);
   EXPECT_EQ(regions.number_of_parts(), 21u);
   for (std::size_t f = 0; f < regions.size(); ++f)
@@ -493,7 +523,8 @@ TEST(Superfacets_test, a_concave_line_is_a_border)
   EXPECT_EQ(regions_of(mesh, RS::Superfacets(2, 50)), growing(mesh));
 }
 
-// Centroids of slivers whose steps differ by more than double can add: rounding hides that a seed is nearer.
+// Centroids of slivers whose steps differ by more than double can add: rounding hides that a seed
+// is nearer.
 TEST(Superfacets_test, regions_of_slivers_are_connected)
 {
   for (unsigned seed = 1; seed <= 40; ++seed) {
@@ -515,29 +546,42 @@ TEST(Superfacets_test, regions_of_slivers_are_connected)
   }
 }
 
-// Two arms of a face that are equally long, but for one unit in the last place of a sum: two faces of one of them, folded onto each
-// other, have nearly one centroid. With the step to a third arm both sums are rounded to the same number, so that it does not show that
-// the second seed is nearer to this arm, too. It belongs to the same region as the face that it hangs on.
-TEST(Superfacets_test, a_patch_follows_the_one_it_was_reached_through_although_rounding_hides_that_it_is_nearer)
+// Two arms of a face that are equally long, but for one unit in the last place of a sum: two faces
+// of one of them, folded onto each other, have nearly one centroid. With the step to a third arm
+// both sums are rounded to the same number, so that it does not show that the second seed is nearer
+// to this arm, too. It belongs to the same region as the face that it hangs on.
+TEST(Superfacets_test,
+     a_patch_follows_the_one_it_was_reached_through_although_rounding_hides_that_it_is_nearer)
 {
   constexpr double s = 1. / 64, h = s / 2, fold = 3.3e-16;
   Soup soup;
   const auto add = [&](const std::vector<Point>& points) {
     Polygon polygon;
     for (const Point& p : points) {
-      polygon.push_back(std::size_t(std::find(soup.points.begin(), soup.points.end(), p) - soup.points.begin()));
+      polygon.push_back(
+        std::size_t(std::find(soup.points.begin(), soup.points.end(), p) - soup.points.begin()));
       if (polygon.back() == soup.points.size())
         soup.points.push_back(p);
     }
     soup.polygons.push_back(polygon);
   };
-  add({{-3 * s, h, fold}, {-3 * s, -h, fold}, {s, -h, fold}, {s, h, fold}}); // the end of the first arm
+  add({{-3 * s, h, fold},
+       {-3 * s, -h, fold},
+       {s, -h, fold},
+       {s, h, fold}}); // the end of the first arm
   add({{s, h, fold}, {s, -h, fold}, {0, -h, 0}, {0, h, 0}});
   add({{0, h, 0}, {0, -h, 0}, {s, -h, 0}, {s, h, 0}});
-  add({{s, h, 0}, {s, -h, 0}, {0.5, -0.5, 0}, {1.5, -0.5, 0}, {2 - s, -h, 0}, {2 - s, h, 0}, {1.5, 0.5, 0}, {0.5, 0.5, 0}});
+  add({{s, h, 0},
+       {s, -h, 0},
+       {0.5, -0.5, 0},
+       {1.5, -0.5, 0},
+       {2 - s, -h, 0},
+       {2 - s, h, 0},
+       {1.5, 0.5, 0},
+       {0.5, 0.5, 0}});
   add({{2 - s, h, 0}, {2 - s, -h, 0}, {2, -h, 0}, {2, h, 0}});
   add({{2, h, 0}, {2, -h, 0}, {2 + 2 * s, -h, 0}, {2 + 2 * s, h, 0}}); // the end of the second arm
-  add({{0.5, 0.5, 0}, {1.5, 0.5, 0}, {2, 1, 0}, {1, 1, 0}});            // the third arm
+  add({{0.5, 0.5, 0}, {1.5, 0.5, 0}, {2, 1, 0}, {1, 1, 0}});           // the third arm
   const RS::Surface mesh = surface_of(soup);
   const RS::Patches patches = patches_of(mesh).fine;
   ASSERT_EQ(patches.size(), soup.polygons.size());
@@ -550,17 +594,21 @@ TEST(Superfacets_test, a_patch_follows_the_one_it_was_reached_through_although_r
   ASSERT_EQ(second + step(3, 6), first + step(3, 6));
   RS::Border_cost cost;
   cost.concave_gain = 0;
-  EXPECT_EQ(labels_of(regions_of(mesh, RS::Superfacets(2, 0), cost)), (Labels{0, 0, 0, 1, 1, 1, 1}));
+  EXPECT_EQ(labels_of(regions_of(mesh, RS::Superfacets(2, 0), cost)),
+            (Labels{0, 0, 0, 1, 1, 1, 1}));
 }
 
-// The area of the surface is that of one tiny face, so that steps between the others are longer than any float.
+// The area of the surface is that of one tiny face, so that steps between the others are longer
+// than any float.
 TEST(Superfacets_test, parts_are_connected_where_steps_are_longer_than_a_float)
 {
   Soup soup;
-  soup.points = {{0, 0, 0}, {1e-60, 0, 0}, {0, 1e-60, 0}, {1, 0, 0}, {1.5, 0, 0}, {1.7, 0, 0}, {1.2, 0, 0}, {1.9, 0, 0}};
+  soup.points = {{0, 0, 0},   {1e-60, 0, 0}, {0, 1e-60, 0}, {1, 0, 0},
+                 {1.5, 0, 0}, {1.7, 0, 0},   {1.2, 0, 0},   {1.9, 0, 0}};
   soup.polygons = {{0, 1, 2}, {3, 4, 5}, {4, 3, 6}, {5, 4, 7}};
   const RS::Surface mesh = surface_of(soup);
-  const RS::Partition parts = RS::Superfacets(1).split(mesh, regions_of(mesh, RS::Superfacets(1)), 3);
+  const RS::Partition parts =
+    RS::Superfacets(1).split(mesh, regions_of(mesh, RS::Superfacets(1)), 3);
   EXPECT_EQ(parts.number_of_parts(), 3u);
   EXPECT_TRUE(is_connected(soup, labels_of(parts)));
 }

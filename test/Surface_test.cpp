@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The surface of a mesh, compared with a polygon soup without an order of faces; and that of points and polygons.
+// The surface of a mesh, compared with a polygon soup without an order of faces; and that of points
+// and polygons.
 
 #include "meshes.h"
 #include "oracles.h"
@@ -34,7 +35,8 @@ Double_3 vector(const Point& p)
   return {p[0], p[1], p[2]};
 }
 
-/// A bumpy sheet of several blocks of triangles and squares in any order; its points are not in one plane.
+/// A bumpy sheet of several blocks of triangles and squares in any order; its points are not in one
+/// plane.
 Soup mixed_sheet(std::mt19937& random)
 {
   Soup soup = grid(90, 80);
@@ -95,14 +97,16 @@ TEST_P(Surface_test, faces_have_their_corners_areas_and_normals)
 {
   for (std::size_t f = 0; f < surface.number_of_faces(); ++f) {
     Polygon expected = soup.polygons[f];
-    std::rotate(expected.begin(), std::min_element(expected.begin(), expected.end()), expected.end());
+    std::rotate(expected.begin(), std::min_element(expected.begin(), expected.end()),
+                expected.end());
     Polygon corners;
     for (std::size_t i = 0; i < surface.number_of_corners(f); ++i)
       corners.push_back(surface.corner(f, i));
     ASSERT_EQ(corners, expected) << "face " << f << ", seed " << GetParam();
     const Double_3 a = area_vector(soup, expected);
     ASSERT_NEAR(surface.area(f), norm(a), 1e-12) << "face " << f << ", seed " << GetParam();
-    ASSERT_LT(norm(surface.area(f) * surface.normal(f) - a), 1e-12) << "face " << f << ", seed " << GetParam();
+    ASSERT_LT(norm(surface.area(f) * surface.normal(f) - a), 1e-12)
+      << "face " << f << ", seed " << GetParam();
   }
 }
 
@@ -124,8 +128,10 @@ TEST_P(Surface_test, adjacencies_are_those_of_the_soup_by_higher_then_by_lower_f
     const double sign = dot(cross(surface.normal(lower), surface.normal(higher)), d);
     ASSERT_GT(std::abs(sign), 1e-12) << "the oracle cannot tell";
     ASSERT_NEAR(surface.length(e), norm(d), 1e-14);
-    ASSERT_EQ(surface.has_flag(e, RS::Surface::CONVEX), sign > 0) << "edge " << e << ", seed " << GetParam();
-    ASSERT_EQ(surface.has_flag(e, RS::Surface::CONCAVE), sign < 0) << "edge " << e << ", seed " << GetParam();
+    ASSERT_EQ(surface.has_flag(e, RS::Surface::CONVEX), sign > 0)
+      << "edge " << e << ", seed " << GetParam();
+    ASSERT_EQ(surface.has_flag(e, RS::Surface::CONCAVE), sign < 0)
+      << "edge " << e << ", seed " << GetParam();
     number_convex += sign > 0;
     number_concave += sign < 0;
     ++e;
@@ -138,7 +144,8 @@ TEST_P(Surface_test, the_first_adjacency_of_a_face_is_found)
 {
   for (std::size_t f = 0; f <= surface.number_of_faces(); f += 7) {
     const std::size_t e = surface.first_adjacency(f);
-    EXPECT_TRUE(e == surface.number_of_adjacencies() || surface.higher_face(e) >= f) << "face " << f;
+    EXPECT_TRUE(e == surface.number_of_adjacencies() || surface.higher_face(e) >= f)
+      << "face " << f;
     EXPECT_TRUE(e == 0 || surface.higher_face(e - 1) < f) << "face " << f;
   }
 }
@@ -171,7 +178,8 @@ TEST_P(Surface_test, constraints_are_those_of_the_map)
   RS::Constraints constraints;
   EXPECT_TRUE(constraints.empty());
   RS::internal::Face_graph_input<Surface_mesh>(mesh).add_constraints(
-    surface, edge_map(mesh, constrained), RS::internal::pack(RS::parameters::default_values()), constraints);
+    surface, edge_map(mesh, constrained), RS::internal::pack(RS::parameters::default_values()),
+    constraints);
   EXPECT_FALSE(constraints.empty());
   std::set<std::pair<std::size_t, std::size_t>> expected; // higher and lower face
   for (const auto& [edge, faces] : faces_of_edges(soup))
@@ -187,17 +195,22 @@ INSTANTIATE_TEST_SUITE_P(seeds, Surface_test, ::testing::Values(1u, 2u));
 
 TEST(Deviation_test, is_a_number_where_normals_are_equal_or_opposite)
 {
-  // Two unit squares in any plane, and two triangles back to back: rounding may bring the product of unit normals beyond 1 or -1.
+  // Two unit squares in any plane, and two triangles back to back: rounding may bring the product
+  // of unit normals beyond 1 or -1.
   std::mt19937 random(1);
   std::uniform_real_distribution<double> any(-1, 1);
   std::size_t beyond = 0;
   for (int i = 0; i < 1000; ++i) {
-    const Double_3 u{any(random), any(random), any(random)}, v{any(random), any(random), any(random)};
+    const Double_3 u{any(random), any(random), any(random)},
+      v{any(random), any(random), any(random)};
     const auto on_plane = [&](const Point& p) -> Point {
       return {p[0] * u.x + p[1] * v.x, p[0] * u.y + p[1] * v.y, p[0] * u.z + p[1] * v.z};
     };
-    const auto read = [&](const Soup& soup) { return RS::make_surface(to_surface_mesh(mapped(soup, on_plane))); };
-    const RS::Surface surface = read(grid(2, 1)), folded = read({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 1}}});
+    const auto read = [&](const Soup& soup) {
+      return RS::make_surface(to_surface_mesh(mapped(soup, on_plane)));
+    };
+    const RS::Surface surface = read(grid(2, 1)),
+                      folded = read({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 1}}});
     beyond += dot(surface.normal(0), surface.normal(0)) > 1;
     ASSERT_EQ(surface.number_of_adjacencies(), 1u);
     EXPECT_LE(surface.cosine(0), 1);
@@ -291,7 +304,8 @@ void expect_equal(const RS::Surface& a, const RS::Surface& b)
     ASSERT_EQ(corners_of(a, f), corners_of(b, f)) << "face " << f;
 }
 
-/// The corners run counterclockwise seen from the side to which the normal points, from the lowest vertex.
+/// The corners run counterclockwise seen from the side to which the normal points, from the lowest
+/// vertex.
 void expect_consistent_corners(const RS::Surface& surface)
 {
   for (std::size_t f = 0; f < surface.number_of_faces(); ++f) {
@@ -302,7 +316,8 @@ void expect_consistent_corners(const RS::Surface& surface)
       twice = twice + cross(surface.point(corners[i - 1]) - surface.point(corners[0]),
                             surface.point(corners[i]) - surface.point(corners[0]));
     if (!surface.is_degenerate(f)) {
-      EXPECT_LT(norm(0.5 * twice - surface.area(f) * surface.normal(f)), 1e-9 * surface.area(f)) << "face " << f;
+      EXPECT_LT(norm(0.5 * twice - surface.area(f) * surface.normal(f)), 1e-9 * surface.area(f))
+        << "face " << f;
     }
   }
 }
@@ -337,7 +352,8 @@ TEST(Surface_of_polygons_test, is_that_of_the_same_mesh)
       SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
       const Soup soup = random_mesh(family, seed);
       if (has_degenerate_faces(family)) // some points coincide: in a soup they are one
-        EXPECT_EQ(surface_of(soup).number_of_faces(), RS::make_surface(to_surface_mesh(soup)).number_of_faces());
+        EXPECT_EQ(surface_of(soup).number_of_faces(),
+                  RS::make_surface(to_surface_mesh(soup)).number_of_faces());
       else
         expect_equal(surface_of(soup), RS::make_surface(to_surface_mesh(soup)));
     }
@@ -346,8 +362,10 @@ TEST(Surface_of_polygons_test, is_that_of_the_same_mesh)
 TEST(Surface_of_polygons_test, polygons_and_points_may_be_of_any_type)
 {
   const std::vector<Kernel::Point_3> points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-  const std::vector<std::array<int, 3>> polygons = {{{0, 2, 1}}, {{0, 1, 3}}, {{1, 2, 3}}, {{2, 0, 3}}};
-  const Soup soup{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
+  const std::vector<std::array<int, 3>> polygons = {
+    {{0, 2, 1}}, {{0, 1, 3}}, {{1, 2, 3}}, {{2, 0, 3}}};
+  const Soup soup{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+                  {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
   expect_equal(RS::make_surface(points, polygons), surface_of(soup));
 }
 
@@ -377,7 +395,8 @@ TEST(Surface_of_polygons_test, equal_points_are_one)
       expect_consistent_corners(surface);
     }
   // -0 is 0.
-  const Soup two{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -0.0, 0}, {0, -1, 0}, {1, 0, -0.0}}, {{0, 1, 2}, {3, 4, 5}}};
+  const Soup two{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -0.0, 0}, {0, -1, 0}, {1, 0, -0.0}},
+                 {{0, 1, 2}, {3, 4, 5}}};
   EXPECT_EQ(with_flags(surface_of(two), 0xff).size(), 0u) << "a flat edge";
   EXPECT_EQ(surface_of(two).number_of_adjacencies(), 1u);
 }
@@ -394,7 +413,8 @@ TEST(Surface_of_polygons_test, points_of_no_polygon_may_be_anything)
 
 TEST(Surface_of_polygons_test, what_cannot_be_read_is_told)
 {
-  const auto message = [](const std::vector<Point>& points, const std::vector<std::vector<long>>& polygons) -> std::string {
+  const auto message = [](const std::vector<Point>& points,
+                          const std::vector<std::vector<long>>& polygons) -> std::string {
     try {
       RS::make_surface(points, polygons);
     } catch (const RS::Invalid_input& error) {
@@ -404,20 +424,24 @@ TEST(Surface_of_polygons_test, what_cannot_be_read_is_told)
   };
   const std::vector<Point> points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   EXPECT_EQ(message(points, {{0, 1, 2}}), "");
-  EXPECT_NE(message(points, {{0, 1, 2}, {0, 1, 3}}).find("polygon 1 has a corner 3"), std::string::npos);
+  EXPECT_NE(message(points, {{0, 1, 2}, {0, 1, 3}}).find("polygon 1 has a corner 3"),
+            std::string::npos);
   EXPECT_NE(message(points, {{0, -1, 2}}).find("polygon 0 has a corner -1"), std::string::npos);
   EXPECT_NE(message(points, {{0, 1, 2}, {}}).find("polygon 1 has no corners"), std::string::npos);
-  EXPECT_NE(message({{0, 0, 0}, {1, std::nan(""), 0}, {0, 1, 0}}, {{0, 1, 2}}).find("vertex 1 is not finite"),
+  EXPECT_NE(message({{0, 0, 0}, {1, std::nan(""), 0}, {0, 1, 0}}, {{0, 1, 2}})
+              .find("vertex 1 is not finite"),
             std::string::npos);
   EXPECT_EQ(RS::make_surface(std::vector<Point>(), std::vector<Polygon>()).number_of_faces(), 0u);
 }
 
-/// Squares of side 2 around an edge of length 2, at some angles in degrees, each once; `is_reversed`: by square.
+/// Squares of side 2 around an edge of length 2, at some angles in degrees, each once;
+/// `is_reversed`: by square.
 Soup sheets(const std::vector<double>& angles, const std::vector<bool>& is_reversed)
 {
   Soup soup{{{0, 0, 0}, {0, 0, 2}}, {}};
   for (std::size_t i = 0; i < angles.size(); ++i) {
-    const double x = 2 * std::cos(angles[i] * CGAL_PI / 180), y = 2 * std::sin(angles[i] * CGAL_PI / 180);
+    const double x = 2 * std::cos(angles[i] * CGAL_PI / 180),
+                 y = 2 * std::sin(angles[i] * CGAL_PI / 180);
     const std::size_t n = soup.points.size();
     soup.points.insert(soup.points.end(), {{x, y, 2}, {x, y, 0}});
     soup.polygons.push_back({0, 1, n, n + 1});
@@ -446,7 +470,8 @@ TEST(Seams_test, three_sheets_have_three)
   EXPECT_EQ(surface.higher_face(2), 2u);
 }
 
-TEST(Seams_test, are_between_sheets_that_follow_each_other_and_have_angles_where_these_are_oriented_alike)
+TEST(Seams_test,
+     are_between_sheets_that_follow_each_other_and_have_angles_where_these_are_oriented_alike)
 {
   for (unsigned seed = 1; seed <= 40; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -503,7 +528,8 @@ TEST(Seams_test, two_cubes_at_an_edge)
     EXPECT_EQ(surface.length(a), 0.5);
     EXPECT_TRUE(surface.has_angle(a)) << "closed cubes are oriented alike all around";
     const bool is_of_one_cube = surface.lower_face(a) / 6 == surface.higher_face(a) / 6;
-    EXPECT_EQ(surface.has_flag(a, is_of_one_cube ? RS::Surface::CONVEX : RS::Surface::CONCAVE), true);
+    EXPECT_EQ(surface.has_flag(a, is_of_one_cube ? RS::Surface::CONVEX : RS::Surface::CONCAVE),
+              true);
   }
   // At x = y = 1: +x and +y of the first cube, -x and -y of the second.
   EXPECT_EQ(seams, (std::set<std::pair<std::size_t, std::size_t>>{{1, 3}, {6, 8}, {1, 8}, {3, 6}}));
@@ -537,11 +563,16 @@ Soup band(std::size_t number, bool is_twisted)
 {
   Soup soup;
   for (std::size_t i = 0; i < number; ++i) {
-    const double angle = 2 * CGAL_PI * double(i) / double(number), half = is_twisted ? angle / 2 : 0;
+    const double angle = 2 * CGAL_PI * double(i) / double(number),
+                 half = is_twisted ? angle / 2 : 0;
     for (double side : {-0.3, 0.3})
-      soup.points.push_back({(1 + side * std::cos(half)) * std::cos(angle), (1 + side * std::cos(half)) * std::sin(angle),
-                             side * std::sin(half)});
-    const std::size_t a = 2 * i, b = i + 1 < number ? 2 * i + 2 : is_twisted ? 1 : 0, c = b % 2 == 0 ? b + 1 : 0;
+      soup.points.push_back({(1 + side * std::cos(half)) * std::cos(angle),
+                             (1 + side * std::cos(half)) * std::sin(angle), side * std::sin(half)});
+    const std::size_t a = 2 * i,
+                      b = i + 1 < number ? 2 * i + 2
+                          : is_twisted   ? 1
+                                         : 0,
+                      c = b % 2 == 0 ? b + 1 : 0;
     soup.polygons.push_back({a, b, c, a + 1});
   }
   return soup;
@@ -576,7 +607,8 @@ TEST(Orientation_test, corners_run_as_normals_say_on_surfaces_that_are_inside_ou
 {
   const Soup ball = random_mesh(Family::SPHERE, 2), ring = random_mesh(Family::TORUS, 3);
   const RS::Surface expected = RS::make_surface(to_surface_mesh(ball));
-  for (const RS::Surface& surface : {RS::make_surface(to_surface_mesh(reversed(ball))), surface_of(reversed(ball))}) {
+  for (const RS::Surface& surface :
+       {RS::make_surface(to_surface_mesh(reversed(ball))), surface_of(reversed(ball))}) {
     expect_equal(surface, expected);
     expect_consistent_corners(surface);
     double volume = 0;
@@ -585,7 +617,8 @@ TEST(Orientation_test, corners_run_as_normals_say_on_surfaces_that_are_inside_ou
     EXPECT_GT(volume, 0);
   }
   // Of two components one is turned.
-  for (const Soup& soup : {joined(reversed(ball), translated(ring, 30, 0, 0)), joined(ball, translated(reversed(ring), 30, 0, 0))})
+  for (const Soup& soup : {joined(reversed(ball), translated(ring, 30, 0, 0)),
+                           joined(ball, translated(reversed(ring), 30, 0, 0))})
     for (const RS::Surface& surface : {RS::make_surface(to_surface_mesh(soup)), surface_of(soup)}) {
       expect_equal_shapes(surface, surface_of(joined(ball, translated(ring, 30, 0, 0))));
       expect_consistent_corners(surface);
@@ -596,16 +629,19 @@ TEST(Orientation_test, closed_components_inside_another_one_are_voids)
 {
   // Three cubes in each other; the orientation of the outermost one says what the others are.
   const auto nested = [](bool a, bool b, bool c) {
-    const Soup outer = translated(scaled(cube(), 8), -4, -4, -4), middle = translated(scaled(cube(), 4), -2, -2, -2),
+    const Soup outer = translated(scaled(cube(), 8), -4, -4, -4),
+               middle = translated(scaled(cube(), 4), -2, -2, -2),
                inner = translated(cube(), -0.5, -0.5, -0.5);
-    return joined(joined(a ? reversed(outer) : outer, b ? reversed(middle) : middle), c ? reversed(inner) : inner);
+    return joined(joined(a ? reversed(outer) : outer, b ? reversed(middle) : middle),
+                  c ? reversed(inner) : inner);
   };
   const auto outward = [](const RS::Surface& surface, std::size_t face) {
     return dot(surface.normal(face), surface.centroid(face)) > 0;
   };
   for (int i = 0; i < 8; ++i) {
     const bool a = i & 1, b = i & 2, c = i & 4;
-    for (const RS::Surface& surface : {RS::make_surface(to_surface_mesh(nested(a, b, c))), surface_of(nested(a, b, c))}) {
+    for (const RS::Surface& surface :
+         {RS::make_surface(to_surface_mesh(nested(a, b, c))), surface_of(nested(a, b, c))}) {
       EXPECT_TRUE(outward(surface, 0)) << i;
       EXPECT_EQ(outward(surface, 6), a == b) << i;
       EXPECT_EQ(outward(surface, 12), a == c) << i;
@@ -634,7 +670,8 @@ TEST(Doubled_faces_test, are_degenerate_and_adjacent_to_the_first_alone)
       }
       const RS::Surface expected = surface_of(soup), surface = surface_of(doubled);
       EXPECT_EQ(surface.area(), expected.area());
-      ASSERT_EQ(surface.number_of_adjacencies(), expected.number_of_adjacencies() + original.size());
+      ASSERT_EQ(surface.number_of_adjacencies(),
+                expected.number_of_adjacencies() + original.size());
       for (std::size_t f = 0; f < n; ++f) {
         EXPECT_TRUE(is_equal(surface.normal(f), expected.normal(f)));
         EXPECT_EQ(corners_of(surface, f), corners_of(expected, f));
@@ -658,7 +695,8 @@ TEST(Doubled_faces_test, are_degenerate_and_adjacent_to_the_first_alone)
 
 TEST(Doubled_faces_test, polygons_with_the_same_corners_in_another_order_are_others)
 {
-  const Soup soup{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0.5}, {0, 1, 0}}, {{0, 1, 2, 3}, {0, 1, 3, 2}, {2, 3, 1, 0}, {3, 2, 1, 0}}};
+  const Soup soup{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0.5}, {0, 1, 0}},
+                  {{0, 1, 2, 3}, {0, 1, 3, 2}, {2, 3, 1, 0}, {3, 2, 1, 0}}};
   const RS::Surface surface = surface_of(soup);
   EXPECT_FALSE(surface.is_degenerate(0));
   EXPECT_FALSE(surface.is_degenerate(1));
@@ -670,7 +708,8 @@ TEST(Doubled_faces_test, polygons_with_the_same_corners_in_another_order_are_oth
 
 TEST(Degenerate_polygons_test, join_across_their_longest_edge)
 {
-  // Two triangles with a common edge, on which lie a polygon of two corners, and a triangle without area.
+  // Two triangles with a common edge, on which lie a polygon of two corners, and a triangle without
+  // area.
   const Soup soup{{{0, 0, 0}, {2, 0, 0}, {1, 1, 0}, {1, -1, 0}, {0.5, 0, 0}},
                   {{0, 1, 2}, {1, 0, 3}, {0, 1}, {0, 4, 1}, {2, 2, 0}, {3}}};
   const RS::Surface surface = surface_of(soup);
@@ -679,7 +718,8 @@ TEST(Degenerate_polygons_test, join_across_their_longest_edge)
   std::map<std::pair<std::size_t, std::size_t>, std::vector<int>> flags;
   for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a)
     flags[{surface.lower_face(a), surface.higher_face(a)}].push_back(surface.flags(a));
-  EXPECT_EQ((flags[{0, 1}]), std::vector<int>{0}) << "an edge, and flat: degenerate faces do not make it a seam";
+  EXPECT_EQ((flags[{0, 1}]), std::vector<int>{0})
+    << "an edge, and flat: degenerate faces do not make it a seam";
   EXPECT_EQ((std::count(flags[{0, 2}].begin(), flags[{0, 2}].end(), int(RS::Surface::JOINING))), 1);
   EXPECT_EQ((flags[{0, 3}]), std::vector<int>{RS::Surface::JOINING});
   EXPECT_EQ((std::count(flags[{0, 4}].begin(), flags[{0, 4}].end(), int(RS::Surface::JOINING))), 1);
@@ -706,7 +746,9 @@ TEST(Coinciding_borders_test, of_a_face_graph_are_adjacent)
     EXPECT_TRUE(surface.has_angle(a));
   }
   // In a soup always.
-  EXPECT_EQ(RS::make_surface(soup.points, soup.polygons, RS::parameters::component_links(false)).number_of_adjacencies(), 31u);
+  EXPECT_EQ(RS::make_surface(soup.points, soup.polygons, RS::parameters::component_links(false))
+              .number_of_adjacencies(),
+            31u);
   EXPECT_EQ(surface_of(soup).number_of_adjacencies(), 31u);
 }
 
@@ -719,7 +761,8 @@ TEST(Coinciding_borders_test, are_constrained_with_one_of_them)
   const std::set<Edge> constrained = {make_edge(4 + 3, 8 + 3), make_edge(20 + 6, 20 + 9)};
   RS::Constraints constraints;
   RS::internal::Face_graph_input<Surface_mesh>(mesh).add_constraints(
-    surface, edge_map(mesh, constrained), RS::internal::pack(RS::parameters::default_values()), constraints);
+    surface, edge_map(mesh, constrained), RS::internal::pack(RS::parameters::default_values()),
+    constraints);
   std::set<std::pair<std::size_t, std::size_t>> found;
   for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a)
     if (constraints[a])

@@ -54,8 +54,11 @@ using Graph = RS::Region_adjacency_graph<RS::Visibility_region_data, RS::Visibil
 
 Graph annotated(const RS::Surface& mesh, const RS::Partition& regions)
 {
-  auto graph = RS::build_region_adjacency_graph<RS::Visibility_region_data, RS::Visibility_section_data>(mesh, regions);
-  RS::Visibility_annotator()(graph, mesh, regions, RS::Region_rays(mesh, patches_of(mesh), regions));
+  auto graph =
+    RS::build_region_adjacency_graph<RS::Visibility_region_data, RS::Visibility_section_data>(
+      mesh, regions);
+  RS::Visibility_annotator()(graph, mesh, regions,
+                             RS::Region_rays(mesh, patches_of(mesh), regions));
   return graph;
 }
 
@@ -74,7 +77,9 @@ Soup needles(std::size_t number, unsigned seed)
   Soup soup;
   for (std::size_t i = 0; i < number; ++i) {
     const Point a{any(random), any(random), any(random)}, b{any(random), any(random), any(random)};
-    for (const Point& p : {a, b, Point{b[0] + 0.01 * any(random), b[1] + 0.01 * any(random), b[2] + 0.01 * any(random)}})
+    for (const Point& p :
+         {a, b,
+          Point{b[0] + 0.01 * any(random), b[1] + 0.01 * any(random), b[2] + 0.01 * any(random)}})
       soup.points.push_back(p);
     soup.polygons.push_back({3 * i, 3 * i + 1, 3 * i + 2});
   }
@@ -91,7 +96,8 @@ RS::internal::Ray_tree tree_of(const RS::Surface& surface)
   return tree_of(surface, surface.centroid(0));
 }
 
-double distance_to_face(const RS::Surface& surface, std::size_t triangle, const Double_3& source, const Double_3& direction)
+double distance_to_face(const RS::Surface& surface, std::size_t triangle, const Double_3& source,
+                        const Double_3& direction)
 {
   const auto corner = [&](std::size_t i) { return surface.point(surface.corner(triangle, i)); };
   return distance_to_triangle(source, direction, corner(0), corner(1), corner(2));
@@ -100,9 +106,11 @@ double distance_to_face(const RS::Surface& surface, std::size_t triangle, const 
 /// Rays from faces in all directions; returns how many hit.
 std::size_t compare_hits(const Soup& soup, unsigned seed)
 {
-  const RS::Surface mesh = RS::make_surface(to_surface_mesh(soup), RS::parameters::component_links(false));
+  const RS::Surface mesh =
+    RS::make_surface(to_surface_mesh(soup), RS::parameters::component_links(false));
   const RS::internal::Ray_tree tree = tree_of(mesh);
-  const RS::internal::Ray_tree gathering(mesh, patches_of(mesh), mesh.centroid(0), RS::Execution(), 0);
+  const RS::internal::Ray_tree gathering(mesh, patches_of(mesh), mesh.centroid(0), RS::Execution(),
+                                         0);
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> any(-1, 1);
   std::size_t hits = 0;
@@ -152,8 +160,9 @@ TEST(Ray_tree_test, a_ray_that_is_not_a_number_hits_nothing)
   const RS::Surface mesh = surface_of(triangulated(sphere(3)));
   const RS::internal::Ray_tree tree = tree_of(mesh);
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  for (const auto& [source, direction] : {std::make_pair(Double_3{nan, nan, nan}, Double_3{0, 0, 1}),
-                                          std::make_pair(Double_3{0, 0, 0}, Double_3{nan, nan, nan})})
+  for (const auto& [source, direction] :
+       {std::make_pair(Double_3{nan, nan, nan}, Double_3{0, 0, 1}),
+        std::make_pair(Double_3{0, 0, 0}, Double_3{nan, nan, nan})})
     EXPECT_EQ(tree.first_hit(mesh, source, direction, RS::internal::Ray_tree::no_face).face,
               RS::internal::Ray_tree::no_face);
 }
@@ -166,8 +175,8 @@ TEST(Ray_tree_test, finds_needles_up_to_their_tips)
     for (std::size_t i = 0; i < 3; ++i) {
       const Double_3& corner = mesh.point(mesh.corner(f, i));
       const Double_3 target = corner + 0.02 * (mesh.centroid(f) - corner);
-      const auto hit =
-        tree.first_hit(mesh, target + 0.5 * mesh.normal(f), -1.0 * mesh.normal(f), RS::internal::Ray_tree::no_face);
+      const auto hit = tree.first_hit(mesh, target + 0.5 * mesh.normal(f), -1.0 * mesh.normal(f),
+                                      RS::internal::Ray_tree::no_face);
       ASSERT_NE(hit.face, RS::internal::Ray_tree::no_face) << f;
       EXPECT_LE(hit.distance, 0.5 + 1e-4) << f; // or another one before
     }
@@ -175,14 +184,16 @@ TEST(Ray_tree_test, finds_needles_up_to_their_tips)
 
 TEST(Ray_tree_test, finds_faces_right_in_front_of_a_source)
 {
-  // Faces whose boxes have no thickness of their own, from both sides, at some units in the last place of a float.
+  // Faces whose boxes have no thickness of their own, from both sides, at some units in the last
+  // place of a float.
   const Soup block = voxel_surface(voxel_block({0, 0, 0}, {4, 4, 4}));
   const RS::Surface mesh = surface_of(block);
   const RS::internal::Ray_tree tree = tree_of(mesh, {2, 2, 2});
   for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
     for (const double side : {1.0, -1.0}) {
       const Double_3 away = side * mesh.normal(f);
-      const auto hit = tree.first_hit(mesh, mesh.centroid(f) + 1e-6 * away, -1.0 * away, RS::internal::Ray_tree::no_face);
+      const auto hit = tree.first_hit(mesh, mesh.centroid(f) + 1e-6 * away, -1.0 * away,
+                                      RS::internal::Ray_tree::no_face);
       EXPECT_EQ(hit.face, f) << side;
       EXPECT_LT(hit.distance, 2e-6) << side;
     }
@@ -190,8 +201,8 @@ TEST(Ray_tree_test, finds_faces_right_in_front_of_a_source)
 
 TEST(Ray_tree_test, of_faces_hit_at_the_same_distance_it_is_the_lowest)
 {
-  // Rays straight down on edges and corners of a plate of unit squares: without the face that was hit, another one is,
-  // and not a lower one at the same distance.
+  // Rays straight down on edges and corners of a plate of unit squares: without the face that was
+  // hit, another one is, and not a lower one at the same distance.
   const RS::Surface mesh = surface_of(voxel_surface(voxel_block({0, 0, 0}, {16, 16, 1})));
   const RS::internal::Ray_tree tree = tree_of(mesh);
   std::size_t ties = 0;
@@ -211,33 +222,41 @@ TEST(Ray_tree_test, of_faces_hit_at_the_same_distance_it_is_the_lowest)
 
 TEST(Ray_tree_test, of_corners_equally_far_from_the_centroid_a_fan_starts_at_the_first)
 {
-  // A square whose corners are in turn above and below its plane: folded along the diagonal from the first corner.
+  // A square whose corners are in turn above and below its plane: folded along the diagonal from
+  // the first corner.
   const Soup soup{{{-1, -1, 0.5}, {1, -1, -0.5}, {1, 1, 0.5}, {-1, 1, -0.5}}, {{0, 1, 2, 3}}};
   const RS::Surface mesh = surface_of(soup);
   const RS::internal::Ray_tree tree = tree_of(mesh);
-  EXPECT_NEAR(tree.first_hit(mesh, {0.1, 0, 5}, {0, 0, -1}, RS::internal::Ray_tree::no_face).distance, 5 - 0.45, 1e-6);
+  EXPECT_NEAR(
+    tree.first_hit(mesh, {0.1, 0, 5}, {0, 0, -1}, RS::internal::Ray_tree::no_face).distance,
+    5 - 0.45, 1e-6);
 }
 
 TEST(Region_shapes_test, are_those_of_the_faces_and_of_the_first_face_where_there_is_no_area)
 {
   const Soup point{{{7, 8, 9}, {7, 8, 9}, {7, 8, 9}}, {{0, 1, 2}}};
   const RS::Surface mesh = surface_of(joined(grid(2, 1), point));
-  const RS::internal::Region_shapes shapes(mesh, RS::Partition::from_labels(std::vector<int>{0, 0, 1}));
+  const RS::internal::Region_shapes shapes(mesh,
+                                           RS::Partition::from_labels(std::vector<int>{0, 0, 1}));
   EXPECT_EQ(shapes.areas, (std::vector<double>{2, 0}));
-  const auto expect_equal = [](const Double_3& a, const Double_3& b) { EXPECT_EQ(norm(a - b), 0) << a.x << ' ' << b.x; };
+  const auto expect_equal = [](const Double_3& a, const Double_3& b) {
+    EXPECT_EQ(norm(a - b), 0) << a.x << ' ' << b.x;
+  };
   expect_equal(shapes.normals[0], {0, 0, 1});
   expect_equal(shapes.normals[1], {0, 0, 0});
   expect_equal(shapes.centroids[0], {1, 0.5, 0});
   expect_equal(shapes.centroids[1], {0.5, 0.5, 0});
   expect_equal(shapes.surface_centroid, {1, 0.5, 0});
 
-  const RS::internal::Region_shapes of_one(surface_of(grid(1, 1)), RS::Partition::from_labels(std::vector<int>{0}));
+  const RS::internal::Region_shapes of_one(surface_of(grid(1, 1)),
+                                           RS::Partition::from_labels(std::vector<int>{0}));
   EXPECT_EQ(of_one.areas, std::vector<double>{1});
   expect_equal(of_one.centroids[0], {0.5, 0.5, 0});
   expect_equal(of_one.surface_centroid, {0.5, 0.5, 0});
 }
 
-/// A bumpy sheet of faces that are joined to patches, above a large slanted square, whose two triangles are the last faces.
+/// A bumpy sheet of faces that are joined to patches, above a large slanted square, whose two
+/// triangles are the last faces.
 Soup sheet_above_square()
 {
   std::mt19937 random(1);
@@ -251,7 +270,9 @@ Soup sheet_above_square()
 
 TEST(Inward_rays_test, small_regions_cast_one_ray_or_none)
 {
-  const auto number_of_rays = [](double one_of) { return RS::internal::Inward_rays::number_of_rays(1 / one_of); };
+  const auto number_of_rays = [](double one_of) {
+    return RS::internal::Inward_rays::number_of_rays(1 / one_of);
+  };
   EXPECT_EQ(number_of_rays(1), 12u);
   EXPECT_EQ(number_of_rays(6399), 12u);
   EXPECT_EQ(number_of_rays(6401), 1u);
@@ -275,7 +296,8 @@ TEST(Inward_rays_test, start_from_patches_where_a_region_has_their_centers)
   std::vector<std::optional<RS::internal::Inward_rays::Hits>> hits(2);
   RS::internal::Inward_rays(mesh, patches, regions, shapes, tree).trace(hits, RS::Execution());
 
-  std::vector<std::pair<double, std::size_t>> centers; // distance to the centroid of the sheet, face
+  std::vector<std::pair<double, std::size_t>>
+    centers; // distance to the centroid of the sheet, face
   Double_3 centroid{0, 0, 0};
   double area = 0;
   for (std::size_t f = 0; f < small; ++f) {
@@ -290,7 +312,8 @@ TEST(Inward_rays_test, start_from_patches_where_a_region_has_their_centers)
     const std::size_t f = centers[k * centers.size() * 9 / 30].second;
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t g : {small, small + 1})
-      nearest = std::min(nearest, distance_to_face(mesh, g, mesh.centroid(f), -1.0 * mesh.normal(f)));
+      nearest =
+        std::min(nearest, distance_to_face(mesh, g, mesh.centroid(f), -1.0 * mesh.normal(f)));
     EXPECT_NEAR((*hits[0])[4 * k].distance, nearest, 1e-3 * nearest);
   }
 }
@@ -325,7 +348,8 @@ TEST(Inward_rays_test, start_from_any_face_where_a_region_has_no_center_of_a_pat
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t g = 0; g < mesh.number_of_faces(); ++g)
       if (g != f)
-        nearest = std::min(nearest, distance_to_face(mesh, g, mesh.centroid(f), -1.0 * mesh.normal(f)));
+        nearest =
+          std::min(nearest, distance_to_face(mesh, g, mesh.centroid(f), -1.0 * mesh.normal(f)));
     ASSERT_LT(nearest, std::numeric_limits<double>::infinity());
     EXPECT_NEAR((*hits[regions[f]])[0].distance, nearest, 1e-3 * nearest) << f;
   }
@@ -413,11 +437,13 @@ TEST(Visibility_annotator_test, opposite_sides_see_each_other_without_a_common_b
 
 TEST(Visibility_annotator_test, lengths_and_areas_are_relative_to_the_surface)
 {
-  // Two cubes side by side, each a region, of 5 squares; the surface has 10. They share 4 flat edges.
+  // Two cubes side by side, each a region, of 5 squares; the surface has 10. They share 4 flat
+  // edges.
   const Soup soup = voxel_surface(voxel_block({0, 0, 0}, {2, 1, 1}));
   for (double size : {1.0, 1024.0, 3.7}) {
     const RS::Surface mesh = surface_of(scaled(soup, size));
-    const RS::Partition regions = RS::Partition::from_labels(std::vector<int>{0, 0, 0, 0, 0, 1, 1, 1, 1, 1});
+    const RS::Partition regions =
+      RS::Partition::from_labels(std::vector<int>{0, 0, 0, 0, 0, 1, 1, 1, 1, 1});
     const Graph graph = annotated(mesh, regions);
     EXPECT_NEAR(graph[0u].area, 0.5, 1e-12);
     EXPECT_NEAR(graph[1u].area, 0.5, 1e-12);
@@ -431,7 +457,8 @@ TEST(Visibility_annotator_test, lengths_and_areas_are_relative_to_the_surface)
 
 TEST(Visibility_annotator_test, sections_of_merged_regions_have_the_edges_of_both)
 {
-  Graph graph = annotated(surface_of(grid(2, 2)), RS::Partition::from_labels(std::vector<int>{0, 1, 2, 2}));
+  Graph graph =
+    annotated(surface_of(grid(2, 2)), RS::Partition::from_labels(std::vector<int>{0, 1, 2, 2}));
   EXPECT_EQ(graph[*graph.section(0, 2)].number_of_adjacencies, 1u);
   EXPECT_EQ(graph[*graph.section(1, 2)].number_of_adjacencies, 1u);
   graph.merge(*graph.section(0, 1));
@@ -442,7 +469,8 @@ TEST(Visibility_annotator_test, sections_of_merged_regions_have_the_edges_of_bot
 
 TEST(Visibility_annotator_test, deviations_are_integrated_by_sign_up_to_a_bound)
 {
-  // A box on a plate: 4 concave edges of pi / 2, which count as 0.6. Inside out they are convex, and count in full.
+  // A box on a plate: 4 concave edges of pi / 2, which count as 0.6. Inside out they are convex,
+  // and count in full.
   for (bool is_inside_out : {false, true}) {
     Soup soup = box_on_plate();
     if (is_inside_out) {
@@ -452,7 +480,8 @@ TEST(Visibility_annotator_test, deviations_are_integrated_by_sign_up_to_a_bound)
     const RS::Surface mesh = surface_of(soup);
     RS::Region_growing growing;
     growing.maximum_angle = 30;
-    growing.feature_convexity = is_inside_out ? RS::Feature_convexity::CONVEX : RS::Feature_convexity::CONCAVE;
+    growing.feature_convexity =
+      is_inside_out ? RS::Feature_convexity::CONVEX : RS::Feature_convexity::CONCAVE;
     const RS::Partition regions = growing(mesh);
     ASSERT_EQ(regions.number_of_parts(), 2u);
     const Graph graph = annotated(mesh, regions);
@@ -478,7 +507,8 @@ TEST(Visibility_annotator_test, annotating_again_changes_nothing)
   const RS::Surface mesh = surface_of(random_mesh(Family::BLOCKS, 2));
   const RS::Surface_patches patches = patches_of(mesh);
   const auto costs = RS::internal::border_costs_of_edges(mesh, patches.fine, RS::Border_cost());
-  const RS::Partition regions = composed(patches.fine.of_elements(), RS::Superfacets(30)(mesh, patches, costs));
+  const RS::Partition regions =
+    composed(patches.fine.of_elements(), RS::Superfacets(30)(mesh, patches, costs));
   const Graph once = annotated(mesh, regions);
   Graph twice = once;
   RS::Visibility_annotator()(twice, mesh, regions, RS::Region_rays(mesh, patches, regions));

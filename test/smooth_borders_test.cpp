@@ -54,12 +54,13 @@ Labels smoothed_on(const Soup& soup, const Labels& labels, const RS::Minimum_cut
   const std::size_t changed = RS::smooth_borders(
     mesh, map, smoother, RS::parameters::edge_is_constrained_map(edge_map(mesh, constrained)));
   const Labels result = labels_of(mesh, map);
-  EXPECT_EQ(changed, std::inner_product(labels.begin(), labels.end(), result.begin(), std::size_t(0),
-                                        std::plus<>(), std::not_equal_to<>()));
+  EXPECT_EQ(changed, std::inner_product(labels.begin(), labels.end(), result.begin(),
+                                        std::size_t(0), std::plus<>(), std::not_equal_to<>()));
   return result;
 }
 
-Labels smoothed(const Soup& soup, const Labels& labels, const RS::Minimum_cut_borders& smoother = wide,
+Labels smoothed(const Soup& soup, const Labels& labels,
+                const RS::Minimum_cut_borders& smoother = wide,
                 const std::set<Edge>& constrained = {})
 {
   return smoothed_on<Surface_mesh>(soup, labels, smoother, constrained);
@@ -144,7 +145,8 @@ TEST(Minimum_cut_test, finds_the_cheapest_of_all_cuts_and_moves_few_nodes)
     }
     std::vector<std::array<std::uint32_t, 3>> edges;
     for (int i = 0; i < 20; ++i) {
-      const std::uint32_t a = random() % (nodes + 2), b = random() % (nodes + 2), c = 1 + random() % 4;
+      const std::uint32_t a = random() % (nodes + 2), b = random() % (nodes + 2),
+                          c = 1 + random() % 4;
       cut.add_edge(a, b, c);
       if (a != b && std::max(a, b) > 1)
         edges.push_back({a, b, c});
@@ -190,8 +192,8 @@ TEST(Minimum_cut_test, is_exact_for_many_nodes)
 
 TEST(Minimum_cut_test, moves_all_nodes_for_a_cut_that_is_cheaper_by_the_least)
 {
-  // A chain of four nodes. Its first edge costs less than the last one by a unit of the capacities, of which some 2^51 / 6,
-  // for six nodes, are their sum of 8.
+  // A chain of four nodes. Its first edge costs less than the last one by a unit of the capacities,
+  // of which some 2^51 / 6, for six nodes, are their sum of 8.
   using Cut = RS::internal::Minimum_cut;
   Cut cut;
   std::vector<Cut::Node> nodes = {Cut::source};
@@ -217,7 +219,9 @@ struct Pieces
   RS::internal::Dual_graph costs;
   std::vector<Index> of_face{std::vector<Index>(number_of_faces, 3)};
 
-  explicit Pieces(std::mt19937& random) : costs(mesh, [](std::size_t) { return true; }, [&](std::size_t) { return 1 + random() % 9; })
+  explicit Pieces(std::mt19937& random)
+      : costs(
+          mesh, [](std::size_t) { return true; }, [&](std::size_t) { return 1 + random() % 9; })
   {
     for (Index piece = 0; piece < 3; ++piece)
       of_face[random() % 6 + 7 * piece] = piece;
@@ -245,14 +249,17 @@ struct Pieces
     std::vector<std::size_t> reached = {std::size_t(first - of_face.begin())};
     for (std::size_t i = 0; i < reached.size() && first != of_face.end(); ++i)
       for (const auto& step : costs.steps(reached[i]))
-        if (of_face[step.face] == piece && std::count(reached.begin(), reached.end(), step.face) == 0)
+        if (of_face[step.face] == piece &&
+            std::count(reached.begin(), reached.end(), step.face) == 0)
           reached.push_back(step.face);
-    return first == of_face.end() || std::ptrdiff_t(reached.size()) == std::count(of_face.begin(), of_face.end(), piece);
+    return first == of_face.end() ||
+           std::ptrdiff_t(reached.size()) == std::count(of_face.begin(), of_face.end(), piece);
   }
 };
 
 /// The faces that can move, if some of both pieces stay.
-std::vector<std::size_t> movable_faces(const Pieces& pieces, const std::vector<Index>& border, int width, Index fixed)
+std::vector<std::size_t> movable_faces(const Pieces& pieces, const std::vector<Index>& border,
+                                       int width, Index fixed)
 {
   constexpr int far = 100;
   std::vector<int> distance(Pieces::number_of_faces, far); // from face to face it is 1
@@ -297,7 +304,8 @@ Best_border best_border(const Pieces& before, const std::vector<std::size_t>& mo
     const std::bitset<32> moves = choice;
     for (std::size_t i = 0; i < movable.size(); ++i)
       after.of_face[movable[i]] ^= Index(moves[i]);
-    const auto value = std::make_pair(after.cost(), moves.count()), value_of_best = std::make_pair(best.cost, best.moves);
+    const auto value = std::make_pair(after.cost(), moves.count()),
+               value_of_best = std::make_pair(best.cost, best.moves);
     if (value > value_of_best)
       continue;
     const bool tears = !after.is_connected(0) || !after.is_connected(1);
@@ -323,13 +331,16 @@ TEST(Border_cut_test, finds_the_cheapest_of_all_borders_in_the_band)
     const Index fixed = random() % Pieces::number_of_faces;
     const Best_border best = best_border(before, movable_faces(before, border, width, fixed));
 
-    RS::internal::Border_cut cut(pieces.costs, [](std::size_t, std::size_t) { return 1.0; }, pieces.of_face);
-    const std::vector<Index> moved = cut.move_border(0, 1, border, width, [&](Index f) { return f == fixed; });
+    RS::internal::Border_cut cut(
+      pieces.costs, [](std::size_t, std::size_t) { return 1.0; }, pieces.of_face);
+    const std::vector<Index> moved =
+      cut.move_border(0, 1, border, width, [&](Index f) { return f == fixed; });
     std::vector<Index> different;
     for (Index f = 0; f < Pieces::number_of_faces; ++f)
       if (pieces.of_face[f] != before.of_face[f])
         different.push_back(f);
-    EXPECT_TRUE(std::is_permutation(moved.begin(), moved.end(), different.begin(), different.end()));
+    EXPECT_TRUE(
+      std::is_permutation(moved.begin(), moved.end(), different.begin(), different.end()));
     EXPECT_TRUE(pieces.is_connected(0) && pieces.is_connected(1) && pieces.is_connected(2));
     if (moved.empty()) {
       EXPECT_TRUE(best.tears || best.moves == 0);
@@ -344,16 +355,19 @@ TEST(Border_cut_test, finds_the_cheapest_of_all_borders_in_the_band)
 
 TEST(Border_cut_test, reports_no_move_where_it_would_tear_a_piece)
 {
-  // Two rows of three faces: the border between them is expensive, so a face would leave its row. One at the end can.
+  // Two rows of three faces: the border between them is expensive, so a face would leave its row.
+  // One at the end can.
   const RS::Surface mesh = RS::make_surface(to_surface_mesh(grid(3, 2)));
-  const RS::internal::Dual_graph costs(mesh, [](std::size_t) { return true; }, [&](std::size_t a) {
-    return mesh.higher_face(a) == mesh.lower_face(a) + 3 ? 9 : 1;
-  });
+  const RS::internal::Dual_graph costs(
+    mesh, [](std::size_t) { return true; },
+    [&](std::size_t a) { return mesh.higher_face(a) == mesh.lower_face(a) + 3 ? 9 : 1; });
   const std::vector<Index> rows = {0, 0, 0, 1, 1, 1}, all = {0, 1, 2, 3, 4, 5}, end = {0}, none;
   for (const Index movable : {0, 1}) {
     std::vector<Index> piece_of = rows;
-    RS::internal::Border_cut cut(costs, [](std::size_t, std::size_t) { return 1.0; }, piece_of);
-    EXPECT_EQ(cut.move_border(0, 1, all, 1, [movable](Index f) { return f != movable; }), movable == 0 ? end : none);
+    RS::internal::Border_cut cut(
+      costs, [](std::size_t, std::size_t) { return 1.0; }, piece_of);
+    EXPECT_EQ(cut.move_border(0, 1, all, 1, [movable](Index f) { return f != movable; }),
+              movable == 0 ? end : none);
     EXPECT_EQ(piece_of, movable == 0 ? (std::vector<Index>{1, 0, 0, 1, 1, 1}) : rows);
   }
 }
@@ -403,13 +417,17 @@ TEST(Smooth_borders_test, a_border_falls_into_a_valley)
 
 TEST(Smooth_borders_test, a_valley_is_chosen_by_the_ratio_of_the_costs)
 {
-  // A strip of 12 quads, bent up by .1 rad along an edge beside the border; with g = 10 this edge costs half its length. That of
-  // the border has length 1, all others 4.
+  // A strip of 12 quads, bent up by .1 rad along an edge beside the border; with g = 10 this edge
+  // costs half its length. That of the border has length 1, all others 4.
   const auto result = [](double length_of_valley) {
     Soup strip;
     for (std::size_t i = 0; i <= 12; ++i) {
-      const double length = i == 6 ? 1 : i == 7 ? length_of_valley : 4, beyond = 0.2 * std::max(0.0, double(i) - 7);
-      const double x = 0.2 * std::min(double(i), 7.0) + std::cos(0.1) * beyond, z = std::sin(0.1) * beyond;
+      const double length = i == 6   ? 1
+                            : i == 7 ? length_of_valley
+                                     : 4,
+                   beyond = 0.2 * std::max(0.0, double(i) - 7);
+      const double x = 0.2 * std::min(double(i), 7.0) + std::cos(0.1) * beyond,
+                   z = std::sin(0.1) * beyond;
       strip.points.push_back({x, -length / 2, z});
       strip.points.push_back({x, length / 2, z});
     }
@@ -426,13 +444,13 @@ TEST(Smooth_borders_test, a_valley_is_chosen_by_the_ratio_of_the_costs)
 
 TEST(Smooth_borders_test, faces_beyond_the_band_stay)
 {
-  // A tooth of 3 x 3 squares; one square is 1 / sqrt(128) = 0.088 wide. A band of no width is the faces
-  // beside the border: that in the middle of the tooth stays, and holds the others.
+  // A tooth of 3 x 3 squares; one square is 1 / sqrt(128) = 0.088 wide. A band of no width is the
+  // faces beside the border: that in the middle of the tooth stays, and holds the others.
   Labels labels;
   for (std::size_t f = 0; f < 128; ++f)
     labels.push_back(f % 16 < 8 || (f % 16 < 11 && f / 16 >= 3 && f / 16 < 6) ? 0 : 1);
-  EXPECT_EQ(border_length(grid(16, 8), smoothed(grid(16, 8), labels, RS::Minimum_cut_borders{0.3, 1})),
-            8);
+  EXPECT_EQ(
+    border_length(grid(16, 8), smoothed(grid(16, 8), labels, RS::Minimum_cut_borders{0.3, 1})), 8);
   EXPECT_EQ(smoothed(grid(16, 8), labels, RS::Minimum_cut_borders{0, 1}), labels);
   EXPECT_EQ(smoothed(grid(16, 8), labels, RS::Minimum_cut_borders{1, 0}), labels);
 }
@@ -454,8 +472,8 @@ TEST(Smooth_borders_test, a_constrained_line_keeps_its_border)
 
 TEST(Smooth_borders_test, a_neck_is_not_cut_through)
 {
-  // Segment 0 is two fields and a path of one square along the end of the sheet; cutting it off would
-  // make the border shorter.
+  // Segment 0 is two fields and a path of one square along the end of the sheet; cutting it off
+  // would make the border shorter.
   const std::size_t nx = 21, ny = 10;
   Labels labels;
   for (std::size_t y = 0; y < ny; ++y)
