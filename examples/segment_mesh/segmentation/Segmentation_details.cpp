@@ -2,6 +2,8 @@
 
 #include "segmentation/Segmentation_details.h"
 
+#include "segmentation/Manifold.h"
+
 #include <CGAL/number_type_config.h>
 
 #include <CGAL/Region_segmentation/Segments/describe_segments.h>
@@ -112,6 +114,8 @@ Segmentation_details::Segmentation_details(const Polygon_soup& soup, const Segme
     : m_soup(soup), m_settings(settings), m_segmentation(segmentation)
 {
 }
+
+Segmentation_details::~Segmentation_details() = default;
 
 const Manifold& Segmentation_details::manifold() const
 {

@@ -3,7 +3,6 @@
 #ifndef CGAL_REGION_SEGMENTATION_SEGMENT_MESH_SEGMENTATION_DETAILS_H
 #define CGAL_REGION_SEGMENTATION_SEGMENT_MESH_SEGMENTATION_DETAILS_H
 
-#include "segmentation/Manifold.h"
 #include "segmentation/run_segmentation.h"
 #include "soup/Polygon_soup.h"
 
@@ -16,6 +15,8 @@
 #include <vector>
 
 namespace segment_mesh {
+
+struct Manifold;
 
 using Kernel = CGAL::Simple_cartesian<double>;
 using Segment_description = CGAL::Region_segmentation::Segment_description<std::size_t, Kernel>;
@@ -65,6 +66,7 @@ public:
   Segmentation_details(const Polygon_soup& soup, const Segmentation_settings& settings, const Segmentation& segmentation);
   Segmentation_details(const Segmentation_details&) = delete;
   Segmentation_details& operator=(const Segmentation_details&) = delete;
+  ~Segmentation_details();
 
   /// The feature edges as lines from junction to junction, with borders of the mesh and without those that end inside the
   /// surface; none of a method without feature edges.
