@@ -50,7 +50,8 @@ RS::Two_step two_step(double maximum_angle = 5)
 /// A map into labels by the index of the face.
 auto index_map(Labels& labels)
 {
-  return boost::make_iterator_property_map(labels.begin(), boost::typed_identity_property_map<Face>());
+  return boost::make_iterator_property_map(labels.begin(),
+                                           boost::typed_identity_property_map<Face>());
 }
 
 template <typename Segmenter>
@@ -325,8 +326,8 @@ TEST(Segmenter_test, regions_that_constraints_do_not_separate_stay_in_their_piec
   const RS::Surface surface = RS::make_surface(mesh);
   RS::Constraints constraints;
   constraints.add(3, surface.number_of_adjacencies()); // of faces 3 and 4
-  const RS::Partition split =
-    RS::internal::split_at_constraints(surface, RS::Partition::from_labels(Labels{0, 1, 0, 1, 1}), constraints);
+  const RS::Partition split = RS::internal::split_at_constraints(
+    surface, RS::Partition::from_labels(Labels{0, 1, 0, 1, 1}), constraints);
   EXPECT_EQ(Labels(split.begin(), split.end()), (Labels{0, 1, 0, 2, 3}));
 }
 
@@ -367,9 +368,11 @@ void test_late_constraints(const Method& method)
       for (const Edge& e : random_edges(soup, 8, random))
         drawn.insert(e);
       segmenter.add_constraints(edge_map(mesh, drawn));
-      const auto early = RS::parameters::method(method).edge_is_constrained_map(edge_map(mesh, drawn));
+      const auto early =
+        RS::parameters::method(method).edge_is_constrained_map(edge_map(mesh, drawn));
       for (std::size_t k : {1, 5, 30})
-        EXPECT_EQ(labels(segmenter, k), labels_by_segment(mesh, early.number_of_segments(k))) << "round " << round;
+        EXPECT_EQ(labels(segmenter, k), labels_by_segment(mesh, early.number_of_segments(k)))
+          << "round " << round;
     }
   }
 }
@@ -595,7 +598,8 @@ TEST(Segmenter_test, seeds_within_one_region_split_it)
   put(seeds, face_near(mesh, 0, 0, 0), 0);
   put(seeds, face_near(mesh, 8, 8, 0), 1);
   RS::Segmenter segmenter(mesh, RS::parameters::method(two_step()));
-  ASSERT_EQ(labels(segmenter, 1000), Labels(num_faces(mesh), 0)) << "a flat sheet has no feature edge";
+  ASSERT_EQ(labels(segmenter, 1000), Labels(num_faces(mesh), 0))
+    << "a flat sheet has no feature edge";
   segmenter.set_seeds(seeds);
   const Labels after = labels(segmenter, 1);
   EXPECT_TRUE(follows_seeds(after, labels_of(mesh, seeds)));

@@ -3,8 +3,8 @@
 #include "meshes.h"
 #include "oracles.h"
 
-#include <CGAL/Region_segmentation/detect_feature_edges.h>
 #include <CGAL/Region_segmentation/Execution.h>
+#include <CGAL/Region_segmentation/detect_feature_edges.h>
 #include <CGAL/Region_segmentation/make_surface.h>
 
 #include <gtest/gtest.h>
@@ -146,7 +146,8 @@ TEST(Detect_feature_edges_test, a_polygon_has_one_normal)
 
 TEST(Detect_feature_edges_test, large_components_are_turned_one_by_one)
 {
-  const Soup large = translated(torus(120, 60), 30, 20, 10), small = scaled(torus(60, 30), 0.1), sheet = grid(3, 3);
+  const Soup large = translated(torus(120, 60), 30, 20, 10), small = scaled(torus(60, 30), 0.1),
+             sheet = grid(3, 3);
   ASSERT_GT(large.polygons.size(), RS::internal::block_size);
   for (Feature_convexity convexity : {Feature_convexity::CONVEX, Feature_convexity::CONCAVE}) {
     const auto np = RS::parameters::feature_convexity(convexity).maximum_angle(2);
@@ -215,8 +216,8 @@ TEST(Detect_feature_edges_test, far_from_the_origin_edges_are_those_of_the_refer
       const Soup mesh = translated(random_mesh(family, 1), distance, 0, -distance);
       std::set<Edge> expected;
       const Options options(1, reference::Convexity::concave, 5);
-      for (const auto& [edge, is_feature] :
-           reference::detect_feature_edges(reference::read_mesh(mesh.points, mesh.polygons, options)))
+      for (const auto& [edge, is_feature] : reference::detect_feature_edges(
+             reference::read_mesh(mesh.points, mesh.polygons, options)))
         if (is_feature)
           expected.insert(edge);
       EXPECT_EQ(features(mesh, RS::parameters::maximum_angle(5)), expected);

@@ -3,9 +3,9 @@
 #include "meshes.h"
 #include "oracles.h"
 
+#include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/detect_feature_edges.h>
 #include <CGAL/Region_segmentation/grow_regions.h>
-#include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/make_surface.h>
 
 #include <gtest/gtest.h>
@@ -140,7 +140,8 @@ TEST(Grow_regions_test, an_empty_mesh_and_a_single_face)
 }
 
 /// Those of the reference implementation, with given features.
-Labels reference_labels(const Soup& soup, const std::set<Edge>& features, const std::set<Edge>& constrained)
+Labels reference_labels(const Soup& soup, const std::set<Edge>& features,
+                        const std::set<Edge>& constrained)
 {
   reference::Two_step_options options;
   options.constrained_edges = constrained;
@@ -161,7 +162,8 @@ TEST(Grow_regions_test, regions_are_those_of_the_reference)
       std::mt19937 random(seed);
       const auto features = random_edges(soup, 3, random), constrained = random_edges(soup, 9, random);
       soup.points.push_back({1, 2, 3}); // of no face
-      EXPECT_EQ(grow(soup, features, constrained).labels, reference_labels(soup, features, constrained));
+      EXPECT_EQ(grow(soup, features, constrained).labels,
+                reference_labels(soup, features, constrained));
     }
 }
 

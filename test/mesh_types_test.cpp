@@ -143,7 +143,8 @@ Result run_stages(const Mesh& mesh, const Options& options)
   RS::detect_feature_edges(mesh, features, options.named_features());
   RS::extract_feature_lines(mesh, features, CGAL::Emptyset_iterator());
   RS::grow_regions(mesh, features, regions);
-  auto graph = RS::build_region_adjacency_graph(mesh, regions, RS::parameters::component_links(false));
+  auto graph =
+    RS::build_region_adjacency_graph(mesh, regions, RS::parameters::component_links(false));
   RS::Two_step_merging policy;
   result.tree = RS::merge_regions(graph, policy, options.k, RS::Stop_at_count{options.k});
   result.regions = labels_of(mesh, regions);

@@ -142,8 +142,8 @@ std::vector<double> numbers_read(const Surface_mesh& mesh)
   std::vector<double> result = {flat.unit(), flat.area()};
   const auto add = [&](const RS::Double_3& p) { result.insert(result.end(), {p.x, p.y, p.z}); };
   for (std::size_t e = 0; e < flat.number_of_adjacencies(); ++e)
-    result.insert(result.end(), {double(flat.lower_face(e)), double(flat.higher_face(e)), flat.length(e),
-                                 double(flat.flags(e)), flat.cosine(e)});
+    result.insert(result.end(), {double(flat.lower_face(e)), double(flat.higher_face(e)),
+                                 flat.length(e), double(flat.flags(e)), flat.cosine(e)});
   for (std::size_t f = 0; f < flat.number_of_faces(); ++f) {
     add(flat.normal(f));
     add(flat.centroid(f));
@@ -176,7 +176,7 @@ TEST_P(Parallel_test, reading_gives_the_same_bits)
   for (const int threads : {1, 3}) {
     tbb::task_arena arena(threads);
     EXPECT_TRUE(arena.execute([&] { return numbers_read<CGAL::Parallel_tag>(mesh); }) == expected)
-        << "seed " << GetParam() << ", " << threads << " threads";
+      << "seed " << GetParam() << ", " << threads << " threads";
   }
 }
 
@@ -199,11 +199,12 @@ std::vector<double> hits_found(const RS::Surface& surface, unsigned seed)
   std::vector<double> result;
   for (int i = 0; i < 1000; ++i) {
     const std::size_t face = random() % surface.number_of_faces();
-    const RS::Double_3 way = surface.centroid(random() % surface.number_of_faces()) - surface.centroid(face);
+    const RS::Double_3 way =
+      surface.centroid(random() % surface.number_of_faces()) - surface.centroid(face);
     if (norm(way) == 0)
       continue;
-    const auto hit =
-      tree.first_hit(surface, surface.centroid(face), (1 / norm(way)) * way, RS::Surface::Index(face));
+    const auto hit = tree.first_hit(surface, surface.centroid(face), (1 / norm(way)) * way,
+                                    RS::Surface::Index(face));
     result.insert(result.end(), {double(hit.face), hit.distance});
   }
   return result;
@@ -211,7 +212,8 @@ std::vector<double> hits_found(const RS::Surface& surface, unsigned seed)
 
 TEST_P(Parallel_test, rays_hit_the_same_faces)
 {
-  const RS::Surface surface = RS::make_surface(bumpy_torus(GetParam())); // more boxes than one thread makes
+  const RS::Surface surface =
+    RS::make_surface(bumpy_torus(GetParam())); // more boxes than one thread makes
   EXPECT_TRUE(hits_found<CGAL::Parallel_tag>(surface, GetParam()) ==
               hits_found<CGAL::Sequential_tag>(surface, GetParam()))
     << "seed " << GetParam();

@@ -12,9 +12,9 @@
 #include <CGAL/Region_segmentation/Methods/Smooth_faces.h>
 #include <CGAL/Region_segmentation/Segmenter.h>
 #include <CGAL/Region_segmentation/Segments/compute_segment_topology.h>
+#include <CGAL/Region_segmentation/Segments/extract_segment_borders.h>
 #include <CGAL/Region_segmentation/Segments/mark_segment_seams.h>
 #include <CGAL/Region_segmentation/Segments/split_into_segments.h>
-#include <CGAL/Region_segmentation/Segments/extract_segment_borders.h>
 #include <CGAL/Region_segmentation/internal/graph/merge_requested.h>
 #include <CGAL/Region_segmentation/make_surface.h>
 #include <CGAL/Region_segmentation/segment.h>
@@ -233,7 +233,8 @@ struct Unused_policy
 TEST(Unused_policy_test, as_many_segments_as_regions)
 {
   const RS::Surface surface = RS::make_surface(to_surface_mesh(cube()));
-  const RS::Requested_regions requested = RS::requested_regions(surface, Single_faces()(surface), RS::Request());
+  const RS::Requested_regions requested =
+    RS::requested_regions(surface, Single_faces()(surface), RS::Request());
   for (const std::size_t k : {6, 100}) {
     auto graph = RS::build_region_adjacency_graph(surface, requested.regions);
     const RS::Merge_tree tree =

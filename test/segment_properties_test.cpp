@@ -149,7 +149,8 @@ TEST_P(Two_step_properties_test, a_policy_that_does_not_know_k_gives_one_tree)
 {
   for_each_mesh(5, [](const Soup& soup, Options options, std::mt19937&) {
     const Surface_mesh mesh = to_surface_mesh(soup);
-    const auto method = make_user_method(options.method().growing, RS::Lowest_cost_first<Length_cost>());
+    const auto method =
+      make_user_method(options.method().growing, RS::Lowest_cost_first<Length_cost>());
     const auto with = [&](std::size_t k) { return test::run(mesh, RP::number_of_segments(k).method(method)); };
     const Result whole = with(1);
     for (std::size_t k : {2, 3, 7, 20}) {
@@ -376,7 +377,7 @@ TEST(Orientation_test, an_open_surface_is_read_as_it_is)
   Soup soup = triangulated(grid(6, 6));
   bump(soup, 0.3, random);
   const RS::Surface mesh = RS::make_surface(to_surface_mesh(soup)),
-                      other = RS::make_surface(to_surface_mesh(reversed(soup)));
+                    other = RS::make_surface(to_surface_mesh(reversed(soup)));
   std::size_t signs = 0;
   for (std::size_t e = 0; e < mesh.number_of_adjacencies(); ++e) {
     EXPECT_EQ(mesh.has_flag(e, RS::Surface::CONVEX), other.has_flag(e, RS::Surface::CONCAVE));
@@ -490,7 +491,8 @@ std::vector<std::string> stages_of(const Visitor& visitor)
 }
 
 const std::vector<std::string> stages_of_two_step = {"reading", "regions", "graph", "merging"};
-const std::vector<std::string> stages_of_default = {"reading", "regions", "rays", "graph", "merging", "borders"};
+const std::vector<std::string> stages_of_default = {"reading", "regions", "rays",
+                                                    "graph",   "merging", "borders"};
 
 /// Cancels at every call in turn.
 template <typename Parameters>

@@ -167,7 +167,8 @@ TEST(Segment_test, labels_of_any_integral_type)
 // Polygons
 
 template <typename Method>
-void test_polygons(const Soup& soup, const Surface_mesh& mesh, const Method& method, std::mt19937& random)
+void test_polygons(const Soup& soup, const Surface_mesh& mesh, const Method& method,
+                   std::mt19937& random)
 {
   const auto np = RS::parameters::number_of_segments(5).method(method);
   const std::size_t size = soup.polygons.size();

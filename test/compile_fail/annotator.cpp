@@ -8,11 +8,15 @@ struct Annotator
 #ifdef WITH_FAULT
   void operator()(Visibility_graph&, const RS::Surface&) const {}
 #else
-  void operator()(Visibility_graph&, const RS::Surface&, const RS::Partition&, const RS::Region_rays&) const {}
+  void operator()(Visibility_graph&, const RS::Surface&, const RS::Partition&,
+                  const RS::Region_rays&) const
+  {
+  }
 #endif
 };
 void test(const Mesh& mesh, Labels labels)
 {
-  const RS::Superfacet_merging method{Annotator(), RS::Visibility_merging().policy, RS::Number_below_cost{0}};
+  const RS::Superfacet_merging method{Annotator(), RS::Visibility_merging().policy,
+                                      RS::Number_below_cost{0}};
   RS::segment(mesh, labels, RS::parameters::method(method));
 }

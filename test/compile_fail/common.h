@@ -7,9 +7,9 @@
 #ifndef REGION_SEGMENTATION_TEST_COMPILE_FAIL_COMMON_H
 #define REGION_SEGMENTATION_TEST_COMPILE_FAIL_COMMON_H
 
+#include <CGAL/Region_segmentation/Segments/extract_segment_borders.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/Region_segmentation/Segments/extract_segment_borders.h>
 #include <CGAL/region_segmentation.h>
 #include <CGAL/region_segmentation_stages.h>
 
@@ -21,6 +21,7 @@ namespace RS = CGAL::Region_segmentation;
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 using Labels = Mesh::Property_map<Mesh::Face_index, std::size_t>;
 using Graph = RS::Region_adjacency_graph<>;
-using Visibility_graph = RS::Region_adjacency_graph<RS::Visibility_region_data, RS::Visibility_section_data>;
+using Visibility_graph =
+  RS::Region_adjacency_graph<RS::Visibility_region_data, RS::Visibility_section_data>;
 
 #endif // REGION_SEGMENTATION_TEST_COMPILE_FAIL_COMMON_H

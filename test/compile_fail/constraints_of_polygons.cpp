@@ -7,7 +7,8 @@ using Drawn = Mesh::Property_map<Mesh::Edge_index, bool>;
 using Drawn = std::vector<std::pair<int, int>>;
 #endif
 using Points = std::vector<CGAL::Simple_cartesian<double>::Point_3>;
-void test(const Points& points, const std::vector<std::vector<int>>& polygons, std::vector<int>& labels, const Drawn& drawn)
+void test(const Points& points, const std::vector<std::vector<int>>& polygons,
+          std::vector<int>& labels, const Drawn& drawn)
 {
   RS::segment(points, polygons, labels, RS::parameters::edge_is_constrained_map(drawn));
 }

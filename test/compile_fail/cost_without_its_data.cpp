@@ -7,7 +7,9 @@ void test(const Mesh& mesh, Labels labels)
 #ifdef WITH_FAULT
   auto graph = RS::build_region_adjacency_graph(mesh, labels);
 #else
-  auto graph = RS::build_region_adjacency_graph<RS::Visibility_region_data, RS::Visibility_section_data>(mesh, labels);
+  auto graph =
+    RS::build_region_adjacency_graph<RS::Visibility_region_data, RS::Visibility_section_data>(
+      mesh, labels);
 #endif
   RS::merge_regions(graph, RS::Lowest_cost_first<RS::Visibility_cost>(), 3, RS::Stop_at_count{3});
 }

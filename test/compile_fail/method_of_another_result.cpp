@@ -5,9 +5,15 @@ struct Method
 {
   int prepare(const RS::Surface&, const RS::Execution&) const { return 0; }
 #ifdef WITH_FAULT
-  RS::Partition merge(const RS::Surface&, int, const RS::Request&, const RS::Execution&) const { return {}; }
+  RS::Partition merge(const RS::Surface&, int, const RS::Request&, const RS::Execution&) const
+  {
+    return {};
+  }
 #else
-  RS::Segmentation merge(const RS::Surface&, int, const RS::Request&, const RS::Execution&) const { return {}; }
+  RS::Segmentation merge(const RS::Surface&, int, const RS::Request&, const RS::Execution&) const
+  {
+    return {};
+  }
 #endif
 };
 void test(const Mesh& mesh, Labels labels)

@@ -83,7 +83,10 @@ public:
   Section_cost_archetype(const Section_cost_archetype&) = default;
   Section_cost_archetype& operator=(const Section_cost_archetype&) = delete;
 
-  double operator()(const Graph& g, Graph::section_descriptor s) const { return -double(g[s].adjacencies); }
+  double operator()(const Graph& g, Graph::section_descriptor s) const
+  {
+    return -double(g[s].adjacencies);
+  }
 };
 
 /// Any section that is mergeable.
@@ -113,7 +116,10 @@ public:
   Policy_for_number_archetype(const Policy_for_number_archetype&) = default;
   Policy_for_number_archetype& operator=(const Policy_for_number_archetype&) = delete;
 
-  void initialize(const Graph&, std::size_t number_of_segments) { EXPECT_EQ(number_of_segments, 2u); }
+  void initialize(const Graph&, std::size_t number_of_segments)
+  {
+    EXPECT_EQ(number_of_segments, 2u);
+  }
   std::optional<RS::Merge_candidate> next(const Graph& g) { return m_policy.next(g); }
   void on_merge(const Graph&, const Graph::Merge&) {}
 
@@ -189,8 +195,8 @@ public:
     return Prepared_archetype(surface.number_of_faces());
   }
 
-  RS::Hierarchy merge(const RS::Surface& surface, const Prepared_archetype& prepared, const RS::Request& request,
-                      const RS::Execution& execution) const
+  RS::Hierarchy merge(const RS::Surface& surface, const Prepared_archetype& prepared,
+                      const RS::Request& request, const RS::Execution& execution) const
   {
     execution.stage("merging");
     RS::Requested_regions requested = RS::requested_regions(surface, prepared.regions(), request);
@@ -216,8 +222,8 @@ public:
     return Prepared_archetype(surface.number_of_faces());
   }
 
-  RS::Segmentation merge(const RS::Surface&, const Prepared_archetype& prepared, const RS::Request& request,
-                         const RS::Execution&) const
+  RS::Segmentation merge(const RS::Surface&, const Prepared_archetype& prepared,
+                         const RS::Request& request, const RS::Execution&) const
   {
     EXPECT_EQ(request.number_of_segments, 2u);
     RS::Partition regions = prepared.regions();
@@ -274,13 +280,15 @@ TEST(Archetypes_test, cost)
   EXPECT_EQ(g.number_of_regions(), 2u);
 }
 
-/// What segment() and a segmenter do with a method that gives one tree, and three segments of a cube.
+/// What segment() and a segmenter do with a method that gives one tree, and three segments of a
+/// cube.
 template <typename Method>
 void use_method(const Method& method)
 {
   const auto mesh = test::to_surface_mesh(test::cube());
   Visitor_archetype visitor(0);
-  const auto result = test::run(mesh, RP::number_of_segments(2).method(method).visitor(std::ref(visitor)));
+  const auto result =
+    test::run(mesh, RP::number_of_segments(2).method(method).visitor(std::ref(visitor)));
   EXPECT_EQ(result.number_of_segments, 2u);
   EXPECT_EQ(result.tree.number_of_regions(), 6u);
   EXPECT_EQ(test::run(mesh, RP::method(method)).number_of_segments, 3u) << "chosen";
@@ -303,8 +311,8 @@ TEST(Archetypes_test, method)
 
 TEST(Archetypes_test, parts_of_superfacet_merging)
 {
-  use_method(
-    RS::Superfacet_merging{Annotator_archetype(0), Policy_archetype(0), Number_chooser_archetype(0)});
+  use_method(RS::Superfacet_merging{Annotator_archetype(0), Policy_archetype(0),
+                                    Number_chooser_archetype(0)});
 }
 
 TEST(Archetypes_test, method_whose_merges_depend_on_the_number)
@@ -323,7 +331,10 @@ struct Cost_with_data
 {
   using RegionData = Region_data_archetype;
   using SectionData = Section_data_archetype;
-  double operator()(const Graph& g, Graph::section_descriptor s) const { return double(g[s].adjacencies); }
+  double operator()(const Graph& g, Graph::section_descriptor s) const
+  {
+    return double(g[s].adjacencies);
+  }
 };
 
 TEST(Archetypes_test, a_cost_that_names_its_data)
@@ -353,9 +364,11 @@ struct Method_of_two_faces
 struct Method_of_no_segments
 {
   int prepare(const RS::Surface&, const RS::Execution&) const { return 0; }
-  RS::Segmentation merge(const RS::Surface& surface, int, const RS::Request&, const RS::Execution&) const
+  RS::Segmentation merge(const RS::Surface& surface, int, const RS::Request&,
+                         const RS::Execution&) const
   {
-    return {RS::Partition::from_labels(std::vector<int>(surface.number_of_faces())), RS::Partition(), RS::Merge_tree(1)};
+    return {RS::Partition::from_labels(std::vector<int>(surface.number_of_faces())),
+            RS::Partition(), RS::Merge_tree(1)};
   }
 };
 

@@ -58,8 +58,8 @@ struct Section_geometry
 /// Area and perimeter of a region. A model of `RegionData`.
 ///
 /// A type that derives from it and has members of its own declares its own `absorb()`, which calls that of this class: the
-/// inherited one does not know the members. The same applies to the functions that sum them, unless an annotator fills
-/// them.
+/// inherited one does not know the members. The same applies to the functions that sum them, unless
+/// an annotator fills them.
 struct Region_geometry
 {
   double area = 0;      ///< in squared units of `Surface::unit()`

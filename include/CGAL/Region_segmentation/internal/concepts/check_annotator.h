@@ -21,16 +21,18 @@ namespace internal {
 template <typename T>
 using Annotates = decltype(std::declval<const T&>()(
   std::declval<Region_adjacency_graph<typename T::RegionData, typename T::SectionData>&>(),
-  std::declval<const Surface&>(), std::declval<const Partition&>(), std::declval<const Region_rays&>()));
+  std::declval<const Surface&>(), std::declval<const Partition&>(),
+  std::declval<const Region_rays&>()));
 
 template <typename T>
 constexpr bool check_annotator()
 {
-  static_assert(satisfies<Names_data, T>, "a GraphAnnotator needs the nested types RegionData and SectionData");
+  static_assert(satisfies<Names_data, T>,
+                "a GraphAnnotator needs the nested types RegionData and SectionData");
   if constexpr (satisfies<Names_data, T>)
-    static_assert(satisfies<Annotates, T>,
-                  "a GraphAnnotator needs: void operator()(Graph&, const Surface&, const Partition& regions, const "
-                  "Region_rays&) const");
+    static_assert(satisfies<Annotates, T>, "a GraphAnnotator needs: void operator()(Graph&, const "
+                                           "Surface&, const Partition& regions, const "
+                                           "Region_rays&) const");
   return true;
 }
 

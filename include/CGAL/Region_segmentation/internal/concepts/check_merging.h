@@ -81,14 +81,16 @@ void initialize_policy(Policy& policy, const Graph& graph, std::size_t number_of
 
 template <typename T>
 using Chooses_number = std::enable_if_t<
-  std::is_convertible<decltype(std::declval<const T&>()(std::declval<const Merge_tree&>(), std::declval<const Surface&>())),
+  std::is_convertible<decltype(std::declval<const T&>()(std::declval<const Merge_tree&>(),
+                                                        std::declval<const Surface&>())),
                       std::size_t>::value>;
 
 template <typename T>
 constexpr bool check_number_chooser()
 {
-  static_assert(satisfies<Chooses_number, T>,
-                "a NumberChooser needs: std::size_t operator()(const Merge_tree&, const Surface&) const");
+  static_assert(
+    satisfies<Chooses_number, T>,
+    "a NumberChooser needs: std::size_t operator()(const Merge_tree&, const Surface&) const");
   return true;
 }
 

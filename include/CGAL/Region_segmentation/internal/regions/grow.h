@@ -19,9 +19,10 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// The edges that join degenerate faces with constrained edges: the longest that is not constrained, of equal ones that to
-/// the lowest face.
-inline std::vector<std::size_t> joining_edges_beside(const Surface& surface, const Constraints& constraints)
+/// The edges that join degenerate faces with constrained edges: the longest that is not constrained,
+/// of equal ones that to the lowest face.
+inline std::vector<std::size_t> joining_edges_beside(const Surface& surface,
+                                                     const Constraints& constraints)
 {
   std::vector<std::size_t> result;
   if (constraints.empty())
@@ -58,7 +59,8 @@ inline Partition grow(const Surface& surface, const Edge_marks& is_feature, cons
   const auto joins = [&](std::size_t a) {
     if (is_feature[a] || constraints[a] || surface.has_flag(a, Surface::SEAM | Surface::LINK))
       return false;
-    return !surface.has_flag(a, Surface::CLOSED) || std::binary_search(joining.begin(), joining.end(), a);
+    return !surface.has_flag(a, Surface::CLOSED) ||
+           std::binary_search(joining.begin(), joining.end(), a);
   };
   return label_components(surface, joins, execution);
 }

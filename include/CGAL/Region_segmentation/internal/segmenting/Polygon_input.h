@@ -68,7 +68,8 @@ private:
   static constexpr bool is_range_of_pairs()
   {
     if constexpr (is_range<Range>)
-      return !std::is_arithmetic<std::decay_t<decltype(*std::begin(std::declval<const Range&>()))>>::value;
+      return !std::is_arithmetic<
+        std::decay_t<decltype(*std::begin(std::declval<const Range&>()))>>::value;
     else
       return false;
   }

@@ -32,8 +32,7 @@ class Stage_input
 
 public:
   Stage_input(const FaceGraph& mesh, const Pack& np, const Execution& execution)
-    : m_order(mesh, np)
-    , m_surface(read_neighbors(np, execution.stage("reading")))
+      : m_order(mesh, np), m_surface(read_neighbors(np, execution.stage("reading")))
   {
     const auto map = CGAL::parameters::choose_parameter(
       CGAL::parameters::get_parameter(np, CGAL::internal_np::edge_is_constrained), No_constraints());
@@ -88,8 +87,8 @@ public:
 private:
   Surface read_neighbors(const Pack& np, const Execution& reading) const
   {
-    return build_surface(read_face_graph(m_order, np, reading.step(0, 0.5)), Adjacency_of::NEIGHBORS,
-                         reading.step(0.5, 1));
+    return build_surface(read_face_graph(m_order, np, reading.step(0, 0.5)),
+                         Adjacency_of::NEIGHBORS, reading.step(0.5, 1));
   }
 
   Mesh_order<FaceGraph, Pack> m_order;

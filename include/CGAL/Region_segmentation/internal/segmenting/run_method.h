@@ -115,16 +115,19 @@ Request request_of_pack(const Input& input, const Surface& surface, const Pack& 
 }
 
 /// What the method merges.
-/// \throws Invalid_method unless its regions are those of the faces, and its merges or segments those of the regions
+/// \throws Invalid_method unless its regions are those of the faces, and its merges or segments those
+///         of the regions
 template <typename Method, typename Prepared>
-auto merge_by(const Method& method, const Surface& surface, const Prepared& prepared, const Request& request,
-              const Execution& execution)
+auto merge_by(const Method& method, const Surface& surface, const Prepared& prepared,
+              const Request& request, const Execution& execution)
 {
   auto result = method.merge(surface, prepared, request, execution);
   const auto check = [&](const Partition& regions, std::size_t number_of_regions) {
-    if (regions.size() != surface.number_of_faces() || regions.number_of_parts() != number_of_regions)
-      throw Invalid_method("merge() of the SegmentationMethod returns " + std::to_string(regions.number_of_parts()) +
-                           " regions of " + std::to_string(regions.size()) + " faces, and merges " +
+    if (regions.size() != surface.number_of_faces() ||
+        regions.number_of_parts() != number_of_regions)
+      throw Invalid_method("merge() of the SegmentationMethod returns " +
+                           std::to_string(regions.number_of_parts()) + " regions of " +
+                           std::to_string(regions.size()) + " faces, and merges " +
                            std::to_string(number_of_regions) + "; the mesh has " +
                            std::to_string(surface.number_of_faces()) + " faces");
   };
