@@ -34,8 +34,8 @@ struct Tree
 {
   std::size_t feature = 0;
   Model::Feature threshold = 0;
-  std::int32_t value = 0;        // of a leaf
-  std::vector<Tree> branches;    // left and right; none: a leaf
+  std::int32_t value = 0;     // of a leaf
+  std::vector<Tree> branches; // left and right; none: a leaf
 
   std::size_t number_of_leaves() const
   {
@@ -114,7 +114,8 @@ double value_of(const Model::Network& network, const std::vector<double>& x)
 {
   std::vector<double> y;
   for (std::size_t i = 0; i < x.size(); ++i) {
-    const double center = network.inputs[i].center / 512.0, factor = network.inputs[i].factor / std::ldexp(1.0, 24 - 9);
+    const double center = network.inputs[i].center / 512.0,
+                 factor = network.inputs[i].factor / std::ldexp(1.0, 24 - 9);
     const double scaled = std::max(-4.0, std::min(4.0, factor * (x[i] - center)));
     y.push_back(std::trunc(256 * scaled) / 256);
   }
@@ -179,7 +180,8 @@ struct Concavity_model
   {
     using Full_model = RS::Merge_features::Model;
     // The mean of no trees and the network: twice the wanted values.
-    inputs[RS::Merge_features::CONCAVE].factor = 1 << (Full_model::factor_bits + Full_model::input_bits - 9);
+    inputs[RS::Merge_features::CONCAVE].factor =
+      1 << (Full_model::factor_bits + Full_model::input_bits - 9);
     Full_model::Weights direct{};
     direct[RS::Merge_features::CONCAVE] = -8 * 1024;
     model = {Full_model::Trees(), {inputs.data(), nullptr, 0, direct, std::int64_t(2) << 26}};
@@ -203,7 +205,8 @@ TEST(Merge_model_test, agrees_with_real_numbers)
       units.push_back({any_of(random, -1000000, 1000000), any_of(random, -30000, 30000),
                        random_weights(random, Model::weight_bound)});
     const Model model{tables.trees(),
-                      {inputs.data(), units.data(), units.size(), random_weights(random, Model::weight_bound),
+                      {inputs.data(), units.data(), units.size(),
+                       random_weights(random, Model::weight_bound),
                        any_of(random, -100000000, 100000000)}};
     for (int i = 0; i < 200; ++i) {
       Model::Features x;
@@ -218,7 +221,8 @@ TEST(Merge_model_test, agrees_with_real_numbers)
       const double of_network = value_of(model.network, real);
       EXPECT_EQ(model.trees(x), of_trees);
       EXPECT_NEAR(std::ldexp(double(model.network_output(x)), -20), of_network, 0.01);
-      EXPECT_NEAR(std::ldexp(double(model(x)), -20), (std::ldexp(double(of_trees), -20) + of_network) / 2, 0.01);
+      EXPECT_NEAR(std::ldexp(double(model(x)), -20),
+                  (std::ldexp(double(of_trees), -20) + of_network) / 2, 0.01);
     }
   }
 }
@@ -241,10 +245,13 @@ TEST(Learned_cost_test, is_the_formula_of_its_documentation)
     const auto& section = graph[*range.first];
     const double p = 1 / (1 + std::exp(-(1 - 4 * section.concave / section.length)));
     EXPECT_NEAR(RS::Merge_estimate(concavity.model, graph, *range.first).probability(), p, 6e-3);
-    const double w = graph[graph.source(*range.first)].area * graph[graph.target(*range.first)].area;
+    const double w =
+      graph[graph.source(*range.first)].area * graph[graph.target(*range.first)].area;
     const double z = 1 - 2 * p;
     EXPECT_NEAR(cost(graph, *range.first),
-                z * std::pow(w / 0.01, z < 0 ? 0.1 : 0.2) + 0.1 * RS::Visibility_cost()(graph, *range.first), 0.02);
+                z * std::pow(w / 0.01, z < 0 ? 0.1 : 0.2) +
+                  0.1 * RS::Visibility_cost()(graph, *range.first),
+                0.02);
     EXPECT_NEAR(expected(graph, *range.first) / w, 2 * (0.45 - p), 0.02);
   }
 }
@@ -258,9 +265,11 @@ TEST(Lowest_order_first_test, merges_in_one_order_and_records_another_cost)
   const RS::Expected_merge_cost cost(concavity.model);
   const auto everything = [](const Graph&, double) { return false; };
   Graph a = graph, b = graph, c = graph;
-  const RS::Merge_tree by_order = merge_regions(a, RS::Lowest_cost_first<RS::Learned_cost>(order), 1, everything);
-  const RS::Merge_tree both = merge_regions(
-    b, RS::Lowest_order_first<RS::Learned_cost, RS::Expected_merge_cost>(order, cost), 1, everything);
+  const RS::Merge_tree by_order =
+    merge_regions(a, RS::Lowest_cost_first<RS::Learned_cost>(order), 1, everything);
+  const RS::Merge_tree both =
+    merge_regions(b, RS::Lowest_order_first<RS::Learned_cost, RS::Expected_merge_cost>(order, cost),
+                  1, everything);
   ASSERT_EQ(both.merges().size(), graph.number_of_regions() - 1);
   ASSERT_EQ(both.merges().size(), by_order.merges().size());
   for (std::size_t i = 0; i < both.merges().size(); ++i) {
@@ -280,7 +289,8 @@ TEST(Number_from_expected_costs_test, is_where_the_sum_is_lowest)
   for (unsigned seed = 0; seed < 200; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     std::mt19937 random(seed);
-    const std::size_t regions = 1 + random() % 30, components = 1 + random() % (std::min)(regions, std::size_t(4));
+    const std::size_t regions = 1 + random() % 30,
+                      components = 1 + random() % (std::min)(regions, std::size_t(4));
     RS::Merge_tree tree(regions);
     std::vector<double> cost_to(regions + 1, 0); // of the merge that leaves n regions
     for (std::size_t n = regions; n-- > components;) {
@@ -306,7 +316,8 @@ TEST(Number_from_expected_costs_test, is_where_the_sum_is_lowest)
 
 TEST(Number_from_expected_costs_test, granularity_multiplies_every_cost_above_0)
 {
-  // Two merges of .5 that do not pay, then two that do, by .7 each: from 5 regions on to 1, unless the first two cost more.
+  // Two merges of .5 that do not pay, then two that do, by .7 each: from 5 regions on to 1, unless
+  // the first two cost more.
   RS::Merge_tree tree(5);
   std::uint32_t n = 5;
   for (double cost : {0.5, 0.5, -0.7, -0.7})

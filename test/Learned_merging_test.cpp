@@ -85,12 +85,14 @@ TEST(Learned_merging_test, is_the_default_and_needs_no_number)
 {
   const Surface_mesh mesh = to_surface_mesh(random_mesh(Family::BLOCKS, 4));
   const Result by_default = run(mesh, RS::parameters::number_of_segments(5));
-  const Result by_name = run(mesh, RS::parameters::number_of_segments(5).method(RS::Learned_merging()));
+  const Result by_name =
+    run(mesh, RS::parameters::number_of_segments(5).method(RS::Learned_merging()));
   EXPECT_EQ(by_default.segments, by_name.segments);
   EXPECT_EQ(by_default.regions, by_name.regions);
 
   const Result chosen = run(mesh, RS::parameters::default_values());
-  EXPECT_EQ(chosen.segments, labels_of(chosen.regions, chosen.tree.partition_at_count(chosen.number_of_segments)));
+  EXPECT_EQ(chosen.segments,
+            labels_of(chosen.regions, chosen.tree.partition_at_count(chosen.number_of_segments)));
 }
 
 TEST(Learned_merging_test, does_not_depend_on_the_numbering)
@@ -101,7 +103,8 @@ TEST(Learned_merging_test, does_not_depend_on_the_numbering)
     std::uniform_real_distribution<double> any(-1, 1);
     Soup soup = triangulated(seed % 2 == 0 ? sphere(4) : torus(40, 24));
     if (seed > 4) // other components
-      soup = joined(joined(soup, translated(triangulated(torus(30, 20)), 3, 8, 0)), translated(sphere(3), -4, 0, 1));
+      soup = joined(joined(soup, translated(triangulated(torus(30, 20)), 3, 8, 0)),
+                    translated(sphere(3), -4, 0, 1));
     for (Point& p : soup.points) // no two faces are alike
       for (double& x : p)
         x *= 1 + 0.05 * any(random);
@@ -152,7 +155,8 @@ TEST(Learned_merging_test, does_not_depend_on_rotation)
 TEST(Learned_merging_test, gives_something_sensible_where_there_is_nothing)
 {
   EXPECT_EQ(number_of(segment_automatically(sphere(3))), 1u);
-  EXPECT_EQ(number_of(segment_automatically(joined(sphere(1), translated(sphere(1), 5, 0, 0)))), 2u);
+  EXPECT_EQ(number_of(segment_automatically(joined(sphere(1), translated(sphere(1), 5, 0, 0)))),
+            2u);
   Soup triangle;
   triangle.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   triangle.polygons = {{0, 1, 2}};

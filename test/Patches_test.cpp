@@ -40,7 +40,8 @@ Surface_patches patches_of(const RS::Surface& surface)
   return RS::internal::Patch_builder::build(surface, RS::Execution());
 }
 
-/// A bumpy sheet beside a square that has nearly all of the area: the faces of the sheet are small enough to be joined.
+/// A bumpy sheet beside a square that has nearly all of the area: the faces of the sheet are small
+/// enough to be joined.
 Soup small_faces(unsigned seed, std::size_t n = 24)
 {
   std::mt19937 random(seed);
@@ -215,8 +216,10 @@ void expect_lengths(const Adjacencies& adjacencies, const Lengths& lengths)
 
 enum class Contacts { YES, NO };
 
-/// What patches should be, of the faces of a mesh. `patch_of`: the patch of each face; `have_contacts`: whether the patches know them
-void expect_description(const RS::Patches& patches, const RS::Surface& mesh, const Labels& patch_of, Contacts have_contacts,
+/// What patches should be, of the faces of a mesh. `patch_of`: the patch of each face;
+/// `have_contacts`: whether the patches know them
+void expect_description(const RS::Patches& patches, const RS::Surface& mesh, const Labels& patch_of,
+                        Contacts have_contacts,
                         const RS::Constraints& is_constrained = RS::Constraints())
 {
   std::vector<Node> nodes(patches.size());
@@ -235,7 +238,9 @@ void expect_description(const RS::Patches& patches, const RS::Surface& mesh, con
   for (std::size_t e = 0; e < mesh.number_of_adjacencies(); ++e) {
     const std::size_t a = patch_of[mesh.lower_face(e)], b = patch_of[mesh.higher_face(e)];
     if (a != b && !is_constrained[e])
-      (mesh.has_flag(e, RS::Surface::SEAM | RS::Surface::LINK) ? contacts : lengths)[std::minmax(a, b)] += mesh.length(e);
+      (mesh.has_flag(e, RS::Surface::SEAM | RS::Surface::LINK) ? contacts
+                                                               : lengths)[std::minmax(a, b)] +=
+        mesh.length(e);
   }
   expect_lengths(patches.adjacencies(), lengths);
   if (have_contacts == Contacts::YES)
@@ -275,15 +280,17 @@ TEST(Patches_test, are_connected_and_described)
 
 TEST(Patches_test, are_not_joined_across_seams_and_links)
 {
-  // A hundred flat sheets, small beside a square, at a common side; and one that a link alone reaches.
+  // A hundred flat sheets, small beside a square, at a common side; and one that a link alone
+  // reaches.
   Soup soup;
   for (int i = 0; i < 100; ++i) {
     const double angle = i;
     soup = joined(soup, mapped(grid(4, 4), [=](const Point& p) {
-      return Point{p[0], p[1] * std::cos(angle), p[1] * std::sin(angle)};
-    }));
+                    return Point{p[0], p[1] * std::cos(angle), p[1] * std::sin(angle)};
+                  }));
   }
-  soup = joined(joined(soup, translated(grid(4, 4), 5, 0, 0)), translated(scaled(grid(1, 1), 3000), 20, 0, 0));
+  soup = joined(joined(soup, translated(grid(4, 4), 5, 0, 0)),
+                translated(scaled(grid(1, 1), 3000), 20, 0, 0));
   const RS::Surface surface = RS::make_surface(soup.points, soup.polygons);
   ASSERT_TRUE(surface.has_seams_or_links());
   const Surface_patches patches = patches_of(surface);
@@ -316,7 +323,9 @@ TEST(Patches_test, of_a_given_partition_are_not_adjacent_across_constraints)
   }
 }
 
-TEST(Patches_test, folded_up_faces_have_an_angle_although_rounding_makes_the_product_of_their_normals_less_than_minus_one)
+TEST(
+  Patches_test,
+  folded_up_faces_have_an_angle_where_rounding_brings_the_product_of_normals_below_minus_one)
 {
   std::size_t less = 0;
   for (unsigned seed = 1; seed <= 100; ++seed) {
@@ -327,7 +336,8 @@ TEST(Patches_test, folded_up_faces_have_an_angle_although_rounding_makes_the_pro
     for (int i = 0; i < 3; ++i)
       book.points.push_back({any(random), any(random), any(random)});
     const Point &a = book.points[0], &b = book.points[1], &c = book.points[2];
-    const Double_3 normal = cross(Double_3{b[0] - a[0], b[1] - a[1], b[2] - a[2]}, Double_3{c[0] - a[0], c[1] - a[1], c[2] - a[2]});
+    const Double_3 normal = cross(Double_3{b[0] - a[0], b[1] - a[1], b[2] - a[2]},
+                                  Double_3{c[0] - a[0], c[1] - a[1], c[2] - a[2]});
     const Double_3 d = Double_3{c[0], c[1], c[2]} + (1e-10 / norm(normal)) * normal;
     book.points.push_back({d.x, d.y, d.z});
     book.polygons = {{0, 1, 2}, {1, 0, 3}};
@@ -392,8 +402,10 @@ TEST(Patches_test, each_round_is_reported_and_can_be_cancelled)
   const std::size_t size = build(all).coarse.size();
   EXPECT_TRUE(std::is_sorted(all.fractions.begin(), all.fractions.end()));
   ASSERT_GT(all.fractions.size(), 3u);
-  EXPECT_EQ(all.fractions.back(), 1 - double(size) / double(surface.number_of_faces())) << "the last round";
-  EXPECT_EQ(std::adjacent_find(all.fractions.begin(), all.fractions.end()), all.fractions.end()) << "each round joins patches";
+  EXPECT_EQ(all.fractions.back(), 1 - double(size) / double(surface.number_of_faces()))
+    << "the last round";
+  EXPECT_EQ(std::adjacent_find(all.fractions.begin(), all.fractions.end()), all.fractions.end())
+    << "each round joins patches";
   for (std::size_t last = 1; last <= all.fractions.size(); ++last) {
     Visitor cancelling;
     cancelling.last = last;
