@@ -143,6 +143,8 @@ public:
                 })
   {}
 
+  /// The mesh; not of a segmenter of polygons.
+  decltype(auto) mesh() const { return m_input.mesh(); }
   const Method& method() const { return m_prepared->method; }
 
   /// The mesh as arrays.
