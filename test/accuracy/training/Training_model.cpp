@@ -50,7 +50,7 @@ Training_model make_training_model(int number, const princeton_benchmark::Model&
     method.annotated_graph(result.surface, prepared, prepared.regions, RS::Constraints(), RS::Execution());
   result.regions = std::move(prepared.regions);
   result.cells = std::move(prepared.patches.fine);
-  result.border_costs = std::move(prepared.border_costs);
+  result.border_costs.emplace(std::move(prepared.border_costs));
   result.first_merges = RS::merge_regions(result.graph, RS::Visibility_merging().policy, 1, RS::Stop_at_count{few});
   result.counts = Label_counts(std::vector<std::size_t>(result.regions.begin(), result.regions.end()),
                                result.regions.number_of_parts(), result.people);

@@ -16,6 +16,7 @@
 #include <CGAL/Region_segmentation/internal/regions/Dual_graph.h>
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -41,7 +42,7 @@ struct Training_model : Training_graph
   CGAL::Region_segmentation::Surface surface;
   CGAL::Region_segmentation::Partition regions; ///< the first ones
   CGAL::Region_segmentation::Patches cells;     ///< of the regions
-  CGAL::Region_segmentation::internal::Dual_graph border_costs; ///< between cells
+  std::optional<CGAL::Region_segmentation::internal::Dual_graph> border_costs; ///< between cells
   CGAL::Region_segmentation::Merge_tree first_merges; ///< before the graph and the counts
   std::vector<Training_graph> variants; ///< of the same model, to learn from: of other first regions, or finer faces
 };
