@@ -6,7 +6,7 @@
 
 #include <CGAL/Region_segmentation/Segments/mark_segment_seams.h>
 #include <CGAL/Region_segmentation/Segments/split_into_segments.h>
-#include <CGAL/Region_segmentation/segment.h>
+#include <CGAL/region_segmentation.h>
 
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Surface_mesh_parameterization/LSCM_parameterizer_3.h>
