@@ -15,7 +15,7 @@
 #include <CGAL/Region_segmentation/Segments/extract_segment_borders.h>
 #include <CGAL/Region_segmentation/Segments/mark_segment_seams.h>
 #include <CGAL/Region_segmentation/Segments/split_into_segments.h>
-#include <CGAL/Region_segmentation/internal/graph/merge_requested.h>
+#include <CGAL/Region_segmentation/merge_requested_regions.h>
 #include <CGAL/Region_segmentation/make_surface.h>
 #include <CGAL/Region_segmentation/segment.h>
 
@@ -238,7 +238,7 @@ TEST(Unused_policy_test, as_many_segments_as_regions)
   for (const std::size_t k : {6, 100}) {
     auto graph = RS::build_region_adjacency_graph(surface, requested.regions);
     const RS::Merge_tree tree =
-      RS::internal::merge_requested(surface, requested, graph, Unused_policy(), k, RS::Execution());
+      RS::merge_requested_regions(surface, requested, graph, Unused_policy(), k, RS::Execution());
     EXPECT_TRUE(tree.merges().empty());
   }
 }
