@@ -28,7 +28,8 @@ namespace internal {
 ///
 /// The pairs of components by distance come from one queue, which also holds pairs of nodes by the
 /// gap between their boxes. Pairs in one group are dropped. Near linear: only faces whose boxes are
-/// nearer than the components are compared.
+/// nearer than the components are compared. Where the boxes of very many components overlap, pairs
+/// are joined as they come after the first 16 C + 100,000, C the number of components.
 class Nearest_joiner
 {
 public:
@@ -115,7 +116,10 @@ private:
         m_tree[b].component != Component_tree::none) {
       Pair nearest{std::numeric_limits<double>::infinity(), true, 0, 0};
       find_nearest_faces(a, b, nearest);
-      m_queue.push(nearest);
+      if (++m_number_of_pairs <= most_pairs_of_component * m_component_of.number_of_parts() + most_pairs)
+        m_queue.push(nearest);
+      else if (unite(nearest.a, nearest.b))
+        m_links.push_back({nearest.a, nearest.b, 0});
       return;
     }
     const Index node = a == b ? a : node_of_components(a, b);
@@ -174,11 +178,13 @@ private:
     }
   }
 
+  static constexpr std::size_t most_pairs_of_component = 16, most_pairs = 100000;
+
   Component_tree& m_tree;
   const Partition& m_component_of;
   std::vector<Link>& m_links;
   Lowest_root_forest m_groups; // of components
-  std::size_t m_number_of_groups;
+  std::size_t m_number_of_groups, m_number_of_pairs = 0; // pairs of components that were compared
   std::vector<Index> m_members; // by node: a component, if all are known to be in one group
   std::priority_queue<Pair> m_queue;
 };
