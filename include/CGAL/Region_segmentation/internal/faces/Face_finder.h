@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_FACES_FACE_FINDER_H
+#define CGAL_REGION_SEGMENTATION_INTERNAL_FACES_FACE_FINDER_H
+
+#include <CGAL/Region_segmentation/internal/faces/Face_grower.h>
+#include <CGAL/Region_segmentation/internal/faces/propose_surfaces.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Region_segmentation {
+
+struct Part_options
+{
+  /// The largest distance of a vertex to the surface of its face; 0: found from the mesh.
+  double tolerance = 0;
+};
+
+namespace internal {
+
+class Face_finder
+{
+public:
+  using Index = Surface::Index;
+  static constexpr Index none = Index(-1);
+
+  Face_finder(const Surface& surface, const Part_options& options)
+    : m_surface(surface), m_neighbors(surface), m_patch(surface, m_neighbors)
+    , m_noise(options.tolerance > 0 ? options.tolerance / 5 : estimated_noise())
+    , m_test(surface, m_neighbors, (std::max)(5 * m_noise, 1e-6 * surface.length_unit()))
+    , m_grower(surface, m_neighbors, m_test), m_labels(surface.number_of_faces(), none)
+    , m_is_tried(surface.number_of_faces(), 0)
+  {}
+
+  double tolerance() const { return m_test.tolerance(); }
+  const std::vector<Index>& labels() const { return m_labels; }
+  const Fitted_surface& surface_of_label(Index label) const { return m_found[label]; }
+
+  void find()
+  {
+    const bool exact = m_test.tolerance() < 2e-5 * m_surface.length_unit();
+    for (const std::size_t wanted : exact ? std::vector<std::size_t>{24, 12} : std::vector<std::size_t>{80, 40, 20})
+      find_from_patches(wanted, exact);
+    find_planes();
+    compete();
+    join_freeform();
+  }
+
+private:
+  static constexpr double smooth_cosine = 0.766; // 40 degrees
+  static constexpr Surface_kind kinds[] = {Surface_kind::PLANE, Surface_kind::CYLINDER, Surface_kind::CONE, Surface_kind::SPHERE,
+                                           Surface_kind::TORUS};
+
+  bool is_smooth(Index face, const Face_neighbors::Neighbor& n) const
+  {
+    return m_surface.cosine(n.adjacency) > smooth_cosine || m_neighbors.is_thin(face) || m_neighbors.is_thin(n.face);
+  }
+
+  Double_3 mean_normal(const std::vector<Index>& faces) const
+  {
+    Double_3 sum{0, 0, 0};
+    for (const Index f : faces)
+      sum = sum + m_surface.area(f) * m_surface.normal(f);
+    const double length = norm(sum);
+    return length > 0 ? (1 / length) * sum : Double_3{0, 0, 1};
+  }
+
+  double estimated_noise()
+  {
+    const std::size_t faces = m_surface.number_of_faces(), samples = (std::min)(faces, std::size_t(300));
+    const double size = m_surface.length_unit();
+    std::vector<double> errors;
+    for (std::size_t i = 0; i < samples; ++i) {
+      const Index seed = Index(i * faces / samples);
+      if (m_neighbors.is_thin(seed))
+        continue;
+      m_patch.collect(seed, 24, [&](Index f, const Face_neighbors::Neighbor& n) { return is_smooth(f, n); });
+      const std::vector<Double_3>& points = m_patch.points();
+      if (points.size() < 12)
+        continue;
+      const Surface_proposer propose(points, m_surface.centroid(seed), m_surface.normal(seed), 1e-9 * size);
+      double least = 1e300;
+      Fitted_surface s;
+      for (const Surface_kind kind : kinds)
+        if (least > 1e-7 * size)
+          least = (std::min)(least, propose(kind, s)
+                                      * std::sqrt(double(points.size()) / double(int(points.size()) - degrees_of_freedom(kind))));
+      errors.push_back(least);
+    }
+    if (errors.empty())
+      return 0;
+    std::sort(errors.begin(), errors.end());
+    return (std::min)(errors[errors.size() / 4], 2e-3 * size);
+  }
+
+  void find_from_patches(std::size_t wanted, bool exact)
+  {
+    std::fill(m_is_tried.begin(), m_is_tried.end(), 0);
+    for (Index seed = 0; seed < m_labels.size(); ++seed)
+      if (m_labels[seed] == none && !m_is_tried[seed] && !m_neighbors.is_thin(seed)) {
+        m_patch.collect(seed, wanted, [&](Index f, const Face_neighbors::Neighbor& n) {
+          return m_labels[n.face] == none && is_smooth(f, n);
+        });
+        if (!try_patch(seed, exact))
+          for (std::size_t i = 0; i < (std::min)(m_patch.faces().size(), std::size_t(4)); ++i)
+            m_is_tried[m_patch.faces()[i]] = 1;
+      }
+  }
+
+  bool try_patch(Index seed, bool exact)
+  {
+    const double tolerance = m_test.tolerance();
+    const std::vector<Double_3>& points = m_patch.points();
+    const Surface_proposer propose(points, m_surface.centroid(seed), mean_normal(m_patch.faces()), exact ? 1e-2 * tolerance : 0.5 * m_noise);
+    Fitted_surface best;
+    std::vector<Index> best_faces;
+    double best_area = 0;
+    for (const Surface_kind kind : kinds) {
+      Fitted_surface s;
+      if (propose(kind, s) > tolerance || largest_distance(s, points) > tolerance)
+        continue;
+      orient(s, seed);
+      m_grower.grow(s, m_patch.faces(), [&](Index f) { return m_labels[f] == none; });
+      if (int(m_grower.points().size()) < degrees_of_freedom(kind) + 2 || m_grower.faces().size() < m_patch.faces().size() * 3 / 4)
+        continue;
+      if (kind == Surface_kind::PLANE && m_grower.points().size() < 8)
+        continue;
+      if (m_grower.area() > 1.1 * best_area) {
+        best = s;
+        best_area = m_grower.area();
+        best_faces = m_grower.faces();
+      }
+      if (exact)
+        break;
+    }
+    if (best_area == 0)
+      return false;
+    accept(best, best_faces);
+    return true;
+  }
+
+  void orient(Fitted_surface& s, Index seed) const
+  {
+    s.side = 1;
+    if (dot(surface_normal(s, m_surface.centroid(seed)), m_surface.normal(seed)) < 0) {
+      if (s.kind == Surface_kind::PLANE)
+        s.direction = -1.0 * s.direction;
+      else
+        s.side = -1;
+    }
+  }
+
+  void accept(const Fitted_surface& s, const std::vector<Index>& faces)
+  {
+    for (const Index f : faces)
+      m_labels[f] = Index(m_found.size());
+    m_found.push_back(s);
+  }
+
+  /// Plane faces of few vertices: those whose perimeter is mostly not smooth, or meets faces that are found.
+  void find_planes()
+  {
+    std::fill(m_is_tried.begin(), m_is_tried.end(), 0);
+    std::vector<Index> order;
+    for (Index f = 0; f < m_labels.size(); ++f)
+      if (m_labels[f] == none && !m_neighbors.is_thin(f))
+        order.push_back(f);
+    std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return m_surface.area(a) > m_surface.area(b); });
+    for (const Index seed : order) {
+      if (m_labels[seed] != none || m_is_tried[seed])
+        continue;
+      Fitted_surface s = surface_of_kind(Surface_kind::PLANE, m_surface.centroid(seed), m_surface.normal(seed));
+      m_grower.grow(s, {seed}, [&](Index f) { return m_labels[f] == none; });
+      if (m_grower.faces().empty())
+        continue;
+      if (share_of_smooth_border(m_grower.faces()) < 0.5)
+        accept(s, m_grower.faces());
+      else
+        for (const Index f : m_grower.faces())
+          m_is_tried[f] = 1;
+    }
+  }
+
+  double share_of_smooth_border(const std::vector<Index>& faces)
+  {
+    Element_marks inside(0);
+    std::vector<Index> sorted = faces;
+    std::sort(sorted.begin(), sorted.end());
+    double smooth = 0, all = 0;
+    for (const Index f : faces)
+      for (const Face_neighbors::Neighbor& n : m_neighbors[f])
+        if (!std::binary_search(sorted.begin(), sorted.end(), n.face)) {
+          const double length = m_surface.length(n.adjacency);
+          all += length;
+          if (m_labels[n.face] == none && is_smooth(f, n))
+            smooth += length;
+        }
+    return all > 0 ? smooth / all : 0;
+  }
+
+  /// Faces at borders go to the neighboring surface from which they deviate least.
+  void compete()
+  {
+    for (int round = 0; round < 4; ++round) {
+      bool changed = false;
+      for (Index f = 0; f < m_labels.size(); ++f) {
+        Index best = m_labels[f];
+        double least = best == none ? 1e300 : m_test.deviation(m_found[best], f);
+        for (const Face_neighbors::Neighbor& n : m_neighbors[f]) {
+          const Index label = m_labels[n.face];
+          if (label == none || label == m_labels[f] || label == best || !m_test(m_found[label], f))
+            continue;
+          const double deviation = m_test.deviation(m_found[label], f);
+          if (deviation < 0.9 * least - 1e-3 * m_test.tolerance()) {
+            least = deviation;
+            best = label;
+          }
+        }
+        if (best != m_labels[f]) {
+          m_labels[f] = best;
+          changed = true;
+        }
+      }
+      if (!changed)
+        break;
+    }
+  }
+
+  /// What is left: components across smooth edges.
+  void join_freeform()
+  {
+    std::vector<Index> component;
+    const Index first_freeform = Index(m_found.size());
+    for (Index seed = 0; seed < m_labels.size(); ++seed) {
+      if (m_labels[seed] != none)
+        continue;
+      const Index label = Index(m_found.size());
+      m_found.push_back(Fitted_surface());
+      component.assign(1, seed);
+      m_labels[seed] = label;
+      double area = 0;
+      for (std::size_t i = 0; i < component.size(); ++i) {
+        area += m_surface.area(component[i]);
+        for (const Face_neighbors::Neighbor& n : m_neighbors[component[i]])
+          if (m_labels[n.face] == none && is_smooth(component[i], n)) {
+            m_labels[n.face] = label;
+            component.push_back(n.face);
+          }
+      }
+      if (area < 1e-6 * m_surface.area())
+        absorb(component);
+    }
+    (void)first_freeform;
+  }
+
+  /// Gives a tiny component to the neighbor with the longest border.
+  void absorb(const std::vector<Index>& component)
+  {
+    const Index own = m_labels[component[0]];
+    std::vector<std::pair<Index, double>> borders;
+    for (const Index f : component)
+      for (const Face_neighbors::Neighbor& n : m_neighbors[f])
+        if (m_labels[n.face] != own && m_labels[n.face] != none)
+          borders.push_back({m_labels[n.face], m_surface.length(n.adjacency)});
+    std::stable_sort(borders.begin(), borders.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    Index best = none;
+    double longest = 0;
+    for (std::size_t i = 0; i < borders.size();) {
+      double length = 0;
+      std::size_t j = i;
+      for (; j < borders.size() && borders[j].first == borders[i].first; ++j)
+        length += borders[j].second;
+      if (length > longest) {
+        longest = length;
+        best = borders[i].first;
+      }
+      i = j;
+    }
+    if (best != none)
+      for (const Index f : component)
+        m_labels[f] = best;
+  }
+
+  const Surface& m_surface;
+  Face_neighbors m_neighbors;
+  Patch m_patch;
+  double m_noise;
+  Face_test m_test;
+  Face_grower m_grower;
+  std::vector<Index> m_labels;
+  std::vector<Fitted_surface> m_found;
+  std::vector<std::uint8_t> m_is_tried;
+};
+
+} // namespace internal
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_INTERNAL_FACES_FACE_FINDER_H
