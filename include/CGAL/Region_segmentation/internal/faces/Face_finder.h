@@ -130,6 +130,10 @@ private:
         continue;
       if (kind == Surface_kind::PLANE && m_grower.points().size() < 8)
         continue;
+      if (kind != Surface_kind::PLANE && is_chain_of_planes())
+        continue;
+      if (exact && m_grower.share_of_gradual_border(s) > 0.03)
+        continue;
       if (m_grower.area() > 1.1 * best_area) {
         best = s;
         best_area = m_grower.area();
@@ -142,6 +146,13 @@ private:
       return false;
     accept(best, best_faces);
     return true;
+  }
+
+  /// Whether the faces are two or three planes of several triangles, such as chamfers, rather than facets of a curved face.
+  bool is_chain_of_planes() const
+  {
+    const std::size_t facets = m_grower.number_of_facets();
+    return facets <= 3 && m_grower.faces().size() > 2 * facets;
   }
 
   void orient(Fitted_surface& s, Index seed) const
@@ -197,7 +208,7 @@ private:
         if (!std::binary_search(sorted.begin(), sorted.end(), n.face)) {
           const double length = m_surface.length(n.adjacency);
           all += length;
-          if (m_labels[n.face] == none && is_smooth(f, n))
+          if (m_labels[n.face] == none && is_smooth(f, n) && m_surface.area(n.face) > 0.2 * m_grower.area())
             smooth += length;
         }
     return all > 0 ? smooth / all : 0;

@@ -33,9 +33,18 @@ public:
   bool operator()(const Fitted_surface& s, std::size_t face) const
   {
     for (std::size_t i = 0; i < m_surface.number_of_corners(face); ++i)
-      if (!(std::fabs(signed_distance(s, m_surface.point(m_surface.corner(face, i)))) <= m_tolerance))
+      if (!(distance_of_corner(s, face, i) <= m_tolerance))
         return false;
     return has_normal_of(s, face);
+  }
+
+  /// Whether a face that is not on the surface lies near it, within ten times the tolerance.
+  bool is_near(const Fitted_surface& s, std::size_t face) const
+  {
+    double largest = 0;
+    for (std::size_t i = 0; i < m_surface.number_of_corners(face); ++i)
+      largest = (std::max)(largest, distance_of_corner(s, face, i));
+    return largest > m_tolerance && largest <= 10 * m_tolerance && has_normal_of(s, face);
   }
 
   /// The mean distance of the midpoints of the edges of a face to a surface: how much the face deviates from it.
@@ -52,6 +61,11 @@ public:
 private:
   static constexpr double least_cosine = 0.8;
 
+  double distance_of_corner(const Fitted_surface& s, std::size_t face, std::size_t i) const
+  {
+    return std::fabs(signed_distance(s, m_surface.point(m_surface.corner(face, i))));
+  }
+
   const Surface& m_surface;
   const Face_neighbors& m_neighbors;
   double m_tolerance;
@@ -65,7 +79,7 @@ public:
 
   Face_grower(const Surface& surface, const Face_neighbors& neighbors, const Face_test& test)
     : m_surface(surface), m_neighbors(neighbors), m_test(test), m_face_marks(surface.number_of_faces())
-    , m_vertex_marks(surface.number_of_vertices())
+    , m_is_taken(surface.number_of_faces()), m_vertex_marks(surface.number_of_vertices())
   {}
 
   /// From those of the faces `seeds` that lie on `s`, over faces that `is_free(face)`. Improves `s`.
@@ -76,6 +90,7 @@ public:
     m_points.clear();
     m_area = 0;
     m_face_marks.clear();
+    m_is_taken.clear();
     m_vertex_marks.clear();
     for (const Index f : seeds)
       visit(s, f);
@@ -93,6 +108,32 @@ public:
       refine(s);
   }
 
+  /// The share of the border where the mesh leaves the surface little by little: growing has stopped in the middle of a face that
+  /// is not on this surface, but only osculated by it.
+  double share_of_gradual_border(const Fitted_surface& s) const
+  {
+    double gradual = 0, all = 0;
+    for (const Index f : m_faces)
+      for (const Face_neighbors::Neighbor& n : m_neighbors[f])
+        if (!m_is_taken.has(n.face)) {
+          const double length = m_surface.length(n.adjacency);
+          all += length;
+          if (m_test.is_near(s, n.face))
+            gradual += length;
+        }
+    return all > 0 ? gradual / all : 0;
+  }
+
+  /// The number of plane facets of which the faces consist.
+  std::size_t number_of_facets() const
+  {
+    std::size_t flat = 0;
+    for (const Index f : m_faces)
+      for (const Face_neighbors::Neighbor& n : m_neighbors[f])
+        flat += n.face < f && m_is_taken.has(n.face) && m_surface.cosine(n.adjacency) > 1 - 1e-9;
+    return m_faces.size() > flat ? m_faces.size() - flat : 1;
+  }
+
   const std::vector<Index>& faces() const { return m_faces; }
   const std::vector<Double_3>& points() const { return m_points; }
   double area() const { return m_area; }
@@ -104,6 +145,7 @@ private:
   {
     if (!m_face_marks.mark(face) || !m_test(s, face))
       return;
+    m_is_taken.mark(face);
     m_faces.push_back(face);
     m_area += m_surface.area(face);
     for (std::size_t i = 0; i < m_surface.number_of_corners(face); ++i)
@@ -129,7 +171,7 @@ private:
   const Surface& m_surface;
   const Face_neighbors& m_neighbors;
   const Face_test& m_test;
-  Element_marks m_face_marks, m_vertex_marks;
+  Element_marks m_face_marks, m_is_taken, m_vertex_marks;
   std::vector<Index> m_faces;
   std::vector<Double_3> m_points, m_sample;
   double m_area = 0;
