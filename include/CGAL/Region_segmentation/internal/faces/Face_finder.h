@@ -132,7 +132,7 @@ private:
         continue;
       if (kind != Surface_kind::PLANE && is_chain_of_planes())
         continue;
-      if (exact && m_grower.share_of_gradual_border(s) > 0.03)
+      if (exact && m_grower.gradual_border(s) > 0.1)
         continue;
       if (m_grower.area() > 1.1 * best_area) {
         best = s;
@@ -189,7 +189,7 @@ private:
       m_grower.grow(s, {seed}, [&](Index f) { return m_labels[f] == none; });
       if (m_grower.faces().empty())
         continue;
-      if (share_of_smooth_border(m_grower.faces()) < 0.5)
+      if (share_of_smooth_border(m_grower.faces()) < (m_grower.points().size() < 8 ? 0.1 : 0.5))
         accept(s, m_grower.faces());
       else
         for (const Index f : m_grower.faces())

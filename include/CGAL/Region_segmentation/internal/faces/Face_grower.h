@@ -108,20 +108,18 @@ public:
       refine(s);
   }
 
-  /// The share of the border where the mesh leaves the surface little by little: growing has stopped in the middle of a face that
-  /// is not on this surface, but only osculated by it.
-  double share_of_gradual_border(const Fitted_surface& s) const
+  /// The length of the border where the mesh leaves the surface little by little, as a multiple of the square root of the area:
+  /// growing has stopped in the middle of a face that is not on this surface, but only osculated by it.
+  double gradual_border(const Fitted_surface& s) const
   {
-    double gradual = 0, all = 0;
+    double gradual = 0;
     for (const Index f : m_faces)
       for (const Face_neighbors::Neighbor& n : m_neighbors[f])
         if (!m_is_taken.has(n.face)) {
-          const double length = m_surface.length(n.adjacency);
-          all += length;
           if (m_test.is_near(s, n.face))
-            gradual += length;
+            gradual += m_surface.length(n.adjacency);
         }
-    return all > 0 ? gradual / all : 0;
+    return gradual / std::sqrt(m_area);
   }
 
   /// The number of plane facets of which the faces consist.
