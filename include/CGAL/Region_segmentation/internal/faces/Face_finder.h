@@ -32,7 +32,7 @@ public:
   Face_finder(const Surface& surface, const Part_options& options)
     : m_surface(surface), m_neighbors(surface), m_patch(surface, m_neighbors)
     , m_noise(options.tolerance > 0 ? options.tolerance / 5 : estimated_noise())
-    , m_test(surface, m_neighbors, (std::max)(5 * m_noise, 1e-6 * surface.length_unit()))
+    , m_test(surface, m_neighbors, (std::max)(5 * m_noise, exact_tolerance()))
     , m_grower(surface, m_neighbors, m_test), m_labels(surface.number_of_faces(), none)
     , m_is_tried(surface.number_of_faces(), 0)
   {}
@@ -70,32 +70,77 @@ private:
     return length > 0 ? (1 / length) * sum : Double_3{0, 0, 1};
   }
 
+  /// The share of the area of faces that have a coplanar neighbor, to rounding: there is none if vertices are noisy.
+  double share_of_plane_area() const
+  {
+    double plane = 0;
+    for (Index f = 0; f < m_surface.number_of_faces(); ++f)
+      for (const Face_neighbors::Neighbor& n : m_neighbors[f])
+        if (!m_neighbors.is_thin(f) && !m_neighbors.is_thin(n.face) && m_surface.cosine(n.adjacency) > 0.9
+            && height(n.face, f) <= exact_tolerance()) {
+          plane += m_surface.area(f);
+          break;
+        }
+    return plane / m_surface.area();
+  }
+
+  double exact_tolerance() const { return 1e-6 * m_surface.length_unit(); }
+
+  /// The largest distance of a corner of a face to the plane of another.
+  double height(Index face, Index of_plane) const
+  {
+    const Double_3 point = m_surface.point(m_surface.corner(of_plane, 0));
+    double largest = 0;
+    for (std::size_t i = 0; i < m_surface.number_of_corners(face); ++i)
+      largest = (std::max)(largest, std::fabs(dot(m_surface.normal(of_plane),
+                                                  m_surface.point(m_surface.corner(face, i)) - point)));
+    return largest;
+  }
+
+  /// The standard deviation of vertices from the surfaces on which they lie. Freeform faces and patches across borders fit no
+  /// surface, so this is a low quantile over patches that are spread evenly over the area.
   double estimated_noise()
   {
-    const std::size_t faces = m_surface.number_of_faces(), samples = (std::min)(faces, std::size_t(300));
-    const double size = m_surface.length_unit();
+    if (share_of_plane_area() > 0.05)
+      return 0;
+    constexpr int samples = 300;
+    const double size = m_surface.length_unit(), step = m_surface.area() / samples;
     std::vector<double> errors;
-    for (std::size_t i = 0; i < samples; ++i) {
-      const Index seed = Index(i * faces / samples);
-      if (m_neighbors.is_thin(seed))
+    double next = step / 2, sum = 0;
+    for (Index f = 0; f < m_surface.number_of_faces(); ++f) {
+      sum += m_surface.area(f);
+      if (sum < next)
         continue;
-      m_patch.collect(seed, 24, [&](Index f, const Face_neighbors::Neighbor& n) { return is_smooth(f, n); });
-      const std::vector<Double_3>& points = m_patch.points();
-      if (points.size() < 12)
-        continue;
-      const Surface_proposer propose(points, m_surface.centroid(seed), m_surface.normal(seed), 1e-9 * size);
-      double least = 1e300;
-      Fitted_surface s;
-      for (const Surface_kind kind : kinds)
-        if (least > 1e-7 * size)
-          least = (std::min)(least, propose(kind, s)
-                                      * std::sqrt(double(points.size()) / double(int(points.size()) - degrees_of_freedom(kind))));
-      errors.push_back(least);
+      const double weight = std::ceil((sum - next) / step);
+      next += weight * step;
+      const double error = error_of_patch(f);
+      errors.insert(errors.end(), error < size ? std::size_t(weight) : 0, error);
     }
     if (errors.empty())
       return 0;
     std::sort(errors.begin(), errors.end());
-    return (std::min)(errors[errors.size() / 4], 2e-3 * size);
+    return (std::min)(1.4 * errors[errors.size() / 16], 2e-3 * size);
+  }
+
+  /// The standard deviation of the points around a face from the surface that fits them best; infinite if there are too few.
+  double error_of_patch(Index seed)
+  {
+    const double size = m_surface.length_unit();
+    double least = 1e300;
+    if (m_neighbors.is_thin(seed))
+      return least;
+    m_patch.collect(seed, 24, [&](Index f, const Face_neighbors::Neighbor& n) { return is_smooth(f, n); });
+    const std::vector<Double_3>& points = m_patch.points();
+    if (points.size() < 8)
+      return least;
+    const Surface_proposer propose(points, m_surface.centroid(seed), m_surface.normal(seed), 1e-9 * size);
+    Fitted_surface s;
+    for (const Surface_kind kind : kinds) {
+      const int redundant = int(points.size()) - degrees_of_freedom(kind);
+      if (least > 1e-7 * size && redundant > 4)
+        least = (std::min)(least, propose(kind, s) * std::sqrt(double(points.size()) / double(redundant)));
+    }
+    return least;
   }
 
   void find_from_patches(std::size_t wanted, bool exact)
@@ -104,7 +149,7 @@ private:
     for (Index seed = 0; seed < m_labels.size(); ++seed)
       if (m_labels[seed] == none && !m_is_tried[seed] && !m_neighbors.is_thin(seed)) {
         m_patch.collect(seed, wanted, [&](Index f, const Face_neighbors::Neighbor& n) {
-          return m_labels[n.face] == none && is_smooth(f, n);
+          return m_labels[n.face] == none && is_smooth(f, n) && m_surface.area(n.face) < 8 * m_surface.area(seed);
         });
         if (!try_patch(seed, exact))
           for (std::size_t i = 0; i < (std::min)(m_patch.faces().size(), std::size_t(4)); ++i)
