@@ -44,9 +44,16 @@ public:
   void find()
   {
     const bool exact = m_test.tolerance() < 2e-5 * m_surface.length_unit();
-    for (const std::size_t wanted : exact ? std::vector<std::size_t>{24, 12} : std::vector<std::size_t>{80, 40, 20})
-      find_from_patches(wanted, exact);
+    if (exact) {
+      find_from_patches(24, 0, exact);
+      find_from_patches(12, 0, exact);
+      find_from_patches(8, 0.5, exact);
+    } else {
+      for (const std::size_t wanted : {80, 40, 20})
+        find_from_patches(wanted, 0, exact);
+    }
     find_planes();
+    merge_equal_surfaces();
     compete();
     join_freeform();
   }
@@ -68,6 +75,19 @@ private:
       sum = sum + m_surface.area(f) * m_surface.normal(f);
     const double length = norm(sum);
     return length > 0 ? (1 / length) * sum : Double_3{0, 0, 1};
+  }
+
+  /// The direction to which the normals of faces are most orthogonal.
+  Double_3 axis_of_normals(const std::vector<Index>& faces) const
+  {
+    Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+    for (const Index f : faces) {
+      const Double_3& n = m_surface.normal(f);
+      const Eigen::Vector3d v(n.x, n.y, n.z);
+      sum += m_surface.area(f) * v * v.transpose();
+    }
+    const Eigen::Vector3d axis = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(sum).eigenvectors().col(0);
+    return {axis[0], axis[1], axis[2]};
   }
 
   /// The share of the area of faces that have a coplanar neighbor, to rounding: there is none if vertices are noisy.
@@ -133,7 +153,7 @@ private:
     const std::vector<Double_3>& points = m_patch.points();
     if (points.size() < 8)
       return least;
-    const Surface_proposer propose(points, m_surface.centroid(seed), m_surface.normal(seed), 1e-9 * size);
+    const Surface_proposer propose(points, m_surface.centroid(seed), m_surface.normal(seed), Double_3{0, 0, 0}, 1e-9 * size);
     Fitted_surface s;
     for (const Surface_kind kind : kinds) {
       const int redundant = int(points.size()) - degrees_of_freedom(kind);
@@ -143,13 +163,17 @@ private:
     return least;
   }
 
-  void find_from_patches(std::size_t wanted, bool exact)
+  /// Seeds patches at faces that are not taken. `least_length`: of the edges that a patch crosses, as a multiple of the longest one
+  /// of the seed; so patches stay on narrow strips of long triangles.
+  void find_from_patches(std::size_t wanted, double least_length, bool exact)
   {
     std::fill(m_is_tried.begin(), m_is_tried.end(), 0);
     for (Index seed = 0; seed < m_labels.size(); ++seed)
       if (m_labels[seed] == none && !m_is_tried[seed] && !m_neighbors.is_thin(seed)) {
+        const double shortest = least_length * longest_edge(seed);
         m_patch.collect(seed, wanted, [&](Index f, const Face_neighbors::Neighbor& n) {
-          return m_labels[n.face] == none && is_smooth(f, n) && m_surface.area(n.face) < 8 * m_surface.area(seed);
+          return m_labels[n.face] == none && m_surface.length(n.adjacency) >= shortest && is_smooth(f, n)
+                 && m_surface.area(n.face) < 8 * m_surface.area(seed);
         });
         if (!try_patch(seed, exact))
           for (std::size_t i = 0; i < (std::min)(m_patch.faces().size(), std::size_t(4)); ++i)
@@ -157,11 +181,20 @@ private:
       }
   }
 
+  double longest_edge(Index face) const
+  {
+    double longest = 0;
+    for (const Face_neighbors::Neighbor& n : m_neighbors[face])
+      longest = (std::max)(longest, m_surface.length(n.adjacency));
+    return longest;
+  }
+
   bool try_patch(Index seed, bool exact)
   {
     const double tolerance = m_test.tolerance();
     const std::vector<Double_3>& points = m_patch.points();
-    const Surface_proposer propose(points, m_surface.centroid(seed), mean_normal(m_patch.faces()), exact ? 1e-2 * tolerance : 0.5 * m_noise);
+    const Surface_proposer propose(points, m_surface.centroid(seed), mean_normal(m_patch.faces()), axis_of_normals(m_patch.faces()),
+                                    exact ? 1e-2 * tolerance : 0.5 * m_noise);
     Fitted_surface best;
     std::vector<Index> best_faces;
     double best_area = 0;
@@ -259,6 +292,70 @@ private:
     return all > 0 ? smooth / all : 0;
   }
 
+  /// Merges neighbors of which one's surface is also that of the other.
+  void merge_equal_surfaces()
+  {
+    std::vector<std::pair<Index, Index>> pairs;
+    for (std::size_t a = 0; a < m_surface.number_of_adjacencies(); ++a) {
+      const Index i = m_labels[m_surface.lower_face(a)], j = m_labels[m_surface.higher_face(a)];
+      if (i != j && i != none && j != none && m_surface.cosine(a) > smooth_cosine)
+        pairs.push_back({(std::min)(i, j), (std::max)(i, j)});
+    }
+    std::sort(pairs.begin(), pairs.end());
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    std::vector<std::vector<Index>> faces(m_found.size());
+    for (Index f = 0; f < m_labels.size(); ++f)
+      if (m_labels[f] != none)
+        faces[m_labels[f]].push_back(f);
+    std::vector<Index> now(m_found.size());
+    for (Index i = 0; i < now.size(); ++i)
+      now[i] = i;
+    const auto current = [&](Index i) {
+      while (now[i] != i)
+        i = now[i];
+      return i;
+    };
+    for (const auto& pair : pairs) {
+      Index i = current(pair.first), j = current(pair.second);
+      if (i == j)
+        continue;
+      if (degrees_of_freedom(m_found[j].kind) < degrees_of_freedom(m_found[i].kind))
+        std::swap(i, j);
+      if (!has_all(m_found[i], faces[j])) {
+        std::swap(i, j);
+        if (!has_all(m_found[i], faces[j]))
+          continue;
+      }
+      now[j] = i;
+      faces[i].insert(faces[i].end(), faces[j].begin(), faces[j].end());
+      faces[j].clear();
+    }
+    for (Index& label : m_labels)
+      if (label != none)
+        label = current(label);
+  }
+
+  bool has_all(const Fitted_surface& s, const std::vector<Index>& faces) const
+  {
+    return std::all_of(faces.begin(), faces.end(), [&](Index f) { return m_test(s, f); });
+  }
+
+  /// Whether an edge between freeform faces is a crease: its deviation stands out among those of the edges near it.
+  bool is_crease(Index face, const Face_neighbors::Neighbor& n) const
+  {
+    if (!is_smooth(face, n))
+      return true;
+    const double deviation = m_surface.deviation(n.adjacency);
+    if (deviation < 0.5)
+      return false;
+    double largest = 0;
+    for (const Index f : {face, n.face})
+      for (const Face_neighbors::Neighbor& other : m_neighbors[f])
+        if (other.adjacency != n.adjacency && is_smooth(f, other))
+          largest = (std::max)(largest, m_surface.deviation(other.adjacency));
+    return deviation > 2.5 * largest;
+  }
+
   /// Faces at borders go to the neighboring surface from which they deviate least.
   void compete()
   {
@@ -303,7 +400,7 @@ private:
       for (std::size_t i = 0; i < component.size(); ++i) {
         area += m_surface.area(component[i]);
         for (const Face_neighbors::Neighbor& n : m_neighbors[component[i]])
-          if (m_labels[n.face] == none && is_smooth(component[i], n)) {
+          if (m_labels[n.face] == none && !is_crease(component[i], n)) {
             m_labels[n.face] = label;
             component.push_back(n.face);
           }

@@ -92,6 +92,27 @@ inline Fitted_surface initial_cylinder(const Osculating_paraboloid& o)
   return s;
 }
 
+/// The cylinder along `axis` whose section is the circle with the least algebraic distance to the points.
+inline Fitted_surface cylinder_along(const Double_3& axis, const std::vector<Double_3>& points, const Double_3& origin)
+{
+  const Double_3 other = std::fabs(axis.x) < 0.6 ? Double_3{1, 0, 0} : Double_3{0, 1, 0};
+  Double_3 u = cross(axis, other);
+  u = (1 / norm(u)) * u;
+  const Double_3 v = cross(axis, u);
+  Eigen::Matrix<double, 3, 3, Eigen::DontAlign> a = Eigen::Matrix3d::Zero();
+  Eigen::Matrix<double, 3, 1, Eigen::DontAlign> b = Eigen::Vector3d::Zero();
+  for (const Double_3& p : points) {
+    const double x = dot(p - origin, u), y = dot(p - origin, v);
+    const Eigen::Matrix<double, 3, 1, Eigen::DontAlign> row(2 * x, 2 * y, 1);
+    a += row * row.transpose();
+    b += (x * x + y * y) * row;
+  }
+  const Eigen::Matrix<double, 3, 1, Eigen::DontAlign> c = a.ldlt().solve(b);
+  Fitted_surface s = surface_of_kind(Surface_kind::CYLINDER, origin + c[0] * u + c[1] * v, axis);
+  s.radius = std::sqrt((std::max)(0.0, c[2] + c[0] * c[0] + c[1] * c[1]));
+  return s;
+}
+
 inline Fitted_surface initial_sphere(const Osculating_paraboloid& o)
 {
   const double k = (o.curvature[0] + o.curvature[1]) / 2;

@@ -17,8 +17,10 @@ namespace internal {
 class Surface_proposer
 {
 public:
-  Surface_proposer(const std::vector<Double_3>& points, const Double_3& origin, const Double_3& normal, double stop)
-    : m_fitter(points, stop), m_stop(stop), m_number_of_points(points.size()), m_origin(origin), m_normal(normal)
+  /// \param axis to which the normals are most orthogonal; 0 if not known
+  Surface_proposer(const std::vector<Double_3>& points, const Double_3& origin, const Double_3& normal, const Double_3& axis,
+                   double stop)
+    : m_points(points), m_axis(axis), m_fitter(points, stop), m_stop(stop), m_number_of_points(points.size()), m_origin(origin), m_normal(normal)
     , m_paraboloid(osculating_paraboloid(points, origin, normal))
   {}
 
@@ -51,7 +53,8 @@ private:
       attempt(surface_of_kind(Surface_kind::PLANE, m_origin, m_normal));
       break;
     case Surface_kind::CYLINDER:
-      attempt(initial_cylinder(o));
+      if (!attempt(initial_cylinder(o)) && squared_norm(m_axis) > 0)
+        attempt(cylinder_along(m_axis, m_points, m_origin));
       break;
     case Surface_kind::SPHERE:
       attempt(initial_sphere(o));
@@ -72,6 +75,8 @@ private:
     }
   }
 
+  const std::vector<Double_3>& m_points;
+  Double_3 m_axis;
   Surface_fitter m_fitter;
   double m_stop;
   std::size_t m_number_of_points;
