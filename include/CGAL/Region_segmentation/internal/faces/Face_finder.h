@@ -56,6 +56,7 @@ public:
     merge_equal_surfaces();
     compete();
     join_freeform();
+    join_tori_to_freeform();
   }
 
 private:
@@ -176,7 +177,7 @@ private:
                  && m_surface.area(n.face) < 8 * m_surface.area(seed);
         });
         if (!try_patch(seed, exact))
-          for (std::size_t i = 0; i < (std::min)(m_patch.faces().size(), std::size_t(4)); ++i)
+          for (std::size_t i = 0; i < (std::max)(m_patch.faces().size() / (wanted > 12 ? 4 : 2), std::size_t(1)); ++i)
             m_is_tried[m_patch.faces()[i]] = 1;
       }
   }
@@ -226,9 +227,12 @@ private:
     return true;
   }
 
-  /// Whether the faces are two or three planes of several triangles, such as chamfers, rather than facets of a curved face.
+  /// Whether the faces are two or three planes of several triangles, such as chamfers, rather than facets of a curved face; or mostly
+  /// one plane, with the first facets of the fillets beside it.
   bool is_chain_of_planes() const
   {
+    if (m_grower.share_of_largest_facet() > 0.6)
+      return true;
     const std::size_t facets = m_grower.number_of_facets();
     return facets <= 3 && m_grower.faces().size() > 2 * facets;
   }
@@ -321,9 +325,12 @@ private:
         continue;
       if (degrees_of_freedom(m_found[j].kind) < degrees_of_freedom(m_found[i].kind))
         std::swap(i, j);
-      if (!has_all(m_found[i], faces[j])) {
+      // Tori that are nearly equal osculate one fillet along a line that is nearly an arc.
+      const bool alike = m_found[i].kind == m_found[j].kind && m_found[i].kind == Surface_kind::TORUS;
+      const Face_test test(m_surface, m_neighbors, (alike ? 30 : 1) * m_test.tolerance());
+      if (!has_all(test, m_found[i], faces[j])) {
         std::swap(i, j);
-        if (!has_all(m_found[i], faces[j]))
+        if (!has_all(test, m_found[i], faces[j]))
           continue;
       }
       now[j] = i;
@@ -335,9 +342,9 @@ private:
         label = current(label);
   }
 
-  bool has_all(const Fitted_surface& s, const std::vector<Index>& faces) const
+  static bool has_all(const Face_test& test, const Fitted_surface& s, const std::vector<Index>& faces)
   {
-    return std::all_of(faces.begin(), faces.end(), [&](Index f) { return m_test(s, f); });
+    return std::all_of(faces.begin(), faces.end(), [&](Index f) { return test(s, f); });
   }
 
   /// Whether an edge between freeform faces is a crease: its deviation stands out among those of the edges near it.
@@ -409,6 +416,56 @@ private:
         absorb(component);
     }
     (void)first_freeform;
+  }
+
+  /// A fillet along a curve is freeform, but osculated by tori; where one of them was found, the freeform face beside it goes on with
+  /// nearly the same curvature, and is the same face.
+  void join_tori_to_freeform()
+  {
+    struct Border
+    {
+      Index torus, freeform;
+      double length, gradual;
+    };
+    std::vector<Border> borders;
+    for (std::size_t a = 0; a < m_surface.number_of_adjacencies(); ++a)
+      for (const bool reversed : {false, true}) {
+        const Index f = reversed ? m_surface.higher_face(a) : m_surface.lower_face(a);
+        const Index g = reversed ? m_surface.lower_face(a) : m_surface.higher_face(a);
+        const Index i = m_labels[f], j = m_labels[g];
+        if (m_found[i].kind != Surface_kind::TORUS || m_found[j].kind != Surface_kind::FREEFORM)
+          continue;
+        const double length = m_surface.length(a);
+        borders.push_back({i, j, length, departs_gradually(m_found[i], g, a) ? length : 0});
+      }
+    std::stable_sort(borders.begin(), borders.end(), [](const Border& a, const Border& b) {
+      return a.torus != b.torus ? a.torus < b.torus : a.freeform < b.freeform;
+    });
+    std::vector<Index> now(m_found.size());
+    for (Index i = 0; i < now.size(); ++i)
+      now[i] = i;
+    for (std::size_t first = 0, last; first < borders.size(); first = last) {
+      double length = 0, gradual = 0;
+      for (last = first; last < borders.size() && borders[last].torus == borders[first].torus
+                         && borders[last].freeform == borders[first].freeform; ++last) {
+        length += borders[last].length;
+        gradual += borders[last].gradual;
+      }
+      if (gradual > 0.7 * length && now[borders[first].torus] == borders[first].torus)
+        now[borders[first].torus] = borders[first].freeform;
+    }
+    for (Index& label : m_labels)
+      label = now[label];
+  }
+
+  /// Whether a face beside a torus departs from it much less than a plane that is tangent to its tube.
+  bool departs_gradually(const Fitted_surface& s, Index face, std::size_t adjacency) const
+  {
+    double distance = 0;
+    for (std::size_t i = 0; i < m_surface.number_of_corners(face); ++i)
+      distance = (std::max)(distance, std::fabs(signed_distance(s, m_surface.point(m_surface.corner(face, i)))));
+    const double height = 2 * m_surface.area(face) / m_surface.length(adjacency);
+    return distance < 0.05 * height * height / s.minor_radius && m_test.has_normal_of(s, face);
   }
 
   /// Gives a tiny component to the neighbor with the longest border.

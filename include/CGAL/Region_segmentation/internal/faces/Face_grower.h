@@ -132,6 +132,20 @@ public:
     return m_faces.size() > flat ? m_faces.size() - flat : 1;
   }
 
+  /// The share of the area that is coplanar with the largest face.
+  double share_of_largest_facet() const
+  {
+    Index largest = m_faces[0];
+    for (const Index f : m_faces)
+      if (m_surface.area(f) > m_surface.area(largest))
+        largest = f;
+    double area = 0;
+    for (const Index f : m_faces)
+      if (dot(m_surface.normal(f), m_surface.normal(largest)) > 1 - 1e-9)
+        area += m_surface.area(f);
+    return area / m_area;
+  }
+
   const std::vector<Index>& faces() const { return m_faces; }
   const std::vector<Double_3>& points() const { return m_points; }
   double area() const { return m_area; }

@@ -47,13 +47,13 @@ public:
   }
 
   /// Returns the root mean square distance.
-  double operator()(Fitted_surface& s, int iterations = 30) const
+  double operator()(Fitted_surface& s, int iterations = 15) const
   {
     anchor(s);
     Normal_equations best = equations(s);
     double damping = 1e-3;
     int slow = 0;
-    for (int i = 0; i < iterations && rms(best) > m_stop && slow < 4; ++i) {
+    for (int i = 0; i < iterations && rms(best) > m_stop && slow < 3; ++i) {
       const Fitted_surface next = moved(s, step(best, damping));
       const Normal_equations e = equations(next);
       if (e.cost < best.cost) {
@@ -67,6 +67,16 @@ public:
       }
     }
     return normalized(s) ? rms(best) : infinite;
+  }
+
+  double root_mean_square(const Fitted_surface& s) const
+  {
+    double sum = 0;
+    for (const Double_3& p : m_points) {
+      const double distance = signed_distance(s, p);
+      sum += distance * distance;
+    }
+    return std::sqrt(sum / double(m_points.size()));
   }
 
 private:
@@ -126,9 +136,6 @@ private:
   Vector step(const Normal_equations& e, double damping) const
   {
     Matrix a = e.a;
-    double largest = 0;
-    for (int i = 0; i < 7; ++i)
-      largest = (std::max)(largest, a(i, i));
     for (int i = 0; i < 7; ++i)
       a(i, i) = a(i, i) * (1 + damping) + (a(i, i) > 0 ? 0 : 1);
     return Vector(-a.selfadjointView<Eigen::Lower>().ldlt().solve(e.b));

@@ -6,6 +6,8 @@
 #include <CGAL/Region_segmentation/internal/faces/fit_surface.h>
 #include <CGAL/Region_segmentation/internal/faces/initial_surfaces.h>
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace CGAL {
@@ -20,66 +22,79 @@ public:
   /// \param axis to which the normals are most orthogonal; 0 if not known
   Surface_proposer(const std::vector<Double_3>& points, const Double_3& origin, const Double_3& normal, const Double_3& axis,
                    double stop)
-    : m_points(points), m_axis(axis), m_fitter(points, stop), m_stop(stop), m_number_of_points(points.size()), m_origin(origin), m_normal(normal)
+    : m_points(points), m_axis(axis), m_fitter(points, stop), m_stop(stop), m_origin(origin), m_normal(normal)
     , m_paraboloid(osculating_paraboloid(points, origin, normal))
   {}
 
   double operator()(Surface_kind kind, Fitted_surface& best) const
   {
     double least = 1e300;
-    if (int(m_number_of_points) < degrees_of_freedom(kind) + 2)
+    if (int(m_points.size()) < degrees_of_freedom(kind) + 2)
       return least;
-    const auto attempt = [&](const Fitted_surface& initial) {
+    for (const Fitted_surface& initial : nearest_initial_surfaces(kind)) {
       Fitted_surface s = initial;
       const double error = m_fitter(s);
       if (error < least) {
         least = error;
         best = s;
       }
-      return least <= m_stop;
-    };
-    from_initial_values(kind, attempt);
+      if (least <= m_stop)
+        break;
+    }
     return least;
   }
 
 private:
-  template <typename Attempt>
-  void from_initial_values(Surface_kind kind, const Attempt& attempt) const
+  /// The three initial surfaces that are nearest to the points, the nearest first.
+  std::vector<Fitted_surface> nearest_initial_surfaces(Surface_kind kind) const
   {
-    constexpr double angles[] = {0, 0.5, -0.5, 1.0, -1.0};
+    constexpr std::size_t most = 3;
+    std::vector<Fitted_surface> initial = initial_surfaces(kind);
+    for (Fitted_surface& s : initial)
+      s.deviation = m_fitter.root_mean_square(s);
+    std::stable_sort(initial.begin(), initial.end(), [](const Fitted_surface& a, const Fitted_surface& b) {
+      return a.deviation < b.deviation;
+    });
+    initial.resize((std::min)(initial.size(), most));
+    return initial;
+  }
+
+  std::vector<Fitted_surface> initial_surfaces(Surface_kind kind) const
+  {
     const Osculating_paraboloid& o = m_paraboloid;
+    std::vector<Fitted_surface> result;
     switch (kind) {
     case Surface_kind::PLANE:
-      attempt(surface_of_kind(Surface_kind::PLANE, m_origin, m_normal));
+      result.push_back(surface_of_kind(Surface_kind::PLANE, m_origin, m_normal));
       break;
     case Surface_kind::CYLINDER:
-      if (!attempt(initial_cylinder(o)) && squared_norm(m_axis) > 0)
-        attempt(cylinder_along(m_axis, m_points, m_origin));
+      result.push_back(initial_cylinder(o));
+      if (squared_norm(m_axis) > 0)
+        result.push_back(cylinder_along(m_axis, m_points, m_origin));
       break;
     case Surface_kind::SPHERE:
-      attempt(initial_sphere(o));
+      result.push_back(initial_sphere(o));
       break;
     case Surface_kind::CONE:
       for (const double angle : {0.1, 0.5, -0.5, 1.0, -1.0})
-        if (attempt(initial_cone(o, angle)))
-          return;
+        result.push_back(initial_cone(o, angle));
       break;
     case Surface_kind::TORUS:
       for (int meridian = 0; meridian < 2; ++meridian)
-        for (const double angle : angles)
-          if (std::fabs(o.curvature[meridian]) > 0.05 * std::fabs(o.curvature[0]) && attempt(initial_torus(o, meridian, angle)))
-            return;
+        for (const double angle : {0.0, 0.5, -0.5, 1.0, -1.0})
+          if (std::fabs(o.curvature[meridian]) > 0.05 * std::fabs(o.curvature[0]))
+            result.push_back(initial_torus(o, meridian, angle));
       break;
     default:
       break;
     }
+    return result;
   }
 
   const std::vector<Double_3>& m_points;
   Double_3 m_axis;
   Surface_fitter m_fitter;
   double m_stop;
-  std::size_t m_number_of_points;
   Double_3 m_origin, m_normal;
   Osculating_paraboloid m_paraboloid;
 };
