@@ -465,7 +465,7 @@ private:
     for (std::size_t i = 0; i < m_surface.number_of_corners(face); ++i)
       distance = (std::max)(distance, std::fabs(signed_distance(s, m_surface.point(m_surface.corner(face, i)))));
     const double height = 2 * m_surface.area(face) / m_surface.length(adjacency);
-    return distance < 0.05 * height * height / s.minor_radius && m_test.has_normal_of(s, face);
+    return distance < 0.02 * height * height / s.minor_radius && m_test.has_normal_of(s, face);
   }
 
   /// Gives a tiny component to the neighbor with the longest border.
