@@ -234,7 +234,7 @@ private:
     if (m_grower.share_of_largest_facet() > 0.6)
       return true;
     const std::size_t facets = m_grower.number_of_facets();
-    return facets <= 3 && m_grower.faces().size() > 2 * facets;
+    return facets <= 3 && m_grower.faces().size() > 2 * facets && !m_grower.is_tangent_to_neighbors(smooth_cosine);
   }
 
   void orient(Fitted_surface& s, Index seed) const
@@ -438,6 +438,9 @@ private:
         const double length = m_surface.length(a);
         borders.push_back({i, j, length, departs_gradually(m_found[i], g, a) ? length : 0});
       }
+    std::vector<double> areas(m_found.size(), 0);
+    for (Index f = 0; f < m_labels.size(); ++f)
+      areas[m_labels[f]] += m_surface.area(f);
     std::stable_sort(borders.begin(), borders.end(), [](const Border& a, const Border& b) {
       return a.torus != b.torus ? a.torus < b.torus : a.freeform < b.freeform;
     });
@@ -451,7 +454,8 @@ private:
         length += borders[last].length;
         gradual += borders[last].gradual;
       }
-      if (gradual > 0.7 * length && now[borders[first].torus] == borders[first].torus)
+      if (gradual > 0.7 * length && areas[borders[first].freeform] > 0.3 * areas[borders[first].torus]
+          && now[borders[first].torus] == borders[first].torus)
         now[borders[first].torus] = borders[first].freeform;
     }
     for (Index& label : m_labels)
