@@ -6,6 +6,11 @@
 #include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/internal/faces/Face_finder.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
 namespace CGAL {
 namespace Region_segmentation {
 
@@ -18,6 +23,10 @@ struct Surface_faces
   double tolerance = 0; ///< that was used, in units of the surface
 };
 
+/// \ingroup PkgRegionSegmentationSegments
+/// Finds the faces of a machine part, each with its surface. Degenerate faces belong to the face on whose surface their vertices lie.
+///
+/// Deterministic; independent of scale. Near linear in the number of faces.
 inline Surface_faces find_surface_faces(const Surface& surface, const Part_options& options = Part_options())
 {
   internal::Face_finder finder(surface, options);
@@ -27,6 +36,11 @@ inline Surface_faces find_surface_faces(const Surface& surface, const Part_optio
   result.surfaces.resize(result.partition.number_of_parts());
   for (std::size_t f = 0; f < surface.number_of_faces(); ++f)
     result.surfaces[result.partition[f]] = finder.surface_of_label(finder.labels()[f]);
+  for (std::size_t f = 0; f < surface.number_of_faces(); ++f) {
+    Fitted_surface& s = result.surfaces[result.partition[f]];
+    for (std::size_t i = 0; s.kind != Surface_kind::FREEFORM && i < surface.number_of_corners(f); ++i)
+      s.deviation = (std::max)(s.deviation, std::fabs(internal::signed_distance(s, surface.point(surface.corner(f, i)))));
+  }
   result.tolerance = finder.tolerance();
   return result;
 }

@@ -23,6 +23,8 @@ struct Part_options
 
 namespace internal {
 
+/// Finds the faces of a machine part: grows surfaces that fit patches, then planes of few vertices; merges and lets compete;
+/// what is left is freeform.
 class Face_finder
 {
 public:
@@ -253,6 +255,7 @@ private:
     for (const Index f : faces)
       m_labels[f] = Index(m_found.size());
     m_found.push_back(s);
+    m_found.back().deviation = 0;
   }
 
   /// Plane faces of few vertices: those whose perimeter is mostly not smooth, or meets faces that are found.
@@ -281,7 +284,6 @@ private:
 
   double share_of_smooth_border(const std::vector<Index>& faces)
   {
-    Element_marks inside(0);
     std::vector<Index> sorted = faces;
     std::sort(sorted.begin(), sorted.end());
     double smooth = 0, all = 0;
@@ -395,7 +397,6 @@ private:
   void join_freeform()
   {
     std::vector<Index> component;
-    const Index first_freeform = Index(m_found.size());
     for (Index seed = 0; seed < m_labels.size(); ++seed) {
       if (m_labels[seed] != none)
         continue;
@@ -415,7 +416,6 @@ private:
       if (area < 1e-6 * m_surface.area())
         absorb(component);
     }
-    (void)first_freeform;
   }
 
   /// A fillet along a curve is freeform, but osculated by tori; where one of them was found, the freeform face beside it goes on with
