@@ -60,7 +60,7 @@ public:
 
 private:
   /// The height of a thin face over its longest edge, as a multiple of that edge, is below this.
-  static constexpr double thin = 0.02;
+  static constexpr double thin = 0.002;
 
   void find_thin_faces(const Surface& surface)
   {
