@@ -207,14 +207,10 @@ private:
         continue;
       orient(s, seed);
       m_grower.grow(s, m_patch.faces(), [&](Index f) { return m_labels[f] == none; });
-      if (int(m_grower.points().size()) < degrees_of_freedom(kind) + 2 || m_grower.faces().size() < m_patch.faces().size() * 3 / 4)
+      if (!is_face(s, exact)) {
+        mark_as_tried_if_many();
         continue;
-      if (kind == Surface_kind::PLANE && m_grower.points().size() < 8)
-        continue;
-      if (kind != Surface_kind::PLANE && is_chain_of_planes())
-        continue;
-      if (exact && m_grower.gradual_border(s) > 0.1)
-        continue;
+      }
       if (m_grower.area() > 1.1 * best_area) {
         best = s;
         best_area = m_grower.area();
@@ -227,6 +223,25 @@ private:
       return false;
     accept(best, best_faces);
     return true;
+  }
+
+  /// Whether what was grown is a face, and not only osculated or crossed by its surface.
+  bool is_face(const Fitted_surface& s, bool exact) const
+  {
+    const std::size_t points = m_grower.points().size();
+    if (int(points) < degrees_of_freedom(s.kind) + 2 || m_grower.faces().size() < m_patch.faces().size() * 3 / 4)
+      return false;
+    if (s.kind == Surface_kind::PLANE ? points < 8 : is_chain_of_planes())
+      return false;
+    return !(exact && m_grower.gradual_border(s) > 0.1);
+  }
+
+  /// Seeds in a large set of faces that was grown in vain would grow it again: so the time of all growing stays near linear.
+  void mark_as_tried_if_many()
+  {
+    if (m_grower.faces().size() > 4 * m_patch.faces().size())
+      for (const Index f : m_grower.faces())
+        m_is_tried[f] = 1;
   }
 
   /// Whether the faces are two or three planes of several triangles, such as chamfers, rather than facets of a curved face; or mostly
