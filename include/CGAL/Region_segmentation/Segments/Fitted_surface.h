@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_SEGMENTS_FITTED_SURFACE_H
+#define CGAL_REGION_SEGMENTATION_SEGMENTS_FITTED_SURFACE_H
+
+#include <CGAL/Region_segmentation/Double_3.h>
+
+#include <cmath>
+
+namespace CGAL {
+namespace Region_segmentation {
+
+/// \ingroup PkgRegionSegmentationSegments
+/// The kinds of surfaces of which machine parts are made, from the simplest on.
+enum class Surface_kind { PLANE, CYLINDER, CONE, SPHERE, TORUS, FREEFORM };
+
+/// \ingroup PkgRegionSegmentationSegments
+/// A surface that is fitted to a face. Each kind but the last is a surface of revolution: with z the coordinate of a point along
+/// the axis, from `point`, and r its distance to the axis, its signed distance to the surface is
+/// - z for a plane,
+/// - r - `radius` for a cylinder,
+/// - (r - `radius`) cos `angle` - z sin `angle` for a cone, an approximation on the far side of the apex,
+/// - sqrt(r^2 + z^2) - `radius` for a sphere,
+/// - sqrt((r - `radius`)^2 + z^2) - `minor_radius` for a torus.
+struct Fitted_surface
+{
+  Surface_kind kind = Surface_kind::FREEFORM;
+
+  /// A point of the plane, the center of the sphere or torus, a point of the axis of the cylinder or cone.
+  Double_3 point{0, 0, 0};
+  /// Of length 1: the normal of the plane, on the side of those of the faces; the axis of the cylinder or torus; the axis of the
+  /// cone, in the direction in which it widens. Without meaning for a sphere.
+  Double_3 direction{0, 0, 1};
+  double radius = 0;       ///< of the cylinder or sphere; of the cone at `point`; the major radius of the torus
+  double minor_radius = 0; ///< of the tube of the torus
+  double angle = 0;        ///< between axis and surface of the cone, in radians, in (0, pi/2)
+  /// 1 if the normals of the faces point away from the axis (of the sphere: center; of the torus: circle in the tube), as on a
+  /// shaft; -1 if they point to it, as in a hole.
+  int side = 1;
+  /// The largest distance of a vertex of the face to the surface.
+  double deviation = 0;
+
+  /// The apex of the cone.
+  Double_3 apex() const { return point - (radius / std::tan(angle)) * direction; }
+};
+
+namespace internal {
+
+/// A point in the half plane through the axis of a surface of revolution, and the direction of r in space.
+struct Meridian_point
+{
+  double r, z;
+  Double_3 outward;
+};
+
+inline Meridian_point meridian_point(const Fitted_surface& s, const Double_3& p)
+{
+  const Double_3 d = p - s.point;
+  const double z = dot(d, s.direction);
+  const Double_3 radial = d - z * s.direction;
+  const double r = norm(radial);
+  return {r, z, r > 0 ? (1 / r) * radial : Double_3{0, 0, 0}};
+}
+
+/// The signed distance as a function of r and z, and its derivatives: by r and z, and by the two shape parameters, which are
+/// `radius`, and `angle` or `minor_radius`.
+struct Profile
+{
+  double value, by_r, by_z, by_radius, by_second;
+};
+
+inline Profile profile(const Fitted_surface& s, double r, double z)
+{
+  switch (s.kind) {
+  case Surface_kind::CYLINDER:
+    return {r - s.radius, 1, 0, -1, 0};
+  case Surface_kind::CONE: {
+    const double c = std::cos(s.angle), a = std::sin(s.angle), x = r - s.radius;
+    return {x * c - z * a, c, -a, -c, -x * a - z * c};
+  }
+  case Surface_kind::SPHERE: {
+    const double d = std::hypot(r, z), inverse = d > 0 ? 1 / d : 0;
+    return {d - s.radius, r * inverse, z * inverse, -1, 0};
+  }
+  case Surface_kind::TORUS: {
+    const double x = r - s.radius, d = std::hypot(x, z), inverse = d > 0 ? 1 / d : 0;
+    return {d - s.minor_radius, x * inverse, z * inverse, -x * inverse, -1};
+  }
+  default:
+    return {z, 0, 1, 0, 0};
+  }
+}
+
+/// The signed distance of a point to the surface, positive away from the axis.
+inline double signed_distance(const Fitted_surface& s, const Double_3& p)
+{
+  const Meridian_point m = meridian_point(s, p);
+  return profile(s, m.r, m.z).value;
+}
+
+/// The unit normal of the surface at the point of it next to `p`, on the side of those of the faces.
+inline Double_3 surface_normal(const Fitted_surface& s, const Double_3& p)
+{
+  const Meridian_point m = meridian_point(s, p);
+  const Profile f = profile(s, m.r, m.z);
+  return double(s.side) * (f.by_r * m.outward + f.by_z * s.direction);
+}
+
+} // namespace internal
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_SEGMENTS_FITTED_SURFACE_H

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_FACES_FACE_GROWER_H
+#define CGAL_REGION_SEGMENTATION_INTERNAL_FACES_FACE_GROWER_H
+
+#include <CGAL/Region_segmentation/internal/faces/Patch.h>
+#include <CGAL/Region_segmentation/internal/faces/fit_surface.h>
+
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Region_segmentation {
+namespace internal {
+
+/// Whether a face lies on a surface: its vertices do, within a tolerance, and its normal is that of the surface, within half of
+/// the largest angle between facets, unless it is thin.
+class Face_test
+{
+public:
+  Face_test(const Surface& surface, const Face_neighbors& neighbors, double tolerance)
+    : m_surface(surface), m_neighbors(neighbors), m_tolerance(tolerance)
+  {}
+
+  double tolerance() const { return m_tolerance; }
+
+  bool has_normal_of(const Fitted_surface& s, std::size_t face) const
+  {
+    return m_neighbors.is_thin(face)
+           || dot(m_surface.normal(face), surface_normal(s, m_surface.centroid(face))) > least_cosine;
+  }
+
+  bool operator()(const Fitted_surface& s, std::size_t face) const
+  {
+    for (std::size_t i = 0; i < m_surface.number_of_corners(face); ++i)
+      if (!(distance_of_corner(s, face, i) <= m_tolerance))
+        return false;
+    return has_normal_of(s, face);
+  }
+
+  /// Whether a face that is not on the surface lies near it, within ten times the tolerance.
+  bool is_near(const Fitted_surface& s, std::size_t face) const
+  {
+    double largest = 0;
+    for (std::size_t i = 0; i < m_surface.number_of_corners(face); ++i)
+      largest = (std::max)(largest, distance_of_corner(s, face, i));
+    return largest > m_tolerance && largest <= 10 * m_tolerance && has_normal_of(s, face);
+  }
+
+  /// The mean distance of the midpoints of the edges of a face to a surface: how much the face deviates from it.
+  double deviation(const Fitted_surface& s, std::size_t face) const
+  {
+    const std::size_t n = m_surface.number_of_corners(face);
+    double sum = 0;
+    for (std::size_t i = 0; i < n; ++i)
+      sum += std::fabs(signed_distance(s, 0.5 * (m_surface.point(m_surface.corner(face, i))
+                                                 + m_surface.point(m_surface.corner(face, (i + 1) % n)))));
+    return sum / double(n);
+  }
+
+private:
+  static constexpr double least_cosine = 0.8;
+
+  double distance_of_corner(const Fitted_surface& s, std::size_t face, std::size_t i) const
+  {
+    return std::fabs(signed_distance(s, m_surface.point(m_surface.corner(face, i))));
+  }
+
+  const Surface& m_surface;
+  const Face_neighbors& m_neighbors;
+  double m_tolerance;
+};
+
+/// Grows a face over all that lies on its surface, and fits the surface again whenever the face has doubled.
+class Face_grower
+{
+public:
+  using Index = Surface::Index;
+
+  Face_grower(const Surface& surface, const Face_neighbors& neighbors, const Face_test& test)
+    : m_surface(surface), m_neighbors(neighbors), m_test(test), m_face_marks(surface.number_of_faces())
+    , m_is_taken(surface.number_of_faces()), m_vertex_marks(surface.number_of_vertices())
+  {}
+
+  /// From those of the faces `seeds` that lie on `s`, over faces that `is_free(face)`. Improves `s`.
+  template <typename IsFree>
+  void grow(Fitted_surface& s, const std::vector<Index>& seeds, const IsFree& is_free)
+  {
+    m_faces.clear();
+    m_points.clear();
+    m_area = 0;
+    m_face_marks.clear();
+    m_is_taken.clear();
+    m_vertex_marks.clear();
+    for (const Index f : seeds)
+      visit(s, f);
+    std::size_t next_fit = 2 * m_points.size();
+    for (std::size_t next = 0; next < m_faces.size(); ++next) {
+      if (m_points.size() >= next_fit) {
+        refine(s);
+        next_fit = 2 * m_points.size();
+      }
+      for (const Face_neighbors::Neighbor& n : m_neighbors[m_faces[next]])
+        if (!m_face_marks.has(n.face) && is_free(n.face))
+          visit(s, n.face);
+    }
+    if (!m_points.empty())
+      refine(s);
+  }
+
+  /// The length of the border where the mesh leaves the surface little by little, as a multiple of the square root of the area:
+  /// growing has stopped in the middle of a face that is not on this surface, but only osculated by it.
+  double gradual_border(const Fitted_surface& s) const
+  {
+    double gradual = 0;
+    for (const Index f : m_faces)
+      for (const Face_neighbors::Neighbor& n : m_neighbors[f])
+        if (!m_is_taken.has(n.face)) {
+          if (m_test.is_near(s, n.face))
+            gradual += m_surface.length(n.adjacency);
+        }
+    return gradual / std::sqrt(m_area);
+  }
+
+  /// Facets of a fillet turn by twice the angle that there is between the fillet and the face to which it is tangent; chamfers turn
+  /// by the same angle. Whether the mean deviation across the border, where it is not sharp, is less than 3/4 of that inside.
+  bool is_tangent_to_neighbors(double smooth_cosine) const
+  {
+    double sum[2] = {0, 0}, length[2] = {0, 0};
+    for (const Index f : m_faces)
+      for (const Face_neighbors::Neighbor& n : m_neighbors[f]) {
+        const double cosine = m_surface.cosine(n.adjacency);
+        if (cosine > smooth_cosine && cosine < 1 - 1e-9) {
+          sum[m_is_taken.has(n.face)] += m_surface.length(n.adjacency) * std::acos(cosine);
+          length[m_is_taken.has(n.face)] += m_surface.length(n.adjacency);
+        }
+      }
+    return length[0] > 0 && sum[0] * length[1] < 0.75 * sum[1] * length[0];
+  }
+
+  /// The number of plane facets of which the faces consist, or less if there are vertices inside facets.
+  std::size_t number_of_facets() const
+  {
+    std::size_t flat = 0;
+    for (const Index f : m_faces)
+      for (const Face_neighbors::Neighbor& n : m_neighbors[f])
+        flat += n.face < f && m_is_taken.has(n.face) && m_surface.cosine(n.adjacency) > 1 - 1e-9;
+    return m_faces.size() > flat ? m_faces.size() - flat : 1;
+  }
+
+  /// The share of the area that is coplanar with the largest face.
+  double share_of_largest_facet() const
+  {
+    Index largest = m_faces[0];
+    for (const Index f : m_faces)
+      if (m_surface.area(f) > m_surface.area(largest))
+        largest = f;
+    double area = 0;
+    for (const Index f : m_faces)
+      if (dot(m_surface.normal(f), m_surface.normal(largest)) > 1 - 1e-9)
+        area += m_surface.area(f);
+    return area / m_area;
+  }
+
+  const std::vector<Index>& faces() const { return m_faces; }
+  const std::vector<Double_3>& points() const { return m_points; }
+  double area() const { return m_area; }
+
+private:
+  static constexpr std::size_t most_points_of_fit = 300;
+
+  void visit(const Fitted_surface& s, Index face)
+  {
+    if (!m_face_marks.mark(face) || !m_test(s, face))
+      return;
+    m_is_taken.mark(face);
+    m_faces.push_back(face);
+    m_area += m_surface.area(face);
+    for (std::size_t i = 0; i < m_surface.number_of_corners(face); ++i)
+      if (m_vertex_marks.mark(m_surface.corner(face, i)))
+        m_points.push_back(m_surface.point(m_surface.corner(face, i)));
+  }
+
+  /// Fits `s` to points that are spread evenly over those found.
+  void refine(Fitted_surface& s)
+  {
+    m_sample.clear();
+    const std::size_t step = (m_points.size() + most_points_of_fit - 1) / most_points_of_fit;
+    for (std::size_t i = 0; i < m_points.size(); i += step)
+      m_sample.push_back(m_points[i]);
+    if (int(m_sample.size()) < degrees_of_freedom(s.kind))
+      return;
+    Fitted_surface better = s;
+    Surface_fitter fit(m_sample, 1e-3 * m_test.tolerance());
+    if (fit(better, 8) <= m_test.tolerance())
+      s = better;
+  }
+
+  const Surface& m_surface;
+  const Face_neighbors& m_neighbors;
+  const Face_test& m_test;
+  Element_marks m_face_marks, m_is_taken, m_vertex_marks;
+  std::vector<Index> m_faces;
+  std::vector<Double_3> m_points, m_sample;
+  double m_area = 0;
+};
+
+} // namespace internal
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_INTERNAL_FACES_FACE_GROWER_H

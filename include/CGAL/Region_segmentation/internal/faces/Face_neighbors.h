@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_FACES_FACE_NEIGHBORS_H
+#define CGAL_REGION_SEGMENTATION_INTERNAL_FACES_FACE_NEIGHBORS_H
+
+#include <CGAL/Region_segmentation/Surface.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Region_segmentation {
+namespace internal {
+
+/// The faces adjacent to each face across edges and seams, and what growing asks of a face and of an adjacency.
+class Face_neighbors
+{
+public:
+  using Index = Surface::Index;
+  struct Neighbor
+  {
+    Index face, adjacency;
+  };
+  struct Range
+  {
+    const Neighbor *first, *last;
+    const Neighbor* begin() const { return first; }
+    const Neighbor* end() const { return last; }
+  };
+
+  explicit Face_neighbors(const Surface& surface) : m_first(surface.number_of_faces() + 1, 0)
+  {
+    const std::size_t n = surface.number_of_adjacencies();
+    for (std::size_t a = 0; a < n; ++a)
+      if (!surface.has_flag(a, Surface::LINK)) {
+        ++m_first[surface.lower_face(a)];
+        ++m_first[surface.higher_face(a)];
+      }
+    Index sum = 0;
+    for (Index& first : m_first)
+      first = sum += first;
+    m_neighbors.resize(sum);
+    for (std::size_t a = n; a-- > 0;)
+      if (!surface.has_flag(a, Surface::LINK)) {
+        m_neighbors[--m_first[surface.lower_face(a)]] = {surface.higher_face(a), Index(a)};
+        m_neighbors[--m_first[surface.higher_face(a)]] = {surface.lower_face(a), Index(a)};
+      }
+    find_thin_faces(surface);
+  }
+
+  Range operator[](std::size_t face) const
+  {
+    return {m_neighbors.data() + m_first[face], m_neighbors.data() + m_first[face + 1]};
+  }
+
+  /// Whether a face is a sliver, needle or cap: its normal tells nothing of the surface on which its vertices lie.
+  bool is_thin(std::size_t face) const { return m_is_thin[face] != 0; }
+
+private:
+  /// The height of a thin face over its longest edge, as a multiple of that edge, is below this.
+  static constexpr double thin = 0.002;
+
+  void find_thin_faces(const Surface& surface)
+  {
+    m_is_thin.resize(surface.number_of_faces());
+    for (std::size_t f = 0; f < m_is_thin.size(); ++f) {
+      double longest = 0;
+      for (std::size_t i = 0, n = surface.number_of_corners(f); i < n; ++i)
+        longest = (std::max)(longest, squared_norm(surface.point(surface.corner(f, i))
+                                                   - surface.point(surface.corner(f, (i + 1) % n))));
+      m_is_thin[f] = surface.is_degenerate(f) || 2 * surface.area(f) < thin * longest;
+    }
+  }
+
+  std::vector<Index> m_first;
+  std::vector<Neighbor> m_neighbors;
+  std::vector<std::uint8_t> m_is_thin;
+};
+
+} // namespace internal
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_INTERNAL_FACES_FACE_NEIGHBORS_H

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_FACES_FIT_SURFACE_H
+#define CGAL_REGION_SEGMENTATION_INTERNAL_FACES_FIT_SURFACE_H
+
+#include <CGAL/Region_segmentation/Segments/Fitted_surface.h>
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Region_segmentation {
+namespace internal {
+
+/// The number of parameters of a surface.
+inline int degrees_of_freedom(Surface_kind kind)
+{
+  constexpr int numbers[] = {3, 5, 6, 4, 7, 0};
+  return numbers[int(kind)];
+}
+
+inline double largest_distance(const Fitted_surface& s, const std::vector<Double_3>& points)
+{
+  double largest = 0;
+  for (const Double_3& p : points)
+    largest = (std::max)(largest, std::fabs(signed_distance(s, p)));
+  return largest;
+}
+
+/// Fits a surface to points: Levenberg and Marquardt's method for the sum of squared distances, from the initial values in the
+/// surface. One parametrization serves all kinds: 3 numbers move the point, 2 tilt the axis, 2 change the shape; those
+/// that a kind does not have get zero derivatives and are left.
+class Surface_fitter
+{
+public:
+  /// \param stop the root mean square distance below which the fit is good enough
+  Surface_fitter(const std::vector<Double_3>& points, double stop) : m_points(points), m_stop(stop)
+  {
+    for (const Double_3& p : points)
+      m_center = m_center + p;
+    m_center = (1.0 / double(points.size())) * m_center;
+    for (const Double_3& p : points)
+      m_size = (std::max)(m_size, norm(p - m_center));
+  }
+
+  /// Returns the root mean square distance.
+  double operator()(Fitted_surface& s, int iterations = 15) const
+  {
+    anchor(s);
+    Normal_equations best = equations(s);
+    double damping = 1e-3;
+    int slow = 0;
+    for (int i = 0; i < iterations && rms(best) > m_stop && slow < 3; ++i) {
+      const Fitted_surface next = moved(s, step(best, damping));
+      const Normal_equations e = equations(next);
+      if (e.cost < best.cost) {
+        slow = e.cost > 0.8 * best.cost ? slow + 1 : 0;
+        damping = (std::max)(1e-12, 0.05 * damping);
+        s = next;
+        best = e;
+      } else {
+        ++slow;
+        damping = 10 * damping;
+      }
+    }
+    return normalized(s) ? rms(best) : infinite;
+  }
+
+  double root_mean_square(const Fitted_surface& s) const
+  {
+    double sum = 0;
+    for (const Double_3& p : m_points) {
+      const double distance = signed_distance(s, p);
+      sum += distance * distance;
+    }
+    return std::sqrt(sum / double(m_points.size()));
+  }
+
+private:
+  using Vector = Eigen::Matrix<double, 7, 1, Eigen::DontAlign>;
+  using Matrix = Eigen::Matrix<double, 7, 7, Eigen::DontAlign>;
+  static constexpr double infinite = 1e300;
+
+  struct Normal_equations
+  {
+    Matrix a = Matrix::Zero();
+    Vector b = Vector::Zero();
+    double cost = 0;
+  };
+
+  double rms(const Normal_equations& e) const { return std::sqrt(e.cost / double(m_points.size())); }
+
+  static Double_3 any_perpendicular(const Double_3& a)
+  {
+    const Double_3 axis = std::fabs(a.x) < 0.6 ? Double_3{1, 0, 0} : Double_3{0, 1, 0};
+    const Double_3 b = cross(a, axis);
+    return (1 / norm(b)) * b;
+  }
+
+  /// Moves the point of a plane, cylinder or cone next to the points; the fit is well conditioned there.
+  void anchor(Fitted_surface& s) const
+  {
+    const double z = dot(m_center - s.point, s.direction);
+    if (s.kind == Surface_kind::CYLINDER || s.kind == Surface_kind::CONE) {
+      s.point = s.point + z * s.direction;
+      s.radius += s.kind == Surface_kind::CONE ? z * std::tan(s.angle) : 0;
+    } else if (s.kind == Surface_kind::PLANE) {
+      s.point = m_center - z * s.direction;
+    }
+  }
+
+  Normal_equations equations(const Fitted_surface& s) const
+  {
+    const Double_3 e1 = any_perpendicular(s.direction), e2 = cross(s.direction, e1);
+    const bool slides = s.kind == Surface_kind::CONE || s.kind == Surface_kind::CYLINDER;
+    Normal_equations result;
+    for (const Double_3& p : m_points) {
+      const Meridian_point m = meridian_point(s, p);
+      const Profile f = profile(s, m.r, m.z);
+      const double x = dot(m.outward, e1), y = dot(m.outward, e2), tilt = f.by_z * m.r - f.by_r * m.z;
+      Vector row;
+      row << -f.by_r * x, -f.by_r * y, slides ? 0 : -f.by_z, tilt * x, tilt * y, f.by_radius, f.by_second;
+      for (int i = 0; i < 7; ++i) {
+        result.b[i] += row[i] * f.value;
+        for (int j = 0; j <= i; ++j)
+          result.a(i, j) += row[i] * row[j];
+      }
+      result.cost += f.value * f.value;
+    }
+    return result;
+  }
+
+  Vector step(const Normal_equations& e, double damping) const
+  {
+    Matrix a = e.a;
+    for (int i = 0; i < 7; ++i)
+      a(i, i) = a(i, i) * (1 + damping) + (a(i, i) > 0 ? 0 : 1);
+    return Vector(-a.selfadjointView<Eigen::Lower>().ldlt().solve(e.b));
+  }
+
+  static Fitted_surface moved(const Fitted_surface& s, const Vector& d)
+  {
+    const Double_3 e1 = any_perpendicular(s.direction), e2 = cross(s.direction, e1);
+    Fitted_surface result = s;
+    result.point = s.point + d[0] * e1 + d[1] * e2 + d[2] * s.direction;
+    const Double_3 a = s.direction + d[3] * e1 + d[4] * e2;
+    result.direction = (1 / norm(a)) * a;
+    result.radius = s.radius + d[5];
+    (s.kind == Surface_kind::CONE ? result.angle : result.minor_radius) += d[6];
+    return result;
+  }
+
+  /// Brings the parameters into their ranges. Returns whether the surface is one.
+  bool normalized(Fitted_surface& s) const
+  {
+    if (s.kind == Surface_kind::CONE && s.angle < 0) {
+      s.angle = -s.angle;
+      s.direction = -1.0 * s.direction;
+    }
+    const bool cone = s.kind != Surface_kind::CONE || (s.angle > 1e-4 && s.angle < 1.5);
+    const bool torus = s.kind != Surface_kind::TORUS || (s.minor_radius > 0 && s.radius > 1e-6 * m_size
+                                                          && s.minor_radius < 50 * m_size);
+    const bool size = s.kind == Surface_kind::PLANE || (s.radius > 0 && s.radius < 100 * m_size);
+    return is_finite(s.point) && is_finite(s.direction) && (size || s.kind == Surface_kind::CONE) && cone && torus;
+  }
+
+  const std::vector<Double_3>& m_points;
+  double m_stop;
+  Double_3 m_center{0, 0, 0};
+  double m_size = 0;
+};
+
+} // namespace internal
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_INTERNAL_FACES_FIT_SURFACE_H

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_FACES_PROPOSE_SURFACES_H
+#define CGAL_REGION_SEGMENTATION_INTERNAL_FACES_PROPOSE_SURFACES_H
+
+#include <CGAL/Region_segmentation/internal/faces/fit_surface.h>
+#include <CGAL/Region_segmentation/internal/faces/initial_surfaces.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Region_segmentation {
+namespace internal {
+
+/// Fits a surface of a kind to points near `origin` with approximate normal `normal`, from several initial values; until one
+/// has a root mean square distance below `stop`. Returns the smallest one.
+class Surface_proposer
+{
+public:
+  /// \param axis to which the normals are most orthogonal; 0 if not known
+  Surface_proposer(const std::vector<Double_3>& points, const Double_3& origin, const Double_3& normal, const Double_3& axis,
+                   double stop)
+    : m_points(points), m_axis(axis), m_fitter(points, stop), m_stop(stop), m_origin(origin), m_normal(normal)
+    , m_paraboloid(osculating_paraboloid(points, origin, normal))
+  {}
+
+  double operator()(Surface_kind kind, Fitted_surface& best) const
+  {
+    double least = 1e300;
+    if (int(m_points.size()) < degrees_of_freedom(kind) + 2)
+      return least;
+    for (const Fitted_surface& initial : nearest_initial_surfaces(kind)) {
+      Fitted_surface s = initial;
+      const double error = m_fitter(s);
+      if (error < least) {
+        least = error;
+        best = s;
+      }
+      if (least <= m_stop)
+        break;
+    }
+    return least;
+  }
+
+private:
+  /// The three initial surfaces that are nearest to the points, the nearest first.
+  std::vector<Fitted_surface> nearest_initial_surfaces(Surface_kind kind) const
+  {
+    constexpr std::size_t most = 3;
+    std::vector<Fitted_surface> initial = initial_surfaces(kind);
+    for (Fitted_surface& s : initial)
+      s.deviation = m_fitter.root_mean_square(s);
+    std::stable_sort(initial.begin(), initial.end(), [](const Fitted_surface& a, const Fitted_surface& b) {
+      return a.deviation < b.deviation;
+    });
+    initial.resize((std::min)(initial.size(), most));
+    return initial;
+  }
+
+  std::vector<Fitted_surface> initial_surfaces(Surface_kind kind) const
+  {
+    const Osculating_paraboloid& o = m_paraboloid;
+    std::vector<Fitted_surface> result;
+    switch (kind) {
+    case Surface_kind::PLANE:
+      result.push_back(surface_of_kind(Surface_kind::PLANE, m_origin, m_normal));
+      break;
+    case Surface_kind::CYLINDER:
+      result.push_back(initial_cylinder(o));
+      if (squared_norm(m_axis) > 0)
+        result.push_back(cylinder_along(m_axis, m_points, m_origin));
+      break;
+    case Surface_kind::SPHERE:
+      result.push_back(initial_sphere(o));
+      break;
+    case Surface_kind::CONE:
+      for (const double angle : {0.1, 0.5, -0.5, 1.0, -1.0})
+        result.push_back(initial_cone(o, angle));
+      break;
+    case Surface_kind::TORUS:
+      for (int meridian = 0; meridian < 2; ++meridian)
+        for (const double angle : {0.0, 0.5, -0.5, 1.0, -1.0})
+          if (std::fabs(o.curvature[meridian]) > 0.05 * std::fabs(o.curvature[0]))
+            result.push_back(initial_torus(o, meridian, angle));
+      break;
+    default:
+      break;
+    }
+    return result;
+  }
+
+  const std::vector<Double_3>& m_points;
+  Double_3 m_axis;
+  Surface_fitter m_fitter;
+  double m_stop;
+  Double_3 m_origin, m_normal;
+  Osculating_paraboloid m_paraboloid;
+};
+
+} // namespace internal
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_INTERNAL_FACES_PROPOSE_SURFACES_H
