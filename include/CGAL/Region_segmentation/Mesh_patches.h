@@ -5,6 +5,7 @@
 
 #include <CGAL/Region_segmentation/Double_3.h>
 #include <CGAL/Region_segmentation/Partition.h>
+#include <CGAL/Region_segmentation/internal/reading/Intrinsic_frame.h>
 #include <CGAL/Region_segmentation/internal/support/Large_array.h>
 
 #include <cstddef>
@@ -92,15 +93,21 @@ public:
   static constexpr double deviation_weight = 0.4;          ///< w, relative length per radian
 
   Mesh_patches() = default;
-  explicit Mesh_patches(Patches fine, Patches coarse = Patches()) : Patches(std::move(fine)), m_coarse(std::move(coarse)) {}
+  explicit Mesh_patches(Patches fine, Patches coarse = Patches(),
+                        const internal::Intrinsic_frame& frame = internal::Intrinsic_frame())
+    : Patches(std::move(fine)), m_coarse(std::move(coarse)), m_frame(frame)
+  {}
 
   /// The patch of each face.
   const Partition& of_faces() const { return of_elements(); }
   /// The coarse patches: their elements are the patches.
   const Patches& coarse() const { return m_coarse; }
+  /// In which positions are measured.
+  const internal::Intrinsic_frame& frame() const { return m_frame; }
 
 private:
   Patches m_coarse;
+  internal::Intrinsic_frame m_frame;
 };
 
 } // namespace Region_segmentation

@@ -8,6 +8,7 @@
 #include <CGAL/Region_segmentation/Methods/Visibility_cost.h>
 #include <CGAL/Region_segmentation/internal/model/Merge_model.h>
 #include <CGAL/Region_segmentation/internal/support/Second_moments.h>
+#include <CGAL/Region_segmentation/internal/support/grid.h>
 
 #include <CGAL/number_type_config.h>
 
@@ -123,7 +124,8 @@ public:
   static Values of(const Graph& graph, typename Graph::section_descriptor s)
   {
     auto m = graph.source(s), l = graph.target(s);
-    if (graph[l].area < graph[m].area || (graph[l].area == graph[m].area && l < m))
+    const auto area_l = internal::coarse_bits(graph[l].area), area_m = internal::coarse_bits(graph[m].area);
+    if (area_l < area_m || (area_l == area_m && l < m))
       std::swap(m, l);
     Merge_features features(graph[m], graph[l], graph[s]);
     features.set(COST, Visibility_cost()(graph, s));

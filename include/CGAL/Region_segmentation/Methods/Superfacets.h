@@ -14,6 +14,7 @@
 #include <CGAL/Region_segmentation/internal/regions/Region_shapes.h>
 #include <CGAL/Region_segmentation/internal/regions/border_costs.h>
 #include <CGAL/Region_segmentation/internal/support/Large_array.h>
+#include <CGAL/Region_segmentation/internal/support/grid.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/tags.h>
@@ -143,10 +144,10 @@ private:
     const Patches& coarse = patches.coarse();
     internal::Farthest_point_seeding from_patches(steps(mesh, patches), execution.step(0.5, 1));
     if (coarse.size() / coarse_patches_of_region < number)
-      from_patches.run(distances_from_centroid(patches), number);
+      from_patches.run(distances_from_centroid(patches, mesh.relative_unit()), number);
     else {
       internal::Farthest_point_seeding from_coarse(steps(mesh, coarse), execution.step(0, 0.5));
-      from_coarse.run(distances_from_centroid(coarse), number);
+      from_coarse.run(distances_from_centroid(coarse, mesh.relative_unit()), number);
       std::vector<Index> seeds;
       for (const Index seed : from_coarse.seeds())
         seeds.push_back(coarse[seed].center);
@@ -168,7 +169,7 @@ private:
   double step(const Flat_mesh& mesh, double distance, double concavity) const
   {
     const double length = distance / mesh.relative_unit() + concave_weight * (std::min)(concavity, maximum_deviation);
-    return (std::min)((std::max)(length, shortest_step), longest_step);
+    return (std::min)((std::max)(internal::on_grid(length), shortest_step), longest_step);
   }
 
   /// The face of each region nearest to its centroid.
@@ -179,7 +180,7 @@ private:
     std::vector<double> distances(faces.size(), (std::numeric_limits<double>::max)());
     for (std::size_t f = 0; f < regions.size(); ++f) {
       const Index r = regions[f];
-      const double distance = squared_norm(mesh.centroid(f) - shapes.centroids[r]);
+      const double distance = internal::on_grid(norm(mesh.centroid(f) - shapes.centroids[r]) / mesh.relative_unit());
       if (distance < distances[r]) {
         distances[r] = distance;
         faces[r] = Index(f);
@@ -188,8 +189,8 @@ private:
     return faces;
   }
 
-  /// Squared, from that of the surface.
-  static std::vector<double> distances_from_centroid(const Patches& patches)
+  /// From that of the surface.
+  static std::vector<double> distances_from_centroid(const Patches& patches, double unit)
   {
     // Relative to a point of the mesh, to avoid cancellation far from the origin.
     const Double_3 origin = patches[0].centroid;
@@ -203,12 +204,12 @@ private:
     std::vector<double> distances;
     distances.reserve(patches.size());
     for (std::size_t p = 0; p < patches.size(); ++p)
-      distances.push_back(squared_norm(patches[p].centroid - center));
+      distances.push_back(internal::on_grid(norm(patches[p].centroid - center) / unit));
     return distances;
   }
 
   static constexpr std::size_t coarse_patches_of_region = 4; // at least, on average: fewer give no choice of seeds
-  static constexpr double shortest_step = 1e-37, longest_step = 1e28;
+  static constexpr double shortest_step = 1. / (1 << 20), longest_step = 1e28;
 };
 
 } // namespace Region_segmentation

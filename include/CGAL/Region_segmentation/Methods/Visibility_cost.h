@@ -4,6 +4,7 @@
 #define CGAL_REGION_SEGMENTATION_METHODS_VISIBILITY_COST_H
 
 #include <CGAL/Region_segmentation/Methods/Visibility_data.h>
+#include <CGAL/Region_segmentation/internal/support/grid.h>
 
 #include <algorithm>
 #include <cmath>
@@ -74,13 +75,14 @@ struct Visibility_cost
     const double harmonic = 2 * smaller * larger / (smaller + larger);
     const double seen = (std::min)(a.visibility, b.visibility);
     const double mutual = seen > 0 ? section.visibility / seen : 0;
-    return depth_exponent * std::log(depth(section)) +
+    return internal::on_grid(
+           depth_exponent * std::log(depth(section)) +
            area_exponent *
              ((1 - harmonic_share) * std::log(smaller) + harmonic_share * std::log(harmonic)) -
            length_exponent * (2 * std::log(length) - std::log(smaller)) +
            thickness_exponent *
              std::log(thickness_offset + std::abs(a.mean_log_thickness() - b.mean_log_thickness())) -
-           visibility_exponent * std::log(visibility_offset + mutual);
+           visibility_exponent * std::log(visibility_offset + mutual));
   }
 
 private:

@@ -4,6 +4,7 @@
 #define CGAL_REGION_SEGMENTATION_METHODS_VISIBILITY_DATA_H
 
 #include <CGAL/Region_segmentation/Flat_mesh.h>
+#include <CGAL/Region_segmentation/internal/support/grid.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -52,9 +53,9 @@ protected:
   /// The deviation of a dual edge in radians: positive if it is concave, negative if it is convex.
   static double signed_deviation(const Flat_mesh& mesh, std::size_t lower_face, std::size_t edge)
   {
-    return mesh.has_flag(edge, Flat_mesh::CONCAVE)  ? mesh.deviation(lower_face, edge)
-           : mesh.has_flag(edge, Flat_mesh::CONVEX) ? -mesh.deviation(lower_face, edge)
-                                                    : 0;
+    // Of coplanar faces the sign is rounding, and the arc cosine enlarges it.
+    const double deviation = internal::on_grid(mesh.deviation(lower_face, edge));
+    return mesh.has_flag(edge, Flat_mesh::CONCAVE) ? deviation : mesh.has_flag(edge, Flat_mesh::CONVEX) ? -deviation : 0;
   }
 
   /// Accounts for an edge by its length and signed deviation.

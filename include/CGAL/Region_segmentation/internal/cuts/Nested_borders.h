@@ -9,6 +9,7 @@
 #include <CGAL/Region_segmentation/internal/cuts/Region_pieces.h>
 #include <CGAL/Region_segmentation/internal/graph/Tree_regions.h>
 #include <CGAL/Region_segmentation/internal/regions/Dual_graph.h>
+#include <CGAL/Region_segmentation/internal/support/grid.h>
 #include <CGAL/Region_segmentation/internal/support/visitor.h>
 
 #include <algorithm>
@@ -132,7 +133,8 @@ private:
     }
     std::size_t largest = 0;
     for (std::size_t i = 1; i < components.size(); ++i)
-      if (areas[i] > areas[largest] || (areas[i] == areas[largest] && components[i][0] < components[largest][0]))
+      if (coarse_bits(areas[i]) > coarse_bits(areas[largest]) ||
+          (coarse_bits(areas[i]) == coarse_bits(areas[largest]) && components[i][0] < components[largest][0]))
         largest = i;
     for (std::size_t i = 0; i < components.size(); ++i)
       if (i != largest) {

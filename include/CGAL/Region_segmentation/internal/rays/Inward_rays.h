@@ -10,6 +10,7 @@
 #include <CGAL/Region_segmentation/internal/regions/Region_shapes.h>
 #include <CGAL/Region_segmentation/internal/support/Grouped_items.h>
 #include <CGAL/Region_segmentation/internal/support/blocks.h>
+#include <CGAL/Region_segmentation/internal/support/grid.h>
 
 #include <boost/container/static_vector.hpp>
 
@@ -17,6 +18,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -73,7 +75,16 @@ public:
   }
 
 private:
-  using Face_at_distance = std::pair<double, Index>; // to the centroid of its region, squared
+  struct Candidate // a face, by its distance to the centroid of its region, then in their order
+  {
+    std::uint32_t distance;
+    Index place, face;
+
+    friend bool operator<(const Candidate& a, const Candidate& b)
+    {
+      return a.distance != b.distance ? a.distance < b.distance : a.place < b.place;
+    }
+  };
 
   /// A direction around the inward normal of a face: the angles away from it, and around it.
   struct Spiral
@@ -111,15 +122,16 @@ private:
     const auto for_each_face = [&](const auto& f) {
       for (std::size_t p = 0; p < m_mesh.patches().size(); ++p)
         if (const Index face = m_mesh.patches()[p].center; !hits[m_regions[face]])
-          f(m_regions[face], face);
+          f(m_regions[face], face, p);
       for (std::size_t face = 0; any_wants_all && face < m_regions.size(); ++face)
         if (wants_all[m_regions[face]])
-          f(m_regions[face], face);
+          f(m_regions[face], face, face);
     };
-    for_each_face([&](Index r, std::size_t) { m_faces.count(r); });
+    for_each_face([&](Index r, std::size_t, std::size_t) { m_faces.count(r); });
     m_faces.end_counting();
-    for_each_face([&](Index r, std::size_t face) {
-      m_faces.add(r, {squared_norm(m_mesh.centroid(face) - m_shapes.centroids[r]), Index(face)});
+    for_each_face([&](Index r, std::size_t face, std::size_t place) {
+      const double distance = norm(m_mesh.centroid(face) - m_shapes.centroids[r]) / m_mesh.relative_unit();
+      m_faces.add(r, {coarse_bits(distance), Index(place), Index(face)});
     });
   }
 
@@ -140,7 +152,7 @@ private:
     auto [begin, end] = m_faces[region];
     const std::size_t number = number_of_rays(m_shapes.areas[region] / m_mesh.surface_area());
     if (number < rays_per_region)
-      return cast_rays_from(std::min_element(begin, end)->second, m_spirals[0].data(), number, rays);
+      return cast_rays_from(std::min_element(begin, end)->face, m_spirals[0].data(), number, rays);
     const std::size_t size = std::size_t(end - begin);
     const std::size_t samples = (std::min)(size, faces_per_region);
     std::array<Index, faces_per_region> faces;
@@ -149,7 +161,7 @@ private:
       const auto sample = begin + k * size * 9 / (10 * samples);
       std::nth_element(begin, sample, end);
       end = sample;
-      faces[k] = sample->second;
+      faces[k] = sample->face;
     }
     const std::size_t rays_per_face = rays_per_region / samples;
     for (std::size_t k = 0; k < samples; ++k)
@@ -180,10 +192,12 @@ private:
     if (const double length = norm(u); length > smallest_part * norm(away))
       return (1 / length) * u;
     const Mesh_points& points = m_mesh.points();
+    const auto rank = [&](const Double_3& w) {
+      return std::make_pair(coarse_bits(norm(w) / m_mesh.relative_unit()), m_mesh.patches().frame().position(source + w));
+    };
     Double_3 farthest{0, 0, 0};
     for (std::size_t i = 0; i < points.number_of_corners(face); ++i)
-      if (const Double_3 w = in_plane(points[points.corner(face, i)] - source);
-          squared_norm(w) > squared_norm(farthest))
+      if (const Double_3 w = in_plane(points[points.corner(face, i)] - source); rank(w) > rank(farthest))
         farthest = w;
     return (1 / norm(farthest)) * farthest;
   }
@@ -192,7 +206,7 @@ private:
   const Partition& m_regions;
   const Region_shapes& m_shapes; // of the regions
   const Ray_tree& m_tree;
-  Grouped_items<Face_at_distance> m_faces; // by region
+  Grouped_items<Candidate> m_faces; // by region
   const std::array<Spirals, faces_per_region> m_spirals;
 };
 

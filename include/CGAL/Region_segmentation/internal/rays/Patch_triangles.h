@@ -30,7 +30,7 @@ public:
   /// `scale`: of the relative coordinates
   /// \pre the mesh was read with its points and patches
   Patch_triangles(const Flat_mesh& mesh, Patch_level level, const Double_3& origin, double scale)
-    : m_level(level), m_origin(origin), m_scale(scale), m_faces(patches(mesh).size())
+    : m_level(level), m_frame(mesh.patches().frame()), m_origin(origin), m_scale(scale), m_faces(patches(mesh).size())
   {
     const Partition &fine = mesh.patches().of_faces(), &coarse = mesh.patches().coarse().of_elements();
     const auto patch_of = [&](Index patch) { return level == Patch_level::FINE ? patch : coarse[patch]; };
@@ -48,7 +48,14 @@ public:
 
   Float_3 relative(const Double_3& point) const
   {
-    const Double_3 v = m_scale * (point - m_origin);
+    const Double_3 v = m_scale * m_frame(point - m_origin);
+    return {float(v.x), float(v.y), float(v.z)};
+  }
+
+  /// A direction in the frame of relative coordinates.
+  Float_3 direction(const Double_3& d) const
+  {
+    const Double_3 v = m_frame(d);
     return {float(v.x), float(v.y), float(v.z)};
   }
 
@@ -109,6 +116,7 @@ private:
   }
 
   Patch_level m_level;
+  Intrinsic_frame m_frame; // so that what rays hit does not depend on motion, even at borders of faces
   Double_3 m_origin;
   double m_scale;
   Grouped_items<Index> m_faces; // by patch

@@ -69,7 +69,7 @@ public:
   /// A ray whose first hit is not known yet; `direction` has length 1.
   Ray make_ray(const Double_3& source, const Double_3& direction, Index skipped) const
   {
-    return {m_leaves.triangles().relative(source), {float(direction.x), float(direction.y), float(direction.z)}, skipped};
+    return {m_leaves.triangles().relative(source), m_leaves.triangles().direction(direction), skipped};
   }
 
   /// Finds the first face of the mesh of the tree that each ray hits in front of its source, other than the one it skips.

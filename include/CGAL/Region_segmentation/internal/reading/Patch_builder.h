@@ -6,10 +6,12 @@
 #include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/Flat_mesh.h>
 #include <CGAL/Region_segmentation/Mesh_patches.h>
+#include <CGAL/Region_segmentation/internal/reading/Intrinsic_frame.h>
 #include <CGAL/Region_segmentation/internal/reading/Patch_selection.h>
 #include <CGAL/Region_segmentation/internal/support/Grouped_items.h>
 #include <CGAL/Region_segmentation/internal/support/Large_array.h>
 #include <CGAL/Region_segmentation/internal/support/blocks.h>
+#include <CGAL/Region_segmentation/internal/support/grid.h>
 
 #include <algorithm>
 #include <cmath>
@@ -42,7 +44,7 @@ public:
   static Mesh_patches build(const Flat_mesh& mesh, const Release& release_centroids,
                             const Execution<ConcurrencyTag>& execution)
   {
-    Patch_builder builder(mesh);
+    Patch_builder builder(mesh, Intrinsic_frame(Faces(mesh, Intrinsic_frame())));
     // A round takes a time proportional to the number of patches before it.
     const auto report = [&] {
       execution.report(1 - double(builder.m_places.size()) / double((std::max)(mesh.number_of_faces(), std::size_t(1))));
@@ -56,17 +58,17 @@ public:
     builder.m_adjacencies.push_back(fine.m_adjacencies);
     builder.join_patches(Mesh_patches::maximum_coarse_area * area, report);
     Patches coarse = builder.finish();
-    set_centers(coarse, [&](std::size_t p) { return fine[p].centroid; },
+    set_centers(coarse, builder.m_unit, builder.m_frame, [&](std::size_t p) { return fine[p].centroid; },
                 [&](std::size_t p) { return squared_norm(fine[p].normal) == 0; });
-    return Mesh_patches(std::move(fine), std::move(coarse));
+    return Mesh_patches(std::move(fine), std::move(coarse), builder.m_frame);
   }
 
   /// The parts of a partition as patches.
   static Patches build(const Flat_mesh& mesh, Partition of_faces)
   {
-    Patch_builder builder(mesh);
+    Patch_builder builder(mesh, mesh.patches().frame());
     builder.m_rounds.push_back(std::move(of_faces));
-    builder.replace_patches(Faces(mesh), builder.m_rounds.back(), [] {});
+    builder.replace_patches(Faces(mesh, builder.m_frame), builder.m_rounds.back(), [] {});
     Patches patches = builder.finish();
     set_centers(patches, mesh);
     return patches;
@@ -75,22 +77,27 @@ public:
   /// Sets the centers of patches of faces.
   static void set_centers(Patches& patches, const Flat_mesh& mesh)
   {
-    set_centers(patches, [&](std::size_t f) { return mesh.centroid(f); }, [&](std::size_t f) { return mesh.is_degenerate(f); });
+    set_centers(patches, mesh.relative_unit(), mesh.patches().frame(), [&](std::size_t f) { return mesh.centroid(f); },
+                [&](std::size_t f) { return mesh.is_degenerate(f); });
   }
 
 private:
-  explicit Patch_builder(const Flat_mesh& mesh) : m_mesh(mesh), m_unit(mesh.relative_unit()) {}
+  Patch_builder(const Flat_mesh& mesh, const Intrinsic_frame& frame)
+    : m_mesh(mesh), m_unit(mesh.relative_unit()), m_frame(frame)
+  {}
 
   /// A degenerate element only if there is no other.
   template <typename Centroid, typename IsDegenerate>
-  static void set_centers(Patches& patches, const Centroid& centroid, const IsDegenerate& is_degenerate)
+  static void set_centers(Patches& patches, double unit, const Intrinsic_frame& frame, const Centroid& centroid,
+                          const IsDegenerate& is_degenerate)
   {
-    constexpr double infinite = std::numeric_limits<double>::infinity();
-    std::vector<double> distances(patches.size(), infinite);
+    constexpr std::uint32_t infinite = (std::numeric_limits<std::uint32_t>::max)();
+    std::vector<std::uint32_t> distances(patches.size(), infinite);
     for_each_in_part(patches.m_of_elements, [&](Index part, std::size_t i) {
       Patch& patch = patches.m_patches[part];
-      const double distance = is_degenerate(i) ? infinite : squared_norm(centroid(i) - patch.centroid);
-      if (distance < distances[part] || patch.center == none) {
+      const std::uint32_t distance = is_degenerate(i) ? infinite : coarse_bits(norm(centroid(i) - patch.centroid) / unit);
+      if (distance < distances[part] || patch.center == none ||
+          (distance == distances[part] && frame.position(centroid(i)) < frame.position(centroid(patch.center)))) {
         distances[part] = distance;
         patch.center = Index(i);
       }
@@ -113,12 +120,13 @@ private:
   class Faces
   {
   public:
-    explicit Faces(const Flat_mesh& mesh) : m_mesh(mesh) {}
+    Faces(const Flat_mesh& mesh, const Intrinsic_frame& frame) : m_mesh(mesh), m_frame(frame) {}
     std::size_t size() const { return m_mesh.number_of_faces(); }
     double area(std::size_t f) const { return m_mesh.area(f); }
     Double_3 centroid(std::size_t f) const { return m_mesh.centroid(f); }
     const Double_3& normal(std::size_t f) const { return m_mesh.normal(f); }
     Double_3 area_vector(std::size_t f) const { return m_mesh.area(f) * m_mesh.normal(f); }
+    double position(std::size_t f) const { return m_frame.position(centroid(f)); }
 
     std::size_t number_of_ranges() const { return number_of_blocks(m_mesh.number_of_edges(), edges_in_range()); }
     template <typename F>
@@ -139,6 +147,7 @@ private:
     }
 
     const Flat_mesh& m_mesh;
+    const Intrinsic_frame m_frame;
   };
 
   /// The patches of a later round. Those of the first round are not stored, but found from their faces: they would take more
@@ -146,11 +155,12 @@ private:
   class Joined
   {
   public:
-    explicit Joined(const Patch_builder& builder) : m_builder(builder), m_faces(builder.m_mesh) {}
+    explicit Joined(const Patch_builder& builder) : m_builder(builder), m_faces(builder.m_mesh, builder.m_frame) {}
     std::size_t size() const { return m_builder.m_places.size(); }
     double area(std::size_t p) const { return m_builder.m_places[p].area; }
     const Double_3& centroid(std::size_t p) const { return m_builder.m_places[p].centroid; }
     const Double_3& normal(std::size_t p) const { return m_builder.m_directions[p].normal; }
+    double position(std::size_t p) const { return m_builder.m_frame.position(centroid(p)); }
     Double_3 area_vector(std::size_t p) const
     {
       return m_builder.m_directions[p].projected_area * m_builder.m_directions[p].normal;
@@ -192,7 +202,7 @@ private:
   template <typename Release>
   bool join_faces(double maximum_area, const Release& release_centroids)
   {
-    const Faces faces(m_mesh);
+    const Faces faces(m_mesh, m_frame);
     m_rounds.push_back(select(faces, maximum_area));
     replace_patches(faces, m_rounds.back(), release_centroids);
     return has_joined_enough(m_rounds.back());
@@ -207,11 +217,30 @@ private:
       is_worth_another = has_joined_enough(joined);
       if (joined.number_of_parts() == joined.size())
         return;
-      replace_patches(patches, joined, [] {}); // first, since it frees most memory
-      replace_adjacencies(joined.number_of_parts(), [&](Index patch) { return joined[patch]; });
-      m_rounds.push_back(std::move(joined));
+      join(std::move(joined));
       report();
     }
+  }
+
+  void join(Partition joined)
+  {
+    replace_patches(Joined(*this), joined, [] {}); // first, since it frees most memory
+    replace_adjacencies(joined.number_of_parts(), [&](Index patch) { return joined[patch]; });
+    m_rounds.push_back(std::move(joined));
+  }
+
+  /// The patches by their positions: the new number of each.
+  Partition sorted() const
+  {
+    std::vector<std::pair<double, Index>> order;
+    order.reserve(m_places.size());
+    for (std::size_t p = 0; p < m_places.size(); ++p)
+      order.push_back({m_frame.position(m_places[p].centroid), Index(p)});
+    std::sort(order.begin(), order.end());
+    std::vector<Index> numbers(order.size());
+    for (std::size_t i = 0; i < order.size(); ++i)
+      numbers[order[i].second] = Index(i);
+    return Partition(std::move(numbers), order.size());
   }
 
   static bool has_joined_enough(const Partition& joined)
@@ -227,7 +256,7 @@ private:
   }
 
   /// Calls `f(part, element)` for all elements; those of a part in order, by one thread. Each thread has some of the parts, and looks at all
-  /// elements from the first on that may be in them.
+  /// elements.
   template <typename F>
   static void for_each_in_part(const Partition& partition, const F& f)
   {
@@ -235,7 +264,7 @@ private:
     const std::size_t size = number_of_blocks(partition.number_of_parts(), ranges);
     for_each_block_of<ConcurrencyTag>(0, ranges, [&](std::size_t range) {
       const std::size_t first = range * size;
-      for (std::size_t i = first; i < partition.size(); ++i) // no part is above its first element
+      for (std::size_t i = 0; i < partition.size(); ++i)
         if (partition[i] - first < size)
           f(partition[i], i);
     });
@@ -285,8 +314,9 @@ private:
     for_each_index<ConcurrencyTag>(directions.size(), [&](std::size_t p) {
       Direction& direction = directions[p];
       direction.projected_area = norm(direction.normal);
-      direction.normal =
-        direction.projected_area > 0 ? (1 / direction.projected_area) * direction.normal : Double_3{0, 0, 0};
+      direction.normal = direction.projected_area > 1e-9 * m_places[p].area
+                           ? (1 / direction.projected_area) * direction.normal
+                           : Double_3{0, 0, 0};
     });
     m_directions = std::move(directions);
   }
@@ -313,8 +343,7 @@ private:
   /// The patches of the rounds since the last call.
   Patches finish()
   {
-    if (m_adjacencies.empty())
-      replace_adjacencies(m_places.size(), [](Index patch) { return patch; });
+    join(sorted());
     Patches result;
     result.m_of_elements = take_rounds();
     result.m_adjacencies = united_adjacencies();
@@ -370,15 +399,16 @@ private:
   static double concave_deviation(const Patch& a, const Patch& b)
   {
     if (squared_norm(a.normal) == 0 || squared_norm(b.normal) == 0 ||
-        !(dot(b.normal - a.normal, b.centroid - a.centroid) < 0))
+        !(dot(b.normal - a.normal, b.centroid - a.centroid) < -1e-9 * norm(b.centroid - a.centroid)))
       return 0;
-    return std::acos((std::max)(-1.0, (std::min)(1.0, dot(a.normal, b.normal))));
+    return on_grid(std::acos((std::max)(-1.0, (std::min)(1.0, dot(a.normal, b.normal)))));
   }
 
   static constexpr Index none = (std::numeric_limits<Index>::max)();
 
   const Flat_mesh& m_mesh;
   const double m_unit;
+  const Intrinsic_frame m_frame;
   std::vector<Partition> m_rounds; // of the faces or the fine patches, then of the patches of the round before
   Large_array<Place> m_places;
   Large_array<Direction> m_directions;

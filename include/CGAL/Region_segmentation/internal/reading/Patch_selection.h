@@ -5,7 +5,7 @@
 
 #include <CGAL/Region_segmentation/Double_3.h>
 #include <CGAL/Region_segmentation/Partition.h>
-#include <CGAL/Region_segmentation/internal/support/Float_key.h>
+#include <CGAL/Region_segmentation/internal/support/grid.h>
 #include <CGAL/Region_segmentation/internal/support/Large_array.h>
 #include <CGAL/Region_segmentation/internal/support/Lowest_keys.h>
 #include <CGAL/Region_segmentation/internal/support/blocks.h>
@@ -37,31 +37,39 @@ class Patch_selection
   using Index = Partition::Index;
 
 public:
-  /// `Patches`: `size()`, `area(i)`, `centroid(i)`, `normal(i)`, `number_of_ranges()` of adjacencies,
+  /// `Patches`: `size()`, `area(i)`, `centroid(i)`, `normal(i)`, `position(i)`, `number_of_ranges()` of adjacencies,
   /// `for_each_adjacency(range, f)` with `f(lower, higher, ...)`
   template <typename Patches>
   Patch_selection(const Patches& patches, double maximum_area, double unit, double deviation_weight)
     : m_parents(patches.size())
   {
-    Lowest_keys<ConcurrencyTag> selections(patches.size()); // the steps and the other patches
+    while (patches.size() >> m_index_bits > 0)
+      ++m_index_bits;
+    const double positions = double(std::uint64_t(1) << (64 - step_bits - m_index_bits));
+    // Of the patch `j`, by the step to it, then by its position.
+    const auto key = [&](std::uint64_t step, Index j) {
+      return (((step << (64 - step_bits - m_index_bits)) | std::uint64_t(positions * patches.position(j))) << m_index_bits) | j;
+    };
+    Lowest_keys<ConcurrencyTag> selections(patches.size());
     for_each_index<ConcurrencyTag>(
-      patches.size(), [&](std::size_t i) { selections.set(i, make_float_key(unselected, Index(i))); });
-    const double scale = 1 / unit;
+      patches.size(), [&](std::size_t i) { selections.set(i, key(unselected, Index(i))); });
+    const double scale = 1 / unit, most = maximum_area * (1 + 1e-9);
     for_each_block_of<ConcurrencyTag>(0, patches.number_of_ranges(), [&](std::size_t range) {
       patches.for_each_adjacency(range, [&](Index a, Index b, std::size_t) {
-        if (!(patches.area(a) + patches.area(b) <= maximum_area))
+        if (!(patches.area(a) + patches.area(b) <= most))
           return;
-        const float step = float(scale * norm(patches.centroid(a) - patches.centroid(b)) +
-                                 deviation_weight * norm(patches.normal(a) - patches.normal(b)));
-        selections.offer(a, make_float_key(step, b));
-        selections.offer(b, make_float_key(step, a));
+        const std::uint64_t step = coarse_bits(scale * norm(patches.centroid(a) - patches.centroid(b)) +
+                                               deviation_weight * norm(patches.normal(a) - patches.normal(b)));
+        selections.offer(a, key(step, b));
+        selections.offer(b, key(step, a));
       });
     });
-    // Of two patches that select each other, the larger one is a root; of equal ones, the lower one.
+    const auto selected_by = [&](std::size_t i) { return Index(selections[i] & ((std::uint64_t(1) << m_index_bits) - 1)); };
+    // Of two patches that select each other, the larger one is a root; of equal ones, that of the lower position.
     for_each_index<ConcurrencyTag>(patches.size(), [&](std::size_t i) {
-      const Index j = index_of(selections[i]);
-      const bool is_root = index_of(selections[j]) == i &&
-                           (i < j ? !(patches.area(j) > patches.area(i)) : patches.area(i) > patches.area(j));
+      const Index j = selected_by(i);
+      const auto smallness = [&](Index p) { return unselected - coarse_bits(patches.area(p) / maximum_area); };
+      const bool is_root = selected_by(j) == i && key(smallness(Index(i)), Index(i)) < key(smallness(j), j);
       m_parents[i] = is_root ? Index(i) : j;
     });
   }
@@ -85,7 +93,8 @@ public:
 
 private:
   static constexpr Index none = (std::numeric_limits<Index>::max)();
-  static constexpr float unselected = std::numeric_limits<float>::infinity();
+  static constexpr unsigned step_bits = 20;
+  static constexpr std::uint64_t unselected = (std::uint64_t(1) << step_bits) - 1; // above all steps
 
   /// What is known of the depth of a patch.
   enum Parity : std::uint8_t { UNKNOWN, EVEN, ODD };
@@ -131,6 +140,7 @@ private:
   }
 
   Large_array<Index> m_parents; // by patch: the one it selected; itself: a root
+  unsigned m_index_bits = 0;    // of a key
 };
 
 } // namespace internal

@@ -19,7 +19,7 @@ namespace internal {
 struct Region_shapes
 {
   std::vector<double> areas;
-  std::vector<Double_3> normals;   // of length 1, or zero
+  std::vector<Double_3> normals;   // of length 1; zero if the area vectors of the faces cancel out
   std::vector<Double_3> centroids; // that of a region without area is the first face's of the mesh
   Double_3 surface_centroid{0, 0, 0};
 
@@ -43,7 +43,7 @@ struct Region_shapes
     surface_centroid = origin + inverse(area) * surface_centroid;
     for (std::size_t r = 0; r < areas.size(); ++r) {
       const double length = norm(normals[r]);
-      normals[r] = length > 0 ? (1 / length) * normals[r] : Double_3{};
+      normals[r] = length > 1e-9 * areas[r] ? (1 / length) * normals[r] : Double_3{}; // else rounding, as of closed parts
       centroids[r] = origin + inverse(areas[r]) * centroids[r];
     }
   }

@@ -5,6 +5,7 @@
 
 #include <CGAL/Region_segmentation/Flat_mesh.h>
 #include <CGAL/Region_segmentation/internal/regions/Dual_graph.h>
+#include <CGAL/Region_segmentation/internal/support/grid.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -20,7 +21,7 @@ inline Dual_graph border_costs(const Flat_mesh& mesh, const Patches& patches, do
 {
   return Dual_graph(patches, [&](std::size_t i) {
     const double concavity = (std::min)(patches.concave_deviation(i), maximum_deviation);
-    return patches.adjacencies()[i].length / mesh.relative_unit() / (1 + concave_gain * concavity);
+    return on_grid(16 * patches.adjacencies()[i].length / mesh.relative_unit() / (1 + concave_gain * concavity)) / 16;
   });
 }
 

@@ -36,6 +36,13 @@ struct Symmetric_3
     return xx * v.x * v.x + yy * v.y * v.y + zz * v.z * v.z + 2 * (xy * v.x * v.y + xz * v.x * v.z + yz * v.y * v.z);
   }
 
+  /// M v
+  friend Double_3 operator*(const Symmetric_3& m, const Double_3& v)
+  {
+    return {m.xx * v.x + m.xy * v.y + m.xz * v.z, m.xy * v.x + m.yy * v.y + m.yz * v.z,
+            m.xz * v.x + m.yz * v.y + m.zz * v.z};
+  }
+
   /// Adds weight * v v^T.
   void add_square(double weight, const Double_3& v)
   {
