@@ -87,7 +87,8 @@ reference::Straightening_input input_of(const RS::Flat_mesh& mesh, const RS::Par
   for (std::size_t i = 0; i < patches.adjacencies().size(); ++i) {
     const auto& [lower, higher, length] = patches.adjacencies()[i];
     const double concavity = std::min(patches.concave_deviation(i), straightening.maximum_deviation);
-    const float cost = float(length / mesh.relative_unit() / (1 + straightening.concave_gain * concavity));
+    const float cost =
+      float(RS::internal::on_grid(16 * length / mesh.relative_unit() / (1 + straightening.concave_gain * concavity)) / 16);
     const double step = norm(patches[lower].centroid - patches[higher].centroid) / mesh.relative_unit();
     input.costs[lower][higher] = input.costs[higher][lower] = cost;
     input.lengths[lower][higher] = input.lengths[higher][lower] = step;

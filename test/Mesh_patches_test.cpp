@@ -18,6 +18,7 @@
 #include <numeric>
 #include <random>
 #include <set>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -72,7 +73,8 @@ Labels joined_in_rounds(const RS::Flat_mesh& mesh, Labels patch_of, double maxim
       node.moment = node.moment + mesh.area(f) * mesh.centroid(f);
       node.area_vector = node.area_vector + mesh.area(f) * mesh.normal(f);
     }
-    std::map<std::size_t, std::pair<double, std::size_t>> selected; // step and patch
+    const auto position = [&](std::size_t i) { return mesh.patches().frame().position(nodes[i].centroid()); };
+    std::map<std::size_t, std::tuple<std::uint32_t, double, std::size_t>> selected; // step, position, patch
     for (std::size_t e = 0; e < mesh.number_of_edges(); ++e) {
       const std::size_t a = patch_of[mesh.lower_face(e)], b = patch_of[mesh.higher_face(e)];
       const Node &x = nodes[a], &y = nodes[b];
@@ -82,15 +84,19 @@ Labels joined_in_rounds(const RS::Flat_mesh& mesh, Labels patch_of, double maxim
       const double step = norm(x.centroid() - y.centroid()) / std::sqrt(mesh.surface_area()) +
                           Mesh_patches::deviation_weight * norm(x.normal() - y.normal());
       for (auto [from, to] : {std::make_pair(a, b), std::make_pair(b, a)})
-        if (!selected.count(from) || std::make_pair(step, to) < selected[from])
-          selected[from] = {step, to};
+        if (const auto key = std::make_tuple(RS::internal::coarse_bits(step), position(to), to);
+            !selected.count(from) || key < selected[from])
+          selected[from] = key;
     }
     const auto parent = [&](std::size_t i) {
       if (!selected.count(i))
         return i;
-      const std::size_t j = selected[i].second;
-      const bool is_larger = nodes[i].area != nodes[j].area ? nodes[i].area > nodes[j].area : i < j;
-      return selected[j].second == i && is_larger ? i : j;
+      const std::size_t j = std::get<2>(selected[i]);
+      const auto key = [&](std::size_t p) {
+        const double share = nodes[p].area / mesh.surface_area();
+        return std::make_pair(-double(RS::internal::coarse_bits(share)), position(p));
+      };
+      return std::get<2>(selected[j]) == i && key(i) < key(j) ? i : j;
     };
     const auto depth = [&](std::size_t i) {
       std::size_t d = 0;
@@ -132,7 +138,7 @@ Labels coarse_patches_by_definition(const RS::Flat_mesh& mesh)
 /// Of the faces.
 Labels coarse_labels_of(const Mesh_patches& patches)
 {
-  return labels_of(composed(patches.of_faces(), patches.coarse().of_elements()));
+  return renumbered(labels_of(composed(patches.of_faces(), patches.coarse().of_elements())));
 }
 
 TEST(Mesh_patches_test, are_those_of_the_definition)
@@ -141,7 +147,7 @@ TEST(Mesh_patches_test, are_those_of_the_definition)
     SCOPED_TRACE("seed " + std::to_string(seed));
     const RS::Flat_mesh mesh = flat_mesh_of(small_faces(seed));
     EXPECT_LT(mesh.patches().size(), mesh.number_of_faces() / 8);
-    EXPECT_EQ(labels_of(mesh.patches().of_faces()), patches_by_definition(mesh));
+    EXPECT_EQ(renumbered(labels_of(mesh.patches().of_faces())), patches_by_definition(mesh));
     EXPECT_LT(mesh.patches().coarse().size(), mesh.patches().size() / 4);
     EXPECT_EQ(coarse_labels_of(mesh.patches()), coarse_patches_by_definition(mesh));
   }
@@ -172,7 +178,7 @@ TEST(Mesh_patches_test, another_round_follows_one_that_joined_just_enough)
   for (std::size_t columns = 1; columns <= 200; columns += 3) {
     const Soup large = translated(scaled(grid(columns, 8), 300), 100, 0, 0);
     const RS::Flat_mesh mesh = flat_mesh_of(joined(small, large));
-    EXPECT_EQ(labels_of(mesh.patches().of_faces()), patches_by_definition(mesh)) << columns;
+    EXPECT_EQ(renumbered(labels_of(mesh.patches().of_faces())), patches_by_definition(mesh)) << columns;
     numbers.insert(mesh.patches().size() - 8 * columns);
   }
   EXPECT_GT(numbers.size(), 3u);
@@ -230,7 +236,7 @@ void expect_centers(const RS::Patches& patches, const Centroid& centroid)
   }
   for (std::size_t p = 0; p < patches.size(); ++p) {
     EXPECT_EQ(patches.of_elements()[patches[p].center], p);
-    EXPECT_NEAR(norm(centroid(patches[p].center) - patches[p].centroid), nearest[p], 1e-9);
+    EXPECT_LE(norm(centroid(patches[p].center) - patches[p].centroid), (1 + 1. / 2048) * nearest[p] + 1e-9);
   }
 }
 
@@ -244,7 +250,8 @@ TEST(Mesh_patches_test, are_connected_and_described)
     EXPECT_TRUE(is_connected(soup, labels_of(patches.of_faces())));
     EXPECT_TRUE(is_connected(soup, coarse_labels_of(patches)));
     expect_description(patches, mesh, labels_of(patches.of_faces()));
-    expect_description(patches.coarse(), mesh, coarse_labels_of(patches));
+    expect_description(patches.coarse(), mesh,
+                       labels_of(composed(patches.of_faces(), patches.coarse().of_elements())));
     expect_centers(patches, [&](std::size_t f) { return mesh.centroid(f); });
     expect_centers(patches.coarse(), [&](std::size_t p) { return patches[p].centroid; });
   }
@@ -311,7 +318,7 @@ TEST(Mesh_patches_test, do_not_depend_on_the_numbering)
     Labels b_of_a(a.size());
     for (std::size_t i = 0; i < order.size(); ++i)
       b_of_a[i] = b[order[i]];
-    EXPECT_EQ(renumbered(b_of_a), a);
+    EXPECT_EQ(b_of_a, a); // neither do their numbers
   }
 }
 

@@ -180,14 +180,18 @@ TEST(Farthest_point_seeding_test, every_face_goes_to_the_nearest_of_far_apart_se
     }
 }
 
-TEST(Superfacets_test, regions_are_connected_and_numbered_by_first_face)
+TEST(Superfacets_test, regions_are_connected_and_numbered_by_first_patch)
 {
   for (Family family : all_families)
     for (unsigned seed = 1; seed <= 5; ++seed) {
       SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
       const Soup soup = random_mesh(family, seed);
-      const RS::Partition regions = RS::Superfacets(20)(flat_mesh_of(soup));
-      EXPECT_TRUE(is_numbered_by_first_face(labels_of(regions), regions.number_of_parts()));
+      const RS::Flat_mesh mesh = flat_mesh_of(soup);
+      const RS::Partition regions = RS::Superfacets(20)(mesh);
+      Labels of_patches;
+      for (std::size_t p = 0; p < mesh.patches().size(); ++p)
+        of_patches.push_back(regions[mesh.patches()[p].center]);
+      EXPECT_TRUE(is_numbered_by_first_face(of_patches, regions.number_of_parts()));
       EXPECT_TRUE(is_connected(soup, labels_of(regions)));
     }
 }
@@ -415,7 +419,7 @@ TEST(Superfacets_test, splitting_gives_any_number_of_connected_parts)
       const RS::Flat_mesh mesh = flat_mesh_of(soup);
       const RS::Superfacets superfacets(20);
       RS::Partition coarse = superfacets(mesh);
-      EXPECT_EQ(superfacets.split(mesh, coarse, coarse.number_of_parts()), coarse);
+      EXPECT_EQ(labels_of(superfacets.split(mesh, coarse, coarse.number_of_parts())), renumbered(labels_of(coarse)));
       for (std::size_t k = coarse.number_of_parts(); k < mesh.number_of_faces(); k += 1 + k / 3) {
         const RS::Partition fine = superfacets.split(mesh, coarse, k);
         EXPECT_EQ(fine.number_of_parts(), k);
@@ -476,9 +480,11 @@ TEST(Superfacets_test, every_piece_gets_a_seed_beyond_the_number)
 
 TEST(Superfacets_test, of_patches_at_one_distance_the_lower_one_is_first)
 {
-  // Three squares in a row: both ends are seeds, and the middle belongs to the first one, face 0.
-  const RS::Partition regions = RS::Superfacets(2)(flat_mesh_of(grid(3, 1)));
-  EXPECT_EQ(labels_of(regions), (Labels{0, 0, 1}));
+  // Three squares in a row: both ends are seeds, and the middle belongs to the first one, patch 0.
+  const RS::Flat_mesh mesh = flat_mesh_of(grid(3, 1));
+  const RS::Partition regions = RS::Superfacets(2)(mesh);
+  EXPECT_EQ(regions.number_of_parts(), 2u);
+  EXPECT_EQ(regions[1], regions[mesh.patches()[0].center]);
 }
 
 TEST(Superfacets_test, there_are_no_more_regions_than_faces)
@@ -493,7 +499,7 @@ TEST(Superfacets_test, a_concave_line_is_a_border)
   RS::Region_growing growing;
   growing.maximum_angle = 10;
   growing.feature_convexity = RS::Feature_convexity::CONCAVE;
-  EXPECT_EQ(RS::Superfacets(2, 50)(mesh), growing(mesh));
+  EXPECT_EQ(renumbered(labels_of(RS::Superfacets(2, 50)(mesh))), labels_of(growing(mesh)));
 }
 
 // Centroids of slivers whose steps differ by more than double can add: rounding hides that a seed is nearer.
@@ -545,14 +551,17 @@ TEST(Superfacets_test, a_patch_follows_the_one_it_was_reached_through_although_r
   ASSERT_EQ(mesh.patches().size(), soup.polygons.size());
 
   const auto step = [&](std::size_t f, std::size_t g) {
-    return double(float(norm(mesh.patches()[f].centroid - mesh.patches()[g].centroid) / mesh.relative_unit()));
+    return double(float(norm(mesh.centroid(f) - mesh.centroid(g)) / mesh.relative_unit()));
   };
   const double first = step(0, 1) + step(1, 2) + step(2, 3), second = step(5, 4) + step(4, 3);
   ASSERT_LT(second, first);
   ASSERT_EQ(second + step(3, 6), first + step(3, 6));
-  RS::Superfacets superfacets(2, 0);
-  superfacets.concave_gain = 0;
-  EXPECT_EQ(labels_of(superfacets(mesh)), (Labels{0, 0, 0, 1, 1, 1, 1}));
+  const RS::Execution<> execution;
+  RS::internal::Farthest_point_seeding seeding(dual_graph_of(mesh.patches(), mesh), execution);
+  std::vector<double> remoteness(mesh.patches().size(), 0);
+  remoteness[mesh.patches().of_faces()[0]] = 1;
+  seeding.run(remoteness, 2);
+  EXPECT_EQ(renumbered(labels_of(composed(mesh.patches().of_faces(), seeding.regions()))), (Labels{0, 0, 0, 1, 1, 1, 1}));
 }
 
 // The area of the surface is that of one tiny face, so that steps between the others are longer than any float.

@@ -19,6 +19,17 @@
 
 namespace reference {
 
+/// A number of 13 significant bits: the mantissa of a float, cut off.
+inline double coarse(double x)
+{
+  const float scaled = float(x * 1.1803398874989485);
+  if (!(scaled > 0) || std::isinf(scaled))
+    return scaled;
+  int exponent;
+  const double mantissa = std::frexp(double(scaled), &exponent);
+  return std::ldexp(std::floor(mantissa * 8192), exponent - 13);
+}
+
 /// Elements with borders between them, which regions and their merges are made of.
 struct Straightening_input
 {
@@ -95,14 +106,14 @@ private:
   void keep_largest_component(const Elements& segment, std::size_t part)
   {
     std::set<std::size_t> largest;
-    double largest_area = -1;
+    double largest_area = 0;
     for (std::size_t e : segment)
       if (m_label[e] == part && largest.count(e) == 0) {
         const std::set<std::size_t> next = component(e);
         double area = 0;
         for (std::size_t f : next)
           area += m_in.areas[f];
-        if (area > largest_area) {
+        if (coarse(area) > coarse(largest_area)) {
           largest = next;
           largest_area = area;
         }

@@ -41,6 +41,9 @@ inline bool face_each_other(const Vector& n_i, const Vector& n_j, const Vector& 
   return dot(n_j - n_i, c_j - c_i) < 0;
 }
 
+/// A multiple of 2^-20.
+inline double on_grid(double x) { return std::floor(x * 1048576 + 0.3819660112501051) / 1048576; }
+
 inline Pair ordered(std::size_t a, std::size_t b) { return {std::min(a, b), std::max(a, b)}; }
 
 /// The labels renumbered by their first element.
@@ -64,6 +67,70 @@ struct Edge
   double length, signed_deviation; // positive: concave
 };
 
+/// The frame of a shape, and positions in it.
+struct Frame
+{
+  Vector origin{}, axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  double size = 0;
+
+  Frame() = default;
+  Frame(const std::vector<double>& areas, const std::vector<Vector>& normals, const std::vector<Vector>& centroids)
+  {
+    double area = 0;
+    for (std::size_t f = 0; f < areas.size(); ++f) {
+      area += areas[f];
+      origin = origin + areas[f] * (centroids[f] - centroids[0]);
+    }
+    origin = centroids[0] + (area > 0 ? 1 / area : 0) * origin;
+    for (const Vector& c : centroids)
+      size = std::max(size, norm(c - origin));
+    if (size == 0)
+      return;
+    const auto place = [&](std::size_t f) { return (1 / size) * (centroids[f] - origin); };
+    const auto integral = [&](const auto& of) {
+      Vector sum{};
+      for (std::size_t f = 0; f < areas.size(); ++f)
+        sum = sum + (areas[f] / size / size) * of(place(f), normals[f]);
+      return sum;
+    };
+    const auto spread = [&](const Vector& v) { return integral([&](const Vector& x, const Vector&) { return dot(x, v) * x; }); };
+    const double trace = spread({1, 0, 0})[0] + spread({0, 1, 0})[1] + spread({0, 0, 1})[2];
+    const auto farthest = [&](const Vector& axis) {
+      std::pair<double, double> best{-1, 0};
+      Vector result{};
+      for (std::size_t f = 0; f < areas.size(); ++f) {
+        const Vector x = place(f), away = x - dot(x, axis) * axis, other = norm(axis) > 0 ? axis : spread(x);
+        const std::pair<double, double> value{std::floor(1e6 * dot(away, away)),
+                                              std::floor(1e6 * dot(cross(other, x), normals[f]))};
+        if (value > best) {
+          best = value;
+          result = away;
+        }
+      }
+      return result;
+    };
+    const auto first_part = [&](const Vector& axis, const std::vector<Vector>& moments) {
+      for (const Vector& m : moments)
+        if (const Vector part = m - dot(m, axis) * axis; norm(part) > 1e-5 * trace)
+          return part;
+      return farthest(axis);
+    };
+    const Vector distances = integral([](const Vector& x, const Vector&) { return dot(x, x) * x; });
+    const Vector heights = integral([](const Vector& x, const Vector& n) { return dot(n, x) * x; });
+    const Vector of_normals = integral([](const Vector& x, const Vector& n) { return dot(x, x) * n; });
+    axes[0] = unit(first_part({}, {distances, heights}));
+    axes[1] = unit(first_part(axes[0], {distances, heights, of_normals, spread(axes[0])}));
+    axes[2] = cross(axes[0], axes[1]);
+  }
+
+  Vector operator()(const Vector& v) const { return {dot(v, axes[0]), dot(v, axes[1]), dot(v, axes[2])}; }
+
+  double position(const Vector& p) const
+  {
+    return dot((*this)(p - origin), {1, 0.7548776662466927, 0.5698402909980532});
+  }
+};
+
 struct Mesh
 {
   std::vector<Vector> points;
@@ -72,6 +139,7 @@ struct Mesh
   std::vector<Vector> normals, centroids;
   std::vector<Edge> edges; // by lower, then by higher face
   double area = 0;
+  Frame frame;
 
   Mesh(std::vector<Vector> points_, std::vector<std::vector<std::size_t>> faces_)
     : points(std::move(points_)), faces(std::move(faces_))
@@ -93,6 +161,7 @@ struct Mesh
     std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) {
       return std::tie(a.lower, a.higher) < std::tie(b.lower, b.higher);
     });
+    frame = Frame(areas, normals, centroids);
   }
 
   double unit_of_length() const { return std::sqrt(area); }
@@ -133,7 +202,7 @@ private:
   void add_edge(std::size_t f, std::size_t g, const Vector& along)
   {
     const double sign = dot(cross(normals[f], normals[g]), along);
-    const double deviation = sign == 0 ? 0 : angle(normals[f], normals[g]);
+    const double deviation = sign == 0 ? 0 : on_grid(angle(normals[f], normals[g]));
     edges.push_back({f, g, norm(along), sign < 0 ? deviation : -deviation});
   }
 };
@@ -149,9 +218,9 @@ struct Patches
   double concave_deviation(std::size_t i, std::size_t j) const
   {
     const Vector &m = normals[i], &n = normals[j];
-    const bool is_concave =
-      norm(m) > 0 && norm(n) > 0 && face_each_other(m, n, centroids[i], centroids[j]);
-    return is_concave ? angle(m, n) : 0;
+    const Vector line = centroids[j] - centroids[i];
+    const bool is_concave = norm(m) > 0 && norm(n) > 0 && dot(n - m, line) < -1e-9 * norm(line);
+    return is_concave ? on_grid(angle(m, n)) : 0;
   }
 
   explicit Patches(const Mesh& mesh)
@@ -185,30 +254,46 @@ private:
       if (n == areas.size() || n - areas.size() < n / 32)
         break;
     }
-    set_centers(element_normals, element_centroids);
+    join(by_position(mesh));
+    set_centers(mesh, element_normals, element_centroids);
+  }
+
+  /// The place of each patch in the order of positions.
+  std::vector<std::size_t> by_position(const Mesh& mesh) const
+  {
+    std::vector<std::pair<double, std::size_t>> order;
+    for (std::size_t p = 0; p < centroids.size(); ++p)
+      order.push_back({mesh.frame.position(centroids[p]), p});
+    std::sort(order.begin(), order.end());
+    std::vector<std::size_t> result(order.size());
+    for (std::size_t i = 0; i < order.size(); ++i)
+      result[order[i].second] = i;
+    return result;
   }
 
   /// What each patch is joined to, in a round.
   std::vector<std::size_t> joined(const Mesh& mesh, double maximum_area) const
   {
     const std::size_t n = areas.size();
-    std::vector<std::pair<float, std::size_t>> selected(n, {std::numeric_limits<float>::infinity(), 0});
-    for (std::size_t i = 0; i < n; ++i)
-      selected[i].second = i;
+    using Key = std::tuple<double, double, std::size_t>; // step, position, patch
+    std::vector<Key> keys(n, Key{std::numeric_limits<double>::infinity(), 0, n});
     for (const auto& entry : lengths) {
       const auto [i, j] = entry.first;
-      if (!(areas[i] + areas[j] <= maximum_area))
+      if (!(areas[i] + areas[j] <= maximum_area * (1 + 1e-9)))
         continue;
       const double distance = norm(centroids[i] - centroids[j]) / mesh.unit_of_length();
-      const float step = float(distance + 0.4 * norm(normals[i] - normals[j]));
-      selected[i] = std::min(selected[i], {step, j});
-      selected[j] = std::min(selected[j], {step, i});
+      const double step = coarse(distance + 0.4 * norm(normals[i] - normals[j]));
+      keys[i] = std::min(keys[i], Key{step, mesh.frame.position(centroids[j]), j});
+      keys[j] = std::min(keys[j], Key{step, mesh.frame.position(centroids[i]), i});
     }
+    std::vector<std::size_t> selected(n);
+    for (std::size_t i = 0; i < n; ++i)
+      selected[i] = std::get<2>(keys[i]) < n ? std::get<2>(keys[i]) : i;
     std::vector<std::size_t> parent(n), number_of_children(n, 0);
     for (std::size_t i = 0; i < n; ++i) {
-      const std::size_t j = selected[i].second;
-      const bool is_larger = areas[i] != areas[j] ? areas[i] > areas[j] : i < j;
-      parent[i] = selected[j].second == i && is_larger ? i : j;
+      const std::size_t j = selected[i];
+      const auto key = [&](std::size_t p) { return Key{-coarse(areas[p] / mesh.area), mesh.frame.position(centroids[p]), p}; };
+      parent[i] = selected[j] == i && key(i) < key(j) ? i : j;
     }
     for (std::size_t i = 0; i < n; ++i)
       number_of_children[parent[i]] += parent[i] != i;
@@ -238,7 +323,7 @@ private:
         centroid[p] = centroids[i];
     }
     for (std::size_t p = 0; p < n; ++p) {
-      normal[p] = unit(area_vector[p]);
+      normal[p] = norm(area_vector[p]) > 1e-9 * a[p] ? unit(area_vector[p]) : Vector{};
       if (a[p] > 0)
         centroid[p] = (1 / a[p]) * centroid[p];
     }
@@ -253,18 +338,21 @@ private:
       p = parts[p];
   }
 
-  void set_centers(const std::vector<Vector>& element_normals, const std::vector<Vector>& element_centroids)
+  void set_centers(const Mesh& mesh, const std::vector<Vector>& element_normals,
+                   const std::vector<Vector>& element_centroids)
   {
-    using Key = std::tuple<bool, double, std::size_t>; // degenerate, distance, element
-    std::vector<Key> best(areas.size(), {true, std::numeric_limits<double>::infinity(), of_element.size()});
+    using Key = std::tuple<bool, double, double, std::size_t>; // degenerate, distance, position, element
+    std::vector<Key> best(areas.size(), {true, std::numeric_limits<double>::infinity(), 0, of_element.size()});
     for (std::size_t i = 0; i < of_element.size(); ++i) {
       const bool is_degenerate = element_normals[i] == Vector{};
       const Vector away = element_centroids[i] - centroids[of_element[i]];
-      best[of_element[i]] = std::min(best[of_element[i]], Key{is_degenerate, is_degenerate ? 0 : dot(away, away), i});
+      best[of_element[i]] =
+        std::min(best[of_element[i]], Key{is_degenerate, is_degenerate ? 0 : coarse(norm(away) / mesh.unit_of_length()),
+                                          mesh.frame.position(element_centroids[i]), i});
     }
     center.clear();
     for (const Key& key : best)
-      center.push_back(std::get<2>(key));
+      center.push_back(std::get<3>(key));
   }
 };
 
@@ -274,13 +362,13 @@ using Neighbors = std::map<std::size_t, std::map<std::size_t, float>>;
 class Seeding
 {
 public:
-  Seeding(const Mesh& mesh, const Patches& patches) : m_patches(patches), m_seed_of(patches.areas.size())
+  Seeding(const Mesh& mesh, const Patches& patches) : m_mesh(mesh), m_patches(patches), m_seed_of(patches.areas.size())
   {
     for (const auto& [pair, length] : patches.lengths) {
       const auto [i, j] = pair;
       const double distance = norm(patches.centroids[i] - patches.centroids[j]) / mesh.unit_of_length();
       const double step = distance + 0.4 * std::min(patches.concave_deviation(i, j), 0.6);
-      m_steps[i][j] = m_steps[j][i] = float(std::min(std::max(step, 1e-37), 1e28));
+      m_steps[i][j] = m_steps[j][i] = float(std::min(std::max(on_grid(step), std::ldexp(1.0, -20)), 1e28));
     }
   }
 
@@ -295,12 +383,15 @@ public:
       area += m_patches.areas[p];
     }
     center = (1 / area) * center;
+    const auto remoteness = [&](std::size_t p) {
+      return on_grid(norm(m_patches.centroids[p] - center) / m_mesh.unit_of_length());
+    };
     std::vector<double> distance(n, unreached);
     while (std::count(distance.begin(), distance.end(), unreached) > 0) {
       std::size_t next = n;
       for (std::size_t p = 0; p < n; ++p)
         if (distance[p] == unreached &&
-            (next == n || norm(m_patches.centroids[p] - center) > norm(m_patches.centroids[next] - center)))
+            (next == n || remoteness(p) > remoteness(next)))
           next = p;
       place(next, distance);
     }
@@ -367,6 +458,7 @@ private:
     }
   }
 
+  const Mesh& m_mesh;
   const Patches& m_patches;
   Neighbors m_steps;
   std::vector<std::size_t> m_seeds, m_seed_of;
@@ -381,7 +473,7 @@ public:
     for (const auto& [pair, length] : patches.lengths) {
       const auto [i, j] = pair;
       const double concavity = std::min(patches.concave_deviation(i, j), 0.6);
-      m_costs[i][j] = m_costs[j][i] = float(length / mesh.unit_of_length() / (1 + 10 * concavity));
+      m_costs[i][j] = m_costs[j][i] = float(on_grid(16 * length / mesh.unit_of_length() / (1 + 10 * concavity)) / 16);
     }
     const Patches coarse = patches.coarse(mesh);
     Seeding seeding(mesh, patches);
@@ -397,6 +489,7 @@ public:
     }
     m_region = seeding.regions();
     shorten_borders();
+    m_region = numbered(m_region);
   }
 
   std::vector<std::size_t> of_face() const
@@ -404,7 +497,7 @@ public:
     std::vector<std::size_t> labels;
     for (std::size_t p : m_patches.of_element)
       labels.push_back(m_region[p]);
-    return numbered(labels);
+    return labels;
   }
 
 private:
@@ -516,7 +609,7 @@ private:
     for (std::size_t r = 0; r < m_shapes.size(); ++r) {
       Shape& shape = m_shapes[r];
       m_center = m_center + (1 / m_mesh.area) * shape.centroid;
-      shape.normal = unit(shape.normal);
+      shape.normal = norm(shape.normal) > 1e-9 * shape.area ? unit(shape.normal) : Vector{};
       shape.centroid = shape.area > 0 ? (1 / shape.area) * shape.centroid : m_mesh.centroids[0];
       graph.regions[r].area = shape.area / m_mesh.area;
     }
@@ -559,15 +652,18 @@ private:
       graph.regions[r].log_thickness = graph.regions[r].area * (hits[r] > 0 ? sum[r] / double(hits[r]) : mean);
   }
 
-  std::vector<std::pair<double, std::size_t>> candidates(std::size_t region) const
+  using Candidate = std::tuple<double, std::size_t, std::size_t>; // distance, patch or face, face
+
+  std::vector<Candidate> candidates(std::size_t region) const
   {
-    std::vector<std::pair<double, std::size_t>> centers, all;
+    std::vector<Candidate> centers, all;
     for (std::size_t f = 0; f < m_region_of.size(); ++f)
       if (m_region_of[f] == region) {
         const Vector away = m_mesh.centroids[f] - m_shapes[region].centroid;
-        all.push_back({dot(away, away), f});
-        if (m_patches.center[m_patches.of_element[f]] == f)
-          centers.push_back(all.back());
+        const double distance = coarse(norm(away) / m_mesh.unit_of_length());
+        all.push_back({distance, f, f});
+        if (const std::size_t p = m_patches.of_element[f]; m_patches.center[p] == f)
+          centers.push_back({distance, p, f});
       }
     auto& result = centers.empty() ? all : centers;
     std::sort(result.begin(), result.end());
@@ -583,7 +679,7 @@ private:
       return;
     const bool is_small = share < 1. / 6400;
     for (std::size_t k = 0; k < (is_small ? 1 : m); ++k) {
-      const std::size_t face = from[9 * k * n / (10 * m)].second, q = 12 / m;
+      const std::size_t face = std::get<2>(from[9 * k * n / (10 * m)]), q = 12 / m;
       if (m_mesh.normals[face] == Vector{})
         continue;
       for (std::size_t i = 0; i < (is_small ? 1 : q); ++i) {
@@ -612,9 +708,12 @@ private:
     const auto in_plane = [&](const Vector& v) { return v - dot(v, normal) * normal; };
     Vector u = in_plane(center - m_center);
     if (!(norm(u) > 1e-3 * norm(center - m_center))) {
+      const auto rank = [&](const Vector& w) {
+        return std::make_pair(coarse(norm(w) / m_mesh.unit_of_length()), m_mesh.frame.position(center + w));
+      };
       u = {};
       for (std::size_t v : m_mesh.faces[face])
-        if (const Vector w = in_plane(m_mesh.points[v] - center); dot(w, w) > dot(u, u))
+        if (const Vector w = in_plane(m_mesh.points[v] - center); rank(w) > rank(u))
           u = w;
     }
     u = unit(u);
@@ -635,7 +734,11 @@ private:
 
   using Float_vector = std::array<float, 3>;
 
-  static Float_vector to_float(const Vector& v) { return {float(v[0]), float(v[1]), float(v[2])}; }
+  Float_vector to_float(const Vector& vector) const
+  {
+    const Vector v = m_mesh.frame(vector);
+    return {float(v[0]), float(v[1]), float(v[2])};
+  }
   static Float_vector minus(const Float_vector& a, const Float_vector& b)
   {
     return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
@@ -646,7 +749,7 @@ private:
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
   }
 
-  /// To triangle i of the fan of a face, in float relative to the centroid of the surface; infinite if the ray misses it.
+  /// To triangle i of the fan of a face, in float in the frame of the shape; infinite if the ray misses it.
   double distance_to(std::size_t face, std::size_t i, const Vector& source, const Vector& direction) const
   {
     const auto& vertices = m_mesh.faces[face];
@@ -689,9 +792,9 @@ inline double cost(const Region& a, const Region& b, const Section& s, bool are_
   const double length = at_least(s.length), m = at_least(std::min(a.area, b.area)), l = at_least(std::max(a.area, b.area));
   const double d = std::max(0.0, (s.concave - w_x * s.convex + w_b * s.bend) / length) + d_0;
   const double seen = std::min(a.visibility, b.visibility);
-  return p_d * std::log(d) + p_a * ((1 - eta) * std::log(m) + eta * std::log(2 * m * l / (m + l))) -
+  return on_grid(p_d * std::log(d) + p_a * ((1 - eta) * std::log(m) + eta * std::log(2 * m * l / (m + l))) -
          p_l * std::log(length * length / m) + p_t * std::log(t_0 + std::abs(a.thickness() - b.thickness())) -
-         p_s * std::log(s_0 + (seen > 0 ? s.visibility / seen : 0));
+         p_s * std::log(s_0 + (seen > 0 ? s.visibility / seen : 0)));
 }
 
 struct Merge
@@ -792,7 +895,8 @@ struct Straightened
       const auto [i, j] = pair;
       const Vector &c_i = patches.centroids[i], &c_j = patches.centroids[j];
       const double concavity = std::min(patches.concave_deviation(i, j), 0.6);
-      input.costs[i][j] = input.costs[j][i] = float(length / mesh.unit_of_length() / (1 + 10 * concavity));
+      input.costs[i][j] = input.costs[j][i] =
+        float(on_grid(16 * length / mesh.unit_of_length() / (1 + 10 * concavity)) / 16);
       input.lengths[i][j] = input.lengths[j][i] = norm(c_i - c_j) / mesh.unit_of_length();
     }
     for (double area : patches.areas)

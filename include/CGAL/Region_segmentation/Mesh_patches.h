@@ -31,7 +31,8 @@ public:
     Double_3 centroid; ///< the mean of the centroids of its faces, by area
     Double_3 normal;   ///< the mean normal by area, of length 1, or zero
     double area;
-    /// The element whose centroid is nearest to that of the patch, not a degenerate face if possible; of several, the lower one.
+    /// The element whose centroid is nearest to that of the patch, not a degenerate face if possible; of several, that of the
+    /// lowest position.
     Index center;
   };
 
@@ -44,7 +45,7 @@ public:
 
   std::size_t size() const { return m_patches.size(); }
   const Patch& operator[](std::size_t patch) const { return m_patches[patch]; }
-  /// The patch of each element.
+  /// The patch of each element. Unlike other partitions it is numbered by the positions of patches.
   const Partition& of_elements() const { return m_of_elements; }
   /// By the lower, then by the higher patch.
   const internal::Large_array<Adjacency>& adjacencies() const { return m_adjacencies; }
@@ -67,22 +68,28 @@ private:
 /// Two partitions of the faces of a mesh into small flat patches, a fine one and a coarse one of its patches: what stages work on
 /// whose cost must not grow with the resolution of the mesh.
 ///
+/// The *position* of a patch is where its centroid lies along a direction that depends on the shape of the surface alone, see
+/// `internal::Intrinsic_frame`. Steps, areas, and the distances of centers are compared as numbers of 13 significant bits (see
+/// `internal::coarse_bits()`), so that those that are equal but for rounding are equal.
+///
 /// Patches are connected, and not joined across constrained edges. At first each face is a patch; then patches are
 /// joined in rounds:
 /// -# Each patch selects the adjacent patch with the smallest step
-///    \f$|c_i - c_j| / \sqrt{A} + w \, |n_i - n_j|\f$, rounded to `float`, among those with which its area is at most
-///    `maximum_area`; of several, the lower one. \f$c\f$ are the centroids, \f$n\f$ the unit normals (zero for a
+///    \f$|c_i - c_j| / \sqrt{A} + w \, |n_i - n_j|\f$, among those with which its area is at most
+///    `maximum_area`; of several, that of the lowest position. \f$c\f$ are the centroids, \f$n\f$ the unit normals (zero for a
 ///    degenerate face), \f$A\f$ the area of the surface.
 /// -# The selections form trees. A root is a patch that selects none, or of two that select each other the larger one by
-///    area, of equal ones the lower one. A patch of odd depth is joined to its parent, and a leaf of even depth to its
+///    area, of equal ones that of the lower position. A patch of odd depth is joined to its parent, and a leaf of even depth to its
 ///    grandparent; the others of even depth, the root (of depth 0) among them, keep what is joined to them.
 /// -# Joined patches are numbered by the lowest one of each. The centroid of a union is the mean of the centroids,
-///    weighted by area (without area, that of the lowest one); its normal is the sum of the normals of its faces, weighted by area, scaled to length 1.
+///    weighted by area (without area, that of the lowest one); its normal is the sum of the normals of its faces, weighted by area, scaled to length 1
+///    (zero where it is below 1e-9 of the area).
 ///
 /// Rounds end when one joins none of `n` patches, or has joined less than `n / 32` (rounded down). Then the coarse patches are made
 /// of the fine ones in the same way, with `maximum_coarse_area`. So a mesh of few large faces has a patch for each face, and a fine one
-/// some twenty to sixty thousand patches and four to five thousand coarse ones. They do not depend on the numbering of faces and vertices,
-/// ties excepted.
+/// some twenty to sixty thousand patches and four to five thousand coarse ones. In the end both are numbered by their positions. They do
+/// not depend on motion, scale, and the numbering of faces and vertices, except where two patches have one position, or the
+/// symmetries of the surface leave a choice of the direction: then another choice gives what a symmetry makes of it.
 ///
 /// Complexity: O(F) in practice. Deterministic. Parallel with `Parallel_tag`, with bitwise equal results.
 class Mesh_patches : public Patches

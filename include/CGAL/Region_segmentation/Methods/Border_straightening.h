@@ -32,11 +32,11 @@ namespace Region_segmentation {
 /// into connected elements. An element is its region's own at first. Merges are undone from the last one on. Each
 /// divides a segment into two parts, the kept one and the removed one:
 /// -# The own elements of either part's regions belong to it. If they are not connected, those outside of the component
-///    of largest area (of equal ones, that with the lowest element) become guests.
+///    of largest area (of ones equal in 13 bits, that with the lowest element) become guests.
 /// -# In rounds, guests of the segment that are adjacent to elements of the parts join the part to which their border
 ///    costs more, of equal ones the kept one. If neither part has own elements, all guests join the kept part. The border between two
 ///    elements costs
-///    \f$l / (\sqrt{A} (1 + g \, \min(\delta^+, m)))\f$, as in `Superfacets`, rounded to `float`.
+///    \f$l / (\sqrt{A} (1 + g \, \min(\delta^+, m)))\f$, as in `Superfacets`, rounded alike.
 /// -# In the last \f$n\f$ merges, the border between the parts moves. Its band contains the elements of both within
 ///    \f$\min(D_0, q \sqrt{a / A})\f$ of it, \f$a\f$ the area of the smaller part; if that is below \f$10^{-6}\f$, the
 ///    border stays. Elements at the border have the distance 0, and a step to an adjacent element of the same part has the

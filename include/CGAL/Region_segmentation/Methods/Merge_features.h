@@ -25,7 +25,7 @@ namespace Region_segmentation {
 /// \ingroup PkgRegionSegmentationPolicies
 /// The features of a section and its two regions from which the probability of a merge is computed.
 ///
-/// Of the two regions, m is the smaller and M the larger (of equal ones, m is the one of lower id), u is their union.
+/// Of the two regions, m is the smaller and M the larger (of ones equal in 13 bits, m is the one of lower id), u is their union.
 /// The data of u are those of m and M merged across the section. All features are invariant under motion, scaling and
 /// renumbering. Lengths are in units of the square root of the area of the surface.
 /// Of a section, L is the length, C, X and B are its `concave`, `convex` and `bend`, \f$s_{mM}\f$ its `visibility`, \f$t_s\f$ its

@@ -34,7 +34,7 @@ namespace Region_segmentation {
 /// `Mesh_patches`) belongs to the nearest seed. A model of `RegionInitializer`. Constrained edges are never crossed.
 ///
 /// A step between two adjacent patches has the length \f$|c_i - c_j| / \sqrt{A} + w \, \min(\delta^+, m)\f$, rounded to
-/// `float`, at least \f$10^{-37}\f$ and at most \f$10^{28}\f$, \f$c\f$ the centroids, \f$A\f$ the area of the surface, \f$\delta^+\f$ the
+/// multiples of \f$2^{-20}\f$ (see `internal::on_grid()`) and to `float`, at least \f$2^{-20}\f$ and at most \f$10^{28}\f$, \f$c\f$ the centroids, \f$A\f$ the area of the surface, \f$\delta^+\f$ the
 /// angle of their normals if they face each other, \f$(n_j - n_i) \cdot (c_j - c_i) < 0\f$, else 0 (and 0 if one has no normal). Distances are sums
 /// of steps in `double`. The first seeds are placed in the connected components without one, each at the patch of them that is farthest from the
 /// centroid of the surface, even if this exceeds the number; then each further one at the patch farthest from all seeds so far; of
@@ -44,14 +44,14 @@ namespace Region_segmentation {
 /// to the nearest of these. It is reached through a neighbor; of several through which its distance is the same, through that with the smallest
 /// distance, rounded to `float`, then the lowest one; and belongs to the seed of this neighbor. If there are fewer coarse patches, seeds
 /// are placed on the patches, and a patch belongs to the nearest seed, of several to the one placed first.
-/// Regions are connected, and are numbered by their lowest patch.
+/// Regions are connected, and are numbered by their lowest patch, so by positions (see `Mesh_patches`).
 ///
 /// Then borders are shortened. A border of length \f$l\f$ (that of the edges that are not constrained) between two
-/// patches costs \f$l / (\sqrt{A} (1 + g \, \min(\delta^+, m)))\f$, rounded to `float`, so it is drawn into valleys. A
+/// patches costs \f$l / (\sqrt{A} (1 + g \, \min(\delta^+, m)))\f$, rounded to multiples of \f$2^{-24}\f$ and to `float`, so it is drawn into valleys. A
 /// patch that is adjacent to exactly one patch of its own region can move to an adjacent region; its gain is the cost
 /// of its borders to that region minus that of the border to the one patch. The move with the largest gain is made
 /// first (of equal ones that of the lowest patch, and to the lowest region), as long as there is one whose gain is
-/// above 1/1000 of the cost of all borders of its patch. Finally regions are numbered by their first face.
+/// above 1/1000 of the cost of all borders of its patch. Finally regions are numbered by their lowest patch.
 ///
 /// When it is known which regions are merged, the borders of segments are moved to minimum cuts, see
 /// `Border_straightening`.
@@ -164,7 +164,7 @@ private:
     });
   }
 
-  /// At least the smallest float, so that only seeds have the distance 0; and so short that a path along all faces is
+  /// At least a step of the grid, so that only seeds have the distance 0; and so short that a path along all faces is
   /// finite in float, so that every face of a component is reached.
   double step(const Flat_mesh& mesh, double distance, double concavity) const
   {

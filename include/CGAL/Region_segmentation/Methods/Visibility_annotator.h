@@ -28,7 +28,7 @@ namespace Region_segmentation {
 ///
 /// Each region casts 12 rays into the body. The candidates to start from are the faces at the centers (`Patch::center`) of the patches
 /// (see `Mesh_patches`) in the region, or, if there is none, all of its faces, in the order of the distance of their
-/// centroids to that of the region, then of their indices. Of \f$n\f$ candidates those at the places
+/// centroids to that of the region (see `internal::coarse_bits()`), then of the patches, or faces. Of \f$n\f$ candidates those at the places
 /// \f$\lfloor 9 k n / (10 m) \rfloor\f$ are used, \f$m = \min(n, 3)\f$, \f$k = 0 .. m - 1\f$, counted from 0: the one
 /// nearest to the centroid, and those at 3/10 and 6/10 in the order. Each casts \f$q = 12 / m\f$ rays. A region of less
 /// than 1/6400 of the surface casts a single ray, that with \f$k = i = 0\f$; one of less than 1/25600 casts none.
@@ -37,11 +37,12 @@ namespace Region_segmentation {
 /// \f$-\cos(a) N + \sin(a) (\cos(b) u + \sin(b) v)\f$, with \f$a = 0.9 \sqrt{i / (q - 1)}\f$ and
 /// \f$b = 2.399963229728653 \, i + k\f$ radians (a spiral of the golden angle). \f$N\f$ is the unit normal; \f$u\f$ is
 /// the direction in the plane of the face that leads away from the centroid of the surface, or, if less than 1/1000 of
-/// the vector from there lies in this plane, to the corner farthest from the centroid of the face; and
+/// the vector from there lies in this plane, to the corner farthest from the centroid of the face, of several
+/// that of the highest position (see `Mesh_patches`); and
 /// \f$v = -N \times u\f$. Degenerate faces cast none.
 ///
 /// A ray ends at the first other face, whichever side it hits, of several the lower one. This is computed in `float`,
-/// relative to the centroid of the surface (\cgalCite{MT97}, polygons as fans from the corner farthest from
+/// relative to the centroid of the surface, in its `internal::Intrinsic_frame` (\cgalCite{MT97}, polygons as fans from the corner farthest from
 /// their centroid, of several the first, with a margin of \f$10^{-6}\f$ in the barycentric coordinates); so distances have
 /// relative errors of about \f$10^{-6}\f$.
 /// - The *thickness* of a region is the mean of \f$\ln(x / \sqrt{A} + 10^{-4})\f$, \f$x\f$ the lengths of

@@ -22,7 +22,8 @@ namespace Region_segmentation {
 ///    + p_t \ln (t_0 + |t_i - t_j|) - p_s \ln \left(s_0 + \frac{s_{ij}}{\min(s_i, s_j)}\right), \f]
 /// \f$d = \max(0, (C - w_x X + w_b B) / L) + d_0\f$: the depth of the valley along the section, from the integrals of
 /// concave and convex deviations \f$C, X\f$ and of the bend \f$B\f$; \f$t\f$ the mean thickness of a region;
-/// \f$s_{ij}\f$ the rays between the regions and \f$s_i\f$ those that end in one. It has no unit.
+/// \f$s_{ij}\f$ the rays between the regions and \f$s_i\f$ those that end in one. It has no unit, and is
+/// rounded to multiples of \f$2^{-20}\f$, so that of equal costs rounding does not decide.
 ///
 /// The constants were chosen on half of the Princeton benchmark, see `doc/accuracy.md`.
 struct Visibility_cost

@@ -10,19 +10,25 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <tuple>
+#include <initializer_list>
+#include <utility>
 
 namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// A right-handed frame that moves with a surface, and a position of points along a direction that is generic in it: what is
-/// ordered by positions does not depend on motion, scale and numbering.
+/// A right-handed frame that moves with a surface, and the position of points along a direction that
+/// is generic in it: an order by positions does not depend on motion, scale and numbering.
 ///
-/// The first axis is the first of two moments that does not vanish: the integrals of |x|^2 x and of (N . x) x, x the vector from
-/// the centroid of the surface, N the normal. The second one is the part orthogonal to it of the first of these, of the integral of
-/// |x|^2 N, and of the covariance applied to the first axis. Where all vanish, since the surface is symmetric, an axis leads to the
-/// farthest face: of several those of one handedness, which the symmetry makes equivalent, then the lowest one.
+/// With x the vector from the centroid of the surface, N the normal and C the integral of x x^T, an
+/// axis is the first of some integrals that does not vanish:
+/// - the first axis a: |x|^2 x, (N . x) x;
+/// - the second one: |x|^2 x, (N . x) x, |x|^2 N, C a, each the part orthogonal to a.
+///
+/// All of them vanish where the shape is symmetric. Then the axis leads to the face farthest from the
+/// centroid, or from the first axis; of several to one with the largest (C x, x, N), or (a, x, N).
+/// This triple product tells mirror images apart, so those that are left are equivalent, and the
+/// lowest one will do.
 class Intrinsic_frame
 {
 public:
@@ -34,84 +40,108 @@ public:
   {
     if (faces.size() == 0)
       return;
-    const double size = find_origin(faces);
-    if (!(size > 0))
-      return;
-    const auto place = [&](std::size_t f) { return (1 / size) * (faces.centroid(f) - m_origin); };
-    Double_3 by_distance{0, 0, 0}, by_height{0, 0, 0}, normals{0, 0, 0};
-    Second_moments moments;
-    for (std::size_t f = 0; f < faces.size(); ++f) {
-      const Double_3 x = place(f);
-      const double area = faces.area(f) / size / size, squared_distance = squared_norm(x);
-      const Double_3 normal = faces.normal(f);
-      by_distance = by_distance + area * squared_distance * x;
-      by_height = by_height + area * dot(normal, x) * x;
-      normals = normals + area * squared_distance * normal;
-      moments.add(area, x);
-    }
-    const double least = smallest_part * moments.second.trace();
-    const auto farthest = [&](const Double_3& axis) {
-      std::tuple<double, double> largest{-1, 0};
-      Double_3 result{1, 0, 0};
-      for (std::size_t f = 0; f < faces.size(); ++f) {
-        const Double_3 x = place(f), from_axis = x - dot(x, axis) * axis;
-        const Double_3 other = squared_norm(axis) > 0 ? axis : moments.second * x;
-        const std::tuple<double, double> value{std::floor(steps * squared_norm(from_axis)),
-                                               std::floor(steps * dot(cross(other, x), faces.normal(f)))};
-        if (value > largest) {
-          largest = value;
-          result = from_axis;
-        }
-      }
-      return result;
-    };
-    const auto first_of = [&](const Double_3& axis, std::initializer_list<Double_3> moments_) {
-      for (const Double_3& m : moments_)
-        if (const Double_3 part = m - dot(m, axis) * axis; norm(part) > least)
-          return part;
-      return farthest(axis);
-    };
-    const auto unit = [](const Double_3& v) { return (1 / norm(v)) * v; };
-    const Double_3 none{0, 0, 0};
-    const Double_3 x = unit(first_of(none, {by_distance, by_height}));
-    Double_3 y = first_of(x, {by_distance, by_height, normals, moments.second * x});
-    if (!(squared_norm(y) > 0)) // all on a line
-      y = cross(x, std::abs(x.x) < 0.5 ? Double_3{1, 0, 0} : Double_3{0, 1, 0});
-    y = unit(y);
-    m_axes = {x, y, cross(x, y)};
-    m_direction = (1 / (4 * size)) * (m_axes[0] + 0.7548776662466927 * m_axes[1] + 0.5698402909980532 * m_axes[2]);
+    m_origin = centroid(faces);
+    for (std::size_t f = 0; f < faces.size(); ++f)
+      m_size = (std::max)(m_size, norm(faces.centroid(f) - m_origin));
+    if (m_size > 0)
+      set_axes(faces, moments(faces));
   }
 
   /// The coordinates of a vector.
-  Double_3 operator()(const Double_3& v) const { return {dot(v, m_axes[0]), dot(v, m_axes[1]), dot(v, m_axes[2])}; }
+  Double_3 operator()(const Double_3& v) const
+  {
+    return {dot(v, m_axes[0]), dot(v, m_axes[1]), dot(v, m_axes[2])};
+  }
 
   /// Of a point of the surface, in (0, 1).
   double position(const Double_3& point) const { return 0.5 + dot(point - m_origin, m_direction); }
 
 private:
-  static constexpr double smallest_part = 1e-5; // of a moment that does not vanish
+  static constexpr double smallest_part = 1e-5; // of the trace of C: what is less vanishes
   static constexpr double steps = 1e6;          // what is farther by less is as far
 
-  /// Returns the largest distance from it.
+  /// Integrals of x, in units of `m_size`, and of the normal.
+  struct Moments
+  {
+    Double_3 by_distance{0, 0, 0}, by_height{0, 0, 0}, normals{0, 0, 0};
+    Second_moments places;
+  };
+
   template <typename Faces>
-  double find_origin(const Faces& faces)
+  static Double_3 centroid(const Faces& faces)
   {
     const Double_3 first = faces.centroid(0); // avoids cancellation far from the origin
     Double_3 sum{0, 0, 0};
-    double area = 0, squared_size = 0;
+    double area = 0;
     for (std::size_t f = 0; f < faces.size(); ++f) {
       sum = sum + faces.area(f) * (faces.centroid(f) - first);
       area += faces.area(f);
     }
-    m_origin = first + (area > 0 ? 1 / area : 0) * sum;
-    for (std::size_t f = 0; f < faces.size(); ++f)
-      squared_size = (std::max)(squared_size, squared_norm(faces.centroid(f) - m_origin));
-    return std::sqrt(squared_size);
+    return first + (area > 0 ? 1 / area : 0) * sum;
+  }
+
+  template <typename Faces>
+  Double_3 place(const Faces& faces, std::size_t f) const
+  {
+    return (1 / m_size) * (faces.centroid(f) - m_origin);
+  }
+
+  template <typename Faces>
+  Moments moments(const Faces& faces) const
+  {
+    Moments m;
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+      const Double_3 x = place(faces, f), normal = faces.normal(f);
+      const double area = faces.area(f) / m_size / m_size;
+      m.by_distance = m.by_distance + area * squared_norm(x) * x;
+      m.by_height = m.by_height + area * dot(normal, x) * x;
+      m.normals = m.normals + area * squared_norm(x) * normal;
+      m.places.add(area, x);
+    }
+    return m;
+  }
+
+  template <typename Faces>
+  void set_axes(const Faces& faces, const Moments& m)
+  {
+    const double least = smallest_part * m.places.second.trace();
+    const auto axis_of = [&](const Double_3& axis, std::initializer_list<Double_3> integrals) {
+      for (const Double_3& v : integrals)
+        if (const Double_3 part = v - dot(v, axis) * axis; norm(part) > least)
+          return (1 / norm(part)) * part;
+      return farthest(faces, axis, m.places.second);
+    };
+    const Double_3 a = axis_of({0, 0, 0}, {m.by_distance, m.by_height});
+    const Double_3 b = axis_of(a, {m.by_distance, m.by_height, m.normals, m.places.second * a});
+    m_axes = {a, b, cross(a, b)};
+    m_direction = (1 / (4 * m_size)) * (a + 0.7548776662466927 * b + 0.5698402909980532 * m_axes[2]);
+  }
+
+  /// The direction of the farthest face from an axis, or from the centroid if that is 0.
+  template <typename Faces>
+  Double_3 farthest(const Faces& faces, const Double_3& axis, const Symmetric_3& covariance) const
+  {
+    std::pair<double, double> largest{0, 0};
+    Double_3 result{0, 0, 0};
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+      const Double_3 x = place(faces, f), away = x - dot(x, axis) * axis;
+      const Double_3 other = squared_norm(axis) > 0 ? axis : covariance * x;
+      const std::pair<double, double> value{std::floor(steps * squared_norm(away)),
+                                            std::floor(steps * dot(cross(other, x), faces.normal(f)))};
+      if (value.first > 0 && value > largest) {
+        largest = value;
+        result = away;
+      }
+    }
+    if (squared_norm(result) == 0) // all on a line
+      result = cross(axis, std::abs(axis.x) < 0.5 ? Double_3{1, 0, 0} : Double_3{0, 1, 0});
+    return (1 / norm(result)) * result;
   }
 
   Double_3 m_origin{0, 0, 0};
+  double m_size = 0; // the largest distance of a centroid from the origin
   std::array<Double_3, 3> m_axes{Double_3{1, 0, 0}, Double_3{0, 1, 0}, Double_3{0, 0, 1}};
-  Double_3 m_direction{0, 0, 0}; // the direction of positions, divided by an upper bound of them
+  Double_3 m_direction{0, 0, 0}; // of positions, divided by an upper bound of them
 };
 
 } // namespace internal

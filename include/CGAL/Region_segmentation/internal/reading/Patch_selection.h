@@ -68,7 +68,7 @@ public:
     // Of two patches that select each other, the larger one is a root; of equal ones, that of the lower position.
     for_each_index<ConcurrencyTag>(patches.size(), [&](std::size_t i) {
       const Index j = selected_by(i);
-      const auto smallness = [&](Index p) { return unselected - coarse_bits(patches.area(p) / maximum_area); };
+      const auto smallness = [&](Index p) { return unselected - coarse_bits(scale * scale * patches.area(p)); };
       const bool is_root = selected_by(j) == i && key(smallness(Index(i)), Index(i)) < key(smallness(j), j);
       m_parents[i] = is_root ? Index(i) : j;
     });

@@ -15,7 +15,7 @@ namespace Region_segmentation {
 namespace internal {
 
 /// The costs of the borders between adjacent patches: l / (sqrt(A) (1 + g min(delta, m))), l the length, A the area of
-/// the surface, g `concave_gain`, delta the deviation if the patches face each other, else 0, m `maximum_deviation`.
+/// the surface, g `concave_gain`, delta the deviation if the patches face each other, else 0, m `maximum_deviation`; multiples of 2^-24.
 inline Dual_graph border_costs(const Flat_mesh& mesh, const Patches& patches, double concave_gain,
                                double maximum_deviation)
 {
