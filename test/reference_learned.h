@@ -181,7 +181,7 @@ using Features = std::array<std::int64_t, 59>;
 inline Features features(const Learned_region& a, const Learned_region& b, const Learned_section& s)
 {
   const double pi = std::acos(-1.0);
-  const bool is_a_smaller = coarse(a.area) <= coarse(b.area);
+  const bool is_a_smaller = in_13_bits(a.area) <= in_13_bits(b.area);
   const Learned_region &m = is_a_smaller ? a : b, &M = is_a_smaller ? b : a;
   Learned_region u = m;
   u.add(M, s);

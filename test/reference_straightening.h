@@ -20,7 +20,7 @@
 namespace reference {
 
 /// A number of 13 significant bits: the mantissa of a float, cut off.
-inline double coarse(double x)
+inline double in_13_bits(double x)
 {
   const float scaled = float(x * 1.1803398874989485);
   if (!(scaled > 0) || std::isinf(scaled))
@@ -113,7 +113,7 @@ private:
         double area = 0;
         for (std::size_t f : next)
           area += m_in.areas[f];
-        if (coarse(area) > coarse(largest_area)) {
+        if (in_13_bits(area) > in_13_bits(largest_area)) {
           largest = next;
           largest_area = area;
         }

@@ -282,7 +282,7 @@ private:
       if (!(areas[i] + areas[j] <= maximum_area * (1 + 1e-9)))
         continue;
       const double distance = norm(centroids[i] - centroids[j]) / mesh.unit_of_length();
-      const double step = coarse(distance + 0.4 * norm(normals[i] - normals[j]));
+      const double step = in_13_bits(distance + 0.4 * norm(normals[i] - normals[j]));
       keys[i] = std::min(keys[i], Key{step, mesh.frame.position(centroids[j]), j});
       keys[j] = std::min(keys[j], Key{step, mesh.frame.position(centroids[i]), i});
     }
@@ -292,7 +292,7 @@ private:
     std::vector<std::size_t> parent(n), number_of_children(n, 0);
     for (std::size_t i = 0; i < n; ++i) {
       const std::size_t j = selected[i];
-      const auto key = [&](std::size_t p) { return Key{-coarse(areas[p] / mesh.area), mesh.frame.position(centroids[p]), p}; };
+      const auto key = [&](std::size_t p) { return Key{-in_13_bits(areas[p] / mesh.area), mesh.frame.position(centroids[p]), p}; };
       parent[i] = selected[j] == i && key(i) < key(j) ? i : j;
     }
     for (std::size_t i = 0; i < n; ++i)
@@ -347,7 +347,7 @@ private:
       const bool is_degenerate = element_normals[i] == Vector{};
       const Vector away = element_centroids[i] - centroids[of_element[i]];
       best[of_element[i]] =
-        std::min(best[of_element[i]], Key{is_degenerate, is_degenerate ? 0 : coarse(norm(away) / mesh.unit_of_length()),
+        std::min(best[of_element[i]], Key{is_degenerate, is_degenerate ? 0 : in_13_bits(norm(away) / mesh.unit_of_length()),
                                           mesh.frame.position(element_centroids[i]), i});
     }
     center.clear();
@@ -660,7 +660,7 @@ private:
     for (std::size_t f = 0; f < m_region_of.size(); ++f)
       if (m_region_of[f] == region) {
         const Vector away = m_mesh.centroids[f] - m_shapes[region].centroid;
-        const double distance = coarse(norm(away) / m_mesh.unit_of_length());
+        const double distance = in_13_bits(norm(away) / m_mesh.unit_of_length());
         all.push_back({distance, f, f});
         if (const std::size_t p = m_patches.of_element[f]; m_patches.center[p] == f)
           centers.push_back({distance, p, f});
@@ -709,7 +709,7 @@ private:
     Vector u = in_plane(center - m_center);
     if (!(norm(u) > 1e-3 * norm(center - m_center))) {
       const auto rank = [&](const Vector& w) {
-        return std::make_pair(coarse(norm(w) / m_mesh.unit_of_length()), m_mesh.frame.position(center + w));
+        return std::make_pair(in_13_bits(norm(w) / m_mesh.unit_of_length()), m_mesh.frame.position(center + w));
       };
       u = {};
       for (std::size_t v : m_mesh.faces[face])

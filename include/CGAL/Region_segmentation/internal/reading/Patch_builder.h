@@ -6,9 +6,9 @@
 #include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/Flat_mesh.h>
 #include <CGAL/Region_segmentation/Mesh_patches.h>
-#include <CGAL/Region_segmentation/internal/reading/Intrinsic_frame.h>
 #include <CGAL/Region_segmentation/internal/reading/Patch_selection.h>
 #include <CGAL/Region_segmentation/internal/support/Grouped_items.h>
+#include <CGAL/Region_segmentation/internal/support/Intrinsic_frame.h>
 #include <CGAL/Region_segmentation/internal/support/Large_array.h>
 #include <CGAL/Region_segmentation/internal/support/blocks.h>
 #include <CGAL/Region_segmentation/internal/support/grid.h>
