@@ -38,7 +38,7 @@ inline Vector unit(const Vector& a) { return norm(a) > 0 ? (1 / norm(a)) * a : V
 inline double angle(const Vector& a, const Vector& b) { return std::acos(std::max(-1.0, std::min(1.0, dot(a, b)))); }
 inline bool face_each_other(const Vector& n_i, const Vector& n_j, const Vector& c_i, const Vector& c_j)
 {
-  return dot(n_j - n_i, c_j - c_i) < 0;
+  return dot(n_j - n_i, c_j - c_i) < -1e-9 * norm(c_j - c_i);
 }
 
 /// A multiple of 2^-20.
@@ -218,8 +218,8 @@ struct Patches
   double concave_deviation(std::size_t i, std::size_t j) const
   {
     const Vector &m = normals[i], &n = normals[j];
-    const Vector line = centroids[j] - centroids[i];
-    const bool is_concave = norm(m) > 0 && norm(n) > 0 && dot(n - m, line) < -1e-9 * norm(line);
+    const bool is_concave =
+      norm(m) > 0 && norm(n) > 0 && face_each_other(m, n, centroids[i], centroids[j]);
     return is_concave ? on_grid(angle(m, n)) : 0;
   }
 
@@ -613,6 +613,9 @@ private:
       shape.centroid = shape.area > 0 ? (1 / shape.area) * shape.centroid : m_mesh.centroids[0];
       graph.regions[r].area = shape.area / m_mesh.area;
     }
+    m_unit = m_mesh.unit_of_length();
+    for (const Vector& c : m_patches.centroids)
+      m_unit = std::max(m_unit, norm(c - m_center));
   }
 
   void set_sections()
@@ -739,6 +742,7 @@ private:
     const Vector v = m_mesh.frame(vector);
     return {float(v[0]), float(v[1]), float(v[2])};
   }
+  Float_vector place(const Vector& p) const { return to_float((1 / m_unit) * (p - m_center)); }
   static Float_vector minus(const Float_vector& a, const Float_vector& b)
   {
     return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
@@ -755,25 +759,25 @@ private:
     const auto& vertices = m_mesh.faces[face];
     std::size_t first = 0;
     for (std::size_t j = 1; vertices.size() > 3 && j < vertices.size(); ++j)
-      if (distance_from_centroid(face, j) > distance_from_centroid(face, first))
+      if (rank_in_fan(face, j) > rank_in_fan(face, first))
         first = j;
     const auto corner = [&](std::size_t j) {
-      return to_float(m_mesh.points[vertices[(first + j) % vertices.size()]] - m_center);
+      return place(m_mesh.points[vertices[(first + j) % vertices.size()]]);
     };
     const Float_vector d = to_float(direction), e = minus(corner(i), corner(0)), g = minus(corner(i + 1), corner(0));
-    const Float_vector to_source = minus(to_float(source - m_center), corner(0));
+    const Float_vector to_source = minus(place(source), corner(0));
     const Float_vector p = cross_product(d, g), q = cross_product(to_source, e);
     const float determinant = times(e, p), inverse = 1 / determinant;
     const float u = times(to_source, p) * inverse, v = times(d, q) * inverse, distance = times(g, q) * inverse;
     const bool is_outside = u < -1e-6f || v < -1e-6f || u + v > 1 + 1e-6f;
     const bool is_hit = !is_outside && determinant != 0 && distance > 0;
-    return is_hit ? double(distance) : std::numeric_limits<double>::infinity();
+    return is_hit ? double(distance) * m_unit : std::numeric_limits<double>::infinity();
   }
 
-  double distance_from_centroid(std::size_t face, std::size_t corner) const
+  std::pair<double, double> rank_in_fan(std::size_t face, std::size_t corner) const
   {
-    const Vector away = m_mesh.points[m_mesh.faces[face][corner]] - m_mesh.centroids[face];
-    return dot(away, away);
+    const Vector& point = m_mesh.points[m_mesh.faces[face][corner]];
+    return {in_13_bits(norm(point - m_mesh.centroids[face]) / m_unit), m_mesh.frame.position(point)};
   }
 
   const Mesh& m_mesh;
@@ -781,6 +785,7 @@ private:
   const std::vector<std::size_t>& m_region_of;
   std::vector<Shape> m_shapes;
   Vector m_center{};
+  double m_unit = 1; // of coordinates in float
 };
 
 inline double cost(const Region& a, const Region& b, const Section& s, bool are_many)

@@ -43,7 +43,7 @@ namespace Region_segmentation {
 ///
 /// A ray ends at the first other face, whichever side it hits, of several the lower one. This is computed in `float`,
 /// relative to the centroid of the surface, in its `internal::Intrinsic_frame` (\cgalCite{MT97}, polygons as fans from the corner farthest from
-/// their centroid, of several the first, with a margin of \f$10^{-6}\f$ in the barycentric coordinates); so distances have
+/// their centroid, of several that of the highest position, with a margin of \f$10^{-6}\f$ in the barycentric coordinates); so distances have
 /// relative errors of about \f$10^{-6}\f$.
 /// - The *thickness* of a region is the mean of \f$\ln(x / \sqrt{A} + 10^{-4})\f$, \f$x\f$ the lengths of
 ///   its rays; that of a region without rays that hit is the mean of the others' thicknesses.
@@ -53,7 +53,8 @@ namespace Region_segmentation {
 ///   two limbs do not. Two regions without a common border that see each other get a section of no edges, which is
 ///   never merged across, and counts when their unions become adjacent.
 /// - The *bend* of a section is its length times the angle between the mean normals of its two regions, positive if
-///   these face each other: \f$(n_j - n_i) \cdot (c_j - c_i) < 0\f$, \f$c\f$ the centroids of the regions.
+///   these face each other: \f$(n_j - n_i) \cdot (c_j - c_i) < -10^{-9} |c_j - c_i|\f$, \f$c\f$ the centroids of the
+///   regions.
 ///
 /// Lengths are relative to \f$\sqrt{A}\f$ and areas to \f$A\f$, the area of the surface. If that is 0, all data are 0.
 ///
@@ -128,7 +129,8 @@ private:
       const Index i = graph.source(*range.first), j = graph.target(*range.first);
       const Double_3 &n = shapes.normals[i], &m = shapes.normals[j];
       const double angle = std::atan2(norm(cross(n, m)), dot(n, m));
-      const bool is_concave = dot(m - n, shapes.centroids[j] - shapes.centroids[i]) < 0;
+      const Double_3 line = shapes.centroids[j] - shapes.centroids[i];
+      const bool is_concave = dot(m - n, line) < -1e-9 * norm(line); // more than rounding
       Visibility_section_data& section = graph[*range.first];
       section.bend = section.length * (is_concave ? angle : -angle);
     }

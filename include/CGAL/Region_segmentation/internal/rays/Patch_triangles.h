@@ -7,11 +7,14 @@
 #include <CGAL/Region_segmentation/Flat_mesh.h>
 #include <CGAL/Region_segmentation/internal/rays/Four_triangles.h>
 #include <CGAL/Region_segmentation/internal/support/Grouped_items.h>
+#include <CGAL/Region_segmentation/internal/support/grid.h>
 #include <CGAL/Region_segmentation/internal/support/prefetch.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <utility>
 
 namespace CGAL {
 namespace Region_segmentation {
@@ -100,18 +103,22 @@ public:
   }
 
 private:
-  /// The corner of a polygon farthest from its centroid, of several the first: so that polygons that are not flat do not
-  /// depend on the numbering of vertices.
-  static std::size_t first_of_fan(const Flat_mesh& mesh, Index face)
+  /// The corner of a polygon farthest from its centroid, of several that of the highest position: so that
+  /// what is hit does not depend on the numbering of vertices.
+  std::size_t first_of_fan(const Flat_mesh& mesh, Index face) const
   {
     const Mesh_points& points = mesh.points();
     std::size_t first = 0;
-    double farthest = -1;
-    for (std::size_t i = 0; points.number_of_corners(face) > 3 && i < points.number_of_corners(face); ++i)
-      if (const double d = squared_norm(points[points.corner(face, i)] - mesh.centroid(face)); d > farthest) {
-        farthest = d;
+    std::pair<std::uint32_t, double> farthest{0, -1};
+    for (std::size_t i = 0; points.number_of_corners(face) > 3 && i < points.number_of_corners(face); ++i) {
+      const Double_3& corner = points[points.corner(face, i)];
+      const std::pair<std::uint32_t, double> rank{coarse_bits(m_scale * norm(corner - mesh.centroid(face))),
+                                                  m_frame.position(corner)};
+      if (rank > farthest) {
+        farthest = rank;
         first = i;
       }
+    }
     return first;
   }
 

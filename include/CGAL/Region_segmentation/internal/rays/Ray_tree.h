@@ -91,14 +91,14 @@ private:
   static constexpr std::size_t width = Node::width;
   static constexpr std::size_t bundle_size = 12;
 
-  /// A power of two, so that it does not change any rounding.
+  /// Of the surface alone: so rounding to float does not depend on the unit of the mesh.
   static double unit_of(const Flat_mesh& mesh, const Double_3& origin)
   {
     const Mesh_patches& patches = mesh.patches();
     double largest = 0;
     for (std::size_t p = 0; p < patches.size(); ++p)
       largest = (std::max)(largest, squared_norm(patches[p].centroid - origin));
-    return std::ldexp(1.0, std::ilogb((std::max)(std::sqrt(largest), mesh.relative_unit())));
+    return (std::max)(std::sqrt(largest), mesh.relative_unit());
   }
 
   using Waiting = Float_key; // where the ray enters a box, and the child
