@@ -217,30 +217,51 @@ private:
       is_worth_another = has_joined_enough(joined);
       if (joined.number_of_parts() == joined.size())
         return;
-      join(std::move(joined));
+      replace_patches(patches, joined, [] {}); // first, since it frees most memory
+      replace_adjacencies(joined.number_of_parts(), [&](Index patch) { return joined[patch]; });
+      m_rounds.push_back(std::move(joined));
       report();
     }
-  }
-
-  void join(Partition joined)
-  {
-    replace_patches(Joined(*this), joined, [] {}); // first, since it frees most memory
-    replace_adjacencies(joined.number_of_parts(), [&](Index patch) { return joined[patch]; });
-    m_rounds.push_back(std::move(joined));
   }
 
   /// The patches by their positions: the new number of each.
   Partition sorted() const
   {
-    std::vector<std::pair<double, Index>> order;
+    unsigned bits = 0; // of the number of a patch, below those of its position
+    while (m_places.size() >> bits > 0)
+      ++bits;
+    const double steps = std::ldexp(1.0, int(64 - bits));
+    std::vector<std::uint64_t> order;
     order.reserve(m_places.size());
     for (std::size_t p = 0; p < m_places.size(); ++p)
-      order.push_back({m_frame.position(m_places[p].centroid), Index(p)});
+      order.push_back((std::uint64_t(steps * m_frame.position(m_places[p].centroid)) << bits) | p);
     std::sort(order.begin(), order.end());
     std::vector<Index> numbers(order.size());
     for (std::size_t i = 0; i < order.size(); ++i)
-      numbers[order[i].second] = Index(i);
+      numbers[std::size_t(order[i] & ((std::uint64_t(1) << bits) - 1))] = Index(i);
     return Partition(std::move(numbers), order.size());
+  }
+
+  void renumber(Partition numbers)
+  {
+    if (m_adjacencies.empty())
+      replace_adjacencies(m_places.size(), [&](Index patch) { return numbers[patch]; });
+    else
+      for (Large_array<Adjacency>& range : m_adjacencies)
+        for (Adjacency& a : range) {
+          const Index i = numbers[a.lower], j = numbers[a.higher];
+          a.lower = (std::min)(i, j);
+          a.higher = (std::max)(i, j);
+        }
+    Large_array<Place> places(m_places.size());
+    Large_array<Direction> directions(m_places.size());
+    for (std::size_t p = 0; p < m_places.size(); ++p) {
+      places[numbers[p]] = m_places[p];
+      directions[numbers[p]] = m_directions[p];
+    }
+    m_places = std::move(places);
+    m_directions = std::move(directions);
+    m_rounds.push_back(std::move(numbers));
   }
 
   static bool has_joined_enough(const Partition& joined)
@@ -343,7 +364,7 @@ private:
   /// The patches of the rounds since the last call.
   Patches finish()
   {
-    join(sorted());
+    renumber(sorted());
     Patches result;
     result.m_of_elements = take_rounds();
     result.m_adjacencies = united_adjacencies();

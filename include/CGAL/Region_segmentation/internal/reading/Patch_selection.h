@@ -52,7 +52,7 @@ public:
     };
     Lowest_keys<ConcurrencyTag> selections(patches.size());
     for_each_index<ConcurrencyTag>(
-      patches.size(), [&](std::size_t i) { selections.set(i, key(unselected, Index(i))); });
+      patches.size(), [&](std::size_t i) { selections.set(i, (unselected << (64 - step_bits)) | i); });
     const double scale = 1 / unit, most = maximum_area * (1 + 1e-9);
     for_each_block_of<ConcurrencyTag>(0, patches.number_of_ranges(), [&](std::size_t range) {
       patches.for_each_adjacency(range, [&](Index a, Index b, std::size_t) {
