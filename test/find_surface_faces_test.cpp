@@ -87,6 +87,7 @@ RS::Surface surface_of(const Shape& shape)
     for (int i = 0; i < 3; ++i)
       faces_of_edge[std::minmax(t[i], t[(i + 1) % 3])].push_back(f);
   }
+  s.length_unit = std::sqrt(s.area);
   std::map<std::pair<std::uint32_t, std::uint32_t>, double> squared_lengths; // by higher, then lower face
   for (const auto& edge : faces_of_edge)
     if (edge.second.size() == 2)
