@@ -284,7 +284,8 @@ TEST(Inward_rays_test, start_from_patches_where_a_region_has_their_centers)
 {
   const Soup soup = sheet_above_square();
   const std::size_t small = soup.polygons.size() - 2;
-  const RS::Surface mesh = surface_of(soup);
+  const RS::Surface mesh = // the sheet is no crumb
+    RS::make_surface(to_surface_mesh(soup), RS::parameters::component_links(false));
   std::vector<int> labels(soup.polygons.size(), 0);
   labels[small] = labels[small + 1] = 1;
   const RS::Partition regions = RS::Partition::from_labels(labels);

@@ -4,7 +4,6 @@
 #include "model_variants.h"
 #include "score_model.h"
 
-#include "io/repair_soup.h"
 #include "soup/link_corners.h"
 
 #include <gtest/gtest.h>

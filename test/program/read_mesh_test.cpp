@@ -28,8 +28,6 @@ void expect_tetrahedron(const Input_mesh& input)
       EXPECT_EQ(p, (Point{expected[0], expected[1], expected[2]})) << "face " << f;
     }
   }
-  EXPECT_EQ(input.mesh_face_of_face, (std::vector<std::size_t>{0, 1, 2, 3}));
-  EXPECT_EQ(input.point_of_mesh_point, (std::vector<std::size_t>{0, 1, 2, 3}));
   EXPECT_TRUE(input.remarks.empty());
 }
 
