@@ -511,15 +511,15 @@ TEST_F(Program, tells_its_settings_in_json)
     return outcome.status == 0 ? json.substr(start, json.find('\n', start) - start) : outcome.err;
   };
   const auto expected = [](const std::string& method, const std::string& number, const std::string& mesh, const std::string& more) {
-    return "{\"method\":\"" + method + "\",\"segments\":" + number + ",\"mesh\":\"" + mesh + "\",\"smooth_borders\":false" + more + "},";
+    return "{\"method\":\"" + method + "\",\"segments\":" + number + ",\"mesh\":\"" + mesh + "\",\"links\":true,\"smooth_borders\":false" + more + "},";
   };
-  EXPECT_EQ(settings(""), expected("learned", "null", "surface_mesh", ""));
+  EXPECT_EQ(settings(""), expected("learned", "null", "polygon_soup", ""));
   EXPECT_EQ(settings("--method visibility --mesh polyhedron"), expected("visibility", "null", "polyhedron", ""));
-  EXPECT_EQ(settings("--method smooth-faces -k 2"), expected("smooth-faces", "2", "surface_mesh", ""));
-  EXPECT_EQ(settings("-k 2 --seeds a.txt"), expected("learned", "2", "surface_mesh", ",\"seeds\":\"a.txt\""));
+  EXPECT_EQ(settings("--method smooth-faces -k 2"), expected("smooth-faces", "2", "polygon_soup", ""));
+  EXPECT_EQ(settings("-k 2 --seeds a.txt"), expected("learned", "2", "polygon_soup", ",\"seeds\":\"a.txt\""));
   for (const std::string kind : {"concave", "convex", "all"})
     EXPECT_EQ(settings("--method two-step -k 1 --max-angle 20 --features " + kind),
-              expected("two-step", "1", "surface_mesh", ",\"features\":\"" + kind + "\",\"max_angle\":20.0"));
+              expected("two-step", "1", "polygon_soup", ",\"features\":\"" + kind + "\",\"max_angle\":20.0"));
   const std::string open_mesh = settings("--mesh openmesh");
   EXPECT_TRUE(open_mesh == expected("learned", "null", "openmesh", "") ||
               open_mesh.find("this program was built without it") != std::string::npos) << open_mesh;
@@ -672,7 +672,7 @@ TEST_F(Program, describes_no_more_segments_in_a_page_than_it_can_in_time)
       triangles += "3 " + z + " " + std::to_string(i + 1) + " " + std::to_string(i + 2) + "\n";
     }
     folder.write("a.off", "OFF\n" + std::to_string(3 * number) + " " + std::to_string(number) + " 0\n" + points + triangles);
-    const Outcome outcome = run("a.off -o a.html");
+    const Outcome outcome = run("a.off --no-links -o a.html");
     if (outcome.status == 1)
       GTEST_SKIP() << "built without pages";
     EXPECT_EQ(number_of_described(folder.read("a.html")), number <= 200 ? number : 0);

@@ -20,10 +20,11 @@ namespace PMP = CGAL::Polygon_mesh_processing;
 
 using Point_3 = Manifold::Mesh::Point;
 
-bool are_different(std::vector<std::size_t> corners)
+/// Whether any two points of a range are different.
+bool are_different(std::vector<Point> points)
 {
-  std::sort(corners.begin(), corners.end());
-  return std::adjacent_find(corners.begin(), corners.end()) == corners.end();
+  std::sort(points.begin(), points.end());
+  return std::adjacent_find(points.begin(), points.end()) == points.end();
 }
 
 /// The mesh of a soup that is an oriented 2-manifold.
@@ -47,13 +48,13 @@ public:
   Manifold run()
   {
     for (std::size_t f = 0; f < m_soup.polygons.size(); ++f) {
-      std::vector<std::size_t> corners;
-      for (std::size_t i : m_soup.polygons[f])
-        corners.push_back(index_of(i));
-      if (corners.size() >= 3 && are_different(corners)) {
-        m_polygons.push_back(std::move(corners));
-        m_result.face_of_mesh_face.push_back(f);
-      }
+      const auto& polygon = m_soup.polygons[f];
+      if (polygon.size() < 3 || !has_different_points(polygon))
+        continue;
+      m_polygons.emplace_back();
+      for (std::size_t i : polygon)
+        m_polygons.back().push_back(index_of(i));
+      m_result.face_of_mesh_face.push_back(f);
     }
     PMP::orient_polygon_soup(m_points, m_polygons); // keeps the order of the faces
     PMP::polygon_soup_to_polygon_mesh(m_points, m_polygons, m_result.mesh);
@@ -65,6 +66,15 @@ public:
   }
 
 private:
+  template <typename Polygon>
+  bool has_different_points(const Polygon& polygon) const
+  {
+    std::vector<Point> points;
+    for (std::size_t i : polygon)
+      points.push_back(m_soup.points[i]);
+    return are_different(std::move(points));
+  }
+
   std::size_t index_of(std::size_t point)
   {
     const Point& p = m_soup.points[point];
@@ -86,7 +96,7 @@ private:
 Manifold make_manifold(const Polygon_soup& soup)
 {
   const std::optional<Corner_links> links = link_corners(soup);
-  return links ? of_manifold(soup, *links) : Repair(soup).run();
+  return links && are_different({soup.points.begin(), soup.points.end()}) ? of_manifold(soup, *links) : Repair(soup).run();
 }
 
 } // namespace segment_mesh
