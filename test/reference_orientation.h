@@ -16,26 +16,6 @@
 
 namespace reference {
 
-/// Whether there are no borders and the signed volume of the whole is below 0.
-template <typename Point>
-bool is_closed_and_negative(const std::vector<Point>& points,
-                            const std::vector<std::vector<std::size_t>>& faces)
-{
-  std::map<std::pair<std::size_t, std::size_t>, bool> halfedges;
-  double volume = 0;
-  for (const auto& face : faces)
-    for (std::size_t i = 0; i < face.size(); ++i) {
-      halfedges[{face[i], face[(i + 1) % face.size()]}] = true;
-      const Point &p = points[face[0]], &q = points[face[i]],
-                  &r = points[face[(i + 1) % face.size()]];
-      volume += p[0] * (q[1] * r[2] - q[2] * r[1]) + p[1] * (q[2] * r[0] - q[0] * r[2]) +
-                p[2] * (q[0] * r[1] - q[1] * r[0]);
-    }
-  return volume < 0 && std::all_of(halfedges.begin(), halfedges.end(), [&](const auto& h) {
-           return halfedges.count({h.first.second, h.first.first}) > 0;
-         });
-}
-
 /// What turns the faces of a soup.
 template <typename Point>
 class Components

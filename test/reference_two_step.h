@@ -728,8 +728,7 @@ inline Two_step_result two_step(const std::vector<Point>& points, const std::vec
 {
   collect_edges(points, polygons); // throws for what is no mesh
   std::vector<Polygon> outward = polygons;
-  if(is_closed_and_negative(points, polygons))
-    turn_outward(points, outward);
+  turn_outward(points, outward);
   const Mesh mesh = read_mesh(points, outward, options);
 
   Two_step_result result;

@@ -114,7 +114,8 @@ private:
   template <typename Graph>
   void remember_neighbors(const Graph& graph, const Entry& candidate)
   {
-    std::uint32_t fewer = candidate.lower, more = candidate.higher;
+    // Not those of the entry: the region of a hub may have got another number since.
+    std::uint32_t fewer = graph.source(candidate.section), more = graph.target(candidate.section);
     if (graph.degree(fewer) > graph.degree(more))
       std::swap(fewer, more);
     m_neighbors.clear();
