@@ -236,7 +236,7 @@ TEST_F(Written, nodes_are_described_as_segments_of_partitions)
     for (const Segment_description& segment : Segmentation_details(s_input.soup, s_settings, partitioned).segments())
       number_of_found += std::any_of(nodes.begin(), nodes.end(), [&](const Node_description& node) {
         return node.shape.number_of_faces == segment.number_of_faces && node.shape.area == segment.area &&
-               node.shape.volume == segment.volume && node.shape.extents == segment.extents;
+               node.shape.extents == segment.extents; // a volume depends on the other segments, by the caps
       });
   }
   EXPECT_EQ(number_of_found, (least + greatest) * (greatest - least + 1) / 2);
