@@ -14,8 +14,6 @@
 namespace CGAL {
 namespace Region_segmentation {
 
-class Learned_annotator;
-
 /// \ingroup PkgRegionSegmentationGraph
 /// In addition to `Visibility_section_data`: how lengths are distributed over angles, the thickness beside the section,
 /// and its shape; filled by `Learned_annotator`. A model of `SectionData`.
@@ -23,9 +21,6 @@ class Learned_annotator;
 /// All are sums over the edges, in units of the square root of the area of the surface.
 struct Learned_section_data : Visibility_section_data
 {
-  /// The annotator that fills these data.
-  using GraphAnnotator = Learned_annotator;
-
   /// \name Bounds of the deviation, in radians
   /// @{
   static constexpr double weakly_concave = 0.1, strongly_concave = 0.4, strongly_convex = 0.3;
@@ -75,9 +70,6 @@ struct Learned_section_data : Visibility_section_data
 /// Lengths are in units of the square root of the area of the surface.
 struct Learned_region_data : Visibility_region_data
 {
-  /// The annotator that fills these data.
-  using GraphAnnotator = Learned_annotator;
-
   double squared_log_thickness = 0;    ///< integral over the area of the square of the first regions' mean log thickness
   double own_visibility = 0;           ///< weight of the rays that start and end in the region
   double perimeter = 0;                ///< length of the sections with other regions

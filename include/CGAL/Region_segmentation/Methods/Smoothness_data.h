@@ -17,9 +17,6 @@ class Smoothness_annotator;
 /// `SectionData`.
 struct Smoothness_section_data
 {
-  /// The annotator that fills these data.
-  using GraphAnnotator = Smoothness_annotator;
-
   double length = 0;               ///< in units of `Surface::unit()`
   double measured_length = 0;      ///< of the edges that are not beside a degenerate face, in these units
   double discontinuity = 0;        ///< integral along these; see `Smoothness_annotator`

@@ -13,17 +13,12 @@
 namespace CGAL {
 namespace Region_segmentation {
 
-class Visibility_annotator;
-
 /// \ingroup PkgRegionSegmentationGraph
 /// Length, angles and visibility of a section, filled by `Visibility_annotator`. A model of `SectionData`.
 ///
 /// Lengths are in units of the square root of the area of the surface.
 struct Visibility_section_data
 {
-  /// The annotator that fills these data.
-  using GraphAnnotator = Visibility_annotator;
-
   double length = 0;
   double concave = 0;    ///< integral of the deviation of concave edges, at most 0.6 rad each
   double convex = 0;     ///< integral of the deviation of convex edges, at most 2 rad each
@@ -76,9 +71,6 @@ protected:
 /// Area, thickness and visibility of a region, filled by `Visibility_annotator`. A model of `RegionData`.
 struct Visibility_region_data
 {
-  /// The annotator that fills these data.
-  using GraphAnnotator = Visibility_annotator;
-
   double area = 0;          ///< share of the area of the surface
   double log_thickness = 0; ///< integral over the area of the logarithm of the thickness
   double visibility = 0;    ///< weight of the ends of rays in the region
