@@ -79,7 +79,7 @@ private:
   void reserve_elements(std::size_t segment, Target& piece) const
   {
     std::size_t halfedges = 0;
-    for_each_halfedge(segment, [&](Index h) { halfedges += m_segmented.is_on_border(h) ? 2 : 1; });
+    for_each_halfedge(segment, [&](Index h) { halfedges += m_segmented.is_on_border(h) ? 2u : 1u; });
     const std::size_t number_of_edges = halfedges / 2, number_of_faces = m_faces[segment].size();
     const std::size_t number_of_vertices = number_of_edges - number_of_faces + 1; // of a disc
     reserve(piece, typename Target_traits::vertices_size_type(number_of_vertices),
