@@ -7,15 +7,13 @@
 #include "mesh_from.h"
 #include "require.h"
 
-#include <CGAL/Region_segmentation/Methods/Smooth_faces.h>
-#include <CGAL/Region_segmentation/Segmenter.h>
+#include <CGAL/region_segmentation.h>
 #include <CGAL/Region_segmentation/Segments/compute_segment_topology.h>
 #include <CGAL/Region_segmentation/Segments/extract_segment_borders.h>
 #include <CGAL/Region_segmentation/Segments/mark_segment_borders.h>
 #include <CGAL/Region_segmentation/Segments/mark_segment_seams.h>
 #include <CGAL/Region_segmentation/Segments/split_into_segments.h>
 #include <CGAL/Region_segmentation/exceptions.h>
-#include <CGAL/Region_segmentation/segment.h>
 #include <CGAL/Region_segmentation/smooth_borders.h>
 
 #include <algorithm>
