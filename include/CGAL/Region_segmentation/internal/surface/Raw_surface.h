@@ -28,7 +28,8 @@ struct Raw_surface
   static constexpr Index none = (std::numeric_limits<Index>::max)(), at_seam = none - 1;
 
   Surface surface;
-  Large_array<Index> neighbors; // by side: the face across; `none`: of a border, or not known; or `at_seam`
+  /// By side: the face across; `none`: of a border, or not known; or `at_seam`. Empty: each is a face, and is not needed.
+  Large_array<Index> neighbors;
 
   static bool is_face(Index neighbor) { return neighbor < at_seam; }
 };

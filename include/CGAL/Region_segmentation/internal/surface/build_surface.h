@@ -93,9 +93,11 @@ inline Surface build_surface(Raw_surface raw, Adjacency_of wanted, const Executi
     orient_faces(raw, matcher.parallel_sides(), seams);
   }
   collect_adjacencies(raw, execution.step(0.3, 0.8));
+  if (!has_open_sides)
+    raw.neighbors = Large_array<Surface::Index>(); // later steps need the memory
   const Partition component_of = edge_components(raw.surface, execution.step(0.8, 1));
   orient_components(raw, component_of);
-  raw.neighbors = Large_array<Surface::Index>(); // later stages need the memory
+  raw.neighbors = Large_array<Surface::Index>();
   for (const Seam& seam : seams)
     added.push_back(adjacency_of_seam(raw.surface, seam));
   insert_adjacencies(raw.surface, std::move(added));

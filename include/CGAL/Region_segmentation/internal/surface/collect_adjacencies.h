@@ -59,6 +59,11 @@ inline void collect_adjacencies(Raw_surface& raw, const Execution& execution)
   arrays.higher_faces.resize(offsets.back());
   arrays.squared_lengths.resize(offsets.back());
   arrays.flags.resize(offsets.back());
+  const Double_3 *const points = arrays.points.data(), *const normals = arrays.normals.data();
+  const Index* const corners = arrays.corners.data();
+  Index *const lower_faces = arrays.lower_faces.data(), *const higher_faces = arrays.higher_faces.data();
+  double* const squared_lengths = arrays.squared_lengths.data();
+  std::uint8_t* const flags = arrays.flags.data();
   for_each_block(execution.step(0.2, 1), size, [&](std::size_t block, std::size_t begin, std::size_t end) {
     std::vector<std::pair<Index, Index>> sides(16); // the face across, the side
     std::size_t a = offsets[block];
@@ -69,12 +74,12 @@ inline void collect_adjacencies(Raw_surface& raw, const Execution& execution)
       const std::size_t n = sort_sides(neighbors + first, number_of_sides, Index(f), sides.data());
       for (std::size_t i = 0; i < n; ++i, ++a) {
         const Index lower = sides[i].first, side = first + sides[i].second;
-        const Double_3 direction =
-          arrays.points[arrays.corners[next_corner(arrays, f, side)]] - arrays.points[arrays.corners[side]];
-        arrays.lower_faces[a] = lower;
-        arrays.higher_faces[a] = Index(f);
-        arrays.squared_lengths[a] = squared_norm(direction);
-        arrays.flags[a] = sign_of_edge(arrays.normals[f], arrays.normals[lower], direction);
+        const Index next = side + 1 < first + number_of_sides ? side + 1 : first;
+        const Double_3 direction = points[corners[next]] - points[corners[side]];
+        lower_faces[a] = lower;
+        higher_faces[a] = Index(f);
+        squared_lengths[a] = squared_norm(direction);
+        flags[a] = sign_of_edge(normals[f], normals[lower], direction);
       }
     }
   });

@@ -30,10 +30,12 @@ inline void compute_normals(Surface& surface, const Execution& execution)
   arrays.normals.resize(size);
   arrays.areas.resize(size);
   const Double_3* const points = arrays.points.data();
-  const Surface::Index* const corners = arrays.corners.data();
+  const Surface::Index *const corners = arrays.corners.data(), *const first_corners = arrays.first_corners.data();
+  double* const areas = arrays.areas.data();
+  Double_3* const normals = arrays.normals.data();
   for_each_block(execution, size, [&](std::size_t, std::size_t begin, std::size_t end) {
     for (std::size_t f = begin; f < end; ++f) {
-      const Surface::Index first = arrays.first_corners[f], past = arrays.first_corners[f + 1];
+      const Surface::Index first = first_corners[f], past = first_corners[f + 1];
       Double_3 area_vector{};
       double area = 0, squared_longest_edge = 0;
       if (past - first > 2) {
@@ -44,8 +46,8 @@ inline void compute_normals(Surface& surface, const Execution& execution)
         area = norm(area_vector);
         squared_longest_edge = sum.squared_longest_edge();
       }
-      arrays.areas[f] = area;
-      arrays.normals[f] = is_degenerate(area, squared_longest_edge) ? Double_3{} : (1 / area) * area_vector;
+      areas[f] = area;
+      normals[f] = is_degenerate(area, squared_longest_edge) ? Double_3{} : (1 / area) * area_vector;
     }
   });
 }

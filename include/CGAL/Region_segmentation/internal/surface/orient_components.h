@@ -18,9 +18,8 @@ namespace internal {
 /// What decides whether a component is closed, and its orientation.
 struct Component_volume
 {
-  Double_3 origin{}, area_vector{};
+  Double_3 origin, area_vector{};
   double area = 0, volume = 0; // the volume times 3
-  std::size_t number_of_faces = 0;
   bool has_border = false, has_seam = false;
 
   /// The area vectors of a closed surface sum to zero; this decides where a component is closed only together with its seams.
@@ -34,21 +33,22 @@ struct Component_volume
 inline std::vector<Component_volume> component_volumes(const Raw_surface& raw, const Partition& component_of)
 {
   const Surface& surface = raw.surface;
-  std::vector<Component_volume> components(component_of.number_of_parts());
-  std::size_t side = 0;
-  for (std::size_t f = 0; f < surface.number_of_faces(); ++f) {
-    Component_volume& c = components[component_of[f]];
+  std::vector<Component_volume> components;
+  for (std::size_t f = 0; f < component_of.size(); ++f) {
     const Double_3& point = surface.point(surface.corner(f, 0));
-    if (c.number_of_faces++ == 0)
-      c.origin = point;
+    if (component_of[f] == components.size())
+      components.push_back({point});
+    Component_volume& c = components[component_of[f]];
     const Double_3 area_vector = surface.area(f) * surface.normal(f);
     c.area += surface.area(f);
     c.area_vector = c.area_vector + area_vector;
     c.volume += dot(point - c.origin, area_vector);
+  }
+  for (std::size_t f = 0, side = 0; side < raw.neighbors.size(); ++f)
     for (std::size_t i = 0; i < surface.number_of_corners(f); ++i, ++side)
       if (!Raw_surface::is_face(raw.neighbors[side]))
-        (raw.neighbors[side] == Raw_surface::at_seam ? c.has_seam : c.has_border) = true;
-  }
+        (raw.neighbors[side] == Raw_surface::at_seam ? components[component_of[f]].has_seam
+                                                      : components[component_of[f]].has_border) = true;
   return components;
 }
 
