@@ -7,7 +7,7 @@
 #include <CGAL/Region_segmentation/Methods/Merge_features.h>
 #include <CGAL/Region_segmentation/build_region_adjacency_graph.h>
 #include <CGAL/Region_segmentation/internal/cells/Patch_builder.h>
-#include <CGAL/Region_segmentation/internal/rays/Region_rays.h>
+#include <CGAL/Region_segmentation/Methods/Region_rays.h>
 #include <CGAL/Region_segmentation/internal/support/Second_moments.h>
 #include <CGAL/Region_segmentation/make_surface.h>
 

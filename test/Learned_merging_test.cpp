@@ -4,6 +4,7 @@
 #include "oracles.h"
 
 #include <CGAL/Region_segmentation/Methods/Learned_merging.h>
+#include <CGAL/Region_segmentation/Segmenter.h>
 #include <CGAL/Region_segmentation/segment.h>
 
 #include <gtest/gtest.h>
@@ -12,6 +13,8 @@
 #include <cmath>
 #include <numeric>
 #include <random>
+#include <set>
+#include <vector>
 
 namespace RS = CGAL::Region_segmentation;
 using namespace test;
@@ -78,6 +81,27 @@ TEST(Learned_merging_test, does_not_depend_on_place_and_size)
     EXPECT_EQ(segment_into(translated(soup, 4096, -1024, 512), 5), labels);
     EXPECT_EQ(segment_automatically(scaled(soup, 1024)), automatic);
     EXPECT_EQ(segment_automatically(translated(soup, 4096, -1024, 512)), automatic);
+  }
+}
+
+TEST(Learned_merging_test, each_segment_has_a_face_that_is_neither_degenerate_nor_doubled)
+{
+  Soup soup = triangulated(cube());
+  soup.polygons.push_back(soup.polygons[3]); // doubled
+  soup.polygons.push_back({soup.polygons[5][0], soup.polygons[5][2], soup.polygons[5][1]});
+  soup.polygons.push_back({0, 1, 1}); // degenerate
+  soup.polygons.push_back({2, 2, 2});
+  constexpr std::size_t proper = 12;
+  RS::Segmenter segmenter(soup.points, soup.polygons);
+  for (std::size_t k = 1; k <= 20; ++k) {
+    std::vector<std::size_t> labels(soup.polygons.size()), again(labels.size());
+    const std::size_t expected = std::min(k, proper);
+    EXPECT_EQ(RS::segment(soup.points, soup.polygons, labels, k), expected);
+    EXPECT_EQ(segmenter.segment(again, k), expected);
+    EXPECT_EQ(labels, again);
+    EXPECT_EQ(std::set<std::size_t>(labels.begin(), labels.begin() + proper).size(), expected);
+    EXPECT_EQ(labels[proper], labels[3]);
+    EXPECT_EQ(labels[proper + 1], labels[5]);
   }
 }
 

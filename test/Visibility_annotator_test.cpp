@@ -8,7 +8,7 @@
 #include <CGAL/Region_segmentation/Methods/Visibility_annotator.h>
 #include <CGAL/Region_segmentation/build_region_adjacency_graph.h>
 #include <CGAL/Region_segmentation/internal/cells/Patch_builder.h>
-#include <CGAL/Region_segmentation/internal/rays/Region_rays.h>
+#include <CGAL/Region_segmentation/Methods/Region_rays.h>
 #include <CGAL/Region_segmentation/make_surface.h>
 
 #include <gtest/gtest.h>

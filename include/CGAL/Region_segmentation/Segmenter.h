@@ -12,9 +12,9 @@
 #include <CGAL/assertions.h>
 #include <CGAL/tags.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <iterator>
-#include <limits>
 #include <memory>
 #include <type_traits>
 #include <utility>
@@ -41,10 +41,10 @@ namespace Region_segmentation {
 /// Omit the template arguments, which are deduced: `Segmenter segmenter(mesh, parameters::method(m))`, or
 /// `Segmenter segmenter(points, polygons)`.
 ///
-/// \tparam Input `internal::Face_graph_input<FaceGraph>`, with `FaceGraph` a model of `FaceListGraph` and
-///         `HalfedgeListGraph`, or `internal::Polygon_input`
+/// \tparam Input the form of the input, deduced: a face graph, or points and polygons
 /// \tparam Method a model of `SegmentationMethod`
-/// \tparam ConcurrencyTag `Sequential_tag` or, with TBB, `Parallel_tag`; see `segment()`
+///
+/// Only the constructor runs in parallel; what is asked for later, and constraints and seeds that are added, on one thread.
 template <typename Input, typename Method>
 class Segmenter
 {
@@ -319,7 +319,7 @@ private:
 
   void segments_of_request(Request request, const Execution& execution) const
   {
-    request.number_of_segments = (std::numeric_limits<std::size_t>::max)();
+    request.number_of_segments = (std::max)(surface().number_of_faces(), std::size_t(1)); // least work
     internal::merge_by(method(), surface(), m_prepared->prepared, request, execution);
   }
 

@@ -17,6 +17,21 @@
 namespace CGAL {
 namespace Region_segmentation {
 
+namespace internal {
+
+/// A pack of named parameters and the number of segments.
+template <typename Number, typename NamedParameters>
+auto with_number(Number number_of_segments, const NamedParameters& np)
+{
+  static_assert(std::is_integral<Number>::value, "the number of segments is an integer");
+  const auto& pack = internal::pack(np);
+  using Pack = std::decay_t<decltype(pack)>;
+  static_assert(!has_number_of_segments<Pack>, "the number of segments is given twice");
+  return Named_parameters<Number, internal_np::number_of_segments_t, Pack>(number_of_segments, pack);
+}
+
+} // namespace internal
+
 /// \ingroup PkgRegionSegmentationMain
 /// segments a surface mesh into parts: first regions are created and merged until the wanted number
 /// of segments is reached.
@@ -127,12 +142,7 @@ template <typename ConcurrencyTag = CGAL::Sequential_tag, typename FaceGraph, ty
 std::size_t segment(const FaceGraph& mesh, FaceSegmentMap segment_map, Number number_of_segments,
                     const NamedParameters& np = parameters::default_values())
 {
-  static_assert(std::is_integral<Number>::value, "the number of segments is an integer");
-  const auto& pack = internal::pack(np);
-  using Pack = std::decay_t<decltype(pack)>;
-  static_assert(!internal::has_number_of_segments<Pack>, "the number of segments is given twice");
-  return segment<ConcurrencyTag>(
-    mesh, segment_map, Named_parameters<Number, internal_np::number_of_segments_t, Pack>(number_of_segments, pack));
+  return segment<ConcurrencyTag>(mesh, segment_map, internal::with_number(number_of_segments, np));
 }
 
 /// \ingroup PkgRegionSegmentationMain
@@ -159,6 +169,17 @@ std::size_t segment(const PointRange& points, const PolygonRange& polygons, Poly
   const Execution execution = internal::make_execution<ConcurrencyTag>(pack);
   const Surface surface = internal::make_surface(points, polygons, pack, execution);
   return internal::run_method(internal::Polygon_input(surface.number_of_faces()), surface, segment_map, pack, execution);
+}
+
+/// \ingroup PkgRegionSegmentationMain
+/// As above, with the named parameter `number_of_segments`: `segment(points, polygons, segment_map, 8)`.
+template <typename ConcurrencyTag = CGAL::Sequential_tag, typename PointRange, typename PolygonRange,
+          typename PolygonSegmentMap, typename Number, typename NamedParameters = parameters::Default_named_parameters,
+          std::enable_if_t<internal::is_polygon_range<PolygonRange>() && std::is_arithmetic<Number>::value, int> = 0>
+std::size_t segment(const PointRange& points, const PolygonRange& polygons, PolygonSegmentMap&& segment_map,
+                    Number number_of_segments, const NamedParameters& np = parameters::default_values())
+{
+  return segment<ConcurrencyTag>(points, polygons, segment_map, internal::with_number(number_of_segments, np));
 }
 
 } // namespace Region_segmentation

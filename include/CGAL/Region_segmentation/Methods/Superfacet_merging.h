@@ -6,6 +6,7 @@
 #include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/Hierarchy.h>
 #include <CGAL/Region_segmentation/Methods/Border_straightening.h>
+#include <CGAL/Region_segmentation/Methods/Region_rays.h>
 #include <CGAL/Region_segmentation/Methods/Superfacets.h>
 #include <CGAL/Region_segmentation/Patches.h>
 #include <CGAL/Region_segmentation/Request.h>
@@ -15,11 +16,12 @@
 #include <CGAL/Region_segmentation/internal/concepts/check_merging.h>
 #include <CGAL/Region_segmentation/internal/graph/build_graph.h>
 #include <CGAL/Region_segmentation/internal/graph/renumber_tree.h>
-#include <CGAL/Region_segmentation/internal/rays/Region_rays.h>
 #include <CGAL/Region_segmentation/internal/regions/border_costs.h>
+#include <CGAL/Region_segmentation/internal/regions/join_degenerate_regions.h>
 #include <CGAL/Region_segmentation/merge_requested_regions.h>
 #include <CGAL/Region_segmentation/requested_regions.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -31,26 +33,27 @@ namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationData
 /// A hierarchy whose first regions can be split further: so there are as many segments as are asked for, up to the number
-/// of faces.
+/// of faces that are not degenerate.
 class Refinable_hierarchy : public Hierarchy
 {
 public:
   Refinable_hierarchy() = default;
-  /// `is_fixed`: regions that seeds joined are not split
-  Refinable_hierarchy(Hierarchy hierarchy, const Superfacets& superfacets, bool is_fixed)
-    : Hierarchy(std::move(hierarchy)), m_superfacets(superfacets), m_is_fixed(is_fixed)
+  /// `largest_number`: of segments
+  Refinable_hierarchy(Hierarchy hierarchy, const Superfacets& superfacets, std::size_t largest_number)
+    : Hierarchy(std::move(hierarchy)), m_superfacets(superfacets), m_largest_number(largest_number)
   {}
 
   /// The segments of the faces of the surface that the hierarchy was made of. O(F log F) where regions are split.
   Partition segments(const Surface& surface, std::size_t number) const
   {
-    return number > regions().number_of_parts() && !m_is_fixed ? m_superfacets.split(surface, regions(), number)
-                                                               : Hierarchy::segments(surface, number);
+    number = (std::min)(number, m_largest_number);
+    return number > regions().number_of_parts() ? m_superfacets.split(surface, regions(), number)
+                                                : Hierarchy::segments(surface, number);
   }
 
 private:
   Superfacets m_superfacets;
-  bool m_is_fixed = false;
+  std::size_t m_largest_number = 0;
 };
 
 /// \ingroup PkgRegionSegmentationMethods
@@ -93,7 +96,8 @@ struct Superfacet_merging
         ? superfacets(surface, patches, costs, stage.step(0.6, 1))
         : superfacets(surface, patches, internal::border_costs_of_edges(surface, patches.fine, border_cost),
                       stage.step(0.6, 1));
-    Partition regions = composed(patches.fine.of_elements(), regions_of_patches);
+    Partition regions =
+      internal::join_degenerate_regions(surface, composed(patches.fine.of_elements(), regions_of_patches));
     Region_rays rays(surface, patches, regions, execution.stage("rays"));
     return {std::move(patches), std::move(costs), std::move(regions), std::move(rays)};
   }
@@ -107,11 +111,15 @@ struct Superfacet_merging
       annotated_graph(surface, prepared, requested.regions, request.constraints, execution.stage("graph"));
     const Merge_tree tree =
       merge_requested_regions(surface, requested, graph, policy, 1, execution.stage("merging"));
-    const std::size_t number =
-      request.number_of_segments > 0 ? request.number_of_segments : chooser(tree, surface);
+    // Regions that seeds joined are not split.
+    const std::size_t largest_number =
+      request.seeds.empty() ? (std::max)(internal::number_of_proper_faces(surface), std::size_t(1))
+                            : requested.regions.number_of_parts();
+    const std::size_t number = (std::min)(
+      request.number_of_segments > 0 ? request.number_of_segments : chooser(tree, surface), largest_number);
     return Refinable_hierarchy(
       straightened(surface, prepared, requested, request, Hierarchy(Partition(), tree, number), execution),
-      superfacets, !request.seeds.empty());
+      superfacets, largest_number);
   }
 
   /// The graph of regions, with the data of the annotator; the rays of superfacets among them are not traced again.

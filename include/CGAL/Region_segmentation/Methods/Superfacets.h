@@ -80,7 +80,7 @@ public:
 
   /// The partition into `number_of_parts` that splits connected regions of the faces further: the face farthest from that
   /// nearest to the centroid of its region is separated first, with the faces that were reached through it. Steps
-  /// between faces are measured as those between patches. O(F log F).
+  /// between faces are measured as those between patches. Degenerate faces are separated last. O(F log F).
   /// \pre `number_of_parts` is at least the number of regions
   Partition split(const Surface& surface, const Partition& regions, std::size_t number_of_parts,
                   const Execution& execution = Execution()) const
@@ -96,7 +96,7 @@ public:
       });
     internal::Farthest_point_seeding seeding(std::move(graph), execution);
     seeding.run(central_faces(surface, regions));
-    return seeding.split_regions(number_of_parts);
+    return seeding.split_regions(number_of_parts, [&](Index f) { return surface.is_degenerate(f); });
   }
 
 private:

@@ -4,10 +4,10 @@
 #define CGAL_REGION_SEGMENTATION_METHODS_VISIBILITY_ANNOTATOR_H
 
 #include <CGAL/Region_segmentation/Execution.h>
-#include <CGAL/Region_segmentation/Surface.h>
+#include <CGAL/Region_segmentation/Methods/Region_rays.h>
 #include <CGAL/Region_segmentation/Methods/Visibility_data.h>
 #include <CGAL/Region_segmentation/Partition.h>
-#include <CGAL/Region_segmentation/internal/rays/Region_rays.h>
+#include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/internal/regions/Region_shapes.h>
 
 

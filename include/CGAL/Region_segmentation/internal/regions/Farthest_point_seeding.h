@@ -86,14 +86,16 @@ public:
   }
 
   /// The regions split further: the face farthest from its seed is separated first, with the faces that were reached
-  /// through it; of several, the higher one.
-  Partition split_regions(std::size_t number_of_parts) const
+  /// through it; of several, the higher one; those that `is_joined(face)` only after all others.
+  template <typename IsJoined>
+  Partition split_regions(std::size_t number_of_parts, const IsJoined& is_joined) const
   {
     std::vector<Index> order(m_reached.size());
     std::iota(order.begin(), order.end(), Index(0));
     std::sort(order.begin(), order.end(), [&](Index a, Index b) {
       return m_reached[a].distance != m_reached[b].distance ? m_reached[a].distance < m_reached[b].distance : a < b;
     });
+    std::stable_partition(order.begin(), order.end(), is_joined);
     std::size_t to_join = order.size() - (std::min)(number_of_parts, order.size());
     Lowest_root_forest forest(order.size());
     for (const Index f : order)

@@ -3,31 +3,17 @@
 #ifndef CGAL_REGION_SEGMENTATION_INTERNAL_REGIONS_BORDER_COSTS_H
 #define CGAL_REGION_SEGMENTATION_INTERNAL_REGIONS_BORDER_COSTS_H
 
+#include <CGAL/Region_segmentation/Border_cost.h>
 #include <CGAL/Region_segmentation/Patches.h>
 #include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/internal/regions/Dual_graph.h>
 
 #include <CGAL/number_type_config.h>
 
-#include <algorithm>
 #include <cstddef>
 
 namespace CGAL {
 namespace Region_segmentation {
-
-/// \ingroup PkgRegionSegmentationParts
-/// What a border costs: \f$l / (1 + g \, \min(\delta^+, m))\f$, \f$l\f$ its length in units of the square root of the area of
-/// the surface, \f$\delta^+\f$ the deviation across it where it is concave, else 0. So borders are drawn into valleys.
-struct Border_cost
-{
-  double concave_gain = 10;       ///< g, 1/radian, at least 0: how much cheaper a border in a valley is
-  double maximum_deviation = 0.6; ///< m, radian, at least 0: deviations above it count as this one
-
-  double operator()(double length, double concave_deviation) const
-  {
-    return length / (1 + concave_gain * (std::min)(concave_deviation, maximum_deviation));
-  }
-};
 
 namespace internal {
 

@@ -95,7 +95,7 @@ inline Surface build_surface(Raw_surface raw, Adjacency_of wanted, const Executi
   collect_adjacencies(raw, execution.step(0.3, 0.8));
   if (!has_open_sides)
     raw.neighbors = Large_array<Surface::Index>(); // later steps need the memory
-  const Partition component_of = edge_components(raw.surface, execution.step(0.8, 1));
+  const Partition component_of = edge_components(raw.surface, execution.step(0.8, 0.9));
   orient_components(raw, component_of);
   raw.neighbors = Large_array<Surface::Index>();
   for (const Seam& seam : seams)

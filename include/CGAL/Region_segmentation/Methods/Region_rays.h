@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_RAYS_REGION_RAYS_H
-#define CGAL_REGION_SEGMENTATION_INTERNAL_RAYS_REGION_RAYS_H
+#ifndef CGAL_REGION_SEGMENTATION_METHODS_REGION_RAYS_H
+#define CGAL_REGION_SEGMENTATION_METHODS_REGION_RAYS_H
 
 #include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/Partition.h>
@@ -87,4 +87,4 @@ private:
 } // namespace Region_segmentation
 } // namespace CGAL
 
-#endif // CGAL_REGION_SEGMENTATION_INTERNAL_RAYS_REGION_RAYS_H
+#endif // CGAL_REGION_SEGMENTATION_METHODS_REGION_RAYS_H
