@@ -42,7 +42,7 @@ namespace Region_segmentation {
 ///     \cgalParamDescription{how the mesh is segmented; constants are members of its parts}
 ///     \cgalParamType{a model of `SegmentationMethod`}
 ///     \cgalParamDefault{`Learned_merging()`}
-///     \cgalParamExtra{`Visibility_merging()` has a hand-crafted cost, `Smooth_faces()` finds the smooth faces of machine
+///     \cgalParamExtra{`Visibility_merging()` has a hand-crafted cost, `Smooth_faces()` finds the faces of machine
 ///       parts, `Two_step()` is the method of \cgalCite{YZWLL14}}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{edge_is_constrained_map}
