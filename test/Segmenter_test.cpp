@@ -6,13 +6,15 @@
 
 #include <CGAL/Region_segmentation/Methods/Learned_merging.h>
 #include <CGAL/Region_segmentation/Methods/Smallest_region_first.h>
-#include <CGAL/Region_segmentation/Methods/Smooth_faces.h>
 #include <CGAL/Region_segmentation/Methods/Two_step.h>
 #include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
 #include <CGAL/Region_segmentation/Segmenter.h>
 #include <CGAL/Region_segmentation/internal/regions/split_at_constraints.h>
 #include <CGAL/Region_segmentation/make_surface.h>
 #include <CGAL/Region_segmentation/segment.h>
+#ifdef TEST_EIGEN
+#include <CGAL/Region_segmentation/Methods/Smooth_faces.h>
+#endif
 
 #include <boost/property_map/property_map.hpp>
 #include <gtest/gtest.h>
@@ -381,7 +383,9 @@ TEST(Segmenter_test, later_constraints_give_the_labels_of_a_new_segmenter)
 {
   test_late_constraints(RS::Learned_merging());
   test_late_constraints(visibility(15));
+#ifdef TEST_EIGEN
   test_late_constraints(RS::Smooth_faces());
+#endif
   test_late_constraints(two_step());
 }
 

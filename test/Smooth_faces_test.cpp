@@ -2,15 +2,11 @@
 
 #include "meshes.h"
 #include "oracles.h"
-#include "reference_smoothness.h"
+#include "shapes_with_faces.h"
 
 #include <CGAL/Region_segmentation/Graph/Region_adjacency_graph.h>
 #include <CGAL/Region_segmentation/Methods/Smooth_faces.h>
 #include <CGAL/Region_segmentation/Segmenter.h>
-#include <CGAL/Region_segmentation/build_region_adjacency_graph.h>
-#include <CGAL/Region_segmentation/internal/regions/Face_links.h>
-#include <CGAL/Region_segmentation/internal/regions/Normal_section.h>
-#include <CGAL/Region_segmentation/make_surface.h>
 #include <CGAL/Region_segmentation/segment.h>
 
 #include <gtest/gtest.h>
@@ -18,6 +14,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <map>
 #include <numeric>
 #include <random>
 #include <set>
@@ -30,7 +28,7 @@ using namespace test;
 
 namespace Smooth_faces_test {
 
-constexpr double pi = 3.14159265358979323846;
+using shapes_with_faces::pi;
 
 struct Labelled
 {
@@ -128,35 +126,17 @@ TEST(Smooth_faces_test, joins_the_facets_of_a_coarse_cylinder)
   }
 }
 
-TEST(Smooth_faces_test, starts_from_facets_that_are_flat_but_for_rounding)
-{
-  Surface_mesh mesh = to_surface_mesh(regular_prism(720, true).soup); // half a degree apart
-  auto region = mesh.add_property_map<Surface_mesh::Face_index, std::size_t>("f:region").first;
-  auto segment = mesh.add_property_map<Surface_mesh::Face_index, std::size_t>("f:segment").first;
-  EXPECT_EQ(
-    RS::segment(mesh, segment, RS::parameters::method(RS::Smooth_faces()).region_map(region)), 3u);
-  std::set<std::size_t> regions;
-  for (auto f : mesh.faces())
-    regions.insert(region[f]);
-  EXPECT_EQ(regions.size(), 722u);
-}
-
-/// As Boolean operations leave them: no face is as wide as its facet.
-TEST(Smooth_faces_test, joins_facets_that_are_divided_into_slivers)
+/// Beside each facet there is one that is thirty times as narrow.
+TEST(Smooth_faces_test, joins_facets_and_slivers_between_them)
 {
   const std::size_t sides = 20;
   Profile profile;
-  for (std::size_t i = 0; i < sides; ++i) {
-    const auto corner = [&](std::size_t j) {
-      return std::array<double, 2>{std::cos(2 * pi * double(j) / sides),
-                                   std::sin(2 * pi * double(j) / sides)};
-    };
-    const auto a = corner(i), b = corner(i + 1);
-    profile.points.push_back(a);
-    const double t = i % 3 == 0 ? 0.03 : 0.97;
-    profile.points.push_back({a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])});
-    profile.faces.insert(profile.faces.end(), 2, 0);
-  }
+  for (std::size_t i = 0; i < sides; ++i)
+    for (const double t : {0.0, i % 3 == 0 ? 0.03 : 0.97}) {
+      const double angle = 2 * pi * (double(i) + t) / double(sides);
+      profile.points.push_back({std::cos(angle), std::sin(angle)});
+      profile.faces.push_back(0);
+    }
   const Labelled cylinder = prism(profile, 1.7);
   EXPECT_EQ(smooth_faces(cylinder.soup), cylinder.truth);
   EXPECT_EQ(number_of_labels(smooth_faces(triangulated(cylinder.soup))), 3u);
@@ -228,6 +208,15 @@ TEST(Smooth_faces_test, separates_the_faces_of_blocks)
   EXPECT_EQ(number_of_labels(smooth_faces(l_shape())), 8u);
 }
 
+/// Whether labels of some faces of the soup are all different.
+bool are_separate(const Labels& labels, const Labels& truth, const std::vector<std::size_t>& faces)
+{
+  std::set<std::size_t> found;
+  for (std::size_t face : faces)
+    found.insert(labels[std::size_t(std::find(truth.begin(), truth.end(), face) - truth.begin())]);
+  return found.size() == faces.size();
+}
+
 TEST(Smooth_faces_test, merges_on_when_a_number_is_given)
 {
   const Labelled block = filleted_block(6);
@@ -239,11 +228,158 @@ TEST(Smooth_faces_test, merges_on_when_a_number_is_given)
     EXPECT_EQ(segmenter.segment(map, k), k);
     const Labels labels = labels_of(mesh, map);
     EXPECT_TRUE(is_refinement(finer, labels)) << k;
+    // Fillets, which are faces 2, 4, 6 and 8, join the planes beside them first.
+    EXPECT_TRUE(k < 6 || are_separate(labels, block.truth, {0, 1, 3, 5, 7, 9})) << k;
     finer = labels;
   }
-  // More than there are: the facets of fillets are separated.
-  EXPECT_EQ(segmenter.segment(map, 13), 13u);
-  EXPECT_TRUE(is_refinement(labels_of(mesh, map), block.truth));
+  EXPECT_EQ(segmenter.segment(map, 13), 10u); // no more than there are
+}
+
+struct Part
+{
+  const char* name;
+  Soup soup;
+  Labels truth;
+};
+
+Part part(const char* name, const shapes_with_faces::Shape& shape)
+{
+  Part result{name, {}, Labels(shape.faces.begin(), shape.faces.end())};
+  for (const auto& p : shape.points)
+    result.soup.points.push_back({p.x, p.y, p.z});
+  for (const auto& t : shape.triangles)
+    result.soup.polygons.push_back(Polygon(t.begin(), t.end()));
+  return result;
+}
+
+std::vector<Part> parts()
+{
+  using namespace shapes_with_faces;
+  return {part("box", box(1, 2, 3, 3)),
+          part("ring", ring(2, 2, 1, 3, 24, 2)),
+          part("coarse ring", ring(2, 2, 1, 3, 12, 1)),
+          part("cone", ring(3, 2, 1, 2, 24, 3)),
+          part("filleted bar", filleted_bar(3, 1, 5, 6, 5)),
+          part("coarse filleted bar", filleted_bar(3, 1, 5, 3, 1)),
+          part("bar rounded widely", filleted_bar(1, 20, 5, 30, 8)),
+          part("dome", dome(2, 24, 7)),
+          part("torus", torus(3, 1, 40, 16))};
+}
+
+TEST(Smooth_faces_test, holes_join_what_they_are_in_before_others)
+{
+  const Part ring =
+    part("ring", shapes_with_faces::ring(2, 2, 1, 3, 24, 2)); // outside, hole, top, bottom
+  const Labels labels = segments_of(
+    to_surface_mesh(ring.soup), RS::parameters::number_of_segments(3).method(RS::Smooth_faces()));
+  EXPECT_TRUE(are_separate(labels, ring.truth, {0, 2, 3}));
+}
+
+/// 2 true faces that are found / (true faces + segments), by intersection over union of .9 of the
+/// number of triangles.
+double f1(const Labels& truth, const Labels& found)
+{
+  std::map<std::pair<std::size_t, std::size_t>, double> common;
+  std::map<std::size_t, double> of_truth, of_found;
+  for (std::size_t f = 0; f < truth.size(); ++f) {
+    ++common[{truth[f], found[f]}];
+    ++of_truth[truth[f]];
+    ++of_found[found[f]];
+  }
+  double number = 0;
+  for (const auto& [pair, n] : common)
+    number += n >= .9 * (of_truth[pair.first] + of_found[pair.second] - n);
+  return 2 * number / double(of_truth.size() + of_found.size());
+}
+
+Labels labels_of_soup(const Soup& soup, const RS::Smooth_faces& method = RS::Smooth_faces())
+{
+  Labels labels(soup.polygons.size());
+  RS::segment(soup.points, soup.polygons, labels, RS::parameters::method(method));
+  return labels;
+}
+
+TEST(Smooth_faces_test, finds_the_faces_of_parts)
+{
+  const unsigned seed = 5;
+  SCOPED_TRACE(seed);
+  std::mt19937 random(seed);
+  for (const Part& part : parts()) {
+    SCOPED_TRACE(part.name);
+    EXPECT_EQ(f1(part.truth, labels_of_soup(part.soup)), 1);
+    EXPECT_EQ(f1(part.truth, labels_of_soup(reversed(part.soup))), 1) << "inside out";
+    EXPECT_EQ(f1(part.truth, labels_of_soup(translated(part.soup, 30, -20, 10))), 1) << "moved";
+    for (double scale : {1e-6, 1e6})
+      EXPECT_EQ(f1(part.truth, labels_of_soup(scaled(part.soup, scale))), 1) << scale;
+    Soup separate; // as in a file of STL
+    for (const Polygon& polygon : part.soup.polygons) {
+      separate.polygons.emplace_back();
+      for (std::size_t v : polygon) {
+        separate.polygons.back().push_back(separate.points.size());
+        separate.points.push_back(part.soup.points[v]);
+      }
+    }
+    EXPECT_EQ(f1(part.truth, labels_of_soup(separate)), 1) << "triangles by themselves";
+    std::vector<std::size_t> order(part.truth.size());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::shuffle(order.begin(), order.end(), random);
+    Soup shuffled{part.soup.points, {}};
+    Labels truth;
+    for (std::size_t f : order) {
+      shuffled.polygons.push_back(part.soup.polygons[f]);
+      truth.push_back(part.truth[f]);
+    }
+    EXPECT_EQ(f1(truth, labels_of_soup(shuffled)), 1) << "in random order";
+  }
+}
+
+TEST(Smooth_faces_test, a_given_tolerance_is_in_units_of_the_mesh)
+{
+  const unsigned seed = 6;
+  std::mt19937 random(seed);
+  Part bar = part("bar", shapes_with_faces::filleted_bar(3, 1, 5, 12, 20));
+  for (Point& p : bar.soup.points)
+    for (double& x : p)
+      x += std::uniform_real_distribution<double>(-2e-3, 2e-3)(random);
+  RS::Smooth_faces method;
+  for (double scale : {1.0, 1000.0}) {
+    method.tolerance = 8e-3 * scale;
+    EXPECT_GE(f1(bar.truth, labels_of_soup(scaled(bar.soup, scale), method)), 0.8)
+      << scale << ", seed " << seed;
+    method.tolerance = 1e-7 * scale;
+    EXPECT_LE(f1(bar.truth, labels_of_soup(scaled(bar.soup, scale), method)), 0.5)
+      << scale << ", seed " << seed;
+  }
+}
+
+/// Cancels when the stage has come so far.
+struct Canceller
+{
+  double fraction;
+  std::set<double> seen;
+
+  bool go_further(const char* stage, double f)
+  {
+    if (stage != std::string("regions"))
+      return true;
+    seen.insert(f);
+    return f < fraction;
+  }
+};
+
+TEST(Smooth_faces_test, reports_progress_and_is_cancelled)
+{
+  const Surface_mesh mesh =
+    to_surface_mesh(part("torus", shapes_with_faces::torus(3, 1, 40, 16)).soup);
+  auto map = face_map(mesh);
+  Canceller all{2, {}}, half{0.5, {}};
+  RS::segment(mesh, map, RS::parameters::method(RS::Smooth_faces()).visitor(std::ref(all)));
+  EXPECT_GE(all.seen.size(), 20u);
+  EXPECT_EQ(*all.seen.begin(), 0);
+  EXPECT_EQ(*all.seen.rbegin(), 1);
+  EXPECT_THROW(
+    RS::segment(mesh, map, RS::parameters::method(RS::Smooth_faces()).visitor(std::ref(half))),
+    RS::Segmentation_cancelled);
 }
 
 TEST(Smooth_faces_test, keeps_constrained_edges)
@@ -274,148 +410,34 @@ TEST(Smooth_faces_test, accepts_borders_and_degenerate_faces)
   }
 }
 
-using Graph = RS::Region_adjacency_graph<RS::Smoothness_region_data, RS::Smoothness_section_data>;
-
-Graph annotated(const RS::Surface& surface, const Labels& labels)
+TEST(Surface_face_cost_test, is_as_documented)
 {
-  const RS::Partition regions = RS::Partition::from_labels(labels);
-  auto graph =
-    RS::build_region_adjacency_graph<RS::Smoothness_region_data, RS::Smoothness_section_data>(
-      surface, regions);
-  const RS::Smoothness_annotator annotator;
-  annotator(graph, surface, regions, annotator.discontinuities(surface));
-  return graph;
-}
-
-/// The discontinuities of the sections between the regions of a mesh.
-std::vector<double> discontinuities(const Labelled& part)
-{
-  const RS::Surface surface = RS::make_surface(to_surface_mesh(part.soup));
-  const Graph graph = annotated(surface, part.truth);
-  std::vector<double> result;
-  for (auto range = edges(graph); range.first != range.second; ++range.first)
-    result.push_back(graph[*range.first].mean_discontinuity());
-  return result;
-}
-
-/// Each facet for itself. Facets of a cylinder are smooth; caps meet them at 90 degrees of 32,
-/// which count 3.
-TEST(Smoothness_annotator_test, measures_a_cylinder)
-{
-  Labelled cylinder = regular_prism(24, false);
-  for (double discontinuity : discontinuities(cylinder))
-    EXPECT_TRUE(std::abs(discontinuity) < 1e-9 || std::abs(discontinuity - 3 * 90 / 32.0) < 1e-9)
-      << discontinuity;
-}
-
-/// At the border of a fillet of four facets the curvature falls from 1 / r to 0.
-TEST(Smoothness_annotator_test, measures_a_fillet)
-{
-  std::size_t at_borders = 0;
-  for (double discontinuity : discontinuities(filleted_block(4))) {
-    at_borders += std::abs(discontinuity - 1) < 0.02;
-    EXPECT_TRUE(std::abs(discontinuity - 1) < 0.02 || discontinuity > 3) << discontinuity;
-  }
-  EXPECT_EQ(at_borders, 8u);
-}
-
-TEST(Smoothness_annotator_test, measures_as_documented)
-{
-  std::mt19937 random(1);
-  std::vector<Soup> soups = {sphere(2), torus(40, 20), regular_prism(20, true).soup,
-                             filleted_block(5).soup, grid(12, 12)};
-  for (Point& p : soups.back().points)
-    p[2] = std::sin(p[0] / 2) + 0.1 * p[1] * (p[1] > 6); // waves, and a shallow crease
-  std::size_t creases = 0, smooth = 0, between = 0;
-  for (Soup& soup : soups)
-    for (double amplitude : {1e-4, 0.01, 0.05}) {
-      SCOPED_TRACE(std::to_string(soup.polygons.size()) + " polygons, amplitude " +
-                   std::to_string(amplitude));
-      Soup bumpy = triangulated(soup);
-      bump(bumpy, amplitude, random);
-      const RS::Surface surface = RS::make_surface(to_surface_mesh(bumpy));
-      Labels each(bumpy.polygons.size());
-      std::iota(each.begin(), each.end(), std::size_t(0));
-      const Graph graph = annotated(surface, each);
-      const reference::Smoothness expected(bumpy);
-      for (auto range = edges(graph); range.first != range.second; ++range.first) {
-        const double d = graph[*range.first].mean_discontinuity();
-        const std::size_t a = graph.source(*range.first), b = graph.target(*range.first);
-        EXPECT_NEAR(d, expected.discontinuity(a, b), 1e-6) << a << ' ' << b;
-        ++(d >= 3 ? creases : d < 0.5 ? smooth : between);
-      }
-    }
-  EXPECT_GT(creases, 100u);
-  EXPECT_GT(smooth, 100u);
-  EXPECT_GT(between, 100u);
-}
-
-TEST(Normal_section_test, a_path_ends_after_the_most_crossings)
-{
-  // Along a strip of unit squares, from its end.
-  constexpr int most = RS::internal::Normal_path::most_crossings;
-  const RS::Surface surface = RS::make_surface(to_surface_mesh(grid(most + 10, 1)));
-  const RS::internal::Face_links links(surface);
-  const RS::internal::Face_edge end{0, 3};
-  EXPECT_EQ(RS::internal::Normal_section(surface, links, end, 2 * most, 0.1, 0.5).length, most);
-  EXPECT_EQ(RS::internal::Normal_section(surface, links, end, most - 0.5, 0.1, 0.5).length,
-            most - 0.5);
-  EXPECT_EQ(RS::internal::facet_height(surface, links, end, 0.1), most);
-}
-
-TEST(Smoothness_data_test, degenerate_faces_have_no_area)
-{
-  Soup soup = grid(2, 1);
-  soup.points[2] =
-    soup.points[1]; // the second face has only two corners that differ from each other
-  soup.points[5] = soup.points[4];
-  const RS::Surface surface = RS::make_surface(to_surface_mesh(soup));
-  const Graph graph = annotated(surface, {0, 1});
-  EXPECT_EQ(graph[0].area, 1);
-  EXPECT_EQ(graph[1].area, 0);
-}
-
-TEST(Smoothness_data_test, counts_the_edges_of_a_section)
-{
-  const auto sections = [](const Soup& soup, const Labels& labels) {
-    return annotated(RS::make_surface(to_surface_mesh(soup)), labels);
+  using Data = RS::Surface_face_region_data;
+  using RS::Face_role;
+  constexpr auto several = Data::several;
+  const auto cost = [](const Data& a, const Data& b, double length, double smooth_length) {
+    RS::Region_adjacency_graph<Data, RS::Surface_face_section_data> graph;
+    graph.add_region(a);
+    graph.add_region(b);
+    RS::Surface_face_section_data data;
+    data.length = length;
+    data.smooth_length = smooth_length;
+    return RS::Surface_face_cost()(graph, graph.add_section(0, 1, data));
   };
-  const auto rows = sections(scaled(grid(3, 2), 2), {0, 0, 0, 1, 1, 1});
-  EXPECT_EQ(rows[*rows.section(0, 1)].number_of_edges, 3u);
-  EXPECT_EQ(rows[*rows.section(0, 1)].length, 6);
-  // One edge to each of two regions, which are merged.
-  auto three = sections(grid(2, 2), {0, 1, 2, 2});
-  three.merge(*three.section(0, 1));
-  ASSERT_EQ(three.number_of_sections(), 1u);
-  EXPECT_EQ(three[*edges(three).first].number_of_edges, 2u);
-  EXPECT_EQ(three[*edges(three).first].length, 2);
-}
-
-TEST(Smoothness_cost_test, is_as_documented)
-{
-  const auto cost = [](double area, double facets, double other_area, double other_facets,
-                       double measured, double mean) {
-    Graph graph;
-    graph.add_region({area, facets});
-    graph.add_region({other_area, other_facets});
-    RS::Smoothness_section_data data;
-    data.length = 7;
-    data.measured_length = measured;
-    data.discontinuity = measured * mean;
-    const auto section = graph.add_section(0, 1, data);
-    return RS::Smoothness_cost()(graph, section);
-  };
-  // Facets of areas 1 and 2 are similar: weighted by the smaller number of facets, of 3 and 4 more.
-  EXPECT_DOUBLE_EQ(cost(3, 3, 10, 5, 2, 0.7), 0.7 * 3 / 7);
-  EXPECT_DOUBLE_EQ(cost(10, 5, 3, 3, 2, 0.7), 0.7 * 3 / 7);
-  // A crease is not, and neither are facets whose areas have the ratio 3 or more.
-  EXPECT_DOUBLE_EQ(cost(3, 3, 10, 5, 2, 2), 2);
-  EXPECT_DOUBLE_EQ(cost(3, 3, 15, 5, 2, 0.7), 0.7);
-  EXPECT_DOUBLE_EQ(cost(15, 5, 3, 3, 2, 0.7), 0.7);
-  // Nothing measured: nothing, or the longest section first where a region has no area.
-  EXPECT_EQ(cost(1e-3, 1, 1e-3, 1, 0, 0), 0);
-  EXPECT_EQ(cost(0, 1, 1, 1, 0, 0), -7);
-  EXPECT_EQ(cost(1, 1, 0, 1, 0, 0), -7);
+  const double size = std::sqrt(0.04) * (1 - 0.5 / 2) / 2;
+  const Data large{0.5, 1, Face_role::NONE}, small{0.04, 2, Face_role::NONE},
+    blend{0.04, 2, Face_role::BLEND}, hole{0.04, 3, Face_role::HOLE},
+    mixed{0.04, several, Face_role::NONE};
+  EXPECT_DOUBLE_EQ(cost(large, {0.04, 1, Face_role::NONE}, 1, 0), size);
+  EXPECT_DOUBLE_EQ(cost(large, blend, 1, 0.6), 1 + size);
+  EXPECT_DOUBLE_EQ(cost(blend, large, 1, 0.6), 1 + size);
+  EXPECT_DOUBLE_EQ(cost(large, blend, 1, 0.4), 2 + size);
+  EXPECT_DOUBLE_EQ(cost(large, hole, 1, 0.6), 2 + size);
+  EXPECT_DOUBLE_EQ(cost(hole, blend, 1, 0.6), 1 + 0.2 * (1 - 0.04 / 2) / 2);
+  EXPECT_DOUBLE_EQ(cost({0.5, 1, Face_role::BLEND}, blend, 1, 1), 2 + size);
+  EXPECT_DOUBLE_EQ(cost(large, small, 1, 1), 3 + size);
+  EXPECT_DOUBLE_EQ(cost({0.5, several, Face_role::NONE}, mixed, 1, 0), 3 + size);
+  EXPECT_DOUBLE_EQ(cost(large, blend, 0, 0), 4 + size);
 }
 
 TEST(Number_below_cost_test, ends_before_the_first_merge_above_the_bound)

@@ -76,20 +76,6 @@ TEST_F(Debug_checks_test, maximum_angle_is_between_0_and_180)
   }
 }
 
-TEST_F(Debug_checks_test, constants_of_the_smoothness_annotator)
-{
-  const auto expect_throw = [this](double RS::Smoothness_annotator::*constant, double value) {
-    RS::Smooth_faces method;
-    method.annotator.*constant = value;
-    EXPECT_THROW(RS::segment(mesh, labels, RP::method(method)), Precondition_exception);
-  };
-  expect_throw(&RS::Smoothness_annotator::crease_angle, 0);
-  expect_throw(&RS::Smoothness_annotator::crease_angle, 181);
-  expect_throw(&RS::Smoothness_annotator::flat_angle, 0);
-  expect_throw(&RS::Smoothness_annotator::curvature_floor, 0);
-  expect_throw(&RS::Smoothness_annotator::curvature_floor, 1.5);
-}
-
 TEST_F(Debug_checks_test, constants_of_superfacets)
 {
   for (const RS::Superfacets& wrong :

@@ -24,7 +24,6 @@
 #include <CGAL/boost/graph/graph_traits_TriMesh_ArrayKernelT.h>
 #endif
 #include <CGAL/Region_segmentation/Methods/Learned_merging.h>
-#include <CGAL/Region_segmentation/Methods/Smooth_faces.h>
 #include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
 #include <CGAL/Region_segmentation/Segmenter.h>
 #include <CGAL/Region_segmentation/build_region_adjacency_graph.h>
@@ -33,6 +32,9 @@
 #include <CGAL/Region_segmentation/grow_regions.h>
 #include <CGAL/Region_segmentation/merge_regions.h>
 #include <CGAL/Region_segmentation/segment.h>
+#ifdef TEST_EIGEN
+#include <CGAL/Region_segmentation/Methods/Smooth_faces.h>
+#endif
 
 #include <gtest/gtest.h>
 
@@ -283,6 +285,7 @@ TYPED_TEST(Mesh_types_test, gives_the_same_labels)
   EXPECT_GE(meshes, 12u); // triangles alone come from three families
 }
 
+#ifdef TEST_EIGEN
 TYPED_TEST(Mesh_types_test, has_the_same_smooth_faces)
 {
   for (Family family : all_families) {
@@ -295,6 +298,7 @@ TYPED_TEST(Mesh_types_test, has_the_same_smooth_faces)
     EXPECT_EQ(segments_of(mesh, np), segments_of(to_surface_mesh(soup_of(mesh)), np));
   }
 }
+#endif
 
 TYPED_TEST(Mesh_types_test, takes_constrained_edges)
 {

@@ -9,7 +9,6 @@
 #include "user_method.h"
 
 #include <CGAL/Region_segmentation/Methods/Learned_merging.h>
-#include <CGAL/Region_segmentation/Methods/Smooth_faces.h>
 #include <CGAL/Region_segmentation/Segmenter.h>
 #include <CGAL/Region_segmentation/Segments/compute_segment_topology.h>
 #include <CGAL/Region_segmentation/Segments/extract_segment_borders.h>
@@ -18,6 +17,9 @@
 #include <CGAL/Region_segmentation/merge_requested_regions.h>
 #include <CGAL/Region_segmentation/make_surface.h>
 #include <CGAL/Region_segmentation/segment.h>
+#ifdef TEST_EIGEN
+#include <CGAL/Region_segmentation/Methods/Smooth_faces.h>
+#endif
 
 #include <boost/property_map/property_map.hpp>
 #include <gtest/gtest.h>
@@ -100,10 +102,14 @@ TEST_P(Robustness_test, any_finite_coordinates_give_segments)
     };
     expect_segments(RP::number_of_segments(k).component_links(false));
     expect_segments(RP::number_of_segments(k).method(options.method()).component_links(false));
+#ifdef TEST_EIGEN
     expect_segments(RP::method(RS::Smooth_faces()).component_links(false));
+#endif
     segments_of(mesh, RP::number_of_segments(k)); // with links
     segments_of(mesh, RP::number_of_segments(k).method(options.method()));
+#ifdef TEST_EIGEN
     segments_of(mesh, RP::method(RS::Smooth_faces()));
+#endif
   });
 }
 

@@ -4,8 +4,9 @@
 
 #include "input_mesh.h"
 
+#include <CGAL/Region_segmentation/Methods/Smooth_faces.h>
 #include <CGAL/Region_segmentation/Segments/extract_segment_borders.h>
-#include <CGAL/region_segmentation.h>
+#include <CGAL/Region_segmentation/segment.h>
 
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
 

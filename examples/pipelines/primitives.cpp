@@ -4,9 +4,9 @@
 
 #include "input_mesh.h"
 
+#include <CGAL/Region_segmentation/Methods/Smooth_faces.h>
 #include <CGAL/Region_segmentation/Segments/describe_segments.h>
-#include <CGAL/Region_segmentation/Segments/describe_segments.h>
-#include <CGAL/region_segmentation.h>
+#include <CGAL/Region_segmentation/segment.h>
 
 #include <iterator>
 #include <vector>

@@ -19,6 +19,7 @@
 #include <CGAL/region_segmentation.h>
 #include <CGAL/region_segmentation_stages.h>
 #ifdef TEST_EIGEN
+#include <CGAL/Region_segmentation/Methods/Smooth_faces.h>
 #include <CGAL/Region_segmentation/Methods/Spectral_partitioner.h>
 #include <CGAL/Region_segmentation/Segments/describe_segments.h>
 #endif
@@ -63,13 +64,13 @@ void use_methods(const Mesh& mesh)
                                 .region_map(regions)
                                 .merge_tree(tree));
   RS::segment<ConcurrencyTag>(mesh, segments, RS::parameters::method(RS::Visibility_merging()));
-  RS::segment<ConcurrencyTag>(mesh, segments, RS::parameters::method(RS::Smooth_faces()));
   RS::segment<ConcurrencyTag>(mesh, segments, 2, RS::parameters::method(RS::Two_step()));
   const RS::Scalar_annotator scalar(RS::face_values(mesh, seeds));
   const RS::Superfacet_merging by_scalar{scalar, RS::Lowest_cost_first(RS::Scalar_cost(1)),
                                          RS::Number_below_cost{0}};
   RS::segment<ConcurrencyTag>(mesh, segments, RS::parameters::method(by_scalar));
 #ifdef TEST_EIGEN
+  RS::segment<ConcurrencyTag>(mesh, segments, RS::parameters::method(RS::Smooth_faces()));
   RS::segment<ConcurrencyTag>(
     mesh, segments, RS::parameters::number_of_segments(2).method(RS::Spectral_partitioning<>()));
 #endif

@@ -12,7 +12,7 @@ calls that of the base class, and the functions that sum its members.
 \cgalHasModel `CGAL::Region_segmentation::Visibility_region_data`
 \cgalHasModel `CGAL::Region_segmentation::Learned_region_data`
 \cgalHasModel `CGAL::Region_segmentation::Scalar_region_data`
-\cgalHasModel `CGAL::Region_segmentation::Smoothness_region_data`
+\cgalHasModel `CGAL::Region_segmentation::Surface_face_region_data`
 */
 class RegionData
 {

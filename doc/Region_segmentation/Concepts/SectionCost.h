@@ -12,7 +12,7 @@ graph are or derive from these, the combination does not compile. A lambda that 
 \cgalHasModel `CGAL::Region_segmentation::Learned_cost`
 \cgalHasModel `CGAL::Region_segmentation::Expected_merge_cost`
 \cgalHasModel `CGAL::Region_segmentation::Scalar_cost`
-\cgalHasModel `CGAL::Region_segmentation::Smoothness_cost`
+\cgalHasModel `CGAL::Region_segmentation::Surface_face_cost`
 */
 class SectionCost
 {

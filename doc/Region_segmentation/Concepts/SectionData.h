@@ -10,7 +10,7 @@ base class.
 \cgalHasModel `CGAL::Region_segmentation::Section_geometry`
 \cgalHasModel `CGAL::Region_segmentation::Visibility_section_data`
 \cgalHasModel `CGAL::Region_segmentation::Learned_section_data`
-\cgalHasModel `CGAL::Region_segmentation::Smoothness_section_data`
+\cgalHasModel `CGAL::Region_segmentation::Surface_face_section_data`
 */
 class SectionData
 {

@@ -3,11 +3,19 @@
 #ifndef CGAL_REGION_SEGMENTATION_FIND_SURFACE_FACES_H
 #define CGAL_REGION_SEGMENTATION_FIND_SURFACE_FACES_H
 
+#include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/Partition.h>
-#include <CGAL/Region_segmentation/internal/faces/Face_finder.h>
+#include <CGAL/Region_segmentation/internal/faces/compete_at_borders.h>
+#include <CGAL/Region_segmentation/internal/faces/find_face_roles.h>
+#include <CGAL/Region_segmentation/internal/faces/find_faces_from_patches.h>
+#include <CGAL/Region_segmentation/internal/faces/find_small_planes.h>
+#include <CGAL/Region_segmentation/internal/faces/join_tori_to_freeform.h>
+#include <CGAL/Region_segmentation/internal/faces/merge_equal_surfaces.h>
+#include <CGAL/Region_segmentation/internal/faces/separate_components.h>
+
+#include <CGAL/assertions.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -15,33 +23,69 @@ namespace CGAL {
 namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationSegments
-/// The faces of a machine part: a partition of the faces of its mesh, and the surface of each part.
+/// The faces of a machine part: a partition of the faces of its mesh, and what is known of each
+/// part.
 struct Surface_faces
 {
-  Partition partition;
-  std::vector<Fitted_surface> surfaces;
-  double tolerance = 0; ///< that was used, in units of the surface
+  Partition partition;                  ///< of the faces of the mesh
+  std::vector<Fitted_surface> surfaces; ///< by part, in units of the surface
+  std::vector<Face_role> roles;         ///< by part
+  double tolerance = 0;                 ///< that was used, in units of the surface
 };
 
 /// \ingroup PkgRegionSegmentationSegments
-/// Finds the faces of a machine part, each with its surface. Degenerate faces belong to the face on whose surface their vertices lie.
+/// finds the faces of a machine part, each with its surface: planes, cylinders, cones, spheres,
+/// tori, and freeform faces.
 ///
-/// Deterministic; independent of scale. Near linear in the number of faces.
-inline Surface_faces find_surface_faces(const Surface& surface, const Part_options& options = Part_options())
+/// -# *Tolerance.* Vertices of a tessellation lie on the exact surface, to rounding: the tolerance
+///    is \f$10^{-6}\f$ of the square root of the area, if at least 1/20 of the area is flat to
+///    that. Otherwise it is 5 times the standard deviation of the vertices from the surfaces that
+///    fit patches of 24 of them best, a low quantile of 300 patches; at most 1/100 of that root.
+/// -# *Surfaces from patches.* From each face that is not found yet, the largest first, a patch of
+///    neighbors is collected. The simplest surface on which its vertices lie grows over all faces
+///    that lie on it, and is fitted again whenever their number has doubled. Smaller patches
+///    follow, then planes of few vertices.
+/// -# *Competition.* Neighbors of which one's surface is also that of the other are one; faces at
+///    borders go to the surface from which the midpoints of their sides deviate least.
+/// -# *Freeform faces* are what is left, between creases. A torus that osculates one is a part of
+///    it.
+///
+/// Faces without a normal of their own, such as slivers, belong to the surface on which their
+/// vertices lie. Faces of the result are connected across edges and seams.
+///
+/// \param surface the surface of the part
+/// \param tolerance the largest distance of a vertex from its surface, in units of the mesh; 0:
+/// found from the mesh
+/// \param execution reports the progress
+///
+/// Deterministic. Independent of motion, scale and the order of faces, where no two candidates are
+/// equal to rounding. Complexity: near linear in the number of faces.
+/// \throws Segmentation_cancelled if the visitor cancels
+inline Surface_faces find_surface_faces(const Surface& surface, double tolerance = 0,
+                                        const Execution& execution = Execution())
 {
-  internal::Face_finder finder(surface, options);
-  finder.find();
+  CGAL_precondition_msg(tolerance >= 0, "tolerance is not negative");
+  internal::Face_search search(surface, tolerance / surface.unit());
+  internal::find_faces_from_patches(search, execution.step(0, 0.7));
+  internal::find_small_planes(search, execution.step(0.7, 0.85));
+  internal::find_pairs_of_planes(search, execution.step(0.85, 0.9));
+  internal::merge_equal_surfaces(search);
+  internal::compete_at_borders(search);
+  internal::separate_components(search, execution.step(0.9, 1));
+  internal::join_tori_to_freeform(search);
+
   Surface_faces result;
-  result.partition = Partition::from_labels(finder.labels());
+  result.partition = Partition::from_labels(search.labels);
   result.surfaces.resize(result.partition.number_of_parts());
   for (std::size_t f = 0; f < surface.number_of_faces(); ++f)
-    result.surfaces[result.partition[f]] = finder.surface_of_label(finder.labels()[f]);
+    result.surfaces[result.partition[f]] = search.surface_of(Surface::Index(f));
   for (std::size_t f = 0; f < surface.number_of_faces(); ++f) {
     Fitted_surface& s = result.surfaces[result.partition[f]];
-    for (std::size_t i = 0; s.kind != Surface_kind::FREEFORM && i < surface.number_of_corners(f); ++i)
-      s.deviation = (std::max)(s.deviation, std::fabs(internal::signed_distance(s, surface.point(surface.corner(f, i)))));
+    if (s.kind != Surface_kind::FREEFORM)
+      s.deviation = (std::max)(s.deviation, search.test.largest_distance(s, f));
   }
-  result.tolerance = finder.tolerance();
+  result.roles = internal::find_face_roles(surface, result.partition, result.surfaces);
+  result.tolerance = search.test.tolerance();
   return result;
 }
 

@@ -57,7 +57,7 @@ auto with_number(Number number_of_segments, const NamedParameters& np)
 ///     \cgalParamDescription{how the mesh is segmented; constants are members of its parts}
 ///     \cgalParamType{a model of `SegmentationMethod`}
 ///     \cgalParamDefault{`Learned_merging()`}
-///     \cgalParamExtra{`Visibility_merging()` has a hand-crafted cost, `Smooth_faces()` finds the smooth faces of machine
+///     \cgalParamExtra{`Visibility_merging()` has a hand-crafted cost, `Smooth_faces()` finds the faces of machine
 ///       parts, `Two_step()` is the method of \cgalCite{YZWLL14}}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{edge_is_constrained_map}

@@ -5,9 +5,11 @@
 #include "shapes.h"
 
 #include <CGAL/Region_segmentation/Methods/Learned_merging.h>
-#include <CGAL/Region_segmentation/Methods/Smooth_faces.h>
 #include <CGAL/Region_segmentation/Methods/Two_step.h>
 #include <CGAL/Region_segmentation/segment.h>
+#ifdef TEST_EIGEN
+#include <CGAL/Region_segmentation/Methods/Smooth_faces.h>
+#endif
 
 #include <valgrind/callgrind.h>
 
@@ -46,7 +48,9 @@ void count_at_two_sizes(const std::string& name, Make_shape make, const Segmenta
 void count_with_each_method(const std::string& name, Make_shape make)
 {
   count_at_two_sizes(name + ", two-step", make, RS::Two_step());
+#ifdef TEST_EIGEN
   count_at_two_sizes(name + ", smooth-faces", make, RS::Smooth_faces());
+#endif
   // Of thousands of overlapping components each casts 12 rays up to 6,400 of them: the time is bounded, not linear.
   if (make != shapes::triangles_at_one_edge && make != shapes::slivers)
     count_at_two_sizes(name + ", learned", make, RS::Learned_merging());

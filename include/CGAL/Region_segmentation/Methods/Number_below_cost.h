@@ -14,7 +14,7 @@ namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationPolicies
 /// chooses the number of segments before the first merge that costs more than a bound. A model of `NumberChooser`, for
-/// costs that mean the same on every mesh, such as `Smoothness_cost`.
+/// costs that mean the same on every mesh, such as `Surface_face_cost`.
 ///
 /// Complexity: O(R).
 struct Number_below_cost

@@ -15,27 +15,38 @@ namespace Region_segmentation {
 enum class Surface_kind { PLANE, CYLINDER, CONE, SPHERE, TORUS, FREEFORM };
 
 /// \ingroup PkgRegionSegmentationSegments
-/// A surface that is fitted to a face. Each kind but the last is a surface of revolution: with z the coordinate of a point along
-/// the axis, from `point`, and r its distance to the axis, its signed distance to the surface is
+/// What a face of a machine part is for. `BLEND`: it rounds an edge or a corner, and meets most of
+/// what it borders on smoothly. `HOLE`: the wall of a hole, a concave cylinder or cone, or a bottom
+/// that borders on walls alone.
+enum class Face_role { NONE, BLEND, HOLE };
+
+/// \ingroup PkgRegionSegmentationSegments
+/// A surface that is fitted to a face. Each kind but the last is a surface of revolution: with z
+/// the coordinate of a point along the axis, from `point`, and r its distance to the axis, its
+/// signed distance to the surface is
 /// - z for a plane,
 /// - r - `radius` for a cylinder,
-/// - (r - `radius`) cos `angle` - z sin `angle` for a cone, an approximation on the far side of the apex,
+/// - (r - `radius`) cos `angle` - z sin `angle` for a cone, an approximation on the far side of the
+///   apex,
 /// - sqrt(r^2 + z^2) - `radius` for a sphere,
 /// - sqrt((r - `radius`)^2 + z^2) - `minor_radius` for a torus.
 struct Fitted_surface
 {
   Surface_kind kind = Surface_kind::FREEFORM;
 
-  /// A point of the plane, the center of the sphere or torus, a point of the axis of the cylinder or cone.
+  /// A point of the plane, the center of the sphere or torus, a point of the axis of the cylinder
+  /// or cone.
   Double_3 point{0, 0, 0};
-  /// Of length 1: the normal of the plane, on the side of those of the faces; the axis of the cylinder or torus; the axis of the
-  /// cone, in the direction in which it widens. Without meaning for a sphere.
+  /// Of length 1: the normal of the plane, on the side of those of the faces; the axis of the
+  /// cylinder or torus; the axis of the cone, in the direction in which it widens. Without meaning
+  /// for a sphere.
   Double_3 direction{0, 0, 1};
-  double radius = 0;       ///< of the cylinder or sphere; of the cone at `point`; the major radius of the torus
+  double radius =
+    0; ///< of the cylinder or sphere; of the cone at `point`; the major radius of the torus
   double minor_radius = 0; ///< of the tube of the torus
   double angle = 0;        ///< between axis and surface of the cone, in radians, in (0, pi/2)
-  /// 1 if the normals of the faces point away from the axis (of the sphere: center; of the torus: circle in the tube), as on a
-  /// shaft; -1 if they point to it, as in a hole.
+  /// 1 if the normals of the faces point away from the axis (of the sphere: center; of the torus:
+  /// circle in the tube), as on a shaft; -1 if they point to it, as in a hole.
   int side = 1;
   /// The largest distance of a vertex of the face to the surface.
   double deviation = 0;
@@ -46,7 +57,8 @@ struct Fitted_surface
 
 namespace internal {
 
-/// A point in the half plane through the axis of a surface of revolution, and the direction of r in space.
+/// A point in the half plane through the axis of a surface of revolution, and the direction of r in
+/// space.
 struct Meridian_point
 {
   double r, z;
@@ -62,47 +74,69 @@ inline Meridian_point meridian_point(const Fitted_surface& s, const Double_3& p)
   return {r, z, r > 0 ? (1 / r) * radial : Double_3{0, 0, 0}};
 }
 
-/// The signed distance as a function of r and z, and its derivatives: by r and z, and by the two shape parameters, which are
-/// `radius`, and `angle` or `minor_radius`.
+/// The signed distance as a function of r and z, and its derivatives: by r and z, and by the two
+/// shape parameters, which are `radius`, and `angle` or `minor_radius`.
 struct Profile
 {
   double value, by_r, by_z, by_radius, by_second;
 };
 
-inline Profile profile(const Fitted_surface& s, double r, double z)
+/// The distances of many points to one surface.
+class Surface_distance
 {
-  switch (s.kind) {
-  case Surface_kind::CYLINDER:
-    return {r - s.radius, 1, 0, -1, 0};
-  case Surface_kind::CONE: {
-    const double c = std::cos(s.angle), a = std::sin(s.angle), x = r - s.radius;
-    return {x * c - z * a, c, -a, -c, -x * a - z * c};
+public:
+  explicit Surface_distance(const Fitted_surface& s)
+      : m_surface(s), m_cosine(std::cos(s.angle)), m_sine(std::sin(s.angle))
+  {
   }
-  case Surface_kind::SPHERE: {
-    const double d = std::hypot(r, z), inverse = d > 0 ? 1 / d : 0;
-    return {d - s.radius, r * inverse, z * inverse, -1, 0};
+
+  /// Positive away from the axis.
+  double operator()(const Double_3& p) const
+  {
+    const Meridian_point m = meridian_point(m_surface, p);
+    return profile(m.r, m.z).value;
   }
-  case Surface_kind::TORUS: {
-    const double x = r - s.radius, d = std::hypot(x, z), inverse = d > 0 ? 1 / d : 0;
-    return {d - s.minor_radius, x * inverse, z * inverse, -x * inverse, -1};
+
+  Profile profile(double r, double z) const
+  {
+    const Fitted_surface& s = m_surface;
+    switch (s.kind) {
+    case Surface_kind::CYLINDER:
+      return {r - s.radius, 1, 0, -1, 0};
+    case Surface_kind::CONE: {
+      const double x = r - s.radius;
+      return {x * m_cosine - z * m_sine, m_cosine, -m_sine, -m_cosine, -x * m_sine - z * m_cosine};
+    }
+    case Surface_kind::SPHERE: {
+      const double d = std::sqrt(r * r + z * z), inverse = d > 0 ? 1 / d : 0;
+      return {d - s.radius, r * inverse, z * inverse, -1, 0};
+    }
+    case Surface_kind::TORUS: {
+      const double x = r - s.radius, d = std::sqrt(x * x + z * z), inverse = d > 0 ? 1 / d : 0;
+      return {d - s.minor_radius, x * inverse, z * inverse, -x * inverse, -1};
+    }
+    default:
+      return {z, 0, 1, 0, 0};
+    }
   }
-  default:
-    return {z, 0, 1, 0, 0};
-  }
-}
+
+private:
+  const Fitted_surface& m_surface;
+  double m_cosine, m_sine;
+};
 
 /// The signed distance of a point to the surface, positive away from the axis.
 inline double signed_distance(const Fitted_surface& s, const Double_3& p)
 {
-  const Meridian_point m = meridian_point(s, p);
-  return profile(s, m.r, m.z).value;
+  return Surface_distance(s)(p);
 }
 
-/// The unit normal of the surface at the point of it next to `p`, on the side of those of the faces.
+/// The unit normal of the surface at the point of it next to `p`, on the side of those of the
+/// faces.
 inline Double_3 surface_normal(const Fitted_surface& s, const Double_3& p)
 {
   const Meridian_point m = meridian_point(s, p);
-  const Profile f = profile(s, m.r, m.z);
+  const Profile f = Surface_distance(s).profile(m.r, m.z);
   return double(s.side) * (f.by_r * m.outward + f.by_z * s.direction);
 }
 

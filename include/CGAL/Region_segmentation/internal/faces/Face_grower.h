@@ -3,6 +3,7 @@
 #ifndef CGAL_REGION_SEGMENTATION_INTERNAL_FACES_FACE_GROWER_H
 #define CGAL_REGION_SEGMENTATION_INTERNAL_FACES_FACE_GROWER_H
 
+#include <CGAL/Region_segmentation/internal/faces/Face_test.h>
 #include <CGAL/Region_segmentation/internal/faces/Patch.h>
 #include <CGAL/Region_segmentation/internal/faces/fit_surface.h>
 
@@ -13,76 +14,22 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// Whether a face lies on a surface: its vertices do, within a tolerance, and its normal is that of the surface, within half of
-/// the largest angle between facets, unless it is thin.
-class Face_test
-{
-public:
-  Face_test(const Surface& surface, const Face_neighbors& neighbors, double tolerance)
-    : m_surface(surface), m_neighbors(neighbors), m_tolerance(tolerance)
-  {}
-
-  double tolerance() const { return m_tolerance; }
-
-  bool has_normal_of(const Fitted_surface& s, std::size_t face) const
-  {
-    return m_neighbors.is_thin(face)
-           || dot(m_surface.normal(face), surface_normal(s, m_surface.centroid(face))) > least_cosine;
-  }
-
-  bool operator()(const Fitted_surface& s, std::size_t face) const
-  {
-    for (std::size_t i = 0; i < m_surface.number_of_corners(face); ++i)
-      if (!(distance_of_corner(s, face, i) <= m_tolerance))
-        return false;
-    return has_normal_of(s, face);
-  }
-
-  /// Whether a face that is not on the surface lies near it, within ten times the tolerance.
-  bool is_near(const Fitted_surface& s, std::size_t face) const
-  {
-    double largest = 0;
-    for (std::size_t i = 0; i < m_surface.number_of_corners(face); ++i)
-      largest = (std::max)(largest, distance_of_corner(s, face, i));
-    return largest > m_tolerance && largest <= 10 * m_tolerance && has_normal_of(s, face);
-  }
-
-  /// The mean distance of the midpoints of the edges of a face to a surface: how much the face deviates from it.
-  double deviation(const Fitted_surface& s, std::size_t face) const
-  {
-    const std::size_t n = m_surface.number_of_corners(face);
-    double sum = 0;
-    for (std::size_t i = 0; i < n; ++i)
-      sum += std::fabs(signed_distance(s, 0.5 * (m_surface.point(m_surface.corner(face, i))
-                                                 + m_surface.point(m_surface.corner(face, (i + 1) % n)))));
-    return sum / double(n);
-  }
-
-private:
-  static constexpr double least_cosine = 0.8;
-
-  double distance_of_corner(const Fitted_surface& s, std::size_t face, std::size_t i) const
-  {
-    return std::fabs(signed_distance(s, m_surface.point(m_surface.corner(face, i))));
-  }
-
-  const Surface& m_surface;
-  const Face_neighbors& m_neighbors;
-  double m_tolerance;
-};
-
-/// Grows a face over all that lies on its surface, and fits the surface again whenever the face has doubled.
+/// Grows a face over all that lies on its surface, and fits the surface again whenever the face has
+/// doubled.
 class Face_grower
 {
 public:
   using Index = Surface::Index;
 
   Face_grower(const Surface& surface, const Face_neighbors& neighbors, const Face_test& test)
-    : m_surface(surface), m_neighbors(neighbors), m_test(test), m_face_marks(surface.number_of_faces())
-    , m_is_taken(surface.number_of_faces()), m_vertex_marks(surface.number_of_vertices())
-  {}
+      : m_surface(surface), m_neighbors(neighbors), m_test(test),
+        m_face_marks(surface.number_of_faces()), m_is_taken(surface.number_of_faces()),
+        m_vertex_marks(surface.number_of_vertices())
+  {
+  }
 
-  /// From those of the faces `seeds` that lie on `s`, over faces that `is_free(face)`. Improves `s`.
+  /// From those of the faces `seeds` that lie on `s`, over faces that `is_free(face)`. Improves
+  /// `s`.
   template <typename IsFree>
   void grow(Fitted_surface& s, const std::vector<Index>& seeds, const IsFree& is_free)
   {
@@ -108,8 +55,9 @@ public:
       refine(s);
   }
 
-  /// The length of the border where the mesh leaves the surface little by little, as a multiple of the square root of the area:
-  /// growing has stopped in the middle of a face that is not on this surface, but only osculated by it.
+  /// The length of the border where the mesh leaves the surface little by little, as a multiple of
+  /// the square root of the area: growing has stopped in the middle of a face that is not on this
+  /// surface, but only osculated by it.
   double gradual_border(const Fitted_surface& s) const
   {
     double gradual = 0;
@@ -122,15 +70,16 @@ public:
     return gradual / std::sqrt(m_area);
   }
 
-  /// Facets of a fillet turn by twice the angle that there is between the fillet and the face to which it is tangent; chamfers turn
-  /// by the same angle. Whether the mean deviation across the border, where it is not sharp, is less than 3/4 of that inside.
-  bool is_tangent_to_neighbors(double smooth_cosine) const
+  /// Facets of a fillet turn by twice the angle that there is between the fillet and the face to
+  /// which it is tangent; chamfers turn by the same angle. Whether the mean deviation across the
+  /// border, where it is not sharp, is less than 3/4 of that inside.
+  bool is_tangent_to_neighbors() const
   {
     double sum[2] = {0, 0}, length[2] = {0, 0};
     for (const Index f : m_faces)
       for (const Face_neighbors::Neighbor& n : m_neighbors[f]) {
         const double cosine = m_surface.cosine(n.adjacency);
-        if (cosine > smooth_cosine && cosine < 1 - 1e-9) {
+        if (m_neighbors.is_smooth(n.adjacency) && cosine < 1 - 1e-9) {
           sum[m_is_taken.has(n.face)] += m_surface.length(n.adjacency) * std::acos(cosine);
           length[m_is_taken.has(n.face)] += m_surface.length(n.adjacency);
         }
@@ -138,7 +87,8 @@ public:
     return length[0] > 0 && sum[0] * length[1] < 0.75 * sum[1] * length[0];
   }
 
-  /// The number of plane facets of which the faces consist, or less if there are vertices inside facets.
+  /// The number of plane facets of which the faces consist, or less if there are vertices inside
+  /// facets.
   std::size_t number_of_facets() const
   {
     std::size_t flat = 0;
@@ -163,6 +113,7 @@ public:
   }
 
   const std::vector<Index>& faces() const { return m_faces; }
+  bool is_taken(Index face) const { return m_is_taken.has(face); }
   const std::vector<Double_3>& points() const { return m_points; }
   double area() const { return m_area; }
 

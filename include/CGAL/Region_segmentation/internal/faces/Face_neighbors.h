@@ -14,7 +14,7 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// The faces adjacent to each face across edges and seams, and what growing asks of a face and of an adjacency.
+/// The faces adjacent to each face across edges and seams, and whether they go on smoothly there.
 class Face_neighbors
 {
 public:
@@ -30,7 +30,8 @@ public:
     const Neighbor* end() const { return last; }
   };
 
-  explicit Face_neighbors(const Surface& surface) : m_first(surface.number_of_faces() + 1, 0)
+  explicit Face_neighbors(const Surface& surface)
+      : m_surface(surface), m_first(surface.number_of_faces() + 1, 0)
   {
     const std::size_t n = surface.number_of_adjacencies();
     for (std::size_t a = 0; a < n; ++a)
@@ -55,10 +56,24 @@ public:
     return {m_neighbors.data() + m_first[face], m_neighbors.data() + m_first[face + 1]};
   }
 
-  /// Whether a face is a sliver, needle or cap: its normal tells nothing of the surface on which its vertices lie.
+  /// Whether a face is a sliver, needle or cap: its normal tells nothing of the surface on which
+  /// its vertices lie.
   bool is_thin(std::size_t face) const { return m_is_thin[face] != 0; }
 
+  /// Whether the deviation of an adjacency may be that of two facets of a curved face.
+  bool is_smooth(std::size_t adjacency) const
+  {
+    return m_surface.cosine(adjacency) > smooth_cosine;
+  }
+  /// The same, or unknown.
+  bool may_be_smooth(std::size_t adjacency) const
+  {
+    return is_smooth(adjacency) || is_thin(m_surface.lower_face(adjacency)) ||
+           is_thin(m_surface.higher_face(adjacency));
+  }
+
 private:
+  static constexpr double smooth_cosine = 0.819; // 35 degrees: a cylinder has at least 11 facets
   /// The height of a thin face over its longest edge, as a multiple of that edge, is below this.
   static constexpr double thin = 0.002;
 
@@ -68,12 +83,13 @@ private:
     for (std::size_t f = 0; f < m_is_thin.size(); ++f) {
       double longest = 0;
       for (std::size_t i = 0, n = surface.number_of_corners(f); i < n; ++i)
-        longest = (std::max)(longest, squared_norm(surface.point(surface.corner(f, i))
-                                                   - surface.point(surface.corner(f, (i + 1) % n))));
+        longest = (std::max)(longest, squared_norm(surface.point(surface.corner(f, i)) -
+                                                   surface.point(surface.corner(f, (i + 1) % n))));
       m_is_thin[f] = surface.is_degenerate(f) || 2 * surface.area(f) < thin * longest;
     }
   }
 
+  const Surface& m_surface;
   std::vector<Index> m_first;
   std::vector<Neighbor> m_neighbors;
   std::vector<std::uint8_t> m_is_thin;

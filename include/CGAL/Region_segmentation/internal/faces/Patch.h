@@ -39,11 +39,13 @@ public:
   using Index = Surface::Index;
 
   Patch(const Surface& surface, const Face_neighbors& neighbors)
-    : m_surface(surface), m_neighbors(neighbors), m_face_marks(surface.number_of_faces())
-    , m_vertex_marks(surface.number_of_vertices())
-  {}
+      : m_surface(surface), m_neighbors(neighbors), m_face_marks(surface.number_of_faces()),
+        m_vertex_marks(surface.number_of_vertices())
+  {
+  }
 
-  /// Collects faces in breadth first order from `seed`, across `may_cross(face, neighbor)`, until they have `wanted` vertices.
+  /// Collects faces in breadth first order from `seed`, across `may_cross(neighbor)`, until they
+  /// have `wanted` vertices.
   template <typename MayCross>
   void collect(Index seed, std::size_t wanted, const MayCross& may_cross)
   {
@@ -54,7 +56,7 @@ public:
     add(seed);
     for (std::size_t next = 0; next < m_faces.size() && m_points.size() < wanted; ++next)
       for (const Face_neighbors::Neighbor& n : m_neighbors[m_faces[next]])
-        if (!m_face_marks.has(n.face) && may_cross(m_faces[next], n))
+        if (!m_face_marks.has(n.face) && may_cross(n))
           add(n.face);
   }
 

@@ -24,15 +24,17 @@ inline int degrees_of_freedom(Surface_kind kind)
 
 inline double largest_distance(const Fitted_surface& s, const std::vector<Double_3>& points)
 {
+  const Surface_distance distance(s);
   double largest = 0;
   for (const Double_3& p : points)
-    largest = (std::max)(largest, std::fabs(signed_distance(s, p)));
+    largest = (std::max)(largest, std::fabs(distance(p)));
   return largest;
 }
 
-/// Fits a surface to points: Levenberg and Marquardt's method for the sum of squared distances, from the initial values in the
-/// surface. One parametrization serves all kinds: 3 numbers move the point, 2 tilt the axis, 2 change the shape; those
-/// that a kind does not have get zero derivatives and are left.
+/// Fits a surface to points: Levenberg and Marquardt's method for the sum of squared distances,
+/// from the initial values in the surface. One parametrization serves all kinds: 3 numbers move the
+/// point, 2 tilt the axis, 2 change the shape; those that a kind does not have get zero derivatives
+/// and are left.
 class Surface_fitter
 {
 public:
@@ -71,10 +73,11 @@ public:
 
   double root_mean_square(const Fitted_surface& s) const
   {
+    const Surface_distance distance(s);
     double sum = 0;
     for (const Double_3& p : m_points) {
-      const double distance = signed_distance(s, p);
-      sum += distance * distance;
+      const double d = distance(p);
+      sum += d * d;
     }
     return std::sqrt(sum / double(m_points.size()));
   }
@@ -91,7 +94,10 @@ private:
     double cost = 0;
   };
 
-  double rms(const Normal_equations& e) const { return std::sqrt(e.cost / double(m_points.size())); }
+  double rms(const Normal_equations& e) const
+  {
+    return std::sqrt(e.cost / double(m_points.size()));
+  }
 
   static Double_3 any_perpendicular(const Double_3& a)
   {
@@ -100,7 +106,8 @@ private:
     return (1 / norm(b)) * b;
   }
 
-  /// Moves the point of a plane, cylinder or cone next to the points; the fit is well conditioned there.
+  /// Moves the point of a plane, cylinder or cone next to the points; the fit is well conditioned
+  /// there.
   void anchor(Fitted_surface& s) const
   {
     const double z = dot(m_center - s.point, s.direction);
@@ -116,13 +123,16 @@ private:
   {
     const Double_3 e1 = any_perpendicular(s.direction), e2 = cross(s.direction, e1);
     const bool slides = s.kind == Surface_kind::CONE || s.kind == Surface_kind::CYLINDER;
+    const Surface_distance distance(s);
     Normal_equations result;
     for (const Double_3& p : m_points) {
       const Meridian_point m = meridian_point(s, p);
-      const Profile f = profile(s, m.r, m.z);
-      const double x = dot(m.outward, e1), y = dot(m.outward, e2), tilt = f.by_z * m.r - f.by_r * m.z;
+      const Profile f = distance.profile(m.r, m.z);
+      const double x = dot(m.outward, e1), y = dot(m.outward, e2),
+                   tilt = f.by_z * m.r - f.by_r * m.z;
       Vector row;
-      row << -f.by_r * x, -f.by_r * y, slides ? 0 : -f.by_z, tilt * x, tilt * y, f.by_radius, f.by_second;
+      row << -f.by_r * x, -f.by_r * y, slides ? 0 : -f.by_z, tilt * x, tilt * y, f.by_radius,
+        f.by_second;
       for (int i = 0; i < 7; ++i) {
         result.b[i] += row[i] * f.value;
         for (int j = 0; j <= i; ++j)
@@ -138,7 +148,7 @@ private:
     Matrix a = e.a;
     for (int i = 0; i < 7; ++i)
       a(i, i) = a(i, i) * (1 + damping) + (a(i, i) > 0 ? 0 : 1);
-    return Vector(-a.selfadjointView<Eigen::Lower>().ldlt().solve(e.b));
+    return Vector(-a.selfadjointView<Eigen::Lower>().llt().solve(e.b));
   }
 
   static Fitted_surface moved(const Fitted_surface& s, const Vector& d)
@@ -161,10 +171,12 @@ private:
       s.direction = -1.0 * s.direction;
     }
     const bool cone = s.kind != Surface_kind::CONE || (s.angle > 1e-4 && s.angle < 1.5);
-    const bool torus = s.kind != Surface_kind::TORUS || (s.minor_radius > 0 && s.radius > 1e-6 * m_size
-                                                          && s.minor_radius < 50 * m_size);
+    const bool torus =
+      s.kind != Surface_kind::TORUS ||
+      (s.minor_radius > 0 && s.radius > 1e-6 * m_size && s.minor_radius < 50 * m_size);
     const bool size = s.kind == Surface_kind::PLANE || (s.radius > 0 && s.radius < 100 * m_size);
-    return is_finite(s.point) && is_finite(s.direction) && (size || s.kind == Surface_kind::CONE) && cone && torus;
+    return is_finite(s.point) && is_finite(s.direction) && (size || s.kind == Surface_kind::CONE) &&
+           cone && torus;
   }
 
   const std::vector<Double_3>& m_points;

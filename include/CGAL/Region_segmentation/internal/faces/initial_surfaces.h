@@ -15,8 +15,9 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// The paraboloid that osculates a surface: a point, its normal, principal directions, and the curvatures along them, positive
-/// where the surface bends towards the normal. `curvature[0]` is the larger one in absolute value.
+/// The paraboloid that osculates a surface: a point, its normal, principal directions, and the
+/// curvatures along them, positive where the surface bends towards the normal. `curvature[0]` is
+/// the larger one in absolute value.
 struct Osculating_paraboloid
 {
   Double_3 point, normal, direction[2];
@@ -25,8 +26,8 @@ struct Osculating_paraboloid
 
 /// Least squares over points around `origin`, which lie on the surface; `normal` is approximate.
 /// The curvatures are regularized, so that they are 0 where the points do not tell them.
-inline Osculating_paraboloid osculating_paraboloid(const std::vector<Double_3>& points, const Double_3& origin,
-                                                   const Double_3& normal)
+inline Osculating_paraboloid osculating_paraboloid(const std::vector<Double_3>& points,
+                                                   const Double_3& origin, const Double_3& normal)
 {
   using Vector = Eigen::Matrix<double, 6, 1, Eigen::DontAlign>;
   using Matrix = Eigen::Matrix<double, 6, 6, Eigen::DontAlign>;
@@ -65,10 +66,12 @@ inline Osculating_paraboloid osculating_paraboloid(const std::vector<Double_3>& 
     return (c[0] * xa * xb + c[1] * (xa * yb + xb * ya) + c[2] * ya * yb) / (slope * size);
   };
   const double l = second(x1, y1, x1, y1), m = second(x1, y1, x2, y2), k = second(x2, y2, x2, y2);
-  const double mean = (l + k) / 2, half = std::hypot((l - k) / 2, m), angle = 0.5 * std::atan2(2 * m, l - k);
+  const double mean = (l + k) / 2, half = std::hypot((l - k) / 2, m),
+               angle = 0.5 * std::atan2(2 * m, l - k);
   const Double_3 larger = std::cos(angle) * e1 + std::sin(angle) * e2;
   const Double_3 other = cross(n, larger);
-  Osculating_paraboloid result{origin + (c[5] * size) * normal, n, {larger, other}, {mean + half, mean - half}};
+  Osculating_paraboloid result{
+    origin + (c[5] * size) * normal, n, {larger, other}, {mean + half, mean - half}};
   if (std::fabs(result.curvature[1]) > std::fabs(result.curvature[0])) {
     std::swap(result.curvature[0], result.curvature[1]);
     std::swap(result.direction[0], result.direction[1]);
@@ -76,7 +79,8 @@ inline Osculating_paraboloid osculating_paraboloid(const std::vector<Double_3>& 
   return result;
 }
 
-inline Fitted_surface surface_of_kind(Surface_kind kind, const Double_3& point, const Double_3& direction)
+inline Fitted_surface surface_of_kind(Surface_kind kind, const Double_3& point,
+                                      const Double_3& direction)
 {
   Fitted_surface s;
   s.kind = kind;
@@ -87,13 +91,16 @@ inline Fitted_surface surface_of_kind(Surface_kind kind, const Double_3& point, 
 
 inline Fitted_surface initial_cylinder(const Osculating_paraboloid& o)
 {
-  Fitted_surface s = surface_of_kind(Surface_kind::CYLINDER, o.point + (1 / o.curvature[0]) * o.normal, o.direction[1]);
+  Fitted_surface s = surface_of_kind(Surface_kind::CYLINDER,
+                                     o.point + (1 / o.curvature[0]) * o.normal, o.direction[1]);
   s.radius = 1 / std::fabs(o.curvature[0]);
   return s;
 }
 
-/// The cylinder along `axis` whose section is the circle with the least algebraic distance to the points.
-inline Fitted_surface cylinder_along(const Double_3& axis, const std::vector<Double_3>& points, const Double_3& origin)
+/// The cylinder along `axis` whose section is the circle with the least algebraic distance to the
+/// points.
+inline Fitted_surface cylinder_along(const Double_3& axis, const std::vector<Double_3>& points,
+                                     const Double_3& origin)
 {
   const Double_3 other = std::fabs(axis.x) < 0.6 ? Double_3{1, 0, 0} : Double_3{0, 1, 0};
   Double_3 u = cross(axis, other);
@@ -121,7 +128,8 @@ inline Fitted_surface initial_sphere(const Osculating_paraboloid& o)
   return s;
 }
 
-/// The axis of a cone meets the normal at the center of curvature; `angle` is that between axis and ruling, of any sign.
+/// The axis of a cone meets the normal at the center of curvature; `angle` is that between axis and
+/// ruling, of any sign.
 inline Fitted_surface initial_cone(const Osculating_paraboloid& o, double angle)
 {
   const Double_3 axis = std::cos(angle) * o.direction[1] + std::sin(angle) * o.normal;
@@ -135,12 +143,15 @@ inline Fitted_surface initial_cone(const Osculating_paraboloid& o, double angle)
   return s;
 }
 
-/// The axis of a torus meets the normal at the center of curvature along the parallel; the circle in the tube, at that along the
-/// meridian, which is `direction[meridian]`; `angle` is that between axis and meridian.
+/// The axis of a torus meets the normal at the center of curvature along the parallel; the circle
+/// in the tube, at that along the meridian, which is `direction[meridian]`; `angle` is that between
+/// axis and meridian.
 inline Fitted_surface initial_torus(const Osculating_paraboloid& o, int meridian, double angle)
 {
-  const double along_parallel = o.curvature[1 - meridian], smallest = 0.02 * std::fabs(o.curvature[0]);
-  const double parallel = std::fabs(along_parallel) < smallest ? std::copysign(smallest, along_parallel) : along_parallel;
+  const double along_parallel = o.curvature[1 - meridian],
+               smallest = 0.02 * std::fabs(o.curvature[0]);
+  const double parallel =
+    std::fabs(along_parallel) < smallest ? std::copysign(smallest, along_parallel) : along_parallel;
   const Double_3 axis = std::cos(angle) * o.direction[meridian] + std::sin(angle) * o.normal;
   const Double_3 on_axis = o.point + (1 / parallel) * o.normal;
   const Double_3 tube = o.point + (1 / o.curvature[meridian]) * o.normal;

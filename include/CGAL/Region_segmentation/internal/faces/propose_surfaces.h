@@ -14,17 +14,23 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// Fits a surface of a kind to points near `origin` with approximate normal `normal`, from several initial values; until one
-/// has a root mean square distance below `stop`. Returns the smallest one.
+inline constexpr Surface_kind kinds_of_surfaces[] = {Surface_kind::PLANE, Surface_kind::CYLINDER,
+                                                     Surface_kind::CONE, Surface_kind::SPHERE,
+                                                     Surface_kind::TORUS};
+
+/// Fits a surface of a kind to points near `origin` with approximate normal `normal`, from several
+/// initial values; until one has a root mean square distance below `stop`. Returns the smallest
+/// one.
 class Surface_proposer
 {
 public:
   /// \param axis to which the normals are most orthogonal; 0 if not known
-  Surface_proposer(const std::vector<Double_3>& points, const Double_3& origin, const Double_3& normal, const Double_3& axis,
-                   double stop)
-    : m_points(points), m_axis(axis), m_fitter(points, stop), m_stop(stop), m_origin(origin), m_normal(normal)
-    , m_paraboloid(osculating_paraboloid(points, origin, normal))
-  {}
+  Surface_proposer(const std::vector<Double_3>& points, const Double_3& origin,
+                   const Double_3& normal, const Double_3& axis, double stop)
+      : m_points(points), m_axis(axis), m_fitter(points, stop), m_stop(stop), m_origin(origin),
+        m_normal(normal), m_paraboloid(osculating_paraboloid(points, origin, normal))
+  {
+  }
 
   double operator()(Surface_kind kind, Fitted_surface& best) const
   {
@@ -52,9 +58,9 @@ private:
     std::vector<Fitted_surface> initial = initial_surfaces(kind);
     for (Fitted_surface& s : initial)
       s.deviation = m_fitter.root_mean_square(s);
-    std::stable_sort(initial.begin(), initial.end(), [](const Fitted_surface& a, const Fitted_surface& b) {
-      return a.deviation < b.deviation;
-    });
+    std::stable_sort(
+      initial.begin(), initial.end(),
+      [](const Fitted_surface& a, const Fitted_surface& b) { return a.deviation < b.deviation; });
     initial.resize((std::min)(initial.size(), most));
     return initial;
   }

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_FACES_FACE_SEARCH_H
+#define CGAL_REGION_SEGMENTATION_INTERNAL_FACES_FACE_SEARCH_H
+
+#include <CGAL/Region_segmentation/internal/faces/Face_grower.h>
+#include <CGAL/Region_segmentation/internal/faces/estimate_noise.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <vector>
+
+namespace CGAL {
+namespace Region_segmentation {
+namespace internal {
+
+/// What the phases of finding faces share: the tolerance, and the faces found so far, by their
+/// labels, with their surfaces.
+class Face_search
+{
+public:
+  using Index = Surface::Index;
+  static constexpr Index none = Index(-1);
+
+  const Surface& surface;
+  const Face_neighbors neighbors;
+  Patch patch;
+  const double noise; ///< the standard deviation of vertices from their surfaces
+  const Face_test test;
+  Face_grower grower;
+  std::vector<Index> labels;            ///< by face of the mesh; none: not found yet
+  std::vector<Fitted_surface> surfaces; ///< by label
+  std::vector<std::uint8_t> is_tried;   ///< by face of the mesh: no seed in this phase
+
+  /// \param tolerance 0: found from the mesh
+  Face_search(const Surface& s, double tolerance)
+      : surface(s), neighbors(s), patch(s, neighbors),
+        noise(tolerance > 0 ? tolerance / noises_in_tolerance
+                            : estimate_noise(s, neighbors, patch)),
+        test(s, neighbors, (std::max)(noises_in_tolerance * noise, exact_tolerance(s))),
+        grower(s, neighbors, test), labels(s.number_of_faces(), none)
+  {
+  }
+
+  /// Whether vertices lie on their surfaces, to rounding.
+  bool is_exact() const { return test.tolerance() < 2e-5 * surface.length_unit(); }
+
+  bool is_found(Index face) const { return labels[face] != none; }
+  const Fitted_surface& surface_of(Index face) const { return surfaces[labels[face]]; }
+
+  void add(const Fitted_surface& s, const std::vector<Index>& faces)
+  {
+    for (const Index f : faces)
+      labels[f] = Index(surfaces.size());
+    surfaces.push_back(s);
+    surfaces.back().deviation = 0;
+  }
+
+  /// Faces that are neither found nor thin, the largest first: so what is found does not depend on
+  /// their order.
+  std::vector<Index> seeds() const
+  {
+    std::vector<Index> result;
+    for (Index f = 0; f < labels.size(); ++f)
+      if (!is_found(f) && !neighbors.is_thin(f))
+        result.push_back(f);
+    std::stable_sort(result.begin(), result.end(),
+                     [&](Index a, Index b) { return surface.area(a) > surface.area(b); });
+    return result;
+  }
+
+  /// Starts a phase.
+  void clear_tried() { is_tried.assign(labels.size(), 0); }
+
+  /// Joins labels: `now[i]` is the label that `i` becomes, at the end of a chain.
+  void relabel(const std::vector<Index>& now)
+  {
+    for (Index& label : labels)
+      while (label != none && now[label] != label)
+        label = now[label];
+  }
+
+  std::vector<Index> unchanged_labels() const
+  {
+    std::vector<Index> now(surfaces.size());
+    std::iota(now.begin(), now.end(), Index(0));
+    return now;
+  }
+
+private:
+  static constexpr double noises_in_tolerance = 5;
+};
+
+} // namespace internal
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_INTERNAL_FACES_FACE_SEARCH_H

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_FACES_FIND_FACE_ROLES_H
+#define CGAL_REGION_SEGMENTATION_INTERNAL_FACES_FIND_FACE_ROLES_H
+
+#include <CGAL/Region_segmentation/Partition.h>
+#include <CGAL/Region_segmentation/Segments/Fitted_surface.h>
+#include <CGAL/Region_segmentation/Surface.h>
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Region_segmentation {
+namespace internal {
+
+/// The side that two faces share, from one vertex to another; of several, one of them. Empty if
+/// they share no vertices.
+struct Shared_side
+{
+  Double_3 middle{0, 0, 0}, along{0, 0, 0};
+
+  Shared_side(const Surface& surface, std::size_t face, std::size_t other)
+  {
+    int number = 0;
+    Double_3 ends[2];
+    for (std::size_t i = 0; i < surface.number_of_corners(face) && number < 2; ++i)
+      for (std::size_t j = 0; j < surface.number_of_corners(other) && number < 2; ++j)
+        if (surface.corner(face, i) == surface.corner(other, j))
+          ends[number++] = surface.point(surface.corner(face, i));
+    if (number < 2) {
+      middle = 0.5 * (surface.centroid(face) + surface.centroid(other));
+      return;
+    }
+    middle = 0.5 * (ends[0] + ends[1]);
+    const Double_3 d = ends[1] - ends[0];
+    along = norm(d) > 0 ? (1 / norm(d)) * d : d;
+  }
+};
+
+/// The normal of the surface of a face at a point; of a freeform one, that of a facet.
+inline Double_3 normal_at(const Fitted_surface& s, const Double_3& point, const Double_3& of_facet)
+{
+  return s.kind == Surface_kind::FREEFORM ? of_facet : surface_normal(s, point);
+}
+
+/// Whether the surfaces of two faces meet smoothly at an adjacency: their normals, not those of the
+/// facets, are nearly equal.
+inline bool meet_smoothly(const Surface& surface, std::size_t adjacency, const Fitted_surface& s,
+                          const Fitted_surface& t)
+{
+  constexpr double least_cosine = 0.966; // 15 degrees
+  const std::size_t f = surface.lower_face(adjacency), g = surface.higher_face(adjacency);
+  const Double_3 middle = Shared_side(surface, f, g).middle;
+  return !surface.has_flag(adjacency, Surface::LINK) &&
+         dot(normal_at(s, middle, surface.normal(f)), normal_at(t, middle, surface.normal(g))) >
+           least_cosine;
+}
+
+/// How much an edge runs along the path of the ball that rolls in a blend, in [0, 1]: along the
+/// axis of a cylinder, around that of a torus, anywhere on a sphere or a freeform face. 0 on planes
+/// and cones.
+inline double alignment_with_rolling(const Fitted_surface& s, const Shared_side& side)
+{
+  switch (s.kind) {
+  case Surface_kind::CYLINDER:
+    return std::fabs(dot(side.along, s.direction));
+  case Surface_kind::TORUS: {
+    const Double_3 around = cross(s.direction, side.middle - s.point);
+    return norm(around) > 0 ? std::fabs(dot(side.along, around)) / norm(around) : 0;
+  }
+  case Surface_kind::SPHERE:
+  case Surface_kind::FREEFORM:
+    return 1;
+  default:
+    return 0;
+  }
+}
+
+/// Which faces are blends: most of their border along the path of a rolling ball is smooth.
+inline std::vector<Face_role> find_blends(const Surface& surface, const Partition& faces,
+                                          const std::vector<Fitted_surface>& surfaces)
+{
+  constexpr double most = 0.6;
+  std::vector<double> smooth(surfaces.size(), 0), all(surfaces.size(), 0);
+  for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a) {
+    const std::size_t f = surface.lower_face(a), g = surface.higher_face(a);
+    if (faces[f] == faces[g] || surface.has_flag(a, Surface::LINK))
+      continue;
+    const Shared_side side(surface, f, g);
+    const bool is_smooth = meet_smoothly(surface, a, surfaces[faces[f]], surfaces[faces[g]]);
+    for (const std::size_t part : {faces[f], faces[g]}) {
+      const double length = surface.length(a) * alignment_with_rolling(surfaces[part], side);
+      all[part] += length;
+      smooth[part] += is_smooth ? length : 0;
+    }
+  }
+  std::vector<Face_role> roles(surfaces.size(), Face_role::NONE);
+  for (std::size_t i = 0; i < roles.size(); ++i)
+    if (smooth[i] > most * all[i])
+      roles[i] = Face_role::BLEND;
+  return roles;
+}
+
+/// The roles of faces: blends; holes, which are concave cylinders and cones, and planes that border
+/// on these alone.
+inline std::vector<Face_role> find_face_roles(const Surface& surface, const Partition& faces,
+                                              const std::vector<Fitted_surface>& surfaces)
+{
+  std::vector<Face_role> roles = find_blends(surface, faces, surfaces);
+  const auto is_wall = [&](std::size_t part) {
+    const Surface_kind kind = surfaces[part].kind;
+    return roles[part] != Face_role::BLEND && surfaces[part].side < 0 &&
+           (kind == Surface_kind::CYLINDER || kind == Surface_kind::CONE);
+  };
+  std::vector<bool> has_wall(surfaces.size(), false), has_other(surfaces.size(), false);
+  for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a) {
+    const std::size_t i = faces[surface.lower_face(a)], j = faces[surface.higher_face(a)];
+    if (i == j || surface.has_flag(a, Surface::LINK))
+      continue;
+    (is_wall(j) ? has_wall : has_other)[i] = true;
+    (is_wall(i) ? has_wall : has_other)[j] = true;
+  }
+  std::vector<Face_role> result = roles;
+  for (std::size_t i = 0; i < roles.size(); ++i)
+    if (is_wall(i) || (surfaces[i].kind == Surface_kind::PLANE && has_wall[i] && !has_other[i]))
+      result[i] = Face_role::HOLE;
+  return result;
+}
+
+} // namespace internal
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_INTERNAL_FACES_FIND_FACE_ROLES_H

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_FACES_FIND_FACES_FROM_PATCHES_H
+#define CGAL_REGION_SEGMENTATION_INTERNAL_FACES_FIND_FACES_FROM_PATCHES_H
+
+#include <CGAL/Region_segmentation/Execution.h>
+#include <CGAL/Region_segmentation/internal/faces/Face_search.h>
+#include <CGAL/Region_segmentation/internal/faces/propose_surfaces.h>
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Region_segmentation {
+namespace internal {
+
+/// Fits surfaces to patches of faces that are not found yet, and grows faces of them.
+class Patch_seeding
+{
+public:
+  using Index = Surface::Index;
+
+  struct Options
+  {
+    std::size_t vertices; ///< of a patch
+    /// Of the edges that a patch crosses, as a multiple of the longest one of the seed: so patches
+    /// stay on narrow strips of long triangles.
+    double least_length;
+  };
+
+  Patch_seeding(Face_search& search, const Options& options)
+      : m_search(search), m_surface(search.surface), m_patch(search.patch), m_grower(search.grower),
+        m_options(options)
+  {
+  }
+
+  void find(const Execution& execution)
+  {
+    m_search.clear_tried();
+    const std::vector<Index> seeds = m_search.seeds();
+    Step_counter progress(execution, seeds.size());
+    for (const Index seed : seeds) {
+      progress.advance();
+      if (!m_search.is_found(seed) && !m_search.is_tried[seed] && !find_from(seed))
+        mark_patch();
+    }
+  }
+
+private:
+  bool find_from(Index seed)
+  {
+    const double shortest = m_options.least_length * longest_edge(seed);
+    m_patch.collect(seed, m_options.vertices, [&](const Face_neighbors::Neighbor& n) {
+      return !m_search.is_found(n.face) && m_surface.length(n.adjacency) >= shortest &&
+             m_search.neighbors.may_be_smooth(n.adjacency) &&
+             m_surface.area(n.face) < largest_area * m_surface.area(seed);
+    });
+    Fitted_surface best;
+    std::vector<Index> best_faces;
+    double best_area = 0;
+    const double tolerance = m_search.test.tolerance();
+    const Surface_proposer propose(m_patch.points(), m_surface.centroid(seed), mean_normal(),
+                                   axis_of_normals(),
+                                   m_search.is_exact() ? 1e-2 * tolerance : 0.5 * m_search.noise);
+    for (const Surface_kind kind : kinds_of_surfaces) {
+      Fitted_surface s;
+      if (propose(kind, s) > tolerance || largest_distance(s, m_patch.points()) > tolerance)
+        continue;
+      orient(s, seed);
+      m_grower.grow(s, m_patch.faces(), [&](Index f) { return !m_search.is_found(f); });
+      if (!is_face(s)) {
+        mark_as_tried_if_many();
+        continue;
+      }
+      if (m_grower.area() > 1.1 * best_area) {
+        best = s;
+        best_area = m_grower.area();
+        best_faces = m_grower.faces();
+      }
+      if (m_search.is_exact())
+        break;
+    }
+    if (best_area == 0)
+      return false;
+    m_search.add(best, best_faces);
+    return true;
+  }
+
+  double longest_edge(Index face) const
+  {
+    double longest = 0;
+    for (const Face_neighbors::Neighbor& n : m_search.neighbors[face])
+      longest = (std::max)(longest, m_surface.length(n.adjacency));
+    return longest;
+  }
+
+  Double_3 mean_normal() const
+  {
+    Double_3 sum{0, 0, 0};
+    for (const Index f : m_patch.faces())
+      sum = sum + m_surface.area(f) * m_surface.normal(f);
+    const double length = norm(sum);
+    return length > 0 ? (1 / length) * sum : Double_3{0, 0, 1};
+  }
+
+  /// The direction to which the normals of the patch are most orthogonal.
+  Double_3 axis_of_normals() const
+  {
+    Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+    for (const Index f : m_patch.faces()) {
+      const Double_3& n = m_surface.normal(f);
+      const Eigen::Vector3d v(n.x, n.y, n.z);
+      sum += m_surface.area(f) * v * v.transpose();
+    }
+    const Eigen::Vector3d axis =
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(sum).eigenvectors().col(0);
+    return {axis[0], axis[1], axis[2]};
+  }
+
+  void orient(Fitted_surface& s, Index seed) const
+  {
+    s.side = 1;
+    if (dot(surface_normal(s, m_surface.centroid(seed)), m_surface.normal(seed)) < 0) {
+      if (s.kind == Surface_kind::PLANE)
+        s.direction = -1.0 * s.direction;
+      else
+        s.side = -1;
+    }
+  }
+
+  /// Whether what was grown is a face, and not only osculated or crossed by its surface.
+  bool is_face(const Fitted_surface& s) const
+  {
+    const std::size_t points = m_grower.points().size();
+    if (int(points) < degrees_of_freedom(s.kind) + 2 ||
+        m_grower.faces().size() < m_patch.faces().size() * 3 / 4)
+      return false;
+    if (s.kind == Surface_kind::PLANE ? points < fewest_points_of_plane : is_chain_of_planes())
+      return false;
+    return !(m_search.is_exact() && m_grower.gradual_border(s) > 0.1);
+  }
+
+  /// Whether the faces are two planes, or three of several triangles each, such as chamfers, rather
+  /// than facets of a curved face; or mostly one plane, with the first facets of the fillets beside
+  /// it.
+  bool is_chain_of_planes() const
+  {
+    if (m_grower.share_of_largest_facet() > 0.6)
+      return true;
+    const std::size_t facets = m_grower.number_of_facets();
+    const bool are_few = facets <= 2 || (facets == 3 && m_grower.faces().size() > 2 * facets);
+    return are_few && !m_grower.is_tangent_to_neighbors();
+  }
+
+  /// Seeds in a large set of faces that was grown in vain would grow it again: so the time of all
+  /// growing stays near linear.
+  void mark_as_tried_if_many()
+  {
+    if (m_grower.faces().size() > 4 * m_patch.faces().size())
+      for (const Index f : m_grower.faces())
+        m_search.is_tried[f] = 1;
+  }
+
+  /// The innermost faces of a patch that fits no surface are not tried again.
+  void mark_patch()
+  {
+    const std::size_t share = m_options.vertices > 12 ? 4 : 2;
+    const std::size_t number = (std::max)(m_patch.faces().size() / share, std::size_t(1));
+    for (std::size_t i = 0; i < number; ++i)
+      m_search.is_tried[m_patch.faces()[i]] = 1;
+  }
+
+  static constexpr double largest_area =
+    8; // of a face of a patch, as a multiple of that of the seed
+  static constexpr std::size_t fewest_points_of_plane = 8;
+
+  Face_search& m_search;
+  const Surface& m_surface;
+  Patch& m_patch;
+  Face_grower& m_grower;
+  Options m_options;
+};
+
+/// Larger patches first: they tell surfaces apart that small ones do not.
+inline void find_faces_from_patches(Face_search& search, const Execution& execution)
+{
+  const std::vector<Patch_seeding::Options> of_exact = {{24, 0}, {12, 0}, {8, 0.5}},
+                                            of_noisy = {{80, 0}, {40, 0}, {20, 0}};
+  const std::vector<Patch_seeding::Options>& phases = search.is_exact() ? of_exact : of_noisy;
+  for (std::size_t i = 0; i < phases.size(); ++i)
+    Patch_seeding(search, phases[i])
+      .find(
+        execution.step(double(i) / double(phases.size()), double(i + 1) / double(phases.size())));
+}
+
+} // namespace internal
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_INTERNAL_FACES_FIND_FACES_FROM_PATCHES_H

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_FACES_MERGE_EQUAL_SURFACES_H
+#define CGAL_REGION_SEGMENTATION_INTERNAL_FACES_MERGE_EQUAL_SURFACES_H
+
+#include <CGAL/Region_segmentation/internal/faces/Face_search.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Region_segmentation {
+namespace internal {
+
+/// The pairs of labels of faces that meet smoothly, each once, in order.
+inline std::vector<std::pair<Surface::Index, Surface::Index>>
+smooth_neighbors(const Face_search& search)
+{
+  const Surface& surface = search.surface;
+  std::vector<std::pair<Surface::Index, Surface::Index>> pairs;
+  for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a) {
+    const Surface::Index i = search.labels[surface.lower_face(a)],
+                         j = search.labels[surface.higher_face(a)];
+    if (i != j && i != Face_search::none && j != Face_search::none &&
+        !surface.has_flag(a, Surface::LINK) && search.neighbors.is_smooth(a))
+      pairs.push_back({(std::min)(i, j), (std::max)(i, j)});
+  }
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  return pairs;
+}
+
+/// Merges neighbors of which one's surface is also that of the other. The faces of the smaller one
+/// are tested first, and tests end at the first that fails.
+inline void merge_equal_surfaces(Face_search& search)
+{
+  using Index = Surface::Index;
+  constexpr double tolerance_of_tori =
+    30; // those that are nearly equal osculate one fillet along a line that is nearly an arc
+  const Face_test test_of_tori(search.surface, search.neighbors,
+                               tolerance_of_tori * search.test.tolerance());
+  std::vector<std::vector<Index>> faces(search.surfaces.size());
+  for (Index f = 0; f < search.labels.size(); ++f)
+    if (search.is_found(f))
+      faces[search.labels[f]].push_back(f);
+  std::vector<Index> now = search.unchanged_labels();
+  const auto current = [&](Index i) {
+    while (now[i] != i)
+      i = now[i] = now[now[i]];
+    return i;
+  };
+  for (const auto& pair : smooth_neighbors(search)) {
+    Index i = current(pair.first), j = current(pair.second);
+    const Surface_kind kinds[] = {search.surfaces[i].kind, search.surfaces[j].kind};
+    if (i == j)
+      continue;
+    if (degrees_of_freedom(kinds[1]) < degrees_of_freedom(kinds[0]))
+      std::swap(i, j);
+    const bool are_tori = kinds[0] == Surface_kind::TORUS && kinds[1] == Surface_kind::TORUS;
+    const Face_test& test = are_tori ? test_of_tori : search.test;
+    const auto has_all = [&](Index of, Index others) {
+      return std::all_of(faces[others].begin(), faces[others].end(),
+                         [&](Index f) { return test(search.surfaces[of], f); });
+    };
+    if (!has_all(i, j)) {
+      std::swap(i, j);
+      if (!has_all(i, j))
+        continue;
+    }
+    now[j] = i;
+    if (faces[i].size() < faces[j].size())
+      faces[i].swap(faces[j]);
+    faces[i].insert(faces[i].end(), faces[j].begin(), faces[j].end());
+    faces[j].clear();
+  }
+  search.relabel(now);
+}
+
+} // namespace internal
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_INTERNAL_FACES_MERGE_EQUAL_SURFACES_H
