@@ -4,7 +4,6 @@
 #define CGAL_REGION_SEGMENTATION_DETECT_FEATURE_EDGES_H
 
 #include <CGAL/Region_segmentation/Feature_convexity.h>
-#include <CGAL/Region_segmentation/internal/regions/Feature_criterion.h>
 #include <CGAL/Region_segmentation/internal/regions/mark_feature_edges.h>
 #include <CGAL/Region_segmentation/internal/segmenting/Stage_input.h>
 #include <CGAL/Region_segmentation/internal/support/options.h>
@@ -84,10 +83,10 @@ std::size_t detect_feature_edges(const FaceGraph& mesh, EdgeIsFeatureMap edge_is
   internal::check_parameters<std::decay_t<decltype(pack)>, internal::Feature_edge_parameters>();
   static_assert(internal::check_edge_map<EdgeIsFeatureMap, FaceGraph>());
   const Execution execution = internal::make_execution<ConcurrencyTag>(pack);
-  const internal::Feature_criterion criterion(internal::maximum_angle(pack), internal::feature_convexity(pack));
+  const double maximum_angle = internal::maximum_angle(pack);
   const internal::Stage_input input(mesh, pack, execution);
-  const internal::Edge_marks is_feature =
-    internal::mark_feature_edges(input.surface(), criterion, execution.stage("features"));
+  const auto is_feature = internal::mark_feature_edges(input.surface(), maximum_angle, internal::feature_convexity(pack),
+                                                       execution.stage("features"));
   return input.write(edge_is_feature_map,
                      [&](std::size_t a) { return is_feature[a] != 0 || input.constraints()[a]; });
 }

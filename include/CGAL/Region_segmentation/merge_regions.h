@@ -82,7 +82,8 @@ Merge_tree merge_regions(Graph& graph, Policy&& policy, std::size_t number_of_se
   static_assert(!std::is_const<std::remove_reference_t<Policy>>::value,
                 "merging changes the policy: pass one that is not const, or a temporary copy");
   static_assert(internal::check_merging_policy<std::decay_t<Policy>, Graph>());
-  static_assert(internal::check_stop_predicate<Stop, Graph>());
+  static_assert(std::is_invocable_r<bool, Stop&, const Graph&, double>::value,
+                "a predicate that stops merging needs: bool operator()(const Graph&, double next_cost)");
   internal::Merger<Graph> merger(graph, Seeds(), number_of_segments,
                                  internal::make_execution<CGAL::Sequential_tag>(pack).stage("merging"));
   merger.run(policy, stop);

@@ -4,6 +4,7 @@
 #define CGAL_REGION_SEGMENTATION_GRAPH_MERGE_TREE_H
 
 #include <CGAL/Region_segmentation/Partition.h>
+#include <CGAL/Region_segmentation/internal/support/Lowest_root_forest.h>
 
 #include <CGAL/assertions.h>
 
@@ -66,18 +67,10 @@ public:
 private:
   Partition partition_after(std::size_t number_of_merges) const
   {
-    // The kept id is the lower one, so a scan in order visits a parent before its children, and
-    // numbering by the first region is numbering by roots.
-    std::vector<std::uint32_t> parents(m_number_of_regions);
-    for (std::size_t i = 0; i < m_number_of_regions; ++i)
-      parents[i] = std::uint32_t(i);
+    internal::Lowest_root_forest segments(m_number_of_regions);
     for (std::size_t i = 0; i < number_of_merges; ++i)
-      parents[m_merges[i].removed] = m_merges[i].kept;
-
-    std::uint32_t number = 0;
-    for (std::size_t i = 0; i < m_number_of_regions; ++i)
-      parents[i] = parents[i] == i ? number++ : parents[parents[i]];
-    return Partition(std::move(parents), number);
+      segments.unite(m_merges[i].kept, m_merges[i].removed);
+    return segments.take_partition();
   }
 
   std::size_t m_number_of_regions;

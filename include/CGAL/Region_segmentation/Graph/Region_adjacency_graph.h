@@ -13,6 +13,7 @@
 #include <CGAL/Iterator_range.h>
 #include <CGAL/assertions.h>
 
+#include <boost/graph/adjacency_iterator.hpp>
 #include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
@@ -67,10 +68,10 @@ public:
   using vertices_size_type = std::size_t;
   using edges_size_type = std::size_t;
   using degree_size_type = std::size_t;
-  using vertex_iterator = internal::Region_iterator<Self>;
-  using edge_iterator = internal::Section_iterator<Self>;
+  using vertex_iterator = internal::Remaining_iterator<Self, Index>;
+  using edge_iterator = internal::Remaining_iterator<Self, Section_descriptor>;
   using out_edge_iterator = internal::Out_section_iterator<Lists>;
-  using adjacency_iterator = internal::Adjacent_region_iterator<Self>;
+  using adjacency_iterator = boost::adjacency_iterator<Self, Index, out_edge_iterator, std::ptrdiff_t>;
   static vertex_descriptor null_vertex() { return none; }
   /// @}
 

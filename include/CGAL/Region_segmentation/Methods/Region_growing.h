@@ -36,9 +36,9 @@ struct Region_growing
                        const Execution& execution = Execution()) const
   {
     CGAL_precondition_msg(maximum_angle >= 0 && maximum_angle <= 180, "maximum_angle is in [0, 180] degrees");
-    const internal::Feature_criterion criterion(maximum_angle, feature_convexity);
-    return internal::grow(surface, internal::mark_feature_edges(surface, criterion, execution.step(0, 0.5)), constraints,
-                          execution.step(0.5, 1));
+    const auto is_feature =
+      internal::mark_feature_edges(surface, maximum_angle, feature_convexity, execution.step(0, 0.5));
+    return internal::grow(surface, is_feature, constraints, execution.step(0.5, 1));
   }
 };
 

@@ -25,6 +25,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -105,7 +106,8 @@ struct Superfacet_merging
   Refinable_hierarchy merge(const Surface& surface, const Prepared& prepared, const Request& request,
                             const Execution& execution = Execution()) const
   {
-    static_assert(internal::check_number_chooser<NumberChooser>());
+    static_assert(std::is_invocable_r<std::size_t, const NumberChooser&, const Merge_tree&, const Surface&>::value,
+                  "a NumberChooser needs: std::size_t operator()(const Merge_tree&, const Surface&) const");
     const Requested_regions requested = requested_regions(surface, prepared.regions, request);
     auto graph =
       annotated_graph(surface, prepared, requested.regions, request.constraints, execution.stage("graph"));

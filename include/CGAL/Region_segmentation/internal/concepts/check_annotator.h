@@ -9,7 +9,7 @@
 #include <CGAL/Region_segmentation/internal/concepts/check_graph_data.h>
 #include <CGAL/Region_segmentation/internal/support/satisfies.h>
 
-#include <utility>
+#include <type_traits>
 
 namespace CGAL {
 namespace Region_segmentation {
@@ -19,20 +19,16 @@ class Region_rays;
 namespace internal {
 
 template <typename T>
-using Annotates = decltype(std::declval<const T&>()(
-  std::declval<Region_adjacency_graph<typename T::RegionData, typename T::SectionData>&>(),
-  std::declval<const Surface&>(), std::declval<const Partition&>(),
-  std::declval<const Region_rays&>()));
-
-template <typename T>
 constexpr bool check_annotator()
 {
   static_assert(satisfies<Names_data, T>,
                 "a GraphAnnotator needs the nested types RegionData and SectionData");
   if constexpr (satisfies<Names_data, T>)
-    static_assert(satisfies<Annotates, T>, "a GraphAnnotator needs: void operator()(Graph&, const "
-                                           "Surface&, const Partition& regions, const "
-                                           "Region_rays&) const");
+    static_assert(
+      std::is_invocable<const T&, Region_adjacency_graph<typename T::RegionData, typename T::SectionData>&,
+                        const Surface&, const Partition&, const Region_rays&>::value,
+      "a GraphAnnotator needs: void operator()(Graph&, const Surface&, const Partition& regions, const "
+      "Region_rays&) const");
   return true;
 }
 

@@ -3,8 +3,6 @@
 #ifndef CGAL_REGION_SEGMENTATION_INTERNAL_CONCEPTS_CHECK_MERGING_H
 #define CGAL_REGION_SEGMENTATION_INTERNAL_CONCEPTS_CHECK_MERGING_H
 
-#include <CGAL/Region_segmentation/Graph/Merge_tree.h>
-#include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/internal/concepts/check_graph_data.h>
 #include <CGAL/Region_segmentation/internal/support/satisfies.h>
 
@@ -12,24 +10,18 @@
 #include <type_traits>
 #include <utility>
 
-// SectionCost, MergingPolicy, NumberChooser, predicates that stop
+// SectionCost, MergingPolicy
 
 namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
 template <typename T, typename Graph>
-using Has_cost = std::enable_if_t<std::is_convertible<
-  decltype(std::declval<const T&>()(std::declval<const Graph&>(),
-                                    std::declval<typename Graph::section_descriptor>())),
-  double>::value>;
-
-template <typename T, typename Graph>
 constexpr bool check_section_cost()
 {
   static_assert(reads_data_of<T, Graph>(),
                 "the SectionCost reads RegionData or SectionData that the annotator of the graph does not provide");
-  static_assert(satisfies<Has_cost, T, Graph>,
+  static_assert(std::is_invocable_r<double, const T&, const Graph&, typename Graph::section_descriptor>::value,
                 "a SectionCost needs: double operator()(const Graph&, section_descriptor) const");
   return true;
 }
@@ -77,33 +69,6 @@ void initialize_policy(Policy& policy, const Graph& graph, std::size_t number_of
     policy.initialize(graph, number_of_segments);
   else
     policy.initialize(graph);
-}
-
-template <typename T>
-using Chooses_number = std::enable_if_t<
-  std::is_convertible<decltype(std::declval<const T&>()(std::declval<const Merge_tree&>(),
-                                                        std::declval<const Surface&>())),
-                      std::size_t>::value>;
-
-template <typename T>
-constexpr bool check_number_chooser()
-{
-  static_assert(
-    satisfies<Chooses_number, T>,
-    "a NumberChooser needs: std::size_t operator()(const Merge_tree&, const Surface&) const");
-  return true;
-}
-
-template <typename T, typename Graph>
-using Stops = std::enable_if_t<
-  std::is_convertible<decltype(std::declval<T&>()(std::declval<const Graph&>(), double())), bool>::value>;
-
-template <typename T, typename Graph>
-constexpr bool check_stop_predicate()
-{
-  static_assert(satisfies<Stops, T, Graph>,
-                "a predicate that stops merging needs: bool operator()(const Graph&, double next_cost)");
-  return true;
 }
 
 } // namespace internal

@@ -5,12 +5,10 @@
 
 #include <CGAL/Region_segmentation/internal/cuts/Minimum_cut.h>
 #include <CGAL/Region_segmentation/internal/regions/Dual_graph.h>
+#include <CGAL/Region_segmentation/internal/support/shortest_paths.h>
 
 #include <cstddef>
-#include <functional>
 #include <limits>
-#include <queue>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -63,27 +61,21 @@ private:
   void grow_band(const std::vector<Index>& border, double width)
   {
     for (const Index element : border)
-      reach(element, 0);
-    while (!m_front.empty()) {
-      const auto [distance, element] = m_front.top();
-      m_front.pop();
-      if (distance > m_distances[element])
-        continue;
-      for (const auto& step : m_costs.steps(element))
-        if (m_piece_of[step.face] == m_piece_of[element])
-          if (const double longer = distance + m_distance(element, step.face); longer <= width)
-            reach(step.face, longer);
-    }
-  }
-
-  void reach(Index element, double distance)
-  {
-    if (distance >= m_distances[element])
-      return;
-    if (m_distances[element] == unreached)
-      m_band.push_back(element);
-    m_distances[element] = distance;
-    m_front.push({distance, element});
+      if (!is_in_band(element)) {
+        m_band.push_back(element);
+        m_distances[element] = 0;
+      }
+    find_shortest_paths(
+      border, m_distances, [](Index) { return true; },
+      [&](Index element, const auto& enter) {
+        for (const auto& step : m_costs.steps(element))
+          if (m_piece_of[step.face] == m_piece_of[element])
+            if (const double length = m_distance(element, step.face); m_distances[element] + length <= width) {
+              const bool is_new = !is_in_band(step.face);
+              if (enter(step.face, length) && is_new)
+                m_band.push_back(step.face);
+            }
+      });
   }
 
   bool is_in_band(Index element) const { return m_distances[element] != unreached; }
@@ -179,15 +171,12 @@ private:
     return missing == 0;
   }
 
-  using Entry = std::pair<double, Index>; // distance, element
-
   const Dual_graph& m_costs;
   const Distance m_distance;
   std::vector<Index>& m_piece_of;
   std::vector<double> m_distances; // of the elements of the band to the border
   std::vector<Index> m_nodes;      // of the elements of the band
   std::vector<Index> m_band;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> m_front;
   std::vector<Index> m_visits;
   Index m_latest_visit = 0;
 };

@@ -9,6 +9,7 @@
 #include <CGAL/Region_segmentation/internal/cuts/Region_pieces.h>
 #include <CGAL/Region_segmentation/internal/graph/Tree_regions.h>
 #include <CGAL/Region_segmentation/internal/regions/Dual_graph.h>
+#include <CGAL/Region_segmentation/internal/support/Lowest_root_forest.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -49,9 +50,11 @@ public:
     , m_area_of(tree.number_of_regions(), 0)
     , m_cut(costs, distance, m_label_of)
   {
-    const std::vector<Index> segment_of = m_tree_regions.roots();
+    Lowest_root_forest segments(tree.number_of_regions());
+    for (const Merge_tree::Merge& merge : tree.merges())
+      segments.unite(merge.kept, merge.removed);
     for (std::size_t e = 0; e < region_of.size(); ++e) {
-      m_label_of[e] = segment_of[region_of[e]];
+      m_label_of[e] = segments.root(region_of[e]);
       m_area_of[m_label_of[e]] += areas[e];
     }
   }

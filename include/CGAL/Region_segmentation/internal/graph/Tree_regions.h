@@ -25,29 +25,18 @@ public:
   explicit Tree_regions(const Merge_tree& tree)
     : m_tree(tree)
     , m_next(tree.number_of_regions(), Index(none))
-    , m_parent(tree.number_of_regions())
   {
-    std::iota(m_parent.begin(), m_parent.end(), Index(0));
-    std::vector<Index> last(m_parent);
+    std::vector<Index> last(tree.number_of_regions());
+    std::iota(last.begin(), last.end(), Index(0));
     for (std::size_t i = 0; i < tree.merges().size(); ++i) {
       const Merge_tree::Merge& merge = tree.merges()[i];
       m_end_of_removed.push_back(last[merge.removed]);
       m_next[last[merge.kept]] = merge.removed;
       last[merge.kept] = last[merge.removed];
-      m_parent[merge.removed] = merge.kept;
     }
     // What follows the last region of a part is known now.
     for (Index& last_of_removed : m_end_of_removed)
       last_of_removed = m_next[last_of_removed];
-  }
-
-  /// By region: the lowest one of its tree.
-  std::vector<Index> roots() const
-  {
-    std::vector<Index> roots(m_parent);
-    for (std::size_t r = 0; r < roots.size(); ++r) // parents are lower
-      roots[r] = roots[m_parent[r]];
-    return roots;
   }
 
   /// Calls `f(region)` for the regions of the part that a merge keeps.
@@ -69,7 +58,6 @@ public:
 private:
   const Merge_tree& m_tree;
   std::vector<Index> m_next;           // lists of the regions of each segment: those kept, then those removed
-  std::vector<Index> m_parent;         // by region: that which it was merged into, or itself
   std::vector<Index> m_end_of_removed; // by merge: what follows its removed regions in their list
 };
 

@@ -8,6 +8,7 @@
 #include <CGAL/Region_segmentation/Request.h>
 #include <CGAL/Region_segmentation/exceptions.h>
 #include <CGAL/Region_segmentation/internal/concepts/check_merging.h>
+#include <CGAL/Region_segmentation/internal/support/Lowest_root_forest.h>
 
 #include <algorithm>
 #include <cmath>
@@ -75,21 +76,14 @@ public:
   /// Merges pairs of first regions, if that is possible.
   void merge_first(const std::vector<std::pair<Partition::Index, Partition::Index>>& pairs)
   {
-    std::vector<Partition::Index> kept_of(m_graph.index_bound_of_regions());
-    for (std::size_t r = 0; r < kept_of.size(); ++r)
-      kept_of[r] = Partition::Index(r);
-    const auto kept = [&](Partition::Index r) {
-      while (kept_of[r] != r)
-        r = kept_of[r] = kept_of[kept_of[r]];
-      return r;
-    };
+    Lowest_root_forest kept(m_graph.index_bound_of_regions());
     for (const auto& [r, s] : pairs) {
-      const Partition::Index a = kept(r), b = kept(s);
+      const Partition::Index a = kept.root(r), b = kept.root(s);
       if (a == b || m_graph.number_of_regions() <= m_number)
         continue;
       if (const auto section = m_graph.section(a, b); section && m_graph.is_mergeable(*section)) {
-        const auto merge = this->merge(*section, std::numeric_limits<double>::lowest());
-        kept_of[merge.removed] = merge.kept;
+        merge(*section, std::numeric_limits<double>::lowest());
+        kept.unite(a, b);
       }
     }
   }

@@ -35,14 +35,14 @@ template <typename R, typename S>
 auto vertices(const Region_adjacency_graph<R, S>& g)
 {
   using Iterator = typename Region_adjacency_graph<R, S>::vertex_iterator;
-  return std::make_pair(Iterator(g, 0), Iterator(g, num_vertices(g)));
+  return std::make_pair(Iterator(g, 0, num_vertices(g)), Iterator(g, num_vertices(g), num_vertices(g)));
 }
 
 template <typename R, typename S>
 auto edges(const Region_adjacency_graph<R, S>& g)
 {
   using Iterator = typename Region_adjacency_graph<R, S>::edge_iterator;
-  return std::make_pair(Iterator(g, 0), Iterator(g, num_edges(g)));
+  return std::make_pair(Iterator(g, 0, num_edges(g)), Iterator(g, num_edges(g), num_edges(g)));
 }
 
 template <typename R, typename S>
@@ -69,7 +69,7 @@ auto adjacent_vertices(std::uint32_t r, const Region_adjacency_graph<R, S>& g)
 {
   using Iterator = typename Region_adjacency_graph<R, S>::adjacency_iterator;
   const auto range = g.sections(r);
-  return std::make_pair(Iterator(g, range.begin()), Iterator(g, range.end()));
+  return std::make_pair(Iterator(range.begin(), &g), Iterator(range.end(), &g));
 }
 
 template <typename R, typename S>

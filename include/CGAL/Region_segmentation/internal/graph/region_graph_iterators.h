@@ -9,74 +9,47 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 namespace CGAL {
 namespace Region_segmentation {
 
 namespace internal {
 
-/// The ids below the upper bound that are not removed.
-template <typename Graph>
-class Region_iterator
-  : public boost::iterator_facade<Region_iterator<Graph>, std::uint32_t,
-                                  boost::forward_traversal_tag, std::uint32_t>
+/// The regions, or the sections, that are not removed, in the order of their indices.
+template <typename Graph, typename Descriptor>
+class Remaining_iterator
+  : public boost::iterator_facade<Remaining_iterator<Graph, Descriptor>, Descriptor, boost::forward_traversal_tag,
+                                  Descriptor>
 {
 public:
-  Region_iterator() = default;
-  Region_iterator(const Graph& graph, std::size_t region) : m_graph(&graph), m_region(region)
+  Remaining_iterator() = default;
+  /// From the first one that is not below an index; `end`: the upper bound of indices
+  Remaining_iterator(const Graph& graph, std::size_t index, std::size_t end)
+    : m_graph(&graph), m_number(step * index), m_end(step * end)
   {
     skip();
   }
 
 private:
   friend class boost::iterator_core_access;
-  std::uint32_t dereference() const { return std::uint32_t(m_region); }
-  bool equal(const Region_iterator& other) const { return m_region == other.m_region; }
+  static constexpr std::size_t step = std::is_same<Descriptor, Section_descriptor>::value ? 2 : 1; // has two halves
+
+  Descriptor dereference() const { return Descriptor(std::uint32_t(m_number)); }
+  bool equal(const Remaining_iterator& other) const { return m_number == other.m_number; }
   void increment()
   {
-    ++m_region;
+    m_number += step;
     skip();
   }
   void skip()
   {
-    while (m_region < m_graph->index_bound_of_regions() && m_graph->is_removed(std::uint32_t(m_region)))
-      ++m_region;
+    while (m_number < m_end && m_graph->is_removed(dereference()))
+      m_number += step;
   }
 
   const Graph* m_graph = nullptr;
-  std::size_t m_region = 0;
-};
-
-/// The sections that are not removed.
-template <typename Graph>
-class Section_iterator
-  : public boost::iterator_facade<Section_iterator<Graph>, Section_descriptor,
-                                  boost::forward_traversal_tag, Section_descriptor>
-{
-public:
-  Section_iterator() = default;
-  Section_iterator(const Graph& graph, std::size_t section) : m_graph(&graph), m_section(section)
-  {
-    skip();
-  }
-
-private:
-  friend class boost::iterator_core_access;
-  Section_descriptor dereference() const { return Section_descriptor(std::uint32_t(2 * m_section)); }
-  bool equal(const Section_iterator& other) const { return m_section == other.m_section; }
-  void increment()
-  {
-    ++m_section;
-    skip();
-  }
-  void skip()
-  {
-    while (m_section < m_graph->index_bound_of_sections() && m_graph->is_removed(dereference()))
-      ++m_section;
-  }
-
-  const Graph* m_graph = nullptr;
-  std::size_t m_section = 0;
+  std::size_t m_number = 0, m_end = 0;
 };
 
 /// The sections of a region, each seen from the region.
@@ -108,28 +81,6 @@ private:
   const Lists* m_lists = nullptr;
   const std::uint32_t* m_position = nullptr;
   std::size_t m_left = 0;
-};
-
-/// The regions on the other side of the sections of a region.
-template <typename Graph>
-class Adjacent_region_iterator
-  : public boost::iterator_facade<Adjacent_region_iterator<Graph>, std::uint32_t,
-                                  boost::forward_traversal_tag, std::uint32_t>
-{
-public:
-  Adjacent_region_iterator() = default;
-  Adjacent_region_iterator(const Graph& graph, typename Graph::out_edge_iterator section)
-    : m_graph(&graph), m_section(section)
-  {}
-
-private:
-  friend class boost::iterator_core_access;
-  std::uint32_t dereference() const { return m_graph->target(*m_section); }
-  bool equal(const Adjacent_region_iterator& other) const { return m_section == other.m_section; }
-  void increment() { ++m_section; }
-
-  const Graph* m_graph = nullptr;
-  typename Graph::out_edge_iterator m_section;
 };
 
 } // namespace internal

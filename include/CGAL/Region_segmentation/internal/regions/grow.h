@@ -7,7 +7,7 @@
 #include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/Request.h>
 #include <CGAL/Region_segmentation/Surface.h>
-#include <CGAL/Region_segmentation/internal/support/Edge_marks.h>
+#include <CGAL/Region_segmentation/internal/regions/mark_feature_edges.h>
 #include <CGAL/Region_segmentation/internal/support/label_components.h>
 
 #include <algorithm>

@@ -68,15 +68,12 @@ public:
     const Node& n = m_nodes[node];
     return n.component != none && n.end - n.begin <= leaf_size;
   }
-  const Part* begin(Index node) const { return m_parts.data() + m_nodes[node].begin; }
-  const Part* end(Index node) const { return m_parts.data() + m_nodes[node].end; }
 
   Triangle triangle(const Part& p) const
   {
     return {m_surface.point(p.corners[0]), m_surface.point(p.corners[1]),
             m_surface.point(p.corners[2])};
   }
-  Axis_box box(const Part& p) const { return box_of(triangle(p)); }
 
   /// The first of the two children.
   /// \pre the node is no leaf
@@ -100,8 +97,27 @@ public:
              : b;
   }
 
+  /// Calls `f(part, other, squared_gap)` for the parts of two leaves whose boxes are not farther from each other than
+  /// `squared_bound()`, which may become less.
+  template <typename SquaredBound, typename F>
+  void for_each_near(Index a, Index b, const SquaredBound& squared_bound, const F& f) const
+  {
+    for (const Part* p = begin(a); p != end(a); ++p) {
+      const Axis_box box_of_p = box(*p);
+      if (squared_gap(box_of_p, m_nodes[b].box) > squared_bound())
+        continue;
+      for (const Part* q = begin(b); q != end(b); ++q)
+        if (const double gap = squared_gap(box_of_p, box(*q)); gap <= squared_bound())
+          f(*p, *q, gap);
+    }
+  }
+
 private:
   static constexpr Index leaf_size = 4;
+
+  const Part* begin(Index node) const { return m_parts.data() + m_nodes[node].begin; }
+  const Part* end(Index node) const { return m_parts.data() + m_nodes[node].end; }
+  Axis_box box(const Part& p) const { return box_of(triangle(p)); }
 
   void group_faces(const Partition& component_of_face)
   {

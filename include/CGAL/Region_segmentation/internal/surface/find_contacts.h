@@ -98,25 +98,16 @@ private:
     if (m_tree[a].component > m_tree[b].component)
       std::swap(a, b);
     const double bound = squared_tolerance(a, b);
-    for (const auto* p = m_tree.begin(a); p != m_tree.end(a); ++p) {
-      const Axis_box box = m_tree.box(*p);
-      if (squared_gap(box, m_tree[b].box) > bound)
-        continue;
-      for (const auto* q = m_tree.begin(b); q != m_tree.end(b); ++q) {
-        const double smaller = (std::min)(m_surface.area(p->face), m_surface.area(q->face));
-        const double squared = (std::min)(bound, smaller);
-        if (squared_gap(box, m_tree.box(*q)) <= squared)
-          compare(*p, *q, std::sqrt(squared));
-      }
-    }
-  }
-
-  void compare(const Component_tree::Part& p, const Component_tree::Part& q, double tolerance)
-  {
-    if (m_number_left > 0)
-      --m_number_left;
-    find_contact(m_tree.triangle(p), m_tree.triangle(q), tolerance, [&](const Triangle_contact& c) {
-      m_contacts.push_back({{p.face, q.face}, c});
+    m_tree.for_each_near(a, b, [=] { return bound; }, [&](const auto& p, const auto& q, double squared_gap) {
+      const double squared =
+        (std::min)({bound, m_surface.area(p.face), m_surface.area(q.face)});
+      if (squared_gap > squared)
+        return;
+      if (m_number_left > 0)
+        --m_number_left;
+      find_contact(m_tree.triangle(p), m_tree.triangle(q), std::sqrt(squared), [&](const Triangle_contact& c) {
+        m_contacts.push_back({{p.face, q.face}, c});
+      });
     });
   }
 

@@ -60,13 +60,8 @@ inline std::vector<std::pair<Partition::Index, Partition::Index>> merges_of_crum
   if (!surface.has_seams_or_links())
     return result;
   const Bodies bodies(surface);
-  struct Way
-  {
-    Index crumb, component;
-    double length, distance;
-    Index region, other;
-  };
-  std::vector<Way> ways; // out of crumbs
+  // Out of crumbs, in the order to be taken: area of the crumb, crumb, -length, distance, the two regions, the component.
+  std::vector<std::tuple<double, Index, double, double, Index, Index, Index>> ways;
   for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a) {
     const Index f = surface.lower_face(a), g = surface.higher_face(a);
     const Index c = bodies.component_of[f], d = bodies.component_of[g];
@@ -76,29 +71,25 @@ inline std::vector<std::pair<Partition::Index, Partition::Index>> merges_of_crum
       continue;
     const double length = surface.length(a), distance = norm(surface.centroid(f) - surface.centroid(g));
     if (bodies.is_crumb(c))
-      ways.push_back({c, d, length, distance, regions[f], regions[g]});
+      ways.push_back({bodies.areas[c], c, -length, distance, regions[f], regions[g], d});
     if (bodies.is_crumb(d))
-      ways.push_back({d, c, length, distance, regions[g], regions[f]});
+      ways.push_back({bodies.areas[d], d, -length, distance, regions[g], regions[f], c});
   }
-  const auto key = [&](const Way& w) {
-    return std::make_tuple(bodies.areas[w.crumb], w.crumb, -w.length, w.distance, w.region, w.other);
-  };
-  std::sort(ways.begin(), ways.end(), [&](const Way& v, const Way& w) { return key(v) < key(w); });
+  std::sort(ways.begin(), ways.end());
 
   Lowest_root_forest joined(bodies.areas.size());
   std::vector<bool> has_arrived(bodies.areas.size()); // by root: one of its components is no crumb
   for (std::size_t c = 0; c < has_arrived.size(); ++c)
     has_arrived[c] = !bodies.is_crumb(c);
   for (bool is_any = true; std::exchange(is_any, false);)
-    for (std::size_t i = 0; i < ways.size(); ++i) {
-      const Way& way = ways[i];
-      const Index from = joined.root(way.crumb), to = joined.root(way.component);
+    for (const auto& [area, crumb, length, distance, region, other, component] : ways) {
+      const Index from = joined.root(crumb), to = joined.root(component);
       if (from == to || has_arrived[from])
         continue;
       const bool arrives = has_arrived[to];
       joined.unite(from, to);
       has_arrived[joined.root(from)] = arrives;
-      result.push_back({way.region, way.other});
+      result.push_back({region, other});
       is_any = true;
     }
   return result;

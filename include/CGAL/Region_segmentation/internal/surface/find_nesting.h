@@ -26,8 +26,8 @@ namespace internal {
 /// another component.
 ///
 /// Comparisons are half-open and computed alike from both sides of an edge, so an upward ray passes
-/// through exactly one of the faces around an edge or a vertex. Vertices wait in a grid in the
-/// plane z = 0, where faces look them up: O(F + crossings) for faces of even size.
+/// through exactly one of the faces around an edge or a vertex. A face is compared with the vertices
+/// in its range of x or y: O(F log C) and these comparisons, a few for faces of even size.
 class Nesting_finder
 {
 public:
@@ -39,13 +39,11 @@ public:
         m_boxes(is_closed.size()), m_queries(number_of_orders * is_closed.size())
   {
     find_boxes_and_queries();
-    fill_grid();
     for_each_triangle([&](Index component, const Triangle& t) { find_crossings(component, t); });
-    std::sort(m_crossings.begin(), m_crossings.end());
   }
 
   /// For each component the outermost closed one that contains it, itself if there is none.
-  std::vector<Index> outermost() const
+  std::vector<Index> outermost()
   {
     std::vector<Index> result(m_boxes.size()), largest_first(m_boxes.size());
     std::iota(result.begin(), result.end(), Index(0));
@@ -70,7 +68,6 @@ public:
 
 private:
   static constexpr std::size_t number_of_orders = 3;
-  using Point_2 = std::array<double, 2>;
 
   /// Passes the triangles of closed components.
   template <typename F>
@@ -107,27 +104,13 @@ private:
         }
       }
     });
+    Axis_box all;
     for (const Axis_box& box : m_boxes)
-      if (box.low[0] <= box.high[0])
-        m_all.add(box);
-  }
-
-  std::size_t cell(double x, std::size_t axis) const
-  {
-    const double extent = m_all.extent(axis), cells = double(m_cells_of_axis);
-    const double i = extent > 0 ? (x - m_all.low[axis]) / extent * cells : 0;
-    return std::size_t((std::min)((std::max)(i, 0.0), cells - 1));
-  }
-
-  void fill_grid()
-  {
-    while (m_cells_of_axis * m_cells_of_axis < m_boxes.size())
-      m_cells_of_axis *= 2;
-    m_grid.resize(m_cells_of_axis * m_cells_of_axis);
+      all.add(box);
+    m_axis = all.extent(1) > all.extent(0) ? 1 : 0;
     for (std::size_t q = 0; q < m_queries.size(); ++q)
-      if (m_is_closed[q / number_of_orders])
-        m_grid[cell(m_queries[q].x, 0) * m_cells_of_axis + cell(m_queries[q].y, 1)].push_back(
-          Index(q));
+      m_in_order.emplace_back(in_order(m_queries[q], m_axis)[0], Index(q));
+    std::sort(m_in_order.begin(), m_in_order.end());
   }
 
   /// Whether the box of `inner` is in that of `outer` and not the same.
@@ -143,12 +126,11 @@ private:
   void find_crossings(Index component, const Triangle& t)
   {
     const Axis_box box = box_of(t);
-    const std::size_t last_x = cell(box.high[0], 0), last_y = cell(box.high[1], 1);
-    for (std::size_t x = cell(box.low[0], 0); x <= last_x; ++x)
-      for (std::size_t y = cell(box.low[1], 1); y <= last_y; ++y)
-        for (Index q : m_grid[x * m_cells_of_axis + y])
-          if (is_smaller(q / number_of_orders, component) && is_above_point(t, m_queries[q]))
-            m_crossings.emplace_back(q, component);
+    auto place = std::lower_bound(m_in_order.begin(), m_in_order.end(), std::make_pair(box.low[m_axis], Index(0)));
+    for (; place != m_in_order.end() && place->first <= box.high[m_axis]; ++place)
+      if (const Index q = place->second;
+          is_smaller(q / number_of_orders, component) && is_above_point(t, m_queries[q]))
+        m_crossings.emplace_back(q, component);
   }
 
   /// Whether the segment p, q in the plane passes the point on the side of larger y.
@@ -170,33 +152,39 @@ private:
   }
 
   /// Pairs of a component and one that contains it, sorted.
-  std::vector<std::pair<Index, Index>> containments() const
+  std::vector<std::pair<Index, Index>> containments()
   {
     std::vector<std::pair<Index, Index>> votes, result;
-    for (auto c = m_crossings.begin(); c != m_crossings.end();) {
-      const auto end = std::upper_bound(c, m_crossings.end(), *c);
-      if ((end - c) % 2 == 1)
-        votes.emplace_back(c->first / Index(number_of_orders), c->second);
-      c = end;
-    }
-    std::sort(votes.begin(), votes.end());
-    for (auto v = votes.begin(); v != votes.end();) {
-      const auto end = std::upper_bound(v, votes.end(), *v);
-      if (std::size_t(end - v) * 2 > number_of_orders)
-        result.push_back(*v);
-      v = end;
-    }
+    for_each_repeated(m_crossings, [&](const auto& crossing, std::size_t number) {
+      if (number % 2 == 1)
+        votes.emplace_back(crossing.first / Index(number_of_orders), crossing.second);
+    });
+    for_each_repeated(votes, [&](const auto& vote, std::size_t number) {
+      if (number * 2 > number_of_orders)
+        result.push_back(vote);
+    });
     return result;
+  }
+
+  /// Sorts pairs, and calls `f(pair, number)` for different ones, with how often each is there.
+  template <typename F>
+  static void for_each_repeated(std::vector<std::pair<Index, Index>>& pairs, const F& f)
+  {
+    std::sort(pairs.begin(), pairs.end());
+    for (auto first = pairs.begin(); first != pairs.end();) {
+      const auto past = std::upper_bound(first, pairs.end(), *first);
+      f(*first, std::size_t(past - first));
+      first = past;
+    }
   }
 
   const Surface& m_surface;
   const Partition& m_component_of;
   const std::vector<bool>& m_is_closed;
-  std::vector<Axis_box> m_boxes;   // by component
-  std::vector<Double_3> m_queries; // three for each component
-  Axis_box m_all;
-  std::size_t m_cells_of_axis = 1;
-  std::vector<std::vector<Index>> m_grid;           // queries by cell
+  std::vector<Axis_box> m_boxes;                    // by component
+  std::vector<Double_3> m_queries;                  // three for each component; infinite for open ones
+  std::size_t m_axis = 0;                           // x or y, along which the queries are spread more
+  std::vector<std::pair<double, Index>> m_in_order; // queries along it
   std::vector<std::pair<Index, Index>> m_crossings; // a query and a component with a face above it
 };
 

@@ -149,7 +149,14 @@ private:
   {
     const Index node = m_tree.node_to_divide(a, b), other = node == a ? b : a;
     if (node == Component_tree::none) {
-      compare_faces(a, b, nearest);
+      m_tree.for_each_near(
+        a, b, [&] { return nearest.squared_distance; },
+        [&](const auto& p, const auto& q, double) {
+          const Pair pair{squared_distance(m_tree.triangle(p), m_tree.triangle(q)), true,
+                          (std::min)(p.face, q.face), (std::max)(p.face, q.face)};
+          if (nearest < pair)
+            nearest = pair;
+        });
       return;
     }
     Index nearer = m_tree.children(node), farther = nearer + 1;
@@ -158,24 +165,6 @@ private:
     for (Index child : {nearer, farther})
       if (gap(child, other) < nearest.squared_distance)
         find_nearest_faces(child, other, nearest);
-  }
-
-  /// \pre both nodes are leaves
-  void compare_faces(Index a, Index b, Pair& nearest)
-  {
-    for (const auto* p = m_tree.begin(a); p != m_tree.end(a); ++p) {
-      const Axis_box box = m_tree.box(*p);
-      if (squared_gap(box, m_tree[b].box) > nearest.squared_distance)
-        continue;
-      for (const auto* q = m_tree.begin(b); q != m_tree.end(b); ++q) {
-        if (squared_gap(box, m_tree.box(*q)) > nearest.squared_distance)
-          continue;
-        const Pair pair{squared_distance(m_tree.triangle(*p), m_tree.triangle(*q)), true,
-                        (std::min)(p->face, q->face), (std::max)(p->face, q->face)};
-        if (nearest < pair)
-          nearest = pair;
-      }
-    }
   }
 
   static constexpr std::size_t most_pairs_of_component = 16, most_pairs = 100000;
