@@ -16,7 +16,7 @@ setup(
             include_dirs=[os.path.relpath(library, folder), "/usr/include/eigen3"],
             libraries=["gmp", "mpfr"],
             define_macros=[("NDEBUG", None)],
-            extra_compile_args=["-O2"],
+            extra_compile_args=["-O2", "-ffp-contract=off"],
             cxx_std=17,
         )
     ]

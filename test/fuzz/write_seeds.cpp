@@ -77,6 +77,14 @@ void write_stl(Corpus corpus)
   corpus.add(sample::binary_stl("solid"));
 }
 
+void write_gltf(Corpus corpus)
+{
+  corpus.add(sample::gltf());
+  corpus.add(sample::glb());
+  corpus.add(sample::glb(with(sample::gltf_json(""), R"({"mesh":0})", R"({"mesh":0,"rotation":[0,0,1,1],"scale":[1,2,-3]})")));
+  corpus.add(sample::glb(with(sample::gltf_json(""), R"("indices":1,"mode":4)", R"("indices":1,"mode":5)")));
+}
+
 void write_gzip(Corpus corpus, const std::filesystem::path& root)
 {
   const std::string file = (root / "x.gz").string();
@@ -203,6 +211,7 @@ int main(int argc, char** argv)
   write_obj({root, "read_obj"});
   write_ply({root, "read_ply"});
   write_stl({root, "read_stl"});
+  write_gltf({root, "read_gltf"});
   write_gzip({root, "inflate_gzip"}, root);
   write_labels({root, "read_labels"});
   write_command_lines({root, "command_line"});

@@ -23,7 +23,7 @@ INSTANTIATE_TEST_SUITE_P(
   Off, Bad_text,
   testing::Values(
     Malformed{"empty", "a.off", "", ": is empty"},
-    Malformed{"ending", "a.foo", off, ": unknown extension '.foo', not .off, .obj, .ply or .stl"},
+    Malformed{"ending", "a.foo", off, ": unknown extension '.foo', not .off, .obj, .ply, .stl, .glb or .gltf"},
     Malformed{"header", "a.off", "hello\n", ":1: no OFF header, but 'hello'"},
     Malformed{"comments_only", "a.off", "# x\n# y\n", ":2: no OFF header, but ''"},
     Malformed{"binary", "a.off", "OFF BINARY\n", ":1: binary OFF is not supported"},

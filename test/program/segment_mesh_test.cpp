@@ -140,7 +140,7 @@ TEST_F(Program, goes_on_after_a_bad_input)
   const Outcome outcome = run("a.off b.off d.foo none.off c.obj -k 1 -o '{stem}.seg'");
   EXPECT_EQ(outcome.status, 1);
   EXPECT_EQ(outcome.err, "b.off:9: index 9 is out of range: there are 4 vertices, from 0\n"
-                         "d.foo: unknown extension '.foo', not .off, .obj, .ply or .stl\n"
+                         "d.foo: unknown extension '.foo', not .off, .obj, .ply, .stl, .glb or .gltf\n"
                          "none.off: no such file\n");
   EXPECT_EQ(std::count(outcome.out.begin(), outcome.out.end(), '\n'), 2);
   EXPECT_EQ(folder.names(), (Names{"a.off", "a.seg", "b.off", "c.obj", "c.seg", "d.foo"}));
@@ -269,7 +269,7 @@ TEST_F(Program, knows_wrong_usage)
   folder.write("a.off", sample::off());
   folder.write("b.off", sample::off());
   const std::string endings =
-    ": unknown extension of an output, not .seg, .ply, .off, .obj, .vtp, .json, .csv, .png or .html";
+    ": unknown extension of an output, not .seg, .ply, .off, .obj, .vtp, .json, .csv, .png, .html, .glb or .3mf";
   expect_wrong_usage("a.off --method two-step",
                      "--method two-step needs the number of segments: -k N");
   for (const std::string number : {"0", "-1", "many", "2.5", "18446744073709551616"})
@@ -617,7 +617,7 @@ TEST_F(Program, says_if_it_has_no_pages)
   if (outcome.status == 1) { // built without
     EXPECT_EQ(
       outcome.err,
-      "a.html: pages need three.js, and this program was built without it (Debian: libjs-three)\n");
+      "a.html: pages need three.js (Debian: libjs-three), and this program was built without it\n");
     EXPECT_FALSE(folder.has("a.html"));
     return;
   }

@@ -41,7 +41,8 @@ const std::map<std::string, Mesh_type> mesh_types = {{"polygon_soup", Mesh_type:
                                                      {"openmesh", Mesh_type::OPENMESH}};
 
 const std::map<std::string, Mesh_format> formats = {
-  {"off", Mesh_format::OFF}, {"obj", Mesh_format::OBJ}, {"ply", Mesh_format::PLY}, {"stl", Mesh_format::STL}};
+  {"off", Mesh_format::OFF}, {"obj", Mesh_format::OBJ}, {"ply", Mesh_format::PLY}, {"stl", Mesh_format::STL},
+  {"gltf", Mesh_format::GLTF}};
 
 /// More would be a slip of the hand.
 constexpr std::size_t most_threads = 1024;
@@ -104,11 +105,11 @@ void add_inputs(CLI::App& app, Raw_options& raw)
 {
   const Option_group input(app, "Input");
   input.add("INPUT", raw.options.inputs, "",
-            "Meshes: .off, .obj, .ply or .stl, also compressed as .gz; - is standard input. "
+            "Meshes: .off, .obj, .ply, .stl, .glb or .gltf, also compressed as .gz; - is standard input. "
             "Several inputs are processed one after the other.");
   input
     .add("--input-format", raw.input_format, "FORMAT",
-         "For all inputs, whatever their extensions: off, obj, ply or stl. Needed for standard input.")
+         "For all inputs, whatever their extensions: off, obj, ply, stl or gltf. Needed for standard input.")
     ->check(one_of(formats));
   input.add_flag("--demo", "Instead of an INPUT: a figure that the program builds, of which it knows the parts. Their "
                            "number is the default of -k, and the score against them is printed.");
@@ -124,9 +125,9 @@ void add_outputs(CLI::App& app, Raw_options& raw)
     "-o,--output", raw.outputs, "FILE",
     "Repeatable. {stem} in FILE is the name of the input. The file name extension selects the format: .html (a page to view "
     "and rotate the mesh, with every number of segments), .png (a picture), .ply, .off, .obj, .vtp (the mesh with its "
-    "segments in colors or groups; .vtp is for ParaView), .seg (the label of each face on a line), .csv (a table: area, volume, shape ... of each "
-    "segment), .json (all of it). With .gz after it a file is compressed. {segment} in FILE: a mesh for each segment. - is "
-    "stdout.");
+    "segments in colors or groups; .vtp is for ParaView), .glb, .3mf (a part for each segment, to be shown or printed), "
+    ".seg (the label of each face on a line), .csv (a table: area, volume, shape ... of each segment), .json (all of it). "
+    "With .gz after it a file is compressed. {segment} in FILE: a mesh for each segment. - is stdout.");
   output.add_repeatable("--borders", raw.borders, "FILE",
                         "Repeatable. The borders between segments as polylines: .obj or .vtp.");
   output.add("--view", raw.view, "AZIMUTH ELEVATION",

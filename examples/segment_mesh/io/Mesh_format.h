@@ -8,7 +8,7 @@
 namespace segment_mesh {
 
 /// The formats that are read.
-enum class Mesh_format { OFF, OBJ, PLY, STL };
+enum class Mesh_format { OFF, OBJ, PLY, STL, GLTF };
 
 /// The name of a file that stands for standard input.
 constexpr const char* standard_input = "-";

@@ -96,13 +96,15 @@ void Text_scanner::fail(const std::string& cause) const
 
 double Text_scanner::finite_number(std::string_view word) const
 {
-  // strtod() takes some words more, with a sign or too close to 0, but has to copy them.
+#ifdef __cpp_lib_to_chars // not in every library of C++
   double fast_value = 0;
   const auto [fast_end, error] =
     std::from_chars(word.data(), word.data() + word.size(), fast_value);
   if (error == std::errc() && fast_end == word.data() + word.size() && std::isfinite(fast_value))
     return fast_value;
+#endif
 
+  // strtod() takes some words more, with a sign or too close to 0, but has to copy them.
   const std::string text(word);
   char* end = nullptr;
   const double value = std::strtod(text.c_str(), &end);

@@ -64,7 +64,7 @@ void check(const Output& output)
 
 const std::vector<std::string>& output_format_names()
 {
-  static const std::vector<std::string> names = {"seg", "ply", "off", "obj", "vtp", "json", "csv", "png", "html"};
+  static const std::vector<std::string> names = {"seg", "ply", "off", "obj", "vtp", "json", "csv", "png", "html", "glb", "3mf"};
   return names;
 }
 

@@ -11,7 +11,7 @@
 namespace segment_mesh {
 
 /// The formats that are written.
-enum class Output_format { SEG, PLY, OFF, OBJ, VTP, JSON, CSV, PNG, HTML };
+enum class Output_format { SEG, PLY, OFF, OBJ, VTP, JSON, CSV, PNG, HTML, GLB, THREE_MF };
 
 /// What of a segmentation is written.
 enum class Output_content { SEGMENTS, BORDERS };

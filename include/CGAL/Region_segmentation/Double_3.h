@@ -5,6 +5,11 @@
 
 #include <cmath>
 
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST) || \
+  (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
+#error "CGAL Region_segmentation: compile without -ffast-math, which removes checks of numbers"
+#endif
+
 namespace CGAL {
 namespace Region_segmentation {
 

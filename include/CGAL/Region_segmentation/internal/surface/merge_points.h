@@ -36,7 +36,7 @@ public:
     std::size_t hash = 0;
     for (const double coordinate : {p.x + 0.0, p.y + 0.0, p.z + 0.0})
       boost::hash_combine(hash, coordinate);
-    std::size_t place = (hash ^ (hash >> 32)) & (m_table.size() - 1);
+    std::size_t place = (hash ^ (hash >> (4 * sizeof hash))) & (m_table.size() - 1);
     while (m_table[place] != Raw_surface::none && !are_equal(p, m_points[m_table[place]]))
       place = (place + 1) & (m_table.size() - 1);
     if (m_table[place] == Raw_surface::none)
