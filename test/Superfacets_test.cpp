@@ -263,7 +263,7 @@ TEST(Farthest_point_seeding_test, splitting_separates_the_face_farthest_from_its
       seeding.run(distances_from_centroid(mesh), 12);
       RS::Partition before = seeding.regions();
       for (std::size_t i = 0; i + 12 < order.size(); ++i) {
-        const RS::Partition after = seeding.split_regions(13 + i);
+        const RS::Partition after = seeding.split_regions(13 + i, [](std::size_t) { return false; });
         ASSERT_EQ(after.number_of_parts(), 13 + i);
         ASSERT_TRUE(nests(labels_of(after), labels_of(before)));
         // What is separated are faces that were separated before, or nothing but this one: it is
