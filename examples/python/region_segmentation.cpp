@@ -81,7 +81,7 @@ public:
   }
 
 private:
-  decltype(RS::Segmenter(std::declval<const std::vector<Point>&>(), std::declval<const Polygons&>(),
+  decltype(RS::Segmenter(std::declval<const Soup&>().points, std::declval<const Soup&>().polygons,
                          RS::parameters::method(std::declval<const Method&>()))) m_segmenter;
 };
 
