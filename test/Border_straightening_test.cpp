@@ -332,7 +332,7 @@ void expect_connected_and_nested(Method method)
       for (std::size_t k = mesh.number_of_faces(); k > 0; k -= 1 + k / 10) {
         const std::size_t n = segmenter.segment(map, k);
         const Labels labels = labels_of(mesh, map);
-        EXPECT_EQ(n, std::max(k, number_of_components(soup)));
+        EXPECT_EQ(n, std::max(std::min(k, number_of_proper_faces(soup)), number_of_components(soup)));
         EXPECT_TRUE(is_connected(soup, labels)) << k;
         EXPECT_TRUE(k >= segmenter.merge_tree().number_of_regions() ? nests(labels, finer)
                                                                     : nests(finer, labels))

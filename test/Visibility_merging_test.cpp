@@ -98,7 +98,7 @@ TEST(Visibility_merging_test, segmentations_nest_down_to_the_faces)
   for (Family family : all_families) {
     SCOPED_TRACE(name(family));
     const Soup soup = random_mesh(family, 5);
-    const std::size_t faces = soup.polygons.size();
+    const std::size_t faces = number_of_proper_faces(soup);
     Labels coarse;
     for (std::size_t k = 1; k <= faces; k += 1 + k / 8) {
       const Labels fine = segment_into(soup, k, RS::parameters::component_links(false));

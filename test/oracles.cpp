@@ -3,6 +3,7 @@
 #include "oracles.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace test {
 
@@ -106,6 +107,28 @@ std::map<Edge, std::vector<std::size_t>> faces_of_edges(const Soup& soup)
 std::size_t number_of_components(const Soup& soup)
 {
   return count_pieces(soup, Labels(soup.polygons.size(), 0), {});
+}
+
+std::size_t number_of_proper_faces(const Soup& soup)
+{
+  std::size_t number = 0;
+  for (const Polygon& polygon : soup.polygons) {
+    const Point& origin = soup.points[polygon[0]];
+    const auto from = [&](const Point& p, std::size_t v) {
+      const Point& q = soup.points[polygon[v % polygon.size()]];
+      return Point{q[0] - p[0], q[1] - p[1], q[2] - p[2]};
+    };
+    Point area{0, 0, 0};
+    double longest = 0;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      const Point a = from(origin, i), b = from(origin, i + 1), e = from(soup.points[polygon[i]], i + 1);
+      area = {area[0] + a[1] * b[2] - a[2] * b[1], area[1] + a[2] * b[0] - a[0] * b[2],
+              area[2] + a[0] * b[1] - a[1] * b[0]};
+      longest = std::max(longest, e[0] * e[0] + e[1] * e[1] + e[2] * e[2]);
+    }
+    number += std::sqrt(area[0] * area[0] + area[1] * area[1] + area[2] * area[2]) / 2 > 1e-12 * longest;
+  }
+  return number;
 }
 
 std::size_t count(const Edge_flags& flags)

@@ -48,6 +48,9 @@ using Edge_flags = std::map<Edge, bool>; // every edge
 Labels renumbered(const Labels& labels);
 std::map<Edge, std::vector<std::size_t>> faces_of_edges(const Soup& soup);
 std::size_t number_of_components(const Soup& soup);
+
+/// Faces that are not degenerate: whose area is above 1e-12 times the square of the longest edge.
+std::size_t number_of_proper_faces(const Soup& soup);
 std::size_t count(const Edge_flags& flags);
 /// Some edges, borders among them.
 std::set<Edge> random_edges(const Soup& soup, std::size_t one_of, std::mt19937& random);

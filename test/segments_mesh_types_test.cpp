@@ -8,11 +8,13 @@
 
 #include "segments.h"
 
+#include <CGAL/Region_segmentation/Segments/close_segments.h>
 #include <CGAL/Region_segmentation/Segments/compute_segment_topology.h>
 #include <CGAL/Region_segmentation/Segments/extract_segment_borders.h>
 #include <CGAL/Region_segmentation/Segments/mark_segment_borders.h>
 #include <CGAL/Region_segmentation/Segments/mark_segment_seams.h>
 #include <CGAL/Region_segmentation/Segments/split_into_segments.h>
+#include <CGAL/Region_segmentation/Segments/transfer_labels.h>
 #include <CGAL/boost/graph/graph_traits_PolyMesh_ArrayKernelT.h>
 #include <CGAL/boost/graph/graph_traits_TriMesh_ArrayKernelT.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -55,6 +57,7 @@ struct Results
   std::vector<std::tuple<std::size_t, std::size_t, std::size_t, std::ptrdiff_t>> topologies;
   std::vector<Soup> pieces;
   std::vector<double> areas_and_errors;
+  Labels transferred;
 };
 
 #ifdef TEST_EIGEN
@@ -89,6 +92,10 @@ Results results_on(const Mesh& mesh, const Labels& labels)
 
   std::vector<RS::Segment_piece<Mesh, Mesh, std::size_t>> pieces;
   RS::split_into_segments(mesh, segments, std::back_inserter(pieces));
+  RS::close_segments(mesh, segments, std::back_inserter(pieces));
+  auto copies = face_map(mesh);
+  RS::transfer_labels(mesh, segments, mesh, copies);
+  results.transferred = labels_of(mesh, copies);
   for (const auto& piece : pieces) {
     EXPECT_TRUE(CGAL::is_valid_polygon_mesh(piece.mesh));
     results.pieces.push_back(soup_of(piece.mesh));
@@ -115,6 +122,7 @@ void expect_same_results(Family family, const Soup& soup, unsigned seed)
   EXPECT_EQ(results.seams, expected.seams);
   EXPECT_EQ(results.lines, expected.lines);
   EXPECT_EQ(results.topologies, expected.topologies);
+  EXPECT_EQ(results.transferred, expected.transferred);
   EXPECT_EQ(results.areas_and_errors, expected.areas_and_errors);
   ASSERT_EQ(results.pieces.size(), expected.pieces.size());
   for (std::size_t i = 0; i < results.pieces.size(); ++i)

@@ -8,6 +8,9 @@
 
 namespace {
 
+using segment_mesh::Point;
+using segment_mesh::Polygons;
+
 void check(bool is_right, const std::string& what)
 {
   if (!is_right)
@@ -87,6 +90,30 @@ bool is_ragged(const py::object& faces)
   return false;
 }
 
+/// The first of the points at the same place, for each point.
+std::vector<std::size_t> equal_points(const Soup& soup)
+{
+  std::map<Point, std::size_t> first;
+  std::vector<std::size_t> result;
+  for (std::size_t i = 0; i < soup.points.size(); ++i)
+    result.push_back(first.emplace(soup.points[i], i).first->second);
+  return result;
+}
+
+using Side = std::pair<Edges::value_type, std::size_t>; // lower and higher point, face
+
+std::vector<Side> sorted_sides(const Soup& soup, const std::vector<std::size_t>& merged)
+{
+  std::vector<Side> sides;
+  for (std::size_t f = 0; f < soup.polygons.size(); ++f) {
+    const Polygons::Polygon polygon = soup.polygons[f];
+    for (std::size_t i = 0; i < polygon.size(); ++i)
+      sides.push_back({std::minmax({merged[polygon[i]], merged[polygon[(i + 1) % polygon.size()]]}), f});
+  }
+  std::sort(sides.begin(), sides.end());
+  return sides;
+}
+
 } // namespace
 
 Indices to_indices(const py::handle& object, const std::string& expected)
@@ -123,29 +150,44 @@ Soup make_soup(const py::object& points, const py::object& faces, const py::obje
   return soup;
 }
 
+std::vector<std::int64_t> make_labels(const Soup& soup, const py::object& labels, const std::string& name)
+{
+  const std::string expected = name + ": not an integer for each face, -1 for none";
+  const Indices array = to_indices(labels, expected);
+  check(array.ndim() == 1 && std::size_t(array.size()) == soup.polygons.size(), expected);
+  return {array.data(), array.data() + array.size()};
+}
+
 Edges make_edges(const Soup& soup, const py::object& edges)
 {
   const char* const expected = "constrained_edges: not an array of n x 2 indices";
   const Indices array = to_indices(edges, expected);
   check(array.ndim() == 2 && array.shape(1) == 2, expected);
-  std::map<Point, std::size_t> first; // points at the same place are one
-  std::vector<std::size_t> merged;
-  for (std::size_t i = 0; i < soup.points.size(); ++i)
-    merged.push_back(first.emplace(soup.points[i], i).first->second);
-  const auto sorted = [](std::size_t a, std::size_t b) { return std::pair((std::min)(a, b), (std::max)(a, b)); };
-  Edges sides;
-  for (const Polygons::Polygon polygon : soup.polygons)
-    for (const std::size_t* i = polygon.first; i != polygon.last; ++i)
-      sides.push_back(sorted(merged[*i], merged[i + 1 == polygon.last ? *polygon.first : i[1]]));
-  std::sort(sides.begin(), sides.end());
+  const std::vector<std::size_t> merged = equal_points(soup);
+  const std::vector<Side> sides = sorted_sides(soup, merged);
+  const auto is_point = [&](std::int64_t v) { return v >= 0 && std::uint64_t(v) < merged.size(); };
+  const auto is_edge = [&](std::size_t a, std::size_t b) {
+    const auto edge = std::minmax({merged[a], merged[b]});
+    const auto i = std::lower_bound(sides.begin(), sides.end(), Side{edge, 0});
+    return i != sides.end() && i->first == Edges::value_type(edge);
+  };
   Edges result;
   for (py::ssize_t i = 0; i < array.shape(0); ++i) {
     const std::int64_t a = array.at(i, 0), b = array.at(i, 1);
-    const auto is_point = [&](std::int64_t v) { return v >= 0 && std::uint64_t(v) < merged.size(); };
-    check(is_point(a) && is_point(b) &&
-            std::binary_search(sides.begin(), sides.end(), sorted(merged[std::size_t(a)], merged[std::size_t(b)])),
+    check(is_point(a) && is_point(b) && is_edge(std::size_t(a), std::size_t(b)),
           "constrained_edges: there is no edge between points " + std::to_string(a) + " and " + std::to_string(b));
     result.emplace_back(a, b);
   }
+  return result;
+}
+
+Edges edges_between_labels(const Soup& soup, const std::vector<std::int64_t>& labels)
+{
+  Edges result;
+  const std::vector<Side> sides = sorted_sides(soup, equal_points(soup));
+  for (std::size_t i = 0; i + 1 < sides.size(); ++i)
+    if (sides[i].first == sides[i + 1].first && labels[sides[i].second] != labels[sides[i + 1].second] &&
+        (result.empty() || result.back() != sides[i].first))
+      result.push_back(sides[i].first);
   return result;
 }

@@ -3,6 +3,7 @@
 // A Python module: points and faces as arrays in, labels out.
 
 #include "Soup.h"
+#include "describe.h"
 
 #include <CGAL/Region_segmentation/Methods/Learned_merging.h>
 #include <CGAL/Region_segmentation/Methods/Smooth_faces.h>
@@ -80,7 +81,7 @@ public:
   }
 
 private:
-  decltype(RS::Segmenter(std::declval<const std::vector<Point>&>(), std::declval<const Polygons&>(),
+  decltype(RS::Segmenter(std::declval<const Soup&>().points, std::declval<const Soup&>().polygons,
                          RS::parameters::method(std::declval<const Method&>()))) m_segmenter;
 };
 
@@ -142,11 +143,7 @@ public:
 
   void set_seeds(const py::object& object)
   {
-    const char* const expected = "seeds: not an integer for each face, -1 for none";
-    const Indices array = to_indices(object, expected);
-    if (array.ndim() != 1 || std::size_t(array.size()) != m_soup.polygons.size())
-      throw std::invalid_argument(expected);
-    const Seeds seeds(array.data(), array.data() + array.size());
+    const Seeds seeds = make_labels(m_soup, object, "seeds");
     const py::gil_scoped_release release;
     m_prepared->set_seeds(seeds);
   }
@@ -178,6 +175,26 @@ Labels segment(const py::object& points, const py::object& faces, std::optional<
   return Segmenter(points, faces, method, constrained_edges, seeds, component_links, face_sizes).segment(number_of_segments);
 }
 
+py::array_t<std::size_t> segment_borders(const py::object& points, const py::object& faces, const py::object& labels,
+                                         const py::object& face_sizes)
+{
+  const Soup soup = make_soup(points, faces, face_sizes);
+  const Edges edges = edges_between_labels(soup, make_labels(soup, labels, "labels"));
+  py::array_t<std::size_t> result({edges.size(), std::size_t(2)});
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    result.mutable_at(i, 0) = edges[i].first;
+    result.mutable_at(i, 1) = edges[i].second;
+  }
+  return result;
+}
+
+py::list describe_segments(const py::object& points, const py::object& faces, const py::object& labels,
+                           const py::object& face_sizes)
+{
+  const Soup soup = make_soup(points, faces, face_sizes);
+  return describe(soup, make_labels(soup, labels, "labels"));
+}
+
 } // namespace
 
 PYBIND11_MODULE(region_segmentation, module)
@@ -199,6 +216,16 @@ PYBIND11_MODULE(region_segmentation, module)
              py::arg("points"), py::arg("faces") = none, py::arg("number_of_segments") = none, py::arg("method") = "learned",
              py::arg("constrained_edges") = none, py::arg("seeds") = none, py::arg("component_links") = true,
              py::arg("face_sizes") = none);
+
+  module.def("segment_borders", &segment_borders,
+             "The edges between faces of different labels: an array of n x 2 indices of points.", py::arg("points"),
+             py::arg("faces") = none, py::arg("labels"), py::arg("face_sizes") = none);
+  module.def("describe_segments", &describe_segments,
+             "A dictionary for each segment, in the order of their first faces: segment, number_of_faces, area, volume,\n"
+             "centroid, axes, extents, border_length, boundary_length; neighbors (segment, border_length,\n"
+             "mean_signed_deviation); and primitive (type, point, direction, radius, half_angle, error). Faces of label -1\n"
+             "belong to no segment. What is not manifold is torn apart there, before.",
+             py::arg("points"), py::arg("faces") = none, py::arg("labels"), py::arg("face_sizes") = none);
 
   py::class_<Segmenter>(module, "Segmenter", "A mesh that is prepared once, and segmented for any numbers.")
     .def(py::init<const py::object&, const py::object&, const std::string&, const py::object&, const py::object&, bool,

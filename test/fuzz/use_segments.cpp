@@ -9,6 +9,7 @@
 
 #include <CGAL/region_segmentation.h>
 #include <CGAL/Region_segmentation/Methods/Smooth_faces.h>
+#include <CGAL/Region_segmentation/Segments/close_segments.h>
 #include <CGAL/Region_segmentation/Segments/compute_segment_topology.h>
 #include <CGAL/Region_segmentation/Segments/extract_segment_borders.h>
 #include <CGAL/Region_segmentation/Segments/mark_segment_borders.h>
@@ -81,6 +82,10 @@ void check_pieces(const Mesh& mesh, Labels& labels)
     require(euler == topologies[i].euler_characteristic, "the Euler characteristic is that of the piece");
   }
   require(number_of_faces == mesh.number_of_faces(), "every face is in one piece");
+  std::vector<RS::Segment_piece<Mesh, Mesh, std::size_t>> solids;
+  RS::close_segments(mesh, face_map(mesh, labels), std::back_inserter(solids));
+  for (const auto& solid : solids)
+    require(solid.mesh.is_valid(false) && CGAL::is_closed(solid.mesh), "a solid is a closed 2-manifold");
 }
 
 void check_discs(const Mesh& mesh, Labels& labels)

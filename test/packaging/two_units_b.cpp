@@ -4,11 +4,14 @@
 #include <CGAL/Region_segmentation/IO/labels.h>
 #include <CGAL/Region_segmentation/Methods/Scalar_annotator.h>
 #include <CGAL/Region_segmentation/Methods/Scalar_cost.h>
+#include <CGAL/Region_segmentation/Segments/close_segments.h>
 #include <CGAL/Region_segmentation/Segments/compute_segment_topology.h>
 #include <CGAL/Region_segmentation/Segments/extract_segment_borders.h>
+#include <CGAL/Region_segmentation/Segments/find_nearest_faces.h>
 #include <CGAL/Region_segmentation/Segments/mark_segment_borders.h>
 #include <CGAL/Region_segmentation/Segments/mark_segment_seams.h>
 #include <CGAL/Region_segmentation/Segments/split_into_segments.h>
+#include <CGAL/Region_segmentation/Segments/transfer_labels.h>
 #include <CGAL/Region_segmentation/evaluation.h>
 #include <CGAL/region_segmentation.h>
 #include <CGAL/region_segmentation_stages.h>

@@ -39,11 +39,15 @@ public:
       m_orientations[f] = m_orientations[components.root(f)];
   }
 
+  const Surface& surface() const { return m_surface; }
   /// Of lengths and points, as a multiple of that of the mesh.
   double unit() const { return m_surface.unit(); }
   const Double_3& point(Index vertex) const { return m_surface.point(vertex); }
   /// Zero for a degenerate face.
   const Double_3& normal(Index face) const { return m_surface.normal(face); }
+
+  /// The normal of a face as it is given, not turned.
+  Double_3 given_normal(Index face) const { return double(m_orientations[face]) * normal(face); }
 
   /// -1 for a face that is turned, otherwise 1.
   int orientation(Index face) const { return m_orientations[face]; }
