@@ -89,7 +89,7 @@ void expect_same_labels(Surface_mesh& mesh, const reference::visibility::Mesh& c
 /// Of both methods on superfacets.
 void expect_as_defined(Surface_mesh& mesh)
 {
-  const reference::visibility::Mesh copy = to_reference(mesh);
+  const reference::visibility::Mesh copy = without_noise(to_reference(mesh));
   const reference::visibility::Annotated annotated(copy);
   {
     SCOPED_TRACE("visibility");

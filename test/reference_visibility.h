@@ -137,6 +137,15 @@ struct Mesh
     return area > 0 && norm(sum) <= area / 1e6 && concave <= all / 1000;
   }
 
+  /// The same faces at other points; the edges keep their lengths.
+  Mesh moved(const std::vector<Vector>& other_points) const
+  {
+    Mesh result(other_points, faces);
+    for (std::size_t e = 0; e < edges.size(); ++e)
+      result.edges[e].length = edges[e].length;
+    return result;
+  }
+
 private:
   void add_face(const std::vector<std::size_t>& face)
   {
@@ -163,6 +172,42 @@ private:
     edges.push_back({f, g, norm(along), sign < 0 ? deviation : -deviation});
   }
 };
+
+/// The mesh as the methods on superfacets see it: while noise exceeds curvature, all points move along the normals to the
+/// height of their neighbors.
+inline Mesh without_noise(const Mesh& mesh, int rounds = 5)
+{
+  const std::size_t n = mesh.points.size();
+  std::vector<Vector> normals(n), to_neighbors(n);
+  std::vector<double> number(n), heights(n);
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    const auto& face = mesh.faces[f];
+    for (std::size_t i = 0; i < face.size(); ++i) {
+      const std::size_t v = face[i];
+      normals[v] = normals[v] + mesh.areas[f] * mesh.normals[f];
+      for (std::size_t j : {i + 1, i + face.size() - 1}) {
+        to_neighbors[v] = to_neighbors[v] + (mesh.points[face[j % face.size()]] - mesh.points[v]);
+        number[v] += 1;
+      }
+    }
+  }
+  std::vector<Vector> points = mesh.points;
+  for (std::size_t v = 0; v < n; ++v) {
+    const double height = number[v] > 0 ? dot(unit(normals[v]), to_neighbors[v]) / number[v] : 0;
+    if (height * height > 1e-5 * norm(normals[v]))
+      heights[v] = height;
+    points[v] = points[v] + heights[v] * unit(normals[v]);
+  }
+  double all = 0, opposite = 0; // sides of faces
+  for (const auto& face : mesh.faces)
+    for (std::size_t i = 0; i < face.size(); ++i) {
+      const double a = heights[face[i]], b = heights[face[(i + 1) % face.size()]];
+      all += a != 0 && b != 0;
+      opposite += (a < 0 && b > 0) || (a > 0 && b < 0);
+    }
+  const bool is_noisy = opposite > 0.42 * all + std::sqrt(all);
+  return is_noisy && rounds > 0 ? without_noise(mesh.moved(points), rounds - 1) : mesh;
+}
 
 /// Small flat patches of faces, or of other patches.
 struct Patches

@@ -180,6 +180,41 @@ Labelled_model with_flipped_edges(Labelled_model model, std::uint32_t seed)
   return model;
 }
 
+Labelled_model with_holes(const Labelled_model& model, double share, std::uint32_t seed)
+{
+  constexpr std::size_t faces_per_hole = 10;
+  const Polygon_soup& soup = model.soup;
+  const std::size_t size = soup.polygons.size();
+  std::vector<std::vector<std::size_t>> faces_at(soup.points.size());
+  for (std::size_t f = 0; f < size; ++f)
+    for (const std::size_t corner : soup.polygons[f])
+      faces_at[corner].push_back(f);
+  Engine engine(seed);
+  std::vector<bool> is_missing(size, false);
+  for (std::size_t missing = 0; double(missing) < share * double(size);) {
+    std::vector<std::size_t> hole = {engine() % size};
+    for (std::size_t i = 0; i < hole.size() && hole.size() < faces_per_hole; ++i)
+      for (const std::size_t corner : soup.polygons[hole[i]])
+        for (const std::size_t f : faces_at[corner])
+          if (hole.size() < faces_per_hole && std::find(hole.begin(), hole.end(), f) == hole.end())
+            hole.push_back(f);
+    for (const std::size_t f : hole) {
+      missing += !is_missing[f];
+      is_missing[f] = true;
+    }
+  }
+  Labelled_model result = model;
+  result.soup.polygons = {};
+  result.labels.clear();
+  for (std::size_t f = 0; f < size; ++f)
+    if (!is_missing[f]) {
+      const Polygon_soup::Polygon& corners = soup.polygons[f];
+      result.soup.polygons.push_back(std::vector<std::size_t>(corners.begin(), corners.end()));
+      result.labels.push_back(model.labels[f]);
+    }
+  return result;
+}
+
 std::vector<Variant> model_variants(std::uint32_t seed)
 {
   const auto as = [](double fineness, double noise) {

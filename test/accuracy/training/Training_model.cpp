@@ -48,6 +48,8 @@ Training_model make_training_model(int number, const princeton_benchmark::Model&
   RS::Learned_merging::Prepared prepared = method.prepare(result.surface);
   result.graph =
     method.annotated_graph(result.surface, prepared, prepared.regions, RS::Constraints(), RS::Execution());
+  if (prepared.smoothed)
+    result.surface = std::move(*prepared.smoothed);
   result.regions = std::move(prepared.regions);
   result.cells = std::move(prepared.patches.fine);
   result.border_costs.emplace(std::move(prepared.border_costs));

@@ -39,7 +39,7 @@ struct Training_model : Training_graph
   std::size_t number_of_segments = 0; ///< k of the standard protocol
   std::vector<std::size_t> segments_of_people;
   std::vector<std::vector<int>> people; ///< the labels of the faces by each person, from 0 on
-  CGAL::Region_segmentation::Surface surface;
+  CGAL::Region_segmentation::Surface surface; ///< without noise
   CGAL::Region_segmentation::Partition regions; ///< the first ones
   CGAL::Region_segmentation::Patches cells;     ///< of the regions
   std::optional<CGAL::Region_segmentation::internal::Dual_graph> border_costs; ///< between cells

@@ -21,7 +21,7 @@ struct Training_plan
   std::size_t noisy_runs = 3;         ///< of the hand-made cost, in addition to one without noise
   double noise = 1.5;                 ///< standard deviation
   std::size_t learned_runs = 1;       ///< rounds in which models are merged by what was learned without them
-  double share = 0.5;                 ///< of the candidates of a run
+  double share = 0.3;                 ///< of the candidates of a run
   Training_options options;
 };
 

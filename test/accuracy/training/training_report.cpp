@@ -118,28 +118,6 @@ Table means_table(const std::vector<Scored_way>& ways)
   return table;
 }
 
-Table differences_table(const std::vector<Model_score>& before, const std::vector<Model_score>& after)
-{
-  Table table{"Differences of a model", {"", "k given", "k chosen"}, {}, {}};
-  const auto add_row = [&](const std::string& name, const auto& text) {
-    table.rows.push_back({name, text(&Model_score::given), text(&Model_score::automatic)});
-  };
-  add_row("mean", [&](Score_member member) {
-    Mean mean;
-    for (std::size_t i = 0; i < before.size(); ++i)
-      mean.add(after[i].*member - before[i].*member);
-    return mean.text();
-  });
-  for (const double bound : {0.01, 0.02, 0.05})
-    add_row("models beyond " + fixed(bound, 2), [&](Score_member member) {
-      std::size_t number = 0;
-      for (std::size_t i = 0; i < before.size(); ++i)
-        number += std::abs(after[i].*member - before[i].*member) > bound;
-      return std::to_string(number) + " of " + std::to_string(before.size());
-    });
-  return table;
-}
-
 Table category_table(const std::vector<Training_model>& models, const std::vector<Scored_way>& ways)
 {
   Table table{"By category: k given / k chosen", {""}, {}, {}};

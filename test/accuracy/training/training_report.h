@@ -21,9 +21,6 @@ struct Scored_way
 /// Means over the models, with the standard error of the mean.
 princeton_benchmark::Table means_table(const std::vector<Scored_way>& ways);
 
-/// How many models a change of them moves how far.
-princeton_benchmark::Table differences_table(const std::vector<Model_score>& before, const std::vector<Model_score>& after);
-
 /// Means over the models of each category, k given and chosen.
 princeton_benchmark::Table category_table(const std::vector<Training_model>& models, const std::vector<Scored_way>& ways);
 

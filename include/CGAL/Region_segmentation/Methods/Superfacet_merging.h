@@ -18,6 +18,7 @@
 #include <CGAL/Region_segmentation/internal/graph/renumber_tree.h>
 #include <CGAL/Region_segmentation/internal/regions/border_costs.h>
 #include <CGAL/Region_segmentation/internal/regions/join_degenerate_regions.h>
+#include <CGAL/Region_segmentation/internal/surface/smooth_noise.h>
 #include <CGAL/Region_segmentation/merge_requested_regions.h>
 #include <CGAL/Region_segmentation/requested_regions.h>
 
@@ -25,6 +26,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -61,6 +63,8 @@ private:
 /// Merges superfacets: `Superfacets` on the patches of the surface, annotated with what rays from them see, merged by a
 /// policy, and the borders of the segments moved to minimum cuts. A model of `SegmentationMethod`.
 ///
+/// Where the surface has noise, all of this is measured on a smoothed one (\ref RegionSegmentationNoise).
+///
 /// The order of merges does not depend on the number of segments. Where none is given, a chooser chooses it. A number that
 /// exceeds that of the superfacets splits them.
 ///
@@ -81,14 +85,20 @@ struct Superfacet_merging
   /// What does not depend on the request.
   struct Prepared
   {
+    std::optional<Surface> smoothed; ///< the surface without its noise, if it has noise
     Surface_patches patches;
     internal::Dual_graph border_costs; ///< between fine patches
     Partition regions;                 ///< the superfacets, of the faces
     Region_rays rays;
+
+    /// The surface that is measured.
+    const Surface& shape(const Surface& surface) const { return smoothed ? *smoothed : surface; }
   };
 
-  Prepared prepare(const Surface& surface, const Execution& execution = Execution()) const
+  Prepared prepare(const Surface& noisy_surface, const Execution& execution = Execution()) const
   {
+    std::optional<Surface> smoothed = internal::smooth_noise(noisy_surface);
+    const Surface& surface = smoothed ? *smoothed : noisy_surface;
     const Execution stage = execution.stage("regions");
     Surface_patches patches = internal::Patch_builder::build(surface, stage.step(0, 0.6));
     internal::Dual_graph costs = internal::border_costs(surface, patches.fine, border_cost);
@@ -100,12 +110,13 @@ struct Superfacet_merging
     Partition regions =
       internal::join_degenerate_regions(surface, composed(patches.fine.of_elements(), regions_of_patches));
     Region_rays rays(surface, patches, regions, execution.stage("rays"));
-    return {std::move(patches), std::move(costs), std::move(regions), std::move(rays)};
+    return {std::move(smoothed), std::move(patches), std::move(costs), std::move(regions), std::move(rays)};
   }
 
-  Refinable_hierarchy merge(const Surface& surface, const Prepared& prepared, const Request& request,
+  Refinable_hierarchy merge(const Surface& noisy_surface, const Prepared& prepared, const Request& request,
                             const Execution& execution = Execution()) const
   {
+    const Surface& surface = prepared.shape(noisy_surface);
     static_assert(std::is_invocable_r<std::size_t, const NumberChooser&, const Merge_tree&, const Surface&>::value,
                   "a NumberChooser needs: std::size_t operator()(const Merge_tree&, const Surface&) const");
     const Requested_regions requested = requested_regions(surface, prepared.regions, request);
@@ -125,10 +136,11 @@ struct Superfacet_merging
   }
 
   /// The graph of regions, with the data of the annotator; the rays of superfacets among them are not traced again.
-  auto annotated_graph(const Surface& surface, const Prepared& prepared, const Partition& regions,
+  auto annotated_graph(const Surface& noisy_surface, const Prepared& prepared, const Partition& regions,
                        const Constraints& constraints, const Execution& execution) const
   {
     static_assert(internal::check_annotator<GraphAnnotator>());
+    const Surface& surface = prepared.shape(noisy_surface);
     auto graph = internal::build_graph<typename GraphAnnotator::RegionData, typename GraphAnnotator::SectionData>(
       surface, regions, constraints, execution);
     if (regions == prepared.regions)

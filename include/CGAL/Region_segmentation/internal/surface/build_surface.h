@@ -28,16 +28,6 @@ namespace internal {
 /// What is adjacent beyond the neighbors that are known.
 enum class Adjacency_of { NEIGHBORS, COINCIDING_SIDES, COMPONENTS };
 
-/// Whether the boundary of a face runs from one vertex to another.
-inline bool runs_along(const Surface& surface, Surface::Index face, Surface::Index from, Surface::Index to)
-{
-  const std::size_t n = surface.number_of_corners(face);
-  for (std::size_t i = 0; i < n; ++i)
-    if (surface.corner(face, i) == from && surface.corner(face, i + 1 < n ? i + 1 : 0) == to)
-      return true;
-  return false;
-}
-
 /// A seam as an adjacency: with the sign of its angle if its faces are oriented consistently; an edge if one of them is
 /// degenerate.
 inline Added_adjacency adjacency_of_seam(const Surface& surface, const Seam& seam)

@@ -60,6 +60,16 @@ inline std::uint8_t sign_of_edge(const Double_3& higher, const Double_3& lower, 
   return std::uint8_t((sign > 0) * Surface::CONVEX + (sign < 0) * Surface::CONCAVE);
 }
 
+/// Whether the boundary of a face runs from one vertex to another.
+inline bool runs_along(const Surface& surface, Surface::Index face, Surface::Index from, Surface::Index to)
+{
+  const std::size_t n = surface.number_of_corners(face);
+  for (std::size_t i = 0; i < n; ++i)
+    if (surface.corner(face, i) == from && surface.corner(face, i + 1 < n ? i + 1 : 0) == to)
+      return true;
+  return false;
+}
+
 } // namespace internal
 } // namespace Region_segmentation
 } // namespace CGAL
