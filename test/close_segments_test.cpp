@@ -117,8 +117,8 @@ Solids close(const Soup& soup, const Labels& labels)
 void expect_fitting(const Soup& soup, const Solids& solids)
 {
   for (const auto& [corners, segments] : solids.segments_of_cap) {
-    const auto other =
-      solids.segments_of_cap.find(from_lowest({corners[0], corners[2], corners[1]}));
+    const auto other = solids.segments_of_cap.find(
+      from_lowest({corners[0], corners[2], corners[1]}));
     ASSERT_NE(other, solids.segments_of_cap.end());
     ASSERT_EQ(segments.size(), other->second.size());
     if (segments.size() == 1) {

@@ -166,11 +166,17 @@ TEST(Smallest_region_first_test, goes_by_area_then_by_id)
 double area_of_kind(unsigned kind, std::mt19937& random)
 {
   switch (kind) {
-  case 0: return 1 + double(random() % 20);
-  case 1: return random() % 3 ? double(random() % 100) : 0;
-  case 2: return std::pow(10, double(random() % 6000) / 10 - 300);
-  case 3: return 2.5;
-  default: return random() % 2 ? 1 + 1e-12 * double(random() % 1000) : std::numeric_limits<double>::infinity();
+  case 0:
+    return 1 + double(random() % 20);
+  case 1:
+    return random() % 3 ? double(random() % 100) : 0;
+  case 2:
+    return std::pow(10, double(random() % 6000) / 10 - 300);
+  case 3:
+    return 2.5;
+  default:
+    return random() % 2 ? 1 + 1e-12 * double(random() % 1000)
+                        : std::numeric_limits<double>::infinity();
   }
 }
 
@@ -198,8 +204,9 @@ TEST(Smallest_region_first_test, is_the_greedy_order)
       std::set<std::pair<double, std::uint32_t>> regions;
       for (auto [it, end] = vertices(slow); it != end; ++it)
         regions.insert({slow[*it].area, *it});
-      const auto best = std::find_if(regions.begin(), regions.end(),
-                                     [&](const auto& r) { return section_of(slow, r.second).has_value(); });
+      const auto best = std::find_if(regions.begin(), regions.end(), [&](const auto& r) {
+        return section_of(slow, r.second).has_value();
+      });
       if (best == regions.end())
         break;
       const auto merge = slow.merge(*section_of(slow, best->second));
@@ -274,11 +281,14 @@ TEST(Batch_queue_test, gives_what_a_heap_gives)
     SCOPED_TRACE("seed " + std::to_string(seed));
     std::mt19937 random(seed);
     std::exponential_distribution<double> step(1);
-    const auto value = [&] { return random() % 50 == 0 ? 1e300 * step(random) : random() % 8 == 0 ? 0 : step(random); };
+    const auto value = [&] {
+      return random() % 50 == 0 ? 1e300 * step(random) : random() % 8 == 0 ? 0 : step(random);
+    };
     std::vector<Queue::Entry> entries(random() % 3000);
     for (Queue::Entry& entry : entries)
       entry = {value(), random() % 1000};
-    std::priority_queue<Queue::Entry, std::vector<Queue::Entry>, std::greater<>> heap(std::greater<>(), entries);
+    std::priority_queue<Queue::Entry, std::vector<Queue::Entry>, std::greater<>> heap(
+      std::greater<>(), entries);
     queue.assign(entries);
     for (std::size_t popped = 0; queue.has_top() || queue.next_batch([](auto&) {}); ++popped) {
       if (seed % 5 == 0 && popped == 1000)
@@ -463,8 +473,8 @@ struct Recording_policy
   }
 };
 
-using Recording_sequence =
-    RS::Policy_sequence<Recording_policy, Recording_policy, RS::Switch_at_multiple>;
+using Recording_sequence = RS::Policy_sequence<Recording_policy, Recording_policy,
+                                               RS::Switch_at_multiple>;
 
 std::vector<std::string> calls_of(std::size_t regions, std::size_t k, double factor)
 {
@@ -520,22 +530,26 @@ TEST(Policy_sequence_test, depends_on_the_number_if_a_policy_or_the_switch_does)
   EXPECT_FALSE((depends_on_number<RS::Smallest_region_first, Graph>));
   EXPECT_FALSE((depends_on_number<RS::Least_compact_region_first, Graph>));
   EXPECT_FALSE((depends_on_number<Any_number, Graph>));
-  EXPECT_FALSE((depends_on_number<RS::Policy_sequence<Any_number, Fixed, RS::Switch_at_count>, Graph>));
-  EXPECT_TRUE((depends_on_number<RS::Policy_sequence<Fixed, Fixed, RS::Switch_at_multiple>, Graph>));
-  EXPECT_TRUE((depends_on_number<RS::Policy_sequence<Recording_policy, Fixed, RS::Switch_at_count>, Graph>));
-  EXPECT_TRUE((depends_on_number<RS::Policy_sequence<Fixed, Recording_policy, RS::Switch_at_count>, Graph>));
+  EXPECT_FALSE(
+    (depends_on_number<RS::Policy_sequence<Any_number, Fixed, RS::Switch_at_count>, Graph>));
+  EXPECT_TRUE(
+    (depends_on_number<RS::Policy_sequence<Fixed, Fixed, RS::Switch_at_multiple>, Graph>));
+  EXPECT_TRUE(
+    (depends_on_number<RS::Policy_sequence<Recording_policy, Fixed, RS::Switch_at_count>, Graph>));
+  EXPECT_TRUE(
+    (depends_on_number<RS::Policy_sequence<Fixed, Recording_policy, RS::Switch_at_count>, Graph>));
   EXPECT_TRUE((depends_on_number<RS::Two_step_merging, Graph>));
 }
 
 TEST(Policy_sequence_test, of_policies_that_do_not_know_the_number_gives_one_tree)
 {
   Graph g = star({{3, 1}, {1, 1}, {2, 1}, {5, 1}, {4, 1}});
-  const RS::Policy_sequence policy(RS::Smallest_region_first(), RS::Lowest_cost_first<Length_cost>(),
-                                   RS::Switch_at_count{4});
+  const RS::Policy_sequence policy(RS::Smallest_region_first(),
+                                   RS::Lowest_cost_first<Length_cost>(), RS::Switch_at_count{4});
   const Merges whole = merges(g, policy);
   ASSERT_EQ(whole.size(), 5u);
-  // Areas 1 .. 6: region 0 goes across its longest section; then the smallest is 2, which has one section. Then by
-  // length: 1, 2, 4.
+  // Areas 1 .. 6: region 0 goes across its longest section; then the smallest is 2, which has one
+  // section. Then by length: 1, 2, 4.
   EXPECT_EQ(whole, (Merges{{0, 4}, {0, 1}, {0, 2}, {0, 3}, {0, 5}}));
   for (std::size_t k = 2; k <= 6; ++k)
     EXPECT_EQ(merges(g, policy, k), Merges(whole.begin(), whole.begin() + std::ptrdiff_t(6 - k)));

@@ -100,7 +100,8 @@ struct Mesh
   double area = 0;
 
   Mesh(std::vector<Vector> points_, std::vector<std::vector<std::size_t>> faces_)
-      : points(std::move(points_)), faces(std::move(faces_))
+    : points(std::move(points_))
+    , faces(std::move(faces_))
   {
     turn_outward(points, faces);
     std::map<Pair, std::size_t> face_of_halfedge;
@@ -173,8 +174,8 @@ private:
   }
 };
 
-/// The mesh as the methods on superfacets see it: while noise exceeds curvature, all points move along the normals to the
-/// height of their neighbors.
+/// The mesh as the methods on superfacets see it: while noise exceeds curvature, all points move
+/// along the normals to the height of their neighbors.
 inline Mesh without_noise(const Mesh& mesh, int rounds = 5)
 {
   const std::size_t n = mesh.points.size();
@@ -221,13 +222,15 @@ struct Patches
   double concave_deviation(std::size_t i, std::size_t j) const
   {
     const Vector &m = normals[i], &n = normals[j];
-    const bool is_concave =
-      norm(m) > 0 && norm(n) > 0 && face_each_other(m, n, centroids[i], centroids[j]);
+    const bool is_concave = norm(m) > 0 && norm(n) > 0 &&
+                            face_each_other(m, n, centroids[i], centroids[j]);
     return is_concave ? angle(m, n) : 0;
   }
 
   explicit Patches(const Mesh& mesh)
-      : areas(mesh.areas), normals(mesh.normals), centroids(mesh.centroids)
+    : areas(mesh.areas)
+    , normals(mesh.normals)
+    , centroids(mesh.centroids)
   {
     for (std::size_t f = 0; f < mesh.faces.size(); ++f)
       area_vectors.push_back(areas[f] * normals[f]);
@@ -337,8 +340,8 @@ private:
     for (std::size_t i = 0; i < of_element.size(); ++i) {
       const bool is_degenerate = element_normals[i] == Vector{};
       const Vector away = element_centroids[i] - centroids[of_element[i]];
-      best[of_element[i]] =
-        std::min(best[of_element[i]], Key{is_degenerate, is_degenerate ? 0 : dot(away, away), i});
+      best[of_element[i]] = std::min(best[of_element[i]],
+                                     Key{is_degenerate, is_degenerate ? 0 : dot(away, away), i});
     }
     center.clear();
     for (const Key& key : best)
@@ -353,12 +356,13 @@ class Seeding
 {
 public:
   Seeding(const Mesh& mesh, const Patches& patches)
-      : m_patches(patches), m_seed_of(patches.areas.size())
+    : m_patches(patches)
+    , m_seed_of(patches.areas.size())
   {
     for (const auto& [pair, length] : patches.lengths) {
       const auto [i, j] = pair;
-      const double distance =
-        norm(patches.centroids[i] - patches.centroids[j]) / mesh.unit_of_length();
+      const double distance = norm(patches.centroids[i] - patches.centroids[j]) /
+                              mesh.unit_of_length();
       const double step = distance + 0.4 * std::min(patches.concave_deviation(i, j), 0.6);
       m_steps[i][j] = m_steps[j][i] = float(std::min(std::max(step, 1e-37), 1e28));
     }
@@ -385,8 +389,8 @@ public:
       place(next, distance);
     }
     while (m_seeds.size() < number) {
-      const std::size_t next =
-        std::size_t(std::max_element(distance.begin(), distance.end()) - distance.begin());
+      const std::size_t next = std::size_t(std::max_element(distance.begin(), distance.end()) -
+                                           distance.begin());
       if (!(distance[next] > 0))
         break;
       place(next, distance);
@@ -459,7 +463,8 @@ private:
 class Superfacets
 {
 public:
-  Superfacets(const Mesh& mesh, const Patches& patches, std::size_t number) : m_patches(patches)
+  Superfacets(const Mesh& mesh, const Patches& patches, std::size_t number)
+    : m_patches(patches)
   {
     for (const auto& [pair, length] : patches.lengths) {
       const auto [i, j] = pair;
@@ -573,7 +578,10 @@ class Annotation
 {
 public:
   Annotation(const Mesh& mesh, const Patches& patches, const std::vector<std::size_t>& region_of)
-      : m_mesh(mesh), m_patches(patches), m_region_of(region_of), m_shapes(number_of(region_of))
+    : m_mesh(mesh)
+    , m_patches(patches)
+    , m_region_of(region_of)
+    , m_shapes(number_of(region_of))
   {
     set_shapes();
     set_sections();
@@ -641,8 +649,8 @@ private:
       }
     mean = regions > 0 ? mean / regions : 0;
     for (std::size_t r = 0; r < m_shapes.size(); ++r)
-      graph.regions[r].log_thickness =
-        graph.regions[r].area * (hits[r] > 0 ? sum[r] / double(hits[r]) : mean);
+      graph.regions[r].log_thickness = graph.regions[r].area *
+                                       (hits[r] > 0 ? sum[r] / double(hits[r]) : mean);
   }
 
   std::vector<std::pair<double, std::size_t>> candidates(std::size_t region) const
@@ -872,7 +880,8 @@ struct Annotated
   std::vector<std::size_t> region_of;
   Graph graph;
 
-  explicit Annotated(const Mesh& mesh) : patches(mesh)
+  explicit Annotated(const Mesh& mesh)
+    : patches(mesh)
   {
     region_of = Superfacets(mesh, patches, 480).of_face();
     graph = Annotation(mesh, patches, region_of).graph;
@@ -897,8 +906,8 @@ struct Straightened
       const auto [i, j] = pair;
       const Vector &c_i = patches.centroids[i], &c_j = patches.centroids[j];
       const double concavity = std::min(patches.concave_deviation(i, j), 0.6);
-      input.costs[i][j] = input.costs[j][i] =
-        float(length / mesh.unit_of_length() / (1 + 10 * concavity));
+      input.costs[i][j] = input.costs[j][i] = float(length / mesh.unit_of_length() /
+                                                    (1 + 10 * concavity));
       input.lengths[i][j] = input.lengths[j][i] = norm(c_i - c_j) / mesh.unit_of_length();
     }
     for (double area : patches.areas)
@@ -914,8 +923,8 @@ struct Straightened
     for (std::size_t p : patches.of_element)
       labels.push_back(straightening.labels()[p]);
     region_of = numbered(labels);
-    std::map<std::size_t, std::size_t>
-      lowest; // the lowest new region of each segment; none if it has no faces
+    std::map<std::size_t, std::size_t> lowest; // the lowest new region of each segment; none if it
+                                               // has no faces
     for (std::size_t f = 0; f < labels.size(); ++f)
       lowest[labels[f]] = region_of[f];
     for (const Merge& merge : merges_before) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Materials, or any other categories of faces, as borders: no segment has two of them, whatever that costs. And seeds
-// from points in space.
+// Materials, or any other categories of faces, as borders: no segment has two of them, whatever
+// that costs. And seeds from points in space.
 
 #include "input_mesh.h"
 
@@ -28,18 +28,21 @@ int main(int argc, char** argv)
     material[f] = mesh.point(target(halfedge(f, mesh), mesh)).y() < (box.ymin() + box.ymax()) / 2;
 
   RS::mark_segment_borders(mesh, material, is_border);
-  const std::vector<Point> clicked = {{box.xmin(), box.ymin(), box.zmin()}, {box.xmax(), box.ymin(), box.zmin()}};
+  const std::vector<Point> clicked = {{box.xmin(), box.ymin(), box.zmin()},
+                                      {box.xmax(), box.ymin(), box.zmin()}};
   std::vector<Mesh::Face_index> nearest;
   RS::find_nearest_faces(mesh, clicked, std::back_inserter(nearest));
   for (std::size_t i = 0; i < nearest.size(); ++i)
     seed[nearest[i]] = i;
 
-  RS::segment(mesh, segment_id, 8, RS::parameters::edge_is_constrained_map(is_border).face_seed_map(seed));
+  RS::segment(mesh, segment_id, 8,
+              RS::parameters::edge_is_constrained_map(is_border).face_seed_map(seed));
 
   std::size_t within = 0; // edges between materials within a segment
   for (auto e : edges(mesh)) {
     const auto h = halfedge(e, mesh);
-    within += is_border[e] && segment_id[face(h, mesh)] == segment_id[face(opposite(h, mesh), mesh)];
+    within += is_border[e] &&
+              segment_id[face(h, mesh)] == segment_id[face(opposite(h, mesh), mesh)];
   }
   const bool are_apart = segment_id[nearest[0]] != segment_id[nearest[1]];
   std::cout << within << " edges between materials within a segment; the clicked faces are in "

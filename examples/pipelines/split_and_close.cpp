@@ -27,7 +27,8 @@ int main(int argc, char** argv)
   bool are_closed = true;
   double sum = 0;
   for (const auto& solid : solids) {
-    are_closed = are_closed && CGAL::is_closed(solid.mesh) && CGAL::is_valid_polygon_mesh(solid.mesh);
+    are_closed = are_closed && CGAL::is_closed(solid.mesh) &&
+                 CGAL::is_valid_polygon_mesh(solid.mesh);
     const double volume = CGAL::to_double(PMP::volume(solid.mesh));
     sum += volume;
     std::cout << "segment " << solid.segment << ": volume " << volume

@@ -23,14 +23,16 @@ using Edges = std::vector<std::pair<std::size_t, std::size_t>>;
 /// \throws pybind11::type_error that says `expected` if it is none
 Indices to_indices(const py::handle& object, const std::string& expected);
 
-/// `points`: n x 3 numbers, or an object with `vertices` and `faces`. `faces`: m x c integers; a sequence of sequences of
-/// integers; or all corners one after another, of which `face_sizes` says how many belong to each face.
-/// \throws pybind11::type_error or std::invalid_argument that says what was expected
+/// `points`: n x 3 numbers, or an object with `vertices` and `faces`. `faces`: m x c integers; a
+/// sequence of sequences of integers; or all corners one after another, of which `face_sizes` says
+/// how many belong to each face. \throws pybind11::type_error or std::invalid_argument that says
+/// what was expected
 Soup make_soup(const py::object& points, const py::object& faces, const py::object& face_sizes);
 
 /// An integer for each face.
 /// \throws pybind11::type_error or std::invalid_argument that begins with `name`
-std::vector<std::int64_t> make_labels(const Soup& soup, const py::object& labels, const std::string& name);
+std::vector<std::int64_t> make_labels(const Soup& soup, const py::object& labels,
+                                      const std::string& name);
 
 /// The edges between the points of each row.
 /// \throws std::invalid_argument for a pair that is no edge

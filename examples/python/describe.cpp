@@ -21,8 +21,8 @@ namespace {
 using Kernel = CGAL::Simple_cartesian<double>;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
-/// A half-edge mesh of the polygons, in their order: equal points are merged, polygons oriented, and what is not
-/// manifold is torn apart.
+/// A half-edge mesh of the polygons, in their order: equal points are merged, polygons oriented,
+/// and what is not manifold is torn apart.
 Mesh make_mesh(const Soup& soup)
 {
   std::vector<Kernel::Point_3> points;
@@ -58,8 +58,9 @@ py::dict to_dictionary(const RS::Segment_description<std::int64_t, Kernel>& d)
   const py::dict primitive("type"_a = types[int(p.type)], "point"_a = to_tuple(p.point),
                            "direction"_a = to_tuple(p.direction), "radius"_a = p.radius,
                            "half_angle"_a = p.half_angle, "error"_a = p.error);
-  return py::dict("segment"_a = d.segment, "number_of_faces"_a = d.number_of_faces, "area"_a = d.area,
-                  "volume"_a = d.volume, "centroid"_a = to_tuple(d.centroid), "axes"_a = axes,
+  return py::dict("segment"_a = d.segment, "number_of_faces"_a = d.number_of_faces,
+                  "area"_a = d.area, "volume"_a = d.volume, "centroid"_a = to_tuple(d.centroid),
+                  "axes"_a = axes,
                   "extents"_a = py::make_tuple(d.extents[0], d.extents[1], d.extents[2]),
                   "border_length"_a = d.border_length, "boundary_length"_a = d.boundary_length,
                   "neighbors"_a = neighbors, "primitive"_a = primitive);

@@ -14,15 +14,15 @@
 
 namespace princeton_benchmark {
 
-using segment_mesh::Labelled_model;
-using segment_mesh::Making;
-using segment_mesh::Model_recipe;
-using segment_mesh::Point;
-using segment_mesh::Polygon_soup;
 using segment_mesh::cross_product;
 using segment_mesh::inner_product;
+using segment_mesh::Labelled_model;
+using segment_mesh::Making;
 using segment_mesh::minus;
+using segment_mesh::Model_recipe;
 using segment_mesh::plus;
+using segment_mesh::Point;
+using segment_mesh::Polygon_soup;
 using segment_mesh::times;
 
 namespace {
@@ -53,8 +53,10 @@ class Flipping
 {
 public:
   Flipping(Labelled_model& model, std::uint32_t seed)
-      : m_model(model), m_polygons(model.soup.polygons), m_engine(seed),
-        m_is_new(m_polygons.size(), false)
+    : m_model(model)
+    , m_polygons(model.soup.polygons)
+    , m_engine(seed)
+    , m_is_new(m_polygons.size(), false)
   {
     for (std::size_t f = 0; f < m_polygons.size(); ++f)
       for (std::size_t i = 0; i < 3; ++i)
@@ -221,11 +223,11 @@ std::vector<Variant> model_variants(std::uint32_t seed)
     return [=](const Model_recipe& recipe) { return recipe.make({fineness, noise}); };
   };
   std::vector<Variant> variants = {
-      {"as it is", as(1, 1)},
-      {"clean", as(1, 0)},
-      {"finer", as(2, 1)},
-      {"coarser", as(0.5, 1)},
-      {"in four", [](const Model_recipe& recipe) { return split_into_four(recipe.make()); }}};
+    {"as it is", as(1, 1)},
+    {"clean", as(1, 0)},
+    {"finer", as(2, 1)},
+    {"coarser", as(0.5, 1)},
+    {"in four", [](const Model_recipe& recipe) { return split_into_four(recipe.make()); }}};
   for (std::uint32_t s = seed; s < seed + 3; ++s)
     variants.push_back({"noise " + std::to_string(s), [s](const Model_recipe& recipe) {
                           return with_noise(recipe.make(), 0.005, s);

@@ -18,7 +18,8 @@
 #include <CGAL/region_segmentation.h>
 #include <CGAL/region_segmentation_stages.h>
 
-#if defined CGAL_REGION_SEGMENTATION_PARAMETERS || defined CGAL_REGION_SEGMENTATION_ADD || defined CGAL_add_named_parameter
+#if defined CGAL_REGION_SEGMENTATION_PARAMETERS || defined CGAL_REGION_SEGMENTATION_ADD ||         \
+  defined CGAL_add_named_parameter
 #error "a macro of the named parameters is left defined"
 #endif
 
@@ -37,6 +38,6 @@ int main()
   mesh.add_face(a, b, c);
   auto labels = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:label").first;
   const std::size_t n = CGAL::Region_segmentation::segment(
-      mesh, labels, CGAL::Region_segmentation::parameters::number_of_segments(1));
+    mesh, labels, CGAL::Region_segmentation::parameters::number_of_segments(1));
   return n == 1 && segments_of_other_unit(mesh) == 1 ? 0 : 1;
 }

@@ -25,5 +25,5 @@ std::size_t segments_of_other_unit(const Mesh& mesh)
 {
   auto labels = get(CGAL::dynamic_face_property_t<std::size_t>(), mesh);
   return CGAL::Region_segmentation::segment(
-      mesh, labels, CGAL::Region_segmentation::parameters::number_of_segments(1));
+    mesh, labels, CGAL::Region_segmentation::parameters::number_of_segments(1));
 }

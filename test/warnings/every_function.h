@@ -3,8 +3,8 @@
 #ifndef CGAL_REGION_SEGMENTATION_TEST_WARNINGS_EVERY_FUNCTION_H
 #define CGAL_REGION_SEGMENTATION_TEST_WARNINGS_EVERY_FUNCTION_H
 
-// Every function and every part of a method once, so that a compiler sees all of the library: for warnings and for other
-// versions of CGAL, language standards and compilers.
+// Every function and every part of a method once, so that a compiler sees all of the library: for
+// warnings and for other versions of CGAL, language standards and compilers.
 
 #include <CGAL/Region_segmentation/Graph/Partition_editor.h>
 #include <CGAL/Region_segmentation/IO/labels.h>
@@ -118,8 +118,9 @@ void use_stages(const Mesh& mesh)
   using Vertex = typename boost::graph_traits<Mesh>::vertex_descriptor;
   auto features = get(CGAL::dynamic_edge_property_t<std::uint8_t>(), mesh);
   auto regions = get(CGAL::dynamic_face_property_t<std::size_t>(), mesh);
-  RS::detect_feature_edges(mesh, features,
-                           RS::parameters::maximum_angle(20.).feature_convexity(RS::Feature_convexity::ALL));
+  RS::detect_feature_edges(
+    mesh, features,
+    RS::parameters::maximum_angle(20.).feature_convexity(RS::Feature_convexity::ALL));
   std::vector<std::vector<Vertex>> lines;
   RS::extract_feature_lines(mesh, features, std::back_inserter(lines));
   RS::grow_regions(mesh, features, regions);

@@ -25,19 +25,23 @@ namespace Region_segmentation {
 /// equal ones, the one between the lower regions. A model of `MergingPolicy`.
 ///
 /// The order does not depend on the wanted number of segments, so one tree gives them all. A merge
-/// changes only the costs of the sections of the merged region: a cost may depend on a section and on
-/// its two regions.
+/// changes only the costs of the sections of the merged region: a cost may depend on a section and
+/// on its two regions.
 ///
 /// Complexity: O(d log S) per merge, d the number of sections of the merged region.
 ///
-/// A lambda is a cost, too: `Lowest_cost_first([](const auto& graph, auto s) { return graph[s].length; })`.
+/// A lambda is a cost, too: `Lowest_cost_first([](const auto& graph, auto s) { return
+/// graph[s].length; })`.
 ///
-/// \tparam Cost a model of `SectionCost`; a section whose cost is not a number is never merged across
+/// \tparam Cost a model of `SectionCost`; a section whose cost is not a number is never merged
+/// across
 template <typename Cost>
 class Lowest_cost_first : public internal::Data_named_by<Cost>
 {
 public:
-  explicit Lowest_cost_first(Cost cost = Cost()) : m_cost(std::move(cost)) {}
+  explicit Lowest_cost_first(Cost cost = Cost())
+    : m_cost(std::move(cost))
+  {}
 
   template <typename Graph>
   void initialize(const Graph& graph)
@@ -84,7 +88,8 @@ private:
   };
   static constexpr std::size_t smallest_number_to_clean = 1024;
 
-  /// Entries of a region with very many sections become stale with its merges: this bounds the memory.
+  /// Entries of a region with very many sections become stale with its merges: this bounds the
+  /// memory.
   template <typename Graph>
   void remove_stale_entries(const Graph& graph)
   {
@@ -97,7 +102,8 @@ private:
   template <typename Graph>
   bool is_current(const Graph& graph, const Entry& entry) const
   {
-    return !graph.is_removed(entry.section) && m_entries[entry.section.id()].version == entry.version &&
+    return !graph.is_removed(entry.section) &&
+           m_entries[entry.section.id()].version == entry.version &&
            graph.is_mergeable(entry.section); // seeds bar sections later
   }
 

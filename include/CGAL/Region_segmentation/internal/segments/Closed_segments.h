@@ -22,7 +22,7 @@ class Closed_segments : public Segmented_halfedges
 {
 public:
   Closed_segments(const Segmented_halfedges& mesh, const Segment_caps& caps)
-      : Segmented_halfedges(mesh)
+    : Segmented_halfedges(mesh)
   {
     number_of_vertices = caps.points().size();
     for (const Cap_triangle& t : caps.triangles()) {
@@ -46,8 +46,8 @@ private:
   /// opposite.
   void link(std::size_t first_of_caps)
   {
-    std::map<std::tuple<Index, Index, Index>, std::vector<Index>>
-      waiting; // segment, source, target
+    std::map<std::tuple<Index, Index, Index>, std::vector<Index>> waiting; // segment, source,
+                                                                           // target
     for (Index h = 0; h < size(); ++h) {
       if (segment(h) == none || (h < first_of_caps && !is_on_border(h)))
         continue;

@@ -25,8 +25,9 @@ public:
   using Index = Halfedge_table::Index;
 
   Mesh_geometry(const Halfedge_table& halfedges, Surface surface)
-      : m_halfedges(halfedges), m_surface(std::move(surface)),
-        m_orientations(halfedges.number_of_faces(), 1)
+    : m_halfedges(halfedges)
+    , m_surface(std::move(surface))
+    , m_orientations(halfedges.number_of_faces(), 1)
   {
     Lowest_root_forest components(halfedges.number_of_faces());
     for (Index h = 0; h < halfedges.size(); ++h)

@@ -29,11 +29,12 @@ public:
 
   /// \pre there is a face
   explicit Nearest_face_finder(const Mesh_geometry& geometry)
-      : m_geometry(geometry), m_all(all_faces(geometry)), m_no_tolerance(1, 0.0),
-        m_tree(geometry.surface(), m_all, m_no_tolerance),
-        m_disagreement(0.05 * geometry.surface().length_unit())
-  {
-  }
+    : m_geometry(geometry)
+    , m_all(all_faces(geometry))
+    , m_no_tolerance(1, 0.0)
+    , m_tree(geometry.surface(), m_all, m_no_tolerance)
+    , m_disagreement(0.05 * geometry.surface().length_unit())
+  {}
 
   /// Of several the lowest. `p` is in the unit of the mesh of the faces. Without a normal (zero)
   /// all agree.

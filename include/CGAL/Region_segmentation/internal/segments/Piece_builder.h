@@ -60,10 +60,12 @@ class Piece_builder
 
 public:
   explicit Piece_builder(const Segmented_halfedges& segmented)
-    : m_segmented(segmented), m_fans(segmented.fans())
+    : m_segmented(segmented)
+    , m_fans(segmented.fans())
     , m_faces(segmented.faces_of_segments())
     , m_copies(segmented.size(), Target_traits::null_halfedge())
-    , m_vertices(m_fans.number_of_parts()), m_has_vertex(m_fans.number_of_parts(), false)
+    , m_vertices(m_fans.number_of_parts())
+    , m_has_vertex(m_fans.number_of_parts(), false)
     , m_arriving(m_fans.number_of_parts())
   {}
 
@@ -100,7 +102,8 @@ private:
   void reserve_elements(std::size_t segment, Target& piece) const
   {
     std::size_t halfedges = 0;
-    for_each_halfedge(segment, [&](Index h) { halfedges += m_segmented.is_on_border(h) ? 2u : 1u; });
+    for_each_halfedge(segment,
+                      [&](Index h) { halfedges += m_segmented.is_on_border(h) ? 2u : 1u; });
     const std::size_t number_of_edges = halfedges / 2, number_of_faces = m_faces[segment].size();
     const std::size_t number_of_vertices = number_of_edges - number_of_faces + 1; // of a disc
     reserve(piece, typename Target_traits::vertices_size_type(number_of_vertices),
@@ -168,10 +171,10 @@ private:
   const Segmented_halfedges& m_segmented;
   const Partition m_fans;
   const Grouped_items<Index> m_faces; // by segment
-  std::vector<Halfedge> m_copies;   // by halfedge
-  std::vector<Vertex> m_vertices;   // by fan
-  std::vector<char> m_has_vertex;   // by fan
-  std::vector<Index> m_arriving;    // by open fan: the halfedge on the border
+  std::vector<Halfedge> m_copies;     // by halfedge
+  std::vector<Vertex> m_vertices;     // by fan
+  std::vector<char> m_has_vertex;     // by fan
+  std::vector<Index> m_arriving;      // by open fan: the halfedge on the border
 };
 
 } // namespace internal

@@ -40,7 +40,8 @@ public:
 
   /// `points`: by vertex of the mesh
   Segment_caps(const Segmented_halfedges& mesh, std::vector<Double_3> points)
-      : m_mesh(mesh), m_points(std::move(points))
+    : m_mesh(mesh)
+    , m_points(std::move(points))
   {
     collect_border_edges();
     join_junctions();
@@ -101,8 +102,8 @@ private:
   /// By a center for each network of border edges with junctions.
   void join_junctions()
   {
-    std::map<std::pair<Index, Pair>, std::ptrdiff_t>
-      excess; // what leaves a vertex less what arrives
+    std::map<std::pair<Index, Pair>, std::ptrdiff_t> excess; // what leaves a vertex less what
+                                                             // arrives
     Lowest_root_forest networks(m_mesh.number_of_vertices);
     for (const auto& [pair, edges] : m_edges)
       for (const auto& [from, to] : edges) {

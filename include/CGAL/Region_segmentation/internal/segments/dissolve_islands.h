@@ -46,8 +46,8 @@ std::vector<char> find_islands(const std::vector<Halfedge_table::Index>& label_o
   std::map<Halfedge_table::Index, std::pair<std::size_t, double>> seen; // number, largest area
   std::vector<char> is_island(areas.size(), false);
   for (std::size_t c : by_size) {
-    auto& [rank, largest] =
-      seen.emplace(label_of_component[c], std::pair(0, areas[c])).first->second;
+    auto& [rank,
+           largest] = seen.emplace(label_of_component[c], std::pair(0, areas[c])).first->second;
     is_island[c] = rank++ >= number(label_of_component[c]) && areas[c] < 0.1 * largest;
   }
   return is_island;
@@ -79,10 +79,10 @@ void dissolve_islands(const Halfedge_table& mesh, const Mesh_geometry& geometry,
           lengths[components[mesh.face[h]]][labels[across]] += geometry.length(h);
       }
     for (const auto& [island, of_labels] : lengths) {
-      labels[island] =
-        std::max_element(of_labels.begin(), of_labels.end(), [](const auto& a, const auto& b) {
-          return a.second < b.second;
-        })->first;
+      labels[island] = std::max_element(
+                         of_labels.begin(), of_labels.end(),
+                         [](const auto& a, const auto& b) { return a.second < b.second; })
+                         ->first;
       is_island[island] = false;
       is_changed = true;
     }
