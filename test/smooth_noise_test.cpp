@@ -14,8 +14,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
-#include <cstdlib>
 #include <optional>
 #include <random>
 #include <string>
@@ -54,7 +52,8 @@ double distance_from_sphere(const RS::Surface& surface)
 TEST(smooth_noise_test, leaves_what_has_no_noise)
 {
   const Soup block = voxel_surface(voxel_block({0, 0, 0}, {9, 3, 3}));
-  for (const Soup& soup : {sphere(2), sphere(5), torus(30, 12), block, triangulated(block), needle_on_crease()}) {
+  for (const Soup& soup :
+       {sphere(2), sphere(5), torus(30, 12), block, triangulated(block), needle_on_crease()}) {
     SCOPED_TRACE(std::to_string(soup.polygons.size()) + " faces");
     EXPECT_FALSE(RS::internal::smooth_noise(surface_of(soup)));
   }
@@ -107,7 +106,8 @@ TEST(smooth_noise_test, is_found_from_a_part_of_the_faces)
   const Soup clean = sphere(6);
   for (const std::size_t stride : {1, 2, 3, 7, 20}) {
     SCOPED_TRACE(stride);
-    EXPECT_TRUE(RS::internal::Vertex_heights(surface_of(noisy(clean, 0.005, 1)), stride).are_noise());
+    EXPECT_TRUE(
+      RS::internal::Vertex_heights(surface_of(noisy(clean, 0.005, 1)), stride).are_noise());
     EXPECT_FALSE(RS::internal::Vertex_heights(surface_of(clean), stride).are_noise());
   }
 }
@@ -118,12 +118,15 @@ Soup two_balls(Labels& truth)
   Soup soup = mapped(sphere(5), [](const Point& p) {
     const double x = 1.8 * std::asin(p[0]) / std::asin(1.0), away = std::hypot(p[1], p[2]);
     const double center = x < 0 ? -0.85 : 0.85;
-    const double radius = std::max(std::sqrt(std::max(0.0, 0.9 - (x - center) * (x - center))), 0.02);
+    const double radius =
+      std::max(std::sqrt(std::max(0.0, 0.9 - (x - center) * (x - center))), 0.02);
     return Point{x, away > 0 ? radius * p[1] / away : 0, away > 0 ? radius * p[2] / away : 0};
   });
   truth.clear();
   for (const Polygon& polygon : soup.polygons)
-    truth.push_back(soup.points[polygon[0]][0] + soup.points[polygon[1]][0] + soup.points[polygon[2]][0] < 0 ? 0 : 1);
+    truth.push_back(
+      soup.points[polygon[0]][0] + soup.points[polygon[1]][0] + soup.points[polygon[2]][0] < 0 ? 0
+                                                                                               : 1);
   return soup;
 }
 
@@ -137,8 +140,9 @@ TEST(smooth_noise_test, parts_are_found_under_noise)
       const RS::Surface surface = surface_of(noisy(soup, deviation, seed));
       const RS::Learned_merging method;
       const RS::Hierarchy hierarchy = method.merge(surface, method.prepare(surface), RS::Request());
-      EXPECT_LT(RS::rand_index_distance(hierarchy.segments(surface, 2), RS::Partition::from_labels(truth)), 0.06);
-      if (std::getenv("P")) std::printf("%g %u %g\n", deviation, seed, RS::rand_index_distance(hierarchy.segments(surface, 2), RS::Partition::from_labels(truth)));
+      EXPECT_LT(
+        RS::rand_index_distance(hierarchy.segments(surface, 2), RS::Partition::from_labels(truth)),
+        0.06);
     }
 }
 
