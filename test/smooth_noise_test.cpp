@@ -14,8 +14,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
-#include <cstdlib>
 #include <optional>
 #include <random>
 #include <string>
@@ -120,8 +118,8 @@ Soup two_balls(Labels& truth)
   Soup soup = mapped(sphere(5), [](const Point& p) {
     const double x = 1.8 * std::asin(p[0]) / std::asin(1.0), away = std::hypot(p[1], p[2]);
     const double center = x < 0 ? -0.85 : 0.85;
-    const double radius = std::max(std::sqrt(std::max(0.0, 0.9 - (x - center) * (x - center))),
-                                   0.02);
+    const double radius =
+      std::max(std::sqrt(std::max(0.0, 0.9 - (x - center) * (x - center))), 0.02);
     return Point{x, away > 0 ? radius * p[1] / away : 0, away > 0 ? radius * p[2] / away : 0};
   });
   truth.clear();
@@ -145,10 +143,6 @@ TEST(smooth_noise_test, parts_are_found_under_noise)
       EXPECT_LT(
         RS::rand_index_distance(hierarchy.segments(surface, 2), RS::Partition::from_labels(truth)),
         0.06);
-      if (std::getenv("P"))
-        std::printf("%g %u %g\n", deviation, seed,
-                    RS::rand_index_distance(hierarchy.segments(surface, 2),
-                                            RS::Partition::from_labels(truth)));
     }
 }
 

@@ -28,9 +28,7 @@ class Vertex_heights
 public:
   /// Of the vertices of every `stride`th face.
   Vertex_heights(const Surface& surface, std::size_t stride)
-    : m_surface(surface)
-    , m_stride(stride)
-    , m_vertices(surface.number_of_vertices())
+      : m_surface(surface), m_stride(stride), m_vertices(surface.number_of_vertices())
   {
     for (std::size_t f = 0; f < surface.number_of_faces(); f += stride)
       for_each_side(f, [&](Index p, Index) { m_vertices[p].is_wanted = true; });
@@ -41,8 +39,8 @@ public:
   }
 
   /// Whether noise exceeds curvature: then so many edges join heights of opposite signs.
-  /// Independent noise of the points makes it 4/7 of the edges, a surface without noise less than
-  /// 2/5.
+  /// Independent noise of the points makes it 4/7 of the edges; of 190 models of the Princeton
+  /// benchmark none has more than 2/5.
   bool are_noise() const
   {
     double all = 0, opposite = 0;
@@ -68,8 +66,7 @@ private:
 
   struct Vertex
   {
-    Double_3 to_neighbors{0, 0, 0}; // the sum of the vectors to the next and the previous corner,
-                                    // over the faces
+    Double_3 to_neighbors{0, 0, 0}; // the sum over the faces, to the next and the previous corner
     Double_3 normal{0, 0, 0};
     double height = 0;
     std::uint32_t number_of_faces = 0;
