@@ -118,8 +118,8 @@ Soup two_balls(Labels& truth)
   Soup soup = mapped(sphere(5), [](const Point& p) {
     const double x = 1.8 * std::asin(p[0]) / std::asin(1.0), away = std::hypot(p[1], p[2]);
     const double center = x < 0 ? -0.85 : 0.85;
-    const double radius =
-      std::max(std::sqrt(std::max(0.0, 0.9 - (x - center) * (x - center))), 0.02);
+    const double radius = std::max(std::sqrt(std::max(0.0, 0.9 - (x - center) * (x - center))),
+                                   0.02);
     return Point{x, away > 0 ? radius * p[1] / away : 0, away > 0 ? radius * p[2] / away : 0};
   });
   truth.clear();

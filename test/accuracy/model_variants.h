@@ -30,8 +30,8 @@ segment_mesh::Labelled_model split_into_four(const segment_mesh::Labelled_model&
 segment_mesh::Labelled_model with_flipped_edges(segment_mesh::Labelled_model model,
                                                 std::uint32_t seed);
 
-/// Without about `share` of the faces, at least: holes of ten faces, each around a random one. Points
-/// are kept.
+/// Without about `share` of the faces, at least: holes of ten faces, each around a random one.
+/// Points are kept.
 segment_mesh::Labelled_model with_holes(const segment_mesh::Labelled_model& model, double share,
                                         std::uint32_t seed);
 /// @}

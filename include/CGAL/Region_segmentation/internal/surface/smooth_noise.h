@@ -28,7 +28,9 @@ class Vertex_heights
 public:
   /// Of the vertices of every `stride`th face.
   Vertex_heights(const Surface& surface, std::size_t stride)
-      : m_surface(surface), m_stride(stride), m_vertices(surface.number_of_vertices())
+    : m_surface(surface)
+    , m_stride(stride)
+    , m_vertices(surface.number_of_vertices())
   {
     for (std::size_t f = 0; f < surface.number_of_faces(); f += stride)
       for_each_side(f, [&](Index p, Index) { m_vertices[p].is_wanted = true; });
