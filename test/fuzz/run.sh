@@ -25,7 +25,7 @@ fi
 
 cmake -S "$here" -B "$dir" -DCMAKE_CXX_COMPILER="$compiler" >/dev/null
 if [ "$target" = all ]; then
-  set -- read_off read_obj read_ply read_stl inflate_gzip read_labels command_line segment_soup segment_mesh use_segments -- "$@"
+  set -- read_off read_obj read_ply read_stl read_gltf inflate_gzip read_labels command_line segment_soup segment_mesh use_segments -- "$@"
 else
   set -- "$target" -- "$@"
 fi
@@ -45,6 +45,7 @@ for target in $targets; do
     segment_mesh | use_segments) runs=100 length=1000 ;;
     command_line) runs=3000 length=1000 ;;
     segment_soup) runs=3000 length=300 ;;
+    read_gltf) runs=50000 length=2000 ;;
     *) runs=50000 length=1000 ;;
   esac
   echo "fuzz target $target"

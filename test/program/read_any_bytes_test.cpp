@@ -69,7 +69,9 @@ TEST(Any_bytes, are_read_or_refused)
     {"a.ply", sample::binary_ply("binary_big_endian")},
     {"a.stl", sample::stl()},
     {"a.stl", sample::binary_stl()},
-    {"a.stl", sample::binary_stl("solid")}};
+    {"a.stl", sample::binary_stl("solid")},
+    {"a.glb", sample::glb()},
+    {"a.gltf", sample::gltf()}};
   const Temporary_folder folder;
   for (const auto& [name, bytes] : files)
     for (int i = 0; i < 300; ++i) {

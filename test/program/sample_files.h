@@ -92,6 +92,51 @@ inline std::string binary_stl(std::string header = "binary")
   return header;
 }
 
+/// Points as floats, then indices as unsigned short.
+inline std::string gltf_buffer()
+{
+  std::string bytes;
+  for (const auto& p : points)
+    for (double x : p)
+      segment_mesh::append_little_endian(bytes, float(x));
+  for (const auto& f : faces)
+    for (std::int32_t i : f)
+      segment_mesh::append_little_endian(bytes, std::uint16_t(i));
+  return bytes;
+}
+
+/// \param source of the buffer: a member of the JSON, with a comma
+inline std::string gltf_json(const std::string& source)
+{
+  return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],)"
+         R"("meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1,"mode":4}]}],)"
+         R"("buffers":[{)" +
+         source +
+         R"("byteLength":72}],)"
+         R"("bufferViews":[{"buffer":0,"byteOffset":0,"byteLength":48},{"buffer":0,"byteOffset":48,"byteLength":24}],)"
+         R"("accessors":[{"bufferView":0,"componentType":5126,"count":4,"type":"VEC3","min":[0,0,0],"max":[1,1,1]},)"
+         R"({"bufferView":1,"componentType":5123,"count":12,"type":"SCALAR"}]})";
+}
+
+/// With `gltf_buffer()` as text.
+inline std::string gltf()
+{
+  return gltf_json(
+    R"("uri":"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAAAAAAAAAAAAIA/AAACAAEAAAABAAMAAQACAAMAAAADAAIA",)");
+}
+
+/// \param json in place of `gltf_json("")`
+inline std::string glb(std::string json = gltf_json(""), const std::string& buffer = gltf_buffer())
+{
+  json.resize((json.size() + 3) / 4 * 4, ' ');
+  std::string bytes = "glTF";
+  for (std::size_t number : {std::size_t(2), 12 + 8 + json.size() + 8 + buffer.size(), json.size()})
+    segment_mesh::append_little_endian(bytes, std::uint32_t(number));
+  bytes += "JSON" + json;
+  segment_mesh::append_little_endian(bytes, std::uint32_t(buffer.size()));
+  return bytes + std::string("BIN\0", 4) + buffer;
+}
+
 /// The text with the first `from` in it replaced.
 inline std::string with(std::string text, const std::string& from, const std::string& to)
 {

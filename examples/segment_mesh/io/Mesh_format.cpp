@@ -43,7 +43,10 @@ Mesh_format mesh_format(const std::string& file)
     return Mesh_format::PLY;
   if (ending == ".stl")
     return Mesh_format::STL;
-  throw Input_error(file, "unknown extension " + in_quotes(ending) + ", not .off, .obj, .ply or .stl");
+  if (ending == ".glb" || ending == ".gltf")
+    return Mesh_format::GLTF;
+  throw Input_error(file, "unknown extension " + in_quotes(ending) +
+                            ", not .off, .obj, .ply, .stl, .glb or .gltf");
 }
 
 bool is_compressed(const std::string& file)

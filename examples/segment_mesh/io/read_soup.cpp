@@ -16,6 +16,8 @@ Polygon_soup read_soup(const std::string& file, Mesh_format format, std::string_
     return read_ply(file, bytes);
   case Mesh_format::STL:
     return read_stl(file, bytes);
+  case Mesh_format::GLTF:
+    return read_gltf(file, bytes, remarks);
   }
   return {};
 }

@@ -24,6 +24,10 @@ void write_mesh(std::ostream& out, Output_format format, const Labelled_mesh& me
     write_off(out, mesh);
   else if (format == Output_format::VTP)
     write_vtp(out, mesh);
+  else if (format == Output_format::GLB)
+    write_glb(out, mesh);
+  else if (format == Output_format::THREE_MF)
+    write_3mf(out, mesh);
   else
     write_obj(out, mesh, feature_lines);
 }
@@ -52,17 +56,32 @@ void write_whole(std::ostream& out, Output_format format, const Result& result)
     return write_html(out, result);
   default:
     return write_mesh(out, format, {result.input.soup, result.segmentation.segment_of_face},
-                      format == Output_format::OBJ ? result.details.feature_lines() : std::vector<Polyline>());
+                      format == Output_format::OBJ ? result.details.feature_lines()
+                                                   : std::vector<Polyline>());
   }
+}
+
+/// \throws Output_error if the program was built without the library of a format
+void check_libraries(const Output& output)
+{
+  const auto require = [&](Output_format format, bool can_write, const std::string& need) {
+    if (output.format == format && !can_write)
+      throw Output_error(output.file, need + ", and this program was built without it");
+  };
+  require(Output_format::HTML, can_write_pages(), "pages need three.js (Debian: libjs-three)");
+  require(Output_format::GLB, can_write_glb(), ".glb needs tinygltf (Debian: libtinygltf-dev)");
+  require(Output_format::THREE_MF, can_write_3mf(), ".3mf needs lib3mf (Debian: lib3mf-dev)");
 }
 
 void write_each_segment(const Output& output, const Result& result)
 {
-  const auto faces = faces_of_segments(result.segmentation.segment_of_face, result.segmentation.number_of_segments);
+  const auto faces = faces_of_segments(result.segmentation.segment_of_face,
+                                       result.segmentation.number_of_segments);
   for (std::size_t segment = 0; segment < faces.size(); ++segment) {
     const Polygon_soup part = extract_faces(result.input.soup, faces[segment]);
     Output_stream out(with_segment(output.file, std::to_string(segment)), output.compression);
-    write_mesh(out.stream(), output.format, {part, std::vector<std::size_t>(part.polygons.size(), segment)}, {});
+    write_mesh(out.stream(), output.format,
+               {part, std::vector<std::size_t>(part.polygons.size(), segment)}, {});
     out.commit();
   }
 }
@@ -71,10 +90,7 @@ void write_each_segment(const Output& output, const Result& result)
 
 void write_segmentation(const Output& output, const Result& result)
 {
-  if (output.format == Output_format::HTML && !can_write_pages())
-    throw Output_error(
-      output.file,
-      "pages need three.js, and this program was built without it (Debian: libjs-three)");
+  check_libraries(output);
   if (output.is_for_each_segment()) {
     write_each_segment(output, result);
     return;
