@@ -87,8 +87,7 @@ inline void join_tori_to_freeform(Face_search& search)
       length += borders[last].length;
       gradual += borders[last].gradual;
     }
-    if (gradual > 0.7 * length &&
-        (is_freeform[torus] || areas[freeform] > 0.3 * areas[torus])) {
+    if (gradual > 0.7 * length && (is_freeform[torus] || areas[freeform] > 0.3 * areas[torus])) {
       joined.unite(torus, freeform);
       is_freeform[torus] = true;
     }
