@@ -432,6 +432,92 @@ TEST(Lowest_cost_first_test, is_the_greedy_order)
   }
 }
 
+/// Depends on a region: the share of the section's length in its area; counts how often it is
+/// evaluated.
+struct Counting_cost
+{
+  std::size_t* evaluations;
+
+  template <typename Graph>
+  double operator()(const Graph& g, typename Graph::section_descriptor s) const
+  {
+    ++*evaluations;
+    return -g[s].length / (1 + 1e-9 * (g[g.source(s)].area + g[g.target(s)].area));
+  }
+};
+
+TEST(Lowest_cost_first_test, merging_into_a_hub_takes_linear_time)
+{
+  std::vector<std::size_t> evaluations;
+  for (const std::size_t degree : {10000, 20000}) {
+    std::vector<std::pair<double, double>> sections;
+    for (std::size_t i = 0; i < degree; ++i)
+      sections.push_back({double(1 + i * 7919 % degree), 1});
+    std::size_t number = 0;
+    const Merges found = merges(star(sections),
+                                RS::Lowest_cost_first<Counting_cost>(Counting_cost{&number}));
+    EXPECT_EQ(found.size(), degree);
+    evaluations.push_back(number);
+  }
+  EXPECT_LT(evaluations[1], 3 * evaluations[0]) << "not four times as many";
+  EXPECT_LT(evaluations[1], 2 * 1024 * 20000u);
+}
+
+/// Merges of a hub: at each one all costs anew, or only those that the documentation names.
+TEST(Lowest_cost_first_test, costs_at_a_hub_lag_as_documented)
+{
+  const std::size_t degree = 3000, bound = RS::Lowest_cost_first<Length_cost>::hub_degree;
+  std::mt19937 random(3);
+  Graph g;
+  for (std::size_t i = 0; i <= degree; ++i)
+    add_region(g, i == 0 ? 1e9 : double(1 + random() % 1000));
+  for (std::uint32_t i = 1; i <= degree; ++i)
+    add_section(g, 0, i, double(1 + random() % 100000));
+  for (std::uint32_t i = 1; i + 1 < degree; i += 3)
+    add_section(g, i, i + 1, double(1 + random() % 1000));
+  std::size_t ignored = 0;
+  const Counting_cost cost{&ignored};
+
+  Merges expected;
+  Graph h = g;
+  std::map<std::uint32_t, double> cost_of; // by section
+  const auto update = [&](RS::Section_descriptor s) { cost_of[s.id()] = cost(h, s); };
+  for (auto range = edges(h); range.first != range.second; ++range.first)
+    update(*range.first);
+  std::map<std::uint32_t, std::size_t> merges_since;
+  while (h.number_of_sections() > 0) {
+    std::optional<RS::Section_descriptor> best;
+    std::tuple<double, std::uint32_t, std::uint32_t> lowest;
+    for (auto range = edges(h); range.first != range.second; ++range.first) {
+      const std::uint32_t a = h.source(*range.first), b = h.target(*range.first);
+      const std::tuple<double, std::uint32_t, std::uint32_t> key(cost_of[range.first->id()],
+                                                                 std::min(a, b), std::max(a, b));
+      if (!best || key < lowest) {
+        best = *range.first;
+        lowest = key;
+      }
+    }
+    const std::uint32_t a = std::get<1>(lowest), b = std::get<2>(lowest);
+    const std::uint32_t rim = h.degree(a) < h.degree(b) ? a : b, hub = rim == a ? b : a;
+    std::vector<std::uint32_t> neighbors;
+    for (auto s : h.sections(rim))
+      if (h.target(s) != hub)
+        neighbors.push_back(h.target(s));
+    const auto merge = h.merge(*best);
+    expected.push_back({merge.kept, merge.removed});
+    std::size_t& since = merges_since[merge.kept];
+    since = std::max(since, merges_since[merge.removed]) + 1;
+    if (since >= h.degree(merge.kept) / bound) {
+      since = 0;
+      for (auto s : h.sections(merge.kept))
+        update(s);
+    } else
+      for (const std::uint32_t neighbor : neighbors)
+        update(*h.section(merge.kept, neighbor));
+  }
+  EXPECT_EQ(merges(g, RS::Lowest_cost_first<Counting_cost>(cost)), expected);
+}
+
 struct Nan_for_long
 {
   double operator()(const Graph& g, Graph::section_descriptor s) const

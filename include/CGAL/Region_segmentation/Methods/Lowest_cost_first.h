@@ -28,7 +28,13 @@ namespace Region_segmentation {
 /// changes only the costs of the sections of the merged region: a cost may depend on a section and
 /// on its two regions.
 ///
-/// Complexity: O(d log S) per merge, d the number of sections of the merged region.
+/// All of them are computed anew, unless the region is a hub of more than `hub_degree` sections:
+/// then those that the merge moved or united, and all others after every (degree / `hub_degree`)th
+/// merge of the region, rounded down. So a hub takes linear time, while the cost of a section at
+/// its rim lags behind by a small share of its merges.
+///
+/// Complexity: O(min(d, `hub_degree`) log S) per merge, amortized, d the number of sections of the
+/// merged region.
 ///
 /// A lambda is a cost, too: `Lowest_cost_first([](const auto& graph, auto s) { return
 /// graph[s].length; })`.
@@ -39,6 +45,9 @@ template <typename Cost>
 class Lowest_cost_first : public internal::Data_named_by<Cost>
 {
 public:
+  /// Regions of more sections are hubs; a graph of at most as many regions has none.
+  static constexpr std::size_t hub_degree = 1024;
+
   explicit Lowest_cost_first(Cost cost = Cost())
     : m_cost(std::move(cost))
   {}
@@ -49,6 +58,7 @@ public:
     static_assert(internal::check_section_cost<Cost, Graph>());
     m_queue.clear();
     m_entries.assign(graph.index_bound_of_sections(), Entry());
+    m_lags.assign(graph.index_bound_of_regions(), 0);
     for (auto range = edges(graph); range.first != range.second; ++range.first)
       update(graph, *range.first);
   }
@@ -62,14 +72,22 @@ public:
     }
     if (m_queue.empty())
       return std::nullopt;
+    remember_neighbors(graph, m_queue.front());
     return Merge_candidate{m_queue.front().section, m_queue.front().cost};
   }
 
   template <typename Graph>
   void on_merge(const Graph& graph, const typename Graph::Merge& merge)
   {
-    for (Section_descriptor s : graph.sections(merge.kept))
-      update(graph, s);
+    std::uint32_t& lag = m_lags[merge.kept];
+    lag = (std::max)(lag, m_lags[merge.removed]) + 1;
+    if (lag < graph.degree(merge.kept) / hub_degree)
+      update_sections_to_neighbors(graph, merge.kept);
+    else {
+      lag = 0;
+      for (Section_descriptor s : graph.sections(merge.kept))
+        update(graph, s);
+    }
     if (m_queue.size() > 4 * graph.number_of_sections() + smallest_number_to_clean)
       remove_stale_entries(graph);
   }
@@ -99,6 +117,30 @@ private:
     std::make_heap(m_queue.begin(), m_queue.end(), std::greater<Entry>());
   }
 
+  /// Before a merge into a hub, those of the other region: the sections of the hub to them will be
+  /// moved or united.
+  template <typename Graph>
+  void remember_neighbors(const Graph& graph, const Entry& candidate)
+  {
+    // Not those of the entry: the region of a hub may have got another number since.
+    std::uint32_t fewer = graph.source(candidate.section), more = graph.target(candidate.section);
+    if (graph.degree(fewer) > graph.degree(more))
+      std::swap(fewer, more);
+    m_neighbors.clear();
+    if (graph.degree(more) <= hub_degree)
+      return;
+    for (Section_descriptor s : graph.sections(fewer))
+      if (graph.target(s) != more)
+        m_neighbors.push_back(graph.target(s));
+  }
+
+  template <typename Graph>
+  void update_sections_to_neighbors(const Graph& graph, std::uint32_t hub)
+  {
+    for (const std::uint32_t neighbor : m_neighbors)
+      update(graph, *graph.section(hub, neighbor));
+  }
+
   template <typename Graph>
   bool is_current(const Graph& graph, const Entry& entry) const
   {
@@ -126,8 +168,11 @@ private:
   }
 
   Cost m_cost;
-  std::vector<Entry> m_queue;   // a heap, the next one first
-  std::vector<Entry> m_entries; // by section, the newest
+  std::vector<Entry> m_queue;        // a heap, the next one first
+  std::vector<Entry> m_entries;      // by section, the newest
+  std::vector<std::uint32_t> m_lags; // by region: its merges since all of its sections were updated
+  std::vector<std::uint32_t> m_neighbors; // of the smaller region of the next merge, if the other
+                                          // one is a hub
 };
 
 } // namespace Region_segmentation

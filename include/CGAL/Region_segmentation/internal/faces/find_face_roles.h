@@ -7,34 +7,61 @@
 #include <CGAL/Region_segmentation/Segments/Fitted_surface.h>
 #include <CGAL/Region_segmentation/Surface.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// The side that two faces share, from one vertex to another; of several, one of them. Empty if
-/// they share no vertices.
+/// The side that two faces share, from one vertex to another; of several, one of them. `along` is 0
+/// if they share no vertices. Linear time in the corners of the face that has fewer.
 struct Shared_side
 {
-  Double_3 middle{0, 0, 0}, along{0, 0, 0};
+  Double_3 middle, along{0, 0, 0};
 
   Shared_side(const Surface& surface, std::size_t face, std::size_t other)
+    : middle(0.5 * (surface.centroid(face) + surface.centroid(other)))
   {
-    int number = 0;
-    Double_3 ends[2];
-    for (std::size_t i = 0; i < surface.number_of_corners(face) && number < 2; ++i)
-      for (std::size_t j = 0; j < surface.number_of_corners(other) && number < 2; ++j)
-        if (surface.corner(face, i) == surface.corner(other, j))
-          ends[number++] = surface.point(surface.corner(face, i));
-    if (number < 2) {
-      middle = 0.5 * (surface.centroid(face) + surface.centroid(other));
-      return;
+    if (surface.number_of_corners(face) > surface.number_of_corners(other))
+      std::swap(face, other);
+    const std::size_t n = surface.number_of_corners(face);
+    double least = std::numeric_limits<double>::max();
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::size_t p = surface.corner(face, i), q = surface.corner(face, (i + 1) % n);
+      const double distance = (std::max)(this->distance(surface, p, other),
+                                         this->distance(surface, q, other));
+      if (distance < least) {
+        least = distance;
+        set(surface.point(p), surface.point(q));
+      }
     }
-    middle = 0.5 * (ends[0] + ends[1]);
-    const Double_3 d = ends[1] - ends[0];
+  }
+
+private:
+  static constexpr std::size_t many = 64; // corners, among which a vertex is not searched
+
+  /// 0 for a vertex of a face, else infinite; that from its plane where the face has many corners.
+  static double distance(const Surface& surface, std::size_t vertex, std::size_t face)
+  {
+    const std::size_t n = surface.number_of_corners(face);
+    if (n > many)
+      return std::fabs(
+        dot(surface.normal(face), surface.point(vertex) - surface.point(surface.corner(face, 0))));
+    for (std::size_t i = 0; i < n; ++i)
+      if (surface.corner(face, i) == vertex)
+        return 0;
+    return std::numeric_limits<double>::max();
+  }
+
+  void set(const Double_3& from, const Double_3& to)
+  {
+    const Double_3 d = to - from;
+    middle = 0.5 * (from + to);
     along = norm(d) > 0 ? (1 / norm(d)) * d : d;
   }
 };
