@@ -10,8 +10,8 @@
 #include <cmath>
 #include <vector>
 
-/// The mesh of the examples: two balls and a bar, turned around the x axis in 3,168 triangles. The two
-/// rings where the bar meets the balls are concave.
+/// The mesh of the examples: two balls and a bar, turned around the x axis in 3,168 triangles. The
+/// two rings where the bar meets the balls are concave.
 template <typename Mesh, typename Point>
 Mesh make_dumbbell()
 {
@@ -44,7 +44,8 @@ Mesh make_dumbbell()
     CGAL::Euler::add_face(std::vector{v[0], v[1 + t], v[1 + s]}, mesh);
     for (int first = 1; first < last; first += sides) {
       CGAL::Euler::add_face(std::vector{v[first + s], v[first + t], v[first + sides + t]}, mesh);
-      CGAL::Euler::add_face(std::vector{v[first + s], v[first + sides + t], v[first + sides + s]}, mesh);
+      CGAL::Euler::add_face(std::vector{v[first + s], v[first + sides + t], v[first + sides + s]},
+                            mesh);
     }
     CGAL::Euler::add_face(std::vector{v[last + s], v[last + t], v.back()}, mesh);
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A mesh is prepared once and asked often: for other numbers of segments, with edges that a person drew, with seeds.
+// A mesh is prepared once and asked often: for other numbers of segments, with edges that a person
+// drew, with seeds.
 
 #include "dumbbell.h"
 
@@ -34,7 +35,8 @@ int main()
     number_of_drawn_edges += is_drawn[e];
   }
   segmenter.add_constraints(is_drawn);
-  std::cout << number_of_drawn_edges << " drawn edges: " << segmenter.segment(segment_id, 2) << " segments\n";
+  std::cout << number_of_drawn_edges << " drawn edges: " << segmenter.segment(segment_id, 2)
+            << " segments\n";
 
   // Two faces that belong together, and one that does not.
   auto seed = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:seed", std::size_t(-1)).first;
@@ -43,6 +45,6 @@ int main()
   seed[last] = 1;
   segmenter.set_seeds(seed);
   segmenter.segment(segment_id, 2);
-  std::cout << "the first and the last face are in segments " << segment_id[first] << " and " << segment_id[last]
-            << '\n';
+  std::cout << "the first and the last face are in segments " << segment_id[first] << " and "
+            << segment_id[last] << '\n';
 }

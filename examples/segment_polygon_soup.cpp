@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Points and polygons, as many programs store meshes: every triangle has points of its own, three of them meet at some
-// edges, and a part is apart. No mesh type is needed, and k counts parts, not components.
+// Points and polygons, as many programs store meshes: every triangle has points of its own, three
+// of them meet at some edges, and a part is apart. No mesh type is needed, and k counts parts, not
+// components.
 
 #include <CGAL/region_segmentation.h>
 
@@ -35,7 +36,8 @@ struct Soup
       for (int side = 0; side < 2; ++side)
         for (int i = 0; i < n * n; ++i) {
           std::vector<Point> corners;
-          for (const auto& [u, v] : {std::pair(0, 0), std::pair(1, 0), std::pair(1, 1), std::pair(0, 1)}) {
+          for (const auto& [u, v] :
+               {std::pair(0, 0), std::pair(1, 0), std::pair(1, 1), std::pair(0, 1)}) {
             Point p = low;
             p[axis] += side * size[axis];
             p[(axis + 1) % 3] += (i % n + u) * size[(axis + 1) % 3] / n;
@@ -56,7 +58,9 @@ int main()
 
   std::vector<int> labels(soup.polygons.size());
   for (std::size_t k : {1, 2, 3})
-    std::cout << RS::segment(soup.points, soup.polygons, labels, RS::parameters::number_of_segments(k)) << " segments\n";
+    std::cout << RS::segment(soup.points, soup.polygons, labels,
+                             RS::parameters::number_of_segments(k))
+              << " segments\n";
 
   std::vector<std::size_t> sizes(3);
   for (int label : labels)

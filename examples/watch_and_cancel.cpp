@@ -32,8 +32,7 @@ int main()
   auto segment_id = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:segment").first;
   Impatient_visitor visitor;
   try {
-    RS::segment(mesh, segment_id,
-                RS::parameters::number_of_segments(1).visitor(std::ref(visitor)));
+    RS::segment(mesh, segment_id, RS::parameters::number_of_segments(1).visitor(std::ref(visitor)));
   } catch (const RS::Segmentation_cancelled& e) {
     std::cout << e.what() << '\n';
     return 0;

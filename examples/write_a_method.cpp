@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A method of one's own: what does not depend on wishes in prepare(), the rest in merge(). It has a number that it chooses,
-// constraints, seeds, links and a Segmenter like those of the package.
+// A method of one's own: what does not depend on wishes in prepare(), the rest in merge(). It has a
+// number that it chooses, constraints, seeds, links and a Segmenter like those of the package.
 
 #include "dumbbell.h"
 
@@ -23,8 +23,8 @@ using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
 using Mesh = CGAL::Surface_mesh<Point>;
 namespace RS = CGAL::Region_segmentation;
 
-/// A model of `SegmentationMethod`: facets between all edges of more than 2 degrees, those across long and flat borders merged
-/// first, small ones before large ones.
+/// A model of `SegmentationMethod`: facets between all edges of more than 2 degrees, those across
+/// long and flat borders merged first, small ones before large ones.
 struct Facet_merging
 {
   RS::Region_growing growing = {2, RS::Feature_convexity::ALL};
@@ -40,21 +40,24 @@ struct Facet_merging
     return {growing(surface, RS::Constraints(), execution.stage("regions"))};
   }
 
-  RS::Hierarchy merge(const RS::Surface& surface, const Prepared& prepared, const RS::Request& request,
-                      const RS::Execution& execution) const
+  RS::Hierarchy merge(const RS::Surface& surface, const Prepared& prepared,
+                      const RS::Request& request, const RS::Execution& execution) const
   {
     RS::Requested_regions requested = RS::requested_regions(surface, prepared.regions, request);
     auto graph = RS::build_region_adjacency_graph(surface, requested.regions, request.constraints);
     const auto bend_times_width = [](const auto& g, auto s) {
-      return (CGAL_PI - g[s].mean_angle()) * (std::min)(g[g.source(s)].area, g[g.target(s)].area) / g[s].length;
+      return (CGAL_PI - g[s].mean_angle()) * (std::min)(g[g.source(s)].area, g[g.target(s)].area) /
+             g[s].length;
     };
-    RS::Merge_tree tree = RS::merge_requested_regions(surface, requested, graph, RS::Lowest_cost_first(bend_times_width), 1,
+    RS::Merge_tree tree = RS::merge_requested_regions(surface, requested, graph,
+                                                      RS::Lowest_cost_first(bend_times_width), 1,
                                                       execution.stage("merging"));
     std::size_t number = request.number_of_segments;
     if (number == 0) {
       const double bound = maximum_cost * surface.length_unit();
       number = tree.number_of_regions();
-      for (auto merge = tree.merges().begin(); merge != tree.merges().end() && merge->cost <= bound; ++merge)
+      for (auto merge = tree.merges().begin(); merge != tree.merges().end() && merge->cost <= bound;
+           ++merge)
         --number;
     }
     return RS::Hierarchy(std::move(requested.regions), std::move(tree), number);
@@ -68,8 +71,8 @@ int main()
   auto seed = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:seed", std::size_t(-1)).first;
 
   RS::Segmenter segmenter(mesh, RS::parameters::method(Facet_merging()));
-  std::cout << segmenter.regions().number_of_parts() << " facets, " << segmenter.segment(segment_id) << " segments chosen, "
-            << segmenter.segment(segment_id, 5) << " asked for\n";
+  std::cout << segmenter.regions().number_of_parts() << " facets, " << segmenter.segment(segment_id)
+            << " segments chosen, " << segmenter.segment(segment_id, 5) << " asked for\n";
   seed[*faces(mesh).begin()] = 0;
   seed[*std::prev(faces(mesh).end())] = 1;
   segmenter.set_seeds(seed);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// User-defined data of regions, a cost, a policy and a chooser of the number: parts of a method of superfacets.
+// User-defined data of regions, a cost, a policy and a chooser of the number: parts of a method of
+// superfacets.
 
 #include "dumbbell.h"
 
@@ -36,7 +37,8 @@ struct Region_with_normal : RS::Region_geometry
   }
 };
 
-/// A model of `GraphAnnotator`: sums over faces and adjacencies are in the graph already, nothing is added.
+/// A model of `GraphAnnotator`: sums over faces and adjacencies are in the graph already, nothing
+/// is added.
 struct Normal_annotator
 {
   using RegionData = Region_with_normal;
@@ -47,10 +49,12 @@ struct Normal_annotator
   {}
 };
 
-/// A model of `SectionCost`: low between regions of similar normals, small ones, and across long sections.
+/// A model of `SectionCost`: low between regions of similar normals, small ones, and across long
+/// sections.
 struct Normal_cost
 {
-  using RegionData = Region_with_normal; // what it reads: a method without these data does not compile
+  using RegionData = Region_with_normal; // what it reads: a method without these data does not
+                                         // compile
   using SectionData = RS::Section_geometry;
 
   template <typename Graph>
@@ -63,12 +67,13 @@ struct Normal_cost
   }
 };
 
-/// A model of `MergingPolicy`: the flattest section of all goes next. Its order does not depend on the wanted
-/// number of segments, so `initialize()` does not take it.
+/// A model of `MergingPolicy`: the flattest section of all goes next. Its order does not depend on
+/// the wanted number of segments, so `initialize()` does not take it.
 struct Flattest_first
 {
   template <typename Graph>
-  void initialize(const Graph&) {}
+  void initialize(const Graph&)
+  {}
 
   template <typename Graph>
   std::optional<RS::Merge_candidate> next(const Graph& graph) const
@@ -84,11 +89,12 @@ struct Flattest_first
   }
 
   template <typename Graph>
-  void on_merge(const Graph&, const typename Graph::Merge&) {}
+  void on_merge(const Graph&, const typename Graph::Merge&)
+  {}
 };
 
-/// A model of `NumberChooser`: the number before the merge, among the last ones, whose cost exceeds all before it by the
-/// largest factor.
+/// A model of `NumberChooser`: the number before the merge, among the last ones, whose cost exceeds
+/// all before it by the largest factor.
 struct Largest_jump
 {
   std::size_t largest_number = 20;
@@ -114,9 +120,12 @@ int main()
   Mesh mesh = make_dumbbell<Mesh, Point>();
   auto segment_id = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:segment").first;
 
-  const RS::Superfacet_merging by_cost{Normal_annotator(), RS::Lowest_cost_first(Normal_cost()), Largest_jump()};
-  std::cout << RS::segment(mesh, segment_id, RS::parameters::method(by_cost)) << " segments chosen by the costs\n";
+  const RS::Superfacet_merging by_cost{Normal_annotator(), RS::Lowest_cost_first(Normal_cost()),
+                                       Largest_jump()};
+  std::cout << RS::segment(mesh, segment_id, RS::parameters::method(by_cost))
+            << " segments chosen by the costs\n";
   RS::Superfacet_merging by_policy{Normal_annotator(), Flattest_first(), Largest_jump()};
   by_policy.superfacets = RS::Superfacets(200);
-  std::cout << RS::segment(mesh, segment_id, 3, RS::parameters::method(by_policy)) << " segments by a policy\n";
+  std::cout << RS::segment(mesh, segment_id, 3, RS::parameters::method(by_policy))
+            << " segments by a policy\n";
 }

@@ -105,8 +105,8 @@ void expect_same_features(const Graph& a, const Graph& b, const std::vector<Regi
   for (auto range = edges(a); range.first != range.second; ++range.first) {
     if (!a.is_adjacent(*range.first))
       continue;
-    const auto other =
-      b.section(region_of[a.source(*range.first)], region_of[a.target(*range.first)]);
+    const auto other = b.section(region_of[a.source(*range.first)],
+                                 region_of[a.target(*range.first)]);
     ASSERT_TRUE(other);
     const auto x = Merge_features::of(a, *range.first), y = Merge_features::of(b, *other);
     for (std::size_t i = 0; i < x.size(); ++i)
@@ -149,8 +149,8 @@ TEST(Learned_annotator_test, a_plate_has_the_moments_of_its_squares)
     EXPECT_NEAR(std::abs(graph[r].area_vector.z), 0.5, 1e-12);
     EXPECT_NEAR(graph[r].perimeter, 2 / std::sqrt(8.0), 1e-12);
     const auto c = graph[r].moments.covariance();
-    const double expected =
-      (0.25 + 1 / (6 * std::sqrt(3.0))) / 8; // centroids at +-1/2, each face a triangle of area 1
+    const double expected = (0.25 + 1 / (6 * std::sqrt(3.0))) / 8; // centroids at +-1/2, each face
+                                                                   // a triangle of area 1
     EXPECT_NEAR(c.xx, expected, 1e-12);
     EXPECT_NEAR(c.yy, expected, 1e-12);
     EXPECT_NEAR(c.zz, 0, 1e-12);
@@ -213,8 +213,8 @@ TEST(Learned_annotator_test, data_of_merged_regions_is_that_of_their_union)
                                : merged.section(region_of[f], region_of[g]);
               s && merged.is_adjacent(*s)) {
             const auto& x = merged[*s];
-            const auto& y =
-              fresh[*fresh.section(Region(fresh_regions[f]), Region(fresh_regions[g]))];
+            const auto&
+              y = fresh[*fresh.section(Region(fresh_regions[f]), Region(fresh_regions[g]))];
             EXPECT_NEAR(x.length, y.length, 1e-9);
             EXPECT_NEAR(x.weakly_concave_length, y.weakly_concave_length, 1e-9);
             EXPECT_NEAR(x.strongly_concave_length, y.strongly_concave_length, 1e-9);

@@ -172,16 +172,17 @@ Graph random_graph(std::mt19937& random)
 /// A model that knows one feature: the log odds are 1 - 4 times the concavity.
 struct Concavity_model
 {
-  std::vector<RS::Merge_features::Model::Input> inputs =
-    std::vector<RS::Merge_features::Model::Input>(RS::Merge_features::NUMBER_OF_FEATURES, {0, 0});
+  std::vector<RS::Merge_features::Model::Input>
+    inputs = std::vector<RS::Merge_features::Model::Input>(RS::Merge_features::NUMBER_OF_FEATURES,
+                                                           {0, 0});
   RS::Merge_features::Model model;
 
   Concavity_model()
   {
     using Full_model = RS::Merge_features::Model;
     // The mean of no trees and the network: twice the wanted values.
-    inputs[RS::Merge_features::CONCAVE].factor =
-      1 << (Full_model::factor_bits + Full_model::input_bits - 9);
+    inputs[RS::Merge_features::CONCAVE].factor = 1 << (Full_model::factor_bits +
+                                                       Full_model::input_bits - 9);
     Full_model::Weights direct{};
     direct[RS::Merge_features::CONCAVE] = -8 * 1024;
     model = {Full_model::Trees(), {inputs.data(), nullptr, 0, direct, std::int64_t(2) << 26}};
@@ -245,8 +246,8 @@ TEST(Learned_cost_test, is_the_formula_of_its_documentation)
     const auto& section = graph[*range.first];
     const double p = 1 / (1 + std::exp(-(1 - 4 * section.concave / section.length)));
     EXPECT_NEAR(RS::Merge_estimate(concavity.model, graph, *range.first).probability(), p, 6e-3);
-    const double w =
-      graph[graph.source(*range.first)].area * graph[graph.target(*range.first)].area;
+    const double w = graph[graph.source(*range.first)].area *
+                     graph[graph.target(*range.first)].area;
     const double z = 1 - 2 * p;
     EXPECT_NEAR(cost(graph, *range.first),
                 z * std::pow(w / 0.01, z < 0 ? 0.1 : 0.2) +
@@ -265,11 +266,11 @@ TEST(Lowest_order_first_test, merges_in_one_order_and_records_another_cost)
   const RS::Expected_merge_cost cost(concavity.model);
   const auto everything = [](const Graph&, double) { return false; };
   Graph a = graph, b = graph, c = graph;
-  const RS::Merge_tree by_order =
-    merge_regions(a, RS::Lowest_cost_first<RS::Learned_cost>(order), 1, everything);
-  const RS::Merge_tree both =
-    merge_regions(b, RS::Lowest_order_first<RS::Learned_cost, RS::Expected_merge_cost>(order, cost),
-                  1, everything);
+  const RS::Merge_tree by_order = merge_regions(a, RS::Lowest_cost_first<RS::Learned_cost>(order),
+                                                1, everything);
+  const RS::Merge_tree both = merge_regions(
+    b, RS::Lowest_order_first<RS::Learned_cost, RS::Expected_merge_cost>(order, cost), 1,
+    everything);
   ASSERT_EQ(both.merges().size(), graph.number_of_regions() - 1);
   ASSERT_EQ(both.merges().size(), by_order.merges().size());
   for (std::size_t i = 0; i < both.merges().size(); ++i) {

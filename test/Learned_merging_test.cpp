@@ -109,8 +109,8 @@ TEST(Learned_merging_test, is_the_default_and_needs_no_number)
 {
   const Surface_mesh mesh = to_surface_mesh(random_mesh(Family::BLOCKS, 4));
   const Result by_default = run(mesh, RS::parameters::number_of_segments(5));
-  const Result by_name =
-    run(mesh, RS::parameters::number_of_segments(5).method(RS::Learned_merging()));
+  const Result by_name = run(mesh,
+                             RS::parameters::number_of_segments(5).method(RS::Learned_merging()));
   EXPECT_EQ(by_default.segments, by_name.segments);
   EXPECT_EQ(by_default.regions, by_name.regions);
 

@@ -122,7 +122,8 @@ TEST(Partition_editor_test, splits_as_the_tree_does)
       std::map<std::size_t, std::set<std::size_t>> parts;
       for (std::size_t r = 0; r < before.size(); ++r)
         parts[before[r]].insert(after[r]);
-      const auto split = std::find_if(parts.begin(), parts.end(), [](const auto& p) { return p.second.size() == 2; });
+      const auto split = std::find_if(parts.begin(), parts.end(),
+                                      [](const auto& p) { return p.second.size() == 2; });
       EXPECT_EQ(editor.split(split->first), 2u);
       EXPECT_EQ(labels_of(editor), after);
     }
@@ -176,7 +177,8 @@ TEST(Partition_editor_test, cuts_at_a_cost_or_a_size)
     for (double bound : {-20., -5., 0., 12., 30., 100.}) {
       editor.set_maximum_cost(bound);
       EXPECT_EQ(labels_of(editor), largest(tree, [&](const Cluster& c) {
-                  return std::all_of(c.costs.begin(), c.costs.end(), [&](double cost) { return cost <= bound; });
+                  return std::all_of(c.costs.begin(), c.costs.end(),
+                                     [&](double cost) { return cost <= bound; });
                 }));
     }
     std::vector<double> sizes;

@@ -31,11 +31,15 @@ TEST(Partition_test, numbers_labels_by_their_first_element)
 TEST(Partition_test, labels_of_every_width_stay_different)
 {
   using Limits = std::numeric_limits<std::int64_t>;
-  const std::vector<std::int64_t> wide = {Limits::max(), Limits::min(), 0, -1, Limits::max(), std::int64_t(1) << 32, 1};
+  const std::vector<std::int64_t> wide = {Limits::max(), Limits::min(),         0, -1,
+                                          Limits::max(), std::int64_t(1) << 32, 1};
   EXPECT_EQ(labels_of(Partition::from_labels(wide)), (Labels{0, 1, 2, 3, 0, 4, 5}));
-  EXPECT_EQ(labels_of(Partition::from_labels(std::vector<std::int8_t>{-128, 127, -1, -128})), (Labels{0, 1, 2, 0}));
-  EXPECT_EQ(labels_of(Partition::from_labels(std::vector<std::uint64_t>{~std::uint64_t(0), 0})), (Labels{0, 1}));
-  EXPECT_EQ(labels_of(Partition::from_labels(std::vector<bool>{true, false, true})), (Labels{0, 1, 0}));
+  EXPECT_EQ(labels_of(Partition::from_labels(std::vector<std::int8_t>{-128, 127, -1, -128})),
+            (Labels{0, 1, 2, 0}));
+  EXPECT_EQ(labels_of(Partition::from_labels(std::vector<std::uint64_t>{~std::uint64_t(0), 0})),
+            (Labels{0, 1}));
+  EXPECT_EQ(labels_of(Partition::from_labels(std::vector<bool>{true, false, true})),
+            (Labels{0, 1, 0}));
 }
 
 TEST(Partition_test, is_that_of_the_labels)

@@ -32,7 +32,8 @@ using RS::Surface_patches;
 
 RS::Surface surface_of(const Soup& soup)
 {
-  return RS::make_surface(to_surface_mesh(soup), RS::parameters::component_links(false)); // no crumbs
+  return RS::make_surface(to_surface_mesh(soup), RS::parameters::component_links(false)); // no
+                                                                                          // crumbs
 }
 
 Surface_patches patches_of(const RS::Surface& surface)
@@ -238,9 +239,9 @@ void expect_description(const RS::Patches& patches, const RS::Surface& mesh, con
   for (std::size_t e = 0; e < mesh.number_of_adjacencies(); ++e) {
     const std::size_t a = patch_of[mesh.lower_face(e)], b = patch_of[mesh.higher_face(e)];
     if (a != b && !is_constrained[e])
-      (mesh.has_flag(e, RS::Surface::SEAM | RS::Surface::LINK) ? contacts
-                                                               : lengths)[std::minmax(a, b)] +=
-        mesh.length(e);
+      (mesh.has_flag(e, RS::Surface::SEAM | RS::Surface::LINK)
+         ? contacts
+         : lengths)[std::minmax(a, b)] += mesh.length(e);
   }
   expect_lengths(patches.adjacencies(), lengths);
   if (have_contacts == Contacts::YES)
@@ -291,8 +292,8 @@ TEST(Patches_test, are_not_joined_across_seams)
   }
   soup = joined(joined(soup, translated(grid(4, 4), 5, 0, 0)),
                 translated(scaled(grid(1, 1), 3000), 20, 0, 0));
-  const RS::Surface surface =
-    RS::make_surface(soup.points, soup.polygons, RS::parameters::component_links(false));
+  const RS::Surface surface = RS::make_surface(soup.points, soup.polygons,
+                                               RS::parameters::component_links(false));
   ASSERT_TRUE(surface.has_seams_or_links());
   const Surface_patches patches = patches_of(surface);
   EXPECT_EQ(patches.fine.size(), 102u) << "each sheet";
@@ -324,9 +325,8 @@ TEST(Patches_test, of_a_given_partition_are_not_adjacent_across_constraints)
   }
 }
 
-TEST(
-  Patches_test,
-  folded_up_faces_have_an_angle_where_rounding_brings_the_product_of_normals_below_minus_one)
+TEST(Patches_test,
+     folded_up_faces_have_an_angle_where_rounding_brings_the_product_of_normals_below_minus_one)
 {
   std::size_t less = 0;
   for (unsigned seed = 1; seed <= 100; ++seed) {

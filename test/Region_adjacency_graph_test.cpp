@@ -72,7 +72,7 @@ std::size_t number_of_components(const Graph& g)
 {
   std::vector<std::size_t> component(num_vertices(g));
   return boost::connected_components(
-      g, boost::make_iterator_property_map(component.begin(), get(boost::vertex_index, g)));
+    g, boost::make_iterator_property_map(component.begin(), get(boost::vertex_index, g)));
 }
 
 auto lengths(const Graph& g)
@@ -96,10 +96,10 @@ double distance(const Graph& g, Region from, Region to)
   std::vector<Region> predecessors(num_vertices(g));
   boost::dijkstra_shortest_paths(g, from,
                                  boost::weight_map(lengths(g))
-                                     .distance_map(boost::make_iterator_property_map(
-                                         distances.begin(), get(boost::vertex_index, g)))
-                                     .predecessor_map(boost::make_iterator_property_map(
-                                         predecessors.begin(), get(boost::vertex_index, g))));
+                                   .distance_map(boost::make_iterator_property_map(
+                                     distances.begin(), get(boost::vertex_index, g)))
+                                   .predecessor_map(boost::make_iterator_property_map(
+                                     predecessors.begin(), get(boost::vertex_index, g))));
   return distances[to];
 }
 
@@ -172,14 +172,16 @@ TEST(Region_adjacency_graph_test, sections_without_edges_are_mergeable_only_when
   Graph g;
   for (int i = 0; i < 4; ++i)
     g.add_region(region(1));
-  const Section a = g.add_section(0, 1, section(1)), b = g.add_section(2, 3, section(1)), c = g.add_section(1, 2, section(1));
-  const Section apart = g.add_nonadjacent_section(0, 2), also_apart = g.add_nonadjacent_section(0, 3);
+  const Section a = g.add_section(0, 1, section(1)), b = g.add_section(2, 3, section(1)),
+                c = g.add_section(1, 2, section(1));
+  const Section apart = g.add_nonadjacent_section(0, 2),
+                also_apart = g.add_nonadjacent_section(0, 3);
   EXPECT_FALSE(g.is_mergeable(apart));
   EXPECT_FALSE(g.is_adjacent(apart));
   EXPECT_TRUE(g.is_adjacent(c));
-  g.merge(b);                 // 2 and 3: the two sections without edges become one
+  g.merge(b); // 2 and 3: the two sections without edges become one
   EXPECT_FALSE(g.is_mergeable(*g.section(0, 2)));
-  g.merge(c);                 // 1 and 2: that to 0 absorbs one with edges
+  g.merge(c); // 1 and 2: that to 0 absorbs one with edges
   EXPECT_TRUE(g.is_mergeable(*g.section(0, 1)));
   EXPECT_EQ(g.merge(*g.section(0, 1)).kept, 0u);
   static_cast<void>(a);
@@ -345,7 +347,8 @@ TEST(Region_adjacency_graph_test, agrees_with_maps_over_random_merges)
 }
 
 /// Pairs of regions, each once; some regions are neighbors of most.
-std::vector<std::pair<Region, Region>> random_pairs(std::size_t regions, std::size_t hubs, std::mt19937& random)
+std::vector<std::pair<Region, Region>> random_pairs(std::size_t regions, std::size_t hubs,
+                                                    std::mt19937& random)
 {
   std::set<std::pair<Region, Region>> pairs;
   for (std::size_t i = 0; i < 3 * regions; ++i) {
@@ -410,7 +413,8 @@ TEST(Region_adjacency_graph_test, hubs_take_in_a_hundred_thousand_neighbors)
 
 TEST(Region_adjacency_graph_test, a_copy_of_a_merged_hub_takes_in_another_one)
 {
-  // Two hubs, 0 and 151, of 150 and 55 neighbors; most of those of the first are merged with each other.
+  // Two hubs, 0 and 151, of 150 and 55 neighbors; most of those of the first are merged with each
+  // other.
   Graph g;
   for (Region r = 0; r < 207; ++r)
     g.add_region(region(1));
@@ -491,9 +495,9 @@ TEST(Build_region_adjacency_graph_test, constrained_sections_are_not_mergeable)
 {
   const Soup soup = grid(2, 2); // vertices in rows of three; 1-4 is between the faces 0 and 1
   const Surface_mesh mesh = to_surface_mesh(soup);
-  const Graph g =
-      build(soup, {0, 1, 2, 3},
-            RS::parameters::edge_is_constrained_map(edge_map(mesh, std::set<Edge>{{1, 4}})));
+  const Graph g = build(
+    soup, {0, 1, 2, 3},
+    RS::parameters::edge_is_constrained_map(edge_map(mesh, std::set<Edge>{{1, 4}})));
   EXPECT_FALSE(g.is_mergeable(*g.section(0, 1)));
   EXPECT_TRUE(g.is_mergeable(*g.section(0, 2)));
   EXPECT_EQ(g.number_of_sections(), 4u);

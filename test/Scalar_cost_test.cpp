@@ -39,8 +39,7 @@ struct No_annotator
 
   template <typename Graph>
   void operator()(Graph&, const RS::Surface&, const RS::Partition&) const
-  {
-  }
+  {}
 };
 
 struct No_cost
@@ -127,8 +126,8 @@ TEST(Scalar_cost, of_a_constant_is_that_of_the_other_cost)
     const RS::Superfacet_merging method{annotator, policy, RS::Number_from_costs(-19.5)};
     return RS::Segmenter(mesh, RS::parameters::method(method)).merge_tree().merges();
   };
-  const Merges expected =
-    merges(RS::Visibility_annotator(), RS::Lowest_cost_first<RS::Visibility_cost>());
+  const Merges expected = merges(RS::Visibility_annotator(),
+                                 RS::Lowest_cost_first<RS::Visibility_cost>());
   const Merges merged = merges(RS::Scalar_annotator(std::vector<int>(num_faces(mesh), 7)),
                                RS::Lowest_cost_first(RS::Scalar_cost(9)));
   ASSERT_EQ(merged.size(), expected.size());
@@ -152,8 +151,8 @@ TEST(Scalar_annotator, takes_the_place_of_the_annotator_that_it_extends)
   std::vector<std::size_t> seeds(num_faces(mesh), std::size_t(-1));
   seeds.front() = 0;
   seeds.back() = 1;
-  const auto seed_map =
-    boost::make_iterator_property_map(seeds.begin(), get(boost::face_index, mesh));
+  const auto seed_map = boost::make_iterator_property_map(seeds.begin(),
+                                                          get(boost::face_index, mesh));
   for (int round = 0; round < 2; ++round) {
     ASSERT_EQ(segmenter.merge_tree().merges().size(), expected.merge_tree().merges().size());
     for (std::size_t i = 0; i < segmenter.merge_tree().merges().size(); ++i)

@@ -33,7 +33,8 @@ namespace RS = CGAL::Region_segmentation;
 using namespace test;
 using Face = Surface_mesh::Face_index;
 
-/// The default method with few first regions, so that there are some of several faces on a small mesh.
+/// The default method with few first regions, so that there are some of several faces on a small
+/// mesh.
 RS::Visibility_merging visibility(std::size_t number_of_regions = 40)
 {
   RS::Visibility_merging method;
@@ -132,11 +133,14 @@ TEST(Segmenter_test, gives_what_segment_gives)
     RS::Merge_tree tree;
     for (std::size_t k : {1, 2, 3, 7, 20, 39, 60, 1000}) {
       // Alone, borders are moved for this number only; with the tree, for all.
-      EXPECT_EQ(labels(by_default, k), labels_by_segment(mesh, RS::parameters::number_of_segments(k)));
       EXPECT_EQ(labels(by_default, k),
-                labels_by_segment(mesh, RS::parameters::number_of_segments(k).merge_tree(std::ref(tree))));
-      EXPECT_EQ(labels(by_visibility, k),
-                labels_by_segment(mesh, RS::parameters::method(visibility()).number_of_segments(k)));
+                labels_by_segment(mesh, RS::parameters::number_of_segments(k)));
+      EXPECT_EQ(
+        labels(by_default, k),
+        labels_by_segment(mesh, RS::parameters::number_of_segments(k).merge_tree(std::ref(tree))));
+      EXPECT_EQ(
+        labels(by_visibility, k),
+        labels_by_segment(mesh, RS::parameters::method(visibility()).number_of_segments(k)));
       EXPECT_EQ(labels(by_two_step, k),
                 labels_by_segment(mesh, RS::parameters::method(two_step()).number_of_segments(k)));
     }
@@ -172,9 +176,10 @@ TEST(Segmenter_test, writes_regions_and_tree)
   const Surface_mesh mesh = fine_dumbbell();
   auto regions = face_map(mesh);
   RS::Merge_tree tree;
-  const RS::Segmenter segmenter(mesh,
-                                RS::parameters::method(visibility()).region_map(regions).merge_tree(tree));
-  EXPECT_EQ(labels_of(mesh, regions), Labels(segmenter.regions().begin(), segmenter.regions().end()));
+  const RS::Segmenter segmenter(
+    mesh, RS::parameters::method(visibility()).region_map(regions).merge_tree(tree));
+  EXPECT_EQ(labels_of(mesh, regions),
+            Labels(segmenter.regions().begin(), segmenter.regions().end()));
   EXPECT_EQ(tree.number_of_regions(), 40u);
   EXPECT_EQ(tree.merges().size(), 39u);
   EXPECT_EQ(segmenter.merge_tree().merges().size(), 39u);
@@ -254,15 +259,17 @@ TEST(Segmenter_test, can_be_cancelled_in_every_stage)
     for (double fraction : {0.0, 0.5}) {
       Cancelling_visitor visitor{stage, fraction};
       auto regions = face_map(mesh);
-      EXPECT_THROW(RS::Segmenter(mesh, RS::parameters::visitor(std::ref(visitor)).region_map(regions)),
-                   RS::Segmentation_cancelled)
+      EXPECT_THROW(
+        RS::Segmenter(mesh, RS::parameters::visitor(std::ref(visitor)).region_map(regions)),
+        RS::Segmentation_cancelled)
         << stage;
       EXPECT_EQ(labels_of(mesh, regions), Labels(num_faces(mesh), 12345));
     }
   RS::Segmenter segmenter(mesh, RS::parameters::method(two_step()));
   Cancelling_visitor visitor{"merging", 0};
   auto map = face_map(mesh);
-  EXPECT_THROW(segmenter.segment(map, 2, RS::parameters::visitor(std::ref(visitor))), RS::Segmentation_cancelled);
+  EXPECT_THROW(segmenter.segment(map, 2, RS::parameters::visitor(std::ref(visitor))),
+               RS::Segmentation_cancelled);
   EXPECT_EQ(labels_of(mesh, map), Labels(num_faces(mesh), 12345));
 }
 
@@ -274,7 +281,8 @@ bool is_separated_at(const Surface_mesh& mesh, const Labels& labels, double x)
   std::set<std::size_t> before, behind;
   for (auto f : mesh.faces())
     (center_x(mesh, f) < x ? before : behind).insert(labels[f]);
-  return std::none_of(before.begin(), before.end(), [&](std::size_t l) { return behind.count(l) > 0; });
+  return std::none_of(before.begin(), before.end(),
+                      [&](std::size_t l) { return behind.count(l) > 0; });
 }
 
 template <typename Method>
@@ -370,8 +378,8 @@ void test_late_constraints(const Method& method)
       for (const Edge& e : random_edges(soup, 8, random))
         drawn.insert(e);
       segmenter.add_constraints(edge_map(mesh, drawn));
-      const auto early =
-        RS::parameters::method(method).edge_is_constrained_map(edge_map(mesh, drawn));
+      const auto early = RS::parameters::method(method).edge_is_constrained_map(
+        edge_map(mesh, drawn));
       for (std::size_t k : {1, 5, 30})
         EXPECT_EQ(labels(segmenter, k), labels_by_segment(mesh, early.number_of_segments(k)))
           << "round " << round;
@@ -396,8 +404,9 @@ TEST(Segmenter_test, constraints_that_are_cancelled_change_nothing)
   RS::Segmenter segmenter(mesh, RS::parameters::method(visibility()));
   const Labels before = labels(segmenter, 4);
   Cancelling_visitor visitor{"merging", 0.5};
-  EXPECT_THROW(segmenter.add_constraints(edge_map(mesh, loop), RS::parameters::visitor(std::ref(visitor))),
-               RS::Segmentation_cancelled);
+  EXPECT_THROW(
+    segmenter.add_constraints(edge_map(mesh, loop), RS::parameters::visitor(std::ref(visitor))),
+    RS::Segmentation_cancelled);
   EXPECT_EQ(labels(segmenter, 4), before);
   segmenter.add_constraints(edge_map(mesh, loop));
   EXPECT_TRUE(is_separated_at(mesh, labels(segmenter, 4), 11));
@@ -421,11 +430,13 @@ Face face_near(const Surface_mesh& mesh, double x, double y, double z)
 }
 
 /// Whether faces of one seed share a label, and faces of two do not.
-::testing::AssertionResult follows_seeds(const Labels& labels, const std::vector<std::size_t>& seeds)
+::testing::AssertionResult follows_seeds(const Labels& labels,
+                                         const std::vector<std::size_t>& seeds)
 {
   for (std::size_t f = 0; f < seeds.size(); ++f)
     for (std::size_t g = f + 1; g < seeds.size(); ++g)
-      if (seeds[f] != no_seed && seeds[g] != no_seed && (seeds[f] == seeds[g]) != (labels[f] == labels[g]))
+      if (seeds[f] != no_seed && seeds[g] != no_seed &&
+          (seeds[f] == seeds[g]) != (labels[f] == labels[g]))
         return ::testing::AssertionFailure()
                << "faces " << f << " and " << g << " with seeds " << seeds[f] << ", " << seeds[g];
   return ::testing::AssertionSuccess();
@@ -456,7 +467,8 @@ void test_seeds_on_dumbbell(const Method& method)
     }
   }
   EXPECT_EQ(labels(segmenter, 5),
-            labels_by_segment(mesh, RS::parameters::method(method).face_seed_map(seeds).number_of_segments(5)));
+            labels_by_segment(
+              mesh, RS::parameters::method(method).face_seed_map(seeds).number_of_segments(5)));
 
   segmenter.set_seeds(face_map(mesh, no_seed));
   const RS::Segmenter without(mesh, RS::parameters::method(method));
@@ -538,7 +550,8 @@ std::string refusal(Segmenter& segmenter, const Map& seeds)
 
 TEST(Segmenter_test, paths_between_equal_seeds_avoid_valleys)
 {
-  // A wall across the middle of a plate: over it 5 squares, around it 13, but the way over it leads through two valleys.
+  // A wall across the middle of a plate: over it 5 squares, around it 13, but the way over it leads
+  // through two valleys.
   std::vector<Voxel> voxels = voxel_block({0, 0, 0}, {9, 11, 3});
   for (const Voxel& v : voxel_block({4, 1, 3}, {5, 10, 4}))
     voxels.push_back(v);

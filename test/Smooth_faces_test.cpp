@@ -268,8 +268,8 @@ std::vector<Part> parts()
 
 TEST(Smooth_faces_test, holes_join_what_they_are_in_before_others)
 {
-  const Part ring =
-    part("ring", shapes_with_faces::ring(2, 2, 1, 3, 24, 2)); // outside, hole, top, bottom
+  const Part ring = part("ring", shapes_with_faces::ring(2, 2, 1, 3, 24, 2)); // outside, hole, top,
+                                                                              // bottom
   const Labels labels = segments_of(
     to_surface_mesh(ring.soup), RS::parameters::number_of_segments(3).method(RS::Smooth_faces()));
   EXPECT_TRUE(are_separate(labels, ring.truth, {0, 2, 3}));
@@ -369,8 +369,8 @@ struct Canceller
 
 TEST(Smooth_faces_test, reports_progress_and_is_cancelled)
 {
-  const Surface_mesh mesh =
-    to_surface_mesh(part("torus", shapes_with_faces::torus(3, 1, 40, 16)).soup);
+  const Surface_mesh mesh = to_surface_mesh(
+    part("torus", shapes_with_faces::torus(3, 1, 40, 16)).soup);
   auto map = face_map(mesh);
   Canceller all{2, {}}, half{0.5, {}};
   RS::segment(mesh, map, RS::parameters::method(RS::Smooth_faces()).visitor(std::ref(all)));
@@ -396,8 +396,8 @@ TEST(Smooth_faces_test, keeps_constrained_edges)
     }
   }
   ASSERT_EQ(number, 2u);
-  const Labels labels =
-    segments_of(mesh, RS::parameters::method(RS::Smooth_faces()).edge_is_constrained_map(drawn));
+  const Labels labels = segments_of(
+    mesh, RS::parameters::method(RS::Smooth_faces()).edge_is_constrained_map(drawn));
   EXPECT_EQ(number_of_labels(labels), 4u);
 }
 

@@ -35,8 +35,7 @@ struct Nothing
 {
   template <typename Section>
   void absorb(const Nothing&, const Section&)
-  {
-  }
+  {}
 };
 
 struct Bond
@@ -110,8 +109,8 @@ bool is_each_connected(const Graph& graph, const RS::Partition& segments)
 
 TEST(Additive_visibility_cost_test, is_proportional_to_the_length_whatever_the_areas)
 {
-  using Visibility_graph =
-    RS::Region_adjacency_graph<RS::Visibility_region_data, RS::Visibility_section_data>;
+  using Visibility_graph = RS::Region_adjacency_graph<RS::Visibility_region_data,
+                                                      RS::Visibility_section_data>;
   const auto affinity = [](double area, double other_area, double length) {
     Visibility_graph graph;
     for (double a : {area, other_area}) {
@@ -179,8 +178,8 @@ TEST(Spectral_partitioner_test, finds_the_second_eigenvector_of_a_path)
     std::vector<RS::internal::Affinity> bonds;
     for (std::size_t i = 1; i < n; ++i)
       bonds.push_back({i - 1, i, 0.25});
-    const Eigen::MatrixXd points =
-      RS::internal::commute_time_embedding<RS::internal::Eigen_solver>(n, bonds, 4);
+    const Eigen::MatrixXd points = RS::internal::commute_time_embedding<RS::internal::Eigen_solver>(
+      n, bonds, 4);
     ASSERT_EQ(points.cols(), 4);
     const double angle = CGAL_PI / double(n - 1), scale = points(0, 1);
     // y^T D y = 1, D = 1/2 but for the ends, and the coordinate is y over the root of lambda.
@@ -221,8 +220,8 @@ TEST(Spectral_partitioner_test, finds_as_many_eigenpairs_as_asked_for_where_many
     for (std::size_t i = 0; i + 1 < n; ++i)
       if ((i + 1) % 3 != 0)
         bonds.push_back({i, i + 1, 1});
-    const Eigen::MatrixXd points =
-      RS::internal::commute_time_embedding<RS::internal::Eigen_solver>(n, bonds, 14);
+    const Eigen::MatrixXd points = RS::internal::commute_time_embedding<RS::internal::Eigen_solver>(
+      n, bonds, 14);
     EXPECT_EQ(std::size_t(points.rows()), n);
     EXPECT_EQ(points.cols(), 14) << n;
     EXPECT_TRUE(points.allFinite()) << n;
@@ -341,11 +340,11 @@ TEST(Spectral_partitioner_test, gives_connected_segments_on_random_meshes)
       std::mt19937 random(seed);
       const std::set<Edge> constrained = random_edges(soup, 8, random);
       const Surface_mesh mesh = to_surface_mesh(soup);
-      const Labels labels =
-        segments_of(mesh, RS::parameters::number_of_segments(6)
-                            .method(RS::Spectral_partitioning<>())
-                            .edge_is_constrained_map(edge_map(mesh, constrained))
-                            .component_links(false));
+      const Labels labels = segments_of(mesh,
+                                        RS::parameters::number_of_segments(6)
+                                          .method(RS::Spectral_partitioning<>())
+                                          .edge_is_constrained_map(edge_map(mesh, constrained))
+                                          .component_links(false));
       EXPECT_GE(std::set<std::size_t>(labels.begin(), labels.end()).size(), 6u);
       EXPECT_TRUE(is_connected(soup, labels, constrained));
     }

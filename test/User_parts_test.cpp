@@ -53,8 +53,8 @@ struct Octants
     auto graph = RS::build_region_adjacency_graph(surface, requested.regions, request.constraints,
                                                   execution.stage("graph"));
     const std::size_t number = request.number_of_segments;
-    RS::Merge_tree tree =
-      RS::merge_regions(graph, RS::Two_step_merging(policy), number, RS::Stop_at_count{number});
+    RS::Merge_tree tree = RS::merge_regions(graph, RS::Two_step_merging(policy), number,
+                                            RS::Stop_at_count{number});
     RS::Partition segments = tree.partition_at_count(number);
     return {std::move(requested.regions), std::move(segments), std::move(tree)};
   }
@@ -101,8 +101,7 @@ struct Sharpest_cost
 
   template <typename Graph>
   void annotate(Graph&, const RS::Surface&, const RS::Partition&) const
-  {
-  }
+  {}
 
   template <typename Graph>
   double operator()(const Graph& graph, typename Graph::section_descriptor s) const
@@ -119,8 +118,7 @@ struct Merging_of_faces
   Cost cost;
 
   struct Prepared
-  {
-  };
+  {};
 
   Prepared prepare(const RS::Surface&, const RS::Execution&) const { return {}; }
 
@@ -129,12 +127,12 @@ struct Merging_of_faces
   {
     const RS::Partition faces = RS::Partition::into_single_elements(surface.number_of_faces());
     RS::Requested_regions requested = RS::requested_regions(surface, faces, request);
-    auto graph =
-      RS::build_region_adjacency_graph<typename Cost::RegionData, typename Cost::SectionData>(
-        surface, requested.regions, request.constraints);
+    auto graph = RS::build_region_adjacency_graph<typename Cost::RegionData,
+                                                  typename Cost::SectionData>(
+      surface, requested.regions, request.constraints);
     cost.annotate(graph, surface, requested.regions);
-    RS::Merge_tree tree =
-      RS::merge_regions(graph, RS::Lowest_cost_first<Cost>(cost), 1, RS::Stop_at_count{1});
+    RS::Merge_tree tree = RS::merge_regions(graph, RS::Lowest_cost_first<Cost>(cost), 1,
+                                            RS::Stop_at_count{1});
     return RS::Hierarchy(std::move(requested.regions), std::move(tree),
                          request.number_of_segments > 0 ? request.number_of_segments : 1);
   }

@@ -54,9 +54,8 @@ using Graph = RS::Region_adjacency_graph<RS::Visibility_region_data, RS::Visibil
 
 Graph annotated(const RS::Surface& mesh, const RS::Partition& regions)
 {
-  auto graph =
-    RS::build_region_adjacency_graph<RS::Visibility_region_data, RS::Visibility_section_data>(
-      mesh, regions);
+  auto graph = RS::build_region_adjacency_graph<RS::Visibility_region_data,
+                                                RS::Visibility_section_data>(mesh, regions);
   RS::Visibility_annotator()(graph, mesh, regions,
                              RS::Region_rays(mesh, patches_of(mesh), regions));
   return graph;
@@ -106,8 +105,8 @@ double distance_to_face(const RS::Surface& surface, std::size_t triangle, const 
 /// Rays from faces in all directions; returns how many hit.
 std::size_t compare_hits(const Soup& soup, unsigned seed)
 {
-  const RS::Surface mesh =
-    RS::make_surface(to_surface_mesh(soup), RS::parameters::component_links(false));
+  const RS::Surface mesh = RS::make_surface(to_surface_mesh(soup),
+                                            RS::parameters::component_links(false));
   const RS::internal::Ray_tree tree = tree_of(mesh);
   const RS::internal::Ray_tree gathering(mesh, patches_of(mesh), mesh.centroid(0), RS::Execution(),
                                          0);
@@ -297,8 +296,8 @@ TEST(Inward_rays_test, start_from_patches_where_a_region_has_their_centers)
   std::vector<std::optional<RS::internal::Inward_rays::Hits>> hits(2);
   RS::internal::Inward_rays(mesh, patches, regions, shapes, tree).trace(hits, RS::Execution());
 
-  std::vector<std::pair<double, std::size_t>>
-    centers; // distance to the centroid of the sheet, face
+  std::vector<std::pair<double, std::size_t>> centers; // distance to the centroid of the sheet,
+                                                       // face
   Double_3 centroid{0, 0, 0};
   double area = 0;
   for (std::size_t f = 0; f < small; ++f) {
@@ -313,8 +312,8 @@ TEST(Inward_rays_test, start_from_patches_where_a_region_has_their_centers)
     const std::size_t f = centers[k * centers.size() * 9 / 30].second;
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t g : {small, small + 1})
-      nearest =
-        std::min(nearest, distance_to_face(mesh, g, mesh.centroid(f), -1.0 * mesh.normal(f)));
+      nearest = std::min(nearest,
+                         distance_to_face(mesh, g, mesh.centroid(f), -1.0 * mesh.normal(f)));
     EXPECT_NEAR((*hits[0])[4 * k].distance, nearest, 1e-3 * nearest);
   }
 }
@@ -349,8 +348,8 @@ TEST(Inward_rays_test, start_from_any_face_where_a_region_has_no_center_of_a_pat
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t g = 0; g < mesh.number_of_faces(); ++g)
       if (g != f)
-        nearest =
-          std::min(nearest, distance_to_face(mesh, g, mesh.centroid(f), -1.0 * mesh.normal(f)));
+        nearest = std::min(nearest,
+                           distance_to_face(mesh, g, mesh.centroid(f), -1.0 * mesh.normal(f)));
     ASSERT_LT(nearest, std::numeric_limits<double>::infinity());
     EXPECT_NEAR((*hits[regions[f]])[0].distance, nearest, 1e-3 * nearest) << f;
   }
@@ -443,8 +442,8 @@ TEST(Visibility_annotator_test, lengths_and_areas_are_relative_to_the_surface)
   const Soup soup = voxel_surface(voxel_block({0, 0, 0}, {2, 1, 1}));
   for (double size : {1.0, 1024.0, 3.7}) {
     const RS::Surface mesh = surface_of(scaled(soup, size));
-    const RS::Partition regions =
-      RS::Partition::from_labels(std::vector<int>{0, 0, 0, 0, 0, 1, 1, 1, 1, 1});
+    const RS::Partition regions = RS::Partition::from_labels(
+      std::vector<int>{0, 0, 0, 0, 0, 1, 1, 1, 1, 1});
     const Graph graph = annotated(mesh, regions);
     EXPECT_NEAR(graph[0u].area, 0.5, 1e-12);
     EXPECT_NEAR(graph[1u].area, 0.5, 1e-12);
@@ -458,8 +457,8 @@ TEST(Visibility_annotator_test, lengths_and_areas_are_relative_to_the_surface)
 
 TEST(Visibility_annotator_test, sections_of_merged_regions_have_the_edges_of_both)
 {
-  Graph graph =
-    annotated(surface_of(grid(2, 2)), RS::Partition::from_labels(std::vector<int>{0, 1, 2, 2}));
+  Graph graph = annotated(surface_of(grid(2, 2)),
+                          RS::Partition::from_labels(std::vector<int>{0, 1, 2, 2}));
   EXPECT_EQ(graph[*graph.section(0, 2)].number_of_adjacencies, 1u);
   EXPECT_EQ(graph[*graph.section(1, 2)].number_of_adjacencies, 1u);
   graph.merge(*graph.section(0, 1));
@@ -481,8 +480,8 @@ TEST(Visibility_annotator_test, deviations_are_integrated_by_sign_up_to_a_bound)
     const RS::Surface mesh = surface_of(soup);
     RS::Region_growing growing;
     growing.maximum_angle = 30;
-    growing.feature_convexity =
-      is_inside_out ? RS::Feature_convexity::CONVEX : RS::Feature_convexity::CONCAVE;
+    growing.feature_convexity = is_inside_out ? RS::Feature_convexity::CONVEX
+                                              : RS::Feature_convexity::CONCAVE;
     const RS::Partition regions = growing(mesh);
     ASSERT_EQ(regions.number_of_parts(), 2u);
     const Graph graph = annotated(mesh, regions);
@@ -508,8 +507,8 @@ TEST(Visibility_annotator_test, annotating_again_changes_nothing)
   const RS::Surface mesh = surface_of(random_mesh(Family::BLOCKS, 2));
   const RS::Surface_patches patches = patches_of(mesh);
   const auto costs = RS::internal::border_costs_of_edges(mesh, patches.fine, RS::Border_cost());
-  const RS::Partition regions =
-    composed(patches.fine.of_elements(), RS::Superfacets(30)(mesh, patches, costs));
+  const RS::Partition regions = composed(patches.fine.of_elements(),
+                                         RS::Superfacets(30)(mesh, patches, costs));
   const Graph once = annotated(mesh, regions);
   Graph twice = once;
   RS::Visibility_annotator()(twice, mesh, regions, RS::Region_rays(mesh, patches, regions));

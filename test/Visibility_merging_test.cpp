@@ -55,8 +55,8 @@ Soup caterpillar(std::size_t levels, std::vector<std::size_t>& truth)
     const double away = std::hypot(p[1], p[2]);
     double radius = 0;
     for (double center : {-2.55, -0.85, 0.85, 2.55})
-      radius =
-        std::max(radius, std::sqrt(std::max(0.0, 0.85 * 0.85 * 1.1 - (x - center) * (x - center))));
+      radius = std::max(radius,
+                        std::sqrt(std::max(0.0, 0.85 * 0.85 * 1.1 - (x - center) * (x - center))));
     radius = std::max(radius, 0.02);
     p = {x, away > 0 ? radius * p[1] / away : 0, away > 0 ? radius * p[2] / away : 0};
   }
@@ -98,7 +98,7 @@ TEST(Visibility_merging_test, segmentations_nest_down_to_the_faces)
   for (Family family : all_families) {
     SCOPED_TRACE(name(family));
     const Soup soup = random_mesh(family, 5);
-    const std::size_t faces = soup.polygons.size();
+    const std::size_t faces = number_of_proper_faces(soup);
     Labels coarse;
     for (std::size_t k = 1; k <= faces; k += 1 + k / 8) {
       const Labels fine = segment_into(soup, k, RS::parameters::component_links(false));
@@ -171,8 +171,8 @@ TEST(Visibility_merging_test, never_merges_across_a_constrained_line)
         p.x() == 3 && q.x() == 3)
       constrained[e] = true;
   auto map = mesh.add_property_map<Surface_mesh::Face_index, std::size_t>("f:segment").first;
-  const auto np =
-    RS::parameters::edge_is_constrained_map(constrained).method(RS::Visibility_merging());
+  const auto np = RS::parameters::edge_is_constrained_map(constrained)
+                    .method(RS::Visibility_merging());
   EXPECT_EQ(RS::segment(mesh, map, np.number_of_segments(1)), 2u);
   for (std::size_t f = 0; f < 32; ++f)
     EXPECT_EQ(map[Surface_mesh::Face_index(unsigned(f))], f % 8 < 3 ? 0u : 1u);

@@ -34,14 +34,13 @@ using test::Surface_mesh;
 struct Debug_checks_test : ::testing::Test
 {
   Debug_checks_test()
-      : mesh(test::to_surface_mesh(test::cube())),
-        labels(mesh.add_property_map<Surface_mesh::Face_index, int>("f:label", 77).first),
-        features(mesh.add_property_map<Surface_mesh::Edge_index, bool>("e:feature", true).first),
-        old_behaviour(CGAL::set_error_behaviour(CGAL::THROW_EXCEPTION)),
-        old_handler(
-            CGAL::set_error_handler([](const char*, const char*, const char*, int, const char*) {}))
-  {
-  }
+    : mesh(test::to_surface_mesh(test::cube()))
+    , labels(mesh.add_property_map<Surface_mesh::Face_index, int>("f:label", 77).first)
+    , features(mesh.add_property_map<Surface_mesh::Edge_index, bool>("e:feature", true).first)
+    , old_behaviour(CGAL::set_error_behaviour(CGAL::THROW_EXCEPTION))
+    , old_handler(
+        CGAL::set_error_handler([](const char*, const char*, const char*, int, const char*) {}))
+  {}
 
   ~Debug_checks_test() override
   {
@@ -62,8 +61,7 @@ struct Debug_checks_test : ::testing::Test
 
 TEST_F(Debug_checks_test, number_of_segments_is_at_least_one)
 {
-  EXPECT_THROW(RS::segment(mesh, labels, RP::number_of_segments(0)),
-               Precondition_exception);
+  EXPECT_THROW(RS::segment(mesh, labels, RP::number_of_segments(0)), Precondition_exception);
 }
 
 TEST_F(Debug_checks_test, maximum_angle_is_between_0_and_180)
@@ -71,18 +69,22 @@ TEST_F(Debug_checks_test, maximum_angle_is_between_0_and_180)
   for (double angle : {-0.001, 180.001, std::nan("")}) {
     RS::Two_step method;
     method.growing.maximum_angle = angle;
-    EXPECT_THROW(RS::segment(mesh, labels, RP::number_of_segments(2).method(method)), Precondition_exception);
-    EXPECT_THROW(RS::detect_feature_edges(mesh, features, RP::maximum_angle(angle)), Precondition_exception);
+    EXPECT_THROW(RS::segment(mesh, labels, RP::number_of_segments(2).method(method)),
+                 Precondition_exception);
+    EXPECT_THROW(RS::detect_feature_edges(mesh, features, RP::maximum_angle(angle)),
+                 Precondition_exception);
   }
 }
 
 TEST_F(Debug_checks_test, constants_of_superfacets)
 {
   for (const RS::Superfacets& wrong :
-       {RS::Superfacets(0), RS::Superfacets(10, -1), RS::Superfacets(10, 80, -1), RS::Superfacets(10, std::nan(""))}) {
+       {RS::Superfacets(0), RS::Superfacets(10, -1), RS::Superfacets(10, 80, -1),
+        RS::Superfacets(10, std::nan(""))}) {
     RS::Visibility_merging method;
     method.superfacets = wrong;
-    EXPECT_THROW(RS::segment(mesh, labels, RP::number_of_segments(2).method(method)), Precondition_exception);
+    EXPECT_THROW(RS::segment(mesh, labels, RP::number_of_segments(2).method(method)),
+                 Precondition_exception);
   }
 }
 
@@ -96,8 +98,10 @@ TEST_F(Debug_checks_test, a_segmenter_gives_at_least_one_segment)
 TEST_F(Debug_checks_test, composed_partitions_fit)
 {
   const auto fine = RS::Partition::from_labels(std::vector<int>{0, 1, 0});
-  EXPECT_THROW(composed(fine, RS::Partition::from_labels(std::vector<int>{0})), Precondition_exception);
-  EXPECT_EQ(composed(fine, RS::Partition::from_labels(std::vector<int>{0, 0})).number_of_parts(), 1u);
+  EXPECT_THROW(composed(fine, RS::Partition::from_labels(std::vector<int>{0})),
+               Precondition_exception);
+  EXPECT_EQ(composed(fine, RS::Partition::from_labels(std::vector<int>{0, 0})).number_of_parts(),
+            1u);
 }
 
 TEST_F(Debug_checks_test, index_maps_stay_within_the_size)
@@ -107,9 +111,9 @@ TEST_F(Debug_checks_test, index_maps_stay_within_the_size)
     far[f] = std::size_t(f) + 3;
   // CGAL's own check of index maps comes first in its checked builds, as an assertion.
   EXPECT_THROW(
-      RS::segment(mesh, labels,
-                  RP::number_of_segments(2).face_index_map(boost::make_assoc_property_map(far))),
-      CGAL::Failure_exception);
+    RS::segment(mesh, labels,
+                RP::number_of_segments(2).face_index_map(boost::make_assoc_property_map(far))),
+    CGAL::Failure_exception);
 }
 
 // Labels of regions need not be dense: see Region_adjacency_graph_test.cpp.
@@ -119,7 +123,10 @@ TEST_F(Debug_checks_test, a_partitioner_takes_a_whole_graph_and_a_number)
 {
   struct Equal_cost
   {
-    double operator()(const RS::Region_adjacency_graph<>&, RS::Section_descriptor) const { return 0; }
+    double operator()(const RS::Region_adjacency_graph<>&, RS::Section_descriptor) const
+    {
+      return 0;
+    }
   };
   RS::Region_adjacency_graph<> g;
   for (int i = 0; i < 3; ++i)
@@ -167,9 +174,7 @@ TEST(Checked_build_test, right_use_passes)
   for (test::Family family : test::all_families) {
     const Surface_mesh mesh = test::to_surface_mesh(test::random_mesh(family, 3));
     auto map = get(CGAL::dynamic_face_property_t<std::size_t>(), mesh);
-    EXPECT_GE(RS::segment(mesh, map,
-                          RP::number_of_segments(3).method(all_edges)),
-              1u);
+    EXPECT_GE(RS::segment(mesh, map, RP::number_of_segments(3).method(all_edges)), 1u);
     EXPECT_GE(RS::segment(mesh, map), 1u);
     EXPECT_GE(RS::segment(mesh, map, RP::number_of_segments(3)), 1u);
     EXPECT_GE(RS::segment(mesh, map, RP::number_of_segments(1000000)), 1u);

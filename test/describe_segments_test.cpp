@@ -38,7 +38,8 @@ std::vector<Description> descriptions_of(const Soup& soup, const Labels& labels)
 {
   const Mesh mesh = to_mesh<Mesh>(soup);
   std::vector<Description> result;
-  const std::size_t number = RS::describe_segments(mesh, face_labels(mesh, labels), std::back_inserter(result));
+  const std::size_t number = RS::describe_segments(mesh, face_labels(mesh, labels),
+                                                   std::back_inserter(result));
   EXPECT_EQ(number, result.size());
   return result;
 }
@@ -56,7 +57,8 @@ void expect_near(const Triple& a, const Triple& b, double tolerance)
 }
 
 /// An open surface of `across` times `around` quads; a point for each pair in [0, 1] x [0, 1).
-Soup tube(std::size_t across, std::size_t around, const std::function<Point(double, double)>& point, double part = 1)
+Soup tube(std::size_t across, std::size_t around, const std::function<Point(double, double)>& point,
+          double part = 1)
 {
   const bool is_closed = part == 1;
   Soup soup;
@@ -67,7 +69,8 @@ Soup tube(std::size_t across, std::size_t around, const std::function<Point(doub
   for (std::size_t i = 0; i < across; ++i)
     for (std::size_t j = 0; j < around; ++j) {
       const std::size_t k = (j + 1) % columns;
-      soup.polygons.push_back({i * columns + j, i * columns + k, (i + 1) * columns + k, (i + 1) * columns + j});
+      soup.polygons.push_back(
+        {i * columns + j, i * columns + k, (i + 1) * columns + k, (i + 1) * columns + j});
     }
   return soup;
 }
@@ -92,7 +95,9 @@ Vector_3 moved_direction(const Point& v)
 
 TEST(Describe_segments_test, knows_a_box)
 {
-  const Soup box = mapped(cube(), [](const Point& p) { return moved({5 * p[0], 2 * p[1], 3 * p[2]}); });
+  const Soup box = mapped(cube(), [](const Point& p) {
+    return moved({5 * p[0], 2 * p[1], 3 * p[2]});
+  });
   const Description d = description_of(box);
   EXPECT_EQ(d.number_of_faces, 6u);
   EXPECT_NEAR(d.area, 62, 1e-10);
@@ -140,7 +145,8 @@ TEST(Describe_segments_test, weighs_the_angles_of_one_joint_by_length)
 {
   // Two labels that meet along 3 units of a crease of 90 degrees, and along 1 unit in the flat.
   Soup soup;
-  soup.points = {{0, 0, 0}, {3, 0, 0}, {4, 0, 0}, {0, 1, 0}, {3, 1, 0}, {4, 1, 0}, {0, 0, -1}, {3, 0, -1}};
+  soup.points = {{0, 0, 0}, {3, 0, 0}, {4, 0, 0},  {0, 1, 0},
+                 {3, 1, 0}, {4, 1, 0}, {0, 0, -1}, {3, 0, -1}};
   soup.polygons = {{0, 1, 4, 3}, {1, 2, 5, 4}, {1, 0, 6, 7}};
   const auto d = descriptions_of(soup, {0, 1, 1});
   ASSERT_EQ(d.size(), 2u);
@@ -292,23 +298,28 @@ TEST(Describe_segments_test, finds_a_plane)
 TEST(Describe_segments_test, the_normal_of_a_plane_points_to_the_side_of_most_faces)
 {
   // Corrugated, so that no face has the normal of the plane.
-  const Soup sheet = mapped(grid(9, 4), [](const Point& p) { return moved({p[0], p[1], int(p[0]) % 2 == 0 ? 0. : 0.1}); });
+  const Soup sheet = mapped(grid(9, 4), [](const Point& p) {
+    return moved({p[0], p[1], int(p[0]) % 2 == 0 ? 0. : 0.1});
+  });
   ASSERT_EQ(description_of(sheet).primitive.type, RS::Primitive_type::PLANE);
   EXPECT_GT(description_of(sheet).primitive.direction * moved_direction({0, 0, 1}), 0.99);
-  EXPECT_LT(description_of(reversed(sheet)).primitive.direction * moved_direction({0, 0, 1}), -0.99);
+  EXPECT_LT(description_of(reversed(sheet)).primitive.direction * moved_direction({0, 0, 1}),
+            -0.99);
 }
 
 TEST(Describe_segments_test, finds_nothing_but_a_plane_where_all_points_are_on_it)
 {
   const Description d = description_of(grid(7, 4));
   EXPECT_EQ(d.primitive.error, 0);
-  for (RS::Primitive_type type : {RS::Primitive_type::SPHERE, RS::Primitive_type::CYLINDER, RS::Primitive_type::CONE})
+  for (RS::Primitive_type type :
+       {RS::Primitive_type::SPHERE, RS::Primitive_type::CYLINDER, RS::Primitive_type::CONE})
     EXPECT_EQ(d.primitive.error_of(type), std::numeric_limits<double>::infinity());
 }
 
 using Shape = RS::internal::Primitive_shape;
 
-Shape make_shape(RS::Primitive_type type, const Eigen::Vector3d& point, const Eigen::Vector3d& direction, double size)
+Shape make_shape(RS::Primitive_type type, const Eigen::Vector3d& point,
+                 const Eigen::Vector3d& direction, double size)
 {
   Shape shape;
   shape.type = type;
@@ -332,7 +343,8 @@ TEST(Primitive_shape_test, has_one_form)
   EXPECT_EQ(cylinder.radius, 5);
   EXPECT_EQ(cylinder.distance({1, 8, 7}), 1);
 
-  for (const auto& [angle, normalized] : {std::make_pair(-0.1, 0.), std::make_pair(0.5, 0.5), std::make_pair(2., pi / 2)}) {
+  for (const auto& [angle, normalized] :
+       {std::make_pair(-0.1, 0.), std::make_pair(0.5, 0.5), std::make_pair(2., pi / 2)}) {
     const Shape cone = make_shape(RS::Primitive_type::CONE, {1, 2, 3}, {0, 3, 0}, angle);
     EXPECT_EQ(cone.point, Eigen::Vector3d(1, 2, 3));
     EXPECT_EQ(cone.direction, Eigen::Vector3d(0, 1, 0));
@@ -350,9 +362,11 @@ TEST(Primitive_shape_test, has_the_gradient_of_its_distance)
   constexpr double step = 1e-6;
   std::mt19937 random(17);
   std::uniform_real_distribution<double> coordinate(-2, 2);
-  for (RS::Primitive_type type : {RS::Primitive_type::SPHERE, RS::Primitive_type::CYLINDER, RS::Primitive_type::CONE}) {
+  for (RS::Primitive_type type :
+       {RS::Primitive_type::SPHERE, RS::Primitive_type::CYLINDER, RS::Primitive_type::CONE}) {
     const bool is_sphere = type == RS::Primitive_type::SPHERE;
-    const Shape shape = make_shape(type, {0.1, -0.2, 0.3}, Eigen::Vector3d(0.4, 1, -0.6) * !is_sphere, 0.7);
+    const Shape shape = make_shape(type, {0.1, -0.2, 0.3},
+                                   Eigen::Vector3d(0.4, 1, -0.6) * !is_sphere, 0.7);
     for (int i = 0; i < 200; ++i) {
       const Eigen::Vector3d p(coordinate(random), coordinate(random), coordinate(random));
       const Shape::Gradient gradient = shape.gradient(p);
@@ -374,7 +388,9 @@ TEST(Primitive_shape_test, has_the_gradient_of_its_distance)
 
 TEST(Describe_segments_test, finds_a_sphere_and_a_part_of_it)
 {
-  Soup whole = mapped(sphere(3), [](const Point& p) { return moved({2 * p[0], 2 * p[1], 2 * p[2]}); });
+  Soup whole = mapped(sphere(3), [](const Point& p) {
+    return moved({2 * p[0], 2 * p[1], 2 * p[2]});
+  });
   Labels labels(whole.polygons.size());
   for (std::size_t f = 0; f < labels.size(); ++f)
     labels[f] = sphere(3).points[whole.polygons[f][0]][2] > 0.6;
@@ -392,7 +408,11 @@ TEST(Describe_segments_test, finds_a_cylinder)
 {
   for (double part : {1., 0.3}) { // all around, and a third
     const Description d = description_of(tube(
-      5, 24, [](double u, double v) { return moved({2 * std::cos(2 * pi * v), 2 * std::sin(2 * pi * v), 6 * u}); }, part));
+      5, 24,
+      [](double u, double v) {
+        return moved({2 * std::cos(2 * pi * v), 2 * std::sin(2 * pi * v), 6 * u});
+      },
+      part));
     EXPECT_EQ(d.primitive.type, RS::Primitive_type::CYLINDER);
     EXPECT_NEAR(d.primitive.radius, 2, 1e-6);
     EXPECT_NEAR(std::abs(d.primitive.direction * moved_direction({0, 0, 1})), 1, 1e-6);
@@ -425,7 +445,8 @@ TEST(Describe_segments_test, finds_a_cone)
 
 TEST(Describe_segments_test, takes_no_cone_that_is_nearly_a_cylinder_or_a_plane)
 {
-  // Half angles of 0.005 radians, and of as much less than a right angle: each a cone but for rounding.
+  // Half angles of 0.005 radians, and of as much less than a right angle: each a cone but for
+  // rounding.
   const Description steep = description_of(tube(5, 24, [](double u, double v) {
     const double r = 1 + 0.02 * u;
     return moved({r * std::cos(2 * pi * v), r * std::sin(2 * pi * v), 4 * u});
@@ -448,7 +469,8 @@ TEST(Describe_segments_test, tells_two_circles_of_corners_from_a_sphere)
       return moved({r * std::cos(2 * pi * v), r * std::sin(2 * pi * v), 1.5 * u});
     })));
     EXPECT_NEAR(d.primitive.error_of(RS::Primitive_type::SPHERE), 0, 1e-6);
-    EXPECT_EQ(d.primitive.type, taper == 0 ? RS::Primitive_type::CYLINDER : RS::Primitive_type::CONE);
+    EXPECT_EQ(d.primitive.type,
+              taper == 0 ? RS::Primitive_type::CYLINDER : RS::Primitive_type::CONE);
     EXPECT_NEAR(d.primitive.error, 0, 1e-6);
   }
 }
@@ -473,13 +495,15 @@ TEST(Describe_segments_test, scales_with_the_mesh)
   const Soup soup = random_mesh(Family::SPHERE, 4);
   const Labels labels = random_labels(soup, 3, 4);
   const double factor = std::ldexp(1.0, 80); // beyond which the flat mesh has a unit of its own
-  const auto small = descriptions_of(soup, labels), large = descriptions_of(scaled(soup, factor), labels);
+  const auto small = descriptions_of(soup, labels),
+             large = descriptions_of(scaled(soup, factor), labels);
   ASSERT_EQ(small.size(), large.size());
   for (std::size_t i = 0; i < small.size(); ++i) {
     EXPECT_EQ(small[i].area * factor * factor, large[i].area);
     EXPECT_EQ(small[i].volume * factor * factor * factor, large[i].volume);
     EXPECT_EQ(small[i].border_length * factor, large[i].border_length);
-    EXPECT_NEAR(small[i].primitive.error * factor, large[i].primitive.error, 1e-6 * large[i].primitive.error);
+    EXPECT_NEAR(small[i].primitive.error * factor, large[i].primitive.error,
+                1e-6 * large[i].primitive.error);
     for (RS::Primitive_type type : {RS::Primitive_type::PLANE, RS::Primitive_type::SPHERE}) {
       const double error = large[i].primitive.error_of(type);
       ASSERT_TRUE(std::isfinite(error));
@@ -499,14 +523,16 @@ TEST(Describe_segments_test, a_surface_inside_out_is_described_as_if_it_were_not
     SCOPED_TRACE(name(family));
     const Soup soup = random_mesh(family, 5);
     const Labels labels = random_labels(soup, 3, 5);
-    const std::vector<Description> expected = descriptions_of(soup, labels), found = descriptions_of(reversed(soup), labels);
+    const std::vector<Description> expected = descriptions_of(soup, labels),
+                                   found = descriptions_of(reversed(soup), labels);
     ASSERT_EQ(found.size(), expected.size());
     for (std::size_t i = 0; i < found.size(); ++i) {
       EXPECT_NEAR(found[i].area, expected[i].area, 1e-9 * expected[i].area);
       EXPECT_NEAR(found[i].volume, expected[i].volume, 1e-9 * std::pow(expected[i].area, 1.5));
       EXPECT_NEAR(found[i].volume_share, expected[i].volume_share, 1e-9);
       // The minimum is flat where faces are of random segments.
-      EXPECT_NEAR(found[i].primitive.error, expected[i].primitive.error, 1e-3 * std::sqrt(expected[i].area));
+      EXPECT_NEAR(found[i].primitive.error, expected[i].primitive.error,
+                  1e-3 * std::sqrt(expected[i].area));
     }
   }
 }
@@ -514,7 +540,8 @@ TEST(Describe_segments_test, a_surface_inside_out_is_described_as_if_it_were_not
 TEST(Describe_segments_test, an_area_of_zero_stays_zero_where_others_are_infinite)
 {
   const Soup point{{{1, 1, 1}, {1, 1, 1}, {1, 1, 1}}, {{0, 1, 2}}};
-  const std::vector<Description> found = descriptions_of(scaled(joined(cube(), point), 1e300), {0, 0, 0, 0, 0, 0, 1});
+  const std::vector<Description> found = descriptions_of(scaled(joined(cube(), point), 1e300),
+                                                         {0, 0, 0, 0, 0, 0, 1});
   ASSERT_EQ(found.size(), 2u);
   EXPECT_EQ(found[0].area, std::numeric_limits<double>::infinity());
   EXPECT_EQ(found[0].volume, std::numeric_limits<double>::infinity());

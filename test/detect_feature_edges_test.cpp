@@ -38,7 +38,7 @@ std::set<Edge> features(const Soup& soup, const Parameters& np)
 std::size_t number_of_features(const Soup& soup, Feature_convexity convexity, double maximum_angle)
 {
   return features(soup, RS::parameters::feature_convexity(convexity).maximum_angle(maximum_angle))
-      .size();
+    .size();
 }
 
 TEST(Detect_feature_edges_test, cube_has_twelve_convex_edges)
@@ -50,7 +50,8 @@ TEST(Detect_feature_edges_test, cube_has_twelve_convex_edges)
   }
 }
 
-TEST(Detect_feature_edges_test, a_closed_surface_is_turned_if_it_is_inside_out_an_open_one_is_read_as_it_is)
+TEST(Detect_feature_edges_test,
+     a_closed_surface_is_turned_if_it_is_inside_out_an_open_one_is_read_as_it_is)
 {
   EXPECT_EQ(number_of_features(reversed(cube()), Feature_convexity::CONVEX, 30), 12u);
   EXPECT_EQ(number_of_features(reversed(cube()), Feature_convexity::CONCAVE, 30), 0u);
@@ -116,8 +117,8 @@ TEST(Detect_feature_edges_test, edges_of_a_degenerate_face_are_no_features)
 {
   EXPECT_EQ(number_of_features(cap(), Feature_convexity::ALL, 0), 4u); // the borders
   // On the ridge 2 3 = 2 4, both edges belong to the needle; 3 4 is a border.
-  const auto found =
-      features(needle_on_crease(), RS::parameters::feature_convexity(Feature_convexity::ALL));
+  const auto found = features(needle_on_crease(),
+                              RS::parameters::feature_convexity(Feature_convexity::ALL));
   EXPECT_FALSE(found.count({2, 3}));
   EXPECT_FALSE(found.count({2, 4}));
   EXPECT_TRUE(found.count({3, 4}));
@@ -129,7 +130,7 @@ TEST(Detect_feature_edges_test, constrained_edges_are_features)
   const Soup soup = grid(4, 2);
   const Surface_mesh mesh = to_surface_mesh(soup);
   const auto found = features(
-      soup, RS::parameters::edge_is_constrained_map(edge_map(mesh, std::set<Edge>{{2, 7}})));
+    soup, RS::parameters::edge_is_constrained_map(edge_map(mesh, std::set<Edge>{{2, 7}})));
   EXPECT_TRUE(found.count({2, 7}));
   EXPECT_EQ(found.size(), 13u);
 }
@@ -160,8 +161,8 @@ TEST(Detect_feature_edges_test, large_components_are_turned_one_by_one)
   }
 }
 
-/// A face is degenerate by its longest edge, whichever it is: the area is below 1e-12 times the square of that one, but above that
-/// of the others.
+/// A face is degenerate by its longest edge, whichever it is: the area is below 1e-12 times the
+/// square of that one, but above that of the others.
 TEST(Detect_feature_edges_test, the_longest_edge_of_a_cap_tells_that_it_is_degenerate)
 {
   for (std::size_t turn = 0; turn < 3; ++turn) {
@@ -201,13 +202,15 @@ TEST(Detect_feature_edges_test, constraints_that_throw_leave_the_map_as_it_was)
   const Surface_mesh mesh = to_surface_mesh(torus(12, 6));
   std::vector<bool> marks(num_edges(mesh), true);
   const auto map = boost::make_iterator_property_map(marks.begin(), get(boost::edge_index, mesh));
-  EXPECT_THROW(
-    RS::detect_feature_edges(mesh, map, RS::parameters::edge_is_constrained_map(Throwing_constraints{num_edges(mesh) / 2})),
-    std::runtime_error);
+  EXPECT_THROW(RS::detect_feature_edges(mesh, map,
+                                        RS::parameters::edge_is_constrained_map(
+                                          Throwing_constraints{num_edges(mesh) / 2})),
+               std::runtime_error);
   EXPECT_EQ(std::count(marks.begin(), marks.end(), true), std::ptrdiff_t(marks.size()));
 }
 
-/// Areas that are small compared with the coordinates: the longest edge tells whether a face is degenerate.
+/// Areas that are small compared with the coordinates: the longest edge tells whether a face is
+/// degenerate.
 TEST(Detect_feature_edges_test, far_from_the_origin_edges_are_those_of_the_reference)
 {
   for (Family family : all_families)
@@ -269,9 +272,9 @@ TEST(Detect_feature_edges_test, an_edge_inside_a_face_is_no_feature)
 
   auto map = edge_map(mesh, std::uint8_t(1));
   EXPECT_EQ(
-      RS::detect_feature_edges(
-          mesh, map, RS::parameters::feature_convexity(Feature_convexity::ALL).maximum_angle(0)),
-      4u);
+    RS::detect_feature_edges(
+      mesh, map, RS::parameters::feature_convexity(Feature_convexity::ALL).maximum_angle(0)),
+    4u);
   EXPECT_FALSE(get(map, mesh.edge(spike)));
 }
 

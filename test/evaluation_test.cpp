@@ -294,7 +294,7 @@ std::vector<std::size_t> cut_vertices_of(const Surface_mesh& mesh, const Labels&
   std::vector<std::size_t> result;
   for (auto e : edges(mesh))
     if (!is_border(e, mesh) && labels[face(halfedge(e, mesh), mesh).idx()] !=
-                                   labels[face(opposite(halfedge(e, mesh), mesh), mesh).idx()]) {
+                                 labels[face(opposite(halfedge(e, mesh), mesh), mesh).idx()]) {
       result.push_back(source(e, mesh).idx());
       result.push_back(target(e, mesh).idx());
     }
@@ -308,13 +308,13 @@ std::vector<std::vector<double>> all_distances(const Surface_mesh& mesh)
 {
   const std::size_t n = num_vertices(mesh);
   std::vector<std::vector<double>> d(
-      n, std::vector<double>(n, std::numeric_limits<double>::infinity()));
+    n, std::vector<double>(n, std::numeric_limits<double>::infinity()));
   for (std::size_t v = 0; v < n; ++v)
     d[v][v] = 0;
   for (auto e : edges(mesh)) {
     const auto v = source(e, mesh), w = target(e, mesh);
-    d[v.idx()][w.idx()] = d[w.idx()][v.idx()] =
-        std::sqrt(CGAL::squared_distance(mesh.point(v), mesh.point(w)));
+    d[v.idx()][w.idx()] = d[w.idx()][v.idx()] = std::sqrt(
+      CGAL::squared_distance(mesh.point(v), mesh.point(w)));
   }
   for (std::size_t k = 0; k < n; ++k)
     for (std::size_t i = 0; i < n; ++i)
@@ -342,8 +342,7 @@ double mean_cut_distance(const std::vector<std::vector<double>>& distances,
 
 template <typename Mesh>
 class On_mesh_type : public testing::Test
-{
-};
+{};
 using Mesh_types = testing::Types<Surface_mesh, Polyhedron>;
 TYPED_TEST_SUITE(On_mesh_type, Mesh_types);
 
@@ -398,8 +397,8 @@ TYPED_TEST(On_mesh_type, a_mesh_without_faces_or_with_one)
   EXPECT_EQ(none.cut, std::nullopt);
   EXPECT_TRUE(is_in_range(none));
 
-  const TypeParam triangle =
-      make_mesh<TypeParam>({Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0)}, {{0, 1, 2}});
+  const TypeParam triangle = make_mesh<TypeParam>({Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0)},
+                                                  {{0, 1, 2}});
   const Scores one = scores(triangle, {7}, {-3});
   EXPECT_TRUE(is_same(none, one));
 }
@@ -530,7 +529,7 @@ TEST(Measures, cut_discrepancy_follows_shortest_paths)
     Labels labels;
     for (std::size_t f = 0; f < num_faces(mesh); ++f)
       labels.push_back((double(f / 2 % nx) - x) * std::cos(angle) +
-                           (double(f / 2 / nx) - y) * std::sin(angle) >
+                         (double(f / 2 / nx) - y) * std::sin(angle) >
                        0);
     return labels;
   };
@@ -673,8 +672,8 @@ TEST(Measures, do_not_depend_on_scale)
   const Labels a = random_labels(num_faces(mesh), 4, random),
                b = random_labels(num_faces(mesh), 6, random);
   const Scores expected = scores(mesh, a, b);
-  for (int exponent :
-       {-1000, -600, -7, 600, 1000}) { // squares of lengths leave the range of double
+  for (int exponent : {-1000, -600, -7, 600, 1000}) { // squares of lengths leave the range of
+                                                      // double
     Surface_mesh scaled = mesh;
     for (auto v : vertices(scaled)) {
       const Point& p = mesh.point(v);
@@ -695,9 +694,7 @@ TEST(Measures, read_points_by_the_map_that_is_given)
   const auto a = on(mesh, Labels{0, 0, 1, 1}), b = on(mesh, Labels{0, 1, 1, 1});
   // All faces get width 1: x = 0, 1, 3, 6, 10 becomes 0, 1, 2, 3, 4. Values are returned.
   const auto map = boost::make_function_property_map<Surface_mesh::Vertex_index>(
-      [&](Surface_mesh::Vertex_index v) {
-        return Point(double(v.idx() % 5), mesh.point(v).y(), 0);
-      });
+    [&](Surface_mesh::Vertex_index v) { return Point(double(v.idx() % 5), mesh.point(v).y(), 0); });
   const auto np = RS::parameters::vertex_point_map(map);
   EXPECT_DOUBLE_EQ(RS::hamming_distance(mesh, a, b, np).distance, 0.25);
   EXPECT_DOUBLE_EQ(RS::consistency_error(mesh, a, b, np).local_by_area, 0.125);
@@ -712,7 +709,7 @@ TEST(Measures, take_maps_that_are_functions)
   const Surface_mesh mesh = make_strip<Surface_mesh>();
   const auto a = boost::make_function_property_map<Face>([](Face f) { return f.idx() >= 2; });
   const auto b = boost::make_function_property_map<Face>(
-      [](Face f) -> long long { return f.idx() == 0 ? -1 : 1; });
+    [](Face f) -> long long { return f.idx() == 0 ? -1 : 1; });
   EXPECT_TRUE(is_same(scores(mesh, a, b), scores(mesh, {0, 0, 1, 1}, {0, 1, 1, 1})));
 }
 
@@ -752,7 +749,7 @@ TEST(Measures, know_the_centroid_of_a_concave_polygon)
   // |  3--2   area 3: two unit squares below (centroid 1, 1/2), one above (1/2, 3/2)
   // 0-----1
   std::vector<RS::Double_3> polygon = {{0, 0, 7}, {2, 0, 7}, {2, 1, 7},
-                                                 {1, 1, 7}, {1, 2, 7}, {0, 2, 7}};
+                                       {1, 1, 7}, {1, 2, 7}, {0, 2, 7}};
   for (std::size_t first = 0; first < polygon.size(); ++first) {
     const auto c = RS::internal::centroid(polygon);
     EXPECT_DOUBLE_EQ(c.x, 2.5 / 3);
@@ -780,8 +777,8 @@ TEST(Cut_discrepancy, there_is_none_without_a_path)
     for (const auto& [dx, y] :
          {std::pair(0., 0.), std::pair(1., 0.), std::pair(1., 1.), std::pair(0., 1.)})
       points.emplace_back(x + dx, y, 0);
-  const Surface_mesh mesh =
-      make_mesh<Surface_mesh>(points, {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}});
+  const Surface_mesh mesh = make_mesh<Surface_mesh>(points,
+                                                    {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}});
   EXPECT_EQ(scores(mesh, {0, 1, 2, 2}, {0, 0, 2, 3}).cut, std::nullopt);
   EXPECT_EQ(scores(mesh, {0, 1, 2, 3}, {0, 1, 2, 2}).cut, std::nullopt);
   EXPECT_EQ(scores(mesh, {0, 1, 2, 2}, {0, 1, 2, 2}).cut, 0);
@@ -832,7 +829,8 @@ TEST(Measures, the_cut_discrepancy_of_a_surface_that_is_nearly_a_line_is_a_numbe
   for (std::size_t i = 0; i < 3; ++i)
     mesh.add_face(v[2 * i], v[2 * i + 2], v[2 * i + 3], v[2 * i + 1]);
   // The cuts are at 1 and 2, the centroids at 1/2, 3/2 and 5/2: 1 / (2/3).
-  const auto found = RS::cut_discrepancy(mesh, on(mesh, Labels{0, 1, 1}), on(mesh, Labels{0, 0, 1}));
+  const auto found = RS::cut_discrepancy(mesh, on(mesh, Labels{0, 1, 1}),
+                                         on(mesh, Labels{0, 0, 1}));
   ASSERT_TRUE(found.has_value());
   EXPECT_NEAR(*found, 1.5, 1e-2); // the area has few digits
 }

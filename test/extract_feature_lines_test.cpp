@@ -145,15 +145,15 @@ TEST(Extract_feature_lines_test, constrained_edges_stay_and_hold_nothing_up)
 {
   const Surface_mesh mesh = to_surface_mesh(sheet);
   for (const std::set<Edge>& constrained : {std::set<Edge>{{7, 8}}, {{6, 7}, {7, 8}}, {{2, 7}}}) {
-    const auto result =
-        extract(sheet, both(borders(sheet), constrained),
-                RS::parameters::edge_is_constrained_map(edge_map(mesh, constrained)));
+    const auto result = extract(
+      sheet, both(borders(sheet), constrained),
+      RS::parameters::edge_is_constrained_map(edge_map(mesh, constrained)));
     EXPECT_EQ(result.features, both(borders(sheet), constrained));
   }
   // A line with a free end goes, but for its constrained edges.
-  const auto result =
-      extract(sheet, {{6, 7}, {7, 8}},
-              RS::parameters::edge_is_constrained_map(edge_map(mesh, std::set<Edge>{{7, 8}})));
+  const auto result = extract(
+    sheet, {{6, 7}, {7, 8}},
+    RS::parameters::edge_is_constrained_map(edge_map(mesh, std::set<Edge>{{7, 8}})));
   EXPECT_EQ(result.features, both(borders(sheet), {{7, 8}}));
 }
 
@@ -220,14 +220,14 @@ TEST(Extract_feature_lines_test, pruning_leaves_the_regions_alone)
       const Soup soup = random_mesh(family, seed);
       std::mt19937 random(seed);
       const Surface_mesh mesh = to_surface_mesh(soup);
-      const std::set<Edge> constrained =
-          seed % 2 ? random_edges(soup, 12, random) : std::set<Edge>();
-      const std::set<Edge> before =
-          both(both(borders(soup), random_edges(soup, 2 + seed % 3, random)), constrained);
+      const std::set<Edge> constrained = seed % 2 ? random_edges(soup, 12, random)
+                                                  : std::set<Edge>();
+      const std::set<Edge> before = both(
+        both(borders(soup), random_edges(soup, 2 + seed % 3, random)), constrained);
       const auto after = extract(
-          soup, before, RS::parameters::edge_is_constrained_map(edge_map(mesh, constrained)));
-      EXPECT_TRUE(std::includes(before.begin(), before.end(), after.features.begin(),
-                                after.features.end()));
+        soup, before, RS::parameters::edge_is_constrained_map(edge_map(mesh, constrained)));
+      EXPECT_TRUE(
+        std::includes(before.begin(), before.end(), after.features.begin(), after.features.end()));
       EXPECT_EQ(regions(soup, before, constrained), regions(soup, after.features, constrained));
     }
 }

@@ -48,9 +48,11 @@ TEST(Partition_test, is_numbered_by_first_elements_whatever_the_labels)
 TEST(Partition_test, composes)
 {
   const auto fine = RS::Partition::from_labels(std::vector<int>{0, 0, 1, 2, 2, 3});
-  const auto coarse = RS::Partition::from_labels(std::vector<int>{0, 1, 0, 1}); // of the parts of the fine one
+  const auto coarse = RS::Partition::from_labels(std::vector<int>{0, 1, 0, 1}); // of the parts of
+                                                                                // the fine one
   const RS::Partition both = composed(fine, coarse);
-  EXPECT_EQ(std::vector<std::uint32_t>(both.begin(), both.end()), (std::vector<std::uint32_t>{0, 0, 1, 0, 0, 1}));
+  EXPECT_EQ(std::vector<std::uint32_t>(both.begin(), both.end()),
+            (std::vector<std::uint32_t>{0, 0, 1, 0, 0, 1}));
   EXPECT_EQ(both.number_of_parts(), 2u);
 }
 

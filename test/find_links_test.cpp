@@ -66,7 +66,9 @@ struct Soup
 /// A surface with edges, and its components.
 struct Model
 {
-  explicit Model(const Soup& soup) : component_of(fill(soup)) {}
+  explicit Model(const Soup& soup)
+    : component_of(fill(soup))
+  {}
 
   std::vector<Link> links() const
   {
@@ -341,8 +343,8 @@ TEST(find_links_test, overlapping_scans_have_about_the_border_of_the_overlap)
   const auto noisy = [&](const Double_3& p) {
     return Double_3{p.x + noise(random), p.y + noise(random), noise(random)};
   };
-  const Soup scans =
-    together({square(40).transformed(noisy), square(40).moved(0.503, 0.007, 0).transformed(noisy)});
+  const Soup scans = together(
+    {square(40).transformed(noisy), square(40).moved(0.503, 0.007, 0).transformed(noisy)});
   const double length = checked_length(scans), expected = 2 * (0.497 + 0.993);
   EXPECT_GT(length, expected / 2.5);
   EXPECT_LT(length, expected * 4);

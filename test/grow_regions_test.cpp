@@ -78,8 +78,8 @@ TEST(Grow_regions_test, cuts_a_sheet_and_clears_what_separates_nothing)
   //      | 0| 1| 2| 3|
   //      0--1--2--3--4
   const Soup sheet = grid(4, 2);
-  const auto result =
-      grow(sheet, {{2, 7}, {7, 12}, {8, 9}}); // borders are not marked: they get set
+  const auto result = grow(sheet, {{2, 7}, {7, 12}, {8, 9}}); // borders are not marked: they get
+                                                              // set
   EXPECT_EQ(result.labels, (Labels{0, 0, 1, 1, 0, 0, 1, 1}));
   EXPECT_EQ(result.n, 2u);
   EXPECT_TRUE(result.features.count({2, 7}) && result.features.count({7, 12}));
@@ -160,7 +160,8 @@ TEST(Grow_regions_test, regions_are_those_of_the_reference)
       SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
       Soup soup = random_mesh(family, seed);
       std::mt19937 random(seed);
-      const auto features = random_edges(soup, 3, random), constrained = random_edges(soup, 9, random);
+      const auto features = random_edges(soup, 3, random),
+                 constrained = random_edges(soup, 9, random);
       soup.points.push_back({1, 2, 3}); // of no face
       EXPECT_EQ(grow(soup, features, constrained).labels,
                 reference_labels(soup, features, constrained));
@@ -171,14 +172,16 @@ TEST(Grow_regions_test, degenerate_faces_of_one_block_alone)
 {
   const Soup large = torus(120, 60);
   ASSERT_GT(large.polygons.size(), RS::internal::block_size);
-  for (const Soup& soup : {joined(cap(), large), joined(large, cap()), translated(joined(large, cap()), 0, 1e5, 0)}) {
+  for (const Soup& soup :
+       {joined(cap(), large), joined(large, cap()), translated(joined(large, cap()), 0, 1e5, 0)}) {
     const auto result = grow(soup, {});
     EXPECT_EQ(result.labels, reference_labels(soup, {}, {}));
     EXPECT_EQ(result.n, 3u);
   }
 }
 
-/// Areas that are small compared with the coordinates: the longest edge tells whether a face is degenerate.
+/// Areas that are small compared with the coordinates: the longest edge tells whether a face is
+/// degenerate.
 TEST(Grow_regions_test, far_from_the_origin_regions_are_those_of_the_reference)
 {
   for (Family family : all_families)
@@ -191,21 +194,25 @@ TEST(Grow_regions_test, far_from_the_origin_regions_are_those_of_the_reference)
 
 //  3-----------2
 //  |           |
-//  0----4,5----1     the face 0 5 1 4 has no area, and two edges of one length to each neighbor: 0 4 and 4 1 above, 0 5 and
-//  |           |     5 1 below
-//  6-----------7
+//  0----4,5----1     the face 0 5 1 4 has no area, and two edges of one length to each neighbor: 0
+//  4 and 4 1 above, 0 5 and |           |     5 1 below 6-----------7
 TEST(Grow_regions_test, of_equal_edges_to_one_face_the_first_is_joined)
 {
   for (bool is_needle_first : {false, true}) {
-    Soup soup{{{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0}, {1, 0, 0}, {1, 0, 0}, {0, -1, 0}, {2, -1, 0}},
-              {{0, 4, 1, 2, 3}, {0, 5, 1, 4}, {0, 6, 7, 1, 5}}};
+    Soup soup{
+      {{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0}, {1, 0, 0}, {1, 0, 0}, {0, -1, 0}, {2, -1, 0}},
+      {{0, 4, 1, 2, 3}, {0, 5, 1, 4}, {0, 6, 7, 1, 5}}};
     if (is_needle_first)
       std::swap(soup.polygons[0], soup.polygons[1]);
-    for (const std::set<Edge>& features :
-         {std::set<Edge>{{0, 4}}, {{1, 4}}, {{0, 5}}, {{1, 5}}, {{0, 4}, {0, 5}}, {{1, 4}, {0, 5}}}) {
+    for (const std::set<Edge>& features : {std::set<Edge>{{0, 4}},
+                                           {{1, 4}},
+                                           {{0, 5}},
+                                           {{1, 5}},
+                                           {{0, 4}, {0, 5}},
+                                           {{1, 4}, {0, 5}}}) {
       const auto result = grow(soup, features);
-      // The upper face is the lower neighbor. From vertex 0 its boundary begins with 0 4, that of the other face leads
-      // over 1 4 before 4 0.
+      // The upper face is the lower neighbor. From vertex 0 its boundary begins with 0 4, that of
+      // the other face leads over 1 4 before 4 0.
       const Edge joining = is_needle_first ? Edge{0, 4} : Edge{1, 4};
       EXPECT_EQ(result.labels[0] == result.labels[1], features.count(joining) == 0);
     }
@@ -226,7 +233,7 @@ TEST(Grow_regions_test, regions_are_the_components_between_features)
       for (const auto& [edge, faces] : faces_of_edges(soup))
         EXPECT_EQ(result.features.count(edge) != 0,
                   faces.size() == 1 ||
-                      (features.count(edge) && result.labels[faces[0]] != result.labels[faces[1]]));
+                    (features.count(edge) && result.labels[faces[0]] != result.labels[faces[1]]));
       for (const auto& [edge, faces] : faces_of_edges(soup))
         if (!has_degenerate_faces(family) && faces.size() == 2 && !features.count(edge)) {
           EXPECT_EQ(result.labels[faces[0]], result.labels[faces[1]]);

@@ -146,8 +146,9 @@ TEST(Merge_regions_test, a_policy_that_proposes_what_cannot_be_merged_is_an_erro
   }
   EXPECT_EQ(g.number_of_regions(), 3u);
   g.forbid_merge(*g.section(0, 1));
-  EXPECT_THROW(RS::merge_regions(g, Stubborn_policy{*g.section(0, 1)}, 1, RS::Stop_at_count{1}), RS::Invalid_method)
-      << "barred";
+  EXPECT_THROW(RS::merge_regions(g, Stubborn_policy{*g.section(0, 1)}, 1, RS::Stop_at_count{1}),
+               RS::Invalid_method)
+    << "barred";
   EXPECT_EQ(g.number_of_regions(), 3u);
 }
 
@@ -175,7 +176,8 @@ TEST(Merge_regions_test, a_policy_whose_cost_is_not_a_number_is_an_error)
                   "a number"));
   }
   EXPECT_EQ(g.number_of_regions(), 4u);
-  EXPECT_NO_THROW(RS::merge_regions(g, Policy_without_a_cost(), 4, RS::Stop_at_count{4})) << "nothing is merged";
+  EXPECT_NO_THROW(RS::merge_regions(g, Policy_without_a_cost(), 4, RS::Stop_at_count{4}))
+    << "nothing is merged";
 }
 
 TEST(Merge_regions_test, the_policy_is_initialized_and_may_be_a_temporary)

@@ -145,8 +145,8 @@ Result run_stages(const Mesh& mesh, const Options& options)
   RS::detect_feature_edges(mesh, features, options.named_features());
   RS::extract_feature_lines(mesh, features, CGAL::Emptyset_iterator());
   RS::grow_regions(mesh, features, regions);
-  auto graph =
-    RS::build_region_adjacency_graph(mesh, regions, RS::parameters::component_links(false));
+  auto graph = RS::build_region_adjacency_graph(mesh, regions,
+                                                RS::parameters::component_links(false));
   RS::Two_step_merging policy;
   result.tree = RS::merge_regions(graph, policy, options.k, RS::Stop_at_count{options.k});
   result.regions = labels_of(mesh, regions);
@@ -163,9 +163,10 @@ std::vector<Result> run_default(const Mesh& mesh, const Options& options)
   const RS::Learned_merging method;
   std::vector<Result> results;
   const auto add = [&](const auto& np) {
-    results.push_back(options.constrained_edges.empty()
-                        ? run(mesh, np)
-                        : run(mesh, np.edge_is_constrained_map(edge_map(mesh, options.constrained_edges))));
+    results.push_back(
+      options.constrained_edges.empty()
+        ? run(mesh, np)
+        : run(mesh, np.edge_is_constrained_map(edge_map(mesh, options.constrained_edges))));
   };
   add(RS::parameters::number_of_segments(options.k).method(method));
   add(RS::parameters::method(method));
@@ -175,7 +176,8 @@ std::vector<Result> run_default(const Mesh& mesh, const Options& options)
 template <typename Mesh>
 void expect_default_as_surface_mesh(const Mesh& mesh, const Options& options)
 {
-  const auto results = run_default(mesh, options), expected = run_default(to_surface_mesh(soup_of(mesh)), options);
+  const auto results = run_default(mesh, options),
+             expected = run_default(to_surface_mesh(soup_of(mesh)), options);
   for (std::size_t i = 0; i < results.size(); ++i) {
     expect_same(results[i], expected[i]);
     ASSERT_EQ(results[i].tree.merges().size(), expected[i].tree.merges().size());
@@ -214,19 +216,18 @@ void expect_as_segmenter(const Mesh& mesh, const Options& options)
 
 template <typename Mesh>
 struct Mesh_types_test : ::testing::Test
-{
-};
+{};
 
-using Mesh_types =
-    ::testing::Types<Surface_mesh, CGAL::Surface_mesh<Double_kernel::Point_3>,
-                     CGAL::Surface_mesh<Float_kernel::Point_3>, CGAL::Polyhedron_3<Kernel>,
-                     CGAL::Polyhedron_3<Kernel, CGAL::Polyhedron_items_with_id_3>,
-                     CGAL::Polyhedron_3<Double_kernel>, Lcc
+using Mesh_types = ::testing::Types<
+  Surface_mesh, CGAL::Surface_mesh<Double_kernel::Point_3>,
+  CGAL::Surface_mesh<Float_kernel::Point_3>, CGAL::Polyhedron_3<Kernel>,
+  CGAL::Polyhedron_3<Kernel, CGAL::Polyhedron_items_with_id_3>, CGAL::Polyhedron_3<Double_kernel>,
+  Lcc
 #ifdef TEST_OPENMESH
-                     ,
-                     Double_poly_mesh, Double_tri_mesh, Float_poly_mesh, Float_tri_mesh
+  ,
+  Double_poly_mesh, Double_tri_mesh, Float_poly_mesh, Float_tri_mesh
 #endif
-                     >;
+  >;
 
 struct Type_names
 {
@@ -327,7 +328,8 @@ TYPED_TEST(Mesh_types_test, takes_seeds)
           put(seeds, f, i < 60 ? 5 : i);
         ++i;
       }
-      return segments_of(any_mesh, RS::parameters::number_of_segments(4).method(method).face_seed_map(seeds));
+      return segments_of(any_mesh,
+                         RS::parameters::number_of_segments(4).method(method).face_seed_map(seeds));
     };
     const Surface_mesh same = to_surface_mesh(soup_of(mesh));
     EXPECT_EQ(segments(mesh, RS::Learned_merging()), segments(same, RS::Learned_merging()));
@@ -363,8 +365,7 @@ void remove_some_faces(Mesh& mesh)
 
 template <typename Mesh>
 struct Garbage_test : ::testing::Test
-{
-};
+{};
 using Garbage_types = ::testing::Types<Surface_mesh, CGAL::Polyhedron_3<Kernel>,
                                        CGAL::Polyhedron_3<Kernel, CGAL::Polyhedron_items_with_id_3>
 #ifdef TEST_OPENMESH

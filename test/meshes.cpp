@@ -55,7 +55,7 @@ Soup polygon_sheet(std::size_t nx, std::size_t ny, std::mt19937& random)
       case 1: // left and right
         for (std::size_t i = 0; i < 2; ++i)
           soup.polygons.push_back(
-              {at(i, 0), at(i + 1, 0), at(i + 1, 1), at(i + 1, 2), at(i, 2), at(i, 1)});
+            {at(i, 0), at(i + 1, 0), at(i + 1, 1), at(i + 1, 2), at(i, 2), at(i, 1)});
         break;
       default: // a pentagon, a triangle and two quads
         soup.polygons.push_back({at(0, 0), at(1, 0), at(1, 1), at(0, 1)});
@@ -219,7 +219,7 @@ Soup torus(std::size_t around, std::size_t across)
     for (std::size_t j = 0; j < across; ++j) {
       const double a = turn * double(i) / double(around), b = turn * double(j) / double(across);
       soup.points.push_back(
-          {(2 + std::cos(b)) * std::cos(a), (2 + std::cos(b)) * std::sin(a), std::sin(b)});
+        {(2 + std::cos(b)) * std::cos(a), (2 + std::cos(b)) * std::sin(a), std::sin(b)});
       const std::size_t i1 = (i + 1) % around, j1 = (j + 1) % across;
       soup.polygons.push_back({i * across + j, i1 * across + j, i1 * across + j1, i * across + j1});
     }

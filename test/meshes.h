@@ -123,8 +123,7 @@ bool is_manifold(const Soup& soup);
 
 // Random meshes
 
-enum class Family
-{
+enum class Family {
   SHEET,            // open, triangles
   QUAD_SHEET,       // open, quads that are not flat
   POLYGON_SHEET,    // open, faces of 4 to 6 vertices, some of which share two edges
@@ -136,9 +135,9 @@ enum class Family
   DEGENERATE_TORUS  // closed, with polygons that have no area
 };
 constexpr Family all_families[] = {
-    Family::SHEET,           Family::QUAD_SHEET, Family::POLYGON_SHEET,  Family::SPHERE,
-    Family::TORUS,           Family::BLOCKS,     Family::TWO_COMPONENTS, Family::DEGENERATE_SHEET,
-    Family::DEGENERATE_TORUS};
+  Family::SHEET,           Family::QUAD_SHEET, Family::POLYGON_SHEET,  Family::SPHERE,
+  Family::TORUS,           Family::BLOCKS,     Family::TWO_COMPONENTS, Family::DEGENERATE_SHEET,
+  Family::DEGENERATE_TORUS};
 std::string name(Family family);
 bool has_degenerate_faces(Family family);
 std::ostream& operator<<(std::ostream& out, Family family);

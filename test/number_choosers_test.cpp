@@ -23,8 +23,7 @@ using namespace test;
 
 template <typename Method>
 struct Number_choosers_test : ::testing::Test
-{
-};
+{};
 using Methods = ::testing::Types<RS::Learned_merging, RS::Visibility_merging>;
 TYPED_TEST_SUITE(Number_choosers_test, Methods);
 

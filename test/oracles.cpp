@@ -3,6 +3,7 @@
 #include "oracles.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace test {
 
@@ -108,10 +109,34 @@ std::size_t number_of_components(const Soup& soup)
   return count_pieces(soup, Labels(soup.polygons.size(), 0), {});
 }
 
+std::size_t number_of_proper_faces(const Soup& soup)
+{
+  std::size_t number = 0;
+  for (const Polygon& polygon : soup.polygons) {
+    const Point& origin = soup.points[polygon[0]];
+    const auto from = [&](const Point& p, std::size_t v) {
+      const Point& q = soup.points[polygon[v % polygon.size()]];
+      return Point{q[0] - p[0], q[1] - p[1], q[2] - p[2]};
+    };
+    Point area{0, 0, 0};
+    double longest = 0;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      const Point a = from(origin, i), b = from(origin, i + 1),
+                  e = from(soup.points[polygon[i]], i + 1);
+      area = {area[0] + a[1] * b[2] - a[2] * b[1], area[1] + a[2] * b[0] - a[0] * b[2],
+              area[2] + a[0] * b[1] - a[1] * b[0]};
+      longest = std::max(longest, e[0] * e[0] + e[1] * e[1] + e[2] * e[2]);
+    }
+    number += std::sqrt(area[0] * area[0] + area[1] * area[1] + area[2] * area[2]) / 2 >
+              1e-12 * longest;
+  }
+  return number;
+}
+
 std::size_t count(const Edge_flags& flags)
 {
   return std::size_t(
-      std::count_if(flags.begin(), flags.end(), [](const auto& f) { return f.second; }));
+    std::count_if(flags.begin(), flags.end(), [](const auto& f) { return f.second; }));
 }
 
 std::set<Edge> random_edges(const Soup& soup, std::size_t one_of, std::mt19937& random)
@@ -126,7 +151,7 @@ std::set<Edge> random_edges(const Soup& soup, std::size_t one_of, std::mt19937& 
 Options random_options(std::mt19937& random)
 {
   constexpr reference::Convexity convexities[] = {
-      reference::Convexity::concave, reference::Convexity::convex, reference::Convexity::all};
+    reference::Convexity::concave, reference::Convexity::convex, reference::Convexity::all};
   constexpr double angles[] = {180. - 3.12 * 180. / reference::pi, 10, 20, 35};
   const auto convexity = convexities[random() % 3];
   const double angle = angles[random() % 4];

@@ -48,6 +48,9 @@ using Edge_flags = std::map<Edge, bool>; // every edge
 Labels renumbered(const Labels& labels);
 std::map<Edge, std::vector<std::size_t>> faces_of_edges(const Soup& soup);
 std::size_t number_of_components(const Soup& soup);
+
+/// Faces that are not degenerate: whose area is above 1e-12 times the square of the longest edge.
+std::size_t number_of_proper_faces(const Soup& soup);
 std::size_t count(const Edge_flags& flags);
 /// Some edges, borders among them.
 std::set<Edge> random_edges(const Soup& soup, std::size_t one_of, std::mt19937& random);
@@ -61,7 +64,8 @@ struct Ranks
   using Traits = boost::graph_traits<Mesh>;
 
   explicit Ranks(const Mesh& mesh)
-      : m_mesh(&mesh), m_rank_of(get(CGAL::dynamic_vertex_property_t<std::size_t>(), mesh))
+    : m_mesh(&mesh)
+    , m_rank_of(get(CGAL::dynamic_vertex_property_t<std::size_t>(), mesh))
   {
     std::size_t rank = 0;
     for (auto v : vertices(mesh))
@@ -78,7 +82,7 @@ struct Ranks
 private:
   const Mesh* m_mesh;
   typename boost::property_map<Mesh, CGAL::dynamic_vertex_property_t<std::size_t>>::const_type
-      m_rank_of;
+    m_rank_of;
 };
 
 /// The soup of a mesh of any type, in the order of iteration.
@@ -160,7 +164,8 @@ inline Labels labels_of(const CGAL::Region_segmentation::Partition& partition)
 }
 
 /// The labels of faces whose regions are dealt out to segments.
-inline Labels labels_of(const Labels& regions, const CGAL::Region_segmentation::Partition& segment_of_region)
+inline Labels labels_of(const Labels& regions,
+                        const CGAL::Region_segmentation::Partition& segment_of_region)
 {
   Labels labels;
   for (std::size_t r : regions)
@@ -185,7 +190,7 @@ Result run(const Mesh& mesh, const Parameters& np)
   // Stale values everywhere: what is not written shows.
   auto segment_map = face_map(mesh), region_map = face_map(mesh);
   result.number_of_segments = CGAL::Region_segmentation::segment(
-      mesh, segment_map, np.region_map(region_map).merge_tree(std::ref(result.tree)));
+    mesh, segment_map, np.region_map(region_map).merge_tree(std::ref(result.tree)));
   result.segments = labels_of(mesh, segment_map);
   result.regions = labels_of(mesh, region_map);
   return result;
@@ -233,18 +238,21 @@ struct Options : reference::Two_step_options
   /// Of segment().
   auto named() const
   {
-    return CGAL::Region_segmentation::parameters::number_of_segments(k).method(method()).component_links(false);
+    return CGAL::Region_segmentation::parameters::number_of_segments(k)
+      .method(method())
+      .component_links(false);
   }
 
   /// Of detect_feature_edges().
   auto named_features() const
   {
-    return CGAL::Region_segmentation::parameters::maximum_angle(maximum_angle).feature_convexity(feature_convexity());
+    return CGAL::Region_segmentation::parameters::maximum_angle(maximum_angle)
+      .feature_convexity(feature_convexity());
   }
 };
 
-/// The method of the paper, and its feature edges by the stage functions. `with(np)` adds to a pack what all of these
-/// take: the maps of the mesh, and constrained edges.
+/// The method of the paper, and its feature edges by the stage functions. `with(np)` adds to a pack
+/// what all of these take: the maps of the mesh, and constrained edges.
 template <typename Mesh, typename With>
 Result run(const Mesh& mesh, const Options& options, const With& with)
 {
@@ -265,7 +273,8 @@ Result run(const Mesh& mesh, const Options& options)
   if (options.constrained_edges.empty())
     return run(mesh, options, [](const auto& np) { return np; });
   const auto constrained = edge_map(mesh, options.constrained_edges);
-  return run(mesh, options, [&](const auto& np) { return np.edge_is_constrained_map(constrained); });
+  return run(mesh, options,
+             [&](const auto& np) { return np.edge_is_constrained_map(constrained); });
 }
 
 /// Angle bounds and convexities in turn.

@@ -50,7 +50,8 @@ Outputs run(const Surface_mesh& mesh, const Parameters& np)
   Outputs result;
   RS::Merge_tree tree;
   result.number_of_segments = RS::segment<ConcurrencyTag>(
-    mesh, by_face(mesh, result.segments), np.region_map(by_face(mesh, result.regions)).merge_tree(std::ref(tree)));
+    mesh, by_face(mesh, result.segments),
+    np.region_map(by_face(mesh, result.regions)).merge_tree(std::ref(tree)));
   for (const auto& merge : tree.merges())
     result.costs.push_back(merge.cost);
   return result;
@@ -71,8 +72,8 @@ std::vector<bool> features(const Surface_mesh& mesh, RS::Feature_convexity conve
   std::vector<bool> result(num_edges(mesh));
   std::vector<std::size_t> regions;
   const auto map = boost::make_iterator_property_map(result.begin(), get(boost::edge_index, mesh));
-  RS::detect_feature_edges<ConcurrencyTag>(mesh, map,
-                                           RS::parameters::maximum_angle(3).feature_convexity(convexity));
+  RS::detect_feature_edges<ConcurrencyTag>(
+    mesh, map, RS::parameters::maximum_angle(3).feature_convexity(convexity));
   RS::grow_regions<ConcurrencyTag>(mesh, map, by_face(mesh, regions));
   return result;
 }
@@ -91,8 +92,7 @@ Soup large_sheet(unsigned seed)
 }
 
 class Parallel_test : public ::testing::TestWithParam<unsigned>
-{
-};
+{};
 
 TEST_P(Parallel_test, two_step_gives_the_same_bits)
 {
@@ -105,9 +105,9 @@ TEST_P(Parallel_test, two_step_gives_the_same_bits)
     for (const std::size_t threads : {1, 2, 5}) {
       const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
       EXPECT_EQ(run<CGAL::Parallel_tag>(mesh, np), expected)
-          << "seed " << GetParam() << ", " << threads << " threads";
+        << "seed " << GetParam() << ", " << threads << " threads";
       EXPECT_EQ(features<CGAL::Parallel_tag>(mesh, convexity), expected_features)
-          << "seed " << GetParam() << ", " << threads << " threads";
+        << "seed " << GetParam() << ", " << threads << " threads";
     }
   }
 }
@@ -117,7 +117,9 @@ TEST(Parallel_stages_test, a_surface_inside_out_has_the_features_of_the_other)
   const Soup soup = torus(600, 250);
   const Surface_mesh mesh = to_surface_mesh(soup), inside_out = to_surface_mesh(reversed(soup));
   ASSERT_GT(num_faces(mesh), 2 * RS::internal::blocks_in_range * RS::internal::block_size);
-  const auto count = [](const std::vector<bool>& marks) { return std::count(marks.begin(), marks.end(), true); };
+  const auto count = [](const std::vector<bool>& marks) {
+    return std::count(marks.begin(), marks.end(), true);
+  };
   const auto detected = [](const Surface_mesh& m, auto tag) {
     std::vector<bool> marks(num_edges(m));
     RS::detect_feature_edges<decltype(tag)>(
@@ -129,7 +131,8 @@ TEST(Parallel_stages_test, a_surface_inside_out_has_the_features_of_the_other)
   EXPECT_GT(expected, 0);
   EXPECT_NE(expected, std::ptrdiff_t(num_edges(mesh)));
   EXPECT_EQ(count(detected(inside_out, CGAL::Sequential_tag())), expected);
-  EXPECT_EQ(detected(inside_out, CGAL::Parallel_tag()), detected(inside_out, CGAL::Sequential_tag()));
+  EXPECT_EQ(detected(inside_out, CGAL::Parallel_tag()),
+            detected(inside_out, CGAL::Sequential_tag()));
 }
 
 /// What is known of every adjacency, every corner, and the patches.
@@ -162,8 +165,8 @@ std::vector<double> numbers_read(const Surface_mesh& mesh)
     }
     for (std::size_t i = 0; i < patches->adjacencies().size(); ++i) {
       const RS::Patches::Adjacency& adjacency = patches->adjacencies()[i];
-      result.insert(result.end(),
-                    {double(adjacency.lower), double(adjacency.higher), adjacency.length, patches->concave_deviation(i)});
+      result.insert(result.end(), {double(adjacency.lower), double(adjacency.higher),
+                                   adjacency.length, patches->concave_deviation(i)});
     }
   }
   return result;
@@ -199,8 +202,8 @@ std::vector<double> hits_found(const RS::Surface& surface, unsigned seed)
   std::vector<double> result;
   for (int i = 0; i < 1000; ++i) {
     const std::size_t face = random() % surface.number_of_faces();
-    const RS::Double_3 way =
-      surface.centroid(random() % surface.number_of_faces()) - surface.centroid(face);
+    const RS::Double_3 way = surface.centroid(random() % surface.number_of_faces()) -
+                             surface.centroid(face);
     if (norm(way) == 0)
       continue;
     const auto hit = tree.first_hit(surface, surface.centroid(face), (1 / norm(way)) * way,
@@ -212,8 +215,8 @@ std::vector<double> hits_found(const RS::Surface& surface, unsigned seed)
 
 TEST_P(Parallel_test, rays_hit_the_same_faces)
 {
-  const RS::Surface surface =
-    RS::make_surface(bumpy_torus(GetParam())); // more boxes than one thread makes
+  const RS::Surface surface = RS::make_surface(bumpy_torus(GetParam())); // more boxes than one
+                                                                         // thread makes
   EXPECT_TRUE(hits_found<CGAL::Parallel_tag>(surface, GetParam()) ==
               hits_found<CGAL::Sequential_tag>(surface, GetParam()))
     << "seed " << GetParam();
@@ -224,7 +227,8 @@ TEST_P(Parallel_test, the_default_method_gives_the_same_bits)
   const Surface_mesh mesh = bumpy_torus(GetParam());
   ASSERT_GT(num_faces(mesh), 2 * RS::internal::block_size);
   const auto np = RS::parameters::number_of_segments(7);
-  EXPECT_EQ(run<CGAL::Parallel_tag>(mesh, np), run<CGAL::Sequential_tag>(mesh, np)) << "seed " << GetParam();
+  EXPECT_EQ(run<CGAL::Parallel_tag>(mesh, np), run<CGAL::Sequential_tag>(mesh, np))
+    << "seed " << GetParam();
 }
 
 TEST_P(Parallel_test, smoothed_borders_are_the_same)
@@ -277,8 +281,9 @@ TEST(Parallel, a_segmenter_is_asked_from_several_threads)
 }
 
 /// The lowest index of each tree, by search.
-std::vector<std::uint32_t> labels_by_search(std::size_t size,
-                                            const std::vector<std::pair<std::uint32_t, std::uint32_t>>& pairs)
+std::vector<std::uint32_t>
+labels_by_search(std::size_t size,
+                 const std::vector<std::pair<std::uint32_t, std::uint32_t>>& pairs)
 {
   std::vector<std::vector<std::uint32_t>> neighbors(size);
   for (const auto& [a, b] : pairs) {
@@ -319,7 +324,9 @@ TEST_P(Parallel_test, the_forest_numbers_components_by_their_lowest_element)
     }
     RS::internal::Lowest_root_forest forest(size);
     constexpr std::size_t size_of_range = 10000;
-    const auto is_within = [&](const auto& pair) { return pair.first / size_of_range == pair.second / size_of_range; };
+    const auto is_within = [&](const auto& pair) {
+      return pair.first / size_of_range == pair.second / size_of_range;
+    };
     tbb::parallel_for(std::size_t(0), size / size_of_range, [&](std::size_t range) {
       for (const auto& pair : pairs)
         if (is_within(pair) && pair.first / size_of_range == range)
@@ -329,9 +336,11 @@ TEST_P(Parallel_test, the_forest_numbers_components_by_their_lowest_element)
       if (!is_within(pair))
         forest.unite(pair.first, pair.second);
     const RS::Partition partition = forest.take_partition();
-    EXPECT_EQ(std::vector<std::uint32_t>(partition.begin(), partition.end()), labels_by_search(size, pairs))
+    EXPECT_EQ(std::vector<std::uint32_t>(partition.begin(), partition.end()),
+              labels_by_search(size, pairs))
       << "seed " << GetParam();
-    EXPECT_EQ(partition.number_of_parts(), 1 + *std::max_element(partition.begin(), partition.end()));
+    EXPECT_EQ(partition.number_of_parts(),
+              1 + *std::max_element(partition.begin(), partition.end()));
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// CGAL's parameterizers accept the segments of real meshes: opened by seams, as charts and as pieces.
+// CGAL's parameterizers accept the segments of real meshes: opened by seams, as charts and as
+// pieces.
 
 #include "real_meshes.h"
 
@@ -33,7 +34,8 @@ struct Segmented
   Surface_mesh::Property_map<Surface_mesh::Face_index, std::size_t> segment;
   std::size_t number;
 
-  explicit Segmented(const Surface_mesh& original) : mesh(original)
+  explicit Segmented(const Surface_mesh& original)
+    : mesh(original)
   {
     CGAL::Polygon_mesh_processing::triangulate_faces(mesh);
     segment = mesh.add_property_map<Surface_mesh::Face_index, std::size_t>("f:segment").first;
@@ -47,7 +49,8 @@ TEST(Parameterization_of_Real_meshes, accepts_segments_opened_by_seams)
     Segmented s(original);
     Surface_mesh& mesh = s.mesh;
     auto is_seam = mesh.add_property_map<Surface_mesh::Edge_index, bool>("e:seam").first;
-    auto is_on_seam = mesh.add_property_map<Surface_mesh::Vertex_index, bool>("v:on_seam", false).first;
+    auto is_on_seam = mesh.add_property_map<Surface_mesh::Vertex_index, bool>("v:on_seam", false)
+                        .first;
     auto uv = mesh.add_property_map<Surface_mesh::Halfedge_index, Point_2>("h:uv").first;
     RS::mark_segment_seams(mesh, s.segment, is_seam);
     for (auto e : edges(mesh))
@@ -57,7 +60,8 @@ TEST(Parameterization_of_Real_meshes, accepts_segments_opened_by_seams)
     Seam_mesh charts(mesh, is_seam, is_on_seam);
     std::vector<char> is_done(s.number, false);
     for (auto h : halfedges(mesh)) { // segments of the default method are connected
-      if (mesh.is_border(h) || is_done[s.segment[mesh.face(h)]] || !(is_seam[mesh.edge(h)] || mesh.is_border(mesh.opposite(h))))
+      if (mesh.is_border(h) || is_done[s.segment[mesh.face(h)]] ||
+          !(is_seam[mesh.edge(h)] || mesh.is_border(mesh.opposite(h))))
         continue;
       is_done[s.segment[mesh.face(h)]] = true;
       EXPECT_EQ(SMP::parameterize(charts, SMP::LSCM_parameterizer_3<Seam_mesh>(),
@@ -65,7 +69,8 @@ TEST(Parameterization_of_Real_meshes, accepts_segments_opened_by_seams)
                 SMP::OK)
         << "segment " << s.segment[mesh.face(h)];
     }
-    EXPECT_EQ(std::count(is_done.begin(), is_done.end(), true), std::ptrdiff_t(s.number)) << "segments have a border";
+    EXPECT_EQ(std::count(is_done.begin(), is_done.end(), true), std::ptrdiff_t(s.number))
+      << "segments have a border";
     return true;
   });
 }
@@ -83,12 +88,15 @@ TEST(Parameterization_of_Real_meshes, accepts_pieces_cut_along_seams)
     for (auto& piece : pieces) {
       auto uv = piece.mesh.add_property_map<Surface_mesh::Vertex_index, Point_2>("v:uv").first;
       const auto all = halfedges(piece.mesh);
-      const auto border = std::find_if(all.begin(), all.end(), [&](auto h) { return piece.mesh.is_border(h); });
+      const auto border = std::find_if(all.begin(), all.end(),
+                                       [&](auto h) { return piece.mesh.is_border(h); });
       if (border == all.end()) {
         ADD_FAILURE() << "no border";
         continue;
       }
-      EXPECT_EQ(SMP::parameterize(piece.mesh, SMP::LSCM_parameterizer_3<Surface_mesh>(), *border, uv), SMP::OK)
+      EXPECT_EQ(
+        SMP::parameterize(piece.mesh, SMP::LSCM_parameterizer_3<Surface_mesh>(), *border, uv),
+        SMP::OK)
         << "piece " << piece.segment;
     }
     return true;

@@ -33,9 +33,12 @@ TEST(Parameters_test, chain_in_any_order)
   EXPECT_EQ(expected.tree.number_of_regions(), 16u);
   // Ours after CGAL's, CGAL's after ours, twice.
   for (const Result& result :
-       {run(mesh, RP::method(two_step).vertex_point_map(points).number_of_segments(4).geom_traits(Kernel())),
-        run(mesh, RP::vertex_point_map(points).number_of_segments(4).geom_traits(Kernel()).method(two_step)),
-        run(mesh, RP::number_of_segments(4).geom_traits(Kernel()).method(two_step).vertex_point_map(points))}) {
+       {run(mesh, RP::method(two_step).vertex_point_map(points).number_of_segments(4).geom_traits(
+                    Kernel())),
+        run(mesh, RP::vertex_point_map(points).number_of_segments(4).geom_traits(Kernel()).method(
+                    two_step)),
+        run(mesh, RP::number_of_segments(4).geom_traits(Kernel()).method(two_step).vertex_point_map(
+                    points))}) {
     EXPECT_EQ(result.segments, expected.segments);
     EXPECT_EQ(result.number_of_segments, 4u);
   }
@@ -47,14 +50,17 @@ TEST(Parameters_test, parameters_of_stages_chain_in_any_order)
   const auto points = get(CGAL::vertex_point, mesh);
   const auto concave = RS::Feature_convexity::CONCAVE;
   auto map = edge_map(mesh);
-  EXPECT_EQ(RS::detect_feature_edges(mesh, map, RP::feature_convexity(concave).maximum_angle(30)), 8u);
-  EXPECT_EQ(RS::detect_feature_edges(
-                mesh, map, RP::maximum_angle(30).vertex_point_map(points).feature_convexity(concave)),
+  EXPECT_EQ(RS::detect_feature_edges(mesh, map, RP::feature_convexity(concave).maximum_angle(30)),
             8u);
   EXPECT_EQ(RS::detect_feature_edges(
-                mesh, map, RP::vertex_point_map(points).feature_convexity(concave).maximum_angle(30.0f)),
+              mesh, map, RP::maximum_angle(30).vertex_point_map(points).feature_convexity(concave)),
             8u);
-  EXPECT_EQ(RS::detect_feature_edges(mesh, map, RP::feature_convexity(concave).maximum_angle(120)), 0u);
+  EXPECT_EQ(
+    RS::detect_feature_edges(
+      mesh, map, RP::vertex_point_map(points).feature_convexity(concave).maximum_angle(30.0f)),
+    8u);
+  EXPECT_EQ(RS::detect_feature_edges(mesh, map, RP::feature_convexity(concave).maximum_angle(120)),
+            0u);
 }
 
 TEST(Parameters_test, packs_of_cgal_are_taken)
@@ -62,17 +68,17 @@ TEST(Parameters_test, packs_of_cgal_are_taken)
   const Surface_mesh mesh = to_surface_mesh(l_shape());
   auto map = edge_map(mesh);
   EXPECT_EQ(RS::detect_feature_edges(mesh, map, CGAL::parameters::maximum_angle(30)), 1u);
-  EXPECT_EQ(
-      RS::detect_feature_edges(
-          mesh, map,
-          CGAL::parameters::vertex_point_map(get(CGAL::vertex_point, mesh)).maximum_angle(120)),
-      0u);
+  EXPECT_EQ(RS::detect_feature_edges(
+              mesh, map,
+              CGAL::parameters::vertex_point_map(get(CGAL::vertex_point, mesh)).maximum_angle(120)),
+            0u);
 }
 
 TEST(Parameters_test, a_pack_can_be_kept_and_used_again)
 {
   const Surface_mesh mesh = to_surface_mesh(dumbbell());
-  const auto pack = RP::number_of_segments(2).method(Options(2, reference::Convexity::all, 30).method());
+  const auto pack = RP::number_of_segments(2).method(
+    Options(2, reference::Convexity::all, 30).method());
   const Labels expected = run(mesh, pack).segments;
   for (int i = 0; i < 2; ++i) {
     const Result result = run(mesh, pack);
@@ -87,7 +93,9 @@ TEST(Parameters_test, the_point_map_of_a_pack_counts_and_not_that_of_the_mesh)
 {
   const Surface_mesh mesh = to_surface_mesh(dumbbell());
   const auto flat = boost::make_function_property_map<Surface_mesh::Vertex_index>(
-    [&](Surface_mesh::Vertex_index v) { return Kernel::Point_3(mesh.point(v).x(), mesh.point(v).y(), 0); });
+    [&](Surface_mesh::Vertex_index v) {
+      return Kernel::Point_3(mesh.point(v).x(), mesh.point(v).y(), 0);
+    });
   const auto pack = RP::feature_convexity(RS::Feature_convexity::CONCAVE).maximum_angle(30);
   auto map = edge_map(mesh);
   EXPECT_EQ(RS::detect_feature_edges(mesh, map, pack), 8u);
@@ -120,13 +128,16 @@ TEST(Parameters_test, number_of_segments_as_an_argument)
   const RS::Two_step method = Options(1).method();
   for (int k : {1, 2, 3}) {
     auto named = face_map(mesh), positional = face_map(mesh), of_cgal = face_map(mesh);
-    const std::size_t n = RS::segment(mesh, named, RS::parameters::number_of_segments(k).method(method));
+    const std::size_t n = RS::segment(mesh, named,
+                                      RS::parameters::number_of_segments(k).method(method));
     EXPECT_EQ(n, std::size_t(k));
     EXPECT_EQ(RS::segment(mesh, positional, k, RS::parameters::method(method)), n);
     EXPECT_EQ(labels_of(mesh, positional), labels_of(mesh, named));
     RS::Merge_tree by_reference, by_wrapper;
-    RS::segment(mesh, positional, std::size_t(k), RS::parameters::merge_tree(by_reference).method(method));
-    RS::segment(mesh, positional, short(k), RS::parameters::method(method).merge_tree(std::ref(by_wrapper)));
+    RS::segment(mesh, positional, std::size_t(k),
+                RS::parameters::merge_tree(by_reference).method(method));
+    RS::segment(mesh, positional, short(k),
+                RS::parameters::method(method).merge_tree(std::ref(by_wrapper)));
     EXPECT_EQ(by_reference.merges().size(), 3u - std::size_t(k)) << "of three regions";
     EXPECT_EQ(by_wrapper.merges().size(), by_reference.merges().size());
     // A pack of CGAL's own, and the default method.

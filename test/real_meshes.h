@@ -3,7 +3,8 @@
 #ifndef CGAL_REGION_SEGMENTATION_TEST_REAL_MESHES_H
 #define CGAL_REGION_SEGMENTATION_TEST_REAL_MESHES_H
 
-// The meshes that come with CGAL's demos, in the folder that the environment variable REGION_SEGMENTATION_REAL_MESHES names.
+// The meshes that come with CGAL's demos, in the folder that the environment variable
+// REGION_SEGMENTATION_REAL_MESHES names.
 
 #include "meshes.h"
 
@@ -34,7 +35,8 @@ inline std::vector<std::filesystem::path> off_files()
   return files;
 }
 
-/// Calls `check_one(mesh)` for the meshes of the folder with at most `most_faces`; it returns whether it did check.
+/// Calls `check_one(mesh)` for the meshes of the folder with at most `most_faces`; it returns
+/// whether it did check.
 template <typename Check>
 void check_real_meshes(std::size_t most_faces, const Check& check_one)
 {

@@ -63,8 +63,9 @@ inline Vector eigenvalues(const Matrix& m)
   if (!(radius > 0))
     return {mean, mean, mean};
   const double determinant = dot(Vector{d[0]}, cross(Vector{d[1]}, Vector{d[2]}));
-  const double phi =
-    std::acos(std::max(-1.0, std::min(1.0, determinant / (2 * radius * radius * radius)))) / 3;
+  const double phi = std::acos(std::max(
+                       -1.0, std::min(1.0, determinant / (2 * radius * radius * radius)))) /
+                     3;
   const double first = mean + 2 * radius * std::cos(phi),
                last = mean + 2 * radius * std::cos(phi + third);
   return {first, 3 * mean - first - last, last};
@@ -204,8 +205,9 @@ inline Features features(const Learned_region& a, const Learned_region& b, const
   Learned_region u = m;
   u.add(M, s);
   const auto q = [&](double x) { return quotient(x, s.length); };
-  const double d =
-    std::max(0.0, (s.concave - 0.3 * s.convex + 0.08 * s.bend) / std::max(s.length, tiny)) + 0.022;
+  const double d = std::max(0.0, (s.concave - 0.3 * s.convex + 0.08 * s.bend) /
+                                   std::max(s.length, tiny)) +
+                   0.022;
   const Matrix c = s.moments.covariance();
   const Vector e = eigenvalues(c);
   const double e_sums = c[0][0] * c[1][1] + c[1][1] * c[2][2] + c[2][2] * c[0][0] -
@@ -342,8 +344,8 @@ inline double probability(const Features& x)
       sum += weights[i] * y[i];
     return sum;
   };
-  std::int64_t network =
-    model.network.output_bias + product(model.network.direct_weights) * 256; // in 2^-26
+  std::int64_t network = model.network.output_bias +
+                         product(model.network.direct_weights) * 256; // in 2^-26
   for (std::size_t j = 0; j < model.network.number_of_units; ++j) {
     const auto& unit = model.network.units[j];
     const double h = double(unit.bias + product(unit.weights));

@@ -24,7 +24,9 @@ public:
   using Faces = std::vector<std::vector<std::size_t>>;
 
   Components(const std::vector<Point>& points, const Faces& faces)
-      : m_points(points), m_faces(faces), m_component_of(faces.size(), none)
+    : m_points(points)
+    , m_faces(faces)
+    , m_component_of(faces.size(), none)
   {
     std::map<std::pair<std::size_t, std::size_t>, std::size_t> face_of;
     for (std::size_t f = 0; f < faces.size(); ++f)

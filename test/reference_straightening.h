@@ -36,8 +36,9 @@ class Straightening
 {
 public:
   explicit Straightening(Straightening_input input)
-      : m_in(std::move(input)), m_is_own(m_in.areas.size(), true),
-        m_label(labels_after(m_in.merges.size()))
+    : m_in(std::move(input))
+    , m_is_own(m_in.areas.size(), true)
+    , m_label(labels_after(m_in.merges.size()))
   {
     for (std::size_t i = m_in.merges.size(); i-- > 0;)
       undo(i);
@@ -53,8 +54,8 @@ private:
   /// Of the elements, by their former regions.
   std::vector<std::size_t> labels_after(std::size_t number_of_merges) const
   {
-    std::map<std::size_t, std::size_t>
-      segment_of; // from the last merge on, so that what is kept has its segment
+    std::map<std::size_t, std::size_t> segment_of; // from the last merge on, so that what is kept
+                                                   // has its segment
     for (std::size_t i = number_of_merges; i-- > 0;) {
       const auto [kept, removed] = m_in.merges[i];
       segment_of[removed] = segment_of.emplace(kept, kept).first->second;
@@ -145,8 +146,8 @@ private:
     double area_of_a = 0, area_of_b = 0;
     for (std::size_t e : segment)
       (m_label[e] == a ? area_of_a : area_of_b) += m_in.areas[e];
-    const double width =
-      std::min(m_in.width, m_in.width_of_segment * std::sqrt(std::min(area_of_a, area_of_b)));
+    const double width = std::min(m_in.width, m_in.width_of_segment *
+                                                std::sqrt(std::min(area_of_a, area_of_b)));
     if (width < 1e-6)
       return;
     const std::set<std::size_t> band = band_of(segment, a, b, width);
@@ -166,8 +167,8 @@ private:
       if (node_of[e] > sink)
         network.add(node_of[e], m_label[e] == a ? source : sink, 1); // moving costs something
       for (const auto& [f, c] : m_in.costs[e]) {
-        const std::int64_t capacity =
-          std::max<std::int64_t>(1, std::llround(std::ldexp(c, 38))) * std::int64_t(nodes);
+        const std::int64_t capacity = std::max<std::int64_t>(1, std::llround(std::ldexp(c, 38))) *
+                                      std::int64_t(nodes);
         if (band.count(f) > 0 && e < f)
           network.add(node_of[e], node_of[f], capacity);
         else if (band.count(f) == 0 && (m_label[f] == a || m_label[f] == b))
@@ -223,7 +224,9 @@ private:
   {
     std::vector<std::map<std::size_t, std::int64_t>> residual;
 
-    explicit Network(std::size_t nodes) : residual(nodes) {}
+    explicit Network(std::size_t nodes)
+      : residual(nodes)
+    {}
 
     void add(std::size_t a, std::size_t b, std::int64_t capacity)
     {

@@ -24,8 +24,7 @@ namespace RS = CGAL::Region_segmentation;
 using namespace test;
 
 struct Reference_test : ::testing::TestWithParam<Family>
-{
-};
+{};
 
 constexpr unsigned seeds_per_family = 60;
 
@@ -40,9 +39,9 @@ bool is_best_section(const reference::Region& region, std::size_t neighbor, doub
     double sum = 0;
     for (const auto& [j, section] : region.sections)
       if (j != i)
-        sum +=
-            beta * reference::share(region.sections.at(i).length, section.length) +
-            (1 - beta) * reference::share(region.sections.at(i).mean_angle(), section.mean_angle());
+        sum += beta * reference::share(region.sections.at(i).length, section.length) +
+               (1 - beta) *
+                 reference::share(region.sections.at(i).mean_angle(), section.mean_angle());
     return sum;
   };
   return std::abs(sum_of(reference::choose_neighbor(region, beta)) - sum_of(neighbor)) < rounding;
@@ -89,8 +88,8 @@ bool differs_by_a_tie(const Soup& soup, const Options& options,
     const auto merge = tree.merges().at(i);
     if (merge.kept != expected.merges[i].kept || merge.removed != expected.merges[i].removed) {
       EXPECT_TRUE(is_best_merge(regions, merge.kept, merge.removed, options))
-          << "merge " << i << ": " << merge.kept << " " << merge.removed << ", not "
-          << expected.merges[i].kept << " " << expected.merges[i].removed;
+        << "merge " << i << ": " << merge.kept << " " << merge.removed << ", not "
+        << expected.merges[i].kept << " " << expected.merges[i].removed;
       return true;
     }
     reference::merge_regions(regions, merge.kept, merge.removed);
@@ -121,16 +120,15 @@ TEST_P(Reference_test, gives_the_same_features_and_lines)
     const auto constrained = edge_map(mesh, options.constrained_edges);
     auto is_feature = edge_map(mesh, std::uint8_t(1));
     const std::size_t n = RS::detect_feature_edges(
-        mesh, is_feature, options.named_features().edge_is_constrained_map(constrained));
+      mesh, is_feature, options.named_features().edge_is_constrained_map(constrained));
     ASSERT_EQ(flags_of(mesh, is_feature), expected.is_feature_detected);
     EXPECT_EQ(n, count(expected.is_feature_detected));
 
     std::size_t lines = 0;
     const auto count_lines = boost::make_function_output_iterator([&](const auto&) { ++lines; });
-    const std::size_t number_of_lines =
-        RS::extract_feature_lines(mesh, is_feature, count_lines,
-                                  RS::parameters::minimum_length(options.minimum_length)
-                                      .edge_is_constrained_map(constrained));
+    const std::size_t number_of_lines = RS::extract_feature_lines(
+      mesh, is_feature, count_lines,
+      RS::parameters::minimum_length(options.minimum_length).edge_is_constrained_map(constrained));
     EXPECT_EQ(number_of_lines, lines);
     ASSERT_EQ(flags_of(mesh, is_feature), expected.is_feature_pruned);
   }

@@ -100,7 +100,8 @@ struct Mesh
   double area = 0;
 
   Mesh(std::vector<Vector> points_, std::vector<std::vector<std::size_t>> faces_)
-      : points(std::move(points_)), faces(std::move(faces_))
+    : points(std::move(points_))
+    , faces(std::move(faces_))
   {
     turn_outward(points, faces);
     std::map<Pair, std::size_t> face_of_halfedge;
@@ -137,6 +138,15 @@ struct Mesh
     return area > 0 && norm(sum) <= area / 1e6 && concave <= all / 1000;
   }
 
+  /// The same faces at other points; the edges keep their lengths.
+  Mesh moved(const std::vector<Vector>& other_points) const
+  {
+    Mesh result(other_points, faces);
+    for (std::size_t e = 0; e < edges.size(); ++e)
+      result.edges[e].length = edges[e].length;
+    return result;
+  }
+
 private:
   void add_face(const std::vector<std::size_t>& face)
   {
@@ -164,6 +174,42 @@ private:
   }
 };
 
+/// The mesh as the methods on superfacets see it: while noise exceeds curvature, all points move
+/// along the normals to the height of their neighbors.
+inline Mesh without_noise(const Mesh& mesh, int rounds = 5)
+{
+  const std::size_t n = mesh.points.size();
+  std::vector<Vector> normals(n), to_neighbors(n);
+  std::vector<double> number(n), heights(n);
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    const auto& face = mesh.faces[f];
+    for (std::size_t i = 0; i < face.size(); ++i) {
+      const std::size_t v = face[i];
+      normals[v] = normals[v] + mesh.areas[f] * mesh.normals[f];
+      for (std::size_t j : {i + 1, i + face.size() - 1}) {
+        to_neighbors[v] = to_neighbors[v] + (mesh.points[face[j % face.size()]] - mesh.points[v]);
+        number[v] += 1;
+      }
+    }
+  }
+  std::vector<Vector> points = mesh.points;
+  for (std::size_t v = 0; v < n; ++v) {
+    const double height = number[v] > 0 ? dot(unit(normals[v]), to_neighbors[v]) / number[v] : 0;
+    if (height * height > 1e-5 * norm(normals[v]))
+      heights[v] = height;
+    points[v] = points[v] + heights[v] * unit(normals[v]);
+  }
+  double all = 0, opposite = 0; // sides of faces
+  for (const auto& face : mesh.faces)
+    for (std::size_t i = 0; i < face.size(); ++i) {
+      const double a = heights[face[i]], b = heights[face[(i + 1) % face.size()]];
+      all += a != 0 && b != 0;
+      opposite += (a < 0 && b > 0) || (a > 0 && b < 0);
+    }
+  const bool is_noisy = opposite > 0.42 * all + std::sqrt(all);
+  return is_noisy && rounds > 0 ? without_noise(mesh.moved(points), rounds - 1) : mesh;
+}
+
 /// Small flat patches of faces, or of other patches.
 struct Patches
 {
@@ -176,13 +222,15 @@ struct Patches
   double concave_deviation(std::size_t i, std::size_t j) const
   {
     const Vector &m = normals[i], &n = normals[j];
-    const bool is_concave =
-      norm(m) > 0 && norm(n) > 0 && face_each_other(m, n, centroids[i], centroids[j]);
+    const bool is_concave = norm(m) > 0 && norm(n) > 0 &&
+                            face_each_other(m, n, centroids[i], centroids[j]);
     return is_concave ? angle(m, n) : 0;
   }
 
   explicit Patches(const Mesh& mesh)
-      : areas(mesh.areas), normals(mesh.normals), centroids(mesh.centroids)
+    : areas(mesh.areas)
+    , normals(mesh.normals)
+    , centroids(mesh.centroids)
   {
     for (std::size_t f = 0; f < mesh.faces.size(); ++f)
       area_vectors.push_back(areas[f] * normals[f]);
@@ -292,8 +340,8 @@ private:
     for (std::size_t i = 0; i < of_element.size(); ++i) {
       const bool is_degenerate = element_normals[i] == Vector{};
       const Vector away = element_centroids[i] - centroids[of_element[i]];
-      best[of_element[i]] =
-        std::min(best[of_element[i]], Key{is_degenerate, is_degenerate ? 0 : dot(away, away), i});
+      best[of_element[i]] = std::min(best[of_element[i]],
+                                     Key{is_degenerate, is_degenerate ? 0 : dot(away, away), i});
     }
     center.clear();
     for (const Key& key : best)
@@ -308,12 +356,13 @@ class Seeding
 {
 public:
   Seeding(const Mesh& mesh, const Patches& patches)
-      : m_patches(patches), m_seed_of(patches.areas.size())
+    : m_patches(patches)
+    , m_seed_of(patches.areas.size())
   {
     for (const auto& [pair, length] : patches.lengths) {
       const auto [i, j] = pair;
-      const double distance =
-        norm(patches.centroids[i] - patches.centroids[j]) / mesh.unit_of_length();
+      const double distance = norm(patches.centroids[i] - patches.centroids[j]) /
+                              mesh.unit_of_length();
       const double step = distance + 0.4 * std::min(patches.concave_deviation(i, j), 0.6);
       m_steps[i][j] = m_steps[j][i] = float(std::min(std::max(step, 1e-37), 1e28));
     }
@@ -340,8 +389,8 @@ public:
       place(next, distance);
     }
     while (m_seeds.size() < number) {
-      const std::size_t next =
-        std::size_t(std::max_element(distance.begin(), distance.end()) - distance.begin());
+      const std::size_t next = std::size_t(std::max_element(distance.begin(), distance.end()) -
+                                           distance.begin());
       if (!(distance[next] > 0))
         break;
       place(next, distance);
@@ -414,7 +463,8 @@ private:
 class Superfacets
 {
 public:
-  Superfacets(const Mesh& mesh, const Patches& patches, std::size_t number) : m_patches(patches)
+  Superfacets(const Mesh& mesh, const Patches& patches, std::size_t number)
+    : m_patches(patches)
   {
     for (const auto& [pair, length] : patches.lengths) {
       const auto [i, j] = pair;
@@ -528,7 +578,10 @@ class Annotation
 {
 public:
   Annotation(const Mesh& mesh, const Patches& patches, const std::vector<std::size_t>& region_of)
-      : m_mesh(mesh), m_patches(patches), m_region_of(region_of), m_shapes(number_of(region_of))
+    : m_mesh(mesh)
+    , m_patches(patches)
+    , m_region_of(region_of)
+    , m_shapes(number_of(region_of))
   {
     set_shapes();
     set_sections();
@@ -596,8 +649,8 @@ private:
       }
     mean = regions > 0 ? mean / regions : 0;
     for (std::size_t r = 0; r < m_shapes.size(); ++r)
-      graph.regions[r].log_thickness =
-        graph.regions[r].area * (hits[r] > 0 ? sum[r] / double(hits[r]) : mean);
+      graph.regions[r].log_thickness = graph.regions[r].area *
+                                       (hits[r] > 0 ? sum[r] / double(hits[r]) : mean);
   }
 
   std::vector<std::pair<double, std::size_t>> candidates(std::size_t region) const
@@ -827,7 +880,8 @@ struct Annotated
   std::vector<std::size_t> region_of;
   Graph graph;
 
-  explicit Annotated(const Mesh& mesh) : patches(mesh)
+  explicit Annotated(const Mesh& mesh)
+    : patches(mesh)
   {
     region_of = Superfacets(mesh, patches, 480).of_face();
     graph = Annotation(mesh, patches, region_of).graph;
@@ -852,8 +906,8 @@ struct Straightened
       const auto [i, j] = pair;
       const Vector &c_i = patches.centroids[i], &c_j = patches.centroids[j];
       const double concavity = std::min(patches.concave_deviation(i, j), 0.6);
-      input.costs[i][j] = input.costs[j][i] =
-        float(length / mesh.unit_of_length() / (1 + 10 * concavity));
+      input.costs[i][j] = input.costs[j][i] = float(length / mesh.unit_of_length() /
+                                                    (1 + 10 * concavity));
       input.lengths[i][j] = input.lengths[j][i] = norm(c_i - c_j) / mesh.unit_of_length();
     }
     for (double area : patches.areas)
@@ -869,8 +923,8 @@ struct Straightened
     for (std::size_t p : patches.of_element)
       labels.push_back(straightening.labels()[p]);
     region_of = numbered(labels);
-    std::map<std::size_t, std::size_t>
-      lowest; // the lowest new region of each segment; none if it has no faces
+    std::map<std::size_t, std::size_t> lowest; // the lowest new region of each segment; none if it
+                                               // has no faces
     for (std::size_t f = 0; f < labels.size(); ++f)
       lowest[labels[f]] = region_of[f];
     for (const Merge& merge : merges_before) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Whatever the coordinates and the labels: nothing is read or written out of bounds, every result is a segmentation, and
-// errors leave what is promised. Also compiled with sanitizers.
+// Whatever the coordinates and the labels: nothing is read or written out of bounds, every result
+// is a segmentation, and errors leave what is promised. Also compiled with sanitizers.
 
 #include "meshes.h"
 #include "oracles.h"
@@ -48,7 +48,8 @@ using namespace test;
 /// Any finite number, each bit pattern with the same probability; often one of a few that are hard.
 double any_finite(std::mt19937& random)
 {
-  constexpr double hard[] = {0., -0., 1e-160, 1e154, -1e308, 1.7e308, 5e-324, 1., 1 + 1e-15, -2.2e-308};
+  constexpr double hard[] = {0.,      -0.,    1e-160, 1e154,     -1e308,
+                             1.7e308, 5e-324, 1.,     1 + 1e-15, -2.2e-308};
   if (random() % 2)
     return hard[random() % std::size(hard)];
   while (true) {
@@ -143,15 +144,18 @@ TEST_P(Robustness_test, what_comes_after_takes_any_labels_and_coordinates)
     const Surface_mesh mesh = to_surface_mesh(soup);
     const auto labels = face_labels(mesh, random_labels(soup, 4, seed));
     std::vector<RS::Segment_topology<std::size_t>> topology;
-    const std::size_t segments = RS::compute_segment_topology(mesh, labels, std::back_inserter(topology));
+    const std::size_t segments = RS::compute_segment_topology(mesh, labels,
+                                                              std::back_inserter(topology));
     EXPECT_EQ(topology.size(), segments);
     std::vector<RS::Segment_border<Surface_mesh, std::size_t>> borders;
-    const std::size_t number = RS::extract_segment_borders(mesh, labels, std::back_inserter(borders));
+    const std::size_t number = RS::extract_segment_borders(mesh, labels,
+                                                           std::back_inserter(borders));
     EXPECT_EQ(borders.size(), number);
     const auto is_seam = edge_map(mesh);
     RS::mark_segment_seams(mesh, labels, is_seam);
     std::vector<RS::Segment_piece<Surface_mesh, Surface_mesh, std::size_t>> pieces;
-    RS::split_into_segments(mesh, labels, std::back_inserter(pieces), RS::parameters::edge_is_constrained_map(is_seam));
+    RS::split_into_segments(mesh, labels, std::back_inserter(pieces),
+                            RS::parameters::edge_is_constrained_map(is_seam));
     EXPECT_EQ(pieces.size(), segments);
   });
 }
@@ -198,7 +202,9 @@ TEST(Throwing_map_test, keeps_what_was_written_and_the_other_maps_are_untouched)
   std::size_t places = written;
   const auto regions = face_map(mesh, 78);
   RS::Merge_tree tree(2);
-  EXPECT_THROW(RS::segment(mesh, Map_of_few{&values, &places}, np.region_map(regions).merge_tree(std::ref(tree))), Full);
+  EXPECT_THROW(RS::segment(mesh, Map_of_few{&values, &places},
+                           np.region_map(regions).merge_tree(std::ref(tree))),
+               Full);
   for (std::size_t f = 0; f < size; ++f)
     EXPECT_EQ(values[f], f < written ? expected[f] : 99) << "faces are written in their order";
   EXPECT_EQ(labels_of(mesh, regions), Labels(size, 78));
@@ -217,7 +223,8 @@ TEST(Throwing_map_test, leaves_a_segmenter_as_it_was)
   EXPECT_EQ(values, segments_of(mesh, RP::number_of_segments(3)));
 }
 
-// A policy is not even initialized where nothing is to be merged: for step two of the paper that takes quadratic time.
+// A policy is not even initialized where nothing is to be merged: for step two of the paper that
+// takes quadratic time.
 
 struct Unused_policy
 {
@@ -239,12 +246,12 @@ struct Unused_policy
 TEST(Unused_policy_test, as_many_segments_as_regions)
 {
   const RS::Surface surface = RS::make_surface(to_surface_mesh(cube()));
-  const RS::Requested_regions requested =
-    RS::requested_regions(surface, Single_faces()(surface), RS::Request());
+  const RS::Requested_regions requested = RS::requested_regions(surface, Single_faces()(surface),
+                                                                RS::Request());
   for (const std::size_t k : {6, 100}) {
     auto graph = RS::build_region_adjacency_graph(surface, requested.regions);
-    const RS::Merge_tree tree =
-      RS::merge_requested_regions(surface, requested, graph, Unused_policy(), k, RS::Execution());
+    const RS::Merge_tree tree = RS::merge_requested_regions(surface, requested, graph,
+                                                            Unused_policy(), k, RS::Execution());
     EXPECT_TRUE(tree.merges().empty());
   }
 }

@@ -7,7 +7,7 @@
 set -eu
 root=$(cd "$(dirname "$0")/.." && pwd)
 
-sh "$root/cmake/install_packages.sh" g++ make cmake assimp-utils chromium chromium-driver clang \
+sh "$root/cmake/install_packages.sh" g++ make cmake assimp-utils chromium chromium-driver clang clang-format \
   doxygen emscripten g++-aarch64-linux-gnu lib3mf-dev libboost-iostreams-dev libcgal-demo \
   libcgal-dev libclang-rt-14-dev libcli11-dev libeigen3-dev libgtest-dev libjs-mathjax \
   libjs-three libopenmesh-dev libpng-dev libspectra-dev libtbb-dev libtinygltf-dev \

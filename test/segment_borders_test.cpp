@@ -24,7 +24,8 @@ using Border = RS::Segment_border<Surface_mesh, std::size_t>;
 std::vector<Border> borders_of(const Surface_mesh& mesh, const Labels& labels)
 {
   std::vector<Border> borders;
-  const std::size_t number = RS::extract_segment_borders(mesh, face_labels(mesh, labels), std::back_inserter(borders));
+  const std::size_t number = RS::extract_segment_borders(mesh, face_labels(mesh, labels),
+                                                         std::back_inserter(borders));
   EXPECT_EQ(number, borders.size());
   return borders;
 }
@@ -128,8 +129,8 @@ TEST(Extract_segment_borders_test, finds_closed_lines)
     for (const Polygon& polygon : soup.polygons)
       labels.push_back(std::all_of(polygon.begin(), polygon.end(),
                                    [&](std::size_t v) { return soup.points[v][2] >= 1; }) &&
-                               std::any_of(polygon.begin(), polygon.end(),
-                                           [&](std::size_t v) { return soup.points[v][2] > 1; })
+                           std::any_of(polygon.begin(), polygon.end(),
+                                       [&](std::size_t v) { return soup.points[v][2] > 1; })
                          ? 7
                          : 3);
     return labels;

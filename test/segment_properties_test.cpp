@@ -55,7 +55,10 @@ struct Properties_test : ::testing::TestWithParam<std::tuple<Method, Family>>
   static Method method() { return std::get<0>(GetParam()); }
   static Family family() { return std::get<1>(GetParam()); }
 
-  static Result run(const Soup& soup, const Options& options) { return run_by(method(), soup, options); }
+  static Result run(const Soup& soup, const Options& options)
+  {
+    return run_by(method(), soup, options);
+  }
 
   /// Calls `f(soup, options, random)` for meshes of the family, with their seeds in the trace.
   template <typename F>
@@ -149,9 +152,11 @@ TEST_P(Two_step_properties_test, a_policy_that_does_not_know_k_gives_one_tree)
 {
   for_each_mesh(5, [](const Soup& soup, Options options, std::mt19937&) {
     const Surface_mesh mesh = to_surface_mesh(soup);
-    const auto method =
-      make_user_method(options.method().growing, RS::Lowest_cost_first<Length_cost>());
-    const auto with = [&](std::size_t k) { return test::run(mesh, RP::number_of_segments(k).method(method)); };
+    const auto method = make_user_method(options.method().growing,
+                                         RS::Lowest_cost_first<Length_cost>());
+    const auto with = [&](std::size_t k) {
+      return test::run(mesh, RP::number_of_segments(k).method(method));
+    };
     const Result whole = with(1);
     for (std::size_t k : {2, 3, 7, 20}) {
       const Result direct = with(k);
@@ -177,8 +182,8 @@ TEST_P(Two_step_properties_test, foreign_maps_give_the_same_labels)
     std::map<Vertex, Kernel::Point_3> stored;
     for (auto v : vertices(mesh))
       stored[v] = mesh.point(v);
-    const auto by_value =
-        boost::make_function_property_map<Vertex>([&stored](Vertex v) { return stored.at(v); });
+    const auto by_value = boost::make_function_property_map<Vertex>(
+      [&stored](Vertex v) { return stored.at(v); });
     // The points of the mesh itself must not matter then.
     for (auto v : vertices(mesh))
       mesh.point(v) = Kernel::Point_3(0, 0, 0);
@@ -187,8 +192,9 @@ TEST_P(Two_step_properties_test, foreign_maps_give_the_same_labels)
       EXPECT_EQ(result.segments, expected.segments);
       EXPECT_EQ(result.features, expected.features);
     };
-    same(test::run(mesh, options,
-             [&](const auto& np) { return np.vertex_point_map(boost::make_assoc_property_map(stored)); }));
+    same(test::run(mesh, options, [&](const auto& np) {
+      return np.vertex_point_map(boost::make_assoc_property_map(stored));
+    }));
     same(test::run(mesh, options, [&](const auto& np) { return np.vertex_point_map(by_value); }));
 
     std::map<Face, std::size_t> face_index;
@@ -208,17 +214,18 @@ TEST_P(Two_step_properties_test, foreign_maps_give_the_same_labels)
       vertex_index[v] = numbers[vertex_index.size()];
     const auto all_foreign = [&](const auto& np) {
       return np.vertex_point_map(by_value)
-          .face_index_map(boost::make_assoc_property_map(face_index))
-          .vertex_index_map(boost::make_assoc_property_map(vertex_index));
+        .face_index_map(boost::make_assoc_property_map(face_index))
+        .vertex_index_map(boost::make_assoc_property_map(vertex_index));
     };
     same(test::run(mesh, options, all_foreign));
     const auto by_default = RP::number_of_segments(options.k);
-    const Result learned = test::run(mesh, all_foreign(by_default)), of_soup = test::run(to_surface_mesh(soup), by_default);
+    const Result learned = test::run(mesh, all_foreign(by_default)),
+                 of_soup = test::run(to_surface_mesh(soup), by_default);
     EXPECT_EQ(learned.regions, of_soup.regions);
     EXPECT_EQ(learned.segments, of_soup.segments);
     same(test::run(mesh, options, [&](const auto& np) {
       return np.vertex_point_map(by_value).face_index_map(
-          boost::make_function_property_map<Face>([&](Face f) { return face_index.at(f); }));
+        boost::make_function_property_map<Face>([&](Face f) { return face_index.at(f); }));
     }));
   });
 }
@@ -359,15 +366,18 @@ std::string parameter_name(const ::testing::TestParamInfo<std::tuple<Method, Fam
   return result;
 }
 INSTANTIATE_TEST_SUITE_P(families, Properties_test,
-                         ::testing::Combine(::testing::Values(Method::TWO_STEP, Method::VISIBILITY, Method::LEARNED),
+                         ::testing::Combine(::testing::Values(Method::TWO_STEP, Method::VISIBILITY,
+                                                              Method::LEARNED),
                                             ::testing::ValuesIn(all_families)),
                          parameter_name);
-INSTANTIATE_TEST_SUITE_P(families, Closed_surfaces_test,
-                         ::testing::Combine(::testing::Values(Method::TWO_STEP, Method::VISIBILITY, Method::LEARNED),
-                                            ::testing::Values(Family::SPHERE, Family::TORUS, Family::BLOCKS)),
-                         parameter_name);
+INSTANTIATE_TEST_SUITE_P(
+  families, Closed_surfaces_test,
+  ::testing::Combine(::testing::Values(Method::TWO_STEP, Method::VISIBILITY, Method::LEARNED),
+                     ::testing::Values(Family::SPHERE, Family::TORUS, Family::BLOCKS)),
+  parameter_name);
 INSTANTIATE_TEST_SUITE_P(families, Two_step_properties_test,
-                         ::testing::Combine(::testing::Values(Method::TWO_STEP), ::testing::ValuesIn(all_families)),
+                         ::testing::Combine(::testing::Values(Method::TWO_STEP),
+                                            ::testing::ValuesIn(all_families)),
                          parameter_name);
 
 // Open surfaces stay as they are: what is convex from one side is concave from the other.
@@ -390,7 +400,8 @@ TEST(Orientation_test, an_open_surface_is_read_as_it_is)
 TEST(Orientation_test, normals_of_a_closed_surface_lead_outward)
 {
   const Soup outward = cube();
-  for (const Soup& soup : {outward, reversed(outward), translated(reversed(outward), -1e6, 3e5, 1e6)}) {
+  for (const Soup& soup :
+       {outward, reversed(outward), translated(reversed(outward), -1e6, 3e5, 1e6)}) {
     const RS::Surface mesh = RS::make_surface(to_surface_mesh(soup));
     RS::Double_3 center{0, 0, 0};
     for (std::size_t f = 0; f < 6; ++f)
@@ -405,8 +416,10 @@ TEST(Orientation_test, normals_of_a_closed_surface_lead_outward)
 struct Outputs
 {
   explicit Outputs(const Surface_mesh& m)
-      : mesh(m), segments(face_map(m, 77)), regions(face_map(m, 78)),
-        features(edge_map(m, std::uint8_t(1)))
+    : mesh(m)
+    , segments(face_map(m, 77))
+    , regions(face_map(m, 78))
+    , features(edge_map(m, std::uint8_t(1)))
   {
     tree.push_back({0, 1, 5});
   }
@@ -414,8 +427,7 @@ struct Outputs
   template <typename Parameters>
   std::size_t run(const Parameters& np)
   {
-    return RS::segment(
-        mesh, segments, np.region_map(regions).merge_tree(std::ref(tree)));
+    return RS::segment(mesh, segments, np.region_map(regions).merge_tree(std::ref(tree)));
   }
 
   void expect_untouched() const
@@ -574,8 +586,8 @@ TEST(Visitor_test, can_cancel_anywhere_and_nothing_is_written)
 TEST(Visitor_test, can_cancel_while_patches_are_made_and_nothing_is_written)
 {
   // Beside a large square each face of a small grid is small enough to be joined.
-  const Surface_mesh mesh =
-    to_surface_mesh(joined(triangulated(grid(8, 8)), translated(scaled(grid(1, 1), 1000), 2000, 0, 0)));
+  const Surface_mesh mesh = to_surface_mesh(
+    joined(triangulated(grid(8, 8)), translated(scaled(grid(1, 1), 1000), 2000, 0, 0)));
   const auto patches = RS::internal::Patch_builder::build(RS::make_surface(mesh), RS::Execution());
   ASSERT_LT(patches.fine.size(), num_faces(mesh) / 4);
   expect_that_cancelling_writes_nothing(mesh, RP::number_of_segments(2));
@@ -592,11 +604,13 @@ TEST(Visitor_test, can_cancel_stage_functions_and_nothing_is_written)
     EXPECT_THROW(RS::detect_feature_edges(mesh, outputs.features, RP::visitor(std::ref(visitor))),
                  RS::Segmentation_cancelled);
     visitor.calls.clear();
-    EXPECT_THROW(RS::grow_regions(mesh, outputs.features, outputs.regions, RP::visitor(std::ref(visitor))),
-                 RS::Segmentation_cancelled);
+    EXPECT_THROW(
+      RS::grow_regions(mesh, outputs.features, outputs.regions, RP::visitor(std::ref(visitor))),
+      RS::Segmentation_cancelled);
     visitor.calls.clear();
-    EXPECT_THROW(RS::build_region_adjacency_graph(mesh, outputs.regions, RP::visitor(std::ref(visitor))),
-                 RS::Segmentation_cancelled);
+    EXPECT_THROW(
+      RS::build_region_adjacency_graph(mesh, outputs.regions, RP::visitor(std::ref(visitor))),
+      RS::Segmentation_cancelled);
     outputs.expect_untouched();
   }
 }
@@ -606,7 +620,8 @@ TEST(Visitor_test, changes_nothing)
   const Surface_mesh mesh = to_surface_mesh(random_mesh(Family::BLOCKS, 1));
   const Options options(3, reference::Convexity::all, 20);
   Visitor visitor;
-  expect_same(run(mesh, options, [&](const auto& np) { return np.visitor(std::ref(visitor)); }), run(mesh, options));
+  expect_same(run(mesh, options, [&](const auto& np) { return np.visitor(std::ref(visitor)); }),
+              run(mesh, options));
   EXPECT_FALSE(visitor.calls.empty());
 }
 

@@ -218,7 +218,8 @@ TEST(Segment_test, labels_do_not_change_at_extreme_scales)
     for (int exponent : {-1050, -600, -100, 100, 600, 1010}) {
       SCOPED_TRACE(name(family) + ", scaled by 2^" + std::to_string(exponent));
       const Soup soup = random_mesh(family, 7);
-      const auto mesh = to_surface_mesh(soup), extreme = to_surface_mesh(scaled(soup, std::ldexp(1.0, exponent)));
+      const auto mesh = to_surface_mesh(soup),
+                 extreme = to_surface_mesh(scaled(soup, std::ldexp(1.0, exponent)));
       for (std::size_t k : {2, 9}) {
         const auto by_visibility = RS::parameters::number_of_segments(k).method(visibility);
         EXPECT_EQ(segments_of(extreme, by_visibility), segments_of(mesh, by_visibility));
@@ -237,12 +238,15 @@ TEST(Segment_test, any_finite_coordinates_are_segmented)
       std::mt19937 random(seed);
       Soup soup = random_mesh(family, seed);
       for (std::size_t i = 0; i < 1 + seed % 5; ++i)
-        soup.points[random() % soup.points.size()][random() % 3] =
-          (random() % 2 ? 1 : -1) * std::ldexp(1.5, int(random() % 2090) - 1066);
+        soup.points[random() % soup.points.size()][random() % 3] = (random() % 2 ? 1 : -1) *
+                                                                   std::ldexp(1.5,
+                                                                              int(random() % 2090) -
+                                                                                1066);
       const auto mesh = to_surface_mesh(soup);
       EXPECT_EQ(segments_of(mesh, RS::parameters::default_values()).size(), soup.polygons.size());
-      EXPECT_EQ(segments_of(mesh, RS::parameters::number_of_segments(3).method(RS::Two_step())).size(),
-                soup.polygons.size());
+      EXPECT_EQ(
+        segments_of(mesh, RS::parameters::number_of_segments(3).method(RS::Two_step())).size(),
+        soup.polygons.size());
     }
 }
 

@@ -34,7 +34,8 @@ std::vector<Topology> topologies_of(const Soup& soup, const Labels& labels)
 {
   const Surface_mesh mesh = to_surface_mesh(soup);
   std::vector<Topology> result;
-  const std::size_t number = RS::compute_segment_topology(mesh, face_labels(mesh, labels), std::back_inserter(result));
+  const std::size_t number = RS::compute_segment_topology(mesh, face_labels(mesh, labels),
+                                                          std::back_inserter(result));
   EXPECT_EQ(number, result.size());
   return result;
 }
@@ -45,7 +46,8 @@ Topology topology_of(const Soup& soup)
 }
 
 template <typename Mesh = Surface_mesh>
-std::set<Edge> seams_of(const Soup& soup, const Labels& labels, const RS::Seam_cost& cost = RS::Seam_cost())
+std::set<Edge> seams_of(const Soup& soup, const Labels& labels,
+                        const RS::Seam_cost& cost = RS::Seam_cost())
 {
   const Mesh mesh = to_mesh<Mesh>(soup);
   auto map = edge_map(mesh, std::uint8_t(1)); // stale
@@ -59,7 +61,8 @@ std::set<Edge> seams_of(const Soup& soup, const Labels& labels, const RS::Seam_c
 }
 
 /// Those inside segments.
-std::set<Edge> inner_seams_of(const Soup& soup, const Labels& labels, const RS::Seam_cost& cost = RS::Seam_cost())
+std::set<Edge> inner_seams_of(const Soup& soup, const Labels& labels,
+                              const RS::Seam_cost& cost = RS::Seam_cost())
 {
   std::set<Edge> seams = seams_of(soup, labels, cost);
   for (const auto& [edge, both] : faces_of_edges(soup))
@@ -204,7 +207,8 @@ TEST(Mark_segment_seams_test, opens_the_usual_surfaces)
   expect_discs_when_cut(sphere(2), Labels(128, 0));
   expect_discs_when_cut(torus(9, 7), Labels(63, 0));
   expect_discs_when_cut(grid(9, 9), holes(9, 9));
-  expect_discs_when_cut(triangulated(dumbbell()), Labels(triangulated(dumbbell()).polygons.size(), 3));
+  expect_discs_when_cut(triangulated(dumbbell()),
+                        Labels(triangulated(dumbbell()).polygons.size(), 3));
   expect_discs_when_cut(triangulated(cube()), Labels(12, 0));
   expect_discs_when_cut(Soup(), {});
   EXPECT_TRUE(inner_seams_of(grid(4, 4), Labels(16, 0)).empty());
@@ -212,8 +216,10 @@ TEST(Mark_segment_seams_test, opens_the_usual_surfaces)
 
 TEST(Mark_segment_seams_test, a_closed_segment_is_opened_along_two_edges_at_least)
 {
-  // Any two vertices of a tetrahedron share an edge; along one alone the border would have two vertices.
-  const Soup tetrahedron{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
+  // Any two vertices of a tetrahedron share an edge; along one alone the border would have two
+  // vertices.
+  const Soup tetrahedron{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+                         {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
   const std::set<Edge> seams = seams_of(tetrahedron, Labels(4, 0));
   ASSERT_EQ(seams.size(), 2u);
   const Edge a = *seams.begin(), b = *seams.rbegin();
@@ -255,25 +261,28 @@ TEST(Mark_segment_seams_test, opens_random_segments)
 
 TEST(Mark_segment_seams_test, a_tube_is_opened_along_its_shortest_line)
 {
-  // Squares around the middle of a prism of 12 sides; one side is lower by a notch, so that the tube is shorter there.
+  // Squares around the middle of a prism of 12 sides; one side is lower by a notch, so that the
+  // tube is shorter there.
   Soup tube;
   constexpr std::size_t sides = 12, rings = 5;
   const double pi = std::acos(-1.0);
   for (std::size_t i = 0; i <= rings; ++i)
     for (std::size_t s = 0; s < sides; ++s)
-      tube.points.push_back({std::cos(2 * pi * double(s) / sides), std::sin(2 * pi * double(s) / sides),
-                             double(i) * (s == 7 ? 0.8 : 1)});
+      tube.points.push_back({std::cos(2 * pi * double(s) / sides),
+                             std::sin(2 * pi * double(s) / sides), double(i) * (s == 7 ? 0.8 : 1)});
   for (std::size_t i = 0; i < rings; ++i)
     for (std::size_t s = 0; s < sides; ++s) {
       const std::size_t t = (s + 1) % sides;
-      tube.polygons.push_back({i * sides + s, i * sides + t, (i + 1) * sides + t, (i + 1) * sides + s});
+      tube.polygons.push_back(
+        {i * sides + s, i * sides + t, (i + 1) * sides + t, (i + 1) * sides + s});
     }
   std::set<Edge> expected;
   for (std::size_t i = 0; i < rings; ++i)
     expected.insert(make_edge(i * sides + 7, (i + 1) * sides + 7));
   EXPECT_EQ(inner_seams_of(tube, Labels(sides * rings, 0)), expected);
 
-  // With a valley along side 2, whose edges are concave, the seam hides there, unless only length counts.
+  // With a valley along side 2, whose edges are concave, the seam hides there, unless only length
+  // counts.
   for (std::size_t i = 0; i <= rings; ++i)
     for (std::size_t c = 0; c < 2; ++c)
       tube.points[i * sides + 2][c] *= 0.5;
@@ -290,8 +299,10 @@ double length(const Soup& soup, const Edge& edge)
   return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
 }
 
-/// The shortest line of edges from the border of a sheet to that of its one hole, by relaxing all edges again and again.
-double shortest_line(const Soup& sheet, const std::vector<bool>& is_outer, const std::vector<bool>& is_at_hole,
+/// The shortest line of edges from the border of a sheet to that of its one hole, by relaxing all
+/// edges again and again.
+double shortest_line(const Soup& sheet, const std::vector<bool>& is_outer,
+                     const std::vector<bool>& is_at_hole,
                      const std::map<Edge, std::vector<std::size_t>>& inner_edges)
 {
   std::vector<double> distances(sheet.points.size(), 1e300);
@@ -302,7 +313,8 @@ double shortest_line(const Soup& sheet, const std::vector<bool>& is_outer, const
     has_changed = false;
     for (const auto& [edge, both] : inner_edges)
       for (const auto& [from, to] : {edge, Edge(edge.second, edge.first)})
-        if (const double d = distances[from] + length(sheet, edge); !is_at_hole[from] && d < distances[to]) {
+        if (const double d = distances[from] + length(sheet, edge);
+            !is_at_hole[from] && d < distances[to]) {
           distances[to] = d;
           has_changed = true;
         }

@@ -3,7 +3,8 @@
 #ifndef CGAL_REGION_SEGMENTATION_TEST_SEGMENTS_H
 #define CGAL_REGION_SEGMENTATION_TEST_SEGMENTS_H
 
-// Segments of meshes for the tests of what comes after a segmentation, and what they are, told from polygon soups.
+// Segments of meshes for the tests of what comes after a segmentation, and what they are, told from
+// polygon soups.
 
 #include "meshes.h"
 #include "oracles.h"
@@ -27,8 +28,8 @@ auto face_labels(const Mesh& mesh, const Labels& labels)
   return map;
 }
 
-/// Labels of random balls of faces, a few single faces of other labels, and a few without a segment: segments of several
-/// components, and such that touch themselves.
+/// Labels of random balls of faces, a few single faces of other labels, and a few without a
+/// segment: segments of several components, and such that touch themselves.
 inline Labels random_labels(const Soup& soup, std::size_t number, unsigned seed)
 {
   std::mt19937 random(seed);
@@ -40,7 +41,8 @@ inline Labels random_labels(const Soup& soup, std::size_t number, unsigned seed)
     double nearest = 1e300;
     for (std::size_t i = 0; i < number; ++i) {
       const Point &p = soup.points[soup.polygons[f][0]], &q = centers[i];
-      const double d = (p[0] - q[0]) * (p[0] - q[0]) + (p[1] - q[1]) * (p[1] - q[1]) + (p[2] - q[2]) * (p[2] - q[2]);
+      const double d = (p[0] - q[0]) * (p[0] - q[0]) + (p[1] - q[1]) * (p[1] - q[1]) +
+                       (p[2] - q[2]) * (p[2] - q[2]);
       if (d < nearest) {
         nearest = d;
         labels[f] = 10 * i;
@@ -90,7 +92,8 @@ inline std::map<std::size_t, Segment_counts> count_segments(const Soup& soup, co
   std::map<Edge, std::vector<std::size_t>> sides;
   for (std::size_t f = 0; f < labels.size(); ++f)
     for (std::size_t i = 0; i < soup.polygons[f].size(); ++i)
-      sides[make_edge(soup.polygons[f][i], soup.polygons[f][(i + 1) % soup.polygons[f].size()])].push_back(f);
+      sides[make_edge(soup.polygons[f][i], soup.polygons[f][(i + 1) % soup.polygons[f].size()])]
+        .push_back(f);
   std::vector<std::pair<std::size_t, Edge>> border; // halfedges: face, vertices
   for (const auto& [edge, both] : sides) {
     const bool is_inside = both.size() == 2 && labels[both[0]] == labels[both[1]];
@@ -102,8 +105,7 @@ inline std::map<std::size_t, Segment_counts> count_segments(const Soup& soup, co
       }
       const std::size_t a = root(parent_of_face, both[0]), b = root(parent_of_face, both[1]);
       parent_of_face[a] = b;
-    }
-    else
+    } else
       for (std::size_t f : both) {
         ++result[labels[f]].edges;
         border.push_back({f, edge});

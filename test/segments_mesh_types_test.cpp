@@ -8,11 +8,13 @@
 
 #include "segments.h"
 
+#include <CGAL/Region_segmentation/Segments/close_segments.h>
 #include <CGAL/Region_segmentation/Segments/compute_segment_topology.h>
 #include <CGAL/Region_segmentation/Segments/extract_segment_borders.h>
 #include <CGAL/Region_segmentation/Segments/mark_segment_borders.h>
 #include <CGAL/Region_segmentation/Segments/mark_segment_seams.h>
 #include <CGAL/Region_segmentation/Segments/split_into_segments.h>
+#include <CGAL/Region_segmentation/Segments/transfer_labels.h>
 #include <CGAL/boost/graph/graph_traits_PolyMesh_ArrayKernelT.h>
 #include <CGAL/boost/graph/graph_traits_TriMesh_ArrayKernelT.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -55,6 +57,7 @@ struct Results
   std::vector<std::tuple<std::size_t, std::size_t, std::size_t, std::ptrdiff_t>> topologies;
   std::vector<Soup> pieces;
   std::vector<double> areas_and_errors;
+  Labels transferred;
 };
 
 #ifdef TEST_EIGEN
@@ -85,21 +88,28 @@ Results results_on(const Mesh& mesh, const Labels& labels)
   std::vector<RS::Segment_topology<std::size_t>> topologies;
   RS::compute_segment_topology(mesh, segments, std::back_inserter(topologies));
   for (const auto& t : topologies)
-    results.topologies.push_back({t.segment, t.number_of_components, t.number_of_border_loops, t.euler_characteristic});
+    results.topologies.push_back(
+      {t.segment, t.number_of_components, t.number_of_border_loops, t.euler_characteristic});
 
   std::vector<RS::Segment_piece<Mesh, Mesh, std::size_t>> pieces;
   RS::split_into_segments(mesh, segments, std::back_inserter(pieces));
+  RS::close_segments(mesh, segments, std::back_inserter(pieces));
+  auto copies = face_map(mesh);
+  RS::transfer_labels(mesh, segments, mesh, copies);
+  results.transferred = labels_of(mesh, copies);
   for (const auto& piece : pieces) {
     EXPECT_TRUE(CGAL::is_valid_polygon_mesh(piece.mesh));
     results.pieces.push_back(soup_of(piece.mesh));
-    for (Polygon& polygon : results.pieces.back().polygons) // from the same corner on every mesh type
+    for (Polygon& polygon : results.pieces.back().polygons) // from the same corner on every mesh
+                                                            // type
       std::rotate(polygon.begin(), std::min_element(polygon.begin(), polygon.end()), polygon.end());
   }
 #ifdef TEST_EIGEN
   std::vector<RS::Segment_description<std::size_t, Kernel_of_points<Mesh>>> descriptions;
   RS::describe_segments(mesh, segments, std::back_inserter(descriptions));
   for (const auto& d : descriptions)
-    results.areas_and_errors.insert(results.areas_and_errors.end(), {d.area, d.volume, d.primitive.error});
+    results.areas_and_errors.insert(results.areas_and_errors.end(),
+                                    {d.area, d.volume, d.primitive.error});
 #endif
   return results;
 }
@@ -110,11 +120,13 @@ void expect_same_results(Family family, const Soup& soup, unsigned seed)
   SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
   const Labels labels = random_labels(soup, 2 + seed, seed);
   const Mesh mesh = to_openmesh<Mesh>(soup);
-  const Results expected = results_on(to_surface_mesh(soup), labels), results = results_on(mesh, labels);
+  const Results expected = results_on(to_surface_mesh(soup), labels),
+                results = results_on(mesh, labels);
   EXPECT_EQ(results.borders, expected.borders);
   EXPECT_EQ(results.seams, expected.seams);
   EXPECT_EQ(results.lines, expected.lines);
   EXPECT_EQ(results.topologies, expected.topologies);
+  EXPECT_EQ(results.transferred, expected.transferred);
   EXPECT_EQ(results.areas_and_errors, expected.areas_and_errors);
   ASSERT_EQ(results.pieces.size(), expected.pieces.size());
   for (std::size_t i = 0; i < results.pieces.size(); ++i)
@@ -127,7 +139,8 @@ TEST(Segments_on_openmesh, are_those_on_surface_mesh)
     for (unsigned seed = 1; seed <= 3; ++seed) {
       const Soup soup = random_mesh(family, seed);
       expect_same_results<OpenMesh::PolyMesh_ArrayKernelT<Double_traits>>(family, soup, seed);
-      expect_same_results<OpenMesh::TriMesh_ArrayKernelT<Double_traits>>(family, triangulated(soup), seed);
+      expect_same_results<OpenMesh::TriMesh_ArrayKernelT<Double_traits>>(family, triangulated(soup),
+                                                                         seed);
     }
 }
 

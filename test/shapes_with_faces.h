@@ -31,8 +31,8 @@ struct Shape
   std::uint32_t vertex(const Point& p)
   {
     const auto key = [](double x) { return std::llround(x * 1e9); };
-    const auto position =
-      m_vertices.insert({{key(p.x), key(p.y), key(p.z)}, std::uint32_t(points.size())});
+    const auto position = m_vertices.insert(
+      {{key(p.x), key(p.y), key(p.z)}, std::uint32_t(points.size())});
     if (position.second)
       points.push_back(p);
     return position.first->second;
@@ -130,8 +130,8 @@ inline Shape filleted_bar(double size, double radius, double length, int facets,
     for (int k = 0; k < 4; ++k)
       for (int i = 0; i <= facets; ++i) {
         const Point p = on_fillet(k, double(i) / facets, z);
-        const Point q =
-          i < facets ? on_fillet(k, double(i + 1) / facets, z) : on_fillet(k + 1, 0, z);
+        const Point q = i < facets ? on_fillet(k, double(i + 1) / facets, z)
+                                   : on_fillet(k + 1, 0, z);
         const Point center{0, 0, z};
         z > 0 ? s.add_triangle(center, p, q, s.number_of_faces)
               : s.add_triangle(center, q, p, s.number_of_faces);

@@ -220,8 +220,8 @@ struct Pieces
   std::vector<Index> of_face{std::vector<Index>(number_of_faces, 3)};
 
   explicit Pieces(std::mt19937& random)
-      : costs(
-          mesh, [](std::size_t) { return true; }, [&](std::size_t) { return 1 + random() % 9; })
+    : costs(
+        mesh, [](std::size_t) { return true; }, [&](std::size_t) { return 1 + random() % 9; })
   {
     for (Index piece = 0; piece < 3; ++piece)
       of_face[random() % 6 + 7 * piece] = piece;
@@ -333,8 +333,8 @@ TEST(Border_cut_test, finds_the_cheapest_of_all_borders_in_the_band)
 
     RS::internal::Border_cut cut(
       pieces.costs, [](std::size_t, std::size_t) { return 1.0; }, pieces.of_face);
-    const std::vector<Index> moved =
-      cut.move_border(0, 1, border, width, [&](Index f) { return f == fixed; });
+    const std::vector<Index> moved = cut.move_border(0, 1, border, width,
+                                                     [&](Index f) { return f == fixed; });
     std::vector<Index> different;
     for (Index f = 0; f < Pieces::number_of_faces; ++f)
       if (pieces.of_face[f] != before.of_face[f])
@@ -493,8 +493,8 @@ TEST(Smooth_borders_test, keeps_its_promises_on_random_meshes)
       SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
       const Soup soup = random_mesh(family, seed);
       std::mt19937 random(seed);
-      const std::set<Edge> constrained =
-        seed % 2 ? std::set<Edge>() : random_edges(soup, 10, random);
+      const std::set<Edge> constrained = seed % 2 ? std::set<Edge>()
+                                                  : random_edges(soup, 10, random);
       const Labels labels = random_segments(soup, 2 + seed, random, constrained);
       ASSERT_TRUE(is_connected(soup, labels, constrained));
       const Labels result = smoothed(soup, labels, wide, constrained);

@@ -29,8 +29,8 @@ struct Single_faces
   }
 };
 
-/// Regions made by one function object and merged by a policy, with the geometry of regions. It takes
-/// constraints; of seeds, it only parts and joins first regions.
+/// Regions made by one function object and merged by a policy, with the geometry of regions. It
+/// takes constraints; of seeds, it only parts and joins first regions.
 template <typename Initializer, typename Policy>
 struct User_method
 {
@@ -51,17 +51,17 @@ struct User_method
   {
     namespace RS = CGAL::Region_segmentation;
     RS::Requested_regions requested = RS::requested_regions(surface, prepared, request);
-    auto graph =
-      RS::build_region_adjacency_graph(surface, requested.regions, request.constraints, execution);
+    auto graph = RS::build_region_adjacency_graph(surface, requested.regions, request.constraints,
+                                                  execution);
     if constexpr (RS::internal::depends_on_number<Policy, decltype(graph)>) {
       const std::size_t number = request.number_of_segments;
-      RS::Merge_tree tree =
-        RS::merge_regions(graph, Policy(policy), number, RS::Stop_at_count{number});
+      RS::Merge_tree tree = RS::merge_regions(graph, Policy(policy), number,
+                                              RS::Stop_at_count{number});
       RS::Partition segments = tree.partition_at_count(number);
       return RS::Segmentation{std::move(requested.regions), std::move(segments), std::move(tree)};
     } else {
-      const std::size_t number =
-        request.number_of_segments > 0 ? request.number_of_segments : chosen_number;
+      const std::size_t number = request.number_of_segments > 0 ? request.number_of_segments
+                                                                : chosen_number;
       RS::Merge_tree tree = RS::merge_regions(graph, Policy(policy), 1, RS::Stop_at_count{1});
       return RS::Hierarchy(std::move(requested.regions), std::move(tree), number);
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// From CGAL's SDF segmentation to this package: the maps are the same; its labels can be used further here, and its values
-// could be a scalar in a cost (see scalar.cpp).
+// From CGAL's SDF segmentation to this package: the maps are the same; its labels can be used
+// further here, and its values could be a scalar in a cost (see scalar.cpp).
 
 #include "input_mesh.h"
 
@@ -35,6 +35,7 @@ int main(int argc, char** argv)
   const std::size_t before = RS::mark_segment_borders(mesh, by_sdf, is_border);
   const std::size_t moved = RS::smooth_borders(mesh, by_sdf);
   const std::size_t after = RS::mark_segment_borders(mesh, by_sdf, is_border);
-  std::cout << moved << " faces moved; " << before << " edges between segments, then " << after << '\n';
+  std::cout << moved << " faces moved; " << before << " edges between segments, then " << after
+            << '\n';
   return n_by_sdf > 0 && n > 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The borders of the smooth faces of a machine part, as polylines: the features that domains of CGAL's Mesh_3 take.
+// The borders of the smooth faces of a machine part, as polylines: the features that domains of
+// CGAL's Mesh_3 take.
 
 #include "input_mesh.h"
 
@@ -36,7 +37,9 @@ int main(int argc, char** argv)
     }
   }
   const auto all = edges(mesh);
-  const std::size_t all_sharp = std::size_t(std::count_if(all.begin(), all.end(), [&](auto e) { return is_sharp[e]; }));
-  std::cout << n << " smooth faces, " << features.size() << " features with " << sharp_edges << " of " << all_sharp << " sharp edges\n";
+  const std::size_t all_sharp = std::size_t(
+    std::count_if(all.begin(), all.end(), [&](auto e) { return is_sharp[e]; }));
+  std::cout << n << " smooth faces, " << features.size() << " features with " << sharp_edges
+            << " of " << all_sharp << " sharp edges\n";
   return 100 * sharp_edges >= 99 * all_sharp ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Segments, which the default method makes connected, are cut open along seams, each to a mesh of its
-// own that is a disc, and flattened.
+// Segments, which the default method makes connected, are cut open along seams, each to a mesh of
+// its own that is a disc, and flattened.
 
 #include "input_mesh.h"
 
@@ -34,8 +34,10 @@ int main(int argc, char** argv)
   for (auto& disc : discs) {
     auto uv = disc.mesh.add_property_map<Mesh::Vertex_index, Kernel::Point_2>("v:uv").first;
     const auto all = halfedges(disc.mesh);
-    const auto border = *std::find_if(all.begin(), all.end(), [&](auto h) { return disc.mesh.is_border(h); });
-    failures += SMP::parameterize(disc.mesh, SMP::LSCM_parameterizer_3<Mesh>(), border, uv) != SMP::OK;
+    const auto border = *std::find_if(all.begin(), all.end(),
+                                      [&](auto h) { return disc.mesh.is_border(h); });
+    failures += SMP::parameterize(disc.mesh, SMP::LSCM_parameterizer_3<Mesh>(), border, uv) !=
+                SMP::OK;
   }
   std::cout << discs.size() << " discs, " << failures << " are not flattened\n";
   return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;

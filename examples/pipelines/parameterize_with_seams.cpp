@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Segments, which the default method makes connected, are opened along seams and flattened: as many charts as segments.
+// Segments, which the default method makes connected, are opened along seams and flattened: as many
+// charts as segments.
 
 #include "input_mesh.h"
 
@@ -34,7 +35,9 @@ int main(int argc, char** argv)
   for (auto h : halfedges(mesh))
     if (!mesh.is_border(h) && (is_seam[edge(h, mesh)] || mesh.is_border(opposite(h, mesh))) &&
         flattened.insert(segment_id[face(h, mesh)]).second) {
-      failures += SMP::parameterize(charts, SMP::LSCM_parameterizer_3<Seam_mesh>(), opposite(Seam_mesh::halfedge_descriptor(h), charts), uv) != SMP::OK;
+      failures += SMP::parameterize(charts, SMP::LSCM_parameterizer_3<Seam_mesh>(),
+                                    opposite(Seam_mesh::halfedge_descriptor(h), charts),
+                                    uv) != SMP::OK;
     }
   std::cout << flattened.size() << " charts, " << failures << " are not flattened\n";
   return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;

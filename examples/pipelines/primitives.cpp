@@ -25,8 +25,9 @@ int main(int argc, char** argv)
   bool is_best = true;
   for (const auto& d : descriptions) {
     const RS::Fitted_primitive<Kernel>& p = d.primitive;
-    std::cout << "face " << d.segment << ": area " << d.area << ", " << d.neighbors.size() << " neighbors, "
-              << names[int(p.type)] << ", radius " << p.radius << ", error " << p.error << '\n';
+    std::cout << "face " << d.segment << ": area " << d.area << ", " << d.neighbors.size()
+              << " neighbors, " << names[int(p.type)] << ", radius " << p.radius << ", error "
+              << p.error << '\n';
     is_best = is_best && p.error <= p.error_of(RS::Primitive_type::PLANE);
   }
   return n > 0 && is_best ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -36,6 +36,7 @@ int main(int argc, char** argv)
   mesh.collect_garbage();
 
   const std::size_t after = RS::mark_segment_borders(mesh, segment_id, is_border);
-  std::cout << num_faces(mesh) << " faces, " << after << " edges between segments, " << before << " before\n";
+  std::cout << num_faces(mesh) << " faces, " << after << " edges between segments, " << before
+            << " before\n";
   return after == before ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -14,7 +14,8 @@
 namespace RS = CGAL::Region_segmentation;
 namespace SMS = CGAL::Surface_mesh_simplification;
 
-/// A stop predicate: a fifth of the edges is left. (That of CGAL has another name in later releases.)
+/// A stop predicate: a fifth of the edges is left. (That of CGAL has another name in later
+/// releases.)
 struct Fifth_of_edges
 {
   template <typename Cost, typename Profile>
@@ -31,11 +32,14 @@ int main(int argc, char** argv)
   auto is_border = mesh.add_property_map<Mesh::Edge_index, bool>("e:border").first;
   RS::segment(mesh, segment_id, RS::parameters::number_of_segments(6));
   const std::size_t before = RS::mark_segment_borders(mesh, segment_id, is_border);
-  using Placement = SMS::Constrained_placement<SMS::LindstromTurk_placement<Mesh>, decltype(is_border)>;
-  SMS::edge_collapse(mesh, Fifth_of_edges(),
-                     CGAL::parameters::edge_is_constrained_map(is_border).get_placement(Placement(is_border)));
+  using Placement = SMS::Constrained_placement<SMS::LindstromTurk_placement<Mesh>,
+                                               decltype(is_border)>;
+  SMS::edge_collapse(
+    mesh, Fifth_of_edges(),
+    CGAL::parameters::edge_is_constrained_map(is_border).get_placement(Placement(is_border)));
   mesh.collect_garbage();
   const std::size_t after = RS::mark_segment_borders(mesh, segment_id, is_border);
-  std::cout << num_faces(mesh) << " faces, " << after << " edges between segments, " << before << " before\n";
+  std::cout << num_faces(mesh) << " faces, " << after << " edges between segments, " << before
+            << " before\n";
   return after == before ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A skeleton of a figure from its region graph: from the middle of each part to the middles of its borders.
+// A skeleton of a figure from its region graph: from the middle of each part to the middles of its
+// borders.
 
 #include "input_mesh.h"
 
@@ -20,7 +21,8 @@ int main(int argc, char** argv)
 {
   Mesh mesh = input_mesh(argc, argv);
   auto segment_id = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:segment").first;
-  const std::size_t n = RS::segment(mesh, segment_id, RS::parameters::component_links(false)); // joints are edges
+  const std::size_t n = RS::segment(mesh, segment_id,
+                                    RS::parameters::component_links(false)); // joints are edges
 
   std::vector<std::vector<Point>> points_of_part(n);
   for (auto f : faces(mesh))
@@ -30,13 +32,17 @@ int main(int argc, char** argv)
   RS::extract_segment_borders(mesh, segment_id, std::back_inserter(borders));
   for (const auto& border : borders)
     for (auto h : border.halfedges)
-      points_of_joint[{border.segment, border.opposite_segment}].push_back(mesh.point(target(h, mesh)));
-  const auto middle = [](const std::vector<Point>& p) { return CGAL::centroid(p.begin(), p.end(), CGAL::Dimension_tag<0>()); };
-  const auto graph = RS::build_region_adjacency_graph(mesh, segment_id, RS::parameters::component_links(false));
+      points_of_joint[{border.segment, border.opposite_segment}].push_back(
+        mesh.point(target(h, mesh)));
+  const auto middle = [](const std::vector<Point>& p) {
+    return CGAL::centroid(p.begin(), p.end(), CGAL::Dimension_tag<0>());
+  };
+  const auto graph = RS::build_region_adjacency_graph(mesh, segment_id,
+                                                      RS::parameters::component_links(false));
   for (auto s : CGAL::make_range(edges(graph))) { // as a polyline of CGAL's .polylines.txt
     const auto [a, b] = std::minmax<std::size_t>({source(s, graph), target(s, graph)});
-    std::cout << "3 " << middle(points_of_part[a]) << ' ' << middle(points_of_joint.at({a, b})) << ' '
-              << middle(points_of_part[b]) << '\n';
+    std::cout << "3 " << middle(points_of_part[a]) << ' ' << middle(points_of_joint.at({a, b}))
+              << ' ' << middle(points_of_part[b]) << '\n';
   }
   return num_edges(graph) == points_of_joint.size() ? EXIT_SUCCESS : EXIT_FAILURE;
 }

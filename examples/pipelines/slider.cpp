@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A slider over the number of segments, and the buttons beside it: split, join, undo. The mesh is prepared once.
+// A slider over the number of segments, and the buttons beside it: split, join, undo. The mesh is
+// prepared once.
 
 #include "input_mesh.h"
 
@@ -36,5 +37,6 @@ int main(int argc, char** argv)
   while (editor.number_of_segments() != 8 && editor.undo())
     show();
   const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
-  std::cout << changes << " changes in " << time.count() << " ms; " << editor.number_of_segments() << " segments\n";
+  std::cout << changes << " changes in " << time.count() << " ms; " << editor.number_of_segments()
+            << " segments\n";
 }

@@ -3,6 +3,7 @@
 // A Python module: points and faces as arrays in, labels out.
 
 #include "Soup.h"
+#include "describe.h"
 
 #include <CGAL/Region_segmentation/Methods/Learned_merging.h>
 #include <CGAL/Region_segmentation/Methods/Smooth_faces.h>
@@ -34,7 +35,8 @@ class Prepared
 public:
   virtual ~Prepared() = default;
   /// Without a number the method chooses one. Returns the number of segments.
-  virtual std::size_t segment(std::optional<std::size_t> number_of_segments, std::vector<std::size_t>& labels) const = 0;
+  virtual std::size_t segment(std::optional<std::size_t> number_of_segments,
+                              std::vector<std::size_t>& labels) const = 0;
   virtual void add_constraints(const Edges& edges) = 0;
   virtual void set_seeds(const Seeds& seeds) = 0;
   virtual const RS::Partition& regions() const = 0;
@@ -46,14 +48,19 @@ class Prepared_by : public Prepared
 {
   static constexpr bool needs_number = std::is_same<Method, RS::Two_step>::value;
 
-  [[noreturn]] static void refuse(const char* what) { throw std::invalid_argument(std::string("method two-step ") + what); }
+  [[noreturn]] static void refuse(const char* what)
+  {
+    throw std::invalid_argument(std::string("method two-step ") + what);
+  }
 
 public:
   Prepared_by(const Soup& soup, bool component_links)
-    : m_segmenter(soup.points, soup.polygons, RS::parameters::method(Method()).component_links(component_links))
+    : m_segmenter(soup.points, soup.polygons,
+                  RS::parameters::method(Method()).component_links(component_links))
   {}
 
-  std::size_t segment(std::optional<std::size_t> number_of_segments, std::vector<std::size_t>& labels) const override
+  std::size_t segment(std::optional<std::size_t> number_of_segments,
+                      std::vector<std::size_t>& labels) const override
   {
     if (number_of_segments)
       return m_segmenter.segment(labels, *number_of_segments);
@@ -80,7 +87,7 @@ public:
   }
 
 private:
-  decltype(RS::Segmenter(std::declval<const std::vector<Point>&>(), std::declval<const Polygons&>(),
+  decltype(RS::Segmenter(std::declval<const Soup&>().points, std::declval<const Soup&>().polygons,
                          RS::parameters::method(std::declval<const Method&>()))) m_segmenter;
 };
 
@@ -101,8 +108,9 @@ std::unique_ptr<Prepared> prepare(const std::string& method, const Soup& soup, b
 class Segmenter
 {
 public:
-  Segmenter(const py::object& points, const py::object& faces, const std::string& method, const py::object& constrained_edges,
-            const py::object& seeds, bool component_links, const py::object& face_sizes)
+  Segmenter(const py::object& points, const py::object& faces, const std::string& method,
+            const py::object& constrained_edges, const py::object& seeds, bool component_links,
+            const py::object& face_sizes)
     : m_soup(make_soup(points, faces, face_sizes))
   {
     {
@@ -126,7 +134,9 @@ public:
       n = m_prepared->segment(number_of_segments, labels);
     }
     if (number_of_segments && n != *number_of_segments) {
-      const std::string text = std::to_string(n) + " segments: " + std::to_string(*number_of_segments) + " are not possible";
+      const std::string text = std::to_string(n) +
+                               " segments: " + std::to_string(*number_of_segments) +
+                               " are not possible";
       if (PyErr_WarnEx(PyExc_UserWarning, text.c_str(), 1) != 0)
         throw py::error_already_set();
     }
@@ -142,11 +152,7 @@ public:
 
   void set_seeds(const py::object& object)
   {
-    const char* const expected = "seeds: not an integer for each face, -1 for none";
-    const Indices array = to_indices(object, expected);
-    if (array.ndim() != 1 || std::size_t(array.size()) != m_soup.polygons.size())
-      throw std::invalid_argument(expected);
-    const Seeds seeds(array.data(), array.data() + array.size());
+    const Seeds seeds = make_labels(m_soup, object, "seeds");
     const py::gil_scoped_release release;
     m_prepared->set_seeds(seeds);
   }
@@ -162,7 +168,8 @@ public:
   {
     py::list result;
     for (const RS::Merge_tree::Merge& merge : m_prepared->merge_tree().merges())
-      result.append(py::make_tuple(std::size_t(merge.kept), std::size_t(merge.removed), merge.cost));
+      result.append(
+        py::make_tuple(std::size_t(merge.kept), std::size_t(merge.removed), merge.cost));
     return result;
   }
 
@@ -171,43 +178,91 @@ private:
   std::unique_ptr<Prepared> m_prepared;
 };
 
-Labels segment(const py::object& points, const py::object& faces, std::optional<std::size_t> number_of_segments,
-               const std::string& method, const py::object& constrained_edges, const py::object& seeds, bool component_links,
+Labels segment(const py::object& points, const py::object& faces,
+               std::optional<std::size_t> number_of_segments, const std::string& method,
+               const py::object& constrained_edges, const py::object& seeds, bool component_links,
                const py::object& face_sizes)
 {
-  return Segmenter(points, faces, method, constrained_edges, seeds, component_links, face_sizes).segment(number_of_segments);
+  return Segmenter(points, faces, method, constrained_edges, seeds, component_links, face_sizes)
+    .segment(number_of_segments);
+}
+
+py::array_t<std::size_t> segment_borders(const py::object& points, const py::object& faces,
+                                         const py::object& labels, const py::object& face_sizes)
+{
+  const Soup soup = make_soup(points, faces, face_sizes);
+  const Edges edges = edges_between_labels(soup, make_labels(soup, labels, "labels"));
+  py::array_t<std::size_t> result({edges.size(), std::size_t(2)});
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    result.mutable_at(i, 0) = edges[i].first;
+    result.mutable_at(i, 1) = edges[i].second;
+  }
+  return result;
+}
+
+py::list describe_segments(const py::object& points, const py::object& faces,
+                           const py::object& labels, const py::object& face_sizes)
+{
+  const Soup soup = make_soup(points, faces, face_sizes);
+  return describe(soup, make_labels(soup, labels, "labels"));
 }
 
 } // namespace
 
 PYBIND11_MODULE(region_segmentation, module)
 {
-  module.doc() =
-    "Segmentation of surface meshes. A mesh is an array of n x 3 points and faces: an array of m x 3 (or more) indices of\n"
-    "points; a list of faces of different sizes; or all indices with face_sizes. Or an object with vertices and faces. It need\n"
-    "not be manifold, oriented or connected.";
+  module.doc() = "Segmentation of surface meshes. A mesh is an array of n x 3 points and faces: an "
+                 "array of m x 3 (or more) indices of\n"
+                 "points; a list of faces of different sizes; or all indices with face_sizes. Or "
+                 "an object with vertices and faces. It need\n"
+                 "not be manifold, oriented or connected.";
   py::register_exception<RS::Invalid_input>(module, "InvalidInput", PyExc_ValueError);
   const py::none none;
 
   module.def("segment", &segment,
              "The segment of each face, 0 to n - 1 in the order of their first faces.\n\n"
-             "number_of_segments: None lets the method choose it; where it is not possible, there is a UserWarning.\n"
-             "method: learned, visibility, two-step (needs a number) or smooth-faces. constrained_edges: an array of n x 2\n"
-             "indices of points; these edges always are borders. seeds: an integer for each face, -1 for none; equal seeds end\n"
-             "in one segment, different ones in different segments. component_links: whether components that touch or are\n"
+             "number_of_segments: None lets the method choose it; where it is not possible, there "
+             "is a UserWarning.\n"
+             "method: learned, visibility, two-step (needs a number) or smooth-faces. "
+             "constrained_edges: an array of n x 2\n"
+             "indices of points; these edges always are borders. seeds: an integer for each face, "
+             "-1 for none; equal seeds end\n"
+             "in one segment, different ones in different segments. component_links: whether "
+             "components that touch or are\n"
              "near each other are adjacent.",
-             py::arg("points"), py::arg("faces") = none, py::arg("number_of_segments") = none, py::arg("method") = "learned",
-             py::arg("constrained_edges") = none, py::arg("seeds") = none, py::arg("component_links") = true,
+             py::arg("points"), py::arg("faces") = none, py::arg("number_of_segments") = none,
+             py::arg("method") = "learned", py::arg("constrained_edges") = none,
+             py::arg("seeds") = none, py::arg("component_links") = true,
              py::arg("face_sizes") = none);
 
-  py::class_<Segmenter>(module, "Segmenter", "A mesh that is prepared once, and segmented for any numbers.")
-    .def(py::init<const py::object&, const py::object&, const std::string&, const py::object&, const py::object&, bool,
-                  const py::object&>(),
-         py::arg("points"), py::arg("faces") = none, py::arg("method") = "learned", py::arg("constrained_edges") = none,
-         py::arg("seeds") = none, py::arg("component_links") = true, py::arg("face_sizes") = none)
-    .def("segment", &Segmenter::segment, "As the function of this name.", py::arg("number_of_segments") = none)
-    .def("add_constraints", &Segmenter::add_constraints, "More constrained edges.", py::arg("constrained_edges"))
+  module.def("segment_borders", &segment_borders,
+             "The edges between faces of different labels: an array of n x 2 indices of points.",
+             py::arg("points"), py::arg("faces") = none, py::arg("labels"),
+             py::arg("face_sizes") = none);
+  module.def(
+    "describe_segments", &describe_segments,
+    "A dictionary for each segment, in the order of their first faces: segment, number_of_faces, "
+    "area, volume,\n"
+    "centroid, axes, extents, border_length, boundary_length; neighbors (segment, border_length,\n"
+    "mean_signed_deviation); and primitive (type, point, direction, radius, half_angle, error). "
+    "Faces of label -1\n"
+    "belong to no segment. What is not manifold is torn apart there, before.",
+    py::arg("points"), py::arg("faces") = none, py::arg("labels"), py::arg("face_sizes") = none);
+
+  py::class_<Segmenter>(module, "Segmenter",
+                        "A mesh that is prepared once, and segmented for any numbers.")
+    .def(py::init<const py::object&, const py::object&, const std::string&, const py::object&,
+                  const py::object&, bool, const py::object&>(),
+         py::arg("points"), py::arg("faces") = none, py::arg("method") = "learned",
+         py::arg("constrained_edges") = none, py::arg("seeds") = none,
+         py::arg("component_links") = true, py::arg("face_sizes") = none)
+    .def("segment", &Segmenter::segment, "As the function of this name.",
+         py::arg("number_of_segments") = none)
+    .def("add_constraints", &Segmenter::add_constraints, "More constrained edges.",
+         py::arg("constrained_edges"))
     .def("set_seeds", &Segmenter::set_seeds, "Replaces the seeds.", py::arg("seeds"))
-    .def_property_readonly("regions", &Segmenter::regions, "What segments consist of: the region of each face.")
-    .def_property_readonly("merges", &Segmenter::merges, "The merges of the regions: (kept, removed, cost), in order.");
+    .def_property_readonly("regions", &Segmenter::regions,
+                           "What segments consist of: the region of each face.")
+    .def_property_readonly("merges", &Segmenter::merges,
+                           "The merges of the regions: (kept, removed, cost), in order.");
 }

@@ -12,8 +12,8 @@ setup(
     ext_modules=[
         Pybind11Extension(
             "region_segmentation",
-            ["region_segmentation.cpp", "Soup.cpp"],
-            include_dirs=[os.path.relpath(library, folder), "/usr/include/eigen3"],
+            ["region_segmentation.cpp", "Soup.cpp", "describe.cpp"],
+            include_dirs=[os.path.relpath(library, folder), "../segment_mesh", "/usr/include/eigen3"],
             libraries=["gmp", "mpfr"],
             define_macros=[("NDEBUG", None)],
             extra_compile_args=["-O2", "-ffp-contract=off"],

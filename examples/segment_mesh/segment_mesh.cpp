@@ -41,8 +41,9 @@ void hint_at_outputs(const std::vector<Job>& jobs, const Options& options)
     return;
   const std::string stem = std::filesystem::path(jobs.front().input).stem().string();
   const std::string name = jobs.size() > 1 ? "'{stem}" : stem, end = jobs.size() > 1 ? "'" : "";
-  std::cerr << one_line("Nothing is written. A page to view and rotate the segments: -o " + name + ".html" + end +
-                        "; a mesh in their colors: -o " + name + "_segments.ply" + end)
+  std::cerr << one_line("Nothing is written. A page to view and rotate the segments: -o " + name +
+                        ".html" + end + "; a mesh in their colors: -o " + name + "_segments.ply" +
+                        end)
             << std::endl;
 }
 

@@ -11,8 +11,7 @@
 namespace princeton_benchmark {
 
 /// The columns of every table of scores. All are dissimilarities.
-enum Measure : std::size_t
-{
+enum Measure : std::size_t {
   RAND_INDEX, ///< 1 - Rand index
   CUT_DISCREPANCY,
   HAMMING,
@@ -27,7 +26,7 @@ enum Measure : std::size_t
 constexpr std::size_t number_of_measures = 9;
 
 constexpr std::array<const char*, number_of_measures> measure_names = {
-    "1-RI", "CD", "Hamming", "missing", "false al.", "GCE", "LCE", "GCE area", "LCE area"};
+  "1-RI", "CD", "Hamming", "missing", "false al.", "GCE", "LCE", "GCE area", "LCE area"};
 
 constexpr std::array<const char*, number_of_measures> measure_columns = {"rand_index_distance",
                                                                          "cut_discrepancy",

@@ -40,14 +40,14 @@ struct Model_result
   std::size_t number_of_segments = 0, number_of_regions = 0; ///< 0 for the method `people`
   Stage_seconds seconds;
 
-  /// The mean over all truths of the result with the wanted number, or with the chosen one where the
-  /// method takes none. The members below are of the same result, unless stated otherwise.
+  /// The mean over all truths of the result with the wanted number, or with the chosen one where
+  /// the method takes none. The members below are of the same result, unless stated otherwise.
   Measures standard;
   /// The same of the number that the method chooses; empty if it cannot.
   std::optional<Measures> automatic;
   std::size_t automatic_segments = 0;
-  /// The mean over the truths, each against the result with its own number of segments; empty if the
-  /// method takes none.
+  /// The mean over the truths, each against the result with its own number of segments; empty if
+  /// the method takes none.
   std::optional<Measures> own_number;
   /// Against the first of the truths with the wanted number of segments, and against the nearest
   /// one of them by the Rand index; empty if no truth has this number.

@@ -26,7 +26,8 @@ public:
   static constexpr int number_of_categories = 20;
 
   /// \throws std::runtime_error if there is no mesh, or no table of the numbers of segments
-  explicit Princeton_data(Path root) : m_root(std::move(root))
+  explicit Princeton_data(Path root)
+    : m_root(std::move(root))
   {
     m_models = numbers_in(m_root / "data" / "off", "", ".off");
     if (m_models.empty())
@@ -88,9 +89,9 @@ public:
   static const char* category_name(int category)
   {
     static constexpr std::array<const char*, number_of_categories> names = {
-        "Human",     "Cup",   "Glasses", "Airplane", "Ant",  "Chair",  "Octopus",
-        "Table",     "Teddy", "Hand",    "Plier",    "Fish", "Bird",   "Spring",
-        "Armadillo", "Bust",  "Mech",    "Bearing",  "Vase", "FourLeg"};
+      "Human",     "Cup",   "Glasses", "Airplane", "Ant",  "Chair",  "Octopus",
+      "Table",     "Teddy", "Hand",    "Plier",    "Fish", "Bird",   "Spring",
+      "Armadillo", "Bust",  "Mech",    "Bearing",  "Vase", "FourLeg"};
     return names.at(category);
   }
 

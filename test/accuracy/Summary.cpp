@@ -92,8 +92,8 @@ std::size_t number_of_failures(const std::vector<Model_result>& results)
 std::size_t number_of_undefined_cuts(const std::vector<Model_result>& results)
 {
   return std::accumulate(
-      results.begin(), results.end(), std::size_t(0),
-      [](std::size_t sum, const Model_result& r) { return sum + r.undefined_cuts; });
+    results.begin(), results.end(), std::size_t(0),
+    [](std::size_t sum, const Model_result& r) { return sum + r.undefined_cuts; });
 }
 
 std::size_t number_of_other_numbers(const std::vector<Model_result>& results)

@@ -14,7 +14,8 @@ namespace princeton_benchmark {
 struct Benchmark_options
 {
   std::string data_folder; ///< empty: the procedural models
-  /// Given: `learned`, `visibility` and `two-step` on variants of the procedural models instead, random with it.
+  /// Given: `learned`, `visibility` and `two-step` on variants of the procedural models instead,
+  /// random with it.
   std::optional<std::uint32_t> variants_seed;
   std::string method = "learned";
   std::size_t number_of_threads = 1, number_of_runs = 1;

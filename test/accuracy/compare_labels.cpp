@@ -17,8 +17,8 @@ Measures compare_labels(const Benchmark_mesh& mesh, const std::vector<int>& resu
   const RS::Consistency_error error = RS::consistency_error(mesh, a, b);
   Measures measures;
   measures.values[RAND_INDEX] = RS::rand_index_distance(mesh, a, b);
-  measures.values[CUT_DISCREPANCY] =
-      RS::cut_discrepancy(mesh, a, b).value_or(std::numeric_limits<double>::quiet_NaN());
+  measures.values[CUT_DISCREPANCY] = RS::cut_discrepancy(mesh, a, b)
+                                       .value_or(std::numeric_limits<double>::quiet_NaN());
   measures.values[HAMMING] = hamming.distance;
   measures.values[MISSING_RATE] = hamming.missing_rate;
   measures.values[FALSE_ALARM_RATE] = hamming.false_alarm_rate;

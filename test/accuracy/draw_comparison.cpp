@@ -67,9 +67,9 @@ Picture draw_comparison(const segment_mesh::Polygon_soup& soup, const std::vecto
   options.height = 220;
   const std::vector<std::size_t> labels(result.begin(), result.end());
   options.viewpoint = segment_mesh::choose_viewpoint(soup, labels);
-  Image image =
-      side_by_side(segment_mesh::render_view(soup, labels, {}, options),
-                   segment_mesh::render_view(soup, match_labels(result, truth), {}, options));
+  Image image = side_by_side(
+    segment_mesh::render_view(soup, labels, {}, options),
+    segment_mesh::render_view(soup, match_labels(result, truth), {}, options));
   for (segment_mesh::Color& color : image.pixels) // in steps of 8, which takes a third of the bytes
     for (std::uint8_t& channel : color)
       channel |= 7;

@@ -97,12 +97,12 @@ TEST(Machine_parts, are_closed_oriented_manifolds_of_one_piece)
               model.number_of_parts);
     const Mesh mesh = to_mesh(model.soup);
     EXPECT_TRUE(CGAL::is_closed(mesh));
-    const long characteristic =
-      long(mesh.number_of_vertices()) - long(mesh.number_of_edges()) + long(mesh.number_of_faces());
+    const long characteristic = long(mesh.number_of_vertices()) - long(mesh.number_of_edges()) +
+                                long(mesh.number_of_faces());
     EXPECT_EQ(characteristic, part.loft.bore > 0 ? 0 : 2);
     std::vector<std::size_t> segments(mesh.number_of_faces());
-    const auto map =
-      boost::make_iterator_property_map(segments.begin(), get(boost::face_index, mesh));
+    const auto map = boost::make_iterator_property_map(segments.begin(),
+                                                       get(boost::face_index, mesh));
     EXPECT_EQ(
       RS::segment(mesh, map, RS::parameters::number_of_segments(1).method(RS::Smooth_faces())), 1u);
   }

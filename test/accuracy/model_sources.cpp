@@ -57,7 +57,7 @@ std::vector<Model_source> procedural_sources()
   std::vector<Model_source> sources;
   for (const segment_mesh::Model_recipe& recipe : segment_mesh::procedural_models())
     sources.push_back(
-        {recipe.name, recipe.name, [&recipe] { return make_procedural_model(recipe.make()); }});
+      {recipe.name, recipe.name, [&recipe] { return make_procedural_model(recipe.make()); }});
   return sources;
 }
 

@@ -14,15 +14,15 @@
 
 namespace princeton_benchmark {
 
-using segment_mesh::Labelled_model;
-using segment_mesh::Making;
-using segment_mesh::Model_recipe;
-using segment_mesh::Point;
-using segment_mesh::Polygon_soup;
 using segment_mesh::cross_product;
 using segment_mesh::inner_product;
+using segment_mesh::Labelled_model;
+using segment_mesh::Making;
 using segment_mesh::minus;
+using segment_mesh::Model_recipe;
 using segment_mesh::plus;
+using segment_mesh::Point;
+using segment_mesh::Polygon_soup;
 using segment_mesh::times;
 
 namespace {
@@ -53,8 +53,10 @@ class Flipping
 {
 public:
   Flipping(Labelled_model& model, std::uint32_t seed)
-      : m_model(model), m_polygons(model.soup.polygons), m_engine(seed),
-        m_is_new(m_polygons.size(), false)
+    : m_model(model)
+    , m_polygons(model.soup.polygons)
+    , m_engine(seed)
+    , m_is_new(m_polygons.size(), false)
   {
     for (std::size_t f = 0; f < m_polygons.size(); ++f)
       for (std::size_t i = 0; i < 3; ++i)
@@ -180,17 +182,52 @@ Labelled_model with_flipped_edges(Labelled_model model, std::uint32_t seed)
   return model;
 }
 
+Labelled_model with_holes(const Labelled_model& model, double share, std::uint32_t seed)
+{
+  constexpr std::size_t faces_per_hole = 10;
+  const Polygon_soup& soup = model.soup;
+  const std::size_t size = soup.polygons.size();
+  std::vector<std::vector<std::size_t>> faces_at(soup.points.size());
+  for (std::size_t f = 0; f < size; ++f)
+    for (const std::size_t corner : soup.polygons[f])
+      faces_at[corner].push_back(f);
+  Engine engine(seed);
+  std::vector<bool> is_missing(size, false);
+  for (std::size_t missing = 0; double(missing) < share * double(size);) {
+    std::vector<std::size_t> hole = {engine() % size};
+    for (std::size_t i = 0; i < hole.size() && hole.size() < faces_per_hole; ++i)
+      for (const std::size_t corner : soup.polygons[hole[i]])
+        for (const std::size_t f : faces_at[corner])
+          if (hole.size() < faces_per_hole && std::find(hole.begin(), hole.end(), f) == hole.end())
+            hole.push_back(f);
+    for (const std::size_t f : hole) {
+      missing += !is_missing[f];
+      is_missing[f] = true;
+    }
+  }
+  Labelled_model result = model;
+  result.soup.polygons = {};
+  result.labels.clear();
+  for (std::size_t f = 0; f < size; ++f)
+    if (!is_missing[f]) {
+      const Polygon_soup::Polygon& corners = soup.polygons[f];
+      result.soup.polygons.push_back(std::vector<std::size_t>(corners.begin(), corners.end()));
+      result.labels.push_back(model.labels[f]);
+    }
+  return result;
+}
+
 std::vector<Variant> model_variants(std::uint32_t seed)
 {
   const auto as = [](double fineness, double noise) {
     return [=](const Model_recipe& recipe) { return recipe.make({fineness, noise}); };
   };
   std::vector<Variant> variants = {
-      {"as it is", as(1, 1)},
-      {"clean", as(1, 0)},
-      {"finer", as(2, 1)},
-      {"coarser", as(0.5, 1)},
-      {"in four", [](const Model_recipe& recipe) { return split_into_four(recipe.make()); }}};
+    {"as it is", as(1, 1)},
+    {"clean", as(1, 0)},
+    {"finer", as(2, 1)},
+    {"coarser", as(0.5, 1)},
+    {"in four", [](const Model_recipe& recipe) { return split_into_four(recipe.make()); }}};
   for (std::uint32_t s = seed; s < seed + 3; ++s)
     variants.push_back({"noise " + std::to_string(s), [s](const Model_recipe& recipe) {
                           return with_noise(recipe.make(), 0.005, s);

@@ -29,6 +29,11 @@ segment_mesh::Labelled_model split_into_four(const segment_mesh::Labelled_model&
 /// first.
 segment_mesh::Labelled_model with_flipped_edges(segment_mesh::Labelled_model model,
                                                 std::uint32_t seed);
+
+/// Without about `share` of the faces, at least: holes of ten faces, each around a random one.
+/// Points are kept.
+segment_mesh::Labelled_model with_holes(const segment_mesh::Labelled_model& model, double share,
+                                        std::uint32_t seed);
 /// @}
 
 /// A variant of all models.
@@ -38,8 +43,8 @@ struct Variant
   std::function<segment_mesh::Labelled_model(const segment_mesh::Model_recipe&)> make;
 };
 
-/// As it is, without noise, with noise, finer, coarser, and triangulated otherwise. `seed`: of what is
-/// random among them.
+/// As it is, without noise, with noise, finer, coarser, and triangulated otherwise. `seed`: of what
+/// is random among them.
 std::vector<Variant> model_variants(std::uint32_t seed);
 
 } // namespace princeton_benchmark

@@ -107,7 +107,8 @@ TEST(Model_variants, fineness_is_faces_along_a_line)
       }
 }
 
-/// Of the models that are made at once. One is behind by more than 0.0005: the chair with each face in four, by 0.033.
+/// Of the models that are made at once. One is behind by more than 0.0005: the chair with each face
+/// in four, by 0.033.
 TEST(Model_variants, learned_is_not_behind_two_step)
 {
   for (const Variant& variant : model_variants(1)) {

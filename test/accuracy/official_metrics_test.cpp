@@ -37,8 +37,8 @@ constexpr std::size_t number_of_columns = 9;
 using Measures = std::array<double, number_of_columns>;
 
 constexpr std::array<const char*, number_of_columns> column_names = {
-    "rand_index", "cut_discrepancy", "hamming", "missing_rate", "false_alarm_rate", "gce",
-    "lce",        "gce_area",        "lce_area"};
+  "rand_index", "cut_discrepancy", "hamming", "missing_rate", "false_alarm_rate", "gce",
+  "lce",        "gce_area",        "lce_area"};
 
 /// A line of the table.
 struct Row
@@ -134,8 +134,8 @@ TEST(Official_metrics, every_column_of_every_pair_is_within_1e_4)
       const double theirs = row.measures[c];
       const double difference = std::abs(ours[c] - theirs);
       EXPECT_LE(difference, tolerance * std::abs(theirs) + zero)
-          << column_names[c] << " of model " << row.model << ", people " << row.a << " and "
-          << row.b << ": " << ours[c] << ", the evaluator says " << theirs;
+        << column_names[c] << " of model " << row.model << ", people " << row.a << " and " << row.b
+        << ": " << ours[c] << ", the evaluator says " << theirs;
       if (difference > zero)
         worst[c] = (std::max)(worst[c], difference / std::abs(theirs));
     }

@@ -33,9 +33,8 @@ Model_scorer make_scorer(const Benchmark_options& options)
   const Method& method = find_method(options.method);
   const Scoring scoring = {options.report_file.empty() ? Pictures::NONE : Pictures::NEAREST_TRUTH,
                            options.number_of_runs};
-  return [&method, scoring](const Model& model) {
-    return score_segmentation(model, method, scoring);
-  };
+  return
+    [&method, scoring](const Model& model) { return score_segmentation(model, method, scoring); };
 }
 
 std::vector<Model_result> run_with_progress(const std::vector<Model_source>& sources,
@@ -83,8 +82,8 @@ int report_failures(const std::vector<Model_result>& results)
                 << segment_mesh::one_line("model " + r.name + ": " + r.failure) << "\n";
   const std::size_t failures = number_of_failures(results);
   if (failures > 0)
-    std::cerr << "princeton_benchmark: " << failures << " of "
-              << counted(results.size(), "model") << " failed\n";
+    std::cerr << "princeton_benchmark: " << failures << " of " << counted(results.size(), "model")
+              << " failed\n";
   return failures > 0 ? 1 : 0;
 }
 

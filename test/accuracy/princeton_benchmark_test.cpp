@@ -45,13 +45,13 @@ Model make_model()
   Model model;
   model.soup = make_cube();
   model.number_of_segments = 2;
-  model.truths = {{"m_0", {0, 0, 0, 1, 1, 2}, 3},
-                  {"m_1", {0, 0, 0, 1, 1, 1}, 2},
-                  {"m_2", {0, 0, 0, 0, 0, 1}, 2}};
+  model.truths = {
+    {"m_0", {0, 0, 0, 1, 1, 2}, 3}, {"m_1", {0, 0, 0, 1, 1, 1}, 2}, {"m_2", {0, 0, 0, 0, 0, 1}, 2}};
   return model;
 }
 
-/// Like the second truth; of three segments like the first one, of a number of its own like the third.
+/// Like the second truth; of three segments like the first one, of a number of its own like the
+/// third.
 Timed_segmentation segment_like_truths(const Benchmark_mesh&, Wanted_number number)
 {
   Timed_segmentation result;
@@ -113,13 +113,13 @@ TEST(Score_model, the_chosen_number_and_those_of_the_truths_have_scores_of_their
   EXPECT_NEAR(rand_index(both.automatic), (6. / 15 + 8. / 15 + 0) / 3, 1e-15);
   EXPECT_NEAR(rand_index(both.own_number), (0 + 0 + 8. / 15) / 3, 1e-15);
 
-  const Model_result given =
-      score_segmentation(make_model(), {"", segment_like_truths, Numbers::GIVEN});
+  const Model_result given = score_segmentation(make_model(),
+                                                {"", segment_like_truths, Numbers::GIVEN});
   EXPECT_FALSE(given.automatic);
   EXPECT_EQ(rand_index(given.own_number), rand_index(both.own_number));
 
-  const Model_result chosen =
-      score_segmentation(make_model(), {"", segment_like_truths, Numbers::CHOSEN});
+  const Model_result chosen = score_segmentation(make_model(),
+                                                 {"", segment_like_truths, Numbers::CHOSEN});
   EXPECT_FALSE(chosen.own_number);
   EXPECT_EQ(rand_index(chosen.automatic), rand_index(both.automatic));
   EXPECT_EQ(chosen.standard[RAND_INDEX], rand_index(both.automatic));
@@ -148,9 +148,7 @@ TEST(Run_benchmark, keeps_the_order_and_every_failure)
                            throw std::runtime_error("no " + std::to_string(i));
                          return make_model();
                        }});
-  const auto score = [](const Model& model) {
-    return score_segmentation(model, like_truths);
-  };
+  const auto score = [](const Model& model) { return score_segmentation(model, like_truths); };
   for (std::size_t threads : {1, 2, 7, 100}) {
     std::size_t latest = 0;
     const auto results = run_benchmark(sources, score, threads,
@@ -168,8 +166,8 @@ TEST(Run_benchmark, keeps_the_order_and_every_failure)
 TEST(Run_benchmark, reads_the_layout_of_the_benchmark_and_tells_of_a_bad_file)
 {
   namespace fs = std::filesystem;
-  const fs::path root =
-      fs::temp_directory_path() / ("princeton_" + std::to_string(std::random_device()()));
+  const fs::path root = fs::temp_directory_path() /
+                        ("princeton_" + std::to_string(std::random_device()()));
   for (const char* folder :
        {"data/off", "data/seg/Benchmark/1", "data/seg/Benchmark/2", "util/parameters"})
     fs::create_directories(root / folder);
@@ -182,11 +180,9 @@ TEST(Run_benchmark, reads_the_layout_of_the_benchmark_and_tells_of_a_bad_file)
 
   const Princeton_data data(root);
   const auto results = run_benchmark(
-      princeton_sources(data),
-      [](const Model& model) {
-        return score_segmentation(model, find_method("two-step"));
-      },
-      1, [](std::size_t) {});
+    princeton_sources(data),
+    [](const Model& model) { return score_segmentation(model, find_method("two-step")); }, 1,
+    [](std::size_t) {});
   ASSERT_EQ(results.size(), 2u);
   EXPECT_EQ(results[0].failure, "");
   EXPECT_EQ(results[0].category, "Human");
@@ -250,8 +246,8 @@ TEST(Write_csv, every_line_has_all_fields)
 
 TEST(Write_report, needs_no_other_file_and_has_the_worst_first)
 {
-  const Model_result drawn =
-      score_segmentation(make_model(), like_truths, {Pictures::NEAREST_TRUTH});
+  const Model_result drawn = score_segmentation(make_model(), like_truths,
+                                                {Pictures::NEAREST_TRUTH});
   princeton_benchmark::Run run{"two-step", true, Numbers::GIVEN, {drawn, drawn, drawn}};
   run.results[0].name = "good";
   run.results[1].name = "bad";

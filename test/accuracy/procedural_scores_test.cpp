@@ -39,14 +39,15 @@ constexpr Bound bounds[] = {{"articulated_figure", 0.010, 0.010, 0.010},
                             {"quadruped", 0.016, 0.017, 0.017}};
 
 class Procedural : public testing::TestWithParam<const char*>
-{
-};
+{};
 
 TEST_P(Procedural, is_as_close_to_the_true_parts_as_it_was)
 {
   const std::string name = GetParam();
   const Method& method = find_method(name);
-  const auto bound = name == "learned" ? &Bound::learned : name == "visibility" ? &Bound::visibility : &Bound::two_step;
+  const auto bound = name == "learned"      ? &Bound::learned
+                     : name == "visibility" ? &Bound::visibility
+                                            : &Bound::two_step;
   const auto score = [&method](const Model& model) { return score_segmentation(model, method); };
   const auto results = run_benchmark(procedural_sources(), score, 2, [](std::size_t) {});
   ASSERT_EQ(results.size(), std::size(bounds));
@@ -60,7 +61,8 @@ TEST_P(Procedural, is_as_close_to_the_true_parts_as_it_was)
 
 INSTANTIATE_TEST_SUITE_P(Scores, Procedural, testing::Values("learned", "visibility", "two-step"),
                          [](const auto& info) {
-                           return std::string(info.param) == "two-step" ? "two_step" : std::string(info.param);
+                           return std::string(info.param) == "two-step" ? "two_step"
+                                                                        : std::string(info.param);
                          });
 
 } // namespace

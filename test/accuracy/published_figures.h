@@ -22,17 +22,17 @@ struct Published_method
 };
 
 constexpr Published_method published_methods[] = {
-    {"People against each other", 0.103, "-", "-"},
-    {"CEFM", 0.145, "< 15 per 10,000 triangles", "auto"},
-    {"Randomized Cuts", 0.152, "83.8", "given"},
-    {"Normalized Cuts", 0.172, "49.4", "given"},
-    {"Shape Diameter", 0.175, "8.9", "auto"},
-    {"Core Extraction", 0.210, "19.5", "auto"},
-    {"Fitting Primitives", 0.210, "4.6", "given"},
-    {"Random Walks", 0.214, "1.4", "given"},
-    {"K-Means", 0.251, "2.5", "given"},
-    {"A segment a face", 0.345, "-", "-"},
-    {"One segment", 0.655, "-", "-"}};
+  {"People against each other", 0.103, "-", "-"},
+  {"CEFM", 0.145, "< 15 per 10,000 triangles", "auto"},
+  {"Randomized Cuts", 0.152, "83.8", "given"},
+  {"Normalized Cuts", 0.172, "49.4", "given"},
+  {"Shape Diameter", 0.175, "8.9", "auto"},
+  {"Core Extraction", 0.210, "19.5", "auto"},
+  {"Fitting Primitives", 0.210, "4.6", "given"},
+  {"Random Walks", 0.214, "1.4", "given"},
+  {"K-Means", 0.251, "2.5", "given"},
+  {"A segment a face", 0.345, "-", "-"},
+  {"One segment", 0.655, "-", "-"}};
 
 /// 1 - Rand index in the paper's protocol.
 struct Published_category
@@ -42,13 +42,13 @@ struct Published_category
 };
 
 constexpr Published_category published_categories[] = {
-    {"Human", .083, .279, .091},    {"Cup", .179, .316, .047},       {"Glasses", .053, .340, .058},
-    {"Airplane", .115, .263, .064}, {"Ant", .014, .059, .021},       {"Chair", .147, .138, .051},
-    {"Octopus", .064, .086, .024},  {"Table", .410, .103, .013},     {"Teddy", .030, .118, .028},
-    {"Hand", .069, .194, .078},     {"Plier", .092, .214, .169},     {"Fish", .296, .383, .095},
-    {"Bird", .074, .242, .088},     {"Armadillo", .066, .099, .090}, {"Bust", .136, .238, .158},
-    {"Mech", .227, .147, .011},     {"Bearing", .026, .205, .004},   {"Vase", .081, .256, .063},
-    {"FourLeg", .190, .275, .178}};
+  {"Human", .083, .279, .091},    {"Cup", .179, .316, .047},       {"Glasses", .053, .340, .058},
+  {"Airplane", .115, .263, .064}, {"Ant", .014, .059, .021},       {"Chair", .147, .138, .051},
+  {"Octopus", .064, .086, .024},  {"Table", .410, .103, .013},     {"Teddy", .030, .118, .028},
+  {"Hand", .069, .194, .078},     {"Plier", .092, .214, .169},     {"Fish", .296, .383, .095},
+  {"Bird", .074, .242, .088},     {"Armadillo", .066, .099, .090}, {"Bust", .136, .238, .158},
+  {"Mech", .227, .147, .011},     {"Bearing", .026, .205, .004},   {"Vase", .081, .256, .063},
+  {"FourLeg", .190, .275, .178}};
 
 /// The means as they are printed, and as they follow from the printed rows, over the models and
 /// over the categories: they differ.
@@ -69,10 +69,10 @@ struct Published_time
 };
 
 constexpr Published_time published_times[] = {
-    {"Chair", 28744, 8, 0.30, 0.54, 3.52, 4.36},   {"Fish", 20368, 7, 0.16, 0.37, 12.3, 12.83},
-    {"Bird", 10104, 5, 0.12, 0.19, 1.74, 2.05},    {"Hand", 17290, 7, 0.21, 0.33, 4.98, 5.52},
-    {"Human", 30450, 15, 0.37, 0.62, 9.66, 10.65}, {"Table", 19600, 9, 0.21, 0.37, 5.73, 6.31},
-    {"Vase", 28952, 6, 0.36, 0.55, 11.07, 11.98},  {"Octopus", 18244, 9, 0.22, 0.35, 3.03, 8.60}};
+  {"Chair", 28744, 8, 0.30, 0.54, 3.52, 4.36},   {"Fish", 20368, 7, 0.16, 0.37, 12.3, 12.83},
+  {"Bird", 10104, 5, 0.12, 0.19, 1.74, 2.05},    {"Hand", 17290, 7, 0.21, 0.33, 4.98, 5.52},
+  {"Human", 30450, 15, 0.37, 0.62, 9.66, 10.65}, {"Table", 19600, 9, 0.21, 0.37, 5.73, 6.31},
+  {"Vase", 28952, 6, 0.36, 0.55, 11.07, 11.98},  {"Octopus", 18244, 9, 0.22, 0.35, 3.03, 8.60}};
 
 } // namespace princeton_benchmark
 

@@ -18,7 +18,9 @@ namespace {
 class Comparisons
 {
 public:
-  explicit Comparisons(const Model& model) : m_model(model) {}
+  explicit Comparisons(const Model& model)
+    : m_model(model)
+  {}
 
   void add(std::size_t truth, const Measures& measures) { m_entries.push_back({truth, measures}); }
 
@@ -154,9 +156,10 @@ void add_automatic(const Model& model, const Benchmark_mesh& mesh, const Method&
 class Results_by_number
 {
 public:
-  Results_by_number(const Method& method, const Benchmark_mesh& mesh) : m_method(method), m_mesh(mesh)
-  {
-  }
+  Results_by_number(const Method& method, const Benchmark_mesh& mesh)
+    : m_method(method)
+    , m_mesh(mesh)
+  {}
 
   void add(std::size_t number, const std::vector<int>& labels) { m_labels.emplace(number, labels); }
 
@@ -212,8 +215,8 @@ Model_result score_segmentation(const Model& model, const Method& method, const 
   result.nearest_truth = model.truths[nearest.truth].name;
   result.nearest_distance = nearest.measures[RAND_INDEX];
   if (scoring.pictures == Pictures::NEAREST_TRUTH)
-    result.picture =
-        draw_comparison(model.soup, segmentation.labels, model.truths[nearest.truth].labels);
+    result.picture = draw_comparison(model.soup, segmentation.labels,
+                                     model.truths[nearest.truth].labels);
   return result;
 }
 
@@ -225,9 +228,9 @@ Model_result score_people(const Model& model)
   const auto has_wanted_number = [&](const Truth& truth) {
     return truth.number_of_segments == model.number_of_segments;
   };
-  const std::size_t first_person =
-      std::size_t(std::find_if(model.truths.begin(), model.truths.end(), has_wanted_number) -
-                  model.truths.begin());
+  const std::size_t first_person = std::size_t(
+    std::find_if(model.truths.begin(), model.truths.end(), has_wanted_number) -
+    model.truths.begin());
 
   Mean_measures standard, first, nearest;
   Model_result result = describe(model);

@@ -9,11 +9,7 @@
 
 namespace princeton_benchmark {
 
-enum class Pictures
-{
-  NONE,
-  NEAREST_TRUTH
-};
+enum class Pictures { NONE, NEAREST_TRUTH };
 
 struct Scoring
 {
@@ -22,8 +18,8 @@ struct Scoring
 };
 
 /// Runs a method with the model's number of segments, with the number that the method chooses, and
-/// with that of each truth, as far as it can, and compares the results with the truths. Fills all but
-/// the names. \throws std::exception
+/// with that of each truth, as far as it can, and compares the results with the truths. Fills all
+/// but the names. \throws std::exception
 Model_result score_segmentation(const Model& model, const Method& method,
                                 const Scoring& scoring = {});
 

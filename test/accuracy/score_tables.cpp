@@ -50,9 +50,9 @@ std::vector<std::string> notes_on(const Run& run, const Summary& summary)
     notes.push_back("CD is not defined for " + counted(n, "comparison") +
                     ", which its means leave out.");
   if ((run.method == "visibility" || run.method == "learned") && run.is_princeton)
-    notes.push_back(
-        "The constants of " + run.method + " were chosen on half of this benchmark (see doc/accuracy.md): on "
-        "those models its scores are no test.");
+    notes.push_back("The constants of " + run.method +
+                    " were chosen on half of this benchmark (see doc/accuracy.md): on "
+                    "those models its scores are no test.");
   const std::size_t n = takes_number(run) ? number_of_other_numbers(run.results) : 0;
   if (n > 0)
     notes.push_back(counted(n, "result") + " without the wanted number of segments.");
@@ -159,10 +159,11 @@ Table published_standard_table(const Run& run)
   for (const Published_method& m : published_methods)
     table.rows.push_back({m.name, published_score(m.mean), m.seconds, m.number_of_segments});
   table.notes.push_back(
-      "The published figures are of all 380 models; people score 0.0976 on the even half.");
+    "The published figures are of all 380 models; people score 0.0976 on the even half.");
   if (takes_number(run))
-    table.notes.push_back("Of each person: each human segmentation is compared with the result that "
-                          "has as many segments.");
+    table.notes.push_back(
+      "Of each person: each human segmentation is compared with the result that "
+      "has as many segments.");
   for (const std::string& note : note_on_times(run))
     table.notes.push_back(note);
   return table;
@@ -247,10 +248,11 @@ Table paper_categories_table(const Run& run)
 Table models_table(const Run& run)
 {
   const Summary summary = summarize(run.results, standard_protocol);
-  Table table{"Scores of each model",
-              header_of_measures({"model", "faces", "k", "segments", "seconds", "auto k", "auto 1-RI"}),
-              {},
-              notes_on(run, summary)};
+  Table table{
+    "Scores of each model",
+    header_of_measures({"model", "faces", "k", "segments", "seconds", "auto k", "auto 1-RI"}),
+    {},
+    notes_on(run, summary)};
   for (const Model_result& r : run.results) {
     Row row = {r.name};
     if (r.failure.empty()) {
@@ -265,7 +267,12 @@ Table models_table(const Run& run)
     table.rows.push_back(row);
   }
   const Summary automatic = summarize(run.results, automatic_protocol);
-  Row mean = {"mean", "", "", "", seconds(mean_seconds(run)), "",
+  Row mean = {"mean",
+              "",
+              "",
+              "",
+              seconds(mean_seconds(run)),
+              "",
               chooses_number(run) ? score(automatic.over_models[RAND_INDEX]) : "-"};
   append_scores(mean, summary.over_models);
   table.rows.push_back(mean);

@@ -18,8 +18,8 @@ struct Run
 {
   std::string method;
   bool is_princeton = true; ///< else the procedural models, for which nothing is published
-  /// Which numbers of segments the method can be asked for; empty where it compares truths alone, as
-  /// `people`.
+  /// Which numbers of segments the method can be asked for; empty where it compares truths alone,
+  /// as `people`.
   std::optional<Numbers> numbers;
   std::vector<Model_result> results;
 };

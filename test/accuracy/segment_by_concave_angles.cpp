@@ -61,14 +61,16 @@ struct Concave_angle_merging
 
   Prepared prepare(const RS::Surface&, const RS::Execution&) const { return {}; }
 
-  RS::Hierarchy merge(const RS::Surface& surface, const Prepared&, const RS::Request& request, const RS::Execution& execution) const
+  RS::Hierarchy merge(const RS::Surface& surface, const Prepared&, const RS::Request& request,
+                      const RS::Execution& execution) const
   {
-    RS::Requested_regions requested =
-      RS::requested_regions(surface, RS::Partition::into_single_elements(surface.number_of_faces()), request);
-    auto graph =
-      RS::build_region_adjacency_graph<RS::Region_geometry, Concave_section>(surface, requested.regions, request.constraints);
-    RS::Merge_tree tree = RS::merge_requested_regions(surface, requested, graph, RS::Lowest_cost_first<Concave_angle_cost>(), 1,
-                                                      execution.stage("merging"));
+    RS::Requested_regions requested = RS::requested_regions(
+      surface, RS::Partition::into_single_elements(surface.number_of_faces()), request);
+    auto graph = RS::build_region_adjacency_graph<RS::Region_geometry, Concave_section>(
+      surface, requested.regions, request.constraints);
+    RS::Merge_tree tree = RS::merge_requested_regions(surface, requested, graph,
+                                                      RS::Lowest_cost_first<Concave_angle_cost>(),
+                                                      1, execution.stage("merging"));
     return RS::Hierarchy(std::move(requested.regions), std::move(tree), request.number_of_segments);
   }
 };
@@ -80,8 +82,9 @@ Timed_segmentation segment_by_concave_angles(const Benchmark_mesh& mesh, Wanted_
   Timed_segmentation result;
   result.labels.resize(num_faces(mesh));
   const double start = thread_seconds();
-  result.number_of_segments = RS::segment(mesh, face_map(mesh, result.labels),
-                                          RS::parameters::method(Concave_angle_merging()).number_of_segments(number.value()));
+  result.number_of_segments = RS::segment(
+    mesh, face_map(mesh, result.labels),
+    RS::parameters::method(Concave_angle_merging()).number_of_segments(number.value()));
   result.seconds.merging = thread_seconds() - start;
   result.number_of_regions = num_faces(mesh);
   return result;

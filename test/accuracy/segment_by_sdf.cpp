@@ -22,8 +22,8 @@ Timed_segmentation segment_by_sdf(const Benchmark_mesh& mesh, Wanted_number)
   const double start = thread_seconds();
   CGAL::sdf_values(mesh, diameter_map);
   const double middle = thread_seconds();
-  result.number_of_segments =
-      CGAL::segmentation_from_sdf_values(mesh, diameter_map, face_map(mesh, result.labels));
+  result.number_of_segments = CGAL::segmentation_from_sdf_values(mesh, diameter_map,
+                                                                 face_map(mesh, result.labels));
   result.seconds.regions = middle - start;
   result.seconds.merging = thread_seconds() - middle;
   return result;

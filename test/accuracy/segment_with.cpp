@@ -62,9 +62,8 @@ Timed_segmentation segment_with(const Parameters& parameters, const Benchmark_me
   result.labels.resize(num_faces(mesh));
   RS::Merge_tree tree;
   Stage_timer timer;
-  result.number_of_segments =
-      RS::segment(mesh, face_map(mesh, result.labels),
-                  parameters.merge_tree(tree).visitor(std::ref(timer)));
+  result.number_of_segments = RS::segment(mesh, face_map(mesh, result.labels),
+                                          parameters.merge_tree(tree).visitor(std::ref(timer)));
   result.seconds = timer.finish();
   result.number_of_regions = tree.number_of_regions();
   return result;
@@ -72,8 +71,8 @@ Timed_segmentation segment_with(const Parameters& parameters, const Benchmark_me
 
 Timed_segmentation segment_by_two_step(const Benchmark_mesh& mesh, Wanted_number number)
 {
-  return segment_with(
-      RS::parameters::method(RS::Two_step()).number_of_segments(number.value()), mesh);
+  return segment_with(RS::parameters::method(RS::Two_step()).number_of_segments(number.value()),
+                      mesh);
 }
 
 /// By a method that can choose the number.
@@ -89,11 +88,12 @@ Timed_segmentation segment_by(const Benchmark_mesh& mesh, Wanted_number number)
 
 const std::vector<Method>& methods()
 {
-  static const std::vector<Method> all = {{"learned", segment_by<RS::Learned_merging>, Numbers::BOTH},
-                                          {"visibility", segment_by<RS::Visibility_merging>, Numbers::BOTH},
-                                          {"two-step", segment_by_two_step, Numbers::GIVEN},
-                                          {"concave-angles", segment_by_concave_angles, Numbers::GIVEN},
-                                          {"sdf", segment_by_sdf, Numbers::CHOSEN}};
+  static const std::vector<Method> all = {
+    {"learned", segment_by<RS::Learned_merging>, Numbers::BOTH},
+    {"visibility", segment_by<RS::Visibility_merging>, Numbers::BOTH},
+    {"two-step", segment_by_two_step, Numbers::GIVEN},
+    {"concave-angles", segment_by_concave_angles, Numbers::GIVEN},
+    {"sdf", segment_by_sdf, Numbers::CHOSEN}};
   return all;
 }
 

@@ -40,21 +40,22 @@ struct Method
   bool chooses_number() const { return numbers != Numbers::GIVEN; }
 };
 
-/// `learned`, `visibility` and `two-step` of the library, `concave-angles`, and `sdf`, CGAL's own segmentation.
+/// `learned`, `visibility` and `two-step` of the library, `concave-angles`, and `sdf`, CGAL's own
+/// segmentation.
 const std::vector<Method>& methods();
 
 /// \pre there is such a method
 const Method& find_method(const std::string& name);
 
 /// CGAL's segmentation by the shape diameter function (`CGAL::sdf_values()`,
-/// `CGAL::segmentation_from_sdf_values()`), all parameters as they are by default: 25 rays in a cone
-/// of 2/3 pi, 5 clusters, a smoothing of 0.26. Its clusters are not its segments: there is no number
-/// to give. Regions are not known. \throws std::runtime_error if a face is not a triangle
+/// `CGAL::segmentation_from_sdf_values()`), all parameters as they are by default: 25 rays in a
+/// cone of 2/3 pi, 5 clusters, a smoothing of 0.26. Its clusters are not its segments: there is no
+/// number to give. Regions are not known. \throws std::runtime_error if a face is not a triangle
 Timed_segmentation segment_by_sdf(const Benchmark_mesh& mesh, Wanted_number);
 
-/// The formula of MeshLib's hierarchical segmentation (2026): from single faces on, the regions are merged first for
-/// which min(area) * (integral of the concave deviation along their section) / length^2 is lowest.
-/// \pre `number` has a value
+/// The formula of MeshLib's hierarchical segmentation (2026): from single faces on, the regions are
+/// merged first for which min(area) * (integral of the concave deviation along their section) /
+/// length^2 is lowest. \pre `number` has a value
 Timed_segmentation segment_by_concave_angles(const Benchmark_mesh& mesh, Wanted_number number);
 
 } // namespace princeton_benchmark

@@ -22,7 +22,7 @@ const Model_result* nearest_model(const Run& run, const Published_time& publishe
   for (const Model_result& r : run.results)
     if (r.failure.empty() && r.category == published.category &&
         (!nearest || distance(r.number_of_faces, published.triangles) <
-                         distance(nearest->number_of_faces, published.triangles)))
+                       distance(nearest->number_of_faces, published.triangles)))
       nearest = &r;
   return nearest;
 }
@@ -75,10 +75,11 @@ Table times_table(const Run& run)
   }
   table.rows.push_back(row("mean of all models, " + run.method, "", "", mean_of_stages(run)));
   table.notes = {
-      "The paper's times are of a Pentium of 2.9 GHz; ours of this machine, of the model of "
-      "the category with the nearest number of triangles.",
-      "The parts of the paper's Octopus sum to 3.600.",
-      "Ours: features are reading the mesh into arrays; growing has the feature edges and the graph of regions, too."};
+    "The paper's times are of a Pentium of 2.9 GHz; ours of this machine, of the model of "
+    "the category with the nearest number of triangles.",
+    "The parts of the paper's Octopus sum to 3.600.",
+    "Ours: features are reading the mesh into arrays; growing has the feature edges and the graph "
+    "of regions, too."};
   return table;
 }
 

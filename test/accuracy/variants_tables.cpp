@@ -14,7 +14,8 @@ namespace {
 void append_models(Table& table, const std::vector<Model_result>& results)
 {
   for (const Model_result& result : results) {
-    const std::string value = result.failure.empty() ? score(result.standard[RAND_INDEX]) : "failed";
+    const std::string value = result.failure.empty() ? score(result.standard[RAND_INDEX])
+                                                     : "failed";
     const auto row = std::find_if(table.rows.begin(), table.rows.end(),
                                   [&](const auto& r) { return r.front() == result.name; });
     if (row == table.rows.end())
@@ -33,7 +34,8 @@ struct Difference
   std::string model, behind;
 };
 
-Difference compare(const std::string& variant, const Variants_run& method, const Variants_run& other)
+Difference compare(const std::string& variant, const Variants_run& method,
+                   const Variants_run& other)
 {
   Difference result;
   for (std::size_t i = 0; i < method.results.size(); ++i) {
@@ -64,10 +66,11 @@ Table variants_table(const Variants_run& run)
     mean.push_back(score(variant.mean[RAND_INDEX]));
   }
   table.rows.push_back(mean);
-  table.notes = {"Finer: made with 4 times the faces; coarser: with a quarter; in four: each face "
-                 "split into four.",
-                 "Noise N: of 0.5 % of the mean edge length, with the seed N; flips N: other diagonals, "
-                 "with the seed N."};
+  table.notes = {
+    "Finer: made with 4 times the faces; coarser: with a quarter; in four: each face "
+    "split into four.",
+    "Noise N: of 0.5 % of the mean edge length, with the seed N; flips N: other diagonals, "
+    "with the seed N."};
   return table;
 }
 
@@ -75,10 +78,11 @@ Table variants_comparison(const Variants_run& method, const Variants_run& other)
 {
   const Summary mine = summarize(method.results, standard_protocol);
   const Summary theirs = summarize(other.results, standard_protocol);
-  Table table{method.method + " beside " + other.method,
-              {"variant", method.method, other.method, "largest difference", "of", "behind by > 0.01"},
-              {},
-              {}};
+  Table table{
+    method.method + " beside " + other.method,
+    {"variant", method.method, other.method, "largest difference", "of", "behind by > 0.01"},
+    {},
+    {}};
   for (const Category_score& variant : mine.categories) {
     const Category_score* counterpart = theirs.category(variant.name);
     const Difference d = compare(variant.name, method, other);

@@ -54,7 +54,8 @@ void write_csv(std::ostream& out, const std::vector<Model_result>& results)
       write_scores(out, r.nearest);
       write_scores(out, r.automatic);
       write_scores(out, r.own_number);
-      out << "," << r.automatic_segments << "," << quoted(r.nearest_truth) << "," << r.nearest_distance << ",";
+      out << "," << r.automatic_segments << "," << quoted(r.nearest_truth) << ","
+          << r.nearest_distance << ",";
     } else {
       out << std::string(9 + 5 * number_of_measures + 4, ',') << quoted(r.failure);
     }

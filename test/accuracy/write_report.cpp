@@ -136,9 +136,9 @@ void write_models(std::ostream& out, const Run& run)
 
 void write_report(std::ostream& out, const Run& run)
 {
-  const std::string title =
-      (run.is_princeton ? "Princeton Segmentation Benchmark: " : "Procedural models: ") +
-      run.method;
+  const std::string title = (run.is_princeton ? "Princeton Segmentation Benchmark: "
+                                              : "Procedural models: ") +
+                            run.method;
   out << "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>"
       << html(title) << "</title>\n"
       << style << "</head>\n<body>\n<h1>" << html(title) << "</h1>\n"

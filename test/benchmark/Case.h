@@ -12,7 +12,8 @@
 namespace speed_benchmark {
 
 /// `SMOOTH`: real meshes, subdivided; `NOISY`: the same with every vertex moved; `SHUFFLED`:
-/// smooth ones, faces and vertices in random order; `LOOP`: real meshes, subdivided by Loop's scheme; `TORUS`: made here.
+/// smooth ones, faces and vertices in random order; `LOOP`: real meshes, subdivided by Loop's
+/// scheme; `TORUS`: made here.
 enum class Shape { SMOOTH, NOISY, SHUFFLED, LOOP, TORUS };
 enum class Mesh_type { SURFACE_MESH, POLYHEDRON, OPENMESH };
 

@@ -48,11 +48,12 @@ Measurement summarize(const std::vector<Round>& rounds, const Contest& contest)
   m.rounds = rounds.size();
   m.number_of_regions = rounds.front().subject.number_of_regions;
   for (std::size_t s = 0; s < number_of_stages; ++s)
-    m.seconds_of_stage[s] = median_of(rounds, [&](const Round& r) { return r.subject.of_stage[s]; });
+    m.seconds_of_stage[s] = median_of(rounds,
+                                      [&](const Round& r) { return r.subject.of_stage[s]; });
   m.seconds = median_of(rounds, [](const Round& r) { return r.subject.whole(); });
   m.floor_seconds = median_of(rounds, [](const Round& r) { return r.floor; });
-  m.regions_by_floor =
-    median_of(rounds, [](const Round& r) { return r.subject.until(Stage::GRAPH) / r.floor; });
+  m.regions_by_floor = median_of(
+    rounds, [](const Round& r) { return r.subject.until(Stage::GRAPH) / r.floor; });
   m.whole_by_floor = median_of(rounds, [](const Round& r) { return r.subject.whole() / r.floor; });
   if (contest.reference)
     m.by_reference = median_of(rounds, [&](const Round& r) {

@@ -33,15 +33,17 @@ struct Measurement
 /// What is run in turns.
 struct Contest
 {
-  std::function<double()> floor;         ///< seconds
-  std::function<double()> slow_floor;    ///< on one thread, where the floor is on several; may be empty
+  std::function<double()> floor;      ///< seconds
+  std::function<double()> slow_floor; ///< on one thread, where the floor is on several; may be
+                                      ///< empty
   std::function<Stage_seconds()> subject;
   std::function<double()> reference;     ///< seconds; may be empty
-  Stage compared_until = Stage::BORDERS; ///< the part of the subject that is compared with the reference
+  Stage compared_until = Stage::BORDERS; ///< the part of the subject that is compared with the
+                                         ///< reference
 };
 
-/// Runs each once without timing, the subject with its memory counted; then in turns, at least three
-/// rounds, until `seconds_wanted` are over.
+/// Runs each once without timing, the subject with its memory counted; then in turns, at least
+/// three rounds, until `seconds_wanted` are over.
 Measurement measure(const Contest& contest, double seconds_wanted);
 
 } // namespace speed_benchmark

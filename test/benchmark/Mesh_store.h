@@ -12,12 +12,15 @@
 
 namespace speed_benchmark {
 
-/// Makes the meshes that are wanted, and keeps the last: as a `Surface_mesh`, and in one other type.
+/// Makes the meshes that are wanted, and keeps the last: as a `Surface_mesh`, and in one other
+/// type.
 class Mesh_store
 {
 public:
   /// `folder`: where the `.off` files of CGAL's demos are, in whatever depth.
-  explicit Mesh_store(std::string folder) : m_folder(std::move(folder)) {}
+  explicit Mesh_store(std::string folder)
+    : m_folder(std::move(folder))
+  {}
 
   /// The references are valid until the next call. Nothing where the type is missing.
   /// \throws std::runtime_error if a file is missing

@@ -12,8 +12,8 @@
 
 namespace speed_benchmark {
 
-/// Reading is what makes the flat mesh and its patches; `GRAPH` includes the annotation; the last one ends when the labels
-/// are written.
+/// Reading is what makes the flat mesh and its patches; `GRAPH` includes the annotation; the last
+/// one ends when the labels are written.
 enum class Stage { READING, REGIONS, GRAPH, MERGING, BORDERS };
 constexpr std::size_t number_of_stages = 5;
 
@@ -29,13 +29,15 @@ struct Stage_seconds
   double whole() const { return until(Stage::BORDERS); }
 };
 
-/// A `SegmentationVisitor` that times the stages of one call of `segment()`. A stage lasts until the
-/// next begins. It ends the call after the last stage that is wanted.
+/// A `SegmentationVisitor` that times the stages of one call of `segment()`. A stage lasts until
+/// the next begins. It ends the call after the last stage that is wanted.
 class Stage_clock
 {
 public:
   explicit Stage_clock(Clock clock, Stage last = Stage::BORDERS)
-    : m_clock(clock), m_last(last), m_start(seconds(clock))
+    : m_clock(clock)
+    , m_last(last)
+    , m_start(seconds(clock))
   {}
 
   bool go_further(const char* name, double)
@@ -66,7 +68,8 @@ private:
 
   static Stage stage_of(const char* name)
   {
-    constexpr const char* names[number_of_stages] = {"reading", "regions", "graph", "merging", "borders"};
+    constexpr const char* names[number_of_stages] = {"reading", "regions", "graph", "merging",
+                                                     "borders"};
     for (std::size_t i = 0; i < number_of_stages; ++i)
       if (std::strcmp(name, names[i]) == 0)
         return Stage(i);

@@ -11,8 +11,8 @@
 
 namespace speed_benchmark {
 
-/// `REGIONS`: what `PMP::sharp_edges_segmentation` makes, and the region graph: `two-step` up to its
-/// merging, all edges above the bound being feature edges.
+/// `REGIONS`: what `PMP::sharp_edges_segmentation` makes, and the region graph: `two-step` up to
+/// its merging, all edges above the bound being feature edges.
 enum class Method { TWO_STEP, LEARNED, REGIONS };
 
 struct Pipeline
@@ -30,7 +30,8 @@ class Subject
 public:
   virtual ~Subject() = default;
   virtual std::size_t number_of_faces() const = 0;
-  /// The processor time of one pass of `PMP::compute_face_normals`, the floor of runs on one thread.
+  /// The processor time of one pass of `PMP::compute_face_normals`, the floor of runs on one
+  /// thread.
   virtual double seconds_of_face_normals() = 0;
   virtual Stage_seconds segment(const Pipeline& pipeline) = 0;
 };
@@ -50,7 +51,8 @@ public:
   virtual void shape_approximation(std::size_t number_of_segments) = 0;
   virtual void principal_curvatures() = 0;
   virtual void feature_lines() = 0;
-  /// The stages alone: concave feature edges, those of every sign, and regions between the edges that were found last.
+  /// The stages alone: concave feature edges, those of every sign, and regions between the edges
+  /// that were found last.
   virtual void detect_feature_edges() = 0;
   virtual void detect_all_feature_edges() = 0;
   virtual void grow_regions() = 0;

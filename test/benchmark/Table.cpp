@@ -61,7 +61,8 @@ Numbers numbers(const Case& c, std::size_t number_of_faces, const Measurement& m
     result.push_back({column, applies ? std::optional<double>(value) : std::nullopt});
   };
   add("regions", !c.is_call, double(m.number_of_regions));
-  constexpr const char* stages[number_of_stages] = {"reading", "regions", "graph", "merging", "borders"};
+  constexpr const char* stages[number_of_stages] = {"reading", "regions", "graph", "merging",
+                                                    "borders"};
   for (std::size_t s = 0; s < number_of_stages; ++s)
     add(stages[s], !c.is_call, by_face(m.seconds_of_stage[s]));
   add("whole", true, by_face(m.seconds));
@@ -75,7 +76,9 @@ Numbers numbers(const Case& c, std::size_t number_of_faces, const Measurement& m
   return result;
 }
 
-Table::Table(std::string stem, Facts facts) : m_stem(std::move(stem)), m_facts(std::move(facts))
+Table::Table(std::string stem, Facts facts)
+  : m_stem(std::move(stem))
+  , m_facts(std::move(facts))
 {
   write();
 }
@@ -83,7 +86,8 @@ Table::Table(std::string stem, Facts facts) : m_stem(std::move(stem)), m_facts(s
 void Table::add_line(const Case& c, const Numbers& numbers)
 {
   m_head = {"mesh", "type", "threads", "what", "reference"};
-  Cells line = {name(c.mesh.shape), name(c.mesh.type), std::to_string(c.threads), c.what, c.reference};
+  Cells line = {name(c.mesh.shape), name(c.mesh.type), std::to_string(c.threads), c.what,
+                c.reference};
   for (const auto& [column, value] : numbers) {
     m_head.push_back(column);
     line.push_back(value ? text(*value) : std::string());

@@ -27,8 +27,8 @@ void* allocate(std::size_t size, std::size_t alignment)
 {
   // The size of an aligned block is a multiple of the alignment; there is no block of 0 bytes.
   const std::size_t bytes = (size + (size == 0) + alignment - 1) / alignment * alignment;
-  void* block =
-    alignment > alignof(std::max_align_t) ? std::aligned_alloc(alignment, bytes) : std::malloc(size + (size == 0));
+  void* block = alignment > alignof(std::max_align_t) ? std::aligned_alloc(alignment, bytes)
+                                                      : std::malloc(size + (size == 0));
   if (!block)
     throw std::bad_alloc();
   if (is_counting.load(std::memory_order_relaxed))

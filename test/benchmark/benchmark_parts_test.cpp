@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The parts of the benchmark that do not measure: its meshes, medians, the count of bytes, the table.
+// The parts of the benchmark that do not measure: its meshes, medians, the count of bytes, the
+// table.
 
 #include "Measurement.h"
 #include "Table.h"
@@ -59,7 +60,9 @@ double area(const Triangles& triangles)
       u[i] = triangles.points[t[1]][i] - triangles.points[t[0]][i];
       v[i] = triangles.points[t[2]][i] - triangles.points[t[0]][i];
     }
-    sum += std::hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]) / 2;
+    sum += std::hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
+                      u[0] * v[1] - u[1] * v[0]) /
+           2;
   }
   return sum;
 }
@@ -112,7 +115,8 @@ TEST(Roughened, moves_every_coordinate_a_little_and_always_the_same_way)
 TEST(Read_triangles, names_a_file_that_is_not_right)
 {
   const std::string head = "OFF 3 1 0\n0 0 0 1 0 0 ";
-  for (const std::string& content : {std::string(), head, head + "0 1 0\n4 0 1 2 0\n", head + "0 1 0\n3 0 1 3\n"}) {
+  for (const std::string& content :
+       {std::string(), head, head + "0 1 0\n4 0 1 2 0\n", head + "0 1 0\n3 0 1 3\n"}) {
     const auto file = std::filesystem::path(testing::TempDir()) / "benchmark_parts_test.off";
     std::ofstream(file) << content;
     try {
@@ -136,7 +140,9 @@ TEST(Peak_of_allocated_bytes, is_that_of_what_is_held_at_once)
 {
   std::vector<char> before(1 << 16);
   const std::size_t peak = peak_of_allocated_bytes([&] {
-    { const std::vector<char> first(100000); }
+    {
+      const std::vector<char> first(100000);
+    }
     const std::vector<char> second(200000), third(300000);
     before = std::vector<char>(); // frees what was there before
   });
@@ -179,7 +185,8 @@ std::string content_of(const std::string& file)
 
 TEST(Table, has_the_same_lines_as_csv_and_markdown)
 {
-  const Case c{{Shape::NOISY, 1000, Mesh_type::OPENMESH}, "two-step, k = 9", 2, false, {}, {}, "learned"};
+  const Case c{
+    {Shape::NOISY, 1000, Mesh_type::OPENMESH}, "two-step, k = 9", 2, false, {}, {}, "learned"};
   Measurement m;
   m.rounds = 3;
   m.seconds = 0.00012345;
@@ -189,10 +196,13 @@ TEST(Table, has_the_same_lines_as_csv_and_markdown)
   table.add_line(c, numbers(c, 1000, m));
   table.write({{"memory", "much"}});
   const std::string csv = content_of(stem + ".csv"), markdown = content_of(stem + ".md");
-  EXPECT_EQ(csv.rfind("# compiler: some\n# memory: much\nmesh,type,threads,what,reference,faces,", 0), 0u);
-  EXPECT_NE(csv.find("\nnoisy,OpenMesh,2,\"two-step, k = 9\",learned,1000,0,0,0,0,0,0,123,64,"), std::string::npos);
+  EXPECT_EQ(
+    csv.rfind("# compiler: some\n# memory: much\nmesh,type,threads,what,reference,faces,", 0), 0u);
+  EXPECT_NE(csv.find("\nnoisy,OpenMesh,2,\"two-step, k = 9\",learned,1000,0,0,0,0,0,0,123,64,"),
+            std::string::npos);
   EXPECT_EQ(markdown.rfind("- compiler: some\n- memory: much\n\n| mesh | type |", 0), 0u);
-  EXPECT_NE(markdown.find("\n| noisy | OpenMesh | 2 | two-step, k = 9 | learned | 1000 |"), std::string::npos);
+  EXPECT_NE(markdown.find("\n| noisy | OpenMesh | 2 | two-step, k = 9 | learned | 1000 |"),
+            std::string::npos);
   for (const char* ending : {".csv", ".md"})
     std::filesystem::remove(stem + ending);
 }

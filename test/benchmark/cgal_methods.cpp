@@ -67,7 +67,7 @@ void shape_approximation(const Surface_mesh& mesh, std::size_t number_of_proxies
   const Point_map points = get(CGAL::vertex_point, mesh);
   const Metric metric(mesh, points);
   CGAL::Variational_shape_approximation<Surface_mesh, Point_map, Metric> approximation(mesh, points,
-                                                                                      metric);
+                                                                                       metric);
   approximation.initialize_seeds(
     CGAL::parameters::seeding_method(VSA::HIERARCHICAL).max_number_of_proxies(number_of_proxies));
   approximation.run(30);

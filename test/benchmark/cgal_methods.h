@@ -12,8 +12,8 @@
 
 namespace speed_benchmark {
 
-using Surface_mesh =
-  CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>;
+using Surface_mesh = CGAL::Surface_mesh<
+  CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>;
 
 /// The bound of the paper, 180 - 3.12 * 180 / pi, in degrees.
 constexpr double maximum_angle = 180 - 3.12 * 57.29577951308232;
@@ -30,7 +30,8 @@ void sharp_edges_segmentation(const Surface_mesh& mesh, std::vector<std::uint8_t
 void shape_diameter_segmentation(const Surface_mesh& mesh, std::size_t number_of_clusters,
                                  std::vector<std::size_t>& segments);
 
-/// The proxies of `Variational_shape_approximation` (hierarchical seeds, 30 iterations), no new mesh.
+/// The proxies of `Variational_shape_approximation` (hierarchical seeds, 30 iterations), no new
+/// mesh.
 void shape_approximation(const Surface_mesh& mesh, std::size_t number_of_proxies,
                          std::vector<std::size_t>& segments);
 

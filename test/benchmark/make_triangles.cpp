@@ -23,7 +23,8 @@ class Edge_middles
 {
 public:
   explicit Edge_middles(const Triangles& triangles)
-    : m_points(triangles.points), m_first(triangles.points.size() + 1)
+    : m_points(triangles.points)
+    , m_first(triangles.points.size() + 1)
   {
     m_points.reserve(triangles.points.size() + triangles.corners.size() * 3 / 2);
     for (const auto& t : triangles.corners)

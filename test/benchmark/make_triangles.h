@@ -18,11 +18,12 @@ Triangles read_triangles(const std::string& file);
 /// and the first regions, stay the same. The four follow one another.
 Triangles subdivided(const Triangles& coarse);
 
-/// Moves every coordinate by up to `amplitude` times the mean length of an edge: creases everywhere,
-/// and so many first regions. The same for the same input.
+/// Moves every coordinate by up to `amplitude` times the mean length of an edge: creases
+/// everywhere, and so many first regions. The same for the same input.
 Triangles roughened(Triangles triangles, double amplitude);
 
-/// The same with triangles and points in random order: neighbors far apart in memory. The same for the same input.
+/// The same with triangles and points in random order: neighbors far apart in memory. The same for
+/// the same input.
 Triangles shuffled(const Triangles& triangles);
 
 /// A torus with waves on it, of about `number_of_faces` triangles (two for each of n * n quads).

@@ -22,7 +22,8 @@ auto add_point(Polyhedron& mesh, const Triangles::Point& p)
 class On_polyhedron : public Mesh_subject<Polyhedron>
 {
 public:
-  explicit On_polyhedron(const Triangles& triangles) : Mesh_subject(triangles, add_point)
+  explicit On_polyhedron(const Triangles& triangles)
+    : Mesh_subject(triangles, add_point)
   {
     CGAL::set_halfedgeds_items_id(m_mesh);
   }

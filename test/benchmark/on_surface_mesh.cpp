@@ -30,7 +30,9 @@ class On_surface_mesh : public Mesh_subject<Surface_mesh, Surface_mesh_subject>
   }
 
 public:
-  explicit On_surface_mesh(const Triangles& triangles) : Mesh_subject(triangles, add_point) {}
+  explicit On_surface_mesh(const Triangles& triangles)
+    : Mesh_subject(triangles, add_point)
+  {}
 
   void prepare_calls() override
   {
@@ -73,7 +75,8 @@ public:
   void detect_feature_edges() override { RS::detect_feature_edges(m_mesh, edge_marks()); }
   void detect_all_feature_edges() override
   {
-    RS::detect_feature_edges(m_mesh, edge_marks(), RS::parameters::feature_convexity(RS::Feature_convexity::ALL));
+    RS::detect_feature_edges(m_mesh, edge_marks(),
+                             RS::parameters::feature_convexity(RS::Feature_convexity::ALL));
   }
   void grow_regions() override { RS::grow_regions(m_mesh, edge_marks(), face_map(m_face_numbers)); }
 

@@ -33,7 +33,8 @@ TEST(Peak_memory, of_the_default_method_is_130_bytes_a_face_on_large_meshes)
   ASSERT_EQ(num_faces(mesh), 4147200u);
   std::vector<std::uint32_t> segments(num_faces(mesh));
   const auto map = boost::make_iterator_property_map(segments.begin(), get(CGAL::face_index, mesh));
-  const std::size_t peak = peak_of_allocated_bytes([&] { CGAL::Region_segmentation::segment(mesh, map); });
+  const std::size_t peak = peak_of_allocated_bytes(
+    [&] { CGAL::Region_segmentation::segment(mesh, map); });
   const double a_face = double(peak) / double(num_faces(mesh));
   RecordProperty("bytes_a_face", std::to_string(a_face));
   EXPECT_LE(a_face, 130);

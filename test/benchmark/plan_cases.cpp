@@ -31,7 +31,8 @@ namespace {
 constexpr std::size_t most_faces_for_slow_methods = 200000;
 constexpr std::size_t most_faces_for_curvatures = 1500000;
 
-constexpr std::pair<Method, const char*> methods[] = {{Method::TWO_STEP, "two-step"}, {Method::LEARNED, "learned"}};
+constexpr std::pair<Method, const char*> methods[] = {{Method::TWO_STEP, "two-step"},
+                                                      {Method::LEARNED, "learned"}};
 
 Case pipeline(const Mesh_wanted& mesh, const std::string& what, const Pipeline& settings)
 {
@@ -44,7 +45,9 @@ Case pipeline(const Mesh_wanted& mesh, const std::string& what, const Pipeline& 
 Case compared_with_surface_mesh(Case c, const Pipeline& settings)
 {
   c.reference = name(Mesh_type::SURFACE_MESH);
-  c.run_reference = [settings](const Subjects& s) { return s.surface_mesh.segment(settings).whole(); };
+  c.run_reference = [settings](const Subjects& s) {
+    return s.surface_mesh.segment(settings).whole();
+  };
   return c;
 }
 
@@ -77,8 +80,8 @@ Case floor_in_type(const Mesh_wanted& mesh)
 
 /// A call, against another: of CGAL and of ours.
 template <typename Call, typename Reference>
-Case call(const Mesh_wanted& mesh, const std::string& what, const Call& run, const std::string& reference,
-          const Reference& run_reference)
+Case call(const Mesh_wanted& mesh, const std::string& what, const Call& run,
+          const std::string& reference, const Reference& run_reference)
 {
   Case c{mesh, what, 1, true, {}, {}, reference};
   c.run = [run](const Subjects& s) {
@@ -95,7 +98,8 @@ void add_pipelines(std::vector<Case>& cases, const Mesh_wanted& mesh, std::size_
   for (const auto& [method, what] : methods) {
     Pipeline settings{method};
     const Case c = pipeline(mesh, what, settings);
-    cases.push_back(mesh.type == Mesh_type::SURFACE_MESH ? c : compared_with_surface_mesh(c, settings));
+    cases.push_back(mesh.type == Mesh_type::SURFACE_MESH ? c
+                                                         : compared_with_surface_mesh(c, settings));
     if (threads > 1 && mesh.type == Mesh_type::SURFACE_MESH) {
       settings.clock = Clock::WALL;
       settings.is_parallel = true;
@@ -109,36 +113,45 @@ void add_edge_methods(std::vector<Case>& cases, const Mesh_wanted& mesh)
   const auto regions = [](Subject& s) { return s.segment({Method::REGIONS}).until(Stage::GRAPH); };
   const std::string reference = "regions, all edges";
   cases.push_back(pipeline(mesh, reference, {Method::REGIONS}));
-  cases.push_back(call(mesh, "detect_sharp_edges", [](auto& s) { s.detect_sharp_edges(); }, reference, regions));
-  cases.push_back(
-    call(mesh, "connected_components", [](auto& s) { s.connected_components(); }, reference, regions));
   cases.push_back(call(
-    mesh, "sharp_edges_segmentation", [](auto& s) { s.sharp_edges_segmentation(); }, reference, regions));
+    mesh, "detect_sharp_edges", [](auto& s) { s.detect_sharp_edges(); }, reference, regions));
+  cases.push_back(call(
+    mesh, "connected_components", [](auto& s) { s.connected_components(); }, reference, regions));
+  cases.push_back(call(
+    mesh, "sharp_edges_segmentation", [](auto& s) { s.sharp_edges_segmentation(); }, reference,
+    regions));
 }
 
 /// Each stage alone, against what CGAL has.
 void add_stages(std::vector<Case>& cases, const Mesh_wanted& mesh)
 {
-  const auto add = [&](const std::string& what, auto run, const std::string& reference, auto run_reference) {
+  const auto add = [&](const std::string& what, auto run, const std::string& reference,
+                       auto run_reference) {
     cases.push_back(call(mesh, what, run, reference, [run_reference](Surface_mesh_subject& s) {
       return seconds_of(Clock::PROCESSOR, [&] { run_reference(s); });
     }));
   };
   const auto sharp_edges = [](auto& s) { s.detect_sharp_edges(); };
-  add("detect_feature_edges", [](auto& s) { s.detect_feature_edges(); }, "detect_sharp_edges", sharp_edges);
-  add("detect_feature_edges, all edges", [](auto& s) { s.detect_all_feature_edges(); }, "detect_sharp_edges",
-      sharp_edges);
-  add("grow_regions", [](auto& s) { s.grow_regions(); }, "sharp_edges_segmentation",
-      [](auto& s) { s.sharp_edges_segmentation(); });
+  add(
+    "detect_feature_edges", [](auto& s) { s.detect_feature_edges(); }, "detect_sharp_edges",
+    sharp_edges);
+  add(
+    "detect_feature_edges, all edges", [](auto& s) { s.detect_all_feature_edges(); },
+    "detect_sharp_edges", sharp_edges);
+  add(
+    "grow_regions", [](auto& s) { s.grow_regions(); }, "sharp_edges_segmentation",
+    [](auto& s) { s.sharp_edges_segmentation(); });
 }
 
 void add_slow_methods(std::vector<Case>& cases, const Mesh_wanted& mesh)
 {
   const auto learned = [](Subject& s) { return s.segment({Method::LEARNED}).whole(); };
   cases.push_back(call(
-    mesh, "sdf_values + segmentation", [](auto& s) { s.shape_diameter_segmentation(8); }, "learned", learned));
+    mesh, "sdf_values + segmentation", [](auto& s) { s.shape_diameter_segmentation(8); }, "learned",
+    learned));
   cases.push_back(call(
-    mesh, "Surface_mesh_approximation", [](auto& s) { s.shape_approximation(8); }, "learned", learned));
+    mesh, "Surface_mesh_approximation", [](auto& s) { s.shape_approximation(8); }, "learned",
+    learned));
 }
 
 void add_curvatures(std::vector<Case>& cases, const Mesh_wanted& mesh)

@@ -14,9 +14,9 @@ struct Plan
 {
   std::vector<std::size_t> sizes;       ///< of the smooth meshes, in faces
   std::vector<std::size_t> noisy_sizes; ///< of the noisy ones
-  std::size_t many_segments = 10000;    ///< for `two-step` on the noisy mesh of about a million faces
-  std::size_t huge = 0;                 ///< faces of the torus; 0: none
-  std::size_t threads = 1;              ///< of the parallel runs, where the library has them
+  std::size_t many_segments = 10000; ///< for `two-step` on the noisy mesh of about a million faces
+  std::size_t huge = 0;              ///< faces of the torus; 0: none
+  std::size_t threads = 1;           ///< of the parallel runs, where the library has them
 };
 
 /// All that is run, mesh after mesh.

@@ -17,7 +17,8 @@ class Neighborhood
 {
 public:
   explicit Neighborhood(const Surface_mesh& mesh)
-    : m_mesh(mesh), m_visitor_of(mesh.number_of_vertices(), Surface_mesh::null_vertex())
+    : m_mesh(mesh)
+    , m_visitor_of(mesh.number_of_vertices(), Surface_mesh::null_vertex())
   {}
 
   const std::vector<Kernel::Point_3>& points(Vertex center)

@@ -30,7 +30,8 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 template <typename Mesh, typename AddPoint>
 void fill_mesh(const Triangles& triangles, Mesh& mesh, AddPoint add_point)
 {
-  reserve(mesh, triangles.points.size(), triangles.corners.size() * 3 / 2, triangles.corners.size());
+  reserve(mesh, triangles.points.size(), triangles.corners.size() * 3 / 2,
+          triangles.corners.size());
   std::vector<typename boost::graph_traits<Mesh>::vertex_descriptor> vertex_of, triangle(3);
   vertex_of.reserve(triangles.points.size());
   for (const Triangles::Point& p : triangles.points)
@@ -49,7 +50,10 @@ struct Counting : Method
 {
   Stage_clock* clock;
 
-  Counting(const Method& method, Stage_clock& c) : Method(method), clock(&c) {}
+  Counting(const Method& method, Stage_clock& c)
+    : Method(method)
+    , clock(&c)
+  {}
 
   auto prepare(const CGAL::Region_segmentation::Surface& surface,
                const CGAL::Region_segmentation::Execution& execution) const
@@ -60,8 +64,8 @@ struct Counting : Method
   }
 };
 
-/// Implements `Base`, `Subject` or what derives from it, as far as it is the same for all mesh types.
-/// Memory that the labels take is there before anything is timed or counted.
+/// Implements `Base`, `Subject` or what derives from it, as far as it is the same for all mesh
+/// types. Memory that the labels take is there before anything is timed or counted.
 template <typename Mesh, typename Base = Subject>
 class Mesh_subject : public Base
 {
@@ -75,7 +79,8 @@ public:
 
   std::size_t number_of_faces() const override { return num_faces(m_mesh); }
 
-  /// The memory of the normals is there before, and free after: at a hundred million faces it would be a tenth of all.
+  /// The memory of the normals is there before, and free after: at a hundred million faces it would
+  /// be a tenth of all.
   double seconds_of_face_normals() override
   {
     std::vector<Kernel::Vector_3> normals(num_faces(m_mesh));
@@ -110,11 +115,12 @@ private:
   Stage_seconds segment_by(const SegmentationMethod& method, const Pipeline& pipeline)
   {
     using namespace CGAL::Region_segmentation;
-    Stage_clock clock(pipeline.clock, pipeline.method == Method::REGIONS ? Stage::GRAPH : Stage::BORDERS);
-    const auto np =
-      CGAL::Region_segmentation::parameters::number_of_segments(pipeline.number_of_segments)
-        .method(Counting<SegmentationMethod>(method, clock))
-        .visitor(std::ref(clock));
+    Stage_clock clock(pipeline.clock,
+                      pipeline.method == Method::REGIONS ? Stage::GRAPH : Stage::BORDERS);
+    const auto np = CGAL::Region_segmentation::parameters::number_of_segments(
+                      pipeline.number_of_segments)
+                      .method(Counting<SegmentationMethod>(method, clock))
+                      .visitor(std::ref(clock));
     try {
 #ifdef REGION_SEGMENTATION_BENCHMARK_PARALLEL
       if (pipeline.is_parallel)

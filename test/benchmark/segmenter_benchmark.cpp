@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// segmenter_benchmark [FACES]: what a Segmenter that is prepared takes, beside preparing it: any number of segments,
-// against writing the map alone; a drawn loop and seeds, against preparing. Medians, processor time.
+// segmenter_benchmark [FACES]: what a Segmenter that is prepared takes, beside preparing it: any
+// number of segments, against writing the map alone; a drawn loop and seeds, against preparing.
+// Medians, processor time.
 
 #include "make_mesh.h"
 #include "make_triangles.h"
@@ -24,8 +25,8 @@
 namespace {
 
 namespace RS = CGAL::Region_segmentation;
-using speed_benchmark::Mesh;
 using speed_benchmark::make_mesh;
+using speed_benchmark::Mesh;
 using Face = Mesh::Face_index;
 
 template <typename F>
@@ -38,15 +39,17 @@ double median_seconds(std::size_t rounds, const F& f)
   return times[rounds / 2];
 }
 
-/// A few repetitions in one measurement: writing labels takes less than the clock's resolution may be.
+/// A few repetitions in one measurement: writing labels takes less than the clock's resolution may
+/// be.
 template <typename F>
 double median_seconds_of_short(const F& f)
 {
   constexpr std::size_t repetitions = 10;
-  return median_seconds(15, [&] {
-           for (std::size_t i = 0; i < repetitions; ++i)
-             f();
-         }) /
+  return median_seconds(15,
+                        [&] {
+                          for (std::size_t i = 0; i < repetitions; ++i)
+                            f();
+                        }) /
          double(repetitions);
 }
 
@@ -57,19 +60,24 @@ std::vector<bool> draw_loop(const Mesh& mesh)
   double farthest = 0;
   for (Face f : mesh.faces())
     farthest = (std::max)(farthest, squared_distance(point(f), point(Face(0))));
-  const auto is_near = [&](Face f) { return squared_distance(point(f), point(Face(0))) < 0.04 * farthest; };
+  const auto is_near = [&](Face f) {
+    return squared_distance(point(f), point(Face(0))) < 0.04 * farthest;
+  };
   std::vector<bool> is_drawn(num_edges(mesh));
   for (auto e : mesh.edges())
-    is_drawn[e] = is_near(mesh.face(mesh.halfedge(e, 0))) != is_near(mesh.face(mesh.halfedge(e, 1)));
+    is_drawn[e] = is_near(mesh.face(mesh.halfedge(e, 0))) !=
+                  is_near(mesh.face(mesh.halfedge(e, 1)));
   return is_drawn;
 }
 
 template <typename Method>
 void measure(const char* name, const Mesh& mesh, const Method& method)
 {
-  std::vector<std::uint32_t> labels(num_faces(mesh)), values(num_faces(mesh), 3), expected(num_faces(mesh));
+  std::vector<std::uint32_t> labels(num_faces(mesh)), values(num_faces(mesh), 3),
+    expected(num_faces(mesh));
   const auto map = boost::make_iterator_property_map(labels.begin(), get(CGAL::face_index, mesh));
-  const auto expected_map = boost::make_iterator_property_map(expected.begin(), get(CGAL::face_index, mesh));
+  const auto expected_map = boost::make_iterator_property_map(expected.begin(),
+                                                              get(CGAL::face_index, mesh));
   const auto np = RS::parameters::method(method);
   const double preparing = median_seconds(5, [&] { RS::Segmenter(mesh, np); });
   const RS::Segmenter segmenter(mesh, np);
@@ -86,20 +94,24 @@ void measure(const char* name, const Mesh& mesh, const Method& method)
   const std::vector<bool> is_drawn = draw_loop(mesh);
   const double drawing = median_seconds(5, [&] {
     auto copy = segmenter;
-    copy.add_constraints(boost::make_function_property_map<Mesh::Edge_index>([&](Mesh::Edge_index e) { return is_drawn[e]; }));
+    copy.add_constraints(boost::make_function_property_map<Mesh::Edge_index>(
+      [&](Mesh::Edge_index e) { return is_drawn[e]; }));
   });
   std::vector<std::size_t> seed_of_face(num_faces(mesh), std::size_t(-1));
   seed_of_face[num_faces(mesh) / 7] = seed_of_face[num_faces(mesh) / 2] = 1;
   seed_of_face[num_faces(mesh) / 3] = 2;
-  const auto seeds = boost::make_iterator_property_map(seed_of_face.begin(), get(CGAL::face_index, mesh));
+  const auto seeds = boost::make_iterator_property_map(seed_of_face.begin(),
+                                                       get(CGAL::face_index, mesh));
   const double seeding = median_seconds(5, [&] {
     auto copy = segmenter;
     copy.set_seeds(seeds);
   });
-  std::cout << name << ", " << num_faces(mesh) << " faces: preparing " << 1e3 * preparing << " ms; writing a map "
-            << 1e3 * writing << " ms, the slowest of 2 to 40 segments " << slowest / writing
-            << " times that, labels of segment(): " << (is_equal ? "equal" : "DIFFERENT") << "; of preparing, a drawn loop takes "
-            << (drawing - copying) / preparing << ", seeds " << (seeding - copying) / preparing << '\n';
+  std::cout << name << ", " << num_faces(mesh) << " faces: preparing " << 1e3 * preparing
+            << " ms; writing a map " << 1e3 * writing << " ms, the slowest of 2 to 40 segments "
+            << slowest / writing
+            << " times that, labels of segment(): " << (is_equal ? "equal" : "DIFFERENT")
+            << "; of preparing, a drawn loop takes " << (drawing - copying) / preparing
+            << ", seeds " << (seeding - copying) / preparing << '\n';
 }
 
 } // namespace

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Measures the speed and the memory of the stages and pipelines, against what the machine and CGAL can
-// do: see doc/performance.md. Options of Google Benchmark, as --benchmark_filter, are taken too.
+// Measures the speed and the memory of the stages and pipelines, against what the machine and CGAL
+// can do: see doc/performance.md. Options of Google Benchmark, as --benchmark_filter, are taken
+// too.
 
 #include "Measurement.h"
 #include "Mesh_store.h"
@@ -32,10 +33,12 @@ struct Options
 
 void add_options(CLI::App& app, Options& options)
 {
-  app.add_option("--meshes", options.meshes, "Folder of the meshes of CGAL's demos, for all but --huge");
+  app.add_option("--meshes", options.meshes,
+                 "Folder of the meshes of CGAL's demos, for all but --huge");
   app.add_option("-o,--output", options.stem, "Writes STEM.csv and STEM.md")->capture_default_str();
   app.add_option("--sizes", options.plan.sizes, "Numbers of faces, about")->delimiter(',');
-  app.add_option("--noisy-sizes", options.plan.noisy_sizes, "Same of the noisy mesh")->delimiter(',');
+  app.add_option("--noisy-sizes", options.plan.noisy_sizes, "Same of the noisy mesh")
+    ->delimiter(',');
   app.add_option("--huge", options.plan.huge, "Also a torus of so many faces, about");
   app.add_option("--seconds", options.seconds, "For each line, but at least three rounds")
     ->capture_default_str();
@@ -63,7 +66,8 @@ Contest make_contest(const Case& c, const Subjects& subjects, const Sums* sums)
 }
 
 /// One iteration for Google Benchmark: the rounds are in it.
-void run(benchmark::State& state, const Case& c, const Options& options, Mesh_store& store, Table& table)
+void run(benchmark::State& state, const Case& c, const Options& options, Mesh_store& store,
+         Table& table)
 {
   const auto subjects = store.get(c.mesh);
   if (!subjects) {
@@ -99,8 +103,8 @@ int run_all(Options& options)
   Table table(options.stem, facts);
   const std::vector<Case> cases = plan_cases(options.plan);
   for (const Case& c : cases)
-    benchmark::RegisterBenchmark(name(c).c_str(),
-                                 [&](benchmark::State& state) { run(state, c, options, store, table); })
+    benchmark::RegisterBenchmark(
+      name(c).c_str(), [&](benchmark::State& state) { run(state, c, options, store, table); })
       ->UseManualTime()
       ->Iterations(1)
       ->Unit(benchmark::kMillisecond);

@@ -7,8 +7,8 @@
 
 namespace speed_benchmark {
 
-/// Splits every triangle into four by Loop's scheme, which smooths creases away. Faces are in the order of
-/// `CGAL::Subdivision_method_3`: the four are not side by side.
+/// Splits every triangle into four by Loop's scheme, which smooths creases away. Faces are in the
+/// order of `CGAL::Subdivision_method_3`: the four are not side by side.
 Triangles subdivided_by_loop(const Triangles& coarse);
 
 } // namespace speed_benchmark

@@ -13,7 +13,9 @@ namespace speed_benchmark {
 class Sums
 {
 public:
-  explicit Sums(std::size_t number_of_faces) : m_numbers(7 * number_of_faces, 1.0) {}
+  explicit Sums(std::size_t number_of_faces)
+    : m_numbers(7 * number_of_faces, 1.0)
+  {}
 
   double on_one_thread() const;
   /// On as many threads as TBB may use.

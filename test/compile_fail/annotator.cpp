@@ -10,8 +10,7 @@ struct Annotator
 #else
   void operator()(Visibility_graph&, const RS::Surface&, const RS::Partition&,
                   const RS::Region_rays&) const
-  {
-  }
+  {}
 #endif
 };
 void test(const Mesh& mesh, Labels labels)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// expect: the MergingPolicy reads RegionData or SectionData that the annotator of the graph does not provide
+// expect: the MergingPolicy reads RegionData or SectionData that the annotator of the graph does
+// not provide
 #include "common.h"
 // A cost that reads the data of another graph.
 void test(const Mesh& mesh, Labels labels)
@@ -7,9 +8,8 @@ void test(const Mesh& mesh, Labels labels)
 #ifdef WITH_FAULT
   auto graph = RS::build_region_adjacency_graph(mesh, labels);
 #else
-  auto graph =
-    RS::build_region_adjacency_graph<RS::Visibility_region_data, RS::Visibility_section_data>(
-      mesh, labels);
+  auto graph = RS::build_region_adjacency_graph<RS::Visibility_region_data,
+                                                RS::Visibility_section_data>(mesh, labels);
 #endif
   RS::merge_regions(graph, RS::Lowest_cost_first<RS::Visibility_cost>(), 3, RS::Stop_at_count{3});
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// expect: the MergingPolicy reads RegionData or SectionData that the annotator of the graph does not provide
+// expect: the MergingPolicy reads RegionData or SectionData that the annotator of the graph does
+// not provide
 #include "common.h"
 void test(const Mesh& mesh, Labels labels)
 {

@@ -8,7 +8,10 @@ struct Policy
 #else
   void initialize(const Graph&) {}
 #endif
-  std::optional<RS::Merge_candidate> next(const Graph&) { return std::nullopt; }
+  std::optional<RS::Merge_candidate> next(const Graph&)
+  {
+    return std::nullopt;
+  }
   void on_merge(const Graph&, const Graph::Merge&) {}
 };
 void test(Graph& graph)

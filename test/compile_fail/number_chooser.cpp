@@ -4,7 +4,10 @@
 struct Chooser
 {
 #ifdef WITH_FAULT
-  std::size_t operator()(const RS::Merge_tree&) const { return 3; }
+  std::size_t operator()(const RS::Merge_tree&) const
+  {
+    return 3;
+  }
 #else
   std::size_t operator()(const RS::Merge_tree&, const RS::Surface&) const
   {

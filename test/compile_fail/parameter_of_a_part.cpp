@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// expect: one of the named parameters is not taken by this function (constants of a method are members of its parts)
+// expect: one of the named parameters is not taken by this function (constants of a method are
+// members of its parts)
 #include "common.h"
 void test(const Mesh& mesh, Labels labels)
 {

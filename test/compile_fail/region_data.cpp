@@ -9,8 +9,7 @@ struct Region_data
   void add_border(const RS::Surface&, std::size_t) {}
   template <typename Section>
   void absorb(const Region_data&, const Section&)
-  {
-  }
+  {}
 };
 void test(const Mesh& mesh, Labels labels)
 {

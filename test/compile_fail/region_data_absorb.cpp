@@ -10,8 +10,7 @@ struct Region_data
 #else
   template <typename Section>
   void absorb(const Region_data&, const Section&)
-  {
-  }
+  {}
 #endif
 };
 void test(const Mesh& mesh, Labels labels)

@@ -112,7 +112,9 @@ public:
 class Policy_for_number_archetype
 {
 public:
-  explicit Policy_for_number_archetype(int) : m_policy(0) {}
+  explicit Policy_for_number_archetype(int)
+    : m_policy(0)
+  {}
   Policy_for_number_archetype(const Policy_for_number_archetype&) = default;
   Policy_for_number_archetype& operator=(const Policy_for_number_archetype&) = delete;
 
@@ -165,7 +167,9 @@ public:
 class Prepared_archetype
 {
 public:
-  explicit Prepared_archetype(std::size_t faces) : m_faces(faces) {}
+  explicit Prepared_archetype(std::size_t faces)
+    : m_faces(faces)
+  {}
   Prepared_archetype(const Prepared_archetype&) = delete;
   Prepared_archetype& operator=(const Prepared_archetype&) = delete;
 
@@ -287,8 +291,8 @@ void use_method(const Method& method)
 {
   const auto mesh = test::to_surface_mesh(test::cube());
   Visitor_archetype visitor(0);
-  const auto result =
-    test::run(mesh, RP::number_of_segments(2).method(method).visitor(std::ref(visitor)));
+  const auto result = test::run(
+    mesh, RP::number_of_segments(2).method(method).visitor(std::ref(visitor)));
   EXPECT_EQ(result.number_of_segments, 2u);
   EXPECT_EQ(result.tree.number_of_regions(), 6u);
   EXPECT_EQ(test::run(mesh, RP::method(method)).number_of_segments, 3u) << "chosen";

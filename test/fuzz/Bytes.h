@@ -11,14 +11,18 @@
 class Bytes
 {
 public:
-  Bytes(const std::uint8_t* data, std::size_t size) : m_at(data), m_end(data + size) {}
+  Bytes(const std::uint8_t* data, std::size_t size)
+    : m_at(data)
+    , m_end(data + size)
+  {}
 
   bool empty() const { return m_at == m_end; }
   std::uint8_t byte() { return empty() ? std::uint8_t(0) : *m_at++; }
   /// From 0 to `n` - 1. \pre n <= 256
   std::size_t below(std::size_t n) { return byte() % n; }
 
-  /// Any value of double: a small multiple of a power of ten from the ends and the middle of the range, or any bits.
+  /// Any value of double: a small multiple of a power of ten from the ends and the middle of the
+  /// range, or any bits.
   double number()
   {
     constexpr double scales[] = {1,     1,      1,     1,      1e-3,  1e3, 1e-160,

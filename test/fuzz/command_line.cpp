@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Any words as a command line: jobs whose outputs differ from each other and from the inputs, or wrong usage in a line.
+// Any words as a command line: jobs whose outputs differ from each other and from the inputs, or
+// wrong usage in a line.
 
 #include "command_line/command_line.h"
 #include "batch/plan_jobs.h"

@@ -11,7 +11,8 @@ using namespace segment_mesh;
 
 namespace {
 
-/// Bytes of memory for each byte of a file. The worst is a header of a PLY that promises more faces than there are.
+/// Bytes of memory for each byte of a file. The worst is a header of a PLY that promises more faces
+/// than there are.
 constexpr std::size_t most_memory_per_byte = 32;
 /// A glTF file may repeat a mesh, within bounds that are generous for a small file.
 constexpr std::size_t harmless_memory = Mesh_format::FORMAT == Mesh_format::GLTF ? 100000000 : 0;
@@ -38,7 +39,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       for (const std::size_t i : polygon)
         require(i < soup.points.size(), "indices are in range");
     }
-    require(memory_of(soup) <= harmless_memory + most_memory_per_byte * size, "memory is proportional to the file");
+    require(memory_of(soup) <= harmless_memory + most_memory_per_byte * size,
+            "memory is proportional to the file");
     for (const std::string& remark : remarks)
       require(remark.rfind("x:", 0) == 0 && remark.find('\n') == std::string::npos,
               "a remark is a line: " + remark);

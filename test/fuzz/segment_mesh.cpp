@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Any valid half-edge mesh with any coordinates: every method gives connected segments, numbered by their first faces.
+// Any valid half-edge mesh with any coordinates: every method gives connected segments, numbered by
+// their first faces.
 
 #include "Bytes.h"
 #include "mesh_from.h"
@@ -70,8 +71,8 @@ std::size_t number_of_components(const Mesh& mesh)
 template <typename Method>
 void check_method(const Mesh& mesh, const Method& method, std::size_t k)
 {
-  constexpr bool gives_any_number =
-    !std::is_same<Method, RS::Two_step>::value && !std::is_same<Method, RS::Smooth_faces>::value;
+  constexpr bool gives_any_number = !std::is_same<Method, RS::Two_step>::value &&
+                                    !std::is_same<Method, RS::Smooth_faces>::value;
   Labels labels(mesh.number_of_faces()), again(labels);
   const auto np = RS::parameters::method(method).component_links(false);
   try {
@@ -81,7 +82,8 @@ void check_method(const Mesh& mesh, const Method& method, std::size_t k)
     if (gives_any_number)
       require(n >= (std::min)(k, std::size_t(mesh.number_of_faces())),
               "no fewer segments than asked for");
-    require(RS::segment(mesh, face_map(mesh, again), np.number_of_segments(k)) == n && again == labels,
+    require(RS::segment(mesh, face_map(mesh, again), np.number_of_segments(k)) == n &&
+              again == labels,
             "twice the same");
     if constexpr (!std::is_same<Method, RS::Two_step>::value) // the others choose a number
       check_labels(mesh, labels, RS::segment(mesh, face_map(mesh, labels), np));

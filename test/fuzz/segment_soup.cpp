@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Any soup, as a file may hold it: every method gives each face a segment, no more segments than asked for, numbered by their
-// first faces; and the outputs that need one get an oriented 2-manifold.
+// Any soup, as a file may hold it: every method gives each face a segment, no more segments than
+// asked for, numbered by their first faces; and the outputs that need one get an oriented
+// 2-manifold.
 
 #include "Bytes.h"
 #include "require.h"
@@ -52,20 +53,24 @@ void check_method(const Polygon_soup& soup, const Method& method, std::size_t k)
     number = (std::max)(number, label + 1);
   }
   require(number == n && n <= k, "as many segments as said, no more than asked for");
-  require(RS::segment(soup.points, soup.polygons, again, np) == n && again == labels, "twice the same");
+  require(RS::segment(soup.points, soup.polygons, again, np) == n && again == labels,
+          "twice the same");
 }
 
 void check_manifold(const Polygon_soup& soup)
 {
   const Manifold manifold = make_manifold(soup);
   require(CGAL::is_valid_polygon_mesh(manifold.mesh), "a valid mesh");
-  require(manifold.face_of_mesh_face.size() == manifold.mesh.number_of_faces(), "every face has one");
+  require(manifold.face_of_mesh_face.size() == manifold.mesh.number_of_faces(),
+          "every face has one");
   for (const std::size_t f : manifold.face_of_mesh_face)
     require(f < soup.polygons.size(), "faces are in range");
-  require(manifold.point_of_mesh_point.size() == manifold.mesh.number_of_vertices(), "every point has one");
+  require(manifold.point_of_mesh_point.size() == manifold.mesh.number_of_vertices(),
+          "every point has one");
   for (const auto v : manifold.mesh.vertices()) {
     const auto& p = manifold.mesh.point(v);
-    require(soup.points[manifold.point_of_mesh_point[v]] == Point{p.x(), p.y(), p.z()}, "points keep their coordinates");
+    require(soup.points[manifold.point_of_mesh_point[v]] == Point{p.x(), p.y(), p.z()},
+            "points keep their coordinates");
   }
 }
 

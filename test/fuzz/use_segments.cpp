@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Any 2-manifold with any labels: what comes after a segmentation agrees with a look at every edge. And a `Segmenter` that is
-// given constraints and seeds in any order.
+// Any 2-manifold with any labels: what comes after a segmentation agrees with a look at every edge.
+// And a `Segmenter` that is given constraints and seeds in any order.
 
 #include "Bytes.h"
 #include "mesh_from.h"
@@ -9,6 +9,7 @@
 
 #include <CGAL/region_segmentation.h>
 #include <CGAL/Region_segmentation/Methods/Smooth_faces.h>
+#include <CGAL/Region_segmentation/Segments/close_segments.h>
 #include <CGAL/Region_segmentation/Segments/compute_segment_topology.h>
 #include <CGAL/Region_segmentation/Segments/extract_segment_borders.h>
 #include <CGAL/Region_segmentation/Segments/mark_segment_borders.h>
@@ -44,10 +45,12 @@ bool is_between_segments(const Mesh& mesh, const Labels& labels, Mesh::Edge_inde
 void check_borders(const Mesh& mesh, Labels& labels)
 {
   Edges marked(mesh.number_of_edges());
-  const std::size_t n = RS::mark_segment_borders(mesh, face_map(mesh, labels), edge_map(mesh, marked));
+  const std::size_t n = RS::mark_segment_borders(mesh, face_map(mesh, labels),
+                                                 edge_map(mesh, marked));
   std::size_t expected = 0;
   for (const auto e : mesh.edges()) {
-    require(bool(marked[e]) == is_between_segments(mesh, labels, e), "edges between segments are marked");
+    require(bool(marked[e]) == is_between_segments(mesh, labels, e),
+            "edges between segments are marked");
     expected += marked[e] != 0;
   }
   require(n == expected, "marked edges are counted");
@@ -57,8 +60,10 @@ void check_borders(const Mesh& mesh, Labels& labels)
   std::set<Mesh::Edge_index> seen;
   for (const auto& border : borders)
     for (const auto h : border.halfedges) {
-      require(marked[mesh.edge(h)] && seen.insert(mesh.edge(h)).second, "each marked edge is in one polyline");
-      require(labels[mesh.face(h)] == border.segment && labels[mesh.face(mesh.opposite(h))] == border.opposite_segment,
+      require(marked[mesh.edge(h)] && seen.insert(mesh.edge(h)).second,
+              "each marked edge is in one polyline");
+      require(labels[mesh.face(h)] == border.segment &&
+                labels[mesh.face(mesh.opposite(h))] == border.opposite_segment,
               "a polyline has one segment on each side");
     }
   require(seen.size() == n, "all marked edges are in polylines");
@@ -77,10 +82,17 @@ void check_pieces(const Mesh& mesh, Labels& labels)
     number_of_faces += piece.number_of_faces();
     require(piece.is_valid(false), "a piece is a 2-manifold");
     require(pieces[i].segment == topologies[i].segment, "the same order");
-    const long euler = long(piece.number_of_vertices()) - long(piece.number_of_edges()) + long(piece.number_of_faces());
-    require(euler == topologies[i].euler_characteristic, "the Euler characteristic is that of the piece");
+    const long euler = long(piece.number_of_vertices()) - long(piece.number_of_edges()) +
+                       long(piece.number_of_faces());
+    require(euler == topologies[i].euler_characteristic,
+            "the Euler characteristic is that of the piece");
   }
   require(number_of_faces == mesh.number_of_faces(), "every face is in one piece");
+  std::vector<RS::Segment_piece<Mesh, Mesh, std::size_t>> solids;
+  RS::close_segments(mesh, face_map(mesh, labels), std::back_inserter(solids));
+  for (const auto& solid : solids)
+    require(solid.mesh.is_valid(false) && CGAL::is_closed(solid.mesh),
+            "a solid is a closed 2-manifold");
 }
 
 void check_discs(const Mesh& mesh, Labels& labels)
@@ -97,9 +109,11 @@ void check_discs(const Mesh& mesh, Labels& labels)
       require(piece.mesh.is_valid(false), "a piece is a 2-manifold");
       Labels one(piece.mesh.number_of_faces());
       std::vector<RS::Segment_topology<std::size_t>> topology;
-      RS::compute_segment_topology(piece.mesh, face_map(piece.mesh, one), std::back_inserter(topology));
+      RS::compute_segment_topology(piece.mesh, face_map(piece.mesh, one),
+                                   std::back_inserter(topology));
       const auto components = topology[0].number_of_components;
-      require(topology[0].number_of_border_loops == components && topology[0].euler_characteristic == long(components),
+      require(topology[0].number_of_border_loops == components &&
+                topology[0].euler_characteristic == long(components),
               "a piece cut along seams consists of discs");
     }
     RS::smooth_borders(mesh, face_map(mesh, labels));
@@ -138,7 +152,8 @@ void check_segmenter(const Mesh& mesh, const Method& method, Bytes& bytes)
   std::map<std::size_t, std::size_t> segment_of_seed;
   for (std::size_t f = 0; f < seeds.size(); ++f)
     if (seeds[f] != std::size_t(-1))
-      require(segment_of_seed.emplace(seeds[f], labels[f]).first->second == labels[f], "equal seeds are in one segment");
+      require(segment_of_seed.emplace(seeds[f], labels[f]).first->second == labels[f],
+              "equal seeds are in one segment");
   std::set<std::size_t> segments;
   for (const auto& [seed, segment] : segment_of_seed)
     require(segments.insert(segment).second, "different seeds are in different segments");
@@ -149,7 +164,8 @@ void check_segmenter(const Mesh& mesh, const Method& method, Bytes& bytes)
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
   Bytes bytes(data, size);
-  const std::size_t choice = bytes.byte(), number_of_labels = 1 + choice % 6; // one byte, as in segment_mesh.cpp
+  const std::size_t choice = bytes.byte(), number_of_labels = 1 + choice % 6; // one byte, as in
+                                                                              // segment_mesh.cpp
   Bytes changes(data, (std::min)(size, std::size_t(32)));
   const Mesh mesh = mesh_from(bytes);
   if (!has_only_manifold_vertices(mesh))

@@ -19,7 +19,8 @@ namespace {
 class Corpus
 {
 public:
-  Corpus(const std::filesystem::path& root, const std::string& target) : m_folder(root / target)
+  Corpus(const std::filesystem::path& root, const std::string& target)
+    : m_folder(root / target)
   {
     std::filesystem::create_directories(m_folder);
   }
@@ -81,8 +82,10 @@ void write_gltf(Corpus corpus)
 {
   corpus.add(sample::gltf());
   corpus.add(sample::glb());
-  corpus.add(sample::glb(with(sample::gltf_json(""), R"({"mesh":0})", R"({"mesh":0,"rotation":[0,0,1,1],"scale":[1,2,-3]})")));
-  corpus.add(sample::glb(with(sample::gltf_json(""), R"("indices":1,"mode":4)", R"("indices":1,"mode":5)")));
+  corpus.add(sample::glb(with(sample::gltf_json(""), R"({"mesh":0})",
+                              R"({"mesh":0,"rotation":[0,0,1,1],"scale":[1,2,-3]})")));
+  corpus.add(
+    sample::glb(with(sample::gltf_json(""), R"("indices":1,"mode":4)", R"("indices":1,"mode":5)")));
 }
 
 void write_gzip(Corpus corpus, const std::filesystem::path& root)
@@ -169,7 +172,8 @@ Polygon_soup tetrahedra(std::size_t n)
   return soup;
 }
 
-/// As `Bytes` is asked for a soup: the points, then the polygons until the end. The scale of every number has index 0.
+/// As `Bytes` is asked for a soup: the points, then the polygons until the end. The scale of every
+/// number has index 0.
 std::string encoded(const Polygon_soup& soup, std::size_t least_number_of_points)
 {
   std::string bytes(1, char(soup.points.size() - least_number_of_points));

@@ -38,8 +38,8 @@ Distance ellipsoid(const Point& a, const Point& b, double radius)
     const double along = dot(v, half_axis) / half_length;
     const double across = std::sqrt((std::max)(0.0, dot(v, v) - along * along));
     const double k = std::hypot(along / half_length, across / radius);
-    const double gradient_k =
-      std::hypot(along / (half_length * half_length), across / (radius * radius));
+    const double gradient_k = std::hypot(along / (half_length * half_length),
+                                         across / (radius * radius));
     return gradient_k > 0 ? k * (k - 1) / gradient_k : -(std::min)(half_length, radius);
   };
 }
@@ -81,8 +81,7 @@ std::size_t Implicit_shape::part_at(const Point& p) const
 namespace {
 
 /// The neighbor of each triangle across each of its edges.
-std::vector<std::array<std::size_t, 3>>
-neighbors(const Polygons& triangles)
+std::vector<std::array<std::size_t, 3>> neighbors(const Polygons& triangles)
 {
   std::map<std::pair<std::size_t, std::size_t>, std::size_t> face_of_halfedge;
   for (std::size_t f = 0; f < triangles.size(); ++f)
@@ -98,8 +97,7 @@ neighbors(const Polygons& triangles)
 /// Gives a triangle the label of two of its neighbors, until there is none whose own is another
 /// one: no part has an island of a triangle or two beyond its border. Each step shortens the
 /// borders, so it ends.
-void smooth_labels(const Polygons& triangles,
-                   std::vector<std::size_t>& labels)
+void smooth_labels(const Polygons& triangles, std::vector<std::size_t>& labels)
 {
   const std::vector<std::array<std::size_t, 3>> neighbors_of = neighbors(triangles);
   for (bool has_changed = true; has_changed;) {
@@ -116,7 +114,8 @@ void smooth_labels(const Polygons& triangles,
 
 } // namespace
 
-Labelled_model make_labelled_model(const Implicit_shape& shape, const Point& inside, double edge_length)
+Labelled_model make_labelled_model(const Implicit_shape& shape, const Point& inside,
+                                   double edge_length)
 {
   Labelled_model model;
   model.soup = mesh_implicit_shape(shape, inside, edge_length);

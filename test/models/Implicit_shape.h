@@ -23,7 +23,9 @@ class Implicit_shape
 {
 public:
   /// `blend`: how far from a crease it is rounded, in units of the shape
-  explicit Implicit_shape(double blend) : m_blend(blend) {}
+  explicit Implicit_shape(double blend)
+    : m_blend(blend)
+  {}
 
   /// Adds a body that belongs to a part.
   void add(Distance body, std::size_t part);
@@ -45,16 +47,18 @@ private:
   std::size_t m_number_of_parts = 0;
 };
 
-/// The surface of a shape as a triangle mesh: a closed manifold, oriented outwards. Depends on no library, so
-/// it is the same everywhere, up to the rounding of mathematical functions.
-/// \param inside a point of the shape, which is bounded; the component of the surface that a ray from there
-/// along x leaves through is meshed
-/// \param edge_length about the mean length of edges, in units of the shape
-Polygon_soup mesh_implicit_shape(const Implicit_shape& shape, const Point& inside, double edge_length);
+/// The surface of a shape as a triangle mesh: a closed manifold, oriented outwards. Depends on no
+/// library, so it is the same everywhere, up to the rounding of mathematical functions. \param
+/// inside a point of the shape, which is bounded; the component of the surface that a ray from
+/// there along x leaves through is meshed \param edge_length about the mean length of edges, in
+/// units of the shape
+Polygon_soup mesh_implicit_shape(const Implicit_shape& shape, const Point& inside,
+                                 double edge_length);
 
 /// Meshes a shape, and gives each face the part that is nearest to its centroid; a face between two
 /// of another part goes to that.
-Labelled_model make_labelled_model(const Implicit_shape& shape, const Point& inside, double edge_length);
+Labelled_model make_labelled_model(const Implicit_shape& shape, const Point& inside,
+                                   double edge_length);
 
 } // namespace segment_mesh
 

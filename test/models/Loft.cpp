@@ -44,9 +44,11 @@ class Grid
 {
 public:
   Grid(const Loft& loft, const Tessellation& tessellation)
-      : m_loft(loft), m_tessellation(tessellation), m_along(stations(steps_along())), m_up(stations(steps_up()))
-  {
-  }
+    : m_loft(loft)
+    , m_tessellation(tessellation)
+    , m_along(stations(steps_along()))
+    , m_up(stations(steps_up()))
+  {}
 
   Labelled_model surface()
   {
@@ -74,7 +76,8 @@ private:
     std::vector<std::size_t> result;
     for (const Planar_piece& piece : m_loft.outline) {
       const double turn_of_bore = m_loft.bore > 0 ? std::arg(piece.to / piece.from) : 0;
-      result.push_back(number_of_steps((std::max)(std::abs(piece.turn), std::abs(turn_of_bore)), piece.length()));
+      result.push_back(
+        number_of_steps((std::max)(std::abs(piece.turn), std::abs(turn_of_bore)), piece.length()));
     }
     return result;
   }
@@ -94,7 +97,9 @@ private:
   /// The first of the consecutive pieces of one circle.
   std::size_t side_of(std::size_t piece) const
   {
-    const auto curvature = [this](std::size_t i) { return m_loft.outline[i].turn / m_loft.outline[i].length(); };
+    const auto curvature = [this](std::size_t i) {
+      return m_loft.outline[i].turn / m_loft.outline[i].length();
+    };
     while (piece > 0 && curvature(piece) != 0 && curvature(piece) == curvature(piece - 1))
       --piece;
     return piece;
@@ -122,8 +127,9 @@ private:
   Point place(const Station& along, double t, Wall::Kind kind, const Planar& on_wall) const
   {
     const Planar on_outline = m_loft.outline[along.piece].at(t);
-    const Planar p = kind == Wall::OUTER ? on_outline + on_wall.real() * offset(along, t)
-                                         : on_outline / std::abs(on_outline) * (m_loft.bore + on_wall.real());
+    const Planar p = kind == Wall::OUTER
+                       ? on_outline + on_wall.real() * offset(along, t)
+                       : on_outline / std::abs(on_outline) * (m_loft.bore + on_wall.real());
     return {p.real(), p.imag(), on_wall.imag()};
   }
 
@@ -134,9 +140,11 @@ private:
     if (wall.kind != Wall::CAP)
       return point_at(place(along, t, wall.kind, wall.line.at(s)));
     const std::size_t size = m_loft.walls.size();
-    const Wall &before = m_loft.walls[(up.piece + size - 1) % size], &after = m_loft.walls[(up.piece + 1) % size];
+    const Wall &before = m_loft.walls[(up.piece + size - 1) % size],
+               &after = m_loft.walls[(up.piece + 1) % size];
     const Point a = end_of(before, along, t, 1), b = end_of(after, along, t, 0);
-    return point_at({(1 - s) * a[0] + s * b[0], (1 - s) * a[1] + s * b[1], (1 - s) * a[2] + s * b[2]});
+    return point_at(
+      {(1 - s) * a[0] + s * b[0], (1 - s) * a[1] + s * b[1], (1 - s) * a[2] + s * b[2]});
   }
 
   Point end_of(const Wall& wall, const Station& along, double t, double s) const
@@ -160,15 +168,18 @@ private:
   std::size_t face_of(const Station& along, const Station& up)
   {
     const Wall& wall = m_loft.walls[up.piece];
-    const bool is_split = wall.kind == Wall::OUTER && (wall.line.from.imag() != wall.line.to.imag() || wall.line.turn != 0);
-    const auto entry = m_face_of.emplace(std::make_pair(up.piece, is_split ? side_of(along.piece) : 0), m_face_of.size());
+    const bool is_split = wall.kind == Wall::OUTER &&
+                          (wall.line.from.imag() != wall.line.to.imag() || wall.line.turn != 0);
+    const auto entry = m_face_of.emplace(
+      std::make_pair(up.piece, is_split ? side_of(along.piece) : 0), m_face_of.size());
     m_model.number_of_parts = m_face_of.size();
     return entry.first->second;
   }
 
   void add_quad(std::size_t i, std::size_t j)
   {
-    const std::size_t rows = m_up.size(), next_i = (i + 1) % m_along.size(), next_j = (j + 1) % rows;
+    const std::size_t rows = m_up.size(), next_i = (i + 1) % m_along.size(),
+                      next_j = (j + 1) % rows;
     std::vector<std::size_t> corners;
     for (const std::size_t p : {m_point_at[i * rows + j], m_point_at[next_i * rows + j],
                                 m_point_at[next_i * rows + next_j], m_point_at[i * rows + next_j]})
@@ -197,7 +208,8 @@ Planar Planar_piece::at(double t) const
 {
   if (turn == 0)
     return from + t * (to - from);
-  return from + (to - from) * std::polar(std::sin(turn * t / 2) / std::sin(turn / 2), turn * (t - 1) / 2);
+  return from +
+         (to - from) * std::polar(std::sin(turn * t / 2) / std::sin(turn / 2), turn * (t - 1) / 2);
 }
 
 Planar Planar_piece::tangent(double t) const

@@ -20,7 +20,7 @@ struct Planar_piece
   Planar from, to;
   double turn = 0; ///< by which the tangent turns to the left, in radians; 0: a line
 
-  Planar at(double t) const; ///< t in [0, 1], by arc length
+  Planar at(double t) const;      ///< t in [0, 1], by arc length
   Planar tangent(double t) const; ///< of length 1
   double length() const;
 };
@@ -39,8 +39,8 @@ struct Wall
   Planar_piece line = {};
 };
 
-/// A solid between an outline, swept along walls, and a round bore along the z axis (of radius 0: none). Each piece of
-/// the outline makes a face with each outer wall that is not horizontal.
+/// A solid between an outline, swept along walls, and a round bore along the z axis (of radius 0:
+/// none). Each piece of the outline makes a face with each outer wall that is not horizontal.
 struct Loft
 {
   Planar_curve outline; ///< closed, counterclockwise, and star-shaped around the origin
@@ -53,7 +53,8 @@ struct Tessellation
 {
   double angle;       ///< the largest turn along an edge, in degrees
   double edge_length; ///< the longest edge, about
-  double jitter;      ///< how far points move at random along their face, relative to the edges; below 0.5
+  double jitter; ///< how far points move at random along their face, relative to the edges; below
+                 ///< 0.5
 };
 
 /// The surface of a solid; the parts are its faces.

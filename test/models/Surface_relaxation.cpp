@@ -29,10 +29,12 @@ Point area_vector(const Point& p, const Point& q, const Point& r)
 
 } // namespace
 
-Surface_relaxation::Surface_relaxation(const Implicit_shape& shape, Polygon_soup& soup, double edge_length)
-    : m_shape(shape), m_soup(soup), m_edge_length(edge_length)
-{
-}
+Surface_relaxation::Surface_relaxation(const Implicit_shape& shape, Polygon_soup& soup,
+                                       double edge_length)
+  : m_shape(shape)
+  , m_soup(soup)
+  , m_edge_length(edge_length)
+{}
 
 //        c             c
 //      / | \         /   \      .
@@ -47,8 +49,8 @@ void Surface_relaxation::flip_edges()
       face_of[{m_soup.polygons[f][i], m_soup.polygons[f][(i + 1) % 3]}] = f;
   const auto opposite = [this](std::size_t face, std::size_t p, std::size_t q) {
     const Polygon_soup::Polygon triangle = m_soup.polygons[face];
-    return std::size_t(
-      *std::find_if(triangle.begin(), triangle.end(), [=](std::size_t r) { return r != p && r != q; }));
+    return std::size_t(*std::find_if(triangle.begin(), triangle.end(),
+                                     [=](std::size_t r) { return r != p && r != q; }));
   };
   std::vector<bool> is_new(m_soup.polygons.size());
   for (const auto& [edge, face] : std::map<Halfedge, std::size_t>(face_of)) {
@@ -57,7 +59,8 @@ void Surface_relaxation::flip_edges()
     if (d > c || is_new[face] || is_new[twin])
       continue;
     const std::size_t a = opposite(face, c, d), b = opposite(twin, c, d);
-    const Point &pa = m_soup.points[a], &pb = m_soup.points[b], &pc = m_soup.points[c], &pd = m_soup.points[d];
+    const Point &pa = m_soup.points[a], &pb = m_soup.points[b], &pc = m_soup.points[c],
+                &pd = m_soup.points[d];
     const bool is_delaunay = cotangent(pa, pc, pd) + cotangent(pb, pc, pd) >= 0;
     const Point old_normal = plus(area_vector(pa, pd, pc), area_vector(pb, pc, pd));
     const bool is_fold = inner_product(area_vector(pa, pd, pb), old_normal) <= 0 ||

@@ -8,16 +8,16 @@
 
 namespace segment_mesh {
 
-/// Improves the shapes of triangles on an implicit surface. The number of points and triangles, and the
-/// topology, stay.
+/// Improves the shapes of triangles on an implicit surface. The number of points and triangles, and
+/// the topology, stay.
 class Surface_relaxation
 {
 public:
   /// `soup`: a closed oriented manifold of triangles near the surface; is changed
   Surface_relaxation(const Implicit_shape& shape, Polygon_soup& soup, double edge_length);
 
-  /// Makes edges locally Delaunay: flips those whose opposite angles sum to more than pi, each triangle once
-  /// at most.
+  /// Makes edges locally Delaunay: flips those whose opposite angles sum to more than pi, each
+  /// triangle once at most.
   void flip_edges();
 
   /// Moves each point to the mean of its neighbors, and back to the surface.

@@ -68,9 +68,9 @@ public:
   /// Of two blocks in the same place, the later one counts.
   /// \param period the end of the blocks where the first axis returns to its start; 0: none
   Grid(const std::vector<Block>& blocks, int period, double fineness)
-      : m_planes{Planes(blocks, 0, fineness), Planes(blocks, 1, fineness),
-                 Planes(blocks, 2, fineness)},
-        m_period(period > 0 ? m_planes[0].index_at(period) : 0)
+    : m_planes{Planes(blocks, 0, fineness), Planes(blocks, 1, fineness),
+               Planes(blocks, 2, fineness)}
+    , m_period(period > 0 ? m_planes[0].index_at(period) : 0)
   {
     for (const Block& block : blocks)
       fill({index_of(block.low), index_of(block.high), block.part});
@@ -117,8 +117,8 @@ private:
     const Cell c = wrapped(corner);
     const auto entry = m_point_of_corner.emplace(c, m_model.soup.points.size());
     if (entry.second)
-      m_model.soup.points.push_back(bend(
-        {m_planes[0].position(c[0]), m_planes[1].position(c[1]), m_planes[2].position(c[2])}));
+      m_model.soup.points.push_back(
+        bend({m_planes[0].position(c[0]), m_planes[1].position(c[1]), m_planes[2].position(c[2])}));
     return entry.first->second;
   }
 
@@ -195,10 +195,10 @@ Labelled_model make_chair(const Making& making)
 
 Labelled_model make_bracket(const Making& making)
 {
-  Labelled_model model =
-    build("bracket",
-          {{{0, 0, 0}, {20, 12, 3}, 0}, {{2, 0, 3}, {5, 12, 16}, 1}, {{10, 3, 3}, {16, 9, 9}, 2}},
-          as_it_is, making);
+  Labelled_model model = build(
+    "bracket",
+    {{{0, 0, 0}, {20, 12, 3}, 0}, {{2, 0, 3}, {5, 12, 16}, 1}, {{10, 3, 3}, {16, 9, 9}, 2}},
+    as_it_is, making);
   split_quads(model, Diagonals::FIRST);
   add_noise(model, making.noise * 0.03 / making.fineness);
   return model;

@@ -45,8 +45,8 @@ Labelled_model mesh(const char* name, const Implicit_shape& shape, const Point& 
                     double edge_length, const Making& making)
 {
   const double least_fineness = 0.8;
-  Labelled_model model =
-    make_labelled_model(shape, inside, edge_length / (std::max)(least_fineness, making.fineness));
+  Labelled_model model = make_labelled_model(
+    shape, inside, edge_length / (std::max)(least_fineness, making.fineness));
   model.name = name;
   return model;
 }
@@ -60,8 +60,8 @@ Labelled_model make_mug(const Making& making)
   const Distance cup = [=](const Point& p) {
     const double across = std::hypot(p[0], p[1]);
     const double to_floor = std::hypot(across - (std::min)(across, radius), p[2]);
-    const double to_wall =
-      std::hypot(across - radius, p[2] - (std::min)(height, (std::max)(0.0, p[2])));
+    const double to_wall = std::hypot(across - radius,
+                                      p[2] - (std::min)(height, (std::max)(0.0, p[2])));
     return (std::min)(to_floor, to_wall) - half_thickness;
   };
   // A ring around the y axis, without what would be inside of the cup.

@@ -9,10 +9,10 @@ namespace segment_mesh {
 
 /// \name Soft unions of simple bodies
 /// @{
-Labelled_model make_mug(const Making& making);       ///< a cup and its handle
-Labelled_model make_hammer(const Making& making);    ///< head and handle
-Labelled_model make_octopus(const Making& making);   ///< a head and eight arms
-Labelled_model make_hand(const Making& making);      ///< a palm, four fingers and a thumb; with noise
+Labelled_model make_mug(const Making& making);     ///< a cup and its handle
+Labelled_model make_hammer(const Making& making);  ///< head and handle
+Labelled_model make_octopus(const Making& making); ///< a head and eight arms
+Labelled_model make_hand(const Making& making);    ///< a palm, four fingers and a thumb; with noise
 Labelled_model make_quadruped(const Making& making); ///< trunk, head, tail and four legs; coarse
 /// @}
 

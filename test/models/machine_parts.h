@@ -22,8 +22,9 @@ struct Machine_part
   Labelled_model make() const;
 };
 
-/// Twenty without and twenty with fillets. Half of each are tessellated as modellers do it, by long triangles from
-/// edge to edge with an angle of 5 to 30 degrees between them, the others by triangles of about one length.
+/// Twenty without and twenty with fillets. Half of each are tessellated as modellers do it, by long
+/// triangles from edge to edge with an angle of 5 to 30 degrees between them, the others by
+/// triangles of about one length.
 const std::vector<Machine_part>& machine_parts();
 
 } // namespace segment_mesh

@@ -28,18 +28,19 @@ Edge edge_between(const Node& a, const Node& b)
   return {(std::min)(a, b), (std::max)(a, b)};
 }
 
-/// Dual marching cubes: a point for each piece of the surface in a cube, a quad for each edge that the surface
-/// crosses. The result is closed and oriented. Of the cubes that the surface crosses, those are visited that are
-/// connected through faces with the first one that is found.
+/// Dual marching cubes: a point for each piece of the surface in a cube, a quad for each edge that
+/// the surface crosses. The result is closed and oriented. Of the cubes that the surface crosses,
+/// those are visited that are connected through faces with the first one that is found.
 ///
 /// Source: Nielson 2004.
 class Dual_marching_cubes
 {
 public:
   Dual_marching_cubes(const Implicit_shape& shape, const Point& inside, double spacing)
-      : m_shape(shape), m_origin(inside), m_spacing(spacing)
-  {
-  }
+    : m_shape(shape)
+    , m_origin(inside)
+    , m_spacing(spacing)
+  {}
 
   Polygon_soup run()
   {
@@ -77,17 +78,19 @@ private:
       m_cubes.push_back(cube);
   }
 
-  /// The surface leaves a cube through its faces. Along their boundaries, counterclockwise from outside, each edge
-  /// into the shape is linked to the next one out of it; so links form a cycle around each piece. At a face with four
-  /// such edges both cubes connect the same ones.
+  /// The surface leaves a cube through its faces. Along their boundaries, counterclockwise from
+  /// outside, each edge into the shape is linked to the next one out of it; so links form a cycle
+  /// around each piece. At a face with four such edges both cubes connect the same ones.
   void add_points_in(const Node& cube)
   {
     std::map<Edge, Edge> next;
     for (std::size_t axis = 0; axis < 3; ++axis)
       for (const int side : {0, 1}) {
         const Node low = moved(cube, axis, side);
-        const std::size_t u = (axis + (side == 1 ? 1 : 2)) % 3, v = (axis + (side == 1 ? 2 : 1)) % 3;
-        const std::array<Node, 4> ring = {low, moved(low, u, 1), moved(moved(low, u, 1), v, 1), moved(low, v, 1)};
+        const std::size_t u = (axis + (side == 1 ? 1 : 2)) % 3,
+                          v = (axis + (side == 1 ? 2 : 1)) % 3;
+        const std::array<Node, 4> ring = {low, moved(low, u, 1), moved(moved(low, u, 1), v, 1),
+                                          moved(low, v, 1)};
         if (link_around(ring, next))
           visit(moved(cube, axis, 2 * side - 1));
       }
@@ -104,7 +107,8 @@ private:
         std::size_t j = i + 1;
         while (is_inside(ring[(j + 1) % 4]))
           ++j;
-        next[edge_between(ring[i], ring[(i + 1) % 4])] = edge_between(ring[j % 4], ring[(j + 1) % 4]);
+        next[edge_between(ring[i], ring[(i + 1) % 4])] = edge_between(ring[j % 4],
+                                                                      ring[(j + 1) % 4]);
         is_crossed = true;
       }
     return is_crossed;
@@ -139,7 +143,8 @@ private:
       return;
     // Counterclockwise from the high side.
     const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
-    const Node cubes[] = {moved(moved(low, u, -1), v, -1), moved(low, v, -1), low, moved(low, u, -1)};
+    const Node cubes[] = {moved(moved(low, u, -1), v, -1), moved(low, v, -1), low,
+                          moved(low, u, -1)};
     std::vector<std::size_t> quad;
     for (const Node& cube : cubes)
       quad.push_back(m_point_of.at({cube, {low, high}}));
@@ -154,14 +159,16 @@ private:
   double m_spacing;
   std::map<Node, double> m_value_at;
   std::set<Node> m_is_visited;
-  std::vector<Node> m_cubes; // in the order of the visits
-  std::map<std::pair<Node, Edge>, std::size_t> m_point_of; // of the piece of the surface that crosses the edge
+  std::vector<Node> m_cubes;                               // in the order of the visits
+  std::map<std::pair<Node, Edge>, std::size_t> m_point_of; // of the piece of the surface that
+                                                           // crosses the edge
   Polygon_soup m_soup;
 };
 
 } // namespace
 
-Polygon_soup mesh_implicit_shape(const Implicit_shape& shape, const Point& inside, double edge_length)
+Polygon_soup mesh_implicit_shape(const Implicit_shape& shape, const Point& inside,
+                                 double edge_length)
 {
   const int number_of_steps = 10;
   const double side_of_cubes = 1.2 * edge_length; // a cube holds about one point

@@ -15,8 +15,7 @@ using namespace segment_mesh;
 namespace {
 
 class Every_model : public testing::TestWithParam<Model_recipe>
-{
-};
+{};
 
 using Edge = std::array<std::size_t, 2>;
 
@@ -26,8 +25,8 @@ std::map<Edge, std::vector<std::size_t>> faces_of_edges(const Polygon_soup& soup
   std::map<Edge, std::vector<std::size_t>> result;
   for (std::size_t f = 0; f < soup.polygons.size(); ++f)
     for (std::size_t i = 0; i < soup.polygons[f].size(); ++i) {
-      const auto [a, b] =
-        std::minmax(soup.polygons[f][i], soup.polygons[f][(i + 1) % soup.polygons[f].size()]);
+      const auto [a, b] = std::minmax(soup.polygons[f][i],
+                                      soup.polygons[f][(i + 1) % soup.polygons[f].size()]);
       result[{a, b}].push_back(f);
     }
   return result;

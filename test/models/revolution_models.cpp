@@ -52,7 +52,8 @@ Place place_on(const Place& start, const Stretch& stretch, double t)
 class Lathe
 {
 public:
-  Lathe(std::size_t sectors, double lowest) : m_sectors(sectors)
+  Lathe(std::size_t sectors, double lowest)
+    : m_sectors(sectors)
   {
     m_model.soup.points.push_back({0, 0, lowest});
   }
@@ -102,9 +103,9 @@ struct Spacing
   double step;    ///< about the distance of the rings along the profile
 
   Spacing(double usual_sectors, double usual_step, const Making& making)
-      : sectors(usual_sectors * making.fineness), step(usual_step / making.fineness)
-  {
-  }
+    : sectors(usual_sectors * making.fineness)
+    , step(usual_step / making.fineness)
+  {}
 };
 
 Labelled_model turn(const char* name, const Profile& profile, const Spacing& spacing)
@@ -112,9 +113,10 @@ Labelled_model turn(const char* name, const Profile& profile, const Spacing& spa
   Lathe lathe(std::size_t(std::lround(spacing.sectors)), profile.lowest);
   Place start = {0, profile.lowest};
   for (const Stretch& stretch : profile.stretches) {
-    const double length =
-      std::hypot(stretch.end.radius - start.radius, stretch.end.height - start.height);
-    const std::size_t steps = (std::max)(std::size_t(1), std::size_t(std::lround(length / spacing.step)));
+    const double length = std::hypot(stretch.end.radius - start.radius,
+                                     stretch.end.height - start.height);
+    const std::size_t steps = (std::max)(std::size_t(1),
+                                         std::size_t(std::lround(length / spacing.step)));
     const bool is_last = &stretch == &profile.stretches.back();
     for (std::size_t i = 1; i <= steps - is_last; ++i)
       lathe.add_ring(place_on(start, stretch, double(i) / double(steps)), stretch.part);

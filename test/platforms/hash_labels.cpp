@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // hash_labels MESHES: prints a line `MESH METHOD HASH` for each mesh of a file of write_meshes and
-// each method, and `done` after the last. Equal lines are equal labels, of a chosen and of given numbers.
+// each method, and `done` after the last. Equal lines are equal labels, of a chosen and of given
+// numbers.
 
 #include <CGAL/Region_segmentation/Methods/Smooth_faces.h>
 #include <CGAL/region_segmentation.h>

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// write_meshes [FILE.off]...: prints meshes for hash_labels: procedural models and those of the files.
-// A mesh is its name, its numbers of points and polygons, the coordinates, each as the 64 bits of a
-// double, and the polygons, each after its number of corners; all numbers are hexadecimal.
+// write_meshes [FILE.off]...: prints meshes for hash_labels: procedural models and those of the
+// files. A mesh is its name, its numbers of points and polygons, the coordinates, each as the 64
+// bits of a double, and the polygons, each after its number of corners; all numbers are
+// hexadecimal.
 
 #include "io/errors.h"
 #include "io/read_soup.h"

@@ -46,11 +46,13 @@ protected:
     EXPECT_EQ(folder.names(), before) << arguments;
   }
 
-  /// Before a call that cannot write, or not all: where coverage is measured, its counts go to a folder of their own, since they would
-  /// be reported, or damage those of the other calls.
+  /// Before a call that cannot write, or not all: where coverage is measured, its counts go to a
+  /// folder of their own, since they would be reported, or damage those of the other calls.
   std::string without_counts() const
   {
-    std::filesystem::permissions(m_counts.path(""), std::filesystem::perms::all); // the call may be that of another user
+    std::filesystem::permissions(m_counts.path(""), std::filesystem::perms::all); // the call may be
+                                                                                  // that of another
+                                                                                  // user
     return "export GCOV_PREFIX='" + m_counts.path("") + "' && ";
   }
 

@@ -16,8 +16,8 @@ class Temporary_folder
 {
 public:
   Temporary_folder()
-      : m_path(std::filesystem::temp_directory_path() /
-               ("segment_mesh_test-" + std::to_string(std::random_device()())))
+    : m_path(std::filesystem::temp_directory_path() /
+             ("segment_mesh_test-" + std::to_string(std::random_device()())))
   {
     std::filesystem::create_directory(m_path);
   }

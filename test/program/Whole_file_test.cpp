@@ -50,7 +50,8 @@ TEST(Whole_file, tells_file_and_cause)
   ASSERT_EQ(mkfifo(folder.path("b.seg").c_str(), 0600), 0);
   EXPECT_EQ(message(folder.path("b.seg")), folder.path("b.seg") + ": is not a regular file");
   std::filesystem::create_symlink("loop.seg", folder.path("loop.seg"));
-  EXPECT_EQ(message(folder.path("loop.seg")), folder.path("loop.seg") + ": is a symbolic link that leads to itself");
+  EXPECT_EQ(message(folder.path("loop.seg")),
+            folder.path("loop.seg") + ": is a symbolic link that leads to itself");
 }
 
 TEST(Whole_file, takes_single_characters)
@@ -101,7 +102,8 @@ TEST(Whole_file, writes_to_where_a_symbolic_link_leads_though_nothing_is_there)
   EXPECT_EQ(folder.read("other/target.seg"), "new");
   EXPECT_TRUE(std::filesystem::is_symlink(folder.path("first.seg")));
   EXPECT_TRUE(std::filesystem::is_symlink(folder.path("second.seg")));
-  EXPECT_EQ(std::filesystem::status(folder.path("other/target.seg")).permissions(), std::filesystem::perms(0644));
+  EXPECT_EQ(std::filesystem::status(folder.path("other/target.seg")).permissions(),
+            std::filesystem::perms(0644));
 
   std::filesystem::create_symlink("loop.seg", folder.path("loop.seg"));
   EXPECT_THROW(Whole_file(folder.path("loop.seg")), Output_error);

@@ -122,27 +122,37 @@ INSTANTIATE_TEST_SUITE_P(
 /// Of every type: where a value is cut off, as a coordinate, a size, an index and what is skipped.
 TEST(Bad_binary_ply, tells_where_a_value_of_any_type_is_cut_off)
 {
-  const std::pair<const char*, std::size_t> types[] = {{"char", 1},  {"uchar", 1}, {"short", 2}, {"ushort", 2},
-                                                       {"int", 4},   {"uint", 4},  {"float", 4}, {"double", 8}};
+  const std::pair<const char*, std::size_t> types[] = {{"char", 1},   {"uchar", 1}, {"short", 2},
+                                                       {"ushort", 2}, {"int", 4},   {"uint", 4},
+                                                       {"float", 4},  {"double", 8}};
   const std::string start = "ply\nformat binary_little_endian 1.0\n";
   for (const auto& [type_, size] : types) {
-    const std::string type = type_, end = "end_header\n", corners = "element face 1\nproperty list ";
+    const std::string type = type_, end = "end_header\n",
+                      corners = "element face 1\nproperty list ";
     const auto vertices = [](const std::string& of_type) {
-      return "element vertex 3\nproperty " + of_type + " x\nproperty " + of_type + " y\nproperty " + of_type + " z\n";
+      return "element vertex 3\nproperty " + of_type + " x\nproperty " + of_type + " y\nproperty " +
+             of_type + " z\n";
     };
-    expect_message({"coordinate", "a.ply", start + vertices(type) + corners + "uchar int vertex_indices\n" + end +
-                    std::string(6 * size + size - 1, '\0'),
+    expect_message({"coordinate", "a.ply",
+                    start + vertices(type) + corners + "uchar int vertex_indices\n" + end +
+                      std::string(6 * size + size - 1, '\0'),
                     ": the header promises 3 items of element 'vertex', the file ends after 2"});
-    expect_message({"skipped", "a.ply", start + "element x 2\nproperty " + type + " w\n" + vertices("char") + corners +
-                    "uchar int vertex_indices\n" + end + std::string(2 * size - 1, '\0'),
+    expect_message({"skipped", "a.ply",
+                    start + "element x 2\nproperty " + type + " w\n" + vertices("char") + corners +
+                      "uchar int vertex_indices\n" + end + std::string(2 * size - 1, '\0'),
                     ": the header promises 2 items of element 'x', the file ends after 1"});
     if (type == "float" || type == "double")
       continue;
-    const std::string no_face = ": the header promises 1 item of element 'face', the file ends after 0";
-    expect_message({"size", "a.ply", start + vertices("char") + corners + type + " int vertex_indices\n" + end +
-                    std::string(9 + size - 1, '\0'), no_face});
-    expect_message({"index", "a.ply", start + vertices("char") + corners + "uchar " + type + " vertex_indices\n" + end +
-                    std::string(9, '\0') + '\3' + std::string(3 * size - 1, '\0'), no_face});
+    const std::string
+      no_face = ": the header promises 1 item of element 'face', the file ends after 0";
+    expect_message({"size", "a.ply",
+                    start + vertices("char") + corners + type + " int vertex_indices\n" + end +
+                      std::string(9 + size - 1, '\0'),
+                    no_face});
+    expect_message({"index", "a.ply",
+                    start + vertices("char") + corners + "uchar " + type + " vertex_indices\n" +
+                      end + std::string(9, '\0') + '\3' + std::string(3 * size - 1, '\0'),
+                    no_face});
   }
 }
 

@@ -20,7 +20,8 @@ std::vector<std::string> contents(const Temporary_folder& folder)
   return result;
 }
 
-/// Twelve inputs, of which the first takes longest, one has a remark, one is bad and one is not there.
+/// Twelve inputs, of which the first takes longest, one has a remark, one is bad and one is not
+/// there.
 std::string write_inputs(const Temporary_folder& folder)
 {
   std::string names = "figure.off none.off";

@@ -68,11 +68,11 @@ TEST_F(Gltf, is_read_as_text_and_binary)
 TEST_F(Gltf, is_placed_by_its_nodes)
 {
   // x goes to 2 y by the child, whose rotation is a quarter turn around z; then all to x + 10.
-  const std::string nodes =
-    R"("nodes":[{"children":[1],"translation":[10,0,0]},{"mesh":0,"scale":[2,1,1],)"
-    R"("rotation":[0,0,0.7071067811865476,0.7071067811865476]}])";
-  const Polygon_soup soup =
-    read("a.glb", glb(with(gltf_json(""), R"("nodes":[{"mesh":0}])", nodes))).soup;
+  const std::string
+    nodes = R"("nodes":[{"children":[1],"translation":[10,0,0]},{"mesh":0,"scale":[2,1,1],)"
+            R"("rotation":[0,0,0.7071067811865476,0.7071067811865476]}])";
+  const Polygon_soup
+    soup = read("a.glb", glb(with(gltf_json(""), R"("nodes":[{"mesh":0}])", nodes))).soup;
   const Point expected[] = {{10, 0, 0}, {10, 2, 0}, {9, 0, 0}, {10, 0, 1}};
   ASSERT_EQ(soup.points.size(), 4u);
   for (std::size_t i = 0; i < 4; ++i)
@@ -80,10 +80,10 @@ TEST_F(Gltf, is_placed_by_its_nodes)
       EXPECT_NEAR(soup.points[i][j], expected[i][j], 1e-14);
 
   // The columns of a matrix; it mirrors, so that corners run the other way round.
-  const std::string mirrored =
-    R"("nodes":[{"mesh":0,"matrix":[-1,0,0,0, 0,1,0,0, 0,0,1,0, 5,6,7,1]}])";
-  const auto triangles =
-    triangles_of(read("a.glb", glb(with(gltf_json(""), R"("nodes":[{"mesh":0}])", mirrored))).soup);
+  const std::string
+    mirrored = R"("nodes":[{"mesh":0,"matrix":[-1,0,0,0, 0,1,0,0, 0,0,1,0, 5,6,7,1]}])";
+  const auto triangles = triangles_of(
+    read("a.glb", glb(with(gltf_json(""), R"("nodes":[{"mesh":0}])", mirrored))).soup);
   EXPECT_EQ(triangles[0], (std::array<Point, 3>{{{5, 6, 7}, {4, 6, 7}, {5, 7, 7}}}));
 }
 
@@ -185,14 +185,14 @@ TEST_F(Gltf, repeats_no_mesh_without_end)
   std::string primitives = primitive;
   for (int i = 0; i < 2000; ++i)
     primitives += "," + primitive;
-  std::string json =
-    with(gltf_json(""), R"({"attributes":{"POSITION":0},"indices":1,"mode":4})", primitives);
+  std::string json = with(gltf_json(""), R"({"attributes":{"POSITION":0},"indices":1,"mode":4})",
+                          primitives);
   json = with(json, R"("byteLength":72)", R"("byteLength":)" + std::to_string(buffer.size()));
   json = with(json, R"("byteLength":24})",
               R"("byteLength":24},{"buffer":0,"byteOffset":72,"byteLength":600000})");
-  json =
-    with(json, R"("type":"SCALAR"})",
-         R"("type":"SCALAR"},{"bufferView":2,"componentType":5126,"count":50000,"type":"VEC3"})");
+  json = with(
+    json, R"("type":"SCALAR"})",
+    R"("type":"SCALAR"},{"bufferView":2,"componentType":5126,"count":50000,"type":"VEC3"})");
   expect_message({"", "a.glb", glb(json, buffer), ": its meshes are repeated too often"});
 }
 

@@ -17,8 +17,8 @@ namespace hostile_input_test {
 
 using sample::with;
 
-/// A row of the table. The program is run as `segment_mesh FILE -k 1 -o a.seg`, and what it does is compared with words
-/// that the row has in quotes.
+/// A row of the table. The program is run as `segment_mesh FILE -k 1 -o a.seg`, and what it does is
+/// compared with words that the row has in quotes.
 struct Row
 {
   const char* given;
@@ -80,8 +80,8 @@ const std::vector<Row> rows = {
    0},
   {"a PLY element without properties", "refused, with the line: `has no properties`", "a.ply",
    with(ply, "end_header", "element x 9\nend_header"), 0},
-  {"a statement that OBJ does not have",
-   "`skipped`, with a remark on the `unknown statement`", "a.obj", "hello\n" + obj, 4},
+  {"a statement that OBJ does not have", "`skipped`, with a remark on the `unknown statement`",
+   "a.obj", "hello\n" + obj, 4},
   {"bytes that control a terminal", "`?` in messages, which stay on their line", "a.obj",
    "\x1b[31m\n", 0},
   {"a gzip file that is cut off or damaged", "refused: `is a gzip file that is cut off`", "a.off",
@@ -91,8 +91,8 @@ const std::vector<Row> rows = {
    gzip(std::string(200000000, '0')), 0},
   {"faces of different orientation", "segmented: neighbors are oriented alike", "a.off",
    with(off, "3 1 2 3", "3 1 3 2"), 4},
-  {"three faces at an edge", "segmented: each two that follow each other around it are adjacent", "a.off",
-   off_of(square + "1 0 1\n2 0 0\n", "3 0 1 3\n3 1 0 4\n3 0 1 5\n"), 3},
+  {"three faces at an edge", "segmented: each two that follow each other around it are adjacent",
+   "a.off", off_of(square + "1 0 1\n2 0 0\n", "3 0 1 3\n3 1 0 4\n3 0 1 5\n"), 3},
   {"two parts of the surface that meet in a point", "segmented: they are adjacent there", "a.off",
    off_of(square + "2 2 0\n", "3 0 1 2\n3 2 3 4\n"), 2},
   {"a face that is there twice", "segmented: the copy has the label of the other", "a.off",
@@ -108,8 +108,7 @@ const std::vector<Row> rows = {
 };
 
 class Hostile_input : public Program, public testing::WithParamInterface<Row>
-{
-};
+{};
 
 /// The parts of a text that are in backquotes.
 std::vector<std::string> quotes_of(const std::string& text)

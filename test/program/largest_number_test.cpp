@@ -29,10 +29,12 @@ std::string pillars(int n)
         cells.insert({x, y, z});
 
   // The corners of the side at 0 and of that at 1, along each axis, seen from outside.
-  constexpr std::array<Cell, 4> sides[3][2] = {
-    {{{{0, 0, 0}, {0, 0, 1}, {0, 1, 1}, {0, 1, 0}}}, {{{1, 0, 0}, {1, 1, 0}, {1, 1, 1}, {1, 0, 1}}}},
-    {{{{0, 0, 0}, {1, 0, 0}, {1, 0, 1}, {0, 0, 1}}}, {{{0, 1, 0}, {0, 1, 1}, {1, 1, 1}, {1, 1, 0}}}},
-    {{{{0, 0, 0}, {0, 1, 0}, {1, 1, 0}, {1, 0, 0}}}, {{{0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}}}};
+  constexpr std::array<Cell, 4> sides[3][2] = {{{{{0, 0, 0}, {0, 0, 1}, {0, 1, 1}, {0, 1, 0}}},
+                                                {{{1, 0, 0}, {1, 1, 0}, {1, 1, 1}, {1, 0, 1}}}},
+                                               {{{{0, 0, 0}, {1, 0, 0}, {1, 0, 1}, {0, 0, 1}}},
+                                                {{{0, 1, 0}, {0, 1, 1}, {1, 1, 1}, {1, 1, 0}}}},
+                                               {{{{0, 0, 0}, {0, 1, 0}, {1, 1, 0}, {1, 0, 0}}},
+                                                {{{0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}}}};
   std::map<Cell, std::size_t> number_of_point;
   std::ostringstream points, faces;
   std::size_t number_of_faces = 0;
@@ -54,8 +56,8 @@ std::string pillars(int n)
         faces << "\n";
         ++number_of_faces;
       }
-  return "OFF\n" + std::to_string(number_of_point.size()) + " " + std::to_string(number_of_faces) + " 0\n" + points.str() +
-         faces.str();
+  return "OFF\n" + std::to_string(number_of_point.size()) + " " + std::to_string(number_of_faces) +
+         " 0\n" + points.str() + faces.str();
 }
 
 TEST_F(Program, says_where_the_largest_number_is_chosen)

@@ -42,9 +42,9 @@ TEST_F(Limited_program, tells_in_a_line_that_memory_is_short)
 
 TEST_F(Limited_program, writes_outputs_when_its_reader_is_gone)
 {
-  const Outcome outcome =
-    run("a.off b.off c.off -k 1 -o '{stem}.seg' 2>messages; echo $? >status; } | true; true",
-        "{ sleep 0.2;");
+  const Outcome outcome = run(
+    "a.off b.off c.off -k 1 -o '{stem}.seg' 2>messages; echo $? >status; } | true; true",
+    "{ sleep 0.2;");
   EXPECT_EQ(outcome.status, 0);
   EXPECT_EQ(folder.read("status"), "0\n");
   EXPECT_EQ(folder.read("messages"), "");

@@ -80,9 +80,10 @@ TEST(Link_corners, says_what_cgal_says)
     Loose_soup soup = random_grid(random);
     for (std::size_t i = random() % 4; i > 0; --i)
       damage(soup, random);
-    const bool expected =
-      CGAL::Polygon_mesh_processing::is_polygon_soup_a_polygon_mesh(soup.polygons);
-    ASSERT_EQ(is_oriented_manifold(soup.soup()), expected) << "seed " << seed << ", round " << round;
+    const bool expected = CGAL::Polygon_mesh_processing::is_polygon_soup_a_polygon_mesh(
+      soup.polygons);
+    ASSERT_EQ(is_oriented_manifold(soup.soup()), expected)
+      << "seed " << seed << ", round " << round;
     ++count[expected];
   }
   EXPECT_GT(count[false], 400u) << "seed " << seed;
@@ -100,7 +101,8 @@ Corner_links expected_links(const Polygon_soup& soup)
   Corner_links links;
   for (const auto& polygon : soup.polygons)
     for (std::size_t i = 0; i < polygon.size(); ++i) {
-      const auto found = corner_of_edge.find({polygon[i], polygon[(i + polygon.size() - 1) % polygon.size()]});
+      const auto found = corner_of_edge.find(
+        {polygon[i], polygon[(i + polygon.size() - 1) % polygon.size()]});
       links.push_back(found == corner_of_edge.end() ? no_corner : found->second);
     }
   return links;

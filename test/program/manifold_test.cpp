@@ -19,7 +19,8 @@ using Indices = std::vector<std::size_t>;
 //  3 ----- 2 ----- 5
 //  |       |       |     two squares in the plane
 //  0 ----- 1 ----- 4
-const std::vector<Point> ladder = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 0, 0}, {2, 1, 0}};
+const std::vector<Point> ladder = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0},
+                                   {0, 1, 0}, {2, 0, 0}, {2, 1, 0}};
 
 /// A mesh with the points of the soup.
 Manifold checked(const Polygon_soup& soup)
@@ -72,13 +73,15 @@ TEST(Manifold, is_torn_at_an_edge_of_three_faces)
 
 TEST(Manifold, leaves_out_faces_with_equal_corners)
 {
-  EXPECT_EQ(checked({ladder, {{0, 1, 2, 3}, {3, 0, 0}, {1, 4, 5, 2}, {5, 5, 5}}}).face_of_mesh_face, (Indices{0, 2}));
+  EXPECT_EQ(checked({ladder, {{0, 1, 2, 3}, {3, 0, 0}, {1, 4, 5, 2}, {5, 5, 5}}}).face_of_mesh_face,
+            (Indices{0, 2}));
   EXPECT_TRUE(checked({ladder, {{0, 0, 0}, {1, 1, 1}}}).mesh.is_empty());
 }
 
 TEST(Manifold, has_faces_that_are_given_twice)
 {
-  EXPECT_EQ(checked({ladder, {{0, 1, 2, 3}, {1, 4, 5, 2}, {2, 3, 0, 1}}}).face_of_mesh_face, (Indices{0, 1, 2}));
+  EXPECT_EQ(checked({ladder, {{0, 1, 2, 3}, {1, 4, 5, 2}, {2, 3, 0, 1}}}).face_of_mesh_face,
+            (Indices{0, 1, 2}));
 }
 
 /// There and back along a line of points: polygons that some repairs take a minute for.

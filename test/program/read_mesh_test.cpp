@@ -44,8 +44,7 @@ std::ostream& operator<<(std::ostream& out, const Sample& s)
 }
 
 class Well_formed : public testing::TestWithParam<Sample>
-{
-};
+{};
 
 TEST_P(Well_formed, is_read)
 {
@@ -53,9 +52,9 @@ TEST_P(Well_formed, is_read)
   expect_tetrahedron(read_mesh(folder.write(GetParam().file, GetParam().bytes)));
 }
 
-const std::string crlf_off =
-  "OFF\r\n4 4 6\r\n0 0 0\r\n1 0 0\r\n0 1 0\r\n0 0 1\r\n3 0 2 1\r\n3 0 1 3\r\n"
-  "3 1 2 3\r\n3 0 3 2";
+const std::string
+  crlf_off = "OFF\r\n4 4 6\r\n0 0 0\r\n1 0 0\r\n0 1 0\r\n0 0 1\r\n3 0 2 1\r\n3 0 1 3\r\n"
+             "3 1 2 3\r\n3 0 3 2";
 const std::string colored_off = "# a comment\n\nSTCNOFF # textures, colors, normals\n# another\n4 "
                                 "4\n0\n0 0 0 0 0 1 255 0 0 255 0 0\n\n"
                                 "1 0 0\n0 1 0 0 0 1 -7\n0 0 1 0 0 1 3 4 5 # no more\n3 0 2 1 255 0 "
@@ -65,9 +64,9 @@ const std::string rich_obj =
   "g a\nusemtl red\ns off\nf 1/1/1 3/1/1 2/1/1\nf\t1//1\t2//1\t4//1\nv 0 0 1\nf -3 -2 -1\nf 1/1 "
   "4/1 3/1\n"
   "l 1 2 3\n";
-const std::string continued_obj =
-  "v 0 0 \\\n0\nv 1 \\ \r\n\\\n 0 0\nl 1 2 \\\n 1\nv 0 1 0 # not continued \\\nv 0 0 1\nf 1\\\n3 2\nf 1 2 4\n"
-  "f 2 3 4\nf 1 4 3\\\n";
+const std::string continued_obj = "v 0 0 \\\n0\nv 1 \\ \r\n\\\n 0 0\nl 1 2 \\\n 1\nv 0 1 0 # not "
+                                  "continued \\\nv 0 0 1\nf 1\\\n3 2\nf 1 2 4\n"
+                                  "f 2 3 4\nf 1 4 3\\\n";
 const std::string rich_ply = "ply\ncomment before the format\nformat ascii 1.0\nobj_info "
                              "x\n\nelement vertices 4\nproperty uchar red\n"
                              "property double x\nproperty double y\nproperty double z\nelement "
@@ -77,14 +76,14 @@ const std::string rich_ply = "ply\ncomment before the format\nformat ascii 1.0\n
                              "end_header\n9 0 0 0 9 1 0\n0 9 0 1 0 9 0 0 1\n7 2 0.5 0.5\n3 0 2 1 0 "
                              "3 0 1 3 0\n3 1 2 3 0 3 0 3 2 0\n";
 
-/// The tetrahedron as strips of one triangle, of two with repeated points between them, of none, and
-/// of one.
+/// The tetrahedron as strips of one triangle, of two with repeated points between them, of none,
+/// and of one.
 std::string strips_ply(const std::string& format)
 {
-  std::string bytes =
-    "ply\nformat " + format +
-    " 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
-    "element tristrips 1\nproperty list int int vertex_indices\nend_header\n";
+  std::string
+    bytes = "ply\nformat " + format +
+            " 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+            "element tristrips 1\nproperty list int int vertex_indices\nend_header\n";
   const std::vector<std::int32_t> strips = {0, 2, 1,  -1, 0, 1,  3, 3, 2, 2,
                                             1, 3, -1, 2,  2, -1, 0, 3, 2, -1};
   if (format == "ascii") {
@@ -105,13 +104,13 @@ std::string strips_ply(const std::string& format)
 TEST(Triangle_strips, alternate_their_orientation)
 {
   const Temporary_folder folder;
-  const std::string header =
-                      "ply\nformat ascii 1.0\nelement vertex 6\nproperty float x\nproperty float "
-                      "y\nproperty float z\n"
-                      "element tristrips 2\nproperty list int int vertex_indices\nend_header\n",
-                    points = "0 0 0\n0 1 0\n1 0 0\n1 1 0\n2 0 0\n2 1 0\n";
-  const Input_mesh input =
-    read_mesh(folder.write("a.ply", header + points + "6 0 2 1 3 -1 4\n4 2 4 3 5\n"));
+  const std::string
+    header = "ply\nformat ascii 1.0\nelement vertex 6\nproperty float x\nproperty float "
+             "y\nproperty float z\n"
+             "element tristrips 2\nproperty list int int vertex_indices\nend_header\n",
+    points = "0 0 0\n0 1 0\n1 0 0\n1 1 0\n2 0 0\n2 1 0\n";
+  const Input_mesh input = read_mesh(
+    folder.write("a.ply", header + points + "6 0 2 1 3 -1 4\n4 2 4 3 5\n"));
   EXPECT_EQ(input.soup.polygons, (Polygons{{0, 2, 1}, {1, 2, 3}, {2, 4, 3}, {3, 4, 5}}));
   EXPECT_TRUE(input.remarks.empty());
 }

@@ -185,7 +185,9 @@ TEST_F(Random_files, of_stl)
 class Ply_values
 {
 public:
-  explicit Ply_values(const std::string& format) : m_format(format) {}
+  explicit Ply_values(const std::string& format)
+    : m_format(format)
+  {}
 
   void add(const std::string& type, double value)
   {
@@ -279,9 +281,9 @@ protected:
 TEST_F(Random_ply_files, are_read_as_by_cgal)
 {
   for (int i = 0; i < number_of_files && !HasFatalFailure(); ++i) {
-    const std::string bytes =
-      file_of(random_soup(6), one_of({"float", "double", "float32", "float64"}), integer_type(),
-              one_of({"int", "uint", "int32", "uint32"}));
+    const std::string bytes = file_of(random_soup(6),
+                                      one_of({"float", "double", "float32", "float64"}),
+                                      integer_type(), one_of({"int", "uint", "int32", "uint32"}));
     expect_same(Mesh_format::PLY, bytes, by_cgal(bytes, [](auto&... x) {
                   return CGAL::IO::read_PLY(x..., CGAL::parameters::verbose(false));
                 }));

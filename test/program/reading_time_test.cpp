@@ -62,7 +62,8 @@ TEST(Reading_time, is_near_that_of_cgal)
   for (const std::string name : {"a.off", "a.ply"}) {
     const std::string file = folder.path(name);
     std::ofstream out(file, std::ios::binary);
-    name == "a.off" ? write_off(out, {square.soup, one_segment}) : write_ply(out, {square.soup, one_segment});
+    name == "a.off" ? write_off(out, {square.soup, one_segment})
+                    : write_ply(out, {square.soup, one_segment});
     out.close();
     const double cgal = time_of([&] {
       Mesh mesh;
@@ -74,7 +75,8 @@ TEST(Reading_time, is_near_that_of_cgal)
       ASSERT_EQ(input.soup.polygons.size(), square.soup.polygons.size());
     });
     std::cout << name << ": " << ours / cgal << " times as long as CGAL's reader\n";
-    // 0.04 to 0.1 as measured. It was above 1 when files were parsed to be checked, and again by CGAL's reader.
+    // 0.04 to 0.1 as measured. It was above 1 when files were parsed to be checked, and again by
+    // CGAL's reader.
     EXPECT_LT(ours, 0.5 * cgal) << name;
   }
 }

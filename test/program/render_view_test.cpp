@@ -140,7 +140,8 @@ TEST(Sample_buffer, shows_the_nearest_of_faces_drawn_alone_whatever_their_order)
   std::vector<Sample_buffer> alone(triangles.size(), Sample_buffer(width, height));
   for (std::size_t f = 0; f < triangles.size(); ++f) {
     upward.draw_polygon(triangles[f], Sample_buffer::Index(f));
-    downward.draw_polygon(triangles[triangles.size() - 1 - f], Sample_buffer::Index(triangles.size() - 1 - f));
+    downward.draw_polygon(triangles[triangles.size() - 1 - f],
+                          Sample_buffer::Index(triangles.size() - 1 - f));
     alone[f].draw_polygon(triangles[f], Sample_buffer::Index(f));
   }
   for (std::size_t sample = 0; sample < width * height; ++sample) {
@@ -159,7 +160,8 @@ TEST(Sample_buffer, shows_the_nearest_of_faces_drawn_alone_whatever_their_order)
 TEST(Sample_buffer, of_equal_depths_the_lower_face_stays_also_where_whole_blocks_are_behind)
 {
   Sample_buffer buffer(150, 4);
-  const std::vector<Sample_buffer::Corner> all = {{0, 0, 1, 1}, {150, 0, 1, 1}, {150, 4, 1, 1}, {0, 4, 1, 1}};
+  const std::vector<Sample_buffer::Corner> all = {
+    {0, 0, 1, 1}, {150, 0, 1, 1}, {150, 4, 1, 1}, {0, 4, 1, 1}};
   for (const Sample_buffer::Index face : {7, 3, 5})
     buffer.draw_polygon(all, face);
   for (std::size_t sample = 0; sample < 150 * 4; ++sample)
@@ -221,7 +223,7 @@ TEST(Render_view, what_is_nearer_hides_what_is_behind_it)
   EXPECT_EQ(visible_segments(render_view(soup, {0, 1}, {}, options), 2), std::set<std::size_t>{1});
   EXPECT_EQ(render_view(soup, {0, 1}, {{0, 2}}, options).pixels,
             render_view(soup, {0, 1}, {}, options).pixels)
-      << "a feature edge behind a face is not seen";
+    << "a feature edge behind a face is not seen";
   EXPECT_NE(render_view(soup, {0, 1}, {{4, 6}}, options).pixels,
             render_view(soup, {0, 1}, {}, options).pixels);
 }
@@ -246,7 +248,7 @@ TEST(Render_view, faces_that_share_edges_leave_no_gap)
   for (std::size_t i = 0; i <= n; ++i)
     for (std::size_t j = 0; j <= n; ++j)
       soup.points.push_back(
-          {double(i) + 0.3 * std::sin(double(i * j)), double(j), 0.1 * double(i)});
+        {double(i) + 0.3 * std::sin(double(i * j)), double(j), 0.1 * double(i)});
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = 0; j < n; ++j) {
       const std::size_t a = i * (n + 1) + j, b = a + n + 1;
@@ -280,7 +282,8 @@ TEST(Render_view, the_viewpoint_shows_the_segments)
   Polygons polygons = {{0, 4, 8}};
   for (std::size_t f = 1; f < soup.polygons.size(); ++f)
     polygons.push_back(soup.polygons[f]);
-  for (const std::vector<std::size_t>& triangle : {std::vector<std::size_t>{4, 6, 8}, {6, 2, 8}, {2, 0, 8}})
+  for (const std::vector<std::size_t>& triangle :
+       {std::vector<std::size_t>{4, 6, 8}, {6, 2, 8}, {2, 0, 8}})
     polygons.push_back(triangle);
   soup.polygons = polygons;
   const Image image = render_view(soup, {0, 1, 2, 3, 4, 5, 6, 7, 8}, {}, small_view());
@@ -308,7 +311,7 @@ TEST(Render_view, degenerate_meshes_do_no_harm)
   EXPECT_TRUE(is_empty(render_view({{{1, 1, 1}}, {{0, 0, 0}}}, {7}, {}, small_view())));
   EXPECT_TRUE(is_empty(render_view({{{1, 1, 1}, {2, 2, 2}}, {{0, 1}}}, {7}, {}, small_view())));
   EXPECT_TRUE(is_empty(
-      render_view({{{nan, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}, {0}, {}, small_view())));
+    render_view({{{nan, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}, {0}, {}, small_view())));
   render_view({{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}}}, {0}, {{0, 2}}, small_view());
 
   Polygon_soup cube = make_cube();

@@ -110,7 +110,9 @@ inline std::string gltf_json(const std::string& source)
 {
   return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],)"
          R"("meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1,"mode":4}]}],)"
-         R"("buffers":[{)" + source + R"("byteLength":72}],)"
+         R"("buffers":[{)" +
+         source +
+         R"("byteLength":72}],)"
          R"("bufferViews":[{"buffer":0,"byteOffset":0,"byteLength":48},{"buffer":0,"byteOffset":48,"byteLength":24}],)"
          R"("accessors":[{"bufferView":0,"componentType":5126,"count":4,"type":"VEC3","min":[0,0,0],"max":[1,1,1]},)"
          R"({"bufferView":1,"componentType":5123,"count":12,"type":"SCALAR"}]})";
@@ -119,7 +121,8 @@ inline std::string gltf_json(const std::string& source)
 /// With `gltf_buffer()` as text.
 inline std::string gltf()
 {
-  return gltf_json(R"("uri":"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAAAAAAAAAAAAIA/AAACAAEAAAABAAMAAQACAAMAAAADAAIA",)");
+  return gltf_json(
+    R"("uri":"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAAAAAAAAAAAAIA/AAACAAEAAAABAAMAAQACAAMAAAADAAIA",)");
 }
 
 /// \param json in place of `gltf_json("")`

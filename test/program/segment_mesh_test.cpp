@@ -40,7 +40,8 @@ TEST_F(Program, prints_a_line_for_an_input)
   EXPECT_TRUE(std::regex_match(outcome.out,
                                std::regex("a\\.off: 4 faces, 1 region, 1 segment" + time_at_end)))
     << outcome.out;
-  EXPECT_EQ(outcome.err, "Nothing is written. A page to view and rotate the segments: -o a.html; a mesh in their colors: -o "
+  EXPECT_EQ(outcome.err, "Nothing is written. A page to view and rotate the segments: -o a.html; a "
+                         "mesh in their colors: -o "
                          "a_segments.ply\n");
   EXPECT_EQ(run("a.off -k 1 -q").err, "");
   EXPECT_EQ(run("a.off -k 1 -o a.seg").err, "");
@@ -90,7 +91,8 @@ TEST_F(Program, takes_the_largest_number_of_segments)
 
 TEST_F(Program, runs_all_methods)
 {
-  const Outcome visibility = run("--demo --method visibility"), two_step = run("--demo --method two-step"),
+  const Outcome visibility = run("--demo --method visibility"),
+                two_step = run("--demo --method two-step"),
                 learned = run("--demo --method learned"), standard = run("--demo");
   const auto line_without_time = [](const Outcome& o) {
     return o.out.substr(0, o.out.find(" segments"));
@@ -103,19 +105,22 @@ TEST_F(Program, runs_all_methods)
 TEST_F(Program, writes_every_format)
 {
   folder.write("a.off", sample::off());
-  const Outcome outcome = run("a.off -k 4 --method two-step --features all --max-angle 20 -o a.seg -o b.ply -o b.off "
-                              "-o b.obj -o b.vtp -o b.json -o b.csv -o b.png --borders c.obj --borders c.vtp");
+  const Outcome outcome = run(
+    "a.off -k 4 --method two-step --features all --max-angle 20 -o a.seg -o b.ply -o b.off "
+    "-o b.obj -o b.vtp -o b.json -o b.csv -o b.png --borders c.obj --borders c.vtp");
   EXPECT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_EQ(folder.names(),
-            (Names{"a.off", "a.seg", "b.csv", "b.json", "b.obj", "b.off", "b.ply", "b.png", "b.vtp", "c.obj", "c.vtp"}));
+  EXPECT_EQ(folder.names(), (Names{"a.off", "a.seg", "b.csv", "b.json", "b.obj", "b.off", "b.ply",
+                                   "b.png", "b.vtp", "c.obj", "c.vtp"}));
   EXPECT_EQ(folder.read("a.seg"), "0\n1\n2\n3\n");
 }
 
 TEST_F(Program, chooses_the_number_of_smooth_faces)
 {
   folder.write("a.off", sample::off());
-  EXPECT_NE(run("a.off --method smooth-faces -o a.json").out.find(" 4 segments"), std::string::npos);
-  EXPECT_NE(folder.read("a.json").find("\"method\":\"smooth-faces\",\"segments\":null"), std::string::npos);
+  EXPECT_NE(run("a.off --method smooth-faces -o a.json").out.find(" 4 segments"),
+            std::string::npos);
+  EXPECT_NE(folder.read("a.json").find("\"method\":\"smooth-faces\",\"segments\":null"),
+            std::string::npos);
   EXPECT_NE(run("a.off -k 2 --method smooth-faces").out.find(" 2 segments"), std::string::npos);
 }
 
@@ -139,9 +144,10 @@ TEST_F(Program, goes_on_after_a_bad_input)
   folder.write("d.foo", sample::off());
   const Outcome outcome = run("a.off b.off d.foo none.off c.obj -k 1 -o '{stem}.seg'");
   EXPECT_EQ(outcome.status, 1);
-  EXPECT_EQ(outcome.err, "b.off:9: index 9 is out of range: there are 4 vertices, from 0\n"
-                         "d.foo: unknown extension '.foo', not .off, .obj, .ply, .stl, .glb or .gltf\n"
-                         "none.off: no such file\n");
+  EXPECT_EQ(outcome.err,
+            "b.off:9: index 9 is out of range: there are 4 vertices, from 0\n"
+            "d.foo: unknown extension '.foo', not .off, .obj, .ply, .stl, .glb or .gltf\n"
+            "none.off: no such file\n");
   EXPECT_EQ(std::count(outcome.out.begin(), outcome.out.end(), '\n'), 2);
   EXPECT_EQ(folder.names(), (Names{"a.off", "a.seg", "b.off", "c.obj", "c.seg", "d.foo"}));
 }
@@ -168,7 +174,8 @@ TEST_F(Program, segments_what_is_no_manifold)
   for (int body = 0; body < 2; ++body)
     for (int f = 0; f < 4; ++f) {
       for (int i : faces[f])
-        points << corners[i][0] + 1.1 * body << " " << corners[i][1] << " " << corners[i][2] << "\n";
+        points << corners[i][0] + 1.1 * body << " " << corners[i][1] << " " << corners[i][2]
+               << "\n";
       const int first = 12 * body + 3 * f;
       polygons << "3 " << first << " " << first + 1 << " " << first + 2 << "\n";
     }
@@ -179,11 +186,14 @@ TEST_F(Program, segments_what_is_no_manifold)
   EXPECT_NE(linked.out.find(", 1 segment, "), std::string::npos) << linked.out;
   EXPECT_EQ(folder.read("a.seg"), "0\n0\n0\n0\n0\n0\n0\n0\n");
   const Outcome apart = run("a.off -k 1 --no-links -o a.seg");
-  EXPECT_NE(apart.out.find("2 segments of 1 (the mesh has 2 connected pieces)"), std::string::npos) << apart.out;
+  EXPECT_NE(apart.out.find("2 segments of 1 (the mesh has 2 connected pieces)"), std::string::npos)
+    << apart.out;
   EXPECT_EQ(folder.read("a.seg"), "0\n0\n0\n0\n1\n1\n1\n1\n");
-  folder.write("b.off", "OFF\n5 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 -1 0\n3 0 1 2\n3 0 1 3\n3 0 1 4\n");
+  folder.write("b.off",
+               "OFF\n5 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 -1 0\n3 0 1 2\n3 0 1 3\n3 0 1 4\n");
   for (const char* type : {"surface_mesh", "polyhedron"})
-    EXPECT_EQ(run(std::string("b.off -k 1 --mesh ") + type).err, "b.off: is not an oriented 2-manifold: omit --mesh\n");
+    EXPECT_EQ(run(std::string("b.off -k 1 --mesh ") + type).err,
+              "b.off: is not an oriented 2-manifold: omit --mesh\n");
 }
 
 TEST_F(Program, compares_with_truths)
@@ -226,10 +236,13 @@ TEST_F(Program, writes_no_message_into_an_output_where_a_stream_is_closed)
 {
   std::string inputs;
   for (int i = 0; i < 40; ++i) // a face is turned: a remark for each
-    inputs += " '" + folder.write("a" + std::to_string(i) + ".off", "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 3 2\n") + "'";
+    inputs += " '" +
+              folder.write("a" + std::to_string(i) + ".off",
+                           "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 3 2\n") +
+              "'";
   for (const char* closed : {">&-", "2>&-", ">&- 2>&-", "<&- >&- 2>&-"}) {
-    const std::string command = "'" SEGMENT_MESH "'" + inputs + " -k 1 --threads 4 -o '" + folder.path("{stem}.seg") +
-                                "' >/dev/null 2>/dev/null " + closed;
+    const std::string command = "'" SEGMENT_MESH "'" + inputs + " -k 1 --threads 4 -o '" +
+                                folder.path("{stem}.seg") + "' >/dev/null 2>/dev/null " + closed;
     static_cast<void>(std::system(command.c_str()));
     for (int i = 0; i < 40; ++i)
       EXPECT_EQ(folder.read("a" + std::to_string(i) + ".seg"), "0\n0\n") << closed;
@@ -268,8 +281,8 @@ TEST_F(Program, knows_wrong_usage)
 {
   folder.write("a.off", sample::off());
   folder.write("b.off", sample::off());
-  const std::string endings =
-    ": unknown extension of an output, not .seg, .ply, .off, .obj, .vtp, .json, .csv, .png, .html, .glb or .3mf";
+  const std::string endings = ": unknown extension of an output, not .seg, .ply, .off, .obj, .vtp, "
+                              ".json, .csv, .png, .html, .glb or .3mf";
   expect_wrong_usage("a.off --method two-step",
                      "--method two-step needs the number of segments: -k N");
   for (const std::string number : {"0", "-1", "many", "2.5", "18446744073709551616"})
@@ -278,15 +291,20 @@ TEST_F(Program, knows_wrong_usage)
   for (const std::string number : {"-1", "all", "1025"})
     expect_wrong_usage("a.off --threads " + number,
                        "--threads " + number + ": not a whole number from 0 to 1024");
-  expect_wrong_usage("a.off -o '{stm}.seg'", "-o {stm}.seg: unknown {stm}; there are {stem} and {segment}");
+  expect_wrong_usage("a.off -o '{stm}.seg'",
+                     "-o {stm}.seg: unknown {stm}; there are {stem} and {segment}");
   expect_wrong_usage("a.off -o '{stem}_{}.seg'",
                      "-o {stem}_{}.seg: unknown {}; there are {stem} and {segment}");
   expect_wrong_usage("a.off --truth '{name}.seg'",
                      "--truth {name}.seg: unknown {name}; there is {stem} alone");
-  expect_wrong_usage("a.off -k 2 --method two-step --max-angle 181", "--max-angle: an angle from 0 to 180 degrees");
-  expect_wrong_usage("a.off -k 2 --max-angle 5", "--max-angle: --method learned has no feature edges");
-  expect_wrong_usage("a.off -k 2 --features all", "--features: --method learned has no feature edges");
-  expect_wrong_usage("a.off -k 2 --method two-step --max-angle nan", "--max-angle: an angle from 0 to 180 degrees");
+  expect_wrong_usage("a.off -k 2 --method two-step --max-angle 181",
+                     "--max-angle: an angle from 0 to 180 degrees");
+  expect_wrong_usage("a.off -k 2 --max-angle 5",
+                     "--max-angle: --method learned has no feature edges");
+  expect_wrong_usage("a.off -k 2 --features all",
+                     "--features: --method learned has no feature edges");
+  expect_wrong_usage("a.off -k 2 --method two-step --max-angle nan",
+                     "--max-angle: an angle from 0 to 180 degrees");
   expect_wrong_usage("a.off -k 2 -o a.xyz", "a.xyz" + endings);
   expect_wrong_usage("a.off -k 2 -o a.gif", "a.gif" + endings);
   expect_wrong_usage("a.off -k 2 -o ./a.off", "-o ./a.off: would replace an input");
@@ -342,7 +360,8 @@ TEST_F(Program, has_a_manual_page_of_the_same_options)
   EXPECT_EQ(page.rfind(".TH SEGMENT_MESH 1 ", 0), 0u);
   const std::regex option("\n  (?:-., )?(--[a-z-]+)");
   std::size_t number = 0;
-  for (std::sregex_iterator i(help.out.begin(), help.out.end(), option); i != std::sregex_iterator(); ++i, ++number)
+  for (std::sregex_iterator i(help.out.begin(), help.out.end(), option);
+       i != std::sregex_iterator(); ++i, ++number)
     EXPECT_NE(page.find(std::regex_replace((*i)[1].str(), std::regex("-"), "\\-")),
               std::string::npos)
       << (*i)[1];
@@ -367,7 +386,8 @@ TEST_F(Program, writes_to_stdout)
   EXPECT_EQ(quiet.out, outcome.out);
   EXPECT_EQ(run("a.off -k 4 -o - -o b.seg --output-format seg").out, outcome.out);
   EXPECT_EQ(folder.read("b.seg"), outcome.out);
-  EXPECT_EQ(run("--demo -q -o - --output-format off 2>early | head -c 3").out, "OFF"); // the reader goes early
+  EXPECT_EQ(run("--demo -q -o - --output-format off 2>early | head -c 3").out, "OFF"); // the reader
+                                                                                       // goes early
   EXPECT_EQ(folder.read("early"), "");
   if (std::filesystem::exists("/dev/full")) {
     EXPECT_EQ(run("a.off -q -k 4 -o - --output-format seg > /dev/full; exit $?; true").status, 1);
@@ -388,10 +408,13 @@ TEST_F(Program, takes_segments_that_exist)
   folder.write("a.off", sample::off());
   folder.write("a.seg", "0\n1\n1\n0\n");
   folder.write("b.seg", "5\n-3\n-3\n5\n");
-  const Outcome outcome = run("a.off --labels '{stem}.seg' -o c.seg -o c.csv -o c.json --truth a.seg");
+  const Outcome outcome = run(
+    "a.off --labels '{stem}.seg' -o c.seg -o c.csv -o c.json --truth a.seg");
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_EQ(outcome.err, "");
-  EXPECT_EQ(outcome.out.rfind("a.off: 4 faces, 2 segments\n  a.seg: Rand index distance 0.0000,", 0), 0u) << outcome.out;
+  EXPECT_EQ(
+    outcome.out.rfind("a.off: 4 faces, 2 segments\n  a.seg: Rand index distance 0.0000,", 0), 0u)
+    << outcome.out;
   EXPECT_EQ(folder.read("c.seg"), folder.read("a.seg"));
   const std::string table = folder.read("c.csv");
   EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 3);
@@ -408,8 +431,8 @@ TEST_F(Program, writes_a_file_for_each_segment)
   folder.write("a.off", sample::off());
   const Outcome outcome = run("a.off -k 4 -o '{stem}_{segment}.off' -o b{segment}.obj.gz");
   EXPECT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_EQ(folder.names(), (Names{"a.off", "a_0.off", "a_1.off", "a_2.off", "a_3.off", "b0.obj.gz", "b1.obj.gz", "b2.obj.gz",
-                                   "b3.obj.gz"}));
+  EXPECT_EQ(folder.names(), (Names{"a.off", "a_0.off", "a_1.off", "a_2.off", "a_3.off", "b0.obj.gz",
+                                   "b1.obj.gz", "b2.obj.gz", "b3.obj.gz"}));
   EXPECT_EQ(folder.read("a_3.off").substr(0, 30), "OFF\n3 1 0\n0 0 0\n0 1 0\n0 0 1\n3 ");
 }
 
@@ -417,8 +440,10 @@ TEST_F(Program, writes_each_segment_as_ply)
 {
   folder.write("a.off", sample::off());
   EXPECT_EQ(run("a.off -k 4 -o 'b{segment}.ply'").status, 0);
-  const std::vector<Point> corners[4] = {{{0, 0, 0}, {0, 1, 0}, {1, 0, 0}}, {{0, 0, 0}, {1, 0, 0}, {0, 0, 1}},
-                                         {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 0, 0}, {0, 0, 1}, {0, 1, 0}}};
+  const std::vector<Point> corners[4] = {{{0, 0, 0}, {0, 1, 0}, {1, 0, 0}},
+                                         {{0, 0, 0}, {1, 0, 0}, {0, 0, 1}},
+                                         {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+                                         {{0, 0, 0}, {0, 0, 1}, {0, 1, 0}}};
   for (int i = 0; i < 4; ++i) {
     const Polygon_soup soup = read_mesh(folder.path("b" + std::to_string(i) + ".ply")).soup;
     ASSERT_EQ(soup.polygons.size(), 1u);
@@ -439,7 +464,8 @@ TEST_F(Program, writes_faces_of_more_than_255_corners)
   top << n;
   for (std::size_t i = 0; i < n; ++i) {
     const double angle = 2 * std::acos(-1.0) * double(i) / n;
-    mesh << std::cos(angle) << " " << std::sin(angle) << " 0\n" << std::cos(angle) << " " << std::sin(angle) << " 1\n";
+    mesh << std::cos(angle) << " " << std::sin(angle) << " 0\n"
+         << std::cos(angle) << " " << std::sin(angle) << " 1\n";
     bottom << " " << 2 * (n - 1 - i);
     top << " " << 2 * i + 1;
     const std::size_t next = (i + 1) % n;
@@ -460,13 +486,15 @@ TEST_F(Program, describes_a_cone_and_segments_without_neighbors_or_area)
   for (std::size_t r = 1; r <= rings; ++r)
     for (std::size_t s = 0; s < sides; ++s) {
       const double angle = 2 * std::acos(-1.0) * double(s) / sides;
-      mesh << double(r) * std::cos(angle) << " " << double(r) * std::sin(angle) << " " << -std::sqrt(3.0) * double(r) << "\n";
+      mesh << double(r) * std::cos(angle) << " " << double(r) * std::sin(angle) << " "
+           << -std::sqrt(3.0) * double(r) << "\n";
     }
   std::string labels;
   for (std::size_t r = 0; r + 1 < rings; ++r)
     for (std::size_t s = 0; s < sides; ++s) {
       const std::size_t t = (s + 1) % sides;
-      mesh << "4 " << r * sides + s << " " << (r + 1) * sides + s << " " << (r + 1) * sides + t << " " << r * sides + t << "\n";
+      mesh << "4 " << r * sides + s << " " << (r + 1) * sides + s << " " << (r + 1) * sides + t
+           << " " << r * sides + t << "\n";
       labels += "0\n";
     }
   folder.write("a.off", mesh.str());
@@ -474,13 +502,15 @@ TEST_F(Program, describes_a_cone_and_segments_without_neighbors_or_area)
   EXPECT_EQ(run("a.off --labels a.seg -o a.csv").status, 0);
   const std::string table = folder.read("a.csv");
   std::smatch found;
-  ASSERT_TRUE(std::regex_search(table, found, std::regex(",cone,,([0-9.]+),[^,]+,\n$"))) << table; // no radius, no neighbors
+  ASSERT_TRUE(std::regex_search(table, found, std::regex(",cone,,([0-9.]+),[^,]+,\n$")))
+    << table; // no radius, no neighbors
   EXPECT_NEAR(std::stod(found[1]), 30, 0.5);
 
   folder.write("b.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n2 0 0\n3 0 0\n3 0 1 2\n3 2 1 3\n"); // on a line
   folder.write("b.seg", "0\n0\n");
   EXPECT_EQ(run("b.off --labels b.seg -o b.csv").status, 0);
-  EXPECT_NE(folder.read("b.csv").find("\n0,2,0,0,"), std::string::npos) << folder.read("b.csv"); // no area, and no share
+  EXPECT_NE(folder.read("b.csv").find("\n0,2,0,0,"), std::string::npos)
+    << folder.read("b.csv"); // no area, and no share
   EXPECT_EQ(folder.read("b.csv").find("nan"), std::string::npos);
 }
 
@@ -510,24 +540,31 @@ TEST_F(Program, tells_its_settings_in_json)
     const std::size_t start = json.find(name) + name.size();
     return outcome.status == 0 ? json.substr(start, json.find('\n', start) - start) : outcome.err;
   };
-  const auto expected = [](const std::string& method, const std::string& number, const std::string& mesh, const std::string& more) {
-    return "{\"method\":\"" + method + "\",\"segments\":" + number + ",\"mesh\":\"" + mesh + "\",\"links\":true,\"smooth_borders\":false" + more + "},";
+  const auto expected = [](const std::string& method, const std::string& number,
+                           const std::string& mesh, const std::string& more) {
+    return "{\"method\":\"" + method + "\",\"segments\":" + number + ",\"mesh\":\"" + mesh +
+           "\",\"links\":true,\"smooth_borders\":false" + more + "},";
   };
   EXPECT_EQ(settings(""), expected("learned", "null", "polygon_soup", ""));
-  EXPECT_EQ(settings("--method visibility --mesh polyhedron"), expected("visibility", "null", "polyhedron", ""));
-  EXPECT_EQ(settings("--method smooth-faces -k 2"), expected("smooth-faces", "2", "polygon_soup", ""));
-  EXPECT_EQ(settings("-k 2 --seeds a.txt"), expected("learned", "2", "polygon_soup", ",\"seeds\":\"a.txt\""));
+  EXPECT_EQ(settings("--method visibility --mesh polyhedron"),
+            expected("visibility", "null", "polyhedron", ""));
+  EXPECT_EQ(settings("--method smooth-faces -k 2"),
+            expected("smooth-faces", "2", "polygon_soup", ""));
+  EXPECT_EQ(settings("-k 2 --seeds a.txt"),
+            expected("learned", "2", "polygon_soup", ",\"seeds\":\"a.txt\""));
   for (const std::string kind : {"concave", "convex", "all"})
     EXPECT_EQ(settings("--method two-step -k 1 --max-angle 20 --features " + kind),
-              expected("two-step", "1", "polygon_soup", ",\"features\":\"" + kind + "\",\"max_angle\":20.0"));
+              expected("two-step", "1", "polygon_soup",
+                       ",\"features\":\"" + kind + "\",\"max_angle\":20.0"));
   const std::string open_mesh = settings("--mesh openmesh");
   EXPECT_TRUE(open_mesh == expected("learned", "null", "openmesh", "") ||
-              open_mesh.find("this program was built without it") != std::string::npos) << open_mesh;
+              open_mesh.find("this program was built without it") != std::string::npos)
+    << open_mesh;
 }
 
 TEST_F(Program, draws_a_mesh_as_seen_from_a_place)
 {
-  const auto write = [&](const std::string& name, const double (&points)[4][3]) {
+  const auto write = [&](const std::string& name, const double(&points)[4][3]) {
     std::ostringstream mesh;
     mesh << "OFF\n4 4 0\n";
     for (const auto& p : points)
@@ -568,7 +605,8 @@ TEST_F(Program, reads_and_writes_regular_files_alone)
   EXPECT_EQ(outcome.err, "a.off: is not a regular file\nc.off: is a directory\n");
   const Outcome written = run("b.off -k 1 -o a.off -o c.off -o none/b.off");
   EXPECT_EQ(written.status, 1);
-  EXPECT_EQ(written.err, "a.off: is not a regular file\nc.off: is a directory\nnone/b.off: cannot be written: No such file or "
+  EXPECT_EQ(written.err, "a.off: is not a regular file\nc.off: is a directory\nnone/b.off: cannot "
+                         "be written: No such file or "
                          "directory\n");
   EXPECT_TRUE(std::filesystem::is_fifo(folder.path("a.off")));
 }
@@ -583,22 +621,32 @@ TEST_F(Program, refuses_outputs_that_do_not_fit)
   expect_wrong_usage("a.off --labels a.seg -k 2", "--segments: with --labels nothing is segmented");
   expect_wrong_usage("a.off --labels a.seg -o a.seg", "-o a.seg: would replace the labels");
   expect_wrong_usage("a.off -o -", "-o -: needs --output-format");
-  expect_wrong_usage("a.off 7.off -k 2 -o - --output-format ply", "-o -: with several inputs outputs are files");
+  expect_wrong_usage("a.off 7.off -k 2 -o - --output-format ply",
+                     "-o -: with several inputs outputs are files");
   expect_wrong_usage("a.off -o - -o - --output-format ply", "-o -: would be written twice");
-  expect_wrong_usage("a.off 7.off -k 2 -o '{segment}.off'", "-o {segment}.off: with several inputs it holds {stem}");
+  expect_wrong_usage("a.off 7.off -k 2 -o '{segment}.off'",
+                     "-o {segment}.off: with several inputs it holds {stem}");
   expect_wrong_usage("7.off -k 2 -o '{segment}.off'", "-o {segment}.off: would replace an input");
-  expect_wrong_usage("a.off -k 2 -o 'b{segment}.off' -o b12.off", "-o b12.off: would be written twice");
-  expect_wrong_usage("a.off -k 2 -o b12.off -o 'b{segment}.off'", "-o b{segment}.off: would be written twice");
-  expect_wrong_usage("a.off -k 2 -o 'b{segment}1.off' -o b121.off", "-o b121.off: would be written twice");
+  expect_wrong_usage("a.off -k 2 -o 'b{segment}.off' -o b12.off",
+                     "-o b12.off: would be written twice");
+  expect_wrong_usage("a.off -k 2 -o b12.off -o 'b{segment}.off'",
+                     "-o b{segment}.off: would be written twice");
+  expect_wrong_usage("a.off -k 2 -o 'b{segment}1.off' -o b121.off",
+                     "-o b121.off: would be written twice");
   std::filesystem::create_symlink("c.seg", folder.path("link.seg"));
   expect_wrong_usage("a.off -k 2 -o link.seg -o c.seg", "-o c.seg: would be written twice");
-  expect_wrong_usage("'b{segment}.off' -k 2 -o '{stem}.seg'", "-o {stem}.seg: {stem} is b{segment} here, which holds {segment}");
-  expect_wrong_usage("a.off -k 2 -o '{segment}.png'", "{segment}.png: a file for each segment is .ply, .off, .obj or .vtp");
-  expect_wrong_usage("a.off -k 2 -o '{segment}/b.ply'", "{segment}/b.ply: {segment} belongs to the name of the file, not of its "
-                                                        "folder");
+  expect_wrong_usage("'b{segment}.off' -k 2 -o '{stem}.seg'",
+                     "-o {stem}.seg: {stem} is b{segment} here, which holds {segment}");
+  expect_wrong_usage("a.off -k 2 -o '{segment}.png'",
+                     "{segment}.png: a file for each segment is .ply, .off, .obj or .vtp");
+  expect_wrong_usage("a.off -k 2 -o '{segment}/b.ply'",
+                     "{segment}/b.ply: {segment} belongs to the name of the file, not of its "
+                     "folder");
   expect_wrong_usage("a.off -k 2 --borders -", "--borders -: borders are written to a file");
-  expect_wrong_usage("a.off -k 2 --borders b.ply", "--borders b.ply: polylines are written as .obj or .vtp");
-  expect_wrong_usage("a.off -k 2 --borders '{segment}.obj'", "--borders {segment}.obj: {segment} is for -o alone");
+  expect_wrong_usage("a.off -k 2 --borders b.ply",
+                     "--borders b.ply: polylines are written as .obj or .vtp");
+  expect_wrong_usage("a.off -k 2 --borders '{segment}.obj'",
+                     "--borders {segment}.obj: {segment} is for -o alone");
 }
 
 TEST_F(Program, smooths_borders)
@@ -671,7 +719,8 @@ TEST_F(Program, describes_no_more_segments_in_a_page_than_it_can_in_time)
       points += "0 0 " + z + "\n1 0 " + z + "\n0 1 " + z + "\n";
       triangles += "3 " + z + " " + std::to_string(i + 1) + " " + std::to_string(i + 2) + "\n";
     }
-    folder.write("a.off", "OFF\n" + std::to_string(3 * number) + " " + std::to_string(number) + " 0\n" + points + triangles);
+    folder.write("a.off", "OFF\n" + std::to_string(3 * number) + " " + std::to_string(number) +
+                            " 0\n" + points + triangles);
     const Outcome outcome = run("a.off --no-links -o a.html");
     if (outcome.status == 1)
       GTEST_SKIP() << "built without pages";
@@ -682,10 +731,12 @@ TEST_F(Program, describes_no_more_segments_in_a_page_than_it_can_in_time)
 TEST_F(Program, takes_no_empty_name_of_a_file)
 {
   const std::string mesh = folder.write("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
-  for (const std::string option : {"--labels", "--seeds", "--constraints", "--truth", "-o", "--borders"}) {
+  for (const std::string option :
+       {"--labels", "--seeds", "--constraints", "--truth", "-o", "--borders"}) {
     const Outcome outcome = run("a.off -k 1 " + option + " ''");
     EXPECT_EQ(outcome.status, 2) << option;
-    EXPECT_NE(outcome.err.find("the name of a file is empty"), std::string::npos) << option << ": " << outcome.err;
+    EXPECT_NE(outcome.err.find("the name of a file is empty"), std::string::npos)
+      << option << ": " << outcome.err;
   }
 }
 

@@ -39,8 +39,10 @@ TEST_F(Standard_input, is_read_in_blocks)
     const Outcome outcome = run("- --input-format off -k 1 < a.off");
     EXPECT_EQ(without_times(outcome.out), "-: 4 faces, 4 regions, 1 segment\n") << size;
   }
-  folder.write("a.off", sample::with(sample::off(), "0 0 1\n", "0 0 1\n#" + std::string(block, 'x') + "\n"));
-  EXPECT_EQ(without_times(run("- --input-format off -k 1 < a.off").out), "-: 4 faces, 4 regions, 1 segment\n");
+  folder.write("a.off",
+               sample::with(sample::off(), "0 0 1\n", "0 0 1\n#" + std::string(block, 'x') + "\n"));
+  EXPECT_EQ(without_times(run("- --input-format off -k 1 < a.off").out),
+            "-: 4 faces, 4 regions, 1 segment\n");
   const Outcome folder_outcome = run("- --input-format off < .");
   EXPECT_EQ(folder_outcome.status, 1);
   EXPECT_EQ(folder_outcome.err, "-: cannot be read: Is a directory\n");

@@ -19,12 +19,14 @@ namespace terminal_test {
 class Terminal
 {
 public:
-  Terminal() : m_descriptor(posix_openpt(O_RDWR | O_NOCTTY))
+  Terminal()
+    : m_descriptor(posix_openpt(O_RDWR | O_NOCTTY))
   {
     if (m_descriptor < 0 || grantpt(m_descriptor) != 0 || unlockpt(m_descriptor) != 0)
       return;
     m_name = ptsname(m_descriptor);
-    m_screen = open(m_name.c_str(), O_RDWR | O_NOCTTY); // else it is gone with the program, and what it shows with it
+    m_screen = open(m_name.c_str(), O_RDWR | O_NOCTTY); // else it is gone with the program, and
+                                                        // what it shows with it
     fcntl(m_descriptor, F_SETFL, O_NONBLOCK);
   }
   Terminal(const Terminal&) = delete;
@@ -42,7 +44,8 @@ public:
   const std::string& bytes()
   {
     char block[4096];
-    for (ssize_t size = read(m_descriptor, block, sizeof block); size > 0; size = read(m_descriptor, block, sizeof block))
+    for (ssize_t size = read(m_descriptor, block, sizeof block); size > 0;
+         size = read(m_descriptor, block, sizeof block))
       m_bytes.append(block, std::size_t(size));
     return m_bytes;
   }
@@ -70,15 +73,16 @@ protected:
   }
 
   /// What is shown by a run whose standard input comes when `words` are there, or after a while.
-  std::string shown(const std::string& arguments, const std::string& words, std::chrono::milliseconds longest)
+  std::string shown(const std::string& arguments, const std::string& words,
+                    std::chrono::milliseconds longest)
   {
     std::thread input([&] {
       std::ofstream pipe(folder.path("pipe")); // when it is opened to be read
       m_terminal.wait_for(words, longest);
       pipe << sample::off();
     });
-    const Outcome outcome =
-      run(arguments + " --input-format off -k 1 < pipe > lines 2> '" + m_terminal.name() + "'; exit $?; true");
+    const Outcome outcome = run(arguments + " --input-format off -k 1 < pipe > lines 2> '" +
+                                m_terminal.name() + "'; exit $?; true");
     input.join();
     EXPECT_EQ(outcome.status, 0);
     return m_terminal.bytes();
@@ -101,7 +105,8 @@ TEST_F(At_a_terminal, shows_the_stage_of_a_mesh)
 TEST_F(At_a_terminal, shows_how_many_of_several_meshes_are_done)
 {
   const std::string line = "[####################....................] 1/2 files";
-  const std::string bytes = shown("a.off - --threads 1 -o '{stem}.seg'", line, std::chrono::seconds(30));
+  const std::string bytes = shown("a.off - --threads 1 -o '{stem}.seg'", line,
+                                  std::chrono::seconds(30));
   EXPECT_NE(bytes.find(line), std::string::npos) << bytes;
   EXPECT_EQ(bytes.back(), '\r') << "nothing is left";
 }

@@ -32,7 +32,8 @@ double area_in_the_plane(const Point& a, const Point& b, const Point& c)
   return 0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]));
 }
 
-/// Triangles of a simple polygon in the plane z = 0 cover it once if none is turned and their areas sum to its own.
+/// Triangles of a simple polygon in the plane z = 0 cover it once if none is turned and their areas
+/// sum to its own.
 void expect_cover(const std::vector<Point>& points)
 {
   double expected = 0, sum = 0;

@@ -41,7 +41,8 @@ protected:
   std::string write(const std::string& name) const
   {
     write_segmentation(make_output(m_folder.path(name)),
-                       {s_name, s_input, s_marks, s_settings, s_side_files, s_segmentation, *s_details, s_no_viewpoint});
+                       {s_name, s_input, s_marks, s_settings, s_side_files, s_segmentation,
+                        *s_details, s_no_viewpoint});
     EXPECT_EQ(m_folder.names(), std::vector<std::string>{name}); // nothing temporary is left
     return m_folder.path(name);
   }
@@ -159,7 +160,8 @@ TEST_F(Written, json_has_all)
     areas[region["segment"]] += region["area"].get<double>();
   for (std::size_t s = 0; s < areas.size(); ++s) {
     EXPECT_NEAR(json["segments"][s]["area"], areas[s], 1e-9 * areas[s]);
-    EXPECT_EQ(json["segments"][s]["faces"], std::count(s_segmentation.segment_of_face.begin(), s_segmentation.segment_of_face.end(), s));
+    EXPECT_EQ(json["segments"][s]["faces"], std::count(s_segmentation.segment_of_face.begin(),
+                                                       s_segmentation.segment_of_face.end(), s));
   }
 }
 
@@ -167,7 +169,8 @@ TEST_F(Written, json_is_valid_whatever_the_name)
 {
   const std::string latin_1 = "caf\xe9.off";
   std::ostringstream out;
-  write_json(out, {latin_1, s_input, s_marks, s_settings, s_side_files, s_segmentation, *s_details, s_no_viewpoint});
+  write_json(out, {latin_1, s_input, s_marks, s_settings, s_side_files, s_segmentation, *s_details,
+                   s_no_viewpoint});
   EXPECT_EQ(nlohmann::json::parse(out.str())["input"]["name"], "caf\xef\xbf\xbd.off");
 }
 
@@ -176,7 +179,8 @@ TEST_F(Written, csv_agrees_with_json)
   std::istringstream in(text("a.csv"));
   const nlohmann::json json = [this] {
     std::ostringstream out;
-    write_json(out, {s_name, s_input, s_marks, s_settings, s_side_files, s_segmentation, *s_details, s_no_viewpoint});
+    write_json(out, {s_name, s_input, s_marks, s_settings, s_side_files, s_segmentation, *s_details,
+                     s_no_viewpoint});
     return nlohmann::json::parse(out.str());
   }();
   std::string line;
@@ -233,10 +237,13 @@ TEST_F(Written, nodes_are_described_as_segments_of_partitions)
     for (std::size_t f = 0; f < partitioned.segment_of_face.size(); ++f)
       partitioned.segment_of_face[f] = partition[s_segmentation.region_of_face[f]];
     partitioned.number_of_segments = k;
-    for (const Segment_description& segment : Segmentation_details(s_input.soup, s_settings, partitioned).segments())
+    for (const Segment_description& segment :
+         Segmentation_details(s_input.soup, s_settings, partitioned).segments())
       number_of_found += std::any_of(nodes.begin(), nodes.end(), [&](const Node_description& node) {
-        return node.shape.number_of_faces == segment.number_of_faces && node.shape.area == segment.area &&
-               node.shape.extents == segment.extents; // a volume depends on the other segments, by the caps
+        return node.shape.number_of_faces == segment.number_of_faces &&
+               node.shape.area == segment.area &&
+               node.shape.extents == segment.extents; // a volume depends on the other segments, by
+                                                      // the caps
       });
   }
   EXPECT_EQ(number_of_found, (least + greatest) * (greatest - least + 1) / 2);
@@ -246,7 +253,8 @@ TEST_F(Written, nodes_are_described_as_segments_of_partitions)
 TEST_F(Written, a_file_for_each_segment)
 {
   write_segmentation(make_output(m_folder.path("part_{segment}.obj")),
-                     {s_name, s_input, s_marks, s_settings, s_side_files, s_segmentation, *s_details, s_no_viewpoint});
+                     {s_name, s_input, s_marks, s_settings, s_side_files, s_segmentation,
+                      *s_details, s_no_viewpoint});
   EXPECT_EQ(m_folder.names().size(), s_segmentation.number_of_segments);
   for (std::size_t s = 0; s < s_segmentation.number_of_segments; ++s) {
     const Polygon_soup part = read_mesh(m_folder.path("part_" + std::to_string(s) + ".obj")).soup;
@@ -257,7 +265,8 @@ TEST_F(Written, a_file_for_each_segment)
         continue;
       ASSERT_LT(i, part.polygons.size());
       for (std::size_t c = 0; c < part.polygons[i].size(); ++c) {
-        EXPECT_EQ(part.points[part.polygons[i][c]], s_input.soup.points[s_input.soup.polygons[f][c]]);
+        EXPECT_EQ(part.points[part.polygons[i][c]],
+                  s_input.soup.points[s_input.soup.polygons[f][c]]);
         is_used[part.polygons[i][c]] = true;
       }
       ++i;
@@ -270,7 +279,8 @@ TEST_F(Written, a_file_for_each_segment)
 TEST_F(Written, borders_have_the_length_of_the_borders)
 {
   write_segmentation(make_output(m_folder.path("b.obj"), Output_content::BORDERS),
-                     {s_name, s_input, s_marks, s_settings, s_side_files, s_segmentation, *s_details, s_no_viewpoint});
+                     {s_name, s_input, s_marks, s_settings, s_side_files, s_segmentation,
+                      *s_details, s_no_viewpoint});
   std::istringstream in(m_folder.read("b.obj"));
   std::vector<Point> points;
   double length = 0;
@@ -306,7 +316,8 @@ TEST_F(Written, gzip_is_undone_by_gzip)
 
 TEST_F(Written, all_mesh_types_give_the_same)
 {
-  for (const Mesh_type type : {Mesh_type::SURFACE_MESH, Mesh_type::POLYHEDRON, Mesh_type::OPENMESH}) {
+  for (const Mesh_type type :
+       {Mesh_type::SURFACE_MESH, Mesh_type::POLYHEDRON, Mesh_type::OPENMESH}) {
     if (!is_available(type))
       continue;
     Segmentation_settings settings = s_settings;
@@ -323,7 +334,8 @@ TEST_F(Written, smoothed_borders_are_shorter_and_regions_stay_nested)
   Segmentation_settings settings = s_settings;
   const auto border_length = [](const Segmentation& s) {
     double sum = 0;
-    for (const Segment_description& segment : Segmentation_details(s_input.soup, s_settings, s).segments())
+    for (const Segment_description& segment :
+         Segmentation_details(s_input.soup, s_settings, s).segments())
       sum += segment.border_length;
     return sum;
   };
@@ -335,7 +347,8 @@ TEST_F(Written, smoothed_borders_are_shorter_and_regions_stay_nested)
   EXPECT_LT(border_length(smooth), border_length(rough));
   std::map<std::size_t, std::size_t> segment_of_region;
   for (std::size_t f = 0; f < smooth.region_of_face.size(); ++f) {
-    const auto entry = segment_of_region.emplace(smooth.region_of_face[f], smooth.segment_of_face[f]).first;
+    const auto
+      entry = segment_of_region.emplace(smooth.region_of_face[f], smooth.segment_of_face[f]).first;
     ASSERT_EQ(entry->second, smooth.segment_of_face[f]) << f;
   }
 }

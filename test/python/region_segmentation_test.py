@@ -118,6 +118,43 @@ def test_seeds_and_tree():
     assert (segmenter.segment(2) == halves(10)).all()
 
 
+def test_borders():
+    points, faces = grid(10, 1)
+    column = 5 * 11 + numpy.arange(11)
+    expected = numpy.stack([column[:-1], column[1:]], -1)
+    borders = region_segmentation.segment_borders(points, faces, halves(10))
+    assert (borders == expected).all()
+    separate = points[faces].reshape(-1, 3), numpy.arange(faces.size).reshape(-1, 3)
+    assert len(region_segmentation.segment_borders(*separate, halves(10))) == 10
+    assert region_segmentation.segment_borders(points, faces, numpy.zeros(200, int)).shape == (0, 2)
+    assert len(region_segmentation.segment_borders(Mesh(points, faces), labels=halves(10))) == 10
+    # They are borders of another segmentation, as constraints.
+    assert (region_segmentation.segment(points, faces, 2, constrained_edges=borders) == halves(10)).all()
+
+
+def test_descriptions():
+    points, faces = grid(10, 1)
+    first, second = region_segmentation.describe_segments(points, faces, 3 * halves(10) + 1)
+    assert (first["segment"], second["segment"]) == (1, 4)
+    assert first["number_of_faces"] == 100
+    assert first["area"] == pytest.approx(50 * 2**0.5)
+    assert first["centroid"] == pytest.approx((2.5, 5, 2.5))
+    assert first["border_length"] == pytest.approx(10)
+    assert first["boundary_length"] == pytest.approx(10 + 10 * 2**0.5)
+    (neighbor,) = first["neighbors"]
+    assert neighbor["segment"] == 4 and neighbor["border_length"] == pytest.approx(10)
+    assert neighbor["mean_signed_deviation"] == pytest.approx(-numpy.pi / 2)
+    assert first["primitive"]["type"] == "plane" and first["primitive"]["error"] < 1e-9
+    normal = numpy.array(first["primitive"]["direction"])
+    assert abs(normal @ (1, 0, 1)) == pytest.approx(2**0.5)
+    # Three sheets at an edge, and points given twice: torn apart and merged.
+    x = numpy.array([[0, 0, 0], [0, 1, 0], [1, 0, 0], [-1, 0, 0], [0, 0, 1]], "f4")
+    sheets = [[0, 1, 2], [1, 0, 3], [0, 1, 4]]
+    described = region_segmentation.describe_segments(x, sheets, [0, 1, 2])
+    assert [d["area"] for d in described] == [0.5] * 3
+    assert len(region_segmentation.describe_segments(points, faces, numpy.full(200, -1))) == 0
+
+
 def test_wrong_input_is_named():
     points, faces = grid(3, 1)
 
@@ -135,6 +172,10 @@ def test_wrong_input_is_named():
     assert message(points, faces, method="two-step") == "method two-step needs number_of_segments"
     assert message(points, faces, method="x").startswith("method: not learned")
     assert message(points, faces, constrained_edges=[[0, 9]]) == "constrained_edges: there is no edge between points 0 and 9"
+    with pytest.raises(ValueError, match="labels: not an integer for each face"):
+        region_segmentation.segment_borders(points, faces, [1, 2])
+    with pytest.raises(TypeError, match="labels: not an integer for each face"):
+        region_segmentation.describe_segments(points, faces, [0.5] * len(faces))
     points[5] = numpy.nan
     with pytest.raises(region_segmentation.InvalidInput):
         region_segmentation.segment(points, faces)

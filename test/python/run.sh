@@ -12,8 +12,9 @@ if ! "$python" -c 'import setuptools, pip, pybind11, numpy, pytest' 2>/dev/null;
 fi
 # Built in a copy, since setuptools writes beside its sources.
 rm -rf "$1"
-mkdir -p "$1/source/examples"
+mkdir -p "$1/source/examples/segment_mesh"
 cp -r "$2/include" "$1/source/"
 cp -r "$2/examples/python" "$1/source/examples/"
+cp -r "$2/examples/segment_mesh/soup" "$1/source/examples/segment_mesh/"
 "$python" -m pip install --quiet --no-build-isolation --no-deps --no-index --target "$1/module" "$1/source/examples/python"
 PYTHONPATH=$1/module PYTHONDONTWRITEBYTECODE=1 "$python" -m pytest -q -p no:cacheprovider "$here"

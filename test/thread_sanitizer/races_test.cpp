@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The loops of Parallel_tag under the thread sanitizer, on a mesh of several ranges of faces (parallel_test.cpp has the
-// oracles; it is too large to be compiled once more).
+// The loops of Parallel_tag under the thread sanitizer, on a mesh of several ranges of faces
+// (parallel_test.cpp has the oracles; it is too large to be compiled once more).
 
 #include "make_mesh.h"
 #include "make_triangles.h"
@@ -51,7 +51,8 @@ struct Races_test : ::testing::Test
   Labels segments(const Method& method)
   {
     Labels labels;
-    const auto constraints = boost::make_iterator_property_map(constrained.begin(), get(CGAL::edge_index, mesh));
+    const auto constraints = boost::make_iterator_property_map(constrained.begin(),
+                                                               get(CGAL::edge_index, mesh));
     RS::segment<ConcurrencyTag>(
       mesh, map_of(mesh, labels),
       RS::parameters::number_of_segments(8).method(method).edge_is_constrained_map(constraints));
@@ -62,7 +63,8 @@ struct Races_test : ::testing::Test
 TEST_F(Races_test, two_step)
 {
   ASSERT_GT(num_faces(mesh), 2 * RS::internal::blocks_in_range * RS::internal::block_size);
-  EXPECT_EQ(segments<CGAL::Parallel_tag>(RS::Two_step()), segments<CGAL::Sequential_tag>(RS::Two_step()));
+  EXPECT_EQ(segments<CGAL::Parallel_tag>(RS::Two_step()),
+            segments<CGAL::Sequential_tag>(RS::Two_step()));
 }
 
 TEST_F(Races_test, learned)

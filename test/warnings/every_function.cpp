@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The methods on an index-based mesh, the other functions on one of pointers whose coordinates are float.
+// The methods on an index-based mesh, the other functions on one of pointers whose coordinates are
+// float.
 
 #include "every_function.h"
 
@@ -16,7 +17,8 @@ using Tag = CGAL::Parallel_tag;
 using Tag = CGAL::Sequential_tag;
 #endif
 
-void use_methods(const CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>& mesh)
+void use_methods(
+  const CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>& mesh)
 {
   test::use_methods<Tag>(mesh);
 }

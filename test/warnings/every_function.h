@@ -3,18 +3,21 @@
 #ifndef CGAL_REGION_SEGMENTATION_TEST_WARNINGS_EVERY_FUNCTION_H
 #define CGAL_REGION_SEGMENTATION_TEST_WARNINGS_EVERY_FUNCTION_H
 
-// Every function and every part of a method once, so that a compiler sees all of the library: for warnings and for other
-// versions of CGAL, language standards and compilers.
+// Every function and every part of a method once, so that a compiler sees all of the library: for
+// warnings and for other versions of CGAL, language standards and compilers.
 
 #include <CGAL/Region_segmentation/Graph/Partition_editor.h>
 #include <CGAL/Region_segmentation/IO/labels.h>
 #include <CGAL/Region_segmentation/Methods/Scalar_annotator.h>
 #include <CGAL/Region_segmentation/Methods/Scalar_cost.h>
+#include <CGAL/Region_segmentation/Segments/close_segments.h>
 #include <CGAL/Region_segmentation/Segments/compute_segment_topology.h>
 #include <CGAL/Region_segmentation/Segments/extract_segment_borders.h>
+#include <CGAL/Region_segmentation/Segments/find_nearest_faces.h>
 #include <CGAL/Region_segmentation/Segments/mark_segment_borders.h>
 #include <CGAL/Region_segmentation/Segments/mark_segment_seams.h>
 #include <CGAL/Region_segmentation/Segments/split_into_segments.h>
+#include <CGAL/Region_segmentation/Segments/transfer_labels.h>
 #include <CGAL/Region_segmentation/evaluation.h>
 #include <CGAL/region_segmentation.h>
 #include <CGAL/region_segmentation_stages.h>
@@ -115,8 +118,9 @@ void use_stages(const Mesh& mesh)
   using Vertex = typename boost::graph_traits<Mesh>::vertex_descriptor;
   auto features = get(CGAL::dynamic_edge_property_t<std::uint8_t>(), mesh);
   auto regions = get(CGAL::dynamic_face_property_t<std::size_t>(), mesh);
-  RS::detect_feature_edges(mesh, features,
-                           RS::parameters::maximum_angle(20.).feature_convexity(RS::Feature_convexity::ALL));
+  RS::detect_feature_edges(
+    mesh, features,
+    RS::parameters::maximum_angle(20.).feature_convexity(RS::Feature_convexity::ALL));
   std::vector<std::vector<Vertex>> lines;
   RS::extract_feature_lines(mesh, features, std::back_inserter(lines));
   RS::grow_regions(mesh, features, regions);
@@ -142,6 +146,12 @@ void use_segments(const Mesh& mesh)
   std::vector<RS::Segment_piece<Mesh, Mesh, std::size_t>> pieces;
   RS::split_into_segments(mesh, segments, std::back_inserter(pieces),
                           RS::parameters::edge_is_constrained_map(marks));
+  RS::close_segments(mesh, segments, std::back_inserter(pieces));
+  RS::transfer_labels(mesh, segments, pieces.front().mesh,
+                      get(CGAL::dynamic_face_property_t<std::size_t>(), pieces.front().mesh));
+  std::vector<typename boost::graph_traits<Mesh>::face_descriptor> nearest;
+  RS::find_nearest_faces(mesh, std::vector<std::array<double, 3>>{{0, 0, 0}},
+                         std::back_inserter(nearest));
 #ifdef TEST_EIGEN
   using Point = typename boost::property_map_value<Mesh, CGAL::vertex_point_t>::type;
   using Kernel = typename CGAL::Kernel_traits<Point>::Kernel;

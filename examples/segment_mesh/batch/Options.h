@@ -23,12 +23,12 @@ struct Options
 {
   std::vector<std::string> inputs;
   std::optional<Mesh_format> input_format; ///< of all inputs; if empty, what their endings name
-  bool is_demo = false; ///< the model that the program builds, instead of inputs
+  bool is_demo = false;                    ///< the model that the program builds, instead of inputs
   std::vector<Output> outputs;
   std::vector<std::string> truths;
   Side_files side_files;
   Segmentation_settings settings;
-  std::size_t number_of_threads = 0; ///< 0: one for each core
+  std::size_t number_of_threads = 0;  ///< 0: one for each core
   std::optional<Viewpoint> viewpoint; ///< of pictures; if empty, the one that shows most
   Verbosity verbosity = Verbosity::NORMAL;
 };

@@ -21,12 +21,14 @@ bool is_terminal()
 #endif
 }
 
-Progress_bar::Progress_bar() : Progress_bar(std::cerr, std::chrono::seconds(1)) {}
+Progress_bar::Progress_bar()
+  : Progress_bar(std::cerr, std::chrono::seconds(1))
+{}
 
 Progress_bar::Progress_bar(std::ostream& out, std::chrono::milliseconds delay)
-    : m_out(out), m_thread([this, delay] { run(delay); })
-{
-}
+  : m_out(out)
+  , m_thread([this, delay] { run(delay); })
+{}
 
 Progress_bar::~Progress_bar()
 {

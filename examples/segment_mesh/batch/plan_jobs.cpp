@@ -72,8 +72,9 @@ void check_names(const Named_file& file)
     const std::string word = name.substr(at, end + 1 - at);
     const bool can_be_segment = file.option == "-o";
     if (word != stem_placeholder && !(can_be_segment && word == segment_placeholder))
-      throw Usage_error(file.option + " " + name + ": unknown " + word +
-                        (can_be_segment ? "; there are {stem} and {segment}" : "; there is {stem} alone"));
+      throw Usage_error(
+        file.option + " " + name + ": unknown " + word +
+        (can_be_segment ? "; there are {stem} and {segment}" : "; there is {stem} alone"));
   }
 }
 
@@ -83,7 +84,8 @@ void check_batch(const Named_file& file)
   if (file.option == "-o" && file.name == "-")
     throw Usage_error("-o -: with several inputs outputs are files");
   if (file.name.find(stem_placeholder) == std::string::npos)
-    throw Usage_error(file.option + " " + file.name + ": with several inputs it holds " + stem_placeholder);
+    throw Usage_error(file.option + " " + file.name + ": with several inputs it holds " +
+                      stem_placeholder);
 }
 
 /// \throws Usage_error if the format of standard input is not given, or if it is to be read twice
@@ -100,7 +102,10 @@ void check_standard_input(const Options& options)
 class File_registry
 {
 public:
-  void add(const std::string& file, const char* what) { m_files.emplace(resolve_links(file).string(), what); }
+  void add(const std::string& file, const char* what)
+  {
+    m_files.emplace(resolve_links(file).string(), what);
+  }
 
   /// \throws Usage_error
   void add_output(const Output& output)
@@ -141,7 +146,7 @@ private:
     return has(m_patterns, [&](const std::string& other) { return is_segment_file(other, name); });
   }
 
-  std::map<std::string, std::string> m_files; ///< with what they are
+  std::map<std::string, std::string> m_files;  ///< with what they are
   std::set<std::string> m_outputs, m_patterns; ///< for one file, and for one for each segment
   bool m_has_stdout = false;
 };
@@ -168,8 +173,10 @@ Job make_job(const std::string& input, const std::string& stem, const Options& o
 {
   Job job{input, options.is_demo, options.outputs, options.truths, options.side_files};
   for (Output& output : job.outputs) {
-    if (output.file.find(stem_placeholder) != std::string::npos && stem.find(segment_placeholder) != std::string::npos)
-      throw Usage_error("-o " + output.file + ": {stem} is " + stem + " here, which holds {segment}");
+    if (output.file.find(stem_placeholder) != std::string::npos &&
+        stem.find(segment_placeholder) != std::string::npos)
+      throw Usage_error("-o " + output.file + ": {stem} is " + stem +
+                        " here, which holds {segment}");
     output.file = with_stem(output.file, stem);
   }
   for (std::string& truth : job.truths)

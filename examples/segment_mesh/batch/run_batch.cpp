@@ -19,7 +19,8 @@ namespace {
 class Display
 {
 public:
-  Display(Verbosity verbosity, std::size_t number_of_jobs) : m_number_of_jobs(number_of_jobs)
+  Display(Verbosity verbosity, std::size_t number_of_jobs)
+    : m_number_of_jobs(number_of_jobs)
   {
     try {
       if (verbosity == Verbosity::NORMAL && is_terminal())

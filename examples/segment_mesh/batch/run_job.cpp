@@ -54,9 +54,11 @@ Segmentation read_labels(const std::string& file, Input_mesh& mesh)
   const Truth labels = read_truth(file, mesh.soup.polygons.size());
   Segmentation result = segmentation_from_labels(labels.labels);
   const auto [least, greatest] = std::minmax_element(labels.labels.begin(), labels.labels.end());
-  if (!labels.labels.empty() && (*least != 0 || *greatest != std::int64_t(result.number_of_segments) - 1))
-    mesh.remarks.push_back(one_line(file) + ": labels from " + std::to_string(*least) + " to " + std::to_string(*greatest) +
-                           " are numbered from 0 to " + std::to_string(result.number_of_segments - 1));
+  if (!labels.labels.empty() &&
+      (*least != 0 || *greatest != std::int64_t(result.number_of_segments) - 1))
+    mesh.remarks.push_back(one_line(file) + ": labels from " + std::to_string(*least) + " to " +
+                           std::to_string(*greatest) + " are numbered from 0 to " +
+                           std::to_string(result.number_of_segments - 1));
   return result;
 }
 
@@ -73,14 +75,17 @@ Segmentation segment(const Job& job, const Case& input, const Segmentation_setti
 }
 
 /// Why there are `n` segments and not those that were wanted.
-std::string reason_for_number(std::size_t n, std::size_t wanted, const Case& input, const Segmentation& segmentation,
+std::string reason_for_number(std::size_t n, std::size_t wanted, const Case& input,
+                              const Segmentation& segmentation,
                               const Segmentation_settings& settings)
 {
-  const bool has_marks = !input.marks.constrained_edges.empty() || !input.marks.seed_of_face.empty();
+  const bool has_marks = !input.marks.constrained_edges.empty() ||
+                         !input.marks.seed_of_face.empty();
   if (n > wanted && has_marks)
     return "constraints and seeds give no fewer";
   if (n > wanted)
-    return settings.links == Component_links::NONE ? "the mesh has " + counted(n, "connected piece") : "its parts are not adjacent";
+    return settings.links == Component_links::NONE ? "the mesh has " + counted(n, "connected piece")
+                                                   : "its parts are not adjacent";
   if (settings.method == Method::TWO_STEP || settings.method == Method::SMOOTH_FACES)
     return "growing gave " + counted(segmentation.number_of_regions, "region");
   return "the mesh has " + counted(segmentation.segment_of_face.size(), "face");
@@ -98,12 +103,14 @@ std::string describe(const Job& job, const Case& input, const Segmentation& segm
                 reason_for_number(n, wanted, input, segmentation, settings) + ")";
   else if (segmentation.largest_number)
     segments += " (the most that are chosen: there may be more parts, see -k)";
-  const std::string start = one_line(job.input) + ": " + counted(input.mesh.soup.polygons.size(), "face") + ", ";
+  const std::string start = one_line(job.input) + ": " +
+                            counted(input.mesh.soup.polygons.size(), "face") + ", ";
   if (!job.side_files.labels.empty())
     return start + segments + "\n";
   char seconds[32];
   std::snprintf(seconds, sizeof seconds, "%.3f s", segmentation.seconds);
-  return start + counted(segmentation.number_of_regions, "region") + ", " + segments + ", " + seconds + "\n";
+  return start + counted(segmentation.number_of_regions, "region") + ", " + segments + ", " +
+         seconds + "\n";
 }
 
 void write_outputs(const Job& job, const Result& result, Job_report& report)
@@ -126,8 +133,9 @@ void run(const Job& job, const Options& options, const Progress_listener& listen
   Segmentation_settings settings = options.settings;
   if (job.is_model && !settings.number_of_segments)
     settings.number_of_segments = input.true_number_of_segments;
-  const Segmentation segmentation = job.side_files.labels.empty() ? segment(job, input, settings, listener)
-                                                       : read_labels(job.side_files.labels, input.mesh);
+  const Segmentation segmentation = job.side_files.labels.empty()
+                                      ? segment(job, input, settings, listener)
+                                      : read_labels(job.side_files.labels, input.mesh);
   if (options.verbosity == Verbosity::NORMAL)
     for (const std::string& remark : input.mesh.remarks)
       report.err += remark + "\n";
@@ -142,7 +150,10 @@ void run(const Job& job, const Options& options, const Progress_listener& listen
     report.err += lines;
   listener("writing", 0);
   const Segmentation_details details(input.mesh.soup, settings, segmentation);
-  write_outputs(job, {job.input, input.mesh, input.marks, settings, job.side_files, segmentation, details, options.viewpoint}, report);
+  write_outputs(job,
+                {job.input, input.mesh, input.marks, settings, job.side_files, segmentation,
+                 details, options.viewpoint},
+                report);
 }
 
 } // namespace

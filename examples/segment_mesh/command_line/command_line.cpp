@@ -30,19 +30,20 @@ const std::map<std::string, Method> methods = {{"learned", Method::LEARNED},
                                                {"two-step", Method::TWO_STEP},
                                                {"smooth-faces", Method::SMOOTH_FACES}};
 
-const std::map<std::string, Feature_convexity> features = {
-  {"concave", Feature_convexity::CONCAVE},
-  {"convex", Feature_convexity::CONVEX},
-  {"all", Feature_convexity::ALL}};
+const std::map<std::string, Feature_convexity> features = {{"concave", Feature_convexity::CONCAVE},
+                                                           {"convex", Feature_convexity::CONVEX},
+                                                           {"all", Feature_convexity::ALL}};
 
 const std::map<std::string, Mesh_type> mesh_types = {{"polygon_soup", Mesh_type::POLYGON_SOUP},
                                                      {"surface_mesh", Mesh_type::SURFACE_MESH},
                                                      {"polyhedron", Mesh_type::POLYHEDRON},
                                                      {"openmesh", Mesh_type::OPENMESH}};
 
-const std::map<std::string, Mesh_format> formats = {
-  {"off", Mesh_format::OFF}, {"obj", Mesh_format::OBJ}, {"ply", Mesh_format::PLY}, {"stl", Mesh_format::STL},
-  {"gltf", Mesh_format::GLTF}};
+const std::map<std::string, Mesh_format> formats = {{"off", Mesh_format::OFF},
+                                                    {"obj", Mesh_format::OBJ},
+                                                    {"ply", Mesh_format::PLY},
+                                                    {"stl", Mesh_format::STL},
+                                                    {"gltf", Mesh_format::GLTF}};
 
 /// More would be a slip of the hand.
 constexpr std::size_t most_threads = 1024;
@@ -73,14 +74,20 @@ CLI::IsMember one_of(const std::map<std::string, Value>& names)
 class Option_group
 {
 public:
-  Option_group(CLI::App& app, const char* name) : m_app(app), m_name(name) {}
+  Option_group(CLI::App& app, const char* name)
+    : m_app(app)
+    , m_name(name)
+  {}
 
   template <typename Value>
   CLI::Option* add(const char* names, Value& value, const char* type, const char* text) const
   {
-    CLI::Option* const option = m_app.add_option(names, value, text)->type_name(type)->group(m_name);
+    CLI::Option* const
+      option = m_app.add_option(names, value, text)->type_name(type)->group(m_name);
     if (std::string_view(type).substr(0, 4) == "FILE") // a script's unset variable is no name
-      option->check(CLI::Validator([](const std::string& word) { return word.empty() ? "the name of a file is empty" : ""; }, ""));
+      option->check(CLI::Validator(
+        [](const std::string& word) { return word.empty() ? "the name of a file is empty" : ""; },
+        ""));
     return option;
   }
 
@@ -104,68 +111,93 @@ private:
 void add_inputs(CLI::App& app, Raw_options& raw)
 {
   const Option_group input(app, "Input");
-  input.add("INPUT", raw.options.inputs, "",
-            "Meshes: .off, .obj, .ply, .stl, .glb or .gltf, also compressed as .gz; - is standard input. "
-            "Several inputs are processed one after the other.");
+  input.add(
+    "INPUT", raw.options.inputs, "",
+    "Meshes: .off, .obj, .ply, .stl, .glb or .gltf, also compressed as .gz; - is standard input. "
+    "Several inputs are processed one after the other.");
   input
     .add("--input-format", raw.input_format, "FORMAT",
-         "For all inputs, whatever their extensions: off, obj, ply, stl or gltf. Needed for standard input.")
+         "For all inputs, whatever their extensions: off, obj, ply, stl or gltf. Needed for "
+         "standard input.")
     ->check(one_of(formats));
-  input.add_flag("--demo", "Instead of an INPUT: a figure that the program builds, of which it knows the parts. Their "
-                           "number is the default of -k, and the score against them is printed.");
+  input.add_flag(
+    "--demo",
+    "Instead of an INPUT: a figure that the program builds, of which it knows the parts. Their "
+    "number is the default of -k, and the score against them is printed.");
   input.add("--labels", raw.options.side_files.labels, "FILE.seg",
-            "Instead of segmenting: take the segments from this file, a label for each face, to draw, describe and compare "
+            "Instead of segmenting: take the segments from this file, a label for each face, to "
+            "draw, describe and compare "
             "them. {stem} as in -o.");
 }
 
 void add_outputs(CLI::App& app, Raw_options& raw)
 {
   const Option_group output(app, "Output");
-  output.add_repeatable(
-    "-o,--output", raw.outputs, "FILE",
-    "Repeatable. {stem} in FILE is the name of the input. The file name extension selects the format: .html (a page to view "
-    "and rotate the mesh, with every number of segments), .png (a picture), .ply, .off, .obj, .vtp (the mesh with its "
-    "segments in colors or groups; .vtp is for ParaView), .glb, .3mf (a part for each segment, to be shown or printed), "
-    ".seg (the label of each face on a line), .csv (a table: area, volume, shape ... of each segment), .json (all of it). "
-    "With .gz after it a file is compressed. {segment} in FILE: a mesh for each segment. - is stdout.");
+  output.add_repeatable("-o,--output", raw.outputs, "FILE",
+                        "Repeatable. {stem} in FILE is the name of the input. The file name "
+                        "extension selects the format: .html (a page to view "
+                        "and rotate the mesh, with every number of segments), .png (a picture), "
+                        ".ply, .off, .obj, .vtp (the mesh with its "
+                        "segments in colors or groups; .vtp is for ParaView), .glb, .3mf (a part "
+                        "for each segment, to be shown or printed), "
+                        ".seg (the label of each face on a line), .csv (a table: area, volume, "
+                        "shape ... of each segment), .json (all of it). "
+                        "With .gz after it a file is compressed. {segment} in FILE: a mesh for "
+                        "each segment. - is stdout.");
   output.add_repeatable("--borders", raw.borders, "FILE",
                         "Repeatable. The borders between segments as polylines: .obj or .vtp.");
   output.add("--view", raw.view, "AZIMUTH ELEVATION",
-             "For .png: where the viewer stands, in degrees: around the y axis from the z axis, and above. Default: where most "
+             "For .png: where the viewer stands, in degrees: around the y axis from the z axis, "
+             "and above. Default: where most "
              "segments are seen.");
-  output.add("--output-format", raw.output_format, "FORMAT", "For every -o, instead of what its extension selects: seg, ply, ...")
+  output
+    .add("--output-format", raw.output_format, "FORMAT",
+         "For every -o, instead of what its extension selects: seg, ply, ...")
     ->check(CLI::IsMember(output_format_names()));
 }
 
 void add_segmentation(CLI::App& app, Raw_options& raw)
 {
   const Option_group segmentation(app, "Segmentation");
-  segmentation.add("-k,--segments", raw.number_of_segments, "N", "Number of segments. Default: chosen automatically.");
+  segmentation.add("-k,--segments", raw.number_of_segments, "N",
+                   "Number of segments. Default: chosen automatically.");
   segmentation
     .add("--method", raw.method, "METHOD",
-         "learned (parts as people see them; default), visibility (the same by a formula), smooth-faces (the faces of a "
+         "learned (parts as people see them; default), visibility (the same by a formula), "
+         "smooth-faces (the faces of a "
          "machine part), or two-step (Yang et al. 2014; needs -k).")
     ->check(one_of(methods));
   segmentation.add("--constraints", raw.options.side_files.constraints, "FILE",
-                   "Edges that are borders between segments, whatever the method. A line of the file is a sequence of points "
-                   "of the mesh, consecutive ones joined by edges; points are given by index, starting from 0. {stem} as in -o.");
+                   "Edges that are borders between segments, whatever the method. A line of the "
+                   "file is a sequence of points "
+                   "of the mesh, consecutive ones joined by edges; points are given by index, "
+                   "starting from 0. {stem} as in -o.");
   segmentation.add("--seeds", raw.options.side_files.seeds, "FILE",
-                   "Faces that belong together, and faces that do not. A line of the file is the index of a face and its "
-                   "seed, both starting from 0: equal seeds end in one segment, different ones in different segments. {stem} as "
+                   "Faces that belong together, and faces that do not. A line of the file is the "
+                   "index of a face and its "
+                   "seed, both starting from 0: equal seeds end in one segment, different ones in "
+                   "different segments. {stem} as "
                    "in -o.");
-  segmentation.add_flag("--no-links", "Components stay apart. Default: those that touch or are near each other are adjacent, and "
-                                      "-k counts parts, not components.");
-  segmentation.add_flag("--smooth-borders", "Move the borders to where they are shorter and lie in valleys, by minimum cuts. "
-                                            "Segments of different numbers are no longer nested.");
+  segmentation.add_flag(
+    "--no-links",
+    "Components stay apart. Default: those that touch or are near each other are adjacent, and "
+    "-k counts parts, not components.");
+  segmentation.add_flag(
+    "--smooth-borders",
+    "Move the borders to where they are shorter and lie in valleys, by minimum cuts. "
+    "Segments of different numbers are no longer nested.");
   segmentation
-    .add("--features", raw.features, "KIND", "For two-step: edges that can be features: concave (default), convex or all.")
+    .add("--features", raw.features, "KIND",
+         "For two-step: edges that can be features: concave (default), convex or all.")
     ->check(one_of(features));
   segmentation.add("--max-angle", raw.maximum_angle, "DEGREES",
-                   "For two-step: the angle between the normals of two faces above which their edge is a feature. Default: "
+                   "For two-step: the angle between the normals of two faces above which their "
+                   "edge is a feature. Default: "
                    "1.2372.");
   segmentation
     .add("--mesh", raw.mesh_type, "TYPE",
-         "What to run on, with the same labels: polygon_soup (default; any mesh), or, for an oriented 2-manifold, "
+         "What to run on, with the same labels: polygon_soup (default; any mesh), or, for an "
+         "oriented 2-manifold, "
          "surface_mesh, polyhedron or openmesh.")
     ->check(one_of(mesh_types));
 }
@@ -174,7 +206,8 @@ void add_run_options(CLI::App& app, Raw_options& raw)
 {
   Option_group(app, "Comparison")
     .add_repeatable("--truth", raw.options.truths, "FILE.seg",
-                    "Repeatable. {stem} as in -o. Print five measures of the distance to this segmentation, and their means.");
+                    "Repeatable. {stem} as in -o. Print five measures of the distance to this "
+                    "segmentation, and their means.");
   const Option_group run(app, "Run");
   run
     .add("--threads", raw.number_of_threads, "N",
@@ -225,7 +258,8 @@ void check_combinations(const CLI::App& app, const Raw_options& raw)
   for (const char* option : {"--features", "--max-angle"})
     if (raw.method != "two-step" && app.count(option) > 0)
       throw Usage_error(std::string(option) + ": --method " + raw.method + " has no feature edges");
-  for (const char* option : {"--segments", "--method", "--mesh", "--no-links", "--smooth-borders", "--constraints", "--seeds"})
+  for (const char* option : {"--segments", "--method", "--mesh", "--no-links", "--smooth-borders",
+                             "--constraints", "--seeds"})
     if (app.count("--labels") > 0 && app.count(option) > 0)
       throw Usage_error(std::string(option) + ": with --labels nothing is segmented");
   if (app.count("--seeds") > 0 && app.count("--smooth-borders") > 0)
@@ -237,7 +271,8 @@ std::vector<Output> make_outputs(const CLI::App& app, const Raw_options& raw)
   std::optional<Output_format> format;
   if (app.count("--output-format") > 0) {
     const std::vector<std::string>& names = output_format_names();
-    format = Output_format(std::find(names.begin(), names.end(), raw.output_format) - names.begin());
+    format = Output_format(std::find(names.begin(), names.end(), raw.output_format) -
+                           names.begin());
   }
   std::vector<Output> outputs;
   for (const std::string& file : raw.outputs)
@@ -254,8 +289,8 @@ Options checked(const CLI::App& app, const Raw_options& raw)
   options.is_demo = app.count("--demo") > 0;
   options.outputs = make_outputs(app, raw);
   if (app.count("--segments") > 0)
-    options.settings.number_of_segments =
-      whole_number("-k", raw.number_of_segments, {1, (std::numeric_limits<std::size_t>::max)()});
+    options.settings.number_of_segments = whole_number(
+      "-k", raw.number_of_segments, {1, (std::numeric_limits<std::size_t>::max)()});
   options.number_of_threads = whole_number("--threads", raw.number_of_threads, {0, most_threads});
   if (app.count("--max-angle") > 0) {
     if (!(raw.maximum_angle >= 0 && raw.maximum_angle <= 180))
@@ -266,8 +301,10 @@ Options checked(const CLI::App& app, const Raw_options& raw)
     options.input_format = formats.at(raw.input_format);
   options.settings.method = methods.at(raw.method);
   options.settings.features = features.at(raw.features);
-  options.settings.borders = app.count("--smooth-borders") > 0 ? Border_treatment::SMOOTHING : Border_treatment::NONE;
-  options.settings.links = app.count("--no-links") > 0 ? Component_links::NONE : Component_links::FOUND;
+  options.settings.borders = app.count("--smooth-borders") > 0 ? Border_treatment::SMOOTHING
+                                                               : Border_treatment::NONE;
+  options.settings.links = app.count("--no-links") > 0 ? Component_links::NONE
+                                                       : Component_links::FOUND;
   options.settings.mesh_type = mesh_types.at(raw.mesh_type);
   if (!is_available(options.settings.mesh_type))
     throw Usage_error("--mesh " + raw.mesh_type + ": this program was built without it");
@@ -291,7 +328,8 @@ std::optional<Options> parse_command_line(int argc, const char* const* argv)
   add_segmentation(app, raw);
   add_outputs(app, raw);
   add_run_options(app, raw);
-  app.formatter_fn([](const CLI::App* a, const std::string&, CLI::AppFormatMode) { return format_help(*a); });
+  app.formatter_fn(
+    [](const CLI::App* a, const std::string&, CLI::AppFormatMode) { return format_help(*a); });
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {

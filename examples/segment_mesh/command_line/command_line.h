@@ -9,8 +9,8 @@
 
 namespace segment_mesh {
 
-/// Parses the command line. Empty where that is done with a text that it prints: help, the version, the manual page.
-/// \throws Usage_error
+/// Parses the command line. Empty where that is done with a text that it prints: help, the version,
+/// the manual page. \throws Usage_error
 std::optional<Options> parse_command_line(int argc, const char* const* argv);
 
 } // namespace segment_mesh

@@ -18,8 +18,10 @@ constexpr std::size_t columns = 80;
 constexpr std::size_t text_column = 26; ///< where the texts of options begin
 
 constexpr const char* description =
-  "Segments surface meshes into parts, and prints a line for each: its faces, the regions that were merged, the segments, "
-  "and the time from the mesh in memory to the labels. Meshes need not be manifold, oriented or connected; "
+  "Segments surface meshes into parts, and prints a line for each: its faces, the regions that "
+  "were merged, the segments, "
+  "and the time from the mesh in memory to the labels. Meshes need not be manifold, oriented or "
+  "connected; "
   "labels come back for each face of the file. Output files are written completely or not at all.";
 
 struct Example
@@ -28,11 +30,15 @@ struct Example
 };
 
 constexpr Example examples[] = {
-  {"segment_mesh armadillo.off -o armadillo.html", "A page to view and rotate the parts, and to change their number."},
-  {"segment_mesh armadillo.off -k 9 -o armadillo.seg -o parts.ply", "Nine parts: labels, and the mesh in colors."},
-  {"segment_mesh gear.stl --method smooth-faces -o 'gear_{segment}.obj'", "A file for each face of a machine part."},
+  {"segment_mesh armadillo.off -o armadillo.html",
+   "A page to view and rotate the parts, and to change their number."},
+  {"segment_mesh armadillo.off -k 9 -o armadillo.seg -o parts.ply",
+   "Nine parts: labels, and the mesh in colors."},
+  {"segment_mesh gear.stl --method smooth-faces -o 'gear_{segment}.obj'",
+   "A file for each face of a machine part."},
   {"segment_mesh *.off -k 7 -o 'parts/{stem}.vtp' --quiet", "A batch, for ParaView."},
-  {"segment_mesh a.off --labels a.seg --truth b.seg -o a.csv", "Compare and describe existing segments."},
+  {"segment_mesh a.off --labels a.seg --truth b.seg -o a.csv",
+   "Compare and describe existing segments."},
   {"segment_mesh a.off -q -o - --output-format csv | sort", "A table on stdout."}};
 
 struct Status
@@ -42,7 +48,8 @@ struct Status
 
 constexpr Status statuses[] = {
   {"0", "done"},
-  {"1", "an input could not be read, or an output could not be written; the others of a batch are done"},
+  {"1",
+   "an input could not be read, or an output could not be written; the others of a batch are done"},
   {"2", "wrong usage"}};
 
 constexpr const char* usage = "segment_mesh [INPUT...] [-k N] [-o FILE]... [options]";
@@ -52,7 +59,8 @@ std::string repeated(char c, std::size_t number)
   return std::string(number, c);
 }
 
-/// Words in lines of at most 80 columns that begin in column `indent`; the first line stands at column `at` already.
+/// Words in lines of at most 80 columns that begin in column `indent`; the first line stands at
+/// column `at` already.
 std::string wrapped(const std::string& text, std::size_t indent, std::size_t at)
 {
   std::string result = repeated(' ', at < indent ? indent - at : 0);
@@ -81,7 +89,8 @@ std::string title(const CLI::Option& option)
     names += "-" + name + ", ";
   for (const std::string& name : option.get_lnames())
     names += "--" + name;
-  const std::string type_and_checks = option.get_type_name(), type = type_and_checks.substr(0, type_and_checks.find(':'));
+  const std::string type_and_checks = option.get_type_name(),
+                    type = type_and_checks.substr(0, type_and_checks.find(':'));
   return option.get_type_size() == 0 || type.empty() ? names : names + " " + type;
 }
 

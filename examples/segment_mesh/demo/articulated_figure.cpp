@@ -111,8 +111,10 @@ private:
       const Point d = minus(m_soup.points[i], m_soup.points[j]);
       return inner_product(d, d);
     };
-    const std::size_t s =
-      squared_length(q[0], q[2]) <= squared_length(q[1], q[3]) ? 0 : 1; // the shorter diagonal
+    const std::size_t s = squared_length(q[0], q[2]) <= squared_length(q[1], q[3]) ? 0
+                                                                                   : 1; // the
+                                                                                        // shorter
+                                                                                        // diagonal
     m_soup.polygons.push_back({q[s], q[s + 1], q[s + 2]});
     m_soup.polygons.push_back({q[s], q[s + 2], q[(s + 3) % 4]});
   }

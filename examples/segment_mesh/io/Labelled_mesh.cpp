@@ -6,8 +6,8 @@
 
 namespace segment_mesh {
 
-std::vector<std::vector<std::size_t>> faces_of_segments(const std::vector<std::size_t>& segment_of_face,
-                                                        std::size_t number_of_segments)
+std::vector<std::vector<std::size_t>>
+faces_of_segments(const std::vector<std::size_t>& segment_of_face, std::size_t number_of_segments)
 {
   std::vector<std::vector<std::size_t>> faces(number_of_segments);
   for (std::size_t f = 0; f < segment_of_face.size(); ++f)

@@ -18,10 +18,11 @@ struct Labelled_mesh
 };
 
 /// By segment, in their order.
-std::vector<std::vector<std::size_t>> faces_of_segments(const std::vector<std::size_t>& segment_of_face,
-                                                        std::size_t number_of_segments);
+std::vector<std::vector<std::size_t>>
+faces_of_segments(const std::vector<std::size_t>& segment_of_face, std::size_t number_of_segments);
 
-/// Some faces, in their order, with their points in the order of the mesh. O(n log n) in their corners.
+/// Some faces, in their order, with their points in the order of the mesh. O(n log n) in their
+/// corners.
 Polygon_soup extract_faces(const Polygon_soup& soup, const std::vector<std::size_t>& faces);
 
 } // namespace segment_mesh

@@ -45,7 +45,8 @@ Mesh_format mesh_format(const std::string& file)
     return Mesh_format::STL;
   if (ending == ".glb" || ending == ".gltf")
     return Mesh_format::GLTF;
-  throw Input_error(file, "unknown extension " + in_quotes(ending) + ", not .off, .obj, .ply, .stl, .glb or .gltf");
+  throw Input_error(file, "unknown extension " + in_quotes(ending) +
+                            ", not .off, .obj, .ply, .stl, .glb or .gltf");
 }
 
 bool is_compressed(const std::string& file)

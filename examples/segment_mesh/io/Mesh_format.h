@@ -13,14 +13,15 @@ enum class Mesh_format { OFF, OBJ, PLY, STL, GLTF };
 /// The name of a file that stands for standard input.
 constexpr const char* standard_input = "-";
 
-/// The format that the ending of `file` names, in upper or lower case, before `.gz` if there is one.
-/// \throws Input_error for another ending, and for standard input
+/// The format that the ending of `file` names, in upper or lower case, before `.gz` if there is
+/// one. \throws Input_error for another ending, and for standard input
 Mesh_format mesh_format(const std::string& file);
 
 /// Whether the ending is `.gz`.
 bool is_compressed(const std::string& file);
 
-/// The name of an input without folder and endings, `stdin` for standard input: what `{stem}` stands for.
+/// The name of an input without folder and endings, `stdin` for standard input: what `{stem}`
+/// stands for.
 std::string stem_of_input(const std::string& file);
 
 } // namespace segment_mesh

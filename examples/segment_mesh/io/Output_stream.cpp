@@ -13,7 +13,7 @@
 namespace segment_mesh {
 
 Output_stream::Output_stream(const std::string& file, Compression compression)
-    : m_name(file == "-" ? "standard output" : file)
+  : m_name(file == "-" ? "standard output" : file)
 {
   if (file != "-")
     m_file.emplace(file);
@@ -43,7 +43,8 @@ void Output_stream::commit()
   }
   if (m_file)
     m_file->commit();
-  else if (!std::cout.flush() && errno != EPIPE) // that its reader goes early, as `head` does, is no failure
+  else if (!std::cout.flush() && errno != EPIPE) // that its reader goes early, as `head` does, is
+                                                 // no failure
     throw Output_error(m_name, "cannot be written");
 }
 

@@ -14,7 +14,8 @@
 
 namespace segment_mesh {
 
-/// Where an output is written to: a file that appears whole or not at all, or stdout; compressed or not.
+/// Where an output is written to: a file that appears whole or not at all, or stdout; compressed or
+/// not.
 class Output_stream
 {
 public:
@@ -30,7 +31,8 @@ private:
 
   std::string m_name;
   std::optional<Whole_file> m_file; ///< empty for stdout
-  std::string m_compressed;         ///< written at the end: a filter before a stream would not see that this fails
+  std::string m_compressed; ///< written at the end: a filter before a stream would not see that
+                            ///< this fails
   std::optional<boost::iostreams::filtering_ostream> m_compressor;
 };
 

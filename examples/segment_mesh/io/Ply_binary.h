@@ -18,9 +18,10 @@ class Ply_binary
 public:
   /// `data` is what follows the header.
   Ply_binary(const std::string& file, std::string_view data, Ply_format format)
-      : m_file(file), m_data(data), m_is_little_endian(format == Ply_format::BINARY_LITTLE_ENDIAN)
-  {
-  }
+    : m_file(file)
+    , m_data(data)
+    , m_is_little_endian(format == Ply_format::BINARY_LITTLE_ENDIAN)
+  {}
 
   static std::size_t least_size_of(Ply_type type) { return size_of(type); }
   std::size_t available() const { return m_data.size(); }

@@ -16,7 +16,9 @@ class Ply_text
 {
 public:
   /// `scan` is at the last line of the header.
-  explicit Ply_text(Text_scanner scan) : m_scan(std::move(scan)) {}
+  explicit Ply_text(Text_scanner scan)
+    : m_scan(std::move(scan))
+  {}
 
   /// A digit and a blank.
   static std::size_t least_size_of(Ply_type) { return 2; }

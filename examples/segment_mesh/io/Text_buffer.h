@@ -16,7 +16,9 @@ namespace segment_mesh {
 class Text_buffer
 {
 public:
-  explicit Text_buffer(std::ostream& out) : m_out(out) {}
+  explicit Text_buffer(std::ostream& out)
+    : m_out(out)
+  {}
   Text_buffer(const Text_buffer&) = delete;
   Text_buffer& operator=(const Text_buffer&) = delete;
   ~Text_buffer() { flush(); }

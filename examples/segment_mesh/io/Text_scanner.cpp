@@ -21,10 +21,12 @@ bool is_blank(char c)
 
 Text_scanner::Text_scanner(const std::string& file, std::string_view text, char comment,
                            Continuation continuation)
-    : m_file(file), m_text(text), m_comment(comment), m_continuation(continuation),
-      m_next(text.size() - without_byte_order_mark(text).size())
-{
-}
+  : m_file(file)
+  , m_text(text)
+  , m_comment(comment)
+  , m_continuation(continuation)
+  , m_next(text.size() - without_byte_order_mark(text).size())
+{}
 
 /// \pre there is one
 void Text_scanner::take_line()
@@ -98,8 +100,8 @@ double Text_scanner::finite_number(std::string_view word) const
 {
 #ifdef __cpp_lib_to_chars // not in every library of C++
   double fast_value = 0;
-  const auto [fast_end, error] =
-    std::from_chars(word.data(), word.data() + word.size(), fast_value);
+  const auto [fast_end, error] = std::from_chars(word.data(), word.data() + word.size(),
+                                                 fast_value);
   if (error == std::errc() && fast_end == word.data() + word.size() && std::isfinite(fast_value))
     return fast_value;
 #endif

@@ -10,7 +10,8 @@
 
 namespace segment_mesh {
 
-/// Reads words line by line, and fails with the line that it stands on. A byte order mark before the text is skipped.
+/// Reads words line by line, and fails with the line that it stands on. A byte order mark before
+/// the text is skipped.
 class Text_scanner
 {
 public:

@@ -52,9 +52,10 @@ fs::path make_temporary(const std::string& file, const fs::path& folder)
 } // namespace
 
 Whole_file::Whole_file(const std::string& file)
-    : m_file(file), m_target(target_of(file)),
-      m_temporary(make_temporary(file, m_target.parent_path())),
-      m_out(m_temporary, std::ios::binary)
+  : m_file(file)
+  , m_target(target_of(file))
+  , m_temporary(make_temporary(file, m_target.parent_path()))
+  , m_out(m_temporary, std::ios::binary)
 {
   // Before anything is written, since the old file may be private.
   std::error_code ignored;

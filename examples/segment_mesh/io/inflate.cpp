@@ -16,7 +16,7 @@ namespace segment_mesh {
 namespace {
 
 constexpr std::size_t usual_inflation = 4; // of a text
-constexpr int gzip_format = 16; // zlib's flag, to be added to the size of the window
+constexpr int gzip_format = 16;            // zlib's flag, to be added to the size of the window
 
 struct End_of_stream
 {

@@ -41,13 +41,14 @@ Output_format format_of_ending(const std::string& file, const std::string& endin
 
 bool is_mesh(Output_format format)
 {
-  return format == Output_format::PLY || format == Output_format::OFF || format == Output_format::OBJ ||
-         format == Output_format::VTP;
+  return format == Output_format::PLY || format == Output_format::OFF ||
+         format == Output_format::OBJ || format == Output_format::VTP;
 }
 
 void check(const Output& output)
 {
-  const bool is_polyline_format = output.format == Output_format::OBJ || output.format == Output_format::VTP;
+  const bool is_polyline_format = output.format == Output_format::OBJ ||
+                                  output.format == Output_format::VTP;
   if (output.content == Output_content::BORDERS && !is_polyline_format)
     throw Usage_error("--borders " + output.file + ": polylines are written as .obj or .vtp");
   if (output.is_for_each_segment()) {
@@ -55,8 +56,10 @@ void check(const Output& output)
       throw Usage_error("--borders " + output.file + ": {segment} is for -o alone");
     if (!is_mesh(output.format))
       throw Usage_error(output.file + ": a file for each segment is .ply, .off, .obj or .vtp");
-    if (std::filesystem::path(output.file).filename().string().find(segment_placeholder) == std::string::npos)
-      throw Usage_error(output.file + ": {segment} belongs to the name of the file, not of its folder");
+    if (std::filesystem::path(output.file).filename().string().find(segment_placeholder) ==
+        std::string::npos)
+      throw Usage_error(output.file +
+                        ": {segment} belongs to the name of the file, not of its folder");
   }
 }
 
@@ -64,14 +67,16 @@ void check(const Output& output)
 
 const std::vector<std::string>& output_format_names()
 {
-  static const std::vector<std::string> names = {"seg", "ply", "off", "obj", "vtp", "json", "csv", "png", "html", "glb", "3mf"};
+  static const std::vector<std::string> names = {"seg", "ply", "off",  "obj", "vtp", "json",
+                                                 "csv", "png", "html", "glb", "3mf"};
   return names;
 }
 
 std::string with_segment(std::string file, const std::string& number)
 {
   const std::string placeholder = segment_placeholder;
-  for (std::size_t at = file.find(placeholder); at != std::string::npos; at = file.find(placeholder, at))
+  for (std::size_t at = file.find(placeholder); at != std::string::npos;
+       at = file.find(placeholder, at))
     file.replace(at, placeholder.size(), number);
   return file;
 }
@@ -85,7 +90,8 @@ bool is_segment_file(const std::string& pattern, const std::string& name)
   return false;
 }
 
-Output make_output(const std::string& file, Output_content content, const std::optional<Output_format>& format)
+Output make_output(const std::string& file, Output_content content,
+                   const std::optional<Output_format>& format)
 {
   Output output{file, Output_format::SEG, content, Compression::NONE};
   std::filesystem::path name = file;

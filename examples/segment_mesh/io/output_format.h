@@ -42,9 +42,9 @@ bool is_segment_file(const std::string& pattern, const std::string& name);
 /// The formats by the words for them, in the order of `Output_format`.
 const std::vector<std::string>& output_format_names();
 
-/// An output in `format`, or in the one that the ending of `file` names in upper or lower case, before a last ".gz"
-/// for a compressed one.
-/// \throws Usage_error if the ending names no format, or if what is to be written cannot be in this format
+/// An output in `format`, or in the one that the ending of `file` names in upper or lower case,
+/// before a last ".gz" for a compressed one. \throws Usage_error if the ending names no format, or
+/// if what is to be written cannot be in this format
 Output make_output(const std::string& file, Output_content content = Output_content::SEGMENTS,
                    const std::optional<Output_format>& format = std::nullopt);
 

@@ -41,8 +41,8 @@ std::string same_path(const std::string& path, void*)
 bool read_beside(std::vector<unsigned char>* bytes, std::string* error, const std::string& path,
                  void* folder)
 {
-  const fs::path relative =
-    fs::path(path).lexically_normal().lexically_relative(*static_cast<const fs::path*>(folder));
+  const fs::path relative = fs::path(path).lexically_normal().lexically_relative(
+    *static_cast<const fs::path*>(folder));
   if (relative.empty() || *relative.begin() == "..") {
     *error += path + " is not in the folder of the file\n";
     return false;
@@ -162,7 +162,8 @@ class Gltf_reader
 {
 public:
   Gltf_reader(const std::string& file, std::string_view bytes)
-      : m_file(file), m_model(parse(file, bytes))
+    : m_file(file)
+    , m_model(parse(file, bytes))
   {
     for (const tinygltf::Buffer& buffer : m_model.buffers)
       m_most_numbers += most_numbers_per_byte * buffer.data.size();
@@ -204,7 +205,8 @@ private:
     Eigen::Affine3d to_world; // of its parent
   };
 
-  /// Of the scene that is shown, the last one first; of a file without scenes the nodes without parents.
+  /// Of the scene that is shown, the last one first; of a file without scenes the nodes without
+  /// parents.
   std::vector<int> root_nodes() const
   {
     std::vector<int> roots;
@@ -263,8 +265,8 @@ private:
     const Values positions(m_file, m_model, attribute->second, TINYGLTF_TYPE_VEC3);
     const std::size_t first = m_soup.points.size();
     for (std::size_t i = 0; i < positions.size(); ++i) {
-      const Eigen::Vector3d p =
-        to_world * Eigen::Vector3d(positions(i, 0), positions(i, 1), positions(i, 2));
+      const Eigen::Vector3d p = to_world *
+                                Eigen::Vector3d(positions(i, 0), positions(i, 1), positions(i, 2));
       m_soup.points.push_back({p.x(), p.y(), p.z()});
       if (!is_finite(m_soup.points.back()))
         throw Input_error(m_file, "a position that is not a finite number");
@@ -291,8 +293,10 @@ private:
   /// \param is_mirrored corners then run the other way round
   void add_triangles(const std::vector<std::size_t>& corners, int mode, bool is_mirrored)
   {
-    const std::size_t step =
-      mode == TINYGLTF_MODE_TRIANGLE_STRIP || mode == TINYGLTF_MODE_TRIANGLE_FAN ? 1 : 3;
+    const std::size_t step = mode == TINYGLTF_MODE_TRIANGLE_STRIP ||
+                                 mode == TINYGLTF_MODE_TRIANGLE_FAN
+                               ? 1
+                               : 3;
     for (std::size_t i = 0; i + 2 < corners.size(); i += step) {
       const std::size_t a = corners[mode == TINYGLTF_MODE_TRIANGLE_FAN ? 0 : i];
       std::size_t b = corners[i + 1], c = corners[i + 2];
@@ -304,7 +308,8 @@ private:
     }
   }
 
-  /// Many nodes may show one mesh, as of a screw; what is repeated more often was made to exhaust the memory.
+  /// Many nodes may show one mesh, as of a screw; what is repeated more often was made to exhaust
+  /// the memory.
   static constexpr std::size_t most_numbers_per_byte = 10;
 
   const std::string& m_file;

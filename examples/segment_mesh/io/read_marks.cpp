@@ -15,7 +15,8 @@ namespace segment_mesh {
 namespace {
 
 /// The value of a word that is the index of one of `number` elements.
-std::size_t index_below(const Text_scanner& scan, std::string_view word, std::size_t number, const std::string& what)
+std::size_t index_below(const Text_scanner& scan, std::string_view word, std::size_t number,
+                        const std::string& what)
 {
   const std::int64_t index = scan.integer(word, ("the index of a " + what).c_str());
   if (index < 0 || std::uint64_t(index) >= number)
@@ -44,10 +45,16 @@ public:
     std::sort(m_edges.begin(), m_edges.end());
   }
 
-  bool has(std::size_t a, std::size_t b) const { return std::binary_search(m_edges.begin(), m_edges.end(), edge(a, b)); }
+  bool has(std::size_t a, std::size_t b) const
+  {
+    return std::binary_search(m_edges.begin(), m_edges.end(), edge(a, b));
+  }
 
 private:
-  Vertex_pair edge(std::size_t a, std::size_t b) const { return sorted_pair(m_first[a], m_first[b]); }
+  Vertex_pair edge(std::size_t a, std::size_t b) const
+  {
+    return sorted_pair(m_first[a], m_first[b]);
+  }
 
   std::vector<std::size_t> m_first; // for each point the first one at its place
   std::vector<Vertex_pair> m_edges;
@@ -58,7 +65,9 @@ std::vector<Vertex_pair> read_constraints(const std::string& file, const Input_m
   const std::string bytes = load_bytes(file);
   const Edge_list edges(input.soup);
   Text_scanner scan(file, bytes, '#');
-  const auto next_point = [&] { return index_below(scan, scan.word(), input.soup.points.size(), "point"); };
+  const auto next_point = [&] {
+    return index_below(scan, scan.word(), input.soup.points.size(), "point");
+  };
   std::vector<Vertex_pair> result;
   while (scan.next_line()) {
     std::size_t from = next_point();
@@ -67,7 +76,8 @@ std::vector<Vertex_pair> read_constraints(const std::string& file, const Input_m
     while (scan.has_word()) {
       const std::size_t to = next_point();
       if (!edges.has(from, to))
-        scan.fail("no edge joins the points " + std::to_string(from) + " and " + std::to_string(to));
+        scan.fail("no edge joins the points " + std::to_string(from) + " and " +
+                  std::to_string(to));
       result.push_back(sorted_pair(from, to));
       from = to;
     }
@@ -93,7 +103,8 @@ std::vector<std::size_t> read_seeds(const std::string& file, const Input_mesh& i
       scan.fail("more than a face and a seed on a line");
     std::size_t& seed_of_face = result[face];
     if (seed_of_face != no_seed && seed_of_face != std::size_t(seed))
-      scan.fail("face " + std::to_string(face) + " has the seed " + std::to_string(seed_of_face) + " already");
+      scan.fail("face " + std::to_string(face) + " has the seed " + std::to_string(seed_of_face) +
+                " already");
     seed_of_face = std::size_t(seed);
   }
   return result;

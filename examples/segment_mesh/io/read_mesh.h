@@ -19,8 +19,8 @@ struct Input_mesh
   Remarks remarks;
 };
 
-/// Reads a .off, .obj, .ply, .stl, .glb or .gltf file, also one that gzip has compressed, or standard input for `-`. Nothing is repaired;
-/// the equal points of STL and glTF files are merged.
+/// Reads a .off, .obj, .ply, .stl, .glb or .gltf file, also one that gzip has compressed, or
+/// standard input for `-`. Nothing is repaired; the equal points of STL and glTF files are merged.
 ///
 /// \param format if empty, the one that the ending names
 /// \throws Input_error naming file, line if known, and cause

@@ -23,9 +23,9 @@ class Obj_reader
 {
 public:
   Obj_reader(const std::string& file, std::string_view bytes)
-      : m_file(file), m_scan(file, bytes, '#', Text_scanner::Continuation::BACKSLASH)
-  {
-  }
+    : m_file(file)
+    , m_scan(file, bytes, '#', Text_scanner::Continuation::BACKSLASH)
+  {}
 
   Polygon_soup read(Remarks& remarks)
   {
@@ -90,7 +90,8 @@ private:
     m_soup.polygons.push_back(m_corners);
   }
 
-  /// Negative indices count back from here; others, from 1, may be of vertices that are still to come.
+  /// Negative indices count back from here; others, from 1, may be of vertices that are still to
+  /// come.
   std::size_t from_zero(std::int64_t index)
   {
     const std::int64_t number_of_vertices = std::int64_t(m_soup.points.size());

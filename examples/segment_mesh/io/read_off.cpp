@@ -36,7 +36,8 @@ bool skip(std::string_view prefix, std::string_view& text)
   return is_there;
 }
 
-/// `[ST][C][N][4]OFF`, and the numbers of vertices, faces and edges, the first of which may follow without a blank.
+/// `[ST][C][N][4]OFF`, and the numbers of vertices, faces and edges, the first of which may follow
+/// without a blank.
 Off_header read_header(Text_scanner& scan)
 {
   const std::string_view keyword = scan.word_of_any_line();

@@ -18,9 +18,9 @@ class Ply_reader
 {
 public:
   Ply_reader(const Ply_header& header, Values values)
-      : m_header(header), m_values(std::move(values))
-  {
-  }
+    : m_header(header)
+    , m_values(std::move(values))
+  {}
 
   Polygon_soup read()
   {
@@ -124,10 +124,10 @@ Polygon_soup read_ply(const std::string& file, std::string_view bytes)
   Text_scanner scan(file, bytes, Text_scanner::no_comments);
   const Ply_header header = read_ply_header(file, scan);
   const std::string_view data = bytes.substr(scan.offset_of_next_line());
-  Polygon_soup soup =
-    header.format == Ply_format::ASCII
-      ? Ply_reader<Ply_text>(header, Ply_text(std::move(scan))).read()
-      : Ply_reader<Ply_binary>(header, Ply_binary(file, data, header.format)).read();
+  Polygon_soup soup = header.format == Ply_format::ASCII
+                        ? Ply_reader<Ply_text>(header, Ply_text(std::move(scan))).read()
+                        : Ply_reader<Ply_binary>(header, Ply_binary(file, data, header.format))
+                            .read();
   if (soup.polygons.empty())
     throw Input_error(file, "no faces");
   return soup;

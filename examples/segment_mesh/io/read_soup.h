@@ -39,8 +39,8 @@ Polygon_soup read_obj(const std::string& file, std::string_view bytes, Remarks& 
 Polygon_soup read_ply(const std::string& file, std::string_view bytes);
 /// Text and binary; equal points are merged into the first of them.
 Polygon_soup read_stl(const std::string& file, std::string_view bytes);
-/// Text and binary: the triangles of the scene that is shown, as it places them; equal points are merged into the first of them.
-/// Buffers are in the file, or in files of its folder.
+/// Text and binary: the triangles of the scene that is shown, as it places them; equal points are
+/// merged into the first of them. Buffers are in the file, or in files of its folder.
 Polygon_soup read_gltf(const std::string& file, std::string_view bytes, Remarks& remarks);
 /// @}
 

@@ -26,9 +26,9 @@ std::size_t promised_triangles(std::string_view bytes)
 /// Binary files whose header starts with "solid" do exist.
 bool is_text(std::string_view bytes)
 {
-  const bool has_size_of_binary =
-    bytes.size() >= data_offset &&
-    bytes.size() == data_offset + triangle_size * promised_triangles(bytes);
+  const bool has_size_of_binary = bytes.size() >= data_offset &&
+                                  bytes.size() ==
+                                    data_offset + triangle_size * promised_triangles(bytes);
   const std::string_view text = without_byte_order_mark(bytes);
   const std::size_t start = (std::min)(text.find_first_not_of(" \t\r\n"), text.size());
   return !has_size_of_binary && text.substr(start, 5) == "solid" &&
@@ -60,8 +60,8 @@ Polygon_soup read_binary(const std::string& file, std::string_view bytes)
   points.reserve(3 * promised);
   for (std::size_t i = 0; i < promised; ++i)
     for (std::size_t corner = 0; corner < 3; ++corner) {
-      const char* const at =
-        &bytes[data_offset + triangle_size * i + normal_size + 3 * sizeof(float) * corner];
+      const char* const
+        at = &bytes[data_offset + triangle_size * i + normal_size + 3 * sizeof(float) * corner];
       Point& point = points.emplace_back();
       for (std::size_t j = 0; j < 3; ++j)
         point[j] = read_little_endian<float>(at + sizeof(float) * j);

@@ -15,7 +15,9 @@ fs::path follow_links_to_nothing(fs::path path)
 {
   constexpr int most_links = 40; // as on Linux
   std::error_code ignored;
-  for (int links = 0; links < most_links && fs::is_symlink(fs::symlink_status(path, ignored)) && !fs::exists(path, ignored); ++links)
+  for (int links = 0; links < most_links && fs::is_symlink(fs::symlink_status(path, ignored)) &&
+                      !fs::exists(path, ignored);
+       ++links)
     path = path.parent_path() / fs::read_symlink(path, ignored);
   return path;
 }

@@ -8,8 +8,9 @@
 
 namespace segment_mesh {
 
-/// The file that is written where `file` is opened: an absolute path without symbolic links, the same for all names of a file,
-/// whether it is there or not. The name itself where that cannot be found out; of a link that leads to itself a link.
+/// The file that is written where `file` is opened: an absolute path without symbolic links, the
+/// same for all names of a file, whether it is there or not. The name itself where that cannot be
+/// found out; of a link that leads to itself a link.
 std::filesystem::path resolve_links(const std::string& file);
 
 } // namespace segment_mesh

@@ -5,8 +5,9 @@
 
 namespace segment_mesh {
 
-/// Occupies the descriptors of those of stdin, stdout and stderr that are closed, so that no file gets them, into which messages
-/// would be written then. Reading from them, or writing to them, remains an error. To be called before a file is opened.
+/// Occupies the descriptors of those of stdin, stdout and stderr that are closed, so that no file
+/// gets them, into which messages would be written then. Reading from them, or writing to them,
+/// remains an error. To be called before a file is opened.
 void occupy_closed_standard_streams();
 
 } // namespace segment_mesh

@@ -6,9 +6,9 @@
 //   centroid_x, centroid_y, centroid_z, extent_1, extent_2, extent_3, primitive, radius,
 //   half_angle, error, neighbors
 //
-// They are those of `Segment_description`; lengths, areas and volumes in units of the mesh, half_angle in degrees. radius
-// is empty but for a sphere or a cylinder, half_angle but for a cone; neighbors are separated by spaces. A value that
-// is too large for a double is empty.
+// They are those of `Segment_description`; lengths, areas and volumes in units of the mesh,
+// half_angle in degrees. radius is empty but for a sphere or a cylinder, half_angle but for a cone;
+// neighbors are separated by spaces. A value that is too large for a double is empty.
 
 #include "io/Text_buffer.h"
 #include "io/write_segmentation.h"
@@ -63,7 +63,8 @@ std::vector<double> area_shares(const Result& result)
 void write_csv(std::ostream& out, const Result& result)
 {
   Text_buffer text(out);
-  text << "segment,faces,area,area_share,volume,volume_share,border_length,boundary_length,centroid_x,centroid_y,"
+  text << "segment,faces,area,area_share,volume,volume_share,border_length,boundary_length,"
+          "centroid_x,centroid_y,"
           "centroid_z,extent_1,extent_2,extent_3,primitive,radius,half_angle,error,neighbors\n";
   const std::vector<double> shares = area_shares(result);
   for (const Segment_description& s : result.details.segments()) {

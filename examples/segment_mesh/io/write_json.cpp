@@ -6,24 +6,29 @@
 //   version       2; grows when a member changes its meaning or goes, not when one is added
 //   program       version of the program
 //   input         name (in UTF-8; U+FFFD stands for what is not), faces, points
-//   settings      method: as on the command line; segments: the wanted number, null if it was chosen;
-//                 mesh: the mesh type; links: whether components are adjacent; smooth_borders: whether borders were smoothed; constraints, seeds:
-//                 the names of the files, if given; and of two-step features: "concave", "convex" or
-//                 "all"; max_angle: in degrees. Of a segmentation that was read, labels alone: the name
-//                 of its file
+//   settings      method: as on the command line; segments: the wanted number, null if it was
+//   chosen;
+//                 mesh: the mesh type; links: whether components are adjacent; smooth_borders:
+//                 whether borders were smoothed; constraints, seeds: the names of the files, if
+//                 given; and of two-step features: "concave", "convex" or "all"; max_angle: in
+//                 degrees. Of a segmentation that was read, labels alone: the name of its file
 //   times         in seconds: total, from the mesh in memory to the labels, and its stages, each
 //                 with stage and seconds, in order
-//   segments      for each segment, by its id, what `Segment_description` has, with angles in degrees:
+//   segments      for each segment, by its id, what `Segment_description` has, with angles in
+//   degrees:
 //                 faces, area, volume, volume_share, centroid, axes, extents, border_length,
 //                 boundary_length, neighbors (segment, border_length, mean_signed_deviation),
-//                 primitive (type, error, point, and where it has them direction, radius, half_angle)
+//                 primitive (type, error, point, and where it has them direction, radius,
+//                 half_angle)
 //   regions       for each region that merging started from, by its id: segment, faces, area,
 //                 perimeter (shared with other regions)
-//   sections      for each pair of adjacent regions: regions (two ids), edges (seams and links, too), length,
+//   sections      for each pair of adjacent regions: regions (two ids), edges (seams and links,
+//   too), length,
 //                 mean_angle (the dihedral angle, in radians; pi is flat). Lengths and areas of
 //                 regions and sections are in units of `Surface::unit()`: those of the mesh,
 //                 unless areas might exceed the range of double
-//   merges        in order: regions (the one that is kept, the one that joins it), cost (in units of
+//   merges        in order: regions (the one that is kept, the one that joins it), cost (in units
+//   of
 //                 the method)
 //   face_segments the segment of each face, in the order of the input's file
 //   face_regions  the region of each face
@@ -122,14 +127,21 @@ void add_details(const Result& result, ordered_json& json)
 {
   json["segments"] = array_json(result.details.segments(), segment_json);
   json["regions"] = array_json(result.details.regions(), [](const Region& r) -> ordered_json {
-    return {{"segment", r.segment}, {"faces", r.number_of_faces}, {"area", r.area}, {"perimeter", r.perimeter}};
+    return {{"segment", r.segment},
+            {"faces", r.number_of_faces},
+            {"area", r.area},
+            {"perimeter", r.perimeter}};
   });
   json["sections"] = array_json(result.details.sections(), [](const Section& s) -> ordered_json {
-    return {{"regions", s.regions}, {"edges", s.number_of_adjacencies}, {"length", s.length}, {"mean_angle", s.mean_angle}};
+    return {{"regions", s.regions},
+            {"edges", s.number_of_adjacencies},
+            {"length", s.length},
+            {"mean_angle", s.mean_angle}};
   });
-  json["merges"] = array_json(result.segmentation.tree.merges(), [](const auto& merge) -> ordered_json {
-    return {{"regions", {merge.kept, merge.removed}}, {"cost", merge.cost}};
-  });
+  json["merges"] = array_json(
+    result.segmentation.tree.merges(), [](const auto& merge) -> ordered_json {
+      return {{"regions", {merge.kept, merge.removed}}, {"cost", merge.cost}};
+    });
 }
 
 std::string text_of(const ordered_json& json)
@@ -162,7 +174,8 @@ void write_members(std::ostream& out, const ordered_json& json)
 
 void write_json(std::ostream& out, const Result& result)
 {
-  ordered_json json = {{"format", "segment_mesh"}, {"version", 2}, {"program", CGAL_REGION_SEGMENTATION_VERSION}};
+  ordered_json json = {
+    {"format", "segment_mesh"}, {"version", 2}, {"program", CGAL_REGION_SEGMENTATION_VERSION}};
   json["input"] = {{"name", result.name},
                    {"faces", result.input.soup.polygons.size()},
                    {"points", result.input.soup.points.size()}};

@@ -96,7 +96,8 @@ void write_off(std::ostream& out, const Labelled_mesh& mesh)
   }
 }
 
-void write_obj(std::ostream& out, const Labelled_mesh& mesh, const std::vector<Polyline>& feature_lines)
+void write_obj(std::ostream& out, const Labelled_mesh& mesh,
+               const std::vector<Polyline>& feature_lines)
 {
   Text_buffer text(out);
   for (const Point& p : mesh.soup.points) {
@@ -118,7 +119,8 @@ void write_obj(std::ostream& out, const Labelled_mesh& mesh, const std::vector<P
     write_line(text, line);
 }
 
-void write_borders_obj(std::ostream& out, const std::vector<Point>& points, const std::vector<Border>& borders)
+void write_borders_obj(std::ostream& out, const std::vector<Point>& points,
+                       const std::vector<Border>& borders)
 {
   Text_buffer text(out);
   constexpr std::size_t unused = std::size_t(-1);

@@ -56,7 +56,8 @@ void write_whole(std::ostream& out, Output_format format, const Result& result)
     return write_html(out, result);
   default:
     return write_mesh(out, format, {result.input.soup, result.segmentation.segment_of_face},
-                      format == Output_format::OBJ ? result.details.feature_lines() : std::vector<Polyline>());
+                      format == Output_format::OBJ ? result.details.feature_lines()
+                                                   : std::vector<Polyline>());
   }
 }
 
@@ -74,11 +75,13 @@ void check_libraries(const Output& output)
 
 void write_each_segment(const Output& output, const Result& result)
 {
-  const auto faces = faces_of_segments(result.segmentation.segment_of_face, result.segmentation.number_of_segments);
+  const auto faces = faces_of_segments(result.segmentation.segment_of_face,
+                                       result.segmentation.number_of_segments);
   for (std::size_t segment = 0; segment < faces.size(); ++segment) {
     const Polygon_soup part = extract_faces(result.input.soup, faces[segment]);
     Output_stream out(with_segment(output.file, std::to_string(segment)), output.compression);
-    write_mesh(out.stream(), output.format, {part, std::vector<std::size_t>(part.polygons.size(), segment)}, {});
+    write_mesh(out.stream(), output.format,
+               {part, std::vector<std::size_t>(part.polygons.size(), segment)}, {});
     out.commit();
   }
 }

@@ -31,9 +31,8 @@ struct Result
   const std::optional<Viewpoint>& viewpoint; ///< of a picture
 };
 
-/// Writes a result in the format of `output`, or each of its segments. Faces come in the order of the
-/// input's file. A file appears whole or not at all.
-/// \throws Output_error naming file and cause
+/// Writes a result in the format of `output`, or each of its segments. Faces come in the order of
+/// the input's file. A file appears whole or not at all. \throws Output_error naming file and cause
 void write_segmentation(const Output& output, const Result& result);
 
 /// \name Formats that are not only of meshes

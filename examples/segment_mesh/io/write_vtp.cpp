@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// PolyData of VTK as an XML file with appended raw data: each array is its size in bytes, then its values.
-// Source: "VTK XML Formats", https://docs.vtk.org/en/latest/design_documents/VTKFileFormats.html
+// PolyData of VTK as an XML file with appended raw data: each array is its size in bytes, then its
+// values. Source: "VTK XML Formats",
+// https://docs.vtk.org/en/latest/design_documents/VTKFileFormats.html
 
 #include "io/little_endian.h"
 #include "io/write_mesh.h"
@@ -19,10 +20,12 @@ namespace {
 class Vtp_file
 {
 public:
-  Vtp_file(std::size_t number_of_points, std::size_t number_of_lines, std::size_t number_of_polygons)
+  Vtp_file(std::size_t number_of_points, std::size_t number_of_lines,
+           std::size_t number_of_polygons)
   {
     m_xml = "<?xml version=\"1.0\"?>\n"
-            "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n"
+            "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" "
+            "header_type=\"UInt64\">\n"
             "<PolyData>\n<Piece NumberOfPoints=\"" +
             std::to_string(number_of_points) + "\" NumberOfVerts=\"0\" NumberOfLines=\"" +
             std::to_string(number_of_lines) + "\" NumberOfStrips=\"0\" NumberOfPolys=\"" +
@@ -36,9 +39,9 @@ public:
   template <typename Value, typename Append>
   void add(const std::string& name, std::size_t number_of_components, Append append)
   {
-    m_xml += "<DataArray type=\"" + type_name<Value>() + "\" Name=\"" + name + "\" NumberOfComponents=\"" +
-             std::to_string(number_of_components) + "\" format=\"appended\" offset=\"" +
-             std::to_string(m_data.size()) + "\"/>\n";
+    m_xml += "<DataArray type=\"" + type_name<Value>() + "\" Name=\"" + name +
+             "\" NumberOfComponents=\"" + std::to_string(number_of_components) +
+             "\" format=\"appended\" offset=\"" + std::to_string(m_data.size()) + "\"/>\n";
     std::string values;
     append(values);
     append_little_endian(m_data, std::uint64_t(values.size()));
@@ -115,20 +118,23 @@ void write_vtp(std::ostream& out, const Labelled_mesh& mesh)
   });
   file.close("CellData");
   file.add_points(mesh.soup.points);
-  file.add_cells("Polys", mesh.soup.polygons,
-                 [](const Polygon_soup::Polygon& polygon) -> const Polygon_soup::Polygon& { return polygon; });
+  file.add_cells(
+    "Polys", mesh.soup.polygons,
+    [](const Polygon_soup::Polygon& polygon) -> const Polygon_soup::Polygon& { return polygon; });
   file.write(out);
 }
 
-void write_borders_vtp(std::ostream& out, const std::vector<Point>& points, const std::vector<Border>& borders)
+void write_borders_vtp(std::ostream& out, const std::vector<Point>& points,
+                       const std::vector<Border>& borders)
 {
   Vtp_file file(points.size(), borders.size(), 0);
   file.open("CellData Scalars=\"left_segment\"");
   for (std::size_t side : {0, 1})
-    file.add<std::int32_t>(side == 0 ? "left_segment" : "right_segment", 1, [&](std::string& values) {
-      for (const Border& border : borders)
-        append_little_endian(values, std::int32_t(border.segments[side]));
-    });
+    file.add<std::int32_t>(side == 0 ? "left_segment" : "right_segment", 1,
+                           [&](std::string& values) {
+                             for (const Border& border : borders)
+                               append_little_endian(values, std::int32_t(border.segments[side]));
+                           });
   file.close("CellData");
   file.add_points(points);
   file.add_cells("Lines", borders, points_of_border);

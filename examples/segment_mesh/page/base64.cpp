@@ -10,7 +10,8 @@ namespace segment_mesh {
 std::string base64(const std::string& bytes)
 {
   namespace iterators = boost::archive::iterators;
-  using Encoder = iterators::base64_from_binary<iterators::transform_width<std::string::const_iterator, 6, 8>>;
+  using Encoder = iterators::base64_from_binary<
+    iterators::transform_width<std::string::const_iterator, 6, 8>>;
   const std::size_t padding = (3 - bytes.size() % 3) % 3;
   std::string padded = bytes;
   padded.append(padding, '\0'); // transform_width would read beyond the end

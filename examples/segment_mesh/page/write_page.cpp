@@ -27,18 +27,20 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// The slider goes to this number of segments at least, and to twice the number of the segmentation.
+/// The slider goes to this number of segments at least, and to twice the number of the
+/// segmentation.
 constexpr std::size_t least_range = 20;
 
 /// The shapes of segments are described for partitions up to the segmentation and to `least_range`;
-/// of a segmentation into more segments than this up to `least_range` alone: each takes up to 0.1 s,
-/// and the mesh is read again for each few of them.
+/// of a segmentation into more segments than this up to `least_range` alone: each takes up to 0.1
+/// s, and the mesh is read again for each few of them.
 constexpr std::size_t most_described = 200;
 
 /// Colors of segments, repeated if there are more.
 constexpr std::size_t number_of_colors = 256;
 
-/// Arrays of numbers of four bytes, little endian, one after the other, and their names, types and lengths.
+/// Arrays of numbers of four bytes, little endian, one after the other, and their names, types and
+/// lengths.
 class Array_file
 {
 public:
@@ -82,7 +84,9 @@ private:
 class Difference_writer
 {
 public:
-  explicit Difference_writer(Array_file& file) : m_file(file) {}
+  explicit Difference_writer(Array_file& file)
+    : m_file(file)
+  {}
 
   void append(std::size_t value)
   {
@@ -165,8 +169,8 @@ ordered_json colors_json()
 ordered_json content_json(const Page_content& content, const Array_file& file)
 {
   const Segmentation& segmentation = content.segmentation;
-  const std::size_t greatest =
-    (std::min)(segmentation.number_of_regions, (std::max)(least_range, 2 * segmentation.number_of_segments));
+  const std::size_t greatest = (std::min)(
+    segmentation.number_of_regions, (std::max)(least_range, 2 * segmentation.number_of_segments));
   const Viewpoint viewpoint = choose_viewpoint(content.soup, segmentation.segment_of_face);
   const std::size_t n = segmentation.number_of_segments,
                     described = n > most_described ? least_range : (std::max)(least_range, n);
@@ -203,18 +207,16 @@ void write_page(std::ostream& out, const Page_content& content)
   append_points(content.soup, file);
   append_faces(content, file);
   append_graph(content, file);
-  const std::map<std::string, std::string> parts = {{"STYLE", embedded::page_css},
-                                                    {"THREE", embedded::three_js},
-                                                    {"CONTROLS", embedded::controls_js},
-                                                    {"CONTENT", script_text(content_json(content, file))},
-                                                    {"ARRAYS", base64(file.compressed())},
-                                                    {"MERGE_TREE", embedded::merge_tree_js},
-                                                    {"MESH_VIEW", embedded::mesh_view_js},
-                                                    {"PAGE", embedded::page_js}};
+  const std::map<std::string, std::string> parts = {
+    {"STYLE", embedded::page_css},         {"THREE", embedded::three_js},
+    {"CONTROLS", embedded::controls_js},   {"CONTENT", script_text(content_json(content, file))},
+    {"ARRAYS", base64(file.compressed())}, {"MERGE_TREE", embedded::merge_tree_js},
+    {"MESH_VIEW", embedded::mesh_view_js}, {"PAGE", embedded::page_js}};
   // A part takes the place of {{NAME}}.
   const std::string page = embedded::page_html;
   std::size_t at = 0;
-  for (std::size_t start = page.find("{{"); start != std::string::npos; start = page.find("{{", at)) {
+  for (std::size_t start = page.find("{{"); start != std::string::npos;
+       start = page.find("{{", at)) {
     const std::size_t end = page.find("}}", start);
     out << page.substr(at, start - at) << parts.at(page.substr(start + 2, end - start - 2));
     at = end + 2;

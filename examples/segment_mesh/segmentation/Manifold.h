@@ -13,8 +13,9 @@
 
 namespace segment_mesh {
 
-/// A soup as an oriented 2-manifold, for what is described by borders and volumes. Faces whose corners are not different are
-/// left out, the others are turned, and torn where more than two meet.
+/// A soup as an oriented 2-manifold, for what is described by borders and volumes. Faces whose
+/// corners are not different are left out, the others are turned, and torn where more than two
+/// meet.
 struct Manifold
 {
   using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;

@@ -37,8 +37,9 @@ class Numbered_tree
 {
 public:
   explicit Numbered_tree(const RS::Merge_tree& tree)
-      : m_number_of_regions(tree.number_of_regions()),
-        m_parents(m_number_of_regions + tree.merges().size(), none), m_heights(m_parents.size())
+    : m_number_of_regions(tree.number_of_regions())
+    , m_parents(m_number_of_regions + tree.merges().size(), none)
+    , m_heights(m_parents.size())
   {
     std::vector<std::size_t> node_of_region(m_number_of_regions);
     for (std::size_t r = 0; r < m_number_of_regions; ++r)
@@ -51,8 +52,9 @@ public:
     }
   }
 
-  /// The nodes of all partitions into at most `number_of_segments`, if there are any, in groups of disjoint ones: of one height
-  /// above those of them that have no child among them. Groups are small, so that several threads have some.
+  /// The nodes of all partitions into at most `number_of_segments`, if there are any, in groups of
+  /// disjoint ones: of one height above those of them that have no child among them. Groups are
+  /// small, so that several threads have some.
   std::vector<std::vector<std::size_t>> disjoint_groups(std::size_t number_of_segments)
   {
     constexpr std::size_t greatest_group = 8;
@@ -63,7 +65,8 @@ public:
     std::map<std::size_t, std::size_t> open_groups; // by height
     std::fill(m_heights.begin(), m_heights.end(), 0);
     for (std::size_t node = 0; node < m_parents.size(); ++node) {
-      // Merge i gives the node R + i and leaves R - i - 1 segments, so its children are segments of R - i.
+      // Merge i gives the node R + i and leaves R - i - 1 segments, so its children are segments of
+      // R - i.
       const std::size_t parent = m_parents[node];
       if (parent != none && 2 * m_number_of_regions - parent > number_of_segments)
         continue;
@@ -109,11 +112,13 @@ struct Segmentation_details::Region_graph
   std::vector<std::size_t> region_of_vertex;
 };
 
-Segmentation_details::Segmentation_details(const Polygon_soup& soup, const Segmentation_settings& settings,
+Segmentation_details::Segmentation_details(const Polygon_soup& soup,
+                                           const Segmentation_settings& settings,
                                            const Segmentation& segmentation)
-    : m_soup(soup), m_settings(settings), m_segmentation(segmentation)
-{
-}
+  : m_soup(soup)
+  , m_settings(settings)
+  , m_segmentation(segmentation)
+{}
 
 Segmentation_details::~Segmentation_details() = default;
 
@@ -126,9 +131,9 @@ const Manifold& Segmentation_details::manifold() const
 
 Segmentation_details::Region_graph Segmentation_details::region_graph() const
 {
-  const RS::Surface surface =
-    RS::make_surface(m_soup.points, m_soup.polygons,
-                     RS::parameters::component_links(m_settings.links == Component_links::FOUND));
+  const RS::Surface surface = RS::make_surface(
+    m_soup.points, m_soup.polygons,
+    RS::parameters::component_links(m_settings.links == Component_links::FOUND));
   const std::vector<std::size_t>& labels = m_segmentation.region_of_face;
   const RS::Partition regions = RS::Partition::from_labels(labels);
   Region_graph result = {RS::build_region_adjacency_graph(surface, regions),
@@ -138,13 +143,15 @@ Segmentation_details::Region_graph Segmentation_details::region_graph() const
   return result;
 }
 
-std::vector<Segment_description> Segmentation_details::describe(const std::vector<std::size_t>& labels) const
+std::vector<Segment_description>
+Segmentation_details::describe(const std::vector<std::size_t>& labels) const
 {
   const Mesh& mesh = manifold().mesh;
   const std::vector<std::size_t> labels_of_mesh = manifold().values_of_mesh_faces(labels);
   std::vector<Segment_description> result;
-  RS::describe_segments(mesh, boost::make_iterator_property_map(labels_of_mesh.begin(), get(boost::face_index, mesh)),
-                        std::back_inserter(result));
+  RS::describe_segments(
+    mesh, boost::make_iterator_property_map(labels_of_mesh.begin(), get(boost::face_index, mesh)),
+    std::back_inserter(result));
   return result;
 }
 
@@ -155,7 +162,8 @@ std::vector<Polyline> Segmentation_details::feature_lines() const
     return {};
   const Mesh& m = manifold().mesh;
   std::vector<char> marks(m.number_of_edges());
-  const auto is_feature = boost::make_iterator_property_map(marks.begin(), get(boost::edge_index, m));
+  const auto is_feature = boost::make_iterator_property_map(marks.begin(),
+                                                            get(boost::edge_index, m));
   std::vector<std::size_t> regions(m.number_of_faces());
   RS::detect_feature_edges(
     m, is_feature,
@@ -197,10 +205,11 @@ std::vector<Section> Segmentation_details::sections() const
   std::vector<Section> result;
   for (auto range = edges(graph); range.first != range.second; ++range.first) {
     const auto section = *range.first;
-    result.push_back({{region_of_vertex[source(section, graph)], region_of_vertex[target(section, graph)]},
-                      graph[section].number_of_adjacencies,
-                      graph[section].length,
-                      graph[section].mean_angle()});
+    result.push_back(
+      {{region_of_vertex[source(section, graph)], region_of_vertex[target(section, graph)]},
+       graph[section].number_of_adjacencies,
+       graph[section].length,
+       graph[section].mean_angle()});
   }
   return result;
 }
@@ -223,9 +232,11 @@ std::vector<Border> Segmentation_details::borders() const
 {
   const Mesh& m = manifold().mesh;
   std::vector<RS::Segment_border<Mesh, std::size_t>> borders;
-  const std::vector<std::size_t> labels = manifold().values_of_mesh_faces(m_segmentation.segment_of_face);
-  RS::extract_segment_borders(m, boost::make_iterator_property_map(labels.begin(), get(boost::face_index, m)),
-                              std::back_inserter(borders));
+  const std::vector<std::size_t> labels = manifold().values_of_mesh_faces(
+    m_segmentation.segment_of_face);
+  RS::extract_segment_borders(
+    m, boost::make_iterator_property_map(labels.begin(), get(boost::face_index, m)),
+    std::back_inserter(borders));
   const std::vector<std::size_t>& points = manifold().point_of_mesh_point;
   std::vector<Border> result;
   for (const auto& border : borders) {
@@ -257,7 +268,8 @@ std::vector<Node_description> Segmentation_details::nodes(std::size_t number_of_
       const std::size_t node = shape.segment;
       result.push_back({node, std::move(shape)});
     }
-  std::sort(result.begin(), result.end(), [](const auto& a, const auto& b) { return a.node < b.node; });
+  std::sort(result.begin(), result.end(),
+            [](const auto& a, const auto& b) { return a.node < b.node; });
   return result;
 }
 

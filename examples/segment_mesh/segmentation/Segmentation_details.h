@@ -30,7 +30,8 @@ struct Region
 {
   std::size_t number_of_faces = 0;
   double area = 0;      ///< in squared units of `Surface::unit()`
-  double perimeter = 0; ///< edges and seams shared with other regions, in units of `Surface::unit()`
+  double perimeter = 0; ///< edges and seams shared with other regions, in units of
+                        ///< `Surface::unit()`
   std::size_t segment = 0;
 };
 
@@ -39,8 +40,8 @@ struct Section
 {
   std::size_t regions[2];
   std::size_t number_of_adjacencies = 0; ///< edges, seams and links
-  double length = 0;     ///< in units of `Surface::unit()`
-  double mean_angle = 0; ///< the dihedral angle, in radians; pi is flat
+  double length = 0;                     ///< in units of `Surface::unit()`
+  double mean_angle = 0;                 ///< the dihedral angle, in radians; pi is flat
 };
 
 /// A polyline between two segments; the first and the last point of a closed one are the same.
@@ -57,19 +58,20 @@ struct Node_description
   Segment_description shape;
 };
 
-/// What outputs contain beside the labels; computed from them when it is asked for. Lines and shapes are those of
-/// `make_manifold()`.
+/// What outputs contain beside the labels; computed from them when it is asked for. Lines and
+/// shapes are those of `make_manifold()`.
 class Segmentation_details
 {
 public:
   /// Refers to all.
-  Segmentation_details(const Polygon_soup& soup, const Segmentation_settings& settings, const Segmentation& segmentation);
+  Segmentation_details(const Polygon_soup& soup, const Segmentation_settings& settings,
+                       const Segmentation& segmentation);
   Segmentation_details(const Segmentation_details&) = delete;
   Segmentation_details& operator=(const Segmentation_details&) = delete;
   ~Segmentation_details();
 
-  /// The feature edges as lines from junction to junction, with borders of the mesh and without those that end inside the
-  /// surface; none of a method without feature edges.
+  /// The feature edges as lines from junction to junction, with borders of the mesh and without
+  /// those that end inside the surface; none of a method without feature edges.
   std::vector<Polyline> feature_lines() const;
   std::vector<Region> regions() const;
   std::vector<Section> sections() const;

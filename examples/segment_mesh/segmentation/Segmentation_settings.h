@@ -10,8 +10,8 @@
 
 namespace segment_mesh {
 
-/// What the segmentation runs on: any polygons, or a mesh type, for oriented 2-manifolds alone. All have double coordinates;
-/// the labels are the same.
+/// What the segmentation runs on: any polygons, or a mesh type, for oriented 2-manifolds alone. All
+/// have double coordinates; the labels are the same.
 enum class Mesh_type { POLYGON_SOUP, SURFACE_MESH, POLYHEDRON, OPENMESH };
 
 /// Whether the program was built with what a mesh type needs.
@@ -28,9 +28,11 @@ enum class Component_links { NONE, FOUND };
 struct Segmentation_settings
 {
   Method method = Method::LEARNED;
-  std::optional<std::size_t> number_of_segments; ///< if empty, the method chooses: `TWO_STEP` cannot
+  std::optional<std::size_t> number_of_segments; ///< if empty, the method chooses: `TWO_STEP`
+                                                 ///< cannot
   /// Which edges can be features, of a method that has them.
-  CGAL::Region_segmentation::Feature_convexity features = CGAL::Region_segmentation::Feature_convexity::CONCAVE;
+  CGAL::Region_segmentation::Feature_convexity
+    features = CGAL::Region_segmentation::Feature_convexity::CONCAVE;
   std::optional<double> maximum_angle; ///< in degrees; the method's own if empty
   Border_treatment borders = Border_treatment::NONE;
   Mesh_type mesh_type = Mesh_type::POLYGON_SOUP;

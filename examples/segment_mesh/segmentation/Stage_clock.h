@@ -15,7 +15,9 @@ namespace segment_mesh {
 class Stage_clock
 {
 public:
-  explicit Stage_clock(const Progress_listener& listener) : m_listener(listener) {}
+  explicit Stage_clock(const Progress_listener& listener)
+    : m_listener(listener)
+  {}
 
   bool go_further(const char* stage, double fraction)
   {

@@ -43,7 +43,9 @@ Manifold of_manifold(const Polygon_soup& soup, const Corner_links& links)
 class Repair
 {
 public:
-  explicit Repair(const Polygon_soup& soup) : m_soup(soup) {}
+  explicit Repair(const Polygon_soup& soup)
+    : m_soup(soup)
+  {}
 
   Manifold run()
   {
@@ -85,7 +87,8 @@ private:
   }
 
   const Polygon_soup& m_soup;
-  std::map<Point, Vertex_pair> m_first; // by coordinates: the merged point, and the first one of the soup
+  std::map<Point, Vertex_pair> m_first; // by coordinates: the merged point, and the first one of
+                                        // the soup
   std::vector<Point_3> m_points;
   std::vector<std::vector<std::size_t>> m_polygons;
   Manifold m_result;
@@ -96,7 +99,9 @@ private:
 Manifold make_manifold(const Polygon_soup& soup)
 {
   const std::optional<Corner_links> links = link_corners(soup);
-  return links && are_different({soup.points.begin(), soup.points.end()}) ? of_manifold(soup, *links) : Repair(soup).run();
+  return links && are_different({soup.points.begin(), soup.points.end()})
+           ? of_manifold(soup, *links)
+           : Repair(soup).run();
 }
 
 } // namespace segment_mesh

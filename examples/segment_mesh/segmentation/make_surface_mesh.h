@@ -23,7 +23,10 @@ class Mesh_connector
 
 public:
   Mesh_connector(const Polygons& polygons, const Corner_links& links, Mesh& mesh)
-      : m_corners(polygons.corners()), m_links(links), m_mesh(mesh), m_halfedge_from(links.size())
+    : m_corners(polygons.corners())
+    , m_links(links)
+    , m_mesh(mesh)
+    , m_halfedge_from(links.size())
   {
     Index first = 0;
     for (const Face face : m_mesh.faces()) {
@@ -36,14 +39,15 @@ public:
   }
 
 private:
-  /// Gives the corners of a face the halfedges that leave them. Across the edge to a corner is the halfedge that leaves the
-  /// linked corner, which is known if it is of an earlier face.
+  /// Gives the corners of a face the halfedges that leave them. Across the edge to a corner is the
+  /// halfedge that leaves the linked corner, which is known if it is of an earlier face.
   void add_halfedges(Index first, Index end)
   {
     Index previous = end - 1;
     for (Index corner = first; corner < end; previous = corner++) {
       const Index link = m_links[corner];
-      const Halfedge h = link < first ? m_mesh.opposite(m_halfedge_from[link]) : Halfedge(2 * m_number_of_edges++);
+      const Halfedge h = link < first ? m_mesh.opposite(m_halfedge_from[link])
+                                      : Halfedge(2 * m_number_of_edges++);
       m_halfedge_from[previous] = h;
       if (link == no_corner) {
         m_mesh.set_target(m_mesh.opposite(h), Vertex(m_corners[previous]));
@@ -66,7 +70,8 @@ private:
     }
   }
 
-  /// Of the halfedges without a face there is at most one to each vertex, and it is the one that the vertex keeps.
+  /// Of the halfedges without a face there is at most one to each vertex, and it is the one that
+  /// the vertex keeps.
   void close_borders()
   {
     for (const Halfedge h : m_border)
@@ -85,13 +90,14 @@ private:
 
 /// The mesh of a soup, whose faces and vertices have the indices that they have there.
 ///
-/// \cgal's `polygon_soup_to_polygon_mesh()`, which keeps the mesh valid after every face, takes 2.1 to 2.7 times as long
-/// (1 and 10 million triangles), longer than segmenting by two-step.
-/// \pre `links` are those of the soup
+/// \cgal's `polygon_soup_to_polygon_mesh()`, which keeps the mesh valid after every face, takes 2.1
+/// to 2.7 times as long (1 and 10 million triangles), longer than segmenting by two-step. \pre
+/// `links` are those of the soup
 template <typename Mesh>
 Mesh make_surface_mesh(const Polygon_soup& soup, const Corner_links& links)
 {
-  const std::size_t number_of_border_edges = std::size_t(std::count(links.begin(), links.end(), no_corner));
+  const std::size_t number_of_border_edges = std::size_t(
+    std::count(links.begin(), links.end(), no_corner));
   using Index = typename Mesh::size_type;
   Mesh mesh;
   mesh.resize(Index(soup.points.size()), Index((links.size() + number_of_border_edges) / 2),

@@ -27,26 +27,31 @@ namespace RS = CGAL::Region_segmentation;
 template <typename Chooser, typename = void>
 constexpr bool has_largest_number = false;
 template <typename Chooser>
-constexpr bool has_largest_number<
-  Chooser, std::void_t<decltype(std::declval<const Chooser&>().largest_number(std::declval<const RS::Merge_tree&>()))>> = true;
+constexpr bool
+  has_largest_number<Chooser, std::void_t<decltype(std::declval<const Chooser&>().largest_number(
+                                std::declval<const RS::Merge_tree&>()))>> = true;
 
-/// The number that was chosen, if the chooser would not choose a larger one, but the tree has more regions than it, and
-/// fewer components.
+/// The number that was chosen, if the chooser would not choose a larger one, but the tree has more
+/// regions than it, and fewer components.
 template <typename Chooser>
-std::optional<std::size_t> largest_number(const Chooser& chooser, std::size_t number, const RS::Merge_tree& tree)
+std::optional<std::size_t> largest_number(const Chooser& chooser, std::size_t number,
+                                          const RS::Merge_tree& tree)
 {
   if constexpr (has_largest_number<Chooser>) {
     const std::size_t number_of_components = tree.number_of_regions() - tree.merges().size();
-    if (number == chooser.largest_number(tree) && number_of_components < number && number < tree.number_of_regions())
+    if (number == chooser.largest_number(tree) && number_of_components < number &&
+        number < tree.number_of_regions())
       return number;
   }
   return std::nullopt;
 }
 
-/// Fills `result`. `segment(np, result)`: calls the library with more named parameters: its input and its maps
+/// Fills `result`. `segment(np, result)`: calls the library with more named parameters: its input
+/// and its maps
 template <typename SegmentationMethod, typename Segment>
-void segment_by(const SegmentationMethod& method, const Segment& segment, const Segmentation_settings& settings,
-                const Progress_listener& listener, Segmentation& result)
+void segment_by(const SegmentationMethod& method, const Segment& segment,
+                const Segmentation_settings& settings, const Progress_listener& listener,
+                Segmentation& result)
 {
   Stage_clock clock(listener);
   const auto segment_with = [&](const auto& np) {
@@ -57,7 +62,8 @@ void segment_by(const SegmentationMethod& method, const Segment& segment, const 
                    result);
   };
   if (settings.number_of_segments)
-    result.number_of_segments = segment_with(RS::parameters::number_of_segments(*settings.number_of_segments));
+    result.number_of_segments = segment_with(
+      RS::parameters::number_of_segments(*settings.number_of_segments));
   else if constexpr (!std::is_same<SegmentationMethod, RS::Two_step>::value) {
     result.number_of_segments = segment_with(RS::parameters::default_values());
     result.largest_number = largest_number(method.chooser, result.number_of_segments, result.tree);
@@ -73,15 +79,16 @@ void segment_by(const SegmentationMethod& method, const Segment& segment, const 
 }
 
 template <typename Segment>
-Segmentation run_method(std::size_t number_of_faces, const Segment& segment, const Segmentation_settings& settings,
-                        const Progress_listener& listener)
+Segmentation run_method(std::size_t number_of_faces, const Segment& segment,
+                        const Segmentation_settings& settings, const Progress_listener& listener)
 {
   Segmentation result;
   result.segment_of_face.resize(number_of_faces);
   result.region_of_face.resize(number_of_faces);
   switch (settings.method) {
   case Method::TWO_STEP: {
-    result.features = {settings.maximum_angle.value_or(RS::default_maximum_angle), settings.features};
+    result.features = {settings.maximum_angle.value_or(RS::default_maximum_angle),
+                       settings.features};
     RS::Two_step method;
     method.growing.maximum_angle = result.features->maximum_angle;
     method.growing.feature_convexity = result.features->convexity;

@@ -59,8 +59,8 @@ struct Face_seed_map
 
 /// \pre the indices of faces and vertices are those of the soup that the mesh was made of
 template <typename Mesh>
-Segmentation run_on_mesh(const Mesh& mesh, const Marks& marks, const Segmentation_settings& settings,
-                         const Progress_listener& listener)
+Segmentation run_on_mesh(const Mesh& mesh, const Marks& marks,
+                         const Segmentation_settings& settings, const Progress_listener& listener)
 {
   const auto face_map = [&](std::vector<std::size_t>& labels) {
     return boost::make_iterator_property_map(labels.begin(), get(boost::face_index, mesh));

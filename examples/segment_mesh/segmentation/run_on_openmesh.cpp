@@ -39,7 +39,8 @@ Mesh make_mesh(const Polygon_soup& soup)
 
 } // namespace
 
-Segmentation run_on_openmesh(const Polygon_soup& soup, const Marks& marks, const Segmentation_settings& settings,
+Segmentation run_on_openmesh(const Polygon_soup& soup, const Marks& marks,
+                             const Segmentation_settings& settings,
                              const Progress_listener& listener)
 {
   return run_on_mesh(make_mesh(soup), marks, settings, listener);

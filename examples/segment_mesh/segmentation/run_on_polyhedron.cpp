@@ -12,7 +12,8 @@
 
 namespace segment_mesh {
 
-Segmentation run_on_polyhedron(const Polygon_soup& soup, const Marks& marks, const Segmentation_settings& settings,
+Segmentation run_on_polyhedron(const Polygon_soup& soup, const Marks& marks,
+                               const Segmentation_settings& settings,
                                const Progress_listener& listener)
 {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;

@@ -19,21 +19,25 @@ struct Seeds_of_faces
   using reference = std::size_t;
   using category = boost::readable_property_map_tag;
 
-  friend std::size_t get(const Seeds_of_faces& map, std::size_t f) { return map.seeds->empty() ? no_seed : (*map.seeds)[f]; }
+  friend std::size_t get(const Seeds_of_faces& map, std::size_t f)
+  {
+    return map.seeds->empty() ? no_seed : (*map.seeds)[f];
+  }
 
   const std::vector<std::size_t>* seeds;
 };
 
 } // namespace
 
-Segmentation run_on_soup(const Polygon_soup& soup, const Marks& marks, const Segmentation_settings& settings,
-                         const Progress_listener& listener)
+Segmentation run_on_soup(const Polygon_soup& soup, const Marks& marks,
+                         const Segmentation_settings& settings, const Progress_listener& listener)
 {
   const auto segment = [&](const auto& np, Segmentation& result) {
     return RS::segment<CGAL::Parallel_tag>(
       soup.points, soup.polygons, result.segment_of_face,
-      np.region_map(boost::make_iterator_property_map(result.region_of_face.begin(),
-                                                      boost::typed_identity_property_map<std::size_t>()))
+      np
+        .region_map(boost::make_iterator_property_map(
+          result.region_of_face.begin(), boost::typed_identity_property_map<std::size_t>()))
         .edge_is_constrained_map(marks.constrained_edges)
         .face_seed_map(Seeds_of_faces{&marks.seed_of_face}));
   };

@@ -10,7 +10,8 @@
 
 namespace segment_mesh {
 
-Segmentation run_on_surface_mesh(const Polygon_soup& soup, const Marks& marks, const Segmentation_settings& settings,
+Segmentation run_on_surface_mesh(const Polygon_soup& soup, const Marks& marks,
+                                 const Segmentation_settings& settings,
                                  const Progress_listener& listener)
 {
   using Mesh = CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>;

@@ -10,8 +10,8 @@ namespace segment_mesh {
 
 namespace {
 
-Segmentation run_on(Mesh_type type, const Polygon_soup& soup, const Marks& marks, const Segmentation_settings& settings,
-                    const Progress_listener& listener)
+Segmentation run_on(Mesh_type type, const Polygon_soup& soup, const Marks& marks,
+                    const Segmentation_settings& settings, const Progress_listener& listener)
 {
   switch (type) {
   case Mesh_type::POLYGON_SOUP:
@@ -28,7 +28,8 @@ Segmentation run_on(Mesh_type type, const Polygon_soup& soup, const Marks& marks
 
 } // namespace
 
-Segmentation run_segmentation(const Polygon_soup& soup, const Marks& marks, const Segmentation_settings& settings,
+Segmentation run_segmentation(const Polygon_soup& soup, const Marks& marks,
+                              const Segmentation_settings& settings,
                               const Progress_listener& listener)
 {
   Segmentation result = run_on(settings.mesh_type, soup, marks, settings, listener);

@@ -29,8 +29,8 @@ struct Stage_time
 struct Feature_settings
 {
   double maximum_angle = 0; ///< in degrees
-  CGAL::Region_segmentation::Feature_convexity convexity =
-    CGAL::Region_segmentation::Feature_convexity::CONCAVE;
+  CGAL::Region_segmentation::Feature_convexity
+    convexity = CGAL::Region_segmentation::Feature_convexity::CONCAVE;
 };
 
 /// Faces have the indices that they have in the soup.
@@ -43,8 +43,8 @@ struct Segmentation
   std::optional<Feature_settings> features; ///< of a method that has feature edges
   std::vector<std::size_t> segment_of_face;
   std::vector<std::size_t> region_of_face; ///< a region lies in one segment
-  /// Of the regions. Its partition into `number_of_segments` is `segment_of_face`; it has no merges where the
-  /// segments are the regions.
+  /// Of the regions. Its partition into `number_of_segments` is `segment_of_face`; it has no merges
+  /// where the segments are the regions.
   CGAL::Region_segmentation::Merge_tree tree{0};
   double seconds = 0; ///< from the mesh in memory to the labels
   std::vector<Stage_time> stages;
@@ -56,13 +56,16 @@ using Progress_listener = std::function<bool(const char* stage, double fraction)
 /// A mesh that a mesh type cannot hold.
 struct Not_a_manifold : std::runtime_error
 {
-  Not_a_manifold() : std::runtime_error("is not an oriented 2-manifold: omit --mesh") {}
+  Not_a_manifold()
+    : std::runtime_error("is not an oriented 2-manifold: omit --mesh")
+  {}
 };
 
 /// Segments a soup.
 /// \pre `is_available(settings.mesh_type)`, and a number of segments is given or can be chosen
 /// \throws Not_a_manifold if a mesh type is chosen that does not hold the soup
-Segmentation run_segmentation(const Polygon_soup& soup, const Marks& marks, const Segmentation_settings& settings,
+Segmentation run_segmentation(const Polygon_soup& soup, const Marks& marks,
+                              const Segmentation_settings& settings,
                               const Progress_listener& listener);
 
 /// A segmentation that exists: a segment for each label, in their order, and no other regions.
@@ -70,13 +73,16 @@ Segmentation segmentation_from_labels(const std::vector<std::int64_t>& labels);
 
 /// \name The same on one type
 /// @{
-Segmentation run_on_soup(const Polygon_soup& soup, const Marks& marks, const Segmentation_settings& settings,
-                         const Progress_listener& listener);
-Segmentation run_on_surface_mesh(const Polygon_soup& soup, const Marks& marks, const Segmentation_settings& settings,
+Segmentation run_on_soup(const Polygon_soup& soup, const Marks& marks,
+                         const Segmentation_settings& settings, const Progress_listener& listener);
+Segmentation run_on_surface_mesh(const Polygon_soup& soup, const Marks& marks,
+                                 const Segmentation_settings& settings,
                                  const Progress_listener& listener);
-Segmentation run_on_polyhedron(const Polygon_soup& soup, const Marks& marks, const Segmentation_settings& settings,
+Segmentation run_on_polyhedron(const Polygon_soup& soup, const Marks& marks,
+                               const Segmentation_settings& settings,
                                const Progress_listener& listener);
-Segmentation run_on_openmesh(const Polygon_soup& soup, const Marks& marks, const Segmentation_settings& settings,
+Segmentation run_on_openmesh(const Polygon_soup& soup, const Marks& marks,
+                             const Segmentation_settings& settings,
                              const Progress_listener& listener);
 /// @}
 

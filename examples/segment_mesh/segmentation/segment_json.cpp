@@ -23,7 +23,9 @@ ordered_json vector_json(const Triple& v)
 
 ordered_json primitive_json(const Fitted_primitive& primitive)
 {
-  ordered_json json = {{"type", name_of(primitive.type)}, {"error", primitive.error}, {"point", vector_json(primitive.point)}};
+  ordered_json json = {{"type", name_of(primitive.type)},
+                       {"error", primitive.error},
+                       {"point", vector_json(primitive.point)}};
   if (primitive.type != RS::Primitive_type::SPHERE)
     json["direction"] = vector_json(primitive.direction);
   if (has_radius(primitive))
@@ -52,7 +54,8 @@ const char* name_of(RS::Primitive_type type)
 
 bool has_radius(const Fitted_primitive& primitive)
 {
-  return primitive.type == RS::Primitive_type::SPHERE || primitive.type == RS::Primitive_type::CYLINDER;
+  return primitive.type == RS::Primitive_type::SPHERE ||
+         primitive.type == RS::Primitive_type::CYLINDER;
 }
 
 ordered_json segment_json(const Segment_description& segment)
@@ -72,9 +75,10 @@ ordered_json segment_json(const Segment_description& segment)
     json["axes"].push_back(vector_json(axis));
   for (const auto& neighbor : segment.neighbors)
     if (RS::is_segment(neighbor.segment))
-      json["neighbors"].push_back({{"segment", neighbor.segment},
-                                   {"border_length", neighbor.border_length},
-                                   {"mean_signed_deviation", neighbor.mean_signed_deviation * 180 / CGAL_PI}});
+      json["neighbors"].push_back(
+        {{"segment", neighbor.segment},
+         {"border_length", neighbor.border_length},
+         {"mean_signed_deviation", neighbor.mean_signed_deviation * 180 / CGAL_PI}});
   return json;
 }
 

@@ -36,7 +36,9 @@ std::vector<char> constrained_edges(const Mesh& mesh, const Polygon_soup& soup, 
   for (const Vertex_pair& edge : marks.constrained_edges)
     edges.insert(sorted({soup.points[edge[0]], soup.points[edge[1]]}));
   std::vector<char> result(mesh.number_of_edges());
-  const auto point = [&](auto v) { return Point{mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z()}; };
+  const auto point = [&](auto v) {
+    return Point{mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z()};
+  };
   for (const auto e : mesh.edges())
     result[e] = edges.count(sorted({point(mesh.vertex(e, 0)), point(mesh.vertex(e, 1))})) > 0;
   return result;
@@ -48,7 +50,8 @@ struct Labels
   std::vector<std::size_t> segment_of_face, region_of_face;
 };
 
-void nest_regions(const Mesh& mesh, const std::vector<std::size_t>& segment_of_region, Labels& labels)
+void nest_regions(const Mesh& mesh, const std::vector<std::size_t>& segment_of_region,
+                  Labels& labels)
 {
   const auto has_moved = [&](std::size_t f) {
     return segment_of_region[labels.region_of_face[f]] != labels.segment_of_face[f];
@@ -60,7 +63,8 @@ void nest_regions(const Mesh& mesh, const std::vector<std::size_t>& segment_of_r
   for (; !front.empty(); front.pop()) {
     const auto f = front.front();
     for (const auto g : CGAL::faces_around_face(mesh.halfedge(f), mesh))
-      if (g != Mesh::null_face() && has_moved(g) && labels.segment_of_face[g] == labels.segment_of_face[f]) {
+      if (g != Mesh::null_face() && has_moved(g) &&
+          labels.segment_of_face[g] == labels.segment_of_face[f]) {
         labels.region_of_face[g] = labels.region_of_face[f];
         front.push(g);
       }
@@ -69,7 +73,8 @@ void nest_regions(const Mesh& mesh, const std::vector<std::size_t>& segment_of_r
 
 } // namespace
 
-void smooth_borders(const Polygon_soup& soup, const Marks& marks, const Progress_listener& listener, Segmentation& segmentation)
+void smooth_borders(const Polygon_soup& soup, const Marks& marks, const Progress_listener& listener,
+                    Segmentation& segmentation)
 {
   const Manifold manifold = make_manifold(soup);
   const std::vector<char> is_constrained = constrained_edges(manifold.mesh, soup, marks);
@@ -81,10 +86,12 @@ void smooth_borders(const Polygon_soup& soup, const Marks& marks, const Progress
 
   Stage_clock clock(listener);
   RS::smooth_borders<CGAL::Parallel_tag>(
-    manifold.mesh, boost::make_iterator_property_map(labels.segment_of_face.begin(), get(boost::face_index, manifold.mesh)),
+    manifold.mesh,
+    boost::make_iterator_property_map(labels.segment_of_face.begin(),
+                                      get(boost::face_index, manifold.mesh)),
     RS::parameters::visitor(std::ref(clock))
-      .edge_is_constrained_map(
-        boost::make_iterator_property_map(is_constrained.begin(), get(boost::edge_index, manifold.mesh))));
+      .edge_is_constrained_map(boost::make_iterator_property_map(
+        is_constrained.begin(), get(boost::edge_index, manifold.mesh))));
   segmentation.seconds += clock.seconds();
   for (Stage_time& time : clock.stages())
     segmentation.stages.push_back(std::move(time));

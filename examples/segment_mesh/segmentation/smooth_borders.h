@@ -7,9 +7,11 @@
 
 namespace segment_mesh {
 
-/// Moves the borders between the segments by minimum cuts, on `make_manifold()` of the soup. A face that changed its segment gets
-/// the region of the nearest face, across edges, that stayed in that segment, so that again every region lies in one segment.
-void smooth_borders(const Polygon_soup& soup, const Marks& marks, const Progress_listener& listener, Segmentation& segmentation);
+/// Moves the borders between the segments by minimum cuts, on `make_manifold()` of the soup. A face
+/// that changed its segment gets the region of the nearest face, across edges, that stayed in that
+/// segment, so that again every region lies in one segment.
+void smooth_borders(const Polygon_soup& soup, const Marks& marks, const Progress_listener& listener,
+                    Segmentation& segmentation);
 
 } // namespace segment_mesh
 

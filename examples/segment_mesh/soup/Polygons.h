@@ -14,8 +14,8 @@
 
 namespace segment_mesh {
 
-/// Cycles of indices of points, all corners one after another: vectors in a vector take 3.5 times the memory for triangles, and
-/// 10 million of them take as long to read as to segment by two-step.
+/// Cycles of indices of points, all corners one after another: vectors in a vector take 3.5 times
+/// the memory for triangles, and 10 million of them take as long to read as to segment by two-step.
 class Polygons
 {
 public:
@@ -30,7 +30,10 @@ public:
     using iterator = const Index*;
     using const_iterator = const Index*;
 
-    Polygon(const Index* begin, const Index* end) : m_begin(begin), m_end(end) {}
+    Polygon(const Index* begin, const Index* end)
+      : m_begin(begin)
+      , m_end(end)
+    {}
 
     const Index* begin() const { return m_begin; }
     const Index* end() const { return m_end; }
@@ -58,13 +61,22 @@ public:
     using pointer = const Polygon*;
     using reference = Polygon;
 
-    const_iterator(const Polygons& polygons, std::size_t f) : m_polygons(&polygons), m_f(f) {}
+    const_iterator(const Polygons& polygons, std::size_t f)
+      : m_polygons(&polygons)
+      , m_f(f)
+    {}
 
     Polygon operator*() const { return (*m_polygons)[m_f]; }
     const_iterator& operator++() { return ++m_f, *this; }
     const_iterator operator++(int) { return {*m_polygons, m_f++}; }
-    friend bool operator==(const const_iterator& a, const const_iterator& b) { return a.m_f == b.m_f; }
-    friend bool operator!=(const const_iterator& a, const const_iterator& b) { return a.m_f != b.m_f; }
+    friend bool operator==(const const_iterator& a, const const_iterator& b)
+    {
+      return a.m_f == b.m_f;
+    }
+    friend bool operator!=(const const_iterator& a, const const_iterator& b)
+    {
+      return a.m_f != b.m_f;
+    }
 
   private:
     const Polygons* m_polygons;
@@ -119,7 +131,8 @@ public:
   /// Gives a polygon other points, as many as it has.
   void replace(std::size_t f, std::initializer_list<std::size_t> points)
   {
-    std::copy(points.begin(), points.end(), m_corners.begin() + ((*this)[f].begin() - m_corners.data()));
+    std::copy(points.begin(), points.end(),
+              m_corners.begin() + ((*this)[f].begin() - m_corners.data()));
   }
 
   /// Replaces each index `i` of a point by `new_index(i)`.

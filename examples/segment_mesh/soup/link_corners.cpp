@@ -63,16 +63,16 @@ std::optional<Corners_of_points> collect_corners(const Polygon_soup& soup)
   return result;
 }
 
-/// Links the corners at a point, a few, if they are one closed fan, whose edges are all different: each leads to one, and
-/// all of them are passed before the first one is met again.
+/// Links the corners at a point, a few, if they are one closed fan, whose edges are all different:
+/// each leads to one, and all of them are passed before the first one is met again.
 bool link_closed_fan(const Corner* begin, const Corner* end, Corner_links& links)
 {
   const Corner* corner = begin;
   std::ptrdiff_t size = 0;
   do {
     const Index wanted = corner->previous;
-    const Corner* const across =
-      std::find_if(begin, end, [wanted](const Corner& other) { return other.next == wanted; });
+    const Corner* const across = std::find_if(
+      begin, end, [wanted](const Corner& other) { return other.next == wanted; });
     if (across == end)
       return false;
     links[corner->id] = across->id;
@@ -82,8 +82,9 @@ bool link_closed_fan(const Corner* begin, const Corner* end, Corner_links& links
   return corner == begin && size == end - begin;
 }
 
-/// Links the corners at a point if they are one fan, whose edges are all different. Across the edge to its
-/// previous point a face has the one for which that is the next point. `is_led_to` is a buffer.
+/// Links the corners at a point if they are one fan, whose edges are all different. Across the edge
+/// to its previous point a face has the one for which that is the next point. `is_led_to` is a
+/// buffer.
 bool link_fan(Corner* begin, Corner* end, Corner_links& links, std::vector<char>& is_led_to)
 {
   constexpr std::ptrdiff_t few = 16; // most fans are closed and small, and then no order is needed

@@ -11,18 +11,19 @@
 
 namespace segment_mesh {
 
-/// For each of `Polygons::corners()` the next one around its point, that of the face across the edge to the previous
-/// point of the face; `no_corner` where that edge is a border.
+/// For each of `Polygons::corners()` the next one around its point, that of the face across the
+/// edge to the previous point of the face; `no_corner` where that edge is a border.
 using Corner_links = std::vector<Polygons::Index>;
 
 constexpr Polygons::Index no_corner = (std::numeric_limits<Polygons::Index>::max)();
 
-/// The links, if the faces form an oriented 2-manifold: faces have at least three corners, none twice; no
-/// two faces have an edge in the same direction; the faces at a point form one fan or one disc.
+/// The links, if the faces form an oriented 2-manifold: faces have at least three corners, none
+/// twice; no two faces have an edge in the same direction; the faces at a point form one fan or one
+/// disc.
 ///
-/// There are some where \cgal's `is_polygon_soup_a_polygon_mesh()` says yes; that takes longer than the reading of
-/// a file: it sorts all edges in a tree. O(C log d), where C is the number of corners and d the
-/// largest number of faces at a point.
+/// There are some where \cgal's `is_polygon_soup_a_polygon_mesh()` says yes; that takes longer than
+/// the reading of a file: it sorts all edges in a tree. O(C log d), where C is the number of
+/// corners and d the largest number of faces at a point.
 std::optional<Corner_links> link_corners(const Polygon_soup& soup);
 
 inline bool is_oriented_manifold(const Polygon_soup& soup)

@@ -18,8 +18,8 @@ void merge_equal_points(Polygon_soup& soup)
 
   std::vector<std::size_t> first(points.size()); // the first point at the place of each
   for (std::size_t k = 0; k < order.size(); ++k)
-    first[order[k]] =
-      k > 0 && points[order[k]] == points[order[k - 1]] ? first[order[k - 1]] : order[k];
+    first[order[k]] = k > 0 && points[order[k]] == points[order[k - 1]] ? first[order[k - 1]]
+                                                                        : order[k];
 
   std::vector<std::size_t>& new_index = order;
   std::size_t size = 0;

@@ -7,8 +7,8 @@
 
 namespace segment_mesh {
 
-/// Of points with the same coordinates keeps the first; those that are kept stay in order. O(n log n), by sorting.
-/// \pre coordinates are finite
+/// Of points with the same coordinates keeps the first; those that are kept stay in order. O(n log
+/// n), by sorting. \pre coordinates are finite
 void merge_equal_points(Polygon_soup& soup);
 
 } // namespace segment_mesh

@@ -15,8 +15,8 @@ Point area_vector(const std::vector<Point>& corners)
 {
   Point sum = {0, 0, 0};
   for (std::size_t i = 1; i + 1 < corners.size(); ++i)
-    sum =
-      plus(sum, cross_product(minus(corners[i], corners[0]), minus(corners[i + 1], corners[0])));
+    sum = plus(sum,
+               cross_product(minus(corners[i], corners[0]), minus(corners[i + 1], corners[0])));
   return sum;
 }
 
@@ -24,13 +24,15 @@ class Ear_clipping
 {
 public:
   Ear_clipping(std::vector<Point> corners, Point normal)
-      : m_corners(std::move(corners)), m_normal(normal)
+    : m_corners(std::move(corners))
+    , m_normal(normal)
   {
     for (std::size_t i = 0; i < m_corners.size(); ++i)
       m_rest.push_back(i);
   }
 
-  /// Removes an ear: its corners. The tip of the last triangle is tried last, so that ears do not gather at one corner.
+  /// Removes an ear: its corners. The tip of the last triangle is tried last, so that ears do not
+  /// gather at one corner.
   std::array<std::size_t, 3> clip()
   {
     constexpr std::size_t many = 1000;

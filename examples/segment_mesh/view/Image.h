@@ -18,9 +18,10 @@ struct Image
 
   Image() = default;
   Image(std::size_t width, std::size_t height, const Color& color)
-      : width(width), height(height), pixels(width * height, color)
-  {
-  }
+    : width(width)
+    , height(height)
+    , pixels(width * height, color)
+  {}
 
   const Color& at(std::size_t column, std::size_t row) const
   {

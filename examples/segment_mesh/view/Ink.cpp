@@ -81,8 +81,7 @@ void Ink::draw_line(const Screen_point& from, const Screen_point& to,
 }
 
 void Ink::draw_edges(const Scene& scene, const Projection& projection,
-                     const std::vector<Vertex_pair>& edges, double radius,
-                     std::uint8_t darkness)
+                     const std::vector<Vertex_pair>& edges, double radius, std::uint8_t darkness)
 {
   const std::vector<Offset> round = disc(radius);
   const auto is_there = [&](std::size_t i) { return i < scene.points.size() && scene.is_used[i]; };

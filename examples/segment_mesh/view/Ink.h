@@ -18,9 +18,9 @@ class Ink
 {
 public:
   explicit Ink(const Sample_buffer& buffer)
-      : m_buffer(buffer), m_darkness(buffer.width() * buffer.height())
-  {
-  }
+    : m_buffer(buffer)
+    , m_darkness(buffer.width() * buffer.height())
+  {}
 
   /// Where two neighboring samples show different segments: borders, and outlines of one segment
   /// before another. `radius` in samples; `darkness` from 0 to 255.
@@ -28,8 +28,7 @@ public:
 
   /// Lines on the surface, where no face is before them.
   void draw_edges(const Scene& scene, const Projection& projection,
-                  const std::vector<Vertex_pair>& edges, double radius,
-                  std::uint8_t darkness);
+                  const std::vector<Vertex_pair>& edges, double radius, std::uint8_t darkness);
 
   std::uint8_t darkness(std::size_t sample) const { return m_darkness[sample]; }
 

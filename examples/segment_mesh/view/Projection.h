@@ -25,14 +25,16 @@ class Projection
 public:
   /// One `scale`, in samples per unit, for all viewpoints.
   Projection(const Viewpoint& viewpoint, double width, double height, double scale)
-      : m_viewpoint(viewpoint), m_scale(scale), m_offset_x(width / 2), m_offset_y(height / 2)
-  {
-  }
+    : m_viewpoint(viewpoint)
+    , m_scale(scale)
+    , m_offset_x(width / 2)
+    , m_offset_y(height / 2)
+  {}
 
   /// As large as it fits, with a `margin` as a part of width and height.
   Projection(const Scene& scene, const Viewpoint& viewpoint, double width, double height,
              double margin)
-      : Projection(viewpoint, width, height, 1)
+    : Projection(viewpoint, width, height, 1)
   {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     double low_x = infinity, low_y = infinity, high_x = -infinity, high_y = -infinity;

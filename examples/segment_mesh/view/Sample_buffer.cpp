@@ -20,14 +20,14 @@ std::size_t first_sample(double coordinate, std::size_t size)
 } // namespace
 
 Sample_buffer::Sample_buffer(std::size_t width, std::size_t height)
-    : m_width(width), m_height(height),
-      m_blocks_of_row((width + samples_of_block - 1) / samples_of_block),
-      m_faces(width * height, Index(no_face)),
-      m_depths(width * height, std::numeric_limits<float>::infinity()),
-      m_farthest(m_blocks_of_row * height, std::numeric_limits<float>::infinity()),
-      m_lights(width * height)
-{
-}
+  : m_width(width)
+  , m_height(height)
+  , m_blocks_of_row((width + samples_of_block - 1) / samples_of_block)
+  , m_faces(width * height, Index(no_face))
+  , m_depths(width * height, std::numeric_limits<float>::infinity())
+  , m_farthest(m_blocks_of_row * height, std::numeric_limits<float>::infinity())
+  , m_lights(width * height)
+{}
 
 void Sample_buffer::draw_polygon(const std::vector<Corner>& corners, Index face)
 {
@@ -98,7 +98,8 @@ void Sample_buffer::bound_block(std::size_t row, std::size_t block)
 {
   const auto begin = m_depths.begin() + std::ptrdiff_t(row * m_width + block * samples_of_block);
   const std::size_t size = (std::min)(m_width - block * samples_of_block, samples_of_block);
-  m_farthest[row * m_blocks_of_row + block] = *std::max_element(begin, begin + std::ptrdiff_t(size));
+  m_farthest[row * m_blocks_of_row + block] = *std::max_element(begin,
+                                                                begin + std::ptrdiff_t(size));
 }
 
 } // namespace segment_mesh

@@ -22,7 +22,8 @@ Sample_buffer draw_thumbnail(const Scene& scene, const Viewpoint& viewpoint)
   constexpr std::size_t size = 64;
   Sample_buffer buffer(size, size);
   const Projection projection(viewpoint, size, size, size / 2.0);
-  draw_faces(scene, projection, [](Scene::Index) { return 1.0; }, buffer);
+  draw_faces(
+    scene, projection, [](Scene::Index) { return 1.0; }, buffer);
   return buffer;
 }
 

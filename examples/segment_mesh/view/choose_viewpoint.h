@@ -18,12 +18,13 @@ namespace segment_mesh {
 Viewpoint choose_viewpoint(const Scene& scene);
 Viewpoint choose_viewpoint(const Polygon_soup& soup, const std::vector<std::size_t>& labels);
 
-/// The viewer stands at `azimuth` around the y axis, from the z toward the x axis, and at `elevation` above; in degrees.
+/// The viewer stands at `azimuth` around the y axis, from the z toward the x axis, and at
+/// `elevation` above; in degrees.
 Viewpoint viewpoint_from(double azimuth, double elevation);
 
-/// Twelve directions round the object, from 15 and from 40 degrees above. Up is the y axis of the file,
-/// as in most formats and in the Princeton benchmark: principal axes do not tell what stands (a person)
-/// from what lies (a fish).
+/// Twelve directions round the object, from 15 and from 40 degrees above. Up is the y axis of the
+/// file, as in most formats and in the Princeton benchmark: principal axes do not tell what stands
+/// (a person) from what lies (a fish).
 std::vector<Viewpoint> candidate_viewpoints();
 
 } // namespace segment_mesh

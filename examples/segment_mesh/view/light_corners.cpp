@@ -15,7 +15,8 @@ class Incidence
 {
 public:
   explicit Incidence(const Scene& scene)
-      : m_starts(scene.points.size() + 2), m_faces(scene.corners.size())
+    : m_starts(scene.points.size() + 2)
+    , m_faces(scene.corners.size())
   {
     // m_starts[p + 2] counts the faces of p, then holds their end; filling moves m_starts[p + 1]
     // from the start of p to its end, which is the start of the next one.
@@ -58,10 +59,10 @@ class Lamp
 {
 public:
   explicit Lamp(const Viewpoint& v)
-      : m_key(unit_vector(plus(plus(times(-0.5, v.right), times(0.8, v.up)), v.toward_viewer))),
-        m_fill(v.toward_viewer), m_half_way(unit_vector(plus(m_key, m_fill)))
-  {
-  }
+    : m_key(unit_vector(plus(plus(times(-0.5, v.right), times(0.8, v.up)), v.toward_viewer)))
+    , m_fill(v.toward_viewer)
+    , m_half_way(unit_vector(plus(m_key, m_fill)))
+  {}
 
   double operator()(const Point& normal) const
   {

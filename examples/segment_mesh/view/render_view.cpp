@@ -28,7 +28,9 @@ class Shading
 {
 public:
   Shading(const Scene& scene, const Sample_buffer& buffer, const Ink& ink, const Color& background)
-      : m_buffer(buffer), m_ink(ink), m_background(background)
+    : m_buffer(buffer)
+    , m_ink(ink)
+    , m_background(background)
   {
     m_colors.reserve(scene.number_of_faces());
     for (std::size_t label : scene.labels)
@@ -96,7 +98,8 @@ Image render_view(const Polygon_soup& soup, const std::vector<std::size_t>& labe
   const Projection projection(scene, viewpoint, double(buffer.width()), double(buffer.height()),
                               margin);
   const std::vector<float> light = light_corners(scene, viewpoint);
-  draw_faces(scene, projection, [&light](Scene::Index c) { return double(light[c]); }, buffer);
+  draw_faces(
+    scene, projection, [&light](Scene::Index c) { return double(light[c]); }, buffer);
 
   // Widths follow the size of the picture: 2 pixels for borders at a height of 600.
   const double line = double(samples) * std::sqrt(double(options.height) / 600);

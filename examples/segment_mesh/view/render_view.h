@@ -21,7 +21,7 @@ struct View_options
   std::size_t width = 800, height = 600; ///< in pixels
   std::size_t samples = 2; ///< a side of a pixel, so that lines and outlines are smooth
   Color background = {255, 255, 255};
-  std::optional<Viewpoint> viewpoint; ///< by `choose_viewpoint()` if empty
+  std::optional<Viewpoint> viewpoint;    ///< by `choose_viewpoint()` if empty
   std::vector<Vertex_pair> marked_edges; ///< drawn darker than borders
 };
 

@@ -9,11 +9,12 @@ namespace CGAL {
 namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationParts
-/// What a border costs: \f$l / (1 + g \, \min(\delta^+, m))\f$, \f$l\f$ its length in units of the square root of the area of
-/// the surface, \f$\delta^+\f$ the deviation across it where it is concave, else 0. So borders are drawn into valleys.
+/// What a border costs: \f$l / (1 + g \, \min(\delta^+, m))\f$, \f$l\f$ its length in units of the
+/// square root of the area of the surface, \f$\delta^+\f$ the deviation across it where it is
+/// concave, else 0. So borders are drawn into valleys.
 struct Border_cost
 {
-  double concave_gain = 10;       ///< g, 1/radian, at least 0: how much cheaper a border in a valley is
+  double concave_gain = 10; ///< g, 1/radian, at least 0: how much cheaper a border in a valley is
   double maximum_deviation = 0.6; ///< m, radian, at least 0: deviations above it count as this one
 
   double operator()(double length, double concave_deviation) const

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#if defined(__FAST_MATH__) || defined(_M_FP_FAST) || \
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST) ||                                               \
   (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
 #error "CGAL Region_segmentation: compile without -ffast-math, which removes checks of numbers"
 #endif
@@ -14,9 +14,10 @@ namespace CGAL {
 namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationData
-/// A point or vector of three doubles, uninitialized by default. Once a mesh is read, all computations are in double,
-/// independently of its kernel. It has the operators `a + b`, `a - b` and `s * a`, and the functions `dot(a, b)`, `cross(a, b)`,
-/// `norm(a)` and `squared_norm(a)` in the same namespace.
+/// A point or vector of three doubles, uninitialized by default. Once a mesh is read, all
+/// computations are in double, independently of its kernel. It has the operators `a + b`, `a - b`
+/// and `s * a`, and the functions `dot(a, b)`, `cross(a, b)`, `norm(a)` and `squared_norm(a)` in
+/// the same namespace.
 struct Double_3
 {
   double x, y, z;

@@ -24,15 +24,18 @@ struct Threads
 } // namespace internal
 
 /// \ingroup PkgRegionSegmentationData
-/// How a run is executed: sequentially or in parallel, and which visitor follows its progress and may cancel it. A value that
-/// is passed to each stage. Reports come from the thread that called `segment()`.
+/// How a run is executed: sequentially or in parallel, and which visitor follows its progress and
+/// may cancel it. A value that is passed to each stage. Reports come from the thread that called
+/// `segment()`.
 class Execution
 {
 public:
   /// Sequential, without a visitor.
   Execution() = default;
   /// `threads`: null if sequential
-  explicit Execution(const internal::Threads* threads) : m_threads(threads) {}
+  explicit Execution(const internal::Threads* threads)
+    : m_threads(threads)
+  {}
 
   /// With a model of `SegmentationVisitor`, stored by reference.
   template <typename SegmentationVisitor>
@@ -63,7 +66,8 @@ public:
     return result;
   }
 
-  /// The execution of a step of a stage: its progress in [0, 1] is mapped to [`begin`, `end`] of the stage.
+  /// The execution of a step of a stage: its progress in [0, 1] is mapped to [`begin`, `end`] of
+  /// the stage.
   Execution step(double begin, double end) const
   {
     Execution result = *this;
@@ -85,7 +89,8 @@ public:
   void for_each(std::size_t first, std::size_t last, const F& f) const
   {
     if (m_threads && last - first > 1)
-      m_threads->for_each(first, last, [](const void* g, std::size_t i) { (*static_cast<const F*>(g))(i); }, &f);
+      m_threads->for_each(
+        first, last, [](const void* g, std::size_t i) { (*static_cast<const F*>(g))(i); }, &f);
     else
       for (std::size_t i = first; i < last; ++i)
         f(i);
@@ -107,8 +112,8 @@ private:
 
 namespace internal {
 
-// Work on all elements is divided into blocks of a fixed size, independent of the number of threads: the result of a
-// block, and so every result, is the same sequentially and in parallel.
+// Work on all elements is divided into blocks of a fixed size, independent of the number of
+// threads: the result of a block, and so every result, is the same sequentially and in parallel.
 inline constexpr std::size_t block_size = 1 << 12;
 
 /// Consecutive blocks for one thread, where elements between two ranges cost more.
@@ -119,17 +124,18 @@ inline std::size_t number_of_blocks(std::size_t number_of_elements, std::size_t 
   return (number_of_elements + size - 1) / size;
 }
 
-/// Calls `f(block, begin, end)` for the blocks of elements 0 .. `number_of_elements - 1`, and reports the progress.
+/// Calls `f(block, begin, end)` for the blocks of elements 0 .. `number_of_elements - 1`, and
+/// reports the progress.
 template <typename F>
 void for_each_block(const Execution& execution, std::size_t number_of_elements, const F& f,
                     std::size_t size = block_size)
 {
   constexpr std::size_t number_of_reports = 50;
   const std::size_t number = number_of_blocks(number_of_elements, size);
-  const std::size_t between_reports =
-    execution.has_visitor()
-      ? (std::max)(number / number_of_reports + 1, 4 * execution.number_of_threads())
-      : number;
+  const std::size_t between_reports = execution.has_visitor()
+                                        ? (std::max)(number / number_of_reports + 1,
+                                                     4 * execution.number_of_threads())
+                                        : number;
   for (std::size_t first = 0; first < number;) {
     const std::size_t last = (std::min)(first + between_reports, number);
     execution.for_each(first, last, [&](std::size_t block) {
@@ -156,7 +162,8 @@ class Step_counter
 {
 public:
   Step_counter(const Execution& execution, std::size_t number_of_steps)
-    : m_execution(execution), m_number((std::max)(number_of_steps, std::size_t(1)))
+    : m_execution(execution)
+    , m_number((std::max)(number_of_steps, std::size_t(1)))
   {}
 
   void advance()

@@ -14,15 +14,18 @@ namespace CGAL {
 namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationData
-/// What a method gives whose order of merges does not depend on the number of segments: first regions, their merges, and
-/// the number of segments that was given or chosen. Any number of segments is at hand, and the segmentations are nested.
+/// What a method gives whose order of merges does not depend on the number of segments: first
+/// regions, their merges, and the number of segments that was given or chosen. Any number of
+/// segments is at hand, and the segmentations are nested.
 class Hierarchy
 {
 public:
   Hierarchy() = default;
   /// `regions`: of the faces; `tree`: their merges
   Hierarchy(Partition regions, Merge_tree tree, std::size_t number_of_segments)
-    : m_regions(std::move(regions)), m_tree(std::move(tree)), m_number(number_of_segments)
+    : m_regions(std::move(regions))
+    , m_tree(std::move(tree))
+    , m_number(number_of_segments)
   {}
 
   const Partition& regions() const { return m_regions; }
@@ -45,9 +48,10 @@ private:
 /// What a method gives whose order of merges depends on the number of segments.
 struct Segmentation
 {
-  Partition regions;    ///< of the faces
-  Partition segments;   ///< of the regions
-  Merge_tree merge_tree; ///< of the regions; without merges if they were not merged one pair at a time
+  Partition regions;     ///< of the faces
+  Partition segments;    ///< of the regions
+  Merge_tree merge_tree; ///< of the regions; without merges if they were not merged one pair at a
+                         ///< time
 };
 
 } // namespace Region_segmentation

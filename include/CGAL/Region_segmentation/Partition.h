@@ -20,11 +20,11 @@ namespace CGAL {
 namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationData
-/// A partition of the elements 0 .. `size()` - 1 into the parts 0 .. `number_of_parts()` - 1: of faces into regions or
-/// segments, of regions into segments.
+/// A partition of the elements 0 .. `size()` - 1 into the parts 0 .. `number_of_parts()` - 1: of
+/// faces into regions or segments, of regions into segments.
 ///
-/// No part is empty, and parts are numbered by their first element; so two partitions are equal if and only if their
-/// numbers are. Memory: 4 bytes per element.
+/// No part is empty, and parts are numbered by their first element; so two partitions are equal if
+/// and only if their numbers are. Memory: 4 bytes per element.
 class Partition
 {
 public:
@@ -33,9 +33,11 @@ public:
   /// No elements.
   Partition() = default;
 
-  /// \pre the numbers are those of a partition: below `number_of_parts`, each one used, by the first element
+  /// \pre the numbers are those of a partition: below `number_of_parts`, each one used, by the
+  /// first element
   Partition(std::vector<Index> part_of, std::size_t number_of_parts)
-    : m_part_of(std::move(part_of)), m_number_of_parts(number_of_parts)
+    : m_part_of(std::move(part_of))
+    , m_number_of_parts(number_of_parts)
   {}
 
   /// Each element is a part.
@@ -62,14 +64,16 @@ public:
 
   /// As above, for the labels `label_of(element)` of a range.
   template <typename Range, typename LabelOf>
-  static Partition from_labels(const Range& elements, std::size_t expected_size, const LabelOf& label_of)
+  static Partition from_labels(const Range& elements, std::size_t expected_size,
+                               const LabelOf& label_of)
   {
     Partition result;
     result.m_part_of.reserve(expected_size);
     internal::Key_numbering number(2 * expected_size + 1024);
     for (const auto& element : elements) {
       const auto label = label_of(element);
-      static_assert(std::is_integral<decltype(label)>::value && sizeof(label) <= sizeof(std::uint64_t),
+      static_assert(std::is_integral<decltype(label)>::value &&
+                      sizeof(label) <= sizeof(std::uint64_t),
                     "labels are integral, of at most 64 bits");
       // Different values of one type stay different, negative ones included.
       result.m_part_of.push_back(number(static_cast<std::uint64_t>(label)));
@@ -89,7 +93,10 @@ public:
   auto begin() const { return m_part_of.begin(); }
   auto end() const { return m_part_of.end(); }
 
-  friend bool operator==(const Partition& a, const Partition& b) { return a.m_part_of == b.m_part_of; }
+  friend bool operator==(const Partition& a, const Partition& b)
+  {
+    return a.m_part_of == b.m_part_of;
+  }
   friend bool operator!=(const Partition& a, const Partition& b) { return !(a == b); }
 
 private:

@@ -18,7 +18,8 @@ class Patch_builder;
 }
 
 /// \ingroup PkgRegionSegmentationData
-/// A partition of elements, the faces of a mesh or smaller patches, into connected patches, and the adjacency of these.
+/// A partition of elements, the faces of a mesh or smaller patches, into connected patches, and the
+/// adjacency of these.
 class Patches
 {
 public:
@@ -29,11 +30,13 @@ public:
     Double_3 centroid; ///< the mean of the centroids of its faces, by area
     Double_3 normal;   ///< the mean normal by area, of length 1, or zero
     double area;
-    /// The element whose centroid is nearest to that of the patch, not a degenerate face if possible; of several, the lower one.
+    /// The element whose centroid is nearest to that of the patch, not a degenerate face if
+    /// possible; of several, the lower one.
     Index center;
   };
 
-  /// Two patches that are adjacent across edges, seams or links that are not constrained, and the length of these.
+  /// Two patches that are adjacent across edges, seams or links that are not constrained, and the
+  /// length of these.
   struct Adjacency
   {
     Index lower, higher;
@@ -49,8 +52,8 @@ public:
   /// Across seams and links. By the lower, then by the higher patch.
   const internal::Large_array<Adjacency>& contacts() const { return m_contacts; }
 
-  /// The angle between the normals of two adjacent patches, in radians, if they face each other, else 0; 0, too, if one has no
-  /// normal. `i`: of their adjacency across edges
+  /// The angle between the normals of two adjacent patches, in radians, if they face each other,
+  /// else 0; 0, too, if one has no normal. `i`: of their adjacency across edges
   double concave_deviation(std::size_t i) const { return m_concave_deviations[i]; }
 
 private:
@@ -63,31 +66,39 @@ private:
 };
 
 /// \ingroup PkgRegionSegmentationData
-/// Two partitions of the faces of a mesh into small flat patches, a fine one and a coarse one of its patches: what stages work on
-/// whose cost must not grow with the resolution of the mesh.
+/// Two partitions of the faces of a mesh into small flat patches, a fine one and a coarse one of
+/// its patches: what stages work on whose cost must not grow with the resolution of the mesh.
 ///
 /// Patches are connected across edges. At first each face is a patch; then patches are
 /// joined in rounds:
 /// -# Each patch selects the adjacent patch with the smallest step
-///    \f$|c_i - c_j| / \sqrt{A} + w \, |n_i - n_j|\f$, rounded to `float`, among those with which its area is at most
-///    `maximum_area`; of several, the lower one. \f$c\f$ are the centroids, \f$n\f$ the unit normals (zero for a
-///    degenerate face), \f$A\f$ the area of the surface.
-/// -# The selections form trees. A root is a patch that selects none, or of two that select each other the larger one by
-///    area, of equal ones the lower one. A patch of odd depth is joined to its parent, and a leaf of even depth to its
-///    grandparent; the others of even depth, the root (of depth 0) among them, keep what is joined to them.
-/// -# Joined patches are numbered by the lowest one of each. The centroid of a union is the mean of the centroids,
-///    weighted by area (without area, that of the lowest one); its normal is the sum of the normals of its faces, weighted by area, scaled to length 1.
+///    \f$|c_i - c_j| / \sqrt{A} + w \, |n_i - n_j|\f$, rounded to `float`, among those with which
+///    its area is at most `maximum_area`; of several, the lower one. \f$c\f$ are the centroids,
+///    \f$n\f$ the unit normals (zero for a degenerate face), \f$A\f$ the area of the surface.
+/// -# The selections form trees. A root is a patch that selects none, or of two that select each
+/// other the larger one by
+///    area, of equal ones the lower one. A patch of odd depth is joined to its parent, and a leaf
+///    of even depth to its grandparent; the others of even depth, the root (of depth 0) among them,
+///    keep what is joined to them.
+/// -# Joined patches are numbered by the lowest one of each. The centroid of a union is the mean of
+/// the centroids,
+///    weighted by area (without area, that of the lowest one); its normal is the sum of the normals
+///    of its faces, weighted by area, scaled to length 1.
 ///
-/// Rounds end when one joins none of `n` patches, or has joined less than `n / 32` (rounded down). Then the coarse patches are made
-/// of the fine ones in the same way, with `maximum_coarse_area`. So a mesh of few large faces has a patch for each face, and a fine one
-/// some twenty to sixty thousand patches and four to five thousand coarse ones. They do not depend on the numbering of faces and vertices,
-/// ties excepted.
+/// Rounds end when one joins none of `n` patches, or has joined less than `n / 32` (rounded down).
+/// Then the coarse patches are made of the fine ones in the same way, with `maximum_coarse_area`.
+/// So a mesh of few large faces has a patch for each face, and a fine one some twenty to sixty
+/// thousand patches and four to five thousand coarse ones. They do not depend on the numbering of
+/// faces and vertices, ties excepted.
 ///
-/// Complexity: O(F) in practice. Deterministic. Parallel with `Parallel_tag`, with bitwise equal results.
+/// Complexity: O(F) in practice. Deterministic. Parallel with `Parallel_tag`, with bitwise equal
+/// results.
 struct Surface_patches
 {
-  static constexpr double maximum_area = 1. / 60000;       ///< of two patches that are joined, share of the surface
-  static constexpr double maximum_coarse_area = 1. / 4000; ///< of two coarse patches that are joined
+  static constexpr double maximum_area = 1. / 60000; ///< of two patches that are joined, share of
+                                                     ///< the surface
+  static constexpr double maximum_coarse_area = 1. / 4000; ///< of two coarse patches that are
+                                                           ///< joined
   static constexpr double deviation_weight = 0.4;          ///< w, relative length per radian
 
   Patches fine;   ///< their elements are the faces

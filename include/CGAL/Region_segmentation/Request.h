@@ -21,7 +21,10 @@ class Constraints
 {
 public:
   bool empty() const { return m_marks.empty(); }
-  bool operator[](std::size_t adjacency) const { return !m_marks.empty() && m_marks[adjacency] != 0; }
+  bool operator[](std::size_t adjacency) const
+  {
+    return !m_marks.empty() && m_marks[adjacency] != 0;
+  }
 
   void add(std::size_t adjacency, std::size_t number_of_adjacencies)
   {
@@ -34,8 +37,8 @@ private:
 };
 
 /// \ingroup PkgRegionSegmentationData
-/// The seeds of faces or regions: elements with the same seed belong to one segment, elements with different seeds to
-/// different ones.
+/// The seeds of faces or regions: elements with the same seed belong to one segment, elements with
+/// different seeds to different ones.
 struct Seeds
 {
   using Index = Partition::Index;
@@ -73,7 +76,7 @@ struct Request
   enum class Numbers { ALL, ONE };
 
   std::size_t number_of_segments = 0; ///< 0: chosen by the method
-  Numbers numbers = Numbers::ALL;     ///< `ONE`: a method may leave out what only other numbers need
+  Numbers numbers = Numbers::ALL; ///< `ONE`: a method may leave out what only other numbers need
   Constraints constraints;
   Seeds seeds; ///< of the faces
 };

@@ -26,25 +26,27 @@ namespace Region_segmentation {
 /// \ingroup PkgRegionSegmentationMain
 /// A mesh that is prepared once and can then be segmented into any number of segments.
 ///
-/// Preparing reads the mesh and does what does not depend on constraints and seeds. If the order of merges of the method
-/// does not depend on the number of segments, the regions are also merged: each number of segments then takes only the
-/// time of writing labels, and the segmentations are nested. With another method (`Two_step`) each call of `segment()` merges.
+/// Preparing reads the mesh and does what does not depend on constraints and seeds. If the order of
+/// merges of the method does not depend on the number of segments, the regions are also merged:
+/// each number of segments then takes only the time of writing labels, and the segmentations are
+/// nested. With another method (`Two_step`) each call of `segment()` merges.
 ///
-/// The segmenter refers to the mesh, whose faces must not change afterwards. Coordinates are read once: later changes
-/// of points have no effect.
+/// The segmenter refers to the mesh, whose faces must not change afterwards. Coordinates are read
+/// once: later changes of points have no effect.
 ///
-/// Segmenting is `const`, and thread-safe with different maps. Adding constraints or seeds requires exclusive access. A
-/// segmenter can be moved and copied.
+/// Segmenting is `const`, and thread-safe with different maps. Adding constraints or seeds requires
+/// exclusive access. A segmenter can be moved and copied.
 ///
 /// Bytes, with the default method: about 180 per face.
 ///
-/// Omit the template arguments, which are deduced: `Segmenter segmenter(mesh, parameters::method(m))`, or
-/// `Segmenter segmenter(points, polygons)`.
+/// Omit the template arguments, which are deduced: `Segmenter segmenter(mesh,
+/// parameters::method(m))`, or `Segmenter segmenter(points, polygons)`.
 ///
 /// \tparam Input the form of the input, deduced: a face graph, or points and polygons
 /// \tparam Method a model of `SegmentationMethod`
 ///
-/// Only the constructor runs in parallel; what is asked for later, and constraints and seeds that are added, on one thread.
+/// Only the constructor runs in parallel; what is asked for later, and constraints and seeds that
+/// are added, on one thread.
 template <typename Input, typename Method>
 class Segmenter
 {
@@ -74,23 +76,25 @@ public:
   ///   \cgalParamNEnd
   ///   \cgalParamNBegin{edge_is_constrained_map}
   ///     \cgalParamDescription{edges that always are borders and are never merged across}
-  ///     \cgalParamType{a model of `ReadablePropertyMap` with the edge descriptor as key type and a value type
+  ///     \cgalParamType{a model of `ReadablePropertyMap` with the edge descriptor as key type and a
+  ///     value type
   ///       convertible to `bool`}
   ///     \cgalParamDefault{no edge}
   ///   \cgalParamNEnd
   ///   \cgalParamNBegin{face_seed_map}
-  ///     \cgalParamDescription{faces with equal seeds belong to one segment, faces with different seeds to different
+  ///     \cgalParamDescription{faces with equal seeds belong to one segment, faces with different
+  ///     seeds to different
   ///       ones; `std::size_t(-1)` is no seed; see `Segmenter::set_seeds()`}
-  ///     \cgalParamType{a model of `ReadablePropertyMap` with the face descriptor as key type and an integral value type}
-  ///     \cgalParamDefault{no seeds}
+  ///     \cgalParamType{a model of `ReadablePropertyMap` with the face descriptor as key type and
+  ///     an integral value type} \cgalParamDefault{no seeds}
   ///   \cgalParamNEnd
   ///   \cgalParamNBegin{component_links}
-  ///     \cgalParamDescription{whether components that touch or are near each other are adjacent, see `segment()`}
-  ///     \cgalParamType{`bool`}
-  ///     \cgalParamDefault{`true`}
+  ///     \cgalParamDescription{whether components that touch or are near each other are adjacent,
+  ///     see `segment()`} \cgalParamType{`bool`} \cgalParamDefault{`true`}
   ///   \cgalParamNEnd
   ///   \cgalParamNBegin{visitor}
-  ///     \cgalParamDescription{follows the progress, and can cancel: stages "reading", "regions", "rays", "graph", "merging",
+  ///     \cgalParamDescription{follows the progress, and can cancel: stages "reading", "regions",
+  ///     "rays", "graph", "merging",
   ///       "borders", as far as the method has them}
   ///     \cgalParamType{a model of `SegmentationVisitor`}
   ///     \cgalParamDefault{none}
@@ -100,45 +104,54 @@ public:
   ///   \cgalParamIndexMap{face}
   ///   \cgalParamIndexMap{vertex}
   ///   \cgalParamNBegin{region_map}
-  ///     \cgalParamDescription{an output: the first regions, with ids 0 .. r-1, numbered by the first face}
-  ///     \cgalParamType{a model of `WritablePropertyMap` with the face descriptor as key type and an integral value type}
-  ///     \cgalParamDefault{not written}
+  ///     \cgalParamDescription{an output: the first regions, with ids 0 .. r-1, numbered by the
+  ///     first face} \cgalParamType{a model of `WritablePropertyMap` with the face descriptor as
+  ///     key type and an integral value type} \cgalParamDefault{not written}
   ///   \cgalParamNEnd
   ///   \cgalParamNBegin{merge_tree}
-  ///     \cgalParamDescription{an output: the merges, with a method that has one tree for all numbers}
-  ///     \cgalParamType{`Merge_tree`}
-  ///     \cgalParamDefault{not written}
+  ///     \cgalParamDescription{an output: the merges, with a method that has one tree for all
+  ///     numbers} \cgalParamType{`Merge_tree`} \cgalParamDefault{not written}
   ///   \cgalParamNEnd
   /// \cgalNamedParamsEnd
   ///
-  /// \throws Invalid_input if a point is not finite, or equal seeds cannot be joined; Segmentation_cancelled if the
+  /// \throws Invalid_input if a point is not finite, or equal seeds cannot be joined;
+  /// Segmentation_cancelled if the
   ///         visitor cancels; all maps are unchanged
   ///
   /// Complexity: that of the method.
   template <typename FaceGraph, typename NamedParameters = parameters::Default_named_parameters,
             typename ConcurrencyTag = CGAL::Sequential_tag,
             std::enable_if_t<internal::is_pack<NamedParameters>, int> = 0>
-  explicit Segmenter(const FaceGraph& mesh, const NamedParameters& np = parameters::default_values(),
+  explicit Segmenter(const FaceGraph& mesh,
+                     const NamedParameters& np = parameters::default_values(),
                      ConcurrencyTag = ConcurrencyTag())
-    : Segmenter(Input(mesh), internal::pack(np), internal::make_execution<ConcurrencyTag>(internal::pack(np)),
-                [&](const Execution& execution) { return Input(mesh).surface(internal::pack(np), execution); })
+    : Segmenter(Input(mesh), internal::pack(np),
+                internal::make_execution<ConcurrencyTag>(internal::pack(np)),
+                [&](const Execution& execution) {
+                  return Input(mesh).surface(internal::pack(np), execution);
+                })
   {}
 
   /// Deleted, since a reference to a temporary mesh would dangle.
-  template <typename FaceGraph, typename NamedParameters = parameters::Default_named_parameters,
-            typename ConcurrencyTag = CGAL::Sequential_tag,
-            std::enable_if_t<internal::is_pack<NamedParameters> && !std::is_lvalue_reference<FaceGraph>::value, int> = 0>
+  template <
+    typename FaceGraph, typename NamedParameters = parameters::Default_named_parameters,
+    typename ConcurrencyTag = CGAL::Sequential_tag,
+    std::enable_if_t<
+      internal::is_pack<NamedParameters> && !std::is_lvalue_reference<FaceGraph>::value, int> = 0>
   explicit Segmenter(FaceGraph&& mesh, const NamedParameters& np = parameters::default_values(),
                      ConcurrencyTag = ConcurrencyTag()) = delete;
 
   /// prepares points and polygons, which are not referred to afterwards; see `segment()`.
-  template <typename PointRange, typename PolygonRange, typename NamedParameters = parameters::Default_named_parameters,
+  template <typename PointRange, typename PolygonRange,
+            typename NamedParameters = parameters::Default_named_parameters,
             typename ConcurrencyTag = CGAL::Sequential_tag,
             std::enable_if_t<internal::is_polygon_range<PolygonRange>(), int> = 0>
   Segmenter(const PointRange& points, const PolygonRange& polygons,
-            const NamedParameters& np = parameters::default_values(), ConcurrencyTag = ConcurrencyTag())
-    : Segmenter(Input(std::size_t(std::distance(std::begin(polygons), std::end(polygons)))), internal::pack(np),
-                internal::make_execution<ConcurrencyTag>(internal::pack(np)), [&](const Execution& execution) {
+            const NamedParameters& np = parameters::default_values(),
+            ConcurrencyTag = ConcurrencyTag())
+    : Segmenter(Input(std::size_t(std::distance(std::begin(polygons), std::end(polygons)))),
+                internal::pack(np), internal::make_execution<ConcurrencyTag>(internal::pack(np)),
+                [&](const Execution& execution) {
                   return internal::make_surface(points, polygons, internal::pack(np), execution);
                 })
   {}
@@ -150,28 +163,30 @@ public:
   /// The mesh as arrays.
   const Surface& surface() const { return m_prepared->surface; }
 
-  /// What segments consist of: the first regions as constraints and seeds change them, with their borders moved (see
-  /// `Border_straightening`), by face in iteration order. Only with a method that has one tree for all numbers.
+  /// What segments consist of: the first regions as constraints and seeds change them, with their
+  /// borders moved (see `Border_straightening`), by face in iteration order. Only with a method
+  /// that has one tree for all numbers.
   const Partition& regions() const { return merged().regions(); }
 
-  /// The merges of `regions()`, down to one segment, unless the policy ends before or sections are barred. Only with a method that has
-  /// one tree for all numbers.
+  /// The merges of `regions()`, down to one segment, unless the policy ends before or sections are
+  /// barred. Only with a method that has one tree for all numbers.
   const Merge_tree& merge_tree() const { return merged().merge_tree(); }
 
-  /// The number of segments that `segment(segment_map)` aims at: the one given to the constructor, or else the one
-  /// chosen by the method, once for each change of constraints or seeds.
+  /// The number of segments that `segment(segment_map)` aims at: the one given to the constructor,
+  /// or else the one chosen by the method, once for each change of constraints or seeds.
   std::size_t number_of_segments() const
   {
-    static_assert(!needs_number,
-                  "this method needs the number of segments: use segment(segment_map, number_of_segments)");
+    static_assert(
+      !needs_number,
+      "this method needs the number of segments: use segment(segment_map, number_of_segments)");
     if constexpr (!needs_number)
       return m_merged.number_of_segments();
   }
 
   /// segments the mesh into the number given to the constructor, or else chosen by the method.
   ///
-  /// \param segment_map see `segment()`: every key is written, ids 0 .. n-1, numbered by the first face
-  /// \returns the number n of segments
+  /// \param segment_map see `segment()`: every key is written, ids 0 .. n-1, numbered by the first
+  /// face \returns the number n of segments
   ///
   /// Complexity: O(F).
   template <typename SegmentMap>
@@ -184,70 +199,84 @@ public:
   ///
   /// \param segment_map every key is written: ids 0 .. n-1, numbered by the first face
   /// \param number_of_segments at least 1
-  /// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters": `visitor`, for a method that merges
+  /// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters": `visitor`,
+  /// for a method that merges
   ///        for each number
   ///
   /// \returns the number n of segments; see `segment()`
   /// \pre `number_of_segments` is at least 1; see `segment()`
   /// \throws Segmentation_cancelled if the visitor cancels; the map is unchanged
   ///
-  /// Complexity: O(F) with a method that has one tree for all numbers, and O(F log F) where regions are split; else that of
-  /// merging.
+  /// Complexity: O(F) with a method that has one tree for all numbers, and O(F log F) where regions
+  /// are split; else that of merging.
   template <typename SegmentMap, typename NamedParameters = parameters::Default_named_parameters>
   std::size_t segment(SegmentMap&& segment_map, std::size_t number_of_segments,
                       const NamedParameters& np = parameters::default_values()) const
   {
     CGAL_precondition_msg(number_of_segments >= 1, "number_of_segments is at least 1");
     const auto& pack = internal::pack(np);
-    internal::check_parameters<std::decay_t<decltype(pack)>, internal::Tag_list<CGAL::internal_np::visitor_t>>();
-    const Partition segments = segments_of(number_of_segments, internal::make_execution<CGAL::Sequential_tag>(pack));
+    internal::check_parameters<std::decay_t<decltype(pack)>,
+                               internal::Tag_list<CGAL::internal_np::visitor_t>>();
+    const Partition segments = segments_of(number_of_segments,
+                                           internal::make_execution<CGAL::Sequential_tag>(pack));
     m_input.write(segments, segment_map);
     return segments.number_of_parts();
   }
 
-  /// adds edges that are always borders and are never merged across to those that are constrained already.
+  /// adds edges that are always borders and are never merged across to those that are constrained
+  /// already.
   ///
-  /// First regions are split only where the edges separate their faces, and only the new regions are annotated anew; the
-  /// segments are those of a new segmenter with all constraints. An edge that has the same region on both sides afterwards has
-  /// no effect; one between two regions bars their section from being merged across.
+  /// First regions are split only where the edges separate their faces, and only the new regions
+  /// are annotated anew; the segments are those of a new segmenter with all constraints. An edge
+  /// that has the same region on both sides afterwards has no effect; one between two regions bars
+  /// their section from being merged across.
   ///
-  /// \param edge_is_constrained_map whether an edge becomes constrained: as the named parameter of `segment()`
-  /// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters": `visitor`, `face_index_map`,
+  /// \param edge_is_constrained_map whether an edge becomes constrained: as the named parameter of
+  /// `segment()` \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
+  /// `visitor`, `face_index_map`,
   ///        `vertex_index_map`
   ///
-  /// \throws Invalid_input if the edges separate equal seeds, Segmentation_cancelled if the visitor cancels; nothing
+  /// \throws Invalid_input if the edges separate equal seeds, Segmentation_cancelled if the visitor
+  /// cancels; nothing
   ///         has changed then
   ///
   /// Complexity: O(F), and that of annotating the new regions and of merging.
-  template <typename EdgeIsConstrainedMap, typename NamedParameters = parameters::Default_named_parameters>
+  template <typename EdgeIsConstrainedMap,
+            typename NamedParameters = parameters::Default_named_parameters>
   void add_constraints(const EdgeIsConstrainedMap& edge_is_constrained_map,
                        const NamedParameters& np = parameters::default_values())
   {
     const auto& pack = internal::pack(np);
-    internal::check_parameters<std::decay_t<decltype(pack)>, internal::Tag_list<CGAL::internal_np::visitor_t>>();
+    internal::check_parameters<std::decay_t<decltype(pack)>,
+                               internal::Tag_list<CGAL::internal_np::visitor_t>>();
     Request request = m_request;
     m_input.add_constraints(surface(), edge_is_constrained_map, pack, request.constraints);
     change(std::move(request), internal::make_execution<CGAL::Sequential_tag>(pack));
   }
 
-  /// replaces the seeds: faces with equal seeds belong to one segment, faces with different seeds to different ones.
+  /// replaces the seeds: faces with equal seeds belong to one segment, faces with different seeds
+  /// to different ones.
   ///
-  /// The number of different seeds is the least number of segments. Equal seeds that are not adjacent are joined along
-  /// the cheapest path of regions, or, if there is none, of faces, that avoids all other seeds: a step costs about its
-  /// length, and 80 times as much for each radian of the deviation of concave edges that it crosses.
+  /// The number of different seeds is the least number of segments. Equal seeds that are not
+  /// adjacent are joined along the cheapest path of regions, or, if there is none, of faces, that
+  /// avoids all other seeds: a step costs about its length, and 80 times as much for each radian of
+  /// the deviation of concave edges that it crosses.
   ///
   /// \param face_seed_map the seed of a face: as the named parameter of `segment()`
   /// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters": `visitor`
   ///
-  /// \throws Invalid_input if equal seeds are separated by constraints or by other seeds, or in components without links;
+  /// \throws Invalid_input if equal seeds are separated by constraints or by other seeds, or in
+  /// components without links;
   ///         Segmentation_cancelled if the visitor cancels; nothing has changed then
   ///
   /// Complexity: O(F), and that of annotating the new regions and of merging.
   template <typename FaceSeedMap, typename NamedParameters = parameters::Default_named_parameters>
-  void set_seeds(const FaceSeedMap& face_seed_map, const NamedParameters& np = parameters::default_values())
+  void set_seeds(const FaceSeedMap& face_seed_map,
+                 const NamedParameters& np = parameters::default_values())
   {
     const auto& pack = internal::pack(np);
-    internal::check_parameters<std::decay_t<decltype(pack)>, internal::Tag_list<CGAL::internal_np::visitor_t>>();
+    internal::check_parameters<std::decay_t<decltype(pack)>,
+                               internal::Tag_list<CGAL::internal_np::visitor_t>>();
     Request request = m_request;
     request.seeds = internal::read_seeds(m_input, face_seed_map);
     change(std::move(request), internal::make_execution<CGAL::Sequential_tag>(pack));
@@ -262,15 +291,18 @@ private:
     Prepared prepared;
 
     Unchanged(Method m, Surface s, const Execution& execution)
-      : method(std::move(m)), surface(std::move(s)), prepared(method.prepare(surface, execution))
+      : method(std::move(m))
+      , surface(std::move(s))
+      , prepared(method.prepare(surface, execution))
     {}
   };
 
   template <typename Pack, typename ReadSurface>
-  Segmenter(Input input, const Pack& np, const Execution& execution, const ReadSurface& read_surface)
+  Segmenter(Input input, const Pack& np, const Execution& execution,
+            const ReadSurface& read_surface)
     : m_input(std::move(input))
-    , m_prepared(std::make_shared<const Unchanged>(internal::method_of_pack<Method>(np), read_surface(execution),
-                                                   execution))
+    , m_prepared(std::make_shared<const Unchanged>(internal::method_of_pack<Method>(np),
+                                                   read_surface(execution), execution))
     , m_request(internal::request_of_pack(m_input, surface(), np))
     , m_merged(merge(m_request, execution))
   {
@@ -289,9 +321,9 @@ private:
 
   const auto& merged() const
   {
-    static_assert(!needs_number,
-                  "the order of merges of this method depends on the number of segments: it has no tree for all "
-                  "numbers, use segment(segment_map, number_of_segments)");
+    static_assert(!needs_number, "the order of merges of this method depends on the number of "
+                                 "segments: it has no tree for all "
+                                 "numbers, use segment(segment_map, number_of_segments)");
     return m_merged;
   }
 
@@ -300,8 +332,8 @@ private:
     if constexpr (needs_number) {
       Request request = m_request;
       request.number_of_segments = number;
-      const Segmentation result =
-        internal::merge_by(method(), surface(), m_prepared->prepared, request, execution);
+      const Segmentation result = internal::merge_by(method(), surface(), m_prepared->prepared,
+                                                     request, execution);
       return composed(result.regions, result.segments);
     } else
       return m_merged.segments(surface(), number);
@@ -319,7 +351,8 @@ private:
 
   void segments_of_request(Request request, const Execution& execution) const
   {
-    request.number_of_segments = (std::max)(surface().number_of_faces(), std::size_t(1)); // least work
+    request.number_of_segments = (std::max)(surface().number_of_faces(), std::size_t(1)); // least
+                                                                                          // work
     internal::merge_by(method(), surface(), m_prepared->prepared, request, execution);
   }
 
@@ -331,21 +364,30 @@ private:
 
 template <typename FaceGraph>
 Segmenter(const FaceGraph&) -> Segmenter<internal::Face_graph_input<FaceGraph>, Learned_merging>;
-template <typename FaceGraph, typename NamedParameters, std::enable_if_t<internal::is_pack<NamedParameters>, int> = 0>
+template <typename FaceGraph, typename NamedParameters,
+          std::enable_if_t<internal::is_pack<NamedParameters>, int> = 0>
 Segmenter(const FaceGraph&, const NamedParameters&)
-  -> Segmenter<internal::Face_graph_input<FaceGraph>, internal::Method_of_parameters<NamedParameters>>;
+  -> Segmenter<internal::Face_graph_input<FaceGraph>,
+               internal::Method_of_parameters<NamedParameters>>;
 template <typename FaceGraph, typename NamedParameters, typename ConcurrencyTag,
           std::enable_if_t<internal::is_pack<NamedParameters>, int> = 0>
 Segmenter(const FaceGraph&, const NamedParameters&, ConcurrencyTag)
-  -> Segmenter<internal::Face_graph_input<FaceGraph>, internal::Method_of_parameters<NamedParameters>>;
-template <typename PointRange, typename PolygonRange, std::enable_if_t<internal::is_polygon_range<PolygonRange>(), int> = 0>
-Segmenter(const PointRange&, const PolygonRange&) -> Segmenter<internal::Polygon_input, Learned_merging>;
-template <typename PointRange, typename PolygonRange, typename NamedParameters,
-          std::enable_if_t<internal::is_polygon_range<PolygonRange>() && internal::is_pack<NamedParameters>, int> = 0>
+  -> Segmenter<internal::Face_graph_input<FaceGraph>,
+               internal::Method_of_parameters<NamedParameters>>;
+template <typename PointRange, typename PolygonRange,
+          std::enable_if_t<internal::is_polygon_range<PolygonRange>(), int> = 0>
+Segmenter(const PointRange&, const PolygonRange&)
+  -> Segmenter<internal::Polygon_input, Learned_merging>;
+template <
+  typename PointRange, typename PolygonRange, typename NamedParameters,
+  std::enable_if_t<internal::is_polygon_range<PolygonRange>() && internal::is_pack<NamedParameters>,
+                   int> = 0>
 Segmenter(const PointRange&, const PolygonRange&, const NamedParameters&)
   -> Segmenter<internal::Polygon_input, internal::Method_of_parameters<NamedParameters>>;
-template <typename PointRange, typename PolygonRange, typename NamedParameters, typename ConcurrencyTag,
-          std::enable_if_t<internal::is_polygon_range<PolygonRange>() && internal::is_pack<NamedParameters>, int> = 0>
+template <
+  typename PointRange, typename PolygonRange, typename NamedParameters, typename ConcurrencyTag,
+  std::enable_if_t<internal::is_polygon_range<PolygonRange>() && internal::is_pack<NamedParameters>,
+                   int> = 0>
 Segmenter(const PointRange&, const PolygonRange&, const NamedParameters&, ConcurrencyTag)
   -> Segmenter<internal::Polygon_input, internal::Method_of_parameters<NamedParameters>>;
 

@@ -20,25 +20,29 @@ struct Surface_access;
 }
 
 /// \ingroup PkgRegionSegmentationData
-/// A surface as arrays: all that the stages after reading know of a mesh, so that they depend neither on its type nor on
-/// its being a manifold. `make_surface()` makes one from a face graph, or from points and polygons.
+/// A surface as arrays: all that the stages after reading know of a mesh, so that they depend
+/// neither on its type nor on its being a manifold. `make_surface()` makes one from a face graph,
+/// or from points and polygons.
 ///
-/// Faces and vertices are numbered in the order of the input. Points and lengths are in units of `unit()`, areas in
-/// squared ones.
+/// Faces and vertices are numbered in the order of the input. Points and lengths are in units of
+/// `unit()`, areas in squared ones.
 ///
 /// Two faces are *adjacent* across
 /// - an *edge*: an edge with exactly two faces, or two border edges that coincide;
-/// - a *seam*: an edge where a half-edge data structure would be torn. An edge with m > 2 faces has m seams, each between
-///   two faces that follow each other around it and of half its length. Neighbors that cannot be oriented consistently
-///   have one seam;
-/// - a *link*: two components that touch, cross or come near each other, with the length of their contact.
+/// - a *seam*: an edge where a half-edge data structure would be torn. An edge with m > 2 faces has
+/// m seams, each between
+///   two faces that follow each other around it and of half its length. Neighbors that cannot be
+///   oriented consistently have one seam;
+/// - a *link*: two components that touch, cross or come near each other, with the length of their
+/// contact.
 ///
-/// Adjacencies are sorted by their higher, then by their lower face; several between the same two faces follow the
-/// boundary of the higher one from its first corner, edges first. Those of a face to lower faces are
-/// `first_adjacency(f)` to `first_adjacency(f + 1) - 1`. A stage usually iterates over all adjacencies, once.
+/// Adjacencies are sorted by their higher, then by their lower face; several between the same two
+/// faces follow the boundary of the higher one from its first corner, edges first. Those of a face
+/// to lower faces are `first_adjacency(f)` to `first_adjacency(f + 1) - 1`. A stage usually
+/// iterates over all adjacencies, once.
 ///
-/// Corners of a face run counterclockwise seen from the side to which its normal points. Closed components that are inside
-/// out are turned, see `make_surface()`.
+/// Corners of a face run counterclockwise seen from the side to which its normal points. Closed
+/// components that are inside out are turned, see `make_surface()`.
 ///
 /// Bytes: 60 per face and 17 per adjacency, so 85.5 per face on a closed triangle mesh.
 class Surface
@@ -52,17 +56,19 @@ public:
     CONCAVE = 2, ///< (N_i x N_j) . d < 0
     JOINING = 4, ///< the longest edge of a degenerate face: growing always crosses it
     CLOSED = 8,  ///< another edge of a degenerate face: has no angle, growing never crosses it
-    SEAM = 16,   ///< growing never crosses it; has an angle where its two faces are oriented consistently
+    SEAM = 16,   ///< growing never crosses it; has an angle where its two faces are oriented
+                 ///< consistently
     LINK = 32    ///< growing never crosses it; has no angle
   };
-  static constexpr std::uint8_t without_angle = JOINING | CLOSED | LINK; ///< flags; also seams without a sign
+  static constexpr std::uint8_t without_angle = JOINING | CLOSED | LINK; ///< flags; also seams
+                                                                         ///< without a sign
 
   std::size_t number_of_faces() const { return m_normals.size(); }
   std::size_t number_of_vertices() const { return m_points.size(); }
   std::size_t number_of_adjacencies() const { return m_higher_faces.size(); }
 
-  /// The unit of points and lengths, as a multiple of that of the mesh: 1, unless areas might exceed the range of double; then a
-  /// power of two, so that results do not depend on it.
+  /// The unit of points and lengths, as a multiple of that of the mesh: 1, unless areas might
+  /// exceed the range of double; then a power of two, so that results do not depend on it.
   double unit() const { return m_unit; }
   /// The sum of the weights of the faces, in their order.
   double area() const { return m_area; }
@@ -72,9 +78,15 @@ public:
   /// \name Vertices and corners
   /// @{
   const Double_3& point(std::size_t vertex) const { return m_points[vertex]; }
-  std::size_t number_of_corners(std::size_t face) const { return m_first_corners[face + 1] - m_first_corners[face]; }
+  std::size_t number_of_corners(std::size_t face) const
+  {
+    return m_first_corners[face + 1] - m_first_corners[face];
+  }
   /// The vertex at a corner of a face. The first corner is the vertex of lowest index.
-  Index corner(std::size_t face, std::size_t i) const { return m_corners[m_first_corners[face] + i]; }
+  Index corner(std::size_t face, std::size_t i) const
+  {
+    return m_corners[m_first_corners[face] + i];
+  }
   /// @}
 
   /// \name Faces
@@ -83,13 +95,13 @@ public:
   /// The unit normal; the zero vector for a degenerate face.
   const Double_3& normal(std::size_t face) const { return m_normals[face]; }
   double area(std::size_t face) const { return m_areas[face]; }
-  /// Whether the face belongs to a crumb: a component of less than 1/1000 of the area of the largest one, where components are
-  /// linked.
+  /// Whether the face belongs to a crumb: a component of less than 1/1000 of the area of the
+  /// largest one, where components are linked.
   bool is_crumb(std::size_t face) const { return !m_is_crumb.empty() && m_is_crumb[face]; }
   /// The area, but 0 for a face of a crumb: so crumbs do not change how the rest is segmented.
   double weight(std::size_t face) const { return is_crumb(face) ? 0 : m_areas[face]; }
-  /// Whether the area is so small that the normal has no meaning, see \ref RegionSegmentationTwoStep; or the face is
-  /// given twice.
+  /// Whether the area is so small that the normal has no meaning, see \ref
+  /// RegionSegmentationTwoStep; or the face is given twice.
   bool is_degenerate(std::size_t face) const
   {
     const Double_3& n = m_normals[face];
@@ -112,17 +124,22 @@ public:
   /// The first adjacency whose higher face is not below `face`. O(log F).
   std::size_t first_adjacency(std::size_t face) const
   {
-    return std::size_t(std::lower_bound(m_higher_faces.begin(), m_higher_faces.end(), face) - m_higher_faces.begin());
+    return std::size_t(std::lower_bound(m_higher_faces.begin(), m_higher_faces.end(), face) -
+                       m_higher_faces.begin());
   }
   Index lower_face(std::size_t adjacency) const { return m_lower_faces[adjacency]; }
   Index higher_face(std::size_t adjacency) const { return m_higher_faces[adjacency]; }
-  /// The length of the edge, half of it for a seam of three and more faces, the length of contact of a link.
+  /// The length of the edge, half of it for a seam of three and more faces, the length of contact
+  /// of a link.
   double length(std::size_t adjacency) const { return std::sqrt(m_squared_lengths[adjacency]); }
   double squared_length(std::size_t adjacency) const { return m_squared_lengths[adjacency]; }
   /// The sum of the `Flag`s.
   std::uint8_t flags(std::size_t adjacency) const { return m_flags[adjacency]; }
   /// Whether an adjacency has one of several flags.
-  bool has_flag(std::size_t adjacency, std::uint8_t any) const { return (m_flags[adjacency] & any) != 0; }
+  bool has_flag(std::size_t adjacency, std::uint8_t any) const
+  {
+    return (m_flags[adjacency] & any) != 0;
+  }
 
   /// The cosine of the deviation, N_i . N_j, in [-1, 1]; 1 where there is no angle.
   double cosine(std::size_t adjacency) const
@@ -175,10 +192,20 @@ struct Surface_access
   using Array = Large_array<T>;
 
   explicit Surface_access(Surface& s)
-    : points(s.m_points), first_corners(s.m_first_corners), corners(s.m_corners), normals(s.m_normals)
-    , areas(s.m_areas), lower_faces(s.m_lower_faces), higher_faces(s.m_higher_faces)
-    , squared_lengths(s.m_squared_lengths), flags(s.m_flags), unit(s.m_unit), area(s.m_area), length_unit(s.m_length_unit)
-    , has_seams_or_links(s.m_has_seams_or_links), is_crumb(s.m_is_crumb)
+    : points(s.m_points)
+    , first_corners(s.m_first_corners)
+    , corners(s.m_corners)
+    , normals(s.m_normals)
+    , areas(s.m_areas)
+    , lower_faces(s.m_lower_faces)
+    , higher_faces(s.m_higher_faces)
+    , squared_lengths(s.m_squared_lengths)
+    , flags(s.m_flags)
+    , unit(s.m_unit)
+    , area(s.m_area)
+    , length_unit(s.m_length_unit)
+    , has_seams_or_links(s.m_has_seams_or_links)
+    , is_crumb(s.m_is_crumb)
   {}
 
   Array<Double_3>& points;

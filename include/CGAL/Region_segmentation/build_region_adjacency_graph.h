@@ -24,14 +24,16 @@ namespace CGAL {
 namespace Region_segmentation {
 
 namespace internal {
-using Graph_parameters =
-  Tag_list<internal_np::component_links_t, CGAL::internal_np::edge_is_constrained_t, CGAL::internal_np::visitor_t>;
+using Graph_parameters = Tag_list<internal_np::component_links_t,
+                                  CGAL::internal_np::edge_is_constrained_t,
+                                  CGAL::internal_np::visitor_t>;
 }
 
 /// \ingroup PkgRegionSegmentationStages
 /// builds the graph of the regions of a surface and the sections between them.
 ///
-/// \tparam RegionData, SectionData models of `RegionData` and `SectionData`: sums over the faces and adjacencies. Those that
+/// \tparam RegionData, SectionData models of `RegionData` and `SectionData`: sums over the faces
+/// and adjacencies. Those that
 ///         need more, such as `Visibility_region_data`, are filled by their annotator afterwards
 /// \param surface, regions the region of every face
 /// \param constraints adjacencies that are never merged across
@@ -40,11 +42,13 @@ using Graph_parameters =
 /// \returns a `Region_adjacency_graph`; its regions are the parts of `regions`
 /// \throws Invalid_input if the numbers of elements of `regions` and of faces differ
 ///
-/// Complexity: O(F) expected. Deterministic: the sums over a section run by higher, then by lower face.
+/// Complexity: O(F) expected. Deterministic: the sums over a section run by higher, then by lower
+/// face.
 template <typename RegionData = Region_geometry, typename SectionData = Section_geometry>
 Region_adjacency_graph<RegionData, SectionData>
 build_region_adjacency_graph(const Surface& surface, const Partition& regions,
-                             const Constraints& constraints = Constraints(), const Execution& execution = Execution())
+                             const Constraints& constraints = Constraints(),
+                             const Execution& execution = Execution())
 {
   if (regions.size() != surface.number_of_faces())
     throw Invalid_input("a partition of " + std::to_string(regions.size()) + " elements for " +
@@ -61,20 +65,20 @@ build_region_adjacency_graph(const Surface& surface, const Partition& regions,
 /// \tparam FaceRegionMap a model of `ReadablePropertyMap` with the face descriptor as key and an
 ///         integral value type
 /// \param mesh see `segment()`
-/// \param region_map the region of every face, by any labels: regions are numbered by their first face
-/// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
+/// \param region_map the region of every face, by any labels: regions are numbered by their first
+/// face \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{edge_is_constrained_map}
 ///     \cgalParamDescription{edges that are never merged across}
-///     \cgalParamType{a model of `ReadablePropertyMap` with the edge descriptor as key type and a value type convertible
+///     \cgalParamType{a model of `ReadablePropertyMap` with the edge descriptor as key type and a
+///     value type convertible
 ///       to `bool`}
 ///     \cgalParamDefault{no edge}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{component_links}
-///     \cgalParamDescription{whether components that touch or are near each other are adjacent, see `Surface`}
-///     \cgalParamType{`bool`}
-///     \cgalParamDefault{`true`}
+///     \cgalParamDescription{whether components that touch or are near each other are adjacent, see
+///     `Surface`} \cgalParamType{`bool`} \cgalParamDefault{`true`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
 ///     \cgalParamDescription{follows the progress, and can cancel: stages "reading", "graph"}
@@ -91,8 +95,8 @@ build_region_adjacency_graph(const Surface& surface, const Partition& regions,
 ///
 /// Source: \cgalCite{YZWLL14}, section 3.3 (EdgeSection).
 template <typename RegionData = Region_geometry, typename SectionData = Section_geometry,
-          typename ConcurrencyTag = CGAL::Sequential_tag, typename FaceGraph, typename FaceRegionMap,
-          typename NamedParameters = parameters::Default_named_parameters,
+          typename ConcurrencyTag = CGAL::Sequential_tag, typename FaceGraph,
+          typename FaceRegionMap, typename NamedParameters = parameters::Default_named_parameters,
           std::enable_if_t<internal::is_pack<NamedParameters>, int> = 0>
 Region_adjacency_graph<RegionData, SectionData>
 build_region_adjacency_graph(const FaceGraph& mesh, FaceRegionMap region_map,
@@ -106,8 +110,9 @@ build_region_adjacency_graph(const FaceGraph& mesh, FaceRegionMap region_map,
   const Surface surface = input.surface(pack, execution);
   Constraints constraints;
   if constexpr (internal::has_constraints<Pack>)
-    input.add_constraints(surface, CGAL::parameters::get_parameter(pack, CGAL::internal_np::edge_is_constrained), pack,
-                          constraints);
+    input.add_constraints(
+      surface, CGAL::parameters::get_parameter(pack, CGAL::internal_np::edge_is_constrained), pack,
+      constraints);
   return build_region_adjacency_graph<RegionData, SectionData>(
     surface, internal::read_face_labels(mesh, region_map), constraints, execution.stage("graph"));
 }

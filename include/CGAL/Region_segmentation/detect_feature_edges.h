@@ -18,8 +18,9 @@ namespace CGAL {
 namespace Region_segmentation {
 
 namespace internal {
-using Feature_edge_parameters = Tag_list<CGAL::internal_np::maximum_angle_t, internal_np::feature_convexity_t,
-                                         CGAL::internal_np::edge_is_constrained_t, CGAL::internal_np::visitor_t>;
+using Feature_edge_parameters = Tag_list<
+  CGAL::internal_np::maximum_angle_t, internal_np::feature_convexity_t,
+  CGAL::internal_np::edge_is_constrained_t, CGAL::internal_np::visitor_t>;
 }
 
 /// \ingroup PkgRegionSegmentationStages
@@ -51,7 +52,8 @@ using Feature_edge_parameters = Tag_list<CGAL::internal_np::maximum_angle_t, int
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{edge_is_constrained_map}
 ///     \cgalParamDescription{edges that are always feature edges}
-///     \cgalParamType{a model of `ReadablePropertyMap` with the edge descriptor as key type and a value type convertible
+///     \cgalParamType{a model of `ReadablePropertyMap` with the edge descriptor as key type and a
+///     value type convertible
 ///       to `bool`}
 ///     \cgalParamDefault{no edge}
 ///   \cgalParamNEnd
@@ -68,13 +70,15 @@ using Feature_edge_parameters = Tag_list<CGAL::internal_np::maximum_angle_t, int
 ///
 /// \returns the number of edges written as true
 /// \pre `maximum_angle` is in [0, 180]
-/// \throws Invalid_input if a point is not finite, Segmentation_cancelled if the visitor cancels; the map is unchanged
+/// \throws Invalid_input if a point is not finite, Segmentation_cancelled if the visitor cancels;
+/// the map is unchanged
 ///
-/// Complexity: O(F); that of `make_surface()`. Deterministic. Parallel with `Parallel_tag`. Concurrent calls on different maps
-/// are safe.
+/// Complexity: O(F); that of `make_surface()`. Deterministic. Parallel with `Parallel_tag`.
+/// Concurrent calls on different maps are safe.
 ///
 /// Source: \cgalCite{YZWLL14}, section 3.1.
-template <typename ConcurrencyTag = CGAL::Sequential_tag, typename FaceGraph, typename EdgeIsFeatureMap,
+template <typename ConcurrencyTag = CGAL::Sequential_tag, typename FaceGraph,
+          typename EdgeIsFeatureMap,
           typename NamedParameters = parameters::Default_named_parameters>
 std::size_t detect_feature_edges(const FaceGraph& mesh, EdgeIsFeatureMap edge_is_feature_map,
                                  const NamedParameters& np = parameters::default_values())
@@ -85,8 +89,8 @@ std::size_t detect_feature_edges(const FaceGraph& mesh, EdgeIsFeatureMap edge_is
   const Execution execution = internal::make_execution<ConcurrencyTag>(pack);
   const double maximum_angle = internal::maximum_angle(pack);
   const internal::Stage_input input(mesh, pack, execution);
-  const auto is_feature = internal::mark_feature_edges(input.surface(), maximum_angle, internal::feature_convexity(pack),
-                                                       execution.stage("features"));
+  const auto is_feature = internal::mark_feature_edges(
+    input.surface(), maximum_angle, internal::feature_convexity(pack), execution.stage("features"));
   return input.write(edge_is_feature_map,
                      [&](std::size_t a) { return is_feature[a] != 0 || input.constraints()[a]; });
 }

@@ -22,13 +22,15 @@ public:
 class Segmentation_cancelled : public std::runtime_error
 {
 public:
-  Segmentation_cancelled() : std::runtime_error("segmentation cancelled by its visitor") {}
+  Segmentation_cancelled()
+    : std::runtime_error("segmentation cancelled by its visitor")
+  {}
 };
 
 /// \ingroup PkgRegionSegmentationExceptions
 /// Thrown, in every build, when a method or a part of it violates its concept in a way that cannot
-/// be detected at compile time: its regions are not those of the faces, or a policy proposes a merge
-/// across a removed section or at a cost that is not a number. Outputs are unchanged.
+/// be detected at compile time: its regions are not those of the faces, or a policy proposes a
+/// merge across a removed section or at a cost that is not a number. Outputs are unchanged.
 class Invalid_method : public std::logic_error
 {
 public:

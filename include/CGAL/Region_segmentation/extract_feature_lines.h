@@ -24,13 +24,15 @@ namespace Region_segmentation {
 
 namespace internal {
 
-using Feature_line_parameters = Tag_list<CGAL::internal_np::minimum_length_t, CGAL::internal_np::edge_is_constrained_t,
+using Feature_line_parameters = Tag_list<CGAL::internal_np::minimum_length_t,
+                                         CGAL::internal_np::edge_is_constrained_t,
                                          CGAL::internal_np::visitor_t>;
 
-/// The marked edges of a mesh, its borders, and the unmarked edges that are barriers for growing, with
-/// their vertices as a graph.
+/// The marked edges of a mesh, its borders, and the unmarked edges that are barriers for growing,
+/// with their vertices as a graph.
 template <typename FaceGraph, typename Pack, typename EdgeIsFeatureMap>
-auto make_feature_graph(const Stage_input<FaceGraph, Pack>& input, const EdgeIsFeatureMap& edge_is_feature_map)
+auto make_feature_graph(const Stage_input<FaceGraph, Pack>& input,
+                        const EdgeIsFeatureMap& edge_is_feature_map)
 {
   constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
   const FaceGraph& mesh = input.mesh();
@@ -84,11 +86,11 @@ struct Polyline_collector
 /// \ingroup PkgRegionSegmentationStages
 /// removes the feature lines that end inside the surface, and outputs those that remain.
 ///
-/// A *feature line* is a maximal chain of feature edges between vertices where the number of feature
-/// edges is not 2, or a closed chain. A line with an end without another feature edge separates
-/// nothing: all such lines are removed at once, repeatedly until there is none. Growing gives the
-/// same regions before and after; to this end, a line may also end at an edge of a degenerate face
-/// that growing does not cross.
+/// A *feature line* is a maximal chain of feature edges between vertices where the number of
+/// feature edges is not 2, or a closed chain. A line with an end without another feature edge
+/// separates nothing: all such lines are removed at once, repeatedly until there is none. Growing
+/// gives the same regions before and after; to this end, a line may also end at an edge of a
+/// degenerate face that growing does not cross.
 ///
 /// \tparam ConcurrencyTag `Sequential_tag` or, with TBB, `Parallel_tag`; see `segment()`
 /// \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
@@ -97,20 +99,21 @@ struct Polyline_collector
 /// \tparam PolylineOutputIterator a model of `OutputIterator` that takes
 ///         `std::vector<vertex_descriptor>`
 /// \param mesh an oriented 2-manifold with or without boundary
-/// \param edge_is_feature_map the feature edges; every key is written. Borders of the mesh are always
+/// \param edge_is_feature_map the feature edges; every key is written. Borders of the mesh are
+/// always
 ///        feature edges
 /// \param polylines receives the vertices of every line; a closed one ends with its first vertex
 /// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{minimum_length}
-///     \cgalParamDescription{lines of at least this number of edges are kept, although they end inside the surface}
-///     \cgalParamType{an integral type}
-///     \cgalParamDefault{no line is that long}
+///     \cgalParamDescription{lines of at least this number of edges are kept, although they end
+///     inside the surface} \cgalParamType{an integral type} \cgalParamDefault{no line is that long}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{edge_is_constrained_map}
 ///     \cgalParamDescription{feature edges that are never removed}
-///     \cgalParamType{a model of `ReadablePropertyMap` with the edge descriptor as key type and a value type convertible
+///     \cgalParamType{a model of `ReadablePropertyMap` with the edge descriptor as key type and a
+///     value type convertible
 ///       to `bool`}
 ///     \cgalParamDefault{no edge}
 ///   \cgalParamNEnd
@@ -128,13 +131,14 @@ struct Polyline_collector
 /// \returns the number of lines that remain
 /// \post every remaining line that is shorter than `minimum_length` is closed or ends at other
 ///       feature edges
-/// \throws Invalid_input if a point is not finite, Segmentation_cancelled if the visitor cancels; the map is unchanged
+/// \throws Invalid_input if a point is not finite, Segmentation_cancelled if the visitor cancels;
+/// the map is unchanged
 ///
 /// Complexity: O(F). Deterministic. Concurrent calls on different maps are safe.
 ///
 /// Source: \cgalCite{YZWLL14}, section 3.1.
-template <typename ConcurrencyTag = CGAL::Sequential_tag, typename FaceGraph, typename EdgeIsFeatureMap,
-          typename PolylineOutputIterator,
+template <typename ConcurrencyTag = CGAL::Sequential_tag, typename FaceGraph,
+          typename EdgeIsFeatureMap, typename PolylineOutputIterator,
           typename NamedParameters = parameters::Default_named_parameters>
 std::size_t extract_feature_lines(const FaceGraph& mesh, EdgeIsFeatureMap edge_is_feature_map,
                                   PolylineOutputIterator polylines,
@@ -145,9 +149,9 @@ std::size_t extract_feature_lines(const FaceGraph& mesh, EdgeIsFeatureMap edge_i
   using Value = typename boost::property_traits<EdgeIsFeatureMap>::value_type;
   const auto& pack = internal::pack(np);
   internal::check_parameters<std::decay_t<decltype(pack)>, internal::Feature_line_parameters>();
-  const std::size_t minimum_length =
-    choose_parameter(get_parameter(pack, CGAL::internal_np::minimum_length),
-                     (std::numeric_limits<std::size_t>::max)());
+  const std::size_t minimum_length = choose_parameter(
+    get_parameter(pack, CGAL::internal_np::minimum_length),
+    (std::numeric_limits<std::size_t>::max)());
 
   const internal::Stage_input input(mesh, pack, internal::make_execution<ConcurrencyTag>(pack));
   auto graph = internal::make_feature_graph(input, edge_is_feature_map);
@@ -160,8 +164,8 @@ std::size_t extract_feature_lines(const FaceGraph& mesh, EdgeIsFeatureMap edge_i
     put(edge_is_feature_map, graph[*range.first].mesh_edge, Value(true));
 
   std::size_t number_of_lines = 0;
-  internal::Polyline_collector<decltype(graph), PolylineOutputIterator> collector{
-    graph, polylines, number_of_lines};
+  internal::Polyline_collector<decltype(graph), PolylineOutputIterator> collector{graph, polylines,
+                                                                                  number_of_lines};
   CGAL::split_graph_into_polylines(graph, collector);
   return number_of_lines;
 }

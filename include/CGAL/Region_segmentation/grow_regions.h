@@ -40,7 +40,8 @@ namespace Region_segmentation {
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{edge_is_constrained_map}
 ///     \cgalParamDescription{edges that are not crossed}
-///     \cgalParamType{a model of `ReadablePropertyMap` with the edge descriptor as key type and a value type convertible
+///     \cgalParamType{a model of `ReadablePropertyMap` with the edge descriptor as key type and a
+///     value type convertible
 ///       to `bool`}
 ///     \cgalParamDefault{no edge}
 ///   \cgalParamNEnd
@@ -58,14 +59,15 @@ namespace Region_segmentation {
 /// \returns the number r of regions
 /// \post every region is connected; two faces that share an edge which is not a feature edge, and
 ///       neither of which is degenerate, have the same region
-/// \throws Invalid_input if a point is not finite, Segmentation_cancelled if the visitor cancels; the maps are unchanged
+/// \throws Invalid_input if a point is not finite, Segmentation_cancelled if the visitor cancels;
+/// the maps are unchanged
 ///
-/// Complexity: O(F); 4 bytes per face. Deterministic. Parallel: reading, with `Parallel_tag`. Concurrent calls on different
-/// maps are safe.
+/// Complexity: O(F); 4 bytes per face. Deterministic. Parallel: reading, with `Parallel_tag`.
+/// Concurrent calls on different maps are safe.
 ///
 /// Source: \cgalCite{YZWLL14}, section 3.2.
-template <typename ConcurrencyTag = CGAL::Sequential_tag, typename FaceGraph, typename EdgeIsFeatureMap,
-          typename FaceRegionMap,
+template <typename ConcurrencyTag = CGAL::Sequential_tag, typename FaceGraph,
+          typename EdgeIsFeatureMap, typename FaceRegionMap,
           typename NamedParameters = parameters::Default_named_parameters>
 std::size_t grow_regions(const FaceGraph& mesh, EdgeIsFeatureMap edge_is_feature_map,
                          FaceRegionMap region_map,
@@ -79,8 +81,10 @@ std::size_t grow_regions(const FaceGraph& mesh, EdgeIsFeatureMap edge_is_feature
   const internal::Stage_input input(mesh, pack, execution);
   const Surface& surface = input.surface();
   internal::Edge_marks is_feature(surface.number_of_adjacencies());
-  input.for_each_adjacency([&](auto h, std::size_t a) { is_feature[a] = bool(get(edge_is_feature_map, edge(h, mesh))); });
-  const Partition regions = internal::grow(surface, is_feature, input.constraints(), execution.stage("regions"));
+  input.for_each_adjacency(
+    [&](auto h, std::size_t a) { is_feature[a] = bool(get(edge_is_feature_map, edge(h, mesh))); });
+  const Partition regions = internal::grow(surface, is_feature, input.constraints(),
+                                           execution.stage("regions"));
 
   input.write(edge_is_feature_map, [&](std::size_t a) {
     const bool is_between = regions[surface.lower_face(a)] != regions[surface.higher_face(a)];

@@ -23,15 +23,18 @@ namespace internal {
 template <typename Pack>
 bool component_links(const Pack& np)
 {
-  return CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, internal_np::component_links), true);
+  return CGAL::parameters::choose_parameter(
+    CGAL::parameters::get_parameter(np, internal_np::component_links), true);
 }
 
 template <typename FaceGraph, typename Pack>
-Surface make_surface(const Mesh_order<FaceGraph, Pack>& order, const Pack& np, const Execution& execution)
+Surface make_surface(const Mesh_order<FaceGraph, Pack>& order, const Pack& np,
+                     const Execution& execution)
 {
   const Execution reading = execution.stage("reading");
   return build_surface(read_face_graph(order, np, reading.step(0, 0.5)),
-                       component_links(np) ? Adjacency_of::COMPONENTS : Adjacency_of::NEIGHBORS, reading.step(0.5, 1));
+                       component_links(np) ? Adjacency_of::COMPONENTS : Adjacency_of::NEIGHBORS,
+                       reading.step(0.5, 1));
 }
 
 /// For functions that read a face graph as it is: without links and coinciding borders.
@@ -39,16 +42,18 @@ template <typename FaceGraph, typename Pack>
 Surface make_surface_of_neighbors(const FaceGraph& mesh, const Pack& np)
 {
   const Execution execution;
-  return build_surface(read_face_graph(Mesh_order<FaceGraph, Pack>(mesh, np), np, execution), Adjacency_of::NEIGHBORS,
-                       execution);
+  return build_surface(read_face_graph(Mesh_order<FaceGraph, Pack>(mesh, np), np, execution),
+                       Adjacency_of::NEIGHBORS, execution);
 }
 
 template <typename PointRange, typename PolygonRange, typename Pack>
-Surface make_surface(const PointRange& points, const PolygonRange& polygons, const Pack& np, const Execution& execution)
+Surface make_surface(const PointRange& points, const PolygonRange& polygons, const Pack& np,
+                     const Execution& execution)
 {
   const Execution reading = execution.stage("reading");
   return build_surface(read_polygons(points, polygons, reading.step(0, 0.5)),
-                       component_links(np) ? Adjacency_of::COMPONENTS : Adjacency_of::COINCIDING_SIDES,
+                       component_links(np) ? Adjacency_of::COMPONENTS
+                                           : Adjacency_of::COINCIDING_SIDES,
                        reading.step(0.5, 1));
 }
 
@@ -59,16 +64,18 @@ using Surface_parameters = Tag_list<internal_np::component_links_t, CGAL::intern
 /// \ingroup PkgRegionSegmentationData
 /// makes a surface of a face graph.
 ///
-/// Neighbors are those of the graph. Unless `component_links` is `false`, border edges with equal end points are adjacent,
-/// too, and components are linked, as those of polygons are.
+/// Neighbors are those of the graph. Unless `component_links` is `false`, border edges with equal
+/// end points are adjacent, too, and components are linked, as those of polygons are.
 ///
-/// An outermost closed component of negative signed volume is inside out: it is turned, together with the closed components inside
-/// it. A closed one of negative volume inside another one bounds a void, and stays. Open components are read as they are.
+/// An outermost closed component of negative signed volume is inside out: it is turned, together
+/// with the closed components inside it. A closed one of negative volume inside another one bounds
+/// a void, and stays. Open components are read as they are.
 ///
 /// \tparam ConcurrencyTag `Sequential_tag` or, with TBB, `Parallel_tag`
 /// \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \param mesh its faces are polygons of any size
-/// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters": `component_links`, `visitor` (stage
+/// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
+/// `component_links`, `visitor` (stage
 ///           "reading"), `vertex_point_map`, `face_index_map`, `vertex_index_map`; see `segment()`
 /// \throws Invalid_input if a point is not finite, Segmentation_cancelled if the visitor cancels
 ///
@@ -76,7 +83,8 @@ using Surface_parameters = Tag_list<internal_np::component_links_t, CGAL::intern
 template <typename ConcurrencyTag = CGAL::Sequential_tag, typename FaceGraph,
           typename NamedParameters = parameters::Default_named_parameters,
           std::enable_if_t<internal::is_pack<NamedParameters>, int> = 0>
-Surface make_surface(const FaceGraph& mesh, const NamedParameters& np = parameters::default_values())
+Surface make_surface(const FaceGraph& mesh,
+                     const NamedParameters& np = parameters::default_values())
 {
   const auto& pack = internal::pack(np);
   using Pack = std::decay_t<decltype(pack)>;
@@ -86,32 +94,38 @@ Surface make_surface(const FaceGraph& mesh, const NamedParameters& np = paramete
 }
 
 /// \ingroup PkgRegionSegmentationData
-/// makes a surface of points and polygons. They need not be manifold, oriented, connected or free of duplicates.
+/// makes a surface of points and polygons. They need not be manifold, oriented, connected or free
+/// of duplicates.
 ///
 /// - Points with equal coordinates are one vertex.
-/// - Two sides of polygons with the same two vertices are an edge. Where there are more of them, they are seams, see
+/// - Two sides of polygons with the same two vertices are an edge. Where there are more of them,
+/// they are seams, see
 ///   `Surface`, but for those of degenerate faces, which are edges to the lowest other face.
-/// - Faces are turned so that neighbors across edges are oriented alike; the orientation of a component is that of the
+/// - Faces are turned so that neighbors across edges are oriented alike; the orientation of a
+/// component is that of the
 ///   larger area. An edge whose faces cannot be oriented is a seam.
-/// - A polygon that was given before, in any orientation, is degenerate, and is adjacent to that one alone.
+/// - A polygon that was given before, in any orientation, is degenerate, and is adjacent to that
+/// one alone.
 ///
 /// Closed components are turned, and components are linked, as those of a face graph.
 ///
-/// \tparam PointRange a range whose value type is a model of `Kernel::Point_3`, or has `operator[]` for its coordinates
-/// \tparam PolygonRange a range of ranges of indices of points
-/// \throws Invalid_input if a polygon has no corner or one that is not a point, or a point of a polygon is not finite;
+/// \tparam PointRange a range whose value type is a model of `Kernel::Point_3`, or has `operator[]`
+/// for its coordinates \tparam PolygonRange a range of ranges of indices of points \throws
+/// Invalid_input if a polygon has no corner or one that is not a point, or a point of a polygon is
+/// not finite;
 ///         Segmentation_cancelled if the visitor cancels
 ///
 /// Complexity: O(F) expected, O(F log F) with several components or seams.
-template <typename ConcurrencyTag = CGAL::Sequential_tag, typename PointRange, typename PolygonRange,
-          typename NamedParameters = parameters::Default_named_parameters,
+template <typename ConcurrencyTag = CGAL::Sequential_tag, typename PointRange,
+          typename PolygonRange, typename NamedParameters = parameters::Default_named_parameters,
           std::enable_if_t<internal::is_polygon_range<PolygonRange>(), int> = 0>
 Surface make_surface(const PointRange& points, const PolygonRange& polygons,
                      const NamedParameters& np = parameters::default_values())
 {
   const auto& pack = internal::pack(np);
   internal::check_parameters<std::decay_t<decltype(pack)>, internal::Surface_parameters>();
-  return internal::make_surface(points, polygons, pack, internal::make_execution<ConcurrencyTag>(pack));
+  return internal::make_surface(points, polygons, pack,
+                                internal::make_execution<ConcurrencyTag>(pack));
 }
 
 } // namespace Region_segmentation

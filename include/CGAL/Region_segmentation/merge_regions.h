@@ -50,13 +50,14 @@ struct Stop_at_cost
 ///
 /// \tparam Graph a `Region_adjacency_graph`
 /// \tparam Policy a model of `MergingPolicy`
-/// \tparam Stop `bool operator()(const Graph&, double next_cost)`: whether to end before the next merge,
+/// \tparam Stop `bool operator()(const Graph&, double next_cost)`: whether to end before the next
+/// merge,
 ///         which would cost `next_cost`. `Stop_at_count`, `Stop_at_cost`, or a user's own
 /// \param graph the regions; merged in place
 /// \param policy is initialized for the graph, so that it can be used again
-/// \param number_of_segments the wanted number, for a policy whose order depends on it; `stop` ends merging
-/// \param stop is called before each merge
-/// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
+/// \param number_of_segments the wanted number, for a policy whose order depends on it; `stop` ends
+/// merging \param stop is called before each merge \param np an optional sequence of \ref
+/// PkgRegionSegmentationNP "Named Parameters":
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{visitor}
@@ -68,24 +69,30 @@ struct Stop_at_cost
 /// \cgalNamedParamsEnd
 ///
 /// \returns the tree of the merges, over all indices of regions of the graph
-/// \throws Segmentation_cancelled if the visitor cancels, Invalid_method if the policy proposes a section that is
-///         removed or not mergeable, or a cost that is not a number; the graph is then in the state between two merges
+/// \throws Segmentation_cancelled if the visitor cancels, Invalid_method if the policy proposes a
+/// section that is
+///         removed or not mergeable, or a cost that is not a number; the graph is then in the state
+///         between two merges
 ///
-/// Complexity: that of the policy, and O((R + S) log R) expected for the graph itself. Deterministic.
+/// Complexity: that of the policy, and O((R + S) log R) expected for the graph itself.
+/// Deterministic.
 template <typename Graph, typename Policy, typename Stop,
           typename NamedParameters = parameters::Default_named_parameters>
 Merge_tree merge_regions(Graph& graph, Policy&& policy, std::size_t number_of_segments, Stop stop,
                          const NamedParameters& np = parameters::default_values())
 {
   const auto& pack = internal::pack(np);
-  internal::check_parameters<std::decay_t<decltype(pack)>, internal::Tag_list<CGAL::internal_np::visitor_t>>();
+  internal::check_parameters<std::decay_t<decltype(pack)>,
+                             internal::Tag_list<CGAL::internal_np::visitor_t>>();
   static_assert(!std::is_const<std::remove_reference_t<Policy>>::value,
                 "merging changes the policy: pass one that is not const, or a temporary copy");
   static_assert(internal::check_merging_policy<std::decay_t<Policy>, Graph>());
-  static_assert(std::is_invocable_r<bool, Stop&, const Graph&, double>::value,
-                "a predicate that stops merging needs: bool operator()(const Graph&, double next_cost)");
-  internal::Merger<Graph> merger(graph, Seeds(), number_of_segments,
-                                 internal::make_execution<CGAL::Sequential_tag>(pack).stage("merging"));
+  static_assert(
+    std::is_invocable_r<bool, Stop&, const Graph&, double>::value,
+    "a predicate that stops merging needs: bool operator()(const Graph&, double next_cost)");
+  internal::Merger<Graph> merger(
+    graph, Seeds(), number_of_segments,
+    internal::make_execution<CGAL::Sequential_tag>(pack).stage("merging"));
   merger.run(policy, stop);
   return merger.take_tree();
 }

@@ -15,14 +15,16 @@ namespace CGAL {
 namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationData
-/// merges the graph of requested regions by a policy until `number` are left: regions of different seeds never, crumbs first.
+/// merges the graph of requested regions by a policy until `number` are left: regions of different
+/// seeds never, crumbs first.
 ///
 /// \tparam Graph a `Region_adjacency_graph` of `requested.regions`
 /// \tparam Policy a model of `MergingPolicy`
 /// \returns the tree of the merges
 template <typename Graph, typename Policy>
-Merge_tree merge_requested_regions(const Surface& surface, const Requested_regions& requested, Graph& graph,
-                                   Policy policy, std::size_t number, const Execution& execution)
+Merge_tree merge_requested_regions(const Surface& surface, const Requested_regions& requested,
+                                   Graph& graph, Policy policy, std::size_t number,
+                                   const Execution& execution)
 {
   static_assert(internal::check_merging_policy<Policy, Graph>());
   auto of_crumbs = internal::merges_of_crumbs(surface, requested.regions);

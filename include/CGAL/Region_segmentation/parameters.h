@@ -17,13 +17,14 @@
 #include <type_traits>
 #include <utility>
 
-// The parameters that the package adds: tag type, name. (And merge_tree, an output that is not a map.)
-#define CGAL_REGION_SEGMENTATION_PARAMETERS(ADD)        \
-  ADD(number_of_segments_t, number_of_segments)         \
-  ADD(method_t, method)                                 \
-  ADD(face_seed_map_t, face_seed_map)                   \
-  ADD(component_links_t, component_links)               \
-  ADD(feature_convexity_t, feature_convexity)           \
+// The parameters that the package adds: tag type, name. (And merge_tree, an output that is not a
+// map.)
+#define CGAL_REGION_SEGMENTATION_PARAMETERS(ADD)                                                   \
+  ADD(number_of_segments_t, number_of_segments)                                                    \
+  ADD(method_t, method)                                                                            \
+  ADD(face_seed_map_t, face_seed_map)                                                              \
+  ADD(component_links_t, component_links)                                                          \
+  ADD(feature_convexity_t, feature_convexity)                                                      \
   ADD(region_map_t, region_map)
 
 namespace CGAL {
@@ -32,8 +33,7 @@ namespace Region_segmentation {
 class Merge_tree;
 
 namespace internal_np {
-#define CGAL_REGION_SEGMENTATION_ADD(TAG, NAME) \
-  enum TAG { NAME };
+#define CGAL_REGION_SEGMENTATION_ADD(TAG, NAME) enum TAG { NAME };
 CGAL_REGION_SEGMENTATION_PARAMETERS(CGAL_REGION_SEGMENTATION_ADD)
 #undef CGAL_REGION_SEGMENTATION_ADD
 enum merge_tree_t { merge_tree };
@@ -46,34 +46,40 @@ struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
   using Pack = CGAL::Named_function_parameters<T, Tag, Base>;
 
   Named_parameters() = default;
-  explicit Named_parameters(const T& value) : Pack(value) {}
-  Named_parameters(const T& value, const Base& others) : Pack(value, others) {}
+  explicit Named_parameters(const T& value)
+    : Pack(value)
+  {}
+  Named_parameters(const T& value, const Base& others)
+    : Pack(value, others)
+  {}
 
   const Pack& pack() const { return *this; }
 
-  // CGAL's list has no include guard: it is included once for the member functions here and once for
-  // the free functions below. Later releases of CGAL use more macros than the first in their lists.
-#define CGAL_add_named_parameter(TAG, ENUMERATOR, NAME)                                   \
-  template <typename K>                                                                   \
-  Named_parameters<K, CGAL::internal_np::TAG, Pack> NAME(const K& value) const            \
-  { return Named_parameters<K, CGAL::internal_np::TAG, Pack>(value, pack()); }
-#define CGAL_add_named_parameter_with_compatibility(TAG, ENUMERATOR, NAME)                \
-  CGAL_add_named_parameter(TAG, ENUMERATOR, NAME)
-#define CGAL_add_named_parameter_with_compatibility_cref_only(TAG, ENUMERATOR, NAME)      \
-  template <typename K>                                                                   \
-  Named_parameters<std::reference_wrapper<const K>, CGAL::internal_np::TAG, Pack>         \
-  NAME(const K& value) const                                                              \
-  {                                                                                       \
-    return Named_parameters<std::reference_wrapper<const K>, CGAL::internal_np::TAG,      \
-                            Pack>(std::cref(value), pack());                              \
+  // CGAL's list has no include guard: it is included once for the member functions here and once
+  // for the free functions below. Later releases of CGAL use more macros than the first in their
+  // lists.
+#define CGAL_add_named_parameter(TAG, ENUMERATOR, NAME)                                            \
+  template <typename K>                                                                            \
+  Named_parameters<K, CGAL::internal_np::TAG, Pack> NAME(const K& value) const                     \
+  {                                                                                                \
+    return Named_parameters<K, CGAL::internal_np::TAG, Pack>(value, pack());                       \
   }
-#define CGAL_add_named_parameter_with_compatibility_ref_only(TAG, ENUMERATOR, NAME)       \
-  template <typename K>                                                                   \
-  Named_parameters<std::reference_wrapper<K>, CGAL::internal_np::TAG, Pack>               \
-  NAME(K& value) const                                                                    \
-  {                                                                                       \
-    return Named_parameters<std::reference_wrapper<K>, CGAL::internal_np::TAG, Pack>(     \
-      std::ref(value), pack());                                                           \
+#define CGAL_add_named_parameter_with_compatibility(TAG, ENUMERATOR, NAME)                         \
+  CGAL_add_named_parameter(TAG, ENUMERATOR, NAME)
+#define CGAL_add_named_parameter_with_compatibility_cref_only(TAG, ENUMERATOR, NAME)               \
+  template <typename K>                                                                            \
+  Named_parameters<std::reference_wrapper<const K>, CGAL::internal_np::TAG, Pack> NAME(            \
+    const K& value) const                                                                          \
+  {                                                                                                \
+    return Named_parameters<std::reference_wrapper<const K>, CGAL::internal_np::TAG, Pack>(        \
+      std::cref(value), pack());                                                                   \
+  }
+#define CGAL_add_named_parameter_with_compatibility_ref_only(TAG, ENUMERATOR, NAME)                \
+  template <typename K>                                                                            \
+  Named_parameters<std::reference_wrapper<K>, CGAL::internal_np::TAG, Pack> NAME(K& value) const   \
+  {                                                                                                \
+    return Named_parameters<std::reference_wrapper<K>, CGAL::internal_np::TAG, Pack>(              \
+      std::ref(value), pack());                                                                    \
   }
 #define CGAL_add_extra_named_parameter_with_compatibility(TAG, ENUMERATOR, NAME)
 #include <CGAL/STL_Extension/internal/parameters_interface.h>
@@ -83,10 +89,12 @@ struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
 #undef CGAL_add_named_parameter_with_compatibility_ref_only
 #undef CGAL_add_extra_named_parameter_with_compatibility
 
-#define CGAL_REGION_SEGMENTATION_ADD(TAG, NAME)                                           \
-  template <typename K>                                                                   \
-  Named_parameters<K, internal_np::TAG, Pack> NAME(const K& value) const                  \
-  { return Named_parameters<K, internal_np::TAG, Pack>(value, pack()); }
+#define CGAL_REGION_SEGMENTATION_ADD(TAG, NAME)                                                    \
+  template <typename K>                                                                            \
+  Named_parameters<K, internal_np::TAG, Pack> NAME(const K& value) const                           \
+  {                                                                                                \
+    return Named_parameters<K, internal_np::TAG, Pack>(value, pack());                             \
+  }
   CGAL_REGION_SEGMENTATION_PARAMETERS(CGAL_REGION_SEGMENTATION_ADD)
 #undef CGAL_REGION_SEGMENTATION_ADD
 
@@ -94,7 +102,8 @@ struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
   Named_parameters<std::reference_wrapper<Merge_tree>, internal_np::merge_tree_t, Pack>
   merge_tree(std::reference_wrapper<Merge_tree> tree) const
   {
-    return Named_parameters<std::reference_wrapper<Merge_tree>, internal_np::merge_tree_t, Pack>(tree, pack());
+    return Named_parameters<std::reference_wrapper<Merge_tree>, internal_np::merge_tree_t, Pack>(
+      tree, pack());
   }
 };
 
@@ -109,26 +118,26 @@ inline Default_named_parameters default_values()
   return {};
 }
 
-#define CGAL_add_named_parameter(TAG, ENUMERATOR, NAME)                                   \
-  template <typename K>                                                                   \
-  Named_parameters<K, CGAL::internal_np::TAG> NAME(const K& value)                        \
-  { return Named_parameters<K, CGAL::internal_np::TAG>(value); }
-#define CGAL_add_named_parameter_with_compatibility(TAG, ENUMERATOR, NAME)                \
-  CGAL_add_named_parameter(TAG, ENUMERATOR, NAME)
-#define CGAL_add_named_parameter_with_compatibility_cref_only(TAG, ENUMERATOR, NAME)      \
-  template <typename K>                                                                   \
-  Named_parameters<std::reference_wrapper<const K>, CGAL::internal_np::TAG>               \
-  NAME(const K& value)                                                                    \
-  {                                                                                       \
-    return Named_parameters<std::reference_wrapper<const K>, CGAL::internal_np::TAG>(     \
-      std::cref(value));                                                                  \
+#define CGAL_add_named_parameter(TAG, ENUMERATOR, NAME)                                            \
+  template <typename K>                                                                            \
+  Named_parameters<K, CGAL::internal_np::TAG> NAME(const K& value)                                 \
+  {                                                                                                \
+    return Named_parameters<K, CGAL::internal_np::TAG>(value);                                     \
   }
-#define CGAL_add_named_parameter_with_compatibility_ref_only(TAG, ENUMERATOR, NAME)       \
-  template <typename K>                                                                   \
-  Named_parameters<std::reference_wrapper<K>, CGAL::internal_np::TAG> NAME(K& value)      \
-  {                                                                                       \
-    return Named_parameters<std::reference_wrapper<K>, CGAL::internal_np::TAG>(           \
-      std::ref(value));                                                                   \
+#define CGAL_add_named_parameter_with_compatibility(TAG, ENUMERATOR, NAME)                         \
+  CGAL_add_named_parameter(TAG, ENUMERATOR, NAME)
+#define CGAL_add_named_parameter_with_compatibility_cref_only(TAG, ENUMERATOR, NAME)               \
+  template <typename K>                                                                            \
+  Named_parameters<std::reference_wrapper<const K>, CGAL::internal_np::TAG> NAME(const K& value)   \
+  {                                                                                                \
+    return Named_parameters<std::reference_wrapper<const K>, CGAL::internal_np::TAG>(              \
+      std::cref(value));                                                                           \
+  }
+#define CGAL_add_named_parameter_with_compatibility_ref_only(TAG, ENUMERATOR, NAME)                \
+  template <typename K>                                                                            \
+  Named_parameters<std::reference_wrapper<K>, CGAL::internal_np::TAG> NAME(K& value)               \
+  {                                                                                                \
+    return Named_parameters<std::reference_wrapper<K>, CGAL::internal_np::TAG>(std::ref(value));   \
   }
 #define CGAL_add_extra_named_parameter_with_compatibility(TAG, ENUMERATOR, NAME)
 #include <CGAL/STL_Extension/internal/parameters_interface.h>
@@ -138,10 +147,12 @@ inline Default_named_parameters default_values()
 #undef CGAL_add_named_parameter_with_compatibility_ref_only
 #undef CGAL_add_extra_named_parameter_with_compatibility
 
-#define CGAL_REGION_SEGMENTATION_ADD(TAG, NAME)                                           \
-  template <typename K>                                                                   \
-  Named_parameters<K, internal_np::TAG> NAME(const K& value)                              \
-  { return Named_parameters<K, internal_np::TAG>(value); }
+#define CGAL_REGION_SEGMENTATION_ADD(TAG, NAME)                                                    \
+  template <typename K>                                                                            \
+  Named_parameters<K, internal_np::TAG> NAME(const K& value)                                       \
+  {                                                                                                \
+    return Named_parameters<K, internal_np::TAG>(value);                                           \
+  }
 CGAL_REGION_SEGMENTATION_PARAMETERS(CGAL_REGION_SEGMENTATION_ADD)
 #undef CGAL_REGION_SEGMENTATION_ADD
 
@@ -155,11 +166,10 @@ merge_tree(std::reference_wrapper<Merge_tree> tree)
 
 namespace internal {
 
-/// The pack as \cgal's look-up functions deduce it: a chain has one such base for each of its links;
-/// the outermost is used.
+/// The pack as \cgal's look-up functions deduce it: a chain has one such base for each of its
+/// links; the outermost is used.
 template <typename T, typename Tag, typename Base>
-const CGAL::Named_function_parameters<T, Tag, Base>&
-pack(const Named_parameters<T, Tag, Base>& np)
+const CGAL::Named_function_parameters<T, Tag, Base>& pack(const Named_parameters<T, Tag, Base>& np)
 {
   return np.pack();
 }
@@ -175,8 +185,9 @@ pack(const CGAL::Named_function_parameters<T, Tag, Base>& np)
 template <typename T>
 CGAL::Named_function_parameters<bool, CGAL::internal_np::all_default_t> pack(const T&)
 {
-  static_assert(!std::is_same<T, T>::value,
-                "this argument is a pack of named parameters: pass a method by parameters::method()");
+  static_assert(
+    !std::is_same<T, T>::value,
+    "this argument is a pack of named parameters: pass a method by parameters::method()");
   return {};
 }
 
@@ -192,8 +203,8 @@ template <typename T, typename = void>
 struct Is_range : std::false_type
 {};
 template <typename T>
-struct Is_range<T, std::void_t<decltype(std::begin(std::declval<const T&>()), std::end(std::declval<const T&>()))>>
-  : std::true_type
+struct Is_range<T, std::void_t<decltype(std::begin(std::declval<const T&>()),
+                                        std::end(std::declval<const T&>()))>> : std::true_type
 {};
 
 template <typename T>
@@ -214,8 +225,8 @@ struct Tag_list
 {};
 
 /// The parameters with which a mesh is read.
-using Reading_parameters =
-  Tag_list<CGAL::internal_np::edge_is_constrained_t, CGAL::internal_np::visitor_t>;
+using Reading_parameters = Tag_list<CGAL::internal_np::edge_is_constrained_t,
+                                    CGAL::internal_np::visitor_t>;
 
 template <typename Tag, typename List>
 struct Is_in;
@@ -223,13 +234,13 @@ template <typename Tag, typename... Tags>
 struct Is_in<Tag, Tag_list<Tags...>> : std::disjunction<std::is_same<Tag, Tags>...>
 {};
 
-/// The parameters that no function ignores silently: those of the package, and those of \cgal that functions of the
-/// package accept.
+/// The parameters that no function ignores silently: those of the package, and those of \cgal that
+/// functions of the package accept.
 #define CGAL_REGION_SEGMENTATION_ADD(TAG, NAME) internal_np::TAG,
-using Watched_parameters =
-  Tag_list<CGAL_REGION_SEGMENTATION_PARAMETERS(CGAL_REGION_SEGMENTATION_ADD) internal_np::merge_tree_t,
-           CGAL::internal_np::edge_is_constrained_t, CGAL::internal_np::visitor_t,
-           CGAL::internal_np::maximum_angle_t, CGAL::internal_np::minimum_length_t>;
+using Watched_parameters = Tag_list<
+  CGAL_REGION_SEGMENTATION_PARAMETERS(CGAL_REGION_SEGMENTATION_ADD) internal_np::merge_tree_t,
+  CGAL::internal_np::edge_is_constrained_t, CGAL::internal_np::visitor_t,
+  CGAL::internal_np::maximum_angle_t, CGAL::internal_np::minimum_length_t>;
 #undef CGAL_REGION_SEGMENTATION_ADD
 
 template <typename Pack, typename Taken>
@@ -237,17 +248,19 @@ struct Takes_all : std::true_type
 {};
 template <typename T, typename Tag, typename Base, typename Taken>
 struct Takes_all<CGAL::Named_function_parameters<T, Tag, Base>, Taken>
-  : std::conjunction<std::disjunction<Is_in<Tag, Taken>, std::negation<Is_in<Tag, Watched_parameters>>>,
-                     Takes_all<Base, Taken>>
+  : std::conjunction<
+      std::disjunction<Is_in<Tag, Taken>, std::negation<Is_in<Tag, Watched_parameters>>>,
+      Takes_all<Base, Taken>>
 {};
 
-/// Does not compile if a pack has one of the watched parameters that is not among the accepted ones.
+/// Does not compile if a pack has one of the watched parameters that is not among the accepted
+/// ones.
 template <typename Pack, typename Taken>
 constexpr void check_parameters()
 {
-  static_assert(Takes_all<Pack, Taken>::value,
-                "one of the named parameters is not taken by this function (constants of a method are members of "
-                "its parts)");
+  static_assert(Takes_all<Pack, Taken>::value, "one of the named parameters is not taken by this "
+                                               "function (constants of a method are members of "
+                                               "its parts)");
 }
 
 } // namespace internal

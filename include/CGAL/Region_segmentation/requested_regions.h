@@ -21,20 +21,26 @@ struct Requested_regions
   Partition regions; ///< of the faces
   Seeds seeds;       ///< of the regions
 
-  bool is_fixed(Partition::Index region) const { return !seeds.empty() && seeds.of[region] != Seeds::none; }
+  bool is_fixed(Partition::Index region) const
+  {
+    return !seeds.empty() && seeds.of[region] != Seeds::none;
+  }
 };
 
 /// \ingroup PkgRegionSegmentationData
-/// splits regions where constraints separate their faces, and where they have faces of several seeds; regions of equal seeds
-/// are joined along the cheapest path.
-/// \throws Invalid_input if the faces of a seed cannot be joined
-inline Requested_regions requested_regions(const Surface& surface, const Partition& regions, const Request& request)
+/// splits regions where constraints separate their faces, and where they have faces of several
+/// seeds; regions of equal seeds are joined along the cheapest path. \throws Invalid_input if the
+/// faces of a seed cannot be joined
+inline Requested_regions requested_regions(const Surface& surface, const Partition& regions,
+                                           const Request& request)
 {
   Requested_regions result;
-  result.regions =
-    request.constraints.empty() ? regions : internal::split_at_constraints(surface, regions, request.constraints);
+  result.regions = request.constraints.empty()
+                     ? regions
+                     : internal::split_at_constraints(surface, regions, request.constraints);
   if (!request.seeds.empty()) {
-    result.regions = internal::apply_seeds(surface, result.regions, request.seeds, request.constraints);
+    result.regions = internal::apply_seeds(surface, result.regions, request.seeds,
+                                           request.constraints);
     result.seeds = internal::seeds_of_regions(result.regions, request.seeds);
   }
   return result;

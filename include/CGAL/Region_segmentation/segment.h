@@ -27,7 +27,8 @@ auto with_number(Number number_of_segments, const NamedParameters& np)
   const auto& pack = internal::pack(np);
   using Pack = std::decay_t<decltype(pack)>;
   static_assert(!has_number_of_segments<Pack>, "the number of segments is given twice");
-  return Named_parameters<Number, internal_np::number_of_segments_t, Pack>(number_of_segments, pack);
+  return Named_parameters<Number, internal_np::number_of_segments_t, Pack>(number_of_segments,
+                                                                           pack);
 }
 
 } // namespace internal
@@ -36,13 +37,15 @@ auto with_number(Number number_of_segments, const NamedParameters& np)
 /// segments a surface mesh into parts: first regions are created and merged until the wanted number
 /// of segments is reached.
 ///
-/// \tparam ConcurrencyTag `Sequential_tag` or, with TBB, `Parallel_tag`: loops over all faces or edges run in parallel,
-///         with bitwise equal results. Maps that are read must then support concurrent reads; maps are written by one
-///         thread
+/// \tparam ConcurrencyTag `Sequential_tag` or, with TBB, `Parallel_tag`: loops over all faces or
+/// edges run in parallel,
+///         with bitwise equal results. Maps that are read must then support concurrent reads; maps
+///         are written by one thread
 /// \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam FaceSegmentMap a model of `WritablePropertyMap` with the face descriptor as key and an
 ///         integral value type that holds the number of segments
-/// \param mesh its faces are polygons of any size. Border edges that coincide are joined, and components are linked, unless
+/// \param mesh its faces are polygons of any size. Border edges that coincide are joined, and
+/// components are linked, unless
 ///             `component_links` is `false`
 /// \param segment_map every key is written: ids 0 .. n-1, numbered by the first face
 /// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
@@ -57,29 +60,34 @@ auto with_number(Number number_of_segments, const NamedParameters& np)
 ///     \cgalParamDescription{how the mesh is segmented; constants are members of its parts}
 ///     \cgalParamType{a model of `SegmentationMethod`}
 ///     \cgalParamDefault{`Learned_merging()`}
-///     \cgalParamExtra{`Visibility_merging()` has a hand-crafted cost, `Smooth_faces()` finds the faces of machine
+///     \cgalParamExtra{`Visibility_merging()` has a hand-crafted cost, `Smooth_faces()` finds the
+///     faces of machine
 ///       parts, `Two_step()` is the method of \cgalCite{YZWLL14}}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{edge_is_constrained_map}
 ///     \cgalParamDescription{edges that always are borders and are never merged across}
-///     \cgalParamType{a model of `ReadablePropertyMap` with the edge descriptor as key type and a value type convertible
+///     \cgalParamType{a model of `ReadablePropertyMap` with the edge descriptor as key type and a
+///     value type convertible
 ///       to `bool`}
 ///     \cgalParamDefault{no edge}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{face_seed_map}
-///     \cgalParamDescription{faces with equal seeds belong to one segment, faces with different seeds to different ones;
+///     \cgalParamDescription{faces with equal seeds belong to one segment, faces with different
+///     seeds to different ones;
 ///       `std::size_t(-1)` is no seed; see `Segmenter::set_seeds()`}
-///     \cgalParamType{a model of `ReadablePropertyMap` with the face descriptor as key type and an integral value type}
-///     \cgalParamDefault{no seeds}
+///     \cgalParamType{a model of `ReadablePropertyMap` with the face descriptor as key type and an
+///     integral value type} \cgalParamDefault{no seeds}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{component_links}
-///     \cgalParamDescription{whether components that touch or are near each other are adjacent, see `Surface`: k counts
+///     \cgalParamDescription{whether components that touch or are near each other are adjacent, see
+///     `Surface`: k counts
 ///       parts then, otherwise every component is a segment at least}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`true`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{follows the progress, and can cancel: stages "reading", "regions", "rays", "graph", "merging",
+///     \cgalParamDescription{follows the progress, and can cancel: stages "reading", "regions",
+///     "rays", "graph", "merging",
 ///       "borders", as far as the method has them}
 ///     \cgalParamType{a model of `SegmentationVisitor`}
 ///     \cgalParamDefault{none}
@@ -89,37 +97,42 @@ auto with_number(Number number_of_segments, const NamedParameters& np)
 ///   \cgalParamIndexMap{face}
 ///   \cgalParamIndexMap{vertex}
 ///   \cgalParamNBegin{region_map}
-///     \cgalParamDescription{an output: the first regions, with ids 0 .. r-1, numbered by the first face}
-///     \cgalParamType{a model of `WritablePropertyMap` with the face descriptor as key type and an integral value type}
-///     \cgalParamDefault{not written}
+///     \cgalParamDescription{an output: the first regions, with ids 0 .. r-1, numbered by the first
+///     face} \cgalParamType{a model of `WritablePropertyMap` with the face descriptor as key type
+///     and an integral value type} \cgalParamDefault{not written}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{merge_tree}
-///     \cgalParamDescription{an output: the merges of the first regions, all of them, or, with a method whose order
+///     \cgalParamDescription{an output: the merges of the first regions, all of them, or, with a
+///     method whose order
 ///       depends on the wanted number, those down to k}
 ///     \cgalParamType{`Merge_tree`, passed by `std::ref()` or as an lvalue}
 ///     \cgalParamDefault{not written}
-///     \cgalParamExtra{for more segments than first regions, `segment()` splits those of `Superfacets`}
+///     \cgalParamExtra{for more segments than first regions, `segment()` splits those of
+///     `Superfacets`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \returns the number n of segments. It is more than k if constraints or seeds keep more apart, or components without links, or
-///          if a user-defined policy ends before or its cost bars sections, and less if there are fewer first regions, which
-///          the method cannot split
+/// \returns the number n of segments. It is more than k if constraints or seeds keep more apart, or
+/// components without links, or
+///          if a user-defined policy ends before or its cost bars sections, and less if there are
+///          fewer first regions, which the method cannot split
 ///
-/// \pre `number_of_segments` is at least 1; with the checks of \cgal disabled, another number gives an unspecified number of
+/// \pre `number_of_segments` is at least 1; with the checks of \cgal disabled, another number gives
+/// an unspecified number of
 ///      segments
 /// \post every segment is connected where every first region is
-/// \throws Invalid_input if a point is not finite or equal seeds cannot be joined; `Segmentation_cancelled` if the
-///         visitor cancels; all maps are unchanged. What `put()` of a map throws: `segment_map` is written first, in the
-///         order of the faces, then `region_map`, then `merge_tree`; what precedes keeps its final value, the rest is
-///         unchanged
+/// \throws Invalid_input if a point is not finite or equal seeds cannot be joined;
+/// `Segmentation_cancelled` if the
+///         visitor cancels; all maps are unchanged. What `put()` of a map throws: `segment_map` is
+///         written first, in the order of the faces, then `region_map`, then `merge_tree`; what
+///         precedes keeps its final value, the rest is unchanged
 ///
-/// Complexity: that of its parts; O(F log F) in practice for `Learned_merging`, O(F + R log R + k^2) expected for
-/// `Two_step`.
-/// Deterministic: identical results from every mesh type. Concurrent calls on different maps are safe.
-/// For several numbers of segments, or when constraints and seeds change, use a `Segmenter`.
-template <typename ConcurrencyTag = CGAL::Sequential_tag, typename FaceGraph, typename FaceSegmentMap,
-          typename NamedParameters = parameters::Default_named_parameters,
+/// Complexity: that of its parts; O(F log F) in practice for `Learned_merging`, O(F + R log R +
+/// k^2) expected for `Two_step`. Deterministic: identical results from every mesh type. Concurrent
+/// calls on different maps are safe. For several numbers of segments, or when constraints and seeds
+/// change, use a `Segmenter`.
+template <typename ConcurrencyTag = CGAL::Sequential_tag, typename FaceGraph,
+          typename FaceSegmentMap, typename NamedParameters = parameters::Default_named_parameters,
           std::enable_if_t<internal::is_pack<NamedParameters>, int> = 0>
 std::size_t segment(const FaceGraph& mesh, FaceSegmentMap segment_map,
                     const NamedParameters& np = parameters::default_values())
@@ -136,7 +149,8 @@ std::size_t segment(const FaceGraph& mesh, FaceSegmentMap segment_map,
 /// As above, with the named parameter `number_of_segments`: `segment(mesh, segment_map, 8)`.
 ///
 /// \tparam Number an integral type
-template <typename ConcurrencyTag = CGAL::Sequential_tag, typename FaceGraph, typename FaceSegmentMap, typename Number,
+template <typename ConcurrencyTag = CGAL::Sequential_tag, typename FaceGraph,
+          typename FaceSegmentMap, typename Number,
           typename NamedParameters = parameters::Default_named_parameters,
           std::enable_if_t<std::is_arithmetic<Number>::value, int> = 0>
 std::size_t segment(const FaceGraph& mesh, FaceSegmentMap segment_map, Number number_of_segments,
@@ -146,40 +160,53 @@ std::size_t segment(const FaceGraph& mesh, FaceSegmentMap segment_map, Number nu
 }
 
 /// \ingroup PkgRegionSegmentationMain
-/// segments points and polygons: a *polygon soup*. Nothing needs to be manifold, oriented, connected or free of duplicates; see
-/// `make_surface()` for what is adjacent.
+/// segments points and polygons: a *polygon soup*. Nothing needs to be manifold, oriented,
+/// connected or free of duplicates; see `make_surface()` for what is adjacent.
 ///
 /// As for a mesh, but
 /// \param points a range of points, see `make_surface()`
 /// \param polygons a range of ranges of indices of points
-/// \param segment_map a random access range, or a model of `WritablePropertyMap`, with the index of a polygon as key; every
+/// \param segment_map a random access range, or a model of `WritablePropertyMap`, with the index of
+/// a polygon as key; every
 ///        polygon gets a segment, a degenerate one that of a neighbor
-/// \param np `edge_is_constrained_map` is a range of pairs of indices of points, `face_seed_map` and `region_map` are
+/// \param np `edge_is_constrained_map` is a range of pairs of indices of points, `face_seed_map`
+/// and `region_map` are
 ///        random access ranges or property maps with the index of a polygon as key
 ///
-/// \throws Invalid_input if a polygon has no corner or one that is not a point, or a point of a polygon is not finite
-template <typename ConcurrencyTag = CGAL::Sequential_tag, typename PointRange, typename PolygonRange,
-          typename PolygonSegmentMap, typename NamedParameters = parameters::Default_named_parameters,
-          std::enable_if_t<internal::is_polygon_range<PolygonRange>() && internal::is_pack<NamedParameters>, int> = 0>
-std::size_t segment(const PointRange& points, const PolygonRange& polygons, PolygonSegmentMap&& segment_map,
+/// \throws Invalid_input if a polygon has no corner or one that is not a point, or a point of a
+/// polygon is not finite
+template <
+  typename ConcurrencyTag = CGAL::Sequential_tag, typename PointRange, typename PolygonRange,
+  typename PolygonSegmentMap, typename NamedParameters = parameters::Default_named_parameters,
+  std::enable_if_t<internal::is_polygon_range<PolygonRange>() && internal::is_pack<NamedParameters>,
+                   int> = 0>
+std::size_t segment(const PointRange& points, const PolygonRange& polygons,
+                    PolygonSegmentMap&& segment_map,
                     const NamedParameters& np = parameters::default_values())
 {
   const auto& pack = internal::pack(np);
   internal::check_parameters<std::decay_t<decltype(pack)>, internal::Segmenting_parameters>();
   const Execution execution = internal::make_execution<ConcurrencyTag>(pack);
   const Surface surface = internal::make_surface(points, polygons, pack, execution);
-  return internal::run_method(internal::Polygon_input(surface.number_of_faces()), surface, segment_map, pack, execution);
+  return internal::run_method(internal::Polygon_input(surface.number_of_faces()), surface,
+                              segment_map, pack, execution);
 }
 
 /// \ingroup PkgRegionSegmentationMain
-/// As above, with the named parameter `number_of_segments`: `segment(points, polygons, segment_map, 8)`.
-template <typename ConcurrencyTag = CGAL::Sequential_tag, typename PointRange, typename PolygonRange,
-          typename PolygonSegmentMap, typename Number, typename NamedParameters = parameters::Default_named_parameters,
-          std::enable_if_t<internal::is_polygon_range<PolygonRange>() && std::is_arithmetic<Number>::value, int> = 0>
-std::size_t segment(const PointRange& points, const PolygonRange& polygons, PolygonSegmentMap&& segment_map,
-                    Number number_of_segments, const NamedParameters& np = parameters::default_values())
+/// As above, with the named parameter `number_of_segments`: `segment(points, polygons, segment_map,
+/// 8)`.
+template <
+  typename ConcurrencyTag = CGAL::Sequential_tag, typename PointRange, typename PolygonRange,
+  typename PolygonSegmentMap, typename Number,
+  typename NamedParameters = parameters::Default_named_parameters,
+  std::enable_if_t<internal::is_polygon_range<PolygonRange>() && std::is_arithmetic<Number>::value,
+                   int> = 0>
+std::size_t segment(const PointRange& points, const PolygonRange& polygons,
+                    PolygonSegmentMap&& segment_map, Number number_of_segments,
+                    const NamedParameters& np = parameters::default_values())
 {
-  return segment<ConcurrencyTag>(points, polygons, segment_map, internal::with_number(number_of_segments, np));
+  return segment<ConcurrencyTag>(points, polygons, segment_map,
+                                 internal::with_number(number_of_segments, np));
 }
 
 } // namespace Region_segmentation

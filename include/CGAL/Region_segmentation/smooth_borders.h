@@ -31,35 +31,41 @@ namespace Region_segmentation {
 /// \ingroup PkgRegionSegmentationStages
 /// moves the borders of segments to where a cut is short and lies in valleys.
 ///
-/// For each two adjacent segments \f$a, b\f$, in the order of their first faces, the faces of both within
-/// \f$D = \min(D_0, q \sqrt{\min(s_a, s_b)})\f$ of their border are reassigned by a minimum cut of the dual graph. An
-/// edge of length \f$l\f$ costs \f$l / (1 + g \, \delta^+)\f$, \f$\delta^+\f$ the deviation of a concave edge (0 of
-/// another one). Distances are those of centroids, on paths inside the own segment;
-/// \f$s\f$ is the area a segment has at first. Lengths are in units of \f$\sqrt{A}\f$ and areas of \f$A\f$,
-/// the area of the surface. Of several cheapest cuts, the one is taken that moves the fewest faces, so a
-/// pair keeps its border if no cut is cheaper.
+/// For each two adjacent segments \f$a, b\f$, in the order of their first faces, the faces of both
+/// within \f$D = \min(D_0, q \sqrt{\min(s_a, s_b)})\f$ of their border are reassigned by a minimum
+/// cut of the dual graph. An edge of length \f$l\f$ costs \f$l / (1 + g \, \delta^+)\f$,
+/// \f$\delta^+\f$ the deviation of a concave edge (0 of another one). Distances are those of
+/// centroids, on paths inside the own segment; \f$s\f$ is the area a segment has at first. Lengths
+/// are in units of \f$\sqrt{A}\f$ and areas of \f$A\f$, the area of the surface. Of several
+/// cheapest cuts, the one is taken that moves the fewest faces, so a pair keeps its border if no
+/// cut is cheaper.
 ///
-/// A face at the inner end of the band keeps its segment, and so does one that a constrained edge separates from the
-/// other segment. A segment that is not connected across unconstrained edges counts as several, between which no face
-/// moves. The change of a pair is discarded if it would disconnect one of the two.
+/// A face at the inner end of the band keeps its segment, and so does one that a constrained edge
+/// separates from the other segment. A segment that is not connected across unconstrained edges
+/// counts as several, between which no face moves. The change of a pair is discarded if it would
+/// disconnect one of the two.
 ///
-/// Complexity: O(F + B log B), B the number of edges between segments, and for each pair a maximum flow on its band, of
-/// a few hundred faces in practice; the connectivity of the two is decided locally, or by a traversal of them at worst.
-/// Deterministic: capacities are integers, so the result for a pair does not depend on the order of faces.
+/// Complexity: O(F + B log B), B the number of edges between segments, and for each pair a maximum
+/// flow on its band, of a few hundred faces in practice; the connectivity of the two is decided
+/// locally, or by a traversal of them at worst. Deterministic: capacities are integers, so the
+/// result for a pair does not depend on the order of faces.
 ///
 /// Source: minimum cuts in a fuzzy band \cgalCite{KT03}; the flow \cgalCite{BK04}.
 struct Minimum_cut_borders
 {
-  double width = 0.03;           ///< D_0, at least 0, in units of the square root of the area of the surface
-  double width_of_segment = 0.2; ///< q, at least 0: at most this part of the square root of the area of the smaller segment
+  double width = 0.03; ///< D_0, at least 0, in units of the square root of the area of the surface
+  double width_of_segment = 0.2; ///< q, at least 0: at most this part of the square root of the
+                                 ///< area of the smaller segment
   Border_cost cost = {Border_cost().concave_gain, CGAL_PI}; ///< of each edge
 
   /// Changes labels of faces; returns the number of changed faces.
   /// \pre there is a label for every face
   std::size_t operator()(const Surface& surface, std::vector<Surface::Index>& label_of_face,
-                         const Constraints& constraints = Constraints(), const Execution& execution = Execution()) const
+                         const Constraints& constraints = Constraints(),
+                         const Execution& execution = Execution()) const
   {
-    CGAL_precondition_msg(width >= 0 && width_of_segment >= 0, "Minimum_cut_borders: constants are at least 0");
+    CGAL_precondition_msg(width >= 0 && width_of_segment >= 0,
+                          "Minimum_cut_borders: constants are at least 0");
     CGAL_precondition(label_of_face.size() == surface.number_of_faces());
     const double area = surface.area();
     if (area == 0)
@@ -87,9 +93,10 @@ struct Minimum_cut_borders
   }
 
 private:
-  void move_borders(const Surface& surface, const Constraints& constraints, const std::vector<double>& sizes,
-                    const std::vector<Surface::Index>& label_of_piece, std::vector<Surface::Index>& piece_of_face,
-                    const Execution& execution) const
+  void move_borders(const Surface& surface, const Constraints& constraints,
+                    const std::vector<double>& sizes,
+                    const std::vector<Surface::Index>& label_of_piece,
+                    std::vector<Surface::Index>& piece_of_face, const Execution& execution) const
   {
     const double unit = surface.length_unit();
     const internal::Dual_graph costs(
@@ -109,16 +116,18 @@ private:
         execution);
   }
 
-  static constexpr double longest = 1e30; // relative; limits the lengths of extreme needles to the range of float
+  static constexpr double longest = 1e30; // relative; limits the lengths of extreme needles to the
+                                          // range of float
 };
 
 /// \ingroup PkgRegionSegmentationStages
-/// moves the borders of segments to where a cut is short and lies in valleys: an optional step after
-/// `segment()`, or after any other segmentation.
+/// moves the borders of segments to where a cut is short and lies in valleys: an optional step
+/// after `segment()`, or after any other segmentation.
 ///
-/// \tparam ConcurrencyTag `Sequential_tag` or, with TBB, `Parallel_tag`: the mesh is read in parallel; see `segment()`
-/// \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
-/// \tparam FaceSegmentMap a model of `ReadWritePropertyMap` with the face descriptor as key and an integral
+/// \tparam ConcurrencyTag `Sequential_tag` or, with TBB, `Parallel_tag`: the mesh is read in
+/// parallel; see `segment()` \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \tparam FaceSegmentMap a model of `ReadWritePropertyMap` with the face descriptor as key and an
+/// integral
 ///         value type of at most 64 bits
 /// \param mesh an oriented 2-manifold with or without boundary, its faces polygons of any size
 /// \param segment_map the segments, by any labels; only faces whose label changes are written
@@ -127,8 +136,9 @@ private:
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{edge_is_constrained_map}
-///     \cgalParamDescription{edges that keep the border that runs along them, and that no border moves across}
-///     \cgalParamType{a model of `ReadablePropertyMap` with the edge descriptor as key type and a value type convertible
+///     \cgalParamDescription{edges that keep the border that runs along them, and that no border
+///     moves across} \cgalParamType{a model of `ReadablePropertyMap` with the edge descriptor as
+///     key type and a value type convertible
 ///       to `bool`}
 ///     \cgalParamDefault{no edge}
 ///   \cgalParamNEnd
@@ -145,22 +155,24 @@ private:
 ///
 /// \returns the number of faces whose label changed
 /// \post the labels in use are the same; a segment that was connected across edges that are not
-///       constrained still is, and one that was not has no more pieces; the two sides of a constrained
-///       edge that had different labels still have; a face farther from the borders of its segment than
-///       the band of `smoother` keeps its label
-/// \throws Invalid_input if a point is not finite, Segmentation_cancelled if the visitor cancels; the map is unchanged
+///       constrained still is, and one that was not has no more pieces; the two sides of a
+///       constrained edge that had different labels still have; a face farther from the borders of
+///       its segment than the band of `smoother` keeps its label
+/// \throws Invalid_input if a point is not finite, Segmentation_cancelled if the visitor cancels;
+/// the map is unchanged
 ///
-/// Constraints of the segmentation are not known here: `edge_is_constrained_map` is to be given again.
+/// Constraints of the segmentation are not known here: `edge_is_constrained_map` is to be given
+/// again.
 ///
-/// Labels may no longer be numbered by their first face. A second call may move borders further: the bands lie around
-/// the new ones.
+/// Labels may no longer be numbered by their first face. A second call may move borders further:
+/// the bands lie around the new ones.
 ///
 /// Complexity: see `Minimum_cut_borders`. Deterministic: identical results from every mesh type.
 /// Concurrent calls on different maps are safe.
 ///
 /// Source: \cgalCite{KT03}.
-template <typename ConcurrencyTag = CGAL::Sequential_tag, typename FaceGraph, typename FaceSegmentMap,
-          typename NamedParameters = parameters::Default_named_parameters>
+template <typename ConcurrencyTag = CGAL::Sequential_tag, typename FaceGraph,
+          typename FaceSegmentMap, typename NamedParameters = parameters::Default_named_parameters>
 std::size_t smooth_borders(const FaceGraph& mesh, FaceSegmentMap segment_map,
                            const Minimum_cut_borders& smoother,
                            const NamedParameters& np = parameters::default_values())
@@ -177,8 +189,8 @@ std::size_t smooth_borders(const FaceGraph& mesh, FaceSegmentMap segment_map,
     labels[before[i++]] = get(segment_map, f);
 
   std::vector<Surface::Index> after(before.begin(), before.end());
-  const std::size_t changed =
-    smoother(input.surface(), after, input.constraints(), execution.stage("borders"));
+  const std::size_t changed = smoother(input.surface(), after, input.constraints(),
+                                       execution.stage("borders"));
   i = 0;
   for (auto f : faces(mesh)) {
     if (after[i] != before[i])
@@ -190,8 +202,8 @@ std::size_t smooth_borders(const FaceGraph& mesh, FaceSegmentMap segment_map,
 
 /// \ingroup PkgRegionSegmentationStages
 /// As above, with the constants of `Minimum_cut_borders()`.
-template <typename ConcurrencyTag = CGAL::Sequential_tag, typename FaceGraph, typename FaceSegmentMap,
-          typename NamedParameters = parameters::Default_named_parameters>
+template <typename ConcurrencyTag = CGAL::Sequential_tag, typename FaceGraph,
+          typename FaceSegmentMap, typename NamedParameters = parameters::Default_named_parameters>
 std::size_t smooth_borders(const FaceGraph& mesh, FaceSegmentMap segment_map,
                            const NamedParameters& np = parameters::default_values())
 {

@@ -17,7 +17,9 @@ double pairs_in(double n)
 
 Label_counts::Label_counts(const std::vector<std::size_t>& region_of, std::size_t number_of_regions,
                            const std::vector<std::vector<int>>& people)
-  : m_first_column{0}, m_faces(number_of_regions), m_pairs(pairs_in(double(region_of.size())))
+  : m_first_column{0}
+  , m_faces(number_of_regions)
+  , m_pairs(pairs_in(double(region_of.size())))
 {
   for (const std::vector<int>& labels : people)
     m_first_column.push_back(m_first_column.back() + 1 +

@@ -50,7 +50,8 @@ Straightened straighten_borders(const Training_model& model, const RS::Merge_tre
   return {std::move(regions), RS::internal::renumber_tree(tree, std::move(new_numbers))};
 }
 
-/// The distances to each person, by the number of segments, from the least number of the tree on, which has `few` at most.
+/// The distances to each person, by the number of segments, from the least number of the tree on,
+/// which has `few` at most.
 class Distances
 {
 public:
@@ -94,13 +95,15 @@ private:
 };
 
 /// The paper's protocol: the people of the number k alone.
-void set_paper_scores(Model_score& score, const Training_model& model, const std::vector<double>& distances)
+void set_paper_scores(Model_score& score, const Training_model& model,
+                      const std::vector<double>& distances)
 {
   score.nearest = score.first = std::numeric_limits<double>::quiet_NaN();
   for (std::size_t i = distances.size(); i-- > 0;)
     if (model.segments_of_people[i] == model.number_of_segments) {
       score.first = distances[i];
-      score.nearest = std::isnan(score.nearest) ? distances[i] : std::min(score.nearest, distances[i]);
+      score.nearest = std::isnan(score.nearest) ? distances[i]
+                                                : std::min(score.nearest, distances[i]);
     }
 }
 
@@ -110,7 +113,8 @@ Model_score score(const Training_model& model, Policy policy, const Chooser& cho
 {
   Graph graph = model.graph;
   RS::Merge_tree tree = model.first_merges;
-  const RS::Merge_tree last_merges = RS::merge_regions(graph, policy, 1, [](const Graph&, double) { return false; });
+  const RS::Merge_tree last_merges = RS::merge_regions(graph, policy, 1,
+                                                       [](const Graph&, double) { return false; });
   for (const RS::Merge_tree::Merge& merge : last_merges.merges())
     tree.push_back(merge);
   const Straightened segments = straighten_borders(model, tree);
@@ -129,7 +133,8 @@ Model_score score(const Training_model& model, Policy policy, const Chooser& cho
 Model_score score_learned(const Training_model& model, const Model& learned)
 {
   const RS::Learned_merging method(learned);
-  return score(model, method.policy.second, [&](const RS::Merge_tree& tree) { return method.chooser(tree, model.surface); });
+  return score(model, method.policy.second,
+               [&](const RS::Merge_tree& tree) { return method.chooser(tree, model.surface); });
 }
 
 Model_score score_visibility(const Training_model& model)

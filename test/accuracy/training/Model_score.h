@@ -14,9 +14,9 @@ namespace train_merge_cost {
 /// Rand index distances between what `segment()` gives and the segmentations by people.
 struct Model_score
 {
-  double given = 0;     ///< with k of the standard protocol, mean over the people
-  double automatic = 0; ///< with the chosen number
-  double best = 0;      ///< with the best number of the tree in hindsight
+  double given = 0;              ///< with k of the standard protocol, mean over the people
+  double automatic = 0;          ///< with the chosen number
+  double best = 0;               ///< with the best number of the tree in hindsight
   double nearest = 0, first = 0; ///< the paper's protocol; NaN if no person has the number k
   std::size_t chosen_number = 0;
 };

@@ -27,7 +27,8 @@ namespace {
 /// The first model and its known parts.
 const princeton_benchmark::Model& procedural_model()
 {
-  static const princeton_benchmark::Model model = princeton_benchmark::procedural_sources().front().load();
+  static const princeton_benchmark::Model
+    model = princeton_benchmark::procedural_sources().front().load();
   return model;
 }
 
@@ -45,7 +46,8 @@ double distance_of_segments(const NamedParameters& np)
 TEST(Model_score_test, is_that_of_segment)
 {
   const std::size_t k = procedural_model().number_of_segments;
-  const Training_model model = make_training_model(2, procedural_model(), RS::Superfacets().number, RS::Learned_merging::few);
+  const Training_model model = make_training_model(2, procedural_model(), RS::Superfacets().number,
+                                                   RS::Learned_merging::few);
   const Model_score score = score_learned(model, RS::internal::learned_merge_model);
   EXPECT_NEAR(score.given, distance_of_segments(RS::parameters::number_of_segments(k)), 1e-12);
   EXPECT_NEAR(score.automatic, distance_of_segments(RS::parameters::default_values()), 1e-12);
@@ -74,7 +76,9 @@ TEST(Cross_validation_test, learns_from_variants_with_the_fold_of_their_model)
   EXPECT_EQ(with_variant.rows[0][1].features, alone.rows[0][1].features) << "of the other model";
   const auto &before = alone.rows[0][0].features, &after = with_variant.rows[0][0].features;
   ASSERT_GT(after.size(), before.size());
-  EXPECT_TRUE(std::equal(before.begin(), before.end(), after.begin())) << "then those of the variant";
-  EXPECT_EQ(with_variant.trained[0].trees.leaves, alone.trained[0].trees.leaves) << "without the model and its variant";
+  EXPECT_TRUE(std::equal(before.begin(), before.end(), after.begin()))
+    << "then those of the variant";
+  EXPECT_EQ(with_variant.trained[0].trees.leaves, alone.trained[0].trees.leaves)
+    << "without the model and its variant";
   EXPECT_NE(with_variant.trained[1].trees.leaves, alone.trained[1].trees.leaves);
 }

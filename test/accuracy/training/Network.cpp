@@ -13,7 +13,8 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-/// In [0, 1), from the bits of the generator: the distributions of the standard library are not prescribed.
+/// In [0, 1), from the bits of the generator: the distributions of the standard library are not
+/// prescribed.
 double uniform(std::mt19937& random)
 {
   return std::ldexp(double(random()), -32);
@@ -42,9 +43,11 @@ public:
       for (std::size_t i = 0; i < n; ++i)
         variance[i] += (x[i] - mean[i]) * (x[i] - mean[i]);
     for (std::size_t i = 0; i < n; ++i) {
-      const double deviation = std::max(least_deviation, std::sqrt(variance[i] / double(rows.size())));
+      const double deviation = std::max(least_deviation,
+                                        std::sqrt(variance[i] / double(rows.size())));
       m_inputs.push_back({std::int32_t(std::lround(mean[i])),
-                          std::int32_t(std::lround(std::ldexp(1 / deviation, Model::factor_bits + Model::input_bits)))});
+                          std::int32_t(std::lround(
+                            std::ldexp(1 / deviation, Model::factor_bits + Model::input_bits)))});
     }
   }
 
@@ -55,7 +58,8 @@ public:
     Eigen::MatrixXf result(m_inputs.size(), rows.size());
     for (std::size_t r = 0; r < rows.size(); ++r)
       for (std::size_t i = 0; i < m_inputs.size(); ++i) {
-        const double y = std::ldexp(double(rows.features[r][i] - m_inputs[i].center) * m_inputs[i].factor,
+        const double y = std::ldexp(double(rows.features[r][i] - m_inputs[i].center) *
+                                      m_inputs[i].factor,
                                     -Model::factor_bits - Model::input_bits);
         constexpr double bound = Model::input_bound >> Model::input_bits;
         result(i, r) = float(std::max(-bound, std::min(bound, y)));
@@ -73,14 +77,18 @@ private:
 class Adam
 {
 public:
-  explicit Adam(std::size_t n) : m_first(Eigen::VectorXf::Zero(n)), m_second(Eigen::VectorXf::Zero(n)) {}
+  explicit Adam(std::size_t n)
+    : m_first(Eigen::VectorXf::Zero(n))
+    , m_second(Eigen::VectorXf::Zero(n))
+  {}
 
   Eigen::VectorXf step(const Eigen::VectorXf& gradient, double rate)
   {
     ++m_steps;
     m_first = 0.9f * m_first + 0.1f * gradient;
     m_second = 0.999f * m_second + 0.001f * gradient.cwiseAbs2();
-    const float a = float(rate / (1 - std::pow(0.9, m_steps))), b = float(1 / (1 - std::pow(0.999, m_steps)));
+    const float a = float(rate / (1 - std::pow(0.9, m_steps))),
+                b = float(1 / (1 - std::pow(0.999, m_steps)));
     return -a * m_first.array() / ((b * m_second.array()).sqrt() + 1e-8f);
   }
 
@@ -104,9 +112,10 @@ std::int16_t weight(double x)
 void add(Integer_network& result, const Network& network, double share)
 {
   for (std::size_t j = 0; j < network.units(); ++j) {
-    Model::Unit unit{std::int32_t(fixed(network.hidden_biases()[j], Model::sum_bits)),
-                     std::int32_t(fixed(share * network.output_weights()[j], Model::output_weight_bits)),
-                     {}};
+    Model::Unit unit{
+      std::int32_t(fixed(network.hidden_biases()[j], Model::sum_bits)),
+      std::int32_t(fixed(share * network.output_weights()[j], Model::output_weight_bits)),
+      {}};
     for (std::size_t i = 0; i < network.inputs(); ++i)
       unit.weights[i] = weight(network.hidden_weights()(j, i));
     result.units.push_back(unit);
@@ -114,7 +123,8 @@ void add(Integer_network& result, const Network& network, double share)
 }
 
 /// The mean of networks with the same inputs.
-Integer_network mean_of(const std::vector<Network>& networks, const std::vector<Model::Input>& inputs)
+Integer_network mean_of(const std::vector<Network>& networks,
+                        const std::vector<Model::Input>& inputs)
 {
   Integer_network result;
   result.inputs = inputs;
@@ -135,21 +145,25 @@ Integer_network mean_of(const std::vector<Network>& networks, const std::vector<
 } // namespace
 
 Network::Network(std::size_t inputs, std::size_t units, unsigned seed)
-  : parameters(Eigen::VectorXf::Zero(units * (inputs + 2) + inputs + 1)), m_inputs(inputs), m_units(units)
+  : parameters(Eigen::VectorXf::Zero(units * (inputs + 2) + inputs + 1))
+  , m_inputs(inputs)
+  , m_units(units)
 {
   std::mt19937 random(seed);
   const std::size_t weights = units * inputs;
   for (std::size_t i = 0; i < weights; ++i)
     parameters[i] = float((2 * uniform(random) - 1) * std::sqrt(3.0 / double(inputs)));
   for (std::size_t j = 0; j < units; ++j)
-    parameters[weights + units + j] = float((2 * uniform(random) - 1) * std::sqrt(3.0 / double(units)));
+    parameters[weights + units + j] = float((2 * uniform(random) - 1) *
+                                            std::sqrt(3.0 / double(units)));
 }
 
 Eigen::RowVectorXf Network::operator()(const Eigen::MatrixXf& x) const
 {
   const Eigen::ArrayXXf h = ((hidden_weights() * x).colwise() + hidden_biases()).array();
   const Eigen::MatrixXf y = h / (1 + h.abs());
-  return ((output_weights().transpose() * y + direct_weights().transpose() * x).array() + bias()).matrix();
+  return ((output_weights().transpose() * y + direct_weights().transpose() * x).array() + bias())
+    .matrix();
 }
 
 Eigen::VectorXf Network::gradient(const Eigen::MatrixXf& x, const Eigen::RowVectorXf& probabilities,
@@ -158,16 +172,20 @@ Eigen::VectorXf Network::gradient(const Eigen::MatrixXf& x, const Eigen::RowVect
   const Eigen::ArrayXXf h = ((hidden_weights() * x).colwise() + hidden_biases()).array();
   const Eigen::MatrixXf y = h / (1 + h.abs());
   const Eigen::ArrayXXf slope = (1 + h.abs()).square().inverse();
-  const Eigen::RowVectorXf output =
-    ((output_weights().transpose() * y + direct_weights().transpose() * x).array() + bias()).matrix();
-  const Eigen::RowVectorXf error =
-    (((1 + (-output.array()).exp()).inverse() - probabilities.array()) * weights.array()).matrix();
+  const Eigen::RowVectorXf
+    output = ((output_weights().transpose() * y + direct_weights().transpose() * x).array() +
+              bias())
+               .matrix();
+  const Eigen::RowVectorXf error = (((1 + (-output.array()).exp()).inverse() -
+                                     probabilities.array()) *
+                                    weights.array())
+                                     .matrix();
   const Eigen::MatrixXf hidden_error = ((output_weights() * error).array() * slope).matrix();
 
   Eigen::VectorXf result(parameters.size());
   const std::size_t weights_end = m_units * m_inputs;
-  Eigen::Map<Eigen::MatrixXf>(result.data(), Eigen::Index(m_units), Eigen::Index(m_inputs)) =
-    hidden_error * x.transpose();
+  Eigen::Map<Eigen::MatrixXf>(result.data(), Eigen::Index(m_units),
+                              Eigen::Index(m_inputs)) = hidden_error * x.transpose();
   result.segment(weights_end, m_units) = hidden_error.rowwise().sum();
   result.segment(weights_end + m_units, m_units) = y * error.transpose();
   result.segment(weights_end + 2 * m_units, m_inputs) = x * error.transpose();
@@ -177,12 +195,14 @@ Eigen::VectorXf Network::gradient(const Eigen::MatrixXf& x, const Eigen::RowVect
 
 namespace {
 
-Network train_network(const Eigen::MatrixXf& x, const Training_rows& rows, const Network_options& options, unsigned seed)
+Network train_network(const Eigen::MatrixXf& x, const Training_rows& rows,
+                      const Network_options& options, unsigned seed)
 {
   Network network(std::size_t(x.rows()), options.number_of_units, seed);
   Adam adam(std::size_t(network.parameters.size()));
   std::mt19937 random(seed + 1);
-  const double mean_weight = std::accumulate(rows.weights.begin(), rows.weights.end(), 0.0) / double(rows.size());
+  const double mean_weight = std::accumulate(rows.weights.begin(), rows.weights.end(), 0.0) /
+                             double(rows.size());
   std::vector<std::size_t> order(rows.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
   const std::size_t size = std::min(options.batch, rows.size());
@@ -199,8 +219,8 @@ Network train_network(const Eigen::MatrixXf& x, const Training_rows& rows, const
       weights[i] = float(rows.weights[row] / (mean_weight * double(size)));
     }
     const double rate = options.step * (1 + std::cos(pi * double(step) / double(steps))) / 2;
-    const Eigen::VectorXf gradient =
-      network.gradient(batch, probabilities, weights) + float(options.penalty) * network.parameters;
+    const Eigen::VectorXf gradient = network.gradient(batch, probabilities, weights) +
+                                     float(options.penalty) * network.parameters;
     network.parameters += adam.step(gradient, rate);
   }
   return network;
@@ -208,7 +228,8 @@ Network train_network(const Eigen::MatrixXf& x, const Training_rows& rows, const
 
 } // namespace
 
-Integer_network train_networks(const Training_rows& rows, const Network_options& options, unsigned seed)
+Integer_network train_networks(const Training_rows& rows, const Network_options& options,
+                               unsigned seed)
 {
   const Standardization standardization(rows);
   const Eigen::MatrixXf x = standardization(rows);

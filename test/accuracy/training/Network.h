@@ -17,12 +17,13 @@ struct Network_options
 {
   std::size_t number_of_units = 16;
   std::size_t epochs = 12, batch = 128;
-  double step = 4e-3;     ///< of Adam at the start; it falls to 0 by a cosine
-  double penalty = 3e-4;  ///< L2, of all weights
+  double step = 4e-3;                 ///< of Adam at the start; it falls to 0 by a cosine
+  double penalty = 3e-4;              ///< L2, of all weights
   std::size_t number_of_networks = 3; ///< their mean is one network with all their units
 };
 
-/// A neural network with one hidden layer and a direct way, as in `Merge_model`, in real numbers. Inputs are standardized.
+/// A neural network with one hidden layer and a direct way, as in `Merge_model`, in real numbers.
+/// Inputs are standardized.
 class Network
 {
 public:
@@ -41,10 +42,22 @@ public:
   std::size_t inputs() const { return m_inputs; }
   std::size_t units() const { return m_units; }
 
-  Eigen::Map<const Eigen::MatrixXf> hidden_weights() const { return {parameters.data(), Eigen::Index(m_units), Eigen::Index(m_inputs)}; }
-  Eigen::Map<const Eigen::VectorXf> hidden_biases() const { return {parameters.data() + m_units * m_inputs, Eigen::Index(m_units)}; }
-  Eigen::Map<const Eigen::VectorXf> output_weights() const { return {parameters.data() + m_units * (m_inputs + 1), Eigen::Index(m_units)}; }
-  Eigen::Map<const Eigen::VectorXf> direct_weights() const { return {parameters.data() + m_units * (m_inputs + 2), Eigen::Index(m_inputs)}; }
+  Eigen::Map<const Eigen::MatrixXf> hidden_weights() const
+  {
+    return {parameters.data(), Eigen::Index(m_units), Eigen::Index(m_inputs)};
+  }
+  Eigen::Map<const Eigen::VectorXf> hidden_biases() const
+  {
+    return {parameters.data() + m_units * m_inputs, Eigen::Index(m_units)};
+  }
+  Eigen::Map<const Eigen::VectorXf> output_weights() const
+  {
+    return {parameters.data() + m_units * (m_inputs + 1), Eigen::Index(m_units)};
+  }
+  Eigen::Map<const Eigen::VectorXf> direct_weights() const
+  {
+    return {parameters.data() + m_units * (m_inputs + 2), Eigen::Index(m_inputs)};
+  }
   float bias() const { return parameters[parameters.size() - 1]; }
 
 private:
@@ -60,11 +73,16 @@ struct Integer_network
   std::int64_t output_bias = 0;
 
   /// Refers to this object.
-  Model::Network network() const { return {inputs.data(), units.data(), units.size(), direct_weights, output_bias}; }
+  Model::Network network() const
+  {
+    return {inputs.data(), units.data(), units.size(), direct_weights, output_bias};
+  }
 };
 
-/// Trains networks by Adam on the weighted logistic loss; returns their mean. One thread; equal seeds give equal networks.
-Integer_network train_networks(const Training_rows& rows, const Network_options& options, unsigned seed);
+/// Trains networks by Adam on the weighted logistic loss; returns their mean. One thread; equal
+/// seeds give equal networks.
+Integer_network train_networks(const Training_rows& rows, const Network_options& options,
+                               unsigned seed);
 
 } // namespace train_merge_cost
 

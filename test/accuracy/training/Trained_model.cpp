@@ -13,8 +13,8 @@ namespace train_merge_cost {
 
 namespace {
 
-/// Adds networks with the inputs \f$y'_i = f'_i (x_i - c'_i)\f$ to one with the inputs \f$y_i = f_i (x_i - c_i)\f$, as
-/// functions of the latter: \f$y'_i = f'_i / f_i y_i + f'_i (c_i - c'_i)\f$.
+/// Adds networks with the inputs \f$y'_i = f'_i (x_i - c'_i)\f$ to one with the inputs \f$y_i = f_i
+/// (x_i - c_i)\f$, as functions of the latter: \f$y'_i = f'_i / f_i y_i + f'_i (c_i - c'_i)\f$.
 class Network_sum
 {
 public:
@@ -24,11 +24,13 @@ public:
   {
     for (const Model::Unit& unit : other.units)
       m_sum.units.push_back({std::int32_t(rounded(unit.bias + offset(other, unit.weights))),
-                             std::int32_t(rounded(share * unit.output_weight)), scaled(other, unit.weights)});
+                             std::int32_t(rounded(share * unit.output_weight)),
+                             scaled(other, unit.weights)});
     for (std::size_t i = 0; i < m_sum.inputs.size(); ++i)
       m_direct[i] += share * ratio(other, i) * other.direct_weights[i];
     constexpr int bits = Model::activation_bits + Model::output_weight_bits - Model::sum_bits;
-    m_bias += share * (double(other.output_bias) + std::ldexp(offset(other, other.direct_weights), bits));
+    m_bias += share *
+              (double(other.output_bias) + std::ldexp(offset(other, other.direct_weights), bits));
   }
 
   Integer_network take()
@@ -66,7 +68,8 @@ private:
   {
     double sum = 0;
     for (std::size_t i = 0; i < m_sum.inputs.size(); ++i)
-      sum += weights[i] * std::ldexp(double(m_sum.inputs[i].center - other.inputs[i].center) * other.inputs[i].factor,
+      sum += weights[i] * std::ldexp(double(m_sum.inputs[i].center - other.inputs[i].center) *
+                                       other.inputs[i].factor,
                                      -Model::factor_bits);
     return sum;
   }

@@ -18,10 +18,7 @@ struct Trained_model
   Integer_network network;
 
   /// Refers to this object.
-  Model model() const
-  {
-    return {trees.trees(), network.network()};
-  }
+  Model model() const { return {trees.trees(), network.network()}; }
 };
 
 struct Training_options
@@ -33,7 +30,8 @@ struct Training_options
 /// The mean of the logarithms of the odds of several models, as one model.
 Trained_model mean_of(const std::vector<Trained_model>& models);
 
-inline Trained_model train(const Training_rows& rows, const Training_options& options, unsigned seed)
+inline Trained_model train(const Training_rows& rows, const Training_options& options,
+                           unsigned seed)
 {
   return {grow_trees(rows, options.trees, seed), train_networks(rows, options.network, seed)};
 }

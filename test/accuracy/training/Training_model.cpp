@@ -33,8 +33,8 @@ std::vector<std::vector<int>> numbered_labels(const princeton_benchmark::Model& 
 
 } // namespace
 
-Training_model make_training_model(int number, const princeton_benchmark::Model& model, std::size_t superfacets,
-                                   std::size_t few)
+Training_model make_training_model(int number, const princeton_benchmark::Model& model,
+                                   std::size_t superfacets, std::size_t few)
 {
   Training_model result;
   result.number = number;
@@ -46,14 +46,18 @@ Training_model make_training_model(int number, const princeton_benchmark::Model&
   RS::Learned_merging method;
   method.superfacets.number = superfacets;
   RS::Learned_merging::Prepared prepared = method.prepare(result.surface);
-  result.graph =
-    method.annotated_graph(result.surface, prepared, prepared.regions, RS::Constraints(), RS::Execution());
+  result.graph = method.annotated_graph(result.surface, prepared, prepared.regions,
+                                        RS::Constraints(), RS::Execution());
+  if (prepared.smoothed)
+    result.surface = std::move(*prepared.smoothed);
   result.regions = std::move(prepared.regions);
   result.cells = std::move(prepared.patches.fine);
   result.border_costs.emplace(std::move(prepared.border_costs));
-  result.first_merges = RS::merge_regions(result.graph, RS::Visibility_merging().policy, 1, RS::Stop_at_count{few});
-  result.counts = Label_counts(std::vector<std::size_t>(result.regions.begin(), result.regions.end()),
-                               result.regions.number_of_parts(), result.people);
+  result.first_merges = RS::merge_regions(result.graph, RS::Visibility_merging().policy, 1,
+                                          RS::Stop_at_count{few});
+  result.counts = Label_counts(
+    std::vector<std::size_t>(result.regions.begin(), result.regions.end()),
+    result.regions.number_of_parts(), result.people);
   for (const RS::Merge_tree::Merge& merge : result.first_merges.merges())
     result.counts.merge(merge.kept, merge.removed);
   return result;

@@ -22,10 +22,11 @@
 
 namespace train_merge_cost {
 
-using Graph = CGAL::Region_segmentation::Region_adjacency_graph<CGAL::Region_segmentation::Learned_region_data,
-                                                                CGAL::Region_segmentation::Learned_section_data>;
+using Graph = CGAL::Region_segmentation::Region_adjacency_graph<
+  CGAL::Region_segmentation::Learned_region_data, CGAL::Region_segmentation::Learned_section_data>;
 
-/// What is learned from: the regions from which the learned cost merges, and what people say of them.
+/// What is learned from: the regions from which the learned cost merges, and what people say of
+/// them.
 struct Training_graph
 {
   Graph graph;
@@ -35,21 +36,23 @@ struct Training_graph
 /// A model of the benchmark at the number of regions from which the learned cost merges.
 struct Training_model : Training_graph
 {
-  int number = 0; ///< in the benchmark
+  int number = 0;                     ///< in the benchmark
   std::size_t number_of_segments = 0; ///< k of the standard protocol
   std::vector<std::size_t> segments_of_people;
-  std::vector<std::vector<int>> people; ///< the labels of the faces by each person, from 0 on
-  CGAL::Region_segmentation::Surface surface;
-  CGAL::Region_segmentation::Partition regions; ///< the first ones
-  CGAL::Region_segmentation::Patches cells;     ///< of the regions
+  std::vector<std::vector<int>> people;       ///< the labels of the faces by each person, from 0 on
+  CGAL::Region_segmentation::Surface surface; ///< without noise
+  CGAL::Region_segmentation::Partition regions;                                ///< the first ones
+  CGAL::Region_segmentation::Patches cells;                                    ///< of the regions
   std::optional<CGAL::Region_segmentation::internal::Dual_graph> border_costs; ///< between cells
   CGAL::Region_segmentation::Merge_tree first_merges; ///< before the graph and the counts
-  std::vector<Training_graph> variants; ///< of the same model, to learn from: of other first regions, or finer faces
+  std::vector<Training_graph> variants; ///< of the same model, to learn from: of other first
+                                        ///< regions, or finer faces
 };
 
-/// `superfacets`: the number of first regions; `few`: of regions to merge down to, by the hand-made cost
-Training_model make_training_model(int number, const princeton_benchmark::Model& model, std::size_t superfacets,
-                                   std::size_t few);
+/// `superfacets`: the number of first regions; `few`: of regions to merge down to, by the hand-made
+/// cost
+Training_model make_training_model(int number, const princeton_benchmark::Model& model,
+                                   std::size_t superfacets, std::size_t few);
 
 } // namespace train_merge_cost
 

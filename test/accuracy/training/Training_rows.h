@@ -32,7 +32,8 @@ struct Training_rows
   void append(const Training_rows& other)
   {
     features.insert(features.end(), other.features.begin(), other.features.end());
-    probabilities.insert(probabilities.end(), other.probabilities.begin(), other.probabilities.end());
+    probabilities.insert(probabilities.end(), other.probabilities.begin(),
+                         other.probabilities.end());
     weights.insert(weights.end(), other.weights.begin(), other.weights.end());
   }
 };

@@ -38,9 +38,11 @@ public:
     values.reserve(rows.size() * Merge_features::NUMBER_OF_FEATURES);
     for (const Merge_features::Values& x : rows.features)
       values.insert(values.end(), x.begin(), x.end());
-    check(XGDMatrixCreateFromMat(values.data(), rows.size(), Merge_features::NUMBER_OF_FEATURES, NAN, &m_handle));
+    check(XGDMatrixCreateFromMat(values.data(), rows.size(), Merge_features::NUMBER_OF_FEATURES,
+                                 NAN, &m_handle));
     std::vector<float> weights = rows.weights;
-    const double mean = std::accumulate(weights.begin(), weights.end(), 0.0) / double(weights.size());
+    const double mean = std::accumulate(weights.begin(), weights.end(), 0.0) /
+                        double(weights.size());
     for (float& w : weights)
       w = float(w / mean);
     check(XGDMatrixSetFloatInfo(m_handle, "label", rows.probabilities.data(), rows.size()));
@@ -76,7 +78,10 @@ public:
     check(XGBoosterSetParam(m_handle, name, text.str().c_str()));
   }
 
-  void add_tree(const Matrix& matrix, int iteration) { check(XGBoosterUpdateOneIter(m_handle, iteration, matrix.handle())); }
+  void add_tree(const Matrix& matrix, int iteration)
+  {
+    check(XGBoosterUpdateOneIter(m_handle, iteration, matrix.handle()));
+  }
 
   ptree model() const
   {
@@ -121,7 +126,8 @@ std::vector<Value> values_of(const ptree& array)
   return values;
 }
 
-/// A tree of XGBoost: left below the threshold, which lies between two values of the feature; -1: no child.
+/// A tree of XGBoost: left below the threshold, which lies between two values of the feature; -1:
+/// no child.
 class Tree_reader
 {
 public:
@@ -145,14 +151,16 @@ private:
   void add(int i, std::size_t t, std::vector<Tree_node>& nodes)
   {
     if (m_left[i] < 0) {
-      m_leaves.at(m_number_of_leaves++) = std::int32_t(std::lround(std::ldexp(m_value[i], Model::result_bits)));
+      m_leaves.at(m_number_of_leaves++) = std::int32_t(
+        std::lround(std::ldexp(m_value[i], Model::result_bits)));
       return;
     }
     const std::size_t first = m_number_of_leaves;
     add(m_left[i], t, nodes);
     const unsigned excluded = (1u << m_number_of_leaves) - (1u << first);
     nodes.push_back({std::size_t(m_feature[i]),
-                     {Model::Feature(std::ceil(m_value[i])), std::uint16_t(t), Model::Trees::Leaf_set(~excluded)}});
+                     {Model::Feature(std::ceil(m_value[i])), std::uint16_t(t),
+                      Model::Trees::Leaf_set(~excluded)}});
     add(m_right[i], t, nodes);
   }
 
@@ -164,13 +172,16 @@ private:
 
 } // namespace
 
-Integer_trees::Integer_trees(std::vector<Tree_node> nodes, std::vector<Model::Trees::Leaves> leaves_of_trees)
+Integer_trees::Integer_trees(std::vector<Tree_node> nodes,
+                             std::vector<Model::Trees::Leaves> leaves_of_trees)
   : leaves(std::move(leaves_of_trees))
 {
   const auto key = [](const Tree_node& n) {
-    return std::make_tuple(n.feature, n.condition.threshold, n.condition.tree, n.condition.remaining);
+    return std::make_tuple(n.feature, n.condition.threshold, n.condition.tree,
+                           n.condition.remaining);
   };
-  std::sort(nodes.begin(), nodes.end(), [&](const Tree_node& a, const Tree_node& b) { return key(a) < key(b); });
+  std::sort(nodes.begin(), nodes.end(),
+            [&](const Tree_node& a, const Tree_node& b) { return key(a) < key(b); });
   for (const Tree_node& node : nodes) {
     conditions.push_back(node.condition);
     ++first_conditions[node.feature + 1];

@@ -46,7 +46,10 @@ struct Integer_trees
   std::vector<Tree_node> nodes() const;
 
   /// Refers to this object.
-  Model::Trees trees() const { return {conditions.data(), first_conditions, leaves.data(), leaves.size()}; }
+  Model::Trees trees() const
+  {
+    return {conditions.data(), first_conditions, leaves.data(), leaves.size()};
+  }
 };
 
 /// The sum of the trees is the logarithm of the odds. One thread; equal seeds give equal trees.

@@ -19,12 +19,14 @@ unsigned seed_of(const Training_plan& plan, std::size_t training)
   return (plan.seed - 1) * unsigned(plan.trainings) + 1 + unsigned(training);
 }
 
-/// Appends the rows of a run of a model and of its variants: `run(graph, seed)`, with a seed for each run, model and variant.
+/// Appends the rows of a run of a model and of its variants: `run(graph, seed)`, with a seed for
+/// each run, model and variant.
 template <typename Run>
-void append_rows(Training_rows& rows, const Training_model& model, unsigned training_seed, std::size_t run_number,
-                 const Run& run)
+void append_rows(Training_rows& rows, const Training_model& model, unsigned training_seed,
+                 std::size_t run_number, const Run& run)
 {
-  const unsigned seed = training_seed * 1000000u + unsigned(run_number) * 1000u + unsigned(model.number);
+  const unsigned seed = training_seed * 1000000u + unsigned(run_number) * 1000u +
+                        unsigned(model.number);
   rows.append(run(model, seed));
   for (std::size_t i = 0; i < model.variants.size(); ++i)
     rows.append(run(model.variants[i], seed + unsigned(i + 1) * 100000u));
@@ -36,7 +38,8 @@ std::size_t number_of(const Folds& folds)
 }
 
 /// All rows but those of the models of one fold.
-Training_rows rows_without(const std::vector<Training_rows>& rows, const Folds& folds, std::size_t fold)
+Training_rows rows_without(const std::vector<Training_rows>& rows, const Folds& folds,
+                           std::size_t fold)
 {
   Training_rows result;
   for (std::size_t i = 0; i < rows.size(); ++i)
@@ -55,14 +58,16 @@ std::vector<Trained_model> train_folds(const std::vector<Training_rows>& rows, c
 }
 
 /// The rows of runs by the hand-made cost, by model.
-std::vector<Training_rows> first_rows(const std::vector<Training_model>& models, const Training_plan& plan, unsigned seed)
+std::vector<Training_rows> first_rows(const std::vector<Training_model>& models,
+                                      const Training_plan& plan, unsigned seed)
 {
   std::vector<Training_rows> rows(models.size());
   for (std::size_t i = 0; i < models.size(); ++i)
     for (std::size_t run = 0; run <= plan.noisy_runs; ++run)
-      append_rows(rows[i], models[i], seed, run, [&](const Training_graph& start, unsigned run_seed) {
-        return rows_of_visibility_run(start, run > 0 ? plan.noise : 0, plan.share, run_seed);
-      });
+      append_rows(
+        rows[i], models[i], seed, run, [&](const Training_graph& start, unsigned run_seed) {
+          return rows_of_visibility_run(start, run > 0 ? plan.noise : 0, plan.share, run_seed);
+        });
   return rows;
 }
 
@@ -73,8 +78,8 @@ struct Trained_folds
   std::vector<Training_rows> rows; // by model
 };
 
-Trained_folds train_in_rounds(const std::vector<Training_model>& models, const Folds& folds, const Training_plan& plan,
-                              unsigned seed)
+Trained_folds train_in_rounds(const std::vector<Training_model>& models, const Folds& folds,
+                              const Training_plan& plan, unsigned seed)
 {
   Trained_folds result{{}, first_rows(models, plan, seed)};
   result.trained = train_folds(result.rows, folds, plan, seed);
@@ -82,7 +87,8 @@ Trained_folds train_in_rounds(const std::vector<Training_model>& models, const F
     for (std::size_t i = 0; i < models.size(); ++i)
       append_rows(result.rows[i], models[i], seed, plan.noisy_runs + 1 + round,
                   [&](const Training_graph& start, unsigned run_seed) {
-                    return rows_of_learned_run(start, result.trained[folds[i]].model(), plan.share, run_seed);
+                    return rows_of_learned_run(start, result.trained[folds[i]].model(), plan.share,
+                                               run_seed);
                   });
     result.trained = train_folds(result.rows, folds, plan, seed);
   }
@@ -113,11 +119,13 @@ Folds folds_of_categories(const std::vector<Training_model>& models)
   Folds folds;
   std::map<int, std::size_t> fold_of;
   for (const Training_model& model : models)
-    folds.push_back(fold_of.emplace(Princeton_data::category(model.number), fold_of.size()).first->second);
+    folds.push_back(
+      fold_of.emplace(Princeton_data::category(model.number), fold_of.size()).first->second);
   return folds;
 }
 
-Cross_validation cross_validate(const std::vector<Training_model>& models, const Folds& folds, const Training_plan& plan)
+Cross_validation cross_validate(const std::vector<Training_model>& models, const Folds& folds,
+                                const Training_plan& plan)
 {
   Cross_validation result{folds, {}, {}, {}};
   std::vector<std::vector<Trained_model>> by_fold(number_of(folds));

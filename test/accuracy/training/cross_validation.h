@@ -16,16 +16,18 @@ namespace train_merge_cost {
 /// Which candidates are learned from, and how.
 struct Training_plan
 {
-  unsigned seed = 1;                  ///< at least 1
-  std::size_t trainings = 1;          ///< whose mean is the model; each from the first candidates on
-  std::size_t noisy_runs = 3;         ///< of the hand-made cost, in addition to one without noise
-  double noise = 1.5;                 ///< standard deviation
-  std::size_t learned_runs = 1;       ///< rounds in which models are merged by what was learned without them
-  double share = 0.5;                 ///< of the candidates of a run
+  unsigned seed = 1;            ///< at least 1
+  std::size_t trainings = 1;    ///< whose mean is the model; each from the first candidates on
+  std::size_t noisy_runs = 3;   ///< of the hand-made cost, in addition to one without noise
+  double noise = 1.5;           ///< standard deviation
+  std::size_t learned_runs = 1; ///< rounds in which models are merged by what was learned without
+                                ///< them
+  double share = 0.3;           ///< of the candidates of a run
   Training_options options;
 };
 
-/// The fold of every model. Models of one fold are scored by a model that was trained on the others.
+/// The fold of every model. Models of one fold are scored by a model that was trained on the
+/// others.
 using Folds = std::vector<std::size_t>;
 
 /// `number` folds; neighbors in the benchmark, which are of one category, belong to different ones.
@@ -38,15 +40,18 @@ struct Cross_validation
 {
   Folds folds;
   std::vector<Trained_model> trained;           ///< by fold, without it
-  std::vector<std::vector<Training_rows>> rows; ///< by training, then by model: those that were trained on
+  std::vector<std::vector<Training_rows>> rows; ///< by training, then by model: those that were
+                                                ///< trained on
   std::vector<Model_score> scores;              ///< by model, out of fold
 
   /// The model that was trained without a model of the benchmark.
   Model without(std::size_t model) const { return trained[folds[model]].model(); }
 };
 
-/// Each training consists of rounds, each on the rows of all earlier ones. The means of the trainings are scored.
-Cross_validation cross_validate(const std::vector<Training_model>& models, const Folds& folds, const Training_plan& plan);
+/// Each training consists of rounds, each on the rows of all earlier ones. The means of the
+/// trainings are scored.
+Cross_validation cross_validate(const std::vector<Training_model>& models, const Folds& folds,
+                                const Training_plan& plan);
 
 /// The rows of all trainings.
 Training_rows all_rows(const Cross_validation& validation);

@@ -12,8 +12,8 @@
 
 namespace train_merge_cost {
 
-/// A hash of training rows, in hexadecimal digits: FNV-1a of 64 bits over features, probabilities and weights, the latter
-/// two as multiples of 2^-20.
+/// A hash of training rows, in hexadecimal digits: FNV-1a of 64 bits over features, probabilities
+/// and weights, the latter two as multiples of 2^-20.
 inline std::string fingerprint(const Training_rows& rows)
 {
   std::uint64_t hash = 0xcbf29ce484222325u;

@@ -47,7 +47,11 @@ void merge_all(Graph& graph, Label_counts& counts, const Cost& cost)
 class Recorder
 {
 public:
-  Recorder(const Label_counts& counts, double share, unsigned seed) : m_counts(counts), m_share(share), m_random(seed) {}
+  Recorder(const Label_counts& counts, double share, unsigned seed)
+    : m_counts(counts)
+    , m_share(share)
+    , m_random(seed)
+  {}
 
   std::mt19937& random() { return m_random; }
   bool takes_next() { return uniform(m_random) < m_share; }
@@ -96,7 +100,8 @@ struct Recorded_learned_cost
 
 } // namespace
 
-Training_rows rows_of_visibility_run(const Training_graph& start, double noise, double share, unsigned seed)
+Training_rows rows_of_visibility_run(const Training_graph& start, double noise, double share,
+                                     unsigned seed)
 {
   Graph graph = start.graph;
   Label_counts counts = start.counts;
@@ -105,7 +110,8 @@ Training_rows rows_of_visibility_run(const Training_graph& start, double noise, 
   return recorder.rows;
 }
 
-Training_rows rows_of_learned_run(const Training_graph& start, const Model& learned, double share, unsigned seed)
+Training_rows rows_of_learned_run(const Training_graph& start, const Model& learned, double share,
+                                  unsigned seed)
 {
   Graph graph = start.graph;
   Label_counts counts = start.counts;

@@ -51,7 +51,8 @@ Training_rows toy_rows(std::size_t n, unsigned seed, Log_odds log_odds = true_lo
 }
 
 template <typename Predict>
-double mean_error(const Training_rows& rows, const Predict& predict, Log_odds log_odds = true_log_odds)
+double mean_error(const Training_rows& rows, const Predict& predict,
+                  Log_odds log_odds = true_log_odds)
 {
   double sum = 0;
   for (const auto& x : rows.features)
@@ -88,7 +89,8 @@ TEST(Label_counts_test, distances_are_those_of_the_labels)
         EXPECT_NEAR(distances[i], RS::rand_index_distance(region_of, people[i]), 1e-12);
       // The change of the mean distance by a merge, in advance.
       const std::size_t removed = kept + 1;
-      const double change = counts.share_of_pairs(removed, kept) * (1 - 2 * counts.probability(removed, kept));
+      const double change = counts.share_of_pairs(removed, kept) *
+                            (1 - 2 * counts.probability(removed, kept));
       double before = 0, after = 0;
       for (double d : distances)
         before += d / 3;
@@ -117,7 +119,8 @@ TEST(Boosted_trees_test, learn_a_step_and_a_slope)
 TEST(Boosted_trees_test, equal_seeds_give_equal_trees)
 {
   const Training_rows rows = toy_rows(1000, 1);
-  const auto a = grow_trees(rows, Boosting_options(), 1), b = grow_trees(rows, Boosting_options(), 1),
+  const auto a = grow_trees(rows, Boosting_options(), 1),
+             b = grow_trees(rows, Boosting_options(), 1),
              c = grow_trees(rows, Boosting_options(), 2);
   EXPECT_EQ(a.first_conditions, b.first_conditions);
   EXPECT_EQ(a.leaves, b.leaves);
@@ -161,14 +164,19 @@ TEST(Network_test, the_gradient_is_that_of_the_loss)
 
 TEST(Network_test, learns_a_slope_in_integers)
 {
-  const Training_rows rows = toy_rows(4000, 1, smooth_log_odds), others = toy_rows(500, 2, smooth_log_odds);
+  const Training_rows rows = toy_rows(4000, 1, smooth_log_odds),
+                      others = toy_rows(500, 2, smooth_log_odds);
   Network_options options;
   options.epochs = 20;
   const Integer_network network = train_networks(rows, options, 1);
   EXPECT_EQ(network.units.size(), options.number_of_units * options.number_of_networks);
   const Model model{Model::Trees(), network.network()};
-  EXPECT_LT(mean_error(others, [&](const auto& x) { return model.network_output(x); }, smooth_log_odds), 0.25);
-  EXPECT_GT(mean_error(others, [&](const auto&) { return 0; }, smooth_log_odds), 0.9);
+  EXPECT_LT(mean_error(
+              others, [&](const auto& x) { return model.network_output(x); }, smooth_log_odds),
+            0.25);
+  EXPECT_GT(mean_error(
+              others, [&](const auto&) { return 0; }, smooth_log_odds),
+            0.9);
 }
 
 TEST(Trained_model_test, the_mean_of_models_is_the_mean_of_their_results)
@@ -180,7 +188,9 @@ TEST(Trained_model_test, the_mean_of_models_is_the_mean_of_their_results)
   const Trained_model mean = mean_of(models);
   EXPECT_EQ(mean.trees.leaves.size(), 3 * models.front().trees.leaves.size());
   EXPECT_EQ(mean.network.units.size(), 3 * models.front().network.units.size());
-  const auto in_odds = [](std::int64_t result) { return std::ldexp(double(result), -Model::result_bits); };
+  const auto in_odds = [](std::int64_t result) {
+    return std::ldexp(double(result), -Model::result_bits);
+  };
   for (const auto& x : others.features) {
     double expected = 0;
     for (const Trained_model& model : models)

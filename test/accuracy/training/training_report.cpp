@@ -20,15 +20,64 @@ using princeton_benchmark::Table;
 namespace {
 
 constexpr std::array<const char*, Merge_features::NUMBER_OF_FEATURES> feature_names = {
-  "cost", "log depth", "concave", "convex", "bend", "weakly concave", "strongly concave", "strongly convex",
-  "squared deviation", "closedness", "section width", "section depth", "log section area", "log area m", "log area M",
-  "log area u", "log length m", "log length M", "perimeter share m", "perimeter share M", "log perimeter m",
-  "log perimeter M", "log perimeter u", "thickness step", "thickness difference", "thickness m", "thickness M",
-  "section thickness m", "section thickness M", "thickness deviation m", "thickness deviation M",
-  "thickness deviation u", "length for thickness", "width for thickness m", "width for thickness M", "visibility m",
-  "visibility M", "own visibility m", "own visibility M", "own visibility u", "flatness m", "flatness M", "flatness u",
-  "normals", "outward", "distance", "elongation m", "elongation M", "elongation u", "roundness m", "roundness M",
-  "roundness u", "alignment", "section along", "width of both", "width of larger", "log filling m", "log filling M",
+  "cost",
+  "log depth",
+  "concave",
+  "convex",
+  "bend",
+  "weakly concave",
+  "strongly concave",
+  "strongly convex",
+  "squared deviation",
+  "closedness",
+  "section width",
+  "section depth",
+  "log section area",
+  "log area m",
+  "log area M",
+  "log area u",
+  "log length m",
+  "log length M",
+  "perimeter share m",
+  "perimeter share M",
+  "log perimeter m",
+  "log perimeter M",
+  "log perimeter u",
+  "thickness step",
+  "thickness difference",
+  "thickness m",
+  "thickness M",
+  "section thickness m",
+  "section thickness M",
+  "thickness deviation m",
+  "thickness deviation M",
+  "thickness deviation u",
+  "length for thickness",
+  "width for thickness m",
+  "width for thickness M",
+  "visibility m",
+  "visibility M",
+  "own visibility m",
+  "own visibility M",
+  "own visibility u",
+  "flatness m",
+  "flatness M",
+  "flatness u",
+  "normals",
+  "outward",
+  "distance",
+  "elongation m",
+  "elongation M",
+  "elongation u",
+  "roundness m",
+  "roundness M",
+  "roundness u",
+  "alignment",
+  "section along",
+  "width of both",
+  "width of larger",
+  "log filling m",
+  "log filling M",
   "log filling u"};
 
 /// A mean, and its standard error.
@@ -44,7 +93,10 @@ public:
     m_squares += x * x;
   }
   double mean() const { return m_sum / m_n; }
-  double error() const { return std::sqrt(std::max(0.0, m_squares / m_n - mean() * mean()) / (m_n - 1)); }
+  double error() const
+  {
+    return std::sqrt(std::max(0.0, m_squares / m_n - mean() * mean()) / (m_n - 1));
+  }
 
   std::string text() const
   {
@@ -110,33 +162,11 @@ Table means_table(const std::vector<Scored_way>& ways)
               {"first, nearest: the paper's protocol"}};
   for (const Scored_way& way : ways) {
     std::vector<std::string> row = {way.name};
-    for (Score_member member : {&Model_score::given, &Model_score::automatic, &Model_score::best, &Model_score::first,
-                                &Model_score::nearest})
+    for (Score_member member : {&Model_score::given, &Model_score::automatic, &Model_score::best,
+                                &Model_score::first, &Model_score::nearest})
       row.push_back(mean_of(*way.scores, member).text());
     table.rows.push_back(row);
   }
-  return table;
-}
-
-Table differences_table(const std::vector<Model_score>& before, const std::vector<Model_score>& after)
-{
-  Table table{"Differences of a model", {"", "k given", "k chosen"}, {}, {}};
-  const auto add_row = [&](const std::string& name, const auto& text) {
-    table.rows.push_back({name, text(&Model_score::given), text(&Model_score::automatic)});
-  };
-  add_row("mean", [&](Score_member member) {
-    Mean mean;
-    for (std::size_t i = 0; i < before.size(); ++i)
-      mean.add(after[i].*member - before[i].*member);
-    return mean.text();
-  });
-  for (const double bound : {0.01, 0.02, 0.05})
-    add_row("models beyond " + fixed(bound, 2), [&](Score_member member) {
-      std::size_t number = 0;
-      for (std::size_t i = 0; i < before.size(); ++i)
-        number += std::abs(after[i].*member - before[i].*member) > bound;
-      return std::to_string(number) + " of " + std::to_string(before.size());
-    });
   return table;
 }
 
@@ -185,7 +215,8 @@ Table calibration_table(const Cross_validation& validation)
   Table table{"Calibration, out of fold, by weight", {"", "share", "predicted", "people"}, {}, {}};
   for (std::size_t i = 0; i < bins; ++i)
     table.rows.push_back({fixed(double(i) / bins, 1) + " ..", fixed(all[i].weight / total, 3),
-                          fixed(all[i].predicted / all[i].weight, 3), fixed(all[i].truth / all[i].weight, 3)});
+                          fixed(all[i].predicted / all[i].weight, 3),
+                          fixed(all[i].truth / all[i].weight, 3)});
   return table;
 }
 
@@ -226,10 +257,11 @@ Table importance_table(const Cross_validation& validation, unsigned seed)
   for (std::size_t i = 0; i < loss.size(); ++i)
     order.push_back({(loss[i] - unchanged) / weight, i});
   std::sort(order.rbegin(), order.rend());
-  Table table{"Importance of features, out of fold: growth of the loss where values are exchanged at random",
-              {"", "loss"},
-              {},
-              {"the loss itself: " + fixed(unchanged / weight, 5)}};
+  Table table{
+    "Importance of features, out of fold: growth of the loss where values are exchanged at random",
+    {"", "loss"},
+    {},
+    {"the loss itself: " + fixed(unchanged / weight, 5)}};
   for (const auto& [growth, i] : order)
     table.rows.push_back({feature_names[i], fixed(growth, 5)});
   return table;

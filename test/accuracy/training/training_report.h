@@ -21,19 +21,19 @@ struct Scored_way
 /// Means over the models, with the standard error of the mean.
 princeton_benchmark::Table means_table(const std::vector<Scored_way>& ways);
 
-/// How many models a change of them moves how far.
-princeton_benchmark::Table differences_table(const std::vector<Model_score>& before, const std::vector<Model_score>& after);
-
 /// Means over the models of each category, k given and chosen.
-princeton_benchmark::Table category_table(const std::vector<Training_model>& models, const std::vector<Scored_way>& ways);
+princeton_benchmark::Table category_table(const std::vector<Training_model>& models,
+                                          const std::vector<Scored_way>& ways);
 
 /// Out of fold: what was predicted, and what people say.
 princeton_benchmark::Table calibration_table(const Cross_validation& validation);
 
-/// Out of fold: how much the loss grows where the values of a feature are exchanged between rows at random.
+/// Out of fold: how much the loss grows where the values of a feature are exchanged between rows at
+/// random.
 princeton_benchmark::Table importance_table(const Cross_validation& validation, unsigned seed);
 
-/// The mean loss of a row, in nats: that of the logarithmic score over the entropy of what people say. 0 is perfect.
+/// The mean loss of a row, in nats: that of the logarithmic score over the entropy of what people
+/// say. 0 is perfect.
 double mean_loss(const Cross_validation& validation);
 
 } // namespace train_merge_cost

@@ -33,7 +33,9 @@ constexpr const char* foot = R"(
 class Line_breaker
 {
 public:
-  explicit Line_breaker(std::ostream& out) : m_out(out) {}
+  explicit Line_breaker(std::ostream& out)
+    : m_out(out)
+  {}
 
   void add(const std::string& token)
   {
@@ -76,7 +78,8 @@ void write_trees(std::ostream& out, const std::string& type, const Integer_trees
   Line_breaker line(out);
   out << "inline constexpr " << type << "::Trees::Condition learned_conditions[] = {\n";
   for (const Model::Trees::Condition& c : trees.conditions)
-    line.add("{" + std::to_string(c.threshold) + "," + std::to_string(c.tree) + "," + std::to_string(c.remaining) + "},");
+    line.add("{" + std::to_string(c.threshold) + "," + std::to_string(c.tree) + "," +
+             std::to_string(c.remaining) + "},");
   line.end_line();
   out << "};\n\ninline constexpr " << type << "::Trees::Leaves learned_leaves[] = {\n";
   for (const Model::Trees::Leaves& leaves : trees.leaves) {
@@ -98,13 +101,15 @@ void write_unit(Line_breaker& line, const Model::Unit& unit)
 
 } // namespace
 
-void write_model(std::ostream& out, const Trained_model& trained, const std::vector<std::string>& provenance)
+void write_model(std::ostream& out, const Trained_model& trained,
+                 const std::vector<std::string>& provenance)
 {
   out << head;
   for (const std::string& line : provenance)
     out << "// " << line << '\n';
   out << "\nnamespace CGAL {\nnamespace Region_segmentation {\nnamespace internal {\n\n";
-  const std::string type = "Merge_model<" + std::to_string(Merge_features::NUMBER_OF_FEATURES) + ">";
+  const std::string type = "Merge_model<" + std::to_string(Merge_features::NUMBER_OF_FEATURES) +
+                           ">";
   write_trees(out, type, trained.trees);
   Line_breaker line(out);
   out << "inline constexpr " << type << "::Input learned_inputs[] = {\n";
@@ -116,8 +121,10 @@ void write_model(std::ostream& out, const Trained_model& trained, const std::vec
     write_unit(line, unit);
   out << "};\n\ninline constexpr " << type << "::Weights learned_direct_weights =\n";
   write_array(line, trained.network.direct_weights, "}}");
-  out << ";\n\ninline constexpr " << type << " learned_merge_model{\n  learned_trees, {learned_inputs, learned_units, "
-      << trained.network.units.size() << ", learned_direct_weights, " << trained.network.output_bias << "}};\n"
+  out << ";\n\ninline constexpr " << type
+      << " learned_merge_model{\n  learned_trees, {learned_inputs, learned_units, "
+      << trained.network.units.size() << ", learned_direct_weights, " << trained.network.output_bias
+      << "}};\n"
       << foot;
 }
 

@@ -11,8 +11,10 @@
 
 namespace train_merge_cost {
 
-/// Writes a model as the header `learned_merge_model.h` of the library. `provenance`: lines of a comment
-void write_model(std::ostream& out, const Trained_model& trained, const std::vector<std::string>& provenance);
+/// Writes a model as the header `learned_merge_model.h` of the library. `provenance`: lines of a
+/// comment
+void write_model(std::ostream& out, const Trained_model& trained,
+                 const std::vector<std::string>& provenance);
 
 } // namespace train_merge_cost
 

@@ -19,8 +19,8 @@
 namespace {
 
 namespace RS = CGAL::Region_segmentation;
-using speed_benchmark::Mesh;
 using speed_benchmark::make_mesh;
+using speed_benchmark::Mesh;
 
 /// \returns whether there are 8 segments
 template <typename SegmentationMethod>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Segments difficult shapes at two sizes, for callgrind, which counts and dumps each call by its name.
+// Segments difficult shapes at two sizes, for callgrind, which counts and dumps each call by its
+// name.
 
 #include "shapes.h"
 
@@ -51,7 +52,8 @@ void count_with_each_method(const std::string& name, Make_shape make)
 #ifdef TEST_EIGEN
   count_at_two_sizes(name + ", smooth-faces", make, RS::Smooth_faces());
 #endif
-  // Of thousands of overlapping components each casts 12 rays up to 6,400 of them: the time is bounded, not linear.
+  // Of thousands of overlapping components each casts 12 rays up to 6,400 of them: the time is
+  // bounded, not linear.
   if (make != shapes::triangles_at_one_edge && make != shapes::slivers)
     count_at_two_sizes(name + ", learned", make, RS::Learned_merging());
 }

@@ -24,7 +24,8 @@ Point on_circle(double turn, double radius, double z)
 
 Point on_sphere(std::mt19937& random)
 {
-  const double z = double(random()) / double(random.max()) * 2 - 1, turn = double(random()) / double(random.max());
+  const double z = double(random()) / double(random.max()) * 2 - 1,
+               turn = double(random()) / double(random.max());
   return on_circle(turn, std::sqrt(1 - z * z), z);
 }
 
@@ -41,7 +42,8 @@ Mesh cone_with_folds(std::size_t faces, double depth)
   for (std::size_t i = 0; i < faces; ++i)
     mesh.add_vertex(on_circle(double(i) / double(faces), 1, i % 2 ? -depth : 0));
   for (std::size_t i = 0; i < faces; ++i)
-    mesh.add_face(apex, Vertex(Mesh::size_type(1 + i)), Vertex(Mesh::size_type(1 + (i + 1) % faces)));
+    mesh.add_face(apex, Vertex(Mesh::size_type(1 + i)),
+                  Vertex(Mesh::size_type(1 + (i + 1) % faces)));
   return mesh;
 }
 
@@ -76,7 +78,8 @@ Mesh triangles_at_one_edge(std::size_t faces)
   Mesh mesh;
   for (std::size_t i = 0; i < faces; ++i) {
     const Vertex a = mesh.add_vertex(Point(0, 0, 0)), b = mesh.add_vertex(Point(0, 0, 1));
-    mesh.add_face(a, b, mesh.add_vertex(on_circle(double(i) / 2 / pi, 1, double(i) / double(faces))));
+    mesh.add_face(a, b,
+                  mesh.add_vertex(on_circle(double(i) / 2 / pi, 1, double(i) / double(faces))));
   }
   return mesh;
 }

@@ -3,8 +3,8 @@
 #ifndef CGAL_REGION_SEGMENTATION_TEST_BENCHMARK_INSTRUCTION_COUNTS_SHAPES_H
 #define CGAL_REGION_SEGMENTATION_TEST_BENCHMARK_INSTRUCTION_COUNTS_SHAPES_H
 
-// Shapes on which a method without care takes quadratic time: hubs, overlapping components, far outliers. Each has
-// about the given number of faces.
+// Shapes on which a method without care takes quadratic time: hubs, overlapping components, far
+// outliers. Each has about the given number of faces.
 
 #include "make_mesh.h"
 

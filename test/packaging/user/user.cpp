@@ -16,7 +16,7 @@ int main()
   auto segment_id = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:segment").first;
   RS::Two_step method;
   method.growing.feature_convexity = RS::Feature_convexity::ALL;
-  const std::size_t n =
-      RS::segment(mesh, segment_id, RS::parameters::number_of_segments(3).method(method));
+  const std::size_t n = RS::segment(mesh, segment_id,
+                                    RS::parameters::number_of_segments(3).method(method));
   return n == 3 ? 0 : 1;
 }

@@ -3,8 +3,9 @@
 #ifndef CGAL_REGION_SEGMENTATION_TEST_THREAD_SANITIZER_TBB_PARALLEL_FOR_H
 #define CGAL_REGION_SEGMENTATION_TEST_THREAD_SANITIZER_TBB_PARALLEL_FOR_H
 
-// In place of TBB, whose synchronization the thread sanitizer does not see unless TBB itself is compiled with it: every
-// loop by four threads, which take indices one by one. Nothing else orders them, so that any race of the loops is seen.
+// In place of TBB, whose synchronization the thread sanitizer does not see unless TBB itself is
+// compiled with it: every loop by four threads, which take indices one by one. Nothing else orders
+// them, so that any race of the loops is seen.
 
 #include <array>
 #include <atomic>

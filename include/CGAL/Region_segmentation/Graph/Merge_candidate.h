@@ -9,7 +9,8 @@ namespace CGAL {
 namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationPolicies
-/// The section across which a policy proposes to merge next, and its cost in the units of the policy.
+/// The section across which a policy proposes to merge next, and its cost in the units of the
+/// policy.
 struct Merge_candidate
 {
   Section_descriptor section;

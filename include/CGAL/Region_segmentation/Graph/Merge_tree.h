@@ -18,24 +18,28 @@ namespace CGAL {
 namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationGraph
-/// The merges of a run, in order. Any number of them defines a partition of the regions into segments. Partitions are
-/// nested: a segment after fewer merges lies in one segment after more.
+/// The merges of a run, in order. Any number of them defines a partition of the regions into
+/// segments. Partitions are nested: a segment after fewer merges lies in one segment after more.
 class Merge_tree
 {
 public:
   /// One merge. The region that is kept is the lower one of two ids.
   struct Merge
   {
-    std::uint32_t kept, removed; ///< first regions; `kept` stands for the merged region from here on
-    double cost; ///< as its policy gave it; in the units of the policy
+    std::uint32_t kept, removed; ///< first regions; `kept` stands for the merged region from here
+                                 ///< on
+    double cost;                 ///< as its policy gave it; in the units of the policy
   };
 
   /// A tree without merges.
-  explicit Merge_tree(std::size_t number_of_regions = 0) : m_number_of_regions(number_of_regions) {}
+  explicit Merge_tree(std::size_t number_of_regions = 0)
+    : m_number_of_regions(number_of_regions)
+  {}
 
   /// Of the first regions.
   std::size_t number_of_regions() const { return m_number_of_regions; }
-  /// In the order in which they were made. After `m` of them there are `number_of_regions() - m` segments.
+  /// In the order in which they were made. After `m` of them there are `number_of_regions() - m`
+  /// segments.
   const std::vector<Merge>& merges() const& { return m_merges; }
   std::vector<Merge> merges() && { return std::move(m_merges); }
 
@@ -50,17 +54,18 @@ public:
   /// number of regions, at least the number of regions less the number of merges. O(R).
   Partition partition_at_count(std::size_t number_of_segments) const
   {
-    const std::size_t wanted =
-      number_of_segments < m_number_of_regions ? m_number_of_regions - number_of_segments : 0;
+    const std::size_t wanted = number_of_segments < m_number_of_regions
+                                 ? m_number_of_regions - number_of_segments
+                                 : 0;
     return partition_after((std::min)(wanted, m_merges.size()));
   }
 
   /// The partition before the first merge that costs more than `maximum_cost`. O(R).
   Partition partition_at_cost(double maximum_cost) const
   {
-    const auto first_above =
-      std::find_if(m_merges.begin(), m_merges.end(),
-                   [maximum_cost](const Merge& m) { return m.cost > maximum_cost; });
+    const auto first_above = std::find_if(
+      m_merges.begin(), m_merges.end(),
+      [maximum_cost](const Merge& m) { return m.cost > maximum_cost; });
     return partition_after(std::size_t(first_above - m_merges.begin()));
   }
 

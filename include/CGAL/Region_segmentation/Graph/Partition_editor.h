@@ -21,13 +21,13 @@ namespace CGAL {
 namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationGraph
-/// A partition of the regions of a merge tree that a user changes: segments are split along the tree, joined at will, and
-/// every change can be undone.
+/// A partition of the regions of a merge tree that a user changes: segments are split along the
+/// tree, joined at will, and every change can be undone.
 ///
-/// A segment is a set of subtrees of the merge tree: one, unless segments were joined. At first there is a segment for
-/// each region that was never merged into another one, as after all merges. Segments are named by their ids in
-/// `partition()`, which change with every operation that changes the segments, since they are numbered by their first
-/// regions.
+/// A segment is a set of subtrees of the merge tree: one, unless segments were joined. At first
+/// there is a segment for each region that was never merged into another one, as after all merges.
+/// Segments are named by their ids in `partition()`, which change with every operation that changes
+/// the segments, since they are numbered by their first regions.
 ///
 /// \code{.cpp}
 /// RS::Segmenter segmenter(mesh);
@@ -37,22 +37,26 @@ namespace Region_segmentation {
 /// RS::write_face_values(mesh, composed(segmenter.regions(), editor.partition()), segment_map);
 /// \endcode
 ///
-/// Complexity: O(R) for an operation and for `partition()`, in R regions. The tree is not copied and must not change.
+/// Complexity: O(R) for an operation and for `partition()`, in R regions. The tree is not copied
+/// and must not change.
 class Partition_editor
 {
 public:
   using Index = Partition::Index;
 
-  explicit Partition_editor(const Merge_tree& tree) : m_tree(&tree)
+  explicit Partition_editor(const Merge_tree& tree)
+    : m_tree(&tree)
   {
     const std::size_t regions = tree.number_of_regions();
-    std::vector<Index> subtree_of(regions); // the largest one so far in which a region is the lowest
+    std::vector<Index> subtree_of(regions); // the largest one so far in which a region is the
+                                            // lowest
     for (std::size_t r = 0; r < regions; ++r)
       m_subtrees.push_back({Index(r), none, none, -std::numeric_limits<double>::infinity()});
     std::iota(subtree_of.begin(), subtree_of.end(), Index(0));
     for (const Merge_tree::Merge& merge : tree.merges()) {
       const Index kept = subtree_of[merge.kept], removed = subtree_of[merge.removed];
-      const double highest = (std::max)({merge.cost, m_subtrees[kept].highest_cost, m_subtrees[removed].highest_cost});
+      const double highest = (std::max)(
+        {merge.cost, m_subtrees[kept].highest_cost, m_subtrees[removed].highest_cost});
       subtree_of[merge.kept] = Index(m_subtrees.size());
       m_subtrees.push_back({merge.kept, kept, removed, highest});
     }
@@ -88,8 +92,8 @@ public:
   /// \name Changes of one segment
   /// @{
 
-  /// Splits a segment into `number` parts: what was joined comes apart first, then the last merges are undone.
-  /// \returns the number of parts: fewer than `number` if the segment has fewer regions
+  /// Splits a segment into `number` parts: what was joined comes apart first, then the last merges
+  /// are undone. \returns the number of parts: fewer than `number` if the segment has fewer regions
   /// \pre `segment < number_of_segments()`, and `number` is at least 1
   std::size_t split(std::size_t segment, std::size_t number = 2)
   {
@@ -101,8 +105,7 @@ public:
       for (std::size_t i = number; i < parts.size(); ++i)
         parts.front().push_back(parts[i].front());
       parts.resize(number);
-    }
-    else
+    } else
       undo_last_merges(parts, number);
     if (parts.size() > 1) {
       Segments changed = m_segments;
@@ -138,14 +141,15 @@ public:
     change_to(std::move(parts));
   }
 
-  /// The largest subtrees without a merge that costs more than `maximum_cost`. (`Merge_tree::partition_at_cost()` stops at the
-  /// first such merge of the whole tree.)
+  /// The largest subtrees without a merge that costs more than `maximum_cost`.
+  /// (`Merge_tree::partition_at_cost()` stops at the first such merge of the whole tree.)
   void set_maximum_cost(double maximum_cost)
   {
     descend([&](Index subtree) { return m_subtrees[subtree].highest_cost > maximum_cost; });
   }
 
-  /// The largest subtrees whose size is at most `maximum_size`; a region that is larger is a segment.
+  /// The largest subtrees whose size is at most `maximum_size`; a region that is larger is a
+  /// segment.
   ///
   /// `size_of_region`: for each region, at least 0; its area, for example.
   /// \pre it has `merge_tree().number_of_regions()` elements
@@ -185,7 +189,7 @@ private:
     Index first_region, kept, removed;
     double highest_cost; // of the merges in it
   };
-  using Segment = std::vector<Index>;     // subtrees
+  using Segment = std::vector<Index>;    // subtrees
   using Segments = std::vector<Segment>; // by first region
 
   bool is_region(Index subtree) const { return subtree < m_tree->number_of_regions(); }
@@ -204,8 +208,9 @@ private:
       std::sort(segment.begin(), segment.end(), [this](Index a, Index b) {
         return m_subtrees[a].first_region < m_subtrees[b].first_region;
       });
-    std::sort(segments.begin(), segments.end(),
-              [this](const Segment& a, const Segment& b) { return first_region(a) < first_region(b); });
+    std::sort(segments.begin(), segments.end(), [this](const Segment& a, const Segment& b) {
+      return first_region(a) < first_region(b);
+    });
     if (segments == m_segments)
       return;
     m_history.push_back(std::exchange(m_segments, std::move(segments)));

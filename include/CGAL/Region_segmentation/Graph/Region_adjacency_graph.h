@@ -29,14 +29,16 @@ namespace Region_segmentation {
 /// Regions and the sections between them, with data on both; two regions can be merged across a
 /// section.
 ///
-/// A model of Boost.Graph's `VertexListGraph`, `EdgeListGraph`, `IncidenceGraph` and `AdjacencyGraph`
-/// (undirected, no parallel edges, no loops): a region is a vertex, a section is an edge. As in \cgal,
-/// `num_vertices()` and `num_edges()` are upper bounds after merges: indices, in
+/// A model of Boost.Graph's `VertexListGraph`, `EdgeListGraph`, `IncidenceGraph` and
+/// `AdjacencyGraph` (undirected, no parallel edges, no loops): a region is a vertex, a section is
+/// an edge. As in \cgal, `num_vertices()` and `num_edges()` are upper bounds after merges: indices,
+/// in
 /// `[0, num_vertices())`, are not reused, and the descriptors of remaining elements stay valid.
 /// `number_of_regions()` and `number_of_sections()` count the remaining ones.
 ///
-/// `merge()` takes expected time linear in the number of sections of the region that has fewer. Bytes, without the
-/// data: 84 per region and 9 per section; more for regions with more than 12 sections.
+/// `merge()` takes expected time linear in the number of sections of the region that has fewer.
+/// Bytes, without the data: 84 per region and 9 per section; more for regions with more than 12
+/// sections.
 ///
 /// \tparam RegionData_ a model of `RegionData`
 /// \tparam SectionData_ a model of `SectionData`
@@ -71,7 +73,8 @@ public:
   using vertex_iterator = internal::Remaining_iterator<Self, Index>;
   using edge_iterator = internal::Remaining_iterator<Self, Section_descriptor>;
   using out_edge_iterator = internal::Out_section_iterator<Lists>;
-  using adjacency_iterator = boost::adjacency_iterator<Self, Index, out_edge_iterator, std::ptrdiff_t>;
+  using adjacency_iterator = boost::adjacency_iterator<Self, Index, out_edge_iterator,
+                                                       std::ptrdiff_t>;
   static vertex_descriptor null_vertex() { return none; }
   /// @}
 
@@ -110,9 +113,9 @@ public:
     return append_section(a, b, std::move(data), ADJACENT);
   }
 
-  /// Adds a section between two regions that have no common edge, to keep data of the pair. It is not mergeable;
-  /// absorbing it, or being absorbed by it, does not change whether another section is mergeable.
-  /// \pre both regions are there, and have no section yet
+  /// Adds a section between two regions that have no common edge, to keep data of the pair. It is
+  /// not mergeable; absorbing it, or being absorbed by it, does not change whether another section
+  /// is mergeable. \pre both regions are there, and have no section yet
   section_descriptor add_nonadjacent_section(region_descriptor a, region_descriptor b,
                                              SectionData data = SectionData())
   {
@@ -140,7 +143,8 @@ public:
   bool is_removed(section_descriptor s) const { return m_lists.place(s.half()) == none; }
   /// Whether the two regions of a section have a common edge.
   bool is_adjacent(section_descriptor s) const { return (m_flags[s.id()] & ADJACENT) != 0; }
-  /// Whether regions may be merged across a section: they are adjacent, and it holds no constrained edge.
+  /// Whether regions may be merged across a section: they are adjacent, and it holds no constrained
+  /// edge.
   bool is_mergeable(section_descriptor s) const { return m_flags[s.id()] == ADJACENT; }
 
   /// The region that a descriptor, as it comes from `out_edges(r, g)`, starts from and leads to.
@@ -156,15 +160,17 @@ public:
     return {out_edge_iterator(m_lists, place), out_edge_iterator()};
   }
 
-  /// The section between two regions, with `a` as its source; empty where there is none. O(1) expected.
+  /// The section between two regions, with `a` as its source; empty where there is none. O(1)
+  /// expected.
   std::optional<section_descriptor> section(region_descriptor a, region_descriptor b) const
   {
     const Index half = m_lists.find(m_place_of[a], m_place_of[b]);
     return half == none ? std::nullopt : std::optional<section_descriptor>(half);
   }
 
-  /// Prefetches the data needed to visit the sections of regions and to merge across one of them, for a policy that
-  /// knows the next regions: their latencies overlap, while those of merges add up. Affects only the running time.
+  /// Prefetches the data needed to visit the sections of regions and to merge across one of them,
+  /// for a policy that knows the next regions: their latencies overlap, while those of merges add
+  /// up. Affects only the running time.
   ///
   /// The gain is measured in `Batch_queue`.
   /// \pre the regions are not removed
@@ -178,8 +184,10 @@ public:
       m_lists.prefetch_section(half / 2);
       internal::prefetch(&m_flags[half / 2]);
     });
-    for_each_half_of_short(regions, [this](Index half) { m_lists.prefetch_place(m_lists.place(half ^ 1)); });
-    for_each_half_of_short(regions, [this](Index half) { internal::prefetch(&m_region_data[owner(half ^ 1)]); });
+    for_each_half_of_short(regions,
+                           [this](Index half) { m_lists.prefetch_place(m_lists.place(half ^ 1)); });
+    for_each_half_of_short(
+      regions, [this](Index half) { internal::prefetch(&m_region_data[owner(half ^ 1)]); });
   }
 
   /// Merges the two regions of a section. The lower id is kept; its data absorbs that of the other
@@ -192,8 +200,9 @@ public:
     const Merge result{(std::min)(source(s), target(s)), (std::max)(source(s), target(s))};
     m_region_data[result.kept].absorb(m_region_data[result.removed], m_lists.data(s.id()));
     --m_number_of_sections;
-    const Index place = m_lists.unite(s.id(), m_place_of[result.removed], m_place_of[result.kept],
-                                      [this](Index twin, Index gone) { absorb_section(twin, gone); });
+    const Index place = m_lists.unite(
+      s.id(), m_place_of[result.removed], m_place_of[result.kept],
+      [this](Index twin, Index gone) { absorb_section(twin, gone); });
     m_lists.set_owner(place, result.kept);
     m_place_of[result.kept] = place;
     m_place_of[result.removed] = none;
@@ -210,7 +219,8 @@ private:
     BARRED = 2    ///< it must not be merged across
   };
 
-  section_descriptor append_section(region_descriptor a, region_descriptor b, SectionData data, std::uint8_t flags)
+  section_descriptor append_section(region_descriptor a, region_descriptor b, SectionData data,
+                                    std::uint8_t flags)
   {
     const Index s = Index(m_flags.size());
     m_flags.push_back(flags);
@@ -235,8 +245,8 @@ private:
     --m_number_of_sections;
   }
 
-  // Small into large: the sections of a region belong to a place. The kept region takes over the place that has more of
-  // them, so that only those of the other place change.
+  // Small into large: the sections of a region belong to a place. The kept region takes over the
+  // place that has more of them, so that only those of the other place change.
   internal::Large_array<Index> m_place_of; // by region
   Lists m_lists;
   internal::Large_array<RegionData> m_region_data;

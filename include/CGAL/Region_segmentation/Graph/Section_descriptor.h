@@ -17,7 +17,9 @@ class Section_descriptor
 {
 public:
   Section_descriptor() = default;
-  explicit Section_descriptor(std::uint32_t half) : m_half(half) {}
+  explicit Section_descriptor(std::uint32_t half)
+    : m_half(half)
+  {}
 
   /// The index of the section, and of its view.
   std::uint32_t id() const { return m_half / 2; }

@@ -15,8 +15,9 @@ namespace Region_segmentation {
 /// \ingroup PkgRegionSegmentationGraph
 /// Length and mean dihedral angle of a section. A model of `SectionData`.
 ///
-/// User-defined data derives from it, or has the same member functions. A type that derives from it and has members of its
-/// own declares its own `add_adjacency()` and `absorb()`, which call those of this class: inherited ones do not know the members.
+/// User-defined data derives from it, or has the same member functions. A type that derives from it
+/// and has members of its own declares its own `add_adjacency()` and `absorb()`, which call those
+/// of this class: inherited ones do not know the members.
 struct Section_geometry
 {
   double length = 0;                     ///< in units of `Surface::unit()`
@@ -57,13 +58,14 @@ struct Section_geometry
 /// \ingroup PkgRegionSegmentationGraph
 /// Area and perimeter of a region. A model of `RegionData`.
 ///
-/// A type that derives from it and has members of its own declares its own `absorb()`, which calls that of this class: the
-/// inherited one does not know the members. The same applies to the functions that sum them, unless
-/// an annotator fills them.
+/// A type that derives from it and has members of its own declares its own `absorb()`, which calls
+/// that of this class: the inherited one does not know the members. The same applies to the
+/// functions that sum them, unless an annotator fills them.
 struct Region_geometry
 {
   double area = 0;      ///< in squared units of `Surface::unit()`
-  double perimeter = 0; ///< length of the edges and seams shared with other regions, in units of `Surface::unit()`
+  double perimeter = 0; ///< length of the edges and seams shared with other regions, in units of
+                        ///< `Surface::unit()`
 
   /// Accounts for a face of the region.
   void add_face(const Surface& mesh, std::size_t face) { area += mesh.area(face); }

@@ -21,54 +21,64 @@ namespace CGAL {
 namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationInitializers
-/// moves the borders of the segments of a merge tree to minimum cuts, from the roots of the tree down, so that the
-/// segmentations of all numbers stay nested.
+/// moves the borders of the segments of a merge tree to minimum cuts, from the roots of the tree
+/// down, so that the segmentations of all numbers stay nested.
 ///
-/// Elements are cells: the patches of the surface; a patch with faces of several regions is divided by them
-/// into connected elements. An element is its region's own at first. Merges are undone from the last one on. Each
-/// divides a segment into two parts, the kept one and the removed one:
-/// -# The own elements of either part's regions belong to it. If they are not connected, those outside of the component
+/// Elements are cells: the patches of the surface; a patch with faces of several regions is divided
+/// by them into connected elements. An element is its region's own at first. Merges are undone from
+/// the last one on. Each divides a segment into two parts, the kept one and the removed one:
+/// -# The own elements of either part's regions belong to it. If they are not connected, those
+/// outside of the component
 ///    of largest area (of equal ones, that with the lowest element) become guests.
-/// -# In rounds, guests of the segment that are adjacent to elements of the parts join the part to which their border
-///    costs more, of equal ones the kept one. If neither part has own elements, all guests join the kept part. Costs are
-///    those of `Border_cost`, rounded to `float`.
-/// -# In the last \f$n\f$ merges, the border between the parts moves. Its band contains the elements of both within
-///    \f$\min(D_0, q \sqrt{a / A})\f$ of it, \f$a\f$ the area of the smaller part; if that is below \f$10^{-6}\f$, the
-///    border stays. Elements at the border have the distance 0, and a step to an adjacent element of the same part has the
-///    length \f$|c_i - c_j| / \sqrt{A}\f$. An element of the band that is adjacent to one of its part outside of the
-///    band stays. If some stay in either part, elements move to the minimum cut: the sides between which the borders of
-///    elements of the band cost least, of several cuts one that moves the fewest elements, and of these that with the
-///    fewest elements in the kept part.
-///    Costs are rounded to multiples of about \f$2^{-50} N C\f$, \f$N\f$ the number of elements that may move and
-///    \f$C\f$ the sum of their costs. Elements outside of the band count with their own part. The move is not made if
-///    it disconnects a part. Moved elements become guests.
+/// -# In rounds, guests of the segment that are adjacent to elements of the parts join the part to
+/// which their border
+///    costs more, of equal ones the kept one. If neither part has own elements, all guests join the
+///    kept part. Costs are those of `Border_cost`, rounded to `float`.
+/// -# In the last \f$n\f$ merges, the border between the parts moves. Its band contains the
+/// elements of both within
+///    \f$\min(D_0, q \sqrt{a / A})\f$ of it, \f$a\f$ the area of the smaller part; if that is below
+///    \f$10^{-6}\f$, the border stays. Elements at the border have the distance 0, and a step to an
+///    adjacent element of the same part has the length \f$|c_i - c_j| / \sqrt{A}\f$. An element of
+///    the band that is adjacent to one of its part outside of the band stays. If some stay in
+///    either part, elements move to the minimum cut: the sides between which the borders of
+///    elements of the band cost least, of several cuts one that moves the fewest elements, and of
+///    these that with the fewest elements in the kept part. Costs are rounded to multiples of about
+///    \f$2^{-50} N C\f$, \f$N\f$ the number of elements that may move and \f$C\f$ the sum of their
+///    costs. Elements outside of the band count with their own part. The move is not made if it
+///    disconnects a part. Moved elements become guests.
 ///
-/// A region can lose all elements: then its merge is left out. New regions are what remains of each, numbered by their
-/// first face.
+/// A region can lose all elements: then its merge is left out. New regions are what remains of
+/// each, numbered by their first face.
 ///
-/// Complexity: O(P + R log R) in practice for P elements and R regions, and the cuts, whose bands contain few elements.
+/// Complexity: O(P + R log R) in practice for P elements and R regions, and the cuts, whose bands
+/// contain few elements.
 ///
 /// Source: minimum cuts in a fuzzy band \cgalCite{KT03}; the flow \cgalCite{BK04}.
 struct Border_straightening
 {
-  std::size_t number_of_cuts = 63; ///< n: at most one less than the largest number of segments whose borders are moved
-  double width = 0.03;             ///< D_0, at least 0, in units of the square root of the area of the surface
-  double width_of_segment = 0.2;   ///< q, at least 0: at most this part of the square root of the smaller area
+  std::size_t number_of_cuts = 63; ///< n: at most one less than the largest number of segments
+                                   ///< whose borders are moved
+  double width = 0.03; ///< D_0, at least 0, in units of the square root of the area of the surface
+  double width_of_segment = 0.2; ///< q, at least 0: at most this part of the square root of the
+                                 ///< smaller area
 
-  /// The region of each cell after moving borders, by its former number; or, if `number_of_segments` is less than the number of
-  /// regions that are left, the segment of each cell in that segmentation (or the one nearest to it), named by its lowest
-  /// region: the other merges are not undone then.
+  /// The region of each cell after moving borders, by its former number; or, if
+  /// `number_of_segments` is less than the number of regions that are left, the segment of each
+  /// cell in that segmentation (or the one nearest to it), named by its lowest region: the other
+  /// merges are not undone then.
   ///
-  /// `region_of`: of the cells; `border_costs`: between them; `tree`: the merges of the regions, which are connected;
-  /// `is_fixed(region)`: whether its faces stay in the segments of the region, of at most one region of a tree.
+  /// `region_of`: of the cells; `border_costs`: between them; `tree`: the merges of the regions,
+  /// which are connected; `is_fixed(region)`: whether its faces stay in the segments of the region,
+  /// of at most one region of a tree.
   template <typename IsFixed>
-  std::vector<Surface::Index> operator()(const Patches& cells, double length_unit,
-                                         const internal::Dual_graph& border_costs,
-                                         const std::vector<Surface::Index>& region_of, const Merge_tree& tree,
-                                         const IsFixed& is_fixed, std::size_t number_of_segments,
-                                         const Execution& execution) const
+  std::vector<Surface::Index>
+  operator()(const Patches& cells, double length_unit, const internal::Dual_graph& border_costs,
+             const std::vector<Surface::Index>& region_of, const Merge_tree& tree,
+             const IsFixed& is_fixed, std::size_t number_of_segments,
+             const Execution& execution) const
   {
-    CGAL_precondition_msg(width >= 0 && width_of_segment >= 0, "Border_straightening: constants are at least 0");
+    CGAL_precondition_msg(width >= 0 && width_of_segment >= 0,
+                          "Border_straightening: constants are at least 0");
     std::vector<double> areas;
     areas.reserve(cells.size());
     for (std::size_t c = 0; c < cells.size(); ++c)
@@ -86,8 +96,8 @@ struct Border_straightening
   }
 
 private:
-  /// Distances of centroids have an error of this order where the origin is far away, and parts without area have a width
-  /// like that.
+  /// Distances of centroids have an error of this order where the origin is far away, and parts
+  /// without area have a width like that.
   static constexpr double narrowest_band = 1e-6;
 };
 

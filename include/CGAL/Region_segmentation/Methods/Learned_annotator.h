@@ -10,7 +10,6 @@
 #include <CGAL/Region_segmentation/Methods/Visibility_annotator.h>
 #include <CGAL/Region_segmentation/Partition.h>
 
-
 #include <cstddef>
 
 namespace CGAL {
@@ -20,15 +19,17 @@ namespace Region_segmentation {
 /// fills, in addition to `Visibility_annotator`, the data of which `Merge_features` are made:
 /// for graphs with `Learned_region_data` and `Learned_section_data`.
 ///
-/// A face of area \f$a\f$ (share of the surface), unit normal \f$N\f$ and centroid \f$c\f$ adds to its region
+/// A face of area \f$a\f$ (share of the surface), unit normal \f$N\f$ and centroid \f$c\f$ adds to
+/// its region
 /// - \f$a N\f$ to the area vector, and
-/// - \f$a\f$, \f$a c\f$ and \f$a (c c^T + \sigma a (I - N N^T))\f$ to the moments, \f$\sigma = 1 / (6 \sqrt{3})\f$: those
+/// - \f$a\f$, \f$a c\f$ and \f$a (c c^T + \sigma a (I - N N^T))\f$ to the moments, \f$\sigma = 1 /
+/// (6 \sqrt{3})\f$: those
 ///   of an equilateral triangle of its area.
 ///
-/// The perimeter is the sum of the lengths of the region's sections; borders of the mesh do not count. The own
-/// visibility is the weight of the rays that start and end in the region. The log thickness of a section is its length
-/// times the mean of the thicknesses of its two regions. Coordinates are relative to the centroid of the first face, in
-/// units of \f$\sqrt{A}\f$.
+/// The perimeter is the sum of the lengths of the region's sections; borders of the mesh do not
+/// count. The own visibility is the weight of the rays that start and end in the region. The log
+/// thickness of a section is its length times the mean of the thicknesses of its two regions.
+/// Coordinates are relative to the centroid of the first face, in units of \f$\sqrt{A}\f$.
 ///
 /// Complexity: that of `Visibility_annotator`, and O(F + S). Deterministic.
 class Learned_annotator : public Visibility_annotator
@@ -41,7 +42,8 @@ public:
 
   /// `rays`: of the regions
   template <typename Graph>
-  void operator()(Graph& graph, const Surface& surface, const Partition& regions, const Region_rays& rays) const
+  void operator()(Graph& graph, const Surface& surface, const Partition& regions,
+                  const Region_rays& rays) const
   {
     Visibility_annotator::operator()(graph, surface, regions, rays);
     if (surface.area() == 0)
@@ -51,7 +53,8 @@ public:
   }
 
 private:
-  /// The variance of an equilateral triangle of area 1 along a direction in its plane: 1 / (6 sqrt(3)).
+  /// The variance of an equilateral triangle of area 1 along a direction in its plane: 1 / (6
+  /// sqrt(3)).
   static constexpr double variance_of_triangle = 0.096225044864937627;
 
   template <typename Graph>
@@ -88,8 +91,10 @@ private:
     }
     for (auto range = edges(graph); range.first != range.second; ++range.first) {
       Learned_section_data& section = graph[*range.first];
-      Learned_region_data &a = graph[graph.source(*range.first)], &b = graph[graph.target(*range.first)];
-      section.log_thickness = section.length * (a.mean_log_thickness() + b.mean_log_thickness()) / 2;
+      Learned_region_data &a = graph[graph.source(*range.first)],
+                          &b = graph[graph.target(*range.first)];
+      section.log_thickness = section.length * (a.mean_log_thickness() + b.mean_log_thickness()) /
+                              2;
       for (Learned_region_data* region : {&a, &b}) {
         region->own_visibility -= section.visibility / 2;
         region->perimeter += section.length;

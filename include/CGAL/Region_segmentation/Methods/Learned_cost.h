@@ -14,35 +14,43 @@ namespace CGAL {
 namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationPolicies
-/// What a learned model says of a section: the probability that two points, one in either region, belong to one part
-/// for people, and what its two regions weigh.
+/// What a learned model says of a section: the probability that two points, one in either region,
+/// belong to one part for people, and what its two regions weigh.
 ///
-/// The model is a function of `Merge_features`, integers \f$x_i\f$. The logarithm of the odds, in units of
-/// \f$2^{-20}\f$, is half the sum of the two following, rounded toward 0:
-/// - the sum over the decision trees of the value of the leaf to which the features lead, in \f$2^{-20}\f$. A node
-///   sends to its right branch if the feature is at least its threshold. It is stored as a condition: the threshold, the
-///   tree, and as bits the leaves, numbered from left to right, that are not in the left branch. So the value of a tree is that
-///   of its first leaf whose bit is in all of its conditions that hold;
-/// - a neural network with one hidden layer, with the inputs \f$y_i = f_i (x_i - c_i)\f$, in \f$2^{-8}\f$, rounded
+/// The model is a function of `Merge_features`, integers \f$x_i\f$. The logarithm of the odds, in
+/// units of \f$2^{-20}\f$, is half the sum of the two following, rounded toward 0:
+/// - the sum over the decision trees of the value of the leaf to which the features lead, in
+/// \f$2^{-20}\f$. A node
+///   sends to its right branch if the feature is at least its threshold. It is stored as a
+///   condition: the threshold, the tree, and as bits the leaves, numbered from left to right, that
+///   are not in the left branch. So the value of a tree is that of its first leaf whose bit is in
+///   all of its conditions that hold;
+/// - a neural network with one hidden layer, with the inputs \f$y_i = f_i (x_i - c_i)\f$, in
+/// \f$2^{-8}\f$, rounded
 ///   toward 0 and clamped to [-4, 4]: \f$b + \sum_i s_i y_i + \sum_j v_j h_j / (1 + |h_j|)\f$,
-///   \f$h_j = b_j + \sum_i w_{ji} y_i\f$. \f$s, w\f$ are integers in \f$2^{-10}\f$, \f$f\f$ in \f$2^{-16}\f$ of the
-///   units of y and x, \f$b_j\f$ in \f$2^{-18}\f$, \f$h / (1 + |h|)\f$ in \f$2^{-12}\f$, rounded toward 0, \f$v\f$ in
-///   \f$2^{-14}\f$, and \f$b\f$ and the sum in \f$2^{-26}\f$; the result is rounded toward 0 to \f$2^{-20}\f$.
+///   \f$h_j = b_j + \sum_i w_{ji} y_i\f$. \f$s, w\f$ are integers in \f$2^{-10}\f$, \f$f\f$ in
+///   \f$2^{-16}\f$ of the units of y and x, \f$b_j\f$ in \f$2^{-18}\f$, \f$h / (1 + |h|)\f$ in
+///   \f$2^{-12}\f$, rounded toward 0, \f$v\f$ in \f$2^{-14}\f$, and \f$b\f$ and the sum in
+///   \f$2^{-26}\f$; the result is rounded toward 0 to \f$2^{-20}\f$.
 ///
-/// \f$p = 1 / (1 + e^{-o})\f$, \f$o\f$ the logarithm of the odds clamped to [-16, 16]. An exponential \f$e^x\f$ is
-/// computed as \f$(1 + x / 2^{16})^{2^{16}}\f$ by squaring 16 times, here and in the costs.
+/// \f$p = 1 / (1 + e^{-o})\f$, \f$o\f$ the logarithm of the odds clamped to [-16, 16]. An
+/// exponential \f$e^x\f$ is computed as \f$(1 + x / 2^{16})^{2^{16}}\f$ by squaring 16 times, here
+/// and in the costs.
 ///
-/// The constants of the trees and the network are those of the header `internal/model/learned_merge_model.h`. They were
-/// trained on half of the Princeton benchmark, see `doc/accuracy.md`. Since features are rounded, constants are
-/// integers, and what follows uses only arithmetic operations whose rounding is prescribed, the last bits of
-/// logarithms, which differ between libraries, do not decide.
+/// The constants of the trees and the network are those of the header
+/// `internal/model/learned_merge_model.h`. They were trained on half of the Princeton benchmark,
+/// see `doc/accuracy.md`. Since features are rounded, constants are integers, and what follows uses
+/// only arithmetic operations whose rounding is prescribed, the last bits of logarithms, which
+/// differ between libraries, do not decide.
 class Merge_estimate
 {
 public:
   /// \tparam Graph a `Region_adjacency_graph` with the data of `Learned_annotator`
   template <typename Graph>
-  Merge_estimate(const Merge_features::Model& model, const Graph& graph, typename Graph::section_descriptor s)
-    : m_features(Merge_features::of(graph, s)), m_log_odds(graph[s].length > 0 ? model(m_features) : never)
+  Merge_estimate(const Merge_features::Model& model, const Graph& graph,
+                 typename Graph::section_descriptor s)
+    : m_features(Merge_features::of(graph, s))
+    , m_log_odds(graph[s].length > 0 ? model(m_features) : never)
   {}
 
   const Merge_features::Values& features() const { return m_features; }
@@ -56,8 +64,8 @@ public:
     return 1 / (1 + internal::portable_exp(-double(clamped) / double(one)));
   }
 
-  /// The share of the pairs of points of the surface that have one point in either region, over 2: the product of the
-  /// shares of the area.
+  /// The share of the pairs of points of the surface that have one point in either region, over 2:
+  /// the product of the shares of the area.
   double share_of_pairs() const { return internal::portable_exp(log_share_of_pairs()); }
 
   double log_share_of_pairs() const
@@ -79,25 +87,28 @@ private:
 };
 
 /// \ingroup PkgRegionSegmentationPolicies
-/// The order in which a learned model merges. A model of `SectionCost`, for graphs annotated by `Learned_annotator`.
+/// The order in which a learned model merges. A model of `SectionCost`, for graphs annotated by
+/// `Learned_annotator`.
 ///
-/// With p the probability that two points, one in either region, belong to one part, and w the product of the shares of
-/// the area of the two regions, the cost is
-/// \f[ (1 - 2 p) (w / w_0)^e + c \, v, \f]
-/// \f$w_0 = e^{-4.605}\f$ (0.01), \f$e\f$ the exponent of gains if p > 1/2, else that of losses, \f$v\f$ the
-/// `Visibility_cost`. \f$w\f$ and \f$v\f$ are those of the rounded features. A merge changes the
-/// expected Rand index distance by 2 w (1 - 2 p); but the lowest powers of w give the best order.
+/// With p the probability that two points, one in either region, belong to one part, and w the
+/// product of the shares of the area of the two regions, the cost is \f[ (1 - 2 p) (w / w_0)^e + c
+/// \, v, \f] \f$w_0 = e^{-4.605}\f$ (0.01), \f$e\f$ the exponent of gains if p > 1/2, else that of
+/// losses, \f$v\f$ the `Visibility_cost`. \f$w\f$ and \f$v\f$ are those of the rounded features. A
+/// merge changes the expected Rand index distance by 2 w (1 - 2 p); but the lowest powers of w give
+/// the best order.
 struct Learned_cost
 {
   using RegionData = Learned_region_data;
   using SectionData = Learned_section_data;
 
-  const Merge_features::Model* model;   ///< which must exist as long as the cost
-  double exponent_of_gains = 0.1;       ///< in [0, 1]
-  double exponent_of_losses = 0.2;      ///< in [0, 1]
-  double visibility_cost_weight = 0.1;  ///< c
+  const Merge_features::Model* model;  ///< which must exist as long as the cost
+  double exponent_of_gains = 0.1;      ///< in [0, 1]
+  double exponent_of_losses = 0.2;     ///< in [0, 1]
+  double visibility_cost_weight = 0.1; ///< c
 
-  explicit Learned_cost(const Merge_features::Model& model_) : model(&model_) {}
+  explicit Learned_cost(const Merge_features::Model& model_)
+    : model(&model_)
+  {}
 
   template <typename Graph>
   double operator()(const Graph& graph, typename Graph::section_descriptor s) const
@@ -109,7 +120,8 @@ struct Learned_cost
   {
     const double z = 1 - 2 * estimate.probability();
     const double exponent = z < 0 ? exponent_of_gains : exponent_of_losses;
-    return z * internal::portable_exp(exponent * (estimate.log_share_of_pairs() - log_of_usual_share)) +
+    return z * internal::portable_exp(exponent *
+                                      (estimate.log_share_of_pairs() - log_of_usual_share)) +
            visibility_cost_weight * estimate.feature(Merge_features::COST);
   }
 
@@ -118,11 +130,11 @@ private:
 };
 
 /// \ingroup PkgRegionSegmentationPolicies
-/// What a merge is expected to cost: w (2 t - 2 p), w and p as in `Learned_cost`. A model of `SectionCost`, for graphs
-/// annotated by `Learned_annotator`.
+/// What a merge is expected to cost: w (2 t - 2 p), w and p as in `Learned_cost`. A model of
+/// `SectionCost`, for graphs annotated by `Learned_annotator`.
 ///
-/// With t = 1/2 it is half the expected change of the Rand index distance. The sum of several merges is the cost of
-/// all.
+/// With t = 1/2 it is half the expected change of the Rand index distance. The sum of several
+/// merges is the cost of all.
 struct Expected_merge_cost
 {
   using RegionData = Learned_region_data;
@@ -131,7 +143,9 @@ struct Expected_merge_cost
   const Merge_features::Model* model; ///< which must exist as long as the cost
   double threshold = 0.45;            ///< t, in [0, 1]: the probability from which on a merge pays
 
-  explicit Expected_merge_cost(const Merge_features::Model& model_) : model(&model_) {}
+  explicit Expected_merge_cost(const Merge_features::Model& model_)
+    : model(&model_)
+  {}
 
   template <typename Graph>
   double operator()(const Graph& graph, typename Graph::section_descriptor s) const

@@ -15,8 +15,8 @@ namespace CGAL {
 namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationGraph
-/// In addition to `Visibility_section_data`: how lengths are distributed over angles, the thickness beside the section,
-/// and its shape; filled by `Learned_annotator`. A model of `SectionData`.
+/// In addition to `Visibility_section_data`: how lengths are distributed over angles, the thickness
+/// beside the section, and its shape; filled by `Learned_annotator`. A model of `SectionData`.
 ///
 /// All are sums over the edges, in units of the square root of the area of the surface.
 struct Learned_section_data : Visibility_section_data
@@ -27,11 +27,15 @@ struct Learned_section_data : Visibility_section_data
   /// @}
 
   double weakly_concave_length = 0;   ///< of concave edges with a deviation above `weakly_concave`
-  double strongly_concave_length = 0; ///< of concave edges with a deviation above `strongly_concave`
+  double strongly_concave_length = 0; ///< of concave edges with a deviation above
+                                      ///< `strongly_concave`
   double strongly_convex_length = 0;  ///< of convex edges with a deviation above `strongly_convex`
-  double squared_deviation = 0;       ///< integral of the square of the deviation, negative on convex edges
-  double log_thickness = 0;           ///< integral of the mean of the mean log thickness of the two first regions
-  internal::Second_moments moments;   ///< of the edges, each at the mean of the centroids of its faces
+  double squared_deviation = 0; ///< integral of the square of the deviation, negative on convex
+                                ///< edges
+  double log_thickness = 0;     ///< integral of the mean of the mean log thickness of the two first
+                                ///< regions
+  internal::Second_moments moments; ///< of the edges, each at the mean of the centroids of its
+                                    ///< faces
 
   /// Accounts for a dual edge of the mesh.
   void add_adjacency(const Surface& mesh, std::size_t a)
@@ -39,7 +43,8 @@ struct Learned_section_data : Visibility_section_data
     const double unit = mesh.length_unit(), l = mesh.length(a) / unit;
     const double deviation = signed_deviation(mesh, a);
     add(l, deviation);
-    const Double_3 center = 0.5 * (mesh.centroid(mesh.lower_face(a)) + mesh.centroid(mesh.higher_face(a)));
+    const Double_3 center = 0.5 * (mesh.centroid(mesh.lower_face(a)) +
+                                   mesh.centroid(mesh.higher_face(a)));
     moments.add(l, (1 / unit) * (center - mesh.centroid(0)));
     squared_deviation += l * deviation * std::abs(deviation);
     if (deviation > weakly_concave)
@@ -64,20 +69,21 @@ struct Learned_section_data : Visibility_section_data
 };
 
 /// \ingroup PkgRegionSegmentationGraph
-/// In addition to `Visibility_region_data`: how the thickness varies, what a region sees of itself, and its shape; filled
-/// by `Learned_annotator`. A model of `RegionData`.
+/// In addition to `Visibility_region_data`: how the thickness varies, what a region sees of itself,
+/// and its shape; filled by `Learned_annotator`. A model of `RegionData`.
 ///
 /// Lengths are in units of the square root of the area of the surface.
 struct Learned_region_data : Visibility_region_data
 {
-  double squared_log_thickness = 0;    ///< integral over the area of the square of the first regions' mean log thickness
-  double own_visibility = 0;           ///< weight of the rays that start and end in the region
-  double perimeter = 0;                ///< length of the sections with other regions
-  Double_3 area_vector{0, 0, 0};       ///< integral of the normal
-  internal::Second_moments moments;    ///< of the area
+  double squared_log_thickness = 0; ///< integral over the area of the square of the first regions'
+                                    ///< mean log thickness
+  double own_visibility = 0;        ///< weight of the rays that start and end in the region
+  double perimeter = 0;             ///< length of the sections with other regions
+  Double_3 area_vector{0, 0, 0};    ///< integral of the normal
+  internal::Second_moments moments; ///< of the area
 
-  /// Adds the region on the other side of a section. All data are added; but the visibility of the section is added to
-  /// `own_visibility`, and twice its length is taken from `perimeter`.
+  /// Adds the region on the other side of a section. All data are added; but the visibility of the
+  /// section is added to `own_visibility`, and twice its length is taken from `perimeter`.
   void absorb(const Learned_region_data& other, const Learned_section_data& between)
   {
     Visibility_region_data::absorb(other, between);

@@ -20,38 +20,43 @@ namespace CGAL {
 namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationPolicies
-/// Merges by the policy of `Visibility_merging` until few regions are left, and those by `Learned_cost`. A model of
-/// `MergingPolicy`.
+/// Merges by the policy of `Visibility_merging` until few regions are left, and those by
+/// `Learned_cost`. A model of `MergingPolicy`.
 ///
-/// The costs of the later merges are `Expected_merge_cost`; those of the earlier ones, `Visibility_cost`, have other
-/// units.
+/// The costs of the later merges are `Expected_merge_cost`; those of the earlier ones,
+/// `Visibility_cost`, have other units.
 class Learned_policy
-  : public Policy_sequence<decltype(Visibility_merging::policy), Lowest_order_first<Learned_cost, Expected_merge_cost>,
-                           Switch_at_count>
+  : public Policy_sequence<decltype(Visibility_merging::policy),
+                           Lowest_order_first<Learned_cost, Expected_merge_cost>, Switch_at_count>
 {
 public:
   using RegionData = Learned_region_data;
   using SectionData = Learned_section_data;
 
-  /// `few`: the number of regions from which on the learned model merges. `model` must exist as long as the policy.
+  /// `few`: the number of regions from which on the learned model merges. `model` must exist as
+  /// long as the policy.
   Learned_policy(const Merge_features::Model& model, std::size_t few)
     : Policy_sequence(Visibility_merging().policy,
-                      Lowest_order_first<Learned_cost, Expected_merge_cost>(Learned_cost(model), Expected_merge_cost(model)),
+                      Lowest_order_first<Learned_cost, Expected_merge_cost>(
+                        Learned_cost(model), Expected_merge_cost(model)),
                       Switch_at_count{few})
   {}
 };
 
 /// \ingroup PkgRegionSegmentationMethods
-/// The default method: superfacets, annotated by `Learned_annotator`, merged by `Learned_policy`. A model of `SegmentationMethod`.
-struct Learned_merging : Superfacet_merging<Learned_annotator, Learned_policy, Number_from_expected_costs>
+/// The default method: superfacets, annotated by `Learned_annotator`, merged by `Learned_policy`. A
+/// model of `SegmentationMethod`.
+struct Learned_merging
+  : Superfacet_merging<Learned_annotator, Learned_policy, Number_from_expected_costs>
 {
-  /// The number of regions from which on the learned model merges: the model was trained for it. The largest number that
-  /// is chosen.
+  /// The number of regions from which on the learned model merges: the model was trained for it.
+  /// The largest number that is chosen.
   static constexpr std::size_t few = 60;
 
   /// `model`: another one than that of the package; it must exist as long as the method
   explicit Learned_merging(const Merge_features::Model& model = internal::learned_merge_model)
-    : Superfacet_merging{Learned_annotator(), Learned_policy(model, few), Number_from_expected_costs(few)}
+    : Superfacet_merging{Learned_annotator(), Learned_policy(model, few),
+                         Number_from_expected_costs(few)}
   {}
 };
 

@@ -24,14 +24,14 @@ namespace Region_segmentation {
 
 namespace internal {
 template <typename RegionData>
-using Has_area_and_perimeter =
-  decltype(std::declval<const RegionData&>().perimeter / std::declval<const RegionData&>().area);
+using Has_area_and_perimeter = decltype(std::declval<const RegionData&>().perimeter /
+                                        std::declval<const RegionData&>().area);
 }
 
 /// \ingroup PkgRegionSegmentationPolicies
-/// The planarity \f$\rho = c^2 / (4 \pi s)\f$ of a region of perimeter \f$c\f$ and area \f$s\f$: 1 for
-/// a disc, more for any other plane shape, 0 for a region without neighbors, infinite where the area is
-/// 0. It has no unit.
+/// The planarity \f$\rho = c^2 / (4 \pi s)\f$ of a region of perimeter \f$c\f$ and area \f$s\f$: 1
+/// for a disc, more for any other plane shape, 0 for a region without neighbors, infinite where the
+/// area is 0. It has no unit.
 ///
 /// Source: \cgalCite{YZWLL14}, eq. 2.
 template <typename RegionData>
@@ -49,8 +49,8 @@ double planarity(const RegionData& region)
 /// The region \f$i\f$ that has a section and the largest sum over all other regions \f$j\f$ of
 /// \f[ P_j(C_i) = 1 - \gamma \frac{e^{-\rho_i}}{e^{-\rho_i} + e^{-\rho_j}}
 ///              - (1 - \gamma) \frac{s_i}{s_i + s_j}, \f]
-/// \f$s\f$ the area and \f$\rho\f$ the planarity; the lower id of equal sums. The cost of a merge is 1
-/// minus the mean of these terms: in [0, 1], low for an insignificant region.
+/// \f$s\f$ the area and \f$\rho\f$ the planarity; the lower id of equal sums. The cost of a merge
+/// is 1 minus the mean of these terms: in [0, 1], low for an insignificant region.
 ///
 /// Complexity: O(R) per merge, and the choice of the section.
 ///
@@ -58,10 +58,11 @@ double planarity(const RegionData& region)
 class Least_compact_region_first
 {
 public:
-  /// `beta`: see `Longest_flattest_section`; `gamma`: the weight of planarity, in [0, 1]; that of the
-  /// area is 1 - gamma
+  /// `beta`: see `Longest_flattest_section`; `gamma`: the weight of planarity, in [0, 1]; that of
+  /// the area is 1 - gamma
   explicit Least_compact_region_first(double beta = 0.1, double gamma = 0.6)
-    : m_section_of(beta), m_gamma(gamma)
+    : m_section_of(beta)
+    , m_gamma(gamma)
   {}
 
   template <typename Graph>
@@ -69,7 +70,8 @@ public:
   {
     m_section_of.check_section_data<Graph>();
     static_assert(internal::satisfies<internal::Has_area_and_perimeter, typename Graph::RegionData>,
-                  "Least_compact_region_first reads area and perimeter of RegionData, as Region_geometry has them");
+                  "Least_compact_region_first reads area and perimeter of RegionData, as "
+                  "Region_geometry has them");
     m_regions.clear();
     m_slots.resize(graph.index_bound_of_regions());
     for (auto range = vertices(graph); range.first != range.second; ++range.first) {
@@ -121,7 +123,8 @@ public:
 private:
   static constexpr double settled = std::numeric_limits<double>::infinity();
 
-  // Products of three areas, and of three of e^-rho, must be in the range of double where shares are combined.
+  // Products of three areas, and of three of e^-rho, must be in the range of double where shares
+  // are combined.
   static constexpr double lowest_area = 1e-100, highest_area = 1e100, ragged = 200;
 
   struct Shape
@@ -201,7 +204,8 @@ private:
     return sum;
   }
 
-  /// x / (x + after) - x / (x + before) - x / (x + gone): divisions bound the time of the loop over all regions.
+  /// x / (x + after) - x / (x + before) - x / (x + gone): divisions bound the time of the loop over
+  /// all regions.
   static double change(double x, double after, double before, double gone)
   {
     const double p = x + after, q = x + before, r = x + gone;
@@ -216,9 +220,9 @@ private:
     const std::size_t n = m_regions.size();
     if (m_areas_are_regular && after.is_regular() && before.is_regular() && gone.is_regular())
       for (std::size_t i = 0; i < n; ++i)
-        weights[i] +=
-          m_gamma * change(compactness[i], after.compactness, before.compactness, gone.compactness) +
-          (1 - m_gamma) * change(areas[i], after.area, before.area, gone.area);
+        weights[i] += m_gamma * change(compactness[i], after.compactness, before.compactness,
+                                       gone.compactness) +
+                      (1 - m_gamma) * change(areas[i], after.area, before.area, gone.area);
     else
       for (std::size_t i = 0; i < n; ++i) {
         const Shape shape = shape_in(i);

@@ -18,20 +18,20 @@ namespace Region_segmentation {
 
 namespace internal {
 template <typename SectionData>
-using Has_length_and_angle =
-  decltype(std::declval<const SectionData&>().length + std::declval<const SectionData&>().mean_angle() +
-           std::declval<const SectionData&>().has_links_alone());
+using Has_length_and_angle = decltype(std::declval<const SectionData&>().length +
+                                      std::declval<const SectionData&>().mean_angle() +
+                                      std::declval<const SectionData&>().has_links_alone());
 }
 
 /// \ingroup PkgRegionSegmentationPolicies
-/// chooses, among the sections of a region, the one to merge across: long and flat compared with the
-/// others.
+/// chooses, among the sections of a region, the one to merge across: long and flat compared with
+/// the others.
 ///
 /// The section \f$i\f$ has the largest sum over the region's other sections \f$j\f$ of
 /// \f[ P_{ij} = \beta \frac{L_i}{L_i + L_j} + (1 - \beta) \frac{A_i}{A_i + A_j}, \f]
-/// \f$L\f$ the length and \f$A\f$ the mean dihedral angle of a section; 0/0 is 1/2; the lower neighbor
-/// id of equal sums. Sections that are not mergeable count only as \f$j\f$. Sections of links alone count only if a region has no
-/// others.
+/// \f$L\f$ the length and \f$A\f$ the mean dihedral angle of a section; 0/0 is 1/2; the lower
+/// neighbor id of equal sums. Sections that are not mergeable count only as \f$j\f$. Sections of
+/// links alone count only if a region has no others.
 ///
 /// Complexity: O(d p) for d sections, p of which are not dominated by another one in both length
 /// and angle: usually a few.
@@ -41,14 +41,17 @@ class Longest_flattest_section
 {
 public:
   /// `beta`: the weight of the length, in [0, 1]; that of the angle is 1 - beta
-  explicit Longest_flattest_section(double beta = 0.1) : m_beta(beta) {}
+  explicit Longest_flattest_section(double beta = 0.1)
+    : m_beta(beta)
+  {}
 
   /// Does not compile for a graph without the required data.
   template <typename Graph>
   static constexpr void check_section_data()
   {
     static_assert(internal::satisfies<internal::Has_length_and_angle, typename Graph::SectionData>,
-                  "Longest_flattest_section reads length, mean_angle() and has_links_alone() of SectionData, as Section_geometry has "
+                  "Longest_flattest_section reads length, mean_angle() and has_links_alone() of "
+                  "SectionData, as Section_geometry has "
                   "them");
   }
 
@@ -100,8 +103,8 @@ private:
     m_terms.resize(m_sections.size());
   }
 
-  /// P_ij increases with length and with angle, so a section that is dominated in both by a mergeable one cannot win;
-  /// of equal ones, that to the lower neighbor wins.
+  /// P_ij increases with length and with angle, so a section that is dominated in both by a
+  /// mergeable one cannot win; of equal ones, that to the lower neighbor wins.
   template <typename Graph>
   void find_front(const Graph& graph)
   {
@@ -116,7 +119,8 @@ private:
       };
       if (std::any_of(m_front.begin(), m_front.end(), [&](std::size_t j) { return outdoes(j, i); }))
         continue;
-      m_front.erase(std::remove_if(m_front.begin(), m_front.end(), [&](std::size_t j) { return outdoes(i, j); }),
+      m_front.erase(std::remove_if(m_front.begin(), m_front.end(),
+                                   [&](std::size_t j) { return outdoes(i, j); }),
                     m_front.end());
       m_front.push_back(i);
     }

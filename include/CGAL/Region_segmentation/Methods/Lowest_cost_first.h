@@ -25,26 +25,23 @@ namespace Region_segmentation {
 /// equal ones, the one between the lower regions. A model of `MergingPolicy`.
 ///
 /// The order does not depend on the wanted number of segments, so one tree gives them all. A merge
-/// changes only the costs of the sections of the merged region: a cost may depend on a section and on
-/// its two regions.
+/// changes only the costs of the sections of the merged region: a cost may depend on a section and
+/// on its two regions.
 ///
-/// All of them are computed anew, unless the region is a hub of more than `hub_degree` sections: then those that the
-/// merge moved or united, and all others after every (degree / `hub_degree`)th merge of the region, rounded down. So a
-/// hub takes linear time, while the cost of a section at its rim lags behind by a small share of its merges.
+/// Complexity: O(d log S) per merge, d the number of sections of the merged region.
 ///
-/// Complexity: O(min(d, `hub_degree`) log S) per merge, amortized, d the number of sections of the merged region.
+/// A lambda is a cost, too: `Lowest_cost_first([](const auto& graph, auto s) { return
+/// graph[s].length; })`.
 ///
-/// A lambda is a cost, too: `Lowest_cost_first([](const auto& graph, auto s) { return graph[s].length; })`.
-///
-/// \tparam Cost a model of `SectionCost`; a section whose cost is not a number is never merged across
+/// \tparam Cost a model of `SectionCost`; a section whose cost is not a number is never merged
+/// across
 template <typename Cost>
 class Lowest_cost_first : public internal::Data_named_by<Cost>
 {
 public:
-  /// Regions of more sections are hubs; a graph of at most as many regions has none.
-  static constexpr std::size_t hub_degree = 1024;
-
-  explicit Lowest_cost_first(Cost cost = Cost()) : m_cost(std::move(cost)) {}
+  explicit Lowest_cost_first(Cost cost = Cost())
+    : m_cost(std::move(cost))
+  {}
 
   template <typename Graph>
   void initialize(const Graph& graph)
@@ -52,7 +49,6 @@ public:
     static_assert(internal::check_section_cost<Cost, Graph>());
     m_queue.clear();
     m_entries.assign(graph.index_bound_of_sections(), Entry());
-    m_lags.assign(graph.index_bound_of_regions(), 0);
     for (auto range = edges(graph); range.first != range.second; ++range.first)
       update(graph, *range.first);
   }
@@ -66,22 +62,14 @@ public:
     }
     if (m_queue.empty())
       return std::nullopt;
-    remember_neighbors(graph, m_queue.front());
     return Merge_candidate{m_queue.front().section, m_queue.front().cost};
   }
 
   template <typename Graph>
   void on_merge(const Graph& graph, const typename Graph::Merge& merge)
   {
-    std::uint32_t& lag = m_lags[merge.kept];
-    lag = (std::max)(lag, m_lags[merge.removed]) + 1;
-    if (lag < graph.degree(merge.kept) / hub_degree)
-      update_sections_to_neighbors(graph, merge.kept);
-    else {
-      lag = 0;
-      for (Section_descriptor s : graph.sections(merge.kept))
-        update(graph, s);
-    }
+    for (Section_descriptor s : graph.sections(merge.kept))
+      update(graph, s);
     if (m_queue.size() > 4 * graph.number_of_sections() + smallest_number_to_clean)
       remove_stale_entries(graph);
   }
@@ -100,7 +88,8 @@ private:
   };
   static constexpr std::size_t smallest_number_to_clean = 1024;
 
-  /// Entries of a region with very many sections become stale with its merges: this bounds the memory.
+  /// Entries of a region with very many sections become stale with its merges: this bounds the
+  /// memory.
   template <typename Graph>
   void remove_stale_entries(const Graph& graph)
   {
@@ -110,33 +99,11 @@ private:
     std::make_heap(m_queue.begin(), m_queue.end(), std::greater<Entry>());
   }
 
-  /// Before a merge into a hub, those of the other region: the sections of the hub to them will be moved or united.
-  template <typename Graph>
-  void remember_neighbors(const Graph& graph, const Entry& candidate)
-  {
-    // Not those of the entry: the region of a hub may have got another number since.
-    std::uint32_t fewer = graph.source(candidate.section), more = graph.target(candidate.section);
-    if (graph.degree(fewer) > graph.degree(more))
-      std::swap(fewer, more);
-    m_neighbors.clear();
-    if (graph.degree(more) <= hub_degree)
-      return;
-    for (Section_descriptor s : graph.sections(fewer))
-      if (graph.target(s) != more)
-        m_neighbors.push_back(graph.target(s));
-  }
-
-  template <typename Graph>
-  void update_sections_to_neighbors(const Graph& graph, std::uint32_t hub)
-  {
-    for (const std::uint32_t neighbor : m_neighbors)
-      update(graph, *graph.section(hub, neighbor));
-  }
-
   template <typename Graph>
   bool is_current(const Graph& graph, const Entry& entry) const
   {
-    return !graph.is_removed(entry.section) && m_entries[entry.section.id()].version == entry.version &&
+    return !graph.is_removed(entry.section) &&
+           m_entries[entry.section.id()].version == entry.version &&
            graph.is_mergeable(entry.section); // seeds bar sections later
   }
 
@@ -159,10 +126,8 @@ private:
   }
 
   Cost m_cost;
-  std::vector<Entry> m_queue;             // a heap, the next one first
-  std::vector<Entry> m_entries;           // by section, the newest
-  std::vector<std::uint32_t> m_lags;      // by region: its merges since all of its sections were updated
-  std::vector<std::uint32_t> m_neighbors; // of the smaller region of the next merge, if the other one is a hub
+  std::vector<Entry> m_queue;   // a heap, the next one first
+  std::vector<Entry> m_entries; // by section, the newest
 };
 
 } // namespace Region_segmentation

@@ -18,18 +18,21 @@ namespace Region_segmentation {
 /// Merges in the order of one cost, and records another one as the costs of the merges. A model of
 /// `MergingPolicy`.
 ///
-/// The best next merge is not always the one whose cost should be added up to choose a number of segments.
+/// The best next merge is not always the one whose cost should be added up to choose a number of
+/// segments.
 ///
 /// Complexity: that of `Lowest_cost_first<Order>`, and one evaluation of `Cost` per merge.
 ///
 /// \tparam Order a model of `SectionCost`: the section for which it is lowest is merged across next
-/// \tparam Cost a model of `SectionCost`, recorded for each merge; a number for every section that `Order` does not bar
+/// \tparam Cost a model of `SectionCost`, recorded for each merge; a number for every section that
+/// `Order` does not bar
 template <typename Order, typename Cost>
 class Lowest_order_first : public internal::Data_named_by<Cost>
 {
 public:
   explicit Lowest_order_first(Order order = Order(), Cost cost = Cost())
-    : m_policy(std::move(order)), m_cost(std::move(cost))
+    : m_policy(std::move(order))
+    , m_cost(std::move(cost))
   {}
 
   template <typename Graph>

@@ -24,22 +24,27 @@ namespace Region_segmentation {
 /// \ingroup PkgRegionSegmentationPolicies
 /// The features of a section and its two regions from which the probability of a merge is computed.
 ///
-/// Of the two regions, m is the smaller and M the larger (of equal ones, m is the one of lower id), u is their union.
-/// The data of u are those of m and M merged across the section. All features are invariant under motion, scaling and
-/// renumbering. Lengths are in units of the square root of the area of the surface.
-/// Of a section, L is the length, C, X and B are its `concave`, `convex` and `bend`, \f$s_{mM}\f$ its `visibility`, \f$t_s\f$ its
-/// `log_thickness` by L, and c the covariance of its moments, \f$c_1 \geq c_2 \geq c_3\f$ its eigenvalues. Of a region, a is the
-/// area, P the perimeter, t the `log_thickness` by a, s the `visibility`, V the area vector, \f$c_m\f$ (of m) the centroid of its moments,
-/// w their covariance, \f$w_1 \geq w_2 \geq w_3\f$ its eigenvalues, and \f$W = \sqrt{\mathrm{tr}\, w}\f$. Of moments with the sums
-/// \f$S_0, S_1, S_2\f$, the centroid is \f$S_1 / S_0\f$ and the covariance \f$S_2 / S_0 - S_1 S_1^T / S_0^2\f$. The standard deviation of the log
-/// thickness is \f$\sqrt{q / a - t^2}\f$, q the `squared_log_thickness`. The model reads the features in the order in which they are
-/// listed. Conventions:
-/// - A feature x is rounded to \f$\lfloor 512 x + 1/2 \rfloor\f$, an integer within [-32767, 32767], so that the last
+/// Of the two regions, m is the smaller and M the larger (of equal ones, m is the one of lower id),
+/// u is their union. The data of u are those of m and M merged across the section. All features are
+/// invariant under motion, scaling and renumbering. Lengths are in units of the square root of the
+/// area of the surface. Of a section, L is the length, C, X and B are its `concave`, `convex` and
+/// `bend`, \f$s_{mM}\f$ its `visibility`, \f$t_s\f$ its `log_thickness` by L, and c the covariance
+/// of its moments, \f$c_1 \geq c_2 \geq c_3\f$ its eigenvalues. Of a region, a is the area, P the
+/// perimeter, t the `log_thickness` by a, s the `visibility`, V the area vector, \f$c_m\f$ (of m)
+/// the centroid of its moments, w their covariance, \f$w_1 \geq w_2 \geq w_3\f$ its eigenvalues,
+/// and \f$W = \sqrt{\mathrm{tr}\, w}\f$. Of moments with the sums \f$S_0, S_1, S_2\f$, the centroid
+/// is \f$S_1 / S_0\f$ and the covariance \f$S_2 / S_0 - S_1 S_1^T / S_0^2\f$. The standard
+/// deviation of the log thickness is \f$\sqrt{q / a - t^2}\f$, q the `squared_log_thickness`. The
+/// model reads the features in the order in which they are listed. Conventions:
+/// - A feature x is rounded to \f$\lfloor 512 x + 1/2 \rfloor\f$, an integer within [-32767,
+/// 32767], so that the last
 ///   bits of sums and logarithms do not matter.
-/// - A logarithm is that of at least \f$10^{-12}\f$; a quotient whose denominator is at most \f$10^{-12}\f$ is 0; a
-///   negative number under a root counts as 0; areas of regions count as at least \f$10^{-12}\f$ except in ln a_m, ln P
-///   and ln L, where the logarithm does this.
-/// - Eigenvalues are computed by Viete's formula, with errors of up to \f$10^{-7}\f$ of the largest one.
+/// - A logarithm is that of at least \f$10^{-12}\f$; a quotient whose denominator is at most
+/// \f$10^{-12}\f$ is 0; a
+///   negative number under a root counts as 0; areas of regions count as at least \f$10^{-12}\f$
+///   except in ln a_m, ln P and ln L, where the logarithm does this.
+/// - Eigenvalues are computed by Viete's formula, with errors of up to \f$10^{-7}\f$ of the largest
+/// one.
 /// - A root of two eigenvalues, \f$\sqrt{a / b}\f$, is \f$\sqrt{(a + o) / (b + o)}\f$ with
 ///   \f$o = 10^{-6} e + 10^{-12}\f$, e the largest eigenvalue.
 /// - The perimeter of u is at least \f$10^{-6}\f$ in its logarithm.
@@ -48,70 +53,75 @@ class Merge_features
 public:
   enum Feature : std::size_t {
     // The section: L its length
-    COST,                    ///< `Visibility_cost`
-    LOG_DEPTH,               ///< ln d, the depth of `Visibility_cost`
-    CONCAVE,                 ///< C / L, see `Visibility_section_data`
-    CONVEX,                  ///< X / L
-    BEND,                    ///< B / L
-    WEAKLY_CONCAVE,          ///< share of the length, see `Learned_section_data`; in [0, 1]
-    STRONGLY_CONCAVE,        ///< share of the length; in [0, 1]
-    STRONGLY_CONVEX,         ///< share of the length; in [0, 1]
-    SQUARED_DEVIATION,       ///< mean of the signed square of the deviation; in [-pi^2, pi^2]
+    COST,              ///< `Visibility_cost`
+    LOG_DEPTH,         ///< ln d, the depth of `Visibility_cost`
+    CONCAVE,           ///< C / L, see `Visibility_section_data`
+    CONVEX,            ///< X / L
+    BEND,              ///< B / L
+    WEAKLY_CONCAVE,    ///< share of the length, see `Learned_section_data`; in [0, 1]
+    STRONGLY_CONCAVE,  ///< share of the length; in [0, 1]
+    STRONGLY_CONVEX,   ///< share of the length; in [0, 1]
+    SQUARED_DEVIATION, ///< mean of the signed square of the deviation; in [-pi^2, pi^2]
     // The shape of the section: c the covariance of its points, c1 >= c2 >= c3 its eigenvalues
-    CLOSEDNESS,              ///< ln(L^2 / (4 pi^2 tr c)): 0 for a circle, -1.19 for a segment
-    SECTION_WIDTH,           ///< sqrt(c2 / c1); in [0, 1]
-    SECTION_DEPTH,           ///< sqrt(c3 / c1); in [0, 1]
-    LOG_SECTION_AREA,        ///< ln(2 pi sqrt(c1 c2 + c1 c3 + c2 c3) / a_m + 10^-4): the area of an ellipse
+    CLOSEDNESS,       ///< ln(L^2 / (4 pi^2 tr c)): 0 for a circle, -1.19 for a segment
+    SECTION_WIDTH,    ///< sqrt(c2 / c1); in [0, 1]
+    SECTION_DEPTH,    ///< sqrt(c3 / c1); in [0, 1]
+    LOG_SECTION_AREA, ///< ln(2 pi sqrt(c1 c2 + c1 c3 + c2 c3) / a_m + 10^-4): the area of an
+                      ///< ellipse
     // Sizes: a the area, P the perimeter
-    LOG_AREA_M,              ///< ln a_m
-    LOG_AREA_L,              ///< ln a_M
-    LOG_AREA_U,              ///< ln a_u
-    LOG_LENGTH_M,            ///< ln(L^2 / a_m)
-    LOG_LENGTH_L,            ///< ln(L^2 / a_M)
-    PERIMETER_SHARE_M,       ///< L / P_m; in [0, 1]
-    PERIMETER_SHARE_L,       ///< L / P_M; in [0, 1]
-    LOG_PERIMETER_M,         ///< ln(P_m^2 / a_m)
-    LOG_PERIMETER_L,         ///< ln(P_M^2 / a_M)
-    LOG_PERIMETER_U,         ///< ln(P_u^2 / a_u)
+    LOG_AREA_M,        ///< ln a_m
+    LOG_AREA_L,        ///< ln a_M
+    LOG_AREA_U,        ///< ln a_u
+    LOG_LENGTH_M,      ///< ln(L^2 / a_m)
+    LOG_LENGTH_L,      ///< ln(L^2 / a_M)
+    PERIMETER_SHARE_M, ///< L / P_m; in [0, 1]
+    PERIMETER_SHARE_L, ///< L / P_M; in [0, 1]
+    LOG_PERIMETER_M,   ///< ln(P_m^2 / a_m)
+    LOG_PERIMETER_L,   ///< ln(P_M^2 / a_M)
+    LOG_PERIMETER_U,   ///< ln(P_u^2 / a_u)
     // Thickness: t the mean log thickness of a region, t_s that along the section
-    THICKNESS_STEP,          ///< |t_m - t_M|
-    THICKNESS_DIFFERENCE,    ///< t_m - t_M
-    THICKNESS_M,             ///< t_m
-    THICKNESS_L,             ///< t_M
-    SECTION_THICKNESS_M,     ///< t_s - t_m
-    SECTION_THICKNESS_L,     ///< t_s - t_M
-    THICKNESS_DEVIATION_M,   ///< standard deviation of the log thickness of the first regions of m
-    THICKNESS_DEVIATION_L,   ///< the same of M
-    THICKNESS_DEVIATION_U,   ///< the same of u
-    LENGTH_FOR_THICKNESS,    ///< ln L - min(t_m, t_M)
-    WIDTH_FOR_THICKNESS_M,   ///< ln W_m - t_m
-    WIDTH_FOR_THICKNESS_L,   ///< ln W_M - t_M
-    // Visibility: s the weight of the rays that end in a region, s_mM of those between the two; all in [0, 1]
-    VISIBILITY_M,            ///< s_mM / min(s_m, s_M)
-    VISIBILITY_L,            ///< s_mM / max(s_m, s_M)
-    OWN_VISIBILITY_M,        ///< share of s_m by rays that start and end in m
-    OWN_VISIBILITY_L,        ///< the same of M
-    OWN_VISIBILITY_U,        ///< the same of u
-    // Shape: V the area vector; w1 >= w2 >= w3 the eigenvalues of the covariance of the area, W^2 their sum
-    FLATNESS_M,              ///< |V_m| / a_m; in [0, 1], 1 where it is flat
-    FLATNESS_L,              ///< |V_M| / a_M
-    FLATNESS_U,              ///< |V_u| / a_u
-    NORMALS,                 ///< cosine between V_m and V_M; in [-1, 1]
-    OUTWARD,                 ///< (V_m / |V_m| - V_M / |V_M|) . (c_m - c_M) / |c_m - c_M|: below 0 where they face each other
-    DISTANCE,                ///< |c_m - c_M| / sqrt(a_u), c the centroids
-    ELONGATION_M,            ///< sqrt(w2 / w1) of m; in [0, 1]
-    ELONGATION_L,            ///< of M
-    ELONGATION_U,            ///< of u
-    ROUNDNESS_M,             ///< sqrt(w3 / w2) of m; in [0, 1]
-    ROUNDNESS_L,             ///< of M
-    ROUNDNESS_U,             ///< of u
-    ALIGNMENT,               ///< tr(w_m w_M) / (tr w_m tr w_M); in [0, 1]
-    SECTION_ALONG,           ///< share of the variance of the section along the line of the centroids; in [0, 1]
-    WIDTH_OF_BOTH,           ///< W_u / (W_m + W_M)
-    WIDTH_OF_LARGER,         ///< W_u / W_M
-    LOG_FILLING_M,           ///< ln(a_m / (pi W_m^2)): -0.45 for a disc
-    LOG_FILLING_L,           ///< of M
-    LOG_FILLING_U,           ///< of u
+    THICKNESS_STEP,        ///< |t_m - t_M|
+    THICKNESS_DIFFERENCE,  ///< t_m - t_M
+    THICKNESS_M,           ///< t_m
+    THICKNESS_L,           ///< t_M
+    SECTION_THICKNESS_M,   ///< t_s - t_m
+    SECTION_THICKNESS_L,   ///< t_s - t_M
+    THICKNESS_DEVIATION_M, ///< standard deviation of the log thickness of the first regions of m
+    THICKNESS_DEVIATION_L, ///< the same of M
+    THICKNESS_DEVIATION_U, ///< the same of u
+    LENGTH_FOR_THICKNESS,  ///< ln L - min(t_m, t_M)
+    WIDTH_FOR_THICKNESS_M, ///< ln W_m - t_m
+    WIDTH_FOR_THICKNESS_L, ///< ln W_M - t_M
+    // Visibility: s the weight of the rays that end in a region, s_mM of those between the two; all
+    // in [0, 1]
+    VISIBILITY_M,     ///< s_mM / min(s_m, s_M)
+    VISIBILITY_L,     ///< s_mM / max(s_m, s_M)
+    OWN_VISIBILITY_M, ///< share of s_m by rays that start and end in m
+    OWN_VISIBILITY_L, ///< the same of M
+    OWN_VISIBILITY_U, ///< the same of u
+    // Shape: V the area vector; w1 >= w2 >= w3 the eigenvalues of the covariance of the area, W^2
+    // their sum
+    FLATNESS_M, ///< |V_m| / a_m; in [0, 1], 1 where it is flat
+    FLATNESS_L, ///< |V_M| / a_M
+    FLATNESS_U, ///< |V_u| / a_u
+    NORMALS,    ///< cosine between V_m and V_M; in [-1, 1]
+    OUTWARD,  ///< (V_m / |V_m| - V_M / |V_M|) . (c_m - c_M) / |c_m - c_M|: below 0 where they face
+              ///< each other
+    DISTANCE, ///< |c_m - c_M| / sqrt(a_u), c the centroids
+    ELONGATION_M,  ///< sqrt(w2 / w1) of m; in [0, 1]
+    ELONGATION_L,  ///< of M
+    ELONGATION_U,  ///< of u
+    ROUNDNESS_M,   ///< sqrt(w3 / w2) of m; in [0, 1]
+    ROUNDNESS_L,   ///< of M
+    ROUNDNESS_U,   ///< of u
+    ALIGNMENT,     ///< tr(w_m w_M) / (tr w_m tr w_M); in [0, 1]
+    SECTION_ALONG, ///< share of the variance of the section along the line of the centroids; in [0,
+                   ///< 1]
+    WIDTH_OF_BOTH, ///< W_u / (W_m + W_M)
+    WIDTH_OF_LARGER, ///< W_u / W_M
+    LOG_FILLING_M,   ///< ln(a_m / (pi W_m^2)): -0.45 for a disc
+    LOG_FILLING_L,   ///< of M
+    LOG_FILLING_U,   ///< of u
     NUMBER_OF_FEATURES
   };
 
@@ -151,7 +161,8 @@ private:
     }
   };
 
-  Merge_features(const Learned_region_data& m, const Learned_region_data& l, const Learned_section_data& section)
+  Merge_features(const Learned_region_data& m, const Learned_region_data& l,
+                 const Learned_section_data& section)
   {
     Learned_region_data u = m;
     u.absorb(l, section);
@@ -183,17 +194,19 @@ private:
   {
     const internal::Symmetric_3 covariance = section.moments.covariance();
     const auto c = internal::eigenvalues(covariance);
-    set(CLOSEDNESS, log(section.length * section.length) - log(4 * CGAL_PI * CGAL_PI * covariance.trace()));
+    set(CLOSEDNESS,
+        log(section.length * section.length) - log(4 * CGAL_PI * CGAL_PI * covariance.trace()));
     set(SECTION_WIDTH, root_of_ratio(c[1], c[0], c[0]));
     set(SECTION_DEPTH, root_of_ratio(c[2], c[0], c[0]));
-    const double squared_area = 4 * CGAL_PI * CGAL_PI * (std::max)(0.0, covariance.second_invariant());
+    const double squared_area = 4 * CGAL_PI * CGAL_PI *
+                                (std::max)(0.0, covariance.second_invariant());
     set(LOG_SECTION_AREA, std::log(std::sqrt(squared_area) / m.area + 1e-4));
     const Double_3 line = l.centroid - m.centroid;
     set(SECTION_ALONG, ratio(covariance.along(line), covariance.trace() * squared_norm(line)));
   }
 
-  void set_sizes(const Learned_section_data& section, const Learned_region_data& m, const Learned_region_data& l,
-                 const Learned_region_data& u)
+  void set_sizes(const Learned_section_data& section, const Learned_region_data& m,
+                 const Learned_region_data& l, const Learned_region_data& u)
   {
     const double length = 2 * log(section.length);
     set(LOG_AREA_M, log(m.area));
@@ -208,8 +221,8 @@ private:
     set(LOG_PERIMETER_U, 2 * log((std::max)(u.perimeter, least_perimeter)) - log(u.area));
   }
 
-  void set_thickness(const Learned_section_data& section, const Learned_region_data& m, const Learned_region_data& l,
-                     const Learned_region_data& u)
+  void set_thickness(const Learned_section_data& section, const Learned_region_data& m,
+                     const Learned_region_data& l, const Learned_region_data& u)
   {
     const double t_m = m.mean_log_thickness(), t_l = l.mean_log_thickness();
     const double t_s = ratio(section.log_thickness, section.length);
@@ -224,7 +237,8 @@ private:
     set(THICKNESS_DEVIATION_U, thickness_deviation(u));
   }
 
-  void set_widths(const Learned_section_data& section, const Shape& m, const Shape& l, const Shape& u)
+  void set_widths(const Learned_section_data& section, const Shape& m, const Shape& l,
+                  const Shape& u)
   {
     set(LENGTH_FOR_THICKNESS, log(section.length) - (std::min)(m.thickness, l.thickness));
     set(WIDTH_FOR_THICKNESS_M, log(m.width) - m.thickness);
@@ -233,7 +247,8 @@ private:
     set(WIDTH_OF_LARGER, ratio(u.width, l.width));
   }
 
-  void set_visibility(const Learned_section_data& section, const Learned_region_data& m, const Learned_region_data& l)
+  void set_visibility(const Learned_section_data& section, const Learned_region_data& m,
+                      const Learned_region_data& l)
   {
     set(VISIBILITY_M, ratio(section.visibility, (std::min)(m.visibility, l.visibility)));
     set(VISIBILITY_L, ratio(section.visibility, (std::max)(m.visibility, l.visibility)));
@@ -286,7 +301,8 @@ private:
   static double thickness_deviation(const Learned_region_data& region)
   {
     const double mean = region.mean_log_thickness();
-    return std::sqrt((std::max)(0.0, ratio(region.squared_log_thickness, region.area) - mean * mean));
+    return std::sqrt(
+      (std::max)(0.0, ratio(region.squared_log_thickness, region.area) - mean * mean));
   }
 
   static constexpr double smallest = 1e-12;

@@ -13,8 +13,8 @@ namespace CGAL {
 namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationPolicies
-/// chooses the number of segments before the first merge that costs more than a bound. A model of `NumberChooser`, for
-/// costs that mean the same on every mesh, such as `Surface_face_cost`.
+/// chooses the number of segments before the first merge that costs more than a bound. A model of
+/// `NumberChooser`, for costs that mean the same on every mesh, such as `Surface_face_cost`.
 ///
 /// Complexity: O(R).
 struct Number_below_cost
@@ -23,8 +23,9 @@ struct Number_below_cost
 
   std::size_t operator()(const Merge_tree& tree, const Surface&) const
   {
-    const auto above = std::find_if(tree.merges().begin(), tree.merges().end(),
-                                    [this](const Merge_tree::Merge& merge) { return merge.cost > bound; });
+    const auto above = std::find_if(
+      tree.merges().begin(), tree.merges().end(),
+      [this](const Merge_tree::Merge& merge) { return merge.cost > bound; });
     return tree.number_of_regions() - std::size_t(above - tree.merges().begin());
   }
 };

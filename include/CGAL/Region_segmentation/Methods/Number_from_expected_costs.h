@@ -15,9 +15,9 @@ namespace CGAL {
 namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationPolicies
-/// chooses the number of segments from a merge tree whose costs can be added: that at which the sum of the costs, from
-/// `maximum_number` regions on, is lowest. A model of `NumberChooser`, for costs that are below 0 where a merge pays,
-/// such as `Expected_merge_cost`.
+/// chooses the number of segments from a merge tree whose costs can be added: that at which the sum
+/// of the costs, from `maximum_number` regions on, is lowest. A model of `NumberChooser`, for costs
+/// that are below 0 where a merge pays, such as `Expected_merge_cost`.
 ///
 /// The number is within `Number_range`. It is the largest of several.
 ///
@@ -25,13 +25,18 @@ namespace Region_segmentation {
 class Number_from_expected_costs : public Number_range
 {
 public:
-  /// How much finer, more than 0: the factor by which costs above 0, of merges that do not pay, are multiplied. 1 as fits the
-  /// method, 2 finer, 0.5 coarser. The number never falls when it rises.
+  /// How much finer, more than 0: the factor by which costs above 0, of merges that do not pay, are
+  /// multiplied. 1 as fits the method, 2 finer, 0.5 coarser. The number never falls when it rises.
   double granularity = 1;
 
-  explicit Number_from_expected_costs(std::size_t maximum_number_ = 40) : Number_range(maximum_number_) {}
+  explicit Number_from_expected_costs(std::size_t maximum_number_ = 40)
+    : Number_range(maximum_number_)
+  {}
 
-  std::size_t operator()(const Merge_tree& tree) const { return number(tree.merges(), tree.number_of_regions()); }
+  std::size_t operator()(const Merge_tree& tree) const
+  {
+    return number(tree.merges(), tree.number_of_regions());
+  }
 
   /// As above, but the number of connected components if they are convex.
   std::size_t operator()(const Merge_tree& tree, const Surface& mesh) const
@@ -40,10 +45,12 @@ public:
   }
 
   /// As above, for the last merges of a tree: `number_of_regions` were left before them.
-  std::size_t number(const std::vector<Merge_tree::Merge>& merges, std::size_t number_of_regions) const
+  std::size_t number(const std::vector<Merge_tree::Merge>& merges,
+                     std::size_t number_of_regions) const
   {
     const std::size_t least = least_number(number_of_regions, merges.size());
-    std::size_t best = (std::max)(least, Number_range::largest_number(number_of_regions, merges.size()));
+    std::size_t best = (std::max)(least,
+                                  Number_range::largest_number(number_of_regions, merges.size()));
     double sum = 0, lowest = 0;
     for (std::size_t n = best; n > least; --n) {
       // The merge from n to n - 1 regions.

@@ -15,19 +15,23 @@ namespace CGAL {
 namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationPolicies
-/// The numbers of segments among which `Number_from_costs` and `Number_from_expected_costs` choose: at least `minimum_number`, if
-/// the tree has as many, and at least the number of connected components, where components also are what constrained edges
-/// separate: a drawn loop adds one. A surface that is convex is one segment a component, where the chooser sees the mesh.
+/// The numbers of segments among which `Number_from_costs` and `Number_from_expected_costs` choose:
+/// at least `minimum_number`, if the tree has as many, and at least the number of connected
+/// components, where components also are what constrained edges separate: a drawn loop adds one. A
+/// surface that is convex is one segment a component, where the chooser sees the mesh.
 class Number_range
 {
 public:
-  std::size_t maximum_number;     ///< of segments, at least `minimum_number`; see `largest_number()`
+  std::size_t maximum_number; ///< of segments, at least `minimum_number`; see `largest_number()`
   std::size_t minimum_number = 2; ///< of segments, at least 1
 
-  explicit Number_range(std::size_t maximum_number_) : maximum_number(maximum_number_) {}
+  explicit Number_range(std::size_t maximum_number_)
+    : maximum_number(maximum_number_)
+  {}
 
-  /// The largest number that is chosen for a tree: `maximum_number`, or the number of connected components if there are more,
-  /// and at most the number of first regions. Where this number was chosen, there may be more parts.
+  /// The largest number that is chosen for a tree: `maximum_number`, or the number of connected
+  /// components if there are more, and at most the number of first regions. Where this number was
+  /// chosen, there may be more parts.
   std::size_t largest_number(const Merge_tree& tree) const
   {
     return largest_number(tree.number_of_regions(), tree.merges().size());
@@ -36,21 +40,25 @@ public:
 protected:
   std::size_t largest_number(std::size_t number_of_regions, std::size_t number_of_merges) const
   {
-    return (std::min)(number_of_regions, (std::max)(maximum_number, number_of_regions - number_of_merges));
+    return (std::min)(number_of_regions,
+                      (std::max)(maximum_number, number_of_regions - number_of_merges));
   }
 
   std::size_t least_number(std::size_t number_of_regions, std::size_t number_of_merges) const
   {
-    return (std::max)((std::min)(number_of_regions, minimum_number), number_of_regions - number_of_merges);
+    return (std::max)((std::min)(number_of_regions, minimum_number),
+                      number_of_regions - number_of_merges);
   }
 
   /// The number of components if they are convex, else what the chooser takes.
   template <typename NumberChooser>
-  static std::size_t choose(const NumberChooser& chooser, const Merge_tree& tree, const Surface& mesh)
+  static std::size_t choose(const NumberChooser& chooser, const Merge_tree& tree,
+                            const Surface& mesh)
   {
     if (!internal::is_convex(mesh))
       return chooser(tree);
-    return mesh.has_seams_or_links() ? internal::Bodies(mesh).number() : tree.number_of_regions() - tree.merges().size();
+    return mesh.has_seams_or_links() ? internal::Bodies(mesh).number()
+                                     : tree.number_of_regions() - tree.merges().size();
   }
 };
 

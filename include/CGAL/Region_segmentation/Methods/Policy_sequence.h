@@ -15,7 +15,8 @@ namespace CGAL {
 namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationPolicies
-/// Changes policies when the number of regions is at most a multiple of the wanted number of segments.
+/// Changes policies when the number of regions is at most a multiple of the wanted number of
+/// segments.
 struct Switch_at_multiple
 {
   double factor; ///< at least 1
@@ -41,15 +42,16 @@ struct Switch_at_count
 /// Its order depends on the wanted number of segments if one of the policies or the switch does.
 ///
 /// \tparam First, Second models of `MergingPolicy`, such as another sequence
-/// \tparam Switch `Switch_at_multiple`, `Switch_at_count`, or a similar function object: whether the
+/// \tparam Switch `Switch_at_multiple`, `Switch_at_count`, or a similar function object: whether
+/// the
 ///         second policy takes over
 template <typename First, typename Second, typename Switch>
 class Policy_sequence
 {
   template <typename Graph>
-  static constexpr bool depends_on_number =
-    internal::depends_on_number<First, Graph> || internal::depends_on_number<Second, Graph> ||
-    !std::is_invocable<const Switch&, std::size_t>::value;
+  static constexpr bool depends_on_number = internal::depends_on_number<First, Graph> ||
+                                            internal::depends_on_number<Second, Graph> ||
+                                            !std::is_invocable<const Switch&, std::size_t>::value;
 
 public:
   First first;
@@ -57,7 +59,9 @@ public:
   Switch is_time_for_second;
 
   Policy_sequence(First first_, Second second_, Switch is_time_for_second_)
-    : first(std::move(first_)), second(std::move(second_)), is_time_for_second(is_time_for_second_)
+    : first(std::move(first_))
+    , second(std::move(second_))
+    , is_time_for_second(is_time_for_second_)
   {}
 
   template <typename Graph, std::enable_if_t<!depends_on_number<Graph>, int> = 0>

@@ -17,10 +17,11 @@ namespace CGAL {
 namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationInitializers
-/// The regions of the paper: the connected components of the faces across edges that are not feature edges.
+/// The regions of the paper: the connected components of the faces across edges that are not
+/// feature edges.
 ///
-/// The feature edges are those that `detect_feature_edges()` marks. A degenerate face joins the region across its
-/// longest interior edge.
+/// The feature edges are those that `detect_feature_edges()` marks. A degenerate face joins the
+/// region across its longest interior edge.
 ///
 /// Complexity: O(F). Deterministic. Parallel with `Parallel_tag`, with bitwise equal results.
 ///
@@ -35,9 +36,10 @@ struct Region_growing
   Partition operator()(const Surface& surface, const Constraints& constraints = Constraints(),
                        const Execution& execution = Execution()) const
   {
-    CGAL_precondition_msg(maximum_angle >= 0 && maximum_angle <= 180, "maximum_angle is in [0, 180] degrees");
-    const auto is_feature =
-      internal::mark_feature_edges(surface, maximum_angle, feature_convexity, execution.step(0, 0.5));
+    CGAL_precondition_msg(maximum_angle >= 0 && maximum_angle <= 180,
+                          "maximum_angle is in [0, 180] degrees");
+    const auto is_feature = internal::mark_feature_edges(surface, maximum_angle, feature_convexity,
+                                                         execution.step(0, 0.5));
     return internal::grow(surface, is_feature, constraints, execution.step(0.5, 1));
   }
 };

@@ -21,7 +21,8 @@ namespace CGAL {
 namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationParts
-/// The rays that regions of a surface cast into the body, see `Visibility_annotator`, and where they end.
+/// The rays that regions of a surface cast into the body, see `Visibility_annotator`, and where
+/// they end.
 class Region_rays
 {
 public:
@@ -37,14 +38,17 @@ public:
     if (surface.area() == 0)
       return;
     const internal::Region_shapes shapes(surface, regions);
-    m_tree =
-      std::make_shared<internal::Ray_tree>(surface, patches, shapes.surface_centroid, execution.step(0, 0.6));
-    internal::Inward_rays(surface, patches.fine, regions, shapes, *m_tree).trace(m_hits, execution.step(0.6, 1));
+    m_tree = std::make_shared<internal::Ray_tree>(surface, patches, shapes.surface_centroid,
+                                                  execution.step(0, 0.6));
+    internal::Inward_rays(surface, patches.fine, regions, shapes, *m_tree)
+      .trace(m_hits, execution.step(0.6, 1));
   }
 
-  /// The rays of other regions: only those of regions that were not among the former ones are traced.
-  Region_rays of_changed_regions(const Surface& surface, const Surface_patches& patches, const Partition& former,
-                                 const Partition& regions, const Execution& execution = Execution()) const
+  /// The rays of other regions: only those of regions that were not among the former ones are
+  /// traced.
+  Region_rays of_changed_regions(const Surface& surface, const Surface_patches& patches,
+                                 const Partition& former, const Partition& regions,
+                                 const Execution& execution = Execution()) const
   {
     Region_rays result;
     result.m_tree = m_tree;
@@ -52,7 +56,8 @@ public:
     for (const Partition::Index previous : previous_of)
       result.m_hits.push_back(previous < m_hits.size() ? m_hits[previous] : std::nullopt);
     if (surface.area() > 0)
-      internal::Inward_rays(surface, patches.fine, regions, internal::Region_shapes(surface, regions), *m_tree)
+      internal::Inward_rays(surface, patches.fine, regions,
+                            internal::Region_shapes(surface, regions), *m_tree)
         .trace(result.m_hits, execution);
     return result;
   }
@@ -61,13 +66,15 @@ public:
   const std::vector<std::optional<Hits>>& hits() const { return m_hits; }
 
 private:
-  /// For each part of `after` the part of `before` with the same elements, or the highest number if there is none.
+  /// For each part of `after` the part of `before` with the same elements, or the highest number if
+  /// there is none.
   static std::vector<Partition::Index> equal_parts(const Partition& before, const Partition& after)
   {
     using Index = Partition::Index;
     constexpr Index none = (std::numeric_limits<Index>::max)(), unknown = none - 1;
     std::vector<Index> equal(after.number_of_parts(), unknown);
-    std::vector<std::size_t> size_before(before.number_of_parts()), size_after(after.number_of_parts());
+    std::vector<std::size_t> size_before(before.number_of_parts()),
+      size_after(after.number_of_parts());
     for (std::size_t i = 0; i < after.size(); ++i) {
       Index& e = equal[after[i]];
       e = e == unknown || e == before[i] ? before[i] : none;

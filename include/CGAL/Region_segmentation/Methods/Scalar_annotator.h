@@ -44,12 +44,14 @@ struct Scalar_region_data : Base
 };
 
 /// \ingroup PkgRegionSegmentationAnnotators
-/// adds a scalar of the user's faces, such as curvature, color or temperature, to the data of another annotator, for
-/// `Scalar_cost` or a cost of the user's: for graphs with `Scalar_region_data`.
+/// adds a scalar of the user's faces, such as curvature, color or temperature, to the data of
+/// another annotator, for `Scalar_cost` or a cost of the user's: for graphs with
+/// `Scalar_region_data`.
 ///
 /// \code
 /// const RS::Superfacet_merging method{RS::Scalar_annotator(RS::face_values(mesh, temperature)),
-///                                     RS::Lowest_cost_first(RS::Scalar_cost(2)), RS::Number_from_costs(-19.5)};
+///                                     RS::Lowest_cost_first(RS::Scalar_cost(2)),
+///                                     RS::Number_from_costs(-19.5)};
 /// RS::segment(mesh, segment_id, RS::parameters::number_of_segments(8).method(method));
 /// \endcode
 ///
@@ -75,7 +77,8 @@ public:
   /// Takes what `Base` takes.
   /// \throws Invalid_input if there is not one value for each face, or one is not finite
   template <typename Graph, typename... Rest>
-  void operator()(Graph& graph, const Surface& surface, const Partition& regions, const Rest&... rest) const
+  void operator()(Graph& graph, const Surface& surface, const Partition& regions,
+                  const Rest&... rest) const
   {
     check_values(surface);
     for (std::uint32_t r = 0; r < regions.number_of_parts(); ++r)
@@ -91,8 +94,8 @@ private:
   void check_values(const Surface& mesh) const
   {
     if (m_values->size() != mesh.number_of_faces())
-      throw Invalid_input("the Scalar_annotator has " + std::to_string(m_values->size()) + " values for " +
-                          std::to_string(mesh.number_of_faces()) + " faces");
+      throw Invalid_input("the Scalar_annotator has " + std::to_string(m_values->size()) +
+                          " values for " + std::to_string(mesh.number_of_faces()) + " faces");
     for (std::size_t f = 0; f < m_values->size(); ++f)
       if (!std::isfinite((*m_values)[f]))
         throw Invalid_input("the scalar of face " + std::to_string(f) + " is not finite");

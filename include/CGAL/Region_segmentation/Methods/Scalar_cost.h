@@ -13,8 +13,8 @@ namespace CGAL {
 namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationPolicies
-/// Another cost, and the difference of the mean scalars of the two regions, times a weight. A model of `SectionCost`, for
-/// graphs annotated by `Scalar_annotator`.
+/// Another cost, and the difference of the mean scalars of the two regions, times a weight. A model
+/// of `SectionCost`, for graphs annotated by `Scalar_annotator`.
 ///
 /// \tparam Cost the other cost, a model of `SectionCost` that names its data
 template <typename Cost = Visibility_cost>
@@ -23,16 +23,20 @@ struct Scalar_cost
   using RegionData = Scalar_region_data<typename Cost::RegionData>;
   using SectionData = typename Cost::SectionData;
 
-  double weight; ///< what a difference of 1 costs, in the units of `cost`. Of `Visibility_cost`, 2 is much
+  double weight; ///< what a difference of 1 costs, in the units of `cost`. Of `Visibility_cost`, 2
+                 ///< is much
   Cost cost;
 
-  explicit Scalar_cost(double weight_ = 1, Cost cost_ = Cost()) : weight(weight_), cost(std::move(cost_)) {}
+  explicit Scalar_cost(double weight_ = 1, Cost cost_ = Cost())
+    : weight(weight_)
+    , cost(std::move(cost_))
+  {}
 
   template <typename Graph>
   double operator()(const Graph& graph, typename Graph::section_descriptor s) const
   {
-    return cost(graph, s) +
-           weight * std::abs(graph[graph.source(s)].mean_scalar() - graph[graph.target(s)].mean_scalar());
+    return cost(graph, s) + weight * std::abs(graph[graph.source(s)].mean_scalar() -
+                                              graph[graph.target(s)].mean_scalar());
   }
 };
 

@@ -20,18 +20,22 @@ namespace CGAL {
 namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationPolicies
-/// Step one of the paper: merges the region of smallest area next (the lower id of equal ones; never one whose area is
-/// NaN), across the section that `Longest_flattest_section` chooses. A model of `MergingPolicy`; the cost is the
-/// area of the region, in squared units of `Surface::unit()`.
+/// Step one of the paper: merges the region of smallest area next (the lower id of equal ones;
+/// never one whose area is NaN), across the section that `Longest_flattest_section` chooses. A
+/// model of `MergingPolicy`; the cost is the area of the region, in squared units of
+/// `Surface::unit()`.
 ///
-/// Complexity: O(log R) per merge, and the choice of the section. A section is visited O(log A) times, A the ratio of
-/// the largest to the smallest area, since a region that is smallest twice has at least doubled.
+/// Complexity: O(log R) per merge, and the choice of the section. A section is visited O(log A)
+/// times, A the ratio of the largest to the smallest area, since a region that is smallest twice
+/// has at least doubled.
 ///
 /// Source: \cgalCite{YZWLL14}, section 3.3.
 class Smallest_region_first
 {
 public:
-  explicit Smallest_region_first(double beta = 0.1) : m_section_of(beta) {}
+  explicit Smallest_region_first(double beta = 0.1)
+    : m_section_of(beta)
+  {}
 
   template <typename Graph>
   void initialize(const Graph& graph)

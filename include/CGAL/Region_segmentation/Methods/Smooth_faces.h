@@ -53,11 +53,11 @@ struct Smooth_faces
     auto graph = internal::build_graph<Surface_face_region_data, Surface_face_section_data>(
       surface, requested.regions, request.constraints, execution.stage("graph"));
     annotate_surface_faces(graph, surface, requested.regions, prepared.faces);
-    Merge_tree tree =
-      merge_requested_regions(surface, requested, graph, Lowest_cost_first<Surface_face_cost>(cost),
-                              1, execution.stage("merging"));
-    const std::size_t number =
-      request.number_of_segments > 0 ? request.number_of_segments : chooser(tree, surface);
+    Merge_tree tree = merge_requested_regions(surface, requested, graph,
+                                              Lowest_cost_first<Surface_face_cost>(cost), 1,
+                                              execution.stage("merging"));
+    const std::size_t number = request.number_of_segments > 0 ? request.number_of_segments
+                                                              : chooser(tree, surface);
     return Hierarchy(std::move(requested.regions), std::move(tree), number);
   }
 };

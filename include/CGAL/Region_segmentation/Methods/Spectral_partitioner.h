@@ -4,7 +4,8 @@
 #define CGAL_REGION_SEGMENTATION_METHODS_SPECTRAL_PARTITIONER_H
 
 /// \file Spectral_partitioner.h
-/// Requires Eigen 3, and uses Spectra 1 if it is installed; so it is not part of region_segmentation.h.
+/// Requires Eigen 3, and uses Spectra 1 if it is installed; so it is not part of
+/// region_segmentation.h.
 
 #include <CGAL/Region_segmentation/Methods/Visibility_cost.h>
 #include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
@@ -31,10 +32,10 @@ namespace CGAL {
 namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationPolicies
-/// The `Visibility_cost` \f$c\f$ whose \f$e^{-c}\f$ is an affinity: proportional to the length of the section, so that
-/// the affinity of two sets of regions, a sum over sections, is one over the length of their border. The depth of the
-/// valley counts squared. The areas of the regions do not count, since a normalized cut itself balances the sizes of
-/// the parts.
+/// The `Visibility_cost` \f$c\f$ whose \f$e^{-c}\f$ is an affinity: proportional to the length of
+/// the section, so that the affinity of two sets of regions, a sum over sections, is one over the
+/// length of their border. The depth of the valley counts squared. The areas of the regions do not
+/// count, since a normalized cut itself balances the sizes of the parts.
 struct Additive_visibility_cost : Visibility_cost
 {
   Additive_visibility_cost()
@@ -68,7 +69,8 @@ struct No_section_data
   void absorb(const No_section_data&) {}
 };
 
-/// The increase of the weighted sum of squared distances to the means when two sets are united (Ward).
+/// The increase of the weighted sum of squared distances to the means when two sets are united
+/// (Ward).
 struct Growth_of_variance
 {
   template <typename Graph>
@@ -100,40 +102,48 @@ double weight_of(const RegionData& region)
 ///
 /// `#include <CGAL/Region_segmentation/Methods/Spectral_partitioner.h>`, which requires Eigen.
 ///
-/// A section of cost \f$c\f$ has the affinity \f$w = e^{c_0 - c}\f$, \f$c_0\f$ the lowest cost; the scale
-/// of the affinities does not matter, and \f$c_0\f$ keeps them in [0, 1]. Regions become points by the
-/// \f$k + 3\f$ lowest solutions of \f$L y = \lambda D y\f$ (\f$D\f$ the sums of the affinities of the regions, \f$L = D
-/// - W\f$, \f$y^T D y = 1\f$), each coordinate \f$y / \sqrt{\lambda}\f$: the squared distance of two regions is their
-/// commute time in a random traversal. Then the two adjacent sets of regions are united whose union adds least to the
-/// sum of squared distances to the means, weighted by area if the data of regions has a member `area`, until \f$k\f$
-/// remain. So all segments are connected, and nothing is random. Neither the signs of eigenvectors nor their choice in
-/// a common eigenspace matter, except at the last value. (Of a value that many eigenvectors share, as in a graph of many
-/// equal pieces, Spectra may miss some.)
+/// A section of cost \f$c\f$ has the affinity \f$w = e^{c_0 - c}\f$, \f$c_0\f$ the lowest cost; the
+/// scale of the affinities does not matter, and \f$c_0\f$ keeps them in [0, 1]. Regions become
+/// points by the \f$k + 3\f$ lowest solutions of \f$L y = \lambda D y\f$ (\f$D\f$ the sums of the
+/// affinities of the regions, \f$L = D
+/// - W\f$, \f$y^T D y = 1\f$), each coordinate \f$y / \sqrt{\lambda}\f$: the squared distance of
+/// two regions is their commute time in a random traversal. Then the two adjacent sets of regions
+/// are united whose union adds least to the sum of squared distances to the means, weighted by area
+/// if the data of regions has a member `area`, until \f$k\f$ remain. So all segments are connected,
+/// and nothing is random. Neither the signs of eigenvectors nor their choice in a common eigenspace
+/// matter, except at the last value. (Of a value that many eigenvectors share, as in a graph of
+/// many equal pieces, Spectra may miss some.)
 ///
 /// Sections that are not mergeable, or whose cost is not a number, do not connect regions.
 ///
-/// Complexity: O(R^3) by Eigen's dense solver; where Spectra is installed, and R is at least 64 and four times the
-/// number of eigenvectors, a sparse factorization and a few hundred solutions instead, a few ms for 800 regions; then
-/// O(k S log S). Deterministic as Eigen and Spectra are: labels can differ between their versions and between machines
-/// where two unions are within rounding of each other.
+/// Complexity: O(R^3) by Eigen's dense solver; where Spectra is installed, and R is at least 64 and
+/// four times the number of eigenvectors, a sparse factorization and a few hundred solutions
+/// instead, a few ms for 800 regions; then O(k S log S). Deterministic as Eigen and Spectra are:
+/// labels can differ between their versions and between machines where two unions are within
+/// rounding of each other.
 ///
 /// \tparam SectionCost a model of `SectionCost`
 ///
-/// Source: normalized cuts \cgalCite{SM00}; commute times \cgalCite{QH07}; clusters \cgalCite{W63}; on meshes \cgalCite{LZ04}.
+/// Source: normalized cuts \cgalCite{SM00}; commute times \cgalCite{QH07}; clusters \cgalCite{W63};
+/// on meshes \cgalCite{LZ04}.
 template <typename SectionCost = Additive_visibility_cost>
 class Spectral_partitioner : public internal::Data_named_by<SectionCost>
 {
 public:
   /// `cost`: minus the logarithm of the affinity, up to a constant;
   /// `additional_eigenvectors`: beyond the number of segments
-  explicit Spectral_partitioner(SectionCost cost = SectionCost(), std::size_t additional_eigenvectors = 3)
-    : m_cost(std::move(cost)), m_additional_eigenvectors(additional_eigenvectors)
+  explicit Spectral_partitioner(SectionCost cost = SectionCost(),
+                                std::size_t additional_eigenvectors = 3)
+    : m_cost(std::move(cost))
+    , m_additional_eigenvectors(additional_eigenvectors)
   {}
 
   /// The segments of the regions.
   /// \pre `number_of_segments` is at least 1; no region was removed
-  /// \post every segment is connected by mergeable sections; there are `number_of_segments` of them, or as
-  ///       many as there are regions if those are fewer, or connected pieces of the graph if those are more
+  /// \post every segment is connected by mergeable sections; there are `number_of_segments` of
+  /// them, or as
+  ///       many as there are regions if those are fewer, or connected pieces of the graph if those
+  ///       are more
   template <typename Graph>
   Partition operator()(const Graph& graph, std::size_t number_of_segments) const
   {
@@ -148,10 +158,10 @@ public:
       const double weight = internal::weight_of(graph[*range.first]);
       clusters.add_region({weight, weight * points.row(Eigen::Index(*range.first)).transpose()});
     }
-    for_each_connection(graph,
-                        [&](auto s, double) { clusters.add_section(graph.source(s), graph.target(s)); });
-    return merge_regions(clusters, Lowest_cost_first<internal::Growth_of_variance>(), number_of_segments,
-                         Stop_at_count{number_of_segments})
+    for_each_connection(
+      graph, [&](auto s, double) { clusters.add_section(graph.source(s), graph.target(s)); });
+    return merge_regions(clusters, Lowest_cost_first<internal::Growth_of_variance>(),
+                         number_of_segments, Stop_at_count{number_of_segments})
       .partition_at_count(number_of_segments);
   }
 
@@ -187,8 +197,9 @@ private:
 };
 
 /// \ingroup PkgRegionSegmentationMethods
-/// A method that partitions the graph of superfacets by `Spectral_partitioner` in place of merging them one pair at a time. A
-/// model of `SegmentationMethod` that requires the number of segments and takes no seeds.
+/// A method that partitions the graph of superfacets by `Spectral_partitioner` in place of merging
+/// them one pair at a time. A model of `SegmentationMethod` that requires the number of segments
+/// and takes no seeds.
 template <typename SectionCost = Additive_visibility_cost>
 struct Spectral_partitioning
 {

@@ -18,6 +18,7 @@
 #include <CGAL/Region_segmentation/internal/graph/renumber_tree.h>
 #include <CGAL/Region_segmentation/internal/regions/border_costs.h>
 #include <CGAL/Region_segmentation/internal/regions/join_degenerate_regions.h>
+#include <CGAL/Region_segmentation/internal/surface/smooth_noise.h>
 #include <CGAL/Region_segmentation/merge_requested_regions.h>
 #include <CGAL/Region_segmentation/requested_regions.h>
 
@@ -25,6 +26,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -33,18 +35,22 @@ namespace CGAL {
 namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationData
-/// A hierarchy whose first regions can be split further: so there are as many segments as are asked for, up to the number
-/// of faces that are not degenerate.
+/// A hierarchy whose first regions can be split further: so there are as many segments as are asked
+/// for, up to the number of faces that are not degenerate.
 class Refinable_hierarchy : public Hierarchy
 {
 public:
   Refinable_hierarchy() = default;
   /// `largest_number`: of segments
-  Refinable_hierarchy(Hierarchy hierarchy, const Superfacets& superfacets, std::size_t largest_number)
-    : Hierarchy(std::move(hierarchy)), m_superfacets(superfacets), m_largest_number(largest_number)
+  Refinable_hierarchy(Hierarchy hierarchy, const Superfacets& superfacets,
+                      std::size_t largest_number)
+    : Hierarchy(std::move(hierarchy))
+    , m_superfacets(superfacets)
+    , m_largest_number(largest_number)
   {}
 
-  /// The segments of the faces of the surface that the hierarchy was made of. O(F log F) where regions are split.
+  /// The segments of the faces of the surface that the hierarchy was made of. O(F log F) where
+  /// regions are split.
   Partition segments(const Surface& surface, std::size_t number) const
   {
     number = (std::min)(number, m_largest_number);
@@ -58,16 +64,22 @@ private:
 };
 
 /// \ingroup PkgRegionSegmentationMethods
-/// Merges superfacets: `Superfacets` on the patches of the surface, annotated with what rays from them see, merged by a
-/// policy, and the borders of the segments moved to minimum cuts. A model of `SegmentationMethod`.
+/// Merges superfacets: `Superfacets` on the patches of the surface, annotated with what rays from
+/// them see, merged by a policy, and the borders of the segments moved to minimum cuts. A model of
+/// `SegmentationMethod`.
 ///
-/// The order of merges does not depend on the number of segments. Where none is given, a chooser chooses it. A number that
-/// exceeds that of the superfacets splits them.
+/// Where the surface has noise, all of this is measured on a smoothed one (\ref
+/// RegionSegmentationNoise).
 ///
-/// \tparam GraphAnnotator fills the data of the graph of regions: nested types `RegionData` and `SectionData`, and
-///         `void operator()(Graph&, const Surface&, const Partition& regions, const Region_rays&) const`
-/// \tparam MergingPolicy a model of `MergingPolicy` whose order does not depend on the number of segments
-/// \tparam NumberChooser a model of `NumberChooser`, for the costs of the policy
+/// The order of merges does not depend on the number of segments. Where none is given, a chooser
+/// chooses it. A number that exceeds that of the superfacets splits them.
+///
+/// \tparam GraphAnnotator fills the data of the graph of regions: nested types `RegionData` and
+/// `SectionData`, and
+///         `void operator()(Graph&, const Surface&, const Partition& regions, const Region_rays&)
+///         const`
+/// \tparam MergingPolicy a model of `MergingPolicy` whose order does not depend on the number of
+/// segments \tparam NumberChooser a model of `NumberChooser`, for the costs of the policy
 template <typename GraphAnnotator, typename MergingPolicy, typename NumberChooser>
 struct Superfacet_merging
 {
@@ -81,84 +93,109 @@ struct Superfacet_merging
   /// What does not depend on the request.
   struct Prepared
   {
+    std::optional<Surface> smoothed; ///< the surface without its noise, if it has noise
     Surface_patches patches;
     internal::Dual_graph border_costs; ///< between fine patches
     Partition regions;                 ///< the superfacets, of the faces
     Region_rays rays;
+
+    /// The surface that is measured.
+    const Surface& shape(const Surface& surface) const { return smoothed ? *smoothed : surface; }
   };
 
-  Prepared prepare(const Surface& surface, const Execution& execution = Execution()) const
+  Prepared prepare(const Surface& noisy_surface, const Execution& execution = Execution()) const
   {
+    std::optional<Surface> smoothed = internal::smooth_noise(noisy_surface);
+    const Surface& surface = smoothed ? *smoothed : noisy_surface;
     const Execution stage = execution.stage("regions");
     Surface_patches patches = internal::Patch_builder::build(surface, stage.step(0, 0.6));
     internal::Dual_graph costs = internal::border_costs(surface, patches.fine, border_cost);
-    const Partition regions_of_patches =
-      patches.fine.contacts().empty()
-        ? superfacets(surface, patches, costs, stage.step(0.6, 1))
-        : superfacets(surface, patches, internal::border_costs_of_edges(surface, patches.fine, border_cost),
-                      stage.step(0.6, 1));
-    Partition regions =
-      internal::join_degenerate_regions(surface, composed(patches.fine.of_elements(), regions_of_patches));
+    const Partition regions_of_patches = patches.fine.contacts().empty()
+                                           ? superfacets(surface, patches, costs,
+                                                         stage.step(0.6, 1))
+                                           : superfacets(surface, patches,
+                                                         internal::border_costs_of_edges(
+                                                           surface, patches.fine, border_cost),
+                                                         stage.step(0.6, 1));
+    Partition regions = internal::join_degenerate_regions(
+      surface, composed(patches.fine.of_elements(), regions_of_patches));
     Region_rays rays(surface, patches, regions, execution.stage("rays"));
-    return {std::move(patches), std::move(costs), std::move(regions), std::move(rays)};
+    return {std::move(smoothed), std::move(patches), std::move(costs), std::move(regions),
+            std::move(rays)};
   }
 
-  Refinable_hierarchy merge(const Surface& surface, const Prepared& prepared, const Request& request,
-                            const Execution& execution = Execution()) const
+  Refinable_hierarchy merge(const Surface& noisy_surface, const Prepared& prepared,
+                            const Request& request, const Execution& execution = Execution()) const
   {
-    static_assert(std::is_invocable_r<std::size_t, const NumberChooser&, const Merge_tree&, const Surface&>::value,
-                  "a NumberChooser needs: std::size_t operator()(const Merge_tree&, const Surface&) const");
+    const Surface& surface = prepared.shape(noisy_surface);
+    static_assert(
+      std::is_invocable_r<std::size_t, const NumberChooser&, const Merge_tree&,
+                          const Surface&>::value,
+      "a NumberChooser needs: std::size_t operator()(const Merge_tree&, const Surface&) const");
     const Requested_regions requested = requested_regions(surface, prepared.regions, request);
-    auto graph =
-      annotated_graph(surface, prepared, requested.regions, request.constraints, execution.stage("graph"));
-    const Merge_tree tree =
-      merge_requested_regions(surface, requested, graph, policy, 1, execution.stage("merging"));
+    auto graph = annotated_graph(surface, prepared, requested.regions, request.constraints,
+                                 execution.stage("graph"));
+    const Merge_tree tree = merge_requested_regions(surface, requested, graph, policy, 1,
+                                                    execution.stage("merging"));
     // Regions that seeds joined are not split.
-    const std::size_t largest_number =
-      request.seeds.empty() ? (std::max)(internal::number_of_proper_faces(surface), std::size_t(1))
-                            : requested.regions.number_of_parts();
+    const std::size_t largest_number = request.seeds.empty()
+                                         ? (std::max)(internal::number_of_proper_faces(surface),
+                                                      std::size_t(1))
+                                         : requested.regions.number_of_parts();
     const std::size_t number = (std::min)(
-      request.number_of_segments > 0 ? request.number_of_segments : chooser(tree, surface), largest_number);
-    return Refinable_hierarchy(
-      straightened(surface, prepared, requested, request, Hierarchy(Partition(), tree, number), execution),
-      superfacets, largest_number);
+      request.number_of_segments > 0 ? request.number_of_segments : chooser(tree, surface),
+      largest_number);
+    return Refinable_hierarchy(straightened(surface, prepared, requested, request,
+                                            Hierarchy(Partition(), tree, number), execution),
+                               superfacets, largest_number);
   }
 
-  /// The graph of regions, with the data of the annotator; the rays of superfacets among them are not traced again.
-  auto annotated_graph(const Surface& surface, const Prepared& prepared, const Partition& regions,
-                       const Constraints& constraints, const Execution& execution) const
+  /// The graph of regions, with the data of the annotator; the rays of superfacets among them are
+  /// not traced again.
+  auto annotated_graph(const Surface& noisy_surface, const Prepared& prepared,
+                       const Partition& regions, const Constraints& constraints,
+                       const Execution& execution) const
   {
     static_assert(internal::check_annotator<GraphAnnotator>());
-    auto graph = internal::build_graph<typename GraphAnnotator::RegionData, typename GraphAnnotator::SectionData>(
+    const Surface& surface = prepared.shape(noisy_surface);
+    auto graph = internal::build_graph<typename GraphAnnotator::RegionData,
+                                       typename GraphAnnotator::SectionData>(
       surface, regions, constraints, execution);
     if (regions == prepared.regions)
       annotator(graph, surface, regions, prepared.rays);
     else
-      annotator(graph, surface, regions,
-                prepared.rays.of_changed_regions(surface, prepared.patches, prepared.regions, regions));
+      annotator(
+        graph, surface, regions,
+        prepared.rays.of_changed_regions(surface, prepared.patches, prepared.regions, regions));
     return graph;
   }
 
 private:
   using Index = Surface::Index;
 
-  /// The hierarchy with the borders of its segments moved: of all of them, or of one number alone if the request says so.
-  Hierarchy straightened(const Surface& surface, const Prepared& prepared, const Requested_regions& requested,
-                         const Request& request, const Hierarchy& merged, const Execution& execution) const
+  /// The hierarchy with the borders of its segments moved: of all of them, or of one number alone
+  /// if the request says so.
+  Hierarchy straightened(const Surface& surface, const Prepared& prepared,
+                         const Requested_regions& requested, const Request& request,
+                         const Hierarchy& merged, const Execution& execution) const
   {
     const Partition& regions = requested.regions;
     const bool are_prepared = are_unions(prepared.patches.fine, regions);
-    const Patches divided = are_prepared ? Patches() : divided_patches(surface, prepared.patches.fine, regions, request);
+    const Patches divided = are_prepared
+                              ? Patches()
+                              : divided_patches(surface, prepared.patches.fine, regions, request);
     const Patches& cells = are_prepared ? prepared.patches.fine : divided;
     std::vector<Index> region_of;
     for (std::size_t c = 0; c < cells.size(); ++c)
       region_of.push_back(regions[cells[c].center]);
-    const std::size_t number = request.numbers == Request::Numbers::ONE ? merged.number_of_segments()
-                                                                        : regions.number_of_parts();
+    const std::size_t number = request.numbers == Request::Numbers::ONE
+                                 ? merged.number_of_segments()
+                                 : regions.number_of_parts();
     const std::vector<Index> label_of_cell = straightening(
       cells, surface.length_unit(),
-      are_prepared ? prepared.border_costs : internal::border_costs(surface, cells, border_cost), region_of,
-      merged.merge_tree(), [&](Index r) { return requested.is_fixed(r); }, number, execution.stage("borders"));
+      are_prepared ? prepared.border_costs : internal::border_costs(surface, cells, border_cost),
+      region_of, merged.merge_tree(), [&](Index r) { return requested.is_fixed(r); }, number,
+      execution.stage("borders"));
     return of_labels(cells.of_elements(), label_of_cell, merged, number);
   }
 
@@ -171,15 +208,16 @@ private:
   }
 
   /// Cells: the pieces of patches in each region.
-  static Patches divided_patches(const Surface& surface, const Patches& patches, const Partition& regions,
-                                 const Request& request)
+  static Patches divided_patches(const Surface& surface, const Patches& patches,
+                                 const Partition& regions, const Request& request)
   {
     std::vector<std::uint64_t> labels;
     labels.reserve(regions.size());
     for (std::size_t f = 0; f < regions.size(); ++f)
       labels.push_back((std::uint64_t(patches.of_elements()[f]) << 32) | regions[f]);
     return internal::Patch_builder::build(
-      surface, internal::connected_pieces(surface, labels, request.constraints), request.constraints);
+      surface, internal::connected_pieces(surface, labels, request.constraints),
+      request.constraints);
   }
 
   /// Of cells labelled by former regions, or by the segments of one number.
@@ -192,7 +230,8 @@ private:
     for (const Index cell : cell_of)
       labels.push_back(label_of_cell[cell]);
     Partition straightened = Partition::from_labels(labels);
-    if (straightened.number_of_parts() >= number && number < merged.merge_tree().number_of_regions()) {
+    if (straightened.number_of_parts() >= number &&
+        number < merged.merge_tree().number_of_regions()) {
       const std::size_t parts = straightened.number_of_parts();
       return Hierarchy(std::move(straightened), Merge_tree(parts), merged.number_of_segments());
     }

@@ -27,87 +27,109 @@ namespace CGAL {
 namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationInitializers
-/// makes regions of bounded size whose borders are short and follow concave edges: each patch of the surface (see
-/// `Surface_patches`) belongs to the nearest seed. Only edges are crossed, neither seams nor links.
+/// makes regions of bounded size whose borders are short and follow concave edges: each patch of
+/// the surface (see `Surface_patches`) belongs to the nearest seed. Only edges are crossed, neither
+/// seams nor links.
 ///
-/// A step between two adjacent patches has the length \f$|c_i - c_j| / \sqrt{A} + w \, \min(\delta^+, m)\f$, rounded to
-/// `float`, at least \f$10^{-37}\f$ and at most \f$10^{28}\f$, \f$c\f$ the centroids, \f$A\f$ the area of the surface, \f$\delta^+\f$ the
-/// angle of their normals if they face each other, \f$(n_j - n_i) \cdot (c_j - c_i) < 0\f$, else 0 (and 0 if one has no normal). Distances are sums
-/// of steps in `double`. The first seeds are placed in the connected components without one, each at the patch of them that is farthest from the
-/// centroid of the surface, even if this exceeds the number (those of crumbs do not count); then each further one at the patch farthest from all seeds so far; of
-/// several, at the lower one.
+/// A step between two adjacent patches has the length \f$|c_i - c_j| / \sqrt{A} + w \,
+/// \min(\delta^+, m)\f$, rounded to `float`, at least \f$10^{-37}\f$ and at most \f$10^{28}\f$,
+/// \f$c\f$ the centroids, \f$A\f$ the area of the surface, \f$\delta^+\f$ the angle of their
+/// normals if they face each other, \f$(n_j - n_i) \cdot (c_j - c_i) < 0\f$, else 0 (and 0 if one
+/// has no normal). Distances are sums of steps in `double`. The first seeds are placed in the
+/// connected components without one, each at the patch of them that is farthest from the centroid
+/// of the surface, even if this exceeds the number (those of crumbs do not count); then each
+/// further one at the patch farthest from all seeds so far; of several, at the lower one.
 ///
-/// Seeds are placed like this on the coarse patches, if there are at least four for each region, and moved to their centers: a patch belongs
-/// to the nearest of these. It is reached through a neighbor; of several through which its distance is the same, through that with the smallest
-/// distance, rounded to `float`, then the lowest one; and belongs to the seed of this neighbor. If there are fewer coarse patches, seeds
-/// are placed on the patches, and a patch belongs to the nearest seed, of several to the one placed first.
-/// Regions are connected, and are numbered by their lowest patch.
+/// Seeds are placed like this on the coarse patches, if there are at least four for each region,
+/// and moved to their centers: a patch belongs to the nearest of these. It is reached through a
+/// neighbor; of several through which its distance is the same, through that with the smallest
+/// distance, rounded to `float`, then the lowest one; and belongs to the seed of this neighbor. If
+/// there are fewer coarse patches, seeds are placed on the patches, and a patch belongs to the
+/// nearest seed, of several to the one placed first. Regions are connected, and are numbered by
+/// their lowest patch.
 ///
 /// Then borders are shortened, by their costs (see `Border_cost`), rounded to `float`. A
-/// patch that is adjacent to exactly one patch of its own region can move to an adjacent region; its gain is the cost
-/// of its borders to that region minus that of the border to the one patch. The move with the largest gain is made
-/// first (of equal ones that of the lowest patch, and to the lowest region), as long as there is one whose gain is
-/// above 1/1000 of the cost of all borders of its patch. Finally regions are numbered by their first face.
+/// patch that is adjacent to exactly one patch of its own region can move to an adjacent region;
+/// its gain is the cost of its borders to that region minus that of the border to the one patch.
+/// The move with the largest gain is made first (of equal ones that of the lowest patch, and to the
+/// lowest region), as long as there is one whose gain is above 1/1000 of the cost of all borders of
+/// its patch. Finally regions are numbered by their first face.
 ///
-/// Since concavity is added to a step, not multiplied, and angles are those between patches, the regions of a surface
-/// depend little on the resolution of its mesh.
+/// Since concavity is added to a step, not multiplied, and angles are those between patches, the
+/// regions of a surface depend little on the resolution of its mesh.
 ///
-/// Complexity: O(F + P log P) in practice, P the number of patches, at most some 60,000, with a small constant: seeds are placed
-/// on some 4,000 coarse patches, each of which is reached by a few seeds. Deterministic.
+/// Complexity: O(F + P log P) in practice, P the number of patches, at most some 60,000, with a
+/// small constant: seeds are placed on some 4,000 coarse patches, each of which is reached by a few
+/// seeds. Deterministic.
 ///
 /// Source: farthest-point seeding \cgalCite{G85}, in images \cgalCite{ELPZ97}.
 class Superfacets
 {
 public:
   std::size_t number;       ///< of regions, at least 1
-  double concave_weight;    ///< w, relative length per radian, at least 0: the lengthening of steps into valleys
+  double concave_weight;    ///< w, relative length per radian, at least 0: the lengthening of steps
+                            ///< into valleys
   double maximum_deviation; ///< m, radian, at least 0: deviations above it count as this one
 
-  explicit Superfacets(std::size_t number_ = 480, double concave_weight_ = 0.4, double maximum_deviation_ = 0.6)
-    : number(number_), concave_weight(concave_weight_), maximum_deviation(maximum_deviation_)
+  explicit Superfacets(std::size_t number_ = 480, double concave_weight_ = 0.4,
+                       double maximum_deviation_ = 0.6)
+    : number(number_)
+    , concave_weight(concave_weight_)
+    , maximum_deviation(maximum_deviation_)
   {}
 
   /// The regions of the patches of a surface. `border_costs`: between its fine patches
   Partition operator()(const Surface& surface, const Surface_patches& patches,
-                       const internal::Dual_graph& border_costs, const Execution& execution = Execution()) const
+                       const internal::Dual_graph& border_costs,
+                       const Execution& execution = Execution()) const
   {
     CGAL_precondition_msg(number >= 1 && concave_weight >= 0 && maximum_deviation >= 0,
                           "Superfacets: number is at least 1, the other constants at least 0");
     if (surface.number_of_faces() == 0)
       return Partition();
-    return internal::Border_shortening(border_costs, nearest_seeds(surface, patches, execution)).take_regions();
+    return internal::Border_shortening(border_costs, nearest_seeds(surface, patches, execution))
+      .take_regions();
   }
 
-  /// The partition into `number_of_parts` that splits connected regions of the faces further: the face farthest from that
-  /// nearest to the centroid of its region is separated first, with the faces that were reached through it. Steps
-  /// between faces are measured as those between patches. Degenerate faces are separated last. O(F log F).
-  /// \pre `number_of_parts` is at least the number of regions
+  /// The partition into `number_of_parts` that splits connected regions of the faces further: the
+  /// face farthest from that nearest to the centroid of its region is separated first, with the
+  /// faces that were reached through it. Steps between faces are measured as those between patches.
+  /// Degenerate faces are separated last. O(F log F). \pre `number_of_parts` is at least the number
+  /// of regions
   Partition split(const Surface& surface, const Partition& regions, std::size_t number_of_parts,
                   const Execution& execution = Execution()) const
   {
     if (surface.number_of_faces() == 0)
       return Partition();
     internal::Dual_graph graph(
-      surface, [&](std::size_t a) { return regions[surface.lower_face(a)] == regions[surface.higher_face(a)]; },
+      surface,
+      [&](std::size_t a) {
+        return regions[surface.lower_face(a)] == regions[surface.higher_face(a)];
+      },
       [&](std::size_t a) {
         const double concavity = surface.has_flag(a, Surface::CONCAVE) ? surface.deviation(a) : 0;
-        return step(surface, norm(surface.centroid(surface.lower_face(a)) - surface.centroid(surface.higher_face(a))),
-                    concavity);
+        return step(
+          surface,
+          norm(surface.centroid(surface.lower_face(a)) - surface.centroid(surface.higher_face(a))),
+          concavity);
       });
     internal::Farthest_point_seeding seeding(std::move(graph), execution);
     seeding.run(central_faces(surface, regions));
-    return seeding.split_regions(number_of_parts, [&](Index f) { return surface.is_degenerate(f); });
+    return seeding.split_regions(number_of_parts,
+                                 [&](Index f) { return surface.is_degenerate(f); });
   }
 
 private:
   using Index = Surface::Index;
 
   /// The partition of the patches by the seed to which each belongs.
-  Partition nearest_seeds(const Surface& surface, const Surface_patches& patches, const Execution& execution) const
+  Partition nearest_seeds(const Surface& surface, const Surface_patches& patches,
+                          const Execution& execution) const
   {
     const Patches& coarse = patches.coarse;
     const std::size_t number_of_seeds = number + number_of_crumbs(surface);
-    internal::Farthest_point_seeding from_patches(steps(surface, patches.fine), execution.step(0.5, 1));
+    internal::Farthest_point_seeding from_patches(steps(surface, patches.fine),
+                                                  execution.step(0.5, 1));
     if (coarse.size() / coarse_patches_of_region < number_of_seeds)
       from_patches.run(distances_from_centroid(patches.fine), number_of_seeds);
     else {
@@ -134,15 +156,17 @@ private:
   {
     return internal::Dual_graph(patches, [&](std::size_t i) {
       const Patches::Adjacency& a = patches.adjacencies()[i];
-      return step(mesh, norm(patches[a.lower].centroid - patches[a.higher].centroid), patches.concave_deviation(i));
+      return step(mesh, norm(patches[a.lower].centroid - patches[a.higher].centroid),
+                  patches.concave_deviation(i));
     });
   }
 
-  /// At least the smallest float, so that only seeds have the distance 0; and so short that a path along all faces is
-  /// finite in float, so that every face of a component is reached.
+  /// At least the smallest float, so that only seeds have the distance 0; and so short that a path
+  /// along all faces is finite in float, so that every face of a component is reached.
   double step(const Surface& mesh, double distance, double concavity) const
   {
-    const double length = distance / mesh.length_unit() + concave_weight * (std::min)(concavity, maximum_deviation);
+    const double length = distance / mesh.length_unit() +
+                          concave_weight * (std::min)(concavity, maximum_deviation);
     return (std::min)((std::max)(length, shortest_step), longest_step);
   }
 
@@ -182,7 +206,8 @@ private:
     return distances;
   }
 
-  static constexpr std::size_t coarse_patches_of_region = 4; // at least, on average: fewer give no choice of seeds
+  static constexpr std::size_t coarse_patches_of_region = 4; // at least, on average: fewer give no
+                                                             // choice of seeds
   static constexpr double shortest_step = 1e-37, longest_step = 1e28;
 };
 

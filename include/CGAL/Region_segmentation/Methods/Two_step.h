@@ -34,7 +34,8 @@ struct Two_step_merging
 {
   /// `beta`: the weight of a section's length against its flatness, in [0, 1];
   /// `gamma`: the weight of a region's planarity against its area, in [0, 1];
-  /// `factor`: the number of regions after step one, as a multiple of the wanted number of segments, at least 1
+  /// `factor`: the number of regions after step one, as a multiple of the wanted number of
+  /// segments, at least 1
   explicit Two_step_merging(double beta = 0.1, double gamma = 0.6, double factor = 2)
     : Policy_sequence(Smallest_region_first(beta), Least_compact_region_first(beta, gamma),
                       Switch_at_multiple{factor})
@@ -42,8 +43,8 @@ struct Two_step_merging
 };
 
 /// \ingroup PkgRegionSegmentationMethods
-/// The method of the paper: `Region_growing` between feature edges, merged by `Two_step_merging`. A model of
-/// `SegmentationMethod`.
+/// The method of the paper: `Region_growing` between feature edges, merged by `Two_step_merging`. A
+/// model of `SegmentationMethod`.
 ///
 /// It requires the number of segments, on which the order of merges depends.
 ///
@@ -70,12 +71,12 @@ struct Two_step
     CGAL_precondition_msg(number >= 1, "Two_step needs the number of segments");
     const bool are_grown_again = !request.constraints.empty();
     const Partition grown = are_grown_again ? growing(surface, request.constraints) : Partition();
-    Requested_regions requested =
-      requested_regions(surface, are_grown_again ? grown : prepared.regions, request);
+    Requested_regions requested = requested_regions(
+      surface, are_grown_again ? grown : prepared.regions, request);
     auto graph = internal::build_graph<Region_geometry, Section_geometry>(
       surface, requested.regions, request.constraints, execution.stage("graph"));
-    Merge_tree tree =
-      merge_requested_regions(surface, requested, graph, policy, number, execution.stage("merging"));
+    Merge_tree tree = merge_requested_regions(surface, requested, graph, policy, number,
+                                              execution.stage("merging"));
     Partition segments = tree.partition_at_count(number);
     return {std::move(requested.regions), std::move(segments), std::move(tree)};
   }

@@ -12,16 +12,17 @@ namespace CGAL {
 namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationPolicies
-/// The strength of the separation of two regions by a section: the logarithm of a product of powers. A
-/// model of `SectionCost`, for graphs annotated by `Visibility_annotator`.
+/// The strength of the separation of two regions by a section: the logarithm of a product of
+/// powers. A model of `SectionCost`, for graphs annotated by `Visibility_annotator`.
 ///
-/// A section of length \f$L\f$ between regions of areas \f$a_i, a_j\f$, \f$m\f$ the smaller and \f$h\f$
-/// their harmonic mean (all relative, see `Visibility_annotator`), costs
-/// \f[ p_d \ln d + p_a ((1 - \eta) \ln m + \eta \ln h) - p_l \ln \frac{L^2}{m}
+/// A section of length \f$L\f$ between regions of areas \f$a_i, a_j\f$, \f$m\f$ the smaller and
+/// \f$h\f$ their harmonic mean (all relative, see `Visibility_annotator`), costs \f[ p_d \ln d +
+/// p_a ((1 - \eta) \ln m + \eta \ln h) - p_l \ln \frac{L^2}{m}
 ///    + p_t \ln (t_0 + |t_i - t_j|) - p_s \ln \left(s_0 + \frac{s_{ij}}{\min(s_i, s_j)}\right), \f]
-/// \f$d = \max(0, (C - w_x X + w_b B) / L) + d_0\f$: the depth of the valley along the section, from the integrals of
-/// concave and convex deviations \f$C, X\f$ and of the bend \f$B\f$; \f$t\f$ the mean thickness of a region;
-/// \f$s_{ij}\f$ the rays between the regions and \f$s_i\f$ those that end in one. It has no unit.
+/// \f$d = \max(0, (C - w_x X + w_b B) / L) + d_0\f$: the depth of the valley along the section,
+/// from the integrals of concave and convex deviations \f$C, X\f$ and of the bend \f$B\f$; \f$t\f$
+/// the mean thickness of a region; \f$s_{ij}\f$ the rays between the regions and \f$s_i\f$ those
+/// that end in one. It has no unit.
 ///
 /// The constants were chosen on half of the Princeton benchmark, see `doc/accuracy.md`.
 struct Visibility_cost
@@ -29,20 +30,20 @@ struct Visibility_cost
   using RegionData = Visibility_region_data;
   using SectionData = Visibility_section_data;
 
-  double depth_exponent = 4;        ///< p_d
-  double depth_offset = 0.022;      ///< d_0, radian
-  double area_exponent = 1.74;      ///< p_a
-  double harmonic_share = 0.16;     ///< eta
-  double length_exponent = 0.95;    ///< p_l
-  double thickness_exponent = 1;    ///< p_t: 1 sets the scale of the cost
-  double thickness_offset = 0.18;   ///< t_0
-  double visibility_exponent = 0.195;    ///< p_s
-  double visibility_offset = 0.01;       ///< s_0
-  double convex_weight = 0.3;       ///< w_x
-  double bend_weight = 0.08;        ///< w_b
+  double depth_exponent = 4;          ///< p_d
+  double depth_offset = 0.022;        ///< d_0, radian
+  double area_exponent = 1.74;        ///< p_a
+  double harmonic_share = 0.16;       ///< eta
+  double length_exponent = 0.95;      ///< p_l
+  double thickness_exponent = 1;      ///< p_t: 1 sets the scale of the cost
+  double thickness_offset = 0.18;     ///< t_0
+  double visibility_exponent = 0.195; ///< p_s
+  double visibility_offset = 0.01;    ///< s_0
+  double convex_weight = 0.3;         ///< w_x
+  double bend_weight = 0.08;          ///< w_b
 
-  /// The constants while regions are many and small: regions that see each other belong together, and depth and
-  /// area count less.
+  /// The constants while regions are many and small: regions that see each other belong together,
+  /// and depth and area count less.
   static Visibility_cost for_many_regions()
   {
     Visibility_cost cost;
@@ -58,8 +59,9 @@ struct Visibility_cost
   double depth(const Visibility_section_data& section) const
   {
     const double length = (std::max)(section.length, smallest);
-    return (std::max)(0.0,
-                      (section.concave - convex_weight * section.convex + bend_weight * section.bend) / length) +
+    return (std::max)(
+             0.0, (section.concave - convex_weight * section.convex + bend_weight * section.bend) /
+                    length) +
            depth_offset;
   }
 
@@ -78,8 +80,8 @@ struct Visibility_cost
            area_exponent *
              ((1 - harmonic_share) * std::log(smaller) + harmonic_share * std::log(harmonic)) -
            length_exponent * (2 * std::log(length) - std::log(smaller)) +
-           thickness_exponent *
-             std::log(thickness_offset + std::abs(a.mean_log_thickness() - b.mean_log_thickness())) -
+           thickness_exponent * std::log(thickness_offset + std::abs(a.mean_log_thickness() -
+                                                                     b.mean_log_thickness())) -
            visibility_exponent * std::log(visibility_offset + mutual);
   }
 

@@ -14,7 +14,8 @@ namespace CGAL {
 namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationGraph
-/// Length, angles and visibility of a section, filled by `Visibility_annotator`. A model of `SectionData`.
+/// Length, angles and visibility of a section, filled by `Visibility_annotator`. A model of
+/// `SectionData`.
 ///
 /// Lengths are in units of the square root of the area of the surface.
 struct Visibility_section_data
@@ -45,8 +46,8 @@ struct Visibility_section_data
   }
 
 protected:
-  /// The deviation of an adjacency in radians: positive if it is concave, negative if it is convex. Where components touch
-  /// there is a valley: a link counts as one of a right angle.
+  /// The deviation of an adjacency in radians: positive if it is concave, negative if it is convex.
+  /// Where components touch there is a valley: a link counts as one of a right angle.
   static double signed_deviation(const Surface& surface, std::size_t adjacency)
   {
     return surface.has_flag(adjacency, Surface::LINK)      ? CGAL_PI / 2
@@ -68,7 +69,8 @@ protected:
 };
 
 /// \ingroup PkgRegionSegmentationGraph
-/// Area, thickness and visibility of a region, filled by `Visibility_annotator`. A model of `RegionData`.
+/// Area, thickness and visibility of a region, filled by `Visibility_annotator`. A model of
+/// `RegionData`.
 struct Visibility_region_data
 {
   double area = 0;          ///< share of the area of the surface

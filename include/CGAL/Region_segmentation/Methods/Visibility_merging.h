@@ -16,24 +16,26 @@ namespace CGAL {
 namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationMethods
-/// The method with a hand-crafted cost: superfacets, annotated by `Visibility_annotator`, merged at the lowest `Visibility_cost`
-/// first, with different constants while there are more than 150 regions. A model of `SegmentationMethod`.
+/// The method with a hand-crafted cost: superfacets, annotated by `Visibility_annotator`, merged at
+/// the lowest `Visibility_cost` first, with different constants while there are more than 150
+/// regions. A model of `SegmentationMethod`.
 struct Visibility_merging
-  : Superfacet_merging<
-      Visibility_annotator,
-      Policy_sequence<Lowest_cost_first<Visibility_cost>, Lowest_cost_first<Visibility_cost>, Switch_at_count>,
-      Number_from_costs>
+  : Superfacet_merging<Visibility_annotator,
+                       Policy_sequence<Lowest_cost_first<Visibility_cost>,
+                                       Lowest_cost_first<Visibility_cost>, Switch_at_count>,
+                       Number_from_costs>
 {
   /// The level of `Number_from_costs` for the constants of `Visibility_cost()`.
   static constexpr double default_level = -19.5;
 
   /// `cost`: for few regions; `cost_of_many`: while there are more than `many` regions
-  explicit Visibility_merging(const Visibility_cost& cost = Visibility_cost(),
-                              const Visibility_cost& cost_of_many = Visibility_cost::for_many_regions(),
-                              std::size_t many = 150)
+  explicit Visibility_merging(
+    const Visibility_cost& cost = Visibility_cost(),
+    const Visibility_cost& cost_of_many = Visibility_cost::for_many_regions(),
+    std::size_t many = 150)
     : Superfacet_merging{Visibility_annotator(),
-                         {Lowest_cost_first<Visibility_cost>(cost_of_many), Lowest_cost_first<Visibility_cost>(cost),
-                          Switch_at_count{many}},
+                         {Lowest_cost_first<Visibility_cost>(cost_of_many),
+                          Lowest_cost_first<Visibility_cost>(cost), Switch_at_count{many}},
                          Number_from_costs(default_level)}
   {}
 };

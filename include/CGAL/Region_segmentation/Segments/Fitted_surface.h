@@ -41,8 +41,8 @@ struct Fitted_surface
   /// cylinder or torus; the axis of the cone, in the direction in which it widens. Without meaning
   /// for a sphere.
   Double_3 direction{0, 0, 1};
-  double radius =
-    0; ///< of the cylinder or sphere; of the cone at `point`; the major radius of the torus
+  double radius = 0; ///< of the cylinder or sphere; of the cone at `point`; the major radius of the
+                     ///< torus
   double minor_radius = 0; ///< of the tube of the torus
   double angle = 0;        ///< between axis and surface of the cone, in radians, in (0, pi/2)
   /// 1 if the normals of the faces point away from the axis (of the sphere: center; of the torus:
@@ -86,9 +86,10 @@ class Surface_distance
 {
 public:
   explicit Surface_distance(const Fitted_surface& s)
-      : m_surface(s), m_cosine(std::cos(s.angle)), m_sine(std::sin(s.angle))
-  {
-  }
+    : m_surface(s)
+    , m_cosine(std::cos(s.angle))
+    , m_sine(std::sin(s.angle))
+  {}
 
   /// Positive away from the axis.
   double operator()(const Double_3& p) const

@@ -48,8 +48,8 @@ struct Segment_description
   /// volume of the mesh. Where one loop separates two segments, the apex is its middle. Where
   /// borders meet, as around the faces of a machine part, segments are pyramids to a common apex.
   ///
-  /// A closed surface that is inside out is read as if it were not, see `make_surface()`. The borders of
-  /// an open surface have caps, too.
+  /// A closed surface that is inside out is read as if it were not, see `make_surface()`. The
+  /// borders of an open surface have caps, too.
   double volume = 0;
   /// The part of the volume of the mesh; 0 if that is below 1e-12 of its area to the power of 3/2.
   double volume_share = 0;

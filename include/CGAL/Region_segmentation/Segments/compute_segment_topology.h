@@ -128,9 +128,9 @@ std::size_t compute_segment_topology(const FaceGraph& mesh, const FaceSegmentMap
   for (std::size_t s = 0; s < counts.size(); ++s) {
     const auto& c = counts[s];
     const std::size_t edges = (c.halfedges + c.border_halfedges) / 2;
-    *topologies++ =
-      Segment_topology<Label>{segmented.labels[s], c.components, c.loops,
-                              std::ptrdiff_t(c.vertices + c.faces) - std::ptrdiff_t(edges)};
+    *topologies++ = Segment_topology<Label>{segmented.labels[s], c.components, c.loops,
+                                            std::ptrdiff_t(c.vertices + c.faces) -
+                                              std::ptrdiff_t(edges)};
   }
   return counts.size();
 }

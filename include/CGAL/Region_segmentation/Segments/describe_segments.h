@@ -94,13 +94,14 @@ std::size_t describe_segments(const FaceGraph& mesh, const FaceSegmentMap& segme
   using Label = typename boost::property_traits<FaceSegmentMap>::value_type;
   const auto& pack = internal::pack(np);
   using Pack = std::decay_t<decltype(pack)>;
-  using Kernel =
-    internal::Kernel_of_points<typename GetVertexPointMap<FaceGraph, Pack>::const_type>;
+  using Kernel = internal::Kernel_of_points<
+    typename GetVertexPointMap<FaceGraph, Pack>::const_type>;
   static_assert(internal::check_output_of_labels<DescriptionOutputIterator,
                                                  Segment_description<Label, Kernel>>());
   internal::check_parameters<Pack, internal::Tag_list<>>();
   const auto segmented = internal::make_segmented_mesh(mesh, segment_map, pack);
-  const internal::Mesh_geometry geometry(segmented, internal::make_surface_of_neighbors(mesh, pack));
+  const internal::Mesh_geometry geometry(segmented,
+                                         internal::make_surface_of_neighbors(mesh, pack));
   internal::Segment_describer<FaceGraph, Label, Kernel> describer(segmented, geometry);
   for (auto& description : describer.describe())
     *descriptions++ = std::move(description);

@@ -28,7 +28,7 @@ struct Segment_border
 {
   using halfedge_descriptor = typename boost::graph_traits<FaceGraph>::halfedge_descriptor;
 
-  Label segment; ///< to the left, seen from outside; of the two, that with the first face
+  Label segment;          ///< to the left, seen from outside; of the two, that with the first face
   Label opposite_segment; ///< to the right; `no_segment` if these faces have none
   /// At least one; the target of each is the source of the next one.
   std::vector<halfedge_descriptor> halfedges;

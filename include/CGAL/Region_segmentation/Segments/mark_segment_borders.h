@@ -47,9 +47,9 @@ std::size_t mark_segment_borders(const FaceGraph& mesh, const FaceSegmentMap& se
   std::size_t count = 0;
   for (auto e : edges(mesh)) {
     const auto h = halfedge(e, mesh);
-    const bool is_border =
-      !CGAL::is_border(e, mesh) &&
-      get(segment_map, face(h, mesh)) != get(segment_map, face(opposite(h, mesh), mesh));
+    const bool is_border = !CGAL::is_border(e, mesh) &&
+                           get(segment_map, face(h, mesh)) !=
+                             get(segment_map, face(opposite(h, mesh), mesh));
     put(edge_is_border_map, e, Value(is_border));
     count += is_border;
   }

@@ -70,7 +70,8 @@ std::size_t mark_segment_seams(const FaceGraph& mesh, const FaceSegmentMap& segm
   const auto& pack = internal::pack(np);
   internal::check_parameters<std::decay_t<decltype(pack)>, internal::Tag_list<>>();
   const auto segmented = internal::make_segmented_mesh(mesh, segment_map, pack);
-  const internal::Mesh_geometry geometry(segmented, internal::make_surface_of_neighbors(mesh, pack));
+  const internal::Mesh_geometry geometry(segmented,
+                                         internal::make_surface_of_neighbors(mesh, pack));
   internal::Seam_finder finder(segmented, [&](std::uint32_t h) {
     const double concavity = (std::max)(0.0, -geometry.signed_deviation(h));
     return geometry.length(h) / (1 + cost.concave_gain * concavity);

@@ -99,11 +99,13 @@ std::size_t split_into_segments(const FaceGraph& mesh, const FaceSegmentMap& seg
   }
   const auto points = choose_parameter(get_parameter(pack, CGAL::internal_np::vertex_point),
                                        get_const_property_map(CGAL::vertex_point, mesh));
-  internal::Piece_builder<Target, FaceGraph, Label> builder(mesh, segmented);
+  const internal::Elements_of_graph<FaceGraph, std::decay_t<decltype(points)>> elements{
+    mesh, segmented.descriptors, points};
+  internal::Piece_builder<Target> builder(segmented);
   for (std::size_t s = 0; s < segmented.number_of_segments; ++s) {
     Segment_piece<Target, FaceGraph, Label> piece;
     piece.segment = segmented.labels[s];
-    builder.build(s, points, piece);
+    builder.build(s, elements, piece);
     *pieces++ = std::move(piece);
   }
   return segmented.number_of_segments;

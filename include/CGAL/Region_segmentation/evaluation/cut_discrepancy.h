@@ -39,7 +39,8 @@ std::vector<Edge_graph::Index> cut_vertices(const Mesh_order<FaceGraph, Pack>& o
       continue;
     const Label label_h = get(label_map, face(h, mesh)), label_o = get(label_map, face(o, mesh));
     if (label_h != label_o)
-      is_on_cut[order.rank_of_vertex()(source(h, mesh))] = is_on_cut[order.rank_of_vertex()(source(o, mesh))] = true;
+      is_on_cut[order.rank_of_vertex()(source(h, mesh))] = is_on_cut[order.rank_of_vertex()(
+        source(o, mesh))] = true;
   }
   std::vector<Edge_graph::Index> result;
   for (std::size_t v = 0; v < is_on_cut.size(); ++v)
@@ -104,8 +105,7 @@ std::optional<double> cut_discrepancy(const FaceGraph& mesh, const FaceLabelMapA
   const auto& pack = internal::pack(np);
   const internal::Mesh_order<FaceGraph, std::decay_t<decltype(pack)>> order(mesh, pack);
   const Surface surface = internal::make_surface_of_neighbors(mesh, pack);
-  const auto cut_a = internal::cut_vertices(order, a),
-             cut_b = internal::cut_vertices(order, b);
+  const auto cut_a = internal::cut_vertices(order, a), cut_b = internal::cut_vertices(order, b);
   const double size = internal::mean_distance_to_centroid(surface);
   if (cut_a.empty() || cut_b.empty() || size == 0)
     return std::nullopt;

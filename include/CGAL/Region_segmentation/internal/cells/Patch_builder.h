@@ -23,10 +23,11 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// Makes the patches of a surface, the fine ones and the coarse ones, in rounds, see `Surface_patches`.
+/// Makes the patches of a surface, the fine ones and the coarse ones, in rounds, see
+/// `Surface_patches`.
 ///
-/// What is summed for a patch or between two of them is summed by one thread, in the order of the elements: so the result is the
-/// same in parallel.
+/// What is summed for a patch or between two of them is summed by one thread, in the order of the
+/// elements: so the result is the same in parallel.
 class Patch_builder
 {
   using Index = Surface::Index;
@@ -42,7 +43,8 @@ public:
       const double faces = double((std::max)(surface.number_of_faces(), std::size_t(1)));
       execution.report(1 - double(builder.m_places.size()) / faces);
     };
-    const bool is_worth_another = builder.join_faces(Surface_patches::maximum_area * surface.area());
+    const bool is_worth_another = builder.join_faces(Surface_patches::maximum_area *
+                                                     surface.area());
     report();
     if (is_worth_another)
       builder.join_patches(Surface_patches::maximum_area * surface.area(), report);
@@ -54,12 +56,14 @@ public:
     builder.join_patches(Surface_patches::maximum_coarse_area * surface.area(), report);
     result.coarse = builder.finish();
     const Patches& fine = result.fine;
-    set_centers(result.coarse, [&](std::size_t p) { return fine[p].centroid; },
-                [&](std::size_t p) { return squared_norm(fine[p].normal) == 0; });
+    set_centers(
+      result.coarse, [&](std::size_t p) { return fine[p].centroid; },
+      [&](std::size_t p) { return squared_norm(fine[p].normal) == 0; });
     return result;
   }
 
-  /// The parts of a partition as patches; those on both sides of constrained edges are not adjacent there.
+  /// The parts of a partition as patches; those on both sides of constrained edges are not adjacent
+  /// there.
   static Patches build(const Surface& surface, Partition of_faces, const Constraints& constraints)
   {
     Patch_builder builder(surface, constraints, Execution());
@@ -73,13 +77,17 @@ public:
 
 private:
   Patch_builder(const Surface& surface, const Constraints& constraints, const Execution& execution)
-    : m_surface(surface), m_constraints(constraints), m_execution(execution.silent()), m_unit(surface.length_unit())
+    : m_surface(surface)
+    , m_constraints(constraints)
+    , m_execution(execution.silent())
+    , m_unit(surface.length_unit())
   {}
 
   static void set_centers(Patches& patches, const Surface& surface)
   {
-    set_centers(patches, [&](std::size_t f) { return surface.centroid(f); },
-                [&](std::size_t f) { return surface.is_degenerate(f); });
+    set_centers(
+      patches, [&](std::size_t f) { return surface.centroid(f); },
+      [&](std::size_t f) { return surface.is_degenerate(f); });
   }
 
   static void set_contacts(Patches& patches, const Surface& surface, const Constraints& constraints)
@@ -88,7 +96,8 @@ private:
     if (!surface.has_seams_or_links())
       return;
     for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a) {
-      const Index p = patches.m_of_elements[surface.lower_face(a)], q = patches.m_of_elements[surface.higher_face(a)];
+      const Index p = patches.m_of_elements[surface.lower_face(a)],
+                  q = patches.m_of_elements[surface.higher_face(a)];
       if (surface.has_flag(a, Surface::SEAM | Surface::LINK) && !constraints[a] && p != q)
         contacts.push_back({(std::min)(p, q), (std::max)(p, q), surface.length(a)});
     }
@@ -113,7 +122,8 @@ private:
 
   /// A degenerate element only if there is no other.
   template <typename Centroid, typename IsDegenerate>
-  static void set_centers(Patches& patches, const Centroid& centroid, const IsDegenerate& is_degenerate)
+  static void set_centers(Patches& patches, const Centroid& centroid,
+                          const IsDegenerate& is_degenerate)
   {
     std::vector<double> distances(patches.size(), std::numeric_limits<double>::infinity());
     for (std::size_t i = 0; i < patches.m_of_elements.size(); ++i) {
@@ -128,7 +138,8 @@ private:
     }
   }
 
-  /// Of a patch, while there are many of them. In two arrays, which are replaced one after the other: memory is used most then.
+  /// Of a patch, while there are many of them. In two arrays, which are replaced one after the
+  /// other: memory is used most then.
   struct Place
   {
     Double_3 centroid;
@@ -144,18 +155,25 @@ private:
   class Faces
   {
   public:
-    explicit Faces(const Patch_builder& builder) : m_builder(builder), m_mesh(builder.m_surface) {}
+    explicit Faces(const Patch_builder& builder)
+      : m_builder(builder)
+      , m_mesh(builder.m_surface)
+    {}
     std::size_t size() const { return m_mesh.number_of_faces(); }
     double area(std::size_t f) const { return m_mesh.weight(f); }
     Double_3 centroid(std::size_t f) const { return m_mesh.centroid(f); }
     const Double_3& normal(std::size_t f) const { return m_mesh.normal(f); }
     Double_3 area_vector(std::size_t f) const { return m_mesh.weight(f) * m_mesh.normal(f); }
 
-    std::size_t number_of_ranges() const { return number_of_blocks(m_mesh.number_of_adjacencies(), edges_in_range()); }
+    std::size_t number_of_ranges() const
+    {
+      return number_of_blocks(m_mesh.number_of_adjacencies(), edges_in_range());
+    }
     template <typename F>
     void for_each_adjacency(std::size_t range, const F& f) const
     {
-      const std::size_t end = (std::min)((range + 1) * edges_in_range(), m_mesh.number_of_adjacencies());
+      const std::size_t end = (std::min)((range + 1) * edges_in_range(),
+                                         m_mesh.number_of_adjacencies());
       for (std::size_t e = range * edges_in_range(); e < end; ++e)
         if (!m_mesh.has_flag(e, Surface::SEAM | Surface::LINK) && !m_builder.m_constraints[e])
           f(m_mesh.lower_face(e), m_mesh.higher_face(e), e);
@@ -166,19 +184,24 @@ private:
     std::size_t edges_in_range() const
     {
       constexpr std::size_t for_threads = std::size_t(1) << 16;
-      return m_builder.m_execution.is_parallel() ? for_threads : (std::max)(m_mesh.number_of_adjacencies(), std::size_t(1));
+      return m_builder.m_execution.is_parallel()
+               ? for_threads
+               : (std::max)(m_mesh.number_of_adjacencies(), std::size_t(1));
     }
 
     const Patch_builder& m_builder;
     const Surface& m_mesh;
   };
 
-  /// The patches of a later round. Those of the first round are not stored, but found from their faces: they would take more
-  /// memory than all else at that time.
+  /// The patches of a later round. Those of the first round are not stored, but found from their
+  /// faces: they would take more memory than all else at that time.
   class Joined
   {
   public:
-    explicit Joined(const Patch_builder& builder) : m_builder(builder), m_faces(builder) {}
+    explicit Joined(const Patch_builder& builder)
+      : m_builder(builder)
+      , m_faces(builder)
+    {}
     std::size_t size() const { return m_builder.m_places.size(); }
     double area(std::size_t p) const { return m_builder.m_places[p].area; }
     const Double_3& centroid(std::size_t p) const { return m_builder.m_places[p].centroid; }
@@ -254,11 +277,13 @@ private:
   template <typename Elements>
   Partition select(const Elements& elements, double maximum_area) const
   {
-    return Patch_selection(elements, maximum_area, m_unit, Surface_patches::deviation_weight, m_execution).joined();
+    return Patch_selection(elements, maximum_area, m_unit, Surface_patches::deviation_weight,
+                           m_execution)
+      .joined();
   }
 
-  /// Calls `f(part, element)` for all elements; those of a part in order, by one thread. Each thread has some of the parts, and looks at all
-  /// elements from the first on that may be in them.
+  /// Calls `f(part, element)` for all elements; those of a part in order, by one thread. Each
+  /// thread has some of the parts, and looks at all elements from the first on that may be in them.
   template <typename F>
   void for_each_in_part(const Partition& partition, const F& f) const
   {
@@ -294,12 +319,14 @@ private:
       if (firsts[part] == none)
         firsts[part] = Index(p);
       // Relative to the first of them, to avoid cancellation far from the origin.
-      place.centroid = place.centroid + area * (patches.centroid(p) - patches.centroid(firsts[part]));
+      place.centroid = place.centroid +
+                       area * (patches.centroid(p) - patches.centroid(firsts[part]));
       place.area += area;
     });
     for_each_index(m_execution, places.size(), [&](std::size_t p) {
       Place& place = places[p];
-      place.centroid = patches.centroid(firsts[p]) + (place.area > 0 ? 1 / place.area : 0) * place.centroid;
+      place.centroid = patches.centroid(firsts[p]) +
+                       (place.area > 0 ? 1 / place.area : 0) * place.centroid;
     });
     m_places = std::move(places);
   }
@@ -308,15 +335,18 @@ private:
   void replace_directions(const Elements& patches, const Partition& joined)
   {
     Large_array<Direction> directions(joined.number_of_parts());
-    for_each_index(m_execution, directions.size(), [&](std::size_t p) { directions[p] = {{0, 0, 0}, 0}; });
+    for_each_index(m_execution, directions.size(), [&](std::size_t p) {
+      directions[p] = {{0, 0, 0}, 0};
+    });
     for_each_in_part(joined, [&](Index part, std::size_t p) {
       directions[part].normal = directions[part].normal + patches.area_vector(p);
     });
     for_each_index(m_execution, directions.size(), [&](std::size_t p) {
       Direction& direction = directions[p];
       direction.projected_area = norm(direction.normal);
-      direction.normal =
-        direction.projected_area > 0 ? (1 / direction.projected_area) * direction.normal : Double_3{0, 0, 0};
+      direction.normal = direction.projected_area > 0
+                           ? (1 / direction.projected_area) * direction.normal
+                           : Double_3{0, 0, 0};
     });
     m_directions = std::move(directions);
   }
@@ -355,12 +385,14 @@ private:
     result.m_concave_deviations.resize(result.m_adjacencies.size());
     for_each_index(m_execution, result.m_adjacencies.size(), [&](std::size_t i) {
       const Adjacency& a = result.m_adjacencies[i];
-      result.m_concave_deviations[i] = concave_deviation(result.m_patches[a.lower], result.m_patches[a.higher]);
+      result.m_concave_deviations[i] = concave_deviation(result.m_patches[a.lower],
+                                                         result.m_patches[a.higher]);
     });
     return result;
   }
 
-  /// The partition that the rounds make together: composed from the last one on, so that the faces are relabelled once.
+  /// The partition that the rounds make together: composed from the last one on, so that the faces
+  /// are relabelled once.
   Partition take_rounds()
   {
     Partition result = Partition::into_single_elements(m_places.size());
@@ -369,7 +401,8 @@ private:
     return result;
   }
 
-  /// One for each two patches, sorted: a radix sort of two digits, since the order of those to be summed must be kept.
+  /// One for each two patches, sorted: a radix sort of two digits, since the order of those to be
+  /// summed must be kept.
   Large_array<Adjacency> united_adjacencies()
   {
     Grouped_items<Adjacency> by_higher(m_places.size()), by_lower(m_places.size());
@@ -405,10 +438,12 @@ private:
   const Constraints m_constraints;
   const Execution m_execution; // silent
   const double m_unit;
-  std::vector<Partition> m_rounds; // of the faces or the fine patches, then of the patches of the round before
+  std::vector<Partition> m_rounds; // of the faces or the fine patches, then of the patches of the
+                                   // round before
   Large_array<Place> m_places;
   Large_array<Direction> m_directions;
-  /// By range of edges of the mesh; several between two patches, until the end. Empty before the second round.
+  /// By range of edges of the mesh; several between two patches, until the end. Empty before the
+  /// second round.
   std::vector<Large_array<Adjacency>> m_adjacencies;
 };
 

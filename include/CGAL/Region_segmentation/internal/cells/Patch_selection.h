@@ -21,30 +21,33 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// One round of joining patches, see `Surface_patches`: which patches select each other, and which are joined. O(size).
+/// One round of joining patches, see `Surface_patches`: which patches select each other, and which
+/// are joined. O(size).
 ///
-/// Selections alone would join the patches of a graded mesh in chains without bound; so their trees are cut at every
-/// second level:
+/// Selections alone would join the patches of a graded mesh in chains without bound; so their trees
+/// are cut at every second level:
 ///
 ///       depth  0  1  2  3  4
 ///              o--o  o--o--o      the last one is a leaf
 ///
-/// Threads read what others write only where the order does not matter: the lowest step of a patch, and the parity of its
-/// depth, which is the same whoever finds it.
+/// Threads read what others write only where the order does not matter: the lowest step of a patch,
+/// and the parity of its depth, which is the same whoever finds it.
 class Patch_selection
 {
   using Index = Partition::Index;
 
 public:
-  /// `Patches`: `size()`, `area(i)`, `centroid(i)`, `normal(i)`, `number_of_ranges()` of adjacencies,
-  /// `for_each_adjacency(range, f)` with `f(lower, higher, ...)`
+  /// `Patches`: `size()`, `area(i)`, `centroid(i)`, `normal(i)`, `number_of_ranges()` of
+  /// adjacencies, `for_each_adjacency(range, f)` with `f(lower, higher, ...)`
   template <typename Patches>
   Patch_selection(const Patches& patches, double maximum_area, double unit, double deviation_weight,
                   const Execution& execution)
-    : m_execution(execution.silent()), m_parents(patches.size())
+    : m_execution(execution.silent())
+    , m_parents(patches.size())
   {
     Lowest_keys selections(patches.size(), execution); // the steps and the other patches
-    for_each_index(m_execution, patches.size(), [&](std::size_t i) { selections.set(i, make_float_key(unselected, Index(i))); });
+    for_each_index(m_execution, patches.size(),
+                   [&](std::size_t i) { selections.set(i, make_float_key(unselected, Index(i))); });
     const double scale = 1 / unit;
     m_execution.for_each(0, patches.number_of_ranges(), [&](std::size_t range) {
       patches.for_each_adjacency(range, [&](Index a, Index b, std::size_t) {
@@ -56,11 +59,13 @@ public:
         selections.offer(b, make_float_key(step, a));
       });
     });
-    // Of two patches that select each other, the larger one is a root; of equal ones, the lower one.
+    // Of two patches that select each other, the larger one is a root; of equal ones, the lower
+    // one.
     for_each_index(m_execution, patches.size(), [&](std::size_t i) {
       const Index j = index_of(selections[i]);
       const bool is_root = index_of(selections[j]) == i &&
-                           (i < j ? !(patches.area(j) > patches.area(i)) : patches.area(i) > patches.area(j));
+                           (i < j ? !(patches.area(j) > patches.area(i))
+                                  : patches.area(i) > patches.area(j));
       m_parents[i] = is_root ? Index(i) : j;
     });
   }
@@ -94,14 +99,15 @@ private:
   {
     std::vector<std::atomic<bool>> has_child(m_parents.size());
     std::vector<std::atomic<std::uint8_t>> parities(m_parents.size()); // UNKNOWN
-    for_each_block(m_execution, m_parents.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
-      std::vector<Index> path;
-      for (std::size_t i = begin; i < end; ++i) {
-        if (m_parents[i] != i)
-          has_child[m_parents[i]].store(true, std::memory_order_relaxed);
-        find_parity(Index(i), parities, path);
-      }
-    });
+    for_each_block(m_execution, m_parents.size(),
+                   [&](std::size_t, std::size_t begin, std::size_t end) {
+                     std::vector<Index> path;
+                     for (std::size_t i = begin; i < end; ++i) {
+                       if (m_parents[i] != i)
+                         has_child[m_parents[i]].store(true, std::memory_order_relaxed);
+                       find_parity(Index(i), parities, path);
+                     }
+                   });
     Large_array<Index> roots(m_parents.size());
     for_each_index(m_execution, roots.size(), [&](std::size_t i) {
       const Index parent = m_parents[i], grandparent = m_parents[parent];
@@ -112,7 +118,8 @@ private:
   }
 
   /// Sets the parity of a patch, and of those above it. `path`: is empty, before and after
-  void find_parity(Index i, std::vector<std::atomic<std::uint8_t>>& parities, std::vector<Index>& path) const
+  void find_parity(Index i, std::vector<std::atomic<std::uint8_t>>& parities,
+                   std::vector<Index>& path) const
   {
     std::uint8_t parity = parities[i].load(std::memory_order_relaxed);
     for (; parity == UNKNOWN; parity = parities[i].load(std::memory_order_relaxed)) {
@@ -129,7 +136,7 @@ private:
     }
   }
 
-  const Execution m_execution; // silent
+  const Execution m_execution;  // silent
   Large_array<Index> m_parents; // by patch: the one it selected; itself: a root
 };
 

@@ -25,9 +25,11 @@ constexpr bool check_annotator()
                 "a GraphAnnotator needs the nested types RegionData and SectionData");
   if constexpr (satisfies<Names_data, T>)
     static_assert(
-      std::is_invocable<const T&, Region_adjacency_graph<typename T::RegionData, typename T::SectionData>&,
+      std::is_invocable<const T&,
+                        Region_adjacency_graph<typename T::RegionData, typename T::SectionData>&,
                         const Surface&, const Partition&, const Region_rays&>::value,
-      "a GraphAnnotator needs: void operator()(Graph&, const Surface&, const Partition& regions, const "
+      "a GraphAnnotator needs: void operator()(Graph&, const Surface&, const Partition& regions, "
+      "const "
       "Region_rays&) const");
   return true;
 }

@@ -17,30 +17,35 @@ namespace Region_segmentation {
 namespace internal {
 
 template <typename T>
-using Adds_face = decltype(std::declval<T&>().add_face(std::declval<const Surface&>(), std::size_t()));
+using Adds_face = decltype(std::declval<T&>().add_face(std::declval<const Surface&>(),
+                                                       std::size_t()));
 template <typename T>
-using Adds_border = decltype(std::declval<T&>().add_border(std::declval<const Surface&>(), std::size_t()));
+using Adds_border = decltype(std::declval<T&>().add_border(std::declval<const Surface&>(),
+                                                           std::size_t()));
 template <typename T, typename Section>
-using Absorbs_region =
-  decltype(std::declval<T&>().absorb(std::declval<const T&>(), std::declval<const Section&>()));
+using Absorbs_region = decltype(std::declval<T&>().absorb(std::declval<const T&>(),
+                                                          std::declval<const Section&>()));
 template <typename T>
-using Adds_adjacency =
-  decltype(std::declval<T&>().add_adjacency(std::declval<const Surface&>(), std::size_t()));
+using Adds_adjacency = decltype(std::declval<T&>().add_adjacency(std::declval<const Surface&>(),
+                                                                 std::size_t()));
 template <typename T>
 using Absorbs_section = decltype(std::declval<T&>().absorb(std::declval<const T&>()));
 
 template <typename Region, typename Section>
 constexpr bool check_graph_data()
 {
-  static_assert(std::is_default_constructible<Region>::value && std::is_copy_constructible<Region>::value,
+  static_assert(std::is_default_constructible<Region>::value &&
+                  std::is_copy_constructible<Region>::value,
                 "a RegionData needs to be default and copy constructible");
   static_assert(satisfies<Adds_face, Region>,
                 "a RegionData needs: void add_face(const Surface&, std::size_t face)");
   static_assert(satisfies<Adds_border, Region>,
                 "a RegionData needs: void add_border(const Surface&, std::size_t adjacency)");
-  static_assert(satisfies<Absorbs_region, Region, Section>,
-                "a RegionData needs: void absorb(const RegionData& other, const SectionData& between)");
-  static_assert(std::is_default_constructible<Section>::value && std::is_copy_constructible<Section>::value,
+  static_assert(
+    satisfies<Absorbs_region, Region, Section>,
+    "a RegionData needs: void absorb(const RegionData& other, const SectionData& between)");
+  static_assert(std::is_default_constructible<Section>::value &&
+                  std::is_copy_constructible<Section>::value,
                 "a SectionData needs to be default and copy constructible");
   static_assert(satisfies<Adds_adjacency, Section>,
                 "a SectionData needs: void add_adjacency(const Surface&, std::size_t adjacency)");
@@ -49,7 +54,8 @@ constexpr bool check_graph_data()
   return true;
 }
 
-/// The types `RegionData` and `SectionData` that a cost or a policy names; nothing if it names none.
+/// The types `RegionData` and `SectionData` that a cost or a policy names; nothing if it names
+/// none.
 template <typename T, typename = void>
 struct Data_named_by
 {};

@@ -19,41 +19,47 @@ namespace internal {
 template <typename T, typename Graph>
 constexpr bool check_section_cost()
 {
-  static_assert(reads_data_of<T, Graph>(),
-                "the SectionCost reads RegionData or SectionData that the annotator of the graph does not provide");
-  static_assert(std::is_invocable_r<double, const T&, const Graph&, typename Graph::section_descriptor>::value,
-                "a SectionCost needs: double operator()(const Graph&, section_descriptor) const");
+  static_assert(reads_data_of<T, Graph>(), "the SectionCost reads RegionData or SectionData that "
+                                           "the annotator of the graph does not provide");
+  static_assert(
+    std::is_invocable_r<double, const T&, const Graph&, typename Graph::section_descriptor>::value,
+    "a SectionCost needs: double operator()(const Graph&, section_descriptor) const");
   return true;
 }
 
 template <typename T, typename Graph>
 using Initializes = decltype(std::declval<T&>().initialize(std::declval<const Graph&>()));
 template <typename T, typename Graph>
-using Initializes_for_number =
-  decltype(std::declval<T&>().initialize(std::declval<const Graph&>(), std::size_t()));
+using Initializes_for_number = decltype(std::declval<T&>().initialize(std::declval<const Graph&>(),
+                                                                      std::size_t()));
 template <typename T, typename Graph>
 using Proposes = std::enable_if_t<
   std::is_same<decltype(std::declval<T&>().next(std::declval<const Graph&>())->section),
                typename Graph::section_descriptor>::value &&
-  std::is_convertible<decltype(std::declval<T&>().next(std::declval<const Graph&>())->cost), double>::value>;
+  std::is_convertible<decltype(std::declval<T&>().next(std::declval<const Graph&>())->cost),
+                      double>::value>;
 template <typename T, typename Graph>
-using Observes_merges = decltype(std::declval<T&>().on_merge(std::declval<const Graph&>(),
-                                                             std::declval<typename Graph::Merge>()));
+using Observes_merges = decltype(std::declval<T&>().on_merge(
+  std::declval<const Graph&>(), std::declval<typename Graph::Merge>()));
 
-/// Whether the order of a policy depends on the wanted number of segments: then it cannot be initialized without it.
+/// Whether the order of a policy depends on the wanted number of segments: then it cannot be
+/// initialized without it.
 template <typename Policy, typename Graph>
 constexpr bool depends_on_number = !satisfies<Initializes, Policy, Graph>;
 
 template <typename T, typename Graph>
 constexpr bool check_merging_policy()
 {
-  static_assert(reads_data_of<T, Graph>(),
-                "the MergingPolicy reads RegionData or SectionData that the annotator of the graph does not "
-                "provide");
-  static_assert(std::is_copy_constructible<T>::value, "a MergingPolicy needs to be copy constructible");
-  static_assert(satisfies<Initializes, T, Graph> || satisfies<Initializes_for_number, T, Graph>,
-                "a MergingPolicy needs: void initialize(const Graph&), or, if its order depends on the wanted "
-                "number, void initialize(const Graph&, std::size_t number_of_segments)");
+  static_assert(
+    reads_data_of<T, Graph>(),
+    "the MergingPolicy reads RegionData or SectionData that the annotator of the graph does not "
+    "provide");
+  static_assert(std::is_copy_constructible<T>::value,
+                "a MergingPolicy needs to be copy constructible");
+  static_assert(
+    satisfies<Initializes, T, Graph> || satisfies<Initializes_for_number, T, Graph>,
+    "a MergingPolicy needs: void initialize(const Graph&), or, if its order depends on the wanted "
+    "number, void initialize(const Graph&, std::size_t number_of_segments)");
   static_assert(satisfies<Proposes, T, Graph>,
                 "a MergingPolicy needs: std::optional<Merge_candidate> next(const Graph&)");
   static_assert(satisfies<Observes_merges, T, Graph>,

@@ -15,8 +15,8 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// Moves the border between two pieces of a mesh to a minimum cut in a band around it. Elements are faces, or patches;
-/// a piece that was connected still is.
+/// Moves the border between two pieces of a mesh to a minimum cut in a band around it. Elements are
+/// faces, or patches; a piece that was connected still is.
 ///
 /// `Distance`: `distance(i, j)`, of two adjacent elements
 template <typename Distance>
@@ -25,7 +25,8 @@ class Border_cut
 public:
   using Index = Dual_graph::Index;
 
-  /// `costs`: of the borders between adjacent elements; `piece_of`: by element, is changed by `move_border()`
+  /// `costs`: of the borders between adjacent elements; `piece_of`: by element, is changed by
+  /// `move_border()`
   Border_cut(const Dual_graph& costs, const Distance& distance, std::vector<Index>& piece_of)
     : m_costs(costs)
     , m_distance(distance)
@@ -35,13 +36,15 @@ public:
     , m_visits(piece_of.size(), 0)
   {}
 
-  /// The band consists of the elements of the two pieces within `width` of `border`, on paths inside their own piece.
-  /// Its elements at the inner ends stay, and those that `must_stay(element)`; if none stays in one of the pieces,
-  /// nothing is moved, nor if a piece would be disconnected. Returns the elements that were moved.
+  /// The band consists of the elements of the two pieces within `width` of `border`, on paths
+  /// inside their own piece. Its elements at the inner ends stay, and those that
+  /// `must_stay(element)`; if none stays in one of the pieces, nothing is moved, nor if a piece
+  /// would be disconnected. Returns the elements that were moved.
   ///
   /// `border`: the elements of both pieces that are adjacent to the other one, or some of them.
   template <typename MustStay>
-  std::vector<Index> move_border(Index a, Index b, const std::vector<Index>& border, double width, const MustStay& must_stay)
+  std::vector<Index> move_border(Index a, Index b, const std::vector<Index>& border, double width,
+                                 const MustStay& must_stay)
   {
     grow_band(border, width);
     Minimum_cut cut;
@@ -70,7 +73,8 @@ private:
       [&](Index element, const auto& enter) {
         for (const auto& step : m_costs.steps(element))
           if (m_piece_of[step.face] == m_piece_of[element])
-            if (const double length = m_distance(element, step.face); m_distances[element] + length <= width) {
+            if (const double length = m_distance(element, step.face);
+                m_distances[element] + length <= width) {
               const bool is_new = !is_in_band(step.face);
               if (enter(step.face, length) && is_new)
                 m_band.push_back(step.face);
@@ -117,8 +121,7 @@ private:
         if (is_in_band(step.face)) {
           if (element < step.face)
             cut.add_edge(m_nodes[element], m_nodes[step.face], double(step.length));
-        }
-        else if (piece == a || piece == b)
+        } else if (piece == a || piece == b)
           cut.add_edge(m_nodes[element], piece == a ? cut.source : cut.sink, double(step.length));
       }
   }
@@ -142,8 +145,9 @@ private:
     return moved;
   }
 
-  /// Whether a piece that was connected before elements left it still is: if and only if its elements adjacent to those
-  /// are still connected to each other. Stops as soon as they are, so usually after a local search.
+  /// Whether a piece that was connected before elements left it still is: if and only if its
+  /// elements adjacent to those are still connected to each other. Stops as soon as they are, so
+  /// usually after a local search.
   bool is_connected(Index piece, const std::vector<Index>& moved)
   {
     const Index wanted = m_latest_visit + 1, reached = m_latest_visit + 2;
@@ -152,7 +156,8 @@ private:
     std::size_t missing = 0;
     for (const Index element : moved)
       for (const auto& step : m_costs.steps(element))
-        if (m_piece_of[element] != piece && m_piece_of[step.face] == piece && m_visits[step.face] != wanted) {
+        if (m_piece_of[element] != piece && m_piece_of[step.face] == piece &&
+            m_visits[step.face] != wanted) {
           m_visits[step.face] = wanted;
           front.assign(1, step.face);
           ++missing;

@@ -27,10 +27,11 @@ class Border_smoothing
 public:
   using Index = Surface::Index;
 
-  /// `costs`: of the borders between adjacent faces. `piece_of_face` is changed; `label_of_piece`: two pieces of one
-  /// segment have no border to be moved.
-  Border_smoothing(const Surface& surface, const Constraints& constraints, const Dual_graph& costs, const Distance& distance,
-                   std::vector<Index>& piece_of_face, const std::vector<Index>& label_of_piece)
+  /// `costs`: of the borders between adjacent faces. `piece_of_face` is changed; `label_of_piece`:
+  /// two pieces of one segment have no border to be moved.
+  Border_smoothing(const Surface& surface, const Constraints& constraints, const Dual_graph& costs,
+                   const Distance& distance, std::vector<Index>& piece_of_face,
+                   const std::vector<Index>& label_of_piece)
     : m_piece_of(piece_of_face)
     , m_label_of_piece(label_of_piece)
     , m_cut(costs, distance, piece_of_face)
@@ -48,7 +49,8 @@ public:
       const Index a = first->a, b = first->b;
       std::vector<Index> border;
       for (; first != m_borders.end() && first->a == a && first->b == b; ++first) {
-        // An earlier pair may have moved parts of the border; the remaining border is sufficient as a start.
+        // An earlier pair may have moved parts of the border; the remaining border is sufficient as
+        // a start.
         if (m_piece_of[first->face] == a && m_piece_of[first->neighbor] == b)
           border.insert(border.end(), {first->face, first->neighbor});
         borders.advance();
@@ -94,7 +96,8 @@ private:
   /// Whether a constrained edge separates a face from a segment.
   bool is_separated(Index face, Index label) const
   {
-    for (auto edge = std::lower_bound(m_constrained.begin(), m_constrained.end(), std::make_pair(face, Index(0)));
+    for (auto edge = std::lower_bound(m_constrained.begin(), m_constrained.end(),
+                                      std::make_pair(face, Index(0)));
          edge != m_constrained.end() && edge->first == face; ++edge)
       if (m_label_of_piece[m_piece_of[edge->second]] == label)
         return true;

@@ -26,8 +26,8 @@ template <typename Capacity>
 class Flow_network
 {
   using Index = std::uint32_t;
-  using Graph = boost::compressed_sparse_row_graph<boost::directedS, boost::no_property,
-                                                   boost::no_property, boost::no_property, Index, Index>;
+  using Graph = boost::compressed_sparse_row_graph<
+    boost::directedS, boost::no_property, boost::no_property, boost::no_property, Index, Index>;
   using Arc = typename boost::graph_traits<Graph>::edge_descriptor;
 
 public:
@@ -44,9 +44,9 @@ public:
     m_arcs_of_node.count(b);
   }
 
-  /// Finds the maximum flow, once. Colors: black if a node is on the side of the source in every minimum cut, white if
-  /// on that of the sink, gray otherwise.
-  /// \pre a terminal has at most one edge to a node, and none to the other terminal
+  /// Finds the maximum flow, once. Colors: black if a node is on the side of the source in every
+  /// minimum cut, white if on that of the sink, gray otherwise. \pre a terminal has at most one
+  /// edge to a node, and none to the other terminal
   void run(Index source, Index sink, std::vector<boost::default_color_type>& colors)
   {
     sort_arcs();
@@ -89,7 +89,8 @@ private:
       for (Index arc : m_arcs_of_node[node]) {
         const Edge& edge = m_edges[arc / 2];
         place[arc] = Index(m_arcs.size());
-        m_arcs.push_back(arc % 2 == 0 ? std::make_pair(edge.a, edge.b) : std::make_pair(edge.b, edge.a));
+        m_arcs.push_back(arc % 2 == 0 ? std::make_pair(edge.a, edge.b)
+                                      : std::make_pair(edge.b, edge.a));
         m_capacities.push_back(edge.capacity);
       }
     m_reverse.resize(m_arcs.size());
@@ -98,7 +99,7 @@ private:
   }
 
   std::vector<Edge> m_edges;
-  Grouped_items<Index> m_arcs_of_node; // 2e and 2e + 1 are those of an edge, there and back
+  Grouped_items<Index> m_arcs_of_node;         // 2e and 2e + 1 are those of an edge, there and back
   std::vector<std::pair<Index, Index>> m_arcs; // source, target
   std::vector<Capacity> m_capacities;
   std::vector<Index> m_reverse;

@@ -16,19 +16,21 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// A graph whose nodes lie on two sides, source and sink, and the minimum cut between its two terminals;
-/// of several, one that moves the fewest nodes. Boost.Graph finds the flow.
+/// A graph whose nodes lie on two sides, source and sink, and the minimum cut between its two
+/// terminals; of several, one that moves the fewest nodes. Boost.Graph finds the flow.
 ///
-/// Capacities are rounded to integers, their sum being about 2^51 over the number of nodes. Sums are
-/// exact, so the cut does not depend on the order of nodes and edges. None is 0: if every node has a
-/// path to both terminals, it is connected to that of its new side by nodes of that side.
+/// Capacities are rounded to integers, their sum being about 2^51 over the number of nodes. Sums
+/// are exact, so the cut does not depend on the order of nodes and edges. None is 0: if every node
+/// has a path to both terminals, it is connected to that of its new side by nodes of that side.
 class Minimum_cut
 {
 public:
   using Node = std::uint32_t;
   static constexpr Node source = 0, sink = 1;
 
-  Minimum_cut() : m_is_on_source_side{1, 0} {}
+  Minimum_cut()
+    : m_is_on_source_side{1, 0}
+  {}
 
   Node add_node(std::uint8_t is_on_source_side)
   {
@@ -43,7 +45,8 @@ public:
       m_edges.push_back({(std::min)(a, b), (std::max)(a, b), capacity});
   }
 
-  /// Moves nodes to the other side where that lowers the capacity of the cut; returns whether any moved.
+  /// Moves nodes to the other side where that lowers the capacity of the cut; returns whether any
+  /// moved.
   bool improve()
   {
     std::vector<boost::default_color_type> colors(m_is_on_source_side.size());
@@ -68,8 +71,8 @@ private:
     double capacity;
   };
 
-  /// Moving a node costs 1, and moving all less than the unit of the capacities. Boost's algorithm does not support
-  /// parallel edges between a node and a terminal: they are united.
+  /// Moving a node costs 1, and moving all less than the unit of the capacities. Boost's algorithm
+  /// does not support parallel edges between a node and a terminal: they are united.
   void find_flow(std::vector<boost::default_color_type>& colors) const
   {
     const std::size_t nodes = m_is_on_source_side.size();

@@ -21,24 +21,27 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// Moves the borders of the segments of a merge tree to minimum cuts, from its roots down: merges are undone from the
-/// last one on, and the border between the two parts of a segment moves within it. So partitions stay nested.
+/// Moves the borders of the segments of a merge tree to minimum cuts, from its roots down: merges
+/// are undone from the last one on, and the border between the two parts of a segment moves within
+/// it. So partitions stay nested.
 ///
-/// An element is its region's own until it moves to another part, or is cut off from the own elements of its part.
-/// Then it is a guest: when its segment is divided, it joins the part that it borders on. A region can lose all its
-/// elements.
+/// An element is its region's own until it moves to another part, or is cut off from the own
+/// elements of its part. Then it is a guest: when its segment is divided, it joins the part that it
+/// borders on. A region can lose all its elements.
 ///
-/// O(P log R + R h) in practice for P elements and R regions in a tree of height h, and the cuts. `Distance`: see
-/// `Border_cut`
+/// O(P log R + R h) in practice for P elements and R regions in a tree of height h, and the cuts.
+/// `Distance`: see `Border_cut`
 template <typename Distance>
 class Nested_borders
 {
 public:
   using Index = Dual_graph::Index;
 
-  /// `costs`: of the borders between adjacent elements; `areas`: of the elements; `region_of`: by element
-  Nested_borders(const Dual_graph& costs, const Distance& distance, const std::vector<double>& areas,
-                 const std::vector<Index>& region_of, const Merge_tree& tree)
+  /// `costs`: of the borders between adjacent elements; `areas`: of the elements; `region_of`: by
+  /// element
+  Nested_borders(const Dual_graph& costs, const Distance& distance,
+                 const std::vector<double>& areas, const std::vector<Index>& region_of,
+                 const Merge_tree& tree)
     : m_costs(costs)
     , m_areas(areas)
     , m_region_of(region_of)
@@ -59,13 +62,14 @@ public:
     }
   }
 
-  /// `number_of_cuts`: only the borders of so many last merges are moved; `number_of_segments`: ends when there are so many,
-  /// empty ones not counted.
-  /// `width(area)`: of the band in which the border of two parts can move, by the area of the smaller part; 0: it stays.
-  /// `is_fixed(region)`: whether its elements stay in the segments of the region; at most one region of a tree
+  /// `number_of_cuts`: only the borders of so many last merges are moved; `number_of_segments`:
+  /// ends when there are so many, empty ones not counted. `width(area)`: of the band in which the
+  /// border of two parts can move, by the area of the smaller part; 0: it stays.
+  /// `is_fixed(region)`: whether its elements stay in the segments of the region; at most one
+  /// region of a tree
   template <typename Width, typename IsFixed>
-  void run(std::size_t number_of_cuts, std::size_t number_of_segments, const Width& width, const IsFixed& is_fixed,
-           const Execution& execution)
+  void run(std::size_t number_of_cuts, std::size_t number_of_segments, const Width& width,
+           const IsFixed& is_fixed, const Execution& execution)
   {
     const std::size_t merges = m_tree.merges().size();
     std::size_t segments = m_tree.number_of_regions() - merges;
@@ -113,16 +117,18 @@ private:
     bool has_kept = false, has_removed = false;
     for (const Index guest : guests)
       (m_label_of[guest] == m_tree.merges()[i].kept ? has_kept : has_removed) = true;
-    m_tree_regions.for_each_kept(i, [&](Index region) { has_kept |= m_pieces.has_elements(region); });
-    m_tree_regions.for_each_removed(i, [&](Index region) { has_removed |= m_pieces.has_elements(region); });
+    m_tree_regions.for_each_kept(i,
+                                 [&](Index region) { has_kept |= m_pieces.has_elements(region); });
+    m_tree_regions.for_each_removed(
+      i, [&](Index region) { has_removed |= m_pieces.has_elements(region); });
     return has_kept && has_removed;
   }
 
-  /// That with fixed elements, else the largest by area; of equal ones that of the lowest element. The others become
-  /// guests.
+  /// That with fixed elements, else the largest by area; of equal ones that of the lowest element.
+  /// The others become guests.
   template <typename IsFixed>
-  void keep_largest_component(const std::vector<std::vector<Index>>& components, std::vector<Index>& guests,
-                              const IsFixed& is_fixed)
+  void keep_largest_component(const std::vector<std::vector<Index>>& components,
+                              std::vector<Index>& guests, const IsFixed& is_fixed)
   {
     if (components.empty())
       return;
@@ -130,11 +136,13 @@ private:
     for (const std::vector<Index>& component : components) {
       areas.push_back(0);
       for (const Index element : component)
-        areas.back() += is_fixed(m_region_of[element]) ? std::numeric_limits<double>::infinity() : m_areas[element];
+        areas.back() += is_fixed(m_region_of[element]) ? std::numeric_limits<double>::infinity()
+                                                       : m_areas[element];
     }
     std::size_t largest = 0;
     for (std::size_t i = 1; i < components.size(); ++i)
-      if (areas[i] > areas[largest] || (areas[i] == areas[largest] && components[i][0] < components[largest][0]))
+      if (areas[i] > areas[largest] ||
+          (areas[i] == areas[largest] && components[i][0] < components[largest][0]))
         largest = i;
     for (std::size_t i = 0; i < components.size(); ++i)
       if (i != largest) {
@@ -143,8 +151,8 @@ private:
       }
   }
 
-  /// In rounds: elements without a label that border on one of the parts join the one with the dearer border, of equal
-  /// ones the first.
+  /// In rounds: elements without a label that border on one of the parts join the one with the
+  /// dearer border, of equal ones the first.
   void join_parts(std::vector<Index> unlabeled, Index a, Index b)
   {
     std::vector<std::pair<Index, Index>> joined; // element, part
@@ -181,7 +189,8 @@ private:
   }
 
   template <typename Width, typename IsFixed>
-  void move_border(std::size_t i, std::vector<Index>& guests, const Width& width, const IsFixed& is_fixed)
+  void move_border(std::size_t i, std::vector<Index>& guests, const Width& width,
+                   const IsFixed& is_fixed)
   {
     const Index a = m_tree.merges()[i].kept, b = m_tree.merges()[i].removed;
     std::vector<Index> elements_of_b, border;

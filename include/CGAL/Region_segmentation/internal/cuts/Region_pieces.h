@@ -17,16 +17,18 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// The elements that regions still have while they lose some, in pieces: the connected components of each region. Which
-/// pieces are adjacent is known, so whether regions are connected together takes a search over their pieces, not over
-/// their elements. (Those took half of the instructions of moving borders on meshes of 30,000 and of 270,000 faces.)
+/// The elements that regions still have while they lose some, in pieces: the connected components
+/// of each region. Which pieces are adjacent is known, so whether regions are connected together
+/// takes a search over their pieces, not over their elements. (Those took half of the instructions
+/// of moving borders on meshes of 30,000 and of 270,000 faces.)
 class Region_pieces
 {
 public:
   using Index = Dual_graph::Index;
 
   /// \pre the regions are connected
-  Region_pieces(const Dual_graph& adjacency, const std::vector<Index>& region_of, std::size_t number_of_regions)
+  Region_pieces(const Dual_graph& adjacency, const std::vector<Index>& region_of,
+                std::size_t number_of_regions)
     : m_adjacency(adjacency)
     , m_region_of(region_of)
     , m_elements(number_of_regions)
@@ -82,7 +84,8 @@ public:
       find_pieces(region);
   }
 
-  /// The connected components of the elements that regions have together, each in order; nothing if there is only one.
+  /// The connected components of the elements that regions have together, each in order; nothing if
+  /// there is only one.
   std::vector<std::vector<Index>> components(const std::vector<Index>& regions)
   {
     std::vector<std::vector<Index>> pieces_of;
@@ -139,8 +142,8 @@ private:
     m_pieces[region] = std::move(pieces);
   }
 
-  /// What a search reaches from a waiting element or piece through waiting ones, which do not wait any more then.
-  /// `for_each_neighbor(i, f)`: calls `f(neighbor)`
+  /// What a search reaches from a waiting element or piece through waiting ones, which do not wait
+  /// any more then. `for_each_neighbor(i, f)`: calls `f(neighbor)`
   template <typename ForEachNeighbor>
   static std::vector<Index> waiting_component(Index first, std::vector<char>& is_waiting,
                                               const ForEachNeighbor& for_each_neighbor)
@@ -183,7 +186,8 @@ private:
     for (const Index element : elements) {
       m_piece_of[element] = piece;
       for (const auto& step : m_adjacency.steps(element))
-        if (const Index other = m_piece_of[step.face]; other != none && other != old && other != piece) {
+        if (const Index other = m_piece_of[step.face];
+            other != none && other != old && other != piece) {
           remove_contact(old, other);
           remove_contact(other, old);
           ++m_contacts[piece][other];
@@ -207,11 +211,12 @@ private:
   }
 
   const Dual_graph& m_adjacency;
-  const std::vector<Index>& m_region_of; // by element
-  Grouped_items<Index> m_elements;       // by region
-  std::vector<Index> m_piece_of;         // by element; none if its region lost it
-  std::vector<std::vector<Index>> m_pieces; // by region
-  std::vector<std::map<Index, Index>> m_contacts; // by piece: the number of pairs of adjacent elements, by the other piece
+  const std::vector<Index>& m_region_of;          // by element
+  Grouped_items<Index> m_elements;                // by region
+  std::vector<Index> m_piece_of;                  // by element; none if its region lost it
+  std::vector<std::vector<Index>> m_pieces;       // by region
+  std::vector<std::map<Index, Index>> m_contacts; // by piece: the number of pairs of adjacent
+                                                  // elements, by the other piece
   std::vector<Index> m_region_of_piece;
   std::vector<char> m_is_waiting, m_is_waiting_piece; // to be reached by a search
 };

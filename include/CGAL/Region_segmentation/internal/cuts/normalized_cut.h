@@ -28,7 +28,8 @@ struct Eigenpairs
   Eigen::MatrixXd vectors; // the columns, of length 1
 };
 
-inline Eigenpairs dense_lowest_eigenpairs(const Eigen::SparseMatrix<double>& matrix, Eigen::Index number)
+inline Eigenpairs dense_lowest_eigenpairs(const Eigen::SparseMatrix<double>& matrix,
+                                          Eigen::Index number)
 {
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver{Eigen::MatrixXd(matrix)};
   return {solver.eigenvalues().head(number), solver.eigenvectors().leftCols(number)};
@@ -36,8 +37,8 @@ inline Eigenpairs dense_lowest_eigenpairs(const Eigen::SparseMatrix<double>& mat
 
 #ifdef CGAL_REGION_SEGMENTATION_USE_SPECTRA
 
-/// If few of many eigenpairs are wanted: Lanczos on the inverse of the matrix plus 10^-4, always from the same vector.
-/// Otherwise all, by Eigen: O(n^3).
+/// If few of many eigenpairs are wanted: Lanczos on the inverse of the matrix plus 10^-4, always
+/// from the same vector. Otherwise all, by Eigen: O(n^3).
 struct Spectra_solver
 {
   Eigenpairs operator()(const Eigen::SparseMatrix<double>& matrix, Eigen::Index number) const
@@ -46,7 +47,8 @@ struct Spectra_solver
     const Eigen::Index n = matrix.rows(), basis = (std::max)(Eigen::Index(20), 2 * number + 1);
     if (n >= smallest_sparse && basis <= n / 2) {
       Spectra::SparseSymShiftSolve<double> inverse(matrix);
-      Spectra::SymEigsShiftSolver<Spectra::SparseSymShiftSolve<double>> solver(inverse, number, basis, -1e-4);
+      Spectra::SymEigsShiftSolver<Spectra::SparseSymShiftSolve<double>> solver(inverse, number,
+                                                                               basis, -1e-4);
       solver.init();
       solver.compute(Spectra::SortRule::LargestMagn, 1000, 1e-9); // values of the inverse
       if (solver.info() == Spectra::CompInfo::Successful)
@@ -77,21 +79,21 @@ struct Affinity
   double value; // at least 0
 };
 
-/// The nodes of a graph as points, a row each, such that the squared distance of two is their commute
-/// time in a random walk by the affinities, projected to the `number` lowest eigenvectors of L y =
-/// lambda D y except the constant one, which every node shares; L the Laplacian, D the degrees. A node
-/// without affinities is at the origin.
+/// The nodes of a graph as points, a row each, such that the squared distance of two is their
+/// commute time in a random walk by the affinities, projected to the `number` lowest eigenvectors
+/// of L y = lambda D y except the constant one, which every node shares; L the Laplacian, D the
+/// degrees. A node without affinities is at the origin.
 ///
 /// \tparam Solver gives the eigenpairs of lowest value of a symmetric, positive semidefinite matrix
 template <typename Solver>
 Eigen::MatrixXd commute_time_embedding(std::size_t number_of_nodes,
-                                              const std::vector<Affinity>& affinities,
-                                              std::size_t number)
+                                       const std::vector<Affinity>& affinities, std::size_t number)
 {
   const auto n = Eigen::Index(number_of_nodes);
   if (n == 0)
     return Eigen::MatrixXd(0, 0);
-  Eigen::VectorXd roots = Eigen::VectorXd::Zero(n); // of the degrees; 1 of a node without affinities
+  Eigen::VectorXd roots = Eigen::VectorXd::Zero(n); // of the degrees; 1 of a node without
+                                                    // affinities
   for (const Affinity& e : affinities) {
     roots[Eigen::Index(e.a)] += e.value;
     roots[Eigen::Index(e.b)] += e.value;

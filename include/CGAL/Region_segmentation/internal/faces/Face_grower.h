@@ -22,11 +22,13 @@ public:
   using Index = Surface::Index;
 
   Face_grower(const Surface& surface, const Face_neighbors& neighbors, const Face_test& test)
-      : m_surface(surface), m_neighbors(neighbors), m_test(test),
-        m_face_marks(surface.number_of_faces()), m_is_taken(surface.number_of_faces()),
-        m_vertex_marks(surface.number_of_vertices())
-  {
-  }
+    : m_surface(surface)
+    , m_neighbors(neighbors)
+    , m_test(test)
+    , m_face_marks(surface.number_of_faces())
+    , m_is_taken(surface.number_of_faces())
+    , m_vertex_marks(surface.number_of_vertices())
+  {}
 
   /// From those of the faces `seeds` that lie on `s`, over faces that `is_free(face)`. Improves
   /// `s`.

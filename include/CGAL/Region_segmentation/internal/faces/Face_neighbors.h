@@ -31,7 +31,8 @@ public:
   };
 
   explicit Face_neighbors(const Surface& surface)
-      : m_surface(surface), m_first(surface.number_of_faces() + 1, 0)
+    : m_surface(surface)
+    , m_first(surface.number_of_faces() + 1, 0)
   {
     const std::size_t n = surface.number_of_adjacencies();
     for (std::size_t a = 0; a < n; ++a)

@@ -36,13 +36,14 @@ public:
 
   /// \param tolerance 0: found from the mesh
   Face_search(const Surface& s, double tolerance)
-      : surface(s), neighbors(s), patch(s, neighbors),
-        noise(tolerance > 0 ? tolerance / noises_in_tolerance
-                            : estimate_noise(s, neighbors, patch)),
-        test(s, neighbors, (std::max)(noises_in_tolerance * noise, exact_tolerance(s))),
-        grower(s, neighbors, test), labels(s.number_of_faces(), none)
-  {
-  }
+    : surface(s)
+    , neighbors(s)
+    , patch(s, neighbors)
+    , noise(tolerance > 0 ? tolerance / noises_in_tolerance : estimate_noise(s, neighbors, patch))
+    , test(s, neighbors, (std::max)(noises_in_tolerance * noise, exact_tolerance(s)))
+    , grower(s, neighbors, test)
+    , labels(s.number_of_faces(), none)
+  {}
 
   /// Whether vertices lie on their surfaces, to rounding.
   bool is_exact() const { return test.tolerance() < 2e-5 * surface.length_unit(); }

@@ -20,9 +20,10 @@ class Face_test
 {
 public:
   Face_test(const Surface& surface, const Face_neighbors& neighbors, double tolerance)
-      : m_surface(surface), m_neighbors(neighbors), m_tolerance(tolerance)
-  {
-  }
+    : m_surface(surface)
+    , m_neighbors(neighbors)
+    , m_tolerance(tolerance)
+  {}
 
   double tolerance() const { return m_tolerance; }
 

@@ -16,7 +16,9 @@ namespace internal {
 class Element_marks
 {
 public:
-  explicit Element_marks(std::size_t size) : m_marks(size, 0) {}
+  explicit Element_marks(std::size_t size)
+    : m_marks(size, 0)
+  {}
   void clear() { ++m_current; }
   bool has(std::size_t i) const { return m_marks[i] == m_current; }
   /// Returns whether the element was not marked before.
@@ -39,10 +41,11 @@ public:
   using Index = Surface::Index;
 
   Patch(const Surface& surface, const Face_neighbors& neighbors)
-      : m_surface(surface), m_neighbors(neighbors), m_face_marks(surface.number_of_faces()),
-        m_vertex_marks(surface.number_of_vertices())
-  {
-  }
+    : m_surface(surface)
+    , m_neighbors(neighbors)
+    , m_face_marks(surface.number_of_faces())
+    , m_vertex_marks(surface.number_of_vertices())
+  {}
 
   /// Collects faces in breadth first order from `seed`, across `may_cross(neighbor)`, until they
   /// have `wanted` vertices.

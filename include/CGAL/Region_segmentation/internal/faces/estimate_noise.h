@@ -71,8 +71,8 @@ inline double error_of_patch(const Surface& surface, const Face_neighbors& neigh
   for (const Surface_kind kind : kinds_of_surfaces) {
     const int redundant = int(points.size()) - degrees_of_freedom(kind);
     if (least > 1e-7 * size && redundant > 4)
-      least =
-        (std::min)(least, propose(kind, s) * std::sqrt(double(points.size()) / double(redundant)));
+      least = (std::min)(least,
+                         propose(kind, s) * std::sqrt(double(points.size()) / double(redundant)));
   }
   return least;
 }

@@ -32,10 +32,12 @@ public:
   };
 
   Patch_seeding(Face_search& search, const Options& options)
-      : m_search(search), m_surface(search.surface), m_patch(search.patch), m_grower(search.grower),
-        m_options(options)
-  {
-  }
+    : m_search(search)
+    , m_surface(search.surface)
+    , m_patch(search.patch)
+    , m_grower(search.grower)
+    , m_options(options)
+  {}
 
   void find(const Execution& execution)
   {
@@ -115,8 +117,8 @@ private:
       const Eigen::Vector3d v(n.x, n.y, n.z);
       sum += m_surface.area(f) * v * v.transpose();
     }
-    const Eigen::Vector3d axis =
-      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(sum).eigenvectors().col(0);
+    const Eigen::Vector3d
+      axis = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(sum).eigenvectors().col(0);
     return {axis[0], axis[1], axis[2]};
   }
 
@@ -173,8 +175,8 @@ private:
       m_search.is_tried[m_patch.faces()[i]] = 1;
   }
 
-  static constexpr double largest_area =
-    8; // of a face of a patch, as a multiple of that of the seed
+  static constexpr double largest_area = 8; // of a face of a patch, as a multiple of that of the
+                                            // seed
   static constexpr std::size_t fewest_points_of_plane = 8;
 
   Face_search& m_search;

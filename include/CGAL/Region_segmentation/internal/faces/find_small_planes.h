@@ -73,8 +73,8 @@ inline void find_pairs_of_planes(Face_search& search, const Execution& execution
   };
   const Partition components = label_left(
     [&](std::size_t a) { return search.neighbors.may_be_smooth(a); }, execution.step(0, 0.5));
-  const Partition facets =
-    label_left([&](std::size_t a) { return surface.cosine(a) > flat; }, execution.step(0.5, 1));
+  const Partition facets = label_left([&](std::size_t a) { return surface.cosine(a) > flat; },
+                                      execution.step(0.5, 1));
   std::vector<Index> largest(facets.number_of_parts(), Face_search::none); // face of a facet
   for (const Index f : search.seeds())
     if (largest[facets[f]] == Face_search::none)
@@ -85,8 +85,8 @@ inline void find_pairs_of_planes(Face_search& search, const Execution& execution
       ++number[components[f]];
   for (const Index f : largest)
     if (f != Face_search::none && !search.is_found(f) && number[components[f]] <= 2) {
-      Fitted_surface s =
-        surface_of_kind(Surface_kind::PLANE, surface.centroid(f), surface.normal(f));
+      Fitted_surface s = surface_of_kind(Surface_kind::PLANE, surface.centroid(f),
+                                         surface.normal(f));
       search.grower.grow(s, {f}, [&](Index g) { return !search.is_found(g); });
       search.add(s, search.grower.faces());
     }

@@ -40,7 +40,9 @@ class Surface_fitter
 {
 public:
   /// \param stop the root mean square distance below which the fit is good enough
-  Surface_fitter(const std::vector<Double_3>& points, double stop) : m_points(points), m_stop(stop)
+  Surface_fitter(const std::vector<Double_3>& points, double stop)
+    : m_points(points)
+    , m_stop(stop)
   {
     for (const Double_3& p : points)
       m_center = m_center + p;
@@ -172,9 +174,9 @@ private:
       s.direction = -1.0 * s.direction;
     }
     const bool cone = s.kind != Surface_kind::CONE || (s.angle > 1e-4 && s.angle < 1.5);
-    const bool torus =
-      s.kind != Surface_kind::TORUS ||
-      (s.minor_radius > 0 && s.radius > 1e-6 * m_size && s.minor_radius < 50 * m_size);
+    const bool torus = s.kind != Surface_kind::TORUS ||
+                       (s.minor_radius > 0 && s.radius > 1e-6 * m_size &&
+                        s.minor_radius < 50 * m_size);
     const bool size = s.kind == Surface_kind::PLANE || (s.radius > 0 && s.radius < 100 * m_size);
     return is_finite(s.point) && is_finite(s.direction) && (size || s.kind == Surface_kind::CONE) &&
            cone && torus;

@@ -151,8 +151,9 @@ inline Fitted_surface initial_torus(const Osculating_paraboloid& o, int meridian
 {
   const double along_parallel = o.curvature[1 - meridian],
                smallest = 0.02 * std::fabs(o.curvature[0]);
-  const double parallel =
-    std::fabs(along_parallel) < smallest ? std::copysign(smallest, along_parallel) : along_parallel;
+  const double parallel = std::fabs(along_parallel) < smallest
+                            ? std::copysign(smallest, along_parallel)
+                            : along_parallel;
   const Double_3 axis = std::cos(angle) * o.direction[meridian] + std::sin(angle) * o.normal;
   const Double_3 on_axis = o.point + (1 / parallel) * o.normal;
   const Double_3 tube = o.point + (1 / o.curvature[meridian]) * o.normal;

@@ -37,8 +37,8 @@ smooth_neighbors(const Face_search& search)
 inline void merge_equal_surfaces(Face_search& search)
 {
   using Index = Surface::Index;
-  constexpr double tolerance_of_tori =
-    30; // those that are nearly equal osculate one fillet along a line that is nearly an arc
+  constexpr double tolerance_of_tori = 30; // those that are nearly equal osculate one fillet along
+                                           // a line that is nearly an arc
   const Face_test test_of_tori(search.surface, search.neighbors,
                                tolerance_of_tori * search.test.tolerance());
   std::vector<std::vector<Index>> faces(search.surfaces.size());

@@ -27,10 +27,14 @@ public:
   /// \param axis to which the normals are most orthogonal; 0 if not known
   Surface_proposer(const std::vector<Double_3>& points, const Double_3& origin,
                    const Double_3& normal, const Double_3& axis, double stop)
-      : m_points(points), m_axis(axis), m_fitter(points, stop), m_stop(stop), m_origin(origin),
-        m_normal(normal), m_paraboloid(osculating_paraboloid(points, origin, normal))
-  {
-  }
+    : m_points(points)
+    , m_axis(axis)
+    , m_fitter(points, stop)
+    , m_stop(stop)
+    , m_origin(origin)
+    , m_normal(normal)
+    , m_paraboloid(osculating_paraboloid(points, origin, normal))
+  {}
 
   double operator()(Surface_kind kind, Fitted_surface& best) const
   {

@@ -114,8 +114,8 @@ inline void separate_components(Face_search& search, const Execution& execution)
   for (std::size_t c = 0; c < number; ++c) {
     const bool is_surface = label_of[c] != Face_search::none;
     surfaces[c] = is_surface ? search.surfaces[label_of[c]] : Fitted_surface();
-    is_joined[c] =
-      areas[c] < tiny * surface.area() && !(is_surface && areas[c] == largest[label_of[c]]);
+    is_joined[c] = areas[c] < tiny * surface.area() &&
+                   !(is_surface && areas[c] == largest[label_of[c]]);
   }
   search.labels.assign(components.begin(), components.end());
   search.surfaces = std::move(surfaces);

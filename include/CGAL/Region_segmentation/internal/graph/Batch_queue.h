@@ -16,19 +16,20 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// A priority queue of numbers with a value, lowest value first, then lowest number. The next entries are available in
-/// batches, so that their data can be prefetched together.
+/// A priority queue of numbers with a value, lowest value first, then lowest number. The next
+/// entries are available in batches, so that their data can be prefetched together.
 ///
 ///     lowest                                          highest
 ///     | m_batch | m_run, and among it m_risen | m_later ... |
 ///
-/// The lowest quarter of the entries is sorted when the previous one is used up. Intended for increasing values: a
-/// pushed entry rarely belongs to the batch or to the sorted entries.
+/// The lowest quarter of the entries is sorted when the previous one is used up. Intended for
+/// increasing values: a pushed entry rarely belongs to the batch or to the sorted entries.
 ///
-/// With a `std::priority_queue` and without prefetching, merging takes 1.25 to 1.6 times as long on a noisy mesh of 160,000 faces
-/// and a smooth one of 1 million, and 1.7 to 2.5 times on a noisy one of 1 million (`two-step` 1.05 to 1.7 times
-/// as long in all); on meshes of 3,000 to 30,000 faces as long. With a `std::priority_queue` emptied in batches, and
-/// neighbors read in one loop, 1.3 to 1.7 times.
+/// With a `std::priority_queue` and without prefetching, merging takes 1.25 to 1.6 times as long on
+/// a noisy mesh of 160,000 faces and a smooth one of 1 million, and 1.7 to 2.5 times on a noisy one
+/// of 1 million (`two-step` 1.05 to 1.7 times as long in all); on meshes of 3,000 to 30,000 faces
+/// as long. With a `std::priority_queue` emptied in batches, and neighbors read in one loop, 1.3
+/// to 1.7 times.
 ///
 /// Complexity: O(log n) per entry. Bytes: 16 per entry, and the unused capacity of the vectors.
 class Batch_queue
@@ -50,7 +51,8 @@ public:
   void push(Entry entry)
   {
     if (entry < m_batch_end)
-      m_batch.insert(std::upper_bound(m_batch.begin(), m_batch.end(), entry, std::greater<Entry>()), entry);
+      m_batch.insert(std::upper_bound(m_batch.begin(), m_batch.end(), entry, std::greater<Entry>()),
+                     entry);
     else if (entry < m_run_end)
       m_risen.push(entry);
     else
@@ -90,7 +92,8 @@ private:
   {
     if (m_later.empty())
       return;
-    const std::size_t size = (std::min)(m_later.size(), (std::max)(m_later.size() / 4, smallest_run));
+    const std::size_t size = (std::min)(m_later.size(),
+                                        (std::max)(m_later.size() / 4, smallest_run));
     const auto first = m_later.end() - std::ptrdiff_t(size);
     std::nth_element(m_later.begin(), first, m_later.end(), std::greater<Entry>());
     m_run.assign(first, m_later.end());

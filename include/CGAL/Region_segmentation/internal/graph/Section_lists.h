@@ -19,17 +19,17 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// The incidence of sections and places: section s has the halves 2s and 2s + 1, each in the list of one place. Two
-/// places can be united. A list is in the order of insertion.
+/// The incidence of sections and places: section s has the halves 2s and 2s + 1, each in the list
+/// of one place. Two places can be united. A list is in the order of insertion.
 ///
-/// Short lists are searched linearly. A hash table finds the sections between two long lists; so a hub of any number of
-/// sections costs no more than another place.
+/// Short lists are searched linearly. A hash table finds the sections between two long lists; so a
+/// hub of any number of sections costs no more than another place.
 ///
-/// Short lists are stored in the places: with `std::vector`, graph and merging take 1.3 and 1.36 times as long on a noisy
-/// mesh of 1 million faces.
+/// Short lists are stored in the places: with `std::vector`, graph and merging take 1.3 and 1.36
+/// times as long on a noisy mesh of 1 million faces.
 ///
-/// Bytes: 80 per place and 8 per section, without its data; more for lists of more than 12 sections, and for sections
-/// between two long lists.
+/// Bytes: 80 per place and 8 per section, without its data; more for lists of more than 12
+/// sections, and for sections between two long lists.
 ///
 /// \tparam Data the data of a section, stored with its two places, since they are accessed together
 template <typename Data>
@@ -45,7 +45,8 @@ public:
     m_sections.reserve(sections);
   }
 
-  /// A place without sections; places are numbered in order. Its owner is a number given by the caller.
+  /// A place without sections; places are numbered in order. Its owner is a number given by the
+  /// caller.
   void add_place(Index owner)
   {
     m_places.emplace_back();
@@ -109,9 +110,10 @@ public:
     return place(2 * s) == p ? 2 * s : 2 * s + 1;
   }
 
-  /// Removes the section s between two places and unites them: the one with more remaining sections (`to`, of equal
-  /// ones) takes over those of the other. If both have a section to a third place, calls `absorb(kept, removed)`.
-  /// Returns the remaining place, in expected time linear in the sections of the other.
+  /// Removes the section s between two places and unites them: the one with more remaining sections
+  /// (`to`, of equal ones) takes over those of the other. If both have a section to a third place,
+  /// calls `absorb(kept, removed)`. Returns the remaining place, in expected time linear in the
+  /// sections of the other.
   template <typename Absorb>
   Index unite(Index s, Index from, Index to, const Absorb& absorb)
   {
@@ -149,7 +151,10 @@ private:
     Index is_long : 1; // the list may then hold halves of removed sections, too; it stays long
     Halves halves;
 
-    Place() : degree(0), is_long(0) {}
+    Place()
+      : degree(0)
+      , is_long(0)
+    {}
   };
   struct Section
   {
@@ -157,8 +162,8 @@ private:
     Data data;
   };
 
-  /// With 32, merging takes 1.1 times as long on a noisy mesh of 1 million faces, and 1.3 times in the default method at
-  /// 10,000 faces.
+  /// With 32, merging takes 1.1 times as long on a noisy mesh of 1 million faces, and 1.3 times in
+  /// the default method at 10,000 faces.
   static constexpr std::size_t long_length = 128;
 
   /// For an object of at most two cache lines.
@@ -170,9 +175,15 @@ private:
   }
 
   bool is_long(Index place) const { return m_places[place].is_long; }
-  bool is_between_long(Index half) const { return is_long(place(half)) && is_long(place(half ^ 1)); }
+  bool is_between_long(Index half) const
+  {
+    return is_long(place(half)) && is_long(place(half ^ 1));
+  }
   bool is_removed(Index half) const { return m_sections[half / 2].places[0] == none; }
-  std::pair<Index, Index> ends(Index s) const { return std::minmax(m_sections[s].places[0], m_sections[s].places[1]); }
+  std::pair<Index, Index> ends(Index s) const
+  {
+    return std::minmax(m_sections[s].places[0], m_sections[s].places[1]);
+  }
 
   const Index* not_removed(const Index* position) const
   {
@@ -240,7 +251,8 @@ private:
 
   Large_array<Place> m_places;
   Large_array<Section> m_sections;
-  boost::unordered_map<std::pair<Index, Index>, Index> m_between_long; // sections, by their two places
+  boost::unordered_map<std::pair<Index, Index>, Index> m_between_long; // sections, by their two
+                                                                       // places
 };
 
 } // namespace internal

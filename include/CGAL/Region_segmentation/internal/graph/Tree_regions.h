@@ -57,7 +57,7 @@ public:
 
 private:
   const Merge_tree& m_tree;
-  std::vector<Index> m_next;           // lists of the regions of each segment: those kept, then those removed
+  std::vector<Index> m_next; // lists of the regions of each segment: those kept, then those removed
   std::vector<Index> m_end_of_removed; // by merge: what follows its removed regions in their list
 };
 

@@ -16,12 +16,12 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// The graph of regions: sections are numbered by their first adjacency, sums run over faces and adjacencies in order.
-/// Sections with a constrained adjacency are not mergeable. O(F) expected.
+/// The graph of regions: sections are numbered by their first adjacency, sums run over faces and
+/// adjacencies in order. Sections with a constrained adjacency are not mergeable. O(F) expected.
 template <typename RegionData, typename SectionData>
-Region_adjacency_graph<RegionData, SectionData> build_graph(const Surface& surface, const Partition& regions,
-                                                            const Constraints& constraints,
-                                                            const Execution& execution)
+Region_adjacency_graph<RegionData, SectionData>
+build_graph(const Surface& surface, const Partition& regions, const Constraints& constraints,
+            const Execution& execution)
 {
   static_assert(check_graph_data<RegionData, SectionData>());
   Region_adjacency_graph<RegionData, SectionData> graph;

@@ -27,7 +27,8 @@ class Seed_barriers
 {
 public:
   template <typename Graph>
-  Seed_barriers(Seeds of_regions, Graph& graph) : m_seeds(std::move(of_regions))
+  Seed_barriers(Seeds of_regions, Graph& graph)
+    : m_seeds(std::move(of_regions))
   {
     if (!m_seeds.empty())
       for (auto range = edges(graph); range.first != range.second; ++range.first)
@@ -70,7 +71,8 @@ public:
     , m_number(number)
     , m_barriers(of_regions, graph)
     , m_tree(graph.index_bound_of_regions())
-    , m_progress(execution, graph.number_of_regions() - (std::min)(graph.number_of_regions(), number))
+    , m_progress(execution,
+                 graph.number_of_regions() - (std::min)(graph.number_of_regions(), number))
   {}
 
   /// Merges pairs of first regions, if that is possible.
@@ -88,8 +90,9 @@ public:
     }
   }
 
-  /// Merges in the order of a policy, until `stop(graph, next_cost)` or the policy has no further candidate.
-  /// \throws Invalid_method if the policy proposes a section that is removed or not mergeable, or a cost that is not a number
+  /// Merges in the order of a policy, until `stop(graph, next_cost)` or the policy has no further
+  /// candidate. \throws Invalid_method if the policy proposes a section that is removed or not
+  /// mergeable, or a cost that is not a number
   template <typename Policy, typename Stop>
   void run(Policy& policy, Stop& stop)
   {
@@ -122,9 +125,10 @@ private:
       return;
     throw Invalid_method("the MergingPolicy proposes to merge across section " +
                          std::to_string(candidate.section.id()) +
-                         (is_removed                                  ? ", which is removed"
-                          : !m_graph.is_mergeable(candidate.section) ? ", which is not mergeable"
-                                                                     : " at a cost that is not a number"));
+                         (is_removed ? ", which is removed"
+                          : !m_graph.is_mergeable(candidate.section)
+                            ? ", which is not mergeable"
+                            : " at a cost that is not a number"));
   }
 
   Graph& m_graph;

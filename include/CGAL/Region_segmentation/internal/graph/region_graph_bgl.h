@@ -35,7 +35,8 @@ template <typename R, typename S>
 auto vertices(const Region_adjacency_graph<R, S>& g)
 {
   using Iterator = typename Region_adjacency_graph<R, S>::vertex_iterator;
-  return std::make_pair(Iterator(g, 0, num_vertices(g)), Iterator(g, num_vertices(g), num_vertices(g)));
+  return std::make_pair(Iterator(g, 0, num_vertices(g)),
+                        Iterator(g, num_vertices(g), num_vertices(g)));
 }
 
 template <typename R, typename S>
@@ -103,7 +104,8 @@ struct Section_index_map
 };
 
 /// \ingroup PkgRegionSegmentationGraph
-/// A member of the data of the regions or of the sections of a graph, as a property map; see `get()`.
+/// A member of the data of the regions or of the sections of a graph, as a property map; see
+/// `get()`.
 template <typename Graph, typename Descriptor, typename Data, typename Member>
 struct Data_member_map
 {
@@ -113,22 +115,24 @@ struct Data_member_map
   using category = boost::lvalue_property_map_tag;
 
   const Graph* graph;
-  Member Data::* member;
+  Member Data::*member;
 
   reference operator[](key_type key) const { return (*graph)[key].*member; }
   friend reference get(const Data_member_map& map, key_type key) { return map[key]; }
 };
 
 /// \ingroup PkgRegionSegmentationGraph
-/// The property map of a member of the data of the regions or of the sections: `get(&Region_geometry::area, graph)`.
-/// A model of `ReadablePropertyMap`; it is valid as long as the graph.
+/// The property map of a member of the data of the regions or of the sections:
+/// `get(&Region_geometry::area, graph)`. A model of `ReadablePropertyMap`; it is valid as long as
+/// the graph.
 template <typename R, typename S, typename Data, typename Member>
-auto get(Member Data::* member, const Region_adjacency_graph<R, S>& g)
+auto get(Member Data::*member, const Region_adjacency_graph<R, S>& g)
 {
   using Graph = Region_adjacency_graph<R, S>;
   static_assert(std::is_base_of<Data, R>::value || std::is_base_of<Data, S>::value,
                 "the data of neither the regions nor the sections of the graph have this member");
-  using Descriptor = std::conditional_t<std::is_base_of<Data, R>::value, typename Graph::region_descriptor,
+  using Descriptor = std::conditional_t<std::is_base_of<Data, R>::value,
+                                        typename Graph::region_descriptor,
                                         typename Graph::section_descriptor>;
   return Data_member_map<Graph, Descriptor, Data, Member>{&g, member};
 }

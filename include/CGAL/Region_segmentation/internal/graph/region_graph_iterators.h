@@ -19,21 +19,25 @@ namespace internal {
 /// The regions, or the sections, that are not removed, in the order of their indices.
 template <typename Graph, typename Descriptor>
 class Remaining_iterator
-  : public boost::iterator_facade<Remaining_iterator<Graph, Descriptor>, Descriptor, boost::forward_traversal_tag,
-                                  Descriptor>
+  : public boost::iterator_facade<Remaining_iterator<Graph, Descriptor>, Descriptor,
+                                  boost::forward_traversal_tag, Descriptor>
 {
 public:
   Remaining_iterator() = default;
   /// From the first one that is not below an index; `end`: the upper bound of indices
   Remaining_iterator(const Graph& graph, std::size_t index, std::size_t end)
-    : m_graph(&graph), m_number(step * index), m_end(step * end)
+    : m_graph(&graph)
+    , m_number(step * index)
+    , m_end(step * end)
   {
     skip();
   }
 
 private:
   friend class boost::iterator_core_access;
-  static constexpr std::size_t step = std::is_same<Descriptor, Section_descriptor>::value ? 2 : 1; // has two halves
+  static constexpr std::size_t step = std::is_same<Descriptor, Section_descriptor>::value
+                                        ? 2
+                                        : 1; // has two halves
 
   Descriptor dereference() const { return Descriptor(std::uint32_t(m_number)); }
   bool equal(const Remaining_iterator& other) const { return m_number == other.m_number; }
@@ -61,7 +65,8 @@ class Out_section_iterator
 public:
   Out_section_iterator() = default;
   Out_section_iterator(const Lists& lists, std::uint32_t place)
-    : m_lists(&lists), m_left(lists.degree(place))
+    : m_lists(&lists)
+    , m_left(lists.degree(place))
   {
     if (m_left > 0)
       m_position = lists.first(place);

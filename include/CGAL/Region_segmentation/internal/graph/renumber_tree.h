@@ -15,12 +15,13 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// The tree of regions that have new numbers, or no elements any more (the highest number): their merges are left out.
+/// The tree of regions that have new numbers, or no elements any more (the highest number): their
+/// merges are left out.
 inline Merge_tree renumber_tree(const Merge_tree& tree, std::vector<Partition::Index> new_numbers)
 {
   constexpr Partition::Index none = (std::numeric_limits<Partition::Index>::max)();
-  Merge_tree result(
-    std::size_t(std::count_if(new_numbers.begin(), new_numbers.end(), [](auto number) { return number != none; })));
+  Merge_tree result(std::size_t(std::count_if(new_numbers.begin(), new_numbers.end(),
+                                              [](auto number) { return number != none; })));
   for (const Merge_tree::Merge& merge : tree.merges()) {
     // Of each segment, the lowest of the new numbers.
     Partition::Index& kept = new_numbers[merge.kept];

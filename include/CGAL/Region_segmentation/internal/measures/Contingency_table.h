@@ -48,7 +48,8 @@ struct Contingency_table
   /// `area(face)`: of each face. O(F) time and memory.
   template <typename Area>
   Contingency_table(const Partition& a, const Partition& b, const Area& area)
-    : rows(a.number_of_parts()), columns(b.number_of_parts())
+    : rows(a.number_of_parts())
+    , columns(b.number_of_parts())
   {
     CGAL_precondition(a.size() == b.size());
     Key_numbering number(2 * a.size() + 1024);

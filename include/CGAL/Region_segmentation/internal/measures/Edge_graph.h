@@ -24,7 +24,7 @@ public:
 
   template <typename FaceGraph, typename Pack>
   Edge_graph(const Mesh_order<FaceGraph, Pack>& order, const Surface& surface)
-      : m_incident_edges(order.number_of_vertices())
+    : m_incident_edges(order.number_of_vertices())
   {
     for_each_edge(order, [&](std::size_t v, std::size_t w) {
       m_incident_edges.count(v);

@@ -15,14 +15,15 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// A function from features to the logarithm of the odds of a merge: the mean of a sum of decision trees and a neural
-/// network with one hidden layer.
+/// A function from features to the logarithm of the odds of a merge: the mean of a sum of decision
+/// trees and a neural network with one hidden layer.
 ///
-/// Features, constants and results are integers, so that every processor computes the same: a feature x stands for
-/// x / 2^9, a result y for y / 2^20.
+/// Features, constants and results are integers, so that every processor computes the same: a
+/// feature x stands for x / 2^9, a result y for y / 2^20.
 ///
-/// The network, in real numbers: with y_i = f_i (x_i - c_i), clamped to [-4, 4] and rounded to 2^-8,
-/// \f$b + \sum_i s_i y_i + \sum_j v_j h_j / (1 + |h_j|)\f$, \f$h_j = b_j + \sum_i w_{ji} y_i\f$.
+/// The network, in real numbers: with y_i = f_i (x_i - c_i), clamped to [-4, 4] and rounded to
+/// 2^-8, \f$b + \sum_i s_i y_i + \sum_j v_j h_j / (1 + |h_j|)\f$, \f$h_j = b_j + \sum_i w_{ji}
+/// y_i\f$.
 ///
 /// The constants belong to others, such as the generated tables.
 ///
@@ -53,7 +54,8 @@ struct Merge_model
     std::int32_t factor; ///< f_i, in 2^(feature_bits - factor_bits - input_bits)
   };
 
-  /// The inputs, filled up by zeros: sums of a constant multiple of 8 products of 16 bits are vectorized.
+  /// The inputs, filled up by zeros: sums of a constant multiple of 8 products of 16 bits are
+  /// vectorized.
   static constexpr std::size_t padded_number = (number_of_features + 15) / 16 * 16;
   using Weights = std::array<std::int16_t, padded_number>;
 
@@ -98,8 +100,10 @@ private:
     Weights y{};
     for (std::size_t i = 0; i < number_of_features; ++i) {
       const Input& input = network.inputs[i];
-      const std::int64_t scaled = std::int64_t(x[i] - input.center) * input.factor / (1 << factor_bits);
-      y[i] = std::int16_t((std::max)(std::int64_t(-input_bound), (std::min)(std::int64_t(input_bound), scaled)));
+      const std::int64_t scaled = std::int64_t(x[i] - input.center) * input.factor /
+                                  (1 << factor_bits);
+      y[i] = std::int16_t(
+        (std::max)(std::int64_t(-input_bound), (std::min)(std::int64_t(input_bound), scaled)));
     }
     return y;
   }
@@ -120,8 +124,8 @@ private:
   }
 };
 
-/// e^x up to a relative error of x^2 / 2^17, for |x| <= 64: by additions and multiplications alone, which every
-/// processor rounds in the same way.
+/// e^x up to a relative error of x^2 / 2^17, for |x| <= 64: by additions and multiplications alone,
+/// which every processor rounds in the same way.
 inline double portable_exp(double x)
 {
   constexpr int number_of_squarings = 16;

@@ -34,7 +34,9 @@ struct Ray
   float distance = (std::numeric_limits<float>::max)();
 
   Ray(const Float_3& source_, const Float_3& direction_, Index skipped_)
-      : source(source_), direction(direction_), skipped(skipped_)
+    : source(source_)
+    , direction(direction_)
+    , skipped(skipped_)
   {
     for (std::size_t k = 0; k < 3; ++k) {
       inverse[k] = 1 / direction[k];
@@ -102,8 +104,8 @@ private:
       const float qx = y * az - z * ay, qy = z * ax - x * az, qz = x * ay - y * ax;
       const float v = (dx * qx + dy * qy + dz * qz) * inverse;
       const float distance = (bx * qx + by * qy + bz * qz) * inverse;
-      const bool is_hit =
-        !(u < rim) & !(v < rim) & !(u + v > 1 - rim) & (determinant != 0) & (distance > 0);
+      const bool is_hit = !(u < rim) & !(v < rim) & !(u + v > 1 - rim) & (determinant != 0) &
+                          (distance > 0);
       distances[i] = is_hit ? distance : std::numeric_limits<float>::infinity();
     }
     return distances;

@@ -46,13 +46,16 @@ public:
   using Hits = std::array<Ray_tree::Hit, rays_per_region>;
 
   /// `shapes`: of the regions; `tree`: of the mesh
-  Inward_rays(const Surface& mesh, const Patches& patches, const Partition& regions, const Region_shapes& shapes,
-              const Ray_tree& tree)
-      : m_mesh(mesh), m_patches(patches), m_regions(regions), m_shapes(shapes), m_tree(tree),
-        m_faces(regions.number_of_parts()), m_spirals{make_spirals(1), make_spirals(2),
-                                                      make_spirals(3)}
-  {
-  }
+  Inward_rays(const Surface& mesh, const Patches& patches, const Partition& regions,
+              const Region_shapes& shapes, const Ray_tree& tree)
+    : m_mesh(mesh)
+    , m_patches(patches)
+    , m_regions(regions)
+    , m_shapes(shapes)
+    , m_tree(tree)
+    , m_faces(regions.number_of_parts())
+    , m_spirals{make_spirals(1), make_spirals(2), make_spirals(3)}
+  {}
 
   /// Computes the missing hits of regions. Can be called once.
   void trace(std::vector<std::optional<Hits>>& hits, const Execution& execution)
@@ -103,8 +106,8 @@ private:
       wants_all[r] = !hits[r];
     for (std::size_t p = 0; p < m_patches.size(); ++p)
       wants_all[m_regions[m_patches[p].center]] = false;
-    const bool any_wants_all =
-      std::find(wants_all.begin(), wants_all.end(), true) != wants_all.end();
+    const bool any_wants_all = std::find(wants_all.begin(), wants_all.end(), true) !=
+                               wants_all.end();
     const auto for_each_face = [&](const auto& f) {
       for (std::size_t p = 0; p < m_patches.size(); ++p)
         if (const Index face = m_patches[p].center; !hits[m_regions[face]])
@@ -152,8 +155,8 @@ private:
     const Double_3 u = start_of_spiral(face, source, inward), v = cross(inward, u);
     for (std::size_t i = 0; i < number; ++i) {
       const Spiral& s = spirals[i];
-      const Double_3 direction =
-        s.cos_away * inward + s.sin_away * (s.cos_around * u + s.sin_around * v);
+      const Double_3 direction = s.cos_away * inward +
+                                 s.sin_away * (s.cos_around * u + s.sin_around * v);
       hits[i] = m_tree.first_hit(m_mesh, source, direction, face);
     }
   }

@@ -33,9 +33,11 @@ public:
 
   /// `origin`, `scale`: of the relative coordinates; `most_stored`: triangles of meshes of more
   /// faces are gathered
-  Ray_leaves(const Surface& mesh, const Surface_patches& patches, const Double_3& origin, double scale, std::size_t most_stored)
-      : m_origin(origin), m_scale(scale),
-        m_faces(faces_by_patch(mesh, patches, mesh.number_of_faces() <= most_stored))
+  Ray_leaves(const Surface& mesh, const Surface_patches& patches, const Double_3& origin,
+             double scale, std::size_t most_stored)
+    : m_origin(origin)
+    , m_scale(scale)
+    , m_faces(faces_by_patch(mesh, patches, mesh.number_of_faces() <= most_stored))
   {
     m_points.resize(mesh.number_of_vertices());
     for (std::size_t v = 0; v < m_points.size(); ++v)
@@ -78,7 +80,8 @@ public:
   }
 
 private:
-  static Grouped_items<Index> faces_by_patch(const Surface& mesh, const Surface_patches& patches, bool are_coarse)
+  static Grouped_items<Index> faces_by_patch(const Surface& mesh, const Surface_patches& patches,
+                                             bool are_coarse)
   {
     const Patches& fine = patches.fine;
     const auto patch_of = [&](Index p) { return are_coarse ? patches.coarse.of_elements()[p] : p; };
@@ -128,8 +131,8 @@ private:
   {
     std::size_t first = 0;
     double farthest = -1;
-    for (std::size_t i = 0;
-         mesh.number_of_corners(face) > 3 && i < mesh.number_of_corners(face); ++i)
+    for (std::size_t i = 0; mesh.number_of_corners(face) > 3 && i < mesh.number_of_corners(face);
+         ++i)
       if (const double d = squared_norm(mesh.point(mesh.corner(face, i)) - mesh.centroid(face));
           d > farthest) {
         farthest = d;

@@ -47,7 +47,8 @@ public:
   Ray_tree(const Surface& mesh, const Surface_patches& patches, const Double_3& origin,
            const Execution& execution,
            std::size_t most_stored_faces = Ray_leaves::most_stored_faces)
-      : m_unit(unit_of(mesh, patches.fine, origin)), m_leaves(mesh, patches, origin, 1 / m_unit, most_stored_faces)
+    : m_unit(unit_of(mesh, patches.fine, origin))
+    , m_leaves(mesh, patches, origin, 1 / m_unit, most_stored_faces)
   {
     execution.report(0.3);
     std::vector<Box> boxes(m_leaves.size());
@@ -150,8 +151,8 @@ private:
   /// Slightly enlarged, so that rounding misses no triangle.
   Box box_of(const Surface& mesh, std::size_t leaf) const
   {
-    constexpr float margin =
-      5e-7f; // relative to the distance from the origin, and to the size of the surface
+    constexpr float margin = 5e-7f; // relative to the distance from the origin, and to the size of
+                                    // the surface
     Box box;
     m_leaves.for_each_triangle(mesh, leaf,
                                [&](const Float_3& p, const Float_3& q, const Float_3& r, Index) {
@@ -183,8 +184,8 @@ private:
     Box all;
     for (std::size_t i = 0; i < width; ++i) {
       Box box;
-      Index child =
-        1; // a leaf where there is none, since a ray that is not a number enters all children
+      Index child = 1; // a leaf where there is none, since a ray that is not a number enters all
+                       // children
       if (ends[i + 1] - ends[i] == 1) {
         child = 2 * ends[i]->leaf + 1;
         box = boxes[ends[i]->leaf];

@@ -15,9 +15,10 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// Shortens the borders of regions: elements with a single neighbor in their own region move to the region to which
-/// their border costs more than that to their neighbor, the largest gain first, as long as there are any. Such an
-/// element is an end of its region, so regions stay connected, and none becomes empty.
+/// Shortens the borders of regions: elements with a single neighbor in their own region move to the
+/// region to which their border costs more than that to their neighbor, the largest gain first, as
+/// long as there are any. Such an element is an end of its region, so regions stay connected, and
+/// none becomes empty.
 ///
 /// O(E log E) in practice, E the number of adjacent pairs.
 class Border_shortening
@@ -27,7 +28,8 @@ class Border_shortening
 public:
   /// `costs`: of the borders between adjacent elements
   Border_shortening(const Dual_graph& costs, const Partition& regions)
-    : m_costs(costs), m_region_of(regions.begin(), regions.end())
+    : m_costs(costs)
+    , m_region_of(regions.begin(), regions.end())
   {
     for (std::size_t i = 0; i < m_region_of.size(); ++i)
       push(Index(i));
@@ -39,10 +41,7 @@ public:
     }
   }
 
-  Partition take_regions()
-  {
-    return Partition::from_labels(std::exchange(m_region_of, {}));
-  }
+  Partition take_regions() { return Partition::from_labels(std::exchange(m_region_of, {})); }
 
 private:
   /// Of the cost, a part of that of all borders of the element: smaller ones are rounding.
@@ -84,7 +83,8 @@ private:
     if (neighbors_inside == 1)
       for (const auto& [region, cost] : m_outside) {
         const double gain = cost - inside;
-        if (gain > smallest_gain * all && (gain > best.gain || (gain == best.gain && region < best.to)))
+        if (gain > smallest_gain * all &&
+            (gain > best.gain || (gain == best.gain && region < best.to)))
           best = {gain, element, region};
       }
     return best;

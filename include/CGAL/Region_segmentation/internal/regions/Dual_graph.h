@@ -15,8 +15,9 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// The adjacency of faces, or of patches, in both directions, with a length for each step. Constrained edges are not
-/// steps. 8 bytes per face, and with lengths in float 8 for each side of a dual edge.
+/// The adjacency of faces, or of patches, in both directions, with a length for each step.
+/// Constrained edges are not steps. 8 bytes per face, and with lengths in float 8 for each side of
+/// a dual edge.
 template <typename Length>
 class Dual_graph_of
 {
@@ -44,12 +45,14 @@ public:
   /// Of patches in place of faces, across edges; `length(i)`: of the i-th adjacency.
   template <typename LengthOf>
   Dual_graph_of(const Patches& patches, const LengthOf& length)
-    : Dual_graph_of(patches, length, [](const Patches::Adjacency&) { return 0; }, 0)
+    : Dual_graph_of(
+        patches, length, [](const Patches::Adjacency&) { return 0; }, 0)
   {}
 
   /// The same, and across seams and links; `length_of_contact(contact)`.
   template <typename LengthOf, typename LengthOfContact>
-  Dual_graph_of(const Patches& patches, const LengthOf& length, const LengthOfContact& length_of_contact)
+  Dual_graph_of(const Patches& patches, const LengthOf& length,
+                const LengthOfContact& length_of_contact)
     : Dual_graph_of(patches, length, length_of_contact, patches.contacts().size())
   {}
 
@@ -60,13 +63,14 @@ public:
 
 private:
   template <typename LengthOf, typename LengthOfContact>
-  Dual_graph_of(const Patches& patches, const LengthOf& length, const LengthOfContact& length_of_contact,
-                std::size_t number_of_contacts)
+  Dual_graph_of(const Patches& patches, const LengthOf& length,
+                const LengthOfContact& length_of_contact, std::size_t number_of_contacts)
     : m_steps(patches.size())
   {
     add_steps([&](const auto& add) {
       for (std::size_t i = 0; i < patches.adjacencies().size(); ++i)
-        add(patches.adjacencies()[i].lower, patches.adjacencies()[i].higher, [&] { return length(i); });
+        add(patches.adjacencies()[i].lower, patches.adjacencies()[i].higher,
+            [&] { return length(i); });
       for (std::size_t i = 0; i < number_of_contacts; ++i) {
         const Patches::Adjacency& contact = patches.contacts()[i];
         add(contact.lower, contact.higher, [&] { return length_of_contact(contact); });

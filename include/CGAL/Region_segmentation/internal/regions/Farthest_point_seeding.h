@@ -23,9 +23,10 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// Farthest-point seeding on a dual graph: every connected component gets a seed, then seeds are placed one after another, each at
-/// the face farthest from all seeds so far, of several at the lower one; a new seed updates the distances only where it is nearer. The
-/// region of a seed is the faces that are nearest to it, and is connected.
+/// Farthest-point seeding on a dual graph: every connected component gets a seed, then seeds are
+/// placed one after another, each at the face farthest from all seeds so far, of several at the
+/// lower one; a new seed updates the distances only where it is nearer. The region of a seed is the
+/// faces that are nearest to it, and is connected.
 ///
 /// The faces are those of a mesh, or patches.
 class Farthest_point_seeding
@@ -39,9 +40,9 @@ public:
     , m_reached(m_graph.number_of_faces(), Reached{unreached, 0, 0})
   {}
 
-  /// Places `number` seeds, or more if there are more components, or fewer if all faces are seeds. `remoteness`: by face; each
-  /// component gets its first seed where it is highest, of several at the lower face, and components in this order
-  /// \pre there are faces
+  /// Places `number` seeds, or more if there are more components, or fewer if all faces are seeds.
+  /// `remoteness`: by face; each component gets its first seed where it is highest, of several at
+  /// the lower face, and components in this order \pre there are faces
   void run(const std::vector<double>& remoteness, std::size_t number)
   {
     m_number_wanted = number;
@@ -59,8 +60,8 @@ public:
     }
   }
 
-  /// Places the given seeds alone, all at once: of several seeds at the same distance a face belongs to that of the neighbor that
-  /// was nearer to its own, of these the lower one.
+  /// Places the given seeds alone, all at once: of several seeds at the same distance a face
+  /// belongs to that of the neighbor that was nearer to its own, of these the lower one.
   void run(const std::vector<Index>& seeds)
   {
     m_number_wanted = seeds.size();
@@ -85,15 +86,18 @@ public:
     return Partition(std::move(region_of), number);
   }
 
-  /// The regions split further: the face farthest from its seed is separated first, with the faces that were reached
-  /// through it; of several, the higher one; those that `is_joined(face)` only after all others.
+  /// The regions split further: the face farthest from its seed is separated first, with the faces
+  /// that were reached through it; of several, the higher one; those that `is_joined(face)` only
+  /// after all others.
   template <typename IsJoined>
   Partition split_regions(std::size_t number_of_parts, const IsJoined& is_joined) const
   {
     std::vector<Index> order(m_reached.size());
     std::iota(order.begin(), order.end(), Index(0));
     std::sort(order.begin(), order.end(), [&](Index a, Index b) {
-      return m_reached[a].distance != m_reached[b].distance ? m_reached[a].distance < m_reached[b].distance : a < b;
+      return m_reached[a].distance != m_reached[b].distance
+               ? m_reached[a].distance < m_reached[b].distance
+               : a < b;
     });
     std::stable_partition(order.begin(), order.end(), is_joined);
     std::size_t to_join = order.size() - (std::min)(number_of_parts, order.size());
@@ -117,12 +121,14 @@ private:
 
   void seed_components(const std::vector<double>& remoteness, Step_counter& seeds)
   {
-    grow_from(std::size_t(std::max_element(remoteness.begin(), remoteness.end()) - remoteness.begin()));
+    grow_from(
+      std::size_t(std::max_element(remoteness.begin(), remoteness.end()) - remoteness.begin()));
     std::vector<Index> others; // none where there is one component
     for (std::size_t f = 0; f < m_reached.size(); ++f)
       if (m_reached[f].distance == unreached)
         others.push_back(Index(f));
-    std::stable_sort(others.begin(), others.end(), [&](Index f, Index g) { return remoteness[f] > remoteness[g]; });
+    std::stable_sort(others.begin(), others.end(),
+                     [&](Index f, Index g) { return remoteness[f] > remoteness[g]; });
     for (const Index f : others)
       if (m_reached[f].distance == unreached) {
         grow_from(f);
@@ -173,8 +179,8 @@ private:
     m_front.push(make_float_key(0, Index(seed)));
   }
 
-  /// The front is ordered by distances rounded to float. This cannot change a distance, since a face whose distance
-  /// shrinks is pushed again.
+  /// The front is ordered by distances rounded to float. This cannot change a distance, since a
+  /// face whose distance shrinks is pushed again.
   void grow()
   {
     while (!m_front.empty()) {
@@ -189,8 +195,8 @@ private:
       for (const auto& step : m_graph.steps(face)) {
         const double longer = distance + double(step.length);
         Reached& next = m_reached[step.face];
-        // A face follows its predecessor to another seed even if rounding hides that it is nearer: so regions are
-        // connected.
+        // A face follows its predecessor to another seed even if rounding hides that it is nearer:
+        // so regions are connected.
         if (longer < next.distance || (next.predecessor == face && next.seed != label)) {
           next = {longer, label, face};
           m_front.push(make_float_key(float(longer), step.face));

@@ -25,7 +25,9 @@ struct Region_shapes
 
   /// \pre the mesh was read with its centroids and the area of its surface
   Region_shapes(const Surface& mesh, const Partition& regions)
-    : areas(regions.number_of_parts()), normals(regions.number_of_parts()), centroids(regions.number_of_parts())
+    : areas(regions.number_of_parts())
+    , normals(regions.number_of_parts())
+    , centroids(regions.number_of_parts())
   {
     if (mesh.number_of_faces() == 0)
       return;
@@ -50,7 +52,10 @@ struct Region_shapes
 
 private:
   /// 0 if the area is so small that its inverse would be infinite.
-  static double inverse(double area) { return area >= (std::numeric_limits<double>::min)() ? 1 / area : 0; }
+  static double inverse(double area)
+  {
+    return area >= (std::numeric_limits<double>::min)() ? 1 / area : 0;
+  }
 };
 
 } // namespace internal

@@ -27,9 +27,10 @@ namespace internal {
 
 /// Joins the regions of each seed along the cheapest paths of regions that avoid all other seeds.
 ///
-/// A step from region i to j across a section of length L costs (sqrt(a_i) + sqrt(a_j)) / 2 (1 + 80 C / L), a the areas
-/// and C the integral of the deviation of the concave edges of the section: the weight that `Superfacets` gives to
-/// them. Seeds are joined in order; a seed that cannot be joined any more is the first one in another attempt.
+/// A step from region i to j across a section of length L costs (sqrt(a_i) + sqrt(a_j)) / 2 (1 + 80
+/// C / L), a the areas and C the integral of the deviation of the concave edges of the section: the
+/// weight that `Superfacets` gives to them. Seeds are joined in order; a seed that cannot be joined
+/// any more is the first one in another attempt.
 ///
 /// Complexity: O(F), and for each region of a seed that is not adjacent to the others O(S log R).
 class Seed_joining
@@ -38,8 +39,11 @@ class Seed_joining
 
 public:
   /// \pre each region has faces of one seed at most: that in `seeds`
-  Seed_joining(const Surface& surface, const Partition& regions, const Seeds& seeds, const Constraints& constraints)
-    : m_steps(regions.number_of_parts()), m_seeds(seeds), m_members(seeds.number())
+  Seed_joining(const Surface& surface, const Partition& regions, const Seeds& seeds,
+               const Constraints& constraints)
+    : m_steps(regions.number_of_parts())
+    , m_seeds(seeds)
+    , m_members(seeds.number())
   {
     for (Index r = 0; r < regions.number_of_parts(); ++r)
       if (m_seeds.of[r] != Seeds::none)
@@ -47,17 +51,18 @@ public:
     add_steps(surface, regions, constraints);
   }
 
-  /// The seeds, extended to the regions on the paths, so that the regions of each are connected. Empty if there are no
-  /// such paths.
+  /// The seeds, extended to the regions on the paths, so that the regions of each are connected.
+  /// Empty if there are no such paths.
   std::optional<Seeds> join()
   {
     std::vector<Index> order(m_seeds.number());
     std::iota(order.begin(), order.end(), Index(0));
-    // A seed that failed is first from then on, so that there are at most as many attempts as seeds.
+    // A seed that failed is first from then on, so that there are at most as many attempts as
+    // seeds.
     for (std::size_t number_of_tries = 0; number_of_tries <= order.size(); ++number_of_tries) {
       m_owner = m_seeds.of;
-      const auto failed =
-        std::find_if(order.begin(), order.end(), [this](Index seed) { return !join_members(seed); });
+      const auto failed = std::find_if(order.begin(), order.end(),
+                                       [this](Index seed) { return !join_members(seed); });
       if (failed == order.end())
         return Seeds{std::move(m_owner), m_seeds.values};
       m_failed = *failed;
@@ -82,7 +87,8 @@ private:
       areas[regions[f]] += surface.area(f);
     std::vector<std::pair<std::pair<Index, Index>, Index>> borders; // two regions, an adjacency
     for (Index a = 0; a < surface.number_of_adjacencies(); ++a)
-      if (const Index r = regions[surface.lower_face(a)], s = regions[surface.higher_face(a)]; r != s)
+      if (const Index r = regions[surface.lower_face(a)], s = regions[surface.higher_face(a)];
+          r != s)
         borders.push_back({{(std::min)(r, s), (std::max)(r, s)}, a});
     std::sort(borders.begin(), borders.end());
     for (auto border = borders.begin(); border != borders.end();) {
@@ -97,7 +103,8 @@ private:
         is_barred = is_barred || constraints[a];
       }
       const double concavity = length > 0 ? concave / length : 0;
-      const double cost = (std::sqrt(areas[r]) + std::sqrt(areas[s])) / 2 * (1 + concave_weight * concavity);
+      const double cost = (std::sqrt(areas[r]) + std::sqrt(areas[s])) / 2 *
+                          (1 + concave_weight * concavity);
       if (!is_barred) {
         m_steps[r].push_back({s, cost});
         m_steps[s].push_back({r, cost});
@@ -105,7 +112,8 @@ private:
     }
   }
 
-  /// Whether the regions of a seed could be joined; if so, those on the paths now belong to the seed.
+  /// Whether the regions of a seed could be joined; if so, those on the paths now belong to the
+  /// seed.
   bool join_members(Index seed)
   {
     const std::vector<Index>& members = m_members[seed];
@@ -129,8 +137,8 @@ private:
     return true;
   }
 
-  /// The path from `connected` to the nearest other region of the seed, through regions of no other seed; empty if
-  /// there is none.
+  /// The path from `connected` to the nearest other region of the seed, through regions of no other
+  /// seed; empty if there is none.
   std::vector<Index> cheapest_path(Index seed, const std::vector<Index>& connected,
                                    const std::vector<bool>& is_connected) const
   {
@@ -154,10 +162,11 @@ private:
     return path;
   }
 
-  std::vector<std::vector<std::pair<Index, double>>> m_steps; // by region: to another one, and its cost
+  std::vector<std::vector<std::pair<Index, double>>> m_steps; // by region: to another one, and its
+                                                              // cost
   const Seeds& m_seeds;                                       // of the regions
-  std::vector<std::vector<Index>> m_members; // by seed: its regions
-  std::vector<Index> m_owner;                // by region: the seed that it or a path through it belongs to
+  std::vector<std::vector<Index>> m_members;                  // by seed: its regions
+  std::vector<Index> m_owner; // by region: the seed that it or a path through it belongs to
   Index m_failed = 0;
 };
 
@@ -172,11 +181,11 @@ inline Partition joined(const Partition& regions, const Seeds& of_regions)
   return Partition::from_labels(labels);
 }
 
-/// The regions, split if they have faces of several seeds, and joined if their seeds are equal: one region for each
-/// seed. If there is no path of regions for a seed, one of faces is searched.
+/// The regions, split if they have faces of several seeds, and joined if their seeds are equal: one
+/// region for each seed. If there is no path of regions for a seed, one of faces is searched.
 /// \throws Invalid_input if the faces of a seed cannot be joined
-inline Partition apply_seeds(const Surface& surface, const Partition& regions, const Seeds& of_faces,
-                             const Constraints& constraints)
+inline Partition apply_seeds(const Surface& surface, const Partition& regions,
+                             const Seeds& of_faces, const Constraints& constraints)
 {
   Partition split = split_at_seeds(surface, regions, of_faces, constraints);
   const Seeds of_split = seeds_of_regions(split, of_faces);
@@ -187,8 +196,9 @@ inline Partition apply_seeds(const Surface& surface, const Partition& regions, c
   Seed_joining joining(surface, faces, of_faces, constraints);
   const auto connected = joining.join();
   if (!connected)
-    throw Invalid_input("the faces of seed " + std::to_string(joining.failed_seed()) +
-                        " cannot be joined: other components, constrained edges or other seeds are between them");
+    throw Invalid_input(
+      "the faces of seed " + std::to_string(joining.failed_seed()) +
+      " cannot be joined: other components, constrained edges or other seeds are between them");
   split = split_at_seeds(surface, regions, *connected, constraints);
   return joined(split, seeds_of_regions(split, *connected));
 }

@@ -18,19 +18,25 @@ namespace Region_segmentation {
 namespace internal {
 
 /// The costs of the borders between adjacent patches across edges.
-inline Dual_graph border_costs_of_edges(const Surface& surface, const Patches& patches, const Border_cost& cost)
+inline Dual_graph border_costs_of_edges(const Surface& surface, const Patches& patches,
+                                        const Border_cost& cost)
 {
   const double unit = surface.length_unit();
-  return Dual_graph(
-    patches, [&](std::size_t i) { return cost(patches.adjacencies()[i].length / unit, patches.concave_deviation(i)); });
+  return Dual_graph(patches, [&](std::size_t i) {
+    return cost(patches.adjacencies()[i].length / unit, patches.concave_deviation(i));
+  });
 }
 
 /// The same, and across seams and links, where there is a valley.
-inline Dual_graph border_costs(const Surface& surface, const Patches& patches, const Border_cost& cost)
+inline Dual_graph border_costs(const Surface& surface, const Patches& patches,
+                               const Border_cost& cost)
 {
   const double unit = surface.length_unit();
   return Dual_graph(
-    patches, [&](std::size_t i) { return cost(patches.adjacencies()[i].length / unit, patches.concave_deviation(i)); },
+    patches,
+    [&](std::size_t i) {
+      return cost(patches.adjacencies()[i].length / unit, patches.concave_deviation(i));
+    },
     [&](const Patches::Adjacency& contact) { return cost(contact.length / unit, CGAL_PI / 2); });
 }
 

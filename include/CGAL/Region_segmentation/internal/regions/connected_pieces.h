@@ -15,12 +15,15 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// The connected pieces of the faces with equal labels, across adjacencies that are not constrained. O(F) in practice.
+/// The connected pieces of the faces with equal labels, across adjacencies that are not
+/// constrained. O(F) in practice.
 template <typename Labels>
-Partition connected_pieces(const Surface& surface, const Labels& label_of_face, const Constraints& constraints)
+Partition connected_pieces(const Surface& surface, const Labels& label_of_face,
+                           const Constraints& constraints)
 {
   const auto joins = [&](std::size_t a) {
-    return label_of_face[surface.lower_face(a)] == label_of_face[surface.higher_face(a)] && !constraints[a];
+    return label_of_face[surface.lower_face(a)] == label_of_face[surface.higher_face(a)] &&
+           !constraints[a];
   };
   return label_components(surface, joins, Execution());
 }

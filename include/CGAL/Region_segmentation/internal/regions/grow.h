@@ -19,8 +19,8 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// The edges that join degenerate faces with constrained edges: the longest that is not constrained,
-/// of equal ones that to the lowest face.
+/// The edges that join degenerate faces with constrained edges: the longest that is not
+/// constrained, of equal ones that to the lowest face.
 inline std::vector<std::size_t> joining_edges_beside(const Surface& surface,
                                                      const Constraints& constraints)
 {
@@ -50,10 +50,10 @@ inline std::vector<std::size_t> joining_edges_beside(const Surface& surface,
   return result;
 }
 
-/// The connected components of the faces across edges that are neither features nor constrained. A degenerate face joins the
-/// component across its longest edge that is not constrained.
-inline Partition grow(const Surface& surface, const Edge_marks& is_feature, const Constraints& constraints,
-                      const Execution& execution)
+/// The connected components of the faces across edges that are neither features nor constrained. A
+/// degenerate face joins the component across its longest edge that is not constrained.
+inline Partition grow(const Surface& surface, const Edge_marks& is_feature,
+                      const Constraints& constraints, const Execution& execution)
 {
   const std::vector<std::size_t> joining = joining_edges_beside(surface, constraints);
   const auto joins = [&](std::size_t a) {

@@ -13,14 +13,16 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// The largest share that concave edges have in the sum of length times deviation of a convex surface: rounding, and quads that
-/// are divided along the wrong diagonal. Independent of the resolution, as a bound on angles would not be.
+/// The largest share that concave edges have in the sum of length times deviation of a convex
+/// surface: rounding, and quads that are divided along the wrong diagonal. Independent of the
+/// resolution, as a bound on angles would not be.
 constexpr double largest_concave_share_of_convex = 1e-3;
 /// The largest sum of the area vectors of a closed surface, relative to that of the areas.
 constexpr double largest_gap_of_closed = 1e-6;
 
-/// Whether all components of a surface bound convex bodies: it is closed, and has no concave edges. (A closed surface that is
-/// convex at all edges is convex: van Heijenoort 1952.) False for one without area. O(F).
+/// Whether all components of a surface bound convex bodies: it is closed, and has no concave edges.
+/// (A closed surface that is convex at all edges is convex: van Heijenoort 1952.) False for one
+/// without area. O(F).
 inline bool is_convex(const Surface& mesh)
 {
   double area = 0;

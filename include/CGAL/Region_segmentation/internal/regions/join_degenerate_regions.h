@@ -25,8 +25,8 @@ inline std::size_t number_of_proper_faces(const Surface& surface)
   return number;
 }
 
-/// Joins regions so that none consists of degenerate faces alone, if possible: across the edges that join these, then
-/// across their other edges.
+/// Joins regions so that none consists of degenerate faces alone, if possible: across the edges
+/// that join these, then across their other edges.
 inline Partition join_degenerate_regions(const Surface& surface, const Partition& regions)
 {
   std::vector<bool> is_proper(regions.number_of_parts()); // by root
@@ -38,7 +38,8 @@ inline Partition join_degenerate_regions(const Surface& surface, const Partition
   Lowest_root_forest forest(is_proper.size());
   for (const std::uint8_t flag : {Surface::JOINING, Surface::CLOSED})
     for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a) {
-      const auto r = forest.root(regions[surface.lower_face(a)]), s = forest.root(regions[surface.higher_face(a)]);
+      const auto r = forest.root(regions[surface.lower_face(a)]),
+                 s = forest.root(regions[surface.higher_face(a)]);
       if (!surface.has_flag(a, flag) || (is_proper[r] && is_proper[s]))
         continue;
       is_proper[(std::min)(r, s)] = is_proper[r] || is_proper[s];

@@ -21,20 +21,23 @@ namespace internal {
 /// One byte per adjacency of a surface, not 0 if it is marked.
 using Edge_marks = Large_array<std::uint8_t>;
 
-/// Marks the adjacencies whose deviation is above `maximum_angle`, in degrees, and whose sign is wanted: feature edges.
-inline Edge_marks mark_feature_edges(const Surface& surface, double maximum_angle, Feature_convexity convexity,
-                                     const Execution& execution)
+/// Marks the adjacencies whose deviation is above `maximum_angle`, in degrees, and whose sign is
+/// wanted: feature edges.
+inline Edge_marks mark_feature_edges(const Surface& surface, double maximum_angle,
+                                     Feature_convexity convexity, const Execution& execution)
 {
   const double bound = std::cos(maximum_angle * (CGAL_PI / 180));
   const std::uint8_t wanted_signs = convexity == Feature_convexity::CONVEX    ? Surface::CONVEX
                                     : convexity == Feature_convexity::CONCAVE ? Surface::CONCAVE
-                                                                              : 0; // whatever the sign
+                                                                              : 0; // whatever the
+                                                                                   // sign
   Edge_marks is_feature(surface.number_of_adjacencies());
-  for_each_block(execution, is_feature.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
-    for (std::size_t a = begin; a < end; ++a)
-      is_feature[a] = (wanted_signs == 0 || surface.has_flag(a, wanted_signs)) && surface.has_angle(a) &&
-                      surface.cosine(a) < bound;
-  });
+  for_each_block(execution, is_feature.size(),
+                 [&](std::size_t, std::size_t begin, std::size_t end) {
+                   for (std::size_t a = begin; a < end; ++a)
+                     is_feature[a] = (wanted_signs == 0 || surface.has_flag(a, wanted_signs)) &&
+                                     surface.has_angle(a) && surface.cosine(a) < bound;
+                 });
   return is_feature;
 }
 

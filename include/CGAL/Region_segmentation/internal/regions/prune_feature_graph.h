@@ -32,10 +32,9 @@ struct Feature_edge
 
 /// Feature edges as a graph; nodes and edges carry the descriptors of the mesh.
 template <typename FaceGraph>
-using Feature_graph =
-  boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS,
-                        typename boost::graph_traits<FaceGraph>::vertex_descriptor,
-                        Feature_edge<FaceGraph>>;
+using Feature_graph = boost::adjacency_list<
+  boost::vecS, boost::vecS, boost::undirectedS,
+  typename boost::graph_traits<FaceGraph>::vertex_descriptor, Feature_edge<FaceGraph>>;
 
 template <typename Graph>
 Feature_edge_role role(std::size_t from, std::size_t to, const Graph& graph)
@@ -43,8 +42,8 @@ Feature_edge_role role(std::size_t from, std::size_t to, const Graph& graph)
   return graph[boost::edge(from, to, graph).first].role;
 }
 
-/// The nodes of the line that starts at a free end, up to the first node that does not have two edges
-/// or from which it continues as a barrier; only the free end if it starts as one.
+/// The nodes of the line that starts at a free end, up to the first node that does not have two
+/// edges or from which it continues as a barrier; only the free end if it starts as one.
 template <typename Graph>
 std::vector<std::size_t> line_from(std::size_t free_end, const Graph& graph)
 {
@@ -73,9 +72,10 @@ bool remove_if_removable(std::size_t from, std::size_t to, Graph& graph)
   return true;
 }
 
-/// Removes the lines with a free end that have fewer edges than `minimum_length`, except for their fixed edges: all at
-/// once, so that the order has no effect, and repeatedly while this creates free ends or extends a line of fixed edges.
-/// O(E) without fixed edges: a line that is long enough can only become longer, and is not traversed again.
+/// Removes the lines with a free end that have fewer edges than `minimum_length`, except for their
+/// fixed edges: all at once, so that the order has no effect, and repeatedly while this creates
+/// free ends or extends a line of fixed edges. O(E) without fixed edges: a line that is long enough
+/// can only become longer, and is not traversed again.
 template <typename Graph>
 void prune_feature_graph(Graph& graph, std::size_t minimum_length)
 {

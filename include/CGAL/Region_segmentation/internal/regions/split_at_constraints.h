@@ -28,16 +28,17 @@ inline std::vector<std::size_t> number_of_pieces(const Partition& regions, const
   return number;
 }
 
-/// Splits the regions that constrained edges separate: those that have more connected components with these than
-/// without. A constrained edge that only ends in a region has no effect. O(F).
-inline Partition split_at_constraints(const Surface& surface, const Partition& regions, const Constraints& constraints)
+/// Splits the regions that constrained edges separate: those that have more connected components
+/// with these than without. A constrained edge that only ends in a region has no effect. O(F).
+inline Partition split_at_constraints(const Surface& surface, const Partition& regions,
+                                      const Constraints& constraints)
 {
   const Partition pieces = connected_pieces(surface, regions, constraints);
   if (pieces.number_of_parts() == regions.number_of_parts())
     return regions;
   const auto separated = number_of_pieces(regions, pieces);
-  const auto connected =
-    number_of_pieces(regions, connected_pieces(surface, regions, Constraints()));
+  const auto connected = number_of_pieces(regions,
+                                          connected_pieces(surface, regions, Constraints()));
   std::vector<std::uint64_t> labels(regions.size());
   for (std::size_t f = 0; f < labels.size(); ++f) {
     const bool is_split = separated[regions[f]] > connected[regions[f]];

@@ -19,7 +19,8 @@ namespace Region_segmentation {
 namespace internal {
 
 /// The regions with faces of several seeds.
-inline std::vector<std::uint8_t> regions_of_several_seeds(const Partition& regions, const Seeds& seeds)
+inline std::vector<std::uint8_t> regions_of_several_seeds(const Partition& regions,
+                                                          const Seeds& seeds)
 {
   std::vector<Seeds::Index> seed_of(regions.number_of_parts(), Seeds::none);
   std::vector<std::uint8_t> has_several(regions.number_of_parts());
@@ -34,11 +35,12 @@ inline std::vector<std::uint8_t> regions_of_several_seeds(const Partition& regio
   return has_several;
 }
 
-/// Splits those regions that have faces of several seeds: a face is assigned to the seed from which the fewest edges
-/// have to be crossed, of several to the one that is reached first from the lower faces; constrained edges are not
-/// crossed. Each connected component becomes a region. O(F) and O(f log f) for the f faces of these regions.
-inline Partition split_at_seeds(const Surface& surface, const Partition& regions, const Seeds& seeds,
-                                const Constraints& constraints)
+/// Splits those regions that have faces of several seeds: a face is assigned to the seed from which
+/// the fewest edges have to be crossed, of several to the one that is reached first from the lower
+/// faces; constrained edges are not crossed. Each connected component becomes a region. O(F) and
+/// O(f log f) for the f faces of these regions.
+inline Partition split_at_seeds(const Surface& surface, const Partition& regions,
+                                const Seeds& seeds, const Constraints& constraints)
 {
   using Index = Partition::Index;
   const auto is_split = regions_of_several_seeds(regions, seeds);
@@ -60,7 +62,8 @@ inline Partition split_at_seeds(const Surface& surface, const Partition& regions
     if (is_split[regions[f]] && seed_of[f] != Seeds::none)
       front.push_back(Index(f));
   for (std::size_t i = 0; i < front.size(); ++i)
-    for (auto step = std::lower_bound(steps.begin(), steps.end(), std::make_pair(front[i], Index(0)));
+    for (auto step =
+           std::lower_bound(steps.begin(), steps.end(), std::make_pair(front[i], Index(0)));
          step != steps.end() && step->first == front[i]; ++step)
       if (seed_of[step->second] == Seeds::none) {
         seed_of[step->second] = seed_of[front[i]];
@@ -81,7 +84,8 @@ inline Partition split_at_seeds(const Surface& surface, const Partition& regions
 /// The seeds of regions, each of which has faces of one seed at most.
 inline Seeds seeds_of_regions(const Partition& regions, const Seeds& of_faces)
 {
-  Seeds result{std::vector<Seeds::Index>(regions.number_of_parts(), Seeds::Index(Seeds::none)), of_faces.values};
+  Seeds result{std::vector<Seeds::Index>(regions.number_of_parts(), Seeds::Index(Seeds::none)),
+               of_faces.values};
   for (std::size_t f = 0; f < regions.size(); ++f)
     if (of_faces.of[f] != Seeds::none)
       result.of[regions[f]] = of_faces.of[f];

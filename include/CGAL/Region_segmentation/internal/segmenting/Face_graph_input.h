@@ -17,14 +17,17 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// A face graph as input of a segmentation: what is read from its property maps, and where labels are written.
+/// A face graph as input of a segmentation: what is read from its property maps, and where labels
+/// are written.
 template <typename FaceGraph>
 class Face_graph_input
 {
   using edge_descriptor = typename boost::graph_traits<FaceGraph>::edge_descriptor;
 
 public:
-  explicit Face_graph_input(const FaceGraph& mesh) : m_mesh(&mesh) {}
+  explicit Face_graph_input(const FaceGraph& mesh)
+    : m_mesh(&mesh)
+  {}
 
   const FaceGraph& mesh() const { return *m_mesh; }
 
@@ -36,14 +39,16 @@ public:
 
   /// Adds the constraints of a map of the edges.
   template <typename EdgeMap, typename Pack>
-  void add_constraints(const Surface& surface, const EdgeMap& map, const Pack& np, Constraints& constraints) const
+  void add_constraints(const Surface& surface, const EdgeMap& map, const Pack& np,
+                       Constraints& constraints) const
   {
     static_assert(check_edge_map<EdgeMap, FaceGraph>());
     const auto is_constrained = [&](const edge_descriptor& e) { return bool(get(map, e)); };
     const Mesh_order<FaceGraph, Pack> order(*m_mesh, np);
-    Edges_of_adjacencies<FaceGraph, Pack>(order, surface).for_each_if(is_constrained, [&](auto, std::size_t adjacency) {
-      constraints.add(adjacency, surface.number_of_adjacencies());
-    });
+    Edges_of_adjacencies<FaceGraph, Pack>(order, surface)
+      .for_each_if(is_constrained, [&](auto, std::size_t adjacency) {
+        constraints.add(adjacency, surface.number_of_adjacencies());
+      });
     std::vector<Vertex_pair> borders; // border edges may coincide
     if (component_links(np))
       for (const edge_descriptor e : edges(*m_mesh))

@@ -20,21 +20,26 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// Polygons as input of a segmentation. Values of polygons are in a property map or a random access range, by index.
+/// Polygons as input of a segmentation. Values of polygons are in a property map or a random access
+/// range, by index.
 class Polygon_input
 {
 public:
-  explicit Polygon_input(std::size_t number_of_polygons) : m_number(number_of_polygons) {}
+  explicit Polygon_input(std::size_t number_of_polygons)
+    : m_number(number_of_polygons)
+  {}
 
   /// Adds the constraints of a range of pairs of indices of points.
   template <typename PairRange, typename Pack>
-  void add_constraints(const Surface& surface, const PairRange& pairs, const Pack&, Constraints& constraints) const
+  void add_constraints(const Surface& surface, const PairRange& pairs, const Pack&,
+                       Constraints& constraints) const
   {
     static_assert(is_range_of_pairs<PairRange>(),
                   "the constraints of polygons are a range of pairs of indices of points");
     std::vector<Vertex_pair> edges;
     for (const auto& [v, w] : pairs) {
-      if (std::size_t(v) >= surface.number_of_vertices() || std::size_t(w) >= surface.number_of_vertices())
+      if (std::size_t(v) >= surface.number_of_vertices() ||
+          std::size_t(w) >= surface.number_of_vertices())
         throw Invalid_input("a constraint has a point that does not exist");
       edges.push_back({Surface::Index(v), Surface::Index(w)});
     }

@@ -22,8 +22,8 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// A face graph as the input of a single stage, whose maps have edges as keys: a surface with the adjacencies across edges
-/// of the graph alone, and the constraints.
+/// A face graph as the input of a single stage, whose maps have edges as keys: a surface with the
+/// adjacencies across edges of the graph alone, and the constraints.
 template <typename FaceGraph, typename Pack>
 class Stage_input
 {
@@ -32,23 +32,26 @@ class Stage_input
 
 public:
   Stage_input(const FaceGraph& mesh, const Pack& np, const Execution& execution)
-      : m_order(mesh, np), m_surface(read_neighbors(np, execution.stage("reading")))
+    : m_order(mesh, np)
+    , m_surface(read_neighbors(np, execution.stage("reading")))
   {
     const auto map = CGAL::parameters::choose_parameter(
-      CGAL::parameters::get_parameter(np, CGAL::internal_np::edge_is_constrained), No_constraints());
+      CGAL::parameters::get_parameter(np, CGAL::internal_np::edge_is_constrained),
+      No_constraints());
     static_assert(check_edge_map<std::decay_t<decltype(map)>, FaceGraph>());
     if constexpr (!std::is_same<std::decay_t<decltype(map)>, No_constraints>::value)
       Edges_of_adjacencies<FaceGraph, Pack>(m_order, m_surface)
-        .for_each_if([&](const edge_descriptor& e) { return bool(get(map, e)); }, [&](auto, std::size_t a) {
-          m_constraints.add(a, m_surface.number_of_adjacencies());
-        });
+        .for_each_if(
+          [&](const edge_descriptor& e) { return bool(get(map, e)); },
+          [&](auto, std::size_t a) { m_constraints.add(a, m_surface.number_of_adjacencies()); });
   }
 
   const FaceGraph& mesh() const { return m_order.mesh(); }
   const Surface& surface() const { return m_surface; }
   const Constraints& constraints() const { return m_constraints; }
 
-  /// Calls `f(halfedge, adjacency)` for the edges with two different faces, each with the halfedge of the lower face.
+  /// Calls `f(halfedge, adjacency)` for the edges with two different faces, each with the halfedge
+  /// of the lower face.
   template <typename F>
   void for_each_adjacency(const F& f) const
   {
@@ -62,8 +65,8 @@ public:
     return m_order.rank_of_vertex()(v);
   }
 
-  /// Writes `value(adjacency)` for the edges with two different faces, `true` for border edges, `false` for the others.
-  /// Returns the number of edges with `true`.
+  /// Writes `value(adjacency)` for the edges with two different faces, `true` for border edges,
+  /// `false` for the others. Returns the number of edges with `true`.
   template <typename EdgeMap, typename Value>
   std::size_t write(EdgeMap& map, const Value& value) const
   {

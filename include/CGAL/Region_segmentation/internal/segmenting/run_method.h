@@ -25,12 +25,12 @@ struct Learned_merging;
 namespace internal {
 
 template <typename Method>
-using Prepared_by =
-  decltype(std::declval<const Method&>().prepare(std::declval<const Surface&>(), std::declval<const Execution&>()));
+using Prepared_by = decltype(std::declval<const Method&>().prepare(
+  std::declval<const Surface&>(), std::declval<const Execution&>()));
 template <typename Method>
 using Merged_by = decltype(std::declval<const Method&>().merge(
-  std::declval<const Surface&>(), std::declval<const Prepared_by<Method>&>(), std::declval<const Request&>(),
-  std::declval<const Execution&>()));
+  std::declval<const Surface&>(), std::declval<const Prepared_by<Method>&>(),
+  std::declval<const Request&>(), std::declval<const Execution&>()));
 
 /// Whether the order of merges of a method depends on the number of segments.
 template <typename Method>
@@ -42,10 +42,12 @@ constexpr bool needs_number()
 template <typename Method>
 constexpr bool check_method()
 {
-  static_assert(satisfies<Merged_by, Method>,
-                "a SegmentationMethod needs: Prepared prepare(const Surface&, const Execution&) const, and Hierarchy or "
-                "Segmentation merge(const Surface&, const Prepared&, const Request&, const Execution&) const. "
-                "(The default method needs #include <CGAL/region_segmentation.h>)");
+  static_assert(
+    satisfies<Merged_by, Method>,
+    "a SegmentationMethod needs: Prepared prepare(const Surface&, const Execution&) const, and "
+    "Hierarchy or "
+    "Segmentation merge(const Surface&, const Prepared&, const Request&, const Execution&) const. "
+    "(The default method needs #include <CGAL/region_segmentation.h>)");
   if constexpr (satisfies<Merged_by, Method>)
     static_assert(needs_number<Method>() || std::is_base_of<Hierarchy, Merged_by<Method>>::value,
                   "merge() of a SegmentationMethod returns a Hierarchy or a Segmentation");
@@ -54,11 +56,12 @@ constexpr bool check_method()
 
 /// The method of a pack, or the default one.
 template <typename Pack>
-using Method_of_pack =
-  std::decay_t<typename CGAL::internal_np::Lookup_named_param_def<internal_np::method_t, Pack, Learned_merging>::type>;
+using Method_of_pack = std::decay_t<typename CGAL::internal_np::Lookup_named_param_def<
+  internal_np::method_t, Pack, Learned_merging>::type>;
 
 template <typename NamedParameters>
-using Method_of_parameters = Method_of_pack<std::decay_t<decltype(pack(std::declval<const NamedParameters&>()))>>;
+using Method_of_parameters = Method_of_pack<
+  std::decay_t<decltype(pack(std::declval<const NamedParameters&>()))>>;
 
 /// A given method need not be default constructible.
 template <typename Method, typename Pack>
@@ -69,26 +72,30 @@ Method method_of_pack(const Pack& np)
   else {
     using Given = std::decay_t<decltype(CGAL::parameters::get_parameter(np, internal_np::method))>;
     static_assert(std::is_convertible<Given, Method>::value,
-                  "the Segmenter is of another type than the method: omit its template arguments, which are deduced in "
+                  "the Segmenter is of another type than the method: omit its template arguments, "
+                  "which are deduced in "
                   "Segmenter segmenter(mesh, parameters::method(m))");
     return CGAL::parameters::get_parameter(np, internal_np::method);
   }
 }
 
-using Segmenting_parameters =
-  Tag_list<internal_np::number_of_segments_t, internal_np::method_t, internal_np::face_seed_map_t,
-           internal_np::component_links_t, internal_np::region_map_t, internal_np::merge_tree_t,
-           CGAL::internal_np::edge_is_constrained_t, CGAL::internal_np::visitor_t>;
+using Segmenting_parameters = Tag_list<
+  internal_np::number_of_segments_t, internal_np::method_t, internal_np::face_seed_map_t,
+  internal_np::component_links_t, internal_np::region_map_t, internal_np::merge_tree_t,
+  CGAL::internal_np::edge_is_constrained_t, CGAL::internal_np::visitor_t>;
 
 template <typename Pack>
-constexpr bool has_constraints =
-  !CGAL::parameters::is_default_parameter<Pack, CGAL::internal_np::edge_is_constrained_t>::value;
+constexpr bool has_constraints = !CGAL::parameters::is_default_parameter<
+  Pack, CGAL::internal_np::edge_is_constrained_t>::value;
 template <typename Pack>
-constexpr bool has_seeds = !CGAL::parameters::is_default_parameter<Pack, internal_np::face_seed_map_t>::value;
+constexpr bool
+  has_seeds = !CGAL::parameters::is_default_parameter<Pack, internal_np::face_seed_map_t>::value;
 template <typename Pack>
-constexpr bool has_merge_tree = !CGAL::parameters::is_default_parameter<Pack, internal_np::merge_tree_t>::value;
+constexpr bool
+  has_merge_tree = !CGAL::parameters::is_default_parameter<Pack, internal_np::merge_tree_t>::value;
 template <typename Pack>
-constexpr bool has_region_map = !CGAL::parameters::is_default_parameter<Pack, internal_np::region_map_t>::value;
+constexpr bool
+  has_region_map = !CGAL::parameters::is_default_parameter<Pack, internal_np::region_map_t>::value;
 
 /// The seeds in a map.
 template <typename Input, typename SeedMap>
@@ -107,15 +114,18 @@ Request request_of_pack(const Input& input, const Surface& surface, const Pack& 
   Request request;
   request.number_of_segments = number_of_segments(np);
   if constexpr (has_constraints<Pack>)
-    input.add_constraints(surface, CGAL::parameters::get_parameter(np, CGAL::internal_np::edge_is_constrained), np,
-                          request.constraints);
+    input.add_constraints(
+      surface, CGAL::parameters::get_parameter(np, CGAL::internal_np::edge_is_constrained), np,
+      request.constraints);
   if constexpr (has_seeds<Pack>)
-    request.seeds = read_seeds(input, CGAL::parameters::get_parameter(np, internal_np::face_seed_map));
+    request.seeds = read_seeds(input,
+                               CGAL::parameters::get_parameter(np, internal_np::face_seed_map));
   return request;
 }
 
 /// What the method merges.
-/// \throws Invalid_method unless its regions are those of the faces, and its merges or segments those
+/// \throws Invalid_method unless its regions are those of the faces, and its merges or segments
+/// those
 ///         of the regions
 template <typename Method, typename Prepared>
 auto merge_by(const Method& method, const Surface& surface, const Prepared& prepared,
@@ -140,7 +150,8 @@ auto merge_by(const Method& method, const Surface& surface, const Prepared& prep
 
 /// Writes the outputs that a pack asks for. `result`: a `Hierarchy` or a `Segmentation`
 template <typename Input, typename Pack>
-void write_outputs(const Input& input, const Partition& regions, const Merge_tree& tree, const Pack& np)
+void write_outputs(const Input& input, const Partition& regions, const Merge_tree& tree,
+                   const Pack& np)
 {
   if constexpr (has_region_map<Pack>) {
     auto map = CGAL::parameters::get_parameter(np, internal_np::region_map);
@@ -148,13 +159,14 @@ void write_outputs(const Input& input, const Partition& regions, const Merge_tre
   }
   if constexpr (has_merge_tree<Pack>)
     CGAL::parameters::get_parameter_reference(np, internal_np::merge_tree) = tree;
-  static_cast<void>(input), static_cast<void>(regions), static_cast<void>(tree), static_cast<void>(np);
+  static_cast<void>(input), static_cast<void>(regions), static_cast<void>(tree),
+    static_cast<void>(np);
 }
 
 /// Segments a surface once, and writes labels and outputs. Returns the number of segments.
 template <typename Input, typename SegmentMap, typename Pack>
-std::size_t run_method(const Input& input, const Surface& surface, SegmentMap& segment_map, const Pack& np,
-                       const Execution& execution)
+std::size_t run_method(const Input& input, const Surface& surface, SegmentMap& segment_map,
+                       const Pack& np, const Execution& execution)
 {
   using Method = Method_of_pack<Pack>;
   static_assert(check_method<Method>());

@@ -22,8 +22,9 @@ class Border_chains
 
 public:
   explicit Border_chains(const Segmented_halfedges& mesh)
-      : m_mesh(mesh), m_leaving(mesh.number_of_vertices, Index(none)),
-        m_is_junction(mesh.number_of_vertices, false)
+    : m_mesh(mesh)
+    , m_leaving(mesh.number_of_vertices, Index(none))
+    , m_is_junction(mesh.number_of_vertices, false)
   {
     std::vector<Index> arriving(mesh.number_of_vertices, Index(none));
     const auto add = [&](Index& place, Index h, Index vertex) {
@@ -73,8 +74,8 @@ private:
 
   const Segmented_halfedges& m_mesh;
   std::vector<Index> m_halfedges;
-  std::vector<Index> m_leaving;     // by vertex: a halfedge that leaves it
-  std::vector<char> m_is_junction;  // by vertex
+  std::vector<Index> m_leaving;    // by vertex: a halfedge that leaves it
+  std::vector<char> m_is_junction; // by vertex
 };
 
 } // namespace internal

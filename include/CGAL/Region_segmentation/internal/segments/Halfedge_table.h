@@ -30,9 +30,9 @@ struct Halfedge_table
   static constexpr Index none = (std::numeric_limits<Index>::max)();
 
   std::size_t number_of_vertices = 0;
-  std::vector<Index> first;          // halfedge of each face, and the end
-  std::vector<Index> face, source;   // of each halfedge
-  std::vector<Index> opposite;       // none on the border of the mesh
+  std::vector<Index> first;        // halfedge of each face, and the end
+  std::vector<Index> face, source; // of each halfedge
+  std::vector<Index> opposite;     // none on the border of the mesh
 
   std::size_t size() const { return source.size(); }
   std::size_t number_of_faces() const { return first.size() - 1; }
@@ -63,9 +63,9 @@ auto read_halfedges(const FaceGraph& mesh, const Pack& np, Halfedge_table& table
     const auto begin = std::ptrdiff_t(descriptors.size());
     for (auto h : CGAL::halfedges_around_face(halfedge(f, mesh), mesh))
       descriptors.push_back(h);
-    const auto lowest =
-      std::min_element(descriptors.begin() + begin, descriptors.end(),
-                       [&](auto g, auto h) { return source_of(g) < source_of(h); });
+    const auto lowest = std::min_element(
+      descriptors.begin() + begin, descriptors.end(),
+      [&](auto g, auto h) { return source_of(g) < source_of(h); });
     std::rotate(descriptors.begin() + begin, lowest, descriptors.end());
     table.face.resize(descriptors.size(), Index(table.first.size() - 1));
     table.first.push_back(Index(descriptors.size()));

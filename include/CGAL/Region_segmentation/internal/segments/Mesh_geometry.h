@@ -25,8 +25,9 @@ public:
   using Index = Halfedge_table::Index;
 
   Mesh_geometry(const Halfedge_table& halfedges, Surface surface)
-      : m_halfedges(halfedges), m_surface(std::move(surface)),
-        m_orientations(halfedges.number_of_faces(), 1)
+    : m_halfedges(halfedges)
+    , m_surface(std::move(surface))
+    , m_orientations(halfedges.number_of_faces(), 1)
   {
     Lowest_root_forest components(halfedges.number_of_faces());
     for (Index h = 0; h < halfedges.size(); ++h)
@@ -39,11 +40,15 @@ public:
       m_orientations[f] = m_orientations[components.root(f)];
   }
 
+  const Surface& surface() const { return m_surface; }
   /// Of lengths and points, as a multiple of that of the mesh.
   double unit() const { return m_surface.unit(); }
   const Double_3& point(Index vertex) const { return m_surface.point(vertex); }
   /// Zero for a degenerate face.
   const Double_3& normal(Index face) const { return m_surface.normal(face); }
+
+  /// The normal of a face as it is given, not turned.
+  Double_3 given_normal(Index face) const { return double(m_orientations[face]) * normal(face); }
 
   /// -1 for a face that is turned, otherwise 1.
   int orientation(Index face) const { return m_orientations[face]; }

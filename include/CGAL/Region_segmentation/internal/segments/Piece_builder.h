@@ -28,10 +28,29 @@ template <typename Mesh>
 using Has_outgoing_halfedge = decltype(std::declval<Mesh&>().adjust_outgoing_halfedge(
   std::declval<typename boost::graph_traits<Mesh>::vertex_descriptor>()));
 
+/// The vertices, faces and points that the halfedges and faces of a table come from.
+template <typename FaceGraph, typename PointMap>
+struct Elements_of_graph
+{
+  const FaceGraph& mesh;
+  const std::vector<typename boost::graph_traits<FaceGraph>::halfedge_descriptor>& descriptors;
+  const PointMap& points;
+
+  /// The vertex that a halfedge leaves.
+  auto vertex_of(Halfedge_table::Index h) const { return source(descriptors[h], mesh); }
+  /// The face of a halfedge.
+  auto face_of(Halfedge_table::Index h) const { return face(descriptors[h], mesh); }
+  template <typename F>
+  void with_point(Halfedge_table::Index h, const F& f) const
+  {
+    f(get(points, vertex_of(h)));
+  }
+};
+
 /// Builds a mesh of each segment, one after another, with a vertex for each fan of its faces.
 ///
 /// \tparam Target a model of `MutableFaceGraph`
-template <typename Target, typename FaceGraph, typename Label>
+template <typename Target>
 class Piece_builder
 {
   using Index = Halfedge_table::Index;
@@ -40,28 +59,32 @@ class Piece_builder
   using Vertex = typename Target_traits::vertex_descriptor;
 
 public:
-  Piece_builder(const FaceGraph& mesh, const Segmented_mesh<FaceGraph, Label>& segmented)
-    : m_mesh(mesh), m_segmented(segmented), m_fans(segmented.fans())
+  explicit Piece_builder(const Segmented_halfedges& segmented)
+    : m_segmented(segmented)
+    , m_fans(segmented.fans())
     , m_faces(segmented.faces_of_segments())
     , m_copies(segmented.size(), Target_traits::null_halfedge())
-    , m_vertices(m_fans.number_of_parts()), m_has_vertex(m_fans.number_of_parts(), false)
+    , m_vertices(m_fans.number_of_parts())
+    , m_has_vertex(m_fans.number_of_parts(), false)
     , m_arriving(m_fans.number_of_parts())
   {}
 
   /// Fills the mesh, the faces and the vertices of a piece, once for each segment.
-  template <typename Point_map, typename Piece>
-  void build(std::size_t segment, const Point_map& points, Piece& piece)
+  /// `elements`: as `Elements_of_graph`
+  template <typename Elements, typename Piece>
+  void build(std::size_t segment, const Elements& elements, Piece& piece)
   {
     reserve_elements(segment, piece.mesh);
     for_each_halfedge(segment, [&](Index h) {
       if (std::exchange(m_has_vertex[m_fans[h]], true))
         return;
       m_vertices[m_fans[h]] = add_vertex(piece.mesh);
-      piece.vertices.push_back(source(m_segmented.descriptors[h], m_mesh));
-      put_point(get(points, piece.vertices.back()), m_vertices[m_fans[h]], piece.mesh);
+      piece.vertices.push_back(elements.vertex_of(h));
+      const Vertex v = m_vertices[m_fans[h]];
+      elements.with_point(h, [&](const auto& p) { put_point(p, v, piece.mesh); });
     });
     for (Index f : m_faces[segment]) {
-      piece.faces.push_back(face(m_segmented.descriptors[m_segmented.first[f]], m_mesh));
+      piece.faces.push_back(elements.face_of(m_segmented.first[f]));
       copy_face(f, piece.mesh);
     }
     link_border(segment, piece.mesh);
@@ -79,7 +102,8 @@ private:
   void reserve_elements(std::size_t segment, Target& piece) const
   {
     std::size_t halfedges = 0;
-    for_each_halfedge(segment, [&](Index h) { halfedges += m_segmented.is_on_border(h) ? 2u : 1u; });
+    for_each_halfedge(segment,
+                      [&](Index h) { halfedges += m_segmented.is_on_border(h) ? 2u : 1u; });
     const std::size_t number_of_edges = halfedges / 2, number_of_faces = m_faces[segment].size();
     const std::size_t number_of_vertices = number_of_edges - number_of_faces + 1; // of a disc
     reserve(piece, typename Target_traits::vertices_size_type(number_of_vertices),
@@ -144,14 +168,13 @@ private:
     }
   }
 
-  const FaceGraph& m_mesh;
-  const Segmented_mesh<FaceGraph, Label>& m_segmented;
+  const Segmented_halfedges& m_segmented;
   const Partition m_fans;
   const Grouped_items<Index> m_faces; // by segment
-  std::vector<Halfedge> m_copies;   // by halfedge
-  std::vector<Vertex> m_vertices;   // by fan
-  std::vector<char> m_has_vertex;   // by fan
-  std::vector<Index> m_arriving;    // by open fan: the halfedge on the border
+  std::vector<Halfedge> m_copies;     // by halfedge
+  std::vector<Vertex> m_vertices;     // by fan
+  std::vector<char> m_has_vertex;     // by fan
+  std::vector<Index> m_arriving;      // by open fan: the halfedge on the border
 };
 
 } // namespace internal

@@ -74,9 +74,9 @@ private:
 
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   static constexpr std::size_t most_fitted_faces = 2000; // errors are those of all faces
-  static constexpr double tolerance = 1e-4;       // misfits below are as good as none
-  static constexpr double worthwhile = 0.8; // what another parameter multiplies the misfit with
-  static constexpr double largest_radius = 100;   // beyond, a surface is as good as flat
+  static constexpr double tolerance = 1e-4;              // misfits below are as good as none
+  static constexpr double worthwhile = 0.8;     // what another parameter multiplies the misfit with
+  static constexpr double largest_radius = 100; // beyond, a surface is as good as flat
   static constexpr double smallest_half_angle = 0.01; // radians; below, a cone is a cylinder
 
   static void normalize_weights(Samples& samples)
@@ -199,9 +199,9 @@ private:
 
   const std::size_t m_stride;
   std::size_t m_number_of_faces = 0;
-  Samples m_corners, m_middles;         // of all faces
-  Samples m_fitted_corners, m_normals;  // of every `m_stride`-th face
-  std::vector<double> m_plane_offsets;  // of the faces of these normals, from the origin
+  Samples m_corners, m_middles;        // of all faces
+  Samples m_fitted_corners, m_normals; // of every `m_stride`-th face
+  std::vector<double> m_plane_offsets; // of the faces of these normals, from the origin
   std::array<double, 4> m_errors;
   Primitive_shape m_best;
   double m_misfit = infinity;

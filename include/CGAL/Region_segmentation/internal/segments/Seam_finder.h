@@ -32,9 +32,11 @@ public:
   /// `cost(halfedge)`: of a seam along it.
   template <typename Cost>
   Seam_finder(const Segmented_halfedges& mesh, const Cost& cost)
-      : m_mesh(mesh), m_edges_at(mesh.number_of_vertices),
-        m_is_border(mesh.number_of_vertices, false), m_distances(mesh.number_of_vertices, infinity),
-        m_tree_edge(mesh.number_of_vertices, Index(none))
+    : m_mesh(mesh)
+    , m_edges_at(mesh.number_of_vertices)
+    , m_is_border(mesh.number_of_vertices, false)
+    , m_distances(mesh.number_of_vertices, infinity)
+    , m_tree_edge(mesh.number_of_vertices, Index(none))
   {
     for (Index h = 0; h < mesh.size(); ++h)
       if (mesh.is_on_border(h))

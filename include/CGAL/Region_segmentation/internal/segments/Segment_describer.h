@@ -36,8 +36,10 @@ public:
 
   Segment_describer(const Segmented_mesh<FaceGraph, Label>& segmented,
                     const Mesh_geometry& geometry)
-      : m_segmented(segmented), m_geometry(geometry), m_faces(segmented.faces_of_segments()),
-        m_descriptions(segmented.number_of_segments)
+    : m_segmented(segmented)
+    , m_geometry(geometry)
+    , m_faces(segmented.faces_of_segments())
+    , m_descriptions(segmented.number_of_segments)
   {}
 
   std::vector<Description> describe()
@@ -82,8 +84,8 @@ private:
   {
     const Index first_face = *m_faces[segment].begin();
     // Relative to a point nearby, so that nothing cancels far from the origin.
-    const Eigen::Vector3d origin =
-      to_eigen(m_geometry.point(m_segmented.source[m_segmented.first[first_face]]));
+    const Eigen::Vector3d origin = to_eigen(
+      m_geometry.point(m_segmented.source[m_segmented.first[first_face]]));
     double area = 0;
     Eigen::Vector3d first_moment = Eigen::Vector3d::Zero();
     Eigen::Matrix3d second_moment = Eigen::Matrix3d::Zero();
@@ -186,8 +188,8 @@ private:
       volume += v;
     for (std::size_t s = 0; s < m_descriptions.size(); ++s) {
       m_descriptions[s].volume = volumes[s] * unit * unit * unit;
-      m_descriptions[s].volume_share =
-        volume > 1e-12 * std::pow(area, 1.5) ? volumes[s] / volume : 0;
+      m_descriptions[s].volume_share = volume > 1e-12 * std::pow(area, 1.5) ? volumes[s] / volume
+                                                                            : 0;
     }
   }
 

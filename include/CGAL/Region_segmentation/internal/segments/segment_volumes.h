@@ -55,8 +55,8 @@ inline std::vector<double> segment_volumes(const Segmented_halfedges& mesh,
   std::vector<double> volumes(number + 1, 0);
   std::vector<Index> origins(number + 1, Halfedge_table::none); // vertices
   for (Index f = 0; f < mesh.number_of_faces(); ++f) {
-    const std::size_t segment =
-      mesh.segment_of_face[f] == mesh.none ? number : mesh.segment_of_face[f];
+    const std::size_t segment = mesh.segment_of_face[f] == mesh.none ? number
+                                                                     : mesh.segment_of_face[f];
     if (origins[segment] == mesh.none)
       origins[segment] = mesh.source[mesh.first[f]];
     const Double_3 origin = geometry.point(origins[segment]);

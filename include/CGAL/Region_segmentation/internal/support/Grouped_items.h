@@ -14,18 +14,21 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// Items by their group, in one array, those of a group in the order of insertion: a counting sort. Groups are numbered
-/// from 0. First every item is counted, then all are added.
+/// Items by their group, in one array, those of a group in the order of insertion: a counting sort.
+/// Groups are numbered from 0. First every item is counted, then all are added.
 ///
-/// Sorting by comparison, superfacets take 1.2 times as long at 10,000 and at 160,000 faces, tracing rays 1.17 times at
-/// 160,000. (A small vector for each face takes the same time, and 16 bytes more per face.)
+/// Sorting by comparison, superfacets take 1.2 times as long at 10,000 and at 160,000 faces,
+/// tracing rays 1.17 times at 160,000. (A small vector for each face takes the same time, and 16
+/// bytes more per face.)
 ///
 /// Bytes: those of the items, and 8 per group.
 template <typename Item>
 class Grouped_items
 {
 public:
-  explicit Grouped_items(std::size_t number_of_groups) : m_first(number_of_groups + 2, 0) {}
+  explicit Grouped_items(std::size_t number_of_groups)
+    : m_first(number_of_groups + 2, 0)
+  {}
 
   // Counts are stored two places further on, so that adding moves each start to its final place.
   void count(std::size_t group) { ++m_first[group + 2]; }

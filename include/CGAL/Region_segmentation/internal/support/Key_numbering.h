@@ -16,16 +16,18 @@ namespace internal {
 
 /// Numbers distinct keys 0, 1, ... in the order of their first occurrence.
 ///
-/// Keys below a bound, such as almost all labels, are looked up in a growing array, all others in a hash table. (For 1
-/// million faces in random order, the hash table takes 5 times as long as the array with 10 labels, 80 times with
-/// 250,000.)
+/// Keys below a bound, such as almost all labels, are looked up in a growing array, all others in a
+/// hash table. (For 1 million faces in random order, the hash table takes 5 times as long as the
+/// array with 10 labels, 80 times with 250,000.)
 class Key_numbering
 {
 public:
   using Index = std::uint32_t;
 
   /// `bound`: the array never has more than this number of entries.
-  explicit Key_numbering(std::size_t bound) : m_bound(bound) {}
+  explicit Key_numbering(std::size_t bound)
+    : m_bound(bound)
+  {}
 
   Index operator()(std::uint64_t key)
   {
@@ -58,7 +60,7 @@ private:
   }
 
   std::size_t m_bound;
-  std::vector<Index> m_numbers; // of keys below the bound
+  std::vector<Index> m_numbers;                             // of keys below the bound
   std::unordered_map<std::uint64_t, Index> m_large_numbers; // of all others
   std::uint64_t m_latest_key = 0;
   Index m_latest = 0;

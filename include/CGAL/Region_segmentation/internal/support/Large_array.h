@@ -31,8 +31,9 @@ inline void ask_for_large_pages(void* block, std::size_t size)
 #endif
 }
 
-/// Asks for huge pages for large blocks, on Linux: with pages of 4 kB the first use of new memory takes a quarter of
-/// the time of `two-step` (`doc/performance.md`), and random accesses miss the TLB.
+/// Asks for huge pages for large blocks, on Linux: with pages of 4 kB the first use of new memory
+/// takes a quarter of the time of `two-step` (`doc/performance.md`), and random accesses miss the
+/// TLB.
 template <typename T>
 struct Large_page_allocator
 {
@@ -40,7 +41,8 @@ struct Large_page_allocator
 
   Large_page_allocator() = default;
   template <typename U>
-  Large_page_allocator(const Large_page_allocator<U>&) {}
+  Large_page_allocator(const Large_page_allocator<U>&)
+  {}
 
   T* allocate(std::size_t n)
   {
@@ -72,8 +74,8 @@ private:
   }
 };
 
-/// A vector with an element per face, edge or section: in large pages, and `resize()` does not initialize trivial
-/// elements, so that memory is first touched by the thread that fills it.
+/// A vector with an element per face, edge or section: in large pages, and `resize()` does not
+/// initialize trivial elements, so that memory is first touched by the thread that fills it.
 template <typename T>
 using Large_array = std::vector<T, boost::noinit_adaptor<Large_page_allocator<T>>>;
 

@@ -15,12 +15,16 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// The lowest key that each element was offered; with `Parallel_tag` threads may offer keys concurrently.
+/// The lowest key that each element was offered; with `Parallel_tag` threads may offer keys
+/// concurrently.
 class Lowest_keys
 {
 public:
   /// Not initialized. `execution`: in parallel, threads may offer keys concurrently
-  Lowest_keys(std::size_t size, const Execution& execution) : m_keys(size), m_is_parallel(execution.is_parallel()) {}
+  Lowest_keys(std::size_t size, const Execution& execution)
+    : m_keys(size)
+    , m_is_parallel(execution.is_parallel())
+  {}
 
   void set(std::size_t i, Float_key key) { m_keys[i].store(key, std::memory_order_relaxed); }
   Float_key operator[](std::size_t i) const { return m_keys[i].load(std::memory_order_relaxed); }
@@ -29,7 +33,8 @@ public:
   {
     Float_key lowest = (*this)[i];
     if (m_is_parallel)
-      while (key < lowest && !m_keys[i].compare_exchange_weak(lowest, key, std::memory_order_relaxed)) {
+      while (key < lowest &&
+             !m_keys[i].compare_exchange_weak(lowest, key, std::memory_order_relaxed)) {
       }
     else // without a branch, which would be mispredicted often
       set(i, (std::min)(lowest, key));

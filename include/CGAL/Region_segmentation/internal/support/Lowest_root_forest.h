@@ -15,8 +15,9 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// A forest over the faces in which a parent is never above its child: the root of a tree is its lowest face,
-/// independently of the order of unions, so the array of parents becomes the array of labels, numbered by first faces.
+/// A forest over the faces in which a parent is never above its child: the root of a tree is its
+/// lowest face, independently of the order of unions, so the array of parents becomes the array of
+/// labels, numbered by first faces.
 /// (`boost::disjoint_sets` keeps a second array and any root.)
 ///
 /// Threads may unite concurrently, each within its own range of faces.
@@ -25,7 +26,8 @@ class Lowest_root_forest
 public:
   using Index = Partition::Index;
 
-  explicit Lowest_root_forest(std::size_t size) : m_parents(size)
+  explicit Lowest_root_forest(std::size_t size)
+    : m_parents(size)
   {
     std::iota(m_parents.begin(), m_parents.end(), Index(0));
   }
@@ -53,8 +55,8 @@ public:
     return parent;
   }
 
-  /// Unites the tree of the root `r` with that of `a`; returns their root. Branch-free, since it is unpredictable
-  /// whether they are united already.
+  /// Unites the tree of the root `r` with that of `a`; returns their root. Branch-free, since it is
+  /// unpredictable whether they are united already.
   Index unite_with_root(Index r, Index a)
   {
     a = root(a);

@@ -28,12 +28,16 @@ struct Symmetric_3
   }
 
   /// The sum of the products of two different eigenvalues.
-  double second_invariant() const { return xx * yy + yy * zz + zz * xx - xy * xy - yz * yz - xz * xz; }
+  double second_invariant() const
+  {
+    return xx * yy + yy * zz + zz * xx - xy * xy - yz * yz - xz * xz;
+  }
 
   /// v^T M v
   double along(const Double_3& v) const
   {
-    return xx * v.x * v.x + yy * v.y * v.y + zz * v.z * v.z + 2 * (xy * v.x * v.y + xz * v.x * v.z + yz * v.y * v.z);
+    return xx * v.x * v.x + yy * v.y * v.y + zz * v.z * v.z +
+           2 * (xy * v.x * v.y + xz * v.x * v.z + yz * v.y * v.z);
   }
 
   /// Adds weight * v v^T.
@@ -64,8 +68,8 @@ inline double trace_of_product(const Symmetric_3& a, const Symmetric_3& b)
   return a.xx * b.xx + a.yy * b.yy + a.zz * b.zz + 2 * (a.xy * b.xy + a.xz * b.xz + a.yz * b.yz);
 }
 
-/// The eigenvalues, the largest first, as the roots of the characteristic polynomial by Viete's formula. The absolute
-/// error is below 1e-7 of the largest.
+/// The eigenvalues, the largest first, as the roots of the characteristic polynomial by Viete's
+/// formula. The absolute error is below 1e-7 of the largest.
 inline std::array<double, 3> eigenvalues(const Symmetric_3& m)
 {
   const double mean = m.trace() / 3;
@@ -80,8 +84,8 @@ inline std::array<double, 3> eigenvalues(const Symmetric_3& m)
   return {first, 3 * mean - first - last, last};
 }
 
-/// Weight, first and second moments of weighted points. They are sums: those of a union are the sums of those of its
-/// parts.
+/// Weight, first and second moments of weighted points. They are sums: those of a union are the
+/// sums of those of its parts.
 struct Second_moments
 {
   double weight = 0;
@@ -105,13 +109,15 @@ struct Second_moments
   /// The mean of the points; the origin if they have no weight.
   Double_3 centroid() const { return weight > 0 ? (1 / weight) * first : Double_3{0, 0, 0}; }
 
-  /// The mean of the squares of the vectors from the centroid to the points; zero if they have no weight.
+  /// The mean of the squares of the vectors from the centroid to the points; zero if they have no
+  /// weight.
   Symmetric_3 covariance() const
   {
     if (!(weight > 0))
       return Symmetric_3();
     const double s = 1 / weight;
-    Symmetric_3 result{s * second.xx, s * second.xy, s * second.xz, s * second.yy, s * second.yz, s * second.zz};
+    Symmetric_3 result{s * second.xx, s * second.xy, s * second.xz,
+                       s * second.yy, s * second.yz, s * second.zz};
     result.add_square(-1, centroid());
     return result;
   }

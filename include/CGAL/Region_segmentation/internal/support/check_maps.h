@@ -15,21 +15,24 @@ namespace Region_segmentation {
 namespace internal {
 
 template <typename Map, typename Key>
-using Has_key = std::enable_if_t<std::is_convertible<Key, typename boost::property_traits<Map>::key_type>::value>;
+using Has_key = std::enable_if_t<
+  std::is_convertible<Key, typename boost::property_traits<Map>::key_type>::value>;
 
 template <typename Map, typename FaceGraph>
 constexpr bool check_face_map()
 {
-  static_assert(satisfies<Has_key, Map, typename boost::graph_traits<FaceGraph>::face_descriptor>,
-                "a property map of the faces is needed: its key is the face descriptor of the mesh");
+  static_assert(
+    satisfies<Has_key, Map, typename boost::graph_traits<FaceGraph>::face_descriptor>,
+    "a property map of the faces is needed: its key is the face descriptor of the mesh");
   return true;
 }
 
 template <typename Map, typename FaceGraph>
 constexpr bool check_edge_map()
 {
-  static_assert(satisfies<Has_key, Map, typename boost::graph_traits<FaceGraph>::edge_descriptor>,
-                "a property map of the edges is needed: its key is the edge descriptor of the mesh");
+  static_assert(
+    satisfies<Has_key, Map, typename boost::graph_traits<FaceGraph>::edge_descriptor>,
+    "a property map of the edges is needed: its key is the edge descriptor of the mesh");
   return true;
 }
 

@@ -14,12 +14,14 @@ namespace internal {
 template <typename OutputIterator, typename Value>
 using Takes_value = decltype(*std::declval<OutputIterator&>()++ = std::declval<Value>());
 
-/// For functions that output a value for each segment or border, of a type with the label type of the map as its argument.
+/// For functions that output a value for each segment or border, of a type with the label type of
+/// the map as its argument.
 template <typename OutputIterator, typename Value>
 constexpr bool check_output_of_labels()
 {
   static_assert(satisfies<Takes_value, OutputIterator, Value>,
-                "the output iterator takes values of another type: their Label is the value type of the map of segments");
+                "the output iterator takes values of another type: their Label is the value type "
+                "of the map of segments");
   return true;
 }
 

@@ -15,8 +15,8 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// The connected components of the faces across the adjacencies that `joins(adjacency)`. Each thread unites the faces of a range of
-/// blocks; adjacencies between two ranges follow at the end.
+/// The connected components of the faces across the adjacencies that `joins(adjacency)`. Each
+/// thread unites the faces of a range of blocks; adjacencies between two ranges follow at the end.
 template <typename Joins>
 Partition label_components(const Surface& surface, const Joins& joins, const Execution& execution)
 {
@@ -54,7 +54,8 @@ Partition label_components(const Surface& surface, const Joins& joins, const Exe
 inline Partition edge_components(const Surface& surface, const Execution& execution)
 {
   return label_components(
-    surface, [&](std::size_t a) { return !surface.has_flag(a, Surface::SEAM | Surface::LINK); }, execution);
+    surface, [&](std::size_t a) { return !surface.has_flag(a, Surface::SEAM | Surface::LINK); },
+    execution);
 }
 
 } // namespace internal

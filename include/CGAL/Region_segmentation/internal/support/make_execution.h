@@ -55,8 +55,9 @@ Execution make_execution(const Pack& np)
     return execution;
   else {
     auto&& visitor = CGAL::parameters::get_parameter_reference(np, CGAL::internal_np::visitor);
-    static_assert(satisfies<Goes_further, std::remove_reference_t<decltype(visitor)>>,
-                  "a SegmentationVisitor needs: bool go_further(const char* stage, double fraction)");
+    static_assert(
+      satisfies<Goes_further, std::remove_reference_t<decltype(visitor)>>,
+      "a SegmentationVisitor needs: bool go_further(const char* stage, double fraction)");
     static_assert(std::is_lvalue_reference<decltype(visitor)>::value,
                   "a SegmentationVisitor is not copied: pass it as visitor(std::ref(v))");
     return execution.with_visitor(visitor);

@@ -35,8 +35,8 @@ Feature_convexity feature_convexity(const Pack& np)
 }
 
 template <typename Pack>
-constexpr bool has_number_of_segments =
-  !CGAL::parameters::is_default_parameter<Pack, internal_np::number_of_segments_t>::value;
+constexpr bool has_number_of_segments = !CGAL::parameters::is_default_parameter<
+  Pack, internal_np::number_of_segments_t>::value;
 
 /// The wanted number of segments; 0 if the pack has none.
 template <typename Pack>

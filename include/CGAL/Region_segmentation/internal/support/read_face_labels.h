@@ -12,7 +12,8 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// The partition of the faces of a mesh, in iteration order, by the labels that a property map gives to them.
+/// The partition of the faces of a mesh, in iteration order, by the labels that a property map
+/// gives to them.
 template <typename FaceGraph, typename FaceLabelMap>
 Partition read_face_labels(const FaceGraph& mesh, const FaceLabelMap& label_map)
 {

@@ -17,7 +17,8 @@ template <template <typename...> class Requirement, typename... Types>
 struct Satisfies<std::void_t<Requirement<Types...>>, Requirement, Types...> : std::true_type
 {};
 
-/// Whether the alias `Requirement<Types...>` is well-formed: each requirement of a concept is such an alias.
+/// Whether the alias `Requirement<Types...>` is well-formed: each requirement of a concept is such
+/// an alias.
 template <template <typename...> class Requirement, typename... Types>
 constexpr bool satisfies = Satisfies<void, Requirement, Types...>::value;
 

@@ -11,13 +11,15 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// The area vector of a polygon from its consecutive points: Newell's formula relative to the first, A = 1/2 sum (p_i -
-/// p_0) x (p_i+1 - p_0), which avoids cancellation far from the origin.
+/// The area vector of a polygon from its consecutive points: Newell's formula relative to the
+/// first, A = 1/2 sum (p_i - p_0) x (p_i+1 - p_0), which avoids cancellation far from the origin.
 class Area_vector_sum
 {
 public:
   Area_vector_sum(const Double_3& first, const Double_3& second)
-    : m_first(first), m_previous(second), m_squared_longest_edge(squared_norm(second - first))
+    : m_first(first)
+    , m_previous(second)
+    , m_squared_longest_edge(squared_norm(second - first))
   {}
 
   void add(const Double_3& point)

@@ -52,8 +52,10 @@ public:
   /// `tolerances`: by component
   Component_tree(const Surface& surface, const Partition& component_of_face,
                  const std::vector<double>& tolerances)
-      : m_surface(surface), m_tolerances(tolerances), m_order(component_of_face.number_of_parts()),
-        m_boxes(m_order.size())
+    : m_surface(surface)
+    , m_tolerances(tolerances)
+    , m_order(component_of_face.number_of_parts())
+    , m_boxes(m_order.size())
   {
     group_faces(component_of_face);
     std::iota(m_order.begin(), m_order.end(), Index(0));
@@ -97,8 +99,8 @@ public:
              : b;
   }
 
-  /// Calls `f(part, other, squared_gap)` for the parts of two leaves whose boxes are not farther from each other than
-  /// `squared_bound()`, which may become less.
+  /// Calls `f(part, other, squared_gap)` for the parts of two leaves whose boxes are not farther
+  /// from each other than `squared_bound()`, which may become less.
   template <typename SquaredBound, typename F>
   void for_each_near(Index a, Index b, const SquaredBound& squared_bound, const F& f) const
   {
@@ -174,8 +176,8 @@ private:
   static Index split(Iterator items, const Node& n, double middle, const Center& center)
   {
     const Iterator begin = items + n.begin, end = items + n.end;
-    const Iterator at =
-      std::partition(begin, end, [&](const auto& i) { return center(i) < middle; });
+    const Iterator at = std::partition(begin, end,
+                                       [&](const auto& i) { return center(i) < middle; });
     if ((std::min)(at - begin, end - at) * 8 >= end - begin)
       return Index(at - items);
     const Iterator median = begin + (end - begin) / 2;

@@ -31,11 +31,11 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// The position of a descriptor in its range, found by an index map of any numbering, and the range in blocks. Takes 4
-/// bytes per element unless the index is the position.
+/// The position of a descriptor in its range, found by an index map of any numbering, and the range
+/// in blocks. Takes 4 bytes per element unless the index is the position.
 ///
-/// Descriptors that are handles are stored in an array, with 8 bytes per element: the latencies of traversing a linked
-/// list add up, while those of several handles overlap.
+/// Descriptors that are handles are stored in an array, with 8 bytes per element: the latencies of
+/// traversing a linked list add up, while those of several handles overlap.
 template <typename IndexMap, typename Range>
 class Iteration_ranks
 {
@@ -46,15 +46,18 @@ public:
 
 private:
   static constexpr bool are_handles = sizeof(Descriptor) > sizeof(Surface::Index);
-  using Block_iterator =
-    std::conditional_t<are_handles, typename std::vector<Descriptor>::const_iterator, Iterator>;
+  using Block_iterator = std::conditional_t<
+    are_handles, typename std::vector<Descriptor>::const_iterator, Iterator>;
 
 public:
   /// Maps a descriptor to its position; small enough that loops keep a copy in registers.
   class Rank_of
   {
   public:
-    Rank_of(IndexMap index_map, const Surface::Index* ranks) : m_index_map(index_map), m_ranks(ranks) {}
+    Rank_of(IndexMap index_map, const Surface::Index* ranks)
+      : m_index_map(index_map)
+      , m_ranks(ranks)
+    {}
 
     std::size_t operator()(const Descriptor& d) const
     {
@@ -122,8 +125,8 @@ private:
   std::vector<Descriptor> m_handles;
 };
 
-/// The order of the elements of a face graph, which does not depend on its type: faces and vertices are numbered by
-/// iteration, and the boundary of a face begins at its vertex of lowest number.
+/// The order of the elements of a face graph, which does not depend on its type: faces and vertices
+/// are numbered by iteration, and the boundary of a face begins at its vertex of lowest number.
 template <typename FaceGraph, typename Pack>
 class Mesh_order
 {

@@ -19,29 +19,34 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// A surface as it is read: its points and corners, and the face across each side, as far as it is known.
+/// A surface as it is read: its points and corners, and the face across each side, as far as it is
+/// known.
 ///
-/// A *side* of a face leads from one of its corners to the next one, and has the index of that corner.
+/// A *side* of a face leads from one of its corners to the next one, and has the index of that
+/// corner.
 struct Raw_surface
 {
   using Index = Surface::Index;
   static constexpr Index none = (std::numeric_limits<Index>::max)(), at_seam = none - 1;
 
   Surface surface;
-  /// By side: the face across; `none`: of a border, or not known; or `at_seam`. Empty: each is a face, and is not needed.
+  /// By side: the face across; `none`: of a border, or not known; or `at_seam`. Empty: each is a
+  /// face, and is not needed.
   Large_array<Index> neighbors;
 
   static bool is_face(Index neighbor) { return neighbor < at_seam; }
 };
 
 /// The corner of a face that follows another one around it.
-inline Surface::Index next_corner(const Surface_access& arrays, std::size_t face, std::size_t corner)
+inline Surface::Index next_corner(const Surface_access& arrays, std::size_t face,
+                                  std::size_t corner)
 {
-  return Surface::Index(corner + 1 == arrays.first_corners[face + 1] ? arrays.first_corners[face] : corner + 1);
+  return Surface::Index(corner + 1 == arrays.first_corners[face + 1] ? arrays.first_corners[face]
+                                                                     : corner + 1);
 }
 
-/// Chooses the unit of the points, and scales them. Points of no corner may be anything but not a number or infinite.
-/// \throws Invalid_input if a point is not finite
+/// Chooses the unit of the points, and scales them. Points of no corner may be anything but not a
+/// number or infinite. \throws Invalid_input if a point is not finite
 inline void set_unit(Surface& surface, const std::vector<bool>& is_used, const Execution& execution)
 {
   Surface_access arrays(surface);

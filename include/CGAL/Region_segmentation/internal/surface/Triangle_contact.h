@@ -21,14 +21,15 @@ struct Triangle_contact
 {
   enum Kind { TOUCHING, CROSSING, ALONG_EDGE };
   Kind kind;
-  double
-    amount; ///< the area of the overlap, the length of the intersection, the length of the part of the edge
+  double amount; ///< the area of the overlap, the length of the intersection, the length of the
+                 ///< part of the edge
 };
 
 /// A triangle that is not degenerate, with its plane.
 struct Plane_triangle
 {
-  explicit Plane_triangle(const Triangle& t) : corners(t)
+  explicit Plane_triangle(const Triangle& t)
+    : corners(t)
   {
     const Double_3 n = cross(t[1] - t[0], t[2] - t[0]);
     const double length = norm(n);
@@ -46,7 +47,9 @@ struct Plane_triangle
 /// A convex polygon that is clipped: a triangle, with at most one corner more for each half-space.
 struct Clipped_triangle
 {
-  explicit Clipped_triangle(const Triangle& t) : corners{t[0], t[1], t[2]} {}
+  explicit Clipped_triangle(const Triangle& t)
+    : corners{t[0], t[1], t[2]}
+  {}
 
   /// Keeps the part where (p - origin) . normal <= 0.
   void clip(const Double_3& origin, const Double_3& normal)

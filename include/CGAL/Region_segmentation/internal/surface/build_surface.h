@@ -28,21 +28,12 @@ namespace internal {
 /// What is adjacent beyond the neighbors that are known.
 enum class Adjacency_of { NEIGHBORS, COINCIDING_SIDES, COMPONENTS };
 
-/// Whether the boundary of a face runs from one vertex to another.
-inline bool runs_along(const Surface& surface, Surface::Index face, Surface::Index from, Surface::Index to)
-{
-  const std::size_t n = surface.number_of_corners(face);
-  for (std::size_t i = 0; i < n; ++i)
-    if (surface.corner(face, i) == from && surface.corner(face, i + 1 < n ? i + 1 : 0) == to)
-      return true;
-  return false;
-}
-
-/// A seam as an adjacency: with the sign of its angle if its faces are oriented consistently; an edge if one of them is
-/// degenerate.
+/// A seam as an adjacency: with the sign of its angle if its faces are oriented consistently; an
+/// edge if one of them is degenerate.
 inline Added_adjacency adjacency_of_seam(const Surface& surface, const Seam& seam)
 {
-  const Surface::Index lower = (std::min)(seam.face, seam.other_face), higher = (std::max)(seam.face, seam.other_face);
+  const Surface::Index lower = (std::min)(seam.face, seam.other_face),
+                       higher = (std::max)(seam.face, seam.other_face);
   const Double_3 direction = surface.point(seam.higher_vertex) - surface.point(seam.lower_vertex);
   Added_adjacency result = {lower, higher, seam.share * seam.share * squared_norm(direction), 0};
   if (surface.is_degenerate(lower) || surface.is_degenerate(higher))
@@ -50,17 +41,19 @@ inline Added_adjacency adjacency_of_seam(const Surface& surface, const Seam& sea
   result.flags = Surface::SEAM;
   const bool is_forward = runs_along(surface, higher, seam.lower_vertex, seam.higher_vertex);
   if (is_forward != runs_along(surface, lower, seam.lower_vertex, seam.higher_vertex))
-    result.flags |=
-      sign_of_edge(surface.normal(higher), surface.normal(lower), (is_forward ? 1.0 : -1.0) * direction);
+    result.flags |= sign_of_edge(surface.normal(higher), surface.normal(lower),
+                                 (is_forward ? 1.0 : -1.0) * direction);
   return result;
 }
 
 /// Adds links between what is not connected by edges and seams, and marks crumbs.
-inline void insert_links(Surface& surface, std::size_t number_of_edge_components, const Execution& execution)
+inline void insert_links(Surface& surface, std::size_t number_of_edge_components,
+                         const Execution& execution)
 {
   if (number_of_edge_components < 2)
     return;
-  const Partition connected = label_components(surface, [](std::size_t) { return true; }, execution.silent());
+  const Partition connected = label_components(
+    surface, [](std::size_t) { return true; }, execution.silent());
   std::vector<Added_adjacency> added;
   for (const Link& link : find_links(surface, connected, execution))
     added.push_back({link.lower, link.higher, link.length * link.length, Surface::LINK});
@@ -79,8 +72,8 @@ inline Surface build_surface(Raw_surface raw, Adjacency_of wanted, const Executi
   Surface_access arrays(raw.surface);
   std::vector<Added_adjacency> added;
   std::vector<Seam> seams;
-  const bool has_open_sides =
-    std::find(raw.neighbors.begin(), raw.neighbors.end(), Raw_surface::none) != raw.neighbors.end();
+  const bool has_open_sides = std::find(raw.neighbors.begin(), raw.neighbors.end(),
+                                        Raw_surface::none) != raw.neighbors.end();
   const bool matches = wanted != Adjacency_of::NEIGHBORS && has_open_sides;
   if (matches)
     merge_points_of_open_sides(raw);

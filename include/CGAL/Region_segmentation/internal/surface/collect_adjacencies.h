@@ -19,9 +19,11 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// Sorts the sides of a face that lead to lower faces by these, of several in order. Returns their number.
+/// Sorts the sides of a face that lead to lower faces by these, of several in order. Returns their
+/// number.
 template <typename Side>
-std::size_t sort_sides(const Surface::Index* neighbors, std::size_t number_of_sides, Surface::Index face, Side* sides)
+std::size_t sort_sides(const Surface::Index* neighbors, std::size_t number_of_sides,
+                       Surface::Index face, Side* sides)
 {
   std::size_t n = 0;
   for (std::size_t i = 0; i < number_of_sides; ++i)
@@ -43,15 +45,17 @@ inline void collect_adjacencies(Raw_surface& raw, const Execution& execution)
   using Index = Surface::Index;
   Surface_access arrays(raw.surface);
   const std::size_t size = arrays.normals.size();
-  const Index *const first_corners = arrays.first_corners.data(), *const neighbors = raw.neighbors.data();
+  const Index *const first_corners = arrays.first_corners.data(), *const neighbors = raw.neighbors
+                                                                                       .data();
   std::vector<std::size_t> offsets(number_of_blocks(size) + 1);
-  for_each_block(execution.step(0, 0.2), size, [&](std::size_t block, std::size_t begin, std::size_t end) {
-    std::size_t number = 0;
-    for (std::size_t f = begin; f < end; ++f)
-      for (Index c = first_corners[f]; c < first_corners[f + 1]; ++c)
-        number += neighbors[c] < f;
-    offsets[block + 1] = number;
-  });
+  for_each_block(execution.step(0, 0.2), size,
+                 [&](std::size_t block, std::size_t begin, std::size_t end) {
+                   std::size_t number = 0;
+                   for (std::size_t f = begin; f < end; ++f)
+                     for (Index c = first_corners[f]; c < first_corners[f + 1]; ++c)
+                       number += neighbors[c] < f;
+                   offsets[block + 1] = number;
+                 });
   for (std::size_t block = 1; block < offsets.size(); ++block)
     offsets[block] += offsets[block - 1];
 
@@ -61,28 +65,31 @@ inline void collect_adjacencies(Raw_surface& raw, const Execution& execution)
   arrays.flags.resize(offsets.back());
   const Double_3 *const points = arrays.points.data(), *const normals = arrays.normals.data();
   const Index* const corners = arrays.corners.data();
-  Index *const lower_faces = arrays.lower_faces.data(), *const higher_faces = arrays.higher_faces.data();
+  Index *const lower_faces = arrays.lower_faces.data(), *const higher_faces = arrays.higher_faces
+                                                                                .data();
   double* const squared_lengths = arrays.squared_lengths.data();
   std::uint8_t* const flags = arrays.flags.data();
-  for_each_block(execution.step(0.2, 1), size, [&](std::size_t block, std::size_t begin, std::size_t end) {
-    std::vector<std::pair<Index, Index>> sides(16); // the face across, the side
-    std::size_t a = offsets[block];
-    for (std::size_t f = begin; f < end; ++f) {
-      const Index first = first_corners[f], number_of_sides = first_corners[f + 1] - first;
-      if (sides.size() < number_of_sides)
-        sides.resize(number_of_sides);
-      const std::size_t n = sort_sides(neighbors + first, number_of_sides, Index(f), sides.data());
-      for (std::size_t i = 0; i < n; ++i, ++a) {
-        const Index lower = sides[i].first, side = first + sides[i].second;
-        const Index next = side + 1 < first + number_of_sides ? side + 1 : first;
-        const Double_3 direction = points[corners[next]] - points[corners[side]];
-        lower_faces[a] = lower;
-        higher_faces[a] = Index(f);
-        squared_lengths[a] = squared_norm(direction);
-        flags[a] = sign_of_edge(normals[f], normals[lower], direction);
+  for_each_block(
+    execution.step(0.2, 1), size, [&](std::size_t block, std::size_t begin, std::size_t end) {
+      std::vector<std::pair<Index, Index>> sides(16); // the face across, the side
+      std::size_t a = offsets[block];
+      for (std::size_t f = begin; f < end; ++f) {
+        const Index first = first_corners[f], number_of_sides = first_corners[f + 1] - first;
+        if (sides.size() < number_of_sides)
+          sides.resize(number_of_sides);
+        const std::size_t n = sort_sides(neighbors + first, number_of_sides, Index(f),
+                                         sides.data());
+        for (std::size_t i = 0; i < n; ++i, ++a) {
+          const Index lower = sides[i].first, side = first + sides[i].second;
+          const Index next = side + 1 < first + number_of_sides ? side + 1 : first;
+          const Double_3 direction = points[corners[next]] - points[corners[side]];
+          lower_faces[a] = lower;
+          higher_faces[a] = Index(f);
+          squared_lengths[a] = squared_norm(direction);
+          flags[a] = sign_of_edge(normals[f], normals[lower], direction);
+        }
       }
-    }
-  });
+    });
 }
 
 /// An adjacency that is added to those across edges.
@@ -99,8 +106,9 @@ inline void insert_adjacencies(Surface& surface, std::vector<Added_adjacency> ad
   if (added.empty())
     return;
   const auto key = [](const Added_adjacency& a) { return std::make_tuple(a.higher, a.lower); };
-  std::stable_sort(added.begin(), added.end(),
-                   [&](const Added_adjacency& a, const Added_adjacency& b) { return key(a) < key(b); });
+  std::stable_sort(
+    added.begin(), added.end(),
+    [&](const Added_adjacency& a, const Added_adjacency& b) { return key(a) < key(b); });
   Surface_access arrays(surface);
   std::size_t from = arrays.flags.size(), to = from + added.size();
   arrays.lower_faces.resize(to);
@@ -109,7 +117,8 @@ inline void insert_adjacencies(Surface& surface, std::vector<Added_adjacency> ad
   arrays.flags.resize(to);
   for (std::size_t i = added.size(); i > 0;) {
     --to;
-    if (from > 0 && std::make_tuple(arrays.higher_faces[from - 1], arrays.lower_faces[from - 1]) > key(added[i - 1])) {
+    if (from > 0 && std::make_tuple(arrays.higher_faces[from - 1], arrays.lower_faces[from - 1]) >
+                      key(added[i - 1])) {
       --from;
       arrays.lower_faces[to] = arrays.lower_faces[from];
       arrays.higher_faces[to] = arrays.higher_faces[from];
@@ -126,7 +135,8 @@ inline void insert_adjacencies(Surface& surface, std::vector<Added_adjacency> ad
   }
 }
 
-/// Marks the adjacencies of degenerate faces: the longest edge of each (of equal ones that to the lowest face) joins it.
+/// Marks the adjacencies of degenerate faces: the longest edge of each (of equal ones that to the
+/// lowest face) joins it.
 inline void join_degenerate_faces(Surface& surface)
 {
   using Index = Surface::Index;

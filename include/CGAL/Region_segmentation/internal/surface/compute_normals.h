@@ -21,8 +21,8 @@ inline bool is_degenerate(double area, double squared_longest_edge)
   return !(area > 1e-12 * squared_longest_edge && area >= (std::numeric_limits<double>::min)());
 }
 
-/// The areas and normals of the faces, by Newell's formula relative to the first corner. The normal of a degenerate face
-/// is zero.
+/// The areas and normals of the faces, by Newell's formula relative to the first corner. The normal
+/// of a degenerate face is zero.
 inline void compute_normals(Surface& surface, const Execution& execution)
 {
   Surface_access arrays(surface);
@@ -30,7 +30,8 @@ inline void compute_normals(Surface& surface, const Execution& execution)
   arrays.normals.resize(size);
   arrays.areas.resize(size);
   const Double_3* const points = arrays.points.data();
-  const Surface::Index *const corners = arrays.corners.data(), *const first_corners = arrays.first_corners.data();
+  const Surface::Index *const corners = arrays.corners.data(),
+                              *const first_corners = arrays.first_corners.data();
   double* const areas = arrays.areas.data();
   Double_3* const normals = arrays.normals.data();
   for_each_block(execution, size, [&](std::size_t, std::size_t begin, std::size_t end) {
@@ -47,17 +48,30 @@ inline void compute_normals(Surface& surface, const Execution& execution)
         squared_longest_edge = sum.squared_longest_edge();
       }
       areas[f] = area;
-      normals[f] = is_degenerate(area, squared_longest_edge) ? Double_3{} : (1 / area) * area_vector;
+      normals[f] = is_degenerate(area, squared_longest_edge) ? Double_3{}
+                                                             : (1 / area) * area_vector;
     }
   });
 }
 
-/// The flags of the sign of an edge between two faces: of the normals of the higher and the lower one, and the direction in which
-/// the boundary of the higher one runs.
-inline std::uint8_t sign_of_edge(const Double_3& higher, const Double_3& lower, const Double_3& direction)
+/// The flags of the sign of an edge between two faces: of the normals of the higher and the lower
+/// one, and the direction in which the boundary of the higher one runs.
+inline std::uint8_t sign_of_edge(const Double_3& higher, const Double_3& lower,
+                                 const Double_3& direction)
 {
   const double sign = dot(cross(higher, lower), direction);
   return std::uint8_t((sign > 0) * Surface::CONVEX + (sign < 0) * Surface::CONCAVE);
+}
+
+/// Whether the boundary of a face runs from one vertex to another.
+inline bool runs_along(const Surface& surface, Surface::Index face, Surface::Index from,
+                       Surface::Index to)
+{
+  const std::size_t n = surface.number_of_corners(face);
+  for (std::size_t i = 0; i < n; ++i)
+    if (surface.corner(face, i) == from && surface.corner(face, i + 1 < n ? i + 1 : 0) == to)
+      return true;
+  return false;
 }
 
 } // namespace internal

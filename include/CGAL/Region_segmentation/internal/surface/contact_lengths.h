@@ -36,7 +36,7 @@ public:
 
   /// `side`: 0 or 1, the index in `Face_contact::faces`
   Contact_side(const Surface& surface, Iterator begin, Iterator end, std::size_t side)
-      : m_surface(surface)
+    : m_surface(surface)
   {
     std::vector<Face_contact> contacts(begin, end);
     if (side == 1)
@@ -183,8 +183,8 @@ struct Contact_length
     const double along = (std::min)(sides[0].length_along_edges(), sides[1].length_along_edges());
     const double crossing = sides[0].sum(Triangle_contact::CROSSING);
     const double resolution = (std::max)(sides[0].resolution(), sides[1].resolution());
-    const bool is_strip =
-      area <= tolerance * along && resolution < 0.5; // mere slivers of faces touch
+    const bool is_strip = area <= tolerance * along && resolution < 0.5; // mere slivers of faces
+                                                                         // touch
     kind = is_strip ? Triangle_contact::ALONG_EDGE : Triangle_contact::TOUCHING;
     length = is_strip ? along : border_of_touching_area(sides, area);
     if (crossing > length) {
@@ -204,8 +204,8 @@ inline void add_links_of_pair(const Contact_sides& sides, const Contact_length& 
                               std::vector<Link>& links)
 {
   const std::size_t k = contact.kind;
-  const Contact_side& side =
-    sides[sides[1].number_of_faces(k) > sides[0].number_of_faces(k) ? 1 : 0];
+  const Contact_side&
+    side = sides[sides[1].number_of_faces(k) > sides[0].number_of_faces(k) ? 1 : 0];
   const double sum = side.sum(k);
   for (const Contact_side::Face& f : side.faces())
     if (f.sums[k] > 0) {
@@ -227,8 +227,8 @@ inline std::vector<Link> links_of_contacts(const Surface& surface,
   };
   for (auto begin = contacts.begin(); begin != contacts.end();) {
     const auto pair = components(*begin);
-    const auto end =
-      std::find_if(begin, contacts.end(), [&](const auto& c) { return components(c) != pair; });
+    const auto end = std::find_if(begin, contacts.end(),
+                                  [&](const auto& c) { return components(c) != pair; });
     const Contact_sides sides{Contact_side(surface, begin, end, 0),
                               Contact_side(surface, begin, end, 1)};
     const double tolerance = (std::min)(tolerances[pair.first], tolerances[pair.second]);

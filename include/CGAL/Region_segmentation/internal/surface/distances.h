@@ -60,8 +60,9 @@ inline double nearest_parameter(const Double_3& a, const Double_3& b, const Doub
   const double uu = squared_norm(u), uv = dot(u, v), vv = squared_norm(v), uw = dot(u, w),
                vw = dot(v, w);
   const double determinant = uu * vv - uv * uv;
-  const double x =
-    determinant > 1e-14 * uu * vv ? in_unit_interval((uv * vw - vv * uw) / determinant) : 0;
+  const double x = determinant > 1e-14 * uu * vv
+                     ? in_unit_interval((uv * vw - vv * uw) / determinant)
+                     : 0;
   const double y = vv > 0 ? (uv * x + vw) / vv : 0;
   if (y >= 0 && y <= 1)
     return x;

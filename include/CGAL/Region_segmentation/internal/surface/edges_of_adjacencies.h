@@ -15,8 +15,9 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// Which adjacency of a surface each edge of the face graph is that it was made of: the adjacencies of a face to the same
-/// lower face follow its boundary from its vertex of lowest number, edges first.
+/// Which adjacency of a surface each edge of the face graph is that it was made of: the adjacencies
+/// of a face to the same lower face follow its boundary from its vertex of lowest number, edges
+/// first.
 template <typename FaceGraph, typename Pack>
 class Edges_of_adjacencies
 {
@@ -26,9 +27,13 @@ class Edges_of_adjacencies
   using face_descriptor = typename Order::face_descriptor;
 
 public:
-  Edges_of_adjacencies(const Order& order, const Surface& surface) : m_order(order), m_surface(surface) {}
+  Edges_of_adjacencies(const Order& order, const Surface& surface)
+    : m_order(order)
+    , m_surface(surface)
+  {}
 
-  /// Calls `f(halfedge, adjacency)` for the edges that have two different faces, each with the halfedge of the lower face.
+  /// Calls `f(halfedge, adjacency)` for the edges that have two different faces, each with the
+  /// halfedge of the lower face.
   template <typename F>
   void for_each(const F& f)
   {
@@ -46,9 +51,11 @@ public:
       if (is_wanted(e) && !CGAL::is_border(e, mesh)) {
         const halfedge_descriptor h = halfedge(e, mesh), g = opposite(h, mesh);
         const Index rank = m_order.face_rank(h), other = m_order.face_rank(g);
-        higher_faces.push_back(rank > other ? std::make_pair(rank, face(h, mesh)) : std::make_pair(other, face(g, mesh)));
+        higher_faces.push_back(rank > other ? std::make_pair(rank, face(h, mesh))
+                                            : std::make_pair(other, face(g, mesh)));
       }
-    std::sort(higher_faces.begin(), higher_faces.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::sort(higher_faces.begin(), higher_faces.end(),
+              [](const auto& a, const auto& b) { return a.first < b.first; });
     Index previous = Order::none;
     for (const auto& [rank, fd] : higher_faces)
       if (std::exchange(previous, rank) != rank)
@@ -75,9 +82,11 @@ private:
       m_sides.push_back({m_order.face_rank(opposite(h, mesh)), opposite(h, mesh)});
     }
     std::rotate(m_sides.begin(), m_sides.begin() + std::ptrdiff_t(first), m_sides.end());
-    m_sides.erase(std::remove_if(m_sides.begin(), m_sides.end(), [=](const Side& s) { return s.first >= rank; }),
+    m_sides.erase(std::remove_if(m_sides.begin(), m_sides.end(),
+                                 [=](const Side& s) { return s.first >= rank; }),
                   m_sides.end());
-    std::stable_sort(m_sides.begin(), m_sides.end(), [](const Side& a, const Side& b) { return a.first < b.first; });
+    std::stable_sort(m_sides.begin(), m_sides.end(),
+                     [](const Side& a, const Side& b) { return a.first < b.first; });
     std::size_t adjacency = m_sides.empty() ? 0 : m_surface.first_adjacency(rank);
     for (const Side& side : m_sides) {
       while (m_surface.lower_face(adjacency) < side.first)

@@ -36,9 +36,10 @@ public:
   using Index = Surface::Index;
 
   Contact_finder(const Surface& surface, Component_tree& tree, const Partition& component_of_face)
-      : m_surface(surface), m_tree(tree), m_component_of(component_of_face)
-  {
-  }
+    : m_surface(surface)
+    , m_tree(tree)
+    , m_component_of(component_of_face)
+  {}
 
   /// Sorted by components, then by faces.
   std::vector<Face_contact> find(const Execution& execution)
@@ -98,17 +99,19 @@ private:
     if (m_tree[a].component > m_tree[b].component)
       std::swap(a, b);
     const double bound = squared_tolerance(a, b);
-    m_tree.for_each_near(a, b, [=] { return bound; }, [&](const auto& p, const auto& q, double squared_gap) {
-      const double squared =
-        (std::min)({bound, m_surface.area(p.face), m_surface.area(q.face)});
-      if (squared_gap > squared)
-        return;
-      if (m_number_left > 0)
-        --m_number_left;
-      find_contact(m_tree.triangle(p), m_tree.triangle(q), std::sqrt(squared), [&](const Triangle_contact& c) {
-        m_contacts.push_back({{p.face, q.face}, c});
+    m_tree.for_each_near(
+      a, b, [=] { return bound; },
+      [&](const auto& p, const auto& q, double squared_gap) {
+        const double squared = (std::min)({bound, m_surface.area(p.face), m_surface.area(q.face)});
+        if (squared_gap > squared)
+          return;
+        if (m_number_left > 0)
+          --m_number_left;
+        find_contact(m_tree.triangle(p), m_tree.triangle(q), std::sqrt(squared),
+                     [&](const Triangle_contact& c) {
+                       m_contacts.push_back({{p.face, q.face}, c});
+                     });
       });
-    });
   }
 
   const Surface& m_surface;

@@ -30,7 +30,8 @@ struct Bodies
   double area_of_largest = 0;
 
   explicit Bodies(const Surface& surface)
-    : component_of(edge_components(surface, Execution())), areas(component_of.number_of_parts())
+    : component_of(edge_components(surface, Execution()))
+    , areas(component_of.number_of_parts())
   {
     for (std::size_t f = 0; f < component_of.size(); ++f)
       areas[component_of[f]] += surface.area(f);
@@ -38,7 +39,10 @@ struct Bodies
       area_of_largest = (std::max)(area_of_largest, area);
   }
 
-  bool is_crumb(std::size_t component) const { return areas[component] < area_of_crumbs * area_of_largest; }
+  bool is_crumb(std::size_t component) const
+  {
+    return areas[component] < area_of_crumbs * area_of_largest;
+  }
   /// Those that are no crumbs.
   std::size_t number() const
   {
@@ -49,18 +53,19 @@ struct Bodies
   }
 };
 
-/// The pairs of regions to be merged first, so that each crumb is one region and joins another component: that with the longest
-/// contact, of equal ones the nearest; smallest crumbs first. Crumbs that join each other go on until they reach a
-/// component that is none.
-inline std::vector<std::pair<Partition::Index, Partition::Index>> merges_of_crumbs(const Surface& surface,
-                                                                                   const Partition& regions)
+/// The pairs of regions to be merged first, so that each crumb is one region and joins another
+/// component: that with the longest contact, of equal ones the nearest; smallest crumbs first.
+/// Crumbs that join each other go on until they reach a component that is none.
+inline std::vector<std::pair<Partition::Index, Partition::Index>>
+merges_of_crumbs(const Surface& surface, const Partition& regions)
 {
   using Index = Partition::Index;
   std::vector<std::pair<Index, Index>> result;
   if (!surface.has_seams_or_links())
     return result;
   const Bodies bodies(surface);
-  // Out of crumbs, in the order to be taken: area of the crumb, crumb, -length, distance, the two regions, the component.
+  // Out of crumbs, in the order to be taken: area of the crumb, crumb, -length, distance, the two
+  // regions, the component.
   std::vector<std::tuple<double, Index, double, double, Index, Index, Index>> ways;
   for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a) {
     const Index f = surface.lower_face(a), g = surface.higher_face(a);
@@ -69,7 +74,8 @@ inline std::vector<std::pair<Partition::Index, Partition::Index>> merges_of_crum
       result.push_back({regions[f], regions[g]});
     if (c == d || !(bodies.is_crumb(c) || bodies.is_crumb(d)))
       continue;
-    const double length = surface.length(a), distance = norm(surface.centroid(f) - surface.centroid(g));
+    const double length = surface.length(a),
+                 distance = norm(surface.centroid(f) - surface.centroid(g));
     if (bodies.is_crumb(c))
       ways.push_back({bodies.areas[c], c, -length, distance, regions[f], regions[g], d});
     if (bodies.is_crumb(d))

@@ -16,8 +16,8 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// Whether two faces have the same vertices in the same cyclic order, or in the reverse one. Each begins at its vertex of lowest
-/// index.
+/// Whether two faces have the same vertices in the same cyclic order, or in the reverse one. Each
+/// begins at its vertex of lowest index.
 inline bool are_equal_faces(const Surface& s, Surface::Index f, Surface::Index g)
 {
   const std::size_t n = s.number_of_corners(f);
@@ -31,8 +31,9 @@ inline bool are_equal_faces(const Surface& s, Surface::Index f, Surface::Index g
   return is_same || is_reverse;
 }
 
-/// Makes faces degenerate that were given before, in any orientation, and gives them an adjacency to the first of
-/// their kind alone. Only faces with a side whose neighbor is not known are looked at. O(F log F).
+/// Makes faces degenerate that were given before, in any orientation, and gives them an adjacency
+/// to the first of their kind alone. Only faces with a side whose neighbor is not known are looked
+/// at. O(F log F).
 inline void find_doubled_faces(Raw_surface& raw, std::vector<Added_adjacency>& added)
 {
   using Index = Surface::Index;

@@ -51,8 +51,8 @@ inline std::vector<Link> find_links(const Surface& surface, const Partition& com
   const std::vector<double> tolerances = contact_tolerances(surface, component_of_face);
   Component_tree tree(surface, component_of_face, tolerances);
   Contact_finder finder(surface, tree, component_of_face);
-  std::vector<Link> links =
-    links_of_contacts(surface, component_of_face, tolerances, finder.find(execution.step(0, 0.5)));
+  std::vector<Link> links = links_of_contacts(surface, component_of_face, tolerances,
+                                              finder.find(execution.step(0, 0.5)));
   Nearest_joiner(tree, component_of_face, links).run(execution.step(0.5, 1));
   std::sort(links.begin(), links.end());
   return links;

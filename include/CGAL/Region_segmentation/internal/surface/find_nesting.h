@@ -26,8 +26,8 @@ namespace internal {
 /// another component.
 ///
 /// Comparisons are half-open and computed alike from both sides of an edge, so an upward ray passes
-/// through exactly one of the faces around an edge or a vertex. A face is compared with the vertices
-/// in its range of x or y: O(F log C) and these comparisons, a few for faces of even size.
+/// through exactly one of the faces around an edge or a vertex. A face is compared with the
+/// vertices in its range of x or y: O(F log C) and these comparisons, a few for faces of even size.
 class Nesting_finder
 {
 public:
@@ -35,8 +35,11 @@ public:
 
   Nesting_finder(const Surface& surface, const Partition& component_of_face,
                  const std::vector<bool>& is_closed)
-      : m_surface(surface), m_component_of(component_of_face), m_is_closed(is_closed),
-        m_boxes(is_closed.size()), m_queries(number_of_orders * is_closed.size())
+    : m_surface(surface)
+    , m_component_of(component_of_face)
+    , m_is_closed(is_closed)
+    , m_boxes(is_closed.size())
+    , m_queries(number_of_orders * is_closed.size())
   {
     find_boxes_and_queries();
     for_each_triangle([&](Index component, const Triangle& t) { find_crossings(component, t); });
@@ -126,7 +129,8 @@ private:
   void find_crossings(Index component, const Triangle& t)
   {
     const Axis_box box = box_of(t);
-    auto place = std::lower_bound(m_in_order.begin(), m_in_order.end(), std::make_pair(box.low[m_axis], Index(0)));
+    auto place = std::lower_bound(m_in_order.begin(), m_in_order.end(),
+                                  std::make_pair(box.low[m_axis], Index(0)));
     for (; place != m_in_order.end() && place->first <= box.high[m_axis]; ++place)
       if (const Index q = place->second;
           is_smaller(q / number_of_orders, component) && is_above_point(t, m_queries[q]))
@@ -181,9 +185,9 @@ private:
   const Surface& m_surface;
   const Partition& m_component_of;
   const std::vector<bool>& m_is_closed;
-  std::vector<Axis_box> m_boxes;                    // by component
-  std::vector<Double_3> m_queries;                  // three for each component; infinite for open ones
-  std::size_t m_axis = 0;                           // x or y, along which the queries are spread more
+  std::vector<Axis_box> m_boxes;   // by component
+  std::vector<Double_3> m_queries; // three for each component; infinite for open ones
+  std::size_t m_axis = 0;          // x or y, along which the queries are spread more
   std::vector<std::pair<double, Index>> m_in_order; // queries along it
   std::vector<std::pair<Index, Index>> m_crossings; // a query and a component with a face above it
 };

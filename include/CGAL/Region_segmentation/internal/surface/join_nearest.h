@@ -37,9 +37,11 @@ public:
 
   /// `links`: components with a link are in one group
   Nearest_joiner(Component_tree& tree, const Partition& component_of_face, std::vector<Link>& links)
-      : m_tree(tree), m_component_of(component_of_face), m_links(links),
-        m_groups(component_of_face.number_of_parts()),
-        m_number_of_groups(component_of_face.number_of_parts())
+    : m_tree(tree)
+    , m_component_of(component_of_face)
+    , m_links(links)
+    , m_groups(component_of_face.number_of_parts())
+    , m_number_of_groups(component_of_face.number_of_parts())
   {
     for (const Link& l : links)
       unite(l.lower, l.higher);
@@ -116,7 +118,8 @@ private:
         m_tree[b].component != Component_tree::none) {
       Pair nearest{std::numeric_limits<double>::infinity(), true, 0, 0};
       find_nearest_faces(a, b, nearest);
-      if (++m_number_of_pairs <= most_pairs_of_component * m_component_of.number_of_parts() + most_pairs)
+      if (++m_number_of_pairs <=
+          most_pairs_of_component * m_component_of.number_of_parts() + most_pairs)
         m_queue.push(nearest);
       else if (unite(nearest.a, nearest.b))
         m_links.push_back({nearest.a, nearest.b, 0});
@@ -172,7 +175,7 @@ private:
   Component_tree& m_tree;
   const Partition& m_component_of;
   std::vector<Link>& m_links;
-  Lowest_root_forest m_groups; // of components
+  Lowest_root_forest m_groups;                           // of components
   std::size_t m_number_of_groups, m_number_of_pairs = 0; // pairs of components that were compared
   std::vector<Index> m_members; // by node: a component, if all are known to be in one group
   std::priority_queue<Pair> m_queue;

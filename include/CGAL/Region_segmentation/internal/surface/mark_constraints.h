@@ -20,18 +20,22 @@ namespace internal {
 /// Two vertices.
 using Vertex_pair = std::pair<Surface::Index, Surface::Index>;
 
-/// Constrains the adjacencies across edges, and the seams, between the given pairs of vertices; equal points count as
-/// one. O(F + C log C) expected for C pairs.
-inline void mark_constraints(const Surface& surface, std::vector<Vertex_pair> pairs, Constraints& constraints)
+/// Constrains the adjacencies across edges, and the seams, between the given pairs of vertices;
+/// equal points count as one. O(F + C log C) expected for C pairs.
+inline void mark_constraints(const Surface& surface, std::vector<Vertex_pair> pairs,
+                             Constraints& constraints)
 {
   using Index = Surface::Index;
   if (pairs.empty())
     return;
-  Point_numbering number(Surface_access(const_cast<Surface&>(surface)).points, surface.number_of_vertices());
+  Point_numbering number(Surface_access(const_cast<Surface&>(surface)).points,
+                         surface.number_of_vertices());
   std::vector<Index> merged(surface.number_of_vertices());
   for (Index v = 0; v < merged.size(); ++v)
     merged[v] = number(v);
-  const auto edge = [&](Index v, Index w) { return Vertex_pair(std::minmax(merged[v], merged[w])); };
+  const auto edge = [&](Index v, Index w) {
+    return Vertex_pair(std::minmax(merged[v], merged[w]));
+  };
   for (Vertex_pair& pair : pairs)
     pair = edge(pair.first, pair.second);
   std::sort(pairs.begin(), pairs.end());
@@ -55,7 +59,8 @@ inline void mark_constraints(const Surface& surface, std::vector<Vertex_pair> pa
          a < surface.number_of_adjacencies() && surface.higher_face(a) == face; ++a) {
       const double share = surface.length(a) / (length > 0 ? length : 1);
       const bool is_of_side = std::abs(share - 1) < 1e-9 || std::abs(share - 0.5) < 1e-9;
-      if (!surface.has_flag(a, Surface::LINK) && is_of_side && has_side(side, surface.lower_face(a)))
+      if (!surface.has_flag(a, Surface::LINK) && is_of_side &&
+          has_side(side, surface.lower_face(a)))
         constraints.add(a, surface.number_of_adjacencies());
     }
   }

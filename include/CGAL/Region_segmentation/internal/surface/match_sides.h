@@ -29,11 +29,13 @@ struct Open_side
 /// The side that leaves a corner of a face.
 inline Open_side side_at(const Surface_access& arrays, Surface::Index face, Surface::Index corner)
 {
-  const Surface::Index v = arrays.corners[corner], w = arrays.corners[next_corner(arrays, face, corner)];
+  const Surface::Index v = arrays.corners[corner],
+                       w = arrays.corners[next_corner(arrays, face, corner)];
   return {(std::min)(v, w), (std::max)(v, w), face, corner, v < w};
 }
 
-/// Two faces that are adjacent across an edge with more faces, or with neighbors that cannot be oriented.
+/// Two faces that are adjacent across an edge with more faces, or with neighbors that cannot be
+/// oriented.
 struct Seam
 {
   Surface::Index lower_vertex, higher_vertex, face, other_face;
@@ -42,14 +44,18 @@ struct Seam
 
 /// Finds what is adjacent across sides with the same two vertices.
 ///
-/// Two sides make an edge. Of more of them, those of degenerate faces are edges to the first of the others; the others
-/// make seams, in the cyclic order of the directions in which their faces leave the edge, unless there are only two.
+/// Two sides make an edge. Of more of them, those of degenerate faces are edges to the first of the
+/// others; the others make seams, in the cyclic order of the directions in which their faces leave
+/// the edge, unless there are only two.
 class Side_matcher
 {
   using Index = Surface::Index;
 
 public:
-  explicit Side_matcher(Raw_surface& raw) : m_raw(raw), m_arrays(raw.surface) {}
+  explicit Side_matcher(Raw_surface& raw)
+    : m_raw(raw)
+    , m_arrays(raw.surface)
+  {}
 
   /// Sets the neighbors of sides that have none, and collects the seams.
   void match()
@@ -58,11 +64,13 @@ public:
     for (std::size_t v = 0; v < by_lower.number_of_groups(); ++v) {
       const auto sides = by_lower[v];
       std::sort(sides.begin(), sides.end(), [](const Open_side& a, const Open_side& b) {
-        return std::tie(a.higher_vertex, a.face, a.corner) < std::tie(b.higher_vertex, b.face, b.corner);
+        return std::tie(a.higher_vertex, a.face, a.corner) <
+               std::tie(b.higher_vertex, b.face, b.corner);
       });
       for (auto first = sides.begin(); first != sides.end();) {
-        const auto past = std::find_if(
-          first, sides.end(), [&](const Open_side& s) { return s.higher_vertex != first->higher_vertex; });
+        const auto past = std::find_if(first, sides.end(), [&](const Open_side& s) {
+          return s.higher_vertex != first->higher_vertex;
+        });
         match_edge(first, past);
         first = past;
       }
@@ -128,9 +136,10 @@ private:
   /// Seams between the proper sides, each to the next one around the edge.
   void sew()
   {
-    const Double_3 axis =
-      m_arrays.points[m_proper[0].higher_vertex] - m_arrays.points[m_proper[0].lower_vertex];
-    const Double_3 first = inward(m_proper[0], axis), second = (1 / norm(axis)) * cross(axis, first);
+    const Double_3 axis = m_arrays.points[m_proper[0].higher_vertex] -
+                          m_arrays.points[m_proper[0].lower_vertex];
+    const Double_3 first = inward(m_proper[0], axis),
+                   second = (1 / norm(axis)) * cross(axis, first);
     std::vector<std::pair<double, std::size_t>> around;
     for (std::size_t i = 0; i < m_proper.size(); ++i) {
       const Double_3 d = inward(m_proper[i], axis);
@@ -138,7 +147,8 @@ private:
     }
     std::sort(around.begin(), around.end());
     for (std::size_t i = 0; i < around.size(); ++i) {
-      const Open_side &a = m_proper[around[i].second], &b = m_proper[around[(i + 1) % around.size()].second];
+      const Open_side &a = m_proper[around[i].second],
+                      &b = m_proper[around[(i + 1) % around.size()].second];
       if (a.face != b.face)
         add_seam(a, b, 0.5);
     }

@@ -21,7 +21,8 @@ class Point_numbering
   using Index = Surface::Index;
 
 public:
-  Point_numbering(const Large_array<Double_3>& points, std::size_t expected_number) : m_points(points)
+  Point_numbering(const Large_array<Double_3>& points, std::size_t expected_number)
+    : m_points(points)
   {
     std::size_t capacity = 16;
     while (capacity < 2 * expected_number)
@@ -45,13 +46,17 @@ public:
   }
 
 private:
-  static bool are_equal(const Double_3& p, const Double_3& q) { return p.x == q.x && p.y == q.y && p.z == q.z; }
+  static bool are_equal(const Double_3& p, const Double_3& q)
+  {
+    return p.x == q.x && p.y == q.y && p.z == q.z;
+  }
 
   const Large_array<Double_3>& m_points;
   std::vector<Index> m_table;
 };
 
-/// Makes equal points one vertex, the lowest, as far as they are at sides whose neighbor is not known.
+/// Makes equal points one vertex, the lowest, as far as they are at sides whose neighbor is not
+/// known.
 inline void merge_points_of_open_sides(Raw_surface& raw)
 {
   using Index = Surface::Index;
@@ -60,9 +65,11 @@ inline void merge_points_of_open_sides(Raw_surface& raw)
   for (std::size_t f = 0; f + 1 < arrays.first_corners.size(); ++f)
     for (Index c = arrays.first_corners[f]; c < arrays.first_corners[f + 1]; ++c)
       if (raw.neighbors[c] == Raw_surface::none)
-        is_at_open_side[arrays.corners[c]] = is_at_open_side[arrays.corners[next_corner(arrays, f, c)]] = true;
+        is_at_open_side[arrays.corners[c]] = is_at_open_side[arrays.corners[next_corner(arrays, f,
+                                                                                        c)]] = true;
   std::vector<Index> lowest(arrays.points.size());
-  Point_numbering number(arrays.points, std::size_t(std::count(is_at_open_side.begin(), is_at_open_side.end(), true)));
+  Point_numbering number(
+    arrays.points, std::size_t(std::count(is_at_open_side.begin(), is_at_open_side.end(), true)));
   bool is_any = false;
   for (Index v = 0; v < lowest.size(); ++v) {
     lowest[v] = is_at_open_side[v] ? number(v) : v;
@@ -71,13 +78,15 @@ inline void merge_points_of_open_sides(Raw_surface& raw)
   if (!is_any)
     return;
   for (std::size_t f = 0; f + 1 < arrays.first_corners.size(); ++f) {
-    const auto first = std::ptrdiff_t(arrays.first_corners[f]), past = std::ptrdiff_t(arrays.first_corners[f + 1]);
+    const auto first = std::ptrdiff_t(arrays.first_corners[f]),
+               past = std::ptrdiff_t(arrays.first_corners[f + 1]);
     const auto begin = arrays.corners.begin() + first, end = arrays.corners.begin() + past;
     for (auto c = begin; c != end; ++c)
       *c = lowest[*c];
     const auto shift = std::min_element(begin, end) - begin;
     std::rotate(begin, begin + shift, end);
-    std::rotate(raw.neighbors.begin() + first, raw.neighbors.begin() + first + shift, raw.neighbors.begin() + past);
+    std::rotate(raw.neighbors.begin() + first, raw.neighbors.begin() + first + shift,
+                raw.neighbors.begin() + past);
   }
 }
 

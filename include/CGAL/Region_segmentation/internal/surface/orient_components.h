@@ -22,7 +22,8 @@ struct Component_volume
   double area = 0, volume = 0; // the volume times 3
   bool has_border = false, has_seam = false;
 
-  /// The area vectors of a closed surface sum to zero; this decides where a component is closed only together with its seams.
+  /// The area vectors of a closed surface sum to zero; this decides where a component is closed
+  /// only together with its seams.
   bool is_closed() const
   {
     constexpr double largest_gap = 1e-9;
@@ -30,7 +31,8 @@ struct Component_volume
   }
 };
 
-inline std::vector<Component_volume> component_volumes(const Raw_surface& raw, const Partition& component_of)
+inline std::vector<Component_volume> component_volumes(const Raw_surface& raw,
+                                                       const Partition& component_of)
 {
   const Surface& surface = raw.surface;
   std::vector<Component_volume> components;
@@ -47,12 +49,14 @@ inline std::vector<Component_volume> component_volumes(const Raw_surface& raw, c
   for (std::size_t f = 0, side = 0; side < raw.neighbors.size(); ++f)
     for (std::size_t i = 0; i < surface.number_of_corners(f); ++i, ++side)
       if (!Raw_surface::is_face(raw.neighbors[side]))
-        (raw.neighbors[side] == Raw_surface::at_seam ? components[component_of[f]].has_seam
-                                                      : components[component_of[f]].has_border) = true;
+        (raw.neighbors[side] == Raw_surface::at_seam
+           ? components[component_of[f]].has_seam
+           : components[component_of[f]].has_border) = true;
   return components;
 }
 
-/// Turns the outermost closed components of negative signed volume, together with the closed components inside them.
+/// Turns the outermost closed components of negative signed volume, together with the closed
+/// components inside them.
 inline void orient_components(Raw_surface& raw, const Partition& component_of)
 {
   Surface_access arrays(raw.surface);
@@ -65,7 +69,8 @@ inline void orient_components(Raw_surface& raw, const Partition& component_of)
   if (std::find(is_inside_out.begin(), is_inside_out.end(), true) == is_inside_out.end())
     return;
   if (components.size() > 1) {
-    const std::vector<Surface::Index> outermost = outermost_of(raw.surface, component_of, is_closed);
+    const std::vector<Surface::Index> outermost = outermost_of(raw.surface, component_of,
+                                                               is_closed);
     const std::vector<bool> by_itself = is_inside_out;
     for (std::size_t c = 0; c < components.size(); ++c)
       is_inside_out[c] = is_closed[c] && by_itself[outermost[c]];
@@ -74,7 +79,8 @@ inline void orient_components(Raw_surface& raw, const Partition& component_of)
     if (is_inside_out[component_of[f]])
       turn_face(raw, f);
   for (std::size_t a = 0; a < arrays.flags.size(); ++a)
-    if (is_inside_out[component_of[arrays.lower_faces[a]]] && (arrays.flags[a] & (Surface::CONVEX | Surface::CONCAVE)))
+    if (is_inside_out[component_of[arrays.lower_faces[a]]] &&
+        (arrays.flags[a] & (Surface::CONVEX | Surface::CONCAVE)))
       arrays.flags[a] ^= Surface::CONVEX | Surface::CONCAVE;
 }
 

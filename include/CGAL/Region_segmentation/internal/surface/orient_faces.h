@@ -18,7 +18,8 @@ namespace internal {
 inline void turn_face(Raw_surface& raw, std::size_t face)
 {
   Surface_access arrays(raw.surface);
-  const auto first = std::ptrdiff_t(arrays.first_corners[face]), past = std::ptrdiff_t(arrays.first_corners[face + 1]);
+  const auto first = std::ptrdiff_t(arrays.first_corners[face]),
+             past = std::ptrdiff_t(arrays.first_corners[face + 1]);
   arrays.normals[face] = -1.0 * arrays.normals[face];
   std::reverse(arrays.corners.begin() + first + 1, arrays.corners.begin() + past);
   if (!raw.neighbors.empty())
@@ -32,16 +33,18 @@ inline Open_side opposite_side(const Raw_surface& raw, const Open_side& a, Surfa
   Open_side b = a;
   for (Surface::Index c = arrays.first_corners[face]; c < arrays.first_corners[face + 1]; ++c) {
     const Open_side side = side_at(arrays, face, c);
-    if (raw.neighbors[c] == a.face && side.lower_vertex == a.lower_vertex && side.higher_vertex == a.higher_vertex)
+    if (raw.neighbors[c] == a.face && side.lower_vertex == a.lower_vertex &&
+        side.higher_vertex == a.higher_vertex)
       b = side;
   }
   return b;
 }
 
-/// Turns faces so that neighbors across edges run in opposite directions along them. Of each component the part of larger area (of
-/// equal ones that with the lowest face) remains as it is. Edges whose two faces cannot be oriented consistently become
-/// seams.
-inline void orient_faces(Raw_surface& raw, const std::vector<std::pair<Open_side, Open_side>>& parallel,
+/// Turns faces so that neighbors across edges run in opposite directions along them. Of each
+/// component the part of larger area (of equal ones that with the lowest face) remains as it is.
+/// Edges whose two faces cannot be oriented consistently become seams.
+inline void orient_faces(Raw_surface& raw,
+                         const std::vector<std::pair<Open_side, Open_side>>& parallel,
                          std::vector<Seam>& seams)
 {
   using Index = Surface::Index;
@@ -54,7 +57,8 @@ inline void orient_faces(Raw_surface& raw, const std::vector<std::pair<Open_side
     of_sides.insert(of_sides.end(), {{a.corner, b.corner}, {b.corner, a.corner}});
   std::sort(of_sides.begin(), of_sides.end());
   const auto is_parallel = [&](Index corner) {
-    const auto place = std::lower_bound(of_sides.begin(), of_sides.end(), std::make_pair(corner, Index(0)));
+    const auto place = std::lower_bound(of_sides.begin(), of_sides.end(),
+                                        std::make_pair(corner, Index(0)));
     return place != of_sides.end() && place->first == corner;
   };
 

@@ -30,14 +30,17 @@ void read_points(const Mesh_order<FaceGraph, Pack>& order, const Pack& np, Surfa
   const auto no_halfedge = boost::graph_traits<FaceGraph>::null_halfedge();
   arrays.points.resize(order.number_of_vertices());
   std::vector<std::size_t> isolated(number_of_blocks(order.number_of_vertices()));
-  for_each_block(execution, order.number_of_vertices(), [&](std::size_t block, std::size_t rank, std::size_t) {
-    for (auto v : order.vertices_of_block(block)) {
-      const auto& p = get(point_map, v);
-      arrays.points[rank++] = {CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2])};
-      isolated[block] += halfedge(v, order.mesh()) == no_halfedge;
-    }
-  });
-  if (std::count(isolated.begin(), isolated.end(), std::size_t(0)) == std::ptrdiff_t(isolated.size()))
+  for_each_block(execution, order.number_of_vertices(),
+                 [&](std::size_t block, std::size_t rank, std::size_t) {
+                   for (auto v : order.vertices_of_block(block)) {
+                     const auto& p = get(point_map, v);
+                     arrays.points[rank++] = {CGAL::to_double(p[0]), CGAL::to_double(p[1]),
+                                              CGAL::to_double(p[2])};
+                     isolated[block] += halfedge(v, order.mesh()) == no_halfedge;
+                   }
+                 });
+  if (std::count(isolated.begin(), isolated.end(), std::size_t(0)) ==
+      std::ptrdiff_t(isolated.size()))
     return; // all are used
   for (auto v : vertices(order.mesh()))
     is_used.push_back(halfedge(v, order.mesh()) != no_halfedge);
@@ -45,22 +48,24 @@ void read_points(const Mesh_order<FaceGraph, Pack>& order, const Pack& np, Surfa
 
 /// The offsets of the corners of each block of faces, and that past the last one.
 template <typename FaceGraph, typename Pack>
-std::vector<std::size_t> offsets_of_corners(const Mesh_order<FaceGraph, Pack>& order, const Execution& execution)
+std::vector<std::size_t> offsets_of_corners(const Mesh_order<FaceGraph, Pack>& order,
+                                            const Execution& execution)
 {
   const FaceGraph& mesh = order.mesh();
   std::vector<std::size_t> offsets(number_of_blocks(order.number_of_faces()) + 1);
-  for_each_block(execution, order.number_of_faces(), [&](std::size_t block, std::size_t, std::size_t) {
-    std::size_t number = 0;
-    for (auto f : order.faces_of_block(block)) {
-      const auto start = halfedge(f, mesh);
-      auto h = start;
-      do {
-        ++number;
-        h = next(h, mesh);
-      } while (h != start);
-    }
-    offsets[block + 1] = number;
-  });
+  for_each_block(execution, order.number_of_faces(),
+                 [&](std::size_t block, std::size_t, std::size_t) {
+                   std::size_t number = 0;
+                   for (auto f : order.faces_of_block(block)) {
+                     const auto start = halfedge(f, mesh);
+                     auto h = start;
+                     do {
+                       ++number;
+                       h = next(h, mesh);
+                     } while (h != start);
+                   }
+                   offsets[block + 1] = number;
+                 });
   for (std::size_t block = 1; block < offsets.size(); ++block)
     offsets[block] += offsets[block - 1];
   return offsets;
@@ -68,7 +73,8 @@ std::vector<std::size_t> offsets_of_corners(const Mesh_order<FaceGraph, Pack>& o
 
 /// The corners of the faces, from that of lowest number on, and the faces across their sides.
 template <typename FaceGraph, typename Pack>
-void read_corners(const Mesh_order<FaceGraph, Pack>& order, Raw_surface& raw, const Execution& execution)
+void read_corners(const Mesh_order<FaceGraph, Pack>& order, Raw_surface& raw,
+                  const Execution& execution)
 {
   using Index = Surface::Index;
   const FaceGraph& mesh = order.mesh();
@@ -80,36 +86,39 @@ void read_corners(const Mesh_order<FaceGraph, Pack>& order, Raw_surface& raw, co
   arrays.first_corners.back() = Index(offsets.back());
   Index *const corners = arrays.corners.data(), *const neighbors = raw.neighbors.data();
   Index* const first_corners = arrays.first_corners.data();
-  for_each_block(execution.step(0.2, 1), order.number_of_faces(), [&](std::size_t block, std::size_t rank, std::size_t) {
-    const auto rank_of_face = order.rank_of_face();
-    const auto rank_of_vertex = order.rank_of_vertex();
-    std::size_t corner = offsets[block];
-    for (auto f : order.faces_of_block(block)) {
-      const std::size_t first = corner;
-      std::size_t lowest = corner;
-      first_corners[rank++] = Index(first);
-      const auto start = halfedge(f, mesh);
-      auto h = start;
-      do {
-        const auto g = opposite(h, mesh);
-        const auto across = face(g, mesh);
-        corners[corner] = Index(rank_of_vertex(target(g, mesh)));
-        neighbors[corner] = across == boost::graph_traits<FaceGraph>::null_face() ? Raw_surface::none
-                                                                                   : Index(rank_of_face(across));
-        lowest = corners[corner] < corners[lowest] ? corner : lowest;
-        ++corner;
-        h = next(h, mesh);
-      } while (h != start);
-      if (lowest != first) {
-        std::rotate(corners + first, corners + lowest, corners + corner);
-        std::rotate(neighbors + first, neighbors + lowest, neighbors + corner);
-      }
-    }
-  });
+  for_each_block(execution.step(0.2, 1), order.number_of_faces(),
+                 [&](std::size_t block, std::size_t rank, std::size_t) {
+                   const auto rank_of_face = order.rank_of_face();
+                   const auto rank_of_vertex = order.rank_of_vertex();
+                   std::size_t corner = offsets[block];
+                   for (auto f : order.faces_of_block(block)) {
+                     const std::size_t first = corner;
+                     std::size_t lowest = corner;
+                     first_corners[rank++] = Index(first);
+                     const auto start = halfedge(f, mesh);
+                     auto h = start;
+                     do {
+                       const auto g = opposite(h, mesh);
+                       const auto across = face(g, mesh);
+                       corners[corner] = Index(rank_of_vertex(target(g, mesh)));
+                       neighbors[corner] = across == boost::graph_traits<FaceGraph>::null_face()
+                                             ? Raw_surface::none
+                                             : Index(rank_of_face(across));
+                       lowest = corners[corner] < corners[lowest] ? corner : lowest;
+                       ++corner;
+                       h = next(h, mesh);
+                     } while (h != start);
+                     if (lowest != first) {
+                       std::rotate(corners + first, corners + lowest, corners + corner);
+                       std::rotate(neighbors + first, neighbors + lowest, neighbors + corner);
+                     }
+                   }
+                 });
 }
 
 template <typename FaceGraph, typename Pack>
-Raw_surface read_face_graph(const Mesh_order<FaceGraph, Pack>& order, const Pack& np, const Execution& execution)
+Raw_surface read_face_graph(const Mesh_order<FaceGraph, Pack>& order, const Pack& np,
+                            const Execution& execution)
 {
   Raw_surface raw;
   Surface_access arrays(raw.surface);

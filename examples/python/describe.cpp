@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "describe.h"
+
+#include <CGAL/Region_segmentation/Segments/describe_segments.h>
+#include <CGAL/Region_segmentation/exceptions.h>
+
+#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <iterator>
+
+namespace PMP = CGAL::Polygon_mesh_processing;
+namespace RS = CGAL::Region_segmentation;
+
+namespace {
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+
+/// A half-edge mesh of the polygons, in their order: equal points are merged, polygons oriented,
+/// and what is not manifold is torn apart.
+Mesh make_mesh(const Soup& soup)
+{
+  std::vector<Kernel::Point_3> points;
+  for (const auto& p : soup.points)
+    points.emplace_back(p[0], p[1], p[2]);
+  std::vector<std::vector<std::size_t>> polygons;
+  for (const segment_mesh::Polygons::Polygon polygon : soup.polygons)
+    polygons.emplace_back(polygon.begin(), polygon.end());
+  PMP::merge_duplicate_points_in_polygon_soup(points, polygons);
+  PMP::orient_polygon_soup(points, polygons);
+  Mesh mesh;
+  PMP::polygon_soup_to_polygon_mesh(points, polygons, mesh);
+  return mesh;
+}
+
+template <typename Triple>
+py::tuple to_tuple(const Triple& t)
+{
+  return py::make_tuple(t.x(), t.y(), t.z());
+}
+
+py::dict to_dictionary(const RS::Segment_description<std::int64_t, Kernel>& d)
+{
+  using namespace pybind11::literals;
+  py::list axes, neighbors;
+  for (const auto& axis : d.axes)
+    axes.append(to_tuple(axis));
+  for (const auto& n : d.neighbors)
+    neighbors.append(py::dict("segment"_a = n.segment, "border_length"_a = n.border_length,
+                              "mean_signed_deviation"_a = n.mean_signed_deviation));
+  const char* const types[] = {"plane", "sphere", "cylinder", "cone"};
+  const auto& p = d.primitive;
+  const py::dict primitive("type"_a = types[int(p.type)], "point"_a = to_tuple(p.point),
+                           "direction"_a = to_tuple(p.direction), "radius"_a = p.radius,
+                           "half_angle"_a = p.half_angle, "error"_a = p.error);
+  return py::dict("segment"_a = d.segment, "number_of_faces"_a = d.number_of_faces,
+                  "area"_a = d.area, "volume"_a = d.volume, "centroid"_a = to_tuple(d.centroid),
+                  "axes"_a = axes,
+                  "extents"_a = py::make_tuple(d.extents[0], d.extents[1], d.extents[2]),
+                  "border_length"_a = d.border_length, "boundary_length"_a = d.boundary_length,
+                  "neighbors"_a = neighbors, "primitive"_a = primitive);
+}
+
+} // namespace
+
+py::list describe(const Soup& soup, const std::vector<std::int64_t>& labels)
+{
+  std::vector<RS::Segment_description<std::int64_t, Kernel>> descriptions;
+  {
+    const py::gil_scoped_release release;
+    Mesh mesh = make_mesh(soup);
+    if (mesh.number_of_faces() != labels.size())
+      throw RS::Invalid_input("describe_segments: a face has a point twice");
+    auto segment = mesh.add_property_map<Mesh::Face_index, std::int64_t>("f:segment").first;
+    for (auto f : faces(mesh))
+      segment[f] = labels[std::size_t(f)];
+    RS::describe_segments(mesh, segment, std::back_inserter(descriptions));
+  }
+  py::list result;
+  for (const auto& d : descriptions)
+    result.append(to_dictionary(d));
+  return result;
+}

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_SEGMENTS_CLOSE_SEGMENTS_H
+#define CGAL_REGION_SEGMENTATION_SEGMENTS_CLOSE_SEGMENTS_H
+
+#include <CGAL/Region_segmentation/Segments/split_into_segments.h>
+#include <CGAL/Region_segmentation/internal/segments/Closed_segments.h>
+
+#include <CGAL/number_utils.h>
+
+#include <array>
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Region_segmentation {
+
+namespace internal {
+
+/// Those of a graph, and null descriptors and computed points where caps have more.
+template <typename FaceGraph, typename PointMap>
+struct Elements_of_solids
+{
+  Elements_of_graph<FaceGraph, PointMap> of_graph;
+  std::vector<typename boost::graph_traits<FaceGraph>::vertex_descriptor> vertices;
+  const Segmented_halfedges& solids;
+  const Segment_caps& caps;
+
+  auto vertex_of(Halfedge_table::Index h) const
+  {
+    return solids.source[h] < vertices.size() ? vertices[solids.source[h]]
+                                              : boost::graph_traits<FaceGraph>::null_vertex();
+  }
+  auto face_of(Halfedge_table::Index h) const
+  {
+    return h < of_graph.descriptors.size() ? of_graph.face_of(h)
+                                           : boost::graph_traits<FaceGraph>::null_face();
+  }
+  template <typename F>
+  void with_point(Halfedge_table::Index h, const F& f) const
+  {
+    if (solids.source[h] < vertices.size()) {
+      f(get(of_graph.points, vertices[solids.source[h]]));
+      return;
+    }
+    const Double_3& p = caps.points()[solids.source[h]];
+    f(std::array<double, 3>{p.x, p.y, p.z});
+  }
+};
+
+} // namespace internal
+
+/// \ingroup PkgRegionSegmentationSegments copies every segment to a closed mesh of its own, a
+/// solid: its faces and caps, for printing or for simulation.
+///
+/// Every triangle of a cap belongs to exactly two solids, oppositely oriented and with equal
+/// coordinates. So the solids of a closed mesh fit together without gaps or overlaps, and their
+/// volumes add up to that of the mesh. Faces of the label `no_segment` are one more segment that is
+/// not output; the border of an open mesh is closed by caps, too.
+///
+/// A *network* consists of border edges that share vertices. Where two segments share one closed
+/// polyline, the cap is a fan from its center of mass, nearly flat if the polyline is. At a vertex
+/// where three or more segments meet, an inner edge goes from there to the center of mass of the
+/// network, and the caps of all these segments meet in it: two segments that share a polyline from
+/// junction to junction have a cap between this polyline and the two inner edges, a fan from the
+/// center of mass of this polygon.
+///
+/// The caps of different networks know nothing of each other, and a fan crosses itself or the mesh
+/// where its border is not seen from its center, as around thin curved sheets. Of the 1008 segments
+/// that `Learned_merging` finds on 136 closed meshes, 94.5 % are without self-intersection, and
+/// 92.2 % of 1080 if it is asked for 15 on each of 72.
+/// (`CGAL::Polygon_mesh_processing::does_self_intersect()`; least-area triangulations of the
+/// borders cross the mesh more often.) Segments of smooth borders, see `smooth_borders()`, are
+/// closed best.
+///
+/// \tparam SegmentMesh the type of the solids, a model of `MutableFaceGraph` whose elements are
+///         iterated in the order of their creation, with a point map of vertices. Default:
+///         `FaceGraph`
+/// \tparam FaceGraph a model of `FaceListGraph`, `VertexListGraph` and `HalfedgeListGraph`
+/// \tparam FaceSegmentMap a model of `ReadablePropertyMap` with the face descriptor as key and an
+///         integral value type of at most 64 bits
+/// \tparam SolidOutputIterator a model of `OutputIterator` that takes `Segment_piece<SegmentMesh,
+///         FaceGraph, Label>`, `Label` the value type of `FaceSegmentMap`
+/// \param mesh an oriented 2-manifold with or without boundary, its faces polygons of any size
+/// \param segment_map the segments, by any labels
+/// \param solids receives the solids, in the order of the first faces of the segments. The faces of
+///        the segment come first, in their order; a face of a cap is the null face of the input,
+///        and a vertex inside a cap the null vertex
+/// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamVertexPointMap
+///   \cgalParamIndexMap{vertex}
+///   \cgalParamIndexMap{halfedge}
+/// \cgalNamedParamsEnd
+///
+/// \returns the number of segments
+///
+/// Complexity: O(F + V + B log B), B the number of edges between segments. Deterministic: the same
+/// solids from every mesh type. Read-only; concurrent calls are safe.
+template <typename SegmentMesh = void, typename FaceGraph, typename FaceSegmentMap,
+          typename SolidOutputIterator,
+          typename NamedParameters = parameters::Default_named_parameters>
+std::size_t close_segments(const FaceGraph& mesh, const FaceSegmentMap& segment_map,
+                           SolidOutputIterator solids,
+                           const NamedParameters& np = parameters::default_values())
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  using Target = std::conditional_t<std::is_void<SegmentMesh>::value, FaceGraph, SegmentMesh>;
+  using Label = typename boost::property_traits<FaceSegmentMap>::value_type;
+  static_assert(internal::check_output_of_labels<SolidOutputIterator,
+                                                 Segment_piece<Target, FaceGraph, Label>>());
+  const auto& pack = internal::pack(np);
+  internal::check_parameters<std::decay_t<decltype(pack)>, internal::Tag_list<>>();
+  const auto segmented = internal::make_segmented_mesh(mesh, segment_map, pack);
+  const auto points = choose_parameter(get_parameter(pack, CGAL::internal_np::vertex_point),
+                                       get_const_property_map(CGAL::vertex_point, mesh));
+  std::vector<Double_3> positions;
+  for (auto v : vertices(mesh)) {
+    const auto& p = get(points, v);
+    positions.push_back({CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2])});
+  }
+  const internal::Segment_caps caps(segmented, std::move(positions));
+  const internal::Closed_segments closed(segmented, caps);
+  const internal::Elements_of_solids<FaceGraph, std::decay_t<decltype(points)>> elements{
+    {mesh, segmented.descriptors, points},
+    {vertices(mesh).begin(), vertices(mesh).end()},
+    closed,
+    caps};
+  internal::Piece_builder<Target> builder(closed);
+  for (std::size_t s = 0; s < closed.number_of_segments; ++s) {
+    Segment_piece<Target, FaceGraph, Label> piece;
+    piece.segment = segmented.labels[s];
+    builder.build(s, elements, piece);
+    *solids++ = std::move(piece);
+  }
+  return closed.number_of_segments;
+}
+
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_SEGMENTS_CLOSE_SEGMENTS_H

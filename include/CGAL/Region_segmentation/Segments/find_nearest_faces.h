@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_SEGMENTS_FIND_NEAREST_FACES_H
+#define CGAL_REGION_SEGMENTATION_SEGMENTS_FIND_NEAREST_FACES_H
+
+#include <CGAL/Region_segmentation/exceptions.h>
+#include <CGAL/Region_segmentation/internal/segments/Nearest_face_finder.h>
+#include <CGAL/Region_segmentation/parameters.h>
+
+#include <CGAL/number_utils.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <cstddef>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Region_segmentation {
+
+/// \ingroup PkgRegionSegmentationSegments
+/// finds the face nearest to each of several points in space: so seeds and strokes can be given by
+/// points, for `face_seed_map`.
+///
+/// \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \tparam PointRange a range whose value type is a model of `Kernel::Point_3`, or has `operator[]`
+///         for its coordinates
+/// \tparam FaceOutputIterator a model of `OutputIterator` that takes face descriptors
+/// \param mesh an oriented 2-manifold with or without boundary, its faces polygons of any size
+/// \param points in the coordinates of the mesh
+/// \param nearest_faces receives a face for each point; of several the first one
+/// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamVertexPointMap
+///   \cgalParamIndexMap{face}
+///   \cgalParamIndexMap{vertex}
+///   \cgalParamIndexMap{halfedge}
+/// \cgalNamedParamsEnd
+///
+/// \returns the number of points
+/// \throws Invalid_input if a point, or one of the mesh, is not finite, or the mesh has no faces;
+///         nothing is output
+///
+/// Complexity: O(F) and O(log F) in practice for each point. Deterministic. Read-only; concurrent
+/// calls are safe.
+template <typename FaceGraph, typename PointRange, typename FaceOutputIterator,
+          typename NamedParameters = parameters::Default_named_parameters>
+std::size_t find_nearest_faces(const FaceGraph& mesh, const PointRange& points,
+                               FaceOutputIterator nearest_faces,
+                               const NamedParameters& np = parameters::default_values())
+{
+  const auto& pack = internal::pack(np);
+  internal::check_parameters<std::decay_t<decltype(pack)>, internal::Tag_list<>>();
+  internal::Halfedge_table halfedges;
+  internal::read_halfedges(mesh, pack, halfedges);
+  const internal::Mesh_geometry geometry(halfedges,
+                                         internal::make_surface_of_neighbors(mesh, pack));
+  const std::vector<typename boost::graph_traits<FaceGraph>::face_descriptor> all(
+    faces(mesh).begin(), faces(mesh).end());
+  std::vector<Double_3> positions;
+  for (const auto& p : points) {
+    positions.push_back((1 / geometry.unit()) * Double_3{CGAL::to_double(p[0]),
+                                                         CGAL::to_double(p[1]),
+                                                         CGAL::to_double(p[2])});
+    if (all.empty() || !is_finite(positions.back()))
+      throw Invalid_input(all.empty() ? "find_nearest_faces: the mesh has no faces"
+                                      : "find_nearest_faces: a point is not finite");
+  }
+  if (positions.empty())
+    return 0;
+  internal::Nearest_face_finder finder(geometry);
+  for (const Double_3& p : positions)
+    *nearest_faces++ = all[finder.find(p, Double_3{0, 0, 0})];
+  return positions.size();
+}
+
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_SEGMENTS_FIND_NEAREST_FACES_H

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "real_meshes.h"
+#include "segments.h"
+
+#include <CGAL/Region_segmentation/Segments/close_segments.h>
+
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/boost/graph/graph_traits_Polyhedron_3.h>
+#include <CGAL/boost/graph/helpers.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace RS = CGAL::Region_segmentation;
+using namespace test;
+
+namespace close_segments_test {
+
+using Corners = std::array<Point, 3>; // the lowest of three orders
+
+Corners from_lowest(const Corners& c)
+{
+  return (std::min)({c, Corners{c[1], c[2], c[0]}, Corners{c[2], c[0], c[1]}});
+}
+
+/// Of a closed soup.
+double volume(const Soup& soup)
+{
+  double sum = 0;
+  for (const Polygon& polygon : soup.polygons)
+    for (std::size_t i = 2; i < polygon.size(); ++i) {
+      const Point &p = soup.points[polygon[0]], &q = soup.points[polygon[i - 1]],
+                  &r = soup.points[polygon[i]];
+      sum += (p[0] * (q[1] * r[2] - q[2] * r[1]) + p[1] * (q[2] * r[0] - q[0] * r[2]) +
+              p[2] * (q[0] * r[1] - q[1] * r[0])) /
+             6;
+    }
+  return sum;
+}
+
+/// The solids as soups, and which solids have each triangle of a cap.
+struct Solids
+{
+  std::vector<Soup> soups;
+  std::map<Corners, std::vector<std::size_t>> segments_of_cap;
+
+  double sum_of_volumes() const
+  {
+    double sum = 0;
+    for (const Soup& soup : soups)
+      sum += volume(soup);
+    return sum;
+  }
+  /// How many solids have an edge between two points on a cap.
+  std::size_t number_of_caps_with(const Point& p, const Point& q) const
+  {
+    std::size_t number = 0;
+    for (const auto& [corners, segments] : segments_of_cap)
+      number += std::count(corners.begin(), corners.end(), p) +
+                  std::count(corners.begin(), corners.end(), q) ==
+                2;
+    return number;
+  }
+};
+
+/// Closes the segments of a mesh, and checks what is right for all meshes.
+template <typename Mesh, typename Solid_mesh = Mesh>
+Solids close(const Soup& soup, const Labels& labels)
+{
+  const Mesh mesh = to_mesh<Mesh>(soup);
+  std::vector<RS::Segment_piece<Solid_mesh, Mesh, std::size_t>> solids;
+  RS::close_segments<Solid_mesh>(mesh, face_labels(mesh, labels), std::back_inserter(solids));
+  std::map<typename boost::graph_traits<Mesh>::face_descriptor, std::size_t> rank;
+  for (auto f : faces(mesh))
+    rank.emplace(f, rank.size());
+  Solids result;
+  std::multiset<std::size_t> found;
+  for (const auto& solid : solids) {
+    EXPECT_TRUE(CGAL::is_valid_polygon_mesh(solid.mesh));
+    EXPECT_TRUE(CGAL::is_closed(solid.mesh));
+    result.soups.push_back(soup_of(solid.mesh));
+    const Soup& copy = result.soups.back();
+    EXPECT_EQ(solid.faces.size(), copy.polygons.size());
+    EXPECT_EQ(solid.vertices.size(), copy.points.size());
+    for (std::size_t f = 0; f < copy.polygons.size(); ++f)
+      if (solid.faces[f] != boost::graph_traits<Mesh>::null_face()) {
+        found.insert(rank.at(solid.faces[f]));
+        EXPECT_EQ(labels[rank.at(solid.faces[f])], solid.segment);
+        EXPECT_EQ(copy.polygons[f].size(), soup.polygons[rank.at(solid.faces[f])].size());
+      } else {
+        EXPECT_EQ(copy.polygons[f].size(), 3u);
+        Corners corners;
+        for (std::size_t i = 0; i < 3; ++i)
+          corners[i] = copy.points[copy.polygons[f][i]];
+        result.segments_of_cap[from_lowest(corners)].push_back(solid.segment);
+      }
+  }
+  std::multiset<std::size_t> expected;
+  for (std::size_t f = 0; f < labels.size(); ++f)
+    if (labels[f] != std::size_t(-1))
+      expected.insert(f);
+  EXPECT_EQ(found, expected);
+  return result;
+}
+
+/// Each triangle of a cap is in two solids, with opposite orientations; the volumes add up.
+void expect_fitting(const Soup& soup, const Solids& solids)
+{
+  for (const auto& [corners, segments] : solids.segments_of_cap) {
+    const auto other = solids.segments_of_cap.find(
+      from_lowest({corners[0], corners[2], corners[1]}));
+    ASSERT_NE(other, solids.segments_of_cap.end());
+    ASSERT_EQ(segments.size(), other->second.size());
+    if (segments.size() == 1) {
+      EXPECT_NE(segments[0], other->second[0]);
+    }
+  }
+  EXPECT_NEAR(solids.sum_of_volumes(), volume(soup), 1e-9 * std::abs(volume(soup)));
+}
+
+TEST(Close_segments_test, halves_of_a_cube_share_a_flat_cap)
+{
+  const Soup soup = voxel_surface(voxel_block({0, 0, 0}, {2, 2, 2}));
+  Labels labels;
+  for (const Polygon& polygon : soup.polygons) {
+    double x = 0;
+    for (std::size_t v : polygon)
+      x += soup.points[v][0] / 4;
+    labels.push_back(x < 1);
+  }
+  const Solids solids = close<Surface_mesh>(soup, labels);
+  expect_fitting(soup, solids);
+  EXPECT_EQ(solids.segments_of_cap.size(), 16u); // 8 sides of the square, from both
+  for (const Soup& half : solids.soups)
+    EXPECT_NEAR(volume(half), 4, 1e-12);
+  for (const auto& [corners, segments] : solids.segments_of_cap)
+    for (const Point& p : corners)
+      EXPECT_DOUBLE_EQ(p[0], 1);
+}
+
+TEST(Close_segments_test, faces_of_a_cube_become_pyramids)
+{
+  const Solids solids = close<Surface_mesh>(cube(), {0, 1, 2, 3, 4, 5});
+  expect_fitting(cube(), solids);
+  for (const Soup& pyramid : solids.soups)
+    EXPECT_NEAR(volume(pyramid), volume(cube()) / 6, 1e-12 * volume(cube()));
+}
+
+/// Three segments that meet in the poles of a sphere: the caps of all meet in an inner curve.
+TEST(Close_segments_test, three_segments_share_an_inner_curve)
+{
+  const Soup soup = sphere(3);
+  Labels labels;
+  for (const Polygon& polygon : soup.polygons) {
+    double x = 0, y = 0;
+    for (std::size_t v : polygon) {
+      x += soup.points[v][0];
+      y += soup.points[v][1];
+    }
+    labels.push_back(std::size_t((std::atan2(y, x) + 3.2) / 6.4 * 3));
+  }
+  const Solids solids = close<Surface_mesh>(soup, labels);
+  ASSERT_EQ(solids.soups.size(), 3u);
+  expect_fitting(soup, solids);
+  std::map<std::size_t, std::set<std::size_t>> around; // by vertex: labels
+  for (std::size_t f = 0; f < labels.size(); ++f)
+    for (std::size_t v : soup.polygons[f])
+      around[v].insert(labels[f]);
+  std::size_t junctions = 0;
+  std::map<Point, std::size_t> ends; // of edges of caps at junctions, with six triangles each
+  for (const auto& [v, segments] : around)
+    if (segments.size() == 3) {
+      ++junctions;
+      for (const auto& [corners, of_cap] : solids.segments_of_cap)
+        for (const Point& p : corners)
+          if (p != soup.points[v] && solids.number_of_caps_with(p, soup.points[v]) == 6)
+            ends.emplace(p, 0).first->second |= std::size_t(1) << junctions;
+    }
+  EXPECT_EQ(junctions, 2u);
+  ASSERT_EQ(ends.size(), 1u); // both inner edges end in one center
+  EXPECT_EQ(ends.begin()->second, 6u);
+  for (const Soup& third : solids.soups)
+    EXPECT_FALSE(CGAL::Polygon_mesh_processing::does_self_intersect(to_surface_mesh(third)));
+}
+
+TEST(Close_segments_test, random_segments_fit)
+{
+  using Polyhedron = CGAL::Polyhedron_3<Kernel>;
+  for (Family family : all_families)
+    for (unsigned seed = 1; seed <= 5; ++seed) {
+      SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
+      const Soup soup = random_mesh(family, seed);
+      Labels labels = random_labels(soup, 2 + seed, seed);
+      const Solids solids = close<Surface_mesh>(soup, labels);
+      const Solids others = close<Polyhedron, Surface_mesh>(soup, labels);
+      EXPECT_EQ(solids.segments_of_cap, others.segments_of_cap);
+      if (!CGAL::is_closed(to_surface_mesh(soup)))
+        continue;
+      const Soup triangles = triangulated(soup); // whose volume is defined
+      labels = random_labels(triangles, 2 + seed, seed);
+      std::replace(labels.begin(), labels.end(), std::size_t(-1), std::size_t(0));
+      expect_fitting(triangles, close<Surface_mesh>(triangles, labels));
+    }
+}
+
+TEST(Close_segments_test, the_border_of_an_open_mesh_is_closed)
+{
+  const Solids solids = close<Surface_mesh>(cap(), Labels(cap().polygons.size(), 7));
+  EXPECT_EQ(solids.soups.size(), 1u);
+  EXPECT_FALSE(solids.segments_of_cap.empty());
+  EXPECT_TRUE(close<Surface_mesh>(Soup(), {}).soups.empty());
+  EXPECT_TRUE(close<Surface_mesh>(torus(8, 6), Labels(48, 1)).segments_of_cap.empty());
+}
+
+TEST(Real_meshes_close_segments, bands_of_real_meshes_fit)
+{
+  check_real_meshes(20000, [](const Surface_mesh& mesh) {
+    if (!CGAL::is_closed(mesh))
+      return false;
+    const Soup soup = triangulated(soup_of(mesh));
+    Labels labels; // four bands along x
+    double low = 1e300, high = -1e300;
+    for (const Point& p : soup.points) {
+      low = (std::min)(low, p[0]);
+      high = (std::max)(high, p[0]);
+    }
+    for (const Polygon& polygon : soup.polygons)
+      labels.push_back((std::min)(
+        std::size_t(4 * (soup.points[polygon[0]][0] - low) / (high - low)), std::size_t(3)));
+    expect_fitting(soup, close<Surface_mesh>(soup, labels));
+    return true;
+  });
+}
+
+} // namespace close_segments_test

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "meshes.h"
+#include "oracles.h"
+
+#include <CGAL/Region_segmentation/Methods/Learned_merging.h>
+#include <CGAL/Region_segmentation/Request.h>
+#include <CGAL/Region_segmentation/evaluation/rand_index_distance.h>
+#include <CGAL/Region_segmentation/internal/surface/smooth_noise.h>
+#include <CGAL/Region_segmentation/make_surface.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace RS = CGAL::Region_segmentation;
+using namespace test;
+
+namespace smooth_noise_test {
+
+RS::Surface surface_of(const Soup& soup)
+{
+  return RS::make_surface(soup.points, soup.polygons);
+}
+
+/// All points moved by independent normal deviates, of this standard deviation for each coordinate.
+Soup noisy(const Soup& soup, double deviation, unsigned seed)
+{
+  std::mt19937 random(seed);
+  std::normal_distribution<double> moves(0, deviation);
+  return mapped(soup, [&](const Point& p) {
+    const double x = moves(random), y = moves(random), z = moves(random);
+    return Point{p[0] + x, p[1] + y, p[2] + z};
+  });
+}
+
+/// Root mean square of the distances of the points from the unit sphere.
+double distance_from_sphere(const RS::Surface& surface)
+{
+  double sum = 0;
+  for (std::size_t v = 0; v < surface.number_of_vertices(); ++v)
+    sum += std::pow(norm(surface.point(v)) - 1, 2);
+  return std::sqrt(sum / double(surface.number_of_vertices()));
+}
+
+TEST(smooth_noise_test, leaves_what_has_no_noise)
+{
+  const Soup block = voxel_surface(voxel_block({0, 0, 0}, {9, 3, 3}));
+  for (const Soup& soup :
+       {sphere(2), sphere(5), torus(30, 12), block, triangulated(block), needle_on_crease()}) {
+    SCOPED_TRACE(std::to_string(soup.polygons.size()) + " faces");
+    EXPECT_FALSE(RS::internal::smooth_noise(surface_of(soup)));
+  }
+  EXPECT_FALSE(RS::internal::smooth_noise(RS::Surface()));
+}
+
+TEST(smooth_noise_test, brings_noisy_points_nearer_to_the_shape)
+{
+  for (const std::size_t levels : {4, 5, 6}) {
+    const double edge = 1.8 / double(1 << levels);
+    for (const unsigned seed : {1, 2, 3}) {
+      SCOPED_TRACE(std::to_string(levels) + " levels, seed " + std::to_string(seed));
+      const RS::Surface surface = surface_of(noisy(sphere(levels), edge / 4, seed));
+      const std::optional<RS::Surface> smoothed = RS::internal::smooth_noise(surface);
+      ASSERT_TRUE(smoothed);
+      EXPECT_LT(distance_from_sphere(*smoothed), 0.6 * distance_from_sphere(surface));
+      EXPECT_FALSE(RS::internal::smooth_noise(*smoothed));
+    }
+  }
+}
+
+// All that depends on points is as if the surface had been made of them, but for lengths.
+TEST(smooth_noise_test, gives_the_surface_of_the_moved_points)
+{
+  Soup soup = noisy(joined(sphere(5), translated(torus(60, 24), 8, 0, 0)), 0.01, 7);
+  soup.polygons.push_back(soup.polygons[3]); // given twice: degenerate
+  const RS::Surface surface = surface_of(soup);
+  const std::optional<RS::Surface> smoothed = RS::internal::smooth_noise(surface);
+  ASSERT_TRUE(smoothed);
+  Soup moved = soup;
+  for (std::size_t v = 0; v < moved.points.size(); ++v)
+    moved.points[v] = {smoothed->point(v).x, smoothed->point(v).y, smoothed->point(v).z};
+  const RS::Surface expected = surface_of(moved);
+  EXPECT_NEAR(smoothed->area(), expected.area(), 1e-12 * expected.area());
+  ASSERT_EQ(smoothed->number_of_adjacencies(), expected.number_of_adjacencies());
+  for (std::size_t f = 0; f < expected.number_of_faces(); ++f) {
+    EXPECT_EQ(smoothed->is_degenerate(f), expected.is_degenerate(f));
+    EXPECT_NEAR(smoothed->area(f), expected.area(f), 1e-12);
+    EXPECT_LT(norm(smoothed->normal(f) - expected.normal(f)), 1e-9);
+  }
+  for (std::size_t a = 0; a < expected.number_of_adjacencies(); ++a) {
+    EXPECT_EQ(smoothed->flags(a), expected.flags(a)) << a;
+    EXPECT_EQ(smoothed->squared_length(a), surface.squared_length(a)) << a;
+  }
+}
+
+// Seen from some of the faces, as from all.
+TEST(smooth_noise_test, is_found_from_a_part_of_the_faces)
+{
+  const Soup clean = sphere(6);
+  for (const std::size_t stride : {1, 2, 3, 7, 20}) {
+    SCOPED_TRACE(stride);
+    EXPECT_TRUE(
+      RS::internal::Vertex_heights(surface_of(noisy(clean, 0.005, 1)), stride).are_noise());
+    EXPECT_FALSE(RS::internal::Vertex_heights(surface_of(clean), stride).are_noise());
+  }
+}
+
+/// Two balls that overlap a little; `truth`: the ball of each face.
+Soup two_balls(Labels& truth)
+{
+  Soup soup = mapped(sphere(5), [](const Point& p) {
+    const double x = 1.8 * std::asin(p[0]) / std::asin(1.0), away = std::hypot(p[1], p[2]);
+    const double center = x < 0 ? -0.85 : 0.85;
+    const double radius = std::max(std::sqrt(std::max(0.0, 0.9 - (x - center) * (x - center))),
+                                   0.02);
+    return Point{x, away > 0 ? radius * p[1] / away : 0, away > 0 ? radius * p[2] / away : 0};
+  });
+  truth.clear();
+  for (const Polygon& polygon : soup.polygons)
+    truth.push_back(
+      soup.points[polygon[0]][0] + soup.points[polygon[1]][0] + soup.points[polygon[2]][0] < 0 ? 0
+                                                                                               : 1);
+  return soup;
+}
+
+TEST(smooth_noise_test, parts_are_found_under_noise)
+{
+  Labels truth;
+  const Soup soup = two_balls(truth);
+  for (const double deviation : {0.0, 0.007, 0.014}) // a quarter of the edges at most
+    for (const unsigned seed : {1, 2, 3}) {
+      SCOPED_TRACE(std::to_string(deviation) + ", seed " + std::to_string(seed));
+      const RS::Surface surface = surface_of(noisy(soup, deviation, seed));
+      const RS::Learned_merging method;
+      const RS::Hierarchy hierarchy = method.merge(surface, method.prepare(surface), RS::Request());
+      EXPECT_LT(
+        RS::rand_index_distance(hierarchy.segments(surface, 2), RS::Partition::from_labels(truth)),
+        0.06);
+    }
+}
+
+} // namespace smooth_noise_test
