@@ -111,6 +111,45 @@ TEST(FindSurfaceFaces, LargeRadius)
   EXPECT_NEAR(s[1].radius, 20, 1e-6);
 }
 
+/// A tube of radius 0.4 around a helix of radius 2 that rises by `pitch` per radian, with its ends.
+Shape helical_tube(double pitch, double radians)
+{
+  const double slant = std::hypot(2, pitch);
+  const auto at = [&](double along, double turns, double radius) {
+    const double t = radians * along, c = std::cos(t), s = std::sin(t);
+    const Point outward{c, s, 0}, up{pitch / slant * s, -pitch / slant * c, 2 / slant};
+    return Point{2 * c, 2 * s, pitch * t} + (radius * std::cos(2 * pi * turns)) * outward +
+           (radius * std::sin(2 * pi * turns)) * up;
+  };
+  Shape shape;
+  shape.add_face(24, 80, [&](double u, double v) { return at(v, -u, 0.4); });
+  shape.add_face(24, 3, [&](double u, double v) { return at(0, u, 0.4 * v); });
+  shape.add_face(24, 3, [&](double u, double v) { return at(1, -u, 0.4 * v); });
+  return shape;
+}
+
+// Tori osculate a tube along a curve; most of it is one face.
+TEST(FindSurfaceFaces, HelicalTube)
+{
+  for (const double pitch : {0.1, 0.3})
+    for (const double radians : {4.0, 12.0}) {
+      const Shape shape = helical_tube(pitch, radians);
+      const RS::Surface surface = surface_of(shape);
+      const RS::Surface_faces found = RS::find_surface_faces(surface);
+      double tube = 0;
+      std::vector<double> areas(found.surfaces.size(), 0);
+      for (std::size_t f = 0; f < shape.faces.size(); ++f)
+        if (shape.faces[f] == 0) {
+          tube += surface.area(f);
+          areas[found.partition[f]] += surface.area(f);
+        }
+      const auto largest = std::max_element(areas.begin(), areas.end());
+      EXPECT_GT(*largest, 0.9 * tube) << pitch << " " << radians;
+      EXPECT_EQ(found.surfaces[largest - areas.begin()].kind, Surface_kind::FREEFORM);
+    }
+  EXPECT_EQ(expect_faces(helical_tube(0, 4))[0].kind, Surface_kind::TORUS);
+}
+
 TEST(FindSurfaceFaces, MotionScaleAndOrder)
 {
   const unsigned seed = 31;

@@ -48,7 +48,7 @@ struct Surface_faces
 /// -# *Competition.* Neighbors of which one's surface is also that of the other are one; faces at
 ///    borders go to the surface from which the midpoints of their sides deviate least.
 /// -# *Freeform faces* are what is left, between creases. A torus that osculates one is a part of
-///    it.
+///    it; so are tori that osculate one tube.
 ///
 /// Faces without a normal of their own, such as slivers, belong to the surface on which their
 /// vertices lie. Faces of the result are connected across edges and seams.

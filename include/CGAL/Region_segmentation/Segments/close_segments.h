@@ -119,17 +119,16 @@ std::size_t close_segments(const FaceGraph& mesh, const FaceSegmentMap& segment_
   const auto points = choose_parameter(get_parameter(pack, CGAL::internal_np::vertex_point),
                                        get_const_property_map(CGAL::vertex_point, mesh));
   std::vector<Double_3> positions;
+  std::vector<typename boost::graph_traits<FaceGraph>::vertex_descriptor> ordered_vertices;
   for (auto v : vertices(mesh)) {
     const auto& p = get(points, v);
+    ordered_vertices.push_back(v);
     positions.push_back({CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2])});
   }
   const internal::Segment_caps caps(segmented, std::move(positions));
   const internal::Closed_segments closed(segmented, caps);
   const internal::Elements_of_solids<FaceGraph, std::decay_t<decltype(points)>> elements{
-    {mesh, segmented.descriptors, points},
-    {vertices(mesh).begin(), vertices(mesh).end()},
-    closed,
-    caps};
+    {mesh, segmented.descriptors, points}, std::move(ordered_vertices), closed, caps};
   internal::Piece_builder<Target> builder(closed);
   for (std::size_t s = 0; s < closed.number_of_segments; ++s) {
     Segment_piece<Target, FaceGraph, Label> piece;

@@ -71,6 +71,10 @@ public:
     return n.component != none && n.end - n.begin <= leaf_size;
   }
 
+  /// The parts of a leaf.
+  const Part* begin(Index node) const { return m_parts.data() + m_nodes[node].begin; }
+  const Part* end(Index node) const { return m_parts.data() + m_nodes[node].end; }
+
   Triangle triangle(const Part& p) const
   {
     return {m_surface.point(p.corners[0]), m_surface.point(p.corners[1]),
@@ -117,8 +121,6 @@ public:
 private:
   static constexpr Index leaf_size = 4;
 
-  const Part* begin(Index node) const { return m_parts.data() + m_nodes[node].begin; }
-  const Part* end(Index node) const { return m_parts.data() + m_nodes[node].end; }
   Axis_box box(const Part& p) const { return box_of(triangle(p)); }
 
   void group_faces(const Partition& component_of_face)
