@@ -27,7 +27,7 @@ aarch64    | g++-aarch64-linux-gnu qemu-user-static | aarch64-linux-gnu-g++ -O1 
 riscv64    | g++-riscv64-linux-gnu qemu-user-static | riscv64-linux-gnu-g++ -O1 -static                   | qemu-riscv64-static
 s390x      | g++-s390x-linux-gnu qemu-user-static   | s390x-linux-gnu-g++ -O1 -static                     | qemu-s390x-static
 windows    | g++-mingw-w64-x86-64-posix wine64      | x86_64-w64-mingw32-g++-posix -O1 -static            | /usr/lib/wine/wine64
-wasm       | emscripten nodejs                      | em++ -O1 -fexceptions -sALLOW_MEMORY_GROWTH -sNODERAWFS | node
+wasm       | emscripten nodejs                      | em++ -O1 -fexceptions -sALLOW_MEMORY_GROWTH -sNODERAWFS -sSINGLE_FILE | node
 '
 column() { echo "$platforms" | awk -F ' *[|] *' -v name="$1" -v i="$2" '$1 == name { print $i }'; }
 

@@ -4,6 +4,7 @@
 #define CGAL_REGION_SEGMENTATION_INTERNAL_FACES_FIT_SURFACE_H
 
 #include <CGAL/Region_segmentation/Segments/Fitted_surface.h>
+#include <CGAL/Region_segmentation/internal/faces/solve_positive_definite.h>
 
 #include <Eigen/Dense>
 
@@ -150,7 +151,7 @@ private:
     Matrix a = e.a;
     for (int i = 0; i < 7; ++i)
       a(i, i) = a(i, i) * (1 + damping) + (a(i, i) > 0 ? 0 : 1);
-    return Vector(-a.selfadjointView<Eigen::Lower>().llt().solve(e.b));
+    return solve_positive_definite(a, Vector(-e.b));
   }
 
   static Fitted_surface moved(const Fitted_surface& s, const Vector& d)

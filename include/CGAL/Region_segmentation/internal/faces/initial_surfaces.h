@@ -4,6 +4,7 @@
 #define CGAL_REGION_SEGMENTATION_INTERNAL_FACES_INITIAL_SURFACES_H
 
 #include <CGAL/Region_segmentation/Segments/Fitted_surface.h>
+#include <CGAL/Region_segmentation/internal/faces/solve_positive_definite.h>
 
 #include <Eigen/Dense>
 
@@ -50,7 +51,7 @@ inline Osculating_paraboloid osculating_paraboloid(const std::vector<Double_3>& 
   }
   for (int i = 0; i < 6; ++i)
     a(i, i) += 1e-7 * double(points.size());
-  const Vector c = a.ldlt().solve(b);
+  const Vector c = solve_positive_definite(a, b);
 
   // The shape operator in an orthonormal frame of the tangent plane at the origin.
   Double_3 n = normal - c[3] * u - c[4] * v;
@@ -66,7 +67,7 @@ inline Osculating_paraboloid osculating_paraboloid(const std::vector<Double_3>& 
     return (c[0] * xa * xb + c[1] * (xa * yb + xb * ya) + c[2] * ya * yb) / (slope * size);
   };
   const double l = second(x1, y1, x1, y1), m = second(x1, y1, x2, y2), k = second(x2, y2, x2, y2);
-  const double mean = (l + k) / 2, half = std::hypot((l - k) / 2, m),
+  const double mean = (l + k) / 2, half = std::sqrt((l - k) * (l - k) / 4 + m * m),
                angle = 0.5 * std::atan2(2 * m, l - k);
   const Double_3 larger = std::cos(angle) * e1 + std::sin(angle) * e2;
   const Double_3 other = cross(n, larger);
@@ -114,7 +115,7 @@ inline Fitted_surface cylinder_along(const Double_3& axis, const std::vector<Dou
     a += row * row.transpose();
     b += (x * x + y * y) * row;
   }
-  const Eigen::Matrix<double, 3, 1, Eigen::DontAlign> c = a.ldlt().solve(b);
+  const Eigen::Matrix<double, 3, 1, Eigen::DontAlign> c = solve_positive_definite(a, b);
   Fitted_surface s = surface_of_kind(Surface_kind::CYLINDER, origin + c[0] * u + c[1] * v, axis);
   s.radius = std::sqrt((std::max)(0.0, c[2] + c[0] * c[0] + c[1] * c[1]));
   return s;
