@@ -117,19 +117,19 @@ private:
   std::vector<Vertex> m_vertices;
 };
 
-/// The sign of an edge between faces of a surface: its flag.
+/// The sign of the edges between two faces of a surface together: its flag.
 inline std::uint8_t sign_of_adjacency(const Surface& surface, std::size_t adjacency)
 {
   const std::size_t lower = surface.lower_face(adjacency), higher = surface.higher_face(adjacency);
   const std::size_t n = surface.number_of_corners(higher);
+  Double_3 edges{0, 0, 0};
   for (std::size_t i = 0; i < n; ++i) {
     const Surface::Index p = surface.corner(higher, i),
                          q = surface.corner(higher, i + 1 < n ? i + 1 : 0);
     if (runs_along(surface, Surface::Index(lower), q, p))
-      return sign_of_edge(surface.normal(higher), surface.normal(lower),
-                          surface.point(q) - surface.point(p));
+      edges = edges + (surface.point(q) - surface.point(p));
   }
-  return 0;
+  return sign_of_edge(surface.normal(higher), surface.normal(lower), edges);
 }
 
 /// Moves the points of a surface, and with them all but degenerate faces and the lengths of
