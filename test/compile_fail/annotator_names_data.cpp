@@ -14,6 +14,6 @@ struct Annotator
 void test(const Mesh& mesh, Labels labels)
 {
   const RS::Superfacet_merging method{Annotator(), RS::Visibility_merging().policy,
-                                      RS::Number_below_cost{0}};
+                                      RS::Visibility_merging().chooser};
   RS::segment(mesh, labels, RS::parameters::method(method));
 }
