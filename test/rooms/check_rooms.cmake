@@ -9,7 +9,7 @@ set(data internal/support/ exceptions.h Execution.h parameters.h version.h Doubl
   Feature_convexity.h Partition.h Patches.h Request.h Surface.h)
 set(surface internal/surface/ make_surface.h face_values.h)
 set(cells internal/cells/)
-set(graph internal/concepts/ internal/regions/ internal/graph/ Graph/ Hierarchy.h merge_regions.h
+set(graph internal/concepts/ internal/regions/ internal/graph/ Graph/ Border_cost.h Hierarchy.h merge_regions.h
   merge_requested_regions.h requested_regions.h)
 set(measures internal/measures/ evaluation/ evaluation.h IO/)
 set(segments internal/segments/ internal/faces/ Segments/ find_surface_faces.h)
