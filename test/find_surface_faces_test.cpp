@@ -21,9 +21,9 @@ namespace find_surface_faces_test {
 
 namespace RS = CGAL::Region_segmentation;
 using namespace shapes_with_faces;
-using shapes_with_faces::Point;
 using RS::Face_role;
 using RS::Surface_kind;
+using shapes_with_faces::Point;
 
 RS::Surface surface_of(const Shape& shape)
 {

@@ -85,6 +85,8 @@ private:
     DWORD material = 0;
     check(NMR::lib3mf_basematerial_addmaterialutf8(m_materials.get(), segment.name.c_str(), red,
                                                    green, blue, &material));
+    check(NMR::lib3mf_basematerial_setdisplaycolorrgba(m_materials.get(), material, red, green,
+                                                       blue, 255)); // 0 without this: transparent
     Handle properties;
     check(NMR::lib3mf_object_createdefaultpropertyhandler(object, properties.out()));
     check(NMR::lib3mf_defaultpropertyhandler_setbasematerial(properties.get(), m_material_group,

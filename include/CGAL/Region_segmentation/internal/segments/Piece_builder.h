@@ -163,8 +163,8 @@ private:
       put(map, v, p);
     else {
       using Number = std::decay_t<decltype(std::declval<Copy>()[0])>;
-      const auto coordinate = [&](int i) { return Number(CGAL::to_double(p[i])); };
-      put(map, v, Copy(coordinate(0), coordinate(1), coordinate(2)));
+      const auto number = [](const auto& x) { return Number(CGAL::to_double(x)); };
+      put(map, v, Copy(number(p[0]), number(p[1]), number(p[2])));
     }
   }
 
