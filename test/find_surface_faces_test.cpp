@@ -6,6 +6,10 @@
 
 #include <CGAL/Region_segmentation/find_surface_faces.h>
 
+#include <CGAL/Region_segmentation/Methods/Surface_face_cost.h>
+#include <CGAL/Region_segmentation/build_region_adjacency_graph.h>
+
+#include <CGAL/Region_segmentation/find_common_surfaces.h>
 #include <CGAL/Region_segmentation/make_surface.h>
 
 #include <gtest/gtest.h>
@@ -149,6 +153,77 @@ TEST(FindSurfaceFaces, HelicalTube)
       EXPECT_EQ(found.surfaces[largest - areas.begin()].kind, Surface_kind::FREEFORM);
     }
   EXPECT_EQ(expect_faces(helical_tube(0, 4))[0].kind, Surface_kind::TORUS);
+}
+
+/// The faces of a shape, which are found in its order.
+RS::Surface_faces faces_in_order(const Shape& shape)
+{
+  RS::Surface_faces found = RS::find_surface_faces(surface_of(shape));
+  EXPECT_EQ(found.partition.number_of_parts(), std::size_t(shape.number_of_faces));
+  EXPECT_EQ(found.partition,
+            RS::Partition(std::vector<RS::Partition::Index>(shape.faces.begin(), shape.faces.end()),
+                          std::size_t(shape.number_of_faces)));
+  return found;
+}
+
+// A plate with a boss, which has a blind hole; the plate and a second boss below are one shaft.
+TEST(FindSurfaceFaces, RolesAndExtents)
+{
+  const RS::Surface_faces found = faces_in_order(revolved(
+    {{0, -4}, {2, -4}, {2, 0}, {3, 0}, {3, 1}, {1.5, 1}, {1.5, 3}, {0.5, 3}, {0.5, 2}, {0, 2}},
+    32));
+  using R = Face_role;
+  EXPECT_EQ(found.roles, (std::vector<R>{R::BOSS, R::BOSS, R::NONE, R::NONE, R::NONE, R::BOSS,
+                                         R::NONE, R::HOLE, R::HOLE}));
+  const RS::Fitted_surface& wall = found.surfaces[5];
+  EXPECT_NEAR(wall.highest - wall.lowest, 2, 1e-9);
+  EXPECT_NEAR(wall.point.z + (wall.direction.z > 0 ? wall.lowest : -wall.highest), 1, 1e-9);
+  EXPECT_NEAR(found.surfaces[4].highest, found.surfaces[4].lowest, 1e-9);
+  // the floor of a groove is no boss, nor is a shaft without a step
+  for (const auto role :
+       faces_in_order(
+         revolved({{0, 0}, {2, 0}, {2, 1}, {1.5, 1}, {1.5, 2}, {2, 2}, {2, 3}, {0, 3}}, 32))
+         .roles)
+    EXPECT_EQ(role, R::NONE);
+}
+
+TEST(FindSurfaceFaces, CommonSurfacesAndAxes)
+{
+  const auto common = [](const Shape& shape) {
+    return RS::find_common_surfaces(surface_of(shape), faces_in_order(shape));
+  };
+  using Numbers = std::vector<RS::Partition::Index>;
+  const Shape grooved = revolved(
+    {{0, 0}, {2, 0}, {2, 1}, {1.5, 1}, {1.5, 2}, {2, 2}, {2, 3}, {1, 3}, {1, 2.5}, {0, 2.5}}, 32);
+  EXPECT_EQ(common(grooved), (Numbers{0, 1, 2, 3, 4, 1, 6, 7, 8}));
+  EXPECT_EQ(RS::find_common_axes(faces_in_order(grooved)), (Numbers{0, 1, 2, 1, 4, 1, 6, 1, 8}));
+  // equal fillets have different axes
+  const Shape bar = filleted_bar(3, 1, 5, 6, 2);
+  Numbers own(std::size_t(bar.number_of_faces));
+  std::iota(own.begin(), own.end(), 0u);
+  EXPECT_EQ(common(bar), own);
+  EXPECT_EQ(RS::find_common_axes(faces_in_order(bar)), own);
+}
+
+// The region graph has the neighbors of faces, and the kinds of borders.
+TEST(FindSurfaceFaces, Borders)
+{
+  const Shape bar = filleted_bar(3, 1, 5, 3, 2);
+  const RS::Surface surface = surface_of(bar);
+  const RS::Surface_faces found = faces_in_order(bar);
+  auto graph = RS::build_region_adjacency_graph<RS::Surface_face_region_data,
+                                                RS::Surface_face_section_data>(surface,
+                                                                               found.partition);
+  RS::annotate_surface_faces(graph, surface, found.partition, found);
+  std::size_t smooth = 0, sharp = 0;
+  for (auto range = edges(graph); range.first != range.second; ++range.first) {
+    const auto section = *range.first;
+    const bool is_end = target(section, graph) >= 8 || source(section, graph) >= 8;
+    EXPECT_EQ(graph[section].is_smooth(), !is_end);
+    ++(graph[section].is_smooth() ? smooth : sharp);
+  }
+  EXPECT_EQ(smooth, 8u);
+  EXPECT_EQ(sharp, 16u);
 }
 
 TEST(FindSurfaceFaces, MotionScaleAndOrder)

@@ -141,6 +141,19 @@ inline Shape filleted_bar(double size, double radius, double length, int facets,
   return s;
 }
 
+/// The surface of revolution of a polygon of pairs r, z around the z axis: a face for each side.
+/// Outside is to the right.
+inline Shape revolved(const std::vector<std::array<double, 2>>& polygon, int turns)
+{
+  Shape s;
+  for (std::size_t i = 1; i < polygon.size(); ++i)
+    s.add_face(turns, 1, [&](double a, double b) {
+      return around((1 - b) * polygon[i - 1][0] + b * polygon[i][0], a,
+                    (1 - b) * polygon[i - 1][1] + b * polygon[i][1]);
+    });
+  return s;
+}
+
 inline Shape torus(double major, double minor, int m, int n)
 {
   Shape s;

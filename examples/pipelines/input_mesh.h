@@ -3,6 +3,7 @@
 #ifndef CGAL_REGION_SEGMENTATION_EXAMPLES_PIPELINES_INPUT_MESH_H
 #define CGAL_REGION_SEGMENTATION_EXAMPLES_PIPELINES_INPUT_MESH_H
 
+#include "../bushing.h"
 #include "../dumbbell.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -29,6 +30,12 @@ inline Mesh input_mesh(int argc, char** argv)
   }
   CGAL::Polygon_mesh_processing::triangulate_faces(mesh);
   return mesh;
+}
+
+/// The same; or the machine part of the examples.
+inline Mesh input_part(int argc, char** argv)
+{
+  return argc < 2 ? make_bushing<Mesh, Point>() : input_mesh(argc, argv);
 }
 
 #endif // CGAL_REGION_SEGMENTATION_EXAMPLES_PIPELINES_INPUT_MESH_H

@@ -124,6 +124,17 @@ TEST_F(Program, chooses_the_number_of_smooth_faces)
   EXPECT_NE(run("a.off -k 2 --method smooth-faces").out.find(" 2 segments"), std::string::npos);
 }
 
+TEST_F(Program, colors_by_kind)
+{
+  folder.write("a.off", sample::off());
+  EXPECT_EQ(run("a.off --method smooth-faces --color kind -o a.png").status, 0);
+  EXPECT_EQ(run("a.off --method smooth-faces -o b.png").status, 0);
+  EXPECT_NE(folder.read("a.png"), folder.read("b.png"));
+  const Outcome outcome = run("a.off --color kind -o c.png");
+  EXPECT_NE(outcome.status, 0);
+  EXPECT_NE(outcome.err.find("--color kind: --method smooth-faces alone"), std::string::npos);
+}
+
 TEST_F(Program, gives_the_same_labels_on_every_mesh_type)
 {
   ASSERT_EQ(run("--demo -o a.seg").status, 0);

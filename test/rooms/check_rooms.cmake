@@ -12,7 +12,8 @@ set(cells internal/cells/)
 set(graph internal/concepts/ internal/regions/ internal/graph/ Graph/ Border_cost.h Hierarchy.h merge_regions.h
   merge_requested_regions.h requested_regions.h)
 set(measures internal/measures/ evaluation/ evaluation.h IO/)
-set(segments internal/segments/ internal/faces/ Segments/ find_surface_faces.h)
+set(segments internal/segments/ internal/faces/ Segments/ find_surface_faces.h
+  find_common_surfaces.h)
 set(rays internal/rays/)
 set(cuts internal/cuts/)
 set(model internal/model/)

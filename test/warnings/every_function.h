@@ -25,6 +25,7 @@
 #include <CGAL/Region_segmentation/Methods/Smooth_faces.h>
 #include <CGAL/Region_segmentation/Methods/Spectral_partitioner.h>
 #include <CGAL/Region_segmentation/Segments/describe_segments.h>
+#include <CGAL/Region_segmentation/find_common_surfaces.h>
 #endif
 
 #include <boost/graph/graph_traits.hpp>
@@ -157,6 +158,10 @@ void use_segments(const Mesh& mesh)
   using Kernel = typename CGAL::Kernel_traits<Point>::Kernel;
   std::vector<RS::Segment_description<std::size_t, Kernel>> descriptions;
   RS::describe_segments(mesh, segments, std::back_inserter(descriptions));
+  const RS::Surface surface = RS::make_surface(mesh);
+  const RS::Surface_faces faces = RS::find_surface_faces(surface);
+  RS::find_common_surfaces(surface, faces);
+  RS::find_common_axes(faces);
 #endif
 
   RS::rand_index_distance(mesh, segments, others);

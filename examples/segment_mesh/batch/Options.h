@@ -8,6 +8,7 @@
 #include "io/output_format.h"
 #include "segmentation/Segmentation_settings.h"
 #include "view/Viewpoint.h"
+#include "view/segment_colors.h"
 
 #include <cstddef>
 #include <optional>
@@ -28,8 +29,9 @@ struct Options
   std::vector<std::string> truths;
   Side_files side_files;
   Segmentation_settings settings;
-  std::size_t number_of_threads = 0;  ///< 0: one for each core
-  std::optional<Viewpoint> viewpoint; ///< of pictures; if empty, the one that shows most
+  std::size_t number_of_threads = 0;      ///< 0: one for each core
+  std::optional<Viewpoint> viewpoint;     ///< of pictures; if empty, the one that shows most
+  Coloring coloring = Coloring::SEGMENTS; ///< of pictures and pages
   Verbosity verbosity = Verbosity::NORMAL;
 };
 

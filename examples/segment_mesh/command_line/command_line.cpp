@@ -34,6 +34,9 @@ const std::map<std::string, Feature_convexity> features = {{"concave", Feature_c
                                                            {"convex", Feature_convexity::CONVEX},
                                                            {"all", Feature_convexity::ALL}};
 
+const std::map<std::string, Coloring> colorings = {{"segment", Coloring::SEGMENTS},
+                                                   {"kind", Coloring::KINDS}};
+
 const std::map<std::string, Mesh_type> mesh_types = {{"polygon_soup", Mesh_type::POLYGON_SOUP},
                                                      {"surface_mesh", Mesh_type::SURFACE_MESH},
                                                      {"polyhedron", Mesh_type::POLYHEDRON},
@@ -57,6 +60,7 @@ struct Raw_options
   double maximum_angle = 0;
   std::string number_of_segments, number_of_threads = "0"; ///< CLI11 would cut off large numbers
   std::string method = "learned", features = "concave", mesh_type = "polygon_soup";
+  std::string coloring = "segment";
   std::string input_format;
   std::pair<double, double> view; ///< azimuth and elevation, in degrees
 };
@@ -150,6 +154,12 @@ void add_outputs(CLI::App& app, Raw_options& raw)
              "For .png: where the viewer stands, in degrees: around the y axis from the z axis, "
              "and above. Default: where most "
              "segments are seen.");
+  output
+    .add("--color", raw.coloring, "BY",
+         "For .png and .html: what colors tell apart: segment (default), or kind, of the surfaces "
+         "of --method smooth-faces: plane (blue), cylinder (red), cone (green), sphere (yellow), "
+         "torus (light blue), freeform (purple), several faces (grey).")
+    ->check(one_of(colorings));
   output
     .add("--output-format", raw.output_format, "FORMAT",
          "For every -o, instead of what its extension selects: seg, ply, ...")
@@ -258,6 +268,9 @@ void check_combinations(const CLI::App& app, const Raw_options& raw)
   for (const char* option : {"--features", "--max-angle"})
     if (raw.method != "two-step" && app.count(option) > 0)
       throw Usage_error(std::string(option) + ": --method " + raw.method + " has no feature edges");
+  if (colorings.at(raw.coloring) == Coloring::KINDS &&
+      methods.at(raw.method) != Method::SMOOTH_FACES)
+    throw Usage_error("--color kind: --method smooth-faces alone finds kinds of surfaces");
   for (const char* option : {"--segments", "--method", "--mesh", "--no-links", "--smooth-borders",
                              "--constraints", "--seeds"})
     if (app.count("--labels") > 0 && app.count(option) > 0)
@@ -310,6 +323,7 @@ Options checked(const CLI::App& app, const Raw_options& raw)
     throw Usage_error("--mesh " + raw.mesh_type + ": this program was built without it");
   if (app.count("--view") > 0)
     options.viewpoint = checked_viewpoint(raw.view.first, raw.view.second);
+  options.coloring = colorings.at(raw.coloring);
   options.verbosity = app.count("--quiet") > 0 ? Verbosity::QUIET : Verbosity::NORMAL;
   return options;
 }

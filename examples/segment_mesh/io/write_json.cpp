@@ -19,7 +19,13 @@
 //                 faces, area, volume, volume_share, centroid, axes, extents, border_length,
 //                 boundary_length, neighbors (segment, border_length, mean_signed_deviation),
 //                 primitive (type, error, point, and where it has them direction, radius,
-//                 half_angle)
+//                 half_angle). Of the method smooth-faces also: border of a neighbor, "smooth" or
+//                 "sharp"; and unless faces were merged: in primitive, which is that of
+//                 `Fitted_surface` with the apex as the point of a cone, and error the largest
+//                 distance of a vertex: minor_radius, concave (whether its inside is seen), extent
+//                 (the ends along direction from point); type alone if it is "freeform"; role
+//                 ("none", "blend", "hole", "boss"); same_surface, same_axis (the first segment on
+//                 the same surface, with the same axis)
 //   regions       for each region that merging started from, by its id: segment, faces, area,
 //                 perimeter (shared with other regions)
 //   sections      for each pair of adjacent regions: regions (two ids), edges (seams and links,

@@ -114,6 +114,8 @@ void write_view(std::ostream& out, const Result& result)
 {
   View_options options;
   options.viewpoint = result.viewpoint;
+  options.colors = result.details.colors(result.coloring, result.segmentation.segment_of_face,
+                                         result.segmentation.number_of_segments);
   options.marked_edges = lines_of_marks(result.marks, result.input);
   write_png_view(out, result.input.soup, result.segmentation.segment_of_face,
                  edges_of_lines(result.details.feature_lines()), options);
@@ -121,7 +123,8 @@ void write_view(std::ostream& out, const Result& result)
 
 void write_html(std::ostream& out, const Result& result)
 {
-  write_page(out, {result.name, result.input.soup, result.segmentation, result.details});
+  write_page(
+    out, {result.name, result.input.soup, result.segmentation, result.details, result.coloring});
 }
 
 } // namespace segment_mesh

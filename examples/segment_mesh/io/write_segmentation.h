@@ -29,6 +29,7 @@ struct Result
   const Segmentation& segmentation;
   const Segmentation_details& details;
   const std::optional<Viewpoint>& viewpoint; ///< of a picture
+  Coloring coloring = Coloring::SEGMENTS;    ///< of a picture or page
 };
 
 /// Writes a result in the format of `output`, or each of its segments. Faces come in the order of

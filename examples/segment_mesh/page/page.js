@@ -53,7 +53,7 @@ class Page {
     this.totalArea = arrays.areas.reduce((sum, area) => sum + area, 0) || 1;
     this.shapes = new Map(content.shapes.map(shape => [shape.node, shape]));
     const first = this.tree.partition(content.segments);
-    this.colors = this.tree.colors(first);
+    this.colors = content.node_colors || this.tree.colors(first);
     this.view = new MeshView(element("view"), arrays, content.view, content.regions);
     this.history = [];
     this.tool = "select";
@@ -205,7 +205,7 @@ class Page {
   }
 
   /// Whether a primitive says what a segment looks like: its misfit is below a hundredth of the size.
-  fits(shape, node) { return shape.primitive.error < 0.01 * Math.sqrt(this.tree.areas[node]); }
+  fits(shape, node) { return !(shape.primitive.error >= 0.01 * Math.sqrt(this.tree.areas[node])); }
 
   description(node) {
     const measures = this.measures[this.indexOf(node)], shape = this.shapes.get(node);

@@ -166,6 +166,19 @@ ordered_json colors_json()
   return colors;
 }
 
+/// The numbers of the colors of the nodes of the merge tree; null where the page chooses them, so
+/// that those of the segments that it shows first are different.
+ordered_json node_colors_json(const Page_content& content)
+{
+  if (content.coloring == Coloring::SEGMENTS)
+    return nullptr;
+  const Segmentation& s = content.segmentation;
+  std::vector<std::size_t> colors = content.details.colors(content.coloring, s.region_of_face,
+                                                           s.number_of_regions);
+  colors.resize(colors.size() + s.tree.merges().size(), color_of_no_kind);
+  return colors;
+}
+
 ordered_json content_json(const Page_content& content, const Array_file& file)
 {
   const Segmentation& segmentation = content.segmentation;
@@ -180,6 +193,7 @@ ordered_json content_json(const Page_content& content, const Array_file& file)
           {"greatest", greatest},
           {"view", {{"toward", viewpoint.toward_viewer}, {"up", viewpoint.up}}},
           {"colors", colors_json()},
+          {"node_colors", node_colors_json(content)},
           {"shapes", shapes_json(content, described)},
           {"arrays", file.index()}};
 }

@@ -21,6 +21,7 @@ struct Page_content
   const Polygon_soup& soup;
   const Segmentation& segmentation;
   const Segmentation_details& details;
+  Coloring coloring;
 };
 
 /// Whether the program was built with three.js.

@@ -2,6 +2,7 @@
 
 #include "segmentation/Segmentation_details.h"
 
+#include "segmentation/Machine_part.h"
 #include "segmentation/Manifold.h"
 
 #include <CGAL/number_type_config.h>
@@ -22,6 +23,7 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <numeric>
 #include <utility>
 
 namespace segment_mesh {
@@ -103,6 +105,13 @@ private:
   std::vector<std::size_t> m_heights;
 };
 
+RS::Surface surface_of(const Polygon_soup& soup, const Segmentation_settings& settings)
+{
+  return RS::make_surface(
+    soup.points, soup.polygons,
+    RS::parameters::component_links(settings.links == Component_links::FOUND));
+}
+
 } // namespace
 
 /// The graph of the regions, whose vertices are numbered by their first faces.
@@ -129,11 +138,16 @@ const Manifold& Segmentation_details::manifold() const
   return *m_manifold;
 }
 
+const Machine_part* Segmentation_details::machine_part() const
+{
+  if (!m_machine_part && m_settings.method == Method::SMOOTH_FACES)
+    m_machine_part = std::make_unique<const Machine_part>(surface_of(m_soup, m_settings));
+  return m_machine_part.get();
+}
+
 Segmentation_details::Region_graph Segmentation_details::region_graph() const
 {
-  const RS::Surface surface = RS::make_surface(
-    m_soup.points, m_soup.polygons,
-    RS::parameters::component_links(m_settings.links == Component_links::FOUND));
+  const RS::Surface surface = surface_of(m_soup, m_settings);
   const std::vector<std::size_t>& labels = m_segmentation.region_of_face;
   const RS::Partition regions = RS::Partition::from_labels(labels);
   Region_graph result = {RS::build_region_adjacency_graph(surface, regions),
@@ -148,10 +162,21 @@ Segmentation_details::describe(const std::vector<std::size_t>& labels) const
 {
   const Mesh& mesh = manifold().mesh;
   const std::vector<std::size_t> labels_of_mesh = manifold().values_of_mesh_faces(labels);
-  std::vector<Segment_description> result;
+  std::vector<RS::Segment_description<std::size_t, Kernel>> descriptions;
   RS::describe_segments(
     mesh, boost::make_iterator_property_map(labels_of_mesh.begin(), get(boost::face_index, mesh)),
-    std::back_inserter(result));
+    std::back_inserter(descriptions));
+  std::map<std::size_t, Surface_face> faces;
+  if (machine_part())
+    faces = machine_part()->faces(labels);
+  std::vector<Segment_description> result;
+  for (auto& description : descriptions) {
+    Segment_description& d = result.emplace_back();
+    static_cast<decltype(descriptions)::value_type&>(d) = std::move(description);
+    const auto face = faces.find(d.segment);
+    if (face != faces.end())
+      d.face = face->second;
+  }
   return result;
 }
 
@@ -225,6 +250,12 @@ std::vector<Segment_description> Segmentation_details::segments() const
     description.number_of_faces = 0;
   for (std::size_t segment : m_segmentation.segment_of_face) // of the soup
     ++result[segment].number_of_faces;
+  if (machine_part()) {
+    auto neighbors = machine_part()->smooth_neighbors(m_segmentation.segment_of_face,
+                                                      result.size());
+    for (std::size_t s = 0; s < result.size(); ++s)
+      result[s].smooth_neighbors = std::move(neighbors[s]);
+  }
   return result;
 }
 
@@ -248,11 +279,24 @@ std::vector<Border> Segmentation_details::borders() const
   return result;
 }
 
+std::vector<std::size_t> Segmentation_details::colors(Coloring coloring,
+                                                      const std::vector<std::size_t>& labels,
+                                                      std::size_t n) const
+{
+  std::vector<std::size_t> result(n, color_of_no_kind);
+  if (coloring == Coloring::SEGMENTS)
+    std::iota(result.begin(), result.end(), std::size_t(0));
+  else if (machine_part())
+    for (const auto& [label, face] : machine_part()->faces(labels))
+      result[label] = std::size_t(face.surface.kind);
+  return result;
+}
+
 std::vector<Node_description> Segmentation_details::nodes(std::size_t number_of_segments) const
 {
   Numbered_tree tree(m_segmentation.tree);
   const std::vector<std::vector<std::size_t>> groups = tree.disjoint_groups(number_of_segments);
-  manifold(); // made by this thread
+  manifold(), machine_part(); // made by this thread
   std::vector<std::vector<Segment_description>> shapes(groups.size());
   tbb::parallel_for(std::size_t(0), groups.size(), [&](std::size_t i) {
     const std::vector<std::size_t> node_of_region = tree.nodes_of_regions(groups[i]);

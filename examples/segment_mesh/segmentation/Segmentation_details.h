@@ -5,22 +5,40 @@
 
 #include "segmentation/run_segmentation.h"
 #include "soup/Polygon_soup.h"
+#include "view/segment_colors.h"
 
+#include <CGAL/Region_segmentation/Segments/Fitted_surface.h>
 #include <CGAL/Region_segmentation/Segments/Segment_description.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace segment_mesh {
 
+class Machine_part;
 struct Manifold;
 
 using Kernel = CGAL::Simple_cartesian<double>;
-using Segment_description = CGAL::Region_segmentation::Segment_description<std::size_t, Kernel>;
-using Fitted_primitive = CGAL::Region_segmentation::Fitted_primitive<Kernel>;
+
+/// A segment that is a face of a machine part.
+struct Surface_face
+{
+  CGAL::Region_segmentation::Fitted_surface surface; ///< in units of the mesh
+  CGAL::Region_segmentation::Face_role role = CGAL::Region_segmentation::Face_role::NONE;
+  std::size_t same_surface = 0; ///< the first segment on the same surface
+  std::size_t same_axis = 0;    ///< the first segment with the same axis
+};
+
+/// The last two of the method smooth-faces alone.
+struct Segment_description : CGAL::Region_segmentation::Segment_description<std::size_t, Kernel>
+{
+  std::optional<Surface_face> face; ///< unless faces were merged
+  std::optional<std::vector<std::size_t>> smooth_neighbors;
+};
 
 /// Points by their indices.
 using Polyline = std::vector<std::size_t>;
@@ -78,6 +96,10 @@ public:
   /// By segment.
   std::vector<Segment_description> segments() const;
   std::vector<Border> borders() const;
+  /// The number of the color of each of n labels of the faces of the soup: the label itself, or
+  /// that of the kind of its surface.
+  std::vector<std::size_t> colors(Coloring coloring, const std::vector<std::size_t>& labels,
+                                  std::size_t n) const;
   /// Of the segments of all partitions into at most `number_of_segments`.
   std::vector<Node_description> nodes(std::size_t number_of_segments) const;
 
@@ -85,6 +107,7 @@ private:
   struct Region_graph;
 
   const Manifold& manifold() const;
+  const Machine_part* machine_part() const; ///< null if the method is not smooth-faces
   Region_graph region_graph() const;
   /// `labels`: of the faces of the soup
   std::vector<Segment_description> describe(const std::vector<std::size_t>& labels) const;
@@ -93,6 +116,7 @@ private:
   const Segmentation_settings& m_settings;
   const Segmentation& m_segmentation;
   mutable std::unique_ptr<const Manifold> m_manifold;
+  mutable std::unique_ptr<const Machine_part> m_machine_part;
 };
 
 } // namespace segment_mesh

@@ -8,6 +8,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
 namespace segment_mesh {
 
 namespace {
@@ -15,47 +19,108 @@ namespace {
 using nlohmann::ordered_json;
 namespace RS = CGAL::Region_segmentation;
 
+ordered_json double_3_json(const RS::Double_3& v)
+{
+  return {v.x, v.y, v.z};
+}
+
 template <typename Triple>
 ordered_json vector_json(const Triple& v)
 {
   return {v.x(), v.y(), v.z()};
 }
 
-ordered_json primitive_json(const Fitted_primitive& primitive)
+ordered_json surface_json(const Segment_description& segment)
 {
-  ordered_json json = {{"type", name_of(primitive.type)},
-                       {"error", primitive.error},
-                       {"point", vector_json(primitive.point)}};
-  if (primitive.type != RS::Primitive_type::SPHERE)
-    json["direction"] = vector_json(primitive.direction);
-  if (has_radius(primitive))
-    json["radius"] = primitive.radius;
-  if (primitive.type == RS::Primitive_type::CONE)
-    json["half_angle"] = primitive.half_angle * 180 / CGAL_PI;
+  const RS::Fitted_surface s = surface_of(segment);
+  ordered_json json = {{"type", name_of(s.kind)}};
+  if (s.kind == RS::Surface_kind::FREEFORM)
+    return json;
+  json["error"] = s.deviation;
+  json["point"] = double_3_json(s.point);
+  if (s.kind != RS::Surface_kind::SPHERE)
+    json["direction"] = double_3_json(s.direction);
+  if (has_radius(s))
+    json["radius"] = s.radius;
+  if (s.kind == RS::Surface_kind::TORUS)
+    json["minor_radius"] = s.minor_radius;
+  if (s.kind == RS::Surface_kind::CONE)
+    json["half_angle"] = s.angle * 180 / CGAL_PI;
+  if (segment.face && s.kind != RS::Surface_kind::PLANE)
+    json["concave"] = s.side < 0;
+  if (segment.face && has_axis(s))
+    json["extent"] = {s.lowest, s.highest};
   return json;
+}
+
+RS::Surface_kind kind_of(RS::Primitive_type type)
+{
+  switch (type) {
+  case RS::Primitive_type::SPHERE:
+    return RS::Surface_kind::SPHERE;
+  case RS::Primitive_type::CYLINDER:
+    return RS::Surface_kind::CYLINDER;
+  case RS::Primitive_type::CONE:
+    return RS::Surface_kind::CONE;
+  default:
+    return RS::Surface_kind::PLANE;
+  }
+}
+
+template <typename Triple>
+RS::Double_3 to_double_3(const Triple& v)
+{
+  return {v.x(), v.y(), v.z()};
 }
 
 } // namespace
 
-const char* name_of(RS::Primitive_type type)
+const char* name_of(RS::Surface_kind kind)
 {
-  switch (type) {
-  case RS::Primitive_type::PLANE:
-    return "plane";
-  case RS::Primitive_type::SPHERE:
-    return "sphere";
-  case RS::Primitive_type::CYLINDER:
-    return "cylinder";
-  case RS::Primitive_type::CONE:
-    return "cone";
-  }
-  return "";
+  constexpr const char* names[] = {"plane", "cylinder", "cone", "sphere", "torus", "freeform"};
+  return names[std::size_t(kind)];
 }
 
-bool has_radius(const Fitted_primitive& primitive)
+const char* name_of(RS::Face_role role)
 {
-  return primitive.type == RS::Primitive_type::SPHERE ||
-         primitive.type == RS::Primitive_type::CYLINDER;
+  constexpr const char* names[] = {"none", "blend", "hole", "boss"};
+  return names[std::size_t(role)];
+}
+
+bool has_radius(const RS::Fitted_surface& s)
+{
+  return s.kind == RS::Surface_kind::SPHERE || s.kind == RS::Surface_kind::CYLINDER ||
+         s.kind == RS::Surface_kind::TORUS;
+}
+
+bool has_axis(const RS::Fitted_surface& s)
+{
+  return s.kind == RS::Surface_kind::CYLINDER || s.kind == RS::Surface_kind::CONE ||
+         s.kind == RS::Surface_kind::TORUS;
+}
+
+RS::Fitted_surface surface_of(const Segment_description& segment)
+{
+  RS::Fitted_surface s;
+  if (segment.face) {
+    s = segment.face->surface;
+    if (s.kind == RS::Surface_kind::CONE) {
+      const double to_apex = s.radius / std::tan(s.angle);
+      s.point = s.apex();
+      s.radius = 0;
+      s.lowest += to_apex;
+      s.highest += to_apex;
+    }
+    return s;
+  }
+  const auto& primitive = segment.primitive;
+  s.kind = kind_of(primitive.type);
+  s.point = to_double_3(primitive.point);
+  s.direction = to_double_3(primitive.direction);
+  s.radius = primitive.radius;
+  s.angle = primitive.half_angle;
+  s.deviation = primitive.error;
+  return s;
 }
 
 ordered_json segment_json(const Segment_description& segment)
@@ -70,15 +135,25 @@ ordered_json segment_json(const Segment_description& segment)
                        {"border_length", segment.border_length},
                        {"boundary_length", segment.boundary_length},
                        {"neighbors", ordered_json::array()},
-                       {"primitive", primitive_json(segment.primitive)}};
+                       {"primitive", surface_json(segment)}};
+  if (segment.face) {
+    json["role"] = name_of(segment.face->role);
+    json["same_surface"] = segment.face->same_surface;
+    json["same_axis"] = segment.face->same_axis;
+  }
   for (const Kernel::Vector_3& axis : segment.axes)
     json["axes"].push_back(vector_json(axis));
   for (const auto& neighbor : segment.neighbors)
-    if (RS::is_segment(neighbor.segment))
-      json["neighbors"].push_back(
-        {{"segment", neighbor.segment},
-         {"border_length", neighbor.border_length},
-         {"mean_signed_deviation", neighbor.mean_signed_deviation * 180 / CGAL_PI}});
+    if (RS::is_segment(neighbor.segment)) {
+      ordered_json& entry = json["neighbors"].emplace_back(
+        ordered_json{{"segment", neighbor.segment},
+                     {"border_length", neighbor.border_length},
+                     {"mean_signed_deviation", neighbor.mean_signed_deviation * 180 / CGAL_PI}});
+      if (const auto& smooth = segment.smooth_neighbors) {
+        const bool is_smooth = std::count(smooth->begin(), smooth->end(), neighbor.segment) > 0;
+        entry["border"] = is_smooth ? "smooth" : "sharp";
+      }
+    }
   return json;
 }
 

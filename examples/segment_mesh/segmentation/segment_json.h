@@ -9,11 +9,20 @@
 
 namespace segment_mesh {
 
-/// The word for a primitive in outputs.
-const char* name_of(CGAL::Region_segmentation::Primitive_type type);
+/// \name The words for them in outputs
+/// @{
+const char* name_of(CGAL::Region_segmentation::Surface_kind kind);
+const char* name_of(CGAL::Region_segmentation::Face_role role);
+/// @}
 
-/// Whether a primitive is a sphere or a cylinder.
-bool has_radius(const Fitted_primitive& primitive);
+/// Whether a surface is a sphere, a cylinder or a torus.
+bool has_radius(const CGAL::Region_segmentation::Fitted_surface& s);
+
+/// Whether a surface is a cylinder, a cone or a torus.
+bool has_axis(const CGAL::Region_segmentation::Fitted_surface& s);
+
+/// The surface of the face that a segment is, else its primitive; `point` of a cone is its apex.
+CGAL::Region_segmentation::Fitted_surface surface_of(const Segment_description& segment);
 
 /// The shape of a segment as an object, see io/write_json.cpp; values that are not finite are null.
 nlohmann::ordered_json segment_json(const Segment_description& segment);

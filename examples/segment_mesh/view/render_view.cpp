@@ -27,14 +27,15 @@ float lit(float channel, float light)
 class Shading
 {
 public:
-  Shading(const Scene& scene, const Sample_buffer& buffer, const Ink& ink, const Color& background)
+  Shading(const Scene& scene, const Sample_buffer& buffer, const Ink& ink,
+          const View_options& options)
     : m_buffer(buffer)
     , m_ink(ink)
-    , m_background(background)
+    , m_background(options.background)
   {
     m_colors.reserve(scene.number_of_faces());
     for (std::size_t label : scene.labels)
-      m_colors.push_back(segment_color(label));
+      m_colors.push_back(segment_color(options.colors.empty() ? label : options.colors[label]));
   }
 
   std::array<float, 3> operator()(std::size_t sample) const
@@ -109,7 +110,7 @@ Image render_view(const Polygon_soup& soup, const std::vector<std::size_t>& labe
   ink.draw_edges(scene, projection, options.marked_edges, 1.3 * line, 255);
 
   Image image(options.width, options.height, options.background);
-  resolve(Shading(scene, buffer, ink, options.background), samples, image);
+  resolve(Shading(scene, buffer, ink, options), samples, image);
   return image;
 }
 

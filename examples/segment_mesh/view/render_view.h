@@ -23,13 +23,14 @@ struct View_options
   Color background = {255, 255, 255};
   std::optional<Viewpoint> viewpoint;    ///< by `choose_viewpoint()` if empty
   std::vector<Vertex_pair> marked_edges; ///< drawn darker than borders
+  std::vector<std::size_t> colors;       ///< numbers by label; if empty, the labels
 };
 
-/// Draws a mesh: each segment shaded in its `segment_color()`, its borders as dark lines, feature
-/// edges within segments as thinner ones. Without a display or a GPU; the same picture for the same
-/// input. Faces may be of any size, need not be convex or planar, and may be turned either way;
-/// those that have no inside are not seen. \throws std::invalid_argument unless there is a label
-/// for each face and a point for each corner
+/// Draws a mesh: each segment shaded in the `segment_color()` of its number, its borders as dark
+/// lines, feature edges within segments as thinner ones. Without a display or a GPU; the same
+/// picture for the same input. Faces may be of any size, need not be convex or planar, and may be
+/// turned either way; those that have no inside are not seen. \throws std::invalid_argument unless
+/// there is a label for each face and a point for each corner
 Image render_view(const Polygon_soup& soup, const std::vector<std::size_t>& labels,
                   const std::vector<Vertex_pair>& feature_edges, const View_options& options = {});
 

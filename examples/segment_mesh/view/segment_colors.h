@@ -25,6 +25,13 @@ inline Color color_from_hsv(double hue, double saturation, double value)
   return {channel(5), channel(3), channel(1)};
 }
 
+/// What colors tell apart: segments, or the kinds of their surfaces, of which each has the color of
+/// its number, from planes on.
+enum class Coloring { SEGMENTS, KINDS };
+
+/// The number of the color of segments of several faces: grey.
+constexpr std::size_t color_of_no_kind = 9;
+
 /// The color of a segment, the same in every output and on every machine. The first twelve are far
 /// apart also for most color-blind eyes (Paul Tol's and Okabe and Ito's hues, by alternating
 /// lightness); further ones step round the hues by the golden ratio, so that no two are equal.

@@ -22,9 +22,42 @@
 namespace CGAL {
 namespace Region_segmentation {
 
+namespace internal {
+
+/// The surfaces of the parts, with what their faces say: deviation and extent.
+inline std::vector<Fitted_surface> measured_surfaces(const Face_search& search,
+                                                     const Partition& partition)
+{
+  const Surface& surface = search.surface;
+  std::vector<Fitted_surface> result;
+  for (Surface::Index f = 0; f < surface.number_of_faces(); ++f) {
+    const auto z = [&](std::size_t i) {
+      const Fitted_surface& s = result[partition[f]];
+      return dot(surface.point(surface.corner(f, i)) - s.point, s.direction);
+    };
+    if (partition[f] == result.size()) { // parts are numbered by their first faces
+      result.push_back(search.surface_of(f));
+      result.back().lowest = result.back().highest = z(0);
+    }
+    Fitted_surface& s = result[partition[f]];
+    if (s.kind == Surface_kind::FREEFORM)
+      continue;
+    s.deviation = (std::max)(s.deviation, search.test.largest_distance(s, f));
+    for (std::size_t i = 0; i < surface.number_of_corners(f); ++i) {
+      s.lowest = (std::min)(s.lowest, z(i));
+      s.highest = (std::max)(s.highest, z(i));
+    }
+  }
+  return result;
+}
+
+} // namespace internal
+
 /// \ingroup PkgRegionSegmentationSegments
 /// The faces of a machine part: a partition of the faces of its mesh, and what is known of each
-/// part.
+/// part. Their neighbors, and which of these they meet smoothly, are a graph:
+/// `build_region_adjacency_graph<Surface_face_region_data, Surface_face_section_data>()`, filled by
+/// `annotate_surface_faces()`.
 struct Surface_faces
 {
   Partition partition;                  ///< of the faces of the mesh
@@ -76,14 +109,7 @@ inline Surface_faces find_surface_faces(const Surface& surface, double tolerance
 
   Surface_faces result;
   result.partition = Partition::from_labels(search.labels);
-  result.surfaces.resize(result.partition.number_of_parts());
-  for (std::size_t f = 0; f < surface.number_of_faces(); ++f)
-    result.surfaces[result.partition[f]] = search.surface_of(Surface::Index(f));
-  for (std::size_t f = 0; f < surface.number_of_faces(); ++f) {
-    Fitted_surface& s = result.surfaces[result.partition[f]];
-    if (s.kind != Surface_kind::FREEFORM)
-      s.deviation = (std::max)(s.deviation, search.test.largest_distance(s, f));
-  }
+  result.surfaces = internal::measured_surfaces(search, result.partition);
   result.roles = internal::find_face_roles(surface, result.partition, result.surfaces);
   result.tolerance = search.test.tolerance();
   return result;

@@ -99,7 +99,7 @@ void annotate_surface_faces(Graph& graph, const Surface& surface, const Partitio
 /// |---|---|
 /// | 0 | pieces of one face, which constraints or seeds have separated |
 /// | 1 | a blend and what it blends: they meet smoothly along more than half of their section |
-/// | 2 | a hole or a blend, and anything else |
+/// | 2 | a hole, a boss or a blend, and anything else |
 /// | 3 | others |
 /// | 4 | components that are adjacent across links alone |
 ///

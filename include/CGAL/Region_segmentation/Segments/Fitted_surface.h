@@ -17,8 +17,10 @@ enum class Surface_kind { PLANE, CYLINDER, CONE, SPHERE, TORUS, FREEFORM };
 /// \ingroup PkgRegionSegmentationSegments
 /// What a face of a machine part is for. `BLEND`: it rounds an edge or a corner, and meets most of
 /// what it borders on smoothly. `HOLE`: the wall of a hole, a concave cylinder or cone, or a bottom
-/// that borders on walls alone.
-enum class Face_role { NONE, BLEND, HOLE };
+/// that borders on walls alone. `BOSS`: the wall of a boss, a convex cylinder or cone with a
+/// concave edge or blend around one end, its foot, and none around the other; or a top that borders
+/// on such walls alone.
+enum class Face_role { NONE, BLEND, HOLE, BOSS };
 
 /// \ingroup PkgRegionSegmentationSegments
 /// A surface that is fitted to a face. Each kind but the last is a surface of revolution: with z
@@ -50,6 +52,8 @@ struct Fitted_surface
   int side = 1;
   /// The largest distance of a vertex of the face to the surface.
   double deviation = 0;
+  /// The least and the greatest z of the vertices of the face.
+  double lowest = 0, highest = 0;
 
   /// The apex of the cone.
   Double_3 apex() const { return point - (radius / std::tan(angle)) * direction; }

@@ -130,29 +130,62 @@ inline std::vector<Face_role> find_blends(const Surface& surface, const Partitio
   return roles;
 }
 
-/// The roles of faces: blends; holes, which are concave cylinders and cones, and planes that border
-/// on these alone.
-inline std::vector<Face_role> find_face_roles(const Surface& surface, const Partition& faces,
-                                              const std::vector<Fitted_surface>& surfaces)
+/// The roles of cylinders and cones that are no blends, and of blends. A convex wall is that of a
+/// boss if one of its ends, where its border runs around its axis, is a foot: a concave edge, or a
+/// concave blend; and another one is not.
+inline std::vector<Face_role> find_walls(const Surface& surface, const Partition& faces,
+                                         const std::vector<Fitted_surface>& surfaces)
 {
+  constexpr double most_along_axis = 0.5;
+  constexpr unsigned foot = 1, head = 2;
   std::vector<Face_role> roles = find_blends(surface, faces, surfaces);
   const auto is_wall = [&](std::size_t part) {
     const Surface_kind kind = surfaces[part].kind;
-    return roles[part] != Face_role::BLEND && surfaces[part].side < 0 &&
+    return roles[part] == Face_role::NONE &&
            (kind == Surface_kind::CYLINDER || kind == Surface_kind::CONE);
   };
-  std::vector<bool> has_wall(surfaces.size(), false), has_other(surfaces.size(), false);
+  std::vector<unsigned> ends(roles.size(), 0);
+  for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a) {
+    const std::size_t f = surface.lower_face(a), g = surface.higher_face(a);
+    if (faces[f] == faces[g] || surface.has_flag(a, Surface::LINK))
+      continue;
+    const bool is_concave_edge = surface.has_flag(a, Surface::CONCAVE) &&
+                                 !meet_smoothly(surface, a, surfaces[faces[f]], surfaces[faces[g]]);
+    const Double_3 along = Shared_side(surface, f, g).along;
+    for (const auto& [part, other] : {std::pair(faces[f], faces[g]), std::pair(faces[g], faces[f])})
+      if (is_wall(part) && std::fabs(dot(along, surfaces[part].direction)) < most_along_axis) {
+        const bool is_on_blend = roles[other] == Face_role::BLEND && surfaces[other].side < 0;
+        ends[part] |= is_concave_edge || is_on_blend ? foot : head;
+      }
+  }
+  for (std::size_t part = 0; part < roles.size(); ++part)
+    if (is_wall(part))
+      roles[part] = surfaces[part].side < 0       ? Face_role::HOLE
+                    : ends[part] == (foot | head) ? Face_role::BOSS
+                                                  : Face_role::NONE;
+  return roles;
+}
+
+/// The roles of faces: those of `find_walls()`, and planes that border on the walls of holes, or of
+/// bosses, alone.
+inline std::vector<Face_role> find_face_roles(const Surface& surface, const Partition& faces,
+                                              const std::vector<Fitted_surface>& surfaces)
+{
+  const std::vector<Face_role> walls = find_walls(surface, faces, surfaces);
+  const auto bit = [](Face_role role) { return 1u << unsigned(role); };
+  std::vector<unsigned> around(surfaces.size(), 0); // the bits of the roles of neighbors
   for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a) {
     const std::size_t i = faces[surface.lower_face(a)], j = faces[surface.higher_face(a)];
     if (i == j || surface.has_flag(a, Surface::LINK))
       continue;
-    (is_wall(j) ? has_wall : has_other)[i] = true;
-    (is_wall(i) ? has_wall : has_other)[j] = true;
+    around[i] |= bit(walls[j]);
+    around[j] |= bit(walls[i]);
   }
-  std::vector<Face_role> result = roles;
-  for (std::size_t i = 0; i < roles.size(); ++i)
-    if (is_wall(i) || (surfaces[i].kind == Surface_kind::PLANE && has_wall[i] && !has_other[i]))
-      result[i] = Face_role::HOLE;
+  std::vector<Face_role> result = walls;
+  for (std::size_t i = 0; i < result.size(); ++i)
+    for (const Face_role role : {Face_role::HOLE, Face_role::BOSS})
+      if (surfaces[i].kind == Surface_kind::PLANE && around[i] == bit(role))
+        result[i] = role;
   return result;
 }
 
