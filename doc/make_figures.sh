@@ -134,3 +134,5 @@ small "$work/speed.png" "$figures/speed.png"
 chromium --headless=new --no-sandbox --use-gl=angle --use-angle=swiftshader --enable-unsafe-swiftshader --hide-scrollbars \
   --window-size=1100,700 --virtual-time-budget=30000 --screenshot="$work/page.png" "file://$work/triceratops.html"
 small "$work/page.png" "$figures/page.png"
+
+# web.png is a picture of the page of examples/web on which two strokes were drawn.

@@ -30,8 +30,9 @@ def read_off(file):
     n, m = int(numbers[0]), int(numbers[1])
     values = numbers[3:]
     points = [tuple(map(float, values[3 * i:3 * i + 3])) for i in range(n)]
-    start, with_color = 3 * n, 7
-    faces = [tuple(map(int, values[start + with_color * f + 1:start + with_color * f + 4])) for f in range(m)]
+    start = 3 * n
+    length = (len(values) - start) // m  # of a triangle, with or without a color
+    faces = [tuple(map(int, values[start + length * f + 1:start + length * f + 4])) for f in range(m)]
     return points, faces
 
 
@@ -55,6 +56,12 @@ def subdivided(points, faces):
         ab, bc, ca = middle(a, b), middle(b, c), middle(c, a)
         result += [(a, ab, ca), (ab, b, bc), (ca, bc, c), (ab, bc, ca)]
     return points, result
+
+
+def beside_itself(points, faces):
+    """Twice, side by side along x."""
+    n = len(points)
+    return (points + [(x + 3, y, z) for x, y, z in points], faces + [tuple(i + n for i in face) for face in faces])
 
 
 def start_browser(downloads):
@@ -100,8 +107,8 @@ class Page:
     def press(self, name):
         self.browser.find_element(By.CSS_SELECTOR, name).click()
 
-    def places(self):
-        """For each segment that is seen, a place of the canvas where the page itself says that it is."""
+    def all_places(self):
+        """For each segment that is seen, places of the canvas where the page itself says that it is."""
         found = self.browser.execute_script(
             """const page = window.page, {view} = page, {width, height} = view.ids, bytes = new Uint8Array(4 * width * height);
                view.draw();
@@ -115,7 +122,11 @@ class Page:
                    (found[segment] = found[segment] || []).push([column / ratio, (height - 1 - row) / ratio].map(Math.round));
                  }
                return found;""")
-        return {int(segment): places[len(places) // 2] for segment, places in found.items()}
+        return {int(segment): places for segment, places in found.items()}
+
+    def places(self):
+        """For each segment that is seen, one of them."""
+        return {segment: places[len(places) // 2] for segment, places in self.all_places().items()}
 
     def move_to(self, place):
         view = self.element("view")
@@ -133,10 +144,7 @@ def partition_of(labels):
 def make_mesh(program, folder):
     """Two of the figures of the program, side by side, with 222,080 faces."""
     subprocess.run([program, "--demo", "-q", "-o", "a.off"], cwd=folder, check=True, stdout=subprocess.DEVNULL)
-    points, faces = subdivided(*subdivided(*read_off(folder / "a.off")))
-    n = len(points)
-    points += [(x + 3, y, z) for x, y, z in points]
-    faces += [tuple(i + n for i in face) for face in faces]
+    points, faces = beside_itself(*subdivided(*subdivided(*read_off(folder / "a.off"))))
     write_off(folder / "a.off", points, faces)
     return len(faces)
 

@@ -4,6 +4,9 @@
 #define CGAL_REGION_SEGMENTATION_SEGMENT_MESH_TEXT_BUFFER_H
 
 #include <charconv>
+#include <cstdio>
+#include <cstdlib>
+#include <limits>
 #include <ostream>
 #include <string>
 #include <string_view>
@@ -35,11 +38,27 @@ public:
   Text_buffer& operator<<(Number number)
   {
     char digits[32];
-    const auto end = std::to_chars(digits, digits + sizeof digits, number).ptr;
-    return *this << std::string_view(digits, std::size_t(end - digits));
+    return *this << std::string_view(digits, std::size_t(end_of(number, digits) - digits));
   }
 
 private:
+  /// Writes the digits, and gives the end of them.
+  template <typename Number>
+  static char* end_of(Number number, char (&digits)[32])
+  {
+#ifndef __cpp_lib_to_chars // for numbers with a fraction not in every library of C++
+    if constexpr (std::is_floating_point<Number>::value) {
+      int size = 0, precision = std::numeric_limits<Number>::digits10;
+      do
+        size = std::snprintf(digits, sizeof digits, "%.*g", precision, double(number));
+      while (Number(std::strtod(digits, nullptr)) != number &&
+             precision++ < std::numeric_limits<Number>::max_digits10);
+      return digits + size;
+    } else
+#endif
+      return std::to_chars(digits, digits + sizeof digits, number).ptr;
+  }
+
   void flush()
   {
     m_out.write(m_text.data(), std::streamsize(m_text.size()));

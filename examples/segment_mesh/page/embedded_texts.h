@@ -13,6 +13,8 @@ extern const char* const page_css;
 extern const char* const mesh_view_js;
 extern const char* const merge_tree_js;
 extern const char* const page_js;
+extern const char* const read_arrays_js;
+extern const char* const show_saved_js;
 extern const char* const three_js;
 extern const char* const controls_js;
 /// @}

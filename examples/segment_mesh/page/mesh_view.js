@@ -3,54 +3,75 @@
 // The mesh on a canvas, by three.js. Every corner has the number of its region; tables from regions to colors and to segments
 // are textures, so that another segmentation takes no more than new tables.
 class MeshView {
-  /// \param mesh points, sizes, corners, regions: arrays; the corners of a face one after the other
-  constructor(canvas, mesh, view, numberOfRegions) {
+  constructor(canvas) {
     this.canvas = canvas;
     this.afterDrawing = () => {};
     this.renderer = new THREE.WebGLRenderer({canvas, antialias: true, alpha: true});
     this.renderer.autoClear = false;
-    this.tableWidth = 256;
-    this.tableHeight = Math.ceil(numberOfRegions / this.tableWidth);
-    this.colors = this.makeTable();
-    this.segments = this.makeTable();
     this.ids = new THREE.WebGLRenderTarget(1, 1, {minFilter: THREE.NearestFilter, magFilter: THREE.NearestFilter});
-    const geometry = MeshView.makeGeometry(mesh);
-    geometry.computeBoundingSphere();
-    this.radius = geometry.boundingSphere.radius || 1;
-    this.center = MeshView.centerOfView(geometry, view);
-    this.surface = this.makeScene(geometry, MeshView.surfaceShader);
-    this.regions = this.makeScene(geometry, MeshView.regionShader);
+    this.tables = {colors: {value: null}, segments: {value: null}, tableSize: {value: new THREE.Vector2()}};
+    this.camera = new THREE.PerspectiveCamera(30);
+    this.surface = this.makeScene(MeshView.surfaceShader);
+    this.regions = this.makeScene(MeshView.regionShader);
     this.lines = this.makeLines();
-    this.makeCamera(view);
+    this.overlay = new THREE.Scene(); // what is drawn on the mesh
     this.makeControls();
-    this.isStale = true;
-    this.resize();
     new ResizeObserver(() => this.resize()).observe(canvas.parentElement);
-    const draw = () => { this.controls.update(); if (this.isStale) this.draw(); requestAnimationFrame(draw); };
+    const draw = () => {
+      if (this.geometry) this.controls.update();
+      if (this.isStale) this.draw();
+      requestAnimationFrame(draw);
+    };
     draw();
   }
 
-  makeTable() {
-    const bytes = new Uint8Array(4 * this.tableWidth * this.tableHeight);
-    const table = new THREE.DataTexture(bytes, this.tableWidth, this.tableHeight, THREE.RGBAFormat);
+  /// \param mesh points, sizes, corners: arrays; the corners of a face one after the other
+  setMesh(mesh, view) {
+    const {geometry, facesOfTriangles} = MeshView.makeGeometry(mesh);
+    geometry.computeBoundingSphere();
+    if (this.geometry) this.geometry.dispose();
+    this.geometry = geometry;
+    this.facesOfTriangles = facesOfTriangles;
+    for (const scene of [this.surface, this.regions]) scene.children[0].geometry = geometry;
+    this.radius = geometry.boundingSphere.radius || 1;
+    this.center = MeshView.centerOfView(geometry, view);
+    this.toward = new THREE.Vector3(...view.toward);
+    Object.assign(this.camera, {near: 0.01 * this.radius, far: 100 * this.radius});
+    this.camera.up.set(...view.up);
+    Object.assign(this.controls, {minDistance: 0.3 * this.radius, maxDistance: 30 * this.radius});
+    this.controls.target.copy(this.center);
+    this.isPlaced = false;
+  }
+
+  /// \param regions by face
+  setRegions(regions, numberOfRegions) {
+    const width = 256, height = Math.ceil(numberOfRegions / width);
+    for (const table of [this.tables.colors, this.tables.segments]) {
+      if (table.value) table.value.dispose();
+      table.value = MeshView.makeTable(width, height);
+    }
+    this.tables.tableSize.value.set(width, height);
+    const ofCorners = this.geometry.getAttribute("region");
+    this.facesOfTriangles.forEach((face, t) => ofCorners.array.fill(regions[face], 3 * t, 3 * t + 3));
+    ofCorners.needsUpdate = true;
+    this.resize();
+  }
+
+  static makeTable(width, height) {
+    const table = new THREE.DataTexture(new Uint8Array(4 * width * height), width, height, THREE.RGBAFormat);
     table.magFilter = table.minFilter = THREE.NearestFilter;
     return table;
   }
 
-  tableUniforms() {
-    return {colors: {value: this.colors}, segments: {value: this.segments},
-            tableSize: {value: new THREE.Vector2(this.tableWidth, this.tableHeight)}};
-  }
-
-  makeScene(geometry, shader) {
-    const material = new THREE.ShaderMaterial({...shader, uniforms: this.tableUniforms(), side: THREE.DoubleSide});
+  makeScene(shader) {
+    const material = new THREE.ShaderMaterial({...shader, uniforms: this.tables, side: THREE.DoubleSide});
     const scene = new THREE.Scene();
-    scene.add(new THREE.Mesh(geometry, material));
+    scene.add(new THREE.Mesh(new THREE.BufferGeometry(), material));
     return scene;
   }
 
   makeLines() {
-    const uniforms = {...this.tableUniforms(), ids: {value: this.ids.texture}, pixel: {value: new THREE.Vector2()}, reach: {value: new THREE.Vector2()}};
+    const uniforms = {...this.tables, ids: {value: this.ids.texture}, pixel: {value: new THREE.Vector2()}, reach: {value: new THREE.Vector2()}};
     const material = new THREE.ShaderMaterial({...MeshView.lineShader, uniforms, transparent: true, depthTest: false, depthWrite: false});
     const scene = new THREE.Scene();
     const quad = new THREE.Mesh(new THREE.PlaneBufferGeometry(2, 2), material);
@@ -59,18 +80,9 @@ class MeshView {
     return {scene, uniforms};
   }
 
-  makeCamera(view) {
-    this.camera = new THREE.PerspectiveCamera(30, 1, 0.01 * this.radius, 100 * this.radius);
-    this.toward = new THREE.Vector3(...view.toward);
-    this.camera.up.set(...view.up);
-  }
-
   makeControls() {
     this.controls = new THREE.TrackballControls(this.camera, this.canvas);
     Object.assign(this.controls, {rotateSpeed: 3.2, zoomSpeed: 1.1, panSpeed: 0.5, dynamicDampingFactor: 0.18, keys: []});
-    this.controls.minDistance = 0.3 * this.radius;
-    this.controls.maxDistance = 30 * this.radius;
-    this.controls.target.copy(this.center);
     this.controls.addEventListener("change", () => { this.areIdsStale = this.isStale = true; });
   }
 
@@ -92,7 +104,7 @@ class MeshView {
 
   resize() {
     const {clientWidth: width, clientHeight: height} = this.canvas.parentElement;
-    if (width === 0 || height === 0) return;
+    if (width === 0 || height === 0 || !this.geometry) return;
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio || 1, 2));
     this.renderer.setSize(width, height, false);
     const size = this.renderer.getDrawingBufferSize(new THREE.Vector2());
@@ -110,7 +122,7 @@ class MeshView {
   place() {
     const margin = 0.86, slope = margin * Math.tan(this.camera.fov / 2 * Math.PI / 180), aspect = this.camera.aspect;
     const right = new THREE.Vector3().crossVectors(this.camera.up, this.toward);
-    const positions = this.surface.children[0].geometry.getAttribute("position"), p = new THREE.Vector3();
+    const positions = this.geometry.getAttribute("position"), p = new THREE.Vector3();
     let distance = 0;
     for (let i = 0; i < positions.count; ++i) {
       p.fromBufferAttribute(positions, i).sub(this.center);
@@ -123,13 +135,13 @@ class MeshView {
 
   /// \param colorOfRegion red, green, blue, from 0 to 255
   show(segmentOfRegion, colorOfRegion, glowOfRegion) {
-    const colors = this.colors.image.data, segments = this.segments.image.data;
+    const colors = this.tables.colors.value.image.data, segments = this.tables.segments.value.image.data;
     segmentOfRegion.forEach((segment, region) => {
       colors.set(colorOfRegion(region), 4 * region);
       colors[4 * region + 3] = glowOfRegion(region);
       segments.set([segment & 255, segment >> 8 & 255, segment >> 16 & 255, 255], 4 * region);
     });
-    this.colors.needsUpdate = this.segments.needsUpdate = true;
+    this.tables.colors.value.needsUpdate = this.tables.segments.value.needsUpdate = true;
     this.isStale = true;
   }
 
@@ -147,6 +159,7 @@ class MeshView {
     renderer.clear();
     renderer.render(this.surface, this.camera);
     renderer.render(this.lines.scene, this.camera);
+    renderer.render(this.overlay, this.camera);
     this.afterDrawing();
   }
 
@@ -180,16 +193,15 @@ class MeshView {
   static makeGeometry(mesh) {
     const triangles = MeshView.triangulate(mesh);
     const normals = MeshView.cornerNormals(mesh.points, triangles.corners);
-    const positions = new Float32Array(3 * triangles.corners.length), regions = new Float32Array(triangles.corners.length);
+    const positions = new Float32Array(3 * triangles.corners.length);
     triangles.corners.forEach((point, c) => {
       for (let j = 0; j < 3; ++j) positions[3 * c + j] = mesh.points[3 * point + j];
-      regions[c] = mesh.regions[triangles.faces[c / 3 | 0]];
     });
     const geometry = new THREE.BufferGeometry();
     geometry.setAttribute("position", new THREE.BufferAttribute(positions, 3));
     geometry.setAttribute("normal", new THREE.BufferAttribute(normals, 3));
-    geometry.setAttribute("region", new THREE.BufferAttribute(regions, 1));
-    return geometry;
+    geometry.setAttribute("region", new THREE.BufferAttribute(new Float32Array(triangles.corners.length), 1));
+    return {geometry, facesOfTriangles: triangles.faces};
   }
 
   /// The corners of triangles, and the face of each.

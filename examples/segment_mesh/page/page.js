@@ -9,26 +9,6 @@ function fail(message) {
   element("failure").hidden = false;
 }
 
-/// The arrays by name. Those of type Int32Array hold differences.
-async function readArrays(index) {
-  const text = atob(element("arrays").textContent);
-  element("arrays").remove();
-  const compressed = new Uint8Array(text.length);
-  for (let i = 0; i < text.length; ++i) compressed[i] = text.charCodeAt(i);
-  const bytes = await new Response(new Blob([compressed]).stream().pipeThrough(new DecompressionStream("gzip"))).arrayBuffer();
-  const types = {Float32Array, Uint32Array, Int32Array}, arrays = {};
-  let offset = 0;
-  for (const {name, type, length} of index) {
-    arrays[name] = new types[type](bytes, offset, length);
-    if (type === "Int32Array") {
-      arrays[name] = new Uint32Array(arrays[name]);
-      for (let i = 1; i < length; ++i) arrays[name][i] += arrays[name][i - 1];
-    }
-    offset += 4 * length;
-  }
-  return arrays;
-}
-
 /// Three significant digits, and no exponent where that is readable.
 function number(x) {
   if (x === null || !isFinite(x)) return "–";
@@ -39,8 +19,26 @@ function number(x) {
 const counted = (n, noun) => n.toLocaleString("en") + " " + noun + (n === 1 ? "" : "s");
 const percent = part => part >= 0.9995 ? "100 %" : part >= 0.001 ? (100 * part).toFixed(1) + " %" : "< 0.1 %";
 
+/// Of kinds of surface, as in pictures: far apart also for most color-blind eyes.
+const kindColors = {plane: [68, 119, 170], cylinder: [238, 102, 119], cone: [34, 136, 51], sphere: [204, 187, 68],
+                    torus: [102, 204, 238], freeform: [170, 51, 119],
+                    "other surface": [187, 187, 187], "not described": [235, 236, 240]};
+
 class Page {
-  constructor(content, arrays) {
+  constructor() {
+    this.view = new MeshView(element("view"));
+    this.tool = "select";
+    this.listen();
+  }
+
+  /// \param content, arrays what page_data() gives
+  show(content, arrays) {
+    this.view.setMesh(arrays, content.view);
+    this.showSegmentation(content, arrays);
+  }
+
+  /// Another segmentation of the mesh that is shown.
+  showSegmentation(content, arrays) {
     this.content = content;
     this.arrays = arrays;
     const firstFaces = new Float64Array(content.regions).fill(Infinity);
@@ -51,16 +49,21 @@ class Page {
     });
     this.tree = new MergeTree(content.regions, arrays.merges, arrays.areas, firstFaces);
     this.totalArea = arrays.areas.reduce((sum, area) => sum + area, 0) || 1;
-    this.shapes = new Map(content.shapes.map(shape => [shape.node, shape]));
+    this.shapes = new Map();
+    this.addShapes(content.shapes || []);
     const first = this.tree.partition(content.segments);
-    this.colors = content.node_colors || this.tree.colors(first);
-    this.view = new MeshView(element("view"), arrays, content.view, content.regions);
+    this.colors = this.tree.colors(first);
+    if (content.coloring) element("coloring").value = content.coloring;
+    this.view.setRegions(arrays.regions, content.regions);
     this.history = [];
-    this.tool = "select";
     this.hovered = this.selected = this.firstToJoin = null;
     this.describeMesh();
-    this.listen();
     this.setNodes(first);
+    this.setTool(this.tool);
+  }
+
+  addShapes(shapes) {
+    for (const shape of shapes) this.shapes.set(shape.node, shape);
   }
 
   describeMesh() {
@@ -149,7 +152,10 @@ class Page {
 
   indexOf(node) { return this.nodes.indexOf(node); }
   nameOf(node) { return "Segment " + this.indexOf(node); }
-  colorOf(node) { return this.content.colors[this.colors[node] % this.content.colors.length]; }
+  colorOf(node) {
+    if (element("coloring").value === "kinds") return kindColors[this.kindOf(node)];
+    return this.content.colors[this.colors[node] % this.content.colors.length];
+  }
   cssColor(node) { return "rgb(" + this.colorOf(node).join() + ")"; }
   shareOf(node) { return this.tree.areas[node] / this.totalArea; }
 
@@ -207,6 +213,11 @@ class Page {
   /// Whether a primitive says what a segment looks like: its misfit is below a hundredth of the size.
   fits(shape, node) { return !(shape.primitive.error >= 0.01 * Math.sqrt(this.tree.areas[node])); }
 
+  kindOf(node) {
+    const shape = this.shapes.get(node);
+    return !shape ? "not described" : this.fits(shape, node) ? shape.primitive.type : "other surface";
+  }
+
   description(node) {
     const measures = this.measures[this.indexOf(node)], shape = this.shapes.get(node);
     const lines = [["Area", number(measures.area)], ["Faces", measures.faces.toLocaleString("en")]];
@@ -251,12 +262,16 @@ class Page {
     this.firstToJoin = null;
     for (const button of document.querySelectorAll("[data-tool]"))
       button.setAttribute("aria-checked", String(button.dataset.tool === tool));
-    element("help").textContent = {
+    element("help").textContent = this.helpOf(tool);
+    this.paint();
+  }
+
+  helpOf(tool) {
+    return {
       select: "Drag or arrow keys to turn · scroll or + − to zoom · right drag to move · click a segment",
       split: "Click a segment to split it in two",
       join: "Click a segment, then the one to join it with"
     }[tool];
-    this.paint();
   }
 
   select(node) {
@@ -334,6 +349,7 @@ class Page {
     this.listenToCanvas();
     element("slider").addEventListener("input", () => this.setNumber(Number(element("slider").value)));
     element("count").addEventListener("change", () => this.setNumber(parseFloat(element("count").value)));
+    element("coloring").addEventListener("change", () => { this.list(); this.paint(); });
     element("undo").addEventListener("click", () => this.undo());
     for (const button of document.querySelectorAll("[data-tool]"))
       button.addEventListener("click", () => this.setTool(button.dataset.tool));
@@ -395,7 +411,7 @@ class Page {
   }
 
   key(event) {
-    if (event.target.tagName === "INPUT" && event.target.type === "number") return;
+    if (event.target.matches("input[type=number], select")) return;
     if (event.ctrlKey || event.metaKey || event.altKey) {
       if (event.key !== "z" || event.altKey) return;
       this.undo();
@@ -407,13 +423,15 @@ class Page {
   }
 
   keyOfTool(key) {
-    const tools = {1: "select", 2: "split", 3: "join", Escape: this.tool};
-    if (tools[key]) this.setTool(tools[key]);
-    return tools[key];
+    const button = document.querySelectorAll("[data-tool]")[key - 1];
+    const tool = button ? button.dataset.tool : key === "Escape" ? this.tool : undefined;
+    if (tool) this.setTool(tool);
+    return tool;
   }
 
-  keyOfView(key) {
-    const angle = 5 * Math.PI / 180, factor = 0.9;
+  /// \param part of a step
+  keyOfView(key, part = 1) {
+    const angle = part * 5 * Math.PI / 180, factor = 0.9 ** part;
     const turns = {ArrowRight: [1, 0], ArrowLeft: [-1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1]};
     const zooms = {"+": factor, "=": factor, "-": 1 / factor};
     if (turns[key]) this.view.turn(...turns[key].map(x => x * angle));
@@ -421,15 +439,3 @@ class Page {
     return turns[key] || zooms[key];
   }
 }
-
-(async () => {
-  try {
-    const content = JSON.parse(element("content").textContent);
-    const arrays = await readArrays(content.arrays);
-    window.page = new Page(content, arrays);
-    window.page.setTool("select");
-  } catch (error) {
-    fail(typeof DecompressionStream === "undefined" ? "This page needs a browser of 2023 or later."
-      : "The mesh cannot be shown: " + error.message);
-  }
-})();

@@ -4,20 +4,11 @@
 
 #include "page/base64.h"
 #include "page/embedded_texts.h"
-#include "segmentation/segment_json.h"
-#include "view/choose_viewpoint.h"
-#include "view/segment_colors.h"
 
-#include <boost/endian/conversion.hpp>
 #include <boost/iostreams/device/back_inserter.hpp>
 #include <boost/iostreams/filter/gzip.hpp>
 #include <boost/iostreams/filtering_stream.hpp>
 
-#include <nlohmann/json.hpp>
-
-#include <algorithm>
-#include <cstdint>
-#include <cstring>
 #include <map>
 #include <ostream>
 
@@ -25,187 +16,23 @@ namespace segment_mesh {
 
 namespace {
 
-using nlohmann::ordered_json;
-
-/// The slider goes to this number of segments at least, and to twice the number of the
-/// segmentation.
-constexpr std::size_t least_range = 20;
-
-/// The shapes of segments are described for partitions up to the segmentation and to `least_range`;
-/// of a segmentation into more segments than this up to `least_range` alone: each takes up to 0.1
-/// s, and the mesh is read again for each few of them.
-constexpr std::size_t most_described = 200;
-
-/// Colors of segments, repeated if there are more.
-constexpr std::size_t number_of_colors = 256;
-
-/// Arrays of numbers of four bytes, little endian, one after the other, and their names, types and
-/// lengths.
-class Array_file
+std::string compressed(const std::string& bytes)
 {
-public:
-  template <typename Value>
-  void append(Value value)
-  {
-    static_assert(sizeof(Value) == 4, "all numbers have four bytes");
-    std::uint32_t bits;
-    std::memcpy(&bits, &value, sizeof bits);
-    boost::endian::native_to_little_inplace(bits);
-    m_bytes.append(reinterpret_cast<const char*>(&bits), sizeof bits);
-    ++m_length;
-  }
-
-  void end_array(const char* name, const char* type)
-  {
-    m_index.push_back({{"name", name}, {"type", type}, {"length", m_length}});
-    m_length = 0;
-  }
-
-  const ordered_json& index() const { return m_index; }
-
-  std::string compressed() const
-  {
-    std::string result;
-    boost::iostreams::filtering_ostream out;
-    out.push(boost::iostreams::gzip_compressor());
-    out.push(boost::iostreams::back_inserter(result));
-    out.write(m_bytes.data(), std::streamsize(m_bytes.size()));
-    out.reset();
-    return result;
-  }
-
-private:
-  std::string m_bytes;
-  std::size_t m_length = 0;
-  ordered_json m_index = ordered_json::array();
-};
-
-/// As differences from one to the next, which compress well.
-class Difference_writer
-{
-public:
-  explicit Difference_writer(Array_file& file)
-    : m_file(file)
-  {}
-
-  void append(std::size_t value)
-  {
-    m_file.append(std::int32_t(std::uint32_t(value) - m_last));
-    m_last = std::uint32_t(value);
-  }
-
-private:
-  Array_file& m_file;
-  std::uint32_t m_last = 0;
-};
-
-/// Centered, and scaled so that the largest side of the box has length 2.
-void append_points(const Polygon_soup& soup, Array_file& file)
-{
-  const Scene scene = make_scene(soup, std::vector<std::size_t>(soup.polygons.size()));
-  for (const Point& p : scene.points)
-    for (double x : p)
-      file.append(float(x));
-  file.end_array("points", "Float32Array");
-}
-
-void append_faces(const Page_content& content, Array_file& file)
-{
-  for (const Polygon_soup::Polygon& polygon : content.soup.polygons)
-    file.append(std::uint32_t(polygon.size()));
-  file.end_array("sizes", "Uint32Array");
-  Difference_writer corners(file);
-  for (const Polygon_soup::Polygon& polygon : content.soup.polygons)
-    for (std::size_t i : polygon)
-      corners.append(i);
-  file.end_array("corners", "Int32Array");
-  Difference_writer regions(file);
-  for (std::size_t region : content.segmentation.region_of_face)
-    regions.append(region);
-  file.end_array("regions", "Int32Array");
-}
-
-void append_graph(const Page_content& content, Array_file& file)
-{
-  for (const auto& merge : content.segmentation.tree.merges()) {
-    file.append(merge.kept);
-    file.append(merge.removed);
-  }
-  file.end_array("merges", "Uint32Array");
-  const std::vector<Section> sections = content.details.sections();
-  for (const Section& section : sections)
-    for (std::size_t region : section.regions)
-      file.append(std::uint32_t(region));
-  file.end_array("sections", "Uint32Array");
-  for (const Section& section : sections)
-    file.append(float(section.length));
-  file.end_array("lengths", "Float32Array");
-  for (const Region& region : content.details.regions())
-    file.append(float(region.area));
-  file.end_array("areas", "Float32Array");
-}
-
-ordered_json shapes_json(const Page_content& content, std::size_t number_of_segments)
-{
-  ordered_json shapes = ordered_json::array();
-  for (const Node_description& node : content.details.nodes(number_of_segments)) {
-    ordered_json shape = {{"node", node.node}};
-    const ordered_json description = segment_json(node.shape);
-    for (const char* name : {"volume", "extents", "primitive"})
-      shape[name] = description.at(name);
-    shapes.push_back(shape);
-  }
-  return shapes;
-}
-
-ordered_json colors_json()
-{
-  ordered_json colors = ordered_json::array();
-  for (std::size_t i = 0; i < number_of_colors; ++i)
-    colors.push_back(segment_color(i));
-  return colors;
-}
-
-/// The numbers of the colors of the nodes of the merge tree; null where the page chooses them, so
-/// that those of the segments that it shows first are different.
-ordered_json node_colors_json(const Page_content& content)
-{
-  if (content.coloring == Coloring::SEGMENTS)
-    return nullptr;
-  const Segmentation& s = content.segmentation;
-  std::vector<std::size_t> colors = content.details.colors(content.coloring, s.region_of_face,
-                                                           s.number_of_regions);
-  colors.resize(colors.size() + s.tree.merges().size(), color_of_no_kind);
-  return colors;
-}
-
-ordered_json content_json(const Page_content& content, const Array_file& file)
-{
-  const Segmentation& segmentation = content.segmentation;
-  const std::size_t greatest = (std::min)(
-    segmentation.number_of_regions, (std::max)(least_range, 2 * segmentation.number_of_segments));
-  const Viewpoint viewpoint = choose_viewpoint(content.soup, segmentation.segment_of_face);
-  const std::size_t n = segmentation.number_of_segments,
-                    described = n > most_described ? least_range : (std::max)(least_range, n);
-  return {{"name", content.name},
-          {"segments", segmentation.number_of_segments},
-          {"regions", segmentation.number_of_regions},
-          {"greatest", greatest},
-          {"view", {{"toward", viewpoint.toward_viewer}, {"up", viewpoint.up}}},
-          {"colors", colors_json()},
-          {"node_colors", node_colors_json(content)},
-          {"shapes", shapes_json(content, described)},
-          {"arrays", file.index()}};
+  std::string result;
+  boost::iostreams::filtering_ostream out;
+  out.push(boost::iostreams::gzip_compressor());
+  out.push(boost::iostreams::back_inserter(result));
+  out.write(bytes.data(), std::streamsize(bytes.size()));
+  out.reset();
+  return result;
 }
 
 /// JSON inside of a script element must not end it.
-std::string script_text(const ordered_json& json)
+std::string script_text(std::string json)
 {
-  constexpr int on_one_line = -1;
-  std::string text = json.dump(on_one_line, ' ', true, ordered_json::error_handler_t::replace);
-  for (std::size_t at = text.find('<'); at != std::string::npos; at = text.find('<', at))
-    text.replace(at, 1, "\\u003c");
-  return text;
+  for (std::size_t at = json.find('<'); at != std::string::npos; at = json.find('<', at))
+    json.replace(at, 1, "\\u003c");
+  return json;
 }
 
 } // namespace
@@ -217,15 +44,24 @@ bool can_write_pages()
 
 void write_page(std::ostream& out, const Page_content& content)
 {
-  Array_file file;
-  append_points(content.soup, file);
-  append_faces(content, file);
-  append_graph(content, file);
-  const std::map<std::string, std::string> parts = {
-    {"STYLE", embedded::page_css},         {"THREE", embedded::three_js},
-    {"CONTROLS", embedded::controls_js},   {"CONTENT", script_text(content_json(content, file))},
-    {"ARRAYS", base64(file.compressed())}, {"MERGE_TREE", embedded::merge_tree_js},
-    {"MESH_VIEW", embedded::mesh_view_js}, {"PAGE", embedded::page_js}};
+  Page_data data = page_data(content);
+  data.content["coloring"] = content.coloring == Coloring::KINDS ? "kinds" : "segments";
+  data.content["shapes"] = shapes_json(content);
+  const std::string json = script_text(text_of(data.content)),
+                    arrays = base64(compressed(data.arrays));
+  // Only a page that has the library is live.
+  const std::map<std::string, std::string> parts = {{"STYLE", embedded::page_css},
+                                                    {"LIVE", ""},
+                                                    {"ENGINE", ""},
+                                                    {"CONTENT", json},
+                                                    {"ARRAYS", arrays},
+                                                    {"THREE", embedded::three_js},
+                                                    {"CONTROLS", embedded::controls_js},
+                                                    {"READ_ARRAYS", embedded::read_arrays_js},
+                                                    {"MERGE_TREE", embedded::merge_tree_js},
+                                                    {"MESH_VIEW", embedded::mesh_view_js},
+                                                    {"PAGE", embedded::page_js},
+                                                    {"START", embedded::show_saved_js}};
   // A part takes the place of {{NAME}}.
   const std::string page = embedded::page_html;
   std::size_t at = 0;

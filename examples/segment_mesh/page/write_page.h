@@ -3,26 +3,11 @@
 #ifndef CGAL_REGION_SEGMENTATION_SEGMENT_MESH_WRITE_PAGE_H
 #define CGAL_REGION_SEGMENTATION_SEGMENT_MESH_WRITE_PAGE_H
 
-#include "segmentation/Segmentation_details.h"
-#include "segmentation/run_segmentation.h"
-#include "soup/Polygon_soup.h"
+#include "page/page_data.h"
 
-#include <cstddef>
 #include <iosfwd>
-#include <string>
-#include <vector>
 
 namespace segment_mesh {
-
-/// What a page shows. References: it lives within one call.
-struct Page_content
-{
-  const std::string& name; ///< of the input
-  const Polygon_soup& soup;
-  const Segmentation& segmentation;
-  const Segmentation_details& details;
-  Coloring coloring;
-};
 
 /// Whether the program was built with three.js.
 bool can_write_pages();

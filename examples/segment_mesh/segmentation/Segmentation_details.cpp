@@ -14,11 +14,10 @@
 #include <CGAL/Region_segmentation/detect_feature_edges.h>
 #include <CGAL/Region_segmentation/extract_feature_lines.h>
 #include <CGAL/Region_segmentation/grow_regions.h>
+#include <CGAL/Region_segmentation/internal/support/make_execution.h>
 #include <CGAL/Region_segmentation/make_surface.h>
 
 #include <boost/property_map/property_map.hpp>
-
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <iterator>
@@ -145,8 +144,10 @@ const Machine_part* Segmentation_details::machine_part() const
   return m_machine_part.get();
 }
 
-Segmentation_details::Region_graph Segmentation_details::region_graph() const
+const Segmentation_details::Region_graph& Segmentation_details::region_graph() const
 {
+  if (m_region_graph)
+    return *m_region_graph;
   const RS::Surface surface = surface_of(m_soup, m_settings);
   const std::vector<std::size_t>& labels = m_segmentation.region_of_face;
   const RS::Partition regions = RS::Partition::from_labels(labels);
@@ -154,7 +155,8 @@ Segmentation_details::Region_graph Segmentation_details::region_graph() const
                          std::vector<std::size_t>(regions.number_of_parts())};
   for (std::size_t f = 0; f < labels.size(); ++f)
     result.region_of_vertex[regions[f]] = labels[f];
-  return result;
+  m_region_graph = std::make_unique<const Region_graph>(std::move(result));
+  return *m_region_graph;
 }
 
 std::vector<Segment_description>
@@ -209,7 +211,7 @@ std::vector<Polyline> Segmentation_details::feature_lines() const
 
 std::vector<Region> Segmentation_details::regions() const
 {
-  const auto [graph, region_of_vertex] = region_graph();
+  const auto& [graph, region_of_vertex] = region_graph();
   std::vector<Region> result(m_segmentation.number_of_regions);
   for (std::size_t f = 0; f < m_segmentation.region_of_face.size(); ++f) {
     Region& region = result[m_segmentation.region_of_face[f]];
@@ -226,7 +228,7 @@ std::vector<Region> Segmentation_details::regions() const
 
 std::vector<Section> Segmentation_details::sections() const
 {
-  const auto [graph, region_of_vertex] = region_graph();
+  const auto& [graph, region_of_vertex] = region_graph();
   std::vector<Section> result;
   for (auto range = edges(graph); range.first != range.second; ++range.first) {
     const auto section = *range.first;
@@ -298,7 +300,9 @@ std::vector<Node_description> Segmentation_details::nodes(std::size_t number_of_
   const std::vector<std::vector<std::size_t>> groups = tree.disjoint_groups(number_of_segments);
   manifold(), machine_part(); // made by this thread
   std::vector<std::vector<Segment_description>> shapes(groups.size());
-  tbb::parallel_for(std::size_t(0), groups.size(), [&](std::size_t i) {
+  const RS::Execution execution = RS::internal::make_execution<CGAL::Parallel_if_available_tag>(
+    RS::parameters::default_values());
+  execution.for_each(0, groups.size(), [&](std::size_t i) {
     const std::vector<std::size_t> node_of_region = tree.nodes_of_regions(groups[i]);
     std::vector<std::size_t> node_of_face;
     node_of_face.reserve(m_segmentation.region_of_face.size());

@@ -102,21 +102,23 @@ public:
                                   std::size_t n) const;
   /// Of the segments of all partitions into at most `number_of_segments`.
   std::vector<Node_description> nodes(std::size_t number_of_segments) const;
+  /// Of any labels of the faces, except of `no_segment`; of each that `make_manifold()` leaves a
+  /// face.
+  std::vector<Segment_description> describe(const std::vector<std::size_t>& labels) const;
 
 private:
   struct Region_graph;
 
   const Manifold& manifold() const;
   const Machine_part* machine_part() const; ///< null if the method is not smooth-faces
-  Region_graph region_graph() const;
-  /// `labels`: of the faces of the soup
-  std::vector<Segment_description> describe(const std::vector<std::size_t>& labels) const;
+  const Region_graph& region_graph() const;
 
   const Polygon_soup& m_soup;
   const Segmentation_settings& m_settings;
   const Segmentation& m_segmentation;
   mutable std::unique_ptr<const Manifold> m_manifold;
   mutable std::unique_ptr<const Machine_part> m_machine_part;
+  mutable std::unique_ptr<const Region_graph> m_region_graph;
 };
 
 } // namespace segment_mesh

@@ -33,7 +33,7 @@ Segmentation run_on_soup(const Polygon_soup& soup, const Marks& marks,
                          const Segmentation_settings& settings, const Progress_listener& listener)
 {
   const auto segment = [&](const auto& np, Segmentation& result) {
-    return RS::segment<CGAL::Parallel_tag>(
+    return RS::segment<CGAL::Parallel_if_available_tag>(
       soup.points, soup.polygons, result.segment_of_face,
       np
         .region_map(boost::make_iterator_property_map(

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "page/page_data.h"
+
+#include "segmentation/segment_json.h"
+#include "view/choose_viewpoint.h"
+#include "view/segment_colors.h"
+
+#include <boost/endian/conversion.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+
+namespace segment_mesh {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+/// The slider goes to this number of segments at least, and to twice the number of the
+/// segmentation.
+constexpr std::size_t least_range = 20;
+
+/// The shapes of segments are described for partitions up to the segmentation and to `least_range`;
+/// of a segmentation into more segments than this up to `least_range` alone: each takes up to 0.1
+/// s, and the mesh is read again for each few of them.
+constexpr std::size_t most_described = 200;
+
+/// Colors of segments, repeated if there are more.
+constexpr std::size_t number_of_colors = 256;
+
+/// Arrays of numbers of four bytes, little endian, one after the other, and their names, types and
+/// lengths.
+class Array_file
+{
+public:
+  template <typename Value>
+  void append(Value value)
+  {
+    static_assert(sizeof(Value) == 4, "all numbers have four bytes");
+    std::uint32_t bits;
+    std::memcpy(&bits, &value, sizeof bits);
+    boost::endian::native_to_little_inplace(bits);
+    m_bytes.append(reinterpret_cast<const char*>(&bits), sizeof bits);
+    ++m_length;
+  }
+
+  void end_array(const char* name, const char* type)
+  {
+    m_index.push_back({{"name", name}, {"type", type}, {"length", m_length}});
+    m_length = 0;
+  }
+
+  const ordered_json& index() const { return m_index; }
+
+  const std::string& bytes() const { return m_bytes; }
+
+private:
+  std::string m_bytes;
+  std::size_t m_length = 0;
+  ordered_json m_index = ordered_json::array();
+};
+
+/// As differences from one to the next, which compress well.
+class Difference_writer
+{
+public:
+  explicit Difference_writer(Array_file& file)
+    : m_file(file)
+  {}
+
+  void append(std::size_t value)
+  {
+    m_file.append(std::int32_t(std::uint32_t(value) - m_last));
+    m_last = std::uint32_t(value);
+  }
+
+private:
+  Array_file& m_file;
+  std::uint32_t m_last = 0;
+};
+
+/// Centered, and scaled so that the largest side of the box has length 2.
+void append_points(const Polygon_soup& soup, Array_file& file)
+{
+  const Scene scene = make_scene(soup, std::vector<std::size_t>(soup.polygons.size()));
+  for (const Point& p : scene.points)
+    for (double x : p)
+      file.append(float(x));
+  file.end_array("points", "Float32Array");
+}
+
+void append_faces(const Page_content& content, Array_file& file)
+{
+  for (const Polygon_soup::Polygon& polygon : content.soup.polygons)
+    file.append(std::uint32_t(polygon.size()));
+  file.end_array("sizes", "Uint32Array");
+  Difference_writer corners(file);
+  for (const Polygon_soup::Polygon& polygon : content.soup.polygons)
+    for (std::size_t i : polygon)
+      corners.append(i);
+  file.end_array("corners", "Int32Array");
+  Difference_writer regions(file);
+  for (std::size_t region : content.segmentation.region_of_face)
+    regions.append(region);
+  file.end_array("regions", "Int32Array");
+}
+
+void append_graph(const Page_content& content, Array_file& file)
+{
+  for (const auto& merge : content.segmentation.tree.merges()) {
+    file.append(merge.kept);
+    file.append(merge.removed);
+  }
+  file.end_array("merges", "Uint32Array");
+  const std::vector<Section> sections = content.details.sections();
+  for (const Section& section : sections)
+    for (std::size_t region : section.regions)
+      file.append(std::uint32_t(region));
+  file.end_array("sections", "Uint32Array");
+  for (const Section& section : sections)
+    file.append(float(section.length));
+  file.end_array("lengths", "Float32Array");
+  for (const Region& region : content.details.regions())
+    file.append(float(region.area));
+  file.end_array("areas", "Float32Array");
+}
+
+ordered_json colors_json()
+{
+  ordered_json colors = ordered_json::array();
+  for (std::size_t i = 0; i < number_of_colors; ++i)
+    colors.push_back(segment_color(i));
+  return colors;
+}
+
+ordered_json content_json(const Page_content& content, const Array_file& file)
+{
+  const Segmentation& segmentation = content.segmentation;
+  const std::size_t greatest = (std::min)(
+    segmentation.number_of_regions, (std::max)(least_range, 2 * segmentation.number_of_segments));
+  const Viewpoint viewpoint = choose_viewpoint(content.soup, segmentation.segment_of_face);
+  return {{"name", content.name},
+          {"segments", segmentation.number_of_segments},
+          {"regions", segmentation.number_of_regions},
+          {"greatest", greatest},
+          {"view", {{"toward", viewpoint.toward_viewer}, {"up", viewpoint.up}}},
+          {"colors", colors_json()},
+          {"arrays", file.index()}};
+}
+
+} // namespace
+
+Page_data page_data(const Page_content& content)
+{
+  Array_file file;
+  append_points(content.soup, file);
+  append_faces(content, file);
+  append_graph(content, file);
+  return {content_json(content, file), file.bytes()};
+}
+
+ordered_json shape_json(std::size_t node, const Segment_description& shape)
+{
+  ordered_json json = {{"node", node}};
+  const ordered_json description = segment_json(shape);
+  for (const char* name : {"volume", "extents", "primitive"})
+    json[name] = description.at(name);
+  return json;
+}
+
+ordered_json shapes_json(const Page_content& content)
+{
+  const std::size_t n = content.segmentation.number_of_segments,
+                    described = n > most_described ? least_range : (std::max)(least_range, n);
+  ordered_json shapes = ordered_json::array();
+  for (const Node_description& node : content.details.nodes(described))
+    shapes.push_back(shape_json(node.node, node.shape));
+  return shapes;
+}
+
+std::string text_of(const ordered_json& json)
+{
+  constexpr int on_one_line = -1;
+  return json.dump(on_one_line, ' ', true, ordered_json::error_handler_t::replace);
+}
+
+} // namespace segment_mesh

@@ -1,0 +1,15 @@
+# cmake -D PAGE=page.html -D TEMPLATE=template.html "-DPARTS=NAME=FILE|FILE;..." -P make_page.cmake: {{NAME}} becomes the texts
+# of its files.
+file(READ ${TEMPLATE} page)
+foreach(part IN LISTS PARTS)
+  string(REGEX MATCH "^([A-Z_]+)=(.*)$" matched "${part}")
+  set(name ${CMAKE_MATCH_1})
+  string(REPLACE "|" ";" files "${CMAKE_MATCH_2}")
+  set(text)
+  foreach(file IN LISTS files)
+    file(READ ${file} more)
+    string(APPEND text "${more}")
+  endforeach()
+  string(REPLACE "{{${name}}}" "${text}" page "${page}")
+endforeach()
+file(WRITE ${PAGE} "${page}")
