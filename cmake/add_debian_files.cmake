@@ -1,10 +1,11 @@
 # Run by CPack on what it is to pack: adds what Debian's policy asks for, and the examples.
 set(source ${CMAKE_CURRENT_LIST_DIR}/..)
 
-file(COPY ${source}/examples/ DESTINATION
-  ${CPACK_TEMPORARY_DIRECTORY}/headers/usr/share/doc/${CPACK_DEBIAN_HEADERS_PACKAGE_NAME}/examples
-  FILES_MATCHING REGEX "/(pipelines/)?[^/]*[.](cpp|h)$"
-  PATTERN segment_mesh EXCLUDE PATTERN python EXCLUDE)
+set(doc ${CPACK_TEMPORARY_DIRECTORY}/headers/usr/share/doc/${CPACK_DEBIAN_HEADERS_PACKAGE_NAME})
+foreach(folder IN ITEMS examples examples/pipelines)
+  file(GLOB examples ${source}/${folder}/*.cpp ${source}/${folder}/*.h)
+  file(COPY ${examples} DESTINATION ${doc}/${folder})
+endforeach()
 
 string(TIMESTAMP date "%a, %d %b %Y %H:%M:%S +0000" UTC)
 foreach(component IN LISTS CPACK_COMPONENTS_ALL)
@@ -12,7 +13,8 @@ foreach(component IN LISTS CPACK_COMPONENTS_ALL)
   set(name ${CPACK_DEBIAN_${upper}_PACKAGE_NAME})
   set(usr ${CPACK_TEMPORARY_DIRECTORY}/${component}/usr)
   set(changelog ${usr}/share/doc/${name}/changelog.Debian)
-  file(WRITE ${changelog} "${name} (${CPACK_PACKAGE_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE}) unstable; urgency=medium
+  set(version ${CPACK_PACKAGE_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE})
+  file(WRITE ${changelog} "${name} (${version}) unstable; urgency=medium
 
   * Version ${CPACK_PACKAGE_VERSION}.
 

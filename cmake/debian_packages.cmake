@@ -1,5 +1,5 @@
-# Debian packages by `cpack -G DEB -D CPACK_PACKAGE_CONTACT="NAME <ADDRESS>"` in the build folder: the headers, with the
-# examples; and, where it was built, the program.
+# Debian packages by `cpack -G DEB -D CPACK_PACKAGE_CONTACT="NAME <ADDRESS>"` in the build folder:
+# the headers, with the examples; and, where it was built, the program.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
