@@ -45,7 +45,7 @@ sed 's,"../dumbbell.h","dumbbell.h",' "$root/examples/pipelines/input_mesh.h" >"
 for file in "$root"/examples/*.cpp "$root"/examples/pipelines/*.cpp; do
   cp "$file" "$examples/$(basename "$file" .cpp)_example.cpp"
 done
-with_eigen='^\(parameterize_.*\|machine_part\|primitives\)_example.cpp$'
+with_eigen='^\(parameterize_.*\|.*_part\|primitives\|holes\|fillets\)_example.cpp$'
 {
   begin_cmake Examples
   sources "$examples" | grep -v "$with_eigen" | programs
