@@ -11,6 +11,7 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <algorithm>
 #include <iterator>
 
 namespace PMP = CGAL::Polygon_mesh_processing;
@@ -20,6 +21,17 @@ namespace {
 
 using Kernel = CGAL::Simple_cartesian<double>;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+
+/// \throws Invalid_input that names the first polygon with a point twice
+void refuse_repeated_points(const std::vector<std::vector<std::size_t>>& polygons)
+{
+  for (std::size_t f = 0; f < polygons.size(); ++f) {
+    std::vector<std::size_t> corners = polygons[f];
+    std::sort(corners.begin(), corners.end());
+    if (std::adjacent_find(corners.begin(), corners.end()) != corners.end())
+      throw RS::Invalid_input("face " + std::to_string(f) + ", from 0: has a point twice");
+  }
+}
 
 /// A half-edge mesh of the polygons, in their order: equal points are merged, polygons oriented,
 /// and what is not manifold is torn apart.
@@ -32,6 +44,7 @@ Mesh make_mesh(const Soup& soup)
   for (const segment_mesh::Polygons::Polygon polygon : soup.polygons)
     polygons.emplace_back(polygon.begin(), polygon.end());
   PMP::merge_duplicate_points_in_polygon_soup(points, polygons);
+  refuse_repeated_points(polygons);
   PMP::orient_polygon_soup(points, polygons);
   Mesh mesh;
   PMP::polygon_soup_to_polygon_mesh(points, polygons, mesh);
@@ -74,8 +87,6 @@ py::list describe(const Soup& soup, const std::vector<std::int64_t>& labels)
   {
     const py::gil_scoped_release release;
     Mesh mesh = make_mesh(soup);
-    if (mesh.number_of_faces() != labels.size())
-      throw RS::Invalid_input("describe_segments: a face has a point twice");
     auto segment = mesh.add_property_map<Mesh::Face_index, std::int64_t>("f:segment").first;
     for (auto f : faces(mesh))
       segment[f] = labels[std::size_t(f)];

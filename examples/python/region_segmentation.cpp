@@ -10,6 +10,7 @@
 #include <CGAL/Region_segmentation/Methods/Two_step.h>
 #include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
 #include <CGAL/Region_segmentation/Segmenter.h>
+#include <CGAL/Region_segmentation/version.h>
 
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
@@ -216,7 +217,9 @@ PYBIND11_MODULE(region_segmentation, module)
                  "points; a list of faces of different sizes; or all indices with face_sizes. Or "
                  "an object with vertices and faces. It need\n"
                  "not be manifold, oriented or connected.";
-  py::register_exception<RS::Invalid_input>(module, "InvalidInput", PyExc_ValueError);
+  module.attr("__version__") = CGAL_REGION_SEGMENTATION_VERSION;
+  py::register_exception<RS::Invalid_input>(module, "InvalidInput", PyExc_ValueError).doc() =
+    "A mesh that cannot be segmented, or contradicting seeds and constraints. It names the place.";
   const py::none none;
 
   module.def("segment", &segment,
@@ -253,9 +256,9 @@ PYBIND11_MODULE(region_segmentation, module)
                         "A mesh that is prepared once, and segmented for any numbers.")
     .def(py::init<const py::object&, const py::object&, const std::string&, const py::object&,
                   const py::object&, bool, const py::object&>(),
-         py::arg("points"), py::arg("faces") = none, py::arg("method") = "learned",
-         py::arg("constrained_edges") = none, py::arg("seeds") = none,
-         py::arg("component_links") = true, py::arg("face_sizes") = none)
+         "Arguments as of the function segment.", py::arg("points"), py::arg("faces") = none,
+         py::arg("method") = "learned", py::arg("constrained_edges") = none,
+         py::arg("seeds") = none, py::arg("component_links") = true, py::arg("face_sizes") = none)
     .def("segment", &Segmenter::segment, "As the function of this name.",
          py::arg("number_of_segments") = none)
     .def("add_constraints", &Segmenter::add_constraints, "More constrained edges.",

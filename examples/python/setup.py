@@ -9,6 +9,8 @@ folder = os.path.dirname(os.path.abspath(__file__))
 library = os.path.join(folder, "..", "..", "include")
 
 setup(
+    packages=["region_segmentation-stubs"],
+    package_data={"region_segmentation-stubs": ["*.pyi"]},
     ext_modules=[
         Pybind11Extension(
             "region_segmentation",

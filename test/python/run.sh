@@ -1,5 +1,6 @@
 #!/bin/sh
-# run.sh DIR SOURCE: installs the Python module from SOURCE into DIR by pip, without a network, and tests it.
+# run.sh DIR SOURCE: makes a wheel of the Python module from SOURCE in DIR, installs it into a
+# virtual environment there, without a network, and tests it.
 #
 # Exit status 77: something that it needs is missing (Debian: python3-dev python3-numpy python3-pip
 # python3-pybind11 python3-pytest python3-setuptools).
@@ -16,5 +17,9 @@ mkdir -p "$1/source/examples/segment_mesh"
 cp -r "$2/include" "$1/source/"
 cp -r "$2/examples/python" "$1/source/examples/"
 cp -r "$2/examples/segment_mesh/soup" "$1/source/examples/segment_mesh/"
-"$python" -m pip install --quiet --no-build-isolation --no-deps --no-index --target "$1/module" "$1/source/examples/python"
-PYTHONPATH=$1/module PYTHONDONTWRITEBYTECODE=1 "$python" -m pytest -q -p no:cacheprovider "$here"
+"$python" -m pip wheel --quiet --no-build-isolation --no-deps --no-index -w "$1" \
+  "$1/source/examples/python"
+"$python" -m venv --without-pip --system-site-packages "$1/venv"
+"$python" -m pip --python "$1/venv/bin/python" install --quiet --no-deps --no-index \
+  "$1"/region_segmentation-*.whl
+PYTHONDONTWRITEBYTECODE=1 "$1/venv/bin/python" -m pytest -q -p no:cacheprovider "$here"

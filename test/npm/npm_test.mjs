@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// node npm_test.mjs SEGMENT_MESH FOLDER [MESH.off...]: the installed package gives the labels of the native program.
+
+import assert from "node:assert/strict";
+import {execFileSync} from "node:child_process";
+import {readFileSync} from "node:fs";
+import {test} from "node:test";
+import {segment} from "region-segmentation";
+
+const [program, folder, ...meshes] = process.argv.slice(2);
+const labelsOf = file => readFileSync(file, "utf8").trim().split("\n").map(Number);
+
+// Colors may follow the corners of a face.
+function readOff(file) {
+  const [, [n, m], ...rows] = readFileSync(file, "utf8").split("\n").map(line => line.trim().split(/\s+/).map(Number))
+    .filter(row => row.length > 1 || Number.isNaN(row[0]));
+  return {points: rows.slice(0, n), faces: rows.slice(n, n + m).map(([size, ...row]) => row.slice(0, size))};
+}
+
+const runs = [["learned"], ["learned", 7], ["visibility", 5], ["two-step", 6], ["smooth-faces"]];
+
+for (const mesh of meshes)
+  for (const [method, numberOfSegments] of runs)
+    test(`${mesh} ${method} ${numberOfSegments ?? ""}`, async () => {
+      const labels = `${folder}/labels.seg`;
+      const number = numberOfSegments ? ["-k", numberOfSegments] : [];
+      execFileSync(program, [mesh, "-q", "--method", method, ...number, "-o", labels]);
+      const {points, faces} = readOff(mesh);
+      assert.deepEqual([...await segment(points, faces, {method, numberOfSegments})], labelsOf(labels));
+    });
+
+// A strip of n squares in the plane.
+function strip(n) {
+  const points = [], faces = [];
+  for (let i = 0; i <= n; ++i) points.push([i, 0, 0], [i, 1, 0]);
+  for (let i = 0; i < n; ++i) faces.push([2 * i, 2 * i + 2, 2 * i + 3, 2 * i + 1]);
+  return {points, faces};
+}
+
+test("arrays of other forms", async () => {
+  const {points, faces} = strip(6);
+  const triangles = faces.flatMap(([a, b, c, d]) => [[a, b, c], [a, c, d]]);
+  const expected = await segment(points, triangles, {numberOfSegments: 3});
+  assert.equal(Math.max(...expected), 2);
+  for (const p of [points.flat(), new Float32Array(points.flat()), points.map(x => new Float64Array(x))])
+    for (const f of [triangles.flat(), new Uint16Array(triangles.flat()), triangles.map(x => new Int32Array(x))])
+      assert.deepEqual(await segment(p, f, {numberOfSegments: 3}), expected);
+  assert.ok(expected instanceof Uint32Array);
+});
+
+test("constraints and seeds", async () => {
+  const {points, faces} = strip(6);
+  assert.deepEqual([...await segment(points, faces, {numberOfSegments: 1, constrainedEdges: [[4, 5]]})], [0, 0, 1, 1, 1, 1]);
+  const labels = await segment(points, faces, {numberOfSegments: 2, seeds: [0, 1, 1, 1, 1, 1]});
+  assert.deepEqual([...labels], [0, 1, 1, 1, 1, 1]);
+});
+
+test("links of components", async () => {
+  const a = strip(2), b = strip(2);
+  const points = [...a.points, ...b.points.map(([x, y, z]) => [x + 2.1, y, z])];
+  const faces = [...a.faces, ...b.faces.map(face => face.map(i => i + a.points.length))];
+  assert.deepEqual([...await segment(points, faces, {numberOfSegments: 1})], [0, 0, 0, 0]);
+  assert.deepEqual([...await segment(points, faces, {numberOfSegments: 1, componentLinks: false})], [0, 0, 1, 1]);
+});
+
+test("errors name the place", async () => {
+  const {points, faces} = strip(6);
+  const error = async (...values) => (await segment(...values).then(() => assert.fail("no error"), e => e)).message;
+  assert.equal(await error(points, [...faces, [0, 1, 99]]), "face 6, from 0: index 99 is out of range: there are 14 points");
+  assert.equal(await error(points, [0, 1, 2, 3, -1, 5]), "face 1, from 0: index -1 is out of range: there are 14 points");
+  assert.equal(await error(points, [[0, 1, 2], []]), "face 1, from 0: has no corners");
+  assert.match(await error([...points, [0, 1]], faces), /^points: not/);
+  assert.match(await error(points, faces, {numberOfSegments: 0}), /^numberOfSegments: not/);
+  assert.match(await error(points, faces, {method: "x"}), /^method: not/);
+  assert.match(await error(points, faces, {method: "two-step"}), /needs numberOfSegments/);
+  assert.match(await error(points, faces, {seeds: [1]}), /^seeds: not/);
+  assert.match(await error([[NaN, 0, 0], ...points.slice(1)], faces), /0/);
+});
