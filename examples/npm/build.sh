@@ -3,8 +3,8 @@
 # FOLDER/region-segmentation-VERSION.tgz, by default in build-npm/. It runs in node, from release 18
 # on, and in browsers.
 #
-# Installs what is missing (by apt); with NPM_INSTALL=no nothing is installed, and exit status 77 says
-# that packages are absent. npm is not installed: that of Debian and that of node's makers exclude
+# Installs what is missing (by apt); with INSTALL_PACKAGES=no nothing is installed, and exit status 77
+# says that packages are absent. npm is not installed: that of Debian and that of node's makers exclude
 # each other.
 set -eu
 root=$(cd "$(dirname "$0")/../.." && pwd)
@@ -12,14 +12,7 @@ mkdir -p "${1:-$root/build-npm}"
 build=$(cd "${1:-$root/build-npm}" && pwd)
 
 packages="emscripten libboost-dev libcgal-dev libeigen3-dev node-acorn nodejs"
-if [ "${NPM_INSTALL:-yes}" = no ]; then
-  if ! missing=$(dpkg-query -W $packages 2>&1 >/dev/null); then
-    echo "skipped: $missing"
-    exit 77
-  fi
-else
-  sh "$root/cmake/install_packages.sh" $packages
-fi
+sh "$root/cmake/install_packages.sh" $packages
 if ! command -v npm >/dev/null; then
   echo "skipped: there is no npm (Debian: npm)"
   exit 77

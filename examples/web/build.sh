@@ -2,20 +2,13 @@
 # build.sh [FOLDER]: builds FOLDER/segment_mesh.html, by default build-web/segment_mesh.html: a page that segments the meshes
 # that are dropped on it. It needs no other file, no server and no network.
 #
-# Installs what is missing (by apt); with WEB_INSTALL=no nothing is installed, and exit status 77 says that packages are absent.
+# Installs what is missing (by apt); with INSTALL_PACKAGES=no nothing is installed, and exit status 77 says that packages are absent.
 set -eu
 root=$(cd "$(dirname "$0")/../.." && pwd)
 build=${1:-$root/build-web}
 
 packages="cmake emscripten libboost-dev libcgal-dev libeigen3-dev libjs-three libtinygltf-dev make nlohmann-json3-dev node-acorn nodejs"
-if [ "${WEB_INSTALL:-yes}" = no ]; then
-  if ! missing=$(dpkg-query -W $packages 2>&1 >/dev/null); then
-    echo "skipped: $missing"
-    exit 77
-  fi
-else
-  sh "$root/cmake/install_packages.sh" $packages
-fi
+sh "$root/cmake/install_packages.sh" $packages
 
 # The headers alone: beside them in /usr/include are those of the C library of this machine.
 mkdir -p "$build/include"

@@ -7,7 +7,7 @@ set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 rm -rf "$1/user"
 mkdir -p "$1/user"
-NPM_INSTALL=no sh "$here/../../examples/npm/build.sh" "$1/package"
+INSTALL_PACKAGES=no sh "$here/../../examples/npm/build.sh" "$1/package"
 cd "$1/user"
 npm install --offline --no-audit --no-fund --loglevel=error "$1"/package/region-segmentation-*.tgz
 "$2" --demo -q -o demo.off

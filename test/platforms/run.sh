@@ -6,7 +6,7 @@
 #
 # The meshes are procedural, and CGAL's small ones where the environment variable
 # REGION_SEGMENTATION_REAL_MESHES names their folder. PLATFORMS_DIR is where it builds, by default
-# build-platforms/; CXXFLAGS are added to the options of the compilers. With PLATFORMS_INSTALL=no
+# build-platforms/; CXXFLAGS are added to the options of the compilers. With INSTALL_PACKAGES=no
 # nothing is installed. Each compiler must also see -ffast-math refused.
 #
 # Exit status: 0 all rows are equal; 1 one differs, or a platform cannot be built or run; 77 packages
@@ -41,14 +41,7 @@ for name; do
   fi
   packages="$packages $(column "$name" 2)"
 done
-if [ "${PLATFORMS_INSTALL:-yes}" = no ]; then
-  if ! missing=$(dpkg-query -W $packages 2>&1 >/dev/null); then
-    echo "skipped: $missing"
-    exit 77
-  fi
-else
-  sh "$root/cmake/install_packages.sh" $packages
-fi
+sh "$root/cmake/install_packages.sh" $packages
 
 # The headers alone: beside them in /usr/include are those of the C library of this machine.
 mkdir -p "$work/include"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Source: "glTF 2.0 Specification", https://registry.khronos.org/glTF/specs/2.0/glTF-2.0.html
+// Source: "glTF 2.0 Specification", The Khronos Group, 2021
 
 #include "io/Text_scanner.h"
 #include "io/errors.h"

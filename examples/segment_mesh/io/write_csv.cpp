@@ -73,7 +73,7 @@ void write_face(Text_buffer& text, const Segment_description& segment)
     write_value(text, has_direction ? x : none);
   write_value(text, s.kind == RS::Surface_kind::TORUS ? s.minor_radius : none);
   for (double z : {s.lowest, s.highest})
-    write_value(text, segment.face && has_axis(s) ? z : none);
+    write_value(text, segment.face && s.has_axis() ? z : none);
   if (!segment.face)
     text << ",,,,";
   else

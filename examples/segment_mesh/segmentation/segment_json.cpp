@@ -48,7 +48,7 @@ ordered_json surface_json(const Segment_description& segment)
     json["half_angle"] = s.angle * 180 / CGAL_PI;
   if (segment.face && s.kind != RS::Surface_kind::PLANE)
     json["concave"] = s.side < 0;
-  if (segment.face && has_axis(s))
+  if (segment.face && s.has_axis())
     json["extent"] = {s.lowest, s.highest};
   return json;
 }
@@ -90,12 +90,6 @@ const char* name_of(RS::Face_role role)
 bool has_radius(const RS::Fitted_surface& s)
 {
   return s.kind == RS::Surface_kind::SPHERE || s.kind == RS::Surface_kind::CYLINDER ||
-         s.kind == RS::Surface_kind::TORUS;
-}
-
-bool has_axis(const RS::Fitted_surface& s)
-{
-  return s.kind == RS::Surface_kind::CYLINDER || s.kind == RS::Surface_kind::CONE ||
          s.kind == RS::Surface_kind::TORUS;
 }
 

@@ -18,9 +18,6 @@ const char* name_of(CGAL::Region_segmentation::Face_role role);
 /// Whether a surface is a sphere, a cylinder or a torus.
 bool has_radius(const CGAL::Region_segmentation::Fitted_surface& s);
 
-/// Whether a surface is a cylinder, a cone or a torus.
-bool has_axis(const CGAL::Region_segmentation::Fitted_surface& s);
-
 /// The surface of the face that a segment is, else its primitive; `point` of a cone is its apex.
 CGAL::Region_segmentation::Fitted_surface surface_of(const Segment_description& segment);
 

@@ -77,10 +77,6 @@ inline std::vector<Partition::Index> find_common_surfaces(const Surface& surface
 inline std::vector<Partition::Index> find_common_axes(const Surface_faces& faces)
 {
   const double tolerance = internal::tolerances_of_common_surfaces * faces.tolerance;
-  const auto has_axis = [](const Fitted_surface& s) {
-    return s.kind == Surface_kind::CYLINDER || s.kind == Surface_kind::CONE ||
-           s.kind == Surface_kind::TORUS;
-  };
   const auto is_on_axis = [&](const Fitted_surface& s, const Fitted_surface& of) {
     const auto distance = [&](double z) {
       return internal::meridian_point(of, s.point + z * s.direction).r;
@@ -89,7 +85,7 @@ inline std::vector<Partition::Index> find_common_axes(const Surface_faces& faces
   };
   return internal::first_equal_ones(faces.surfaces.size(), [&](std::size_t i, std::size_t j) {
     const Fitted_surface &s = faces.surfaces[i], &t = faces.surfaces[j];
-    return has_axis(s) && has_axis(t) && is_on_axis(s, t) && is_on_axis(t, s);
+    return s.has_axis() && t.has_axis() && is_on_axis(s, t) && is_on_axis(t, s);
   });
 }
 

@@ -55,6 +55,13 @@ struct Fitted_surface
   /// The least and the greatest z of the vertices of the face.
   double lowest = 0, highest = 0;
 
+  /// Whether the surface determines its axis: a cylinder, a cone or a torus does.
+  bool has_axis() const
+  {
+    return kind == Surface_kind::CYLINDER || kind == Surface_kind::CONE ||
+           kind == Surface_kind::TORUS;
+  }
+
   /// The apex of the cone.
   Double_3 apex() const { return point - (radius / std::tan(angle)) * direction; }
 };
