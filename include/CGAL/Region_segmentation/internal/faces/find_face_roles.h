@@ -22,15 +22,14 @@ namespace internal {
 /// if they share no vertices. Linear time in the corners of the face that has fewer.
 struct Shared_side
 {
-  Double_3 middle, along{0, 0, 0};
+  Double_3 middle{0, 0, 0}, along{0, 0, 0};
 
   Shared_side(const Surface& surface, std::size_t face, std::size_t other)
-    : middle(0.5 * (surface.centroid(face) + surface.centroid(other)))
   {
     if (surface.number_of_corners(face) > surface.number_of_corners(other))
       std::swap(face, other);
     const std::size_t n = surface.number_of_corners(face);
-    double least = std::numeric_limits<double>::max();
+    double least = none;
     for (std::size_t i = 0; i < n; ++i) {
       const std::size_t p = surface.corner(face, i), q = surface.corner(face, (i + 1) % n);
       const double distance = (std::max)(this->distance(surface, p, other),
@@ -40,12 +39,15 @@ struct Shared_side
         set(surface.point(p), surface.point(q));
       }
     }
+    if (least == none)
+      middle = 0.5 * (surface.centroid(face) + surface.centroid(other));
   }
 
 private:
   static constexpr std::size_t many = 64; // corners, among which a vertex is not searched
+  static constexpr double none = std::numeric_limits<double>::max();
 
-  /// 0 for a vertex of a face, else infinite; that from its plane where the face has many corners.
+  /// 0 for a vertex of a face, else none; that from its plane where the face has many corners.
   static double distance(const Surface& surface, std::size_t vertex, std::size_t face)
   {
     const std::size_t n = surface.number_of_corners(face);
@@ -55,7 +57,7 @@ private:
     for (std::size_t i = 0; i < n; ++i)
       if (surface.corner(face, i) == vertex)
         return 0;
-    return std::numeric_limits<double>::max();
+    return none;
   }
 
   void set(const Double_3& from, const Double_3& to)
