@@ -174,8 +174,8 @@ private:
   }
 };
 
-/// The mesh as the methods on superfacets see it: while noise exceeds curvature, all points move
-/// along the normals to the height of their neighbors.
+/// The mesh as the methods on superfacets see it: while noise exceeds curvature, points move along
+/// the normals to the height of their neighbors, unless that is more than 3 times the median.
 inline Mesh without_noise(const Mesh& mesh, int rounds = 5)
 {
   const std::size_t n = mesh.points.size();
@@ -197,8 +197,15 @@ inline Mesh without_noise(const Mesh& mesh, int rounds = 5)
     const double height = number[v] > 0 ? dot(unit(normals[v]), to_neighbors[v]) / number[v] : 0;
     if (height * height > 1e-5 * norm(normals[v]))
       heights[v] = height;
-    points[v] = points[v] + heights[v] * unit(normals[v]);
   }
+  std::vector<double> sizes;
+  for (double height : heights)
+    if (height != 0)
+      sizes.push_back(std::fabs(height));
+  std::sort(sizes.begin(), sizes.end());
+  for (std::size_t v = 0; v < n; ++v)
+    if (heights[v] != 0 && std::fabs(heights[v]) <= 3 * sizes[sizes.size() / 2])
+      points[v] = points[v] + heights[v] * unit(normals[v]);
   double all = 0, opposite = 0; // sides of faces
   for (const auto& face : mesh.faces)
     for (std::size_t i = 0; i < face.size(); ++i) {

@@ -55,10 +55,32 @@ public:
     return opposite > share_of_noise * all + std::sqrt(all); // not by chance
   }
 
-  /// The point of a vertex, moved along the normal to the height of its neighbors.
-  Double_3 smoothed(std::size_t v) const
+  /// Larger heights stand out of the noise: they are those of creases. 3 times the median of those
+  /// that are not 0.
+  double largest_of_noise() const
   {
-    return m_surface.point(v) + m_vertices[v].height * m_vertices[v].normal;
+    std::vector<double> heights;
+    for (const Vertex& v : m_vertices)
+      if (v.height != 0)
+        heights.push_back(std::fabs(v.height));
+    if (heights.empty())
+      return 0;
+    const auto median = heights.begin() + std::ptrdiff_t(heights.size() / 2);
+    std::nth_element(heights.begin(), median, heights.end());
+    return 3 * *median;
+  }
+
+  /// The points, moved along the normals to the heights of their neighbors, but at creases.
+  Large_array<Double_3> smoothed() const
+  {
+    const double largest = largest_of_noise();
+    Large_array<Double_3> result(m_vertices.size());
+    for (std::size_t v = 0; v < result.size(); ++v) {
+      const double height = m_vertices[v].height;
+      result[v] = m_surface.point(v) +
+                  (std::fabs(height) <= largest ? height : 0) * m_vertices[v].normal;
+    }
+    return result;
   }
 
 private:
@@ -137,11 +159,7 @@ inline std::uint8_t sign_of_adjacency(const Surface& surface, std::size_t adjace
 inline void smooth(Surface& surface)
 {
   Surface_access arrays(surface);
-  const Vertex_heights heights(surface, 1);
-  Large_array<Double_3> points(arrays.points.size());
-  for (std::size_t v = 0; v < points.size(); ++v)
-    points[v] = heights.smoothed(v);
-  arrays.points = std::move(points);
+  arrays.points = Vertex_heights(surface, 1).smoothed();
   const Large_array<Double_3> former_normals = arrays.normals;
   const Large_array<double> former_areas = arrays.areas;
   compute_normals(surface, Execution());
@@ -160,9 +178,9 @@ inline void smooth(Surface& surface)
       arrays.flags[a] = std::uint8_t((arrays.flags[a] & ~signs) | sign_of_adjacency(surface, a));
 }
 
-/// The surface with its points moved to the height of their neighbors, as often as there is more
-/// noise than curvature; none where there is not. So angles are measured over a width that the
-/// noise asks for.
+/// The surface with its points moved to the height of their neighbors, but at creases, as often as
+/// there is more noise than curvature; none where there is not. So angles are measured over a width
+/// that the noise asks for.
 ///
 /// O(F); with a small constant where there is no noise, which is seen from some 20,000 faces.
 inline std::optional<Surface> smooth_noise(const Surface& surface)
