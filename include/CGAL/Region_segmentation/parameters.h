@@ -39,8 +39,37 @@ CGAL_REGION_SEGMENTATION_PARAMETERS(CGAL_REGION_SEGMENTATION_ADD)
 enum merge_tree_t { merge_tree };
 } // namespace internal_np
 
-/// A pack of named parameters that can be chained with those of \cgal and those of this package.
 template <typename T, typename Tag, typename Base = CGAL::internal_np::No_property>
+struct Named_parameters;
+
+namespace internal {
+
+/// A pack with a value more.
+template <typename Tag, typename T, typename... Base>
+Named_parameters<T, Tag, Base...> with(const T& value, const Base&... others)
+{
+  return Named_parameters<T, Tag, Base...>(value, others...);
+}
+
+} // namespace internal
+
+// CGAL's list of parameters has no include guard: it is included once for member functions and once
+// for free functions, which CGAL_REGION_SEGMENTATION_FUNCTION defines. Later releases of CGAL use
+// more macros than the first in their lists.
+#define CGAL_add_named_parameter(TAG, ENUMERATOR, NAME)                                            \
+  CGAL_REGION_SEGMENTATION_FUNCTION(CGAL::internal_np::TAG, NAME, const K&, value)
+#define CGAL_add_named_parameter_with_compatibility(TAG, ENUMERATOR, NAME)                         \
+  CGAL_REGION_SEGMENTATION_FUNCTION(CGAL::internal_np::TAG, NAME, const K&, value)
+#define CGAL_add_named_parameter_with_compatibility_cref_only(TAG, ENUMERATOR, NAME)               \
+  CGAL_REGION_SEGMENTATION_FUNCTION(CGAL::internal_np::TAG, NAME, const K&, std::cref(value))
+#define CGAL_add_named_parameter_with_compatibility_ref_only(TAG, ENUMERATOR, NAME)                \
+  CGAL_REGION_SEGMENTATION_FUNCTION(CGAL::internal_np::TAG, NAME, K&, std::ref(value))
+#define CGAL_add_extra_named_parameter_with_compatibility(TAG, ENUMERATOR, NAME)
+#define CGAL_REGION_SEGMENTATION_ADD(TAG, NAME)                                                    \
+  CGAL_REGION_SEGMENTATION_FUNCTION(internal_np::TAG, NAME, const K&, value)
+
+/// A pack of named parameters that can be chained with those of \cgal and those of this package.
+template <typename T, typename Tag, typename Base>
 struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
 {
   using Pack = CGAL::Named_function_parameters<T, Tag, Base>;
@@ -55,59 +84,22 @@ struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
 
   const Pack& pack() const { return *this; }
 
-  // CGAL's list has no include guard: it is included once for the member functions here and once
-  // for the free functions below. Later releases of CGAL use more macros than the first in their
-  // lists.
-#define CGAL_add_named_parameter(TAG, ENUMERATOR, NAME)                                            \
+#define CGAL_REGION_SEGMENTATION_FUNCTION(TAG, NAME, PARAMETER, VALUE)                             \
   template <typename K>                                                                            \
-  Named_parameters<K, CGAL::internal_np::TAG, Pack> NAME(const K& value) const                     \
+  auto NAME(PARAMETER value) const                                                                 \
   {                                                                                                \
-    return Named_parameters<K, CGAL::internal_np::TAG, Pack>(value, pack());                       \
+    return internal::with<TAG>(VALUE, pack());                                                     \
   }
-#define CGAL_add_named_parameter_with_compatibility(TAG, ENUMERATOR, NAME)                         \
-  CGAL_add_named_parameter(TAG, ENUMERATOR, NAME)
-#define CGAL_add_named_parameter_with_compatibility_cref_only(TAG, ENUMERATOR, NAME)               \
-  template <typename K>                                                                            \
-  Named_parameters<std::reference_wrapper<const K>, CGAL::internal_np::TAG, Pack> NAME(            \
-    const K& value) const                                                                          \
-  {                                                                                                \
-    return Named_parameters<std::reference_wrapper<const K>, CGAL::internal_np::TAG, Pack>(        \
-      std::cref(value), pack());                                                                   \
-  }
-#define CGAL_add_named_parameter_with_compatibility_ref_only(TAG, ENUMERATOR, NAME)                \
-  template <typename K>                                                                            \
-  Named_parameters<std::reference_wrapper<K>, CGAL::internal_np::TAG, Pack> NAME(K& value) const   \
-  {                                                                                                \
-    return Named_parameters<std::reference_wrapper<K>, CGAL::internal_np::TAG, Pack>(              \
-      std::ref(value), pack());                                                                    \
-  }
-#define CGAL_add_extra_named_parameter_with_compatibility(TAG, ENUMERATOR, NAME)
 #include <CGAL/STL_Extension/internal/parameters_interface.h>
-#undef CGAL_add_named_parameter
-#undef CGAL_add_named_parameter_with_compatibility
-#undef CGAL_add_named_parameter_with_compatibility_cref_only
-#undef CGAL_add_named_parameter_with_compatibility_ref_only
-#undef CGAL_add_extra_named_parameter_with_compatibility
-
-#define CGAL_REGION_SEGMENTATION_ADD(TAG, NAME)                                                    \
-  template <typename K>                                                                            \
-  Named_parameters<K, internal_np::TAG, Pack> NAME(const K& value) const                           \
-  {                                                                                                \
-    return Named_parameters<K, internal_np::TAG, Pack>(value, pack());                             \
-  }
   CGAL_REGION_SEGMENTATION_PARAMETERS(CGAL_REGION_SEGMENTATION_ADD)
-#undef CGAL_REGION_SEGMENTATION_ADD
+#undef CGAL_REGION_SEGMENTATION_FUNCTION
 
-  /// An output, given by reference or by `std::ref()`.
-  Named_parameters<std::reference_wrapper<Merge_tree>, internal_np::merge_tree_t, Pack>
-  merge_tree(std::reference_wrapper<Merge_tree> tree) const
+  auto merge_tree(std::reference_wrapper<Merge_tree> tree) const
   {
-    return Named_parameters<std::reference_wrapper<Merge_tree>, internal_np::merge_tree_t, Pack>(
-      tree, pack());
+    return internal::with<internal_np::merge_tree_t>(tree, pack());
   }
 };
 
-/// The start of a chain: `parameters::number_of_segments(8).vertex_point_map(vpm)`.
 namespace parameters {
 
 using Default_named_parameters = Named_parameters<bool, CGAL::internal_np::all_default_t>;
@@ -118,51 +110,29 @@ inline Default_named_parameters default_values()
   return {};
 }
 
-#define CGAL_add_named_parameter(TAG, ENUMERATOR, NAME)                                            \
+#define CGAL_REGION_SEGMENTATION_FUNCTION(TAG, NAME, PARAMETER, VALUE)                             \
   template <typename K>                                                                            \
-  Named_parameters<K, CGAL::internal_np::TAG> NAME(const K& value)                                 \
+  auto NAME(PARAMETER value)                                                                       \
   {                                                                                                \
-    return Named_parameters<K, CGAL::internal_np::TAG>(value);                                     \
+    return internal::with<TAG>(VALUE);                                                             \
   }
-#define CGAL_add_named_parameter_with_compatibility(TAG, ENUMERATOR, NAME)                         \
-  CGAL_add_named_parameter(TAG, ENUMERATOR, NAME)
-#define CGAL_add_named_parameter_with_compatibility_cref_only(TAG, ENUMERATOR, NAME)               \
-  template <typename K>                                                                            \
-  Named_parameters<std::reference_wrapper<const K>, CGAL::internal_np::TAG> NAME(const K& value)   \
-  {                                                                                                \
-    return Named_parameters<std::reference_wrapper<const K>, CGAL::internal_np::TAG>(              \
-      std::cref(value));                                                                           \
-  }
-#define CGAL_add_named_parameter_with_compatibility_ref_only(TAG, ENUMERATOR, NAME)                \
-  template <typename K>                                                                            \
-  Named_parameters<std::reference_wrapper<K>, CGAL::internal_np::TAG> NAME(K& value)               \
-  {                                                                                                \
-    return Named_parameters<std::reference_wrapper<K>, CGAL::internal_np::TAG>(std::ref(value));   \
-  }
-#define CGAL_add_extra_named_parameter_with_compatibility(TAG, ENUMERATOR, NAME)
 #include <CGAL/STL_Extension/internal/parameters_interface.h>
+CGAL_REGION_SEGMENTATION_PARAMETERS(CGAL_REGION_SEGMENTATION_ADD)
+#undef CGAL_REGION_SEGMENTATION_FUNCTION
+
+inline auto merge_tree(std::reference_wrapper<Merge_tree> tree)
+{
+  return internal::with<internal_np::merge_tree_t>(tree);
+}
+
+} // namespace parameters
+
 #undef CGAL_add_named_parameter
 #undef CGAL_add_named_parameter_with_compatibility
 #undef CGAL_add_named_parameter_with_compatibility_cref_only
 #undef CGAL_add_named_parameter_with_compatibility_ref_only
 #undef CGAL_add_extra_named_parameter_with_compatibility
-
-#define CGAL_REGION_SEGMENTATION_ADD(TAG, NAME)                                                    \
-  template <typename K>                                                                            \
-  Named_parameters<K, internal_np::TAG> NAME(const K& value)                                       \
-  {                                                                                                \
-    return Named_parameters<K, internal_np::TAG>(value);                                           \
-  }
-CGAL_REGION_SEGMENTATION_PARAMETERS(CGAL_REGION_SEGMENTATION_ADD)
 #undef CGAL_REGION_SEGMENTATION_ADD
-
-inline Named_parameters<std::reference_wrapper<Merge_tree>, internal_np::merge_tree_t>
-merge_tree(std::reference_wrapper<Merge_tree> tree)
-{
-  return Named_parameters<std::reference_wrapper<Merge_tree>, internal_np::merge_tree_t>(tree);
-}
-
-} // namespace parameters
 
 namespace internal {
 
