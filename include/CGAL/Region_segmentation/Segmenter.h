@@ -362,33 +362,18 @@ private:
   Merged m_merged;
 };
 
-template <typename FaceGraph>
-Segmenter(const FaceGraph&) -> Segmenter<internal::Face_graph_input<FaceGraph>, Learned_merging>;
-template <typename FaceGraph, typename NamedParameters,
-          std::enable_if_t<internal::is_pack<NamedParameters>, int> = 0>
-Segmenter(const FaceGraph&, const NamedParameters&)
-  -> Segmenter<internal::Face_graph_input<FaceGraph>,
-               internal::Method_of_parameters<NamedParameters>>;
-template <typename FaceGraph, typename NamedParameters, typename ConcurrencyTag,
-          std::enable_if_t<internal::is_pack<NamedParameters>, int> = 0>
-Segmenter(const FaceGraph&, const NamedParameters&, ConcurrencyTag)
-  -> Segmenter<internal::Face_graph_input<FaceGraph>,
-               internal::Method_of_parameters<NamedParameters>>;
-template <typename PointRange, typename PolygonRange,
-          std::enable_if_t<internal::is_polygon_range<PolygonRange>(), int> = 0>
-Segmenter(const PointRange&, const PolygonRange&)
-  -> Segmenter<internal::Polygon_input, Learned_merging>;
+template <typename FaceGraph, typename NamedParameters = parameters::Default_named_parameters,
+          typename... ConcurrencyTag, std::enable_if_t<internal::is_pack<NamedParameters>, int> = 0>
+Segmenter(const FaceGraph&, const NamedParameters& = parameters::default_values(),
+          ConcurrencyTag...) -> Segmenter<internal::Face_graph_input<FaceGraph>,
+                                          internal::Method_of_parameters<NamedParameters>>;
 template <
-  typename PointRange, typename PolygonRange, typename NamedParameters,
+  typename PointRange, typename PolygonRange,
+  typename NamedParameters = parameters::Default_named_parameters, typename... ConcurrencyTag,
   std::enable_if_t<internal::is_polygon_range<PolygonRange>() && internal::is_pack<NamedParameters>,
                    int> = 0>
-Segmenter(const PointRange&, const PolygonRange&, const NamedParameters&)
-  -> Segmenter<internal::Polygon_input, internal::Method_of_parameters<NamedParameters>>;
-template <
-  typename PointRange, typename PolygonRange, typename NamedParameters, typename ConcurrencyTag,
-  std::enable_if_t<internal::is_polygon_range<PolygonRange>() && internal::is_pack<NamedParameters>,
-                   int> = 0>
-Segmenter(const PointRange&, const PolygonRange&, const NamedParameters&, ConcurrencyTag)
+Segmenter(const PointRange&, const PolygonRange&,
+          const NamedParameters& = parameters::default_values(), ConcurrencyTag...)
   -> Segmenter<internal::Polygon_input, internal::Method_of_parameters<NamedParameters>>;
 
 } // namespace Region_segmentation
