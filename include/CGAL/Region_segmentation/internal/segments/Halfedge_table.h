@@ -3,7 +3,7 @@
 #ifndef CGAL_REGION_SEGMENTATION_INTERNAL_SEGMENTS_HALFEDGE_TABLE_H
 #define CGAL_REGION_SEGMENTATION_INTERNAL_SEGMENTS_HALFEDGE_TABLE_H
 
-#include <CGAL/Region_segmentation/exceptions.h>
+#include <CGAL/Region_segmentation/internal/surface/Mesh_order.h>
 #include <CGAL/Region_segmentation/parameters.h>
 
 #include <CGAL/boost/graph/iterator.h>
@@ -46,20 +46,15 @@ auto read_halfedges(const FaceGraph& mesh, const Pack& np, Halfedge_table& table
 {
   using Index = Halfedge_table::Index;
   std::vector<typename boost::graph_traits<FaceGraph>::halfedge_descriptor> descriptors;
-  const auto vertex_index = get_initialized_vertex_index_map(mesh, np);
+  const Mesh_order<FaceGraph, Pack> order(mesh, np);
   const auto halfedge_index = get_initialized_halfedge_index_map(mesh, np);
-  const std::size_t capacity = num_halfedges(mesh);
-  if (capacity >= Halfedge_table::none)
-    throw Invalid_input("a mesh has fewer than 2^32 - 1 halfedges");
-
-  std::vector<Index> rank(num_vertices(mesh)), number(capacity, Halfedge_table::none);
-  for (auto v : vertices(mesh))
-    rank[std::size_t(get(vertex_index, v))] = Index(table.number_of_vertices++);
-  const auto source_of = [&](auto h) {
-    return rank[std::size_t(get(vertex_index, source(h, mesh)))];
+  std::vector<Index> number(num_halfedges(mesh), Halfedge_table::none);
+  const auto source_of = [rank = order.rank_of_vertex(), &mesh](auto h) {
+    return Index(rank(source(h, mesh)));
   };
+  table.number_of_vertices = order.number_of_vertices();
   table.first.push_back(0);
-  for (auto f : faces(mesh)) {
+  for (auto f : order.ordered_faces()) {
     const auto begin = std::ptrdiff_t(descriptors.size());
     for (auto h : CGAL::halfedges_around_face(halfedge(f, mesh), mesh))
       descriptors.push_back(h);

@@ -20,36 +20,25 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
 #include <limits>
 #include <memory>
-#include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// The position of a descriptor in its range, found by an index map of any numbering, and the range
-/// in blocks. Takes 4 bytes per element unless the index is the position.
+/// The elements of a range by position, and the position of each, found by an index map of any
+/// numbering. Takes a descriptor per element, and 4 bytes unless the index is the position.
 ///
-/// Descriptors that are handles are stored in an array, with 8 bytes per element: the latencies of
-/// traversing a linked list add up, while those of several handles overlap.
-template <typename IndexMap, typename Range>
+/// The descriptors are stored since the latencies of traversing a linked list add up, while those
+/// of several handles overlap.
+template <typename IndexMap>
 class Iteration_ranks
 {
-  using Iterator = decltype(std::begin(std::declval<const Range&>()));
-
 public:
   using Descriptor = typename boost::property_traits<IndexMap>::key_type;
 
-private:
-  static constexpr bool are_handles = sizeof(Descriptor) > sizeof(Surface::Index);
-  using Block_iterator = std::conditional_t<
-    are_handles, typename std::vector<Descriptor>::const_iterator, Iterator>;
-
-public:
   /// Maps a descriptor to its position; small enough that loops keep a copy in registers.
   class Rank_of
   {
@@ -71,58 +60,45 @@ public:
   };
 
   /// `capacity`: an upper bound of the indices, removed elements of the mesh included.
+  template <typename Range>
   Iteration_ranks(IndexMap index_map, const Range& range, std::size_t capacity)
     : m_index_map(index_map)
   {
     bool is_identity = true;
-    for (Iterator it = std::begin(range), end = std::end(range); it != end;) {
-      if constexpr (!are_handles)
-        m_block_starts.push_back(it);
-      std::size_t i = 0;
-      for (; i < block_size && it != end; ++i, ++it) {
-        const Descriptor d = *it;
-        is_identity &= std::size_t(get(m_index_map, d)) == m_size + i;
-        if constexpr (are_handles)
-          m_handles.push_back(d);
-      }
-      m_size += i;
+    m_elements.reserve(capacity);
+    for (const auto& d : range) {
+      is_identity &= std::size_t(get(m_index_map, d)) == m_elements.size();
+      m_elements.push_back(d);
     }
-    if constexpr (!are_handles)
-      m_block_starts.push_back(std::end(range));
-    CGAL_precondition_msg(m_size < (std::numeric_limits<Surface::Index>::max)(),
+    CGAL_precondition_msg(size() < (std::numeric_limits<Surface::Index>::max)(),
                           "a mesh has fewer than 2^32 - 1 vertices, faces and edges");
     if (is_identity)
       return;
     m_ranks = std::make_unique<Surface::Index[]>(capacity);
     Surface::Index rank = 0;
-    for (const auto& d : range) {
+    for (const Descriptor& d : m_elements) {
       const std::size_t index = get(m_index_map, d);
       CGAL_precondition_msg(index < capacity, "an index map has values from 0 to the size - 1");
       m_ranks[index] = rank++;
     }
   }
 
-  std::size_t size() const { return m_size; }
-
+  std::size_t size() const { return m_elements.size(); }
   Rank_of rank_of() const { return Rank_of(m_index_map, m_ranks.get()); }
   std::size_t operator[](const Descriptor& d) const { return rank_of()(d); }
+  const std::vector<Descriptor>& elements() const { return m_elements; }
 
   /// The elements of a block.
-  CGAL::Iterator_range<Block_iterator> block(std::size_t i) const
+  CGAL::Iterator_range<const Descriptor*> block(std::size_t i) const
   {
-    if constexpr (are_handles)
-      return {m_handles.begin() + std::ptrdiff_t(i * block_size),
-              m_handles.begin() + std::ptrdiff_t((std::min)((i + 1) * block_size, m_size))};
-    else
-      return {m_block_starts[i], m_block_starts[i + 1]};
+    const Descriptor* const first = m_elements.data();
+    return {first + i * block_size, first + (std::min)((i + 1) * block_size, size())};
   }
 
 private:
   IndexMap m_index_map;
-  std::size_t m_size = 0;
   std::unique_ptr<Surface::Index[]> m_ranks;
-  std::vector<Iterator> m_block_starts; // and the end; only of indices
-  std::vector<Descriptor> m_handles;
+  std::vector<Descriptor> m_elements;
 };
 
 /// The order of the elements of a face graph, which does not depend on its type: faces and vertices
@@ -133,8 +109,6 @@ class Mesh_order
   using Traits = boost::graph_traits<FaceGraph>;
   using Face_index_map = typename GetInitializedFaceIndexMap<FaceGraph, Pack>::const_type;
   using Vertex_index_map = typename GetInitializedVertexIndexMap<FaceGraph, Pack>::const_type;
-  using Face_range = std::decay_t<decltype(faces(std::declval<const FaceGraph&>()))>;
-  using Vertex_range = std::decay_t<decltype(vertices(std::declval<const FaceGraph&>()))>;
 
 public:
   using face_descriptor = typename Traits::face_descriptor;
@@ -170,19 +144,13 @@ public:
     return f == Traits::null_face() ? none : Surface::Index(m_faces[f]);
   }
 
-  /// Calls `f(face)` in order.
-  template <typename F>
-  void for_each_face(const F& f) const
-  {
-    for (std::size_t block = 0; block < number_of_blocks(number_of_faces()); ++block)
-      for (face_descriptor fd : faces_of_block(block))
-        f(fd);
-  }
+  /// In order.
+  const auto& ordered_faces() const { return m_faces.elements(); }
 
 private:
   const FaceGraph& m_mesh;
-  Iteration_ranks<Face_index_map, Face_range> m_faces;
-  Iteration_ranks<Vertex_index_map, Vertex_range> m_vertices;
+  Iteration_ranks<Face_index_map> m_faces;
+  Iteration_ranks<Vertex_index_map> m_vertices;
 };
 
 } // namespace internal

@@ -24,7 +24,6 @@ class Edges_of_adjacencies
   using Index = Surface::Index;
   using Order = Mesh_order<FaceGraph, Pack>;
   using halfedge_descriptor = typename Order::halfedge_descriptor;
-  using face_descriptor = typename Order::face_descriptor;
 
 public:
   Edges_of_adjacencies(const Order& order, const Surface& surface)
@@ -37,8 +36,8 @@ public:
   template <typename F>
   void for_each(const F& f)
   {
-    Index rank = 0;
-    m_order.for_each_face([&](face_descriptor fd) { for_each_of_face(fd, rank++, f); });
+    for (Index rank = 0; rank < m_order.number_of_faces(); ++rank)
+      for_each_of_face(rank, f);
   }
 
   /// The same for those edges alone that `is_wanted`. Fast where few are.
@@ -46,34 +45,32 @@ public:
   void for_each_if(const IsWanted& is_wanted, const F& f)
   {
     const FaceGraph& mesh = m_order.mesh();
-    std::vector<std::pair<Index, face_descriptor>> higher_faces; // with such an edge
+    std::vector<Index> higher_faces; // with such an edge
     for (auto e : edges(mesh))
       if (is_wanted(e) && !CGAL::is_border(e, mesh)) {
-        const halfedge_descriptor h = halfedge(e, mesh), g = opposite(h, mesh);
-        const Index rank = m_order.face_rank(h), other = m_order.face_rank(g);
-        higher_faces.push_back(rank > other ? std::make_pair(rank, face(h, mesh))
-                                            : std::make_pair(other, face(g, mesh)));
+        const halfedge_descriptor h = halfedge(e, mesh);
+        higher_faces.push_back(
+          (std::max)(m_order.face_rank(h), m_order.face_rank(opposite(h, mesh))));
       }
-    std::sort(higher_faces.begin(), higher_faces.end(),
-              [](const auto& a, const auto& b) { return a.first < b.first; });
-    Index previous = Order::none;
-    for (const auto& [rank, fd] : higher_faces)
-      if (std::exchange(previous, rank) != rank)
-        for_each_of_face(fd, rank, [&](halfedge_descriptor h, std::size_t adjacency) {
-          if (is_wanted(edge(h, mesh)))
-            f(h, adjacency);
-        });
+    std::sort(higher_faces.begin(), higher_faces.end());
+    higher_faces.erase(std::unique(higher_faces.begin(), higher_faces.end()), higher_faces.end());
+    for (const Index rank : higher_faces)
+      for_each_of_face(rank, [&](halfedge_descriptor h, std::size_t adjacency) {
+        if (is_wanted(edge(h, mesh)))
+          f(h, adjacency);
+      });
   }
 
 private:
   template <typename F>
-  void for_each_of_face(face_descriptor fd, Index rank, const F& f)
+  void for_each_of_face(Index rank, const F& f)
   {
     const FaceGraph& mesh = m_order.mesh();
     const auto rank_of_vertex = m_order.rank_of_vertex();
     m_sides.clear();
     std::size_t lowest = Order::none, first = 0;
-    for (halfedge_descriptor h : CGAL::halfedges_around_face(halfedge(fd, mesh), mesh)) {
+    const halfedge_descriptor start = halfedge(m_order.ordered_faces()[rank], mesh);
+    for (halfedge_descriptor h : CGAL::halfedges_around_face(start, mesh)) {
       const std::size_t vertex = rank_of_vertex(source(h, mesh));
       if (vertex < lowest) {
         lowest = vertex;
