@@ -30,9 +30,7 @@ public:
   /// \pre there is a face
   explicit Nearest_face_finder(const Mesh_geometry& geometry)
     : m_geometry(geometry)
-    , m_all(all_faces(geometry))
-    , m_no_tolerance(1, 0.0)
-    , m_tree(geometry.surface(), m_all, m_no_tolerance)
+    , m_tree(geometry.surface(), all_faces(geometry))
     , m_disagreement(0.05 * geometry.surface().length_unit())
   {}
 
@@ -91,8 +89,6 @@ private:
   }
 
   const Mesh_geometry& m_geometry;
-  const Partition m_all;
-  const std::vector<double> m_no_tolerance;
   Component_tree m_tree;
   const double m_disagreement;
   Double_3 m_point, m_normal;

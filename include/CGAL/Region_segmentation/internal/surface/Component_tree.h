@@ -49,14 +49,15 @@ public:
     double tolerance;      ///< the largest one of its components
   };
 
-  /// `tolerances`: by component
+  /// `tolerances`: by component; empty: all are 0
   Component_tree(const Surface& surface, const Partition& component_of_face,
-                 const std::vector<double>& tolerances)
+                 std::vector<double> tolerances = {})
     : m_surface(surface)
-    , m_tolerances(tolerances)
+    , m_tolerances(std::move(tolerances))
     , m_order(component_of_face.number_of_parts())
     , m_boxes(m_order.size())
   {
+    m_tolerances.resize(m_order.size());
     group_faces(component_of_face);
     std::iota(m_order.begin(), m_order.end(), Index(0));
     add_node_of_components(0, Index(m_order.size()));
@@ -225,7 +226,7 @@ private:
   }
 
   const Surface& m_surface;
-  const std::vector<double>& m_tolerances;
+  std::vector<double> m_tolerances;
   std::vector<Index> m_order;       // of components
   std::vector<Axis_box> m_boxes;    // by component
   std::vector<Index> m_first_parts; // by component

@@ -6,6 +6,7 @@
 #include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/internal/surface/Axis_box.h>
+#include <CGAL/Region_segmentation/internal/surface/Component_tree.h>
 #include <CGAL/Region_segmentation/internal/surface/distances.h>
 
 #include <algorithm>
@@ -26,8 +27,7 @@ namespace internal {
 /// another component.
 ///
 /// Comparisons are half-open and computed alike from both sides of an edge, so an upward ray passes
-/// through exactly one of the faces around an edge or a vertex. A face is compared with the
-/// vertices in its range of x or y: O(F log C) and these comparisons, a few for faces of even size.
+/// through exactly one of the faces around an edge or a vertex.
 class Nesting_finder
 {
 public:
@@ -35,29 +35,33 @@ public:
 
   Nesting_finder(const Surface& surface, const Partition& component_of_face,
                  const std::vector<bool>& is_closed)
-    : m_surface(surface)
-    , m_component_of(component_of_face)
-    , m_is_closed(is_closed)
+    : m_is_closed(is_closed)
+    , m_tree(surface, component_of_face)
     , m_boxes(is_closed.size())
-    , m_queries(number_of_orders * is_closed.size())
+    , m_queries(number_of_orders * is_closed.size(), Double_3{infinity, infinity, infinity})
   {
-    find_boxes_and_queries();
-    for_each_triangle([&](Index component, const Triangle& t) { find_crossings(component, t); });
+    for (std::size_t f = 0; f < component_of_face.size(); ++f)
+      if (is_closed[component_of_face[f]])
+        for (std::size_t i = 0; i < surface.number_of_corners(f); ++i)
+          add_point(component_of_face[f], surface.point(surface.corner(f, i)));
+    for (Index q = 0; q < m_queries.size(); ++q)
+      if (is_closed[q / number_of_orders])
+        find_crossings(q, Component_tree::root());
   }
 
   /// For each component the outermost closed one that contains it, itself if there is none.
   std::vector<Index> outermost()
   {
-    std::vector<Index> result(m_boxes.size()), largest_first(m_boxes.size());
-    std::iota(result.begin(), result.end(), Index(0));
+    std::vector<Index> result(m_boxes.size());
     const std::vector<std::pair<Index, Index>> pairs = containments();
     const auto size = [&](Index c) {
       return m_boxes[c].extent(0) + m_boxes[c].extent(1) + m_boxes[c].extent(2);
     };
-    std::iota(largest_first.begin(), largest_first.end(), Index(0));
-    std::stable_sort(largest_first.begin(), largest_first.end(),
-                     [&](Index c, Index d) { return size(c) > size(d); });
-    for (Index c : largest_first) {
+    std::vector<std::pair<double, Index>> largest_first;
+    for (Index c = 0; c < m_boxes.size(); ++c)
+      largest_first.emplace_back(-size(c), c);
+    std::sort(largest_first.begin(), largest_first.end());
+    for (const auto& [minus_size, c] : largest_first) {
       // A container has the larger box, so its result is known.
       const auto first = std::lower_bound(pairs.begin(), pairs.end(), std::make_pair(c, Index(0)));
       Index largest = c;
@@ -71,20 +75,7 @@ public:
 
 private:
   static constexpr std::size_t number_of_orders = 3;
-
-  /// Passes the triangles of closed components.
-  template <typename F>
-  void for_each_triangle(const F& f) const
-  {
-    for (std::size_t face = 0; face < m_component_of.size(); ++face)
-      if (m_is_closed[m_component_of[face]]) {
-        const auto point = [&](std::size_t i) {
-          return m_surface.point(m_surface.corner(face, i));
-        };
-        for (std::size_t i = 2; i < m_surface.number_of_corners(face); ++i)
-          f(m_component_of[face], Triangle{point(0), point(i - 1), point(i)});
-      }
-  }
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
 
   static std::array<double, 3> in_order(const Double_3& p, std::size_t order)
   {
@@ -93,27 +84,14 @@ private:
                         : std::array<double, 3>{p.z, p.x, p.y};
   }
 
-  void find_boxes_and_queries()
+  void add_point(Index component, const Double_3& p)
   {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    std::fill(m_queries.begin(), m_queries.end(), Double_3{infinity, infinity, infinity});
-    for_each_triangle([&](Index component, const Triangle& t) {
-      for (const Double_3& p : t) {
-        m_boxes[component].add(p);
-        for (std::size_t order = 0; order < number_of_orders; ++order) {
-          Double_3& lowest = m_queries[number_of_orders * component + order];
-          if (in_order(p, order) < in_order(lowest, order))
-            lowest = p;
-        }
-      }
-    });
-    Axis_box all;
-    for (const Axis_box& box : m_boxes)
-      all.add(box);
-    m_axis = all.extent(1) > all.extent(0) ? 1 : 0;
-    for (std::size_t q = 0; q < m_queries.size(); ++q)
-      m_in_order.emplace_back(in_order(m_queries[q], m_axis)[0], Index(q));
-    std::sort(m_in_order.begin(), m_in_order.end());
+    m_boxes[component].add(p);
+    for (std::size_t order = 0; order < number_of_orders; ++order) {
+      Double_3& lowest = m_queries[number_of_orders * component + order];
+      if (in_order(p, order) < in_order(lowest, order))
+        lowest = p;
+    }
   }
 
   /// Whether the box of `inner` is in that of `outer` and not the same.
@@ -126,15 +104,26 @@ private:
     return is_inside;
   }
 
-  void find_crossings(Index component, const Triangle& t)
+  /// Of the triangles of a node above a query, in components in which that of the query may be.
+  void find_crossings(Index query, Index node)
   {
-    const Axis_box box = box_of(t);
-    auto place = std::lower_bound(m_in_order.begin(), m_in_order.end(),
-                                  std::make_pair(box.low[m_axis], Index(0)));
-    for (; place != m_in_order.end() && place->first <= box.high[m_axis]; ++place)
-      if (const Index q = place->second;
-          is_smaller(q / number_of_orders, component) && is_above_point(t, m_queries[q]))
-        m_crossings.emplace_back(q, component);
+    const Axis_box& box = m_tree[node].box;
+    const Index component = m_tree[node].component;
+    const Double_3& at = m_queries[query];
+    if (!(at.x >= box.low[0] && at.x <= box.high[0] && at.y >= box.low[1] && at.y <= box.high[1]))
+      return;
+    if (component != Component_tree::none &&
+        !(m_is_closed[component] && is_smaller(query / number_of_orders, component)))
+      return;
+    if (m_tree.is_leaf(node)) {
+      for (const auto* part = m_tree.begin(node); part != m_tree.end(node); ++part)
+        if (is_above_point(m_tree.triangle(*part), at))
+          m_crossings.emplace_back(query, component);
+      return;
+    }
+    const Index child = m_tree.children(node);
+    find_crossings(query, child);
+    find_crossings(query, child + 1);
   }
 
   /// Whether the segment p, q in the plane passes the point on the side of larger y.
@@ -182,19 +171,16 @@ private:
     }
   }
 
-  const Surface& m_surface;
-  const Partition& m_component_of;
   const std::vector<bool>& m_is_closed;
+  Component_tree m_tree;
   std::vector<Axis_box> m_boxes;   // by component
   std::vector<Double_3> m_queries; // three for each component; infinite for open ones
-  std::size_t m_axis = 0;          // x or y, along which the queries are spread more
-  std::vector<std::pair<double, Index>> m_in_order; // queries along it
   std::vector<std::pair<Index, Index>> m_crossings; // a query and a component with a face above it
 };
 
 /// For each component the outermost closed one that contains it, itself if there is none or if it
-/// is open. Of two components that cross either, neither or one may be in the other. O(F + C log C)
-/// for faces of even size.
+/// is open. Of two components that cross either, neither or one may be in the other. O(F log F)
+/// in practice.
 inline std::vector<Surface::Index> outermost_of(const Surface& surface,
                                                 const Partition& component_of_face,
                                                 const std::vector<bool>& is_closed)
