@@ -87,7 +87,7 @@ struct Model
 private:
   Partition fill(const Soup& soup)
   {
-    RS::internal::Surface_access to(surface);
+    RS::internal::Surface_arrays& to = RS::internal::arrays_of(surface);
     double largest = 0;
     for (const Double_3& p : soup.points)
       largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});

@@ -15,9 +15,33 @@
 namespace CGAL {
 namespace Region_segmentation {
 
+class Surface;
+
 namespace internal {
-struct Surface_access;
-}
+
+/// What a surface consists of; for those who make one.
+struct Surface_arrays
+{
+  using Index = std::uint32_t;
+
+  Large_array<Double_3> points;        // 24 bytes a vertex
+  Large_array<Index> first_corners;    // 4 bytes a face, and one more at the end
+  Large_array<Index> corners;          // 4 bytes a corner
+  Large_array<Double_3> normals;       // 24 bytes a face
+  Large_array<double> areas;           // 8 bytes a face
+  Large_array<Index> lower_faces;      // 4 bytes an adjacency
+  Large_array<Index> higher_faces;     // 4 bytes an adjacency
+  Large_array<double> squared_lengths; // 8 bytes an adjacency
+  Large_array<std::uint8_t> flags;     // 1 byte an adjacency
+  double unit = 1, area = 0, length_unit = 1;
+  bool has_seams_or_links = false;
+  std::vector<bool> is_crumb; // by face; empty: none is
+};
+
+Surface_arrays& arrays_of(Surface& surface);
+const Surface_arrays& arrays_of(const Surface& surface);
+
+} // namespace internal
 
 /// \ingroup PkgRegionSegmentationData
 /// A surface as arrays: all that the stages after reading know of a mesh, so that they depend
@@ -63,29 +87,29 @@ public:
   static constexpr std::uint8_t without_angle = JOINING | CLOSED | LINK; ///< flags; also seams
                                                                          ///< without a sign
 
-  std::size_t number_of_faces() const { return m_normals.size(); }
-  std::size_t number_of_vertices() const { return m_points.size(); }
-  std::size_t number_of_adjacencies() const { return m_higher_faces.size(); }
+  std::size_t number_of_faces() const { return m_arrays.normals.size(); }
+  std::size_t number_of_vertices() const { return m_arrays.points.size(); }
+  std::size_t number_of_adjacencies() const { return m_arrays.higher_faces.size(); }
 
   /// The unit of points and lengths, as a multiple of that of the mesh: 1, unless areas might
   /// exceed the range of double; then a power of two, so that results do not depend on it.
-  double unit() const { return m_unit; }
+  double unit() const { return m_arrays.unit; }
   /// The sum of the weights of the faces, in their order.
-  double area() const { return m_area; }
+  double area() const { return m_arrays.area; }
   /// The square root of the area of the surface; 1 if that is 0.
-  double length_unit() const { return m_length_unit; }
+  double length_unit() const { return m_arrays.length_unit; }
 
   /// \name Vertices and corners
   /// @{
-  const Double_3& point(std::size_t vertex) const { return m_points[vertex]; }
+  const Double_3& point(std::size_t vertex) const { return m_arrays.points[vertex]; }
   std::size_t number_of_corners(std::size_t face) const
   {
-    return m_first_corners[face + 1] - m_first_corners[face];
+    return m_arrays.first_corners[face + 1] - m_arrays.first_corners[face];
   }
   /// The vertex at a corner of a face. The first corner is the vertex of lowest index.
   Index corner(std::size_t face, std::size_t i) const
   {
-    return m_corners[m_first_corners[face] + i];
+    return m_arrays.corners[m_arrays.first_corners[face] + i];
   }
   /// @}
 
@@ -93,27 +117,30 @@ public:
   /// @{
 
   /// The unit normal; the zero vector for a degenerate face.
-  const Double_3& normal(std::size_t face) const { return m_normals[face]; }
-  double area(std::size_t face) const { return m_areas[face]; }
+  const Double_3& normal(std::size_t face) const { return m_arrays.normals[face]; }
+  double area(std::size_t face) const { return m_arrays.areas[face]; }
   /// Whether the face belongs to a crumb: a component of less than 1/1000 of the area of the
   /// largest one, where components are linked.
-  bool is_crumb(std::size_t face) const { return !m_is_crumb.empty() && m_is_crumb[face]; }
+  bool is_crumb(std::size_t face) const
+  {
+    return !m_arrays.is_crumb.empty() && m_arrays.is_crumb[face];
+  }
   /// The area, but 0 for a face of a crumb: so crumbs do not change how the rest is segmented.
-  double weight(std::size_t face) const { return is_crumb(face) ? 0 : m_areas[face]; }
+  double weight(std::size_t face) const { return is_crumb(face) ? 0 : m_arrays.areas[face]; }
   /// Whether the area is so small that the normal has no meaning, see \ref
   /// RegionSegmentationTwoStep; or the face is given twice.
   bool is_degenerate(std::size_t face) const
   {
-    const Double_3& n = m_normals[face];
+    const Double_3& n = m_arrays.normals[face];
     return n.x == 0 && n.y == 0 && n.z == 0;
   }
   /// The mean of the corners.
   Double_3 centroid(std::size_t face) const
   {
-    const Index first = m_first_corners[face], end = m_first_corners[face + 1];
+    const Index first = m_arrays.first_corners[face], end = m_arrays.first_corners[face + 1];
     Double_3 sum{};
     for (Index c = first; c < end; ++c)
-      sum = sum + m_points[m_corners[c]];
+      sum = sum + m_arrays.points[m_arrays.corners[c]];
     return (1.0 / double(end - first)) * sum;
   }
   /// @}
@@ -124,21 +151,25 @@ public:
   /// The first adjacency whose higher face is not below `face`. O(log F).
   std::size_t first_adjacency(std::size_t face) const
   {
-    return std::size_t(std::lower_bound(m_higher_faces.begin(), m_higher_faces.end(), face) -
-                       m_higher_faces.begin());
+    return std::size_t(
+      std::lower_bound(m_arrays.higher_faces.begin(), m_arrays.higher_faces.end(), face) -
+      m_arrays.higher_faces.begin());
   }
-  Index lower_face(std::size_t adjacency) const { return m_lower_faces[adjacency]; }
-  Index higher_face(std::size_t adjacency) const { return m_higher_faces[adjacency]; }
+  Index lower_face(std::size_t adjacency) const { return m_arrays.lower_faces[adjacency]; }
+  Index higher_face(std::size_t adjacency) const { return m_arrays.higher_faces[adjacency]; }
   /// The length of the edge, half of it for a seam of three and more faces, the length of contact
   /// of a link.
-  double length(std::size_t adjacency) const { return std::sqrt(m_squared_lengths[adjacency]); }
-  double squared_length(std::size_t adjacency) const { return m_squared_lengths[adjacency]; }
+  double length(std::size_t adjacency) const
+  {
+    return std::sqrt(m_arrays.squared_lengths[adjacency]);
+  }
+  double squared_length(std::size_t adjacency) const { return m_arrays.squared_lengths[adjacency]; }
   /// The sum of the `Flag`s.
-  std::uint8_t flags(std::size_t adjacency) const { return m_flags[adjacency]; }
+  std::uint8_t flags(std::size_t adjacency) const { return m_arrays.flags[adjacency]; }
   /// Whether an adjacency has one of several flags.
   bool has_flag(std::size_t adjacency, std::uint8_t any) const
   {
-    return (m_flags[adjacency] & any) != 0;
+    return (m_arrays.flags[adjacency] & any) != 0;
   }
 
   /// The cosine of the deviation, N_i . N_j, in [-1, 1]; 1 where there is no angle.
@@ -146,83 +177,49 @@ public:
   {
     if (!has_angle(adjacency))
       return 1;
-    const double c = dot(m_normals[m_lower_faces[adjacency]], m_normals[m_higher_faces[adjacency]]);
+    const double c = dot(m_arrays.normals[m_arrays.lower_faces[adjacency]],
+                         m_arrays.normals[m_arrays.higher_faces[adjacency]]);
     return (std::max)(-1.0, (std::min)(1.0, c));
   }
   /// The deviation in radians, in [0, pi]; 0 where there is no angle.
   double deviation(std::size_t adjacency) const { return std::acos(cosine(adjacency)); }
 
   /// Whether there are adjacencies other than across edges.
-  bool has_seams_or_links() const { return m_has_seams_or_links; }
+  bool has_seams_or_links() const { return m_arrays.has_seams_or_links; }
 
   bool has_angle(std::size_t adjacency) const
   {
-    const std::uint8_t f = m_flags[adjacency];
+    const std::uint8_t f = m_arrays.flags[adjacency];
     return (f & without_angle) == 0 && !((f & SEAM) && (f & (CONVEX | CONCAVE)) == 0);
   }
   /// @}
 
 private:
-  friend struct internal::Surface_access;
+  friend internal::Surface_arrays& internal::arrays_of(Surface& surface);
+  friend const internal::Surface_arrays& internal::arrays_of(const Surface& surface);
 
-  template <typename T>
-  using Array = internal::Large_array<T>;
-
-  Array<Double_3> m_points;        // 24 bytes a vertex
-  Array<Index> m_first_corners;    // 4 bytes a face, and one more at the end
-  Array<Index> m_corners;          // 4 bytes a corner
-  Array<Double_3> m_normals;       // 24 bytes a face
-  Array<double> m_areas;           // 8 bytes a face
-  Array<Index> m_lower_faces;      // 4 bytes an adjacency
-  Array<Index> m_higher_faces;     // 4 bytes an adjacency
-  Array<double> m_squared_lengths; // 8 bytes an adjacency
-  Array<std::uint8_t> m_flags;     // 1 byte an adjacency
-  double m_unit = 1, m_area = 0, m_length_unit = 1;
-  bool m_has_seams_or_links = false;
-  std::vector<bool> m_is_crumb; // by face; empty: none is
+  internal::Surface_arrays m_arrays;
 };
 
 namespace internal {
 
-/// The arrays of a surface, for those who make one.
-struct Surface_access
+inline Surface_arrays& arrays_of(Surface& surface)
 {
-  using Index = Surface::Index;
-  template <typename T>
-  using Array = Large_array<T>;
+  return surface.m_arrays;
+}
+inline const Surface_arrays& arrays_of(const Surface& surface)
+{
+  return surface.m_arrays;
+}
 
-  explicit Surface_access(Surface& s)
-    : points(s.m_points)
-    , first_corners(s.m_first_corners)
-    , corners(s.m_corners)
-    , normals(s.m_normals)
-    , areas(s.m_areas)
-    , lower_faces(s.m_lower_faces)
-    , higher_faces(s.m_higher_faces)
-    , squared_lengths(s.m_squared_lengths)
-    , flags(s.m_flags)
-    , unit(s.m_unit)
-    , area(s.m_area)
-    , length_unit(s.m_length_unit)
-    , has_seams_or_links(s.m_has_seams_or_links)
-    , is_crumb(s.m_is_crumb)
-  {}
-
-  Array<Double_3>& points;
-  Array<Index>& first_corners;
-  Array<Index>& corners;
-  Array<Double_3>& normals;
-  Array<double>& areas;
-  Array<Index>& lower_faces;
-  Array<Index>& higher_faces;
-  Array<double>& squared_lengths;
-  Array<std::uint8_t>& flags;
-  double& unit;
-  double& area;
-  double& length_unit;
-  bool& has_seams_or_links;
-  std::vector<bool>& is_crumb;
-};
+/// Calls `f(v, w)` for the sides of a face, which run from vertex v to vertex w, in order.
+template <typename F>
+void for_each_side(const Surface& surface, std::size_t face, const F& f)
+{
+  const std::size_t n = surface.number_of_corners(face);
+  for (std::size_t i = 0; i < n; ++i)
+    f(surface.corner(face, i), surface.corner(face, i + 1 < n ? i + 1 : 0));
+}
 
 } // namespace internal
 } // namespace Region_segmentation

@@ -38,7 +38,7 @@ struct Raw_surface
 };
 
 /// The corner of a face that follows another one around it.
-inline Surface::Index next_corner(const Surface_access& arrays, std::size_t face,
+inline Surface::Index next_corner(const Surface_arrays& arrays, std::size_t face,
                                   std::size_t corner)
 {
   return Surface::Index(corner + 1 == arrays.first_corners[face + 1] ? arrays.first_corners[face]
@@ -49,7 +49,7 @@ inline Surface::Index next_corner(const Surface_access& arrays, std::size_t face
 /// number or infinite. \throws Invalid_input if a point is not finite
 inline void set_unit(Surface& surface, const std::vector<bool>& is_used, const Execution& execution)
 {
-  Surface_access arrays(surface);
+  Surface_arrays& arrays = arrays_of(surface);
   const std::size_t size = arrays.points.size();
   std::vector<double> largest(number_of_blocks(size));
   for_each_block(execution, size, [&](std::size_t block, std::size_t begin, std::size_t end) {

@@ -61,7 +61,7 @@ inline void insert_links(Surface& surface, std::size_t number_of_edge_components
   const Bodies bodies(surface);
   if (bodies.number() == bodies.areas.size())
     return;
-  std::vector<bool>& is_crumb = Surface_access(surface).is_crumb;
+  std::vector<bool>& is_crumb = arrays_of(surface).is_crumb;
   for (const Partition::Index component : bodies.component_of)
     is_crumb.push_back(bodies.is_crumb(component));
 }
@@ -69,7 +69,7 @@ inline void insert_links(Surface& surface, std::size_t number_of_edge_components
 /// From points and corners to a surface.
 inline Surface build_surface(Raw_surface raw, Adjacency_of wanted, const Execution& execution)
 {
-  Surface_access arrays(raw.surface);
+  Surface_arrays& arrays = arrays_of(raw.surface);
   std::vector<Added_adjacency> added;
   std::vector<Seam> seams;
   const bool has_open_sides = std::find(raw.neighbors.begin(), raw.neighbors.end(),

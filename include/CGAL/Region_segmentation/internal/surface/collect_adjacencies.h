@@ -8,10 +8,9 @@
 #include <CGAL/Region_segmentation/internal/surface/compute_normals.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <tuple>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -43,7 +42,7 @@ std::size_t sort_sides(const Surface::Index* neighbors, std::size_t number_of_si
 inline void collect_adjacencies(Raw_surface& raw, const Execution& execution)
 {
   using Index = Surface::Index;
-  Surface_access arrays(raw.surface);
+  Surface_arrays& arrays = arrays_of(raw.surface);
   const std::size_t size = arrays.normals.size();
   const Index *const first_corners = arrays.first_corners.data(), *const neighbors = raw.neighbors
                                                                                        .data();
@@ -101,15 +100,18 @@ struct Added_adjacency
 };
 
 /// Inserts adjacencies behind those of the same two faces.
-inline void insert_adjacencies(Surface& surface, std::vector<Added_adjacency> added)
+inline void insert_adjacencies(Surface& surface, const std::vector<Added_adjacency>& added)
 {
   if (added.empty())
     return;
-  const auto key = [](const Added_adjacency& a) { return std::make_tuple(a.higher, a.lower); };
-  std::stable_sort(
-    added.begin(), added.end(),
-    [&](const Added_adjacency& a, const Added_adjacency& b) { return key(a) < key(b); });
-  Surface_access arrays(surface);
+  using Index = Surface::Index;
+  const auto key = [](Index higher, Index lower) { return (std::uint64_t(higher) << 32) | lower; };
+  std::vector<std::pair<std::uint64_t, Index>> order; // in which to insert
+  for (const Added_adjacency& a : added)
+    order.push_back({key(a.higher, a.lower), Index(order.size())});
+  std::sort(order.begin(), order.end());
+
+  Surface_arrays& arrays = arrays_of(surface);
   std::size_t from = arrays.flags.size(), to = from + added.size();
   arrays.lower_faces.resize(to);
   arrays.higher_faces.resize(to);
@@ -117,58 +119,65 @@ inline void insert_adjacencies(Surface& surface, std::vector<Added_adjacency> ad
   arrays.flags.resize(to);
   for (std::size_t i = added.size(); i > 0;) {
     --to;
-    if (from > 0 && std::make_tuple(arrays.higher_faces[from - 1], arrays.lower_faces[from - 1]) >
-                      key(added[i - 1])) {
+    if (from > 0 &&
+        key(arrays.higher_faces[from - 1], arrays.lower_faces[from - 1]) > order[i - 1].first) {
       --from;
       arrays.lower_faces[to] = arrays.lower_faces[from];
       arrays.higher_faces[to] = arrays.higher_faces[from];
       arrays.squared_lengths[to] = arrays.squared_lengths[from];
       arrays.flags[to] = arrays.flags[from];
     } else {
-      --i;
-      arrays.lower_faces[to] = added[i].lower;
-      arrays.higher_faces[to] = added[i].higher;
-      arrays.squared_lengths[to] = added[i].squared_length;
-      arrays.flags[to] = added[i].flags;
-      arrays.has_seams_or_links |= (added[i].flags & (Surface::SEAM | Surface::LINK)) != 0;
+      const Added_adjacency& a = added[order[--i].second];
+      arrays.lower_faces[to] = a.lower;
+      arrays.higher_faces[to] = a.higher;
+      arrays.squared_lengths[to] = a.squared_length;
+      arrays.flags[to] = a.flags;
+      arrays.has_seams_or_links |= (a.flags & (Surface::SEAM | Surface::LINK)) != 0;
     }
   }
 }
 
-/// Marks the adjacencies of degenerate faces: the longest edge of each (of equal ones that to the
-/// lowest face) joins it.
-inline void join_degenerate_faces(Surface& surface)
+/// The longest adjacency of each degenerate face, among those that `is_candidate(adjacency)`; of
+/// equal ones that to the lowest face. Sorted.
+template <typename IsCandidate>
+std::vector<Surface::Index> longest_edges_of_degenerate_faces(const Surface& surface,
+                                                              const IsCandidate& is_candidate)
 {
   using Index = Surface::Index;
-  Surface_access arrays(surface);
-  struct Candidate
-  {
-    Index face, other;
-    double squared_length;
-    std::size_t adjacency;
+  constexpr Index none = (std::numeric_limits<Index>::max)();
+  std::vector<Index> longest(surface.number_of_faces(), none);
+  const auto key = [&](Index a, Index face) {
+    const Index lower = surface.lower_face(a);
+    return std::make_pair(-surface.squared_length(a),
+                          lower == face ? surface.higher_face(a) : lower);
   };
+  for (Index a = 0; a < surface.number_of_adjacencies(); ++a)
+    for (const Index face : {surface.lower_face(a), surface.higher_face(a)})
+      if (surface.is_degenerate(face) && is_candidate(a) &&
+          (longest[face] == none || key(a, face) < key(longest[face], face)))
+        longest[face] = a;
+  std::sort(longest.begin(), longest.end());
+  longest.erase(std::unique(longest.begin(), longest.end()), longest.end());
+  if (!longest.empty() && longest.back() == none)
+    longest.pop_back();
+  return longest;
+}
+
+/// Marks the adjacencies of degenerate faces: the longest edge of each joins it.
+inline void join_degenerate_faces(Surface& surface)
+{
+  Surface_arrays& arrays = arrays_of(surface);
   const auto is_zero = [](const Double_3& n) { return n.x == 0 && n.y == 0 && n.z == 0; };
   if (std::none_of(arrays.normals.begin(), arrays.normals.end(), is_zero))
     return;
-  std::vector<Candidate> candidates;
-  for (std::size_t a = 0; a < arrays.flags.size(); ++a) {
-    const Index lower = arrays.lower_faces[a], higher = arrays.higher_faces[a];
-    const bool is_lower = surface.is_degenerate(lower), is_higher = surface.is_degenerate(higher);
-    if (!(is_lower || is_higher) || surface.has_flag(a, Surface::LINK))
-      continue;
-    arrays.flags[a] = Surface::CLOSED;
-    if (is_lower)
-      candidates.push_back({lower, higher, arrays.squared_lengths[a], a});
-    if (is_higher)
-      candidates.push_back({higher, lower, arrays.squared_lengths[a], a});
-  }
-  std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
-    return std::make_tuple(a.face, -a.squared_length, a.other, a.adjacency) <
-           std::make_tuple(b.face, -b.squared_length, b.other, b.adjacency);
-  });
-  for (std::size_t i = 0; i < candidates.size(); ++i)
-    if (i == 0 || candidates[i].face != candidates[i - 1].face)
-      arrays.flags[candidates[i].adjacency] = Surface::JOINING;
+  const auto is_edge = [&](std::size_t a) { return !surface.has_flag(a, Surface::LINK); };
+  const auto joining = longest_edges_of_degenerate_faces(surface, is_edge);
+  for (std::size_t a = 0; a < arrays.flags.size(); ++a)
+    if (is_edge(a) && (surface.is_degenerate(arrays.lower_faces[a]) ||
+                       surface.is_degenerate(arrays.higher_faces[a])))
+      arrays.flags[a] = Surface::CLOSED;
+  for (const Surface::Index a : joining)
+    arrays.flags[a] = Surface::JOINING;
 }
 
 } // namespace internal

@@ -25,7 +25,7 @@ inline bool is_degenerate(double area, double squared_longest_edge)
 /// of a degenerate face is zero.
 inline void compute_normals(Surface& surface, const Execution& execution)
 {
-  Surface_access arrays(surface);
+  Surface_arrays& arrays = arrays_of(surface);
   const std::size_t size = arrays.first_corners.size() - 1;
   arrays.normals.resize(size);
   arrays.areas.resize(size);
@@ -67,11 +67,11 @@ inline std::uint8_t sign_of_edge(const Double_3& higher, const Double_3& lower,
 inline bool runs_along(const Surface& surface, Surface::Index face, Surface::Index from,
                        Surface::Index to)
 {
-  const std::size_t n = surface.number_of_corners(face);
-  for (std::size_t i = 0; i < n; ++i)
-    if (surface.corner(face, i) == from && surface.corner(face, i + 1 < n ? i + 1 : 0) == to)
-      return true;
-  return false;
+  bool result = false;
+  for_each_side(surface, face, [&](Surface::Index v, Surface::Index w) {
+    result = result || (v == from && w == to);
+  });
+  return result;
 }
 
 } // namespace internal

@@ -38,12 +38,12 @@ public:
   Contact_side(const Surface& surface, Iterator begin, Iterator end, std::size_t side)
     : m_surface(surface)
   {
-    std::vector<Face_contact> contacts(begin, end);
-    if (side == 1)
-      std::stable_sort(contacts.begin(), contacts.end(),
-                       [](const auto& a, const auto& b) { return a.faces[1] < b.faces[1]; });
-    for (const Face_contact& c : contacts)
-      add(c.faces[side], c.faces[1 - side], c.contact);
+    std::vector<std::pair<Index, Index>> order; // a face, a contact of it
+    for (Iterator c = begin; c != end; ++c)
+      order.push_back({c->faces[side], Index(c - begin)});
+    std::sort(order.begin(), order.end());
+    for (const auto& [face, i] : order)
+      add(face, begin[i].faces[1 - side], begin[i].contact);
   }
 
   const std::vector<Face>& faces() const { return m_faces; }
@@ -131,13 +131,11 @@ private:
   Lengths lengths(Index face) const
   {
     Lengths result;
-    const std::size_t n = m_surface.number_of_corners(face);
-    for (std::size_t i = 0; i < n; ++i) {
-      const double length = norm(m_surface.point(m_surface.corner(face, (i + 1) % n)) -
-                                 m_surface.point(m_surface.corner(face, i)));
+    for_each_side(m_surface, face, [&](Index v, Index w) {
+      const double length = norm(m_surface.point(w) - m_surface.point(v));
       result.sum += length;
       result.longest = (std::max)(result.longest, length);
-    }
+    });
     return result;
   }
 

@@ -37,7 +37,7 @@ inline bool are_equal_faces(const Surface& s, Surface::Index f, Surface::Index g
 inline void find_doubled_faces(Raw_surface& raw, std::vector<Added_adjacency>& added)
 {
   using Index = Surface::Index;
-  Surface_access arrays(raw.surface);
+  Surface_arrays& arrays = arrays_of(raw.surface);
   std::vector<std::pair<std::uint64_t, Index>> keys; // a sum over the vertices, the face
   for (Index f = 0; f + 1 < arrays.first_corners.size(); ++f) {
     bool has_open_side = false;

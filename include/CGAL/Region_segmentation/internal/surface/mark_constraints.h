@@ -28,8 +28,7 @@ inline void mark_constraints(const Surface& surface, std::vector<Vertex_pair> pa
   using Index = Surface::Index;
   if (pairs.empty())
     return;
-  Point_numbering number(Surface_access(const_cast<Surface&>(surface)).points,
-                         surface.number_of_vertices());
+  Point_numbering number(arrays_of(surface).points, surface.number_of_vertices());
   std::vector<Index> merged(surface.number_of_vertices());
   for (Index v = 0; v < merged.size(); ++v)
     merged[v] = number(v);
@@ -41,14 +40,11 @@ inline void mark_constraints(const Surface& surface, std::vector<Vertex_pair> pa
   std::sort(pairs.begin(), pairs.end());
 
   std::vector<std::pair<Vertex_pair, Index>> sides; // with their faces
-  for (Index f = 0; f < surface.number_of_faces(); ++f) {
-    const std::size_t n = surface.number_of_corners(f);
-    for (std::size_t i = 0; i < n; ++i) {
-      const Vertex_pair side = edge(surface.corner(f, i), surface.corner(f, i + 1 < n ? i + 1 : 0));
-      if (std::binary_search(pairs.begin(), pairs.end(), side))
-        sides.push_back({side, f});
-    }
-  }
+  for (Index f = 0; f < surface.number_of_faces(); ++f)
+    for_each_side(surface, f, [&](Index v, Index w) {
+      if (std::binary_search(pairs.begin(), pairs.end(), edge(v, w)))
+        sides.push_back({edge(v, w), f});
+    });
   std::sort(sides.begin(), sides.end());
   const auto has_side = [&](const Vertex_pair& side, Index face) {
     return std::binary_search(sides.begin(), sides.end(), std::make_pair(side, face));

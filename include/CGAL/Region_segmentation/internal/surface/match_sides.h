@@ -27,7 +27,7 @@ struct Open_side
 };
 
 /// The side that leaves a corner of a face.
-inline Open_side side_at(const Surface_access& arrays, Surface::Index face, Surface::Index corner)
+inline Open_side side_at(const Surface_arrays& arrays, Surface::Index face, Surface::Index corner)
 {
   const Surface::Index v = arrays.corners[corner],
                        w = arrays.corners[next_corner(arrays, face, corner)];
@@ -54,7 +54,7 @@ class Side_matcher
 public:
   explicit Side_matcher(Raw_surface& raw)
     : m_raw(raw)
-    , m_arrays(raw.surface)
+    , m_arrays(arrays_of(raw.surface))
   {}
 
   /// Sets the neighbors of sides that have none, and collects the seams.
@@ -77,8 +77,9 @@ public:
     }
   }
 
-  /// Edges with two sides that run in the same direction: one of the faces is to be turned.
-  const std::vector<std::pair<Open_side, Open_side>>& parallel_sides() const { return m_parallel; }
+  /// The sides of edges whose two sides run in the same direction: one of the faces is to be
+  /// turned.
+  const std::vector<Index>& parallel_sides() const { return m_parallel; }
   const std::vector<Seam>& seams() const { return m_seams; }
 
 private:
@@ -130,7 +131,7 @@ private:
     m_raw.neighbors[a.corner] = b.face;
     m_raw.neighbors[b.corner] = a.face;
     if (a.is_forward == b.is_forward)
-      m_parallel.push_back({a, b});
+      m_parallel.insert(m_parallel.end(), {a.corner, b.corner});
   }
 
   /// Seams between the proper sides, each to the next one around the edge.
@@ -140,8 +141,8 @@ private:
                           m_arrays.points[m_proper[0].lower_vertex];
     const Double_3 first = inward(m_proper[0], axis),
                    second = (1 / norm(axis)) * cross(axis, first);
-    std::vector<std::pair<double, std::size_t>> around;
-    for (std::size_t i = 0; i < m_proper.size(); ++i) {
+    std::vector<std::pair<double, Index>> around;
+    for (Index i = 0; i < m_proper.size(); ++i) {
       const Double_3 d = inward(m_proper[i], axis);
       around.push_back({i == 0 ? 0 : pseudo_angle(dot(d, first), dot(d, second)), i});
     }
@@ -174,9 +175,9 @@ private:
   }
 
   Raw_surface& m_raw;
-  const Surface_access m_arrays;
+  Surface_arrays& m_arrays;
   std::vector<Open_side> m_proper; // of an edge
-  std::vector<std::pair<Open_side, Open_side>> m_parallel;
+  std::vector<Index> m_parallel;
   std::vector<Seam> m_seams;
 };
 

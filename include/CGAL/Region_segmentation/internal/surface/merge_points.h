@@ -60,7 +60,7 @@ private:
 inline void merge_points_of_open_sides(Raw_surface& raw)
 {
   using Index = Surface::Index;
-  Surface_access arrays(raw.surface);
+  Surface_arrays& arrays = arrays_of(raw.surface);
   std::vector<bool> is_at_open_side(arrays.points.size());
   for (std::size_t f = 0; f + 1 < arrays.first_corners.size(); ++f)
     for (Index c = arrays.first_corners[f]; c < arrays.first_corners[f + 1]; ++c)

@@ -59,7 +59,7 @@ inline std::vector<Component_volume> component_volumes(const Raw_surface& raw,
 /// components inside them.
 inline void orient_components(Raw_surface& raw, const Partition& component_of)
 {
-  Surface_access arrays(raw.surface);
+  Surface_arrays& arrays = arrays_of(raw.surface);
   const std::vector<Component_volume> components = component_volumes(raw, component_of);
   std::vector<bool> is_closed, is_inside_out;
   for (const Component_volume& c : components) {

@@ -17,7 +17,7 @@ namespace internal {
 /// Reverses the boundary of a face, which still begins at its vertex of lowest index.
 inline void turn_face(Raw_surface& raw, std::size_t face)
 {
-  Surface_access arrays(raw.surface);
+  Surface_arrays& arrays = arrays_of(raw.surface);
   const auto first = std::ptrdiff_t(arrays.first_corners[face]),
              past = std::ptrdiff_t(arrays.first_corners[face + 1]);
   arrays.normals[face] = -1.0 * arrays.normals[face];
@@ -29,7 +29,7 @@ inline void turn_face(Raw_surface& raw, std::size_t face)
 /// The side of `face` across which `a.face` is.
 inline Open_side opposite_side(const Raw_surface& raw, const Open_side& a, Surface::Index face)
 {
-  const Surface_access arrays(const_cast<Surface&>(raw.surface));
+  const Surface_arrays& arrays = arrays_of(raw.surface);
   Open_side b = a;
   for (Surface::Index c = arrays.first_corners[face]; c < arrays.first_corners[face + 1]; ++c) {
     const Open_side side = side_at(arrays, face, c);
@@ -43,26 +43,18 @@ inline Open_side opposite_side(const Raw_surface& raw, const Open_side& a, Surfa
 /// Turns faces so that neighbors across edges run in opposite directions along them. Of each
 /// component the part of larger area (of equal ones that with the lowest face) remains as it is.
 /// Edges whose two faces cannot be oriented consistently become seams.
-inline void orient_faces(Raw_surface& raw,
-                         const std::vector<std::pair<Open_side, Open_side>>& parallel,
+inline void orient_faces(Raw_surface& raw, const std::vector<Surface::Index>& parallel_sides,
                          std::vector<Seam>& seams)
 {
   using Index = Surface::Index;
-  Surface_access arrays(raw.surface);
+  Surface_arrays& arrays = arrays_of(raw.surface);
   const std::size_t size = arrays.normals.size();
-  if (parallel.empty())
+  if (parallel_sides.empty())
     return;
-  std::vector<std::pair<Index, Index>> of_sides; // corners
-  for (const auto& [a, b] : parallel)
-    of_sides.insert(of_sides.end(), {{a.corner, b.corner}, {b.corner, a.corner}});
-  std::sort(of_sides.begin(), of_sides.end());
-  const auto is_parallel = [&](Index corner) {
-    const auto place = std::lower_bound(of_sides.begin(), of_sides.end(),
-                                        std::make_pair(corner, Index(0)));
-    return place != of_sides.end() && place->first == corner;
-  };
+  std::vector<bool> is_parallel(arrays.corners.size()), is_reached(size), is_turned(size);
+  for (const Index side : parallel_sides)
+    is_parallel[side] = true;
 
-  std::vector<bool> is_reached(size), is_turned(size);
   for (Index seed = 0; seed < size; ++seed) {
     if (is_reached[seed])
       continue;
@@ -75,7 +67,7 @@ inline void orient_faces(Raw_surface& raw,
       for (Index c = arrays.first_corners[f]; c < arrays.first_corners[f + 1]; ++c)
         if (const Index g = raw.neighbors[c]; Raw_surface::is_face(g) && !is_reached[g]) {
           is_reached[g] = true;
-          is_turned[g] = is_turned[f] != is_parallel(c);
+          is_turned[g] = is_turned[f] != is_parallel[c];
           component.push_back(g);
         }
     }
@@ -86,7 +78,7 @@ inline void orient_faces(Raw_surface& raw,
   for (Index f = 0; f < size; ++f)
     for (Index c = arrays.first_corners[f]; c < arrays.first_corners[f + 1]; ++c) {
       const Index g = raw.neighbors[c];
-      if (!Raw_surface::is_face(g) || g <= f || (is_turned[f] != is_turned[g]) == is_parallel(c))
+      if (!Raw_surface::is_face(g) || g <= f || (is_turned[f] != is_turned[g]) == is_parallel[c])
         continue;
       const Open_side a = side_at(arrays, f, c), b = opposite_side(raw, a, g);
       raw.neighbors[a.corner] = raw.neighbors[b.corner] = Raw_surface::at_seam;

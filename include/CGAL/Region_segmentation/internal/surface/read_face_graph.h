@@ -21,7 +21,7 @@ namespace internal {
 
 /// The points of the vertices. A vertex point map may return points by value.
 template <typename FaceGraph, typename Pack>
-void read_points(const Mesh_order<FaceGraph, Pack>& order, const Pack& np, Surface_access& arrays,
+void read_points(const Mesh_order<FaceGraph, Pack>& order, const Pack& np, Surface_arrays& arrays,
                  std::vector<bool>& is_used, const Execution& execution)
 {
   const auto point_map = CGAL::parameters::choose_parameter(
@@ -78,7 +78,7 @@ void read_corners(const Mesh_order<FaceGraph, Pack>& order, Raw_surface& raw,
 {
   using Index = Surface::Index;
   const FaceGraph& mesh = order.mesh();
-  Surface_access arrays(raw.surface);
+  Surface_arrays& arrays = arrays_of(raw.surface);
   const std::vector<std::size_t> offsets = offsets_of_corners(order, execution.step(0, 0.2));
   arrays.corners.resize(offsets.back());
   raw.neighbors.resize(offsets.back());
@@ -121,7 +121,7 @@ Raw_surface read_face_graph(const Mesh_order<FaceGraph, Pack>& order, const Pack
                             const Execution& execution)
 {
   Raw_surface raw;
-  Surface_access arrays(raw.surface);
+  Surface_arrays& arrays = arrays_of(raw.surface);
   std::vector<bool> is_used; // by vertex; empty: all
   read_points(order, np, arrays, is_used, execution.step(0, 0.2));
   set_unit(raw.surface, is_used, execution.step(0.2, 0.3));

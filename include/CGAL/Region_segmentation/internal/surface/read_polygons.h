@@ -27,7 +27,7 @@ Raw_surface read_polygons(const PointRange& points, const PolygonRange& polygons
 {
   using Index = Surface::Index;
   Raw_surface raw;
-  Surface_access arrays(raw.surface);
+  Surface_arrays& arrays = arrays_of(raw.surface);
   for (const auto& p : points)
     arrays.points.push_back({CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2])});
   std::vector<bool> is_used(arrays.points.size());

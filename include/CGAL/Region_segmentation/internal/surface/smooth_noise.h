@@ -33,7 +33,7 @@ public:
     , m_vertices(surface.number_of_vertices())
   {
     for (std::size_t f = 0; f < surface.number_of_faces(); f += stride)
-      for_each_side(f, [&](Index p, Index) { m_vertices[p].is_wanted = true; });
+      for_each_side(m_surface, f, [&](Index p, Index) { m_vertices[p].is_wanted = true; });
     for (std::size_t f = 0; f < surface.number_of_faces(); ++f)
       add_face(f);
     for (Vertex& v : m_vertices)
@@ -47,7 +47,7 @@ public:
   {
     double all = 0, opposite = 0;
     for (std::size_t f = 0; f < m_surface.number_of_faces(); f += m_stride)
-      for_each_side(f, [&](Index p, Index q) {
+      for_each_side(m_surface, f, [&](Index p, Index q) {
         const double product = m_vertices[p].height * m_vertices[q].height;
         all += product != 0;
         opposite += product < 0;
@@ -105,7 +105,7 @@ private:
     if (!is_wanted)
       return;
     const Double_3 area_vector = m_surface.area(face) * m_surface.normal(face);
-    for_each_side(face, [&](Index p, Index q) {
+    for_each_side(m_surface, face, [&](Index p, Index q) {
       Vertex &a = m_vertices[p], &b = m_vertices[q];
       const Double_3 side = m_surface.point(q) - m_surface.point(p);
       a.to_neighbors = a.to_neighbors + side;
@@ -126,14 +126,6 @@ private:
       v.height = height;
   }
 
-  template <typename F>
-  void for_each_side(std::size_t face, const F& f) const
-  {
-    const std::size_t n = m_surface.number_of_corners(face);
-    for (std::size_t i = 0; i < n; ++i)
-      f(m_surface.corner(face, i), m_surface.corner(face, i + 1 < n ? i + 1 : 0));
-  }
-
   const Surface& m_surface;
   const std::size_t m_stride;
   std::vector<Vertex> m_vertices;
@@ -143,14 +135,11 @@ private:
 inline std::uint8_t sign_of_adjacency(const Surface& surface, std::size_t adjacency)
 {
   const std::size_t lower = surface.lower_face(adjacency), higher = surface.higher_face(adjacency);
-  const std::size_t n = surface.number_of_corners(higher);
   Double_3 edges{0, 0, 0};
-  for (std::size_t i = 0; i < n; ++i) {
-    const Surface::Index p = surface.corner(higher, i),
-                         q = surface.corner(higher, i + 1 < n ? i + 1 : 0);
+  for_each_side(surface, higher, [&](Surface::Index p, Surface::Index q) {
     if (runs_along(surface, Surface::Index(lower), q, p))
       edges = edges + (surface.point(q) - surface.point(p));
-  }
+  });
   return sign_of_edge(surface.normal(higher), surface.normal(lower), edges);
 }
 
@@ -158,7 +147,7 @@ inline std::uint8_t sign_of_adjacency(const Surface& surface, std::size_t adjace
 /// adjacencies.
 inline void smooth(Surface& surface)
 {
-  Surface_access arrays(surface);
+  Surface_arrays& arrays = arrays_of(surface);
   arrays.points = Vertex_heights(surface, 1).smoothed();
   const Large_array<Double_3> former_normals = arrays.normals;
   const Large_array<double> former_areas = arrays.areas;
