@@ -7,7 +7,8 @@
 
 #include <algorithm>
 #include <cstddef>
-
+#include <numeric>
+#include <vector>
 namespace CGAL {
 namespace Region_segmentation {
 
@@ -144,6 +145,21 @@ void for_each_block(const Execution& execution, std::size_t number_of_elements, 
     execution.report(double(last) / double(number));
     first = last;
   }
+}
+
+/// What `number_in(block, begin, end)` of the blocks before each one adds up to, and of all of
+/// them.
+template <typename F>
+std::vector<std::size_t> block_offsets(const Execution& execution, std::size_t number_of_elements,
+                                       const F& number_in)
+{
+  std::vector<std::size_t> offsets(number_of_blocks(number_of_elements) + 1);
+  for_each_block(execution, number_of_elements,
+                 [&](std::size_t block, std::size_t begin, std::size_t end) {
+                   offsets[block + 1] = number_in(block, begin, end);
+                 });
+  std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
+  return offsets;
 }
 
 /// Calls `f(i)` for i = 0 .. `n - 1`, block by block. Reports nothing.

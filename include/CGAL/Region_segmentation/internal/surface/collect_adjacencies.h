@@ -46,18 +46,14 @@ inline void collect_adjacencies(Raw_surface& raw, const Execution& execution)
   const std::size_t size = arrays.normals.size();
   const Index *const first_corners = arrays.first_corners.data(), *const neighbors = raw.neighbors
                                                                                        .data();
-  std::vector<std::size_t> offsets(number_of_blocks(size) + 1);
-  for_each_block(execution.step(0, 0.2), size,
-                 [&](std::size_t block, std::size_t begin, std::size_t end) {
-                   std::size_t number = 0;
-                   for (std::size_t f = begin; f < end; ++f)
-                     for (Index c = first_corners[f]; c < first_corners[f + 1]; ++c)
-                       number += neighbors[c] < f;
-                   offsets[block + 1] = number;
-                 });
-  for (std::size_t block = 1; block < offsets.size(); ++block)
-    offsets[block] += offsets[block - 1];
-
+  const std::vector<std::size_t> offsets = block_offsets(
+    execution.step(0, 0.2), size, [&](std::size_t, std::size_t begin, std::size_t end) {
+      std::size_t number = 0;
+      for (std::size_t f = begin; f < end; ++f)
+        for (Index c = first_corners[f]; c < first_corners[f + 1]; ++c)
+          number += neighbors[c] < f;
+      return number;
+    });
   arrays.lower_faces.resize(offsets.back());
   arrays.higher_faces.resize(offsets.back());
   arrays.squared_lengths.resize(offsets.back());

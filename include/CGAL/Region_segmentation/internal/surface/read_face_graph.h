@@ -8,6 +8,7 @@
 #include <CGAL/Region_segmentation/internal/surface/Raw_surface.h>
 #include <CGAL/Region_segmentation/parameters.h>
 
+#include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/number_utils.h>
 
@@ -46,31 +47,6 @@ void read_points(const Mesh_order<FaceGraph, Pack>& order, const Pack& np, Surfa
     is_used.push_back(halfedge(v, order.mesh()) != no_halfedge);
 }
 
-/// The offsets of the corners of each block of faces, and that past the last one.
-template <typename FaceGraph, typename Pack>
-std::vector<std::size_t> offsets_of_corners(const Mesh_order<FaceGraph, Pack>& order,
-                                            const Execution& execution)
-{
-  const FaceGraph& mesh = order.mesh();
-  std::vector<std::size_t> offsets(number_of_blocks(order.number_of_faces()) + 1);
-  for_each_block(execution, order.number_of_faces(),
-                 [&](std::size_t block, std::size_t, std::size_t) {
-                   std::size_t number = 0;
-                   for (auto f : order.faces_of_block(block)) {
-                     const auto start = halfedge(f, mesh);
-                     auto h = start;
-                     do {
-                       ++number;
-                       h = next(h, mesh);
-                     } while (h != start);
-                   }
-                   offsets[block + 1] = number;
-                 });
-  for (std::size_t block = 1; block < offsets.size(); ++block)
-    offsets[block] += offsets[block - 1];
-  return offsets;
-}
-
 /// The corners of the faces, from that of lowest number on, and the faces across their sides.
 template <typename FaceGraph, typename Pack>
 void read_corners(const Mesh_order<FaceGraph, Pack>& order, Raw_surface& raw,
@@ -79,7 +55,14 @@ void read_corners(const Mesh_order<FaceGraph, Pack>& order, Raw_surface& raw,
   using Index = Surface::Index;
   const FaceGraph& mesh = order.mesh();
   Surface_arrays& arrays = arrays_of(raw.surface);
-  const std::vector<std::size_t> offsets = offsets_of_corners(order, execution.step(0, 0.2));
+  const std::vector<std::size_t> offsets = block_offsets(
+    execution.step(0, 0.2), order.number_of_faces(),
+    [&](std::size_t block, std::size_t, std::size_t) {
+      std::size_t number = 0;
+      for (auto f : order.faces_of_block(block))
+        number += std::size_t(CGAL::halfedges_around_face(halfedge(f, mesh), mesh).size());
+      return number;
+    });
   arrays.corners.resize(offsets.back());
   raw.neighbors.resize(offsets.back());
   arrays.first_corners.resize(order.number_of_faces() + 1);
