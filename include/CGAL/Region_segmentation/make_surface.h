@@ -28,22 +28,27 @@ bool component_links(const Pack& np)
 }
 
 template <typename FaceGraph, typename Pack>
+Surface read_surface(const Mesh_order<FaceGraph, Pack>& order, const Pack& np, Adjacency_of wanted,
+                     const Execution& execution)
+{
+  return build_surface(read_face_graph(order, np, execution.step(0, 0.5)), wanted,
+                       execution.step(0.5, 1));
+}
+
+template <typename FaceGraph, typename Pack>
 Surface make_surface(const Mesh_order<FaceGraph, Pack>& order, const Pack& np,
                      const Execution& execution)
 {
-  const Execution reading = execution.stage("reading");
-  return build_surface(read_face_graph(order, np, reading.step(0, 0.5)),
-                       component_links(np) ? Adjacency_of::COMPONENTS : Adjacency_of::NEIGHBORS,
-                       reading.step(0.5, 1));
+  return read_surface(order, np,
+                      component_links(np) ? Adjacency_of::COMPONENTS : Adjacency_of::NEIGHBORS,
+                      execution.stage("reading"));
 }
-
 /// For functions that read a face graph as it is: without links and coinciding borders.
 template <typename FaceGraph, typename Pack>
 Surface make_surface_of_neighbors(const FaceGraph& mesh, const Pack& np)
 {
-  const Execution execution;
-  return build_surface(read_face_graph(Mesh_order<FaceGraph, Pack>(mesh, np), np, execution),
-                       Adjacency_of::NEIGHBORS, execution);
+  return read_surface(Mesh_order<FaceGraph, Pack>(mesh, np), np, Adjacency_of::NEIGHBORS,
+                      Execution());
 }
 
 template <typename PointRange, typename PolygonRange, typename Pack>

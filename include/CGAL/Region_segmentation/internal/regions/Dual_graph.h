@@ -16,10 +16,9 @@ namespace Region_segmentation {
 namespace internal {
 
 /// The adjacency of faces, or of patches, in both directions, with a length for each step.
-/// Constrained edges are not steps. 8 bytes per face, and with lengths in float 8 for each side of
-/// a dual edge.
-template <typename Length>
-class Dual_graph_of
+/// Constrained edges are not steps. 8 bytes per face, and 8 for each side of a dual edge: searches
+/// over all faces are memory-bound, so lengths are float.
+class Dual_graph
 {
 public:
   using Index = Surface::Index;
@@ -27,12 +26,12 @@ public:
   struct Step
   {
     Index face;
-    Length length;
+    float length;
   };
 
   /// Of the adjacencies for which `is_step(adjacency)`.
   template <typename IsStep, typename LengthOf>
-  Dual_graph_of(const Surface& surface, const IsStep& is_step, const LengthOf& length)
+  Dual_graph(const Surface& surface, const IsStep& is_step, const LengthOf& length)
     : m_steps(surface.number_of_faces())
   {
     add_steps([&](const auto& add) {
@@ -44,17 +43,24 @@ public:
 
   /// Of patches in place of faces, across edges; `length(i)`: of the i-th adjacency.
   template <typename LengthOf>
-  Dual_graph_of(const Patches& patches, const LengthOf& length)
-    : Dual_graph_of(
-        patches, length, [](const Patches::Adjacency&) { return 0; }, 0)
-  {}
+  Dual_graph(const Patches& patches, const LengthOf& length)
+    : m_steps(patches.size())
+  {
+    add_steps([&](const auto& add) { add_edges(patches, length, add); });
+  }
 
   /// The same, and across seams and links; `length_of_contact(contact)`.
   template <typename LengthOf, typename LengthOfContact>
-  Dual_graph_of(const Patches& patches, const LengthOf& length,
-                const LengthOfContact& length_of_contact)
-    : Dual_graph_of(patches, length, length_of_contact, patches.contacts().size())
-  {}
+  Dual_graph(const Patches& patches, const LengthOf& length,
+             const LengthOfContact& length_of_contact)
+    : m_steps(patches.size())
+  {
+    add_steps([&](const auto& add) {
+      add_edges(patches, length, add);
+      for (const Patches::Adjacency& contact : patches.contacts())
+        add(contact.lower, contact.higher, [&] { return length_of_contact(contact); });
+    });
+  }
 
   std::size_t number_of_faces() const { return m_steps.number_of_groups(); }
 
@@ -62,20 +68,12 @@ public:
   Iterator_range<const Step*> steps(std::size_t face) const { return m_steps[face]; }
 
 private:
-  template <typename LengthOf, typename LengthOfContact>
-  Dual_graph_of(const Patches& patches, const LengthOf& length,
-                const LengthOfContact& length_of_contact, std::size_t number_of_contacts)
-    : m_steps(patches.size())
+  template <typename LengthOf, typename Add>
+  static void add_edges(const Patches& patches, const LengthOf& length, const Add& add)
   {
-    add_steps([&](const auto& add) {
-      for (std::size_t i = 0; i < patches.adjacencies().size(); ++i)
-        add(patches.adjacencies()[i].lower, patches.adjacencies()[i].higher,
-            [&] { return length(i); });
-      for (std::size_t i = 0; i < number_of_contacts; ++i) {
-        const Patches::Adjacency& contact = patches.contacts()[i];
-        add(contact.lower, contact.higher, [&] { return length_of_contact(contact); });
-      }
-    });
+    for (std::size_t i = 0; i < patches.adjacencies().size(); ++i)
+      add(patches.adjacencies()[i].lower, patches.adjacencies()[i].higher,
+          [&] { return length(i); });
   }
 
   /// `for_each(add)` calls `add(face, other_face, length)` for each step; it is called twice.
@@ -88,7 +86,7 @@ private:
     });
     m_steps.end_counting();
     for_each([this](Index f, Index g, const auto& length) {
-      const Length l = Length(length());
+      const float l = float(length());
       m_steps.add(f, {g, l});
       m_steps.add(g, {f, l});
     });
@@ -96,9 +94,6 @@ private:
 
   Grouped_items<Step> m_steps; // by face
 };
-
-/// Searches over all faces are memory-bound, so lengths are float.
-using Dual_graph = Dual_graph_of<float>;
 
 } // namespace internal
 } // namespace Region_segmentation

@@ -7,9 +7,8 @@
 #include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/internal/support/check_maps.h>
 #include <CGAL/Region_segmentation/internal/support/make_execution.h>
-#include <CGAL/Region_segmentation/internal/surface/build_surface.h>
 #include <CGAL/Region_segmentation/internal/surface/edges_of_adjacencies.h>
-#include <CGAL/Region_segmentation/internal/surface/read_face_graph.h>
+#include <CGAL/Region_segmentation/make_surface.h>
 #include <CGAL/Region_segmentation/parameters.h>
 
 #include <CGAL/property_map.h>
@@ -33,7 +32,7 @@ class Stage_input
 public:
   Stage_input(const FaceGraph& mesh, const Pack& np, const Execution& execution)
     : m_order(mesh, np)
-    , m_surface(read_neighbors(np, execution.stage("reading")))
+    , m_surface(read_surface(m_order, np, Adjacency_of::NEIGHBORS, execution.stage("reading")))
   {
     const auto map = CGAL::parameters::choose_parameter(
       CGAL::parameters::get_parameter(np, CGAL::internal_np::edge_is_constrained),
@@ -88,12 +87,6 @@ public:
   }
 
 private:
-  Surface read_neighbors(const Pack& np, const Execution& reading) const
-  {
-    return build_surface(read_face_graph(m_order, np, reading.step(0, 0.5)),
-                         Adjacency_of::NEIGHBORS, reading.step(0.5, 1));
-  }
-
   Mesh_order<FaceGraph, Pack> m_order;
   Surface m_surface;
   Constraints m_constraints;
