@@ -11,23 +11,17 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// The power of two by which coordinates are divided so that the largest of them is in [1, 2). The
+/// The power of two by which coordinates are divided so that the largest of them is in [1, 2): the
 /// division is exact, so results that do not depend on scale are bitwise the same, and areas stay
-/// in the range of double.
-inline double power_of_two_below(double largest_coordinate)
-{
-  constexpr int lowest_exponent = -1000; // the inverse of the result is finite
-  return largest_coordinate > 0
-           ? std::ldexp(1.0, (std::max)(std::ilogb(largest_coordinate), lowest_exponent))
-           : 1;
-}
-
-/// As above, but 1 if squares of areas are in the range of double: then lengths are in units of the
-/// mesh, which is the usual case.
+/// in the range of double. But 1 if squares of areas are in the range of double: then lengths are
+/// in units of the mesh, which is the usual case.
 inline double unit_of_coordinates(double largest_coordinate)
 {
-  const double unit = power_of_two_below(largest_coordinate);
-  return std::abs(std::ilogb(unit)) <= 64 ? 1 : unit;
+  constexpr int lowest_exponent = -1000; // the inverse of the result is finite
+  if (!(largest_coordinate > 0))
+    return 1;
+  const int exponent = (std::max)(std::ilogb(largest_coordinate), lowest_exponent);
+  return std::abs(exponent) <= 64 ? 1 : std::ldexp(1.0, exponent);
 }
 
 } // namespace internal

@@ -5,8 +5,8 @@
 
 #include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/Surface.h>
-#include <CGAL/Region_segmentation/internal/surface/Area_vector_sum.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -21,8 +21,9 @@ inline bool is_degenerate(double area, double squared_longest_edge)
   return !(area > 1e-12 * squared_longest_edge && area >= (std::numeric_limits<double>::min)());
 }
 
-/// The areas and normals of the faces, by Newell's formula relative to the first corner. The normal
-/// of a degenerate face is zero.
+/// The areas and normals of the faces, by Newell's formula relative to the first corner, A = 1/2
+/// sum (p_i - p_0) x (p_i+1 - p_0), which avoids cancellation far from the origin. The normal of a
+/// degenerate face is zero.
 inline void compute_normals(Surface& surface, const Execution& execution)
 {
   Surface_arrays& arrays = arrays_of(surface);
@@ -37,16 +38,17 @@ inline void compute_normals(Surface& surface, const Execution& execution)
   for_each_block(execution, size, [&](std::size_t, std::size_t begin, std::size_t end) {
     for (std::size_t f = begin; f < end; ++f) {
       const Surface::Index first = first_corners[f], past = first_corners[f + 1];
-      Double_3 area_vector{};
-      double area = 0, squared_longest_edge = 0;
-      if (past - first > 2) {
-        Area_vector_sum sum(points[corners[first]], points[corners[first + 1]]);
-        for (Surface::Index c = first + 2; c < past; ++c)
-          sum.add(points[corners[c]]);
-        area_vector = sum.area_vector();
-        area = norm(area_vector);
-        squared_longest_edge = sum.squared_longest_edge();
+      const Double_3 origin = points[corners[first]];
+      Double_3 twice_area{};
+      double squared_longest_edge = 0;
+      for (Surface::Index c = first; c < past; ++c) {
+        const Double_3 &p = points[corners[c]], &q = points[corners[c + 1 < past ? c + 1 : first]];
+        squared_longest_edge = (std::max)(squared_longest_edge, squared_norm(q - p));
+        if (c > first && c + 1 < past)
+          twice_area = twice_area + cross(p - origin, q - origin);
       }
+      const Double_3 area_vector = 0.5 * twice_area;
+      const double area = norm(area_vector);
       areas[f] = area;
       normals[f] = is_degenerate(area, squared_longest_edge) ? Double_3{}
                                                              : (1 / area) * area_vector;
