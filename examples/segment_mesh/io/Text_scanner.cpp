@@ -8,9 +8,19 @@
 #include <cmath>
 #include <cstdlib>
 
+#ifndef __cpp_lib_to_chars // from_chars() of double is not in every library of C++
+#include <fast_float/fast_float.h>
+#endif
+
 namespace segment_mesh {
 
 namespace {
+
+#ifdef __cpp_lib_to_chars
+using std::from_chars;
+#else
+using fast_float::from_chars;
+#endif
 
 bool is_blank(char c)
 {
@@ -98,13 +108,10 @@ void Text_scanner::fail(const std::string& cause) const
 
 double Text_scanner::finite_number(std::string_view word) const
 {
-#ifdef __cpp_lib_to_chars // not in every library of C++
   double fast_value = 0;
-  const auto [fast_end, error] = std::from_chars(word.data(), word.data() + word.size(),
-                                                 fast_value);
+  const auto [fast_end, error] = from_chars(word.data(), word.data() + word.size(), fast_value);
   if (error == std::errc() && fast_end == word.data() + word.size() && std::isfinite(fast_value))
     return fast_value;
-#endif
 
   // strtod() takes some words more, with a sign or too close to 0, but has to copy them.
   const std::string text(word);
