@@ -126,8 +126,7 @@ std::size_t transfer_labels(const FromGraph& from, const FromMap& from_map, cons
       ++numbers[segmented.segment_of_face[f]];
       ++next;
     }
-  internal::dissolve_islands(
-    halfedges, to_geometry, [&](Index label) { return numbers.at(label); }, labels);
+  internal::dissolve_islands(halfedges, to_geometry, numbers, labels);
 
   std::vector<typename boost::property_traits<FromMap>::value_type> values;
   for (Index label : labels)

@@ -24,19 +24,17 @@ public:
 
   template <typename FaceGraph, typename Pack>
   Edge_graph(const Mesh_order<FaceGraph, Pack>& order, const Surface& surface)
-    : m_incident_edges(order.number_of_vertices())
-  {
-    for_each_edge(order, [&](std::size_t v, std::size_t w) {
-      m_incident_edges.count(v);
-      m_incident_edges.count(w);
-    });
-    m_incident_edges.end_counting();
-    for_each_edge(order, [&](std::size_t v, std::size_t w) {
-      const double length = norm(surface.point(v) - surface.point(w));
-      m_incident_edges.add(v, {Index(w), length});
-      m_incident_edges.add(w, {Index(v), length});
-    });
-  }
+    : m_incident_edges(grouped<Incident_edge>(order.number_of_vertices(), [&](const auto& add) {
+      for (auto e : edges(order.mesh())) {
+        const auto h = halfedge(e, order.mesh());
+        const std::size_t v = order.rank_of_vertex()(source(h, order.mesh())),
+                          w = order.rank_of_vertex()(target(h, order.mesh()));
+        const double length = norm(surface.point(v) - surface.point(w));
+        add(v, {Index(w), length});
+        add(w, {Index(v), length});
+      }
+    }))
+  {}
 
   /// The sum over `targets`, which are different, of the length of the shortest path along edges to
   /// the nearest of `sources`; infinite where a target has no path. One run of Dijkstra's algorithm
@@ -69,16 +67,6 @@ public:
 
 private:
   std::size_t number_of_vertices() const { return m_incident_edges.number_of_groups(); }
-
-  template <typename FaceGraph, typename Pack, typename F>
-  static void for_each_edge(const Mesh_order<FaceGraph, Pack>& order, F f)
-  {
-    for (auto e : edges(order.mesh())) {
-      const auto h = halfedge(e, order.mesh());
-      f(order.rank_of_vertex()(source(h, order.mesh())),
-        order.rank_of_vertex()(target(h, order.mesh())));
-    }
-  }
 
   struct Incident_edge
   {

@@ -33,7 +33,6 @@ public:
   template <typename Cost>
   Seam_finder(const Segmented_halfedges& mesh, const Cost& cost)
     : m_mesh(mesh)
-    , m_edges_at(mesh.number_of_vertices)
     , m_is_border(mesh.number_of_vertices, false)
     , m_distances(mesh.number_of_vertices, infinity)
     , m_tree_edge(mesh.number_of_vertices, Index(none))
@@ -43,13 +42,12 @@ public:
         m_is_border[mesh.source[h]] = m_is_border[mesh.target(h)] = true;
       else if (h < mesh.opposite[h] && mesh.segment(h) != none) {
         m_edges.push_back({{mesh.source[h], mesh.target(h)}, h, cost(h)});
-        for (Index v : m_edges.back().vertices)
-          m_edges_at.count(v);
       }
-    m_edges_at.end_counting();
-    for (Index e = 0; e < m_edges.size(); ++e)
-      for (Index v : m_edges[e].vertices)
-        m_edges_at.add(v, e);
+    m_edges_at = grouped<Index>(mesh.number_of_vertices, [&](const auto& add) {
+      for (Index e = 0; e < m_edges.size(); ++e)
+        for (Index v : m_edges[e].vertices)
+          add(v, e);
+    });
     m_is_seam.assign(m_edges.size(), false);
   }
 

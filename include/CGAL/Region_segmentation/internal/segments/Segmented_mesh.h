@@ -62,15 +62,11 @@ struct Segmented_halfedges : Halfedge_table
 
   Grouped_items<Index> faces_of_segments() const
   {
-    Grouped_items<Index> faces(number_of_segments);
-    for (Index s : segment_of_face)
-      if (s != none)
-        faces.count(s);
-    faces.end_counting();
-    for (Index f = 0; f < segment_of_face.size(); ++f)
-      if (segment_of_face[f] != none)
-        faces.add(segment_of_face[f], f);
-    return faces;
+    return grouped<Index>(number_of_segments, [&](const auto& add) {
+      for (Index f = 0; f < segment_of_face.size(); ++f)
+        if (segment_of_face[f] != none)
+          add(segment_of_face[f], f);
+    });
   }
 };
 

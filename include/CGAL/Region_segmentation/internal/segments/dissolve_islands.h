@@ -33,11 +33,11 @@ inline Partition components_of_labels(const Halfedge_table& mesh,
   return forest.take_partition();
 }
 
-/// Which components are islands: all but the largest ones of their label, `number(label)` of them,
+/// Which components are islands: all but the largest ones of their label, `numbers[label]` of them,
 /// if smaller than a tenth of the largest one. Of equal ones the first are the largest.
-template <typename Number>
-std::vector<char> find_islands(const std::vector<Halfedge_table::Index>& label_of_component,
-                               const std::vector<double>& areas, const Number& number)
+inline std::vector<char> find_islands(const std::vector<Halfedge_table::Index>& label_of_component,
+                                      const std::vector<double>& areas,
+                                      const std::map<Halfedge_table::Index, std::size_t>& numbers)
 {
   std::vector<std::size_t> by_size(areas.size());
   std::iota(by_size.begin(), by_size.end(), std::size_t(0));
@@ -48,17 +48,17 @@ std::vector<char> find_islands(const std::vector<Halfedge_table::Index>& label_o
   for (std::size_t c : by_size) {
     auto& [rank,
            largest] = seen.emplace(label_of_component[c], std::pair(0, areas[c])).first->second;
-    is_island[c] = rank++ >= number(label_of_component[c]) && areas[c] < 0.1 * largest;
+    is_island[c] = rank++ >= numbers.at(label_of_component[c]) && areas[c] < 0.1 * largest;
   }
   return is_island;
 }
 
 /// Gives the faces of islands the label with which they share the longest border, from outside to
 /// inside; those without a neighbor keep theirs.
-/// `number(label)`: how many components of the label are expected, see `find_islands()`
-template <typename Number>
-void dissolve_islands(const Halfedge_table& mesh, const Mesh_geometry& geometry,
-                      const Number& number, std::vector<Halfedge_table::Index>& label_of_face)
+/// `numbers`: how many components of each label are expected, see `find_islands()`
+inline void dissolve_islands(const Halfedge_table& mesh, const Mesh_geometry& geometry,
+                             const std::map<Halfedge_table::Index, std::size_t>& numbers,
+                             std::vector<Halfedge_table::Index>& label_of_face)
 {
   using Index = Halfedge_table::Index;
   const Partition components = components_of_labels(mesh, label_of_face);
@@ -68,7 +68,7 @@ void dissolve_islands(const Halfedge_table& mesh, const Mesh_geometry& geometry,
     areas[components[f]] += norm(geometry.area_vector(f));
     labels[components[f]] = label_of_face[f];
   }
-  std::vector<char> is_island = find_islands(labels, areas, number);
+  std::vector<char> is_island = find_islands(labels, areas, numbers);
   bool is_changed = true;
   while (std::exchange(is_changed, false)) {
     std::map<Index, std::map<Index, double>> lengths; // of islands with labels around them

@@ -26,7 +26,7 @@ template <typename Item>
 class Grouped_items
 {
 public:
-  explicit Grouped_items(std::size_t number_of_groups)
+  explicit Grouped_items(std::size_t number_of_groups = 0)
     : m_first(number_of_groups + 2, 0)
   {}
 
@@ -61,6 +61,16 @@ private:
   Large_array<Item> m_items;
 };
 
+/// The items for which `for_each(add)` calls `add(group, item)`; it is called twice.
+template <typename Item, typename ForEach>
+Grouped_items<Item> grouped(std::size_t number_of_groups, const ForEach& for_each)
+{
+  Grouped_items<Item> result(number_of_groups);
+  for_each([&](std::size_t group, const Item&) { result.count(group); });
+  result.end_counting();
+  for_each([&](std::size_t group, const Item& item) { result.add(group, item); });
+  return result;
+}
 } // namespace internal
 } // namespace Region_segmentation
 } // namespace CGAL

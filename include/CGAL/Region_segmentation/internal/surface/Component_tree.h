@@ -5,7 +5,7 @@
 
 #include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/Surface.h>
-#include <CGAL/Region_segmentation/internal/support/Large_array.h>
+#include <CGAL/Region_segmentation/internal/support/Grouped_items.h>
 #include <CGAL/Region_segmentation/internal/surface/Axis_box.h>
 #include <CGAL/Region_segmentation/internal/surface/distances.h>
 
@@ -73,8 +73,8 @@ public:
   }
 
   /// The parts of a leaf.
-  const Part* begin(Index node) const { return m_parts.data() + m_nodes[node].begin; }
-  const Part* end(Index node) const { return m_parts.data() + m_nodes[node].end; }
+  const Part* begin(Index node) const { return all_parts() + m_nodes[node].begin; }
+  const Part* end(Index node) const { return all_parts() + m_nodes[node].end; }
 
   Triangle triangle(const Part& p) const
   {
@@ -123,27 +123,23 @@ private:
   static constexpr Index leaf_size = 4;
 
   Axis_box box(const Part& p) const { return box_of(triangle(p)); }
+  const Part* all_parts() const { return m_parts.all().data(); }
 
   void group_faces(const Partition& component_of_face)
   {
-    m_first_parts.assign(m_order.size() + 2, 0);
-    const auto number_of_triangles = [&](std::size_t face) {
-      return (std::max)(m_surface.number_of_corners(face), std::size_t(3)) - 2;
-    };
-    for (std::size_t f = 0; f < component_of_face.size(); ++f)
-      m_first_parts[component_of_face[f] + 2] += Index(number_of_triangles(f));
-    std::partial_sum(m_first_parts.begin(), m_first_parts.end(), m_first_parts.begin());
-    m_parts.resize(m_first_parts.back());
-    for (std::size_t f = 0; f < component_of_face.size(); ++f) {
-      const Index component = component_of_face[f];
-      const std::size_t last = m_surface.number_of_corners(f) - 1;
-      for (std::size_t i = 0; i < number_of_triangles(f); ++i) {
-        const auto corner = [&](std::size_t c) { return m_surface.corner(f, (std::min)(c, last)); };
-        const Part part{{corner(0), corner(i + 1), corner(i + 2)}, Index(f)};
-        m_boxes[component].add(box(part));
-        m_parts[m_first_parts[component + 1]++] = part;
+    m_parts = grouped<Part>(m_order.size(), [&](const auto& add) {
+      for (Index f = 0; f < component_of_face.size(); ++f) {
+        const std::size_t n = m_surface.number_of_corners(f);
+        const auto corner = [&](std::size_t c) {
+          return m_surface.corner(f, (std::min)(c, n - 1));
+        };
+        for (std::size_t i = 0; i == 0 || i + 2 < n; ++i)
+          add(component_of_face[f], {{corner(0), corner(i + 1), corner(i + 2)}, f});
       }
-    }
+    });
+    for (std::size_t c = 0; c < m_boxes.size(); ++c)
+      for (const Part& part : m_parts[c])
+        m_boxes[c].add(box(part));
   }
 
   void divide(Index node)
@@ -166,7 +162,7 @@ private:
           sum += coordinate(m_surface.point(v), axis);
         return sum / 3;
       };
-      const Index at = split(m_parts.begin(), n, middle, center);
+      const Index at = split(m_parts[0].begin(), n, middle, center);
       add_node_of_faces(n, n.begin, at);
       add_node_of_faces(n, at, n.end);
     }
@@ -207,8 +203,8 @@ private:
     }
     if (end - begin == 1) {
       n.component = m_order[begin];
-      n.begin = m_first_parts[n.component];
-      n.end = m_first_parts[n.component + 1];
+      n.begin = Index(m_parts[n.component].begin() - all_parts());
+      n.end = Index(m_parts[n.component].end() - all_parts());
     }
     m_nodes.push_back(n);
   }
@@ -221,16 +217,15 @@ private:
     n.end = end;
     n.children = none;
     for (Index i = begin; i < end; ++i)
-      n.box.add(box(m_parts[i]));
+      n.box.add(box(all_parts()[i]));
     m_nodes.push_back(n);
   }
 
   const Surface& m_surface;
   std::vector<double> m_tolerances;
-  std::vector<Index> m_order;       // of components
-  std::vector<Axis_box> m_boxes;    // by component
-  std::vector<Index> m_first_parts; // by component
-  Large_array<Part> m_parts;        // of a component together
+  std::vector<Index> m_order;    // of components
+  std::vector<Axis_box> m_boxes; // by component
+  Grouped_items<Part> m_parts;   // by component
   std::vector<Node> m_nodes;
 };
 

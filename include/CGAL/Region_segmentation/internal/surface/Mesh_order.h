@@ -15,8 +15,6 @@
 #include <CGAL/boost/graph/named_params_helper.h>
 
 #include <boost/graph/graph_traits.hpp>
-#include <boost/property_map/property_map.hpp>
-
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -33,12 +31,10 @@ namespace internal {
 ///
 /// The descriptors are stored since the latencies of traversing a linked list add up, while those
 /// of several handles overlap.
-template <typename IndexMap>
+template <typename IndexMap, typename Descriptor>
 class Iteration_ranks
 {
 public:
-  using Descriptor = typename boost::property_traits<IndexMap>::key_type;
-
   /// Maps a descriptor to its position; small enough that loops keep a copy in registers.
   class Rank_of
   {
@@ -66,7 +62,7 @@ public:
   {
     bool is_identity = true;
     m_elements.reserve(capacity);
-    for (const auto& d : range) {
+    for (const Descriptor& d : range) {
       is_identity &= std::size_t(get(m_index_map, d)) == m_elements.size();
       m_elements.push_back(d);
     }
@@ -149,8 +145,8 @@ public:
 
 private:
   const FaceGraph& m_mesh;
-  Iteration_ranks<Face_index_map> m_faces;
-  Iteration_ranks<Vertex_index_map> m_vertices;
+  Iteration_ranks<Face_index_map, face_descriptor> m_faces;
+  Iteration_ranks<Vertex_index_map, typename Traits::vertex_descriptor> m_vertices;
 };
 
 } // namespace internal

@@ -85,24 +85,14 @@ public:
 private:
   Grouped_items<Open_side> open_sides() const
   {
-    Grouped_items<Open_side> result(m_arrays.points.size());
-    for (const bool is_adding : {false, true}) {
+    return grouped<Open_side>(m_arrays.points.size(), [&](const auto& add) {
       for (Index f = 0; f + 1 < m_arrays.first_corners.size(); ++f)
-        for (Index c = m_arrays.first_corners[f]; c < m_arrays.first_corners[f + 1]; ++c) {
-          if (m_raw.neighbors[c] != Raw_surface::none)
-            continue;
-          const Open_side side = side_at(m_arrays, f, c);
-          if (side.lower_vertex == side.higher_vertex)
-            continue;
-          if (is_adding)
-            result.add(side.lower_vertex, side);
-          else
-            result.count(side.lower_vertex);
-        }
-      if (!is_adding)
-        result.end_counting();
-    }
-    return result;
+        for (Index c = m_arrays.first_corners[f]; c < m_arrays.first_corners[f + 1]; ++c)
+          if (m_raw.neighbors[c] == Raw_surface::none)
+            if (const Open_side side = side_at(m_arrays, f, c);
+                side.lower_vertex != side.higher_vertex)
+              add(side.lower_vertex, side);
+    });
   }
 
   template <typename Iterator>
