@@ -61,9 +61,10 @@ public:
     : m_index_map(index_map)
   {
     bool is_identity = true;
+    std::size_t position = 0;
     m_elements.reserve(capacity);
     for (const Descriptor& d : range) {
-      is_identity &= std::size_t(get(m_index_map, d)) == m_elements.size();
+      is_identity &= std::size_t(get(m_index_map, d)) == position++;
       m_elements.push_back(d);
     }
     CGAL_precondition_msg(size() < (std::numeric_limits<Surface::Index>::max)(),

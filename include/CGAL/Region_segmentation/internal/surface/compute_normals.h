@@ -41,11 +41,13 @@ inline void compute_normals(Surface& surface, const Execution& execution)
       const Double_3 origin = points[corners[first]];
       Double_3 twice_area{};
       double squared_longest_edge = 0;
-      for (Surface::Index c = first; c < past; ++c) {
-        const Double_3 &p = points[corners[c]], &q = points[corners[c + 1 < past ? c + 1 : first]];
+      if (past - first > 2)
+        squared_longest_edge = (std::max)(squared_norm(points[corners[first + 1]] - origin),
+                                          squared_norm(points[corners[past - 1]] - origin));
+      for (Surface::Index c = first + 2; c < past; ++c) {
+        const Double_3 &p = points[corners[c - 1]], &q = points[corners[c]];
+        twice_area = twice_area + cross(p - origin, q - origin);
         squared_longest_edge = (std::max)(squared_longest_edge, squared_norm(q - p));
-        if (c > first && c + 1 < past)
-          twice_area = twice_area + cross(p - origin, q - origin);
       }
       const Double_3 area_vector = 0.5 * twice_area;
       const double area = norm(area_vector);

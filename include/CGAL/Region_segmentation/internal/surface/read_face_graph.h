@@ -8,7 +8,6 @@
 #include <CGAL/Region_segmentation/internal/surface/Raw_surface.h>
 #include <CGAL/Region_segmentation/parameters.h>
 
-#include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/number_utils.h>
 
@@ -59,8 +58,14 @@ void read_corners(const Mesh_order<FaceGraph, Pack>& order, Raw_surface& raw,
     execution.step(0, 0.2), order.number_of_faces(),
     [&](std::size_t block, std::size_t, std::size_t) {
       std::size_t number = 0;
-      for (auto f : order.faces_of_block(block))
-        number += std::size_t(CGAL::halfedges_around_face(halfedge(f, mesh), mesh).size());
+      for (auto f : order.faces_of_block(block)) {
+        const auto start = halfedge(f, mesh);
+        auto h = start;
+        do {
+          ++number;
+          h = next(h, mesh);
+        } while (h != start);
+      }
       return number;
     });
   arrays.corners.resize(offsets.back());
