@@ -105,7 +105,7 @@ struct Superfacet_merging
 
   Prepared prepare(const Surface& noisy_surface, const Execution& execution = Execution()) const
   {
-    std::optional<Surface> smoothed = internal::smooth_noise(noisy_surface);
+    std::optional<Surface> smoothed = internal::smooth_noise(noisy_surface, execution);
     const Surface& surface = smoothed ? *smoothed : noisy_surface;
     const Execution stage = execution.stage("regions");
     Surface_patches patches = internal::Patch_builder::build(surface, stage.step(0, 0.6));
