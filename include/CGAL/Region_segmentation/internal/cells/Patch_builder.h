@@ -129,12 +129,14 @@ private:
     for (std::size_t i = 0; i < patches.m_of_elements.size(); ++i) {
       const Index part = patches.m_of_elements[i];
       Patch& patch = patches.m_patches[part];
-      const double distance = is_degenerate(i) ? std::numeric_limits<double>::infinity()
-                                               : squared_norm(centroid(i) - patch.centroid);
-      if (distance < distances[part] || patch.center == none) {
-        distances[part] = distance;
-        patch.center = Index(i);
-      }
+      const double distance = squared_norm(centroid(i) - patch.centroid);
+      if (!(distance < distances[part] || patch.center == none))
+        continue;
+      const bool is_last_choice = is_degenerate(i);
+      if (is_last_choice && patch.center != none)
+        continue;
+      distances[part] = is_last_choice ? std::numeric_limits<double>::infinity() : distance;
+      patch.center = Index(i);
     }
   }
 
@@ -351,21 +353,44 @@ private:
     m_directions = std::move(directions);
   }
 
-  /// By those between the parts `part_of(patch)`.
+  /// By those between the parts `part_of(patch)`; in place, once they are stored.
   template <typename PartOf>
   void replace_adjacencies(std::size_t number_of_parts, const PartOf& part_of)
+  {
+    if (m_adjacencies.empty()) {
+      store_adjacencies(number_of_parts, part_of);
+      return;
+    }
+    m_execution.for_each(0, m_adjacencies.size(), [&](std::size_t range) {
+      Large_array<Adjacency>& adjacencies = m_adjacencies[range];
+      std::size_t n = 0;
+      for (std::size_t i = 0; i < adjacencies.size(); ++i) {
+        const Index a = part_of(adjacencies[i].lower), b = part_of(adjacencies[i].higher);
+        adjacencies[n] = {(std::min)(a, b), (std::max)(a, b), adjacencies[i].length};
+        n += a != b; // unpredictable
+      }
+      adjacencies.resize(n);
+    });
+  }
+
+  template <typename PartOf>
+  void store_adjacencies(std::size_t number_of_parts, const PartOf& part_of)
   {
     const Joined patches(*this);
     std::vector<Large_array<Adjacency>> result(patches.number_of_ranges());
     m_execution.for_each(0, result.size(), [&](std::size_t range) {
-      Large_array<Adjacency> adjacencies;
-      adjacencies.reserve(4 * number_of_parts / result.size()); // usually enough
-      patches.for_each_adjacency(range, [&](Index lower, Index higher, std::size_t i) {
+      Large_array<Adjacency>& adjacencies = result[range];
+      adjacencies.resize(4 * number_of_parts / result.size() + 1); // usually enough
+      std::size_t n = 0;
+      patches.for_each_adjacency(range, [&](Index lower, Index higher, std::size_t e) {
         const Index a = part_of(lower), b = part_of(higher);
-        if (a != b)
-          adjacencies.push_back({(std::min)(a, b), (std::max)(a, b), patches.length(range, i)});
+        if (a == b)
+          return;
+        if (n == adjacencies.size())
+          adjacencies.resize(2 * n);
+        adjacencies[n++] = {(std::min)(a, b), (std::max)(a, b), patches.length(range, e)};
       });
-      result[range] = std::move(adjacencies);
+      adjacencies.resize(n);
     });
     m_adjacencies = std::move(result);
   }
