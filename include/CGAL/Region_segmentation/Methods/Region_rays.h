@@ -37,10 +37,10 @@ public:
   {
     if (surface.area() == 0)
       return;
-    const internal::Region_shapes shapes(surface, regions);
-    m_tree = std::make_shared<internal::Ray_tree>(surface, patches, shapes.surface_centroid,
+    m_shapes = internal::Region_shapes(surface, regions);
+    m_tree = std::make_shared<internal::Ray_tree>(surface, patches, m_shapes.surface_centroid,
                                                   execution.step(0, 0.6));
-    internal::Inward_rays(surface, patches.fine, regions, shapes, *m_tree)
+    internal::Inward_rays(surface, patches.fine, regions, m_shapes, *m_tree)
       .trace(m_hits, execution.step(0.6, 1));
   }
 
@@ -55,15 +55,18 @@ public:
     const std::vector<Partition::Index> previous_of = equal_parts(former, regions);
     for (const Partition::Index previous : previous_of)
       result.m_hits.push_back(previous < m_hits.size() ? m_hits[previous] : std::nullopt);
-    if (surface.area() > 0)
-      internal::Inward_rays(surface, patches.fine, regions,
-                            internal::Region_shapes(surface, regions), *m_tree)
-        .trace(result.m_hits, execution);
+    if (surface.area() == 0)
+      return result;
+    result.m_shapes = internal::Region_shapes(surface, regions);
+    internal::Inward_rays(surface, patches.fine, regions, result.m_shapes, *m_tree)
+      .trace(result.m_hits, execution);
     return result;
   }
 
   /// By region.
   const std::vector<std::optional<Hits>>& hits() const { return m_hits; }
+  /// The shapes of the regions; none of a surface without area.
+  const internal::Region_shapes& shapes() const { return m_shapes; }
 
 private:
   /// For each part of `after` the part of `before` with the same elements, or the highest number if
@@ -87,6 +90,7 @@ private:
     return equal;
   }
 
+  internal::Region_shapes m_shapes;
   std::shared_ptr<const internal::Ray_tree> m_tree;
   std::vector<std::optional<Hits>> m_hits;
 };

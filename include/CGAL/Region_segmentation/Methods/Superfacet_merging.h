@@ -105,7 +105,7 @@ struct Superfacet_merging
 
   Prepared prepare(const Surface& noisy_surface, const Execution& execution = Execution()) const
   {
-    std::optional<Surface> smoothed = internal::smooth_noise(noisy_surface);
+    std::optional<Surface> smoothed = internal::smooth_noise(noisy_surface, execution);
     const Surface& surface = smoothed ? *smoothed : noisy_surface;
     const Execution stage = execution.stage("regions");
     Surface_patches patches = internal::Patch_builder::build(surface, stage.step(0, 0.6));
@@ -180,7 +180,8 @@ private:
                          const Hierarchy& merged, const Execution& execution) const
   {
     const Partition& regions = requested.regions;
-    const bool are_prepared = are_unions(prepared.patches.fine, regions);
+    const bool are_prepared = (request.constraints.empty() && request.seeds.empty()) ||
+                              are_unions(prepared.patches.fine, regions);
     const Patches divided = are_prepared
                               ? Patches()
                               : divided_patches(surface, prepared.patches.fine, regions, request);
@@ -225,19 +226,17 @@ private:
                              const Hierarchy& merged, std::size_t number)
   {
     constexpr Index none = (std::numeric_limits<Index>::max)();
-    std::vector<Index> labels;
-    labels.reserve(cell_of.size());
-    for (const Index cell : cell_of)
-      labels.push_back(label_of_cell[cell]);
-    Partition straightened = Partition::from_labels(labels);
+    // Cells are numbered by their first faces, so labels of cells are numbered as those of faces.
+    const Partition of_cells = Partition::from_labels(label_of_cell);
+    Partition straightened = composed(cell_of, of_cells);
     if (straightened.number_of_parts() >= number &&
         number < merged.merge_tree().number_of_regions()) {
       const std::size_t parts = straightened.number_of_parts();
       return Hierarchy(std::move(straightened), Merge_tree(parts), merged.number_of_segments());
     }
     std::vector<Index> new_numbers(merged.merge_tree().number_of_regions(), none);
-    for (std::size_t f = 0; f < labels.size(); ++f)
-      new_numbers[labels[f]] = straightened[f];
+    for (std::size_t c = 0; c < label_of_cell.size(); ++c)
+      new_numbers[label_of_cell[c]] = of_cells[c];
     Merge_tree tree = internal::renumber_tree(merged.merge_tree(), std::move(new_numbers));
     return Hierarchy(std::move(straightened), std::move(tree), merged.number_of_segments());
   }

@@ -84,7 +84,7 @@ public:
   {
     if (surface.area() == 0)
       return;
-    const internal::Region_shapes shapes(surface, regions);
+    const internal::Region_shapes& shapes = rays.shapes();
     for (std::size_t r = 0; r < regions.number_of_parts(); ++r)
       graph[Index(r)].area = shapes.areas[r] / surface.area();
     set_bends(graph, shapes);

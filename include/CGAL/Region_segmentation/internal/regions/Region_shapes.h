@@ -23,6 +23,8 @@ struct Region_shapes
   std::vector<Double_3> centroids; // that of a region without area is the first face's of the mesh
   Double_3 surface_centroid{0, 0, 0};
 
+  Region_shapes() = default;
+
   /// \pre the mesh was read with its centroids and the area of its surface
   Region_shapes(const Surface& mesh, const Partition& regions)
     : areas(regions.number_of_parts())

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -30,11 +31,23 @@ public:
   Vertex_heights(const Surface& surface, std::size_t stride)
     : m_surface(surface)
     , m_stride(stride)
-    , m_vertices(surface.number_of_vertices())
+    , m_places(surface.number_of_vertices(), none)
   {
+    Index number = 0;
     for (std::size_t f = 0; f < surface.number_of_faces(); f += stride)
-      for_each_side(m_surface, f, [&](Index p, Index) { m_vertices[p].is_wanted = true; });
-    for (std::size_t f = 0; f < surface.number_of_faces(); ++f)
+      for_each_side(m_surface, f, [&](Index p, Index) {
+        if (m_places[p] == none)
+          m_places[p] = number++;
+      });
+    m_vertices.resize(number);
+    update();
+  }
+
+  /// After the points of the surface moved.
+  void update()
+  {
+    std::fill(m_vertices.begin(), m_vertices.end(), Vertex());
+    for (std::size_t f = 0; f < m_surface.number_of_faces(); ++f)
       add_face(f);
     for (Vertex& v : m_vertices)
       set_height(v);
@@ -48,18 +61,34 @@ public:
     double all = 0, opposite = 0;
     for (std::size_t f = 0; f < m_surface.number_of_faces(); f += m_stride)
       for_each_side(m_surface, f, [&](Index p, Index q) {
-        const double product = m_vertices[p].height * m_vertices[q].height;
+        const double product = m_vertices[m_places[p]].height * m_vertices[m_places[q]].height;
         all += product != 0;
         opposite += product < 0;
       });
     return opposite > share_of_noise * all + std::sqrt(all); // not by chance
   }
 
+  /// Moves the vertices along their normals to the heights of their neighbors, but at creases.
+  /// `points`: of all vertices, may be those of the surface
+  void smooth(Large_array<Double_3>& points) const
+  {
+    const double largest = largest_of_noise();
+    for (std::size_t v = 0; v < points.size(); ++v)
+      if (const Index place = m_places[v];
+          place != none && std::fabs(m_vertices[place].height) <= largest)
+        points[v] = points[v] + m_vertices[place].height * m_vertices[place].normal;
+  }
+
+private:
+  using Index = Surface::Index;
+  static constexpr Index none = (std::numeric_limits<Index>::max)();
+
   /// Larger heights stand out of the noise: they are those of creases. 3 times the median of those
   /// that are not 0.
   double largest_of_noise() const
   {
     std::vector<double> heights;
+    heights.reserve(m_vertices.size());
     for (const Vertex& v : m_vertices)
       if (v.height != 0)
         heights.push_back(std::fabs(v.height));
@@ -70,55 +99,39 @@ public:
     return 3 * *median;
   }
 
-  /// The points, moved along the normals to the heights of their neighbors, but at creases.
-  Large_array<Double_3> smoothed() const
-  {
-    const double largest = largest_of_noise();
-    Large_array<Double_3> result(m_vertices.size());
-    for (std::size_t v = 0; v < result.size(); ++v) {
-      const double height = m_vertices[v].height;
-      result[v] = m_surface.point(v) +
-                  (std::fabs(height) <= largest ? height : 0) * m_vertices[v].normal;
-    }
-    return result;
-  }
-
-private:
-  using Index = Surface::Index;
   static constexpr double flat = 1e-5; // height^2 / area of the faces around: smaller heights are 0
   static constexpr double share_of_noise = 0.42;
 
-  struct Vertex
+  struct alignas(64) Vertex // accessed at random
   {
     Double_3 to_neighbors{0, 0, 0}; // the sum over the faces, to the next and the previous corner
     Double_3 normal{0, 0, 0};
     double height = 0;
     std::uint32_t number_of_faces = 0;
-    bool is_wanted = false;
   };
 
   void add_face(std::size_t face)
   {
-    bool is_wanted = false;
-    for (std::size_t i = 0; i < m_surface.number_of_corners(face); ++i)
-      is_wanted |= m_vertices[m_surface.corner(face, i)].is_wanted;
-    if (!is_wanted)
-      return;
-    const Double_3 area_vector = m_surface.area(face) * m_surface.normal(face);
-    for_each_side(m_surface, face, [&](Index p, Index q) {
-      Vertex &a = m_vertices[p], &b = m_vertices[q];
-      const Double_3 side = m_surface.point(q) - m_surface.point(p);
-      a.to_neighbors = a.to_neighbors + side;
-      b.to_neighbors = b.to_neighbors - side;
-      a.normal = a.normal + area_vector;
-      ++a.number_of_faces;
-    });
+    const std::size_t n = m_surface.number_of_corners(face);
+    for (std::size_t i = 0; i < n; ++i) {
+      const Index place = m_places[m_surface.corner(face, i)];
+      if (place == none)
+        continue;
+      const auto point = [&](std::size_t j) { return m_surface.point(m_surface.corner(face, j)); };
+      const Double_3 to_next = point(i + 1 < n ? i + 1 : 0) - point(i),
+                     to_previous = point(i > 0 ? i - 1 : n - 1) - point(i);
+      Vertex& v = m_vertices[place];
+      v.to_neighbors = v.to_neighbors + (i == 0 ? to_next : to_previous);
+      v.to_neighbors = v.to_neighbors + (i == 0 ? to_previous : to_next);
+      v.normal = v.normal + m_surface.area(face) * m_surface.normal(face);
+      ++v.number_of_faces;
+    }
   }
 
   static void set_height(Vertex& v)
   {
     const double area = norm(v.normal);
-    if (!v.is_wanted || area == 0)
+    if (area == 0)
       return;
     v.normal = (1 / area) * v.normal;
     const double height = dot(v.to_neighbors, v.normal) / (2 * v.number_of_faces);
@@ -128,7 +141,8 @@ private:
 
   const Surface& m_surface;
   const std::size_t m_stride;
-  std::vector<Vertex> m_vertices;
+  Large_array<Index> m_places; // by vertex: in the array of those that are wanted, or none
+  Large_array<Vertex> m_vertices;
 };
 
 /// The sign of the edges between two faces of a surface together: its flag.
@@ -143,28 +157,37 @@ inline std::uint8_t sign_of_adjacency(const Surface& surface, std::size_t adjace
   return sign_of_edge(surface.normal(higher), surface.normal(lower), edges);
 }
 
-/// Moves the points of a surface, and with them all but degenerate faces and the lengths of
-/// adjacencies.
-inline void smooth(Surface& surface)
+/// Moves the points of a surface, and with them all but degenerate faces and adjacencies.
+/// `heights`: of all vertices
+inline void smooth(Surface& surface, const Vertex_heights& heights, const Execution& execution)
 {
   Surface_arrays& arrays = arrays_of(surface);
-  arrays.points = Vertex_heights(surface, 1).smoothed();
-  const Large_array<Double_3> former_normals = arrays.normals;
-  const Large_array<double> former_areas = arrays.areas;
-  compute_normals(surface, Execution());
-  arrays.area = 0;
-  for (std::size_t f = 0; f < former_normals.size(); ++f) {
-    if (squared_norm(former_normals[f]) == 0) {
-      arrays.normals[f] = former_normals[f];
-      arrays.areas[f] = former_areas[f];
-    }
-    arrays.area += surface.weight(f);
+  heights.smooth(arrays.points);
+  std::vector<std::pair<std::size_t, double>> degenerate; // faces and their areas
+  for (std::size_t f = 0; f < arrays.areas.size(); ++f)
+    if (surface.is_degenerate(f))
+      degenerate.push_back({f, arrays.areas[f]});
+  compute_normals(surface, execution);
+  for (const auto& [face, area] : degenerate) {
+    arrays.normals[face] = {0, 0, 0};
+    arrays.areas[face] = area;
   }
+}
+
+/// The area of a surface whose faces were moved, and the signs of its adjacencies. Their lengths
+/// stay.
+inline void update_sums_and_signs(Surface& surface, const Execution& execution)
+{
+  Surface_arrays& arrays = arrays_of(surface);
+  arrays.area = 0;
+  for (std::size_t f = 0; f < arrays.areas.size(); ++f)
+    arrays.area += surface.weight(f);
   arrays.length_unit = arrays.area > 0 ? std::sqrt(arrays.area) : 1;
   constexpr std::uint8_t signs = Surface::CONVEX | Surface::CONCAVE;
-  for (std::size_t a = 0; a < arrays.flags.size(); ++a)
+  for_each_index(execution, arrays.flags.size(), [&](std::size_t a) {
     if (surface.has_angle(a))
       arrays.flags[a] = std::uint8_t((arrays.flags[a] & ~signs) | sign_of_adjacency(surface, a));
+  });
 }
 
 /// The surface with its points moved to the height of their neighbors, but at creases, as often as
@@ -172,19 +195,26 @@ inline void smooth(Surface& surface)
 /// that the noise asks for.
 ///
 /// O(F); with a small constant where there is no noise, which is seen from some 20,000 faces.
-inline std::optional<Surface> smooth_noise(const Surface& surface)
+inline std::optional<Surface> smooth_noise(const Surface& surface,
+                                           const Execution& execution = Execution())
 {
   constexpr std::size_t enough_faces = 20000;
   constexpr int most_rounds = 5;
   const std::size_t stride = (std::max)(surface.number_of_faces() / enough_faces, std::size_t(1));
-  std::optional<Surface> result;
-  for (int round = 0;
-       round < most_rounds && Vertex_heights(result ? *result : surface, stride).are_noise();
-       ++round) {
-    if (!result)
-      result = surface;
-    smooth(*result);
+  if (!Vertex_heights(surface, stride).are_noise())
+    return std::nullopt;
+  std::optional<Surface> result = surface;
+  Vertex_heights of_all(*result, 1), of_some(*result, stride);
+  for (int round = 1;; ++round) {
+    smooth(*result, of_all, execution.silent());
+    if (round == most_rounds)
+      break;
+    of_some.update();
+    if (!of_some.are_noise())
+      break;
+    of_all.update();
   }
+  update_sums_and_signs(*result, execution.silent());
   return result;
 }
 
