@@ -11,6 +11,8 @@
 #include <CGAL/Region_segmentation/Methods/Learned_merging.h>
 #include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
 #include <CGAL/Region_segmentation/Segmenter.h>
+#include <CGAL/Region_segmentation/internal/surface/Intrinsic_surface.h>
+#include <CGAL/Region_segmentation/make_surface.h>
 #include <CGAL/Region_segmentation/segment.h>
 
 #include <gtest/gtest.h>
@@ -46,22 +48,21 @@ void add_noise(Surface_mesh& mesh, double share_of_edge, std::mt19937& random)
   }
 }
 
-reference::visibility::Mesh to_reference(const Surface_mesh& mesh)
+reference::visibility::Mesh to_reference(const RS::Surface& surface)
 {
   std::vector<reference::visibility::Vector> points;
-  for (auto v : vertices(mesh))
-    points.push_back({mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z()});
-  std::vector<std::vector<std::size_t>> polygons;
-  for (auto f : faces(mesh)) {
-    polygons.emplace_back();
-    for (auto v : CGAL::vertices_around_face(halfedge(f, mesh), mesh))
-      polygons.back().push_back(std::size_t(v));
-  }
+  for (std::size_t v = 0; v < surface.number_of_vertices(); ++v)
+    points.push_back({surface.point(v).x, surface.point(v).y, surface.point(v).z});
+  std::vector<std::vector<std::size_t>> polygons(surface.number_of_faces());
+  for (std::size_t f = 0; f < polygons.size(); ++f)
+    for (std::size_t i = 0; i < surface.number_of_corners(f); ++i)
+      polygons[f].push_back(surface.corner(f, i));
   return {points, polygons};
 }
 
 template <typename Method, typename Reference>
-void expect_same_labels(Surface_mesh& mesh, const reference::visibility::Mesh& copy,
+void expect_same_labels(Surface_mesh& mesh, const RS::internal::Intrinsic_surface& intrinsic,
+                        const reference::visibility::Mesh& copy,
                         const reference::visibility::Annotated& annotated)
 {
   const Reference expected(copy, annotated);
@@ -71,12 +72,14 @@ void expect_same_labels(Surface_mesh& mesh, const reference::visibility::Mesh& c
   const std::size_t components = reference::visibility::number_of(expected.region_of) -
                                  expected.merges.size();
   const auto expect_labels = [&](std::size_t k) {
-    std::vector<std::size_t> labels;
-    for (auto f : faces(mesh))
+    const auto of_shape = reference::visibility::labels_after(expected.region_of, expected.merges,
+                                                              k);
+    std::vector<std::size_t> labels, expected_labels;
+    for (auto f : faces(mesh)) {
       labels.push_back(segment_id[f]);
-    EXPECT_TRUE(labels ==
-                reference::visibility::labels_after(expected.region_of, expected.merges, k))
-      << k << " segments";
+      expected_labels.push_back(of_shape[intrinsic.face(std::size_t(f))]);
+    }
+    EXPECT_TRUE(labels == reference::visibility::numbered(expected_labels)) << k << " segments";
   };
   const std::size_t chosen_number = copy.is_convex() ? components : expected.chosen_number;
   EXPECT_EQ(segmenter.number_of_segments(), chosen_number);
@@ -91,19 +94,22 @@ void expect_same_labels(Surface_mesh& mesh, const reference::visibility::Mesh& c
   expect_labels(chosen_number);
 }
 
-/// Of both methods on superfacets.
+/// Of both methods on superfacets, in the frame of the mesh itself (of which similarity_test.cpp
+/// shows that it is that of the shape).
 void expect_as_defined(Surface_mesh& mesh)
 {
-  const reference::visibility::Mesh copy = without_noise(to_reference(mesh));
+  const RS::Surface surface = RS::make_surface(mesh, RS::parameters::component_links(false));
+  const RS::internal::Intrinsic_surface intrinsic(surface);
+  const reference::visibility::Mesh copy = without_noise(to_reference(intrinsic.of(surface)));
   const reference::visibility::Annotated annotated(copy);
   {
     SCOPED_TRACE("visibility");
-    expect_same_labels<RS::Visibility_merging, reference::visibility::Result>(mesh, copy,
+    expect_same_labels<RS::Visibility_merging, reference::visibility::Result>(mesh, intrinsic, copy,
                                                                               annotated);
   }
   SCOPED_TRACE("learned");
-  expect_same_labels<RS::Learned_merging, reference::visibility::learned::Result>(mesh, copy,
-                                                                                  annotated);
+  expect_same_labels<RS::Learned_merging, reference::visibility::learned::Result>(mesh, intrinsic,
+                                                                                  copy, annotated);
 }
 
 TEST(Reference_merging_test, methods_on_superfacets_are_as_the_manual_defines_them)

@@ -9,49 +9,22 @@
 #include <CGAL/Region_segmentation/internal/faces/find_face_roles.h>
 #include <CGAL/Region_segmentation/internal/faces/find_faces_from_patches.h>
 #include <CGAL/Region_segmentation/internal/faces/find_small_planes.h>
+#include <CGAL/Region_segmentation/internal/faces/fit_surface.h>
 #include <CGAL/Region_segmentation/internal/faces/join_tori_to_freeform.h>
 #include <CGAL/Region_segmentation/internal/faces/merge_equal_surfaces.h>
 #include <CGAL/Region_segmentation/internal/faces/separate_components.h>
+#include <CGAL/Region_segmentation/internal/surface/Intrinsic_surface.h>
 
 #include <CGAL/assertions.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
 namespace Region_segmentation {
-
-namespace internal {
-
-/// The surfaces of the parts, with what their faces say: deviation and extent.
-inline std::vector<Fitted_surface> measured_surfaces(const Face_search& search,
-                                                     const Partition& partition)
-{
-  const Surface& surface = search.surface;
-  std::vector<Fitted_surface> result;
-  for (Surface::Index f = 0; f < surface.number_of_faces(); ++f) {
-    const auto z = [&](std::size_t i) {
-      const Fitted_surface& s = result[partition[f]];
-      return dot(surface.point(surface.corner(f, i)) - s.point, s.direction);
-    };
-    if (partition[f] == result.size()) { // parts are numbered by their first faces
-      result.push_back(search.surface_of(f));
-      result.back().lowest = result.back().highest = z(0);
-    }
-    Fitted_surface& s = result[partition[f]];
-    if (s.kind == Surface_kind::FREEFORM)
-      continue;
-    s.deviation = (std::max)(s.deviation, search.test.largest_distance(s, f));
-    for (std::size_t i = 0; i < surface.number_of_corners(f); ++i) {
-      s.lowest = (std::min)(s.lowest, z(i));
-      s.highest = (std::max)(s.highest, z(i));
-    }
-  }
-  return result;
-}
-
-} // namespace internal
 
 /// \ingroup PkgRegionSegmentationSegments
 /// The faces of a machine part: a partition of the faces of its mesh, and what is known of each
@@ -65,6 +38,91 @@ struct Surface_faces
   std::vector<Face_role> roles;         ///< by part
   double tolerance = 0;                 ///< that was used, in units of the surface
 };
+
+namespace internal {
+
+/// The faces of a surface as it is, without deviations and extents. `tolerance`: in units of the
+/// surface
+inline Surface_faces find_faces(const Surface& surface, double tolerance,
+                                const Execution& execution)
+{
+  Face_search search(surface, tolerance);
+  find_faces_from_patches(search, execution.step(0, 0.7));
+  find_small_planes(search, execution.step(0.7, 0.85));
+  find_pairs_of_planes(search, execution.step(0.85, 0.9));
+  merge_equal_surfaces(search);
+  compete_at_borders(search);
+  separate_components(search, execution.step(0.9, 1));
+  join_tori_to_freeform(search);
+
+  Surface_faces result;
+  result.partition = Partition::from_labels(search.labels);
+  for (Surface::Index f = 0; f < surface.number_of_faces(); ++f)
+    if (result.partition[f] == result.surfaces.size()) // parts are numbered by their first faces
+      result.surfaces.push_back(search.surface_of(f));
+  result.roles = find_face_roles(surface, result.partition, result.surfaces);
+  result.tolerance = search.test.tolerance();
+  return result;
+}
+
+/// A surface in a frame as one in space.
+inline Fitted_surface in_space(Fitted_surface s, const Intrinsic_frame& frame)
+{
+  if (s.kind == Surface_kind::FREEFORM)
+    return s;
+  s.point = frame.point(s.point);
+  s.direction = frame.vector(s.direction);
+  s.radius *= frame.unit();
+  s.minor_radius *= frame.unit();
+  return s;
+}
+
+/// Fits the surfaces to the points of their faces: those of the search were rounded.
+inline void fit_surfaces(const Surface& surface, Surface_faces& faces)
+{
+  constexpr std::size_t most_points = 300;
+  std::vector<std::vector<Double_3>> points(faces.surfaces.size());
+  for (std::size_t f = 0; f < surface.number_of_faces(); ++f)
+    for (std::size_t i = 0; i < surface.number_of_corners(f); ++i)
+      points[faces.partition[f]].push_back(surface.point(surface.corner(f, i)));
+  for (std::size_t part = 0; part < points.size(); ++part) {
+    Fitted_surface& s = faces.surfaces[part];
+    std::vector<Double_3> sample;
+    const std::size_t step = points[part].size() / most_points + 1;
+    for (std::size_t i = 0; i < points[part].size(); i += step)
+      sample.push_back(points[part][i]);
+    if (s.kind == Surface_kind::FREEFORM || int(sample.size()) < degrees_of_freedom(s.kind))
+      continue;
+    Fitted_surface better = s;
+    if (Surface_fitter(sample, 0)(better, 8) <= faces.tolerance)
+      s = better;
+  }
+}
+
+/// Sets deviation and extent of the surfaces of faces.
+inline void measure_surfaces(const Surface& surface, Surface_faces& faces)
+{
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  for (Fitted_surface& s : faces.surfaces)
+    if (s.kind != Surface_kind::FREEFORM) {
+      s.lowest = infinite;
+      s.highest = -infinite;
+    }
+  for (std::size_t f = 0; f < surface.number_of_faces(); ++f) {
+    Fitted_surface& s = faces.surfaces[faces.partition[f]];
+    if (s.kind == Surface_kind::FREEFORM)
+      continue;
+    for (std::size_t i = 0; i < surface.number_of_corners(f); ++i) {
+      const Double_3& p = surface.point(surface.corner(f, i));
+      const double z = dot(p - s.point, s.direction);
+      s.deviation = (std::max)(s.deviation, std::fabs(signed_distance(s, p)));
+      s.lowest = (std::min)(s.lowest, z);
+      s.highest = (std::max)(s.highest, z);
+    }
+  }
+}
+
+} // namespace internal
 
 /// \ingroup PkgRegionSegmentationSegments
 /// finds the faces of a machine part, each with its surface: planes, cylinders, cones, spheres,
@@ -91,27 +149,28 @@ struct Surface_faces
 /// found from the mesh
 /// \param execution reports the progress
 ///
-/// Deterministic. Independent of motion, scale and the order of faces, where no two candidates are
-/// equal to rounding. Complexity: near linear in the number of faces.
+/// Deterministic. The faces are independent of motion, scale and the order of faces, see \ref
+/// RegionSegmentationTies. Complexity: near linear in the number of faces.
 /// \throws Segmentation_cancelled if the visitor cancels
 inline Surface_faces find_surface_faces(const Surface& surface, double tolerance = 0,
                                         const Execution& execution = Execution())
 {
   CGAL_precondition_msg(tolerance >= 0, "tolerance is not negative");
-  internal::Face_search search(surface, tolerance / surface.unit());
-  internal::find_faces_from_patches(search, execution.step(0, 0.7));
-  internal::find_small_planes(search, execution.step(0.7, 0.85));
-  internal::find_pairs_of_planes(search, execution.step(0.85, 0.9));
-  internal::merge_equal_surfaces(search);
-  internal::compete_at_borders(search);
-  internal::separate_components(search, execution.step(0.9, 1));
-  internal::join_tori_to_freeform(search);
-
+  const internal::Intrinsic_surface intrinsic(surface);
+  const Surface& shape = intrinsic.of(surface);
+  const Surface_faces found = internal::find_faces(shape, tolerance / shape.unit(), execution);
+  const std::vector<Partition::Index> numbers = intrinsic.new_numbers(found.partition);
   Surface_faces result;
-  result.partition = Partition::from_labels(search.labels);
-  result.surfaces = internal::measured_surfaces(search, result.partition);
-  result.roles = internal::find_face_roles(surface, result.partition, result.surfaces);
-  result.tolerance = search.test.tolerance();
+  result.partition = intrinsic.of_given(found.partition, numbers);
+  result.surfaces.resize(numbers.size());
+  result.roles.resize(numbers.size());
+  for (std::size_t part = 0; part < numbers.size(); ++part) {
+    result.surfaces[numbers[part]] = internal::in_space(found.surfaces[part], intrinsic.frame());
+    result.roles[numbers[part]] = found.roles[part];
+  }
+  result.tolerance = found.tolerance * intrinsic.frame().unit();
+  internal::fit_surfaces(surface, result);
+  internal::measure_surfaces(surface, result);
   return result;
 }
 

@@ -41,15 +41,18 @@ Training_model make_training_model(int number, const princeton_benchmark::Model&
   result.number_of_segments = model.number_of_segments;
   for (const princeton_benchmark::Truth& truth : model.truths)
     result.segments_of_people.push_back(truth.number_of_segments);
-  result.people = numbered_labels(model);
   result.surface = RS::make_surface(model.soup.points, model.soup.polygons);
   RS::Learned_merging method;
   method.superfacets.number = superfacets;
   RS::Learned_merging::Prepared prepared = method.prepare(result.surface);
   result.graph = method.annotated_graph(result.surface, prepared, prepared.regions,
                                         RS::Constraints(), RS::Execution());
-  if (prepared.smoothed)
-    result.surface = std::move(*prepared.smoothed);
+  for (const std::vector<int>& labels : numbered_labels(model)) {
+    result.people.emplace_back(labels.size());
+    for (std::size_t f = 0; f < labels.size(); ++f)
+      result.people.back()[prepared.intrinsic.face(f)] = labels[f];
+  }
+  result.surface = prepared.shape(result.surface);
   result.regions = std::move(prepared.regions);
   result.cells = std::move(prepared.patches.fine);
   result.border_costs.emplace(std::move(prepared.border_costs));

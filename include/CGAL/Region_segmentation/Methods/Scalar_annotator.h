@@ -84,7 +84,7 @@ public:
     for (std::uint32_t r = 0; r < regions.number_of_parts(); ++r)
       graph[r].scalar = graph[r].area_of_scalar = 0;
     for (std::size_t f = 0; f < surface.number_of_faces(); ++f) {
-      graph[regions[f]].scalar += surface.area(f) * (*m_values)[f];
+      graph[regions[f]].scalar += surface.area(f) * (*m_values)[surface.input_face(f)];
       graph[regions[f]].area_of_scalar += surface.area(f);
     }
     Base::operator()(graph, surface, regions, rest...);

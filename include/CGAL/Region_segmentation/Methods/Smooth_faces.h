@@ -12,11 +12,16 @@
 #include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/find_surface_faces.h>
 #include <CGAL/Region_segmentation/internal/graph/build_graph.h>
+#include <CGAL/Region_segmentation/internal/graph/renumber_tree.h>
+#include <CGAL/Region_segmentation/internal/surface/Intrinsic_surface.h>
 #include <CGAL/Region_segmentation/merge_requested_regions.h>
 #include <CGAL/Region_segmentation/requested_regions.h>
 
+#include <CGAL/assertions.h>
+
 #include <cstddef>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Region_segmentation {
@@ -38,27 +43,38 @@ struct Smooth_faces
 
   struct Prepared
   {
-    Surface_faces faces; ///< without constraints
+    internal::Intrinsic_surface intrinsic;
+    Surface_faces faces; ///< of the intrinsic surface, without constraints
   };
 
   Prepared prepare(const Surface& surface, const Execution& execution = Execution()) const
   {
-    return {find_surface_faces(surface, tolerance, execution.stage("regions"))};
+    CGAL_precondition_msg(tolerance >= 0, "tolerance is not negative");
+    internal::Intrinsic_surface intrinsic(surface);
+    const Surface& shape = intrinsic.of(surface);
+    Surface_faces faces = internal::find_faces(shape, tolerance / shape.unit(),
+                                               execution.stage("regions"));
+    return {std::move(intrinsic), std::move(faces)};
   }
 
-  Hierarchy merge(const Surface& surface, const Prepared& prepared, const Request& request,
+  Hierarchy merge(const Surface& given, const Prepared& prepared, const Request& given_request,
                   const Execution& execution = Execution()) const
   {
-    Requested_regions requested = requested_regions(surface, prepared.faces.partition, request);
+    const Surface& surface = prepared.intrinsic.of(given);
+    const Request request = prepared.intrinsic.request(given, given_request);
+    const Requested_regions requested = requested_regions(surface, prepared.faces.partition,
+                                                          request);
     auto graph = internal::build_graph<Surface_face_region_data, Surface_face_section_data>(
       surface, requested.regions, request.constraints, execution.stage("graph"));
     annotate_surface_faces(graph, surface, requested.regions, prepared.faces);
-    Merge_tree tree = merge_requested_regions(surface, requested, graph,
-                                              Lowest_cost_first<Surface_face_cost>(cost), 1,
-                                              execution.stage("merging"));
+    const Merge_tree tree = merge_requested_regions(surface, requested, graph,
+                                                    Lowest_cost_first<Surface_face_cost>(cost), 1,
+                                                    execution.stage("merging"));
     const std::size_t number = request.number_of_segments > 0 ? request.number_of_segments
                                                               : chooser(tree, surface);
-    return Hierarchy(std::move(requested.regions), std::move(tree), number);
+    const std::vector<Partition::Index> numbers = prepared.intrinsic.new_numbers(requested.regions);
+    return Hierarchy(prepared.intrinsic.of_given(requested.regions, numbers),
+                     internal::renumber_tree(tree, numbers), number);
   }
 };
 

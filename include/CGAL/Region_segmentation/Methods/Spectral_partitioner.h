@@ -219,13 +219,19 @@ struct Spectral_partitioning
   {
     if (!request.seeds.empty())
       throw Invalid_input("Spectral_partitioning takes no seeds");
-    Partition regions = requested_regions(surface, prepared.regions, request).regions;
-    const auto graph = superfacets.annotated_graph(surface, prepared, regions, request.constraints,
+    const Request of_shape = prepared.intrinsic.request(surface, request);
+    const Partition regions = requested_regions(prepared.shape(surface), prepared.regions, of_shape)
+                                .regions;
+    const auto graph = superfacets.annotated_graph(surface, prepared, regions, of_shape.constraints,
                                                    execution.stage("graph"));
     execution.stage("merging");
-    Partition segments = partitioner(graph, request.number_of_segments);
-    const Merge_tree none(regions.number_of_parts());
-    return {std::move(regions), std::move(segments), none};
+    const Partition segments = partitioner(graph, request.number_of_segments);
+    const std::vector<Partition::Index> numbers = prepared.intrinsic.new_numbers(regions);
+    std::vector<Partition::Index> segment_of(numbers.size());
+    for (std::size_t r = 0; r < numbers.size(); ++r)
+      segment_of[numbers[r]] = segments[r];
+    return {prepared.intrinsic.of_given(regions, numbers), Partition::from_labels(segment_of),
+            Merge_tree(numbers.size())};
   }
 };
 

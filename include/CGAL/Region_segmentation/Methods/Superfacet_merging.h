@@ -18,6 +18,7 @@
 #include <CGAL/Region_segmentation/internal/graph/renumber_tree.h>
 #include <CGAL/Region_segmentation/internal/regions/border_costs.h>
 #include <CGAL/Region_segmentation/internal/regions/join_degenerate_regions.h>
+#include <CGAL/Region_segmentation/internal/surface/Intrinsic_surface.h>
 #include <CGAL/Region_segmentation/internal/surface/smooth_noise.h>
 #include <CGAL/Region_segmentation/merge_requested_regions.h>
 #include <CGAL/Region_segmentation/requested_regions.h>
@@ -93,20 +94,22 @@ struct Superfacet_merging
   /// What does not depend on the request.
   struct Prepared
   {
-    std::optional<Surface> smoothed; ///< the surface without its noise, if it has noise
+    internal::Intrinsic_surface intrinsic; ///< without noise
     Surface_patches patches;
     internal::Dual_graph border_costs; ///< between fine patches
-    Partition regions;                 ///< the superfacets, of the faces
+    Partition regions;                 ///< the superfacets, of the faces of the shape
     Region_rays rays;
 
     /// The surface that is measured.
-    const Surface& shape(const Surface& surface) const { return smoothed ? *smoothed : surface; }
+    const Surface& shape(const Surface& surface) const { return intrinsic.of(surface); }
   };
 
-  Prepared prepare(const Surface& noisy_surface, const Execution& execution = Execution()) const
+  Prepared prepare(const Surface& given, const Execution& execution = Execution()) const
   {
-    std::optional<Surface> smoothed = internal::smooth_noise(noisy_surface, execution);
-    const Surface& surface = smoothed ? *smoothed : noisy_surface;
+    internal::Intrinsic_surface intrinsic(given);
+    if (std::optional<Surface> smoothed = internal::smooth_noise(intrinsic.of(given), execution))
+      intrinsic.replace(std::move(*smoothed));
+    const Surface& surface = intrinsic.of(given);
     const Execution stage = execution.stage("regions");
     Surface_patches patches = internal::Patch_builder::build(surface, stage.step(0, 0.6));
     internal::Dual_graph costs = internal::border_costs(surface, patches.fine, border_cost);
@@ -120,14 +123,16 @@ struct Superfacet_merging
     Partition regions = internal::join_degenerate_regions(
       surface, composed(patches.fine.of_elements(), regions_of_patches));
     Region_rays rays(surface, patches, regions, execution.stage("rays"));
-    return {std::move(smoothed), std::move(patches), std::move(costs), std::move(regions),
+    return {std::move(intrinsic), std::move(patches), std::move(costs), std::move(regions),
             std::move(rays)};
   }
 
-  Refinable_hierarchy merge(const Surface& noisy_surface, const Prepared& prepared,
-                            const Request& request, const Execution& execution = Execution()) const
+  Refinable_hierarchy merge(const Surface& given, const Prepared& prepared,
+                            const Request& given_request,
+                            const Execution& execution = Execution()) const
   {
-    const Surface& surface = prepared.shape(noisy_surface);
+    const Surface& surface = prepared.shape(given);
+    const Request request = prepared.intrinsic.request(given, given_request);
     static_assert(
       std::is_invocable_r<std::size_t, const NumberChooser&, const Merge_tree&,
                           const Surface&>::value,
@@ -150,14 +155,13 @@ struct Superfacet_merging
                                superfacets, largest_number);
   }
 
-  /// The graph of regions, with the data of the annotator; the rays of superfacets among them are
-  /// not traced again.
-  auto annotated_graph(const Surface& noisy_surface, const Prepared& prepared,
-                       const Partition& regions, const Constraints& constraints,
-                       const Execution& execution) const
+  /// The graph of regions of the shape, with the data of the annotator; the rays of superfacets
+  /// among them are not traced again. `constraints`: of the shape
+  auto annotated_graph(const Surface& given, const Prepared& prepared, const Partition& regions,
+                       const Constraints& constraints, const Execution& execution) const
   {
     static_assert(internal::check_annotator<GraphAnnotator>());
-    const Surface& surface = prepared.shape(noisy_surface);
+    const Surface& surface = prepared.shape(given);
     auto graph = internal::build_graph<typename GraphAnnotator::RegionData,
                                        typename GraphAnnotator::SectionData>(
       surface, regions, constraints, execution);
@@ -197,7 +201,7 @@ private:
       are_prepared ? prepared.border_costs : internal::border_costs(surface, cells, border_cost),
       region_of, merged.merge_tree(), [&](Index r) { return requested.is_fixed(r); }, number,
       execution.stage("borders"));
-    return of_labels(cells.of_elements(), label_of_cell, merged, number);
+    return of_labels(prepared, cells.of_elements(), label_of_cell, merged, number);
   }
 
   static bool are_unions(const Patches& patches, const Partition& regions)
@@ -221,14 +225,16 @@ private:
       request.constraints);
   }
 
-  /// Of cells labelled by former regions, or by the segments of one number.
-  static Hierarchy of_labels(const Partition& cell_of, const std::vector<Index>& label_of_cell,
-                             const Hierarchy& merged, std::size_t number)
+  /// Of cells labelled by former regions, or by the segments of one number; for the given faces.
+  static Hierarchy of_labels(const Prepared& prepared, const Partition& cell_of,
+                             const std::vector<Index>& label_of_cell, const Hierarchy& merged,
+                             std::size_t number)
   {
     constexpr Index none = (std::numeric_limits<Index>::max)();
-    // Cells are numbered by their first faces, so labels of cells are numbered as those of faces.
     const Partition of_cells = Partition::from_labels(label_of_cell);
-    Partition straightened = composed(cell_of, of_cells);
+    const Partition of_shape = composed(cell_of, of_cells);
+    const std::vector<Index> numbers = prepared.intrinsic.new_numbers(of_shape);
+    Partition straightened = prepared.intrinsic.of_given(of_shape, numbers);
     if (straightened.number_of_parts() >= number &&
         number < merged.merge_tree().number_of_regions()) {
       const std::size_t parts = straightened.number_of_parts();
@@ -236,7 +242,7 @@ private:
     }
     std::vector<Index> new_numbers(merged.merge_tree().number_of_regions(), none);
     for (std::size_t c = 0; c < label_of_cell.size(); ++c)
-      new_numbers[label_of_cell[c]] = of_cells[c];
+      new_numbers[label_of_cell[c]] = numbers[of_cells[c]];
     Merge_tree tree = internal::renumber_tree(merged.merge_tree(), std::move(new_numbers));
     return Hierarchy(std::move(straightened), std::move(tree), merged.number_of_segments());
   }

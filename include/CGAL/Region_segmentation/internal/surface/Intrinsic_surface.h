@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_INTRINSIC_SURFACE_H
+#define CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_INTRINSIC_SURFACE_H
+
+#include <CGAL/Region_segmentation/Double_3.h>
+#include <CGAL/Region_segmentation/Execution.h>
+#include <CGAL/Region_segmentation/Partition.h>
+#include <CGAL/Region_segmentation/Request.h>
+#include <CGAL/Region_segmentation/Surface.h>
+#include <CGAL/Region_segmentation/internal/support/Grouped_items.h>
+#include <CGAL/Region_segmentation/internal/support/Large_array.h>
+#include <CGAL/Region_segmentation/internal/surface/Intrinsic_frame.h>
+#include <CGAL/Region_segmentation/internal/surface/collect_adjacencies.h>
+#include <CGAL/Region_segmentation/internal/surface/compute_normals.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Region_segmentation {
+namespace internal {
+
+/// A surface in its `Intrinsic_frame`, its points on a grid of 2^-28 of its size, far above
+/// rounding and far below what matters; vertices and faces in the order of their positions along a
+/// generic direction. So the same shape in another frame, unit or numbering is bitwise the same
+/// surface, and candidates that are equal but for rounding are decided between alike. (A point is
+/// within rounding of the border of two cells with a probability of one in a million or less: then
+/// it moves to the next cell.)
+///
+/// A surface of more than `most_faces` faces stays as it is: the copy would be half of the memory
+/// of a segmentation.
+class Intrinsic_surface
+{
+  using Index = Surface::Index;
+
+public:
+  static constexpr std::size_t most_faces = std::size_t(1) << 19;
+
+  Intrinsic_surface() = default;
+  explicit Intrinsic_surface(const Surface& given)
+  {
+    if (given.number_of_faces() == 0 || given.number_of_faces() > most_faces)
+      return;
+    m_frame = Intrinsic_frame(given);
+    Large_array<Double_3> points(given.number_of_vertices());
+    for (std::size_t v = 0; v < points.size(); ++v)
+      points[v] = on_grid(m_frame(given.point(v)));
+    m_faces = numbers(given.number_of_faces(), [&](std::size_t f) {
+      Double_3 sum{0, 0, 0}; // exact
+      for (std::size_t i = 0; i < given.number_of_corners(f); ++i)
+        sum = sum + points[given.corner(f, i)];
+      return (1 / double(given.number_of_corners(f))) * sum;
+    });
+    Surface& surface = m_surface.emplace();
+    Surface_arrays& arrays = arrays_of(surface);
+    arrays.unit = given.unit() * m_frame.unit();
+    arrays.has_seams_or_links = given.has_seams_or_links();
+    set_corners(given, points, arrays);
+    set_faces(given);
+    set_adjacencies(given);
+  }
+
+  /// The surface that is made of the given one.
+  const Surface& of(const Surface& given) const { return m_surface ? *m_surface : given; }
+  const Intrinsic_frame& frame() const { return m_frame; }
+  /// Another one of the same faces.
+  void replace(Surface surface) { m_surface = std::move(surface); }
+
+  /// What is asked of the given surface.
+  Request request(const Surface& given, const Request& request) const
+  {
+    Request result = request;
+    if (!request.constraints.empty() && !m_faces.empty()) {
+      result.constraints = Constraints();
+      const Large_array<Adjacency> adjacencies = sorted_adjacencies(given);
+      for (std::size_t a = 0; a < adjacencies.size(); ++a)
+        if (request.constraints[adjacencies[a].given])
+          result.constraints.add(a, adjacencies.size());
+    }
+    for (std::size_t f = 0; f < (std::min)(m_faces.size(), request.seeds.of.size()); ++f)
+      result.seeds.of[m_faces[f]] = request.seeds.of[f];
+    return result;
+  }
+
+  /// The numbers of the parts of a partition of the faces, by the first of the given faces.
+  std::vector<Index> new_numbers(const Partition& faces) const
+  {
+    constexpr Index none = (std::numeric_limits<Index>::max)();
+    std::vector<Index> result(faces.number_of_parts(), none);
+    Index number = 0;
+    for (std::size_t f = 0; f < faces.size(); ++f)
+      if (Index& n = result[faces[face(f)]]; n == none)
+        n = number++;
+    return result;
+  }
+
+  /// A partition of the faces as one of the given faces, with these numbers.
+  Partition of_given(const Partition& faces, const std::vector<Index>& numbers) const
+  {
+    std::vector<Index> part_of(faces.size());
+    for (std::size_t f = 0; f < faces.size(); ++f)
+      part_of[f] = numbers[faces[face(f)]];
+    return Partition(std::move(part_of), numbers.size());
+  }
+
+  /// The number of a given face.
+  Index face(std::size_t given) const { return m_faces.empty() ? Index(given) : m_faces[given]; }
+
+private:
+  struct Adjacency
+  {
+    Index lower, given;
+    friend bool operator<(const Adjacency& a, const Adjacency& b)
+    {
+      return a.lower != b.lower ? a.lower < b.lower : a.given < b.given;
+    }
+  };
+
+  /// Sums of some of them are exact.
+  static Double_3 on_grid(const Double_3& p)
+  {
+    constexpr double steps = 1 << 28;
+    const auto round = [](double x) { return std::floor(x * steps + 0.5) / steps; };
+    return {round(p.x), round(p.y), round(p.z)};
+  }
+
+  /// The numbers of things in the order of their positions.
+  template <typename PointOf>
+  static std::vector<Index> numbers(std::size_t size, const PointOf& point_of)
+  {
+    const auto position = [&](std::size_t i) { // in [0, 1)
+      constexpr double bound = 2.5;
+      return 0.5 + dot(point_of(i), Intrinsic_frame::direction) / (2 * bound);
+    };
+    using Item = std::pair<double, Index>;
+    std::vector<double> positions;
+    for (std::size_t i = 0; i < size; ++i)
+      positions.push_back(position(i));
+    auto items = grouped<Item>(size, [&](const auto& f) { // in slices
+      for (std::size_t i = 0; i < size; ++i)
+        f(std::size_t(positions[i] * double(size)), Item{positions[i], Index(i)});
+    });
+    std::vector<Index> result(size);
+    Index number = 0;
+    for (std::size_t i = 0; i < size; ++i) {
+      const auto range = items[i];
+      std::sort(range.begin(), range.end());
+      for (const Item& item : range)
+        result[item.second] = number++;
+    }
+    return result;
+  }
+
+  void set_corners(const Surface& given, const Large_array<Double_3>& points,
+                   Surface_arrays& arrays)
+  {
+    constexpr Index none = (std::numeric_limits<Index>::max)();
+    std::vector<Index> vertices, number_of(points.size(), none);
+    arrays.input_faces.resize(m_faces.size());
+    for (std::size_t f = 0; f < m_faces.size(); ++f)
+      arrays.input_faces[m_faces[f]] = Index(f);
+    for (const Index f : arrays.input_faces)
+      for (std::size_t i = 0; i < given.number_of_corners(f); ++i)
+        if (Index& number = number_of[given.corner(f, i)]; number == none) {
+          number = Index(vertices.size());
+          vertices.push_back(given.corner(f, i));
+        }
+    const std::vector<Index> new_numbers = numbers(
+      vertices.size(), [&](std::size_t v) { return points[vertices[v]]; });
+    arrays.points.resize(vertices.size());
+    for (std::size_t v = 0; v < vertices.size(); ++v)
+      arrays.points[new_numbers[v]] = points[vertices[v]];
+    arrays.corners.reserve(arrays_of(given).corners.size());
+    arrays.first_corners.reserve(m_faces.size() + 1);
+    arrays.first_corners.push_back(0);
+    for (const Index f : arrays.input_faces) {
+      for (std::size_t i = 0; i < given.number_of_corners(f); ++i)
+        arrays.corners.push_back(new_numbers[number_of[given.corner(f, i)]]);
+      const auto first = arrays.corners.begin() + arrays.first_corners.back();
+      std::rotate(first, std::min_element(first, arrays.corners.end()), arrays.corners.end());
+      arrays.first_corners.push_back(Index(arrays.corners.size()));
+    }
+  }
+
+  /// Faces that are degenerate remain so.
+  void set_faces(const Surface& given)
+  {
+    const double unit = m_frame.unit();
+    Surface_arrays& arrays = arrays_of(*m_surface);
+    compute_normals(*m_surface, Execution());
+    for (std::size_t f = 0; f < m_faces.size(); ++f) {
+      if (given.is_degenerate(f)) {
+        arrays.normals[m_faces[f]] = {0, 0, 0};
+        arrays.areas[m_faces[f]] = float(given.area(f) / unit / unit);
+      }
+      if (given.is_crumb(f)) {
+        arrays.is_crumb.resize(m_faces.size());
+        arrays.is_crumb[m_faces[f]] = true;
+      }
+    }
+    for (std::size_t f = 0; f < m_faces.size(); ++f)
+      arrays.area += m_surface->weight(f);
+    arrays.length_unit = arrays.area > 0 ? std::sqrt(arrays.area) : 1;
+  }
+
+  /// Those of the given surface, by their new higher, then lower faces.
+  Large_array<Adjacency> sorted_adjacencies(const Surface& given) const
+  {
+    auto by_higher = grouped<Adjacency>(m_faces.size(), [&](const auto& add) {
+      for (std::size_t a = 0; a < given.number_of_adjacencies(); ++a) {
+        const Index f = m_faces[given.lower_face(a)], g = m_faces[given.higher_face(a)];
+        add((std::max)(f, g), Adjacency{(std::min)(f, g), Index(a)});
+      }
+    });
+    for (std::size_t f = 0; f < m_faces.size(); ++f) {
+      const auto range = by_higher[f];
+      std::sort(range.begin(), range.end());
+    }
+    return by_higher.all();
+  }
+
+  void set_adjacencies(const Surface& given)
+  {
+    const double unit = m_frame.unit();
+    Surface_arrays& arrays = arrays_of(*m_surface);
+    const Large_array<Adjacency> adjacencies = sorted_adjacencies(given);
+    const std::size_t size = adjacencies.size();
+    arrays.lower_faces.resize(size);
+    arrays.higher_faces.resize(size);
+    arrays.squared_lengths.resize(size);
+    arrays.flags.resize(size);
+    for (std::size_t a = 0; a < size; ++a) {
+      const auto [lower, g] = adjacencies[a];
+      const Index higher = (std::max)(m_faces[given.lower_face(g)], m_faces[given.higher_face(g)]);
+      const auto [direction, number] = common_edges(lower, higher);
+      arrays.lower_faces[a] = lower;
+      arrays.higher_faces[a] = higher;
+      arrays.squared_lengths[a] = number == 1 && !given.has_flag(g, Surface::SEAM | Surface::LINK)
+                                    ? squared_norm(direction)
+                                    : float(given.squared_length(g) / unit / unit);
+      constexpr std::uint8_t signs = Surface::CONVEX | Surface::CONCAVE;
+      arrays.flags[a] = given.flags(g);
+      if (given.has_angle(g) && number > 0)
+        arrays.flags[a] = std::uint8_t(
+          (given.flags(g) & ~signs) |
+          sign_of_edge(m_surface->normal(higher), m_surface->normal(lower), direction));
+    }
+    join_degenerate_faces(*m_surface);
+  }
+
+  /// The sum of the edges between two faces, along the boundary of the higher one; and how many.
+  std::pair<Double_3, std::size_t> common_edges(Index lower, Index higher) const
+  {
+    std::pair<Double_3, std::size_t> result{{0, 0, 0}, 0};
+    const Surface_arrays& arrays = arrays_of(*m_surface);
+    const Index *const first = arrays.corners.data() + arrays.first_corners[lower],
+                       *const last = arrays.corners.data() + arrays.first_corners[lower + 1] - 1;
+    for_each_side(*m_surface, higher, [&](Index p, Index q) {
+      Index from = *last; // as runs_along(), which takes several times as many instructions
+      for (const Index* to = first; to <= last; from = *to++)
+        if (from == q && *to == p) {
+          result.first = result.first + (arrays.points[q] - arrays.points[p]);
+          result.second = result.second + 1;
+          break;
+        }
+    });
+    return result;
+  }
+
+  Intrinsic_frame m_frame;
+  std::optional<Surface> m_surface; // none: the given one
+  std::vector<Index> m_faces;       // by given face: its number; empty: the same
+};
+
+} // namespace internal
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_INTRINSIC_SURFACE_H
