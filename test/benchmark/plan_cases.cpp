@@ -184,6 +184,7 @@ std::vector<Case> plan_cases(const Plan& plan)
     const Mesh_wanted mesh{Shape::SMOOTH, faces, Mesh_type::SURFACE_MESH};
     add_pipelines(cases, mesh, plan.threads);
     add_pipelines(cases, {Shape::SHUFFLED, faces, Mesh_type::SURFACE_MESH}, 1);
+    add_pipelines(cases, {Shape::LOOP, faces, Mesh_type::SURFACE_MESH}, 1);
     add_edge_methods(cases, mesh);
     add_stages(cases, mesh);
     add_stages(cases, {Shape::LOOP, faces, Mesh_type::SURFACE_MESH});
