@@ -36,7 +36,7 @@ public:
   virtual Stage_seconds segment(const Pipeline& pipeline) = 0;
 };
 
-/// What CGAL has, on a `Surface_mesh`, and what compares with it of ours.
+/// What CGAL and others have, on a `Surface_mesh`, and what compares with it of ours.
 class Surface_mesh_subject : public Subject
 {
 public:
@@ -49,6 +49,8 @@ public:
   virtual void sharp_edges_segmentation() = 0;
   virtual void shape_diameter_segmentation(std::size_t number_of_segments) = 0;
   virtual void shape_approximation(std::size_t number_of_segments) = 0;
+  virtual void partition_dual_graph(std::size_t number_of_parts) = 0;
+  virtual void build_meshlets() = 0;
   virtual void principal_curvatures() = 0;
   virtual void feature_lines() = 0;
   /// The stages alone: concave feature edges, those of every sign, and regions between the edges

@@ -6,6 +6,7 @@
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
 #include <CGAL/Surface_mesh_approximation/L21_metric_plane_proxy.h>
 #include <CGAL/Variational_shape_approximation.h>
+#include <CGAL/boost/graph/METIS/partition_dual_graph.h>
 #include <CGAL/mesh_segmentation.h>
 
 #include <boost/property_map/property_map.hpp>
@@ -72,6 +73,13 @@ void shape_approximation(const Surface_mesh& mesh, std::size_t number_of_proxies
     CGAL::parameters::seeding_method(VSA::HIERARCHICAL).max_number_of_proxies(number_of_proxies));
   approximation.run(30);
   approximation.proxy_map(face_map(mesh, segments));
+}
+
+void partition_dual_graph(const Surface_mesh& mesh, std::size_t number_of_parts,
+                          std::vector<std::size_t>& parts)
+{
+  CGAL::METIS::partition_dual_graph(mesh, int(number_of_parts),
+                                    CGAL::parameters::face_partition_id_map(face_map(mesh, parts)));
 }
 
 } // namespace speed_benchmark

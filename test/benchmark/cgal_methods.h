@@ -35,6 +35,10 @@ void shape_diameter_segmentation(const Surface_mesh& mesh, std::size_t number_of
 void shape_approximation(const Surface_mesh& mesh, std::size_t number_of_proxies,
                          std::vector<std::size_t>& segments);
 
+/// METIS on the dual graph: parts of equal numbers of faces between which there are few edges.
+void partition_dual_graph(const Surface_mesh& mesh, std::size_t number_of_parts,
+                          std::vector<std::size_t>& parts);
+
 /// The larger principal curvature of every vertex by `Monge_via_jet_fitting` of degree 2 to the
 /// vertices at most two edges away; 0 on borders and where there are fewer than six.
 void principal_curvatures(const Surface_mesh& mesh, std::vector<double>& curvatures);

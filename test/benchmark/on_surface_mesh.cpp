@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "build_meshlets.h"
 #include "cgal_methods.h"
 #include "run_on_mesh.h"
 
@@ -63,6 +64,11 @@ public:
   {
     speed_benchmark::shape_approximation(m_mesh, number_of_segments, m_face_numbers);
   }
+  void partition_dual_graph(std::size_t number_of_parts) override
+  {
+    speed_benchmark::partition_dual_graph(m_mesh, number_of_parts, m_face_numbers);
+  }
+  void build_meshlets() override { speed_benchmark::build_meshlets(m_mesh); }
   void principal_curvatures() override
   {
     speed_benchmark::principal_curvatures(m_mesh, m_curvatures);

@@ -143,6 +143,17 @@ void add_stages(std::vector<Case>& cases, const Mesh_wanted& mesh)
     [](auto& s) { s.sharp_edges_segmentation(); });
 }
 
+/// Partitions of equal size, which do not follow the shape.
+void add_partitions(std::vector<Case>& cases, const Mesh_wanted& mesh)
+{
+  const auto learned = [](Subject& s) { return s.segment({Method::LEARNED}).whole(); };
+  cases.push_back(call(
+    mesh, "METIS::partition_dual_graph", [](auto& s) { s.partition_dual_graph(8); }, "learned",
+    learned));
+  cases.push_back(call(
+    mesh, "meshopt_buildMeshlets", [](auto& s) { s.build_meshlets(); }, "learned", learned));
+}
+
 void add_slow_methods(std::vector<Case>& cases, const Mesh_wanted& mesh)
 {
   const auto learned = [](Subject& s) { return s.segment({Method::LEARNED}).whole(); };
@@ -173,9 +184,11 @@ std::vector<Case> plan_cases(const Plan& plan)
     const Mesh_wanted mesh{Shape::SMOOTH, faces, Mesh_type::SURFACE_MESH};
     add_pipelines(cases, mesh, plan.threads);
     add_pipelines(cases, {Shape::SHUFFLED, faces, Mesh_type::SURFACE_MESH}, 1);
+    add_pipelines(cases, {Shape::LOOP, faces, Mesh_type::SURFACE_MESH}, 1);
     add_edge_methods(cases, mesh);
     add_stages(cases, mesh);
     add_stages(cases, {Shape::LOOP, faces, Mesh_type::SURFACE_MESH});
+    add_partitions(cases, mesh);
     if (faces <= most_faces_for_slow_methods)
       add_slow_methods(cases, mesh);
     if (faces <= most_faces_for_curvatures)

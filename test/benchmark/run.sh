@@ -10,7 +10,7 @@ set -eu
 root=$(cd "$(dirname "$0")/../.." && pwd)
 
 sh "$root/cmake/install_packages.sh" g++ make cmake git libcgal-dev libcgal-demo libeigen3-dev libopenmesh-dev \
-  libcli11-dev libtbb-dev libbenchmark-dev
+  libcli11-dev libtbb-dev libbenchmark-dev libmetis-dev libmeshoptimizer-dev
 
 sizes=10000,40000,160000,1000000,4000000,16000000
 noisy_sizes=1000000,4000000,16000000
