@@ -15,7 +15,7 @@ namespace Region_segmentation {
 namespace internal {
 
 /// The share of the border of the faces that were grown where the surface goes on smoothly to faces
-/// that are not found, and not much smaller.
+/// that are not found, and not much smaller than several faces.
 inline double share_of_smooth_border(const Face_search& search)
 {
   const Surface& surface = search.surface;
@@ -26,7 +26,8 @@ inline double share_of_smooth_border(const Face_search& search)
         const double length = surface.length(n.adjacency);
         all += length;
         if (!search.is_found(n.face) && search.neighbors.may_be_smooth(n.adjacency) &&
-            surface.area(n.face) > 0.2 * search.grower.area())
+            (search.grower.faces().size() == 1 ||
+             surface.area(n.face) > 0.2 * search.grower.area()))
           smooth += length;
       }
   return all > 0 ? smooth / all : 0;
