@@ -147,10 +147,12 @@ private:
   }
 
   /// Whether a surface on few points is fitted by chance to a place of a freeform face, as to
-  /// strips of it: most of the border goes on smoothly to what is not found.
+  /// strips of it: most of the border goes on smoothly to what is not found, and turns as the
+  /// inside.
   bool may_be_of_freeform(const Fitted_surface& s, std::size_t points) const
   {
-    return int(points) < 3 * degrees_of_freedom(s.kind) && share_of_smooth_border(m_search) > 0.5;
+    return int(points) < 3 * degrees_of_freedom(s.kind) && share_of_smooth_border(m_search) > 0.5 &&
+           !m_grower.is_tangent_to_neighbors();
   }
 
   /// Whether the faces are two planes, or three of several triangles each, such as chamfers, rather
