@@ -116,6 +116,40 @@ TEST(FindSurfaceFaces, LargeRadius)
   EXPECT_NEAR(s[1].radius, 20, 1e-6);
 }
 
+/// A solid between two planes: `radius(turns, z)` is that of its wall, of rows by the angle
+/// and the height.
+template <typename Function>
+Shape with_wall(int turns, int rows, const Function& radius)
+{
+  const auto at = [&](double along, double turn, double z) {
+    return around(along * radius(turn, z), turn, z);
+  };
+  Shape shape;
+  shape.add_face(turns, rows, [&](double u, double v) { return at(1, u, 3 * v); });
+  shape.add_face(turns, 2, [&](double u, double v) { return at(v, u, 0); });
+  shape.add_face(turns, 2, [&](double u, double v) { return at(1 - v, u, 3); });
+  return shape;
+}
+
+// Two rows of facets of an extruded curve lie on a cylinder, one row of a revolved one on a cone;
+// cylinders, cones and tori osculate others.
+TEST(FindSurfaceFaces, FreeformWalls)
+{
+  const auto cam = [](double turn, double) { return 2 + 0.3 * std::cos(4 * pi * turn); };
+  const auto vase = [](double, double z) { return 2 + 0.3 * std::sin(2 * z); };
+  const auto both = [](double turn, double z) {
+    return 2 + 0.3 * std::sin(z) + 0.2 * std::cos(4 * pi * turn);
+  };
+  for (const Shape& shape : {with_wall(24, 1, cam), with_wall(40, 1, cam), with_wall(64, 1, cam),
+                             with_wall(24, 6, vase), with_wall(24, 6, both)}) {
+    SCOPED_TRACE(shape.triangles.size());
+    const std::vector<RS::Fitted_surface> s = expect_faces(shape);
+    EXPECT_EQ(s[0].kind, Surface_kind::FREEFORM);
+    EXPECT_EQ(s[1].kind, Surface_kind::PLANE);
+    EXPECT_EQ(s[2].kind, Surface_kind::PLANE);
+  }
+}
+
 /// A tube of radius 0.4 around a helix of radius 2 that rises by `pitch` per radian, with its ends.
 Shape helical_tube(double pitch, double radians)
 {

@@ -134,12 +134,15 @@ inline void measure_surfaces(const Surface& surface, Surface_faces& faces)
 ///    fit patches of 24 of them best, a low quantile of 300 patches; at most 1/100 of that root.
 /// -# *Surfaces from patches.* From each face that is not found yet, the largest first, a patch of
 ///    neighbors is collected. The simplest surface on which its vertices lie grows over all faces
-///    that lie on it, and is fitted again whenever their number has doubled. Smaller patches
-///    follow, then planes of few vertices.
+///    that lie on it, and is fitted again whenever their number has doubled. Where the mesh leaves
+///    it little by little, less than a plane tangent to it there, it only osculates a freeform face
+///    and is dropped; so is one on few vertices whose border goes on smoothly and turns as its
+///    inside. Smaller patches follow, then planes of few vertices.
 /// -# *Competition.* Neighbors of which one's surface is also that of the other are one; faces at
 ///    borders go to the surface from which the midpoints of their sides deviate least.
-/// -# *Freeform faces* are what is left, between creases. A torus that osculates one is a part of
-///    it; so are tori that osculate one tube.
+/// -# *Freeform faces* are what is left, between creases, and single faces of the mesh of which it
+///    has at least half of the border. A torus that osculates one is a part of it; so are tori that
+///    osculate one tube.
 ///
 /// Faces without a normal of their own, such as slivers, belong to the surface on which their
 /// vertices lie. Faces of the result are connected across edges and seams.

@@ -7,15 +7,71 @@
 #include <CGAL/Region_segmentation/internal/faces/Patch.h>
 #include <CGAL/Region_segmentation/internal/faces/fit_surface.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
+/// The vertex of a face that is farthest from an edge of it, given with another face, as the foot
+/// of the perpendicular on the line of that edge, and the perpendicular; 0 if there is no such
+/// edge.
+struct Perpendicular
+{
+  Double_3 foot, vector;
+};
+inline Perpendicular longest_perpendicular(const Surface& surface, Surface::Index face,
+                                           Surface::Index other)
+{
+  Double_3 ends[2];
+  std::size_t number = 0;
+  for (std::size_t i = 0; i < surface.number_of_corners(face); ++i)
+    for (std::size_t j = 0; j < surface.number_of_corners(other) && number < 2; ++j)
+      if (surface.corner(face, i) == surface.corner(other, j))
+        ends[number++] = surface.point(surface.corner(face, i));
+  Perpendicular longest{ends[0], {0, 0, 0}};
+  const double length = number == 2 ? norm(ends[1] - ends[0]) : 0;
+  if (!(length > 0))
+    return longest;
+  const Double_3 along = (1 / length) * (ends[1] - ends[0]);
+  for (std::size_t i = 0; i < surface.number_of_corners(face); ++i) {
+    const Double_3 p = surface.point(surface.corner(face, i)), d = p - ends[0],
+                   across = d - dot(d, along) * along;
+    if (squared_norm(across) > squared_norm(longest.vector))
+      longest = {p - across, across};
+  }
+  return longest;
+}
+
+/// Whether the neighbor of a face that is on a curved surface leaves it little by little: it
+/// departs from the surface less than a plane that is tangent to it where they meet would, and more
+/// than the tolerance. Else its curvature is another one.
+inline bool departs_gradually(const Surface& surface, const Face_test& test,
+                              const Fitted_surface& s, Surface::Index face, Surface::Index neighbor)
+{
+  constexpr double much_less = 0.7, along_tube = 0.02;
+  if (s.kind == Surface_kind::PLANE || !test.has_normal_of(s, neighbor))
+    return false;
+  const Perpendicular p = longest_perpendicular(surface, neighbor, face);
+  const double height = norm(p.vector);
+  const Double_3 normal = surface_normal(s, p.foot),
+                 tangent = p.vector - dot(p.vector, normal) * normal;
+  const Surface_distance distance(s);
+  const double apart = std::fabs(distance(p.foot + p.vector));
+  if (!(norm(tangent) > 0) || apart <= test.tolerance())
+    return false;
+  const double radius = s.kind == Surface_kind::TORUS ? s.minor_radius : s.radius,
+               of_plane = std::fabs(distance(p.foot + (height / norm(tangent)) * tangent) -
+                                    distance(p.foot)),
+               of_tube = std::sqrt(height * height + radius * radius) - radius;
+  return apart < (std::max)(much_less * of_plane, along_tube * of_tube);
+}
+
 /// Grows a face over all that lies on its surface, and fits the surface again whenever the face has
-/// doubled.
+/// doubled, and at the end: then those that did not lie on the former surface are tested again.
 class Face_grower
 {
 public:
@@ -36,6 +92,7 @@ public:
   void grow(Fitted_surface& s, const std::vector<Index>& seeds, const IsFree& is_free)
   {
     m_faces.clear();
+    m_rejected.clear();
     m_points.clear();
     m_area = 0;
     m_face_marks.clear();
@@ -44,32 +101,41 @@ public:
     for (const Index f : seeds)
       visit(s, f);
     std::size_t next_fit = 2 * m_points.size();
-    for (std::size_t next = 0; next < m_faces.size(); ++next) {
-      if (m_points.size() >= next_fit) {
-        refine(s);
-        next_fit = 2 * m_points.size();
+    for (std::size_t next = 0, tested = m_faces.size(); next < m_faces.size();) {
+      for (; next < m_faces.size(); ++next) {
+        if (m_points.size() >= next_fit) {
+          refine(s);
+          next_fit = 2 * m_points.size();
+        }
+        for (const Face_neighbors::Neighbor& n : m_neighbors[m_faces[next]])
+          if (!m_face_marks.has(n.face) && is_free(n.face))
+            visit(s, n.face);
       }
-      for (const Face_neighbors::Neighbor& n : m_neighbors[m_faces[next]])
-        if (!m_face_marks.has(n.face) && is_free(n.face))
-          visit(s, n.face);
-    }
-    if (!m_points.empty())
       refine(s);
+      if (m_faces.size() > tested) { // the surface is another one now
+        tested = m_faces.size();
+        std::vector<Index> rejected;
+        rejected.swap(m_rejected);
+        for (const Index f : rejected)
+          take_if_on(s, f);
+      }
+    }
   }
 
-  /// The length of the border where the mesh leaves the surface little by little, as a multiple of
-  /// the square root of the area: growing has stopped in the middle of a face that is not on this
-  /// surface, but only osculated by it.
+  /// The share of the border where the mesh leaves the surface little by little: growing has
+  /// stopped in the middle of a face that is not on this surface, but only osculated by it.
   double gradual_border(const Fitted_surface& s) const
   {
-    double gradual = 0;
+    double gradual = 0, all = 0;
     for (const Index f : m_faces)
       for (const Face_neighbors::Neighbor& n : m_neighbors[f])
         if (!m_is_taken.has(n.face)) {
-          if (m_test.is_near(s, n.face))
-            gradual += m_surface.length(n.adjacency);
+          const double length = m_surface.length(n.adjacency);
+          all += length;
+          if (departs_gradually(m_surface, m_test, s, f, n.face))
+            gradual += length;
         }
-    return gradual / std::sqrt(m_area);
+    return all > 0 ? gradual / all : 0;
   }
 
   /// Facets of a fillet turn by twice the angle that there is between the fillet and the face to
@@ -124,8 +190,16 @@ private:
 
   void visit(const Fitted_surface& s, Index face)
   {
-    if (!m_face_marks.mark(face) || !m_test(s, face))
+    if (m_face_marks.mark(face))
+      take_if_on(s, face);
+  }
+
+  void take_if_on(const Fitted_surface& s, Index face)
+  {
+    if (!m_test(s, face)) {
+      m_rejected.push_back(face);
       return;
+    }
     m_is_taken.mark(face);
     m_faces.push_back(face);
     m_area += m_surface.area(face);
@@ -153,7 +227,7 @@ private:
   const Face_neighbors& m_neighbors;
   const Face_test& m_test;
   Element_marks m_face_marks, m_is_taken, m_vertex_marks;
-  std::vector<Index> m_faces;
+  std::vector<Index> m_faces, m_rejected;
   std::vector<Double_3> m_points, m_sample;
   double m_area = 0;
 };

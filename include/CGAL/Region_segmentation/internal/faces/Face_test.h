@@ -42,13 +42,6 @@ public:
     return has_normal_of(s, face);
   }
 
-  /// Whether a face that is not on the surface lies near it, within ten times the tolerance.
-  bool is_near(const Fitted_surface& s, std::size_t face) const
-  {
-    const double largest = largest_distance(s, face);
-    return largest > m_tolerance && largest <= 10 * m_tolerance && has_normal_of(s, face);
-  }
-
   double largest_distance(const Fitted_surface& s, std::size_t face) const
   {
     const Surface_distance distance(s);

@@ -142,7 +142,17 @@ private:
       return false;
     if (s.kind == Surface_kind::PLANE ? points < fewest_points_of_plane : is_chain_of_planes())
       return false;
-    return !(m_search.is_exact() && m_grower.gradual_border(s) > 0.1);
+    return !m_search.is_exact() ||
+           (m_grower.gradual_border(s) <= 0.1 && !may_be_of_freeform(s, points));
+  }
+
+  /// Whether a surface on few points is fitted by chance to a place of a freeform face, as to
+  /// strips of it: most of the border goes on smoothly to what is not found, and turns as the
+  /// inside.
+  bool may_be_of_freeform(const Fitted_surface& s, std::size_t points) const
+  {
+    return int(points) < 3 * degrees_of_freedom(s.kind) && share_of_smooth_border(m_search) > 0.5 &&
+           !m_grower.is_tangent_to_neighbors();
   }
 
   /// Whether the faces are two planes, or three of several triangles each, such as chamfers, rather

@@ -14,24 +14,6 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// The share of the border of the faces that were grown where the surface goes on smoothly to faces
-/// that are not found, and not much smaller.
-inline double share_of_smooth_border(const Face_search& search)
-{
-  const Surface& surface = search.surface;
-  double smooth = 0, all = 0;
-  for (const Surface::Index f : search.grower.faces())
-    for (const Face_neighbors::Neighbor& n : search.neighbors[f])
-      if (!search.grower.is_taken(n.face)) {
-        const double length = surface.length(n.adjacency);
-        all += length;
-        if (!search.is_found(n.face) && search.neighbors.may_be_smooth(n.adjacency) &&
-            surface.area(n.face) > 0.2 * search.grower.area())
-          smooth += length;
-      }
-  return all > 0 ? smooth / all : 0;
-}
-
 /// Finds plane faces of few vertices: those whose border is mostly not smooth, or meets faces that
 /// are found.
 inline void find_small_planes(Face_search& search, const Execution& execution)

@@ -17,17 +17,6 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// Whether a face beside a torus departs from it much less than a plane that is tangent to its
-/// tube.
-inline bool departs_gradually(const Face_search& search, const Fitted_surface& torus,
-                              Surface::Index face, std::size_t adjacency)
-{
-  const Surface& surface = search.surface;
-  const double height = 2 * surface.area(face) / surface.length(adjacency);
-  return search.test.largest_distance(torus, face) < 0.02 * height * height / torus.minor_radius &&
-         search.test.has_normal_of(torus, face);
-}
-
 /// Whether two tori osculate one tube along a curve: the tubes are equally thick, and the circles
 /// along them nearly the same. Neighbors among faces that are drawn as tori differ more.
 inline bool are_of_one_tube(const Fitted_surface& s, const Fitted_surface& t)
@@ -57,9 +46,10 @@ inline void join_tori_to_freeform(Face_search& search)
     const Index i = search.labels[f], j = search.labels[g];
     if (search.surfaces[i].kind == Surface_kind::TORUS &&
         search.surfaces[j].kind == Surface_kind::FREEFORM)
-      borders.push_back(
-        {i, j, surface.length(a),
-         departs_gradually(search, search.surfaces[i], g, a) ? surface.length(a) : 0});
+      borders.push_back({i, j, surface.length(a),
+                         departs_gradually(surface, search.test, search.surfaces[i], f, g)
+                           ? surface.length(a)
+                           : 0});
   };
   for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a)
     if (!surface.has_flag(a, Surface::LINK)) {
