@@ -256,9 +256,13 @@ private:
   }
 
   /// The sum of the edges between two faces, along the boundary of the higher one; and how many.
+  /// None of polygons of so many corners that a search of all pairs would take long.
   std::pair<Double_3, std::size_t> common_edges(Index lower, Index higher) const
   {
+    constexpr std::size_t most_pairs = 256;
     std::pair<Double_3, std::size_t> result{{0, 0, 0}, 0};
+    if (m_surface->number_of_corners(lower) * m_surface->number_of_corners(higher) > most_pairs)
+      return result;
     const Surface_arrays& arrays = arrays_of(*m_surface);
     const Index *const first = arrays.corners.data() + arrays.first_corners[lower],
                        *const last = arrays.corners.data() + arrays.first_corners[lower + 1] - 1;
