@@ -155,6 +155,22 @@ TEST(Intrinsic_surface_test, keeps_degenerate_faces_and_proportions)
 }
 
 /// Of the chosen number of segments, and of 4, 7 and 12.
+// A triangle a million times as far away as the shape is large.
+TEST(Intrinsic_surface_test, a_part_far_away_does_not_coarsen_the_others)
+{
+  Soup soup = torus(40, 20);
+  const std::size_t faces = soup.polygons.size(), first = soup.points.size();
+  for (const Point& p : {Point{3e6, 0, 0}, Point{3e6, 1, 0}, Point{3e6, 0, 1}})
+    soup.points.push_back(p);
+  soup.polygons.push_back({first, first + 1, first + 2});
+  const RS::Surface given = RS::make_surface(soup.points, soup.polygons);
+  const RS::internal::Intrinsic_surface intrinsic(given);
+  for (std::size_t f = 0; f < faces; ++f) {
+    const RS::Double_3 p = intrinsic.of(given).centroid(intrinsic.face(f));
+    EXPECT_LT(norm(intrinsic.frame().point(p) - given.centroid(f)), 1e-8 * given.length_unit());
+  }
+}
+
 template <typename Method>
 std::vector<Labels> segmentations(const Soup& soup)
 {

@@ -27,7 +27,7 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// A surface in its `Intrinsic_frame`, its points on a grid of 2^-28 of its size, far above
+/// A surface in its `Intrinsic_frame`, its points on a grid of 2^-28 of its size or area, far above
 /// rounding and far below what matters; vertices and faces in the order of their positions along a
 /// generic direction. So the same shape in another frame, unit or numbering is bitwise the same
 /// surface, and candidates that are equal but for rounding are decided between alike. (A point is
@@ -49,9 +49,10 @@ public:
     if (given.number_of_faces() == 0 || given.number_of_faces() > most_faces)
       return;
     m_frame = Intrinsic_frame(given);
+    const double steps = steps_of_grid(given);
     Large_array<Double_3> points(given.number_of_vertices());
     for (std::size_t v = 0; v < points.size(); ++v)
-      points[v] = on_grid(m_frame(given.point(v)));
+      points[v] = on_grid(m_frame(given.point(v)), steps);
     m_faces = numbers(given.number_of_faces(), [&](std::size_t f) {
       Double_3 sum{0, 0, 0}; // exact
       for (std::size_t i = 0; i < given.number_of_corners(f); ++i)
@@ -123,11 +124,19 @@ private:
     }
   };
 
-  /// Sums of some of them are exact.
-  static Double_3 on_grid(const Double_3& p)
+  /// Of the grid in the unit of the frame: 2^28, and more where that is large for the area, as of a
+  /// surface with a part far away.
+  double steps_of_grid(const Surface& given) const
   {
-    constexpr double steps = 1 << 28;
-    const auto round = [](double x) { return std::floor(x * steps + 0.5) / steps; };
+    constexpr int finest = -22;
+    const int size = std::ilogb(given.length_unit() / m_frame.unit());
+    return std::ldexp(1, 28 - (std::max)(finest, (std::min)(size, 0)));
+  }
+
+  /// Sums of some of them are exact.
+  static Double_3 on_grid(const Double_3& p, double steps)
+  {
+    const auto round = [=](double x) { return std::floor(x * steps + 0.5) / steps; };
     return {round(p.x), round(p.y), round(p.z)};
   }
 
