@@ -11,6 +11,8 @@
 #include <CGAL/Region_segmentation/Methods/Smooth_faces.h>
 #include <CGAL/Region_segmentation/Methods/Two_step.h>
 #include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
+#include <CGAL/Region_segmentation/internal/regions/join_degenerate_regions.h>
+#include <CGAL/Region_segmentation/make_surface.h>
 #include <CGAL/Region_segmentation/segment.h>
 
 #include <algorithm>
@@ -80,8 +82,8 @@ void check_method(const Mesh& mesh, const Method& method, std::size_t k)
     check_labels(mesh, labels, n);
     require(n <= (std::max)(k, number_of_components(mesh)), "no more segments than asked for");
     if (gives_any_number)
-      require(n >= (std::min)(k, std::size_t(mesh.number_of_faces())),
-              "no fewer segments than asked for");
+      require(n >= (std::min)(k, RS::internal::number_of_proper_faces(RS::make_surface(mesh))),
+              "no fewer segments than asked for, or than there are proper faces");
     require(RS::segment(mesh, face_map(mesh, again), np.number_of_segments(k)) == n &&
               again == labels,
             "twice the same");
