@@ -94,8 +94,8 @@ void expect_same_labels(Surface_mesh& mesh, const RS::internal::Intrinsic_surfac
   expect_labels(chosen_number);
 }
 
-/// Of both methods on superfacets, in the frame of the mesh itself (of which similarity_test.cpp
-/// shows that it is that of the shape).
+/// Of both methods on superfacets, in the frame of the mesh itself (of which
+/// Intrinsic_surface_test.cpp shows that it is that of the shape).
 void expect_as_defined(Surface_mesh& mesh)
 {
   const RS::Surface surface = RS::make_surface(mesh, RS::parameters::component_links(false));

@@ -143,10 +143,11 @@ void add_stages(std::vector<Case>& cases, const Mesh_wanted& mesh)
     [](auto& s) { s.sharp_edges_segmentation(); });
 }
 
+const auto learned = [](Subject& s) { return s.segment({Method::LEARNED}).whole(); };
+
 /// Partitions of equal size, which do not follow the shape.
 void add_partitions(std::vector<Case>& cases, const Mesh_wanted& mesh)
 {
-  const auto learned = [](Subject& s) { return s.segment({Method::LEARNED}).whole(); };
   cases.push_back(call(
     mesh, "METIS::partition_dual_graph", [](auto& s) { s.partition_dual_graph(8); }, "learned",
     learned));
@@ -156,7 +157,6 @@ void add_partitions(std::vector<Case>& cases, const Mesh_wanted& mesh)
 
 void add_slow_methods(std::vector<Case>& cases, const Mesh_wanted& mesh)
 {
-  const auto learned = [](Subject& s) { return s.segment({Method::LEARNED}).whole(); };
   cases.push_back(call(
     mesh, "sdf_values + segmentation", [](auto& s) { s.shape_diameter_segmentation(8); }, "learned",
     learned));

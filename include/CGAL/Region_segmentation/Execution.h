@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <numeric>
 #include <vector>
+
 namespace CGAL {
 namespace Region_segmentation {
 

@@ -80,23 +80,13 @@ inline Fitted_surface in_space(Fitted_surface s, const Intrinsic_frame& frame)
 /// Fits the surfaces to the points of their faces: those of the search were rounded.
 inline void fit_surfaces(const Surface& surface, Surface_faces& faces)
 {
-  constexpr std::size_t most_points = 300;
   std::vector<std::vector<Double_3>> points(faces.surfaces.size());
   for (std::size_t f = 0; f < surface.number_of_faces(); ++f)
     for (std::size_t i = 0; i < surface.number_of_corners(f); ++i)
       points[faces.partition[f]].push_back(surface.point(surface.corner(f, i)));
-  for (std::size_t part = 0; part < points.size(); ++part) {
-    Fitted_surface& s = faces.surfaces[part];
-    std::vector<Double_3> sample;
-    const std::size_t step = points[part].size() / most_points + 1;
-    for (std::size_t i = 0; i < points[part].size(); i += step)
-      sample.push_back(points[part][i]);
-    if (s.kind == Surface_kind::FREEFORM || int(sample.size()) < degrees_of_freedom(s.kind))
-      continue;
-    Fitted_surface better = s;
-    if (Surface_fitter(sample, 0)(better, 8) <= faces.tolerance)
-      s = better;
-  }
+  for (std::size_t part = 0; part < points.size(); ++part)
+    if (faces.surfaces[part].kind != Surface_kind::FREEFORM)
+      refine_surface(faces.surfaces[part], points[part], faces.tolerance, 0);
 }
 
 /// Sets deviation and extent of the surfaces of faces.
@@ -112,10 +102,11 @@ inline void measure_surfaces(const Surface& surface, Surface_faces& faces)
     Fitted_surface& s = faces.surfaces[faces.partition[f]];
     if (s.kind == Surface_kind::FREEFORM)
       continue;
+    const Surface_distance distance(s);
     for (std::size_t i = 0; i < surface.number_of_corners(f); ++i) {
       const Double_3& p = surface.point(surface.corner(f, i));
       const double z = dot(p - s.point, s.direction);
-      s.deviation = (std::max)(s.deviation, std::fabs(signed_distance(s, p)));
+      s.deviation = (std::max)(s.deviation, std::fabs(distance(p)));
       s.lowest = (std::min)(s.lowest, z);
       s.highest = (std::max)(s.highest, z);
     }

@@ -137,12 +137,6 @@ private:
   double m_cosine, m_sine;
 };
 
-/// The signed distance of a point to the surface, positive away from the axis.
-inline double signed_distance(const Fitted_surface& s, const Double_3& p)
-{
-  return Surface_distance(s)(p);
-}
-
 /// The unit normal of the surface at the point of it next to `p`, on the side of those of the
 /// faces.
 inline Double_3 surface_normal(const Fitted_surface& s, const Double_3& p)

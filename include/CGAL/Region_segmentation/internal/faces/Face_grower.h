@@ -23,6 +23,7 @@ struct Perpendicular
 {
   Double_3 foot, vector;
 };
+
 inline Perpendicular longest_perpendicular(const Surface& surface, Surface::Index face,
                                            Surface::Index other)
 {
@@ -186,8 +187,6 @@ public:
   double area() const { return m_area; }
 
 private:
-  static constexpr std::size_t most_points_of_fit = 300;
-
   void visit(const Fitted_surface& s, Index face)
   {
     if (m_face_marks.mark(face))
@@ -208,19 +207,9 @@ private:
         m_points.push_back(m_surface.point(m_surface.corner(face, i)));
   }
 
-  /// Fits `s` to points that are spread evenly over those found.
-  void refine(Fitted_surface& s)
+  void refine(Fitted_surface& s) const
   {
-    m_sample.clear();
-    const std::size_t step = (m_points.size() + most_points_of_fit - 1) / most_points_of_fit;
-    for (std::size_t i = 0; i < m_points.size(); i += step)
-      m_sample.push_back(m_points[i]);
-    if (int(m_sample.size()) < degrees_of_freedom(s.kind))
-      return;
-    Fitted_surface better = s;
-    Surface_fitter fit(m_sample, 1e-3 * m_test.tolerance());
-    if (fit(better, 8) <= m_test.tolerance())
-      s = better;
+    refine_surface(s, m_points, m_test.tolerance(), 1e-3 * m_test.tolerance());
   }
 
   const Surface& m_surface;
@@ -228,7 +217,7 @@ private:
   const Face_test& m_test;
   Element_marks m_face_marks, m_is_taken, m_vertex_marks;
   std::vector<Index> m_faces, m_rejected;
-  std::vector<Double_3> m_points, m_sample;
+  std::vector<Double_3> m_points;
   double m_area = 0;
 };
 

@@ -6,7 +6,6 @@
 #include <CGAL/Region_segmentation/Segments/Fitted_surface.h>
 #include <CGAL/Region_segmentation/internal/faces/Face_neighbors.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -40,15 +39,6 @@ public:
       if (!(std::fabs(distance(corner(face, i))) <= m_tolerance))
         return false;
     return has_normal_of(s, face);
-  }
-
-  double largest_distance(const Fitted_surface& s, std::size_t face) const
-  {
-    const Surface_distance distance(s);
-    double largest = 0;
-    for (std::size_t i = 0; i < m_surface.number_of_corners(face); ++i)
-      largest = (std::max)(largest, std::fabs(distance(corner(face, i))));
-    return largest;
   }
 
   /// The mean distance of the midpoints of the edges of a face to a surface: how much the face

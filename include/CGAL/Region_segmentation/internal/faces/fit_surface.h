@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -187,6 +188,24 @@ private:
   Double_3 m_center{0, 0, 0};
   double m_size = 0;
 };
+
+/// Fits a surface to points, from the values that it has, and to 300 of them, spread evenly, where
+/// there are more. The values stay if those found are not within the tolerance.
+/// \param stop see `Surface_fitter`
+inline void refine_surface(Fitted_surface& s, const std::vector<Double_3>& points, double tolerance,
+                           double stop)
+{
+  constexpr std::size_t most_points = 300;
+  std::vector<Double_3> sample;
+  const std::size_t step = (points.size() + most_points - 1) / most_points;
+  for (std::size_t i = 0; i < points.size(); i += step)
+    sample.push_back(points[i]);
+  if (int(sample.size()) < degrees_of_freedom(s.kind))
+    return;
+  Fitted_surface better = s;
+  if (Surface_fitter(sample, stop)(better, 8) <= tolerance)
+    s = better;
+}
 
 } // namespace internal
 } // namespace Region_segmentation

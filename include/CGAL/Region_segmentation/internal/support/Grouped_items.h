@@ -71,6 +71,7 @@ Grouped_items<Item> grouped(std::size_t number_of_groups, const ForEach& for_eac
   for_each([&](std::size_t group, const Item& item) { result.add(group, item); });
   return result;
 }
+
 } // namespace internal
 } // namespace Region_segmentation
 } // namespace CGAL

@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -108,7 +109,7 @@ private:
 
   void set_axes()
   {
-    double largest = -1;
+    double largest = -std::numeric_limits<double>::infinity();
     for (const Double_3& p : farthest({0, 0, 0})) {
       const Double_3 a = (1 / norm(p)) * p;
       for (const Double_3& q : farthest(a)) {
@@ -146,16 +147,14 @@ private:
     return result;
   }
 
-  /// In units of its upper bound.
   double moment(const Axes& axes) const
   {
-    double sum = 0, all = 0;
+    double sum = 0;
     for (const Place& p : m_places) {
       const double t = dot(coordinates(p.point, axes), direction);
       sum += p.area * t * t * t * (1 + t);
-      all += p.area;
     }
-    return all > 0 ? sum / (30 * all) : 0;
+    return sum;
   }
 
   static Double_3 coordinates(const Double_3& v, const Axes& axes)

@@ -214,9 +214,7 @@ private:
         arrays.is_crumb[m_faces[f]] = true;
       }
     }
-    for (std::size_t f = 0; f < m_faces.size(); ++f)
-      arrays.area += m_surface->weight(f);
-    arrays.length_unit = arrays.area > 0 ? std::sqrt(arrays.area) : 1;
+    sum_areas(*m_surface);
   }
 
   /// Those of the given surface, by their new higher, then lower faces.
@@ -248,43 +246,28 @@ private:
     for (std::size_t a = 0; a < size; ++a) {
       const auto [lower, g] = adjacencies[a];
       const Index higher = (std::max)(m_faces[given.lower_face(g)], m_faces[given.higher_face(g)]);
-      const auto [direction, number] = common_edges(lower, higher);
+      const auto [direction, number] = few_common_edges(lower, higher);
       arrays.lower_faces[a] = lower;
       arrays.higher_faces[a] = higher;
       arrays.squared_lengths[a] = number == 1 && !given.has_flag(g, Surface::SEAM | Surface::LINK)
                                     ? squared_norm(direction)
                                     : float(given.squared_length(g) / unit / unit);
-      constexpr std::uint8_t signs = Surface::CONVEX | Surface::CONCAVE;
       arrays.flags[a] = given.flags(g);
       if (given.has_angle(g) && number > 0)
-        arrays.flags[a] = std::uint8_t(
-          (given.flags(g) & ~signs) |
+        arrays.flags[a] = with_sign(
+          given.flags(g),
           sign_of_edge(m_surface->normal(higher), m_surface->normal(lower), direction));
     }
     join_degenerate_faces(*m_surface);
   }
 
-  /// The sum of the edges between two faces, along the boundary of the higher one; and how many.
   /// None of polygons of so many corners that a search of all pairs would take long.
-  std::pair<Double_3, std::size_t> common_edges(Index lower, Index higher) const
+  std::pair<Double_3, std::size_t> few_common_edges(Index lower, Index higher) const
   {
     constexpr std::size_t most_pairs = 256;
-    std::pair<Double_3, std::size_t> result{{0, 0, 0}, 0};
     if (m_surface->number_of_corners(lower) * m_surface->number_of_corners(higher) > most_pairs)
-      return result;
-    const Surface_arrays& arrays = arrays_of(*m_surface);
-    const Index *const first = arrays.corners.data() + arrays.first_corners[lower],
-                       *const last = arrays.corners.data() + arrays.first_corners[lower + 1] - 1;
-    for_each_side(*m_surface, higher, [&](Index p, Index q) {
-      Index from = *last; // as runs_along(), which takes several times as many instructions
-      for (const Index* to = first; to <= last; from = *to++)
-        if (from == q && *to == p) {
-          result.first = result.first + (arrays.points[q] - arrays.points[p]);
-          result.second = result.second + 1;
-          break;
-        }
-    });
-    return result;
+      return {{0, 0, 0}, 0};
+    return common_edges(*m_surface, lower, higher);
   }
 
   Intrinsic_frame m_frame;

@@ -15,6 +15,7 @@
 #include <CGAL/boost/graph/named_params_helper.h>
 
 #include <boost/graph/graph_traits.hpp>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>

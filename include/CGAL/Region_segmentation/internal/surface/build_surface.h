@@ -69,7 +69,6 @@ inline void insert_links(Surface& surface, std::size_t number_of_edge_components
 /// From points and corners to a surface.
 inline Surface build_surface(Raw_surface raw, Adjacency_of wanted, const Execution& execution)
 {
-  Surface_arrays& arrays = arrays_of(raw.surface);
   std::vector<Added_adjacency> added;
   std::vector<Seam> seams;
   const bool has_open_sides = std::find(raw.neighbors.begin(), raw.neighbors.end(),
@@ -93,13 +92,11 @@ inline Surface build_surface(Raw_surface raw, Adjacency_of wanted, const Executi
   raw.neighbors = Large_array<Surface::Index>();
   for (const Seam& seam : seams)
     added.push_back(adjacency_of_seam(raw.surface, seam));
-  insert_adjacencies(raw.surface, std::move(added));
+  insert_adjacencies(raw.surface, added);
   join_degenerate_faces(raw.surface);
   if (wanted == Adjacency_of::COMPONENTS)
     insert_links(raw.surface, component_of.number_of_parts(), execution.step(0.9, 1));
-  for (std::size_t f = 0; f < arrays.areas.size(); ++f)
-    arrays.area += raw.surface.weight(f);
-  arrays.length_unit = arrays.area > 0 ? std::sqrt(arrays.area) : 1;
+  sum_areas(raw.surface);
   return std::move(raw.surface);
 }
 

@@ -7,9 +7,11 @@
 #include <CGAL/Region_segmentation/Surface.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <utility>
 
 namespace CGAL {
 namespace Region_segmentation {
@@ -67,15 +69,46 @@ inline std::uint8_t sign_of_edge(const Double_3& higher, const Double_3& lower,
   return std::uint8_t((sign > 0) * Surface::CONVEX + (sign < 0) * Surface::CONCAVE);
 }
 
+/// Flags with another sign.
+inline std::uint8_t with_sign(std::uint8_t flags, std::uint8_t sign)
+{
+  constexpr std::uint8_t signs = Surface::CONVEX | Surface::CONCAVE;
+  return std::uint8_t((flags & ~signs) | sign);
+}
+
 /// Whether the boundary of a face runs from one vertex to another.
 inline bool runs_along(const Surface& surface, Surface::Index face, Surface::Index from,
                        Surface::Index to)
 {
-  bool result = false;
-  for_each_side(surface, face, [&](Surface::Index v, Surface::Index w) {
-    result = result || (v == from && w == to);
+  const std::size_t n = surface.number_of_corners(face);
+  for (std::size_t i = 0; i < n; ++i)
+    if (surface.corner(face, i) == from && surface.corner(face, i + 1 < n ? i + 1 : 0) == to)
+      return true;
+  return false;
+}
+
+/// The edges between two faces, along the boundary of the higher one: their sum and their number.
+inline std::pair<Double_3, std::size_t> common_edges(const Surface& surface, Surface::Index lower,
+                                                     Surface::Index higher)
+{
+  std::pair<Double_3, std::size_t> result{{0, 0, 0}, 0};
+  for_each_side(surface, higher, [&](Surface::Index p, Surface::Index q) {
+    if (runs_along(surface, lower, q, p)) {
+      result.first = result.first + (surface.point(q) - surface.point(p));
+      ++result.second;
+    }
   });
   return result;
+}
+
+/// Sets the area of the surface and the unit of lengths by the weights of the faces.
+inline void sum_areas(Surface& surface)
+{
+  Surface_arrays& arrays = arrays_of(surface);
+  arrays.area = 0;
+  for (std::size_t f = 0; f < surface.number_of_faces(); ++f)
+    arrays.area += surface.weight(f);
+  arrays.length_unit = arrays.area > 0 ? std::sqrt(arrays.area) : 1;
 }
 
 } // namespace internal

@@ -145,18 +145,6 @@ private:
   Large_array<Vertex> m_vertices;
 };
 
-/// The sign of the edges between two faces of a surface together: its flag.
-inline std::uint8_t sign_of_adjacency(const Surface& surface, std::size_t adjacency)
-{
-  const std::size_t lower = surface.lower_face(adjacency), higher = surface.higher_face(adjacency);
-  Double_3 edges{0, 0, 0};
-  for_each_side(surface, higher, [&](Surface::Index p, Surface::Index q) {
-    if (runs_along(surface, Surface::Index(lower), q, p))
-      edges = edges + (surface.point(q) - surface.point(p));
-  });
-  return sign_of_edge(surface.normal(higher), surface.normal(lower), edges);
-}
-
 /// Moves the points of a surface, and with them all but degenerate faces and adjacencies.
 /// `heights`: of all vertices
 inline void smooth(Surface& surface, const Vertex_heights& heights, const Execution& execution)
@@ -179,14 +167,14 @@ inline void smooth(Surface& surface, const Vertex_heights& heights, const Execut
 inline void update_sums_and_signs(Surface& surface, const Execution& execution)
 {
   Surface_arrays& arrays = arrays_of(surface);
-  arrays.area = 0;
-  for (std::size_t f = 0; f < arrays.areas.size(); ++f)
-    arrays.area += surface.weight(f);
-  arrays.length_unit = arrays.area > 0 ? std::sqrt(arrays.area) : 1;
-  constexpr std::uint8_t signs = Surface::CONVEX | Surface::CONCAVE;
+  sum_areas(surface);
   for_each_index(execution, arrays.flags.size(), [&](std::size_t a) {
-    if (surface.has_angle(a))
-      arrays.flags[a] = std::uint8_t((arrays.flags[a] & ~signs) | sign_of_adjacency(surface, a));
+    if (!surface.has_angle(a))
+      return;
+    const Surface::Index lower = surface.lower_face(a), higher = surface.higher_face(a);
+    arrays.flags[a] = with_sign(arrays.flags[a],
+                                sign_of_edge(surface.normal(higher), surface.normal(lower),
+                                             common_edges(surface, lower, higher).first));
   });
 }
 
