@@ -87,8 +87,10 @@ class LivePage extends Page {
   }
 
   async run(file, request) {
-    const {content, arrays} = await this.engine.run(file, "segment", {method: element("method").value, ...request});
-    this.method = element("method").value;
+    const method = element("method").value;
+    const {content, arrays} = await this.engine.run(file, "segment", {method, ...request});
+    if (method !== this.method) element("coloring").value = method === "smooth-faces" ? "kinds" : "segments";
+    this.method = method;
     const parsed = JSON.parse(content);
     return [parsed, readArrays(parsed.arrays, arrays.buffer)];
   }
@@ -120,7 +122,6 @@ class LivePage extends Page {
   async changeMethod() {
     const method = element("method"), before = this.method;
     if (!await this.segment(0)) method.value = before;
-    else element("coloring").value = method.value === "smooth-faces" ? "kinds" : "segments";
     this.setNodes(this.nodes);
   }
 

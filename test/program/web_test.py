@@ -267,6 +267,8 @@ def check_saving(page):
     page.script("document.getElementById('method').value = 'learned'")
     page.drop("figure.off")
     page.press("[data-tool=select]")
+    colors = page.script("return Array.from(document.querySelectorAll('#list .swatch'), item => item.style.background)")
+    assert len(set(colors)) > 1, "segments of another method are colored by the kinds of surface"
     k, labels = page.count(), page.labels()
     for ending in (".ply", ".glb", ".obj", ".off"):
         page.script("document.getElementById('format').value = arguments[0]", ending)

@@ -58,6 +58,37 @@ public:
     return moved;
   }
 
+  /// Whether a piece that was connected before elements left it still is: if and only if its
+  /// elements adjacent to those are still connected to each other. Stops as soon as they are, so
+  /// usually after a local search.
+  bool is_connected(Index piece, const std::vector<Index>& moved)
+  {
+    const Index wanted = m_latest_visit + 1, reached = m_latest_visit + 2;
+    m_latest_visit += 2;
+    std::vector<Index> front;
+    std::size_t missing = 0;
+    for (const Index element : moved)
+      for (const auto& step : m_costs.steps(element))
+        if (m_piece_of[element] != piece && m_piece_of[step.face] == piece &&
+            m_visits[step.face] != wanted) {
+          m_visits[step.face] = wanted;
+          front.assign(1, step.face);
+          ++missing;
+        }
+    if (missing == 0)
+      return true;
+    m_visits[front[0]] = reached;
+    --missing;
+    for (std::size_t i = 0; i < front.size() && missing > 0; ++i)
+      for (const auto& step : m_costs.steps(front[i]))
+        if (m_piece_of[step.face] == piece && m_visits[step.face] != reached) {
+          missing -= m_visits[step.face] == wanted;
+          m_visits[step.face] = reached;
+          front.push_back(step.face);
+        }
+    return missing == 0;
+  }
+
 private:
   static constexpr double unreached = (std::numeric_limits<double>::max)();
 
@@ -143,37 +174,6 @@ private:
       moved.clear();
     }
     return moved;
-  }
-
-  /// Whether a piece that was connected before elements left it still is: if and only if its
-  /// elements adjacent to those are still connected to each other. Stops as soon as they are, so
-  /// usually after a local search.
-  bool is_connected(Index piece, const std::vector<Index>& moved)
-  {
-    const Index wanted = m_latest_visit + 1, reached = m_latest_visit + 2;
-    m_latest_visit += 2;
-    std::vector<Index> front;
-    std::size_t missing = 0;
-    for (const Index element : moved)
-      for (const auto& step : m_costs.steps(element))
-        if (m_piece_of[element] != piece && m_piece_of[step.face] == piece &&
-            m_visits[step.face] != wanted) {
-          m_visits[step.face] = wanted;
-          front.assign(1, step.face);
-          ++missing;
-        }
-    if (missing == 0)
-      return true;
-    m_visits[front[0]] = reached;
-    --missing;
-    for (std::size_t i = 0; i < front.size() && missing > 0; ++i)
-      for (const auto& step : m_costs.steps(front[i]))
-        if (m_piece_of[step.face] == piece && m_visits[step.face] != reached) {
-          missing -= m_visits[step.face] == wanted;
-          m_visits[step.face] = reached;
-          front.push_back(step.face);
-        }
-    return missing == 0;
   }
 
   const Dual_graph& m_costs;

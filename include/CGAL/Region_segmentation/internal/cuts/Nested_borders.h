@@ -6,7 +6,7 @@
 #include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/Graph/Merge_tree.h>
 #include <CGAL/Region_segmentation/internal/cuts/Border_cut.h>
-#include <CGAL/Region_segmentation/internal/cuts/Region_pieces.h>
+#include <CGAL/Region_segmentation/internal/cuts/Region_elements.h>
 #include <CGAL/Region_segmentation/internal/graph/Tree_regions.h>
 #include <CGAL/Region_segmentation/internal/regions/Dual_graph.h>
 #include <CGAL/Region_segmentation/internal/support/Lowest_root_forest.h>
@@ -47,7 +47,7 @@ public:
     , m_region_of(region_of)
     , m_tree(tree)
     , m_tree_regions(tree)
-    , m_pieces(costs, region_of, tree.number_of_regions())
+    , m_elements(costs, region_of, tree.number_of_regions())
     , m_label_of(region_of.size())
     , m_guests(tree.number_of_regions())
     , m_area_of(tree.number_of_regions(), 0)
@@ -96,17 +96,17 @@ private:
   std::vector<Index> divide(std::size_t i, const IsFixed& is_fixed)
   {
     const Index a = m_tree.merges()[i].kept, b = m_tree.merges()[i].removed;
+    std::vector<Index> guests = std::exchange(m_guests[a], {});
+    for (const Index guest : guests)
+      m_label_of[guest] = none;
     std::vector<Index> regions_of_a, regions_of_b;
     m_tree_regions.for_each_kept(i, [&](Index region) { regions_of_a.push_back(region); });
     m_tree_regions.for_each_removed(i, [&](Index region) {
       regions_of_b.push_back(region);
-      m_pieces.for_each_element(region, [&](Index element) { m_label_of[element] = b; });
+      m_elements.for_each_element(region, [&](Index element) { m_label_of[element] = b; });
     });
-    std::vector<Index> guests = std::exchange(m_guests[a], {});
-    for (const auto* const regions : {&regions_of_a, &regions_of_b})
-      keep_largest_component(m_pieces.components(*regions), guests, is_fixed);
-    for (const Index guest : guests)
-      m_label_of[guest] = none;
+    make_connected(a, regions_of_a, guests, is_fixed);
+    make_connected(b, regions_of_b, guests, is_fixed);
     join_parts(guests, a, b);
     return guests;
   }
@@ -117,21 +117,25 @@ private:
     bool has_kept = false, has_removed = false;
     for (const Index guest : guests)
       (m_label_of[guest] == m_tree.merges()[i].kept ? has_kept : has_removed) = true;
-    m_tree_regions.for_each_kept(i,
-                                 [&](Index region) { has_kept |= m_pieces.has_elements(region); });
+    m_tree_regions.for_each_kept(
+      i, [&](Index region) { has_kept |= m_elements.has_elements(region); });
     m_tree_regions.for_each_removed(
-      i, [&](Index region) { has_removed |= m_pieces.has_elements(region); });
+      i, [&](Index region) { has_removed |= m_elements.has_elements(region); });
     return has_kept && has_removed;
   }
 
-  /// That with fixed elements, else the largest by area; of equal ones that of the lowest element.
-  /// The others become guests.
+  /// A part of several components keeps that with fixed elements, else the largest by area; of
+  /// equal ones that of the lowest element. The others become guests.
   template <typename IsFixed>
-  void keep_largest_component(const std::vector<std::vector<Index>>& components,
-                              std::vector<Index>& guests, const IsFixed& is_fixed)
+  void make_connected(Index part, const std::vector<Index>& regions, std::vector<Index>& guests,
+                      const IsFixed& is_fixed)
   {
-    if (components.empty())
+    std::vector<Index> lost;
+    for (const Index region : regions)
+      lost.insert(lost.end(), m_elements.lost(region).begin(), m_elements.lost(region).end());
+    if (m_cut.is_connected(part, lost))
       return;
+    const std::vector<std::vector<Index>> components = m_elements.components(regions);
     std::vector<double> areas;
     for (const std::vector<Index>& component : components) {
       areas.push_back(0);
@@ -146,8 +150,10 @@ private:
         largest = i;
     for (std::size_t i = 0; i < components.size(); ++i)
       if (i != largest) {
-        m_pieces.remove(components[i]);
+        m_elements.remove(components[i]);
         guests.insert(guests.end(), components[i].begin(), components[i].end());
+        for (const Index element : components[i])
+          m_label_of[element] = none;
       }
   }
 
@@ -195,7 +201,7 @@ private:
     const Index a = m_tree.merges()[i].kept, b = m_tree.merges()[i].removed;
     std::vector<Index> elements_of_b, border;
     m_tree_regions.for_each_removed(i, [&](Index region) {
-      m_pieces.for_each_element(region, [&](Index element) { elements_of_b.push_back(element); });
+      m_elements.for_each_element(region, [&](Index element) { elements_of_b.push_back(element); });
     });
     for (const Index guest : guests)
       if (m_label_of[guest] == b)
@@ -217,10 +223,10 @@ private:
       const Index now = m_label_of[element];
       m_area_of[now] += m_areas[element];
       m_area_of[now == a ? b : a] -= m_areas[element];
-      if (m_pieces.has(element))
+      if (m_elements.has(element))
         lost.push_back(element);
     }
-    m_pieces.remove(lost);
+    m_elements.remove(lost);
     guests.insert(guests.end(), lost.begin(), lost.end());
   }
 
@@ -229,7 +235,7 @@ private:
   const std::vector<Index>& m_region_of;
   const Merge_tree& m_tree;
   const Tree_regions m_tree_regions;
-  Region_pieces m_pieces;                   // of the own elements
+  Region_elements m_elements;               // their own
   std::vector<Index> m_label_of;            // by element: its segment, named by the lowest region
   std::vector<std::vector<Index>> m_guests; // by segment
   std::vector<double> m_area_of;            // by segment, as long as borders are moved
