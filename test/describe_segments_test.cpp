@@ -3,7 +3,7 @@
 #include "segments.h"
 
 #include <CGAL/Region_segmentation/Segments/describe_segments.h>
-#include <CGAL/Region_segmentation/internal/segments/Primitive_shape.h>
+#include <CGAL/Region_segmentation/internal/segments/Primitive_fitter.h>
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polyhedron_3.h>
@@ -316,74 +316,60 @@ TEST(Describe_segments_test, finds_nothing_but_a_plane_where_all_points_are_on_i
     EXPECT_EQ(d.primitive.error_of(type), std::numeric_limits<double>::infinity());
 }
 
-using Shape = RS::internal::Primitive_shape;
-
-Shape make_shape(RS::Primitive_type type, const Eigen::Vector3d& point,
-                 const Eigen::Vector3d& direction, double size)
-{
-  Shape shape;
-  shape.type = type;
-  shape.point = point;
-  shape.direction = direction;
-  (type == RS::Primitive_type::CONE ? shape.half_angle : shape.radius) = size;
-  shape.move(Shape::Gradient::Zero());
-  return shape;
-}
-
-TEST(Primitive_shape_test, has_one_form)
-{
-  const Shape sphere = make_shape(RS::Primitive_type::SPHERE, {1, 2, 3}, {0, 0, 0}, -4);
-  EXPECT_EQ(sphere.point, Eigen::Vector3d(1, 2, 3));
-  EXPECT_EQ(sphere.radius, 4);
-  EXPECT_EQ(sphere.distance({1, 2, 9}), 2);
-
-  const Shape cylinder = make_shape(RS::Primitive_type::CYLINDER, {1, 2, 3}, {0, 0, 2}, -5);
-  EXPECT_EQ(cylinder.point, Eigen::Vector3d(1, 2, 0));
-  EXPECT_EQ(cylinder.direction, Eigen::Vector3d(0, 0, 1));
-  EXPECT_EQ(cylinder.radius, 5);
-  EXPECT_EQ(cylinder.distance({1, 8, 7}), 1);
-
-  for (const auto& [angle, normalized] :
-       {std::make_pair(-0.1, 0.), std::make_pair(0.5, 0.5), std::make_pair(2., pi / 2)}) {
-    const Shape cone = make_shape(RS::Primitive_type::CONE, {1, 2, 3}, {0, 3, 0}, angle);
-    EXPECT_EQ(cone.point, Eigen::Vector3d(1, 2, 3));
-    EXPECT_EQ(cone.direction, Eigen::Vector3d(0, 1, 0));
-    EXPECT_DOUBLE_EQ(cone.half_angle, normalized);
-  }
-  const Shape cone = make_shape(RS::Primitive_type::CONE, {1, 2, 3}, {0, 3, 0}, pi / 6);
-  EXPECT_NEAR(cone.distance({3, 2, 3}), 2 * std::cos(pi / 6), 1e-12);  // beside the apex
-  EXPECT_NEAR(cone.distance({1, 4, 3}), -2 * std::sin(pi / 6), 1e-12); // on the axis
-  EXPECT_NEAR(cone.distance({1, -3, 3}), 5, 1e-12);                    // behind the apex
-}
-
-/// At random points, in front of and behind an apex, by central differences.
-TEST(Primitive_shape_test, has_the_gradient_of_its_distance)
+/// Of the signed distance, by central differences, where the surface has a tangent plane.
+TEST(Surface_distance_test, has_the_derivatives_of_its_profile)
 {
   constexpr double step = 1e-6;
   std::mt19937 random(17);
-  std::uniform_real_distribution<double> coordinate(-2, 2);
-  for (RS::Primitive_type type :
-       {RS::Primitive_type::SPHERE, RS::Primitive_type::CYLINDER, RS::Primitive_type::CONE}) {
-    const bool is_sphere = type == RS::Primitive_type::SPHERE;
-    const Shape shape = make_shape(type, {0.1, -0.2, 0.3},
-                                   Eigen::Vector3d(0.4, 1, -0.6) * !is_sphere, 0.7);
-    for (int i = 0; i < 200; ++i) {
-      const Eigen::Vector3d p(coordinate(random), coordinate(random), coordinate(random));
-      const Shape::Gradient gradient = shape.gradient(p);
-      for (int j = 0; j < 8; ++j) {
-        if ((is_sphere && j >= 3 && j < 6) || (j == 6 && type == RS::Primitive_type::CONE) ||
-            (j == 7 && type != RS::Primitive_type::CONE)) {
-          EXPECT_EQ(gradient[j], 0) << "a parameter that is not used";
-          continue;
-        }
-        Shape above = shape, below = shape;
-        above.move(step * Shape::Gradient::Unit(j));
-        below.move(-step * Shape::Gradient::Unit(j));
-        EXPECT_NEAR(gradient[j], (above.distance(p) - below.distance(p)) / (2 * step), 1e-6)
-          << "parameter " << j << " at " << p.transpose();
-      }
+  std::uniform_real_distribution<double> coordinate(0.1, 2);
+  for (const RS::Surface_kind kind :
+       {RS::Surface_kind::PLANE, RS::Surface_kind::CYLINDER, RS::Surface_kind::CONE,
+        RS::Surface_kind::SPHERE, RS::Surface_kind::TORUS}) {
+    RS::Fitted_surface surface;
+    surface.kind = kind;
+    surface.radius = 0.7;
+    surface.minor_radius = 0.2;
+    surface.angle = 0.4;
+    const auto distance = [](const RS::Fitted_surface& s, double r, double z) {
+      return RS::internal::Surface_distance(s)({s.point.x + r, s.point.y, s.point.z + z});
+    };
+    for (int i = 0; i < 100; ++i) {
+      const double r = coordinate(random), z = coordinate(random) - 1;
+      const RS::internal::Profile profile = RS::internal::Surface_distance(surface).profile(r, z);
+      const auto changed = [&](double radius, double second) {
+        RS::Fitted_surface s = surface;
+        s.radius += radius;
+        (kind == RS::Surface_kind::CONE ? s.angle : s.minor_radius) += second;
+        return distance(s, r, z);
+      };
+      EXPECT_DOUBLE_EQ(profile.value, distance(surface, r, z));
+      EXPECT_NEAR(profile.by_r,
+                  (distance(surface, r + step, z) - distance(surface, r - step, z)) / (2 * step),
+                  1e-6);
+      EXPECT_NEAR(profile.by_z,
+                  (distance(surface, r, z + step) - distance(surface, r, z - step)) / (2 * step),
+                  1e-6);
+      EXPECT_NEAR(profile.by_radius, (changed(step, 0) - changed(-step, 0)) / (2 * step), 1e-6);
+      EXPECT_NEAR(profile.by_second, (changed(0, step) - changed(0, -step)) / (2 * step), 1e-6);
     }
   }
+}
+
+/// Points of weight 0 do not count, and one of weight 2 is two points.
+TEST(Surface_fitter_test, weights_points)
+{
+  const std::vector<RS::Double_3> points = {{1, 0, 0},   {0, 1.1, 0}, {-1, 0, 0},  {0, -0.9, 0},
+                                            {0, 0, 1.2}, {0, 0, -1},  {0.9, 0, 0}, {5, 5, 5}};
+  std::vector<RS::Double_3> repeated(points.begin(), points.end() - 1);
+  repeated.push_back(points[4]);
+  RS::Fitted_surface weighted, expected;
+  weighted.kind = expected.kind = RS::Surface_kind::SPHERE;
+  weighted.radius = expected.radius = 1;
+  const double misfit = RS::internal::Surface_fitter(points, 0, {1, 1, 1, 1, 2, 1, 1, 0})(weighted,
+                                                                                          50);
+  EXPECT_NEAR(misfit, RS::internal::Surface_fitter(repeated, 0)(expected, 50), 1e-9);
+  EXPECT_NEAR(weighted.radius, expected.radius, 1e-6);
+  EXPECT_NEAR(norm(weighted.point - expected.point), 0, 1e-6);
 }
 
 TEST(Describe_segments_test, finds_a_sphere_and_a_part_of_it)

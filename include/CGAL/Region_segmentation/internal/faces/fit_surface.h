@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -41,25 +43,30 @@ class Surface_fitter
 {
 public:
   /// \param stop the root mean square distance below which the fit is good enough
-  Surface_fitter(const std::vector<Double_3>& points, double stop)
+  /// \param weights of the points; empty: all are 1
+  Surface_fitter(const std::vector<Double_3>& points, double stop, std::vector<double> weights = {})
     : m_points(points)
+    , m_weights(std::move(weights))
     , m_stop(stop)
   {
-    for (const Double_3& p : points)
-      m_center = m_center + p;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      m_center = m_center + points[i];
+      m_weight += weight(i);
+    }
     m_center = (1.0 / double(points.size())) * m_center;
     for (const Double_3& p : points)
       m_size = (std::max)(m_size, norm(p - m_center));
   }
 
-  /// Returns the root mean square distance.
-  double operator()(Fitted_surface& s, int iterations = 15) const
+  /// Returns the root mean square distance, infinity if the fit leads to no surface.
+  /// \param slow_iterations in a row, of which none improves much, after which the fit ends
+  double operator()(Fitted_surface& s, int iterations = 15, int slow_iterations = 3) const
   {
     anchor(s);
     Normal_equations best = equations(s);
     double damping = 1e-3;
     int slow = 0;
-    for (int i = 0; i < iterations && rms(best) > m_stop && slow < 3; ++i) {
+    for (int i = 0; i < iterations && rms(best) > m_stop && slow < slow_iterations; ++i) {
       const Fitted_surface next = moved(s, step(best, damping));
       const Normal_equations e = equations(next);
       if (e.cost < best.cost) {
@@ -72,24 +79,23 @@ public:
         damping = 10 * damping;
       }
     }
-    return normalized(s) ? rms(best) : infinite;
+    return normalized(s) ? rms(best) : std::numeric_limits<double>::infinity();
   }
 
   double root_mean_square(const Fitted_surface& s) const
   {
     const Surface_distance distance(s);
     double sum = 0;
-    for (const Double_3& p : m_points) {
-      const double d = distance(p);
-      sum += d * d;
+    for (std::size_t i = 0; i < m_points.size(); ++i) {
+      const double d = distance(m_points[i]);
+      sum += weight(i) * d * d;
     }
-    return std::sqrt(sum / double(m_points.size()));
+    return std::sqrt(sum / m_weight);
   }
 
 private:
   using Vector = Eigen::Matrix<double, 7, 1, Eigen::DontAlign>;
   using Matrix = Eigen::Matrix<double, 7, 7, Eigen::DontAlign>;
-  static constexpr double infinite = 1e300;
 
   struct Normal_equations
   {
@@ -98,10 +104,9 @@ private:
     double cost = 0;
   };
 
-  double rms(const Normal_equations& e) const
-  {
-    return std::sqrt(e.cost / double(m_points.size()));
-  }
+  double weight(std::size_t i) const { return m_weights.empty() ? 1 : m_weights[i]; }
+
+  double rms(const Normal_equations& e) const { return std::sqrt(e.cost / m_weight); }
 
   static Double_3 any_perpendicular(const Double_3& a)
   {
@@ -129,20 +134,21 @@ private:
     const bool slides = s.kind == Surface_kind::CONE || s.kind == Surface_kind::CYLINDER;
     const Surface_distance distance(s);
     Normal_equations result;
-    for (const Double_3& p : m_points) {
-      const Meridian_point m = meridian_point(s, p);
+    for (std::size_t k = 0; k < m_points.size(); ++k) {
+      const Meridian_point m = meridian_point(s, m_points[k]);
       const Profile f = distance.profile(m.r, m.z);
       const double x = dot(m.outward, e1), y = dot(m.outward, e2),
                    tilt = f.by_z * m.r - f.by_r * m.z;
       Vector row;
       row << -f.by_r * x, -f.by_r * y, slides ? 0 : -f.by_z, tilt * x, tilt * y, f.by_radius,
         f.by_second;
+      const double w = weight(k);
       for (int i = 0; i < 7; ++i) {
-        result.b[i] += row[i] * f.value;
+        result.b[i] += w * row[i] * f.value;
         for (int j = 0; j <= i; ++j)
-          result.a(i, j) += row[i] * row[j];
+          result.a(i, j) += w * row[i] * row[j];
       }
-      result.cost += f.value * f.value;
+      result.cost += w * f.value * f.value;
     }
     return result;
   }
@@ -184,9 +190,10 @@ private:
   }
 
   const std::vector<Double_3>& m_points;
+  const std::vector<double> m_weights;
   double m_stop;
   Double_3 m_center{0, 0, 0};
-  double m_size = 0;
+  double m_size = 0, m_weight = 0;
 };
 
 /// Fits a surface to points, from the values that it has, and to 300 of them, spread evenly, where

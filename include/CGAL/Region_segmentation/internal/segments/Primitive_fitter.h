@@ -3,8 +3,9 @@
 #ifndef CGAL_REGION_SEGMENTATION_INTERNAL_SEGMENTS_PRIMITIVE_FITTER_H
 #define CGAL_REGION_SEGMENTATION_INTERNAL_SEGMENTS_PRIMITIVE_FITTER_H
 
-#include <CGAL/Region_segmentation/internal/segments/Primitive_shape.h>
-#include <CGAL/Region_segmentation/internal/segments/fit_by_least_squares.h>
+#include <CGAL/Region_segmentation/Segments/Fitted_primitive.h>
+#include <CGAL/Region_segmentation/Segments/Fitted_surface.h>
+#include <CGAL/Region_segmentation/internal/faces/fit_surface.h>
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
@@ -15,15 +16,24 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
+inline Primitive_type type_of(Surface_kind kind)
+{
+  return kind == Surface_kind::SPHERE     ? Primitive_type::SPHERE
+         : kind == Surface_kind::CYLINDER ? Primitive_type::CYLINDER
+         : kind == Surface_kind::CONE     ? Primitive_type::CONE
+                                          : Primitive_type::PLANE;
+}
+
 /// Fits primitives to the faces of a segment: first by linear systems in points and normals, then
-/// by least squares of the distances of the corners. Faces are added in a system of coordinates
-/// where the centroid of the segment is the origin and its area is 1.
+/// by least squares of the distances of the corners, see `Surface_fitter`. Faces are added in a
+/// system of coordinates where the centroid of the segment is the origin and its area is 1.
 class Primitive_fitter
 {
 public:
@@ -53,15 +63,24 @@ public:
   }
 
   /// The simplest primitive than which no more complex one is better by far.
-  Primitive_shape fit()
+  Fitted_surface fit()
   {
     for (auto* samples : {&m_corners, &m_middles, &m_fitted_corners, &m_normals})
       normalize_weights(*samples);
     m_errors.fill(infinity);
     accept(plane());
-    if (m_misfit > 0) // otherwise nothing can be better, and the systems are singular
-      for (const Primitive_shape& start : {sphere(), cylinder(), cone()})
-        accept(fit_by_least_squares(start, m_fitted_corners));
+    if (!(m_misfit > 0)) // nothing can be better, and the systems are singular
+      return m_best;
+    std::vector<Double_3> points;
+    std::vector<double> weights;
+    for (const Weighted_point& c : m_fitted_corners) {
+      points.push_back(plain(c.point));
+      weights.push_back(c.weight);
+    }
+    const Surface_fitter fitter(points, 0, std::move(weights));
+    for (Fitted_surface surface : {sphere(), cylinder(), cone()})
+      if (fitter(surface, most_iterations, most_slow_iterations) < infinity)
+        accept(surface);
     return m_best;
   }
 
@@ -70,13 +89,19 @@ public:
   const std::array<double, 4>& errors() const { return m_errors; }
 
 private:
+  struct Weighted_point
+  {
+    Eigen::Vector3d point;
+    double weight;
+  };
   using Samples = std::vector<Weighted_point>;
 
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   static constexpr std::size_t most_fitted_faces = 2000; // errors are those of all faces
   static constexpr double tolerance = 1e-4;              // misfits below are as good as none
-  static constexpr double worthwhile = 0.8;     // what another parameter multiplies the misfit with
-  static constexpr double largest_radius = 100; // beyond, a surface is as good as flat
+  static constexpr double worthwhile = 0.8; // what another parameter multiplies the misfit with
+  static constexpr int most_iterations = 100, most_slow_iterations = 20; // often no surface fits
+  static constexpr double largest_radius = 100;       // beyond, a surface is as good as flat
   static constexpr double smallest_half_angle = 0.01; // radians; below, a cone is a cylinder
 
   static void normalize_weights(Samples& samples)
@@ -88,28 +113,41 @@ private:
       s.weight = sum > 0 ? s.weight / sum : 1 / double(samples.size());
   }
 
-  static bool is_proper(const Primitive_shape& shape)
+  static Double_3 plain(const Eigen::Vector3d& v) { return {v[0], v[1], v[2]}; }
+
+  static bool is_proper(const Fitted_surface& surface)
   {
-    const bool is_cone = shape.type == Primitive_type::CONE;
-    if (is_cone && !(shape.half_angle >= smallest_half_angle &&
-                     shape.half_angle <= CGAL_PI / 2 - smallest_half_angle))
+    const bool is_cone = surface.kind == Surface_kind::CONE;
+    if (is_cone && !(surface.angle >= smallest_half_angle &&
+                     surface.angle <= CGAL_PI / 2 - smallest_half_angle))
       return false;
-    return (is_cone ? shape.point.norm() : shape.radius) <= largest_radius;
+    return (is_cone ? norm(surface.apex()) : surface.radius) <= largest_radius;
+  }
+
+  static double mean_squared_distance(const Surface_distance& distance, const Samples& samples)
+  {
+    double sum = 0;
+    for (const Weighted_point& s : samples) {
+      const double d = distance(plain(s.point));
+      sum += s.weight * d * d;
+    }
+    return sum;
   }
 
   /// Compares by the misfit: the root mean square distance of corners and middles of faces
   /// together. Corners alone do not tell a cylinder or a cone from a sphere if they lie on two
   /// circles, as on many machine parts.
-  void accept(const Primitive_shape& shape)
+  void accept(const Fitted_surface& surface)
   {
-    const double at_corners = mean_squared_distance(shape, m_corners);
-    const double misfit = std::sqrt((at_corners + mean_squared_distance(shape, m_middles)) / 2);
-    if (!is_proper(shape) || !std::isfinite(misfit))
+    const Surface_distance distance(surface);
+    const double at_corners = mean_squared_distance(distance, m_corners);
+    const double misfit = std::sqrt((at_corners + mean_squared_distance(distance, m_middles)) / 2);
+    if (!is_proper(surface) || !std::isfinite(misfit))
       return;
-    m_errors[std::size_t(shape.type)] = std::sqrt(at_corners);
+    m_errors[std::size_t(type_of(surface.kind))] = std::sqrt(at_corners);
     if (m_misfit > tolerance && misfit < worthwhile * m_misfit) {
       m_misfit = misfit;
-      m_best = shape;
+      m_best = surface;
     }
   }
 
@@ -130,19 +168,19 @@ private:
     return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance).eigenvectors().col(0);
   }
 
-  Primitive_shape plane() const
+  Fitted_surface plane() const
   {
-    Primitive_shape result;
-    result.point = mean(m_corners);
-    result.direction = least_direction(m_corners, result.point);
-    if (result.direction.dot(mean(m_normals)) < 0)
-      result.direction = -result.direction;
+    const Eigen::Vector3d center = mean(m_corners), normal = least_direction(m_corners, center);
+    Fitted_surface result;
+    result.kind = Surface_kind::PLANE;
+    result.point = plain(center);
+    result.direction = plain(normal.dot(mean(m_normals)) < 0 ? Eigen::Vector3d(-normal) : normal);
     return result;
   }
 
   /// Of samples p by the solution (c, s) of 2 c.p + s = |p|^2 in the least squares sense, where
   /// s = r^2 - |c|^2. If they lie in a plane through the origin, it is a circle.
-  static Primitive_shape sphere_through(const Samples& samples)
+  static Fitted_surface sphere_through(const Samples& samples)
   {
     Eigen::Matrix4d matrix = Eigen::Matrix4d::Zero();
     Eigen::Vector4d right_side = Eigen::Vector4d::Zero();
@@ -152,32 +190,31 @@ private:
       right_side += s.weight * s.point.squaredNorm() * row;
     }
     const Eigen::Vector4d solution = matrix.completeOrthogonalDecomposition().solve(right_side);
-    Primitive_shape result;
-    result.type = Primitive_type::SPHERE;
-    result.point = solution.head<3>();
-    result.radius = std::sqrt((std::max)(0.0, solution[3] + result.point.squaredNorm()));
+    Fitted_surface result;
+    result.kind = Surface_kind::SPHERE;
+    result.point = plain(solution.head<3>());
+    result.radius = std::sqrt((std::max)(0.0, solution[3] + squared_norm(result.point)));
     return result;
   }
 
-  Primitive_shape sphere() const { return sphere_through(m_fitted_corners); }
+  Fitted_surface sphere() const { return sphere_through(m_fitted_corners); }
 
   /// The normals of a cylinder are perpendicular to its axis; along the axis, it is a circle.
-  Primitive_shape cylinder() const
+  Fitted_surface cylinder() const
   {
     const Eigen::Vector3d axis = least_direction(m_normals, Eigen::Vector3d::Zero());
     Samples projected = m_fitted_corners;
     for (Weighted_point& s : projected)
       s.point -= axis.dot(s.point) * axis;
-    Primitive_shape result = sphere_through(projected);
-    result.type = Primitive_type::CYLINDER;
-    result.direction = axis;
-    result.move(Primitive_shape::Gradient::Zero());
+    Fitted_surface result = sphere_through(projected);
+    result.kind = Surface_kind::CYLINDER;
+    result.direction = plain(axis);
     return result;
   }
 
   /// The normals of a cone lie on a circle around its axis, and its tangent planes meet in the
   /// apex.
-  Primitive_shape cone() const
+  Fitted_surface cone() const
   {
     const Eigen::Vector3d mean_normal = mean(m_normals);
     Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
@@ -187,13 +224,15 @@ private:
       matrix += weight * normal * normal.transpose();
       right_side += weight * m_plane_offsets[i] * normal;
     }
-    Primitive_shape result;
-    result.type = Primitive_type::CONE;
-    result.point = matrix.completeOrthogonalDecomposition().solve(right_side);
-    result.direction = least_direction(m_normals, mean_normal);
-    if (result.point.dot(result.direction) > 0) // from the apex to the centroid, the origin
-      result.direction = -result.direction;
-    result.half_angle = std::asin((std::min)(1.0, std::abs(mean_normal.dot(result.direction))));
+    const Eigen::Vector3d apex = matrix.completeOrthogonalDecomposition().solve(right_side);
+    Eigen::Vector3d axis = least_direction(m_normals, mean_normal);
+    if (apex.dot(axis) > 0) // from the apex to the centroid, the origin
+      axis = -axis;
+    Fitted_surface result;
+    result.kind = Surface_kind::CONE;
+    result.point = plain(apex);
+    result.direction = plain(axis);
+    result.angle = std::asin((std::min)(1.0, std::abs(mean_normal.dot(axis))));
     return result;
   }
 
@@ -203,7 +242,7 @@ private:
   Samples m_fitted_corners, m_normals; // of every `m_stride`-th face
   std::vector<double> m_plane_offsets; // of the faces of these normals, from the origin
   std::array<double, 4> m_errors;
-  Primitive_shape m_best;
+  Fitted_surface m_best;
   double m_misfit = infinity;
 };
 

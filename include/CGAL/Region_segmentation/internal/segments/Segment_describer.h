@@ -164,17 +164,24 @@ private:
     for_each_face(segment, center, size, [&](Index f, const Points& corners) {
       fitter.add_face(corners, to_eigen(m_geometry.normal(f)), norm(m_geometry.area_vector(f)));
     });
-    const Primitive_shape shape = fitter.fit();
+    const Fitted_surface surface = fitter.fit();
     const double unit = m_geometry.unit();
     Fitted_primitive<Kernel>& result = m_descriptions[segment].primitive;
-    result.type = shape.type;
-    result.point = to_point(unit * (center + size * shape.point));
-    result.direction = to_vector(shape.direction);
-    result.radius = shape.radius * size * unit;
-    result.half_angle = shape.half_angle;
+    result.type = type_of(surface.kind);
+    Double_3 point = surface.point, direction = surface.direction;
+    if (result.type == Primitive_type::CYLINDER)
+      point = point - dot(point, direction) * direction; // next to the center
+    else if (result.type == Primitive_type::CONE)
+      point = surface.apex();
+    else if (result.type == Primitive_type::SPHERE)
+      direction = {0, 0, 0};
+    result.point = to_point(unit * (center + size * to_eigen(point)));
+    result.direction = to_vector(to_eigen(direction));
+    result.radius = result.type == Primitive_type::CONE ? 0 : surface.radius * size * unit;
+    result.half_angle = surface.angle;
     for (std::size_t i = 0; i < result.errors.size(); ++i)
       result.errors[i] = fitter.errors()[i] * size * unit;
-    result.error = result.error_of(shape.type);
+    result.error = result.error_of(result.type);
   }
 
   void describe_volumes()
