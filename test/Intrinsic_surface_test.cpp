@@ -147,6 +147,8 @@ TEST(Intrinsic_surface_test, keeps_degenerate_faces_and_proportions)
     const RS::Surface& surface = intrinsic.of(given);
     const double unit = intrinsic.frame().unit();
     for (std::size_t f = 0; f < given.number_of_faces(); ++f) {
+      if (surface.input_face(intrinsic.face(f)) != f)
+        continue; // given twice
       EXPECT_EQ(surface.is_degenerate(intrinsic.face(f)), given.is_degenerate(f));
       EXPECT_NEAR(surface.area(intrinsic.face(f)), given.area(f) / unit / unit, 1e-7);
     }
@@ -154,7 +156,6 @@ TEST(Intrinsic_surface_test, keeps_degenerate_faces_and_proportions)
   }
 }
 
-/// Of the chosen number of segments, and of 4, 7 and 12.
 // A triangle a million times as far away as the shape is large.
 TEST(Intrinsic_surface_test, a_part_far_away_does_not_coarsen_the_others)
 {
@@ -171,6 +172,7 @@ TEST(Intrinsic_surface_test, a_part_far_away_does_not_coarsen_the_others)
   }
 }
 
+/// Of the chosen number of segments, and of 4, 7 and 12.
 template <typename Method>
 std::vector<Labels> segmentations(const Soup& soup)
 {
@@ -291,6 +293,103 @@ TEST(Intrinsic_surface_test, symmetric_models_have_the_same_parts_in_any_frame)
   }
 }
 
+/// The segmentations of the first faces, those of `soup`, by points and polygons.
+template <typename Method>
+std::vector<Labels> segmentations_of_first(const Soup& more, const Soup& soup)
+{
+  std::vector<Labels> result;
+  for (const std::size_t number : {0, 2, 5, 9}) {
+    Labels labels(more.polygons.size());
+    const auto method = RS::parameters::method(Method());
+    if (number == 0)
+      RS::segment(more.points, more.polygons, labels, method);
+    else
+      RS::segment(more.points, more.polygons, labels, number, method);
+    labels.resize(soup.polygons.size());
+    result.push_back(labels);
+  }
+  return result;
+}
+
+/// By each method but `Two_step`.
+void expect_equal_labels(const Soup& more, const Soup& soup)
+{
+  EXPECT_EQ(segmentations_of_first<RS::Learned_merging>(more, soup),
+            segmentations_of_first<RS::Learned_merging>(soup, soup));
+  EXPECT_EQ(segmentations_of_first<RS::Visibility_merging>(more, soup),
+            segmentations_of_first<RS::Visibility_merging>(soup, soup));
+#ifdef TEST_EIGEN
+  EXPECT_EQ(segmentations_of_first<RS::Smooth_faces>(more, soup),
+            segmentations_of_first<RS::Smooth_faces>(soup, soup));
+#endif
+}
+
+// Near ties of the shape are not decided anew.
+TEST(Intrinsic_surface_test, crumbs_do_not_change_the_labels_of_the_rest)
+{
+  std::vector<Soup> soups = {cube(), torus(20, 12), random_mesh(Family::BLOCKS, 1)};
+  soups.push_back(mapped(sphere(4), [](const Point& p) { // two balls
+    return Point{p[0] * 2, p[1] * (0.2 + p[0] * p[0]), p[2] * (0.2 + p[0] * p[0])};
+  }));
+  for (std::size_t i = 0; i < soups.size(); ++i) {
+    SCOPED_TRACE(i);
+    Soup more = soups[i];
+    const double size = 1e-3 * std::sqrt(RS::make_surface(more.points, more.polygons).area());
+    const Point at = more.points[more.polygons[0][0]];
+    for (const double away : {3., 400., 1e4}) { // triangles beside, and far outside
+      const std::size_t first = more.points.size();
+      for (const Point& p : {Point{0, 0, 0}, Point{1, 0, 0.1}, Point{0, 1, 0.2}})
+        more.points.push_back({at[0] + size * (away + p[0]), at[1] + size * (away + p[1]),
+                               at[2] + size * (away + p[2])});
+      more.polygons.push_back({first, first + 1, first + 2});
+    }
+    expect_equal_labels(more, soups[i]);
+  }
+}
+
+TEST(Intrinsic_surface_test, faces_given_twice_do_not_change_the_labels)
+{
+  for (const Family family : {Family::SPHERE, Family::SHEET, Family::BLOCKS, Family::TORUS})
+    for (const unsigned every : {1, 7}) {
+      SCOPED_TRACE(name(family) + ", every " + std::to_string(every));
+      const Soup soup = random_mesh(family, 2);
+      Soup doubled = soup;
+      for (std::size_t f = 0; f < soup.polygons.size(); f += every) {
+        doubled.polygons.push_back(soup.polygons[f]);
+        if (f % 2 == 0)
+          std::reverse(doubled.polygons.back().begin(), doubled.polygons.back().end());
+      }
+      expect_equal_labels(doubled, soup);
+      Labels labels(doubled.polygons.size());
+      RS::segment(doubled.points, doubled.polygons, labels, 5);
+      for (std::size_t f = 0, copy = soup.polygons.size(); f < soup.polygons.size();
+           f += every, ++copy)
+        EXPECT_EQ(labels[copy], labels[f]);
+    }
+}
+
+TEST(Intrinsic_surface_test, faces_given_twice_have_one_seed)
+{
+  Soup soup = sphere(3);
+  soup.polygons.push_back(soup.polygons[5]);
+  Labels seeds(soup.polygons.size(), std::size_t(-1)), labels(seeds.size());
+  seeds[5] = 1;
+  seeds[40] = 2;
+  const auto segment = [&] {
+    RS::segment(soup.points, soup.polygons, labels, 3, RS::parameters::face_seed_map(seeds));
+  };
+  segment();
+  EXPECT_EQ(labels.back(), labels[5]);
+  const Labels before = labels;
+  seeds[5] = std::size_t(-1);
+  seeds.back() = 1; // the copy has it
+  segment();
+  EXPECT_EQ(labels, before);
+  seeds[5] = 2;
+  EXPECT_THROW(segment(), RS::Invalid_input);
+  EXPECT_EQ(labels, before);
+}
+
 // A user's values are those of the faces of the input.
 TEST(Intrinsic_surface_test, values_are_by_faces_of_the_input)
 {
@@ -313,6 +412,14 @@ TEST(Intrinsic_surface_test, values_are_by_faces_of_the_input)
   EXPECT_LT(
     RS::rand_index_distance(RS::Partition::from_labels(labels), RS::Partition::from_labels(halves)),
     0.1);
+  Soup doubled = soup;
+  doubled.polygons.push_back(soup.polygons[0]);
+  labels.push_back(0);
+  const auto segment = [&] {
+    RS::segment(doubled.points, doubled.polygons, labels,
+                RS::parameters::number_of_segments(2).method(method));
+  };
+  EXPECT_THROW(segment(), RS::Invalid_input); // one value too few
 }
 
 // Flat faces of fandisk.off have thousands of coplanar patches.

@@ -17,6 +17,7 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <numeric>
 #include <random>
 #include <set>
 #include <stdexcept>
@@ -704,6 +705,30 @@ TEST(Doubled_faces_test, polygons_with_the_same_corners_in_another_order_are_oth
   EXPECT_TRUE(surface.is_degenerate(3)) << "the first, reversed";
   EXPECT_EQ(surface.lower_face(surface.first_adjacency(2)), 1u);
   EXPECT_EQ(surface.lower_face(surface.first_adjacency(3)), 0u);
+}
+
+// If their keys were equal, this would take minutes.
+TEST(Doubled_faces_test, thousands_with_the_same_corners_are_told_apart_in_time)
+{
+  Soup soup;
+  std::mt19937 random(1);
+  for (int i = 0; i < 10; ++i)
+    soup.points.push_back({double(random() % 1000), double(random() % 1000), double(i)});
+  Polygon polygon(10);
+  std::iota(polygon.begin(), polygon.end(), std::size_t(0));
+  std::set<Polygon> different;
+  while (different.size() < 100000) {
+    std::shuffle(polygon.begin() + 1, polygon.end(), random);
+    if (polygon[1] < polygon.back())
+      different.insert(polygon);
+  }
+  soup.polygons.assign(different.begin(), different.end());
+  const RS::Surface surface = RS::make_surface(soup.points, soup.polygons,
+                                               RS::parameters::component_links(false));
+  std::size_t degenerate = 0;
+  for (std::size_t f = 0; f < surface.number_of_faces(); ++f)
+    degenerate += surface.is_degenerate(f);
+  EXPECT_EQ(degenerate, 0u);
 }
 
 TEST(Degenerate_polygons_test, join_across_their_longest_edge)

@@ -209,6 +209,24 @@ TEST(Segment_test, polygons_have_the_labels_of_their_mesh)
     }
 }
 
+TEST(Segment_test, ranges_of_another_size_than_the_polygons_are_refused)
+{
+  const Soup soup = cube();
+  const std::size_t size = soup.polygons.size();
+  for (const std::size_t other : {std::size_t(0), size - 1, size + 1}) {
+    Labels labels(other, 77), seeds(other, 0), regions(other), right(size, 77);
+    EXPECT_THROW(RS::segment(soup.points, soup.polygons, labels), RS::Invalid_input);
+    EXPECT_EQ(labels, Labels(other, 77));
+    EXPECT_THROW(
+      RS::segment(soup.points, soup.polygons, right, RS::parameters::face_seed_map(seeds)),
+      RS::Invalid_input);
+    EXPECT_EQ(right, Labels(size, 77));
+    const RS::Segmenter segmenter(soup.points, soup.polygons);
+    EXPECT_THROW(segmenter.segment(labels, 2), RS::Invalid_input);
+    EXPECT_EQ(labels, Labels(other, 77));
+  }
+}
+
 // Squares and areas of such coordinates leave the range of double.
 TEST(Segment_test, labels_do_not_change_at_extreme_scales)
 {

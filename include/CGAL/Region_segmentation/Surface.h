@@ -35,8 +35,9 @@ struct Surface_arrays
   Large_array<std::uint8_t> flags;     // 1 byte an adjacency
   double unit = 1, area = 0, length_unit = 1;
   bool has_seams_or_links = false;
-  std::vector<bool> is_crumb;     // by face; empty: none is
-  Large_array<Index> input_faces; // 4 bytes a face; empty: the same
+  std::vector<bool> is_crumb;            // by face; empty: none is
+  Large_array<Index> input_faces;        // 4 bytes a face; empty: the same
+  std::size_t number_of_input_faces = 0; // if these are not empty
 };
 
 Surface_arrays& arrays_of(Surface& surface);
@@ -126,6 +127,11 @@ public:
   Index input_face(std::size_t face) const
   {
     return m_arrays.input_faces.empty() ? Index(face) : m_arrays.input_faces[face];
+  }
+  /// More than there are faces if some are given twice, and a method has made the surface.
+  std::size_t number_of_input_faces() const
+  {
+    return m_arrays.input_faces.empty() ? number_of_faces() : m_arrays.number_of_input_faces;
   }
   /// Whether the face belongs to a crumb: a component of less than 1/1000 of the area of the
   /// largest one, where components are linked.

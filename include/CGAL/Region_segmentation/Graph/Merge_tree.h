@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -30,6 +31,9 @@ public:
                                  ///< on
     double cost;                 ///< as its policy gave it; in the units of the policy
   };
+
+  /// The cost of merges that come before those of a policy: of crumbs.
+  static constexpr double least_cost = std::numeric_limits<double>::lowest();
 
   /// A tree without merges.
   explicit Merge_tree(std::size_t number_of_regions = 0)

@@ -55,8 +55,10 @@ public:
     for (std::size_t n = best; n > least; --n) {
       // The merge from n to n - 1 regions.
       const double cost = merges[number_of_regions - n].cost;
-      sum += cost > 0 ? granularity * cost : cost;
-      if (sum < lowest) {
+      const bool is_of_crumbs = cost == Merge_tree::least_cost;
+      if (!is_of_crumbs)
+        sum += cost > 0 ? granularity * cost : cost;
+      if (sum < lowest || is_of_crumbs) {
         lowest = sum;
         best = n - 1;
       }

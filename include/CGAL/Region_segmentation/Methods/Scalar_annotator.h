@@ -93,9 +93,9 @@ public:
 private:
   void check_values(const Surface& mesh) const
   {
-    if (m_values->size() != mesh.number_of_faces())
+    if (m_values->size() != mesh.number_of_input_faces())
       throw Invalid_input("the Scalar_annotator has " + std::to_string(m_values->size()) +
-                          " values for " + std::to_string(mesh.number_of_faces()) + " faces");
+                          " values for " + std::to_string(mesh.number_of_input_faces()) + " faces");
     for (std::size_t f = 0; f < m_values->size(); ++f)
       if (!std::isfinite((*m_values)[f]))
         throw Invalid_input("the scalar of face " + std::to_string(f) + " is not finite");

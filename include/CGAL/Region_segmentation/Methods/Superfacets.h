@@ -130,7 +130,10 @@ private:
     const std::size_t number_of_seeds = number + number_of_crumbs(surface);
     internal::Farthest_point_seeding from_patches(steps(surface, patches.fine),
                                                   execution.step(0.5, 1));
-    if (coarse.size() / coarse_patches_of_region < number_of_seeds)
+    std::size_t number_of_coarse = 0; // not those of crumbs
+    for (std::size_t p = 0; p < coarse.size(); ++p)
+      number_of_coarse += coarse[p].area > 0;
+    if (number_of_coarse / coarse_patches_of_region < number)
       from_patches.run(distances_from_centroid(patches.fine), number_of_seeds);
     else {
       internal::Farthest_point_seeding from_coarse(steps(surface, coarse), execution.step(0, 0.5));

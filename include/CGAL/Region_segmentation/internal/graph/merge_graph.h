@@ -84,7 +84,7 @@ public:
       if (a == b || m_graph.number_of_regions() <= m_number)
         continue;
       if (const auto section = m_graph.section(a, b); section && m_graph.is_mergeable(*section)) {
-        merge(*section, std::numeric_limits<double>::lowest());
+        merge(*section, Merge_tree::least_cost);
         kept.unite(a, b);
       }
     }

@@ -20,22 +20,22 @@ constexpr double largest_concave_share_of_convex = 1e-3;
 /// The largest sum of the area vectors of a closed surface, relative to that of the areas.
 constexpr double largest_gap_of_closed = 1e-6;
 
-/// Whether all components of a surface bound convex bodies: it is closed, and has no concave edges.
-/// (A closed surface that is convex at all edges is convex: van Heijenoort 1952.) False for one
-/// without area. O(F).
+/// Whether all components of a surface but crumbs bound convex bodies: it is closed, and has no
+/// concave edges. (A closed surface that is convex at all edges is convex: van Heijenoort 1952.)
+/// False for one without area. O(F).
 inline bool is_convex(const Surface& mesh)
 {
   double area = 0;
   Double_3 sum = {0, 0, 0};
   for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
-    area += mesh.area(f);
-    sum = sum + mesh.area(f) * mesh.normal(f);
+    area += mesh.weight(f);
+    sum = sum + mesh.weight(f) * mesh.normal(f);
   }
   if (!(std::sqrt(squared_norm(sum)) <= largest_gap_of_closed * area) || area == 0)
     return false;
   double concave = 0, convex = 0;
   for (std::size_t e = 0; e < mesh.number_of_adjacencies(); ++e)
-    if (mesh.has_flag(e, Surface::CONCAVE | Surface::CONVEX))
+    if (mesh.has_flag(e, Surface::CONCAVE | Surface::CONVEX) && !mesh.is_crumb(mesh.lower_face(e)))
       (mesh.has_flag(e, Surface::CONCAVE) ? concave : convex) += mesh.length(e) * mesh.deviation(e);
   return concave <= largest_concave_share_of_convex * (concave + convex);
 }

@@ -59,6 +59,10 @@ public:
   }
 
   template <typename FaceMap>
+  void check(const FaceMap&) const
+  {}
+
+  template <typename FaceMap>
   auto values(const FaceMap& map) const
   {
     return face_values(*m_mesh, map);

@@ -12,6 +12,7 @@
 
 #include <cstddef>
 #include <iterator>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -46,9 +47,21 @@ public:
     mark_constraints(surface, std::move(edges), constraints);
   }
 
+  /// \throws Invalid_input if a range has another number of elements
+  template <typename Map>
+  void check(const Map& map) const
+  {
+    if constexpr (is_range<Map>)
+      if (const auto size = std::size_t(std::distance(std::begin(map), std::end(map)));
+          size != m_number)
+        throw Invalid_input("a range of " + std::to_string(size) + " elements for " +
+                            std::to_string(m_number) + " polygons");
+  }
+
   template <typename Map>
   auto values(const Map& map) const
   {
+    check(map);
     using Value = std::decay_t<decltype(value(map, 0))>;
     std::vector<Value> result;
     result.reserve(m_number);
@@ -60,6 +73,7 @@ public:
   template <typename Values, typename Map>
   void write(const Values& values, Map& map) const
   {
+    check(map);
     for (std::size_t i = 0; i < m_number; ++i)
       if constexpr (is_range<Map>)
         map[i] = std::decay_t<decltype(map[i])>(values[i]);

@@ -170,6 +170,7 @@ std::size_t run_method(const Input& input, const Surface& surface, SegmentMap& s
 {
   using Method = Method_of_pack<Pack>;
   static_assert(check_method<Method>());
+  input.check(segment_map);
   const Method method = method_of_pack<Method>(np);
   Request request = request_of_pack(input, surface, np);
   if constexpr (!has_merge_tree<Pack> && !has_region_map<Pack>)

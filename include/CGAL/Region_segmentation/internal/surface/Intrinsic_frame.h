@@ -53,7 +53,7 @@ public:
   /// In units of the surface.
   double unit() const { return m_unit; }
 
-  /// The coordinates of a point of the surface, in [-1, 1].
+  /// The coordinates of a point of the surface: in [-1, 1], but for crumbs, which do not count.
   Double_3 operator()(const Double_3& point) const
   {
     return coordinates((1 / m_unit) * (point - m_origin), m_axes);
@@ -84,6 +84,8 @@ private:
     constexpr double unused = -1;
     std::vector<double> areas(surface.number_of_vertices(), unused);
     for (std::size_t f = 0; f < surface.number_of_faces(); ++f) {
+      if (surface.is_crumb(f))
+        continue;
       const std::size_t n = surface.number_of_corners(f);
       for (std::size_t i = 0; i < n; ++i) {
         double& area = areas[surface.corner(f, i)];
@@ -162,7 +164,7 @@ private:
     return {dot(v, axes[0]), dot(v, axes[1]), dot(v, axes[2])};
   }
 
-  std::vector<Place> m_places; // of the vertices that faces use, while the frame is made
+  std::vector<Place> m_places; // of the vertices that faces use, while the frame is made; no crumbs
   Double_3 m_origin{0, 0, 0};
   double m_unit = 1;
   Axes m_axes{Double_3{1, 0, 0}, Double_3{0, 1, 0}, Double_3{0, 0, 1}};

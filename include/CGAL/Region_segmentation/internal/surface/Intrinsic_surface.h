@@ -8,18 +8,22 @@
 #include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/Request.h>
 #include <CGAL/Region_segmentation/Surface.h>
+#include <CGAL/Region_segmentation/exceptions.h>
 #include <CGAL/Region_segmentation/internal/support/Grouped_items.h>
 #include <CGAL/Region_segmentation/internal/support/Large_array.h>
 #include <CGAL/Region_segmentation/internal/surface/Intrinsic_frame.h>
 #include <CGAL/Region_segmentation/internal/surface/collect_adjacencies.h>
 #include <CGAL/Region_segmentation/internal/surface/compute_normals.h>
+#include <CGAL/Region_segmentation/internal/surface/find_doubled_faces.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -32,7 +36,7 @@ namespace internal {
 /// generic direction. So the same shape in another frame, unit or numbering is bitwise the same
 /// surface, and candidates that are equal but for rounding are decided between alike. (A point is
 /// within rounding of the border of two cells with a probability of one in a million or less: then
-/// it moves to the next cell.)
+/// it moves to the next cell.) Faces that are given twice are one.
 ///
 /// A surface of more than `most_faces` faces stays as it is: the copy would be half of the memory
 /// of a segmentation.
@@ -53,16 +57,11 @@ public:
     Large_array<Double_3> points(given.number_of_vertices());
     for (std::size_t v = 0; v < points.size(); ++v)
       points[v] = on_grid(m_frame(given.point(v)), steps);
-    m_faces = numbers(given.number_of_faces(), [&](std::size_t f) {
-      Double_3 sum{0, 0, 0}; // exact
-      for (std::size_t i = 0; i < given.number_of_corners(f); ++i)
-        sum = sum + points[given.corner(f, i)];
-      return (1 / double(given.number_of_corners(f))) * sum;
-    });
-    Surface& surface = m_surface.emplace();
-    Surface_arrays& arrays = arrays_of(surface);
+    number_faces(given, points);
+    Surface_arrays& arrays = arrays_of(*m_surface);
     arrays.unit = given.unit() * m_frame.unit();
     arrays.has_seams_or_links = given.has_seams_or_links();
+    arrays.number_of_input_faces = given.number_of_input_faces();
     set_corners(given, points, arrays);
     set_faces(given);
     set_adjacencies(given);
@@ -75,6 +74,7 @@ public:
   void replace(Surface surface) { m_surface = std::move(surface); }
 
   /// What is asked of the given surface.
+  /// \throws Invalid_input if a face is given twice with different seeds
   Request request(const Surface& given, const Request& request) const
   {
     Request result = request;
@@ -85,8 +85,18 @@ public:
         if (request.constraints[adjacencies[a].given])
           result.constraints.add(a, adjacencies.size());
     }
-    for (std::size_t f = 0; f < (std::min)(m_faces.size(), request.seeds.of.size()); ++f)
-      result.seeds.of[m_faces[f]] = request.seeds.of[f];
+    if (!request.seeds.empty() && !m_faces.empty()) {
+      result.seeds.of.assign(m_surface->number_of_faces(), Seeds::Index(Seeds::none));
+      for (std::size_t f = 0; f < m_faces.size(); ++f) {
+        Seeds::Index& seed = result.seeds.of[m_faces[f]];
+        const Seeds::Index other = request.seeds.of[f];
+        if (seed != Seeds::none && other != Seeds::none && other != seed)
+          throw Invalid_input("face " + std::to_string(f) +
+                              " is given twice, with two different seeds");
+        if (other != Seeds::none)
+          seed = other;
+      }
+    }
     return result;
   }
 
@@ -96,7 +106,7 @@ public:
     constexpr Index none = (std::numeric_limits<Index>::max)();
     std::vector<Index> result(faces.number_of_parts(), none);
     Index number = 0;
-    for (std::size_t f = 0; f < faces.size(); ++f)
+    for (std::size_t f = 0; f < number_of_given(faces); ++f)
       if (Index& n = result[faces[face(f)]]; n == none)
         n = number++;
     return result;
@@ -105,8 +115,8 @@ public:
   /// A partition of the faces as one of the given faces, with these numbers.
   Partition of_given(const Partition& faces, const std::vector<Index>& numbers) const
   {
-    std::vector<Index> part_of(faces.size());
-    for (std::size_t f = 0; f < faces.size(); ++f)
+    std::vector<Index> part_of(number_of_given(faces));
+    for (std::size_t f = 0; f < part_of.size(); ++f)
       part_of[f] = numbers[faces[face(f)]];
     return Partition(std::move(part_of), numbers.size());
   }
@@ -115,6 +125,11 @@ public:
   Index face(std::size_t given) const { return m_faces.empty() ? Index(given) : m_faces[given]; }
 
 private:
+  std::size_t number_of_given(const Partition& faces) const
+  {
+    return m_faces.empty() ? faces.size() : m_faces.size();
+  }
+
   struct Adjacency
   {
     Index lower, given;
@@ -140,13 +155,53 @@ private:
     return {round(p.x), round(p.y), round(p.z)};
   }
 
-  /// The numbers of things in the order of their positions.
-  template <typename PointOf>
-  static std::vector<Index> numbers(std::size_t size, const PointOf& point_of)
+  /// By the positions of the means of their corners; those of crumbs last.
+  void number_faces(const Surface& given, const Large_array<Double_3>& points)
   {
-    const auto position = [&](std::size_t i) { // in [0, 1)
+    std::vector<Index> originals(given.number_of_faces());
+    std::iota(originals.begin(), originals.end(), Index(0));
+    for (std::size_t a = 0; a < given.number_of_adjacencies(); ++a)
+      if (const Index lower = given.lower_face(a), higher = given.higher_face(a);
+          given.has_flag(a, Surface::JOINING) && given.is_degenerate(higher) &&
+          are_equal_faces(given, lower, higher))
+        originals[higher] = lower;
+    std::vector<Index> faces;
+    for (Index f = 0; f < originals.size(); ++f)
+      if (originals[f] == f)
+        faces.push_back(f);
+    const auto point_of = [&](std::size_t i) {
+      const std::size_t n = given.number_of_corners(faces[i]);
+      Double_3 sum{0, 0, 0}; // exact
+      for (std::size_t c = 0; c < n; ++c)
+        sum = sum + points[given.corner(faces[i], c)];
+      return (1 / double(n)) * sum;
+    };
+    const std::vector<Index> new_numbers = numbers(
+      faces.size(), point_of, [&](std::size_t i) { return given.is_crumb(faces[i]); });
+    m_faces.resize(originals.size());
+    arrays_of(m_surface.emplace()).input_faces.resize(faces.size());
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+      m_faces[faces[i]] = new_numbers[i];
+      arrays_of(*m_surface).input_faces[new_numbers[i]] = faces[i];
+    }
+    for (std::size_t f = 0; f < originals.size(); ++f)
+      m_faces[f] = m_faces[originals[f]];
+  }
+
+  /// The numbers of things in the order of their positions, those that are to be last behind the
+  /// others.
+  template <typename PointOf, typename IsLast>
+  static std::vector<Index> numbers(std::size_t size, const PointOf& point_of,
+                                    const IsLast& is_last)
+  {
+    const auto position = [&](std::size_t i) { // in [0, 1) for all but crumbs
       constexpr double bound = 2.5;
-      return 0.5 + dot(point_of(i), Intrinsic_frame::direction) / (2 * bound);
+      const double x = 0.5 + dot(point_of(i), Intrinsic_frame::direction) / (2 * bound);
+      return is_last(i) ? 2 + x / (1 + std::fabs(x)) : x;
+    };
+    const auto slice = [&](double x) {
+      constexpr double last = 0.999999;
+      return std::size_t((std::max)(0.0, (std::min)(x, last)) * double(size));
     };
     using Item = std::pair<double, Index>;
     std::vector<double> positions;
@@ -154,7 +209,7 @@ private:
       positions.push_back(position(i));
     auto items = grouped<Item>(size, [&](const auto& f) { // in slices
       for (std::size_t i = 0; i < size; ++i)
-        f(std::size_t(positions[i] * double(size)), Item{positions[i], Index(i)});
+        f(slice(positions[i]), Item{positions[i], Index(i)});
     });
     std::vector<Index> result(size);
     Index number = 0;
@@ -172,9 +227,6 @@ private:
   {
     constexpr Index none = (std::numeric_limits<Index>::max)();
     std::vector<Index> vertices, number_of(points.size(), none);
-    arrays.input_faces.resize(m_faces.size());
-    for (std::size_t f = 0; f < m_faces.size(); ++f)
-      arrays.input_faces[m_faces[f]] = Index(f);
     for (const Index f : arrays.input_faces)
       for (std::size_t i = 0; i < given.number_of_corners(f); ++i)
         if (Index& number = number_of[given.corner(f, i)]; number == none) {
@@ -182,12 +234,13 @@ private:
           vertices.push_back(given.corner(f, i));
         }
     const std::vector<Index> new_numbers = numbers(
-      vertices.size(), [&](std::size_t v) { return points[vertices[v]]; });
+      vertices.size(), [&](std::size_t v) { return points[vertices[v]]; },
+      [](std::size_t) { return false; });
     arrays.points.resize(vertices.size());
     for (std::size_t v = 0; v < vertices.size(); ++v)
       arrays.points[new_numbers[v]] = points[vertices[v]];
     arrays.corners.reserve(arrays_of(given).corners.size());
-    arrays.first_corners.reserve(m_faces.size() + 1);
+    arrays.first_corners.reserve(arrays.input_faces.size() + 1);
     arrays.first_corners.push_back(0);
     for (const Index f : arrays.input_faces) {
       for (std::size_t i = 0; i < given.number_of_corners(f); ++i)
@@ -204,29 +257,30 @@ private:
     const double unit = m_frame.unit();
     Surface_arrays& arrays = arrays_of(*m_surface);
     compute_normals(*m_surface, Execution());
-    for (std::size_t f = 0; f < m_faces.size(); ++f) {
+    for (std::size_t i = 0; i < arrays.input_faces.size(); ++i) {
+      const Index f = arrays.input_faces[i];
       if (given.is_degenerate(f)) {
-        arrays.normals[m_faces[f]] = {0, 0, 0};
-        arrays.areas[m_faces[f]] = float(given.area(f) / unit / unit);
+        arrays.normals[i] = {0, 0, 0};
+        arrays.areas[i] = float(given.area(f) / unit / unit);
       }
       if (given.is_crumb(f)) {
-        arrays.is_crumb.resize(m_faces.size());
-        arrays.is_crumb[m_faces[f]] = true;
+        arrays.is_crumb.resize(arrays.input_faces.size());
+        arrays.is_crumb[i] = true;
       }
     }
     sum_areas(*m_surface);
   }
 
-  /// Those of the given surface, by their new higher, then lower faces.
+  /// Those of the given surface, by their new higher, then lower faces; without those between faces
+  /// that are one.
   Large_array<Adjacency> sorted_adjacencies(const Surface& given) const
   {
-    auto by_higher = grouped<Adjacency>(m_faces.size(), [&](const auto& add) {
-      for (std::size_t a = 0; a < given.number_of_adjacencies(); ++a) {
-        const Index f = m_faces[given.lower_face(a)], g = m_faces[given.higher_face(a)];
-        add((std::max)(f, g), Adjacency{(std::min)(f, g), Index(a)});
-      }
+    auto by_higher = grouped<Adjacency>(m_surface->number_of_faces(), [&](const auto& add) {
+      for (std::size_t a = 0; a < given.number_of_adjacencies(); ++a)
+        if (const Index f = m_faces[given.lower_face(a)], g = m_faces[given.higher_face(a)]; f != g)
+          add((std::max)(f, g), Adjacency{(std::min)(f, g), Index(a)});
     });
-    for (std::size_t f = 0; f < m_faces.size(); ++f) {
+    for (std::size_t f = 0; f < by_higher.number_of_groups(); ++f) {
       const auto range = by_higher[f];
       std::sort(range.begin(), range.end());
     }
@@ -272,7 +326,8 @@ private:
 
   Intrinsic_frame m_frame;
   std::optional<Surface> m_surface; // none: the given one
-  std::vector<Index> m_faces;       // by given face: its number; empty: the same
+  std::vector<Index> m_faces;       // by given face: its number; empty: the same. Those given
+                                    // twice have one
 };
 
 } // namespace internal

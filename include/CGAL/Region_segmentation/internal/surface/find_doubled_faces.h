@@ -24,11 +24,27 @@ inline bool are_equal_faces(const Surface& s, Surface::Index f, Surface::Index g
   if (s.number_of_corners(g) != n)
     return false;
   bool is_same = true, is_reverse = true;
-  for (std::size_t i = 0; i < n; ++i) {
+  for (std::size_t i = 0; i < n && (is_same || is_reverse); ++i) {
     is_same = is_same && s.corner(f, i) == s.corner(g, i);
     is_reverse = is_reverse && s.corner(f, i) == s.corner(g, (n - i) % n);
   }
   return is_same || is_reverse;
+}
+
+/// A number for the cycle of the vertices of a face, in either direction.
+inline std::uint64_t key_of_cycle(const Surface& s, Surface::Index f)
+{
+  const std::size_t n = s.number_of_corners(f);
+  std::uint64_t forward = 0, backward = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    forward = forward * 0x9E3779B97F4A7C15u + s.corner(f, i) + 1;
+    backward = backward * 0x9E3779B97F4A7C15u + s.corner(f, (n - i) % n) + 1;
+  }
+  const auto mixed = [](std::uint64_t x) {
+    x = (x ^ (x >> 29)) * 0xBF58476D1CE4E5B9u;
+    return x ^ (x >> 32);
+  };
+  return mixed(forward) + mixed(backward); // a sum of linear functions would be equal for many
 }
 
 /// Makes faces degenerate that were given before, in any orientation, and gives them an adjacency
@@ -38,20 +54,15 @@ inline void find_doubled_faces(Raw_surface& raw, std::vector<Added_adjacency>& a
 {
   using Index = Surface::Index;
   Surface_arrays& arrays = arrays_of(raw.surface);
-  std::vector<std::pair<std::uint64_t, Index>> keys; // a sum over the vertices, the face
+  std::vector<std::pair<std::uint64_t, Index>> keys; // of a cycle, and a face with it
   for (Index f = 0; f + 1 < arrays.first_corners.size(); ++f) {
-    bool has_open_side = false;
-    std::uint64_t key = 0;
-    for (Index c = arrays.first_corners[f]; c < arrays.first_corners[f + 1]; ++c) {
-      has_open_side |= raw.neighbors[c] == Raw_surface::none;
-      const std::uint64_t mixed = (arrays.corners[c] + 1) * 0x9E3779B97F4A7C15u;
-      key += mixed ^ (mixed >> 29);
-    }
-    if (has_open_side)
-      keys.push_back({key, f});
+    const auto begin = raw.neighbors.begin() + std::ptrdiff_t(arrays.first_corners[f]),
+               end = raw.neighbors.begin() + std::ptrdiff_t(arrays.first_corners[f + 1]);
+    if (std::find(begin, end, Raw_surface::none) != end)
+      keys.push_back({key_of_cycle(raw.surface, f), f});
   }
   std::sort(keys.begin(), keys.end());
-  std::vector<Index> originals; // of a sum: several if it belongs to different faces
+  std::vector<Index> originals; // of a key: several if it belongs to different faces
   for (std::size_t i = 0; i < keys.size(); ++i) {
     if (i > 0 && keys[i].first != keys[i - 1].first)
       originals.clear();

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -35,6 +36,8 @@ Raw_surface read_polygons(const PointRange& points, const PolygonRange& polygons
   for (const auto& polygon : polygons) {
     const auto place = [&] { return "polygon " + std::to_string(arrays.first_corners.size() - 1); };
     for (const auto& v : polygon) {
+      static_assert(std::is_integral<std::decay_t<decltype(v)>>::value,
+                    "polygons are ranges of indices of points: of an integral type");
       if (!(v >= 0 && std::size_t(v) < arrays.points.size()))
         throw Invalid_input(place() + " has a corner " + std::to_string(v) + ", but there are " +
                             std::to_string(arrays.points.size()) + " points");
