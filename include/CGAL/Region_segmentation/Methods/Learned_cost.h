@@ -141,7 +141,7 @@ struct Expected_merge_cost
   using SectionData = Learned_section_data;
 
   const Merge_features::Model* model; ///< which must exist as long as the cost
-  double threshold = 0.45;            ///< t, in [0, 1]: the probability from which on a merge pays
+  double threshold = 0.4;             ///< t, in [0, 1]: the probability from which on a merge pays
 
   explicit Expected_merge_cost(const Merge_features::Model& model_)
     : model(&model_)
