@@ -6,6 +6,8 @@
 #include "io/errors.h"
 #include "sample_files.h"
 
+#include <boost/algorithm/string/case_conv.hpp>
+
 #include <gtest/gtest.h>
 
 #include <ostream>
@@ -146,6 +148,7 @@ INSTANTIATE_TEST_SUITE_P(
     Sample{"ply_big", "a.ply", sample::binary_ply("binary_big_endian")},
     Sample{"stl", "a.stl", sample::stl()}, Sample{"stl_binary", "a.stl", sample::binary_stl()},
     Sample{"stl_byte_order_mark", "a.stl", "\xef\xbb\xbf" + sample::stl()},
+    Sample{"stl_capitals", "a.stl", boost::algorithm::to_upper_copy(sample::stl())},
     Sample{"stl_name", "a.stl", with(sample::stl(), "tetrahedron", "facet vertex endsolid")},
     Sample{"stl_normal", "a.stl", with(sample::stl(), "normal 0 0 0", "normal nan nan nan")},
     Sample{"off_signs_and_tiny_numbers", "a.off", with(sample::off(), "1 0 0", "+1 +0 1e-400")},

@@ -206,9 +206,9 @@ void add_segmentation(CLI::App& app, Raw_options& raw)
                    "1.2372.");
   segmentation
     .add("--mesh", raw.mesh_type, "TYPE",
-         "What to run on, with the same labels: polygon_soup (default; any mesh), or, for an "
-         "oriented 2-manifold, "
-         "surface_mesh, polyhedron or openmesh.")
+         "What to run on, with the same labels (unless --no-links is given): polygon_soup "
+         "(default; any mesh), or, for an oriented 2-manifold, surface_mesh, polyhedron or "
+         "openmesh.")
     ->check(one_of(mesh_types));
 }
 

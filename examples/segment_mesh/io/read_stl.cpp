@@ -7,6 +7,8 @@
 #include "soup/merge_equal_points.h"
 #include "soup/vector_algebra.h"
 
+#include <boost/algorithm/string/predicate.hpp>
+
 #include <algorithm>
 
 namespace segment_mesh {
@@ -23,6 +25,12 @@ std::size_t promised_triangles(std::string_view bytes)
   return bytes.size() < data_offset ? 0 : read_little_endian<std::uint32_t>(&bytes[header_size]);
 }
 
+/// Some programs write words in capitals.
+bool is(std::string_view word, const char* expected)
+{
+  return boost::algorithm::iequals(word, expected);
+}
+
 /// Binary files whose header starts with "solid" do exist.
 bool is_text(std::string_view bytes)
 {
@@ -31,7 +39,7 @@ bool is_text(std::string_view bytes)
                                     data_offset + triangle_size * promised_triangles(bytes);
   const std::string_view text = without_byte_order_mark(bytes);
   const std::size_t start = (std::min)(text.find_first_not_of(" \t\r\n"), text.size());
-  return !has_size_of_binary && text.substr(start, 5) == "solid" &&
+  return !has_size_of_binary && is(text.substr(start, 5), "solid") &&
          text.find('\0') == std::string_view::npos;
 }
 
@@ -82,8 +90,8 @@ void read_facet(Text_scanner& scan, std::vector<Point>& points)
     return word;
   };
   std::size_t size = 0;
-  for (std::string_view word = due_word(); word != "endfacet"; word = due_word()) {
-    if (word != "vertex")
+  for (std::string_view word = due_word(); !is(word, "endfacet"); word = due_word()) {
+    if (!is(word, "vertex"))
       continue;
     if (++size > 3)
       scan.fail("a facet with more than 3 vertices");
@@ -103,11 +111,11 @@ Polygon_soup read_text(const std::string& file, std::string_view bytes)
   bool is_in_solid = false;
   while (scan.next_line()) {
     const std::string_view word = scan.word();
-    if (word == "solid" && !is_in_solid)
+    if (is(word, "solid") && !is_in_solid)
       is_in_solid = true;
-    else if (word == "endsolid" && is_in_solid)
+    else if (is(word, "endsolid") && is_in_solid)
       is_in_solid = false;
-    else if (word == "facet" && is_in_solid)
+    else if (is(word, "facet") && is_in_solid)
       read_facet(scan, points);
     else
       scan.fail(in_quotes(word) +

@@ -40,11 +40,11 @@ namespace Region_segmentation {
 /// the surface, or, if less than 1/1000 of the vector from there lies in this plane, to the corner
 /// farthest from the centroid of the face; and \f$v = -N \times u\f$. Degenerate faces cast none.
 ///
-/// A ray ends at the first other face, whichever side it hits, of several the lower one. This is
-/// computed in `float`, relative to the centroid of the surface (\cgalCite{MT97}, polygons as fans
-/// from the corner farthest from their centroid, of several the first, with a margin of
-/// \f$10^{-6}\f$ in the barycentric coordinates); so distances have relative errors of about
-/// \f$10^{-6}\f$.
+/// A ray ends at the first other face, whichever side it hits, of several the lower one; where
+/// thousands of faces overlap, at the first one found in bounded time. This is computed in `float`,
+/// relative to the centroid of the surface (\cgalCite{MT97}, polygons as fans from the corner
+/// farthest from their centroid, of several the first, with a margin of \f$10^{-6}\f$ in the
+/// barycentric coordinates); so distances have relative errors of about \f$10^{-6}\f$.
 /// - The *thickness* of a region is the mean of \f$\ln(x / \sqrt{A} + 10^{-4})\f$, \f$x\f$ the
 /// lengths of
 ///   its rays; that of a region without rays that hit is the mean of the others' thicknesses.
