@@ -141,7 +141,7 @@ TEST(FindSurfaceFaces, FreeformWalls)
     return 2 + 0.3 * std::sin(z) + 0.2 * std::cos(4 * pi * turn);
   };
   for (const Shape& shape : {with_wall(24, 1, cam), with_wall(40, 1, cam), with_wall(64, 1, cam),
-                             with_wall(24, 6, vase), with_wall(24, 6, both)}) {
+                             with_wall(24, 12, vase), with_wall(24, 6, both)}) {
     SCOPED_TRACE(shape.triangles.size());
     const std::vector<RS::Fitted_surface> s = expect_faces(shape);
     EXPECT_EQ(s[0].kind, Surface_kind::FREEFORM);
@@ -187,6 +187,63 @@ TEST(FindSurfaceFaces, HelicalTube)
       EXPECT_EQ(found.surfaces[largest - areas.begin()].kind, Surface_kind::FREEFORM);
     }
   EXPECT_EQ(expect_faces(helical_tube(0, 4))[0].kind, Surface_kind::TORUS);
+}
+
+/// A solid whose wall, along a curve that is no arc, is rounded by a fillet of 2 to 16 facets: a
+/// ball of radius 0.4 rolls along the inside of the wall and below the top.
+Shape with_filleted_wall(int turns, int facets)
+{
+  constexpr double fillet = 0.4, height = 3;
+  const auto at = [&](double turn, double inwards, double z) {
+    const double t = 2 * pi * turn, r = 3 + 0.4 * std::cos(2 * t), slope = -0.8 * std::sin(2 * t),
+                 length = std::hypot(r, slope);
+    const Point outward{std::cos(t), std::sin(t), 0}, along{-std::sin(t), std::cos(t), 0};
+    return (r * outward) + (-inwards / length) * (r * outward - slope * along) + Point{0, 0, z};
+  };
+  const auto of_fillet = [&](double turn, double v) {
+    const double angle = pi / 2 * v;
+    return at(turn, fillet * (1 - std::cos(angle)), height + fillet * std::sin(angle));
+  };
+  Shape shape;
+  shape.add_face(turns, 1, [&](double u, double v) { return at(u, 0, height * v); });
+  shape.add_face(turns, facets, of_fillet);
+  shape.add_face(turns, 1, [&](double u, double v) {
+    return (1 - v) * of_fillet(u, 1) + v * Point{0, 0, height + fillet};
+  });
+  shape.add_face(turns, 1, [&](double u, double v) { return v * at(u, 0, 0); });
+  return shape;
+}
+
+// Walls and fillets are freeform, and meet smoothly; the curvature jumps there.
+TEST(FindSurfaceFaces, FilletsOfFreeformWalls)
+{
+  for (const int facets : {3, 5, 9}) {
+    SCOPED_TRACE(facets);
+    const std::vector<RS::Fitted_surface> s = expect_faces(with_filleted_wall(48, facets));
+    EXPECT_EQ(s[0].kind, Surface_kind::FREEFORM);
+    EXPECT_EQ(s[1].kind, Surface_kind::FREEFORM);
+    EXPECT_EQ(s[2].kind, Surface_kind::PLANE);
+    EXPECT_EQ(s[3].kind, Surface_kind::PLANE);
+  }
+}
+
+// Vertices are exact if those of some patch are, though little of the area is flat; noise is in
+// all.
+TEST(FindSurfaceFaces, Tolerance)
+{
+  const Shape coil = helical_tube(0.3, 12);
+  const auto relative_tolerance = [](const Shape& shape) {
+    const RS::Surface surface = surface_of(shape);
+    return RS::find_surface_faces(surface).tolerance / (surface.length_unit() * surface.unit());
+  };
+  EXPECT_NEAR(relative_tolerance(coil), 1e-6, 1e-9);
+  const unsigned seed = 5;
+  std::mt19937 random(seed);
+  std::normal_distribution<double> noise(0, 2e-3);
+  Shape noisy = coil;
+  for (Point& p : noisy.points)
+    p = p + Point{noise(random), noise(random), noise(random)};
+  EXPECT_GT(relative_tolerance(noisy), 1e-4);
 }
 
 /// The faces of a shape, which are found in its order.

@@ -10,7 +10,7 @@
 #include <CGAL/Region_segmentation/internal/faces/find_faces_from_patches.h>
 #include <CGAL/Region_segmentation/internal/faces/find_small_planes.h>
 #include <CGAL/Region_segmentation/internal/faces/fit_surface.h>
-#include <CGAL/Region_segmentation/internal/faces/join_tori_to_freeform.h>
+#include <CGAL/Region_segmentation/internal/faces/join_by_curvature.h>
 #include <CGAL/Region_segmentation/internal/faces/merge_equal_surfaces.h>
 #include <CGAL/Region_segmentation/internal/faces/separate_components.h>
 #include <CGAL/Region_segmentation/internal/surface/Intrinsic_surface.h>
@@ -53,7 +53,7 @@ inline Surface_faces find_faces(const Surface& surface, double tolerance,
   merge_equal_surfaces(search);
   compete_at_borders(search);
   separate_components(search, execution.step(0.9, 1));
-  join_tori_to_freeform(search);
+  join_by_curvature(search);
 
   Surface_faces result;
   result.partition = Partition::from_labels(search.labels);
@@ -121,19 +121,18 @@ inline void measure_surfaces(const Surface& surface, Surface_faces& faces)
 ///
 /// -# *Tolerance.* Vertices of a tessellation lie on the exact surface, to rounding: the tolerance
 ///    is \f$10^{-6}\f$ of the square root of the area, if at least 1/20 of the area is flat to
-///    that. Otherwise it is 5 times the standard deviation of the vertices from the surfaces that
-///    fit patches of 24 of them best, a low quantile of 300 patches; at most 1/100 of that root.
+///    that, or some patch lies on its surface. Otherwise it is 5 times the standard deviation of
+///    the vertices from the surfaces that fit patches of 24 of them best, a low quantile of 300
+///    patches; at most 1/100 of that root.
 /// -# *Surfaces from patches.* From each face that is not found yet, the largest first, a patch of
 ///    neighbors is collected. The simplest surface on which its vertices lie grows over all faces
 ///    that lie on it, and is fitted again whenever their number has doubled. Where the mesh leaves
 ///    it little by little, less than a plane tangent to it there, it only osculates a freeform face
-///    and is dropped; so is one on few vertices whose border goes on smoothly and turns as its
-///    inside. Smaller patches follow, then planes of few vertices.
+///    and is dropped. Smaller patches follow, then planes of few vertices.
 /// -# *Competition.* Neighbors of which one's surface is also that of the other are one; faces at
 ///    borders go to the surface from which the midpoints of their sides deviate least.
-/// -# *Freeform faces* are what is left, between creases, and single faces of the mesh of which it
-///    has at least half of the border. A torus that osculates one is a part of it; so are tori that
-///    osculate one tube.
+/// -# *Freeform faces* are what is left, between creases and borders where the curvature jumps.
+///    Surfaces on few vertices across whose border it does not jump are places of them.
 ///
 /// Faces without a normal of their own, such as slivers, belong to the surface on which their
 /// vertices lie. Faces of the result are connected across edges and seams.

@@ -101,7 +101,7 @@ inline double estimate_noise(const Surface& surface, const Face_neighbors& neigh
   if (errors.empty())
     return 0;
   std::sort(errors.begin(), errors.end());
-  return (std::min)(1.4 * errors[errors.size() / 16], largest * size);
+  return (std::min)({1.4 * errors[errors.size() / 16], 3 * errors[0], largest * size});
 }
 
 } // namespace internal

@@ -29,6 +29,9 @@ public:
     /// Of the edges that a patch crosses, as a multiple of the longest one of the seed: so patches
     /// stay on narrow strips of long triangles.
     double least_length;
+    /// Whether patches are tried only where they end at an edge or at a face that is found: in the
+    /// midst of what is left, larger ones were.
+    bool only_at_borders;
   };
 
   Patch_seeding(Face_search& search, const Options& options)
@@ -60,6 +63,8 @@ private:
              m_search.neighbors.may_be_smooth(n.adjacency) &&
              m_surface.area(n.face) < largest_area * m_surface.area(seed);
     });
+    if (m_options.only_at_borders && !is_at_border())
+      return false;
     Fitted_surface best;
     std::vector<Index> best_faces;
     double best_area = 0;
@@ -89,6 +94,15 @@ private:
       return false;
     m_search.add(best, best_faces);
     return true;
+  }
+
+  bool is_at_border() const
+  {
+    for (const Index f : m_patch.faces())
+      for (const Face_neighbors::Neighbor& n : m_search.neighbors[f])
+        if (m_search.is_found(n.face) || !m_search.neighbors.may_be_smooth(n.adjacency))
+          return true;
+    return false;
   }
 
   double longest_edge(Index face) const
@@ -142,17 +156,7 @@ private:
       return false;
     if (s.kind == Surface_kind::PLANE ? points < fewest_points_of_plane : is_chain_of_planes())
       return false;
-    return !m_search.is_exact() ||
-           (m_grower.gradual_border(s) <= 0.1 && !may_be_of_freeform(s, points));
-  }
-
-  /// Whether a surface on few points is fitted by chance to a place of a freeform face, as to
-  /// strips of it: most of the border goes on smoothly to what is not found, and turns as the
-  /// inside.
-  bool may_be_of_freeform(const Fitted_surface& s, std::size_t points) const
-  {
-    return int(points) < 3 * degrees_of_freedom(s.kind) && share_of_smooth_border(m_search) > 0.5 &&
-           !m_grower.is_tangent_to_neighbors();
+    return !m_search.is_exact() || m_grower.gradual_border(s) <= 0.1;
   }
 
   /// Whether the faces are two planes, or three of several triangles each, such as chamfers, rather
@@ -199,8 +203,11 @@ private:
 /// Larger patches first: they tell surfaces apart that small ones do not.
 inline void find_faces_from_patches(Face_search& search, const Execution& execution)
 {
-  const std::vector<Patch_seeding::Options> of_exact = {{24, 0}, {12, 0}, {8, 0.5}},
-                                            of_noisy = {{80, 0}, {40, 0}, {20, 0}};
+  const std::vector<Patch_seeding::Options> of_exact = {{24, 0, false},
+                                                        {12, 0, true},
+                                                        {8, 0.5, true}},
+                                            of_noisy = {
+                                              {80, 0, false}, {40, 0, false}, {20, 0, false}};
   const std::vector<Patch_seeding::Options>& phases = search.is_exact() ? of_exact : of_noisy;
   for (std::size_t i = 0; i < phases.size(); ++i)
     Patch_seeding(search, phases[i])

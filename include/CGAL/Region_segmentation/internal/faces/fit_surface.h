@@ -26,6 +26,14 @@ inline int degrees_of_freedom(Surface_kind kind)
   return numbers[int(kind)];
 }
 
+/// A direction orthogonal to one of length 1.
+inline Double_3 any_perpendicular(const Double_3& a)
+{
+  const Double_3 axis = std::fabs(a.x) < 0.6 ? Double_3{1, 0, 0} : Double_3{0, 1, 0};
+  const Double_3 b = cross(a, axis);
+  return (1 / norm(b)) * b;
+}
+
 inline double largest_distance(const Fitted_surface& s, const std::vector<Double_3>& points)
 {
   const Surface_distance distance(s);
@@ -107,13 +115,6 @@ private:
   double weight(std::size_t i) const { return m_weights.empty() ? 1 : m_weights[i]; }
 
   double rms(const Normal_equations& e) const { return std::sqrt(e.cost / m_weight); }
-
-  static Double_3 any_perpendicular(const Double_3& a)
-  {
-    const Double_3 axis = std::fabs(a.x) < 0.6 ? Double_3{1, 0, 0} : Double_3{0, 1, 0};
-    const Double_3 b = cross(a, axis);
-    return (1 / norm(b)) * b;
-  }
 
   /// Moves the point of a plane, cylinder or cone next to the points; the fit is well conditioned
   /// there.

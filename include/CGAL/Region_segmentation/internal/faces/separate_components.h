@@ -82,34 +82,9 @@ inline void join_to_neighbors(Face_search& search, const std::vector<std::uint8_
   search.relabel(now);
 }
 
-/// Whether each part of a partition is a facet of a freeform face: a single face of the mesh of
-/// which at least half of the border is with parts that are not found, and not steep.
-inline std::vector<std::uint8_t> facets_of_freeform(const Face_search& search,
-                                                    const Partition& components)
-{
-  constexpr double steep = 0.5; // cosine
-  const Surface& surface = search.surface;
-  std::vector<std::size_t> sizes(components.number_of_parts(), 0);
-  for (std::size_t f = 0; f < surface.number_of_faces(); ++f)
-    ++sizes[components[f]];
-  std::vector<std::uint8_t> result(sizes.size(), 0);
-  for (Surface::Index f = 0; f < surface.number_of_faces(); ++f)
-    if (sizes[components[f]] == 1) {
-      double freeform = 0, all = 0;
-      for (const Face_neighbors::Neighbor& n : search.neighbors[f]) {
-        const double length = surface.length(n.adjacency);
-        all += length;
-        if (!search.is_found(n.face) && surface.cosine(n.adjacency) > steep)
-          freeform += length;
-      }
-      result[components[f]] = 2 * freeform > all;
-    }
-  return result;
-}
-
 /// Makes each connected component of a label a face of its own, and those of what was not found
-/// freeform faces, which end at creases. Facets of freeform faces join a neighbor, and so do tiny
-/// components, but for the largest one of a surface.
+/// freeform faces, which end at creases. Tiny components join a neighbor, but for the largest one
+/// of a surface.
 inline void separate_components(Face_search& search, const Execution& execution)
 {
   constexpr double tiny = 1e-6; // of the area of the surface
@@ -135,12 +110,12 @@ inline void separate_components(Face_search& search, const Execution& execution)
     if (label_of[c] != Face_search::none)
       largest[label_of[c]] = (std::max)(largest[label_of[c]], areas[c]);
   std::vector<Fitted_surface> surfaces(number);
-  std::vector<std::uint8_t> is_joined = facets_of_freeform(search, components);
+  std::vector<std::uint8_t> is_joined(number);
   for (std::size_t c = 0; c < number; ++c) {
     const bool is_surface = label_of[c] != Face_search::none;
     surfaces[c] = is_surface ? search.surfaces[label_of[c]] : Fitted_surface();
-    is_joined[c] |= areas[c] < tiny * surface.area() &&
-                    !(is_surface && areas[c] == largest[label_of[c]]);
+    is_joined[c] = areas[c] < tiny * surface.area() &&
+                   !(is_surface && areas[c] == largest[label_of[c]]);
   }
   search.labels.assign(components.begin(), components.end());
   search.surfaces = std::move(surfaces);

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_FACES_CHORD_NORMALS_H
+#define CGAL_REGION_SEGMENTATION_INTERNAL_FACES_CHORD_NORMALS_H
+
+#include <CGAL/Region_segmentation/internal/faces/Face_search.h>
+#include <CGAL/Region_segmentation/internal/support/Lowest_root_forest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Region_segmentation {
+namespace internal {
+
+/// The normals of a smooth surface at the vertices of some faces of its tessellation, from the
+/// positions of the vertices alone.
+///
+/// Between two vertices of one face of the part the surface is nearly an arc, and its normals m and
+/// n at them make equal angles with the chord d: (m + n) d = 0. Edges do not cross borders of
+/// faces, so these equations hold, up to third order, beside borders across which the curvature
+/// jumps, too; a fit to a neighborhood mixes both sides there. They are solved in the sense of
+/// least squares, with a small weight on the first estimate: along a polyline they determine the
+/// normals but for one that alternates.
+///
+/// A vertex has a normal for each *fan*, the faces around it that go on smoothly.
+class Chord_normals
+{
+public:
+  using Index = Surface::Index;
+
+  /// \param is_free by face: those whose normals are wanted. Where they meet others smoothly, these
+  /// have a surface, and its normals hold.
+  Chord_normals(const Face_search& search, const std::vector<std::uint8_t>& is_free)
+    : m_surface(search.surface)
+    , m_first(m_surface.number_of_faces(), Face_search::none)
+  {
+    find_fans(search, is_free);
+    estimate(search.neighbors, is_free);
+    take_from_surfaces(search);
+    collect_chords(is_free);
+    constexpr int steps = 2; // of Newton's method
+    for (int i = 0; i < steps; ++i)
+      improve();
+  }
+
+  const Double_3& operator()(std::size_t face, std::size_t corner) const
+  {
+    return m_normals[m_fans[m_first[face] + corner]];
+  }
+
+private:
+  struct Chord
+  {
+    Index ends[2];        // fans
+    Double_3 direction;   // of length 1
+    Double_3 tangents[2]; // the direction, projected along the normals at the ends
+  };
+  struct Contact
+  {
+    Index corner, face; // of a free face, and a face that is not
+  };
+
+  void find_fans(const Face_search& search, const std::vector<std::uint8_t>& is_free)
+  {
+    Index corners = 0;
+    for (std::size_t f = 0; f < m_first.size(); ++f)
+      if (is_free[f]) {
+        m_first[f] = corners;
+        corners += Index(m_surface.number_of_corners(f));
+      }
+    Lowest_root_forest fans(corners);
+    for (std::size_t a = 0; a < m_surface.number_of_adjacencies(); ++a) {
+      Index f = m_surface.lower_face(a), g = m_surface.higher_face(a);
+      if (m_surface.has_flag(a, Surface::LINK) || !search.neighbors.may_be_smooth(a) ||
+          (!is_free[f] && !is_free[g]))
+        continue;
+      if (!is_free[f])
+        std::swap(f, g);
+      for (Index i = 0; i < m_surface.number_of_corners(f); ++i)
+        for (Index j = 0; j < m_surface.number_of_corners(g); ++j)
+          if (m_surface.corner(f, i) == m_surface.corner(g, j)) {
+            if (is_free[g])
+              fans.unite(m_first[f] + i, m_first[g] + j);
+            else
+              m_contacts.push_back({m_first[f] + i, g});
+          }
+    }
+    m_fans.resize(corners);
+    Index number = 0;
+    for (Index c = 0; c < corners; ++c)
+      m_fans[c] = fans.root(c) == c ? number++ : m_fans[fans.root(c)];
+    m_normals.assign(number, Double_3{0, 0, 0});
+    m_points.resize(number);
+    m_is_known.assign(number, 0);
+  }
+
+  /// The mean of the normals of the faces, with the weights by which it is that of a sphere through
+  /// the vertices: area over the squared lengths of both edges.
+  void estimate(const Face_neighbors& neighbors, const std::vector<std::uint8_t>& is_free)
+  {
+    constexpr double of_thin = 1e-3;
+    for (std::size_t f = 0; f < m_first.size(); ++f)
+      if (is_free[f])
+        for (std::size_t i = 0, n = m_surface.number_of_corners(f); i < n; ++i) {
+          const Index fan = m_fans[m_first[f] + i];
+          const Double_3 p = m_surface.point(m_surface.corner(f, i));
+          const double edges = squared_norm(m_surface.point(m_surface.corner(f, (i + 1) % n)) - p) *
+                               squared_norm(m_surface.point(m_surface.corner(f, (i + n - 1) % n)) -
+                                            p);
+          m_points[fan] = p;
+          if (edges > 0 && !m_surface.is_degenerate(f))
+            m_normals[fan] = m_normals[fan] +
+                             (m_surface.area(f) / edges * (neighbors.is_thin(f) ? of_thin : 1)) *
+                               m_surface.normal(f);
+        }
+    for (Double_3& n : m_normals)
+      normalize(n);
+  }
+
+  void take_from_surfaces(const Face_search& search)
+  {
+    constexpr double is_tangent = 0.9; // cosine
+    for (const Contact& contact : m_contacts) {
+      const Index fan = m_fans[contact.corner];
+      const Double_3 n = surface_normal(search.surface_of(contact.face), m_points[fan]);
+      if (!m_is_known[fan] && dot(n, m_normals[fan]) > is_tangent) {
+        m_normals[fan] = n;
+        m_is_known[fan] = 1;
+      }
+    }
+  }
+
+  void collect_chords(const std::vector<std::uint8_t>& is_free)
+  {
+    std::vector<std::pair<Index, Index>> pairs;
+    for (std::size_t f = 0; f < m_first.size(); ++f)
+      if (is_free[f])
+        for (std::size_t i = 0, n = m_surface.number_of_corners(f); i < n; ++i) {
+          const Index a = m_fans[m_first[f] + i], b = m_fans[m_first[f] + (i + 1) % n];
+          pairs.push_back({(std::min)(a, b), (std::max)(a, b)});
+        }
+    std::sort(pairs.begin(), pairs.end());
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    for (const auto& pair : pairs) {
+      const Double_3 d = m_points[pair.second] - m_points[pair.first];
+      const double length = norm(d);
+      if (length > 0)
+        m_chords.push_back({{pair.first, pair.second}, (1 / length) * d, {}});
+    }
+  }
+
+  /// Tilts the normals: conjugate gradients for the linear equations.
+  void improve()
+  {
+    constexpr int iterations = 30;
+    constexpr double of_estimate = 0.01; // weight, the equation of a chord has 1
+    const std::size_t n = m_normals.size();
+    std::vector<Double_3> tilt(n, Double_3{0, 0, 0}), residual(n, Double_3{0, 0, 0}), product(n);
+    const auto add = [&](std::vector<Double_3>& to, const Chord& c, double x) {
+      for (int i = 0; i < 2; ++i)
+        to[c.ends[i]] = to[c.ends[i]] + x * c.tangents[i];
+    };
+    for (Chord& c : m_chords) {
+      double sum = 0;
+      for (int i = 0; i < 2; ++i) {
+        const Double_3& m = m_normals[c.ends[i]];
+        const double along = dot(m, c.direction);
+        c.tangents[i] = m_is_known[c.ends[i]] ? Double_3{0, 0, 0} : c.direction - along * m;
+        sum += along;
+      }
+      add(residual, c, -sum);
+    }
+    std::vector<Double_3> direction = residual;
+    double squared = squared_norm_of(residual);
+    const double small = 1e-12 * squared;
+    for (int i = 0; i < iterations && squared > small; ++i) {
+      for (std::size_t k = 0; k < n; ++k)
+        product[k] = of_estimate * direction[k];
+      double denominator = of_estimate * squared_norm_of(direction);
+      for (const Chord& c : m_chords) {
+        const double x = dot(c.tangents[0], direction[c.ends[0]]) +
+                         dot(c.tangents[1], direction[c.ends[1]]);
+        denominator += x * x;
+        add(product, c, x);
+      }
+      const double step = squared / denominator;
+      for (std::size_t k = 0; k < n; ++k) {
+        tilt[k] = tilt[k] + step * direction[k];
+        residual[k] = residual[k] - step * product[k];
+      }
+      const double next = squared_norm_of(residual);
+      for (std::size_t k = 0; k < n; ++k)
+        direction[k] = residual[k] + (next / squared) * direction[k];
+      squared = next;
+    }
+    for (std::size_t k = 0; k < n; ++k) {
+      m_normals[k] = m_normals[k] + tilt[k];
+      normalize(m_normals[k]);
+    }
+  }
+
+  static double squared_norm_of(const std::vector<Double_3>& v)
+  {
+    double sum = 0;
+    for (const Double_3& x : v)
+      sum += squared_norm(x);
+    return sum;
+  }
+
+  static void normalize(Double_3& v)
+  {
+    const double length = norm(v);
+    v = length > 0 ? (1 / length) * v : Double_3{0, 0, 1};
+  }
+
+  const Surface& m_surface;
+  std::vector<Index> m_first; // by face: its first corner among those of free faces
+  std::vector<Index> m_fans;  // by corner
+  std::vector<Double_3> m_points, m_normals;
+  std::vector<std::uint8_t> m_is_known;
+  std::vector<Contact> m_contacts;
+  std::vector<Chord> m_chords;
+};
+
+} // namespace internal
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_INTERNAL_FACES_CHORD_NORMALS_H

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_FACES_CURVATURE_JOINER_H
+#define CGAL_REGION_SEGMENTATION_INTERNAL_FACES_CURVATURE_JOINER_H
+
+#include <CGAL/Region_segmentation/Surface.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <numeric>
+#include <queue>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Region_segmentation {
+namespace internal {
+
+/// Joins regions across the border where the curvature jumps least, while it jumps little.
+///
+/// The jump across a border is the sum of those across its edges, by length and with their signs,
+/// so that errors cancel, as a share of their scale. The fewer faces a region has, the less is
+/// known of its curvature: of n, the jump counts n / (n + 3).
+class Curvature_joiner
+{
+public:
+  using Index = Surface::Index;
+
+  struct Border
+  {
+    double jump = 0, scale = 0;
+    bool is_smooth = false; ///< at some edge
+
+    void add(const Border& other, double sign)
+    {
+      jump += sign * other.jump;
+      scale += other.scale;
+      is_smooth = is_smooth || other.is_smooth;
+    }
+  };
+
+  explicit Curvature_joiner(std::size_t regions)
+    : m_regions(regions)
+    , m_parents(regions)
+  {
+    std::iota(m_parents.begin(), m_parents.end(), Index(0));
+  }
+
+  /// Counts a face. Regions to which a surface is fitted are not joined to each other, and count
+  /// many, since more is known of their curvature.
+  void add_face(Index region, bool is_fitted)
+  {
+    m_regions[region].faces += is_fitted ? 100 : 1;
+    m_regions[region].is_fitted = is_fitted;
+  }
+
+  /// Adds an edge between two regions; its jump is positive if the first is curved more.
+  void add_edge(Index a, Index b, const Border& edge)
+  {
+    m_regions[a].borders[b].add(edge, 1);
+    m_regions[b].borders[a].add(edge, -1);
+  }
+
+  void join()
+  {
+    constexpr double little = 0.65;
+    for (Index a = 0; a < m_regions.size(); ++a)
+      for (const auto& neighbor : m_regions[a].borders)
+        if (a < neighbor.first)
+          push(a, neighbor.first, neighbor.second);
+    while (!m_queue.empty()) {
+      const Candidate next = m_queue.top();
+      m_queue.pop();
+      const auto found = m_regions[next.a].borders.find(next.b);
+      if (found != m_regions[next.a].borders.end() &&
+          jump(next.a, next.b, found->second) == next.jump) {
+        if (next.jump >= little)
+          return;
+        join(next.a, next.b);
+      }
+    }
+  }
+
+  /// Joins two current regions.
+  void join(Index a, Index b)
+  {
+    if (m_regions[a].borders.size() < m_regions[b].borders.size())
+      std::swap(a, b);
+    Region &kept = m_regions[a], &removed = m_regions[b];
+    m_parents[b] = a;
+    kept.faces += removed.faces;
+    kept.is_fitted = false;
+    kept.is_joined = true;
+    kept.borders.erase(b);
+    removed.borders.erase(a);
+    for (const auto& neighbor : removed.borders) {
+      Region& other = m_regions[neighbor.first];
+      other.borders.erase(b);
+      kept.borders[neighbor.first].add(neighbor.second, 1);
+      other.borders[a].add(neighbor.second, -1);
+    }
+    removed.borders.clear();
+    for (const auto& neighbor : kept.borders)
+      push((std::min)(a, neighbor.first), (std::max)(a, neighbor.first), neighbor.second);
+  }
+
+  /// The region that `region` belongs to now.
+  Index current(Index region)
+  {
+    while (m_parents[region] != region)
+      region = m_parents[region] = m_parents[m_parents[region]];
+    return region;
+  }
+
+  /// Whether a current region was joined with others.
+  bool is_joined(Index region) const { return m_regions[region].is_joined; }
+  bool is_fitted(Index region) const { return m_regions[region].is_fitted; }
+  std::size_t faces(Index region) const { return m_regions[region].faces; }
+
+private:
+  struct Region
+  {
+    std::map<Index, Border> borders; // by neighbor
+    std::size_t faces = 0;           // a fitted one counts as many
+    bool is_fitted = false, is_joined = false;
+  };
+
+  struct Candidate
+  {
+    double jump;
+    Index a, b;
+    bool operator<(const Candidate& c) const
+    {
+      return std::tie(jump, a, b) > std::tie(c.jump, c.a, c.b);
+    }
+  };
+
+  double jump(Index a, Index b, const Border& border) const
+  {
+    constexpr double uncertain = 3; // faces
+    const double n = double((std::min)(m_regions[a].faces, m_regions[b].faces));
+    return border.scale > 0 ? std::fabs(border.jump) / border.scale * (n / (n + uncertain)) : 0;
+  }
+
+  void push(Index a, Index b, const Border& border)
+  {
+    if (border.is_smooth && !(m_regions[a].is_fitted && m_regions[b].is_fitted))
+      m_queue.push({jump(a, b, border), a, b});
+  }
+
+  std::vector<Region> m_regions;
+  std::vector<Index> m_parents;
+  std::priority_queue<Candidate> m_queue;
+};
+
+} // namespace internal
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_INTERNAL_FACES_CURVATURE_JOINER_H

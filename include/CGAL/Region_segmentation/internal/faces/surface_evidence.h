@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_FACES_SURFACE_EVIDENCE_H
+#define CGAL_REGION_SEGMENTATION_INTERNAL_FACES_SURFACE_EVIDENCE_H
+
+#include <CGAL/Region_segmentation/internal/faces/Face_search.h>
+#include <CGAL/Region_segmentation/internal/faces/fit_surface.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Region_segmentation {
+namespace internal {
+
+/// The number of different angles that points have around the circle in the tube of a torus, up to
+/// 1/1000 of their range.
+inline int number_of_parallels(const Fitted_surface& torus, const std::vector<Double_3>& points)
+{
+  std::vector<double> angles;
+  for (const Double_3& p : points) {
+    const Meridian_point m = meridian_point(torus, p);
+    angles.push_back(std::atan2(m.z, m.r - torus.radius));
+  }
+  std::sort(angles.begin(), angles.end());
+  const double same = 1e-3 * (angles.back() - angles.front());
+  int number = 1;
+  for (std::size_t i = 1; i < angles.size(); ++i)
+    number += angles[i] - angles[i - 1] > same;
+  return number;
+}
+
+/// How much a surface says of its faces: few vertices lie on one by chance where the part is
+/// freeform.
+enum class Evidence : std::uint8_t { NONE, WEAK, STRONG };
+
+/// The vertices of each label of a surface.
+struct Label_vertices
+{
+  int number = 0, inside = 0;   ///< inside: all faces around it have the label
+  std::vector<Double_3> points; ///< of tori
+};
+
+inline std::vector<Label_vertices> vertices_of_labels(const Face_search& search)
+{
+  using Index = Surface::Index;
+  constexpr Index several = Face_search::none - 1;
+  const Surface& surface = search.surface;
+  std::vector<Index> label_of_vertex(surface.number_of_vertices(), Face_search::none);
+  std::vector<std::vector<Index>> faces(search.surfaces.size());
+  for (Index f = 0; f < surface.number_of_faces(); ++f) {
+    const Index own = search.labels[f];
+    for (std::size_t i = 0; i < surface.number_of_corners(f); ++i) {
+      Index& label = label_of_vertex[surface.corner(f, i)];
+      label = label == Face_search::none || label == own ? own : several;
+    }
+    if (search.surfaces[own].kind != Surface_kind::FREEFORM)
+      faces[own].push_back(f);
+  }
+  std::vector<Label_vertices> result(faces.size());
+  Element_marks is_counted(surface.number_of_vertices());
+  for (Index label = 0; label < faces.size(); ++label) {
+    is_counted.clear();
+    for (const Index f : faces[label])
+      for (std::size_t i = 0; i < surface.number_of_corners(f); ++i) {
+        const Index vertex = surface.corner(f, i);
+        if (!is_counted.mark(vertex))
+          continue;
+        ++result[label].number;
+        result[label].inside += label_of_vertex[vertex] == label;
+        if (search.surfaces[label].kind == Surface_kind::TORUS)
+          result[label].points.push_back(surface.point(vertex));
+      }
+  }
+  return result;
+}
+
+/// By label. Places of freeform faces lie on surfaces by chance: three vertices on a plane, those
+/// of two circles on a cone, sphere or torus, and of three of its parallels on a torus. With fewer
+/// than 4 vertices for each degree of freedom, or 8 on a plane, they may.
+inline std::vector<Evidence> evidence_of_surfaces(const Face_search& search)
+{
+  const std::vector<Label_vertices> vertices = vertices_of_labels(search);
+  const auto is_by_chance = [&](std::size_t label) {
+    const Label_vertices& v = vertices[label];
+    switch (search.surfaces[label].kind) {
+    case Surface_kind::PLANE:
+    case Surface_kind::CYLINDER:
+      return v.number < 4;
+    case Surface_kind::TORUS:
+      return v.inside == 0 || number_of_parallels(search.surfaces[label], v.points) <= 3;
+    default:
+      return v.inside == 0;
+    }
+  };
+  std::vector<Evidence> result(vertices.size(), Evidence::NONE);
+  for (std::size_t label = 0; label < result.size(); ++label) {
+    const Surface_kind kind = search.surfaces[label].kind;
+    if (kind == Surface_kind::FREEFORM || is_by_chance(label))
+      continue;
+    const int enough = kind == Surface_kind::PLANE ? 8 : 4 * degrees_of_freedom(kind);
+    result[label] = vertices[label].number < enough ? Evidence::WEAK : Evidence::STRONG;
+  }
+  return result;
+}
+
+} // namespace internal
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_INTERNAL_FACES_SURFACE_EVIDENCE_H
