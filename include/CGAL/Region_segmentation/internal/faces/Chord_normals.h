@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -62,7 +63,11 @@ private:
   };
   struct Contact
   {
-    Index corner, face; // of a free face, and a face that is not
+    Index adjacency, corner, face; // the corner of a free face, and a face that is not
+    friend bool operator<(const Contact& a, const Contact& b)
+    {
+      return std::tie(a.adjacency, a.corner) < std::tie(b.adjacency, b.corner);
+    }
   };
 
   void find_fans(const Face_search& search, const std::vector<std::uint8_t>& is_free)
@@ -74,22 +79,28 @@ private:
         corners += Index(m_surface.number_of_corners(f));
       }
     Lowest_root_forest fans(corners);
-    for (std::size_t a = 0; a < m_surface.number_of_adjacencies(); ++a) {
-      Index f = m_surface.lower_face(a), g = m_surface.higher_face(a);
-      if (m_surface.has_flag(a, Surface::LINK) || !search.neighbors.may_be_smooth(a) ||
-          (!is_free[f] && !is_free[g]))
-        continue;
-      if (!is_free[f])
-        std::swap(f, g);
-      for (Index i = 0; i < m_surface.number_of_corners(f); ++i)
-        for (Index j = 0; j < m_surface.number_of_corners(g); ++j)
-          if (m_surface.corner(f, i) == m_surface.corner(g, j)) {
-            if (is_free[g])
+    std::vector<Index> corner_at(m_surface.number_of_vertices(), Face_search::none);
+    for (Index f = 0; f < m_first.size(); ++f) {
+      const std::size_t n = m_surface.number_of_corners(f);
+      for (Index i = 0; i < n; ++i)
+        corner_at[m_surface.corner(f, i)] = i;
+      for (const Face_neighbors::Neighbor& neighbor : search.neighbors[f])
+        if (const Index g = neighbor.face;
+            std::pair(m_surface.number_of_corners(g), g) < std::pair(n, f) &&
+            (is_free[f] || is_free[g]) && search.neighbors.may_be_smooth(neighbor.adjacency))
+          for (Index j = 0; j < m_surface.number_of_corners(g); ++j)
+            if (const Index i = corner_at[m_surface.corner(g, j)]; i == Face_search::none)
+              continue;
+            else if (is_free[f] && is_free[g])
               fans.unite(m_first[f] + i, m_first[g] + j);
+            else if (is_free[f])
+              m_contacts.push_back({neighbor.adjacency, m_first[f] + i, g});
             else
-              m_contacts.push_back({m_first[f] + i, g});
-          }
+              m_contacts.push_back({neighbor.adjacency, m_first[g] + j, f});
+      for (Index i = 0; i < n; ++i)
+        corner_at[m_surface.corner(f, i)] = Face_search::none;
     }
+    std::sort(m_contacts.begin(), m_contacts.end());
     m_fans.resize(corners);
     Index number = 0;
     for (Index c = 0; c < corners; ++c)
