@@ -59,12 +59,16 @@ struct Surface_face_region_data
   }
   void add_border(const Surface&, std::size_t /* adjacency */) {}
 
-  /// Adds the region on the other side of a section.
+  /// Adds the region on the other side of a section. One without area, as a crumb, does not count.
   void absorb(const Surface_face_region_data& other, const Surface_face_section_data& /* between */)
   {
-    area += other.area;
-    face = face == other.face ? face : several;
-    role = role == other.role ? role : Face_role::NONE;
+    if (area == 0)
+      *this = other;
+    else if (other.area > 0) {
+      area += other.area;
+      face = face == other.face ? face : several;
+      role = role == other.role ? role : Face_role::NONE;
+    }
   }
 };
 

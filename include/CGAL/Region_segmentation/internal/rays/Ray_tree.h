@@ -66,10 +66,11 @@ public:
   }
 
   /// The first face of the mesh of the tree that a ray hits in front of its source, of several the
-  /// lowest one, other than `skipped`; where thousands of triangles overlap, the first one found in
-  /// `most_visits` nodes and leaves. `direction` has length 1.
+  /// lowest one, other than `skipped`; the first one found, if it takes more nodes and leaves than
+  /// `most_visits`, as where thousands of triangles overlap. `direction` has length 1.
   Hit first_hit(const Surface& mesh, const Double_3& source, const Double_3& direction,
-                Index skipped) const
+                Index skipped,
+                std::size_t most_visits = (std::numeric_limits<std::size_t>::max)()) const
   {
     Ray ray(m_leaves.relative(source), {float(direction.x), float(direction.y), float(direction.z)},
             skipped);
@@ -97,8 +98,6 @@ public:
 
 private:
   static constexpr std::size_t width = 4;
-  static constexpr std::size_t most_visits = 1024; // a ray in real meshes of 300 to 50,000 faces:
-                                                   // 352
 
   /// Empty until a point is added; coordinates that are not numbers are ignored.
   struct Box
