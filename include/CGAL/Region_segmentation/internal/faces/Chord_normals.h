@@ -87,16 +87,19 @@ private:
       for (const Face_neighbors::Neighbor& neighbor : search.neighbors[f])
         if (const Index g = neighbor.face;
             std::pair(m_surface.number_of_corners(g), g) < std::pair(n, f) &&
-            (is_free[f] || is_free[g]) && search.neighbors.may_be_smooth(neighbor.adjacency))
-          for (Index j = 0; j < m_surface.number_of_corners(g); ++j)
-            if (const Index i = corner_at[m_surface.corner(g, j)]; i == Face_search::none)
+            (is_free[f] || is_free[g]) && search.neighbors.may_be_smooth(neighbor.adjacency)) {
+          for (Index j = 0; j < m_surface.number_of_corners(g); ++j) {
+            const Index i = corner_at[m_surface.corner(g, j)];
+            if (i == Face_search::none)
               continue;
-            else if (is_free[f] && is_free[g])
+            if (is_free[f] && is_free[g])
               fans.unite(m_first[f] + i, m_first[g] + j);
             else if (is_free[f])
               m_contacts.push_back({neighbor.adjacency, m_first[f] + i, g});
             else
               m_contacts.push_back({neighbor.adjacency, m_first[g] + j, f});
+          }
+        }
       for (Index i = 0; i < n; ++i)
         corner_at[m_surface.corner(f, i)] = Face_search::none;
     }
