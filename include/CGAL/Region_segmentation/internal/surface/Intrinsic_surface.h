@@ -169,15 +169,16 @@ private:
     for (Index f = 0; f < originals.size(); ++f)
       if (originals[f] == f)
         faces.push_back(f);
-    const auto point_of = [&](std::size_t i) {
-      const std::size_t n = given.number_of_corners(faces[i]);
+    std::vector<double> positions;
+    for (const Index f : faces) {
+      const std::size_t n = given.number_of_corners(f);
       Double_3 sum{0, 0, 0}; // exact
       for (std::size_t c = 0; c < n; ++c)
-        sum = sum + points[given.corner(faces[i], c)];
-      return (1 / double(n)) * sum;
-    };
-    const std::vector<Index> new_numbers = numbers(
-      faces.size(), point_of, [&](std::size_t i) { return given.is_crumb(faces[i]); });
+        sum = sum + points[given.corner(f, c)];
+      const double x = position((1 / double(n)) * sum);
+      positions.push_back(given.is_crumb(f) ? 2 + x / (1 + std::fabs(x)) : x);
+    }
+    const std::vector<Index> new_numbers = numbers(positions);
     m_faces.resize(originals.size());
     arrays_of(m_surface.emplace()).input_faces.resize(faces.size());
     for (std::size_t i = 0; i < faces.size(); ++i) {
@@ -188,25 +189,22 @@ private:
       m_faces[f] = m_faces[originals[f]];
   }
 
-  /// The numbers of things in the order of their positions, those that are to be last behind the
-  /// others.
-  template <typename PointOf, typename IsLast>
-  static std::vector<Index> numbers(std::size_t size, const PointOf& point_of,
-                                    const IsLast& is_last)
+  /// Along the generic direction: in [0, 1), but for crumbs.
+  static double position(const Double_3& point)
   {
-    const auto position = [&](std::size_t i) { // in [0, 1) for all but crumbs
-      constexpr double bound = 2.5;
-      const double x = 0.5 + dot(point_of(i), Intrinsic_frame::direction) / (2 * bound);
-      return is_last(i) ? 2 + x / (1 + std::fabs(x)) : x;
-    };
+    constexpr double bound = 2.5;
+    return 0.5 + dot(point, Intrinsic_frame::direction) / (2 * bound);
+  }
+
+  /// The numbers of things in the order of their positions.
+  static std::vector<Index> numbers(const std::vector<double>& positions)
+  {
+    using Item = std::pair<double, Index>;
+    const std::size_t size = positions.size();
     const auto slice = [&](double x) {
       constexpr double last = 0.999999;
       return std::size_t((std::max)(0.0, (std::min)(x, last)) * double(size));
     };
-    using Item = std::pair<double, Index>;
-    std::vector<double> positions;
-    for (std::size_t i = 0; i < size; ++i)
-      positions.push_back(position(i));
     auto items = grouped<Item>(size, [&](const auto& f) { // in slices
       for (std::size_t i = 0; i < size; ++i)
         f(slice(positions[i]), Item{positions[i], Index(i)});
@@ -233,9 +231,10 @@ private:
           number = Index(vertices.size());
           vertices.push_back(given.corner(f, i));
         }
-    const std::vector<Index> new_numbers = numbers(
-      vertices.size(), [&](std::size_t v) { return points[vertices[v]]; },
-      [](std::size_t) { return false; });
+    std::vector<double> positions;
+    for (const Index v : vertices)
+      positions.push_back(position(points[v]));
+    const std::vector<Index> new_numbers = numbers(positions);
     arrays.points.resize(vertices.size());
     for (std::size_t v = 0; v < vertices.size(); ++v)
       arrays.points[new_numbers[v]] = points[vertices[v]];
