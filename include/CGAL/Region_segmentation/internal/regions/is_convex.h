@@ -33,11 +33,26 @@ inline bool is_convex(const Surface& mesh)
   }
   if (!(std::sqrt(squared_norm(sum)) <= largest_gap_of_closed * area) || area == 0)
     return false;
-  double concave = 0, convex = 0;
+  const auto counts = [&](std::size_t e) {
+    return mesh.has_flag(e, Surface::CONCAVE | Surface::CONVEX) &&
+           !mesh.is_crumb(mesh.lower_face(e));
+  };
+  double length = 0; // of the edges whose angles are not known yet
   for (std::size_t e = 0; e < mesh.number_of_adjacencies(); ++e)
-    if (mesh.has_flag(e, Surface::CONCAVE | Surface::CONVEX) && !mesh.is_crumb(mesh.lower_face(e)))
-      (mesh.has_flag(e, Surface::CONCAVE) ? concave : convex) += mesh.length(e) * mesh.deviation(e);
-  return concave <= largest_concave_share_of_convex * (concave + convex);
+    length += counts(e) ? mesh.length(e) : 0;
+  double concave = 0, all = 0;
+  // Angles are expensive, and a few are sufficient for most surfaces: no edge adds more than pi.
+  for (std::size_t e = 0; e < mesh.number_of_adjacencies(); ++e) {
+    if (!counts(e))
+      continue;
+    const double l = mesh.length(e), sum = l * mesh.deviation(e);
+    length -= l;
+    all += sum;
+    concave += mesh.has_flag(e, Surface::CONCAVE) ? sum : 0;
+    if (concave > largest_concave_share_of_convex * (all + 4 * length))
+      return false;
+  }
+  return true;
 }
 
 } // namespace internal
