@@ -3,13 +3,20 @@
 #ifndef CGAL_REGION_SEGMENTATION_INTERNAL_CUTS_MINIMUM_CUT_H
 #define CGAL_REGION_SEGMENTATION_INTERNAL_CUTS_MINIMUM_CUT_H
 
-#include <CGAL/Region_segmentation/internal/cuts/Flow_network.h>
+#include <CGAL/Region_segmentation/internal/support/Grouped_items.h>
+
+#include <boost/graph/boykov_kolmogorov_max_flow.hpp>
+#include <boost/graph/compressed_sparse_row_graph.hpp>
+#include <boost/graph/graph_traits.hpp>
+#include <boost/graph/properties.hpp>
+#include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -64,45 +71,86 @@ public:
 
 private:
   using Capacity = std::int64_t;
+  using Graph = boost::compressed_sparse_row_graph<
+    boost::directedS, boost::no_property, boost::no_property, boost::no_property, Node, Node>;
 
+  template <typename Number>
   struct Edge
   {
     Node lower, higher;
-    double capacity;
+    Number capacity;
   };
 
-  /// Moving a node costs 1, and moving all less than the unit of the capacities. Boost's algorithm
-  /// does not support parallel edges between a node and a terminal: they are united.
-  void find_flow(std::vector<boost::default_color_type>& colors) const
+  /// With capacities that are integers. Moving a node costs 1, and moving all less than the unit of
+  /// the given capacities. Boost's algorithm does not support parallel edges between a node and a
+  /// terminal: they are united.
+  std::vector<Edge<Capacity>> edges_of_network() const
   {
     const std::size_t nodes = m_is_on_source_side.size();
     double total = 0;
-    for (const Edge& e : m_edges)
+    for (const Edge<double>& e : m_edges)
       total += e.capacity;
     const int exponent = total > 0 ? 50 - std::ilogb(total) - std::ilogb(double(nodes)) : 0;
-    const auto integral = [&](double capacity) {
-      const auto rounded = Capacity(std::llround(std::scalbn(capacity, exponent)));
-      return (std::max)(Capacity(1), rounded) * Capacity(nodes);
-    };
-
-    Flow_network<Capacity> network(nodes, m_edges.size() + 2 * nodes);
+    std::vector<Edge<Capacity>> edges;
     std::vector<std::array<Capacity, 2>> to_terminals(nodes, {0, 0});
-    for (const Edge& e : m_edges)
-      if (e.lower <= sink)
-        to_terminals[e.higher][e.lower] += integral(e.capacity);
+    for (const auto& [lower, higher, capacity] : m_edges) {
+      const auto rounded = Capacity(std::llround(std::scalbn(capacity, exponent)));
+      const Capacity integral = (std::max)(Capacity(1), rounded) * Capacity(nodes);
+      if (lower <= sink)
+        to_terminals[higher][lower] += integral;
       else
-        network.add_edge(e.lower, e.higher, integral(e.capacity));
+        edges.push_back({lower, higher, integral});
+    }
     for (Node n = sink + 1; n < nodes; ++n) {
       to_terminals[n][m_is_on_source_side[n] ? source : sink] += 1;
-      for (Node terminal : {source, sink})
+      for (const Node terminal : {source, sink})
         if (to_terminals[n][terminal] > 0)
-          network.add_edge(terminal, n, to_terminals[n][terminal]);
+          edges.push_back({terminal, n, to_terminals[n][terminal]});
     }
-    network.run(source, sink, colors);
+    return edges;
+  }
+
+  /// Finds the maximum flow. Colors: black if a node is on the side of the source in every minimum
+  /// cut, white if on that of the sink, gray otherwise.
+  void find_flow(std::vector<boost::default_color_type>& colors) const
+  {
+    const std::vector<Edge<Capacity>> network = edges_of_network();
+    // Arcs by where they start; 2e and 2e + 1 are those of an edge, there and back.
+    const auto by_start = grouped<Node>(colors.size(), [&](const auto& add) {
+      for (Node e = 0; e < network.size(); ++e) {
+        add(network[e].lower, 2 * e);
+        add(network[e].higher, 2 * e + 1);
+      }
+    });
+    const std::size_t size = by_start.all().size();
+    std::vector<std::pair<Node, Node>> arcs; // start, end
+    std::vector<Capacity> capacities, residual(size);
+    std::vector<Node> place(size);
+    for (const Node arc : by_start.all()) {
+      const auto& [lower, higher, capacity] = network[arc / 2];
+      place[arc] = Node(arcs.size());
+      arcs.push_back(arc % 2 == 0 ? std::make_pair(lower, higher) : std::make_pair(higher, lower));
+      capacities.push_back(capacity);
+    }
+    const Graph graph(boost::edges_are_sorted, arcs.begin(), arcs.end(), Node(colors.size()));
+    std::vector<boost::graph_traits<Graph>::edge_descriptor> reverse(size),
+      predecessors(colors.size());
+    const auto arc_index = get(boost::edge_index, graph);
+    for (auto range = edges(graph); range.first != range.second; ++range.first)
+      reverse[place[by_start.all()[get(arc_index, *range.first)] ^ 1]] = *range.first;
+    std::vector<std::size_t> distances(colors.size());
+    const auto node_index = get(boost::vertex_index, graph);
+    boost::boykov_kolmogorov_max_flow(
+      graph, boost::make_iterator_property_map(capacities.begin(), arc_index),
+      boost::make_iterator_property_map(residual.begin(), arc_index),
+      boost::make_iterator_property_map(reverse.begin(), arc_index),
+      boost::make_iterator_property_map(predecessors.begin(), node_index),
+      boost::make_iterator_property_map(colors.begin(), node_index),
+      boost::make_iterator_property_map(distances.begin(), node_index), node_index, source, sink);
   }
 
   std::vector<std::uint8_t> m_is_on_source_side;
-  std::vector<Edge> m_edges;
+  std::vector<Edge<double>> m_edges;
 };
 
 } // namespace internal
