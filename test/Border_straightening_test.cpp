@@ -10,7 +10,7 @@
 #include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
 #include <CGAL/Region_segmentation/Segmenter.h>
 #include <CGAL/Region_segmentation/internal/cells/Patch_builder.h>
-#include <CGAL/Region_segmentation/internal/cuts/Region_elements.h>
+#include <CGAL/Region_segmentation/internal/cuts/Tree_elements.h>
 #include <CGAL/Region_segmentation/internal/graph/renumber_tree.h>
 #include <CGAL/Region_segmentation/make_surface.h>
 
@@ -166,7 +166,22 @@ std::set<std::vector<Index>> components_by_search(const RS::internal::Dual_graph
   return result;
 }
 
-TEST(Region_elements_test, have_the_components_of_those_that_are_left)
+/// The regions of the part that a merge keeps or removes, by the segments before it.
+std::vector<Index> regions_of_part(const RS::Merge_tree& tree, std::size_t merge, bool is_kept)
+{
+  RS::Merge_tree before(tree.number_of_regions());
+  for (std::size_t i = 0; i < merge; ++i)
+    before.push_back(tree.merges()[i]);
+  const RS::Partition segments = before.partition_at_count(1);
+  const Index first = is_kept ? tree.merges()[merge].kept : tree.merges()[merge].removed;
+  std::vector<Index> regions;
+  for (Index r = 0; r < segments.size(); ++r)
+    if (segments[r] == segments[first])
+      regions.push_back(r);
+  return regions;
+}
+
+TEST(Tree_elements_test, have_the_components_of_those_that_are_left)
 {
   std::size_t compared = 0;
   for (Family family : {Family::SHEET, Family::SPHERE, Family::TORUS})
@@ -178,7 +193,8 @@ TEST(Region_elements_test, have_the_components_of_those_that_are_left)
         mesh, [](std::size_t) { return true; }, [](std::size_t) { return 1.0; });
       const RS::Partition partition = superfacets_of(mesh, 8);
       const std::vector<Index> region_of(partition.begin(), partition.end());
-      RS::internal::Region_elements left(adjacency, region_of, partition.number_of_parts());
+      const RS::Merge_tree tree = random_tree(mesh, partition, random);
+      RS::internal::Tree_elements left(adjacency, region_of, tree);
       std::set<Index> removed;
       while (3 * removed.size() < 2 * region_of.size()) {
         std::vector<Index> elements;
@@ -189,13 +205,12 @@ TEST(Region_elements_test, have_the_components_of_those_that_are_left)
         }
         left.remove(elements);
         for (int i = 0; i < 5; ++i) {
-          std::vector<Index> regions;
-          for (Index r = 0; r < partition.number_of_parts(); ++r)
-            if (random() % 3 == 0)
-              regions.push_back(r);
+          const std::size_t m = random() % tree.merges().size();
+          const bool is_kept = random() % 2 == 0;
+          const std::vector<Index> regions = regions_of_part(tree, m, is_kept);
           const std::set<std::vector<Index>> expected = components_by_search(adjacency, region_of,
                                                                              removed, regions);
-          const auto found = left.components(regions);
+          const auto found = left.components(is_kept ? left.kept(m) : left.removed(m));
           EXPECT_EQ(found.size(), expected.size());
           EXPECT_EQ(std::set<std::vector<Index>>(found.begin(), found.end()), expected);
           compared += expected.size();

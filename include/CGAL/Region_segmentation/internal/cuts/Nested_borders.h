@@ -6,8 +6,7 @@
 #include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/Graph/Merge_tree.h>
 #include <CGAL/Region_segmentation/internal/cuts/Border_cut.h>
-#include <CGAL/Region_segmentation/internal/cuts/Region_elements.h>
-#include <CGAL/Region_segmentation/internal/graph/Tree_regions.h>
+#include <CGAL/Region_segmentation/internal/cuts/Tree_elements.h>
 #include <CGAL/Region_segmentation/internal/regions/Dual_graph.h>
 #include <CGAL/Region_segmentation/internal/support/Lowest_root_forest.h>
 
@@ -46,8 +45,7 @@ public:
     , m_areas(areas)
     , m_region_of(region_of)
     , m_tree(tree)
-    , m_tree_regions(tree)
-    , m_elements(costs, region_of, tree.number_of_regions())
+    , m_elements(costs, region_of, tree)
     , m_label_of(region_of.size())
     , m_guests(tree.number_of_regions())
     , m_area_of(tree.number_of_regions(), 0)
@@ -89,7 +87,7 @@ public:
   std::vector<Index> take_labels() { return std::move(m_label_of); }
 
 private:
-  static constexpr Index none = Tree_regions::none;
+  static constexpr Index none = (std::numeric_limits<Index>::max)();
 
   /// Undoes a merge: labels the elements of its segment by the two parts; returns the guests.
   template <typename IsFixed>
@@ -99,14 +97,9 @@ private:
     std::vector<Index> guests = std::exchange(m_guests[a], {});
     for (const Index guest : guests)
       m_label_of[guest] = none;
-    std::vector<Index> regions_of_a, regions_of_b;
-    m_tree_regions.for_each_kept(i, [&](Index region) { regions_of_a.push_back(region); });
-    m_tree_regions.for_each_removed(i, [&](Index region) {
-      regions_of_b.push_back(region);
-      m_elements.for_each_element(region, [&](Index element) { m_label_of[element] = b; });
-    });
-    make_connected(a, regions_of_a, guests, is_fixed);
-    make_connected(b, regions_of_b, guests, is_fixed);
+    m_elements.for_each(m_elements.removed(i), [&](Index element) { m_label_of[element] = b; });
+    make_connected(a, m_elements.kept(i), guests, is_fixed);
+    make_connected(b, m_elements.removed(i), guests, is_fixed);
     join_parts(guests, a, b);
     return guests;
   }
@@ -114,28 +107,22 @@ private:
   /// Whether both parts of a merge have elements of their own or guests.
   bool have_both_elements(std::size_t i, const std::vector<Index>& guests) const
   {
-    bool has_kept = false, has_removed = false;
+    bool has_kept = m_elements.has_elements(m_elements.kept(i)),
+         has_removed = m_elements.has_elements(m_elements.removed(i));
     for (const Index guest : guests)
       (m_label_of[guest] == m_tree.merges()[i].kept ? has_kept : has_removed) = true;
-    m_tree_regions.for_each_kept(
-      i, [&](Index region) { has_kept |= m_elements.has_elements(region); });
-    m_tree_regions.for_each_removed(
-      i, [&](Index region) { has_removed |= m_elements.has_elements(region); });
     return has_kept && has_removed;
   }
 
   /// A part of several components keeps that with fixed elements, else the largest by area; of
   /// equal ones that of the lowest element. The others become guests.
   template <typename IsFixed>
-  void make_connected(Index part, const std::vector<Index>& regions, std::vector<Index>& guests,
+  void make_connected(Index label, const Tree_elements::Part& part, std::vector<Index>& guests,
                       const IsFixed& is_fixed)
   {
-    std::vector<Index> lost;
-    for (const Index region : regions)
-      lost.insert(lost.end(), m_elements.lost(region).begin(), m_elements.lost(region).end());
-    if (m_cut.is_connected(part, lost))
+    if (m_cut.is_connected(label, m_elements.lost(part)))
       return;
-    const std::vector<std::vector<Index>> components = m_elements.components(regions);
+    const std::vector<std::vector<Index>> components = m_elements.components(part);
     std::vector<double> areas;
     for (const std::vector<Index>& component : components) {
       areas.push_back(0);
@@ -200,9 +187,8 @@ private:
   {
     const Index a = m_tree.merges()[i].kept, b = m_tree.merges()[i].removed;
     std::vector<Index> elements_of_b, border;
-    m_tree_regions.for_each_removed(i, [&](Index region) {
-      m_elements.for_each_element(region, [&](Index element) { elements_of_b.push_back(element); });
-    });
+    m_elements.for_each(m_elements.removed(i),
+                        [&](Index element) { elements_of_b.push_back(element); });
     for (const Index guest : guests)
       if (m_label_of[guest] == b)
         elements_of_b.push_back(guest);
@@ -234,8 +220,7 @@ private:
   const std::vector<double>& m_areas;
   const std::vector<Index>& m_region_of;
   const Merge_tree& m_tree;
-  const Tree_regions m_tree_regions;
-  Region_elements m_elements;               // their own
+  Tree_elements m_elements;                 // their own
   std::vector<Index> m_label_of;            // by element: its segment, named by the lowest region
   std::vector<std::vector<Index>> m_guests; // by segment
   std::vector<double> m_area_of;            // by segment, as long as borders are moved
