@@ -3,10 +3,12 @@
 #ifndef CGAL_REGION_SEGMENTATION_INTERNAL_REGIONS_APPLY_SEEDS_H
 #define CGAL_REGION_SEGMENTATION_INTERNAL_REGIONS_APPLY_SEEDS_H
 
-#include <CGAL/Region_segmentation/Surface.h>
+#include <CGAL/Region_segmentation/Graph/Region_adjacency_graph.h>
 #include <CGAL/Region_segmentation/Partition.h>
+#include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/exceptions.h>
 #include <CGAL/Region_segmentation/Request.h>
+#include <CGAL/Region_segmentation/internal/graph/build_graph.h>
 #include <CGAL/Region_segmentation/internal/regions/split_at_seeds.h>
 #include <CGAL/Region_segmentation/internal/support/shortest_paths.h>
 
@@ -25,6 +27,24 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
+/// Length of a section, and integral of the deviation of its concave edges.
+struct Valley
+{
+  double length = 0, concave = 0;
+
+  void add_adjacency(const Surface& surface, std::size_t a)
+  {
+    length += surface.length(a);
+    if (surface.has_flag(a, Surface::CONCAVE))
+      concave += surface.length(a) * surface.deviation(a);
+  }
+  void absorb(const Valley& other)
+  {
+    length += other.length;
+    concave += other.concave;
+  }
+};
+
 /// Joins the regions of each seed along the cheapest paths of regions that avoid all other seeds.
 ///
 /// A step from region i to j across a section of length L costs (sqrt(a_i) + sqrt(a_j)) / 2 (1 + 80
@@ -41,14 +61,13 @@ public:
   /// \pre each region has faces of one seed at most: that in `seeds`
   Seed_joining(const Surface& surface, const Partition& regions, const Seeds& seeds,
                const Constraints& constraints)
-    : m_steps(regions.number_of_parts())
+    : m_graph(build_graph<Region_geometry, Valley>(surface, regions, constraints, Execution()))
     , m_seeds(seeds)
     , m_members(seeds.number())
   {
     for (Index r = 0; r < regions.number_of_parts(); ++r)
       if (m_seeds.of[r] != Seeds::none)
         m_members[m_seeds.of[r]].push_back(r);
-    add_steps(surface, regions, constraints);
   }
 
   /// The seeds, extended to the regions on the paths, so that the regions of each are connected.
@@ -79,37 +98,13 @@ public:
 private:
   static constexpr double concave_weight = 80; // 1/radian
 
-  /// Those between regions whose section has no constrained adjacency.
-  void add_steps(const Surface& surface, const Partition& regions, const Constraints& constraints)
+  double cost(Section_descriptor s) const
   {
-    std::vector<double> areas(regions.number_of_parts());
-    for (std::size_t f = 0; f < regions.size(); ++f)
-      areas[regions[f]] += surface.area(f);
-    std::vector<std::pair<std::pair<Index, Index>, Index>> borders; // two regions, an adjacency
-    for (Index a = 0; a < surface.number_of_adjacencies(); ++a)
-      if (const Index r = regions[surface.lower_face(a)], s = regions[surface.higher_face(a)];
-          r != s)
-        borders.push_back({{(std::min)(r, s), (std::max)(r, s)}, a});
-    std::sort(borders.begin(), borders.end());
-    for (auto border = borders.begin(); border != borders.end();) {
-      const auto [r, s] = border->first;
-      double length = 0, concave = 0;
-      bool is_barred = false;
-      for (; border != borders.end() && border->first == std::make_pair(r, s); ++border) {
-        const Index a = border->second;
-        length += surface.length(a);
-        if (surface.has_flag(a, Surface::CONCAVE))
-          concave += surface.length(a) * surface.deviation(a);
-        is_barred = is_barred || constraints[a];
-      }
-      const double concavity = length > 0 ? concave / length : 0;
-      const double cost = (std::sqrt(areas[r]) + std::sqrt(areas[s])) / 2 *
-                          (1 + concave_weight * concavity);
-      if (!is_barred) {
-        m_steps[r].push_back({s, cost});
-        m_steps[s].push_back({r, cost});
-      }
-    }
+    const Valley& valley = m_graph[s];
+    const double concavity = valley.length > 0 ? valley.concave / valley.length : 0;
+    return (std::sqrt(m_graph[m_graph.source(s)].area) +
+            std::sqrt(m_graph[m_graph.target(s)].area)) /
+           2 * (1 + concave_weight * concavity);
   }
 
   /// Whether the regions of a seed could be joined; if so, those on the paths now belong to the
@@ -155,17 +150,19 @@ private:
         return false;
       },
       [&](Index r, const auto& enter) {
-        for (const auto& [next, cost] : m_steps[r])
-          if ((m_owner[next] == Seeds::none || m_owner[next] == seed) && enter(next, cost))
+        for (const Section_descriptor s : m_graph.sections(r)) {
+          const Index next = m_graph.target(s);
+          if (m_graph.is_mergeable(s) && (m_owner[next] == Seeds::none || m_owner[next] == seed) &&
+              enter(next, cost(s)))
             predecessor[next] = r;
+        }
       });
     return path;
   }
 
-  std::vector<std::vector<std::pair<Index, double>>> m_steps; // by region: to another one, and its
-                                                              // cost
-  const Seeds& m_seeds;                                       // of the regions
-  std::vector<std::vector<Index>> m_members;                  // by seed: its regions
+  const Region_adjacency_graph<Region_geometry, Valley> m_graph;
+  const Seeds& m_seeds;                      // of the regions
+  std::vector<std::vector<Index>> m_members; // by seed: its regions
   std::vector<Index> m_owner; // by region: the seed that it or a path through it belongs to
   Index m_failed = 0;
 };

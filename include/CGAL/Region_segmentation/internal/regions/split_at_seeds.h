@@ -5,6 +5,7 @@
 
 #include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/Partition.h>
+#include <CGAL/Region_segmentation/internal/regions/Dual_graph.h>
 #include <CGAL/Region_segmentation/internal/regions/connected_pieces.h>
 #include <CGAL/Region_segmentation/Request.h>
 
@@ -37,8 +38,7 @@ inline std::vector<std::uint8_t> regions_of_several_seeds(const Partition& regio
 
 /// Splits those regions that have faces of several seeds: a face is assigned to the seed from which
 /// the fewest edges have to be crossed, of several to the one that is reached first from the lower
-/// faces; constrained edges are not crossed. Each connected component becomes a region. O(F) and
-/// O(f log f) for the f faces of these regions.
+/// faces; constrained edges are not crossed. Each connected component becomes a region. O(F).
 inline Partition split_at_seeds(const Surface& surface, const Partition& regions,
                                 const Seeds& seeds, const Constraints& constraints)
 {
@@ -47,27 +47,23 @@ inline Partition split_at_seeds(const Surface& surface, const Partition& regions
   if (std::find(is_split.begin(), is_split.end(), 1) == is_split.end())
     return regions;
 
-  std::vector<std::pair<Index, Index>> steps; // between faces of one region
-  for (std::size_t e = 0; e < surface.number_of_adjacencies(); ++e) {
-    const Index f = surface.lower_face(e), g = surface.higher_face(e);
-    if (regions[f] == regions[g] && is_split[regions[f]] && !constraints[e]) {
-      steps.push_back({f, g});
-      steps.push_back({g, f});
-    }
-  }
-  std::sort(steps.begin(), steps.end());
+  const Dual_graph graph(
+    surface,
+    [&](std::size_t e) {
+      const Index f = surface.lower_face(e), g = surface.higher_face(e);
+      return regions[f] == regions[g] && is_split[regions[f]] && !constraints[e];
+    },
+    [](std::size_t) { return 1; });
 
   std::vector<Index> seed_of = seeds.of, front;
   for (std::size_t f = 0; f < regions.size(); ++f)
     if (is_split[regions[f]] && seed_of[f] != Seeds::none)
       front.push_back(Index(f));
   for (std::size_t i = 0; i < front.size(); ++i)
-    for (auto step =
-           std::lower_bound(steps.begin(), steps.end(), std::make_pair(front[i], Index(0)));
-         step != steps.end() && step->first == front[i]; ++step)
-      if (seed_of[step->second] == Seeds::none) {
-        seed_of[step->second] = seed_of[front[i]];
-        front.push_back(step->second);
+    for (const auto& step : graph.steps(front[i]))
+      if (seed_of[step.face] == Seeds::none) {
+        seed_of[step.face] = seed_of[front[i]];
+        front.push_back(step.face);
       }
 
   // Faces that no seed reaches have none.
