@@ -35,13 +35,7 @@ public:
               const Execution& execution = Execution())
     : m_hits(regions.number_of_parts())
   {
-    if (surface.area() == 0)
-      return;
-    m_shapes = internal::Region_shapes(surface, regions);
-    m_tree = std::make_shared<internal::Ray_tree>(surface, patches, m_shapes.surface_centroid,
-                                                  execution.step(0, 0.6));
-    internal::Inward_rays(surface, patches.fine, regions, m_shapes, *m_tree)
-      .trace(m_hits, execution.step(0.6, 1));
+    trace(surface, patches, regions, execution);
   }
 
   /// The rays of other regions: only those of regions that were not among the former ones are
@@ -55,11 +49,7 @@ public:
     const std::vector<Partition::Index> previous_of = equal_parts(former, regions);
     for (const Partition::Index previous : previous_of)
       result.m_hits.push_back(previous < m_hits.size() ? m_hits[previous] : std::nullopt);
-    if (surface.area() == 0)
-      return result;
-    result.m_shapes = internal::Region_shapes(surface, regions);
-    internal::Inward_rays(surface, patches.fine, regions, result.m_shapes, *m_tree)
-      .trace(result.m_hits, execution);
+    result.trace(surface, patches, regions, execution);
     return result;
   }
 
@@ -69,6 +59,20 @@ public:
   const internal::Region_shapes& shapes() const { return m_shapes; }
 
 private:
+  /// What is missing.
+  void trace(const Surface& surface, const Surface_patches& patches, const Partition& regions,
+             const Execution& execution)
+  {
+    if (surface.area() == 0)
+      return;
+    m_shapes = internal::Region_shapes(surface, regions);
+    if (!m_tree)
+      m_tree = std::make_shared<internal::Ray_tree>(surface, patches, m_shapes.surface_centroid,
+                                                    execution.step(0, 0.6));
+    internal::Inward_rays(surface, patches.fine, regions, m_shapes, *m_tree)
+      .trace(m_hits, execution.step(0.6, 1));
+  }
+
   /// For each part of `after` the part of `before` with the same elements, or the highest number if
   /// there is none.
   static std::vector<Partition::Index> equal_parts(const Partition& before, const Partition& after)

@@ -45,7 +45,7 @@ struct Ray
   }
 };
 
-/// Triangles that are tested together. 160 bytes.
+/// Triangles that are tested together, none at first. 160 bytes.
 class Four_triangles
 {
 public:
@@ -59,17 +59,6 @@ public:
       m_edge_2[k][lane] = r[k] - p[k];
     }
     m_face[lane] = face;
-  }
-
-  /// Replaces the triangles from `lane` on by the first.
-  void repeat_first_from(std::size_t lane)
-  {
-    for (; lane < 4; ++lane) {
-      for (auto* vector : {&m_corner, &m_edge_1, &m_edge_2})
-        for (Lanes& coordinate : *vector)
-          coordinate[lane] = coordinate[0];
-      m_face[lane] = m_face[0];
-    }
   }
 
   /// Of faces at the same distance the lowest is hit.
@@ -111,8 +100,9 @@ private:
     return distances;
   }
 
-  std::array<Lanes, 3> m_corner, m_edge_1, m_edge_2; // coordinate by coordinate
-  std::array<Index, 4> m_face;
+  // Coordinate by coordinate; edges of length 0 are not hit.
+  std::array<Lanes, 3> m_corner{}, m_edge_1{}, m_edge_2{};
+  std::array<Index, 4> m_face{};
 };
 
 } // namespace internal

@@ -116,13 +116,12 @@ private:
                         group.set(lane, p, q, r, face);
                         if (++lane == 4) {
                           f(group);
+                          group = Four_triangles();
                           lane = 0;
                         }
                       });
-    if (lane > 0) {
-      group.repeat_first_from(lane);
+    if (lane > 0)
       f(group);
-    }
   }
 
   /// The corner of a polygon farthest from its centroid, of several the first: so that polygons
