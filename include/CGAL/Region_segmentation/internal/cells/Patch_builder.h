@@ -35,6 +35,36 @@ class Patch_builder
   using Adjacency = Patches::Adjacency;
 
 public:
+  /// \name The patches so far
+  /// Their adjacencies in ranges for threads: calls `f(lower, higher, length)`, patches and a
+  /// function. Those of the first round are not stored, but found from their faces: they would take
+  /// more memory than all else at that time.
+  /// @{
+  std::size_t size() const { return m_places.size(); }
+  double area(std::size_t p) const { return m_places[p].area; }
+  const Double_3& centroid(std::size_t p) const { return m_places[p].centroid; }
+  const Double_3& normal(std::size_t p) const { return m_directions[p].normal; }
+  std::size_t number_of_ranges() const
+  {
+    return m_adjacencies.empty() ? number_of_edge_ranges() : m_adjacencies.size();
+  }
+  template <typename F>
+  void for_each_adjacency(std::size_t range, const F& f) const
+  {
+    if (!m_adjacencies.empty()) {
+      for (const Adjacency& a : m_adjacencies[range])
+        f(a.lower, a.higher, [&] { return a.length; });
+      return;
+    }
+    const Partition& patch_of = m_rounds.front();
+    for_each_edge(range, [&](Index lower, Index higher, const auto& length) {
+      const Index a = patch_of[lower], b = patch_of[higher];
+      if (a != b)
+        f((std::min)(a, b), (std::max)(a, b), length);
+    });
+  }
+  /// @}
+
   static Surface_patches build(const Surface& surface, const Execution& execution)
   {
     Patch_builder builder(surface, Constraints(), execution);
@@ -68,7 +98,7 @@ public:
   {
     Patch_builder builder(surface, constraints, Execution());
     builder.m_rounds.push_back(std::move(of_faces));
-    builder.replace_patches(Faces(builder), builder.m_rounds.back());
+    builder.replace_faces();
     Patches patches = builder.finish();
     set_centers(patches, surface);
     set_contacts(patches, surface, constraints);
@@ -153,122 +183,67 @@ private:
     double projected_area; // on the plane of the normal: the length of the area vector
   };
 
-  /// The faces as the patches of the first round.
+  /// The edges of the mesh that can be crossed, as above.
+  template <typename F>
+  void for_each_edge(std::size_t range, const F& f) const
+  {
+    const std::size_t end = (std::min)((range + 1) * edges_in_range(),
+                                       m_surface.number_of_adjacencies());
+    for (std::size_t e = range * edges_in_range(); e < end; ++e)
+      if (!m_surface.has_flag(e, Surface::SEAM | Surface::LINK) && !m_constraints[e])
+        f(m_surface.lower_face(e), m_surface.higher_face(e), [&] { return m_surface.length(e); });
+  }
+
+  std::size_t number_of_edge_ranges() const
+  {
+    return number_of_blocks(m_surface.number_of_adjacencies(), edges_in_range());
+  }
+
+  std::size_t edges_in_range() const
+  {
+    constexpr std::size_t for_threads = std::size_t(1) << 16;
+    return m_execution.is_parallel()
+             ? for_threads
+             : (std::max)(m_surface.number_of_adjacencies(), std::size_t(1));
+  }
+
+  /// The faces as the patches of the first round. Centroids are stored: patches of 1 million faces
+  /// take .94 of the time without, of faces in random order .8. (Kept until places are made, too,
+  /// they would be 2 bytes a face at the peak.)
   class Faces
   {
   public:
     explicit Faces(const Patch_builder& builder)
       : m_builder(builder)
       , m_mesh(builder.m_surface)
-    {}
-    std::size_t size() const { return m_mesh.number_of_faces(); }
-    double area(std::size_t f) const { return m_mesh.weight(f); }
-    Double_3 centroid(std::size_t f) const { return m_mesh.centroid(f); }
-    const Double_3& normal(std::size_t f) const { return m_mesh.normal(f); }
-    Double_3 area_vector(std::size_t f) const { return m_mesh.weight(f) * m_mesh.normal(f); }
-
-    std::size_t number_of_ranges() const
-    {
-      return number_of_blocks(m_mesh.number_of_adjacencies(), edges_in_range());
-    }
-    template <typename F>
-    void for_each_adjacency(std::size_t range, const F& f) const
-    {
-      const std::size_t end = (std::min)((range + 1) * edges_in_range(),
-                                         m_mesh.number_of_adjacencies());
-      for (std::size_t e = range * edges_in_range(); e < end; ++e)
-        if (!m_mesh.has_flag(e, Surface::SEAM | Surface::LINK) && !m_builder.m_constraints[e])
-          f(m_mesh.lower_face(e), m_mesh.higher_face(e), e);
-    }
-    double length(std::size_t, std::size_t e) const { return m_mesh.length(e); }
-
-  private:
-    std::size_t edges_in_range() const
-    {
-      constexpr std::size_t for_threads = std::size_t(1) << 16;
-      return m_builder.m_execution.is_parallel()
-               ? for_threads
-               : (std::max)(m_mesh.number_of_adjacencies(), std::size_t(1));
-    }
-
-    const Patch_builder& m_builder;
-    const Surface& m_mesh;
-  };
-
-  /// Faces with stored centroids, while there is memory for them: patches of 1 million faces take
-  /// .94 of the time without, of faces in random order .8. (Kept until places are made, too, they
-  /// would be 2 bytes a face at the peak.)
-  class Located_faces : public Faces
-  {
-  public:
-    explicit Located_faces(const Patch_builder& builder)
-      : Faces(builder)
       , m_centroids(size())
     {
       for_each_index(builder.m_execution, size(),
-                     [&](std::size_t f) { m_centroids[f] = Faces::centroid(f); });
+                     [&](std::size_t f) { m_centroids[f] = m_mesh.centroid(f); });
     }
+
+    std::size_t size() const { return m_mesh.number_of_faces(); }
+    double area(std::size_t f) const { return m_mesh.weight(f); }
     const Double_3& centroid(std::size_t f) const { return m_centroids[f]; }
-
-  private:
-    Large_array<Double_3> m_centroids;
-  };
-
-  /// The patches of a later round. Those of the first round are not stored, but found from their
-  /// faces: they would take more memory than all else at that time.
-  class Joined
-  {
-  public:
-    explicit Joined(const Patch_builder& builder)
-      : m_builder(builder)
-      , m_faces(builder)
-    {}
-    std::size_t size() const { return m_builder.m_places.size(); }
-    double area(std::size_t p) const { return m_builder.m_places[p].area; }
-    const Double_3& centroid(std::size_t p) const { return m_builder.m_places[p].centroid; }
-    const Double_3& normal(std::size_t p) const { return m_builder.m_directions[p].normal; }
-    Double_3 area_vector(std::size_t p) const
-    {
-      return m_builder.m_directions[p].projected_area * m_builder.m_directions[p].normal;
-    }
-
-    std::size_t number_of_ranges() const
-    {
-      return are_stored() ? m_builder.m_adjacencies.size() : m_faces.number_of_ranges();
-    }
+    const Double_3& normal(std::size_t f) const { return m_mesh.normal(f); }
+    std::size_t number_of_ranges() const { return m_builder.number_of_edge_ranges(); }
     template <typename F>
     void for_each_adjacency(std::size_t range, const F& f) const
     {
-      if (are_stored()) {
-        const Large_array<Adjacency>& adjacencies = m_builder.m_adjacencies[range];
-        for (std::size_t i = 0; i < adjacencies.size(); ++i)
-          f(adjacencies[i].lower, adjacencies[i].higher, i);
-        return;
-      }
-      const Partition& patch_of = m_builder.m_rounds.front();
-      m_faces.for_each_adjacency(range, [&](Index lower, Index higher, std::size_t e) {
-        const Index a = patch_of[lower], b = patch_of[higher];
-        if (a != b)
-          f((std::min)(a, b), (std::max)(a, b), e);
-      });
-    }
-    double length(std::size_t range, std::size_t i) const
-    {
-      return are_stored() ? m_builder.m_adjacencies[range][i].length : m_faces.length(range, i);
+      m_builder.for_each_edge(range, f);
     }
 
   private:
-    bool are_stored() const { return !m_builder.m_adjacencies.empty(); }
-
     const Patch_builder& m_builder;
-    const Faces m_faces;
+    const Surface& m_mesh;
+    Large_array<Double_3> m_centroids;
   };
 
   /// The first round. Returns whether another one is worth it.
   bool join_faces(double maximum_area)
   {
-    m_rounds.push_back(select(Located_faces(*this), maximum_area));
-    replace_patches(Faces(*this), m_rounds.back());
+    m_rounds.push_back(select(Faces(*this), maximum_area));
+    replace_faces();
     return has_joined_enough(m_rounds.back());
   }
 
@@ -276,12 +251,16 @@ private:
   void join_patches(double maximum_area, const Report& report)
   {
     for (bool is_worth_another = true; is_worth_another;) {
-      const Joined patches(*this);
-      Partition joined = select(patches, maximum_area);
+      Partition joined = select(*this, maximum_area);
       is_worth_another = has_joined_enough(joined);
       if (joined.number_of_parts() == joined.size())
         return;
-      replace_patches(patches, joined); // first, since it frees most memory
+      replace_places( // first, since it frees most memory
+        joined, [this](std::size_t p) { return area(p); },
+        [this](std::size_t p) { return centroid(p); });
+      replace_directions(joined, [this](std::size_t p) {
+        return m_directions[p].projected_area * m_directions[p].normal;
+      });
       replace_adjacencies(joined.number_of_parts(), [&](Index patch) { return joined[patch]; });
       m_rounds.push_back(std::move(joined));
       report();
@@ -317,15 +296,19 @@ private:
     });
   }
 
-  template <typename Elements>
-  void replace_patches(const Elements& patches, const Partition& joined)
+  /// By the patches of the first round.
+  void replace_faces()
   {
-    replace_places(patches, joined);
-    replace_directions(patches, joined);
+    const Partition& joined = m_rounds.back();
+    replace_places(
+      joined, [this](std::size_t f) { return m_surface.weight(f); },
+      [this](std::size_t f) { return m_surface.centroid(f); });
+    replace_directions(joined,
+                       [this](std::size_t f) { return m_surface.weight(f) * m_surface.normal(f); });
   }
 
-  template <typename Elements>
-  void replace_places(const Elements& patches, const Partition& joined)
+  template <typename AreaOf, typename CentroidOf>
+  void replace_places(const Partition& joined, const AreaOf& area_of, const CentroidOf& centroid_of)
   {
     Large_array<Place> places(joined.number_of_parts());
     Large_array<Index> firsts(places.size());
@@ -335,31 +318,30 @@ private:
     });
     for_each_in_part(joined, [&](Index part, std::size_t p) {
       Place& place = places[part];
-      const double area = patches.area(p);
+      const double area = area_of(p);
       if (firsts[part] == none)
         firsts[part] = Index(p);
       // Relative to the first of them, to avoid cancellation far from the origin.
-      place.centroid = place.centroid +
-                       area * (patches.centroid(p) - patches.centroid(firsts[part]));
+      place.centroid = place.centroid + area * (centroid_of(p) - centroid_of(firsts[part]));
       place.area += area;
     });
     for_each_index(m_execution, places.size(), [&](std::size_t p) {
       Place& place = places[p];
-      place.centroid = patches.centroid(firsts[p]) +
+      place.centroid = centroid_of(firsts[p]) +
                        (place.area > 0 ? 1 / place.area : 0) * place.centroid;
     });
     m_places = std::move(places);
   }
 
-  template <typename Elements>
-  void replace_directions(const Elements& patches, const Partition& joined)
+  template <typename AreaVector>
+  void replace_directions(const Partition& joined, const AreaVector& area_vector)
   {
     Large_array<Direction> directions(joined.number_of_parts());
     for_each_index(m_execution, directions.size(), [&](std::size_t p) {
       directions[p] = {{0, 0, 0}, 0};
     });
     for_each_in_part(joined, [&](Index part, std::size_t p) {
-      directions[part].normal = directions[part].normal + patches.area_vector(p);
+      directions[part].normal = directions[part].normal + area_vector(p);
     });
     for_each_index(m_execution, directions.size(), [&](std::size_t p) {
       Direction& direction = directions[p];
@@ -394,19 +376,18 @@ private:
   template <typename PartOf>
   void store_adjacencies(std::size_t number_of_parts, const PartOf& part_of)
   {
-    const Joined patches(*this);
-    std::vector<Large_array<Adjacency>> result(patches.number_of_ranges());
+    std::vector<Large_array<Adjacency>> result(number_of_ranges());
     m_execution.for_each(0, result.size(), [&](std::size_t range) {
       Large_array<Adjacency>& adjacencies = result[range];
       adjacencies.resize(4 * number_of_parts / result.size() + 1); // usually enough
       std::size_t n = 0;
-      patches.for_each_adjacency(range, [&](Index lower, Index higher, std::size_t e) {
+      for_each_adjacency(range, [&](Index lower, Index higher, const auto& length) {
         const Index a = part_of(lower), b = part_of(higher);
         if (a == b)
           return;
         if (n == adjacencies.size())
           adjacencies.resize(2 * n);
-        adjacencies[n++] = {(std::min)(a, b), (std::max)(a, b), patches.length(range, e)};
+        adjacencies[n++] = {(std::min)(a, b), (std::max)(a, b), length()};
       });
       adjacencies.resize(n);
     });

@@ -50,7 +50,7 @@ public:
                    [&](std::size_t i) { selections.set(i, make_float_key(unselected, Index(i))); });
     const double scale = 1 / unit;
     m_execution.for_each(0, patches.number_of_ranges(), [&](std::size_t range) {
-      patches.for_each_adjacency(range, [&](Index a, Index b, std::size_t) {
+      patches.for_each_adjacency(range, [&](Index a, Index b, const auto&) {
         if (!(patches.area(a) + patches.area(b) <= maximum_area))
           return;
         const float step = float(scale * norm(patches.centroid(a) - patches.centroid(b)) +
