@@ -70,9 +70,9 @@ public:
   using vertices_size_type = std::size_t;
   using edges_size_type = std::size_t;
   using degree_size_type = std::size_t;
-  using vertex_iterator = internal::Remaining_iterator<Self, Index>;
-  using edge_iterator = internal::Remaining_iterator<Self, Section_descriptor>;
-  using out_edge_iterator = internal::Out_section_iterator<Lists>;
+  using vertex_iterator = internal::Region_iterator<Self>;
+  using edge_iterator = internal::Section_iterator<Self>;
+  using out_edge_iterator = internal::Out_section_iterator<Self>;
   using adjacency_iterator = boost::adjacency_iterator<Self, Index, out_edge_iterator,
                                                        std::ptrdiff_t>;
   static vertex_descriptor null_vertex() { return none; }
@@ -156,8 +156,8 @@ public:
   /// The sections of a region, each with the region as its source.
   Iterator_range<out_edge_iterator> sections(region_descriptor r) const
   {
-    const Index place = m_place_of[r];
-    return {out_edge_iterator(m_lists, place), out_edge_iterator()};
+    const auto halves = m_lists.halves(m_place_of[r]);
+    return internal::remaining<out_edge_iterator>(*this, halves.begin(), halves.end());
   }
 
   /// The section between two regions, with `a` as its source; empty where there is none. O(1)

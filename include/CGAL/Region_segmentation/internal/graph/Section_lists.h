@@ -6,6 +6,8 @@
 #include <CGAL/Region_segmentation/internal/support/Large_array.h>
 #include <CGAL/Region_segmentation/internal/support/prefetch.h>
 
+#include <CGAL/Iterator_range.h>
+
 #include <boost/container/small_vector.hpp>
 #include <boost/unordered_map.hpp>
 
@@ -72,12 +74,12 @@ public:
     append(q, 2 * s + 1);
   }
 
-  /// \name The list of a place
-  /// Positions of its halves. \pre one remains
-  /// @{
-  const Index* first(Index place) const { return not_removed(m_places[place].halves.data()); }
-  const Index* following(const Index* position) const { return not_removed(position + 1); }
-  /// @}
+  /// The halves in the list of a place, and those of removed sections.
+  Iterator_range<const Index*> halves(Index place) const
+  {
+    const Halves& list = m_places[place].halves;
+    return {list.data(), list.data() + list.size()};
+  }
 
   /// \name Prefetching
   /// @{
@@ -183,13 +185,6 @@ private:
   std::pair<Index, Index> ends(Index s) const
   {
     return std::minmax(m_sections[s].places[0], m_sections[s].places[1]);
-  }
-
-  const Index* not_removed(const Index* position) const
-  {
-    while (is_removed(*position))
-      ++position;
-    return position;
   }
 
   Index find_in_short(Index p, Index q) const

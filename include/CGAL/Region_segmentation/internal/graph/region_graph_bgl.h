@@ -34,16 +34,15 @@ std::size_t num_edges(const Region_adjacency_graph<R, S>& g)
 template <typename R, typename S>
 auto vertices(const Region_adjacency_graph<R, S>& g)
 {
-  using Iterator = typename Region_adjacency_graph<R, S>::vertex_iterator;
-  return std::make_pair(Iterator(g, 0, num_vertices(g)),
-                        Iterator(g, num_vertices(g), num_vertices(g)));
+  return internal::remaining<typename Region_adjacency_graph<R, S>::vertex_iterator>(
+    g, internal::Number_iterator(0), internal::Number_iterator(std::uint32_t(num_vertices(g))));
 }
 
 template <typename R, typename S>
 auto edges(const Region_adjacency_graph<R, S>& g)
 {
-  using Iterator = typename Region_adjacency_graph<R, S>::edge_iterator;
-  return std::make_pair(Iterator(g, 0, num_edges(g)), Iterator(g, num_edges(g), num_edges(g)));
+  return internal::remaining<typename Region_adjacency_graph<R, S>::edge_iterator>(
+    g, internal::Number_iterator(0), internal::Number_iterator(std::uint32_t(num_edges(g))));
 }
 
 template <typename R, typename S>

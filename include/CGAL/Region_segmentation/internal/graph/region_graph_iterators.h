@@ -5,88 +5,59 @@
 
 #include <CGAL/Region_segmentation/Graph/Section_descriptor.h>
 
-#include <boost/iterator/iterator_facade.hpp>
+#include <boost/iterator/counting_iterator.hpp>
+#include <boost/iterator/filter_iterator.hpp>
+#include <boost/iterator/transform_iterator.hpp>
 
-#include <cstddef>
 #include <cstdint>
 #include <type_traits>
+#include <utility>
 
 namespace CGAL {
 namespace Region_segmentation {
-
 namespace internal {
 
-/// The regions, or the sections, that are not removed, in the order of their indices.
-template <typename Graph, typename Descriptor>
-class Remaining_iterator
-  : public boost::iterator_facade<Remaining_iterator<Graph, Descriptor>, Descriptor,
-                                  boost::forward_traversal_tag, Descriptor>
+template <typename Graph>
+struct Is_there
 {
-public:
-  Remaining_iterator() = default;
-  /// From the first one that is not below an index; `end`: the upper bound of indices
-  Remaining_iterator(const Graph& graph, std::size_t index, std::size_t end)
-    : m_graph(&graph)
-    , m_number(step * index)
-    , m_end(step * end)
-  {
-    skip();
-  }
+  const Graph* graph = nullptr;
 
-private:
-  friend class boost::iterator_core_access;
-  static constexpr std::size_t step = std::is_same<Descriptor, Section_descriptor>::value
-                                        ? 2
-                                        : 1; // has two halves
-
-  Descriptor dereference() const { return Descriptor(std::uint32_t(m_number)); }
-  bool equal(const Remaining_iterator& other) const { return m_number == other.m_number; }
-  void increment()
+  template <typename Descriptor>
+  bool operator()(Descriptor d) const
   {
-    m_number += step;
-    skip();
+    return !graph->is_removed(d);
   }
-  void skip()
-  {
-    while (m_number < m_end && m_graph->is_removed(dereference()))
-      m_number += step;
-  }
-
-  const Graph* m_graph = nullptr;
-  std::size_t m_number = 0, m_end = 0;
 };
 
-/// The sections of a region, each seen from the region.
-template <typename Lists>
-class Out_section_iterator
-  : public boost::iterator_facade<Out_section_iterator<Lists>, Section_descriptor,
-                                  boost::forward_traversal_tag, Section_descriptor>
+/// A section as seen from one of its regions, by the number of the half.
+struct Section_of_half
 {
-public:
-  Out_section_iterator() = default;
-  Out_section_iterator(const Lists& lists, std::uint32_t place)
-    : m_lists(&lists)
-    , m_left(lists.degree(place))
-  {
-    if (m_left > 0)
-      m_position = lists.first(place);
-  }
-
-private:
-  friend class boost::iterator_core_access;
-  Section_descriptor dereference() const { return Section_descriptor(*m_position); }
-  // The remaining number distinguishes positions of one traversal.
-  bool equal(const Out_section_iterator& other) const { return m_left == other.m_left; }
-  void increment()
-  {
-    if (--m_left > 0)
-      m_position = m_lists->following(m_position);
-  }
-
-  const Lists* m_lists = nullptr;
-  const std::uint32_t* m_position = nullptr;
-  std::size_t m_left = 0;
+  Section_descriptor operator()(std::uint32_t half) const { return Section_descriptor(half); }
 };
+/// The first half of a section.
+struct Section_of_number
+{
+  Section_descriptor operator()(std::uint32_t s) const { return Section_descriptor(2 * s); }
+};
+
+using Number_iterator = boost::counting_iterator<std::uint32_t>;
+template <typename Graph>
+using Region_iterator = boost::filter_iterator<Is_there<Graph>, Number_iterator>;
+template <typename Graph>
+using Section_iterator = boost::filter_iterator<
+  Is_there<Graph>, boost::transform_iterator<Section_of_number, Number_iterator>>;
+template <typename Graph>
+using Out_section_iterator = boost::filter_iterator<
+  Is_there<Graph>, boost::transform_iterator<Section_of_half, const std::uint32_t*>>;
+
+/// Those of a range of numbers or of halves that are not removed.
+template <typename Iterator, typename Graph, typename Base>
+std::pair<Iterator, Iterator> remaining(const Graph& graph, const Base& begin, const Base& end)
+{
+  using All = std::decay_t<decltype(std::declval<const Iterator&>().base())>;
+  const Is_there<Graph> is_there{&graph};
+  return {Iterator(is_there, All(begin), All(end)), Iterator(is_there, All(end), All(end))};
+}
 
 } // namespace internal
 } // namespace Region_segmentation
