@@ -42,7 +42,7 @@ public:
   std::size_t operator()(const Merge_tree& tree) const
   {
     const std::size_t leaves = tree.number_of_regions();
-    const std::size_t least = least_number(leaves, tree.merges().size());
+    const std::size_t least = least_number(tree);
     // The merge from k to k - 1 regions has the index leaves - k.
     const auto first = tree.merges().begin() + std::ptrdiff_t(leaves - largest_number(tree));
     const auto end = tree.merges().end();

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <vector>
 
 namespace CGAL {
 namespace Region_segmentation {
@@ -35,26 +34,12 @@ public:
 
   std::size_t operator()(const Merge_tree& tree) const
   {
-    return number(tree.merges(), tree.number_of_regions());
-  }
-
-  /// As above, but the number of connected components if they are convex.
-  std::size_t operator()(const Merge_tree& tree, const Surface& mesh) const
-  {
-    return choose(*this, tree, mesh);
-  }
-
-  /// As above, for the last merges of a tree: `number_of_regions` were left before them.
-  std::size_t number(const std::vector<Merge_tree::Merge>& merges,
-                     std::size_t number_of_regions) const
-  {
-    const std::size_t least = least_number(number_of_regions, merges.size());
-    std::size_t best = (std::max)(least,
-                                  Number_range::largest_number(number_of_regions, merges.size()));
+    const std::size_t least = least_number(tree);
+    std::size_t best = (std::max)(least, largest_number(tree));
     double sum = 0, lowest = 0;
     for (std::size_t n = best; n > least; --n) {
       // The merge from n to n - 1 regions.
-      const double cost = merges[number_of_regions - n].cost;
+      const double cost = tree.merges()[tree.number_of_regions() - n].cost;
       const bool is_of_crumbs = cost == Merge_tree::least_cost;
       if (!is_of_crumbs)
         sum += cost > 0 ? granularity * cost : cost;
@@ -64,6 +49,12 @@ public:
       }
     }
     return best;
+  }
+
+  /// As above, but the number of connected components if they are convex.
+  std::size_t operator()(const Merge_tree& tree, const Surface& mesh) const
+  {
+    return choose(*this, tree, mesh);
   }
 };
 

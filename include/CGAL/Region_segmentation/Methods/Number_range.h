@@ -34,20 +34,19 @@ public:
   /// chosen, there may be more parts.
   std::size_t largest_number(const Merge_tree& tree) const
   {
-    return largest_number(tree.number_of_regions(), tree.merges().size());
+    return (std::min)(tree.number_of_regions(), (std::max)(maximum_number, number_of_pieces(tree)));
   }
 
 protected:
-  std::size_t largest_number(std::size_t number_of_regions, std::size_t number_of_merges) const
+  std::size_t least_number(const Merge_tree& tree) const
   {
-    return (std::min)(number_of_regions,
-                      (std::max)(maximum_number, number_of_regions - number_of_merges));
+    return (std::max)((std::min)(tree.number_of_regions(), minimum_number), number_of_pieces(tree));
   }
 
-  std::size_t least_number(std::size_t number_of_regions, std::size_t number_of_merges) const
+  /// That merging leaves.
+  static std::size_t number_of_pieces(const Merge_tree& tree)
   {
-    return (std::max)((std::min)(number_of_regions, minimum_number),
-                      number_of_regions - number_of_merges);
+    return tree.number_of_regions() - tree.merges().size();
   }
 
   /// The number of components if they are convex, else what the chooser takes.
@@ -57,8 +56,7 @@ protected:
   {
     if (!internal::is_convex(mesh))
       return chooser(tree);
-    return mesh.has_seams_or_links() ? internal::Bodies(mesh).number()
-                                     : tree.number_of_regions() - tree.merges().size();
+    return mesh.has_seams_or_links() ? internal::Bodies(mesh).number() : number_of_pieces(tree);
   }
 };
 

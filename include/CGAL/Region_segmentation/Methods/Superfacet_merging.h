@@ -201,7 +201,7 @@ private:
       are_prepared ? prepared.border_costs : internal::border_costs(surface, cells, border_cost),
       region_of, merged.merge_tree(), [&](Index r) { return requested.is_fixed(r); }, number,
       execution.stage("borders"));
-    return of_labels(prepared, cells.of_elements(), label_of_cell, merged, number);
+    return of_labels(prepared, cells.of_elements(), label_of_cell, merged);
   }
 
   static bool are_unions(const Patches& patches, const Partition& regions)
@@ -225,26 +225,20 @@ private:
       request.constraints);
   }
 
-  /// Of cells labelled by former regions, or by the segments of one number; for the given faces.
+  /// Of cells labelled by former regions, or by the lowest ones of segments; for the given faces.
   static Hierarchy of_labels(const Prepared& prepared, const Partition& cell_of,
-                             const std::vector<Index>& label_of_cell, const Hierarchy& merged,
-                             std::size_t number)
+                             const std::vector<Index>& label_of_cell, const Hierarchy& merged)
   {
     constexpr Index none = (std::numeric_limits<Index>::max)();
     const Partition of_cells = Partition::from_labels(label_of_cell);
     const Partition of_shape = composed(cell_of, of_cells);
     const std::vector<Index> numbers = prepared.intrinsic.new_numbers(of_shape);
-    Partition straightened = prepared.intrinsic.of_given(of_shape, numbers);
-    if (straightened.number_of_parts() >= number &&
-        number < merged.merge_tree().number_of_regions()) {
-      const std::size_t parts = straightened.number_of_parts();
-      return Hierarchy(std::move(straightened), Merge_tree(parts), merged.number_of_segments());
-    }
     std::vector<Index> new_numbers(merged.merge_tree().number_of_regions(), none);
     for (std::size_t c = 0; c < label_of_cell.size(); ++c)
       new_numbers[label_of_cell[c]] = numbers[of_cells[c]];
-    Merge_tree tree = internal::renumber_tree(merged.merge_tree(), std::move(new_numbers));
-    return Hierarchy(std::move(straightened), std::move(tree), merged.number_of_segments());
+    return Hierarchy(prepared.intrinsic.of_given(of_shape, numbers),
+                     internal::renumber_tree(merged.merge_tree(), std::move(new_numbers)),
+                     merged.number_of_segments());
   }
 };
 
