@@ -34,10 +34,11 @@ public:
                    const std::vector<Index>& label_of_piece)
     : m_piece_of(piece_of_face)
     , m_label_of_piece(label_of_piece)
+    , m_constrained(
+        surface, [&](std::size_t a) { return constraints[a]; }, [](std::size_t) { return 0; })
     , m_cut(costs, distance, piece_of_face)
   {
     collect_borders(costs);
-    collect_constrained_edges(surface, constraints);
   }
 
   /// `width(a, b)`: the width of the band between two pieces on each side.
@@ -83,23 +84,11 @@ private:
     std::sort(m_borders.begin(), m_borders.end());
   }
 
-  void collect_constrained_edges(const Surface& mesh, const Constraints& constraints)
-  {
-    for (std::size_t e = 0; e < mesh.number_of_adjacencies(); ++e)
-      if (constraints[e]) {
-        m_constrained.push_back({mesh.lower_face(e), mesh.higher_face(e)});
-        m_constrained.push_back({mesh.higher_face(e), mesh.lower_face(e)});
-      }
-    std::sort(m_constrained.begin(), m_constrained.end());
-  }
-
   /// Whether a constrained edge separates a face from a segment.
   bool is_separated(Index face, Index label) const
   {
-    for (auto edge = std::lower_bound(m_constrained.begin(), m_constrained.end(),
-                                      std::make_pair(face, Index(0)));
-         edge != m_constrained.end() && edge->first == face; ++edge)
-      if (m_label_of_piece[m_piece_of[edge->second]] == label)
+    for (const auto& step : m_constrained.steps(face))
+      if (m_label_of_piece[m_piece_of[step.face]] == label)
         return true;
     return false;
   }
@@ -107,7 +96,7 @@ private:
   const std::vector<Index>& m_piece_of;
   const std::vector<Index>& m_label_of_piece;
   std::vector<Border> m_borders;
-  std::vector<std::pair<Index, Index>> m_constrained; // faces of constrained edges, both ways
+  const Dual_graph m_constrained; // across constrained edges
   Border_cut<Distance> m_cut;
 };
 
