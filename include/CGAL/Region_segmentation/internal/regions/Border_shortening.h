@@ -66,27 +66,27 @@ private:
   Move best_move(Index element)
   {
     const Index own = m_region_of[element];
-    double all = 0, inside = 0;
     std::size_t neighbors_inside = 0;
+    for (const auto& step : m_costs.steps(element))
+      neighbors_inside += m_region_of[step.face] == own;
+    Move best{0, element, own};
+    if (neighbors_inside != 1) // most elements
+      return best;
+    double all = 0, inside = 0;
     m_outside.clear();
     for (const auto& step : m_costs.steps(element)) {
-      const Index region = m_region_of[step.face];
       all += double(step.length);
-      if (region != own)
+      if (const Index region = m_region_of[step.face]; region != own)
         add_outside(region, double(step.length));
-      else {
-        ++neighbors_inside;
-        inside += double(step.length);
-      }
+      else
+        inside = double(step.length);
     }
-    Move best{0, element, own};
-    if (neighbors_inside == 1)
-      for (const auto& [region, cost] : m_outside) {
-        const double gain = cost - inside;
-        if (gain > smallest_gain * all &&
-            (gain > best.gain || (gain == best.gain && region < best.to)))
-          best = {gain, element, region};
-      }
+    for (const auto& [region, cost] : m_outside) {
+      const double gain = cost - inside;
+      if (gain > smallest_gain * all &&
+          (gain > best.gain || (gain == best.gain && region < best.to)))
+        best = {gain, element, region};
+    }
     return best;
   }
 
