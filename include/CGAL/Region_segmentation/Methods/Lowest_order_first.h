@@ -6,7 +6,6 @@
 #include <CGAL/Region_segmentation/Graph/Merge_candidate.h>
 #include <CGAL/Region_segmentation/Methods/Lowest_cost_first.h>
 #include <CGAL/Region_segmentation/internal/concepts/check_merging.h>
-#include <CGAL/Region_segmentation/internal/concepts/check_graph_data.h>
 
 #include <optional>
 #include <utility>
@@ -27,39 +26,25 @@ namespace Region_segmentation {
 /// \tparam Cost a model of `SectionCost`, recorded for each merge; a number for every section that
 /// `Order` does not bar
 template <typename Order, typename Cost>
-class Lowest_order_first : public internal::Data_named_by<Cost>
+class Lowest_order_first : public Lowest_cost_first<Order>
 {
 public:
   explicit Lowest_order_first(Order order = Order(), Cost cost = Cost())
-    : m_policy(std::move(order))
+    : Lowest_cost_first<Order>(std::move(order))
     , m_cost(std::move(cost))
   {}
 
   template <typename Graph>
-  void initialize(const Graph& graph)
-  {
-    static_assert(internal::check_section_cost<Order, Graph>());
-    static_assert(internal::check_section_cost<Cost, Graph>());
-    m_policy.initialize(graph);
-  }
-
-  template <typename Graph>
   std::optional<Merge_candidate> next(const Graph& graph)
   {
-    std::optional<Merge_candidate> candidate = m_policy.next(graph);
+    static_assert(internal::check_section_cost<Cost, Graph>());
+    std::optional<Merge_candidate> candidate = Lowest_cost_first<Order>::next(graph);
     if (candidate)
       candidate->cost = m_cost(graph, candidate->section);
     return candidate;
   }
 
-  template <typename Graph>
-  void on_merge(const Graph& graph, const typename Graph::Merge& merge)
-  {
-    m_policy.on_merge(graph, merge);
-  }
-
 private:
-  Lowest_cost_first<Order> m_policy;
   Cost m_cost;
 };
 
