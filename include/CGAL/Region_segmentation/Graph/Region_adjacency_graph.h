@@ -108,8 +108,6 @@ public:
   section_descriptor add_section(region_descriptor a, region_descriptor b,
                                  SectionData data = SectionData())
   {
-    CGAL_precondition(a != b && !is_removed(a) && !is_removed(b));
-    CGAL_precondition(!section(a, b));
     return append_section(a, b, std::move(data), ADJACENT);
   }
 
@@ -119,8 +117,6 @@ public:
   section_descriptor add_nonadjacent_section(region_descriptor a, region_descriptor b,
                                              SectionData data = SectionData())
   {
-    CGAL_precondition(a != b && !is_removed(a) && !is_removed(b));
-    CGAL_precondition(!section(a, b));
     return append_section(a, b, std::move(data), 0);
   }
 
@@ -222,6 +218,8 @@ private:
   section_descriptor append_section(region_descriptor a, region_descriptor b, SectionData data,
                                     std::uint8_t flags)
   {
+    CGAL_precondition(a != b && !is_removed(a) && !is_removed(b));
+    CGAL_precondition(!section(a, b));
     const Index s = Index(m_flags.size());
     m_flags.push_back(flags);
     m_lists.add_section(m_place_of[a], m_place_of[b], std::move(data));

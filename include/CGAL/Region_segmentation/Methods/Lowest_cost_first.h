@@ -82,7 +82,8 @@ public:
     std::uint32_t& lag = m_lags[merge.kept];
     lag = (std::max)(lag, m_lags[merge.removed]) + 1;
     if (lag < graph.degree(merge.kept) / hub_degree)
-      update_sections_to_neighbors(graph, merge.kept);
+      for (const std::uint32_t neighbor : m_neighbors)
+        update(graph, *graph.section(merge.kept, neighbor));
     else {
       lag = 0;
       for (Section_descriptor s : graph.sections(merge.kept))
@@ -132,13 +133,6 @@ private:
     for (Section_descriptor s : graph.sections(fewer))
       if (graph.target(s) != more)
         m_neighbors.push_back(graph.target(s));
-  }
-
-  template <typename Graph>
-  void update_sections_to_neighbors(const Graph& graph, std::uint32_t hub)
-  {
-    for (const std::uint32_t neighbor : m_neighbors)
-      update(graph, *graph.section(hub, neighbor));
   }
 
   template <typename Graph>

@@ -36,12 +36,6 @@ using Feature_graph = boost::adjacency_list<
   boost::vecS, boost::vecS, boost::undirectedS,
   typename boost::graph_traits<FaceGraph>::vertex_descriptor, Feature_edge<FaceGraph>>;
 
-template <typename Graph>
-Feature_edge_role role(std::size_t from, std::size_t to, const Graph& graph)
-{
-  return graph[boost::edge(from, to, graph).first].role;
-}
-
 /// The nodes of the line that starts at a free end, up to the first node that does not have two
 /// edges or from which it continues as a barrier; only the free end if it starts as one.
 template <typename Graph>
@@ -53,7 +47,7 @@ std::vector<std::size_t> line_from(std::size_t free_end, const Graph& graph)
     auto next = boost::adjacent_vertices(node, graph).first;
     if (node != free_end && *next == previous)
       ++next;
-    if (role(node, *next, graph) == Feature_edge_role::BARRIER)
+    if (graph[boost::edge(node, *next, graph).first].role == Feature_edge_role::BARRIER)
       break;
     previous = std::exchange(node, *next);
     nodes.push_back(node);
