@@ -157,9 +157,8 @@ TEST(Farthest_point_seeding_test, every_face_goes_to_the_nearest_of_far_apart_se
     for (unsigned seed = 1; seed <= 4; ++seed) {
       SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
       const RS::Surface mesh = surface_of(random_mesh(family, seed));
-      const RS::Execution execution;
-      RS::internal::Farthest_point_seeding seeding(dual_graph_of(mesh, 0.4), execution);
-      seeding.run(distances_from_centroid(mesh), 12);
+      RS::internal::Farthest_point_seeding seeding(dual_graph_of(mesh, 0.4));
+      seeding.run(distances_from_centroid(mesh), 12, RS::Execution());
       const RS::Partition regions = seeding.regions();
       ASSERT_EQ(regions.number_of_parts(), 12u);
 
@@ -197,9 +196,8 @@ TEST(Farthest_point_seeding_test,
       const Soup one = random_mesh(Family::SPHERE, seed), other = random_mesh(Family::TORUS, seed);
       const RS::Surface mesh = surface_of(
         joined(joined(one, translated(other, 20, 0, 0)), translated(one, 0, 50, 0)));
-      const RS::Execution execution;
-      RS::internal::Farthest_point_seeding seeding(dual_graph_of(mesh, 0.4), execution);
-      seeding.run(distances_from_centroid(mesh), number);
+      RS::internal::Farthest_point_seeding seeding(dual_graph_of(mesh, 0.4));
+      seeding.run(distances_from_centroid(mesh), number, RS::Execution());
       const RS::Partition regions = seeding.regions();
       ASSERT_EQ(regions.number_of_parts(), std::max<std::size_t>(3, number));
       const Seeding expected = seeding_of(mesh, regions.number_of_parts(), 0.4);
@@ -224,8 +222,7 @@ TEST(Farthest_point_seeding_test, given_seeds_are_placed_all_at_once)
         if (const std::size_t f = random() % mesh.number_of_faces();
             std::find(seeds.begin(), seeds.end(), f) == seeds.end())
           seeds.push_back(f);
-      const RS::Execution execution;
-      RS::internal::Farthest_point_seeding seeding(dual_graph_of(mesh, 0.4), execution);
+      RS::internal::Farthest_point_seeding seeding(dual_graph_of(mesh, 0.4));
       seeding.run(std::vector<RS::Surface::Index>(seeds.begin(), seeds.end()));
       const RS::Partition regions = seeding.regions();
       ASSERT_EQ(regions.number_of_parts(), seeds.size());
@@ -260,9 +257,8 @@ TEST(Farthest_point_seeding_test, splitting_separates_the_face_farthest_from_its
                  ? expected.nearest[a] > expected.nearest[b]
                  : a > b;
       });
-      const RS::Execution execution;
-      RS::internal::Farthest_point_seeding seeding(dual_graph_of(mesh, 0.4), execution);
-      seeding.run(distances_from_centroid(mesh), 12);
+      RS::internal::Farthest_point_seeding seeding(dual_graph_of(mesh, 0.4));
+      seeding.run(distances_from_centroid(mesh), 12, RS::Execution());
       RS::Partition before = seeding.regions();
       for (std::size_t i = 0; i + 12 < order.size(); ++i) {
         const RS::Partition after = seeding.split_regions(13 + i,
@@ -321,9 +317,8 @@ TEST(Border_shortening_test, moves_the_face_with_the_largest_gain_until_there_is
     for (unsigned seed = 1; seed <= 3; ++seed) {
       SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
       const RS::Surface mesh = surface_of(random_mesh(family, seed));
-      const RS::Execution execution;
-      RS::internal::Farthest_point_seeding seeding(dual_graph_of(mesh, 0.4), execution);
-      seeding.run(distances_from_centroid(mesh), 15);
+      RS::internal::Farthest_point_seeding seeding(dual_graph_of(mesh, 0.4));
+      seeding.run(distances_from_centroid(mesh), 15, RS::Execution());
       const RS::Partition before = seeding.regions();
       const RS::internal::Dual_graph costs(
         mesh, [&](std::size_t e) { return is_edge(mesh, e); },
@@ -348,9 +343,8 @@ TEST(Superfacets_test, are_seeded_on_the_patches_and_shortened)
       // The faces are so large that each is a patch.
       const RS::Surface mesh = surface_of(random_mesh(family, seed));
       ASSERT_EQ(patches_of(mesh).fine.size(), mesh.number_of_faces());
-      const RS::Execution execution;
-      RS::internal::Farthest_point_seeding seeding(dual_graph_of(mesh, 0.4), execution);
-      seeding.run(distances_from_centroid(mesh), 15);
+      RS::internal::Farthest_point_seeding seeding(dual_graph_of(mesh, 0.4));
+      seeding.run(distances_from_centroid(mesh), 15, RS::Execution());
       const RS::internal::Dual_graph costs(
         mesh, [&](std::size_t e) { return is_edge(mesh, e); },
         [&](std::size_t e) {
@@ -387,7 +381,6 @@ TEST(Superfacets_test, are_seeded_on_coarse_patches_where_there_are_four_for_eac
   const RS::Surface_patches patches = patches_of(mesh);
   const RS::Patches &fine = patches.fine, &coarse = patches.coarse;
   ASSERT_LT(coarse.size(), fine.size() / 2);
-  const RS::Execution execution;
   RS::Double_3 center{}; // of the surface
   for (std::size_t p = 0; p < coarse.size(); ++p)
     center = center + (coarse[p].area / mesh.area()) * coarse[p].centroid;
@@ -398,12 +391,12 @@ TEST(Superfacets_test, are_seeded_on_coarse_patches_where_there_are_four_for_eac
     return result;
   };
   for (const std::size_t number : {1ul, 40ul, coarse.size() / 4, coarse.size() / 4 + 1}) {
-    RS::internal::Farthest_point_seeding seeding(dual_graph_of(fine, mesh), execution);
+    RS::internal::Farthest_point_seeding seeding(dual_graph_of(fine, mesh));
     if (number > coarse.size() / 4)
-      seeding.run(remoteness(fine), number);
+      seeding.run(remoteness(fine), number, RS::Execution());
     else {
-      RS::internal::Farthest_point_seeding on_coarse(dual_graph_of(coarse, mesh), execution);
-      on_coarse.run(remoteness(coarse), number);
+      RS::internal::Farthest_point_seeding on_coarse(dual_graph_of(coarse, mesh));
+      on_coarse.run(remoteness(coarse), number, RS::Execution());
       std::vector<RS::Surface::Index> seeds;
       for (const RS::Surface::Index seed : on_coarse.seeds())
         seeds.push_back(coarse[seed].center);

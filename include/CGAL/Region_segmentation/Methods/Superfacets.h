@@ -96,8 +96,8 @@ public:
   /// faces that were reached through it. Steps between faces are measured as those between patches.
   /// Degenerate faces are separated last. O(F log F). \pre `number_of_parts` is at least the number
   /// of regions
-  Partition split(const Surface& surface, const Partition& regions, std::size_t number_of_parts,
-                  const Execution& execution = Execution()) const
+  Partition split(const Surface& surface, const Partition& regions,
+                  std::size_t number_of_parts) const
   {
     if (surface.number_of_faces() == 0)
       return Partition();
@@ -113,7 +113,7 @@ public:
           norm(surface.centroid(surface.lower_face(a)) - surface.centroid(surface.higher_face(a))),
           concavity);
       });
-    internal::Farthest_point_seeding seeding(std::move(graph), execution);
+    internal::Farthest_point_seeding seeding(std::move(graph));
     seeding.run(central_faces(surface, regions));
     return seeding.split_regions(number_of_parts,
                                  [&](Index f) { return surface.is_degenerate(f); });
@@ -128,16 +128,15 @@ private:
   {
     const Patches& coarse = patches.coarse;
     const std::size_t number_of_seeds = number + number_of_crumbs(surface);
-    internal::Farthest_point_seeding from_patches(steps(surface, patches.fine),
-                                                  execution.step(0.5, 1));
+    internal::Farthest_point_seeding from_patches(steps(surface, patches.fine));
     std::size_t number_of_coarse = 0; // not those of crumbs
     for (std::size_t p = 0; p < coarse.size(); ++p)
       number_of_coarse += coarse[p].area > 0;
     if (number_of_coarse / coarse_patches_of_region < number)
-      from_patches.run(distances_from_centroid(patches.fine), number_of_seeds);
+      from_patches.run(distances_from_centroid(patches.fine), number_of_seeds, execution);
     else {
-      internal::Farthest_point_seeding from_coarse(steps(surface, coarse), execution.step(0, 0.5));
-      from_coarse.run(distances_from_centroid(coarse), number_of_seeds);
+      internal::Farthest_point_seeding from_coarse(steps(surface, coarse));
+      from_coarse.run(distances_from_centroid(coarse), number_of_seeds, execution);
       std::vector<Index> seeds;
       for (const Index seed : from_coarse.seeds())
         seeds.push_back(coarse[seed].center);

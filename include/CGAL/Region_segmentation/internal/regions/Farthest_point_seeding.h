@@ -34,19 +34,17 @@ class Farthest_point_seeding
   using Index = Dual_graph::Index;
 
 public:
-  Farthest_point_seeding(Dual_graph graph, const Execution& execution)
-    : m_execution(execution)
-    , m_graph(std::move(graph))
+  explicit Farthest_point_seeding(Dual_graph graph)
+    : m_graph(std::move(graph))
     , m_reached(m_graph.number_of_faces(), Reached{unreached, 0, 0})
   {}
 
   /// Places `number` seeds, or more if there are more components, or fewer if all faces are seeds.
   /// `remoteness`: by face; each component gets its first seed where it is highest, of several at
   /// the lower face, and components in this order \pre there are faces
-  void run(const std::vector<double>& remoteness, std::size_t number)
+  void run(const std::vector<double>& remoteness, std::size_t number, const Execution& execution)
   {
-    m_number_wanted = number;
-    Step_counter seeds(m_execution, number);
+    Step_counter seeds(execution, number);
     seed_components(remoteness, seeds);
     for (std::size_t f = 0; f < m_reached.size(); f += faces_per_bound)
       m_bounds.push_back(farthest_in_block(f));
@@ -64,7 +62,6 @@ public:
   /// belongs to that of the neighbor that was nearer to its own, of these the lower one.
   void run(const std::vector<Index>& seeds)
   {
-    m_number_wanted = seeds.size();
     for (const Index seed : seeds)
       place(seed);
     grow();
@@ -191,7 +188,6 @@ private:
       const Index label = m_reached[face].seed;
       if (top != make_float_key(float(distance), face))
         continue;
-      report_now_and_then();
       for (const auto& step : m_graph.steps(face)) {
         const double longer = distance + double(step.length);
         Reached& next = m_reached[step.face];
@@ -205,25 +201,16 @@ private:
     }
   }
 
-  void report_now_and_then()
-  {
-    constexpr std::size_t faces_per_report = 1 << 16;
-    if (++m_number_of_visits % faces_per_report == 0)
-      m_execution.report((std::min)(1.0, double(m_seeds.size()) / double(m_number_wanted)));
-  }
-
   static constexpr double unreached = (std::numeric_limits<double>::max)();
   static constexpr Index none = (std::numeric_limits<Index>::max)();
   static constexpr std::size_t faces_per_bound = 64;
 
-  const Execution m_execution; // usually a step, a temporary
   Dual_graph m_graph;
   Large_array<Reached> m_reached;
   std::vector<Entry> m_bounds; // a block of faces each
   // Distances, rounded, and faces.
   std::priority_queue<Float_key, std::vector<Float_key>, std::greater<Float_key>> m_front;
   std::vector<Index> m_seeds; // faces
-  std::size_t m_number_wanted = 1, m_number_of_visits = 0;
 };
 
 } // namespace internal
