@@ -40,19 +40,18 @@ inline bool is_convex(const Surface& mesh)
   double length = 0; // of the edges whose angles are not known yet
   for (std::size_t e = 0; e < mesh.number_of_adjacencies(); ++e)
     length += counts(e) ? mesh.length(e) : 0;
-  double concave = 0, all = 0;
-  // Angles are expensive, and a few are sufficient for most surfaces: no edge adds more than pi.
+  length *= 1 + 1e-6; // rounding never makes it less than it is
+  double concave = 0, convex = 0;
   for (std::size_t e = 0; e < mesh.number_of_adjacencies(); ++e) {
     if (!counts(e))
       continue;
-    const double l = mesh.length(e), sum = l * mesh.deviation(e);
-    length -= l;
-    all += sum;
-    concave += mesh.has_flag(e, Surface::CONCAVE) ? sum : 0;
-    if (concave > largest_concave_share_of_convex * (all + 4 * length))
+    (mesh.has_flag(e, Surface::CONCAVE) ? concave : convex) += mesh.length(e) * mesh.deviation(e);
+    length -= mesh.length(e);
+    // Angles are expensive, and a few are sufficient for most surfaces: no edge adds more than pi.
+    if (concave > largest_concave_share_of_convex * (concave + convex + 4 * length))
       return false;
   }
-  return true;
+  return concave <= largest_concave_share_of_convex * (concave + convex);
 }
 
 } // namespace internal
