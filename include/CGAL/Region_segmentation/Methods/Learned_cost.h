@@ -150,11 +150,7 @@ struct Expected_merge_cost
   template <typename Graph>
   double operator()(const Graph& graph, typename Graph::section_descriptor s) const
   {
-    return of(Merge_estimate(*model, graph, s));
-  }
-
-  double of(const Merge_estimate& estimate) const
-  {
+    const Merge_estimate estimate(*model, graph, s);
     return 2 * estimate.share_of_pairs() * (threshold - estimate.probability());
   }
 };
