@@ -60,8 +60,9 @@ struct Elements_of_solids
 
 } // namespace internal
 
-/// \ingroup PkgRegionSegmentationSegments copies every segment to a closed mesh of its own, a
-/// solid: its faces and caps, for printing or for simulation.
+/// \ingroup PkgRegionSegmentationSegments
+/// copies every segment to a closed mesh of its own, a solid: its faces and caps, for printing or
+/// for simulation.
 ///
 /// Every triangle of a cap belongs to exactly two solids, oppositely oriented and with equal
 /// coordinates. So the solids of a closed mesh fit together without gaps or overlaps, and their
