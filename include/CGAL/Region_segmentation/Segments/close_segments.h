@@ -81,6 +81,10 @@ struct Elements_of_solids
 /// meet in a vertex. Caps that close the border of an open mesh stay. Solids overlap themselves
 /// where this is more than they are thick, or than the edges beside their borders are long.
 ///
+/// A segment that is the wall of a hole becomes a solid that is inside out, of negative volume, and
+/// those of its neighbors fill the hole: as every sum of volumes needs. So this is for parts as
+/// people see them, less for the faces of a machine part.
+///
 /// The caps of different networks know nothing of each other, and a fan crosses itself or the mesh
 /// where its border is not seen from its center, as around thin curved sheets. Of the 1008 segments
 /// that `Learned_merging` finds on 136 closed meshes, 94.5 % are without self-intersection, and
