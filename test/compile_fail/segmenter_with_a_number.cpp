@@ -4,8 +4,7 @@
 void test(const Mesh& mesh, Labels labels)
 {
 #ifdef WITH_FAULT
-  const RS::Segmenter segmenter(mesh,
-                                RS::parameters::method(RS::Two_step()).number_of_segments(5));
+  const RS::Segmenter segmenter(mesh, RS::parameters::method(RS::Two_step()).number_of_segments(5));
 #else
   const RS::Segmenter segmenter(mesh, RS::parameters::method(RS::Two_step()));
 #endif
