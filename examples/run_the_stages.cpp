@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What segment() does, stage by stage; each stage can be used alone.
+// What segment() with the method Two_step does, stage by stage; each stage can be used alone.
 
 #include "dumbbell.h"
 

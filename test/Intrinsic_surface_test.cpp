@@ -368,6 +368,51 @@ TEST(Intrinsic_surface_test, faces_given_twice_do_not_change_the_labels)
     }
 }
 
+// A scan of a part of the surface that lies on it, within 1/300 of its size.
+TEST(Intrinsic_surface_test, a_scan_that_overlaps_does_not_change_the_labels)
+{
+  std::vector<Soup> soups = {torus(40, 24)};
+  soups.push_back(mapped(sphere(4), [](const Point& p) { // two balls
+    return Point{p[0] * 2, p[1] * (0.2 + p[0] * p[0]), p[2] * (0.2 + p[0] * p[0])};
+  }));
+  for (std::size_t i = 0; i < soups.size(); ++i) {
+    const Soup& soup = soups[i];
+    const double size = std::sqrt(RS::make_surface(soup.points, soup.polygons).area());
+    for (unsigned seed = 1; seed <= 1; ++seed) {
+      SCOPED_TRACE(std::to_string(i) + ", seed " + std::to_string(seed));
+      std::mt19937 random(seed);
+      std::uniform_real_distribution<double> any(-size / 1000, size / 1000);
+      const Point shift = {any(random), any(random), any(random)};
+      double middle = 0;
+      for (const Point& p : soup.points)
+        middle += p[0] / double(soup.points.size());
+      Soup more = soup;
+      std::vector<std::size_t> copied;
+      for (std::size_t f = 0; f < soup.polygons.size(); ++f) {
+        bool is_beyond = true;
+        for (const std::size_t v : soup.polygons[f])
+          is_beyond = is_beyond && soup.points[v][0] > middle;
+        if (!is_beyond)
+          continue;
+        copied.push_back(f);
+        more.polygons.push_back(soup.polygons[f]);
+        for (std::size_t& v : more.polygons.back())
+          v += soup.points.size();
+      }
+      for (const Point& p : soup.points)
+        more.points.push_back({p[0] + shift[0] + any(random), p[1] + shift[1] + any(random),
+                               p[2] + shift[2] + any(random)});
+      expect_equal_labels(more, soup);
+      Labels labels(more.polygons.size());
+      RS::segment(more.points, more.polygons, labels, 3);
+      std::size_t equal = 0;
+      for (std::size_t c = 0; c < copied.size(); ++c)
+        equal += labels[soup.polygons.size() + c] == labels[copied[c]];
+      EXPECT_GE(double(equal), 0.95 * double(copied.size()));
+    }
+  }
+}
+
 TEST(Intrinsic_surface_test, faces_given_twice_have_one_seed)
 {
   Soup soup = sphere(3);

@@ -85,6 +85,19 @@ Labels largest(const Merge_tree& tree, const IsGood& is_good)
   return renumbered(labels);
 }
 
+// As after new seeds of a Segmenter, whose tree is another one then.
+TEST(Partition_editor_test, keeps_its_tree)
+{
+  Merge_tree tree = random_tree(30, 2);
+  const Merge_tree copy = tree;
+  Partition_editor editor(tree);
+  tree = Merge_tree(1);
+  editor.set_count(7);
+  EXPECT_EQ(labels_of(editor), test::labels_of(copy.partition_at_count(7)));
+  editor.set_maximum_size(std::vector<double>(30, 1.0), 1);
+  EXPECT_EQ(editor.number_of_segments(), 30u);
+}
+
 TEST(Partition_editor_test, starts_from_whole_trees)
 {
   const Merge_tree tree = random_tree(30, 1);

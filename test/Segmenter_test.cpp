@@ -576,6 +576,27 @@ TEST(Segmenter_test, paths_between_equal_seeds_avoid_valleys)
   EXPECT_EQ(number, 13u);
 }
 
+// -1 of the type of the map, whatever its width and sign.
+TEST(Segmenter_test, seeds_of_all_types_have_no_seed)
+{
+  const Soup soup = sphere(3);
+  const auto labels_with = [&](auto none) {
+    std::vector<decltype(none)> seeds(soup.polygons.size(), none);
+    seeds[3] = 0;
+    seeds[90] = 1;
+    Labels labels(seeds.size());
+    EXPECT_EQ(
+      RS::segment(soup.points, soup.polygons, labels, 2, RS::parameters::face_seed_map(seeds)), 2u);
+    return labels;
+  };
+  const Labels expected = labels_with(std::size_t(-1));
+  EXPECT_EQ(labels_with(-1), expected);
+  EXPECT_EQ(labels_with((signed char)(-1)), expected);
+  EXPECT_EQ(labels_with((unsigned char)(-1)), expected);
+  EXPECT_EQ(labels_with(unsigned(-1)), expected);
+  EXPECT_EQ(labels_with(-1ll), expected);
+}
+
 TEST(Segmenter_test, seeds_that_cannot_be_joined_are_refused_by_name)
 {
   const Surface_mesh two = to_surface_mesh(joined(sphere(2), translated(sphere(2), 5, 0, 0)));

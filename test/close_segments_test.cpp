@@ -48,6 +48,18 @@ double volume(const Soup& soup)
   return sum;
 }
 
+double area(const Corners& c)
+{
+  Point u, v;
+  for (std::size_t i = 0; i < 3; ++i) {
+    u[i] = c[1][i] - c[0][i];
+    v[i] = c[2][i] - c[0][i];
+  }
+  return std::hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
+                    u[0] * v[1] - u[1] * v[0]) /
+         2;
+}
+
 /// The solids as soups, and which solids have each triangle of a cap.
 struct Solids
 {
@@ -146,6 +158,101 @@ TEST(Close_segments_test, halves_of_a_cube_share_a_flat_cap)
   for (const auto& [corners, segments] : solids.segments_of_cap)
     for (const Point& p : corners)
       EXPECT_DOUBLE_EQ(p[0], 1);
+}
+
+std::vector<Soup> solids_with_clearance(const Soup& soup, const Labels& labels, double clearance)
+{
+  const Surface_mesh mesh = to_mesh<Surface_mesh>(soup);
+  std::vector<RS::Segment_piece<Surface_mesh, Surface_mesh, std::size_t>> solids;
+  RS::close_segments(mesh, face_labels(mesh, labels), std::back_inserter(solids),
+                     RS::parameters::clearance(clearance));
+  std::vector<Soup> result;
+  for (const auto& solid : solids) {
+    EXPECT_TRUE(CGAL::is_valid_polygon_mesh(solid.mesh));
+    EXPECT_TRUE(CGAL::is_closed(solid.mesh));
+    result.push_back(soup_of(solid.mesh));
+  }
+  return result;
+}
+
+/// Two boxes of 2 x 2 x .9 in place of 1, at any angle and scale; the outer sides stay.
+TEST(Close_segments_test, halves_of_a_cube_with_clearance_are_so_far_apart)
+{
+  const Soup cube = voxel_surface(voxel_block({0, 0, 0}, {2, 2, 2}));
+  Labels labels;
+  for (const Polygon& polygon : cube.polygons) {
+    double x = 0;
+    for (std::size_t v : polygon)
+      x += cube.points[v][0] / 4;
+    labels.push_back(x < 1);
+  }
+  for (double scale : {1e-3, 1.0, 1e3}) {
+    Soup soup = cube;
+    for (Point& p : soup.points)
+      p = {scale * (.6 * p[0] - .8 * p[1]), scale * (.8 * p[0] + .6 * p[1]), scale * p[2]};
+    const std::vector<Soup> solids = solids_with_clearance(soup, labels, .2 * scale);
+    ASSERT_EQ(solids.size(), 2u);
+    for (const Soup& half : solids) {
+      EXPECT_NEAR(volume(half), 3.6 * scale * scale * scale, 1e-9 * scale * scale * scale);
+      for (const Point& p : half.points) {
+        const double x = (.6 * p[0] + .8 * p[1]) / scale, y = (.6 * p[1] - .8 * p[0]) / scale;
+        const double z = p[2] / scale;
+        EXPECT_LT((std::min)({std::abs(x), std::abs(x - .9), std::abs(x - 1.1), std::abs(x - 2)}),
+                  1e-9);
+        EXPECT_LT((std::max)({-x, x - 2, -y, y - 2, -z, z - 2}), 1e-9);
+      }
+    }
+  }
+}
+
+/// Each pyramid of six is made of planes that were moved: it is one of the height h - .1 sqrt(2),
+/// as its base stays and its four sides move by .1.
+TEST(Close_segments_test, pyramids_with_clearance_are_smaller)
+{
+  const Soup soup = cube(); // of edge 2
+  const double edge = std::cbrt(volume(soup));
+  const double height = edge / 2 - .05 * edge * std::sqrt(2);
+  for (const Soup& pyramid : solids_with_clearance(soup, {0, 1, 2, 3, 4, 5}, .1 * edge))
+    EXPECT_NEAR(volume(pyramid), 4 * height * height * height / 3, 1e-9 * volume(soup));
+}
+
+/// The solids of a real shape lose half the clearance times the area of their caps.
+TEST(Close_segments_test, solids_with_clearance_lose_what_is_before_their_caps)
+{
+  const Soup soup = sphere(4);
+  Labels labels;
+  for (const Polygon& polygon : soup.polygons) {
+    double x = 0, y = 0;
+    for (std::size_t v : polygon) {
+      x += soup.points[v][0];
+      y += soup.points[v][1];
+    }
+    labels.push_back(std::size_t((std::atan2(y, x) + 3.2) / 6.4 * 3));
+  }
+  std::vector<double> cap_areas(3);
+  for (const auto& [corners, segments] : close<Surface_mesh>(soup, labels).segments_of_cap)
+    for (std::size_t segment : segments)
+      cap_areas[segment] += area(corners);
+  const double clearance = .02 * std::cbrt(volume(soup));
+  const std::vector<Soup> without = solids_with_clearance(soup, labels, 0);
+  const std::vector<Soup> with = solids_with_clearance(soup, labels, clearance);
+  for (std::size_t s = 0; s < 3; ++s)
+    EXPECT_NEAR(volume(without[s]) - volume(with[s]), clearance / 2 * cap_areas[s],
+                .12 * clearance / 2 * cap_areas[s]); // borders are jagged
+}
+
+TEST(Close_segments_test, clearance_of_huge_coordinates_and_of_open_meshes)
+{
+  Soup soup = cube();
+  for (Point& p : soup.points)
+    p = {1e250 * p[0], 1e250 * p[1], 1e250 * p[2]};
+  for (const Soup& solid : solids_with_clearance(soup, {0, 0, 0, 1, 1, 1}, 1e248))
+    for (const Point& p : solid.points)
+      EXPECT_TRUE(std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]));
+  // Caps on the border of the mesh stay.
+  const Labels one(cap().polygons.size(), 7);
+  EXPECT_EQ(solids_with_clearance(cap(), one, .1)[0].points,
+            solids_with_clearance(cap(), one, 0)[0].points);
 }
 
 TEST(Close_segments_test, faces_of_a_cube_become_pyramids)

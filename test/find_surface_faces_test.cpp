@@ -2,8 +2,11 @@
 
 // Faces of tessellated shapes that are made by formula, with their surfaces.
 
+#include "meshes.h"
+#include "oracles.h"
 #include "shapes_with_faces.h"
 
+#include <CGAL/Region_segmentation/Segments/find_part_faces.h>
 #include <CGAL/Region_segmentation/find_surface_faces.h>
 
 #include <CGAL/Region_segmentation/Methods/Surface_face_cost.h>
@@ -11,6 +14,9 @@
 
 #include <CGAL/Region_segmentation/find_common_surfaces.h>
 #include <CGAL/Region_segmentation/make_surface.h>
+
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/boost/graph/graph_traits_Polyhedron_3.h>
 
 #include <gtest/gtest.h>
 
@@ -340,6 +346,65 @@ TEST(FindSurfaceFaces, MotionScaleAndOrder)
       moved.faces.push_back(bar.faces[f]);
     }
     EXPECT_NEAR(expect_faces(moved)[1].radius, scale, 1e-7 * scale);
+  }
+}
+
+// In units of the mesh and types of its kernel, also where the surface has another unit.
+template <typename Mesh>
+void expect_part_faces(double scale)
+{
+  const Shape shape = ring(2, 2, 1, 3, 24, 2);
+  test::Soup soup;
+  for (const Point& p : shape.points)
+    soup.points.push_back({scale * p.x, scale * p.y, scale * p.z});
+  for (const auto& t : shape.triangles)
+    soup.polygons.push_back({t.begin(), t.end()});
+  const Mesh mesh = test::to_mesh<Mesh>(soup);
+  using Kernel = typename CGAL::Kernel_traits<
+    typename boost::property_map_value<Mesh, CGAL::vertex_point_t>::type>::Kernel;
+  std::vector<RS::Part_face<Kernel>> faces;
+  auto map = test::face_map(mesh);
+  const std::size_t number = RS::find_part_faces(mesh, map, std::back_inserter(faces));
+  ASSERT_EQ(number, faces.size());
+  const RS::Surface surface = RS::make_surface(mesh);
+  const RS::Surface_faces found = RS::find_surface_faces(surface);
+  EXPECT_EQ(RS::Partition::from_labels(test::labels_of(mesh, map)), found.partition);
+  ASSERT_EQ(faces.size(), found.surfaces.size());
+  double area = 0, border = 0;
+  std::size_t holes = 0;
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    const RS::Fitted_surface& s = found.surfaces[i];
+    EXPECT_EQ(faces[i].kind, s.kind);
+    EXPECT_EQ(faces[i].role, found.roles[i]);
+    EXPECT_EQ(faces[i].radius, surface.unit() * s.radius);
+    EXPECT_EQ(CGAL::to_double(faces[i].point.y()), surface.unit() * s.point.y);
+    EXPECT_EQ(CGAL::to_double(faces[i].direction.z()), s.direction.z);
+    EXPECT_EQ(faces[i].highest, surface.unit() * s.highest);
+    area += faces[i].area / scale / scale;
+    if (faces[i].role == Face_role::HOLE)
+      ++holes;
+    for (const RS::Part_face_neighbor& n : faces[i].neighbors) {
+      EXPECT_FALSE(n.is_smooth);
+      border += n.length / scale;
+      EXPECT_TRUE(
+        std::any_of(faces[n.face].neighbors.begin(), faces[n.face].neighbors.end(),
+                    [&](const auto& back) { return back.face == i && back.length == n.length; }));
+    }
+    if (s.has_axis())
+      for (std::size_t j = 0; j < i; ++j)
+        if (faces[j].kind == Surface_kind::CYLINDER)
+          EXPECT_EQ(faces[i].first_on_axis, faces[j].first_on_axis);
+  }
+  EXPECT_EQ(holes, 1u);
+  EXPECT_NEAR(area, surface.area() * surface.unit() / scale * surface.unit() / scale, 1e-9 * area);
+  EXPECT_GT(border, 0);
+}
+
+TEST(FindSurfaceFaces, PartFacesAreInUnitsAndTypesOfTheMesh)
+{
+  for (const double scale : {1.0, 1e-3, 1e40}) {
+    expect_part_faces<test::Surface_mesh>(scale);
+    expect_part_faces<CGAL::Polyhedron_3<test::Kernel>>(scale);
   }
 }
 

@@ -5,27 +5,28 @@
 
 #include "input_mesh.h"
 
-#include <CGAL/Region_segmentation/find_common_surfaces.h>
-#include <CGAL/Region_segmentation/make_surface.h>
+#include <CGAL/Region_segmentation/Segments/find_part_faces.h>
+
+#include <iterator>
+#include <vector>
 
 namespace RS = CGAL::Region_segmentation;
 
 int main(int argc, char** argv)
 {
-  const RS::Surface surface = RS::make_surface(input_part(argc, argv));
-  const RS::Surface_faces faces = RS::find_surface_faces(surface);
-  const auto axes = RS::find_common_axes(faces);
+  Mesh mesh = input_part(argc, argv);
+  auto face_id = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:part_face").first;
+  std::vector<RS::Part_face<Kernel>> faces;
+  RS::find_part_faces(mesh, face_id, std::back_inserter(faces));
   bool is_valid = true;
   std::cout << "face  axis  radius  depth  direction\n";
-  for (std::size_t i = 0; i < faces.surfaces.size(); ++i) {
-    const RS::Fitted_surface& s = faces.surfaces[i];
-    if (faces.roles[i] != RS::Face_role::HOLE || s.kind != RS::Surface_kind::CYLINDER)
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    const RS::Part_face<Kernel>& f = faces[i];
+    if (f.role != RS::Face_role::HOLE || f.kind != RS::Surface_kind::CYLINDER)
       continue;
-    const double unit = surface.unit(); // 1, unless the mesh is very large or small
-    std::cout << i << "  " << axes[i] << "  " << unit * s.radius << "  "
-              << unit * (s.highest - s.lowest) << "  " << s.direction.x << " " << s.direction.y
-              << " " << s.direction.z << '\n';
-    is_valid = is_valid && s.radius > 0 && s.highest > s.lowest;
+    std::cout << i << "  " << f.first_on_axis << "  " << f.radius << "  " << f.highest - f.lowest
+              << "  " << f.direction << '\n';
+    is_valid = is_valid && f.radius > 0 && f.highest > f.lowest;
   }
   return is_valid ? EXIT_SUCCESS : EXIT_FAILURE;
 }

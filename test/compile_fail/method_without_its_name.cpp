@@ -4,8 +4,8 @@
 void test(const Mesh& mesh, Labels labels)
 {
 #ifdef WITH_FAULT
-  RS::segment(mesh, labels, 8, RS::Two_step());
+  RS::segment(mesh, labels, RS::Two_step());
 #else
-  RS::segment(mesh, labels, 8, RS::parameters::method(RS::Two_step()));
+  RS::segment(mesh, labels, RS::parameters::method(RS::Two_step()).number_of_segments(8));
 #endif
 }

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -50,17 +51,17 @@ struct Seeds
   std::size_t number() const { return values.size(); }
   bool empty() const { return values.empty(); }
 
-  /// From the values of a map; `std::size_t(-1)` stands for none.
+  /// From the values of a map; -1 of their type stands for none.
   template <typename Value>
   static Seeds from_values(const std::vector<Value>& values)
   {
-    constexpr std::size_t no_seed = (std::numeric_limits<std::size_t>::max)();
     Seeds seeds;
     internal::Key_numbering number(2 * values.size() + 1024);
     seeds.of.reserve(values.size());
     for (const Value v : values) {
       const std::size_t value = std::size_t(v);
-      seeds.of.push_back(value == no_seed ? Index(none) : number(value));
+      const bool has_seed = std::is_same<Value, bool>::value || v != Value(-1);
+      seeds.of.push_back(has_seed ? number(value) : Index(none));
       if (seeds.values.size() < number.size())
         seeds.values.push_back(value);
     }

@@ -70,53 +70,58 @@ public:
   ///     \cgalParamDefault{`Method()`}
   ///   \cgalParamNEnd
   ///   \cgalParamNBegin{number_of_segments}
-  ///     \cgalParamDescription{the number for `segment(segment_map)`}
+  ///     \cgalParamDescription{the number for `segment(segment_map)`; not with a method whose order
+  ///       of merges depends on the number}
   ///     \cgalParamType{an integral type; at least 1}
   ///     \cgalParamDefault{chosen by the method}
   ///   \cgalParamNEnd
   ///   \cgalParamNBegin{edge_is_constrained_map}
   ///     \cgalParamDescription{edges that always are borders and are never merged across}
   ///     \cgalParamType{a model of `ReadablePropertyMap` with the edge descriptor as key type and a
-  ///     value type
-  ///       convertible to `bool`}
+  ///       value type convertible to `bool`}
   ///     \cgalParamDefault{no edge}
   ///   \cgalParamNEnd
   ///   \cgalParamNBegin{face_seed_map}
   ///     \cgalParamDescription{faces with equal seeds belong to one segment, faces with different
-  ///     seeds to different
-  ///       ones; `std::size_t(-1)` is no seed; see `Segmenter::set_seeds()`}
+  ///       seeds to different ones; -1 of the value type is no seed; see `Segmenter::set_seeds()`}
   ///     \cgalParamType{a model of `ReadablePropertyMap` with the face descriptor as key type and
-  ///     an integral value type} \cgalParamDefault{no seeds}
+  ///       an integral value type}
+  ///     \cgalParamDefault{no seeds}
   ///   \cgalParamNEnd
   ///   \cgalParamNBegin{component_links}
   ///     \cgalParamDescription{whether components that touch or are near each other are adjacent,
-  ///     see `segment()`} \cgalParamType{`bool`} \cgalParamDefault{`true`}
+  ///       see `segment()`}
+  ///     \cgalParamType{`bool`}
+  ///     \cgalParamDefault{`true`}
   ///   \cgalParamNEnd
   ///   \cgalParamNBegin{visitor}
   ///     \cgalParamDescription{follows the progress, and can cancel: stages "reading", "regions",
-  ///     "rays", "graph", "merging",
-  ///       "borders", as far as the method has them}
+  ///       "rays", "graph", "merging", "borders", as far as the method has them}
   ///     \cgalParamType{a model of `SegmentationVisitor`}
   ///     \cgalParamDefault{none}
-  ///     \cgalParamExtra{used by the constructor only; pass it by `std::ref()` if it changes}
+  ///     \cgalParamExtra{passed by `std::ref()`; used by the constructor only}
   ///   \cgalParamNEnd
   ///   \cgalParamVertexPointMap
   ///   \cgalParamIndexMap{face}
   ///   \cgalParamIndexMap{vertex}
   ///   \cgalParamNBegin{region_map}
   ///     \cgalParamDescription{an output: the first regions, with ids 0 .. r-1, numbered by the
-  ///     first face} \cgalParamType{a model of `WritablePropertyMap` with the face descriptor as
-  ///     key type and an integral value type} \cgalParamDefault{not written}
+  ///       first face}
+  ///     \cgalParamType{a model of `WritablePropertyMap` with the face descriptor as key type and
+  ///     an
+  ///       integral value type}
+  ///     \cgalParamDefault{not written}
   ///   \cgalParamNEnd
   ///   \cgalParamNBegin{merge_tree}
   ///     \cgalParamDescription{an output: the merges, with a method that has one tree for all
-  ///     numbers} \cgalParamType{`Merge_tree`} \cgalParamDefault{not written}
+  ///       numbers}
+  ///     \cgalParamType{`Merge_tree`}
+  ///     \cgalParamDefault{not written}
   ///   \cgalParamNEnd
   /// \cgalNamedParamsEnd
   ///
   /// \throws Invalid_input if a point is not finite, or equal seeds cannot be joined;
-  /// Segmentation_cancelled if the
-  ///         visitor cancels; all maps are unchanged
+  ///         Segmentation_cancelled if the visitor cancels; all maps are unchanged
   ///
   /// Complexity: that of the method.
   template <typename FaceGraph, typename NamedParameters = parameters::Default_named_parameters,
@@ -186,7 +191,8 @@ public:
   /// segments the mesh into the number given to the constructor, or else chosen by the method.
   ///
   /// \param segment_map see `segment()`: every key is written, ids 0 .. n-1, numbered by the first
-  /// face \returns the number n of segments
+  ///        face
+  /// \returns the number n of segments
   ///
   /// Complexity: O(F).
   template <typename SegmentMap>
@@ -200,8 +206,7 @@ public:
   /// \param segment_map every key is written: ids 0 .. n-1, numbered by the first face
   /// \param number_of_segments at least 1
   /// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters": `visitor`,
-  /// for a method that merges
-  ///        for each number
+  ///        for a method that merges for each number
   ///
   /// \returns the number n of segments; see `segment()`
   /// \pre `number_of_segments` is at least 1; see `segment()`
@@ -232,13 +237,12 @@ public:
   /// their section from being merged across.
   ///
   /// \param edge_is_constrained_map whether an edge becomes constrained: as the named parameter of
-  /// `segment()` \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
-  /// `visitor`, `face_index_map`,
-  ///        `vertex_index_map`
+  ///        `segment()`
+  /// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters": `visitor`,
+  ///        `face_index_map`, `vertex_index_map`
   ///
   /// \throws Invalid_input if the edges separate equal seeds, Segmentation_cancelled if the visitor
-  /// cancels; nothing
-  ///         has changed then
+  ///         cancels; nothing has changed then
   ///
   /// Complexity: O(F), and that of annotating the new regions and of merging.
   template <typename EdgeIsConstrainedMap,
@@ -266,8 +270,8 @@ public:
   /// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters": `visitor`
   ///
   /// \throws Invalid_input if equal seeds are separated by constraints or by other seeds, or in
-  /// components without links;
-  ///         Segmentation_cancelled if the visitor cancels; nothing has changed then
+  ///         components without links; Segmentation_cancelled if the visitor cancels; nothing has
+  ///         changed then
   ///
   /// Complexity: O(F), and that of annotating the new regions and of merging.
   template <typename FaceSeedMap, typename NamedParameters = parameters::Default_named_parameters>
@@ -307,6 +311,9 @@ private:
     , m_merged(merge(m_request, execution))
   {
     internal::check_parameters<Pack, internal::Segmenting_parameters>();
+    static_assert(!needs_number || !internal::has_number_of_segments<Pack>,
+                  "this method merges for each number: give it to "
+                  "segment(segment_map, number_of_segments)");
     if constexpr (internal::has_merge_tree<Pack> || internal::has_region_map<Pack>)
       internal::write_outputs(m_input, regions(), merge_tree(), np);
   }

@@ -84,7 +84,7 @@ build_region_adjacency_graph(const Surface& surface, const Partition& regions,
 ///     \cgalParamDescription{follows the progress, and can cancel: stages "reading", "graph"}
 ///     \cgalParamType{a model of `SegmentationVisitor`}
 ///     \cgalParamDefault{none}
-///     \cgalParamExtra{pass it by `std::ref()` if it changes}
+///     \cgalParamExtra{passed by `std::ref()`}
 ///   \cgalParamNEnd
 ///   \cgalParamVertexPointMap
 ///   \cgalParamIndexMap{face}

@@ -61,7 +61,7 @@ using Feature_edge_parameters = Tag_list<
 ///     \cgalParamDescription{follows the progress, and can cancel: stages "reading", "features"}
 ///     \cgalParamType{a model of `SegmentationVisitor`}
 ///     \cgalParamDefault{none}
-///     \cgalParamExtra{pass it by `std::ref()` if it changes}
+///     \cgalParamExtra{passed by `std::ref()`}
 ///   \cgalParamNEnd
 ///   \cgalParamVertexPointMap
 ///   \cgalParamIndexMap{face}

@@ -121,7 +121,7 @@ struct Polyline_collector
 ///     \cgalParamDescription{follows the progress, and can cancel: stages "reading"}
 ///     \cgalParamType{a model of `SegmentationVisitor`}
 ///     \cgalParamDefault{none}
-///     \cgalParamExtra{pass it by `std::ref()` if it changes}
+///     \cgalParamExtra{passed by `std::ref()`}
 ///   \cgalParamNEnd
 ///   \cgalParamVertexPointMap
 ///   \cgalParamIndexMap{face}

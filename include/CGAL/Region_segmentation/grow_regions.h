@@ -49,7 +49,7 @@ namespace Region_segmentation {
 ///     \cgalParamDescription{follows the progress, and can cancel: stages "reading", "regions"}
 ///     \cgalParamType{a model of `SegmentationVisitor`}
 ///     \cgalParamDefault{none}
-///     \cgalParamExtra{pass it by `std::ref()` if it changes}
+///     \cgalParamExtra{passed by `std::ref()`}
 ///   \cgalParamNEnd
 ///   \cgalParamVertexPointMap
 ///   \cgalParamIndexMap{face}

@@ -64,7 +64,7 @@ struct Stop_at_cost
 ///     \cgalParamDescription{follows the progress, and can cancel: stages "merging"}
 ///     \cgalParamType{a model of `SegmentationVisitor`}
 ///     \cgalParamDefault{none}
-///     \cgalParamExtra{pass it by `std::ref()` if it changes}
+///     \cgalParamExtra{passed by `std::ref()`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///

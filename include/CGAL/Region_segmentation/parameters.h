@@ -25,7 +25,8 @@
   ADD(face_seed_map_t, face_seed_map)                                                              \
   ADD(component_links_t, component_links)                                                          \
   ADD(feature_convexity_t, feature_convexity)                                                      \
-  ADD(region_map_t, region_map)
+  ADD(region_map_t, region_map)                                                                    \
+  ADD(clearance_t, clearance)
 
 namespace CGAL {
 namespace Region_segmentation {

@@ -38,15 +38,13 @@ auto with_number(Number number_of_segments, const NamedParameters& np)
 /// of segments is reached.
 ///
 /// \tparam ConcurrencyTag `Sequential_tag` or, with TBB, `Parallel_tag`: loops over all faces or
-/// edges run in parallel,
-///         with bitwise equal results. Maps that are read must then support concurrent reads; maps
-///         are written by one thread
+///         edges run in parallel, with bitwise equal results. Maps that are read must then support
+///         concurrent reads; maps are written by one thread
 /// \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam FaceSegmentMap a model of `WritablePropertyMap` with the face descriptor as key and an
 ///         integral value type that holds the number of segments
 /// \param mesh its faces are polygons of any size. Border edges that coincide are joined, and
-/// components are linked, unless
-///             `component_links` is `false`
+///        components are linked, unless `component_links` is `false`
 /// \param segment_map every key is written: ids 0 .. n-1, numbered by the first face
 /// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
 ///
@@ -61,71 +59,68 @@ auto with_number(Number number_of_segments, const NamedParameters& np)
 ///     \cgalParamType{a model of `SegmentationMethod`}
 ///     \cgalParamDefault{`Learned_merging()`}
 ///     \cgalParamExtra{`Visibility_merging()` has a hand-crafted cost, `Smooth_faces()` finds the
-///     faces of machine
-///       parts, `Two_step()` is the method of \cgalCite{YZWLL14}}
+///       faces of machine parts, `Two_step()` is the method of \cgalCite{YZWLL14}}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{edge_is_constrained_map}
-///     \cgalParamDescription{edges that always are borders and are never merged across}
+///     \cgalParamDescription{edges that always are borders and are never merged across, also where
+///       they end inside a surface and separate nothing}
 ///     \cgalParamType{a model of `ReadablePropertyMap` with the edge descriptor as key type and a
-///     value type convertible
-///       to `bool`}
+///       value type convertible to `bool`}
 ///     \cgalParamDefault{no edge}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{face_seed_map}
 ///     \cgalParamDescription{faces with equal seeds belong to one segment, faces with different
-///     seeds to different ones;
-///       `std::size_t(-1)` is no seed; see `Segmenter::set_seeds()`}
+///       seeds to different ones; -1 of the value type is no seed; see `Segmenter::set_seeds()`}
 ///     \cgalParamType{a model of `ReadablePropertyMap` with the face descriptor as key type and an
-///     integral value type} \cgalParamDefault{no seeds}
+///       integral value type}
+///     \cgalParamDefault{no seeds}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{component_links}
 ///     \cgalParamDescription{whether components that touch or are near each other are adjacent, see
-///     `Surface`: k counts
-///       parts then, otherwise every component is a segment at least}
+///       `Surface`: k counts parts then, otherwise every component is a segment at least}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`true`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
 ///     \cgalParamDescription{follows the progress, and can cancel: stages "reading", "regions",
-///     "rays", "graph", "merging",
-///       "borders", as far as the method has them}
+///       "rays", "graph", "merging", "borders", as far as the method has them}
 ///     \cgalParamType{a model of `SegmentationVisitor`}
 ///     \cgalParamDefault{none}
-///     \cgalParamExtra{pass it by `std::ref()` if it changes}
+///     \cgalParamExtra{passed by `std::ref()`}
 ///   \cgalParamNEnd
 ///   \cgalParamVertexPointMap
 ///   \cgalParamIndexMap{face}
 ///   \cgalParamIndexMap{vertex}
 ///   \cgalParamNBegin{region_map}
 ///     \cgalParamDescription{an output: the first regions, with ids 0 .. r-1, numbered by the first
-///     face} \cgalParamType{a model of `WritablePropertyMap` with the face descriptor as key type
-///     and an integral value type} \cgalParamDefault{not written}
+///       face}
+///     \cgalParamType{a model of `WritablePropertyMap` with the face descriptor as key type and an
+///       integral value type}
+///     \cgalParamDefault{not written}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{merge_tree}
 ///     \cgalParamDescription{an output: the merges of the first regions, all of them, or, with a
-///     method whose order
-///       depends on the wanted number, those down to k}
+///       method whose order depends on the wanted number, those down to k}
 ///     \cgalParamType{`Merge_tree`, passed by `std::ref()` or as an lvalue}
 ///     \cgalParamDefault{not written}
 ///     \cgalParamExtra{for more segments than first regions, `segment()` splits those of
-///     `Superfacets`}
+///       `Superfacets`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \returns the number n of segments. It is more than k if constraints or seeds keep more apart, or
-/// components without links, or
-///          if a user-defined policy ends before or its cost bars sections, and less if there are
-///          fewer first regions, which the method cannot split
+/// \returns the number n of segments. It is more than k if constraints or seeds keep more apart
+///          (also constrained edges that separate nothing, see the manual), or components without
+///          links, or if a user-defined policy ends before or its cost bars sections; and less if
+///          there are fewer first regions, which the method cannot split
 ///
 /// \pre `number_of_segments` is at least 1; with the checks of \cgal disabled, another number gives
-/// an unspecified number of
-///      segments
-/// \post every segment is connected where every first region is
+///      an unspecified number of segments
+/// \post every segment is connected by edges, seams and links where every first region is
 /// \throws Invalid_input if a point is not finite or equal seeds cannot be joined;
-/// `Segmentation_cancelled` if the
-///         visitor cancels; all maps are unchanged. What `put()` of a map throws: `segment_map` is
-///         written first, in the order of the faces, then `region_map`, then `merge_tree`; what
-///         precedes keeps its final value, the rest is unchanged
+///         `Segmentation_cancelled` if the visitor cancels; all maps are unchanged. What `put()` of
+///         a map throws: `segment_map` is written first, in the order of the faces, then
+///         `region_map`, then `merge_tree`; what precedes keeps its final value, the rest is
+///         unchanged
 ///
 /// Complexity: that of its parts; O(F log F) in practice for `Learned_merging`, O(F + R log R +
 /// k^2) expected for `Two_step`. Deterministic: identical results from every mesh type. Concurrent
@@ -143,6 +138,24 @@ std::size_t segment(const FaceGraph& mesh, FaceSegmentMap segment_map,
   const Execution execution = internal::make_execution<ConcurrencyTag>(pack);
   const internal::Face_graph_input<FaceGraph> input(mesh);
   return internal::run_method(input, input.surface(pack, execution), segment_map, pack, execution);
+}
+
+namespace internal {
+
+/// Neither a pack of parameters nor a number after a map: reports it, and only it.
+template <typename FaceSegmentMap, typename T>
+constexpr bool is_misplaced = !is_pack<T> && !std::is_arithmetic<T>::value &&
+                              !is_polygon_range<FaceSegmentMap>();
+
+} // namespace internal
+
+template <typename ConcurrencyTag = CGAL::Sequential_tag, typename FaceGraph,
+          typename FaceSegmentMap, typename T,
+          std::enable_if_t<internal::is_misplaced<FaceSegmentMap, T>, int> = 0>
+std::size_t segment(const FaceGraph&, FaceSegmentMap, const T& argument)
+{
+  internal::pack(argument);
+  return 0;
 }
 
 /// \ingroup PkgRegionSegmentationMain

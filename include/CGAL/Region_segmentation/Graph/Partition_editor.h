@@ -37,23 +37,23 @@ namespace Region_segmentation {
 /// RS::write_face_values(mesh, composed(segmenter.regions(), editor.partition()), segment_map);
 /// \endcode
 ///
-/// Complexity: O(R) for an operation and for `partition()`, in R regions. The tree is not copied
-/// and must not change.
+/// Complexity: O(R) for an operation and for `partition()`, in R regions. The tree is copied. An
+/// editor does not follow a `Segmenter` whose constraints or seeds change: its regions are others.
 class Partition_editor
 {
 public:
   using Index = Partition::Index;
 
-  explicit Partition_editor(const Merge_tree& tree)
-    : m_tree(&tree)
+  explicit Partition_editor(Merge_tree tree)
+    : m_tree(std::move(tree))
   {
-    const std::size_t regions = tree.number_of_regions();
+    const std::size_t regions = m_tree.number_of_regions();
     std::vector<Index> subtree_of(regions); // the largest one so far in which a region is the
                                             // lowest
     for (std::size_t r = 0; r < regions; ++r)
       m_subtrees.push_back({Index(r), none, none, -std::numeric_limits<double>::infinity()});
     std::iota(subtree_of.begin(), subtree_of.end(), Index(0));
-    for (const Merge_tree::Merge& merge : tree.merges()) {
+    for (const Merge_tree::Merge& merge : m_tree.merges()) {
       const Index kept = subtree_of[merge.kept], removed = subtree_of[merge.removed];
       const double highest = (std::max)(
         {merge.cost, m_subtrees[kept].highest_cost, m_subtrees[removed].highest_cost});
@@ -64,16 +64,13 @@ public:
     m_history.clear();
   }
 
-  /// Deleted, since a reference to a temporary tree would dangle.
-  explicit Partition_editor(const Merge_tree&& tree) = delete;
-
-  const Merge_tree& merge_tree() const { return *m_tree; }
+  const Merge_tree& merge_tree() const { return m_tree; }
   std::size_t number_of_segments() const { return m_segments.size(); }
 
   /// The segments of the regions.
   Partition partition() const
   {
-    std::vector<Index> segment_of(m_tree->number_of_regions());
+    std::vector<Index> segment_of(m_tree.number_of_regions());
     std::vector<Index> stack;
     for (std::size_t s = 0; s < m_segments.size(); ++s) {
       stack.assign(m_segments[s].begin(), m_segments[s].end());
@@ -155,7 +152,7 @@ public:
   /// \pre it has `merge_tree().number_of_regions()` elements
   void set_maximum_size(const std::vector<double>& size_of_region, double maximum_size)
   {
-    CGAL_precondition(size_of_region.size() == m_tree->number_of_regions());
+    CGAL_precondition(size_of_region.size() == m_tree.number_of_regions());
     std::vector<double> sizes = size_of_region;
     for (std::size_t i = sizes.size(); i < m_subtrees.size(); ++i)
       sizes.push_back(sizes[m_subtrees[i].kept] + sizes[m_subtrees[i].removed]);
@@ -192,7 +189,7 @@ private:
   using Segment = std::vector<Index>;    // subtrees
   using Segments = std::vector<Segment>; // by first region
 
-  bool is_region(Index subtree) const { return subtree < m_tree->number_of_regions(); }
+  bool is_region(Index subtree) const { return subtree < m_tree.number_of_regions(); }
 
   Index first_region(const Segment& segment) const
   {
@@ -264,7 +261,7 @@ private:
     change_to(std::move(segments));
   }
 
-  const Merge_tree* m_tree;
+  Merge_tree m_tree;
   std::vector<Subtree> m_subtrees;
   Segments m_segments;
   std::vector<Segments> m_history;

@@ -5,10 +5,15 @@
 
 #include <CGAL/Region_segmentation/Segments/split_into_segments.h>
 #include <CGAL/Region_segmentation/internal/segments/Closed_segments.h>
+#include <CGAL/Region_segmentation/internal/segments/cap_clearance.h>
+#include <CGAL/Region_segmentation/internal/support/unit_of_coordinates.h>
 
+#include <CGAL/assertions.h>
 #include <CGAL/number_utils.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <type_traits>
 #include <utility>
@@ -26,7 +31,9 @@ struct Elements_of_solids
   Elements_of_graph<FaceGraph, PointMap> of_graph;
   std::vector<typename boost::graph_traits<FaceGraph>::vertex_descriptor> vertices;
   const Segmented_halfedges& solids;
-  const Segment_caps& caps;
+  double unit;                            ///< of the positions
+  const std::vector<Double_3>& positions; ///< by source
+  std::vector<Double_3> moves;            ///< by halfedge; empty: none
 
   auto vertex_of(Halfedge_table::Index h) const
   {
@@ -41,19 +48,21 @@ struct Elements_of_solids
   template <typename F>
   void with_point(Halfedge_table::Index h, const F& f) const
   {
-    if (solids.source[h] < vertices.size()) {
+    const bool stays = moves.empty() || squared_norm(moves[h]) == 0;
+    if (stays && solids.source[h] < vertices.size()) {
       f(get(of_graph.points, vertices[solids.source[h]]));
       return;
     }
-    const Double_3& p = caps.points()[solids.source[h]];
-    f(std::array<double, 3>{p.x, p.y, p.z});
+    const Double_3 p = positions[solids.source[h]] + (stays ? Double_3{0, 0, 0} : moves[h]);
+    f(std::array<double, 3>{unit * p.x, unit * p.y, unit * p.z});
   }
 };
 
 } // namespace internal
 
-/// \ingroup PkgRegionSegmentationSegments copies every segment to a closed mesh of its own, a
-/// solid: its faces and caps, for printing or for simulation.
+/// \ingroup PkgRegionSegmentationSegments
+/// copies every segment to a closed mesh of its own, a solid: its faces and caps, for printing or
+/// for simulation.
 ///
 /// Every triangle of a cap belongs to exactly two solids, oppositely oriented and with equal
 /// coordinates. So the solids of a closed mesh fit together without gaps or overlaps, and their
@@ -66,6 +75,15 @@ struct Elements_of_solids
 /// network, and the caps of all these segments meet in it: two segments that share a polyline from
 /// junction to junction have a cap between this polyline and the two inner edges, a fan from the
 /// center of mass of this polygon.
+///
+/// With a *clearance*, the caps of each solid are moved inwards by half of it, and their vertices
+/// on the surface of the mesh along it, in the sense of least squares where more than three planes
+/// meet in a vertex. Caps that close the border of an open mesh stay. Solids overlap themselves
+/// where this is more than they are thick, or than the edges beside their borders are long.
+///
+/// A segment that is the wall of a hole becomes a solid that is inside out, of negative volume, and
+/// those of its neighbors fill the hole: as every sum of volumes needs. So this is for parts as
+/// people see them, less for the faces of a machine part.
 ///
 /// The caps of different networks know nothing of each other, and a fan crosses itself or the mesh
 /// where its border is not seen from its center, as around thin curved sheets. Of the 1008 segments
@@ -94,9 +112,17 @@ struct Elements_of_solids
 ///   \cgalParamVertexPointMap
 ///   \cgalParamIndexMap{vertex}
 ///   \cgalParamIndexMap{halfedge}
+///   \cgalParamNBegin{clearance}
+///     \cgalParamDescription{how far the caps between two solids are apart, for parts that are
+///                           printed and put together; in units of the mesh}
+///     \cgalParamType{a number type that is converted to `double`}
+///     \cgalParamDefault{0: they coincide}
+///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
 /// \returns the number of segments
+///
+/// \pre `clearance` is at least 0 and finite
 ///
 /// Complexity: O(F + V + B log B), B the number of edges between segments. Deterministic: the same
 /// solids from every mesh type. Read-only; concurrent calls are safe.
@@ -114,7 +140,11 @@ std::size_t close_segments(const FaceGraph& mesh, const FaceSegmentMap& segment_
   static_assert(internal::check_output_of_labels<SolidOutputIterator,
                                                  Segment_piece<Target, FaceGraph, Label>>());
   const auto& pack = internal::pack(np);
-  internal::check_parameters<std::decay_t<decltype(pack)>, internal::Tag_list<>>();
+  internal::check_parameters<std::decay_t<decltype(pack)>,
+                             internal::Tag_list<internal_np::clearance_t>>();
+  const double clearance = choose_parameter(get_parameter(pack, internal_np::clearance), 0.0);
+  CGAL_precondition_msg(clearance >= 0 && std::isfinite(clearance),
+                        "close_segments(): the clearance is a finite length, at least 0");
   const auto segmented = internal::make_segmented_mesh(mesh, segment_map, pack);
   const auto points = choose_parameter(get_parameter(pack, CGAL::internal_np::vertex_point),
                                        get_const_property_map(CGAL::vertex_point, mesh));
@@ -125,10 +155,22 @@ std::size_t close_segments(const FaceGraph& mesh, const FaceSegmentMap& segment_
     ordered_vertices.push_back(v);
     positions.push_back({CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2])});
   }
+  double largest = 0;
+  for (const Double_3& p : positions)
+    largest = (std::max)({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  const double unit = internal::unit_of_coordinates(largest);
+  for (Double_3& p : positions)
+    p = {p.x / unit, p.y / unit, p.z / unit};
   const internal::Segment_caps caps(segmented, std::move(positions));
   const internal::Closed_segments closed(segmented, caps);
   const internal::Elements_of_solids<FaceGraph, std::decay_t<decltype(points)>> elements{
-    {mesh, segmented.descriptors, points}, std::move(ordered_vertices), closed, caps};
+    {mesh, segmented.descriptors, points},
+    std::move(ordered_vertices),
+    closed,
+    unit,
+    caps.points(),
+    clearance > 0 ? internal::moves_for_clearance(closed, caps.points(), clearance / unit)
+                  : std::vector<Double_3>()};
   internal::Piece_builder<Target> builder(closed);
   for (std::size_t s = 0; s < closed.number_of_segments; ++s) {
     Segment_piece<Target, FaceGraph, Label> piece;

@@ -7,15 +7,13 @@
 /// Requires Eigen 3; so it is not part of region_segmentation.h.
 
 #include <CGAL/Region_segmentation/Segments/Segment_description.h>
+#include <CGAL/Region_segmentation/internal/segments/Kernel_of_points.h>
 #include <CGAL/Region_segmentation/internal/segments/Mesh_geometry.h>
 #include <CGAL/Region_segmentation/internal/segments/Segment_describer.h>
 #include <CGAL/Region_segmentation/internal/segments/Segmented_mesh.h>
 #include <CGAL/Region_segmentation/internal/support/check_output.h>
-#include <CGAL/Region_segmentation/internal/support/satisfies.h>
 #include <CGAL/Region_segmentation/parameters.h>
 
-#include <CGAL/Kernel_traits.h>
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
 #include <boost/property_map/property_map.hpp>
@@ -26,21 +24,6 @@
 
 namespace CGAL {
 namespace Region_segmentation {
-
-namespace internal {
-
-template <typename Kernel>
-using Has_points_and_vectors = std::pair<typename Kernel::Point_3, typename Kernel::Vector_3>;
-
-/// The kernel of the points of a map; `Simple_cartesian<double>` if they are not of a kernel.
-template <typename PointMap>
-using Kernel_of_points = std::conditional_t<
-  satisfies<Has_points_and_vectors,
-            typename Kernel_traits<typename boost::property_traits<PointMap>::value_type>::Kernel>,
-  typename Kernel_traits<typename boost::property_traits<PointMap>::value_type>::Kernel,
-  Simple_cartesian<double>>;
-
-} // namespace internal
 
 /// \ingroup PkgRegionSegmentationSegments
 /// describes every segment: area, volume, centroid, principal axes, neighbors, and the primitive

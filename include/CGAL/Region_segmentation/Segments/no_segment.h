@@ -22,7 +22,7 @@ struct No_segment
 /// \ingroup PkgRegionSegmentationSegments
 /// The label of a face that belongs to no segment: -1, which is the highest value of an unsigned
 /// type. A map of `bool` has no such label.
-constexpr No_segment no_segment{};
+inline constexpr No_segment no_segment{};
 
 /// \ingroup PkgRegionSegmentationSegments
 /// Whether a face with this label belongs to a segment.
@@ -39,7 +39,17 @@ constexpr bool operator==(Label label, No_segment)
   return !is_segment(label);
 }
 template <typename Label>
+constexpr bool operator==(No_segment, Label label)
+{
+  return !is_segment(label);
+}
+template <typename Label>
 constexpr bool operator!=(Label label, No_segment)
+{
+  return is_segment(label);
+}
+template <typename Label>
+constexpr bool operator!=(No_segment, Label label)
 {
   return is_segment(label);
 }

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -125,7 +126,9 @@ Consistency_error consistency_error(const FaceGraph& mesh, const FaceLabelMapA& 
                                     const FaceLabelMapB& b,
                                     const NamedParameters& np = parameters::default_values())
 {
-  const Surface flat = internal::make_surface_of_neighbors(mesh, internal::pack(np));
+  const auto& pack = internal::pack(np);
+  internal::check_parameters<std::decay_t<decltype(pack)>, internal::Tag_list<>>();
+  const Surface flat = internal::make_surface_of_neighbors(mesh, pack);
   const internal::Contingency_table table(internal::read_face_labels(mesh, a),
                                           internal::read_face_labels(mesh, b),
                                           [&](std::size_t f) { return flat.area(f); });

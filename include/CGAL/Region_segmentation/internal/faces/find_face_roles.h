@@ -45,7 +45,7 @@ struct Shared_side
 
 private:
   static constexpr std::size_t many = 64; // corners, among which a vertex is not searched
-  static constexpr double none = std::numeric_limits<double>::max();
+  static constexpr double none = (std::numeric_limits<double>::max)();
 
   /// 0 for a vertex of a face, else none; that from its plane where the face has many corners.
   static double distance(const Surface& surface, std::size_t vertex, std::size_t face)

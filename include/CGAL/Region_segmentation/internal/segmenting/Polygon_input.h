@@ -5,6 +5,7 @@
 
 #include <CGAL/Region_segmentation/Request.h>
 #include <CGAL/Region_segmentation/exceptions.h>
+#include <CGAL/Region_segmentation/internal/support/check_maps.h>
 #include <CGAL/Region_segmentation/internal/surface/mark_constraints.h>
 #include <CGAL/Region_segmentation/make_surface.h>
 
@@ -73,6 +74,8 @@ public:
   template <typename Values, typename Map>
   void write(const Values& values, Map& map) const
   {
+    static_assert(holds_labels<Map>(), "labels of polygons are a range or a property map of an "
+                                       "integral type other than bool");
     check(map);
     for (std::size_t i = 0; i < m_number; ++i)
       if constexpr (is_range<Map>)
@@ -82,6 +85,15 @@ public:
   }
 
 private:
+  template <typename Map>
+  static constexpr bool holds_labels()
+  {
+    if constexpr (is_range<Map>)
+      return std::is_integral<std::decay_t<decltype(std::declval<Map&>()[0])>>::value;
+    else
+      return satisfies<Has_key, Map, std::size_t>;
+  }
+
   /// Not a property map with the iterators of a range of `bool`, either.
   template <typename Range>
   static constexpr bool is_range_of_pairs()

@@ -103,7 +103,7 @@ Seeds read_seeds(const Input& input, const SeedMap& map)
 {
   const auto values = input.values(map);
   static_assert(std::is_integral<typename std::decay_t<decltype(values)>::value_type>::value,
-                "face_seed_map has an integral value type; std::size_t(-1) stands for no seed");
+                "face_seed_map has an integral value type; -1 of it stands for no seed");
   return Seeds::from_values(values);
 }
 

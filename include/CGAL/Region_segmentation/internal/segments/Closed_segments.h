@@ -24,13 +24,21 @@ public:
   Closed_segments(const Segmented_halfedges& mesh, const Segment_caps& caps)
     : Segmented_halfedges(mesh)
   {
+    m_first_of_caps = mesh.number_of_faces();
     number_of_vertices = caps.points().size();
     for (const Cap_triangle& t : caps.triangles()) {
       add_triangle(t.lower, {t.corners[0], t.corners[1], t.corners[2]});
       add_triangle(t.higher, {t.corners[0], t.corners[2], t.corners[1]});
+      m_is_inner.push_back(t.higher <= number_of_segments);
     }
     opposite.resize(size(), none);
     link(mesh.size());
+  }
+
+  /// Whether a face belongs to a cap between two segments, not to one on the border of the mesh.
+  bool is_between_segments(Index f) const
+  {
+    return f >= m_first_of_caps && m_is_inner[(f - m_first_of_caps) / 2];
   }
 
 private:
@@ -64,6 +72,9 @@ private:
         waiting.erase(twin);
     }
   }
+
+  std::size_t m_first_of_caps = 0; // faces
+  std::vector<bool> m_is_inner;    // by cap triangle
 };
 
 } // namespace internal

@@ -4,7 +4,7 @@
 #define CGAL_REGION_SEGMENTATION_INTERNAL_SEGMENTS_NEAREST_FACE_FINDER_H
 
 #include <CGAL/Region_segmentation/internal/segments/Mesh_geometry.h>
-#include <CGAL/Region_segmentation/internal/surface/Component_tree.h>
+#include <CGAL/Region_segmentation/internal/surface/find_nearest_face.h>
 
 #include <cmath>
 #include <cstddef>
@@ -38,12 +38,16 @@ public:
   /// all agree.
   Index find(const Double_3& p, const Double_3& normal)
   {
-    m_point = p;
-    m_normal = normal;
-    m_cost = std::numeric_limits<double>::infinity();
-    m_face = 0;
-    search(Component_tree::root());
-    return m_face;
+    Cost_of_face best(std::numeric_limits<double>::infinity(), 0);
+    find_nearest_face(
+      m_tree, Component_tree::root(), p, [](const auto&) { return true; },
+      [&](Index f) {
+        const bool agrees = squared_norm(normal) == 0 ||
+                            dot(normal, m_geometry.given_normal(f)) > 0;
+        return agrees ? 0 : m_disagreement;
+      },
+      best);
+    return best.second;
   }
 
 private:
@@ -52,48 +56,9 @@ private:
     return Partition(std::vector<Index>(geometry.surface().number_of_faces(), 0), 1);
   }
 
-  double gap(Index node) const
-  {
-    return squared_gap(m_tree[node].box, box_of(std::array{m_point}));
-  }
-
-  /// Depth first, the nearer child first.
-  void search(Index node)
-  {
-    if (m_tree.is_leaf(node)) {
-      for (const auto* part = m_tree.begin(node); part != m_tree.end(node); ++part)
-        compare(*part);
-      return;
-    }
-    Index nearer = m_tree.children(node), farther = nearer + 1;
-    double nearer_gap = gap(nearer), farther_gap = gap(farther);
-    if (farther_gap < nearer_gap) {
-      std::swap(nearer, farther);
-      std::swap(nearer_gap, farther_gap);
-    }
-    if (nearer_gap <= m_cost * m_cost)
-      search(nearer);
-    if (farther_gap <= m_cost * m_cost)
-      search(farther);
-  }
-
-  void compare(const Component_tree::Part& part)
-  {
-    double cost = std::sqrt(squared_distance(m_point, m_tree.triangle(part)));
-    if (squared_norm(m_normal) > 0 && !(dot(m_normal, m_geometry.given_normal(part.face)) > 0))
-      cost += m_disagreement;
-    if (std::pair(cost, part.face) < std::pair(m_cost, m_face)) {
-      m_cost = cost;
-      m_face = part.face;
-    }
-  }
-
   const Mesh_geometry& m_geometry;
   Component_tree m_tree;
   const double m_disagreement;
-  Double_3 m_point, m_normal;
-  double m_cost;
-  Index m_face;
 };
 
 } // namespace internal

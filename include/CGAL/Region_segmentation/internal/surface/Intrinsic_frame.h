@@ -36,10 +36,12 @@ public:
 
   /// That of the surface itself.
   Intrinsic_frame() = default;
-  explicit Intrinsic_frame(const Surface& surface)
+  /// `counts(f)`: whether a face does
+  template <typename Counts>
+  Intrinsic_frame(const Surface& surface, const Counts& counts)
     : m_unit(0)
   {
-    set_places(surface);
+    set_places(surface, counts);
     for (const Place& p : m_places)
       m_unit = (std::max)(m_unit, norm(p.point));
     if (m_unit == 0)
@@ -53,7 +55,7 @@ public:
   /// In units of the surface.
   double unit() const { return m_unit; }
 
-  /// The coordinates of a point of the surface: in [-1, 1], but for crumbs, which do not count.
+  /// The coordinates of a point of the surface: in [-1, 1] where faces count.
   Double_3 operator()(const Double_3& point) const
   {
     return coordinates((1 / m_unit) * (point - m_origin), m_axes);
@@ -79,12 +81,13 @@ private:
   };
 
   /// In units of the surface.
-  void set_places(const Surface& surface)
+  template <typename Counts>
+  void set_places(const Surface& surface, const Counts& counts)
   {
     constexpr double unused = -1;
     std::vector<double> areas(surface.number_of_vertices(), unused);
     for (std::size_t f = 0; f < surface.number_of_faces(); ++f) {
-      if (surface.is_crumb(f))
+      if (!counts(f))
         continue;
       const std::size_t n = surface.number_of_corners(f);
       for (std::size_t i = 0; i < n; ++i) {

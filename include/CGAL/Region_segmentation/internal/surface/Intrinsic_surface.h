@@ -14,7 +14,7 @@
 #include <CGAL/Region_segmentation/internal/surface/Intrinsic_frame.h>
 #include <CGAL/Region_segmentation/internal/surface/collect_adjacencies.h>
 #include <CGAL/Region_segmentation/internal/surface/compute_normals.h>
-#include <CGAL/Region_segmentation/internal/surface/find_doubled_faces.h>
+#include <CGAL/Region_segmentation/internal/surface/original_faces.h>
 
 #include <algorithm>
 #include <cmath>
@@ -36,7 +36,8 @@ namespace internal {
 /// generic direction. So the same shape in another frame, unit or numbering is bitwise the same
 /// surface, and candidates that are equal but for rounding are decided between alike. (A point is
 /// within rounding of the border of two cells with a probability of one in a million or less: then
-/// it moves to the next cell.) Faces that are given twice are one.
+/// it moves to the next cell.) Faces that are given twice or
+/// lie on others are one.
 ///
 /// A surface of more than `most_faces` faces stays as it is: the copy would be half of the memory
 /// of a segmentation.
@@ -52,18 +53,21 @@ public:
   {
     if (given.number_of_faces() == 0 || given.number_of_faces() > most_faces)
       return;
-    m_frame = Intrinsic_frame(given);
+    const Original_faces originals(given);
+    m_frame = Intrinsic_frame(
+      given, [&](std::size_t f) { return originals.is_original(f) && !given.is_crumb(f); });
     const double steps = steps_of_grid(given);
     Large_array<Double_3> points(given.number_of_vertices());
     for (std::size_t v = 0; v < points.size(); ++v)
       points[v] = on_grid(m_frame(given.point(v)), steps);
-    number_faces(given, points);
+    number_faces(given, originals.of, points);
     Surface_arrays& arrays = arrays_of(*m_surface);
     arrays.unit = given.unit() * m_frame.unit();
     arrays.has_seams_or_links = given.has_seams_or_links();
     arrays.number_of_input_faces = given.number_of_input_faces();
     set_corners(given, points, arrays);
     set_faces(given);
+    m_is_left_out = originals.is_left_out;
     set_adjacencies(given);
   }
 
@@ -74,7 +78,7 @@ public:
   void replace(Surface surface) { m_surface = std::move(surface); }
 
   /// What is asked of the given surface.
-  /// \throws Invalid_input if a face is given twice with different seeds
+  /// \throws Invalid_input if faces that are one have different seeds
   Request request(const Surface& given, const Request& request) const
   {
     Request result = request;
@@ -92,7 +96,7 @@ public:
         const Seeds::Index other = request.seeds.of[f];
         if (seed != Seeds::none && other != Seeds::none && other != seed)
           throw Invalid_input("face " + std::to_string(f) +
-                              " is given twice, with two different seeds");
+                              " is given twice, or lies on another one, with two different seeds");
         if (other != Seeds::none)
           seed = other;
       }
@@ -156,15 +160,9 @@ private:
   }
 
   /// By the positions of the means of their corners; those of crumbs last.
-  void number_faces(const Surface& given, const Large_array<Double_3>& points)
+  void number_faces(const Surface& given, const std::vector<Index>& originals,
+                    const Large_array<Double_3>& points)
   {
-    std::vector<Index> originals(given.number_of_faces());
-    std::iota(originals.begin(), originals.end(), Index(0));
-    for (std::size_t a = 0; a < given.number_of_adjacencies(); ++a)
-      if (const Index lower = given.lower_face(a), higher = given.higher_face(a);
-          given.has_flag(a, Surface::JOINING) && given.is_degenerate(higher) &&
-          are_equal_faces(given, lower, higher))
-        originals[higher] = lower;
     std::vector<Index> faces;
     for (Index f = 0; f < originals.size(); ++f)
       if (originals[f] == f)
@@ -276,7 +274,8 @@ private:
   {
     auto by_higher = grouped<Adjacency>(m_surface->number_of_faces(), [&](const auto& add) {
       for (std::size_t a = 0; a < given.number_of_adjacencies(); ++a)
-        if (const Index f = m_faces[given.lower_face(a)], g = m_faces[given.higher_face(a)]; f != g)
+        if (const Index f = m_faces[given.lower_face(a)], g = m_faces[given.higher_face(a)];
+            f != g && (m_is_left_out.empty() || !m_is_left_out[a]))
           add((std::max)(f, g), Adjacency{(std::min)(f, g), Index(a)});
     });
     for (std::size_t f = 0; f < by_higher.number_of_groups(); ++f) {
@@ -325,6 +324,7 @@ private:
 
   Intrinsic_frame m_frame;
   std::optional<Surface> m_surface; // none: the given one
+  std::vector<bool> m_is_left_out;  // by given adjacency; empty: none is
   std::vector<Index> m_faces;       // by given face: its number; empty: the same. Those given
                                     // twice have one
 };

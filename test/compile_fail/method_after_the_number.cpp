@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// expect: this argument is a pack of named parameters: pass a method by parameters::method()
+#include "common.h"
+void test(const Mesh& mesh, Labels labels)
+{
+#ifdef WITH_FAULT
+  RS::segment(mesh, labels, 8, RS::Two_step());
+#else
+  RS::segment(mesh, labels, 8, RS::parameters::method(RS::Two_step()));
+#endif
+}
