@@ -6,7 +6,7 @@
 #include "oracles.h"
 #include "shapes_with_faces.h"
 
-#include <CGAL/Region_segmentation/Segments/find_part_faces.h>
+#include <CGAL/Region_segmentation/find_part_faces.h>
 #include <CGAL/Region_segmentation/find_surface_faces.h>
 
 #include <CGAL/Region_segmentation/Methods/Surface_face_cost.h>

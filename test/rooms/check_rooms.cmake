@@ -20,7 +20,7 @@ set(model internal/model/)
 set(methods Methods/)
 set(segmenting internal/segmenting/)
 set(pipeline segment.h Segmenter.h detect_feature_edges.h extract_feature_lines.h grow_regions.h
-  build_region_adjacency_graph.h smooth_borders.h)
+  build_region_adjacency_graph.h smooth_borders.h find_part_faces.h)
 
 function(find_room header result)
   foreach(room IN LISTS rooms)

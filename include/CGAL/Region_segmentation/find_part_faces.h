@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_REGION_SEGMENTATION_SEGMENTS_FIND_PART_FACES_H
-#define CGAL_REGION_SEGMENTATION_SEGMENTS_FIND_PART_FACES_H
+#ifndef CGAL_REGION_SEGMENTATION_FIND_PART_FACES_H
+#define CGAL_REGION_SEGMENTATION_FIND_PART_FACES_H
 
 #include <CGAL/Region_segmentation/Methods/Surface_face_cost.h>
 #include <CGAL/Region_segmentation/Segments/Part_face.h>
@@ -82,7 +82,7 @@ void add_neighbors(const Surface& surface, const Surface_faces& faces,
 /// finds the faces of a machine part, with the surface, role and neighbors of each: see
 /// `find_surface_faces()`, which takes a tolerance and any `Surface`.
 ///
-/// `#include <CGAL/Region_segmentation/Segments/find_part_faces.h>`, which requires Eigen.
+/// `#include <CGAL/Region_segmentation/find_part_faces.h>`, which requires Eigen.
 ///
 /// \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam PartFaceMap a model of `WritablePropertyMap` with the face descriptor as key and an
@@ -142,4 +142,4 @@ std::size_t find_part_faces(const FaceGraph& mesh, PartFaceMap part_face_map,
 } // namespace Region_segmentation
 } // namespace CGAL
 
-#endif // CGAL_REGION_SEGMENTATION_SEGMENTS_FIND_PART_FACES_H
+#endif // CGAL_REGION_SEGMENTATION_FIND_PART_FACES_H
