@@ -34,7 +34,7 @@ public:
   template <typename Pack>
   Surface surface(const Pack& np, const Execution& execution) const
   {
-    return make_surface(Mesh_order<FaceGraph, Pack>(*m_mesh, np), np, execution);
+    return make_surface(*m_mesh, np, execution);
   }
 
   /// Adds the constraints of a map of the edges.

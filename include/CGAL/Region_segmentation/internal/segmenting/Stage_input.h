@@ -32,7 +32,7 @@ class Stage_input
 public:
   Stage_input(const FaceGraph& mesh, const Pack& np, const Execution& execution)
     : m_order(mesh, np)
-    , m_surface(read_surface(m_order, np, Adjacency_of::NEIGHBORS, execution.stage("reading")))
+    , m_surface(make_surface_of_neighbors(m_order, np, execution.stage("reading")))
   {
     const auto map = CGAL::parameters::choose_parameter(
       CGAL::parameters::get_parameter(np, CGAL::internal_np::edge_is_constrained),
