@@ -29,13 +29,48 @@ struct Raw_surface
   using Index = Surface::Index;
   static constexpr Index none = (std::numeric_limits<Index>::max)(), at_seam = none - 1;
 
+  /// A side whose neighbor is not known.
+  struct Open_side
+  {
+    Index face, side;
+  };
+
   Surface surface;
-  /// By side: the face across; `none`: of a border, or not known; or `at_seam`. Empty: each is a
-  /// face, and is not needed.
+  /// By side: the face across; `none`: of a border, or not known; or `at_seam`.
   Large_array<Index> neighbors;
+  std::vector<Open_side> open_sides; ///< in order
 
   static bool is_face(Index neighbor) { return neighbor < at_seam; }
 };
+
+/// Finds the open sides: few of most meshes, all of polygons.
+inline void find_open_sides(Raw_surface& raw)
+{
+  using Index = Surface::Index;
+  const auto& first_corners = arrays_of(raw.surface).first_corners;
+  const auto begin = raw.neighbors.begin(), end = raw.neighbors.end();
+  Index face = 0;
+  raw.open_sides.clear();
+  for (auto n = begin; (n = std::find(n, end, Raw_surface::none)) != end; ++n) {
+    const Index side = Index(n - begin);
+    if (side >= first_corners[face + 1])
+      face = Index(std::upper_bound(first_corners.begin() + face, first_corners.end(), side) -
+                   first_corners.begin() - 1);
+    raw.open_sides.push_back({face, side});
+  }
+}
+
+/// Lets the boundary of a face begin at its vertex of lowest index.
+inline void begin_at_lowest_vertex(Raw_surface& raw, std::size_t face)
+{
+  Surface_arrays& arrays = arrays_of(raw.surface);
+  const auto first = arrays.corners.begin() + std::ptrdiff_t(arrays.first_corners[face]),
+             past = arrays.corners.begin() + std::ptrdiff_t(arrays.first_corners[face + 1]);
+  const auto neighbors = raw.neighbors.begin() + (first - arrays.corners.begin());
+  const auto shift = std::min_element(first, past) - first;
+  std::rotate(first, first + shift, past);
+  std::rotate(neighbors, neighbors + shift, neighbors + (past - first));
+}
 
 /// The corner of a face that follows another one around it.
 inline Surface::Index next_corner(const Surface_arrays& arrays, std::size_t face,

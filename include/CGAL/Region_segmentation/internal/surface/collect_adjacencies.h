@@ -4,8 +4,11 @@
 #define CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_COLLECT_ADJACENCIES_H
 
 #include <CGAL/Region_segmentation/Execution.h>
+#include <CGAL/Region_segmentation/internal/support/Large_array.h>
 #include <CGAL/Region_segmentation/internal/surface/Raw_surface.h>
 #include <CGAL/Region_segmentation/internal/surface/compute_normals.h>
+
+#include <CGAL/Iterator_range.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -18,73 +21,124 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// Sorts the sides of a face that lead to lower faces by these, of several in order. Returns their
-/// number.
-template <typename Side>
-std::size_t sort_sides(const Surface::Index* neighbors, std::size_t number_of_sides,
-                       Surface::Index face, Side* sides)
+/// The sides of faces that lead to lower faces: by these, of several in the order of the boundary.
+class Sides_to_lower_faces
 {
-  std::size_t n = 0;
-  for (std::size_t i = 0; i < number_of_sides; ++i)
-    if (neighbors[i] < face) {
-      std::size_t place = n++;
-      if (number_of_sides <= 8)
-        for (; place > 0 && sides[place - 1].first > neighbors[i]; --place)
-          sides[place] = sides[place - 1];
-      sides[place] = {neighbors[i], Surface::Index(i)};
-    }
-  if (number_of_sides > 8)
-    std::sort(sides, sides + n);
-  return n;
-}
+public:
+  using Index = Surface::Index;
+
+  struct Side
+  {
+    std::uint64_t lower_and_side; ///< compared as one number
+    Index face;
+
+    Index lower_face() const { return Index(lower_and_side >> 32); }
+    Index side() const { return Index(lower_and_side); }
+  };
+
+  Sides_to_lower_faces(const Raw_surface& raw)
+    : m_first_corners(arrays_of(raw.surface).first_corners.data())
+    , m_neighbors(raw.neighbors.data())
+  {}
+
+  static std::size_t number(const Raw_surface& raw, std::size_t begin, std::size_t end)
+  {
+    const Index* const first_corners = arrays_of(raw.surface).first_corners.data();
+    std::size_t result = 0;
+    for (std::size_t f = begin; f < end; ++f)
+      for (Index c = first_corners[f]; c < first_corners[f + 1]; ++c)
+        result += raw.neighbors[c] < f;
+    return result;
+  }
+
+  /// Those of the faces `begin` .. `end` - 1.
+  Iterator_range<const Side*> of(std::size_t begin, std::size_t end)
+  {
+    m_sides.resize(m_first_corners[end] - m_first_corners[begin] + 3);
+    Side* past = m_sides.data();
+    for (std::size_t f = begin; f < end; ++f)
+      past = m_first_corners[f + 1] - m_first_corners[f] == 3 ? add_triangle(Index(f), past)
+                                                              : add_polygon(Index(f), past);
+    return {m_sides.data(), past};
+  }
+
+private:
+  /// Which sides of a triangle lead to lower faces, and in which order, is unpredictable. So all
+  /// three are written, those that lead to no lower face last, where the next face overwrites them.
+  Side* add_triangle(Index face, Side* past) const
+  {
+    const Index side = m_first_corners[face];
+    const auto key_or_highest = [&](Index s) {
+      return key(s) | (std::uint64_t(0) - std::uint64_t(m_neighbors[s] >= face));
+    };
+    const std::uint64_t a = key_or_highest(side), b = key_or_highest(side + 1),
+                        c = key_or_highest(side + 2);
+    const unsigned b_a = b < a, c_a = c < a, c_b = c < b;
+    past[b_a + c_a] = {a, face};
+    past[1 - b_a + c_b] = {b, face};
+    past[2 - c_a - c_b] = {c, face};
+    return past + (m_neighbors[side] < face) + (m_neighbors[side + 1] < face) +
+           (m_neighbors[side + 2] < face);
+  }
+
+  Side* add_polygon(Index face, Side* past) const
+  {
+    Side* const first = past;
+    for (Index side = m_first_corners[face]; side < m_first_corners[face + 1]; ++side)
+      if (m_neighbors[side] < face)
+        *past++ = {key(side), face};
+    std::sort(first, past,
+              [](const Side& a, const Side& b) { return a.lower_and_side < b.lower_and_side; });
+    return past;
+  }
+
+  std::uint64_t key(Index side) const { return (std::uint64_t(m_neighbors[side]) << 32) | side; }
+
+  const Index *m_first_corners, *m_neighbors;
+  Large_array<Side> m_sides;
+};
 
 /// The adjacencies across edges, from the faces across the sides of each face.
 inline void collect_adjacencies(Raw_surface& raw, const Execution& execution)
 {
   using Index = Surface::Index;
   Surface_arrays& arrays = arrays_of(raw.surface);
-  const std::size_t size = arrays.normals.size();
-  const Index *const first_corners = arrays.first_corners.data(), *const neighbors = raw.neighbors
-                                                                                       .data();
-  const std::vector<std::size_t> offsets = block_offsets(
-    execution.step(0, 0.2), size, [&](std::size_t, std::size_t begin, std::size_t end) {
-      std::size_t number = 0;
-      for (std::size_t f = begin; f < end; ++f)
-        for (Index c = first_corners[f]; c < first_corners[f + 1]; ++c)
-          number += neighbors[c] < f;
-      return number;
-    });
-  arrays.lower_faces.resize(offsets.back());
-  arrays.higher_faces.resize(offsets.back());
-  arrays.squared_lengths.resize(offsets.back());
-  arrays.flags.resize(offsets.back());
+  const auto resize = [&](std::size_t size) {
+    arrays.lower_faces.resize(size);
+    arrays.higher_faces.resize(size);
+    arrays.squared_lengths.resize(size);
+    arrays.flags.resize(size);
+  };
+  resize(arrays.corners.size() / 2); // each one has two sides
   const Double_3 *const points = arrays.points.data(), *const normals = arrays.normals.data();
-  const Index* const corners = arrays.corners.data();
+  const Index *const corners = arrays.corners.data(), *const first_corners = arrays.first_corners
+                                                                               .data();
   Index *const lower_faces = arrays.lower_faces.data(), *const higher_faces = arrays.higher_faces
                                                                                 .data();
   double* const squared_lengths = arrays.squared_lengths.data();
   std::uint8_t* const flags = arrays.flags.data();
-  for_each_block(
-    execution.step(0.2, 1), size, [&](std::size_t block, std::size_t begin, std::size_t end) {
-      std::vector<std::pair<Index, Index>> sides(16); // the face across, the side
-      std::size_t a = offsets[block];
-      for (std::size_t f = begin; f < end; ++f) {
-        const Index first = first_corners[f], number_of_sides = first_corners[f + 1] - first;
-        if (sides.size() < number_of_sides)
-          sides.resize(number_of_sides);
-        const std::size_t n = sort_sides(neighbors + first, number_of_sides, Index(f),
-                                         sides.data());
-        for (std::size_t i = 0; i < n; ++i, ++a) {
-          const Index lower = sides[i].first, side = first + sides[i].second;
-          const Index next = side + 1 < first + number_of_sides ? side + 1 : first;
+  resize(for_each_block_of_output(
+    execution, arrays.normals.size(),
+    [&](std::size_t, std::size_t begin, std::size_t end) {
+      return Sides_to_lower_faces::number(raw, begin, end);
+    },
+    [=, &raw](std::size_t, std::size_t begin, std::size_t end, std::size_t a) {
+      constexpr std::size_t at_once = 256;
+      Sides_to_lower_faces sides(raw);
+      for (; begin < end; begin += at_once)
+        for (const auto& s : sides.of(begin, (std::min)(begin + at_once, end))) {
+          const Index lower = s.lower_face(), higher = s.face, side = s.side();
+          const Index next = side + 1 < first_corners[higher + 1] ? side + 1
+                                                                  : first_corners[higher];
           const Double_3 direction = points[corners[next]] - points[corners[side]];
           lower_faces[a] = lower;
-          higher_faces[a] = Index(f);
+          higher_faces[a] = higher;
           squared_lengths[a] = squared_norm(direction);
-          flags[a] = sign_of_edge(normals[f], normals[lower], direction);
+          flags[a] = sign_of_edge(normals[higher], normals[lower], direction);
+          ++a;
         }
-      }
-    });
+      return a;
+    }));
 }
 
 /// An adjacency that is added to those across edges.

@@ -48,61 +48,102 @@ void read_points(const Mesh_order<FaceGraph, Pack>& order, const Pack& np, Surfa
 
 /// The corners of the faces, from that of lowest number on, and the faces across their sides.
 template <typename FaceGraph, typename Pack>
-void read_corners(const Mesh_order<FaceGraph, Pack>& order, Raw_surface& raw,
-                  const Execution& execution)
+class Corner_reader
 {
+  using Order = Mesh_order<FaceGraph, Pack>;
   using Index = Surface::Index;
-  const FaceGraph& mesh = order.mesh();
-  Surface_arrays& arrays = arrays_of(raw.surface);
-  const std::vector<std::size_t> offsets = block_offsets(
-    execution.step(0, 0.2), order.number_of_faces(),
-    [&](std::size_t block, std::size_t, std::size_t) {
-      std::size_t number = 0;
-      for (auto f : order.faces_of_block(block)) {
-        const auto start = halfedge(f, mesh);
-        auto h = start;
-        do {
-          ++number;
-          h = next(h, mesh);
-        } while (h != start);
+  using Halfedge = typename Order::halfedge_descriptor;
+
+public:
+  Corner_reader(const Order& order, Raw_surface& raw)
+    : m_order(order)
+    , m_mesh(order.mesh())
+    , m_arrays(arrays_of(raw.surface))
+    , m_neighbors(raw.neighbors)
+  {}
+
+  void read(const Execution& execution)
+  {
+    m_arrays.first_corners.resize(m_order.number_of_faces() + 1);
+    m_arrays.corners.resize(num_halfedges(m_mesh));
+    m_neighbors.resize(num_halfedges(m_mesh));
+    const std::size_t number = for_each_block_of_output(
+      execution, m_order.number_of_faces(),
+      [&](std::size_t block, std::size_t, std::size_t) { return number_of_corners(block); },
+      [&](std::size_t block, std::size_t begin, std::size_t, std::size_t corner) {
+        return read_block(block, begin, corner);
+      });
+    m_arrays.first_corners.back() = Index(number);
+    m_arrays.corners.resize(number);
+    m_neighbors.resize(number);
+  }
+
+private:
+  std::size_t number_of_corners(std::size_t block) const
+  {
+    std::size_t number = 0;
+    for (auto f : m_order.faces_of_block(block)) {
+      const Halfedge start = halfedge(f, m_mesh);
+      Halfedge h = start;
+      do {
+        ++number;
+        h = next(h, m_mesh);
+      } while (h != start);
+    }
+    return number;
+  }
+
+  /// Where the boundary of a triangle is lowest is unpredictable: its corners are stored without a
+  /// branch.
+  std::size_t read_block(std::size_t block, std::size_t rank, std::size_t corner)
+  {
+    static constexpr unsigned char places[3][3] = {{0, 1, 2}, {2, 0, 1}, {1, 2, 0}}; // by the
+                                                                                     // lowest
+    const FaceGraph& mesh = m_mesh;
+    const auto rank_of_face = m_order.rank_of_face();
+    const auto rank_of_vertex = m_order.rank_of_vertex();
+    Index *const corners = m_arrays.corners.data(), *const neighbors = m_neighbors.data();
+    Index* const first_corners = m_arrays.first_corners.data();
+    const auto vertex_at = [&](Halfedge h) { return Index(rank_of_vertex(source(h, mesh))); };
+    const auto set = [&](std::size_t c, Index vertex, Halfedge h) {
+      const auto across = face(opposite(h, mesh), mesh);
+      const bool is_border = across == boost::graph_traits<FaceGraph>::null_face();
+      corners[c] = vertex;
+      neighbors[c] = is_border ? Index(Raw_surface::none) : Index(rank_of_face(across));
+    };
+    for (auto f : m_order.faces_of_block(block)) {
+      const std::size_t first = corner;
+      first_corners[rank++] = Index(first);
+      const Halfedge start = halfedge(f, mesh), second = next(start, mesh),
+                     third = next(second, mesh);
+      if (next(third, mesh) == start) {
+        const Index p = vertex_at(start), q = vertex_at(second), r = vertex_at(third);
+        const unsigned char* const place = places[r < (std::min)(p, q) ? 2 : q < p];
+        set(first + place[0], p, start);
+        set(first + place[1], q, second);
+        set(first + place[2], r, third);
+        corner += 3;
+        continue;
       }
-      return number;
-    });
-  arrays.corners.resize(offsets.back());
-  raw.neighbors.resize(offsets.back());
-  arrays.first_corners.resize(order.number_of_faces() + 1);
-  arrays.first_corners.back() = Index(offsets.back());
-  Index *const corners = arrays.corners.data(), *const neighbors = raw.neighbors.data();
-  Index* const first_corners = arrays.first_corners.data();
-  for_each_block(execution.step(0.2, 1), order.number_of_faces(),
-                 [&](std::size_t block, std::size_t rank, std::size_t) {
-                   const auto rank_of_face = order.rank_of_face();
-                   const auto rank_of_vertex = order.rank_of_vertex();
-                   std::size_t corner = offsets[block];
-                   for (auto f : order.faces_of_block(block)) {
-                     const std::size_t first = corner;
-                     std::size_t lowest = corner;
-                     first_corners[rank++] = Index(first);
-                     const auto start = halfedge(f, mesh);
-                     auto h = start;
-                     do {
-                       const auto g = opposite(h, mesh);
-                       const auto across = face(g, mesh);
-                       corners[corner] = Index(rank_of_vertex(target(g, mesh)));
-                       neighbors[corner] = across == boost::graph_traits<FaceGraph>::null_face()
-                                             ? Raw_surface::none
-                                             : Index(rank_of_face(across));
-                       lowest = corners[corner] < corners[lowest] ? corner : lowest;
-                       ++corner;
-                       h = next(h, mesh);
-                     } while (h != start);
-                     if (lowest != first) {
-                       std::rotate(corners + first, corners + lowest, corners + corner);
-                       std::rotate(neighbors + first, neighbors + lowest, neighbors + corner);
-                     }
-                   }
-                 });
-}
+      std::size_t lowest = first;
+      Halfedge h = start;
+      do {
+        set(corner, vertex_at(h), h);
+        lowest = corners[corner] < corners[lowest] ? corner : lowest;
+        ++corner;
+        h = next(h, mesh);
+      } while (h != start);
+      std::rotate(corners + first, corners + lowest, corners + corner);
+      std::rotate(neighbors + first, neighbors + lowest, neighbors + corner);
+    }
+    return corner;
+  }
+
+  const Order& m_order;
+  const FaceGraph& m_mesh;
+  Surface_arrays& m_arrays;
+  Large_array<Index>& m_neighbors;
+};
 
 template <typename FaceGraph, typename Pack>
 Raw_surface read_face_graph(const Mesh_order<FaceGraph, Pack>& order, const Pack& np,
@@ -113,7 +154,7 @@ Raw_surface read_face_graph(const Mesh_order<FaceGraph, Pack>& order, const Pack
   std::vector<bool> is_used; // by vertex; empty: all
   read_points(order, np, arrays, is_used, execution.step(0, 0.2));
   set_unit(raw.surface, is_used, execution.step(0.2, 0.3));
-  read_corners(order, raw, execution.step(0.3, 1));
+  Corner_reader<FaceGraph, Pack>(order, raw).read(execution.step(0.3, 1));
   return raw;
 }
 
