@@ -213,7 +213,8 @@ private:
     Index number = 0;
     for (std::size_t i = 0; i < size; ++i) {
       const auto range = items[i];
-      std::sort(range.begin(), range.end());
+      if (range.size() > 1)
+        std::sort(range.begin(), range.end());
       for (const Item& item : range)
         result[item.second] = number++;
     }
@@ -236,17 +237,29 @@ private:
       positions.push_back(position(points[v]));
     const std::vector<Index> new_numbers = numbers(positions);
     arrays.points.resize(vertices.size());
-    for (std::size_t v = 0; v < vertices.size(); ++v)
-      arrays.points[new_numbers[v]] = points[vertices[v]];
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+      number_of[vertices[i]] = new_numbers[i];
+      arrays.points[new_numbers[i]] = points[vertices[i]];
+    }
     arrays.corners.reserve(arrays_of(given).corners.size());
     arrays.first_corners.reserve(arrays.input_faces.size() + 1);
     arrays.first_corners.push_back(0);
     for (const Index f : arrays.input_faces) {
-      for (std::size_t i = 0; i < given.number_of_corners(f); ++i)
-        arrays.corners.push_back(new_numbers[number_of[given.corner(f, i)]]);
-      const auto first = arrays.corners.begin() + arrays.first_corners.back();
-      std::rotate(first, std::min_element(first, arrays.corners.end()), arrays.corners.end());
-      arrays.first_corners.push_back(Index(arrays.corners.size()));
+      const std::size_t first = arrays.corners.size(), n = given.number_of_corners(f);
+      arrays.corners.resize(first + n);
+      Index* const corners = arrays.corners.data() + first;
+      for (std::size_t i = 0; i < n; ++i)
+        corners[i] = number_of[given.corner(f, i)];
+      if (n == 3) {
+        const Index p = corners[0], q = corners[1], r = corners[2];
+        const unsigned char* const place = places_in_triangle(p, q, r);
+        corners[place[0]] = p;
+        corners[place[1]] = q;
+        corners[place[2]] = r;
+      } else {
+        std::rotate(corners, std::min_element(corners, corners + n), corners + n);
+      }
+      arrays.first_corners.push_back(Index(first + n));
     }
   }
 
@@ -281,7 +294,8 @@ private:
     });
     for (std::size_t f = 0; f < by_higher.number_of_groups(); ++f) {
       const auto range = by_higher[f];
-      std::sort(range.begin(), range.end());
+      if (range.size() > 1)
+        std::sort(range.begin(), range.end());
     }
     return by_higher.all();
   }

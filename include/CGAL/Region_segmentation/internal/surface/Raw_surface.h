@@ -60,6 +60,14 @@ inline void find_open_sides(Raw_surface& raw)
   }
 }
 
+/// The places of the corners p, q, r of a triangle in a boundary that begins at the lowest of them.
+/// Which one that is is unpredictable, so there is no branch.
+inline const unsigned char* places_in_triangle(Surface::Index p, Surface::Index q, Surface::Index r)
+{
+  static constexpr unsigned char places[3][3] = {{0, 1, 2}, {2, 0, 1}, {1, 2, 0}};
+  return places[r < (std::min)(p, q) ? 2 : q < p];
+}
+
 /// Lets the boundary of a face begin at its vertex of lowest index.
 inline void begin_at_lowest_vertex(Raw_surface& raw, std::size_t face)
 {

@@ -93,12 +93,9 @@ private:
     return number;
   }
 
-  /// Where the boundary of a triangle is lowest is unpredictable: its corners are stored without a
-  /// branch.
+  /// Returns the end of the corners.
   std::size_t read_block(std::size_t block, std::size_t rank, std::size_t corner)
   {
-    static constexpr unsigned char places[3][3] = {{0, 1, 2}, {2, 0, 1}, {1, 2, 0}}; // by the
-                                                                                     // lowest
     const FaceGraph& mesh = m_mesh;
     const auto rank_of_face = m_order.rank_of_face();
     const auto rank_of_vertex = m_order.rank_of_vertex();
@@ -118,7 +115,7 @@ private:
                      third = next(second, mesh);
       if (next(third, mesh) == start) {
         const Index p = vertex_at(start), q = vertex_at(second), r = vertex_at(third);
-        const unsigned char* const place = places[r < (std::min)(p, q) ? 2 : q < p];
+        const unsigned char* const place = places_in_triangle(p, q, r);
         set(first + place[0], p, start);
         set(first + place[1], q, second);
         set(first + place[2], r, third);
