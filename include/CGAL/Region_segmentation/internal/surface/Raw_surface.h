@@ -88,9 +88,9 @@ inline Surface::Index next_corner(const Surface_arrays& arrays, std::size_t face
                                                                      : corner + 1);
 }
 
-/// Chooses the unit of the points, and scales them. Points of no corner may be anything but not a
-/// number or infinite. \throws Invalid_input if a point is not finite
-inline void set_unit(Surface& surface, const std::vector<bool>& is_used, const Execution& execution)
+/// Chooses the unit of the points, and scales them.
+/// \throws Invalid_input if a point is not finite
+inline void set_unit(Surface& surface, const Execution& execution)
 {
   Surface_arrays& arrays = arrays_of(surface);
   const std::size_t size = arrays.points.size();
@@ -98,10 +98,9 @@ inline void set_unit(Surface& surface, const std::vector<bool>& is_used, const E
   for_each_block(execution, size, [&](std::size_t block, std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
       const Double_3& p = arrays.points[v];
-      if (!is_finite(p))
-        largest[block] = std::numeric_limits<double>::infinity();
-      else if (is_used.empty() || is_used[v])
-        largest[block] = (std::max)({largest[block], std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+      largest[block] = is_finite(p)
+                         ? (std::max)({largest[block], std::abs(p.x), std::abs(p.y), std::abs(p.z)})
+                         : std::numeric_limits<double>::infinity();
     }
   });
   const double of_all = largest.empty() ? 0 : *std::max_element(largest.begin(), largest.end());

@@ -13,37 +13,32 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <vector>
 
 namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// The points of the vertices. A vertex point map may return points by value.
+/// The points of the vertices; finite ones of isolated vertices become the origin. A vertex point
+/// map may return points by value.
 template <typename FaceGraph, typename Pack>
 void read_points(const Mesh_order<FaceGraph, Pack>& order, const Pack& np, Surface_arrays& arrays,
-                 std::vector<bool>& is_used, const Execution& execution)
+                 const Execution& execution)
 {
   const auto point_map = CGAL::parameters::choose_parameter(
     CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_point),
     get_const_property_map(vertex_point, order.mesh()));
   const auto no_halfedge = boost::graph_traits<FaceGraph>::null_halfedge();
   arrays.points.resize(order.number_of_vertices());
-  std::vector<std::size_t> isolated(number_of_blocks(order.number_of_vertices()));
   for_each_block(execution, order.number_of_vertices(),
                  [&](std::size_t block, std::size_t rank, std::size_t) {
                    for (auto v : order.vertices_of_block(block)) {
                      const auto& p = get(point_map, v);
-                     arrays.points[rank++] = {CGAL::to_double(p[0]), CGAL::to_double(p[1]),
-                                              CGAL::to_double(p[2])};
-                     isolated[block] += halfedge(v, order.mesh()) == no_halfedge;
+                     Double_3& q = arrays.points[rank++];
+                     q = {CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2])};
+                     if (halfedge(v, order.mesh()) == no_halfedge && is_finite(q))
+                       q = {0, 0, 0};
                    }
                  });
-  if (std::count(isolated.begin(), isolated.end(), std::size_t(0)) ==
-      std::ptrdiff_t(isolated.size()))
-    return; // all are used
-  for (auto v : vertices(order.mesh()))
-    is_used.push_back(halfedge(v, order.mesh()) != no_halfedge);
 }
 
 /// The corners of the faces, from that of lowest number on, and the faces across their sides.
@@ -147,10 +142,8 @@ Raw_surface read_face_graph(const Mesh_order<FaceGraph, Pack>& order, const Pack
                             const Execution& execution)
 {
   Raw_surface raw;
-  Surface_arrays& arrays = arrays_of(raw.surface);
-  std::vector<bool> is_used; // by vertex; empty: all
-  read_points(order, np, arrays, is_used, execution.step(0, 0.2));
-  set_unit(raw.surface, is_used, execution.step(0.2, 0.3));
+  read_points(order, np, arrays_of(raw.surface), execution.step(0, 0.2));
+  set_unit(raw.surface, execution.step(0.2, 0.3));
   Corner_reader<FaceGraph, Pack>(order, raw).read(execution.step(0.3, 1));
   return raw;
 }
