@@ -82,7 +82,7 @@ public:
       result.constraints = Constraints();
       const Large_array<Adjacency> adjacencies = sorted_adjacencies(given);
       for (std::size_t a = 0; a < adjacencies.size(); ++a)
-        if (request.constraints[adjacencies[a].given])
+        if (request.constraints[adjacencies[a].second])
           result.constraints.add(a, adjacencies.size());
     }
     if (!request.seeds.empty() && !m_faces.empty()) {
@@ -130,14 +130,7 @@ private:
     return m_faces.empty() ? faces.size() : m_faces.size();
   }
 
-  struct Adjacency
-  {
-    Index lower, given;
-    friend bool operator<(const Adjacency& a, const Adjacency& b)
-    {
-      return a.lower != b.lower ? a.lower < b.lower : a.given < b.given;
-    }
-  };
+  using Adjacency = std::pair<Index, Index>; // its lower face; its number in the given surface
 
   /// Of the grid in the unit of the frame: 2^28, and more where that is large for the area, as of a
   /// surface with a part far away.
@@ -306,10 +299,7 @@ private:
     Surface_arrays& arrays = arrays_of(*m_surface);
     const Large_array<Adjacency> adjacencies = sorted_adjacencies(given);
     const std::size_t size = adjacencies.size();
-    arrays.lower_faces.resize(size);
-    arrays.higher_faces.resize(size);
-    arrays.squared_lengths.resize(size);
-    arrays.flags.resize(size);
+    resize_adjacencies(arrays, size);
     for (std::size_t a = 0; a < size; ++a) {
       const auto [lower, g] = adjacencies[a];
       const Index higher = (std::max)(m_faces[given.lower_face(g)], m_faces[given.higher_face(g)]);

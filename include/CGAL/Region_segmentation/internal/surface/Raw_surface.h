@@ -68,16 +68,15 @@ inline const unsigned char* places_in_triangle(Surface::Index p, Surface::Index 
   return places[r < (std::min)(p, q) ? 2 : q < p];
 }
 
-/// Lets the boundary of a face begin at its vertex of lowest index.
-inline void begin_at_lowest_vertex(Raw_surface& raw, std::size_t face)
+/// Lets the boundary of a face, its corners `first` .. `past` - 1, begin at its vertex of lowest
+/// index.
+inline void begin_at_lowest_vertex(Raw_surface& raw, std::size_t first, std::size_t past)
 {
-  Surface_arrays& arrays = arrays_of(raw.surface);
-  const auto first = arrays.corners.begin() + std::ptrdiff_t(arrays.first_corners[face]),
-             past = arrays.corners.begin() + std::ptrdiff_t(arrays.first_corners[face + 1]);
-  const auto neighbors = raw.neighbors.begin() + (first - arrays.corners.begin());
-  const auto shift = std::min_element(first, past) - first;
-  std::rotate(first, first + shift, past);
-  std::rotate(neighbors, neighbors + shift, neighbors + (past - first));
+  Surface::Index *const corners = arrays_of(raw.surface).corners.data(),
+                        *const neighbors = raw.neighbors.data();
+  const auto lowest = std::min_element(corners + first, corners + past) - corners;
+  std::rotate(corners + first, corners + lowest, corners + past);
+  std::rotate(neighbors + first, neighbors + lowest, neighbors + past);
 }
 
 /// The corner of a face that follows another one around it.

@@ -4,11 +4,8 @@
 #define CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_COLLECT_ADJACENCIES_H
 
 #include <CGAL/Region_segmentation/Execution.h>
-#include <CGAL/Region_segmentation/internal/support/Large_array.h>
 #include <CGAL/Region_segmentation/internal/surface/Raw_surface.h>
 #include <CGAL/Region_segmentation/internal/surface/compute_normals.h>
-
-#include <CGAL/Iterator_range.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -21,124 +18,105 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// The sides of faces that lead to lower faces: by these, of several in the order of the boundary.
-class Sides_to_lower_faces
+/// A side of a face that leads to a lower one.
+struct Side_to_lower_face
 {
-public:
   using Index = Surface::Index;
 
-  struct Side
-  {
-    std::uint64_t lower_and_side; ///< compared as one number
-    Index face;
+  std::uint64_t lower_and_side; ///< compared as one number
+  Index face;
 
-    Index lower_face() const { return Index(lower_and_side >> 32); }
-    Index side() const { return Index(lower_and_side); }
-  };
-
-  Sides_to_lower_faces(const Raw_surface& raw)
-    : m_first_corners(arrays_of(raw.surface).first_corners.data())
-    , m_neighbors(raw.neighbors.data())
-  {}
-
-  static std::size_t number(const Raw_surface& raw, std::size_t begin, std::size_t end)
-  {
-    const Index* const first_corners = arrays_of(raw.surface).first_corners.data();
-    std::size_t result = 0;
-    for (std::size_t f = begin; f < end; ++f)
-      for (Index c = first_corners[f]; c < first_corners[f + 1]; ++c)
-        result += raw.neighbors[c] < f;
-    return result;
-  }
-
-  /// Those of the faces `begin` .. `end` - 1.
-  Iterator_range<const Side*> of(std::size_t begin, std::size_t end)
-  {
-    m_sides.resize(m_first_corners[end] - m_first_corners[begin] + 3);
-    Side* past = m_sides.data();
-    for (std::size_t f = begin; f < end; ++f)
-      past = m_first_corners[f + 1] - m_first_corners[f] == 3 ? add_triangle(Index(f), past)
-                                                              : add_polygon(Index(f), past);
-    return {m_sides.data(), past};
-  }
-
-private:
-  /// Which sides of a triangle lead to lower faces, and in which order, is unpredictable. So all
-  /// three are written, those that lead to no lower face last, where the next face overwrites them.
-  Side* add_triangle(Index face, Side* past) const
-  {
-    const Index side = m_first_corners[face];
-    const auto key_or_highest = [&](Index s) {
-      return key(s) | (std::uint64_t(0) - std::uint64_t(m_neighbors[s] >= face));
-    };
-    const std::uint64_t a = key_or_highest(side), b = key_or_highest(side + 1),
-                        c = key_or_highest(side + 2);
-    const unsigned b_a = b < a, c_a = c < a, c_b = c < b;
-    past[b_a + c_a] = {a, face};
-    past[1 - b_a + c_b] = {b, face};
-    past[2 - c_a - c_b] = {c, face};
-    return past + (m_neighbors[side] < face) + (m_neighbors[side + 1] < face) +
-           (m_neighbors[side + 2] < face);
-  }
-
-  Side* add_polygon(Index face, Side* past) const
-  {
-    Side* const first = past;
-    for (Index side = m_first_corners[face]; side < m_first_corners[face + 1]; ++side)
-      if (m_neighbors[side] < face)
-        *past++ = {key(side), face};
-    std::sort(first, past,
-              [](const Side& a, const Side& b) { return a.lower_and_side < b.lower_and_side; });
-    return past;
-  }
-
-  std::uint64_t key(Index side) const { return (std::uint64_t(m_neighbors[side]) << 32) | side; }
-
-  const Index *m_first_corners, *m_neighbors;
-  Large_array<Side> m_sides;
+  Index lower_face() const { return Index(lower_and_side >> 32); }
+  Index side() const { return Index(lower_and_side); }
 };
+
+/// Appends the sides of a face that lead to lower ones, by these, of several in the order of the
+/// boundary. Returns the new end; behind it there is room for two more.
+///
+/// Which sides of a triangle lead to lower faces, and in which order, is unpredictable. So all
+/// three are written, those that lead to no lower face last, where the next face overwrites them.
+inline Side_to_lower_face* add_sides_to_lower_faces(const Raw_surface& raw, Surface::Index face,
+                                                    Side_to_lower_face* end)
+{
+  using Index = Surface::Index;
+  const Index* const neighbors = raw.neighbors.data();
+  const Index first = arrays_of(raw.surface).first_corners[face],
+              past = arrays_of(raw.surface).first_corners[face + 1];
+  const auto key = [=](Index side) { return (std::uint64_t(neighbors[side]) << 32) | side; };
+  if (past - first == 3) {
+    const auto key_or_highest = [=](Index side) {
+      return key(side) | (std::uint64_t(0) - std::uint64_t(neighbors[side] >= face));
+    };
+    const std::uint64_t a = key_or_highest(first), b = key_or_highest(first + 1),
+                        c = key_or_highest(first + 2);
+    const unsigned b_a = b < a, c_a = c < a, c_b = c < b;
+    end[b_a + c_a] = {a, face};
+    end[1 - b_a + c_b] = {b, face};
+    end[2 - c_a - c_b] = {c, face};
+    return end + (neighbors[first] < face) + (neighbors[first + 1] < face) +
+           (neighbors[first + 2] < face);
+  }
+  Side_to_lower_face* const begin = end;
+  for (Index side = first; side < past; ++side)
+    if (neighbors[side] < face)
+      *end++ = {key(side), face};
+  std::sort(begin, end,
+            [](const auto& a, const auto& b) { return a.lower_and_side < b.lower_and_side; });
+  return end;
+}
+
+inline void resize_adjacencies(Surface_arrays& arrays, std::size_t size)
+{
+  arrays.lower_faces.resize(size);
+  arrays.higher_faces.resize(size);
+  arrays.squared_lengths.resize(size);
+  arrays.flags.resize(size);
+}
 
 /// The adjacencies across edges, from the faces across the sides of each face.
 inline void collect_adjacencies(Raw_surface& raw, const Execution& execution)
 {
   using Index = Surface::Index;
   Surface_arrays& arrays = arrays_of(raw.surface);
-  const auto resize = [&](std::size_t size) {
-    arrays.lower_faces.resize(size);
-    arrays.higher_faces.resize(size);
-    arrays.squared_lengths.resize(size);
-    arrays.flags.resize(size);
-  };
-  resize(arrays.corners.size() / 2); // each one has two sides
+  resize_adjacencies(arrays, arrays.corners.size() / 2); // each one has two sides
   const Double_3 *const points = arrays.points.data(), *const normals = arrays.normals.data();
-  const Index *const corners = arrays.corners.data(), *const first_corners = arrays.first_corners
-                                                                               .data();
+  const Index *const corners = arrays.corners.data(), *const neighbors = raw.neighbors.data(),
+                     *const first_corners = arrays.first_corners.data();
   Index *const lower_faces = arrays.lower_faces.data(), *const higher_faces = arrays.higher_faces
                                                                                 .data();
   double* const squared_lengths = arrays.squared_lengths.data();
   std::uint8_t* const flags = arrays.flags.data();
-  resize(for_each_block_of_output(
-    execution, arrays.normals.size(),
-    [&](std::size_t, std::size_t begin, std::size_t end) {
-      return Sides_to_lower_faces::number(raw, begin, end);
-    },
-    [=, &raw](std::size_t, std::size_t begin, std::size_t end, std::size_t a) {
-      constexpr std::size_t at_once = 256;
-      Sides_to_lower_faces sides(raw);
-      for (; begin < end; begin += at_once)
-        for (const auto& s : sides.of(begin, (std::min)(begin + at_once, end))) {
-          const Index lower = s.lower_face(), higher = s.face, side = s.side();
-          const Index next = side + 1 < first_corners[higher + 1] ? side + 1
-                                                                  : first_corners[higher];
-          const Double_3 direction = points[corners[next]] - points[corners[side]];
-          lower_faces[a] = lower;
-          higher_faces[a] = higher;
-          squared_lengths[a] = squared_norm(direction);
-          flags[a] = sign_of_edge(normals[higher], normals[lower], direction);
-          ++a;
-        }
-      return a;
-    }));
+  const auto number_in = [=](std::size_t, std::size_t begin, std::size_t end) {
+    std::size_t result = 0;
+    for (std::size_t f = begin; f < end; ++f)
+      for (Index c = first_corners[f]; c < first_corners[f + 1]; ++c)
+        result += neighbors[c] < f;
+    return result;
+  };
+  const auto write = [=, &raw](std::size_t, std::size_t begin, std::size_t end, std::size_t a) {
+    constexpr std::size_t at_once = 256; // small enough for the cache
+    std::vector<Side_to_lower_face> sides;
+    for (std::size_t f = begin, past; f < end; f = past) {
+      past = (std::min)(f + at_once, end);
+      sides.resize(
+        (std::max)(sides.size(), first_corners[past] - first_corners[f] + std::size_t(2)));
+      Side_to_lower_face* end_of_sides = sides.data();
+      for (; f < past; ++f)
+        end_of_sides = add_sides_to_lower_faces(raw, Index(f), end_of_sides);
+      for (const Side_to_lower_face* s = sides.data(); s != end_of_sides; ++s, ++a) {
+        const Index lower = s->lower_face(), higher = s->face, side = s->side();
+        const Index next = side + 1 < first_corners[higher + 1] ? side + 1 : first_corners[higher];
+        const Double_3 direction = points[corners[next]] - points[corners[side]];
+        lower_faces[a] = lower;
+        higher_faces[a] = higher;
+        squared_lengths[a] = squared_norm(direction);
+        flags[a] = sign_of_edge(normals[higher], normals[lower], direction);
+      }
+    }
+    return a;
+  };
+  resize_adjacencies(arrays,
+                     for_each_block_of_output(execution, arrays.normals.size(), number_in, write));
 }
 
 /// An adjacency that is added to those across edges.
@@ -163,10 +141,7 @@ inline void insert_adjacencies(Surface& surface, const std::vector<Added_adjacen
 
   Surface_arrays& arrays = arrays_of(surface);
   std::size_t from = arrays.flags.size(), to = from + added.size();
-  arrays.lower_faces.resize(to);
-  arrays.higher_faces.resize(to);
-  arrays.squared_lengths.resize(to);
-  arrays.flags.resize(to);
+  resize_adjacencies(arrays, to);
   for (std::size_t i = added.size(); i > 0;) {
     --to;
     if (from > 0 &&

@@ -41,101 +41,72 @@ void read_points(const Mesh_order<FaceGraph, Pack>& order, const Pack& np, Surfa
                  });
 }
 
-/// The corners of the faces, from that of lowest number on, and the faces across their sides.
+/// The corners of the faces of a block, from that of lowest number on, and the faces across their
+/// sides. `rank`, `corner`: the first ones. Returns the end of the corners.
 template <typename FaceGraph, typename Pack>
-class Corner_reader
+std::size_t read_corners_of_block(const Mesh_order<FaceGraph, Pack>& order, Raw_surface& raw,
+                                  std::size_t block, std::size_t rank, std::size_t corner)
 {
-  using Order = Mesh_order<FaceGraph, Pack>;
   using Index = Surface::Index;
-  using Halfedge = typename Order::halfedge_descriptor;
-
-public:
-  Corner_reader(const Order& order, Raw_surface& raw)
-    : m_order(order)
-    , m_mesh(order.mesh())
-    , m_arrays(arrays_of(raw.surface))
-    , m_neighbors(raw.neighbors)
-  {}
-
-  void read(const Execution& execution)
-  {
-    m_arrays.first_corners.resize(m_order.number_of_faces() + 1);
-    m_arrays.corners.resize(num_halfedges(m_mesh));
-    m_neighbors.resize(num_halfedges(m_mesh));
-    const std::size_t number = for_each_block_of_output(
-      execution, m_order.number_of_faces(),
-      [&](std::size_t block, std::size_t, std::size_t) { return number_of_corners(block); },
-      [&](std::size_t block, std::size_t begin, std::size_t, std::size_t corner) {
-        return read_block(block, begin, corner);
-      });
-    m_arrays.first_corners.back() = Index(number);
-    m_arrays.corners.resize(number);
-    m_neighbors.resize(number);
-  }
-
-private:
-  std::size_t number_of_corners(std::size_t block) const
-  {
-    std::size_t number = 0;
-    for (auto f : m_order.faces_of_block(block)) {
-      const Halfedge start = halfedge(f, m_mesh);
-      Halfedge h = start;
-      do {
-        ++number;
-        h = next(h, m_mesh);
-      } while (h != start);
+  using Halfedge = typename boost::graph_traits<FaceGraph>::halfedge_descriptor;
+  const FaceGraph& mesh = order.mesh();
+  Index *const corners = arrays_of(raw.surface).corners.data(),
+               *const first_corners = arrays_of(raw.surface).first_corners.data(),
+               *const neighbors = raw.neighbors.data();
+  const auto rank_of_face = order.rank_of_face();
+  const auto rank_of_vertex = order.rank_of_vertex();
+  const auto vertex_at = [&](Halfedge h) { return Index(rank_of_vertex(source(h, mesh))); };
+  const auto set = [&](std::size_t c, Index vertex, Halfedge h) {
+    const auto across = face(opposite(h, mesh), mesh);
+    const bool is_border = across == boost::graph_traits<FaceGraph>::null_face();
+    corners[c] = vertex;
+    neighbors[c] = is_border ? Index(Raw_surface::none) : Index(rank_of_face(across));
+  };
+  for (auto f : order.faces_of_block(block)) {
+    const std::size_t first = corner;
+    first_corners[rank++] = Index(first);
+    const Halfedge start = halfedge(f, mesh), second = next(start, mesh),
+                   third = next(second, mesh);
+    if (next(third, mesh) == start) {
+      const Index p = vertex_at(start), q = vertex_at(second), r = vertex_at(third);
+      const unsigned char* const place = places_in_triangle(p, q, r);
+      set(first + place[0], p, start);
+      set(first + place[1], q, second);
+      set(first + place[2], r, third);
+      corner += 3;
+    } else {
+      for (Halfedge h : CGAL::halfedges_around_face(start, mesh))
+        set(corner++, vertex_at(h), h);
+      begin_at_lowest_vertex(raw, first, corner);
     }
-    return number;
   }
+  return corner;
+}
 
-  /// Returns the end of the corners.
-  std::size_t read_block(std::size_t block, std::size_t rank, std::size_t corner)
-  {
-    const FaceGraph& mesh = m_mesh;
-    const auto rank_of_face = m_order.rank_of_face();
-    const auto rank_of_vertex = m_order.rank_of_vertex();
-    Index *const corners = m_arrays.corners.data(), *const neighbors = m_neighbors.data();
-    Index* const first_corners = m_arrays.first_corners.data();
-    const auto vertex_at = [&](Halfedge h) { return Index(rank_of_vertex(source(h, mesh))); };
-    const auto set = [&](std::size_t c, Index vertex, Halfedge h) {
-      const auto across = face(opposite(h, mesh), mesh);
-      const bool is_border = across == boost::graph_traits<FaceGraph>::null_face();
-      corners[c] = vertex;
-      neighbors[c] = is_border ? Index(Raw_surface::none) : Index(rank_of_face(across));
-    };
-    for (auto f : m_order.faces_of_block(block)) {
-      const std::size_t first = corner;
-      first_corners[rank++] = Index(first);
-      const Halfedge start = halfedge(f, mesh), second = next(start, mesh),
-                     third = next(second, mesh);
-      if (next(third, mesh) == start) {
-        const Index p = vertex_at(start), q = vertex_at(second), r = vertex_at(third);
-        const unsigned char* const place = places_in_triangle(p, q, r);
-        set(first + place[0], p, start);
-        set(first + place[1], q, second);
-        set(first + place[2], r, third);
-        corner += 3;
-        continue;
-      }
-      std::size_t lowest = first;
-      Halfedge h = start;
-      do {
-        set(corner, vertex_at(h), h);
-        lowest = corners[corner] < corners[lowest] ? corner : lowest;
-        ++corner;
-        h = next(h, mesh);
-      } while (h != start);
-      std::rotate(corners + first, corners + lowest, corners + corner);
-      std::rotate(neighbors + first, neighbors + lowest, neighbors + corner);
-    }
-    return corner;
-  }
-
-  const Order& m_order;
-  const FaceGraph& m_mesh;
-  Surface_arrays& m_arrays;
-  Large_array<Index>& m_neighbors;
-};
+template <typename FaceGraph, typename Pack>
+void read_corners(const Mesh_order<FaceGraph, Pack>& order, Raw_surface& raw,
+                  const Execution& execution)
+{
+  const FaceGraph& mesh = order.mesh();
+  Surface_arrays& arrays = arrays_of(raw.surface);
+  arrays.first_corners.resize(order.number_of_faces() + 1);
+  arrays.corners.resize(num_halfedges(mesh));
+  raw.neighbors.resize(num_halfedges(mesh));
+  const std::size_t number = for_each_block_of_output(
+    execution, order.number_of_faces(),
+    [&](std::size_t block, std::size_t, std::size_t) {
+      std::size_t result = 0;
+      for (auto f : order.faces_of_block(block))
+        result += CGAL::halfedges_around_face(halfedge(f, mesh), mesh).size();
+      return result;
+    },
+    [&](std::size_t block, std::size_t begin, std::size_t, std::size_t corner) {
+      return read_corners_of_block(order, raw, block, begin, corner);
+    });
+  arrays.first_corners.back() = Surface::Index(number);
+  arrays.corners.resize(number);
+  raw.neighbors.resize(number);
+}
 
 template <typename FaceGraph, typename Pack>
 Raw_surface read_face_graph(const Mesh_order<FaceGraph, Pack>& order, const Pack& np,
@@ -144,7 +115,7 @@ Raw_surface read_face_graph(const Mesh_order<FaceGraph, Pack>& order, const Pack
   Raw_surface raw;
   read_points(order, np, arrays_of(raw.surface), execution.step(0, 0.2));
   set_unit(raw.surface, execution.step(0.2, 0.3));
-  Corner_reader<FaceGraph, Pack>(order, raw).read(execution.step(0.3, 1));
+  read_corners(order, raw, execution.step(0.3, 1));
   return raw;
 }
 

@@ -56,7 +56,7 @@ Raw_surface read_polygons(const PointRange& points, const PolygonRange& polygons
   set_unit(raw.surface, execution);
   raw.neighbors.assign(arrays.corners.size(), Raw_surface::none);
   for (std::size_t f = 0; f + 1 < arrays.first_corners.size(); ++f)
-    begin_at_lowest_vertex(raw, f);
+    begin_at_lowest_vertex(raw, arrays.first_corners[f], arrays.first_corners[f + 1]);
   return raw;
 }
 

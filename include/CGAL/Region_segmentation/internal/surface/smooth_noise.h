@@ -113,7 +113,7 @@ private:
   static constexpr double flat = 1e-5; // height^2 / area of the faces around: smaller heights are 0
   static constexpr double share_of_noise = 0.42;
 
-  struct alignas(64) Vertex // accessed at random
+  struct Vertex
   {
     Double_3 to_neighbors{0, 0, 0}; // the sum over the faces, to the next and the previous corner
     Double_3 normal{0, 0, 0};
