@@ -11,7 +11,7 @@
 #include <CGAL/Region_segmentation/make_surface.h>
 #include <CGAL/Region_segmentation/parameters.h>
 
-#include <CGAL/property_map.h>
+#include <boost/property_map/property_map.hpp>
 
 #include <cstddef>
 #include <utility>
