@@ -148,19 +148,28 @@ void for_each_block(const Execution& execution, std::size_t number_of_elements, 
   }
 }
 
-/// What `number_in(block, begin, end)` of the blocks before each one adds up to, and of all of
-/// them.
-template <typename F>
-std::vector<std::size_t> block_offsets(const Execution& execution, std::size_t number_of_elements,
-                                       const F& number_in)
+/// For blocks that write parts of one output: calls `write(block, begin, end, place)` with the
+/// place where the part of the block begins, which returns where it ends. Returns the end of all.
+///
+/// `number_in(block, begin, end)`: the size of a part; is asked first, and in parallel only.
+template <typename NumberIn, typename Write>
+std::size_t for_each_block_of_output(const Execution& execution, std::size_t number_of_elements,
+                                     const NumberIn& number_in, const Write& write)
 {
-  std::vector<std::size_t> offsets(number_of_blocks(number_of_elements) + 1);
-  for_each_block(execution, number_of_elements,
+  std::vector<std::size_t> places(number_of_blocks(number_of_elements) + 1);
+  if (execution.is_parallel())
+    for_each_block(execution.step(0, 0.2), number_of_elements,
+                   [&](std::size_t block, std::size_t begin, std::size_t end) {
+                     places[block + 1] = number_in(block, begin, end);
+                   });
+  std::partial_sum(places.begin(), places.end(), places.begin());
+  for_each_block(execution.step(execution.is_parallel() ? 0.2 : 0, 1), number_of_elements,
                  [&](std::size_t block, std::size_t begin, std::size_t end) {
-                   offsets[block + 1] = number_in(block, begin, end);
+                   const std::size_t past = write(block, begin, end, places[block]);
+                   if (!execution.is_parallel())
+                     places[block + 1] = past;
                  });
-  std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
-  return offsets;
+  return places.back();
 }
 
 /// Calls `f(i)` for i = 0 .. `n - 1`, block by block. Reports nothing.

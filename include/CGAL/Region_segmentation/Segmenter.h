@@ -219,11 +219,7 @@ public:
                       const NamedParameters& np = parameters::default_values()) const
   {
     CGAL_precondition_msg(number_of_segments >= 1, "number_of_segments is at least 1");
-    const auto& pack = internal::pack(np);
-    internal::check_parameters<std::decay_t<decltype(pack)>,
-                               internal::Tag_list<CGAL::internal_np::visitor_t>>();
-    const Partition segments = segments_of(number_of_segments,
-                                           internal::make_execution<CGAL::Sequential_tag>(pack));
+    const Partition segments = segments_of(number_of_segments, execution_of_request(np));
     m_input.write(segments, segment_map);
     return segments.number_of_parts();
   }
@@ -250,12 +246,11 @@ public:
   void add_constraints(const EdgeIsConstrainedMap& edge_is_constrained_map,
                        const NamedParameters& np = parameters::default_values())
   {
-    const auto& pack = internal::pack(np);
-    internal::check_parameters<std::decay_t<decltype(pack)>,
-                               internal::Tag_list<CGAL::internal_np::visitor_t>>();
+    const Execution execution = execution_of_request(np);
     Request request = m_request;
-    m_input.add_constraints(surface(), edge_is_constrained_map, pack, request.constraints);
-    change(std::move(request), internal::make_execution<CGAL::Sequential_tag>(pack));
+    m_input.add_constraints(surface(), edge_is_constrained_map, internal::pack(np),
+                            request.constraints);
+    change(std::move(request), execution);
   }
 
   /// replaces the seeds: faces with equal seeds belong to one segment, faces with different seeds
@@ -278,12 +273,10 @@ public:
   void set_seeds(const FaceSeedMap& face_seed_map,
                  const NamedParameters& np = parameters::default_values())
   {
-    const auto& pack = internal::pack(np);
-    internal::check_parameters<std::decay_t<decltype(pack)>,
-                               internal::Tag_list<CGAL::internal_np::visitor_t>>();
+    const Execution execution = execution_of_request(np);
     Request request = m_request;
     request.seeds = internal::read_seeds(m_input, face_seed_map);
-    change(std::move(request), internal::make_execution<CGAL::Sequential_tag>(pack));
+    change(std::move(request), execution);
   }
 
 private:
@@ -314,8 +307,18 @@ private:
     static_assert(!needs_number || !internal::has_number_of_segments<Pack>,
                   "this method merges for each number: give it to "
                   "segment(segment_map, number_of_segments)");
-    if constexpr (internal::has_merge_tree<Pack> || internal::has_region_map<Pack>)
+    if constexpr (internal::has_outputs<Pack>)
       internal::write_outputs(m_input, regions(), merge_tree(), np);
+  }
+
+  /// With the visitor of the parameters, the only one of them that is watched and taken.
+  template <typename NamedParameters>
+  static Execution execution_of_request(const NamedParameters& np)
+  {
+    const auto& pack = internal::pack(np);
+    internal::check_parameters<std::decay_t<decltype(pack)>,
+                               internal::Tag_list<CGAL::internal_np::visitor_t>>();
+    return internal::make_execution<CGAL::Sequential_tag>(pack);
   }
 
   Merged merge(const Request& request, const Execution& execution) const
@@ -349,18 +352,14 @@ private:
   void change(Request request, const Execution& execution)
   {
     if constexpr (needs_number) {
-      if (!request.seeds.empty()) // reports seeds that cannot be joined
-        segments_of_request(request, execution);
+      if (!request.seeds.empty()) { // reports seeds that cannot be joined, by the least work
+        Request any = request;
+        any.number_of_segments = (std::max)(surface().number_of_faces(), std::size_t(1));
+        internal::merge_by(method(), surface(), m_prepared->prepared, any, execution);
+      }
     }
     m_merged = merge(request, execution);
     m_request = std::move(request);
-  }
-
-  void segments_of_request(Request request, const Execution& execution) const
-  {
-    request.number_of_segments = (std::max)(surface().number_of_faces(), std::size_t(1)); // least
-                                                                                          // work
-    internal::merge_by(method(), surface(), m_prepared->prepared, request, execution);
   }
 
   Input m_input;

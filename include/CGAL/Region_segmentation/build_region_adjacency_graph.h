@@ -109,7 +109,7 @@ build_region_adjacency_graph(const FaceGraph& mesh, FaceRegionMap region_map,
   const internal::Face_graph_input<FaceGraph> input(mesh);
   const Surface surface = input.surface(pack, execution);
   Constraints constraints;
-  if constexpr (internal::has_constraints<Pack>)
+  if constexpr (internal::has_parameter<Pack, CGAL::internal_np::edge_is_constrained_t>)
     input.add_constraints(
       surface, CGAL::parameters::get_parameter(pack, CGAL::internal_np::edge_is_constrained), pack,
       constraints);

@@ -13,6 +13,7 @@
 #include <CGAL/tags.h>
 
 #include <type_traits>
+#include <utility>
 
 namespace CGAL {
 namespace Region_segmentation {
@@ -28,27 +29,28 @@ bool component_links(const Pack& np)
 }
 
 template <typename FaceGraph, typename Pack>
-Surface read_surface(const Mesh_order<FaceGraph, Pack>& order, const Pack& np, Adjacency_of wanted,
-                     const Execution& execution)
+Surface make_surface(const FaceGraph& mesh, const Pack& np, const Execution& execution)
 {
-  return build_surface(read_face_graph(order, np, execution.step(0, 0.5)), wanted,
-                       execution.step(0.5, 1));
+  const Execution reading = execution.stage("reading");
+  Raw_surface raw = read_face_graph(Mesh_order<FaceGraph, Pack>(mesh, np), np,
+                                    reading.step(0, 0.5));
+  return build_surface(std::move(raw),
+                       component_links(np) ? Adjacency_of::COMPONENTS : Adjacency_of::NEIGHBORS,
+                       reading.step(0.5, 1));
 }
 
-template <typename FaceGraph, typename Pack>
-Surface make_surface(const Mesh_order<FaceGraph, Pack>& order, const Pack& np,
-                     const Execution& execution)
-{
-  return read_surface(order, np,
-                      component_links(np) ? Adjacency_of::COMPONENTS : Adjacency_of::NEIGHBORS,
-                      execution.stage("reading"));
-}
 /// For functions that read a face graph as it is: without links and coinciding borders.
+template <typename FaceGraph, typename Pack>
+Surface make_surface_of_neighbors(const Mesh_order<FaceGraph, Pack>& order, const Pack& np,
+                                  const Execution& execution = Execution())
+{
+  return build_surface(read_face_graph(order, np, execution.step(0, 0.5)), Adjacency_of::NEIGHBORS,
+                       execution.step(0.5, 1));
+}
 template <typename FaceGraph, typename Pack>
 Surface make_surface_of_neighbors(const FaceGraph& mesh, const Pack& np)
 {
-  return read_surface(Mesh_order<FaceGraph, Pack>(mesh, np), np, Adjacency_of::NEIGHBORS,
-                      Execution());
+  return make_surface_of_neighbors(Mesh_order<FaceGraph, Pack>(mesh, np), np);
 }
 
 template <typename PointRange, typename PolygonRange, typename Pack>
@@ -92,10 +94,8 @@ Surface make_surface(const FaceGraph& mesh,
                      const NamedParameters& np = parameters::default_values())
 {
   const auto& pack = internal::pack(np);
-  using Pack = std::decay_t<decltype(pack)>;
-  internal::check_parameters<Pack, internal::Surface_parameters>();
-  return internal::make_surface(internal::Mesh_order<FaceGraph, Pack>(mesh, pack), pack,
-                                internal::make_execution<ConcurrencyTag>(pack));
+  internal::check_parameters<std::decay_t<decltype(pack)>, internal::Surface_parameters>();
+  return internal::make_surface(mesh, pack, internal::make_execution<ConcurrencyTag>(pack));
 }
 
 /// \ingroup PkgRegionSegmentationData

@@ -170,6 +170,10 @@ std::false_type is_pack_of(...);
 template <typename T>
 constexpr bool is_pack = decltype(is_pack_of(std::declval<const T&>()))::value;
 
+/// Whether a pack has a parameter.
+template <typename Pack, typename Tag>
+constexpr bool has_parameter = !CGAL::parameters::is_default_parameter<Pack, Tag>::value;
+
 template <typename T, typename = void>
 struct Is_range : std::false_type
 {};

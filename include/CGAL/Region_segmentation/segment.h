@@ -26,7 +26,8 @@ auto with_number(Number number_of_segments, const NamedParameters& np)
   static_assert(std::is_integral<Number>::value, "the number of segments is an integer");
   const auto& pack = internal::pack(np);
   using Pack = std::decay_t<decltype(pack)>;
-  static_assert(!has_number_of_segments<Pack>, "the number of segments is given twice");
+  static_assert(!has_parameter<Pack, internal_np::number_of_segments_t>,
+                "the number of segments is given twice");
   return Named_parameters<Number, internal_np::number_of_segments_t, Pack>(number_of_segments,
                                                                            pack);
 }

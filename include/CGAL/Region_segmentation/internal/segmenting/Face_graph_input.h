@@ -34,7 +34,7 @@ public:
   template <typename Pack>
   Surface surface(const Pack& np, const Execution& execution) const
   {
-    return make_surface(Mesh_order<FaceGraph, Pack>(*m_mesh, np), np, execution);
+    return make_surface(*m_mesh, np, execution);
   }
 
   /// Adds the constraints of a map of the edges.
@@ -42,17 +42,12 @@ public:
   void add_constraints(const Surface& surface, const EdgeMap& map, const Pack& np,
                        Constraints& constraints) const
   {
-    static_assert(check_edge_map<EdgeMap, FaceGraph>());
-    const auto is_constrained = [&](const edge_descriptor& e) { return bool(get(map, e)); };
     const Mesh_order<FaceGraph, Pack> order(*m_mesh, np);
-    Edges_of_adjacencies<FaceGraph, Pack>(order, surface)
-      .for_each_if(is_constrained, [&](auto, std::size_t adjacency) {
-        constraints.add(adjacency, surface.number_of_adjacencies());
-      });
+    add_constraints_of_edges(order, surface, map, constraints);
     std::vector<Vertex_pair> borders; // border edges may coincide
     if (component_links(np))
       for (const edge_descriptor e : edges(*m_mesh))
-        if (CGAL::is_border(e, *m_mesh) && is_constrained(e))
+        if (CGAL::is_border(e, *m_mesh) && get(map, e))
           borders.push_back({Surface::Index(order.rank_of_vertex()(source(e, *m_mesh))),
                              Surface::Index(order.rank_of_vertex()(target(e, *m_mesh)))});
     mark_constraints(surface, std::move(borders), constraints);

@@ -11,7 +11,7 @@
 #include <CGAL/Region_segmentation/make_surface.h>
 #include <CGAL/Region_segmentation/parameters.h>
 
-#include <CGAL/property_map.h>
+#include <boost/property_map/property_map.hpp>
 
 #include <cstddef>
 #include <utility>
@@ -26,23 +26,15 @@ namespace internal {
 template <typename FaceGraph, typename Pack>
 class Stage_input
 {
-  using edge_descriptor = typename boost::graph_traits<FaceGraph>::edge_descriptor;
-  using No_constraints = Static_boolean_property_map<edge_descriptor, false>;
-
 public:
   Stage_input(const FaceGraph& mesh, const Pack& np, const Execution& execution)
     : m_order(mesh, np)
-    , m_surface(read_surface(m_order, np, Adjacency_of::NEIGHBORS, execution.stage("reading")))
+    , m_surface(make_surface_of_neighbors(m_order, np, execution.stage("reading")))
   {
-    const auto map = CGAL::parameters::choose_parameter(
-      CGAL::parameters::get_parameter(np, CGAL::internal_np::edge_is_constrained),
-      No_constraints());
-    static_assert(check_edge_map<std::decay_t<decltype(map)>, FaceGraph>());
-    if constexpr (!std::is_same<std::decay_t<decltype(map)>, No_constraints>::value)
-      Edges_of_adjacencies<FaceGraph, Pack>(m_order, m_surface)
-        .for_each_if(
-          [&](const edge_descriptor& e) { return bool(get(map, e)); },
-          [&](auto, std::size_t a) { m_constraints.add(a, m_surface.number_of_adjacencies()); });
+    if constexpr (has_parameter<Pack, CGAL::internal_np::edge_is_constrained_t>)
+      add_constraints_of_edges(
+        m_order, m_surface,
+        CGAL::parameters::get_parameter(np, CGAL::internal_np::edge_is_constrained), m_constraints);
   }
 
   const FaceGraph& mesh() const { return m_order.mesh(); }
@@ -54,7 +46,8 @@ public:
   template <typename F>
   void for_each_adjacency(const F& f) const
   {
-    Edges_of_adjacencies<FaceGraph, Pack>(m_order, m_surface).for_each(f);
+    Edges_of_adjacencies<FaceGraph, Pack>(m_order, m_surface)
+      .for_each([](const auto&) { return true; }, f);
   }
 
   /// The number of a vertex, by iteration.

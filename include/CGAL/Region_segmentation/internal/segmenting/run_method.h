@@ -67,7 +67,7 @@ using Method_of_parameters = Method_of_pack<
 template <typename Method, typename Pack>
 Method method_of_pack(const Pack& np)
 {
-  if constexpr (CGAL::parameters::is_default_parameter<Pack, internal_np::method_t>::value)
+  if constexpr (!has_parameter<Pack, internal_np::method_t>)
     return Method();
   else {
     using Given = std::decay_t<decltype(CGAL::parameters::get_parameter(np, internal_np::method))>;
@@ -83,19 +83,6 @@ using Segmenting_parameters = Tag_list<
   internal_np::number_of_segments_t, internal_np::method_t, internal_np::face_seed_map_t,
   internal_np::component_links_t, internal_np::region_map_t, internal_np::merge_tree_t,
   CGAL::internal_np::edge_is_constrained_t, CGAL::internal_np::visitor_t>;
-
-template <typename Pack>
-constexpr bool has_constraints = !CGAL::parameters::is_default_parameter<
-  Pack, CGAL::internal_np::edge_is_constrained_t>::value;
-template <typename Pack>
-constexpr bool
-  has_seeds = !CGAL::parameters::is_default_parameter<Pack, internal_np::face_seed_map_t>::value;
-template <typename Pack>
-constexpr bool
-  has_merge_tree = !CGAL::parameters::is_default_parameter<Pack, internal_np::merge_tree_t>::value;
-template <typename Pack>
-constexpr bool
-  has_region_map = !CGAL::parameters::is_default_parameter<Pack, internal_np::region_map_t>::value;
 
 /// The seeds in a map.
 template <typename Input, typename SeedMap>
@@ -113,11 +100,11 @@ Request request_of_pack(const Input& input, const Surface& surface, const Pack& 
 {
   Request request;
   request.number_of_segments = number_of_segments(np);
-  if constexpr (has_constraints<Pack>)
+  if constexpr (has_parameter<Pack, CGAL::internal_np::edge_is_constrained_t>)
     input.add_constraints(
       surface, CGAL::parameters::get_parameter(np, CGAL::internal_np::edge_is_constrained), np,
       request.constraints);
-  if constexpr (has_seeds<Pack>)
+  if constexpr (has_parameter<Pack, internal_np::face_seed_map_t>)
     request.seeds = read_seeds(input,
                                CGAL::parameters::get_parameter(np, internal_np::face_seed_map));
   return request;
@@ -148,19 +135,21 @@ auto merge_by(const Method& method, const Surface& surface, const Prepared& prep
   return result;
 }
 
+template <typename Pack>
+constexpr bool has_outputs = has_parameter<Pack, internal_np::region_map_t> ||
+                             has_parameter<Pack, internal_np::merge_tree_t>;
+
 /// Writes the outputs that a pack asks for. `result`: a `Hierarchy` or a `Segmentation`
 template <typename Input, typename Pack>
-void write_outputs(const Input& input, const Partition& regions, const Merge_tree& tree,
-                   const Pack& np)
+void write_outputs([[maybe_unused]] const Input& input, [[maybe_unused]] const Partition& regions,
+                   [[maybe_unused]] const Merge_tree& tree, [[maybe_unused]] const Pack& np)
 {
-  if constexpr (has_region_map<Pack>) {
+  if constexpr (has_parameter<Pack, internal_np::region_map_t>) {
     auto map = CGAL::parameters::get_parameter(np, internal_np::region_map);
     input.write(regions, map);
   }
-  if constexpr (has_merge_tree<Pack>)
+  if constexpr (has_parameter<Pack, internal_np::merge_tree_t>)
     CGAL::parameters::get_parameter_reference(np, internal_np::merge_tree) = tree;
-  static_cast<void>(input), static_cast<void>(regions), static_cast<void>(tree),
-    static_cast<void>(np);
 }
 
 /// Segments a surface once, and writes labels and outputs. Returns the number of segments.
@@ -173,12 +162,12 @@ std::size_t run_method(const Input& input, const Surface& surface, SegmentMap& s
   input.check(segment_map);
   const Method method = method_of_pack<Method>(np);
   Request request = request_of_pack(input, surface, np);
-  if constexpr (!has_merge_tree<Pack> && !has_region_map<Pack>)
+  if constexpr (!has_outputs<Pack>)
     request.numbers = Request::Numbers::ONE;
   const auto prepared = method.prepare(surface, execution);
   const auto result = merge_by(method, surface, prepared, request, execution);
   if constexpr (needs_number<Method>()) {
-    static_assert(has_number_of_segments<Pack>,
+    static_assert(has_parameter<Pack, internal_np::number_of_segments_t>,
                   "segment() with this method needs the named parameter number_of_segments");
     input.write(composed(result.regions, result.segments), segment_map);
     write_outputs(input, result.regions, result.merge_tree, np);

@@ -51,7 +51,7 @@ template <typename ConcurrencyTag, typename Pack>
 Execution make_execution(const Pack& np)
 {
   const Execution execution(threads_of<ConcurrencyTag>());
-  if constexpr (CGAL::parameters::is_default_parameter<Pack, CGAL::internal_np::visitor_t>::value)
+  if constexpr (!has_parameter<Pack, CGAL::internal_np::visitor_t>)
     return execution;
   else {
     auto&& visitor = CGAL::parameters::get_parameter_reference(np, CGAL::internal_np::visitor);

@@ -34,15 +34,11 @@ Feature_convexity feature_convexity(const Pack& np)
                           Feature_convexity::CONCAVE);
 }
 
-template <typename Pack>
-constexpr bool has_number_of_segments = !CGAL::parameters::is_default_parameter<
-  Pack, internal_np::number_of_segments_t>::value;
-
 /// The wanted number of segments; 0 if the pack has none.
 template <typename Pack>
 std::size_t number_of_segments(const Pack& np)
 {
-  if constexpr (has_number_of_segments<Pack>) {
+  if constexpr (has_parameter<Pack, internal_np::number_of_segments_t>) {
     const auto k = CGAL::parameters::get_parameter(np, internal_np::number_of_segments);
     CGAL_precondition_msg(k >= 1, "number_of_segments is at least 1");
     return std::size_t(k);

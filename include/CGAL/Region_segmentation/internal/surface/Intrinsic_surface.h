@@ -86,7 +86,7 @@ public:
       result.constraints = Constraints();
       const Large_array<Adjacency> adjacencies = sorted_adjacencies(given);
       for (std::size_t a = 0; a < adjacencies.size(); ++a)
-        if (request.constraints[adjacencies[a].given])
+        if (request.constraints[adjacencies[a].second])
           result.constraints.add(a, adjacencies.size());
     }
     if (!request.seeds.empty() && !m_faces.empty()) {
@@ -134,14 +134,7 @@ private:
     return m_faces.empty() ? faces.size() : m_faces.size();
   }
 
-  struct Adjacency
-  {
-    Index lower, given;
-    friend bool operator<(const Adjacency& a, const Adjacency& b)
-    {
-      return a.lower != b.lower ? a.lower < b.lower : a.given < b.given;
-    }
-  };
+  using Adjacency = std::pair<Index, Index>; // its lower face; its number in the given surface
 
   /// Of the grid in the unit of the frame: 2^28, and more where that is large for the area, as of a
   /// surface with a part far away.
@@ -211,7 +204,8 @@ private:
     Index number = 0;
     for (std::size_t i = 0; i < size; ++i) {
       const auto range = items[i];
-      std::sort(range.begin(), range.end());
+      if (range.size() > 1)
+        std::sort(range.begin(), range.end());
       for (const Item& item : range)
         result[item.second] = number++;
     }
@@ -234,17 +228,29 @@ private:
       positions.push_back(position(points[v]));
     const std::vector<Index> new_numbers = numbers(positions);
     arrays.points.resize(vertices.size());
-    for (std::size_t v = 0; v < vertices.size(); ++v)
-      arrays.points[new_numbers[v]] = points[vertices[v]];
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+      number_of[vertices[i]] = new_numbers[i];
+      arrays.points[new_numbers[i]] = points[vertices[i]];
+    }
     arrays.corners.reserve(arrays_of(given).corners.size());
     arrays.first_corners.reserve(arrays.input_faces.size() + 1);
     arrays.first_corners.push_back(0);
     for (const Index f : arrays.input_faces) {
-      for (std::size_t i = 0; i < given.number_of_corners(f); ++i)
-        arrays.corners.push_back(new_numbers[number_of[given.corner(f, i)]]);
-      const auto first = arrays.corners.begin() + arrays.first_corners.back();
-      std::rotate(first, std::min_element(first, arrays.corners.end()), arrays.corners.end());
-      arrays.first_corners.push_back(Index(arrays.corners.size()));
+      const std::size_t first = arrays.corners.size(), n = given.number_of_corners(f);
+      arrays.corners.resize(first + n);
+      Index* const corners = arrays.corners.data() + first;
+      for (std::size_t i = 0; i < n; ++i)
+        corners[i] = number_of[given.corner(f, i)];
+      if (n == 3) {
+        const Index p = corners[0], q = corners[1], r = corners[2];
+        const unsigned char* const place = places_in_triangle(p, q, r);
+        corners[place[0]] = p;
+        corners[place[1]] = q;
+        corners[place[2]] = r;
+      } else {
+        std::rotate(corners, std::min_element(corners, corners + n), corners + n);
+      }
+      arrays.first_corners.push_back(Index(first + n));
     }
   }
 
@@ -280,7 +286,8 @@ private:
     });
     for (std::size_t f = 0; f < by_higher.number_of_groups(); ++f) {
       const auto range = by_higher[f];
-      std::sort(range.begin(), range.end());
+      if (range.size() > 1)
+        std::sort(range.begin(), range.end());
     }
     return by_higher.all();
   }
@@ -291,10 +298,7 @@ private:
     Surface_arrays& arrays = arrays_of(*m_surface);
     const Large_array<Adjacency> adjacencies = sorted_adjacencies(given);
     const std::size_t size = adjacencies.size();
-    arrays.lower_faces.resize(size);
-    arrays.higher_faces.resize(size);
-    arrays.squared_lengths.resize(size);
-    arrays.flags.resize(size);
+    resize_adjacencies(arrays, size);
     for (std::size_t a = 0; a < size; ++a) {
       const auto [lower, g] = adjacencies[a];
       const Index higher = (std::max)(m_faces[given.lower_face(g)], m_faces[given.higher_face(g)]);

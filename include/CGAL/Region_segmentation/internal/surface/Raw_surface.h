@@ -29,13 +29,55 @@ struct Raw_surface
   using Index = Surface::Index;
   static constexpr Index none = (std::numeric_limits<Index>::max)(), at_seam = none - 1;
 
+  /// A side whose neighbor is not known.
+  struct Open_side
+  {
+    Index face, side;
+  };
+
   Surface surface;
-  /// By side: the face across; `none`: of a border, or not known; or `at_seam`. Empty: each is a
-  /// face, and is not needed.
+  /// By side: the face across; `none`: of a border, or not known; or `at_seam`.
   Large_array<Index> neighbors;
+  std::vector<Open_side> open_sides; ///< in order
 
   static bool is_face(Index neighbor) { return neighbor < at_seam; }
 };
+
+/// Finds the open sides: few of most meshes, all of polygons.
+inline void find_open_sides(Raw_surface& raw)
+{
+  using Index = Surface::Index;
+  const auto& first_corners = arrays_of(raw.surface).first_corners;
+  const auto begin = raw.neighbors.begin(), end = raw.neighbors.end();
+  Index face = 0;
+  raw.open_sides.clear();
+  for (auto n = begin; (n = std::find(n, end, Raw_surface::none)) != end; ++n) {
+    const Index side = Index(n - begin);
+    if (side >= first_corners[face + 1])
+      face = Index(std::upper_bound(first_corners.begin() + face, first_corners.end(), side) -
+                   first_corners.begin() - 1);
+    raw.open_sides.push_back({face, side});
+  }
+}
+
+/// The places of the corners p, q, r of a triangle in a boundary that begins at the lowest of them.
+/// Which one that is is unpredictable, so there is no branch.
+inline const unsigned char* places_in_triangle(Surface::Index p, Surface::Index q, Surface::Index r)
+{
+  static constexpr unsigned char places[3][3] = {{0, 1, 2}, {2, 0, 1}, {1, 2, 0}};
+  return places[r < (std::min)(p, q) ? 2 : q < p];
+}
+
+/// Lets the boundary of a face, its corners `first` .. `past` - 1, begin at its vertex of lowest
+/// index.
+inline void begin_at_lowest_vertex(Raw_surface& raw, std::size_t first, std::size_t past)
+{
+  Surface::Index *const corners = arrays_of(raw.surface).corners.data(),
+                        *const neighbors = raw.neighbors.data();
+  const auto lowest = std::min_element(corners + first, corners + past) - corners;
+  std::rotate(corners + first, corners + lowest, corners + past);
+  std::rotate(neighbors + first, neighbors + lowest, neighbors + past);
+}
 
 /// The corner of a face that follows another one around it.
 inline Surface::Index next_corner(const Surface_arrays& arrays, std::size_t face,
@@ -45,9 +87,9 @@ inline Surface::Index next_corner(const Surface_arrays& arrays, std::size_t face
                                                                      : corner + 1);
 }
 
-/// Chooses the unit of the points, and scales them. Points of no corner may be anything but not a
-/// number or infinite. \throws Invalid_input if a point is not finite
-inline void set_unit(Surface& surface, const std::vector<bool>& is_used, const Execution& execution)
+/// Chooses the unit of the points, and scales them.
+/// \throws Invalid_input if a point is not finite
+inline void set_unit(Surface& surface, const Execution& execution)
 {
   Surface_arrays& arrays = arrays_of(surface);
   const std::size_t size = arrays.points.size();
@@ -55,10 +97,9 @@ inline void set_unit(Surface& surface, const std::vector<bool>& is_used, const E
   for_each_block(execution, size, [&](std::size_t block, std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
       const Double_3& p = arrays.points[v];
-      if (!is_finite(p))
-        largest[block] = std::numeric_limits<double>::infinity();
-      else if (is_used.empty() || is_used[v])
-        largest[block] = (std::max)({largest[block], std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+      largest[block] = is_finite(p)
+                         ? (std::max)({largest[block], std::abs(p.x), std::abs(p.y), std::abs(p.z)})
+                         : std::numeric_limits<double>::infinity();
     }
   });
   const double of_all = largest.empty() ? 0 : *std::max_element(largest.begin(), largest.end());

@@ -71,9 +71,8 @@ inline Surface build_surface(Raw_surface raw, Adjacency_of wanted, const Executi
 {
   std::vector<Added_adjacency> added;
   std::vector<Seam> seams;
-  const bool has_open_sides = std::find(raw.neighbors.begin(), raw.neighbors.end(),
-                                        Raw_surface::none) != raw.neighbors.end();
-  const bool matches = wanted != Adjacency_of::NEIGHBORS && has_open_sides;
+  find_open_sides(raw);
+  const bool matches = wanted != Adjacency_of::NEIGHBORS && !raw.open_sides.empty();
   if (matches)
     merge_points_of_open_sides(raw);
   compute_normals(raw.surface, execution.step(0, 0.3));
@@ -85,11 +84,9 @@ inline Surface build_surface(Raw_surface raw, Adjacency_of wanted, const Executi
     orient_faces(raw, matcher.parallel_sides(), seams);
   }
   collect_adjacencies(raw, execution.step(0.3, 0.8));
-  if (!has_open_sides)
-    raw.neighbors = Large_array<Surface::Index>(); // later steps need the memory
+  raw.neighbors = Large_array<Surface::Index>(); // later steps need the memory
   const Partition component_of = edge_components(raw.surface, execution.step(0.8, 0.9));
-  orient_components(raw, component_of);
-  raw.neighbors = Large_array<Surface::Index>();
+  orient_components(raw, component_of, seams);
   for (const Seam& seam : seams)
     added.push_back(adjacency_of_seam(raw.surface, seam));
   insert_adjacencies(raw.surface, added);

@@ -18,24 +18,59 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// Sorts the sides of a face that lead to lower faces by these, of several in order. Returns their
-/// number.
-template <typename Side>
-std::size_t sort_sides(const Surface::Index* neighbors, std::size_t number_of_sides,
-                       Surface::Index face, Side* sides)
+/// A side of a face that leads to a lower one.
+struct Side_to_lower_face
 {
-  std::size_t n = 0;
-  for (std::size_t i = 0; i < number_of_sides; ++i)
-    if (neighbors[i] < face) {
-      std::size_t place = n++;
-      if (number_of_sides <= 8)
-        for (; place > 0 && sides[place - 1].first > neighbors[i]; --place)
-          sides[place] = sides[place - 1];
-      sides[place] = {neighbors[i], Surface::Index(i)};
-    }
-  if (number_of_sides > 8)
-    std::sort(sides, sides + n);
-  return n;
+  using Index = Surface::Index;
+
+  std::uint64_t lower_and_side; ///< compared as one number
+  Index face;
+
+  Index lower_face() const { return Index(lower_and_side >> 32); }
+  Index side() const { return Index(lower_and_side); }
+};
+
+/// Appends the sides of a face that lead to lower ones, by these, of several in the order of the
+/// boundary. Returns the new end; behind it there is room for two more.
+///
+/// Which sides of a triangle lead to lower faces, and in which order, is unpredictable. So all
+/// three are written, those that lead to no lower face last, where the next face overwrites them.
+inline Side_to_lower_face* add_sides_to_lower_faces(const Raw_surface& raw, Surface::Index face,
+                                                    Side_to_lower_face* end)
+{
+  using Index = Surface::Index;
+  const Index* const neighbors = raw.neighbors.data();
+  const Index first = arrays_of(raw.surface).first_corners[face],
+              past = arrays_of(raw.surface).first_corners[face + 1];
+  const auto key = [=](Index side) { return (std::uint64_t(neighbors[side]) << 32) | side; };
+  if (past - first == 3) {
+    const auto key_or_highest = [=](Index side) {
+      return key(side) | (std::uint64_t(0) - std::uint64_t(neighbors[side] >= face));
+    };
+    const std::uint64_t a = key_or_highest(first), b = key_or_highest(first + 1),
+                        c = key_or_highest(first + 2);
+    const unsigned b_a = b < a, c_a = c < a, c_b = c < b;
+    end[b_a + c_a] = {a, face};
+    end[1 - b_a + c_b] = {b, face};
+    end[2 - c_a - c_b] = {c, face};
+    return end + (neighbors[first] < face) + (neighbors[first + 1] < face) +
+           (neighbors[first + 2] < face);
+  }
+  Side_to_lower_face* const begin = end;
+  for (Index side = first; side < past; ++side)
+    if (neighbors[side] < face)
+      *end++ = {key(side), face};
+  std::sort(begin, end,
+            [](const auto& a, const auto& b) { return a.lower_and_side < b.lower_and_side; });
+  return end;
+}
+
+inline void resize_adjacencies(Surface_arrays& arrays, std::size_t size)
+{
+  arrays.lower_faces.resize(size);
+  arrays.higher_faces.resize(size);
+  arrays.squared_lengths.resize(size);
+  arrays.flags.resize(size);
 }
 
 /// The adjacencies across edges, from the faces across the sides of each face.
@@ -43,48 +78,45 @@ inline void collect_adjacencies(Raw_surface& raw, const Execution& execution)
 {
   using Index = Surface::Index;
   Surface_arrays& arrays = arrays_of(raw.surface);
-  const std::size_t size = arrays.normals.size();
-  const Index *const first_corners = arrays.first_corners.data(), *const neighbors = raw.neighbors
-                                                                                       .data();
-  const std::vector<std::size_t> offsets = block_offsets(
-    execution.step(0, 0.2), size, [&](std::size_t, std::size_t begin, std::size_t end) {
-      std::size_t number = 0;
-      for (std::size_t f = begin; f < end; ++f)
-        for (Index c = first_corners[f]; c < first_corners[f + 1]; ++c)
-          number += neighbors[c] < f;
-      return number;
-    });
-  arrays.lower_faces.resize(offsets.back());
-  arrays.higher_faces.resize(offsets.back());
-  arrays.squared_lengths.resize(offsets.back());
-  arrays.flags.resize(offsets.back());
+  resize_adjacencies(arrays, arrays.corners.size() / 2); // each one has two sides
   const Double_3 *const points = arrays.points.data(), *const normals = arrays.normals.data();
-  const Index* const corners = arrays.corners.data();
+  const Index *const corners = arrays.corners.data(), *const neighbors = raw.neighbors.data(),
+                     *const first_corners = arrays.first_corners.data();
   Index *const lower_faces = arrays.lower_faces.data(), *const higher_faces = arrays.higher_faces
                                                                                 .data();
   double* const squared_lengths = arrays.squared_lengths.data();
   std::uint8_t* const flags = arrays.flags.data();
-  for_each_block(
-    execution.step(0.2, 1), size, [&](std::size_t block, std::size_t begin, std::size_t end) {
-      std::vector<std::pair<Index, Index>> sides(16); // the face across, the side
-      std::size_t a = offsets[block];
-      for (std::size_t f = begin; f < end; ++f) {
-        const Index first = first_corners[f], number_of_sides = first_corners[f + 1] - first;
-        if (sides.size() < number_of_sides)
-          sides.resize(number_of_sides);
-        const std::size_t n = sort_sides(neighbors + first, number_of_sides, Index(f),
-                                         sides.data());
-        for (std::size_t i = 0; i < n; ++i, ++a) {
-          const Index lower = sides[i].first, side = first + sides[i].second;
-          const Index next = side + 1 < first + number_of_sides ? side + 1 : first;
-          const Double_3 direction = points[corners[next]] - points[corners[side]];
-          lower_faces[a] = lower;
-          higher_faces[a] = Index(f);
-          squared_lengths[a] = squared_norm(direction);
-          flags[a] = sign_of_edge(normals[f], normals[lower], direction);
-        }
+  const auto number_in = [=](std::size_t, std::size_t begin, std::size_t end) {
+    std::size_t result = 0;
+    for (std::size_t f = begin; f < end; ++f)
+      for (Index c = first_corners[f]; c < first_corners[f + 1]; ++c)
+        result += neighbors[c] < f;
+    return result;
+  };
+  const auto write = [=, &raw](std::size_t, std::size_t begin, std::size_t end, std::size_t a) {
+    constexpr std::size_t at_once = 256; // small enough for the cache
+    std::vector<Side_to_lower_face> sides;
+    for (std::size_t f = begin, past; f < end; f = past) {
+      past = (std::min)(f + at_once, end);
+      sides.resize(
+        (std::max)(sides.size(), first_corners[past] - first_corners[f] + std::size_t(2)));
+      Side_to_lower_face* end_of_sides = sides.data();
+      for (; f < past; ++f)
+        end_of_sides = add_sides_to_lower_faces(raw, Index(f), end_of_sides);
+      for (const Side_to_lower_face* s = sides.data(); s != end_of_sides; ++s, ++a) {
+        const Index lower = s->lower_face(), higher = s->face, side = s->side();
+        const Index next = side + 1 < first_corners[higher + 1] ? side + 1 : first_corners[higher];
+        const Double_3 direction = points[corners[next]] - points[corners[side]];
+        lower_faces[a] = lower;
+        higher_faces[a] = higher;
+        squared_lengths[a] = squared_norm(direction);
+        flags[a] = sign_of_edge(normals[higher], normals[lower], direction);
       }
-    });
+    }
+    return a;
+  };
+  resize_adjacencies(arrays,
+                     for_each_block_of_output(execution, arrays.normals.size(), number_in, write));
 }
 
 /// An adjacency that is added to those across edges.
@@ -109,10 +141,7 @@ inline void insert_adjacencies(Surface& surface, const std::vector<Added_adjacen
 
   Surface_arrays& arrays = arrays_of(surface);
   std::size_t from = arrays.flags.size(), to = from + added.size();
-  arrays.lower_faces.resize(to);
-  arrays.higher_faces.resize(to);
-  arrays.squared_lengths.resize(to);
-  arrays.flags.resize(to);
+  resize_adjacencies(arrays, to);
   for (std::size_t i = added.size(); i > 0;) {
     --to;
     if (from > 0 &&

@@ -3,7 +3,9 @@
 #ifndef CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_EDGES_OF_ADJACENCIES_H
 #define CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_EDGES_OF_ADJACENCIES_H
 
+#include <CGAL/Region_segmentation/Request.h>
 #include <CGAL/Region_segmentation/Surface.h>
+#include <CGAL/Region_segmentation/internal/support/check_maps.h>
 #include <CGAL/Region_segmentation/internal/surface/Mesh_order.h>
 
 #include <algorithm>
@@ -31,34 +33,22 @@ public:
     , m_surface(surface)
   {}
 
-  /// Calls `f(halfedge, adjacency)` for the edges that have two different faces, each with the
-  /// halfedge of the lower face.
-  template <typename F>
-  void for_each(const F& f)
-  {
-    for (Index rank = 0; rank < m_order.number_of_faces(); ++rank)
-      for_each_of_face(rank, f);
-  }
-
-  /// The same for those edges alone that `is_wanted`. Fast where few are.
+  /// Calls `f(halfedge, adjacency)` for the edges that have two different faces and `is_wanted()`,
+  /// each with the halfedge of the lower face.
   template <typename IsWanted, typename F>
-  void for_each_if(const IsWanted& is_wanted, const F& f)
+  void for_each(const IsWanted& is_wanted, const F& f)
   {
     const FaceGraph& mesh = m_order.mesh();
-    std::vector<Index> higher_faces; // with such an edge
-    for (auto e : edges(mesh))
-      if (is_wanted(e) && !CGAL::is_border(e, mesh)) {
-        const halfedge_descriptor h = halfedge(e, mesh);
-        higher_faces.push_back(
-          (std::max)(m_order.face_rank(h), m_order.face_rank(opposite(h, mesh))));
-      }
-    std::sort(higher_faces.begin(), higher_faces.end());
-    higher_faces.erase(std::unique(higher_faces.begin(), higher_faces.end()), higher_faces.end());
-    for (const Index rank : higher_faces)
-      for_each_of_face(rank, [&](halfedge_descriptor h, std::size_t adjacency) {
-        if (is_wanted(edge(h, mesh)))
-          f(h, adjacency);
-      });
+    const auto is_wanted_side = [&](halfedge_descriptor h) { return is_wanted(edge(h, mesh)); };
+    for (Index rank = 0; rank < m_order.number_of_faces(); ++rank) {
+      const auto sides = CGAL::halfedges_around_face(halfedge(m_order.ordered_faces()[rank], mesh),
+                                                     mesh);
+      if (std::any_of(sides.begin(), sides.end(), is_wanted_side))
+        for_each_of_face(rank, [&](halfedge_descriptor h, std::size_t adjacency) {
+          if (is_wanted_side(h))
+            f(h, adjacency);
+        });
+    }
   }
 
 private:
@@ -98,6 +88,19 @@ private:
   const Surface& m_surface;
   std::vector<Side> m_sides;
 };
+
+/// Constrains the adjacencies across the edges of a map.
+template <typename FaceGraph, typename Pack, typename EdgeMap>
+void add_constraints_of_edges(const Mesh_order<FaceGraph, Pack>& order, const Surface& surface,
+                              const EdgeMap& map, Constraints& constraints)
+{
+  static_assert(check_edge_map<EdgeMap, FaceGraph>());
+  Edges_of_adjacencies<FaceGraph, Pack>(order, surface)
+    .for_each([&](const auto& e) { return bool(get(map, e)); },
+              [&](auto, std::size_t adjacency) {
+                constraints.add(adjacency, surface.number_of_adjacencies());
+              });
+}
 
 } // namespace internal
 } // namespace Region_segmentation

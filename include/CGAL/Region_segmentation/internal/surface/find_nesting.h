@@ -13,7 +13,6 @@
 #include <array>
 #include <cstddef>
 #include <limits>
-#include <numeric>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -185,11 +184,6 @@ inline std::vector<Surface::Index> outermost_of(const Surface& surface,
                                                 const Partition& component_of_face,
                                                 const std::vector<bool>& is_closed)
 {
-  if (std::count(is_closed.begin(), is_closed.end(), true) < 2) {
-    std::vector<Surface::Index> result(is_closed.size());
-    std::iota(result.begin(), result.end(), Surface::Index(0));
-    return result;
-  }
   return Nesting_finder(surface, component_of_face, is_closed).outermost();
 }
 

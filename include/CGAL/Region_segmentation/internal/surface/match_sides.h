@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -19,15 +20,16 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// A side of a face whose neighbor is not known: between two vertices, the lower one first.
-struct Open_side
+/// A side of a face: between two vertices, the lower one first.
+struct Side_of_edge
 {
   Surface::Index lower_vertex, higher_vertex, face, corner;
   bool is_forward; ///< whether the boundary of the face runs from the lower to the higher vertex
 };
 
 /// The side that leaves a corner of a face.
-inline Open_side side_at(const Surface_arrays& arrays, Surface::Index face, Surface::Index corner)
+inline Side_of_edge side_at(const Surface_arrays& arrays, Surface::Index face,
+                            Surface::Index corner)
 {
   const Surface::Index v = arrays.corners[corner],
                        w = arrays.corners[next_corner(arrays, face, corner)];
@@ -57,24 +59,27 @@ public:
     , m_arrays(arrays_of(raw.surface))
   {}
 
-  /// Sets the neighbors of sides that have none, and collects the seams.
+  /// Sets the neighbors of open sides, and collects the seams.
   void match()
   {
-    Grouped_items<Open_side> by_lower = open_sides();
-    for (std::size_t v = 0; v < by_lower.number_of_groups(); ++v) {
-      const auto sides = by_lower[v];
-      std::sort(sides.begin(), sides.end(), [](const Open_side& a, const Open_side& b) {
-        return std::tie(a.higher_vertex, a.face, a.corner) <
-               std::tie(b.higher_vertex, b.face, b.corner);
+    Grouped_items<Side_of_edge> slices = open_sides_in_slices();
+    for (std::size_t slice = 0; slice < slices.number_of_groups(); ++slice) {
+      const auto sides = slices[slice];
+      std::sort(sides.begin(), sides.end(), [](const Side_of_edge& a, const Side_of_edge& b) {
+        return std::tie(a.lower_vertex, a.higher_vertex, a.face, a.corner) <
+               std::tie(b.lower_vertex, b.higher_vertex, b.face, b.corner);
       });
       for (auto first = sides.begin(); first != sides.end();) {
-        const auto past = std::find_if(first, sides.end(), [&](const Open_side& s) {
-          return s.higher_vertex != first->higher_vertex;
+        const auto past = std::find_if(first, sides.end(), [&](const Side_of_edge& s) {
+          return s.lower_vertex != first->lower_vertex || s.higher_vertex != first->higher_vertex;
         });
         match_edge(first, past);
         first = past;
       }
     }
+    m_raw.open_sides.erase(std::remove_if(m_raw.open_sides.begin(), m_raw.open_sides.end(),
+                                          [&](const auto& open) { return !is_open(open); }),
+                           m_raw.open_sides.end());
   }
 
   /// The sides of edges whose two sides run in the same direction: one of the faces is to be
@@ -83,15 +88,20 @@ public:
   const std::vector<Seam>& seams() const { return m_seams; }
 
 private:
-  Grouped_items<Open_side> open_sides() const
+  bool is_open(const Raw_surface::Open_side& open) const
   {
-    return grouped<Open_side>(m_arrays.points.size(), [&](const auto& add) {
-      for (Index f = 0; f + 1 < m_arrays.first_corners.size(); ++f)
-        for (Index c = m_arrays.first_corners[f]; c < m_arrays.first_corners[f + 1]; ++c)
-          if (m_raw.neighbors[c] == Raw_surface::none)
-            if (const Open_side side = side_at(m_arrays, f, c);
-                side.lower_vertex != side.higher_vertex)
-              add(side.lower_vertex, side);
+    return m_raw.neighbors[open.side] == Raw_surface::none;
+  }
+
+  /// Of the range of the lower vertices; as many as there are sides.
+  Grouped_items<Side_of_edge> open_sides_in_slices() const
+  {
+    const std::size_t size = m_raw.open_sides.size();
+    return grouped<Side_of_edge>(size, [&](const auto& add) {
+      for (const auto& open : m_raw.open_sides)
+        if (const Side_of_edge side = side_at(m_arrays, open.face, open.side);
+            side.lower_vertex != side.higher_vertex && is_open(open))
+          add(side.lower_vertex * std::uint64_t(size) / m_arrays.points.size(), side);
     });
   }
 
@@ -104,7 +114,7 @@ private:
     for (Iterator s = first; s != past; ++s)
       if (!m_raw.surface.is_degenerate(s->face))
         m_proper.push_back(*s);
-    const Open_side base = m_proper.empty() ? *first : m_proper.front();
+    const Side_of_edge base = m_proper.empty() ? *first : m_proper.front();
     for (Iterator s = first; s != past; ++s)
       if (s->corner != base.corner && m_raw.surface.is_degenerate(s->face) && s->face != base.face)
         add_seam(base, *s, 1);
@@ -114,7 +124,7 @@ private:
       sew();
   }
 
-  void join(const Open_side& a, const Open_side& b)
+  void join(const Side_of_edge& a, const Side_of_edge& b)
   {
     if (a.face == b.face)
       return;
@@ -138,21 +148,21 @@ private:
     }
     std::sort(around.begin(), around.end());
     for (std::size_t i = 0; i < around.size(); ++i) {
-      const Open_side &a = m_proper[around[i].second],
-                      &b = m_proper[around[(i + 1) % around.size()].second];
+      const Side_of_edge &a = m_proper[around[i].second],
+                         &b = m_proper[around[(i + 1) % around.size()].second];
       if (a.face != b.face)
         add_seam(a, b, 0.5);
     }
   }
 
-  void add_seam(const Open_side& a, const Open_side& b, double share)
+  void add_seam(const Side_of_edge& a, const Side_of_edge& b, double share)
   {
     m_raw.neighbors[a.corner] = m_raw.neighbors[b.corner] = Raw_surface::at_seam;
     m_seams.push_back({a.lower_vertex, a.higher_vertex, a.face, b.face, share});
   }
 
   /// The direction from an edge into its face, perpendicular to the edge.
-  Double_3 inward(const Open_side& s, const Double_3& axis) const
+  Double_3 inward(const Side_of_edge& s, const Double_3& axis) const
   {
     return cross(m_arrays.normals[s.face], (s.is_forward ? 1.0 : -1.0) * axis);
   }
@@ -166,7 +176,7 @@ private:
 
   Raw_surface& m_raw;
   Surface_arrays& m_arrays;
-  std::vector<Open_side> m_proper; // of an edge
+  std::vector<Side_of_edge> m_proper; // of an edge
   std::vector<Index> m_parallel;
   std::vector<Seam> m_seams;
 };

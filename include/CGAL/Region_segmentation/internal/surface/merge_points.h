@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -62,32 +63,28 @@ inline void merge_points_of_open_sides(Raw_surface& raw)
   using Index = Surface::Index;
   Surface_arrays& arrays = arrays_of(raw.surface);
   std::vector<bool> is_at_open_side(arrays.points.size());
-  for (std::size_t f = 0; f + 1 < arrays.first_corners.size(); ++f)
-    for (Index c = arrays.first_corners[f]; c < arrays.first_corners[f + 1]; ++c)
-      if (raw.neighbors[c] == Raw_surface::none)
-        is_at_open_side[arrays.corners[c]] = is_at_open_side[arrays.corners[next_corner(arrays, f,
-                                                                                        c)]] = true;
-  std::vector<Index> lowest(arrays.points.size());
+  for (const auto& [face, side] : raw.open_sides)
+    is_at_open_side[arrays.corners[side]] = is_at_open_side[arrays.corners[next_corner(
+      arrays, face, side)]] = true;
+  std::vector<Index> lowest; // by vertex; empty: the same
   Point_numbering number(
     arrays.points, std::size_t(std::count(is_at_open_side.begin(), is_at_open_side.end(), true)));
-  bool is_any = false;
-  for (Index v = 0; v < lowest.size(); ++v) {
-    lowest[v] = is_at_open_side[v] ? number(v) : v;
-    is_any |= lowest[v] != v;
-  }
-  if (!is_any)
+  for (Index v = 0; v < is_at_open_side.size(); ++v)
+    if (is_at_open_side[v])
+      if (const Index first = number(v); first != v) {
+        if (lowest.empty()) {
+          lowest.resize(arrays.points.size());
+          std::iota(lowest.begin(), lowest.end(), Index(0));
+        }
+        lowest[v] = first;
+      }
+  if (lowest.empty())
     return;
-  for (std::size_t f = 0; f + 1 < arrays.first_corners.size(); ++f) {
-    const auto first = std::ptrdiff_t(arrays.first_corners[f]),
-               past = std::ptrdiff_t(arrays.first_corners[f + 1]);
-    const auto begin = arrays.corners.begin() + first, end = arrays.corners.begin() + past;
-    for (auto c = begin; c != end; ++c)
-      *c = lowest[*c];
-    const auto shift = std::min_element(begin, end) - begin;
-    std::rotate(begin, begin + shift, end);
-    std::rotate(raw.neighbors.begin() + first, raw.neighbors.begin() + first + shift,
-                raw.neighbors.begin() + past);
-  }
+  for (Index& v : arrays.corners)
+    v = lowest[v];
+  for (std::size_t f = 0; f + 1 < arrays.first_corners.size(); ++f)
+    begin_at_lowest_vertex(raw, arrays.first_corners[f], arrays.first_corners[f + 1]);
+  find_open_sides(raw);
 }
 
 } // namespace internal

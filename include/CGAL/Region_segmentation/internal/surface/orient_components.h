@@ -18,9 +18,9 @@ namespace internal {
 /// What decides whether a component is closed, and its orientation.
 struct Component_volume
 {
-  Double_3 origin, area_vector{};
+  Double_3 origin{}, area_vector{};
   double area = 0, volume = 0; // the volume times 3
-  bool has_border = false, has_seam = false;
+  bool has_origin = false, has_border = false, has_seam = false;
 
   /// The area vectors of a closed surface sum to zero; this decides where a component is closed
   /// only together with its seams.
@@ -29,38 +29,54 @@ struct Component_volume
     constexpr double largest_gap = 1e-9;
     return !has_border && (!has_seam || norm(area_vector) <= largest_gap * area);
   }
+
+  void add_face(const Surface& surface, std::size_t f)
+  {
+    const Double_3& point = surface.point(surface.corner(f, 0));
+    if (!has_origin)
+      origin = point;
+    has_origin = true;
+    const Double_3 face = surface.area(f) * surface.normal(f);
+    area += surface.area(f);
+    area_vector = area_vector + face;
+    volume += dot(point - origin, face);
+  }
 };
 
+/// With volumes of the components without border alone.
 inline std::vector<Component_volume> component_volumes(const Raw_surface& raw,
-                                                       const Partition& component_of)
+                                                       const Partition& component_of,
+                                                       const std::vector<Seam>& seams)
 {
-  const Surface& surface = raw.surface;
-  std::vector<Component_volume> components;
-  for (std::size_t f = 0; f < component_of.size(); ++f) {
-    const Double_3& point = surface.point(surface.corner(f, 0));
-    if (component_of[f] == components.size())
-      components.push_back({point});
-    Component_volume& c = components[component_of[f]];
-    const Double_3 area_vector = surface.area(f) * surface.normal(f);
-    c.area += surface.area(f);
-    c.area_vector = c.area_vector + area_vector;
-    c.volume += dot(point - c.origin, area_vector);
+  std::vector<Component_volume> components(component_of.number_of_parts());
+  for (const auto& open : raw.open_sides)
+    components[component_of[open.face]].has_border = true;
+  for (const Seam& seam : seams)
+    for (const Surface::Index face : {seam.face, seam.other_face})
+      components[component_of[face]].has_seam = true;
+  if (std::all_of(components.begin(), components.end(),
+                  [](const Component_volume& c) { return c.has_border; }))
+    return components;
+  for (std::size_t f = 0; f < component_of.size();) {
+    Component_volume c = components[component_of[f]]; // a copy is in registers
+    const auto part = component_of[f];
+    if (c.has_border)
+      ++f;
+    else
+      for (; f < component_of.size() && component_of[f] == part; ++f)
+        c.add_face(raw.surface, f);
+    components[part] = c;
   }
-  for (std::size_t f = 0, side = 0; side < raw.neighbors.size(); ++f)
-    for (std::size_t i = 0; i < surface.number_of_corners(f); ++i, ++side)
-      if (!Raw_surface::is_face(raw.neighbors[side]))
-        (raw.neighbors[side] == Raw_surface::at_seam
-           ? components[component_of[f]].has_seam
-           : components[component_of[f]].has_border) = true;
   return components;
 }
 
 /// Turns the outermost closed components of negative signed volume, together with the closed
 /// components inside them.
-inline void orient_components(Raw_surface& raw, const Partition& component_of)
+inline void orient_components(Raw_surface& raw, const Partition& component_of,
+                              const std::vector<Seam>& seams)
 {
   Surface_arrays& arrays = arrays_of(raw.surface);
-  const std::vector<Component_volume> components = component_volumes(raw, component_of);
+  const std::vector<Component_volume> components = component_volumes(raw, component_of, seams);
   std::vector<bool> is_closed, is_inside_out;
   for (const Component_volume& c : components) {
     is_closed.push_back(c.is_closed());

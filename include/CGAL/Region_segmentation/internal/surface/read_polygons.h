@@ -52,14 +52,11 @@ Raw_surface read_polygons(const PointRange& points, const PolygonRange& polygons
   }
   for (std::size_t v = 0; v < is_used.size(); ++v)
     if (!is_used[v])
-      arrays.points[v] = {0, 0, 0}; // may be anything
-  set_unit(raw.surface, is_used, execution);
-  for (std::size_t f = 0; f + 1 < arrays.first_corners.size(); ++f) {
-    const auto begin = arrays.corners.begin() + std::ptrdiff_t(arrays.first_corners[f]),
-               end = arrays.corners.begin() + std::ptrdiff_t(arrays.first_corners[f + 1]);
-    std::rotate(begin, std::min_element(begin, end), end);
-  }
+      arrays.points[v] = {0, 0, 0}; // may have been anything
+  set_unit(raw.surface, execution);
   raw.neighbors.assign(arrays.corners.size(), Raw_surface::none);
+  for (std::size_t f = 0; f + 1 < arrays.first_corners.size(); ++f)
+    begin_at_lowest_vertex(raw, arrays.first_corners[f], arrays.first_corners[f + 1]);
   return raw;
 }
 

@@ -30,15 +30,11 @@ public:
   /// Of the vertices of every `stride`th face.
   Vertex_heights(const Surface& surface, std::size_t stride)
     : m_surface(surface)
-    , m_places(surface.number_of_vertices(), none)
   {
-    Index number = 0;
-    for (std::size_t f = 0; f < surface.number_of_faces(); f += stride)
-      for_each_side(m_surface, f, [&](Index p, Index) {
-        if (m_places[p] == none)
-          m_places[p] = number++;
-      });
-    m_vertices.resize(number);
+    if (stride > 1)
+      choose_vertices(stride);
+    else
+      m_vertices.resize(surface.number_of_vertices());
     update();
   }
 
@@ -47,7 +43,8 @@ public:
   {
     std::fill(m_vertices.begin(), m_vertices.end(), Vertex());
     for (std::size_t f = 0; f < m_surface.number_of_faces(); ++f)
-      add_face(f);
+      if (m_places.empty() || has_chosen_vertex(f))
+        add_face(f);
     for (Vertex& v : m_vertices)
       set_height(v);
   }
@@ -61,7 +58,7 @@ public:
     double all = 0, opposite = 0;
     for (std::size_t f = 0; f < m_surface.number_of_faces(); f += stride)
       for_each_side(m_surface, f, [&](Index p, Index q) {
-        const double product = m_vertices[m_places[p]].height * m_vertices[m_places[q]].height;
+        const double product = m_vertices[place(p)].height * m_vertices[place(q)].height;
         all += product != 0;
         opposite += product < 0;
       });
@@ -69,19 +66,33 @@ public:
   }
 
   /// Moves the vertices along their normals to the heights of their neighbors, but at creases.
-  /// `points`: of all vertices, may be those of the surface
+  /// `points`: those of the surface
+  /// \pre these are the heights of all vertices
   void smooth(Large_array<Double_3>& points) const
   {
     const double largest = largest_of_noise();
     for (std::size_t v = 0; v < points.size(); ++v)
-      if (const Index place = m_places[v];
-          place != none && std::fabs(m_vertices[place].height) <= largest)
-        points[v] = points[v] + m_vertices[place].height * m_vertices[place].normal;
+      if (std::fabs(m_vertices[v].height) <= largest)
+        points[v] = points[v] + m_vertices[v].height * m_vertices[v].normal;
   }
 
 private:
   using Index = Surface::Index;
   static constexpr Index none = (std::numeric_limits<Index>::max)();
+
+  void choose_vertices(std::size_t stride)
+  {
+    m_places.assign(m_surface.number_of_vertices(), none);
+    Index number = 0;
+    for (std::size_t f = 0; f < m_surface.number_of_faces(); f += stride)
+      for_each_side(m_surface, f, [&](Index p, Index) {
+        if (m_places[p] == none)
+          m_places[p] = number++;
+      });
+    m_vertices.resize(number);
+  }
+
+  Index place(Index vertex) const { return m_places.empty() ? vertex : m_places[vertex]; }
 
   /// Larger heights stand out of the noise: they are those of creases. 3 times the median of those
   /// that are not 0.
@@ -102,7 +113,7 @@ private:
   static constexpr double flat = 1e-5; // height^2 / area of the faces around: smaller heights are 0
   static constexpr double share_of_noise = 0.42;
 
-  struct alignas(64) Vertex // accessed at random
+  struct Vertex
   {
     Double_3 to_neighbors{0, 0, 0}; // the sum over the faces, to the next and the previous corner
     Double_3 normal{0, 0, 0};
@@ -110,21 +121,33 @@ private:
     std::uint32_t number_of_faces = 0;
   };
 
+  bool has_chosen_vertex(std::size_t face) const
+  {
+    const std::size_t n = m_surface.number_of_corners(face);
+    for (std::size_t i = 0; i < n; ++i)
+      if (place(m_surface.corner(face, i)) != none)
+        return true;
+    return false;
+  }
+
   void add_face(std::size_t face)
   {
     const std::size_t n = m_surface.number_of_corners(face);
+    const auto point = [&](std::size_t i) { return m_surface.point(m_surface.corner(face, i)); };
+    const Double_3 area_vector = m_surface.area(face) * m_surface.normal(face);
+    const Double_3 first = point(0);
+    Double_3 from_previous = first - point(n - 1), at = first;
     for (std::size_t i = 0; i < n; ++i) {
-      const Index place = m_places[m_surface.corner(face, i)];
-      if (place == none)
-        continue;
-      const auto point = [&](std::size_t j) { return m_surface.point(m_surface.corner(face, j)); };
-      const Double_3 to_next = point(i + 1 < n ? i + 1 : 0) - point(i),
-                     to_previous = point(i > 0 ? i - 1 : n - 1) - point(i);
-      Vertex& v = m_vertices[place];
-      v.to_neighbors = v.to_neighbors + (i == 0 ? to_next : to_previous);
-      v.to_neighbors = v.to_neighbors + (i == 0 ? to_previous : to_next);
-      v.normal = v.normal + m_surface.area(face) * m_surface.normal(face);
-      ++v.number_of_faces;
+      const Double_3 next = i + 1 < n ? point(i + 1) : first, to_next = next - at;
+      if (const Index p = place(m_surface.corner(face, i)); p != none) {
+        Vertex& v = m_vertices[p];
+        v.to_neighbors = i == 0 ? v.to_neighbors + to_next - from_previous
+                                : v.to_neighbors - from_previous + to_next;
+        v.normal = v.normal + area_vector;
+        ++v.number_of_faces;
+      }
+      from_previous = to_next;
+      at = next;
     }
   }
 
@@ -140,7 +163,7 @@ private:
   }
 
   const Surface& m_surface;
-  Large_array<Index> m_places; // by vertex: in the array of those that are wanted, or none
+  Large_array<Index> m_places; // by vertex: in the array of those that are chosen; empty: all are
   Large_array<Vertex> m_vertices;
 };
 
