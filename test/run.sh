@@ -30,6 +30,7 @@ if [ -f "$archive" ] && [ ! -d "$meshes" ]; then
 fi
 export REGION_SEGMENTATION_REAL_MESHES="$meshes"
 
-cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release ${CGAL_DIR:+"-DCGAL_DIR=$CGAL_DIR"} >/dev/null
+cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release -DREGION_SEGMENTATION_BUILD_EXAMPLES=OFF \
+  ${CGAL_DIR:+"-DCGAL_DIR=$CGAL_DIR"} >/dev/null
 cmake --build "$build" -j 2
 ctest --test-dir "$build" --output-on-failure -j 2 "$@"
