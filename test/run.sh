@@ -7,7 +7,10 @@
 set -eu
 root=$(cd "$(dirname "$0")/.." && pwd)
 
-sh "$root/cmake/install_packages.sh" g++ make cmake assimp-utils chromium chromium-driver clang clang-format \
+# That of node's makers is part of their nodejs, which excludes Debian's.
+npm=
+command -v npm >/dev/null || npm=npm
+sh "$root/cmake/install_packages.sh" $npm g++ make cmake assimp-utils blender chromium chromium-driver clang clang-format \
   dpkg-dev doxygen emscripten g++-aarch64-linux-gnu lib3mf-dev libboost-iostreams-dev libcgal-demo \
   libcgal-dev libclang-rt-14-dev libcli11-dev libeigen3-dev libfast-float-dev libgtest-dev libjs-mathjax \
   libjs-three libopenmesh-dev libpng-dev libspectra-dev libtbb-dev libtinygltf-dev \
