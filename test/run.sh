@@ -7,7 +7,10 @@
 set -eu
 root=$(cd "$(dirname "$0")/.." && pwd)
 
-sh "$root/cmake/install_packages.sh" g++ make cmake assimp-utils chromium chromium-driver clang clang-format \
+# That of node's makers is part of their nodejs, which excludes Debian's.
+npm=
+command -v npm >/dev/null || npm=npm
+sh "$root/cmake/install_packages.sh" $npm g++ make cmake assimp-utils blender chromium chromium-driver clang clang-format \
   dpkg-dev doxygen emscripten g++-aarch64-linux-gnu lib3mf-dev libboost-iostreams-dev libcgal-demo \
   libcgal-dev libclang-rt-14-dev libcli11-dev libeigen3-dev libfast-float-dev libgtest-dev libjs-mathjax \
   libjs-three libopenmesh-dev libpng-dev libspectra-dev libtbb-dev libtinygltf-dev \
@@ -30,6 +33,7 @@ if [ -f "$archive" ] && [ ! -d "$meshes" ]; then
 fi
 export REGION_SEGMENTATION_REAL_MESHES="$meshes"
 
-cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release ${CGAL_DIR:+"-DCGAL_DIR=$CGAL_DIR"} >/dev/null
+cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release -DREGION_SEGMENTATION_BUILD_EXAMPLES=OFF \
+  ${CGAL_DIR:+"-DCGAL_DIR=$CGAL_DIR"} >/dev/null
 cmake --build "$build" -j 2
 ctest --test-dir "$build" --output-on-failure -j 2 "$@"

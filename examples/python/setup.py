@@ -18,7 +18,7 @@ setup(
             include_dirs=[os.path.relpath(library, folder), "../segment_mesh", "/usr/include/eigen3"],
             libraries=["gmp", "mpfr"],
             define_macros=[("NDEBUG", None)],
-            extra_compile_args=["-O2", "-ffp-contract=off"],
+            extra_compile_args=["-ffp-contract=off"],
             cxx_std=17,
         )
     ]

@@ -44,7 +44,7 @@ for target in $targets; do
   case $target in
     segment_mesh | use_segments) runs=100 length=1000 ;;
     command_line) runs=3000 length=1000 ;;
-    segment_soup) runs=3000 length=300 ;;
+    segment_soup) runs=300 length=300 ;;
     read_gltf) runs=50000 length=2000 ;;
     *) runs=50000 length=1000 ;;
   esac

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <random>
 
 using sample::with;
 using segment_mesh::Polygon_soup;
@@ -193,6 +194,14 @@ void write_soups(Corpus corpus)
   for (const Polygon_soup& soup :
        {tetrahedra(1), tetrahedra(7), grid(5, true, true), grid(5, false, false), fan(30)})
     corpus.add(encoded(soup, 1));
+  // They reach at once what takes thousands of changes of the others.
+  std::mt19937 random(1);
+  for (std::size_t i = 0; i < 60; ++i) {
+    std::string bytes(100 * (1 + i % 3), '\0');
+    for (char& byte : bytes)
+      byte = char(random() % 256);
+    corpus.add(bytes);
+  }
 }
 
 void write_meshes(Corpus corpus)

@@ -1,4 +1,4 @@
-# The tree in the layout of CGAL's repository: two examples and a test are built and run there, as CGAL's scripts build them, and
+# The tree in the layout of CGAL's repository: an example and a test are built and run there, as CGAL's scripts build them, and
 # Doxygen runs over the documentation without a warning. DOXYFILE is that of this repository, whose settings and aliases stand
 # for those of CGAL's packages.
 include(${CMAKE_CURRENT_LIST_DIR}/run.cmake)
@@ -26,7 +26,7 @@ function(build_and_run kind)
     run(${WORK}/build_${kind}/${program})
   endforeach()
 endfunction()
-build_and_run(examples segment_polygon_soup_example walk_the_region_graph_example)
+build_and_run(examples walk_the_region_graph_example)
 build_and_run(test Partition_test)
 
 if(NOT EXISTS ${DOXYFILE})

@@ -3,7 +3,8 @@
 # and installs nothing, and the project is built and runs.
 include(${CMAKE_CURRENT_LIST_DIR}/run.cmake)
 
-set(settings -G ${GENERATOR} -D CMAKE_CXX_COMPILER=${CXX} -D CGAL_DIR=${CGAL_DIR} -D CMAKE_BUILD_TYPE=Debug)
+set(settings -G ${GENERATOR} -D CMAKE_CXX_COMPILER=${CXX} -D CGAL_DIR=${CGAL_DIR} -D CMAKE_BUILD_TYPE=Debug
+    -D CMAKE_CXX_FLAGS_DEBUG=-O0)
 
 file(REMOVE_RECURSE ${WORK})
 run(${CMAKE_COMMAND} -S ${PACKAGE} -B ${WORK}/package ${settings} -D CMAKE_DISABLE_FIND_PACKAGE_GTest=ON)

@@ -1,4 +1,5 @@
-# cmake -D PROGRAM=FILE -D MESH=NAME -P run_on_real_mesh.cmake: runs the program on a mesh of CGAL's demos.
+# cmake -D PROGRAM=FILE -D PIPELINE=NAME -D MESH=NAME -P run_on_real_mesh.cmake: runs the pipeline of the program on a mesh of
+# CGAL's demos.
 cmake_minimum_required(VERSION 3.16)
 
 file(GLOB_RECURSE files "$ENV{REGION_SEGMENTATION_REAL_MESHES}/*/${MESH}")
@@ -7,7 +8,7 @@ if("$ENV{REGION_SEGMENTATION_REAL_MESHES}" STREQUAL "" OR NOT files)
   return()
 endif()
 list(GET files 0 file)
-execute_process(COMMAND ${PROGRAM} ${file} RESULT_VARIABLE result)
+execute_process(COMMAND ${PROGRAM} ${PIPELINE} ${file} RESULT_VARIABLE result)
 if(NOT result EQUAL 0)
-  message(FATAL_ERROR "${PROGRAM} ${file}: ${result}")
+  message(FATAL_ERROR "${PIPELINE} ${file}: ${result}")
 endif()
