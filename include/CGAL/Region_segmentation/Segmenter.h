@@ -304,7 +304,8 @@ private:
     , m_merged(merge(m_request, execution))
   {
     internal::check_parameters<Pack, internal::Segmenting_parameters>();
-    static_assert(!needs_number || !internal::has_number_of_segments<Pack>,
+    static_assert(!needs_number ||
+                    !internal::has_parameter<Pack, internal_np::number_of_segments_t>,
                   "this method merges for each number: give it to "
                   "segment(segment_map, number_of_segments)");
     if constexpr (internal::has_outputs<Pack>)
