@@ -131,7 +131,8 @@ inline void measure_surfaces(const Surface& surface, Surface_faces& faces)
 /// -# *Competition.* Neighbors of which one's surface is also that of the other are one; faces at
 ///    borders go to the surface from which the midpoints of their sides deviate least.
 /// -# *Freeform faces* are what is left, between creases and borders where the curvature jumps.
-///    Surfaces on few vertices across whose border it does not jump are places of them.
+///    Surfaces on few vertices across whose border it does not jump are places of them, if a
+///    quarter of that border is neither sharp nor at surfaces that are certain.
 ///
 /// Faces without a normal of their own, such as slivers, belong to the surface on which their
 /// vertices lie. Faces of the result are connected across edges and seams.
