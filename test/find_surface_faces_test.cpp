@@ -156,6 +156,55 @@ TEST(FindSurfaceFaces, FreeformWalls)
   }
 }
 
+/// A plate with rounded corners of `facets` facets and a chamfer of one row around its top: of each
+/// side and each corner the wall and the chamfer, then top and bottom.
+Shape chamfered_plate(int facets)
+{
+  constexpr double chamfer = 0.1;
+  const auto corner = [](int k, double turns, double inwards, double z) {
+    const double x[] = {3, -3, -3, 3}, y[] = {2, 2, -2, -2};
+    return Point{x[k % 4], y[k % 4], 0} + around(1 - inwards, (k % 4 + turns) / 4, z);
+  };
+  Shape shape;
+  for (int k = 0; k < 4; ++k) {
+    const auto side = [&](double u, double inwards, double z) {
+      return (1 - u) * corner(k, 1, inwards, z) + u * corner(k + 1, 0, inwards, z);
+    };
+    shape.add_face(1, 1, [&](double u, double v) { return side(u, 0, v); });
+    shape.add_face(1, 1, [&](double u, double v) { return side(u, v * chamfer, 1 + v * chamfer); });
+    shape.add_face(facets, 1, [&](double u, double v) { return corner(k, u, 0, v); });
+    shape.add_face(facets, 1,
+                   [&](double u, double v) { return corner(k, u, v * chamfer, 1 + v * chamfer); });
+  }
+  const int around_all = 4 * (facets + 1);
+  const auto outline = [&](int i, double inwards, double z) {
+    return corner(i / (facets + 1), double(i % (facets + 1)) / facets, inwards, z);
+  };
+  for (int i = 0; i < around_all; ++i) {
+    const int next = (i + 1) % around_all;
+    shape.add_triangle(outline(i, chamfer, 1 + chamfer), outline(next, chamfer, 1 + chamfer),
+                       {0, 0, 1 + chamfer}, shape.number_of_faces);
+    shape.add_triangle(outline(next, 0, 0), outline(i, 0, 0), {0, 0, 0}, shape.number_of_faces + 1);
+  }
+  shape.number_of_faces += 2;
+  return shape;
+}
+
+// One row of facets between sharp edges is a face, also where it goes on smoothly at its ends. (Two
+// circles lie on a sphere, too, so the kind of the rounded ones is not tested.)
+TEST(FindSurfaceFaces, ChamferOfOneRow)
+{
+  for (const int facets : {5, 7, 12}) {
+    SCOPED_TRACE(facets);
+    const std::vector<RS::Fitted_surface> s = expect_faces(chamfered_plate(facets));
+    for (int k = 0; k < 4; ++k) {
+      EXPECT_EQ(s[4 * k].kind, Surface_kind::PLANE);
+      EXPECT_EQ(s[4 * k + 1].kind, Surface_kind::PLANE);
+      EXPECT_EQ(s[4 * k + 2].kind, Surface_kind::CYLINDER);
+    }
+  }
+}
+
 /// A tube of radius 0.4 around a helix of radius 2 that rises by `pitch` per radian, with its ends.
 Shape helical_tube(double pitch, double radians)
 {

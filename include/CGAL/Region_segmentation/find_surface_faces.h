@@ -48,8 +48,7 @@ inline Surface_faces find_faces(const Surface& surface, double tolerance,
 {
   Face_search search(surface, tolerance);
   find_faces_from_patches(search, execution.step(0, 0.7));
-  find_small_planes(search, execution.step(0.7, 0.85));
-  find_pairs_of_planes(search, execution.step(0.85, 0.9));
+  find_small_planes(search, execution.step(0.7, 0.9));
   merge_equal_surfaces(search);
   compete_at_borders(search);
   separate_components(search, execution.step(0.9, 1));
@@ -132,7 +131,8 @@ inline void measure_surfaces(const Surface& surface, Surface_faces& faces)
 /// -# *Competition.* Neighbors of which one's surface is also that of the other are one; faces at
 ///    borders go to the surface from which the midpoints of their sides deviate least.
 /// -# *Freeform faces* are what is left, between creases and borders where the curvature jumps.
-///    Surfaces on few vertices across whose border it does not jump are places of them.
+///    Surfaces on few vertices across whose border it does not jump are places of them, if a
+///    quarter of that border is neither sharp nor at surfaces that are certain.
 ///
 /// Faces without a normal of their own, such as slivers, belong to the surface on which their
 /// vertices lie. Faces of the result are connected across edges and seams.

@@ -78,12 +78,12 @@ inline std::vector<Label_vertices> vertices_of_labels(const Face_search& search)
   return result;
 }
 
-/// By label. Places of freeform faces lie on surfaces by chance: three vertices on a plane, those
-/// of two circles on a cone, sphere or torus, and of three of its parallels on a torus. With fewer
-/// than 4 vertices for each degree of freedom, or 8 on a plane, they may.
-inline std::vector<Evidence> evidence_of_surfaces(const Face_search& search)
+/// By label, of the vertices alone. Places of freeform faces lie on surfaces by chance: three
+/// vertices on a plane, those of two circles on a cone, sphere or torus, and of three of its
+/// parallels on a torus. With fewer than 4 vertices for each degree of freedom, they may.
+inline std::vector<Evidence> evidence_of_vertices(const Face_search& search,
+                                                  const std::vector<Label_vertices>& vertices)
 {
-  const std::vector<Label_vertices> vertices = vertices_of_labels(search);
   const auto is_by_chance = [&](std::size_t label) {
     const Label_vertices& v = vertices[label];
     switch (search.surfaces[label].kind) {
@@ -99,11 +99,50 @@ inline std::vector<Evidence> evidence_of_surfaces(const Face_search& search)
   std::vector<Evidence> result(vertices.size(), Evidence::NONE);
   for (std::size_t label = 0; label < result.size(); ++label) {
     const Surface_kind kind = search.surfaces[label].kind;
-    if (kind == Surface_kind::FREEFORM || is_by_chance(label))
-      continue;
-    const int enough = kind == Surface_kind::PLANE ? 8 : 4 * degrees_of_freedom(kind);
-    result[label] = vertices[label].number < enough ? Evidence::WEAK : Evidence::STRONG;
+    if (kind != Surface_kind::FREEFORM && !is_by_chance(label))
+      result[label] = vertices[label].number < 4 * degrees_of_freedom(kind) ? Evidence::WEAK
+                                                                            : Evidence::STRONG;
   }
+  return result;
+}
+
+/// By label: the share of its border across which it may go on smoothly to labels whose evidence is
+/// not strong.
+inline std::vector<double> shares_of_uncertain_border(const Face_search& search,
+                                                      const std::vector<Evidence>& evidence)
+{
+  const Surface& surface = search.surface;
+  std::vector<double> uncertain(evidence.size(), 0), all(evidence.size(), 0);
+  for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a) {
+    const Surface::Index i = search.labels[surface.lower_face(a)],
+                         j = search.labels[surface.higher_face(a)];
+    if (i == j || surface.has_flag(a, Surface::LINK))
+      continue;
+    const double length = surface.length(a),
+                 smooth = search.neighbors.may_be_smooth(a) ? length : 0;
+    all[i] += length;
+    all[j] += length;
+    uncertain[i] += evidence[j] == Evidence::STRONG ? 0 : smooth;
+    uncertain[j] += evidence[i] == Evidence::STRONG ? 0 : smooth;
+  }
+  for (std::size_t label = 0; label < all.size(); ++label)
+    uncertain[label] /= all[label] > 0 ? all[label] : 1;
+  return uncertain;
+}
+
+/// By label. Places of freeform faces border on them: where most of the border is sharp, or meets
+/// surfaces of strong evidence, 4 vertices are enough, as for a chamfer along planes and arcs.
+inline std::vector<Evidence> evidence_of_surfaces(const Face_search& search)
+{
+  constexpr double little = 0.25;
+  constexpr int fewest_vertices = 4;
+  const std::vector<Label_vertices> vertices = vertices_of_labels(search);
+  std::vector<Evidence> result = evidence_of_vertices(search, vertices);
+  const std::vector<double> uncertain = shares_of_uncertain_border(search, result);
+  for (std::size_t label = 0; label < result.size(); ++label)
+    if (search.surfaces[label].kind != Surface_kind::FREEFORM && uncertain[label] < little &&
+        vertices[label].number >= fewest_vertices)
+      result[label] = Evidence::STRONG;
   return result;
 }
 
