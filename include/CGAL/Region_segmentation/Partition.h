@@ -34,7 +34,7 @@ public:
   Partition() = default;
 
   /// \pre the numbers are those of a partition: below `number_of_parts`, each one used, by the
-  /// first element
+  ///      first element
   Partition(std::vector<Index> part_of, std::size_t number_of_parts)
     : m_part_of(std::move(part_of))
     , m_number_of_parts(number_of_parts)

@@ -108,8 +108,7 @@ public:
   ///     \cgalParamDescription{an output: the first regions, with ids 0 .. r-1, numbered by the
   ///       first face}
   ///     \cgalParamType{a model of `WritablePropertyMap` with the face descriptor as key type and
-  ///     an
-  ///       integral value type}
+  ///       an integral value type}
   ///     \cgalParamDefault{not written}
   ///   \cgalParamNEnd
   ///   \cgalParamNBegin{merge_tree}

@@ -33,8 +33,8 @@ using Graph_parameters = Tag_list<internal_np::component_links_t,
 /// builds the graph of the regions of a surface and the sections between them.
 ///
 /// \tparam RegionData, SectionData models of `RegionData` and `SectionData`: sums over the faces
-/// and adjacencies. Those that
-///         need more, such as `Visibility_region_data`, are filled by their annotator afterwards
+///         and adjacencies. Those that need more, such as `Visibility_region_data`, are filled by
+///         their annotator afterwards
 /// \param surface, regions the region of every face
 /// \param constraints adjacencies that are never merged across
 /// \param execution threads and visitor: reports the progress of the stage that it is of
@@ -66,19 +66,21 @@ build_region_adjacency_graph(const Surface& surface, const Partition& regions,
 ///         integral value type
 /// \param mesh see `segment()`
 /// \param region_map the region of every face, by any labels: regions are numbered by their first
-/// face \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
+///        face
+/// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{edge_is_constrained_map}
 ///     \cgalParamDescription{edges that are never merged across}
 ///     \cgalParamType{a model of `ReadablePropertyMap` with the edge descriptor as key type and a
-///     value type convertible
-///       to `bool`}
+///       value type convertible to `bool`}
 ///     \cgalParamDefault{no edge}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{component_links}
 ///     \cgalParamDescription{whether components that touch or are near each other are adjacent, see
-///     `Surface`} \cgalParamType{`bool`} \cgalParamDefault{`true`}
+///       `Surface`}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`true`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
 ///     \cgalParamDescription{follows the progress, and can cancel: stages "reading", "graph"}

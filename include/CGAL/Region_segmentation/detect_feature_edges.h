@@ -53,8 +53,7 @@ using Feature_edge_parameters = Tag_list<
 ///   \cgalParamNBegin{edge_is_constrained_map}
 ///     \cgalParamDescription{edges that are always feature edges}
 ///     \cgalParamType{a model of `ReadablePropertyMap` with the edge descriptor as key type and a
-///     value type convertible
-///       to `bool`}
+///       value type convertible to `bool`}
 ///     \cgalParamDefault{no edge}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
@@ -71,7 +70,7 @@ using Feature_edge_parameters = Tag_list<
 /// \returns the number of edges written as true
 /// \pre `maximum_angle` is in [0, 180]
 /// \throws Invalid_input if a point is not finite, Segmentation_cancelled if the visitor cancels;
-/// the map is unchanged
+///         the map is unchanged
 ///
 /// Complexity: O(F); that of `make_surface()`. Deterministic. Parallel with `Parallel_tag`.
 /// Concurrent calls on different maps are safe.

@@ -100,21 +100,21 @@ struct Polyline_collector
 ///         `std::vector<vertex_descriptor>`
 /// \param mesh an oriented 2-manifold with or without boundary
 /// \param edge_is_feature_map the feature edges; every key is written. Borders of the mesh are
-/// always
-///        feature edges
+///        always feature edges
 /// \param polylines receives the vertices of every line; a closed one ends with its first vertex
 /// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{minimum_length}
 ///     \cgalParamDescription{lines of at least this number of edges are kept, although they end
-///     inside the surface} \cgalParamType{an integral type} \cgalParamDefault{no line is that long}
+///       inside the surface}
+///     \cgalParamType{an integral type}
+///     \cgalParamDefault{no line is that long}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{edge_is_constrained_map}
 ///     \cgalParamDescription{feature edges that are never removed}
 ///     \cgalParamType{a model of `ReadablePropertyMap` with the edge descriptor as key type and a
-///     value type convertible
-///       to `bool`}
+///       value type convertible to `bool`}
 ///     \cgalParamDefault{no edge}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
@@ -132,7 +132,7 @@ struct Polyline_collector
 /// \post every remaining line that is shorter than `minimum_length` is closed or ends at other
 ///       feature edges
 /// \throws Invalid_input if a point is not finite, Segmentation_cancelled if the visitor cancels;
-/// the map is unchanged
+///         the map is unchanged
 ///
 /// Complexity: O(F). Deterministic. Concurrent calls on different maps are safe.
 ///

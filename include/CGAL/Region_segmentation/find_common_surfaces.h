@@ -40,8 +40,8 @@ std::vector<Partition::Index> first_equal_ones(std::size_t n, const Are_equal& a
 /// separates.
 ///
 /// \returns for each face the first one on the same surface, which may be itself: the vertices of
-/// one of the two lie on the surface of the other, within 10 times `faces.tolerance`. A freeform
-/// face is alone.
+///          one of the two lie on the surface of the other, within 10 times `faces.tolerance`. A
+///          freeform face is alone.
 ///
 /// Complexity: O(F + n m) in practice, n faces on m surfaces.
 inline std::vector<Partition::Index> find_common_surfaces(const Surface& surface,
@@ -70,8 +70,8 @@ inline std::vector<Partition::Index> find_common_surfaces(const Surface& surface
 /// finds the cylinders, cones and tori of a machine part that have one axis.
 ///
 /// \returns for each face the first one with the same axis, which may be itself: where one of the
-/// two faces begins and ends along its axis, it is within 10 times `faces.tolerance` of the axis of
-/// the other. A face of another kind is alone.
+///          two faces begins and ends along its axis, it is within 10 times `faces.tolerance` of
+///          the axis of the other. A face of another kind is alone.
 ///
 /// Complexity: O(n m), n faces with m axes.
 inline std::vector<Partition::Index> find_common_axes(const Surface_faces& faces)

@@ -121,8 +121,8 @@ inline void measure_surfaces(const Surface& surface, Surface_faces& faces)
 /// -# *Tolerance.* Vertices of a tessellation lie on the exact surface, to rounding: the tolerance
 ///    is \f$10^{-6}\f$ of the square root of the area, if at least 1/20 of the area is flat to
 ///    that, or some patch lies on its surface. Otherwise it is 5 times the standard deviation of
-///    the vertices from the surfaces that fit patches of 24 of them best, a low quantile of 300
-///    patches; at most 1/100 of that root.
+///    the vertices from the surfaces that fit patches of 24 of them: the least of 1.4 times that of
+///    the best sixteenth of 300 patches, three times that of the best one, and 1/500 of that root.
 /// -# *Surfaces from patches.* From each face that is not found yet, the largest first, a patch of
 ///    neighbors is collected. The simplest surface on which its vertices lie grows over all faces
 ///    that lie on it, and is fitted again whenever their number has doubled. Where the mesh leaves
@@ -139,11 +139,11 @@ inline void measure_surfaces(const Surface& surface, Surface_faces& faces)
 ///
 /// \param surface the surface of the part
 /// \param tolerance the largest distance of a vertex from its surface, in units of the mesh; 0:
-/// found from the mesh
+///        found from the mesh
 /// \param execution reports the progress
 ///
-/// Deterministic. The faces are independent of motion, scale and the order of faces, see \ref
-/// RegionSegmentationTies. Complexity: near linear in the number of faces.
+/// Deterministic. The faces are independent of motion, scale and the order of faces, up to 524,288
+/// of them, see \ref RegionSegmentationTies. Complexity: near linear in the number of faces.
 /// \throws Segmentation_cancelled if the visitor cancels
 inline Surface_faces find_surface_faces(const Surface& surface, double tolerance = 0,
                                         const Execution& execution = Execution())

@@ -41,8 +41,7 @@ namespace Region_segmentation {
 ///   \cgalParamNBegin{edge_is_constrained_map}
 ///     \cgalParamDescription{edges that are not crossed}
 ///     \cgalParamType{a model of `ReadablePropertyMap` with the edge descriptor as key type and a
-///     value type convertible
-///       to `bool`}
+///       value type convertible to `bool`}
 ///     \cgalParamDefault{no edge}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
@@ -60,7 +59,7 @@ namespace Region_segmentation {
 /// \post every region is connected; two faces that share an edge which is not a feature edge, and
 ///       neither of which is degenerate, have the same region
 /// \throws Invalid_input if a point is not finite, Segmentation_cancelled if the visitor cancels;
-/// the maps are unchanged
+///         the maps are unchanged
 ///
 /// Complexity: O(F); 4 bytes per face. Deterministic. Parallel: reading, with `Parallel_tag`.
 /// Concurrent calls on different maps are safe.

@@ -82,8 +82,8 @@ using Surface_parameters = Tag_list<internal_np::component_links_t, CGAL::intern
 /// \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \param mesh its faces are polygons of any size
 /// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
-/// `component_links`, `visitor` (stage
-///           "reading"), `vertex_point_map`, `face_index_map`, `vertex_index_map`; see `segment()`
+///        `component_links`, `visitor` (stage "reading"), `vertex_point_map`, `face_index_map`,
+///        `vertex_index_map`; see `segment()`
 /// \throws Invalid_input if a point is not finite, Segmentation_cancelled if the visitor cancels
 ///
 /// Complexity: O(F), O(F log F) with several components.
@@ -115,10 +115,10 @@ Surface make_surface(const FaceGraph& mesh,
 /// Closed components are turned, and components are linked, as those of a face graph.
 ///
 /// \tparam PointRange a range whose value type is a model of `Kernel::Point_3`, or has `operator[]`
-/// for its coordinates \tparam PolygonRange a range of ranges of indices of points \throws
-/// Invalid_input if a polygon has no corner or one that is not a point, or a point of a polygon is
-/// not finite;
-///         Segmentation_cancelled if the visitor cancels
+///         for its coordinates
+/// \tparam PolygonRange a range of ranges of indices of points
+/// \throws Invalid_input if a polygon has no corner or one that is not a point, or a point of a
+///         polygon is not finite; Segmentation_cancelled if the visitor cancels
 ///
 /// Complexity: O(F) expected, O(F log F) with several components or seams.
 template <typename ConcurrencyTag = CGAL::Sequential_tag, typename PointRange,

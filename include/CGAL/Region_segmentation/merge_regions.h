@@ -51,13 +51,13 @@ struct Stop_at_cost
 /// \tparam Graph a `Region_adjacency_graph`
 /// \tparam Policy a model of `MergingPolicy`
 /// \tparam Stop `bool operator()(const Graph&, double next_cost)`: whether to end before the next
-/// merge,
-///         which would cost `next_cost`. `Stop_at_count`, `Stop_at_cost`, or a user's own
+///         merge, which would cost `next_cost`. `Stop_at_count`, `Stop_at_cost`, or a user's own
 /// \param graph the regions; merged in place
 /// \param policy is initialized for the graph, so that it can be used again
 /// \param number_of_segments the wanted number, for a policy whose order depends on it; `stop` ends
-/// merging \param stop is called before each merge \param np an optional sequence of \ref
-/// PkgRegionSegmentationNP "Named Parameters":
+///        merging
+/// \param stop is called before each merge
+/// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{visitor}
@@ -70,9 +70,8 @@ struct Stop_at_cost
 ///
 /// \returns the tree of the merges, over all indices of regions of the graph
 /// \throws Segmentation_cancelled if the visitor cancels, Invalid_method if the policy proposes a
-/// section that is
-///         removed or not mergeable, or a cost that is not a number; the graph is then in the state
-///         between two merges
+///         section that is removed or not mergeable, or a cost that is not a number; the graph is
+///         then in the state between two merges
 ///
 /// Complexity: that of the policy, and O((R + S) log R) expected for the graph itself.
 /// Deterministic.

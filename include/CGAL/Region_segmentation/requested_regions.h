@@ -29,8 +29,8 @@ struct Requested_regions
 
 /// \ingroup PkgRegionSegmentationData
 /// splits regions where constraints separate their faces, and where they have faces of several
-/// seeds; regions of equal seeds are joined along the cheapest path. \throws Invalid_input if the
-/// faces of a seed cannot be joined
+/// seeds; regions of equal seeds are joined along the cheapest path.
+/// \throws Invalid_input if the faces of a seed cannot be joined
 inline Requested_regions requested_regions(const Surface& surface, const Partition& regions,
                                            const Request& request)
 {

@@ -181,16 +181,14 @@ std::size_t segment(const FaceGraph& mesh, FaceSegmentMap segment_map, Number nu
 /// \param points a range of points, see `make_surface()`
 /// \param polygons a range of ranges of indices of points
 /// \param segment_map a random access range of as many elements as there are polygons, or a model
-/// of
-///        `WritablePropertyMap` with the index of a polygon as key; every polygon gets a segment, a
-///        degenerate one that of a neighbor
+///        of `WritablePropertyMap` with the index of a polygon as key; every polygon gets a
+///        segment, a degenerate one that of a neighbor
 /// \param np `edge_is_constrained_map` is a range of pairs of indices of points, `face_seed_map`
-/// and `region_map` are
-///        random access ranges or property maps with the index of a polygon as key
+///        and `region_map` are random access ranges or property maps with the index of a polygon as
+///        key
 ///
 /// \throws Invalid_input if a polygon has no corner or one that is not a point, a point of a
-/// polygon
-///         is not finite, or a range has not as many elements as there are polygons
+///         polygon is not finite, or a range has not as many elements as there are polygons
 template <
   typename ConcurrencyTag = CGAL::Sequential_tag, typename PointRange, typename PolygonRange,
   typename PolygonSegmentMap, typename NamedParameters = parameters::Default_named_parameters,

@@ -125,10 +125,10 @@ private:
 /// after `segment()`, or after any other segmentation.
 ///
 /// \tparam ConcurrencyTag `Sequential_tag` or, with TBB, `Parallel_tag`: the mesh is read in
-/// parallel; see `segment()` \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
+///         parallel; see `segment()`
+/// \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam FaceSegmentMap a model of `ReadWritePropertyMap` with the face descriptor as key and an
-/// integral
-///         value type of at most 64 bits
+///         integral value type of at most 64 bits
 /// \param mesh an oriented 2-manifold with or without boundary, its faces polygons of any size
 /// \param segment_map the segments, by any labels; only faces whose label changes are written
 /// \param smoother how borders are moved
@@ -137,9 +137,9 @@ private:
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{edge_is_constrained_map}
 ///     \cgalParamDescription{edges that keep the border that runs along them, and that no border
-///     moves across} \cgalParamType{a model of `ReadablePropertyMap` with the edge descriptor as
-///     key type and a value type convertible
-///       to `bool`}
+///       moves across}
+///     \cgalParamType{a model of `ReadablePropertyMap` with the edge descriptor as key type and a
+///       value type convertible to `bool`}
 ///     \cgalParamDefault{no edge}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
@@ -159,7 +159,7 @@ private:
 ///       constrained edge that had different labels still have; a face farther from the borders of
 ///       its segment than the band of `smoother` keeps its label
 /// \throws Invalid_input if a point is not finite, Segmentation_cancelled if the visitor cancels;
-/// the map is unchanged
+///         the map is unchanged
 ///
 /// Constraints of the segmentation are not known here: `edge_is_constrained_map` is to be given
 /// again.

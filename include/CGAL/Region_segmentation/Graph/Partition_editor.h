@@ -90,7 +90,8 @@ public:
   /// @{
 
   /// Splits a segment into `number` parts: what was joined comes apart first, then the last merges
-  /// are undone. \returns the number of parts: fewer than `number` if the segment has fewer regions
+  /// are undone.
+  /// \returns the number of parts: fewer than `number` if the segment has fewer regions
   /// \pre `segment < number_of_segments()`, and `number` is at least 1
   std::size_t split(std::size_t segment, std::size_t number = 2)
   {

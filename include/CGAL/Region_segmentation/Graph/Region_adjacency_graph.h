@@ -113,7 +113,8 @@ public:
 
   /// Adds a section between two regions that have no common edge, to keep data of the pair. It is
   /// not mergeable; absorbing it, or being absorbed by it, does not change whether another section
-  /// is mergeable. \pre both regions are there, and have no section yet
+  /// is mergeable.
+  /// \pre both regions are there, and have no section yet
   section_descriptor add_nonadjacent_section(region_descriptor a, region_descriptor b,
                                              SectionData data = SectionData())
   {

@@ -52,7 +52,7 @@ double planarity(const RegionData& region)
 /// \f$s\f$ the area and \f$\rho\f$ the planarity; the lower id of equal sums. The cost of a merge
 /// is 1 minus the mean of these terms: in [0, 1], low for an insignificant region.
 ///
-/// Complexity: O(R) per merge, and the choice of the section.
+/// Complexity: O(R^2) for R regions at the start, O(R) per merge, and the choice of the section.
 ///
 /// Source: \cgalCite{YZWLL14}, eq. 4.
 class Least_compact_region_first

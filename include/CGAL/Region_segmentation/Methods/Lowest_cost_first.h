@@ -40,7 +40,7 @@ namespace Region_segmentation {
 /// graph[s].length; })`.
 ///
 /// \tparam Cost a model of `SectionCost`; a section whose cost is not a number is never merged
-/// across
+///         across
 template <typename Cost>
 class Lowest_cost_first : public internal::Data_named_by<Cost>
 {

@@ -24,7 +24,7 @@ namespace Region_segmentation {
 ///
 /// \tparam Order a model of `SectionCost`: the section for which it is lowest is merged across next
 /// \tparam Cost a model of `SectionCost`, recorded for each merge; a number for every section that
-/// `Order` does not bar
+///         `Order` does not bar
 template <typename Order, typename Cost>
 class Lowest_order_first : public Lowest_cost_first<Order>
 {

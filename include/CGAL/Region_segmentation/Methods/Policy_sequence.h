@@ -43,8 +43,7 @@ struct Switch_at_count
 ///
 /// \tparam First, Second models of `MergingPolicy`, such as another sequence
 /// \tparam Switch `Switch_at_multiple`, `Switch_at_count`, or a similar function object: whether
-/// the
-///         second policy takes over
+///         the second policy takes over
 template <typename First, typename Second, typename Switch>
 class Policy_sequence
 {

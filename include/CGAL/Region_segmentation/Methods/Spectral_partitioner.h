@@ -141,9 +141,8 @@ public:
   /// The segments of the regions.
   /// \pre `number_of_segments` is at least 1; no region was removed
   /// \post every segment is connected by mergeable sections; there are `number_of_segments` of
-  /// them, or as
-  ///       many as there are regions if those are fewer, or connected pieces of the graph if those
-  ///       are more
+  ///       them, or as many as there are regions if those are fewer, or connected pieces of the
+  ///       graph if those are more
   template <typename Graph>
   Partition operator()(const Graph& graph, std::size_t number_of_segments) const
   {

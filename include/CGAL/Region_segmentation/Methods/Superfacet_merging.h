@@ -76,11 +76,11 @@ private:
 /// chooses it. A number that exceeds that of the superfacets splits them.
 ///
 /// \tparam GraphAnnotator fills the data of the graph of regions: nested types `RegionData` and
-/// `SectionData`, and
-///         `void operator()(Graph&, const Surface&, const Partition& regions, const Region_rays&)
-///         const`
+///         `SectionData`, and `void operator()(Graph&, const Surface&, const Partition& regions,
+///         const Region_rays&) const`
 /// \tparam MergingPolicy a model of `MergingPolicy` whose order does not depend on the number of
-/// segments \tparam NumberChooser a model of `NumberChooser`, for the costs of the policy
+///         segments
+/// \tparam NumberChooser a model of `NumberChooser`, for the costs of the policy
 template <typename GraphAnnotator, typename MergingPolicy, typename NumberChooser>
 struct Superfacet_merging
 {

@@ -94,8 +94,8 @@ public:
   /// The partition into `number_of_parts` that splits connected regions of the faces further: the
   /// face farthest from that nearest to the centroid of its region is separated first, with the
   /// faces that were reached through it. Steps between faces are measured as those between patches.
-  /// Degenerate faces are separated last. O(F log F). \pre `number_of_parts` is at least the number
-  /// of regions
+  /// Degenerate faces are separated last. O(F log F).
+  /// \pre `number_of_parts` is at least the number of regions
   Partition split(const Surface& surface, const Partition& regions,
                   std::size_t number_of_parts) const
   {

@@ -56,16 +56,16 @@ namespace Region_segmentation {
 ///   that see each other get a section of no edges, which is never merged across, and counts when
 ///   their unions become adjacent.
 /// - The *bend* of a section is its length times the angle between the mean normals of its two
-/// regions, positive if
-///   these face each other: \f$(n_j - n_i) \cdot (c_j - c_i) < 0\f$, \f$c\f$ the centroids of the
-///   regions.
+///   regions, positive if these face each other: \f$(n_j - n_i) \cdot (c_j - c_i) < 0\f$, \f$c\f$
+///   the centroids of the regions.
 ///
 /// Lengths are relative to \f$\sqrt{A}\f$ and areas to \f$A\f$, the area of the surface. If that is
 /// 0, all data are 0.
 ///
-/// Complexity: O(F log F + 12 R log F) in practice; at worst, where most faces are long and
-/// overlap, O(F) for each of at most 102,400 rays. Deterministic. With `Parallel_tag` the tree of
-/// the rays is built, and they are traced, in parallel, with bitwise equal results.
+/// Complexity: O(P log P + 12 R log P) in practice, P patches, rays included (see `Region_rays`);
+/// at worst, where most faces are long and overlap, O(F) for each of at most 102,400 rays.
+/// Deterministic. With `Parallel_tag` the tree of the rays is built, and they are traced, in
+/// parallel, with bitwise equal results.
 ///
 /// Source: thickness \cgalCite{SSC08}.
 class Visibility_annotator

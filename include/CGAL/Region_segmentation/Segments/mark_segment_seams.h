@@ -51,7 +51,7 @@ namespace Region_segmentation {
 /// \cgalNamedParamsEnd
 ///
 /// \returns the number of marked edges; more than `mark_segment_borders()` marks if a component of
-/// a segment is not a disc
+///          a segment is not a disc
 /// \throws Invalid_input if a point is not finite; the map is unchanged
 /// \pre `cost.concave_gain >= 0`
 ///

@@ -87,7 +87,7 @@ labels_of_nearest_faces(const Mesh_geometry& to, Nearest_face_finder& finder, do
 ///
 /// \returns the number of different labels on `to`
 /// \throws Invalid_input if a point is not finite, or `from` has no face and `to` has one; the map
-/// is unchanged
+///         is unchanged
 ///
 /// Complexity: O((F + G) log F) in practice, G the number of faces of `to`. Deterministic.
 /// Concurrent calls on different maps are safe.

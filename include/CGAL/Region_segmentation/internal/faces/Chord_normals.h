@@ -35,7 +35,7 @@ public:
   using Index = Surface::Index;
 
   /// \param is_free by face: those whose normals are wanted. Where they meet others smoothly, these
-  /// have a surface, and its normals hold.
+  ///        have a surface, and its normals hold.
   Chord_normals(const Face_search& search, const std::vector<std::uint8_t>& is_free)
     : m_surface(search.surface)
     , m_first(m_surface.number_of_faces(), Face_search::none)

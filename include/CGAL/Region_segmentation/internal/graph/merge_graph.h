@@ -91,8 +91,9 @@ public:
   }
 
   /// Merges in the order of a policy, until `stop(graph, next_cost)` or the policy has no further
-  /// candidate. \throws Invalid_method if the policy proposes a section that is removed or not
-  /// mergeable, or a cost that is not a number
+  /// candidate.
+  /// \throws Invalid_method if the policy proposes a section that is removed or not mergeable, or a
+  ///         cost that is not a number
   template <typename Policy, typename Stop>
   void run(Policy& policy, Stop& stop)
   {

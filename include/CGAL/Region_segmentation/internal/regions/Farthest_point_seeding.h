@@ -41,7 +41,8 @@ public:
 
   /// Places `number` seeds, or more if there are more components, or fewer if all faces are seeds.
   /// `remoteness`: by face; each component gets its first seed where it is highest, of several at
-  /// the lower face, and components in this order \pre there are faces
+  /// the lower face, and components in this order
+  /// \pre there are faces
   void run(const std::vector<double>& remoteness, std::size_t number, const Execution& execution)
   {
     Step_counter seeds(execution, number);

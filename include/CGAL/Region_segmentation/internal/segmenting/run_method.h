@@ -112,8 +112,7 @@ Request request_of_pack(const Input& input, const Surface& surface, const Pack& 
 
 /// What the method merges.
 /// \throws Invalid_method unless its regions are those of the faces, and its merges or segments
-/// those
-///         of the regions
+///         those of the regions
 template <typename Method, typename Prepared>
 auto merge_by(const Method& method, const Surface& surface, const Prepared& prepared,
               const Request& request, const Execution& execution)

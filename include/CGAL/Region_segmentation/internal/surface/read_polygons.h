@@ -21,7 +21,7 @@ namespace internal {
 
 /// The points and the corners of polygons. No neighbor is known yet.
 /// \throws Invalid_input if a polygon has no corner or one that is not a point, or a point is not
-/// finite
+///         finite
 template <typename PointRange, typename PolygonRange>
 Raw_surface read_polygons(const PointRange& points, const PolygonRange& polygons,
                           const Execution& execution)
