@@ -8,7 +8,7 @@ root=$(cd "$here/.." && pwd)
 program=${1:-$root/build/bin/segment_mesh}
 figures=$here/Region_segmentation/fig
 
-sh "$root/cmake/install_packages.sh" chromium gnuplot-nox imagemagick libcgal-demo optipng python3
+sh "$root/cmake/install_packages.sh" chromium imagemagick libcgal-demo optipng python3
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 meshes=${REGION_SEGMENTATION_REAL_MESHES:-$work}
@@ -125,9 +125,6 @@ view sphere sphere -60 15 -k 2
 view planes head -80 10
 view noisy fandisk 30 25 --method smooth-faces
 row failures 220 sphere planes noisy
-
-sh "$here/plot_speed.sh" "$work/speed.png"
-small "$work/speed.png" "$figures/speed.png"
 
 # The page, as a browser shows it.
 "$program" --quiet "$meshes/triceratops.off" -o "$work/triceratops.html" >"$work/page.txt"
