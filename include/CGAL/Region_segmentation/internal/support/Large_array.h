@@ -37,7 +37,6 @@ inline void ask_for_large_pages(void* block, std::size_t size)
 template <typename T>
 struct Large_page_allocator
 {
-  static_assert(alignof(T) <= __STDCPP_DEFAULT_NEW_ALIGNMENT__, "operator new aligns T");
   using value_type = T;
 
   Large_page_allocator() = default;
@@ -47,15 +46,32 @@ struct Large_page_allocator
 
   T* allocate(std::size_t n)
   {
-    void* const block = ::operator new(n * sizeof(T));
+    void* const block = new_block(n * sizeof(T));
     ask_for_large_pages(block, n * sizeof(T));
     return static_cast<T*>(block);
   }
 
-  void deallocate(T* block, std::size_t) { ::operator delete(block); }
+  void deallocate(T* block, std::size_t)
+  {
+    if constexpr (is_over_aligned)
+      ::operator delete(block, std::align_val_t(alignof(T)));
+    else
+      ::operator delete(block);
+  }
 
   friend bool operator==(const Large_page_allocator&, const Large_page_allocator&) { return true; }
   friend bool operator!=(const Large_page_allocator&, const Large_page_allocator&) { return false; }
+
+private:
+  static constexpr bool is_over_aligned = alignof(T) > __STDCPP_DEFAULT_NEW_ALIGNMENT__;
+
+  static void* new_block(std::size_t bytes)
+  {
+    if constexpr (is_over_aligned)
+      return ::operator new(bytes, std::align_val_t(alignof(T)));
+    else
+      return ::operator new(bytes);
+  }
 };
 
 /// A vector with an element per face, edge or section: in large pages, and `resize()` does not
