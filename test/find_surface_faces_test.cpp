@@ -441,8 +441,9 @@ void expect_part_faces(double scale)
     }
     if (s.has_axis())
       for (std::size_t j = 0; j < i; ++j)
-        if (faces[j].kind == Surface_kind::CYLINDER)
+        if (faces[j].kind == Surface_kind::CYLINDER) {
           EXPECT_EQ(faces[i].first_on_axis, faces[j].first_on_axis);
+        }
   }
   EXPECT_EQ(holes, 1u);
   EXPECT_NEAR(area, surface.area() * surface.unit() / scale * surface.unit() / scale, 1e-9 * area);

@@ -4,8 +4,8 @@
 void test(const Mesh& mesh, Labels labels)
 {
 #ifdef WITH_FAULT
-  RS::segment(mesh, labels, RS::Two_step());
+  RS::segment(mesh, labels, RS::Visibility_merging());
 #else
-  RS::segment(mesh, labels, RS::parameters::method(RS::Two_step()).number_of_segments(8));
+  RS::segment(mesh, labels, RS::parameters::method(RS::Visibility_merging()));
 #endif
 }

@@ -30,7 +30,7 @@ inline void separate_components(Face_search& search, const Execution& execution)
     },
     execution);
   std::vector<Fitted_surface> surfaces(components.number_of_parts());
-  for (std::size_t f = 0; f < surface.number_of_faces(); ++f)
+  for (Surface::Index f = 0; f < surface.number_of_faces(); ++f)
     if (search.is_found(f))
       surfaces[components[f]] = search.surface_of(f);
   search.labels.assign(components.begin(), components.end());
