@@ -78,16 +78,9 @@ public:
   }
 
 private:
-  /// Newell's formula, relative to the first corner.
   Double_3 area_vector_of_corners(Index face) const
   {
-    const Index first = m_halfedges.first[face], end = m_halfedges.first[face + 1];
-    const Double_3 origin = point(m_halfedges.source[first]);
-    Double_3 sum{0, 0, 0};
-    for (Index h = first + 2; h < end; ++h)
-      sum = sum +
-            cross(point(m_halfedges.source[h - 1]) - origin, point(m_halfedges.source[h]) - origin);
-    return 0.5 * sum;
+    return internal::area_vector(m_halfedges, face, [&](Index v) { return point(v); });
   }
 
   const Halfedge_table& m_halfedges;

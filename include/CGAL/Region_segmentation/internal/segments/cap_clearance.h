@@ -70,10 +70,7 @@ inline std::vector<Double_3> moves_for_clearance(const Closed_segments& solids,
   const Partition fans = solids.fans();
   std::vector<Planes_of_vertex> planes(fans.number_of_parts());
   for (Index f = 0; f < solids.number_of_faces(); ++f) {
-    const Double_3& origin = points[solids.source[solids.first[f]]];
-    Double_3 area{0, 0, 0};
-    for (Index h = solids.first[f]; h < solids.first[f + 1]; ++h)
-      area = area + cross(points[solids.source[h]] - origin, points[solids.target(h)] - origin);
+    const Double_3 area = area_vector(solids, f, [&](Index v) { return points[v]; });
     if (!(norm(area) > 0))
       continue;
     for (Index h = solids.first[f]; h < solids.first[f + 1]; ++h) {
