@@ -140,9 +140,9 @@ void expect_fitting(const Soup& soup, const Solids& solids)
   EXPECT_NEAR(solids.sum_of_volumes(), volume(soup), 1e-9 * std::abs(volume(soup)));
 }
 
-TEST(Close_segments_test, halves_of_a_cube_share_a_flat_cap)
+/// Of a block of 2 x 2 x 2 voxels.
+Labels halves_along_x(const Soup& soup)
 {
-  const Soup soup = voxel_surface(voxel_block({0, 0, 0}, {2, 2, 2}));
   Labels labels;
   for (const Polygon& polygon : soup.polygons) {
     double x = 0;
@@ -150,6 +150,27 @@ TEST(Close_segments_test, halves_of_a_cube_share_a_flat_cap)
       x += soup.points[v][0] / 4;
     labels.push_back(x < 1);
   }
+  return labels;
+}
+
+Labels thirds_around_z(const Soup& soup)
+{
+  Labels labels;
+  for (const Polygon& polygon : soup.polygons) {
+    double x = 0, y = 0;
+    for (std::size_t v : polygon) {
+      x += soup.points[v][0];
+      y += soup.points[v][1];
+    }
+    labels.push_back(std::size_t((std::atan2(y, x) + 3.2) / 6.4 * 3));
+  }
+  return labels;
+}
+
+TEST(Close_segments_test, halves_of_a_cube_share_a_flat_cap)
+{
+  const Soup soup = voxel_surface(voxel_block({0, 0, 0}, {2, 2, 2}));
+  const Labels labels = halves_along_x(soup);
   const Solids solids = close<Surface_mesh>(soup, labels);
   expect_fitting(soup, solids);
   EXPECT_EQ(solids.segments_of_cap.size(), 16u); // 8 sides of the square, from both
@@ -179,13 +200,7 @@ std::vector<Soup> solids_with_clearance(const Soup& soup, const Labels& labels, 
 TEST(Close_segments_test, halves_of_a_cube_with_clearance_are_so_far_apart)
 {
   const Soup cube = voxel_surface(voxel_block({0, 0, 0}, {2, 2, 2}));
-  Labels labels;
-  for (const Polygon& polygon : cube.polygons) {
-    double x = 0;
-    for (std::size_t v : polygon)
-      x += cube.points[v][0] / 4;
-    labels.push_back(x < 1);
-  }
+  const Labels labels = halves_along_x(cube);
   for (double scale : {1e-3, 1.0, 1e3}) {
     Soup soup = cube;
     for (Point& p : soup.points)
@@ -220,15 +235,7 @@ TEST(Close_segments_test, pyramids_with_clearance_are_smaller)
 TEST(Close_segments_test, solids_with_clearance_lose_what_is_before_their_caps)
 {
   const Soup soup = sphere(4);
-  Labels labels;
-  for (const Polygon& polygon : soup.polygons) {
-    double x = 0, y = 0;
-    for (std::size_t v : polygon) {
-      x += soup.points[v][0];
-      y += soup.points[v][1];
-    }
-    labels.push_back(std::size_t((std::atan2(y, x) + 3.2) / 6.4 * 3));
-  }
+  const Labels labels = thirds_around_z(soup);
   std::vector<double> cap_areas(3);
   for (const auto& [corners, segments] : close<Surface_mesh>(soup, labels).segments_of_cap)
     for (std::size_t segment : segments)
@@ -267,15 +274,7 @@ TEST(Close_segments_test, faces_of_a_cube_become_pyramids)
 TEST(Close_segments_test, three_segments_share_an_inner_curve)
 {
   const Soup soup = sphere(3);
-  Labels labels;
-  for (const Polygon& polygon : soup.polygons) {
-    double x = 0, y = 0;
-    for (std::size_t v : polygon) {
-      x += soup.points[v][0];
-      y += soup.points[v][1];
-    }
-    labels.push_back(std::size_t((std::atan2(y, x) + 3.2) / 6.4 * 3));
-  }
+  const Labels labels = thirds_around_z(soup);
   const Solids solids = close<Surface_mesh>(soup, labels);
   ASSERT_EQ(solids.soups.size(), 3u);
   expect_fitting(soup, solids);
