@@ -14,7 +14,7 @@
 #include <CGAL/Region_segmentation/internal/surface/Intrinsic_frame.h>
 #include <CGAL/Region_segmentation/internal/surface/collect_adjacencies.h>
 #include <CGAL/Region_segmentation/internal/surface/compute_normals.h>
-#include <CGAL/Region_segmentation/internal/surface/original_faces.h>
+#include <CGAL/Region_segmentation/internal/surface/Original_faces.h>
 
 #include <algorithm>
 #include <cmath>
@@ -36,8 +36,7 @@ namespace internal {
 /// generic direction. So the same shape in another frame, unit or numbering is bitwise the same
 /// surface, and candidates that are equal but for rounding are decided between alike. (A point is
 /// within rounding of the border of two cells with a probability of one in a million or less: then
-/// it moves to the next cell.) Faces that are given twice or
-/// lie on others are one.
+/// it moves to the next cell.) Faces that are given twice or lie on others are one.
 ///
 /// A surface of more than `most_faces` faces stays as it is: the copy would be half of the memory
 /// of a segmentation.
@@ -53,7 +52,7 @@ public:
   {
     if (given.number_of_faces() == 0 || given.number_of_faces() > most_faces)
       return;
-    const Original_faces originals(given);
+    Original_faces originals(given);
     m_frame = Intrinsic_frame(
       given, [&](std::size_t f) { return originals.is_original(f) && !given.is_crumb(f); });
     const double steps = steps_of_grid(given);
@@ -67,7 +66,7 @@ public:
     arrays.number_of_input_faces = given.number_of_input_faces();
     set_corners(given, points, arrays);
     set_faces(given);
-    m_is_left_out = originals.is_left_out;
+    m_is_left_out = std::move(originals.is_left_out);
     set_adjacencies(given);
   }
 
@@ -329,8 +328,8 @@ private:
   Intrinsic_frame m_frame;
   std::optional<Surface> m_surface; // none: the given one
   std::vector<bool> m_is_left_out;  // by given adjacency; empty: none is
-  std::vector<Index> m_faces;       // by given face: its number; empty: the same. Those given
-                                    // twice have one
+  std::vector<Index> m_faces;       // by given face: its number; empty: the same. Those that
+                                    // are one have one
 };
 
 } // namespace internal

@@ -6,7 +6,7 @@
 #include "meshes.h"
 
 #include <CGAL/Region_segmentation/internal/surface/Intrinsic_surface.h>
-#include <CGAL/Region_segmentation/internal/surface/original_faces.h>
+#include <CGAL/Region_segmentation/internal/surface/Original_faces.h>
 #include <CGAL/Region_segmentation/make_surface.h>
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-namespace original_faces_test {
+namespace Original_faces_test {
 
 namespace RS = CGAL::Region_segmentation;
 using namespace test;
@@ -142,4 +142,4 @@ TEST(Original_faces_test, bodies_in_contact_are_not_covered)
             0u);
 }
 
-} // namespace original_faces_test
+} // namespace Original_faces_test

@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_ORIGINAL_FACES_H
-#define CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_ORIGINAL_FACES_H
+#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_COVERED_FACES_H
+#define CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_COVERED_FACES_H
 
 #include <CGAL/Region_segmentation/Surface.h>
+#include <CGAL/Region_segmentation/internal/support/Grouped_items.h>
+#include <CGAL/Region_segmentation/internal/surface/Component_tree.h>
 #include <CGAL/Region_segmentation/internal/surface/find_crumbs.h>
-#include <CGAL/Region_segmentation/internal/surface/find_doubled_faces.h>
 #include <CGAL/Region_segmentation/internal/surface/find_nearest_face.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <numeric>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -32,23 +33,21 @@ class Covered_faces
   using Index = Surface::Index;
 
 public:
+  /// Sets the originals of covered faces: the faces on which they lie.
   Covered_faces(const Surface& surface, std::vector<Index>& originals)
     : m_surface(surface)
     , m_bodies(surface)
-    , m_tree(surface, m_bodies.component_of)
-    , m_places(surface.number_of_vertices())
   {
-    const std::vector<bool> touches = components_on_larger_ones();
+    const std::vector<Index> components = components_on_larger_ones();
+    if (components.empty())
+      return;
+    m_tree.emplace(surface, m_bodies.component_of);
+    m_places.resize(surface.number_of_vertices());
     const std::vector<std::size_t> open_sides = numbers_of_open_sides();
-    const auto faces_of = grouped<Index>(touches.size(), [&](const auto& add) {
+    const auto faces_of = grouped<Index>(open_sides.size(), [&](const auto& add) {
       for (Index f = 0; f < m_bodies.component_of.size(); ++f)
-        if (touches[m_bodies.component_of[f]])
-          add(m_bodies.component_of[f], f);
+        add(m_bodies.component_of[f], f);
     });
-    std::vector<Index> components(touches.size());
-    std::iota(components.begin(), components.end(), Index(0));
-    std::sort(components.begin(), components.end(),
-              [&](Index c, Index d) { return is_larger(c, d); });
     for (const Index c : components)
       find(c, faces_of[c], open_sides[c] > 0, originals);
   }
@@ -80,16 +79,19 @@ private:
     return m_bodies.areas[c] != m_bodies.areas[d] ? m_bodies.areas[c] > m_bodies.areas[d] : c < d;
   }
 
-  std::vector<bool> components_on_larger_ones() const
+  /// Those in contact with a larger one, but for crumbs; larger ones first.
+  std::vector<Index> components_on_larger_ones() const
   {
-    std::vector<bool> result(m_bodies.areas.size());
+    std::vector<Index> result;
     for (std::size_t a = 0; a < m_surface.number_of_adjacencies(); ++a)
       if (m_surface.has_flag(a, Surface::LINK) && m_surface.length(a) > 0) {
         const Index c = m_bodies.component_of[m_surface.lower_face(a)],
                     d = m_bodies.component_of[m_surface.higher_face(a)];
-        const Index smaller = is_larger(c, d) ? d : c;
-        result[smaller] = !m_bodies.is_crumb(smaller);
+        if (const Index smaller = is_larger(c, d) ? d : c; !m_bodies.is_crumb(smaller))
+          result.push_back(smaller);
       }
+    std::sort(result.begin(), result.end(), [&](Index c, Index d) { return is_larger(c, d); });
+    result.erase(std::unique(result.begin(), result.end()), result.end());
     return result;
   }
 
@@ -153,7 +155,7 @@ private:
     const double tolerance = std::sqrt(m_bodies.areas[component]) / 100;
     Cost_of_face best(tolerance, otherwise);
     find_nearest_face(
-      m_tree, Component_tree::root(), point,
+      *m_tree, Component_tree::root(), point,
       [&](const auto& node) {
         return node.component == Component_tree::none || is_larger(node.component, component);
       },
@@ -168,45 +170,12 @@ private:
 
   const Surface& m_surface;
   const Bodies m_bodies;
-  Component_tree m_tree;
+  std::optional<Component_tree> m_tree; // where a component is in contact with a larger one
   std::vector<Place> m_places;
-};
-
-/// Which faces of a surface are one.
-struct Original_faces
-{
-  using Index = Surface::Index;
-
-  /// By face: the one that it is given twice with, or that it lies on, or else itself.
-  std::vector<Index> of;
-  /// Adjacencies that the surface without other faces does not have; empty: none.
-  std::vector<bool> is_left_out;
-
-  Original_faces() = default;
-  explicit Original_faces(const Surface& surface)
-    : of(surface.number_of_faces())
-  {
-    std::iota(of.begin(), of.end(), Index(0));
-    bool has_contacts = false;
-    for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a) {
-      const Index lower = surface.lower_face(a), higher = surface.higher_face(a);
-      if (surface.has_flag(a, Surface::JOINING) && surface.is_degenerate(higher) &&
-          are_equal_faces(surface, lower, higher))
-        of[higher] = lower;
-      has_contacts = has_contacts || (surface.has_flag(a, Surface::LINK) && surface.length(a) > 0);
-    }
-    if (!has_contacts)
-      return;
-    const Covered_faces covered(surface, of);
-    for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a)
-      is_left_out.push_back(covered.is_left_out(a, of));
-  }
-
-  bool is_original(std::size_t f) const { return of[f] == f; }
 };
 
 } // namespace internal
 } // namespace Region_segmentation
 } // namespace CGAL
 
-#endif // CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_ORIGINAL_FACES_H
+#endif // CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_COVERED_FACES_H
