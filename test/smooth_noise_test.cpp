@@ -6,6 +6,7 @@
 #include <CGAL/Region_segmentation/Methods/Learned_merging.h>
 #include <CGAL/Region_segmentation/Request.h>
 #include <CGAL/Region_segmentation/evaluation/rand_index_distance.h>
+#include <CGAL/Region_segmentation/internal/surface/move_points.h>
 #include <CGAL/Region_segmentation/internal/surface/smooth_noise.h>
 #include <CGAL/Region_segmentation/make_surface.h>
 
@@ -17,6 +18,7 @@
 #include <optional>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace RS = CGAL::Region_segmentation;
@@ -27,6 +29,15 @@ namespace smooth_noise_test {
 RS::Surface surface_of(const Soup& soup)
 {
   return RS::make_surface(soup.points, soup.polygons);
+}
+
+std::optional<RS::Surface> smooth_noise(RS::Surface surface)
+{
+  auto points = RS::internal::points_without_noise(surface);
+  if (!points)
+    return std::nullopt;
+  RS::internal::move_points(surface, std::move(*points), RS::Execution());
+  return surface;
 }
 
 /// All points moved by independent normal deviates, of this standard deviation for each coordinate.
@@ -55,9 +66,9 @@ TEST(smooth_noise_test, leaves_what_has_no_noise)
   for (const Soup& soup :
        {sphere(2), sphere(5), torus(30, 12), block, triangulated(block), needle_on_crease()}) {
     SCOPED_TRACE(std::to_string(soup.polygons.size()) + " faces");
-    EXPECT_FALSE(RS::internal::smooth_noise(surface_of(soup)));
+    EXPECT_FALSE(smooth_noise(surface_of(soup)));
   }
-  EXPECT_FALSE(RS::internal::smooth_noise(RS::Surface()));
+  EXPECT_FALSE(smooth_noise(RS::Surface()));
 }
 
 TEST(smooth_noise_test, brings_noisy_points_nearer_to_the_shape)
@@ -67,10 +78,10 @@ TEST(smooth_noise_test, brings_noisy_points_nearer_to_the_shape)
     for (const unsigned seed : {1, 2, 3}) {
       SCOPED_TRACE(std::to_string(levels) + " levels, seed " + std::to_string(seed));
       const RS::Surface surface = surface_of(noisy(sphere(levels), edge / 4, seed));
-      const std::optional<RS::Surface> smoothed = RS::internal::smooth_noise(surface);
+      const std::optional<RS::Surface> smoothed = smooth_noise(surface);
       ASSERT_TRUE(smoothed);
       EXPECT_LT(distance_from_sphere(*smoothed), 0.75 * distance_from_sphere(surface));
-      EXPECT_FALSE(RS::internal::smooth_noise(*smoothed));
+      EXPECT_FALSE(smooth_noise(*smoothed));
     }
   }
 }
@@ -82,7 +93,7 @@ TEST(smooth_noise_test, points_of_creases_stay)
   for (const unsigned seed : {1, 2, 3}) {
     SCOPED_TRACE(seed);
     const Soup soup = noisy(block, 0.05, seed);
-    const std::optional<RS::Surface> smoothed = RS::internal::smooth_noise(surface_of(soup));
+    const std::optional<RS::Surface> smoothed = smooth_noise(surface_of(soup));
     ASSERT_TRUE(smoothed);
     double before = 0, after = 0; // squared distances from the faces of points inside them
     for (std::size_t v = 0; v < soup.points.size(); ++v) {
@@ -107,7 +118,7 @@ TEST(smooth_noise_test, gives_the_surface_of_the_moved_points)
   Soup soup = noisy(joined(sphere(5), translated(torus(60, 24), 8, 0, 0)), 0.01, 7);
   soup.polygons.push_back(soup.polygons[3]); // given twice: degenerate
   const RS::Surface surface = surface_of(soup);
-  const std::optional<RS::Surface> smoothed = RS::internal::smooth_noise(surface);
+  const std::optional<RS::Surface> smoothed = smooth_noise(surface);
   ASSERT_TRUE(smoothed);
   Soup moved = soup;
   for (std::size_t v = 0; v < moved.points.size(); ++v)

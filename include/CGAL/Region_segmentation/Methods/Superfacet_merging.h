@@ -27,7 +27,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <optional>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -107,8 +106,8 @@ struct Superfacet_merging
   Prepared prepare(const Surface& given, const Execution& execution = Execution()) const
   {
     internal::Intrinsic_surface intrinsic(given);
-    if (std::optional<Surface> smoothed = internal::smooth_noise(intrinsic.of(given), execution))
-      intrinsic.replace(std::move(*smoothed));
+    if (auto points = internal::points_without_noise(intrinsic.of(given)))
+      intrinsic.move_points(given, std::move(*points), execution.silent());
     const Surface& surface = intrinsic.of(given);
     const Execution stage = execution.stage("regions");
     Surface_patches patches = internal::Patch_builder::build(surface, stage.step(0, 0.6));

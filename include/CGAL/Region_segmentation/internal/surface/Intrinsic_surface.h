@@ -14,6 +14,7 @@
 #include <CGAL/Region_segmentation/internal/surface/Intrinsic_frame.h>
 #include <CGAL/Region_segmentation/internal/surface/collect_adjacencies.h>
 #include <CGAL/Region_segmentation/internal/surface/compute_normals.h>
+#include <CGAL/Region_segmentation/internal/surface/move_points.h>
 #include <CGAL/Region_segmentation/internal/surface/Original_faces.h>
 
 #include <algorithm>
@@ -73,8 +74,13 @@ public:
   /// The surface that is made of the given one.
   const Surface& of(const Surface& given) const { return m_surface ? *m_surface : given; }
   const Intrinsic_frame& frame() const { return m_frame; }
-  /// Another one of the same faces.
-  void replace(Surface surface) { m_surface = std::move(surface); }
+  /// With its points moved to these.
+  void move_points(const Surface& given, Large_array<Double_3> points, const Execution& execution)
+  {
+    if (!m_surface)
+      m_surface = given;
+    internal::move_points(*m_surface, std::move(points), execution);
+  }
 
   /// What is asked of the given surface.
   /// \throws Invalid_input if faces that are one have different seeds

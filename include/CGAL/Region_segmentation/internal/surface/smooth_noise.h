@@ -4,10 +4,8 @@
 #define CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_SMOOTH_NOISE_H
 
 #include <CGAL/Region_segmentation/Double_3.h>
-#include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/internal/support/Large_array.h>
-#include <CGAL/Region_segmentation/internal/surface/compute_normals.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +13,6 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -27,6 +24,8 @@ namespace internal {
 class Vertex_heights
 {
 public:
+  using Points = Large_array<Double_3>;
+
   /// Of the vertices of every `stride`th face.
   Vertex_heights(const Surface& surface, std::size_t stride)
     : m_surface(surface)
@@ -35,16 +34,16 @@ public:
       choose_vertices(stride);
     else
       m_vertices.resize(surface.number_of_vertices());
-    update();
+    update(arrays_of(surface).points);
   }
 
-  /// After the points of the surface moved.
-  void update()
+  /// After the points of the surface moved to these.
+  void update(const Points& points)
   {
     std::fill(m_vertices.begin(), m_vertices.end(), Vertex());
     for (std::size_t f = 0; f < m_surface.number_of_faces(); ++f)
       if (m_places.empty() || has_chosen_vertex(f))
-        add_face(f);
+        add_face(f, points);
     for (Vertex& v : m_vertices)
       set_height(v);
   }
@@ -65,10 +64,9 @@ public:
     return opposite > share_of_noise * all + std::sqrt(all); // not by chance
   }
 
-  /// Moves the vertices along their normals to the heights of their neighbors, but at creases.
-  /// `points`: those of the surface
+  /// Moves the points along their normals to the heights of their neighbors, but at creases.
   /// \pre these are the heights of all vertices
-  void smooth(Large_array<Double_3>& points) const
+  void smooth(Points& points) const
   {
     const double largest = largest_of_noise();
     for (std::size_t v = 0; v < points.size(); ++v)
@@ -130,12 +128,14 @@ private:
     return false;
   }
 
-  void add_face(std::size_t face)
+  void add_face(std::size_t face, const Points& points)
   {
     const std::size_t n = m_surface.number_of_corners(face);
-    const auto point = [&](std::size_t i) { return m_surface.point(m_surface.corner(face, i)); };
-    const Double_3 area_vector = m_surface.area(face) * m_surface.normal(face);
+    const auto point = [&](std::size_t i) { return points[m_surface.corner(face, i)]; };
     const Double_3 first = point(0);
+    Double_3 twice_area{0, 0, 0}; // by Newell's formula
+    for (std::size_t i = 2; i < n && !m_surface.is_degenerate(face); ++i)
+      twice_area = twice_area + cross(point(i - 1) - first, point(i) - first);
     Double_3 from_previous = first - point(n - 1), at = first;
     for (std::size_t i = 0; i < n; ++i) {
       const Double_3 next = i + 1 < n ? point(i + 1) : first, to_next = next - at;
@@ -143,7 +143,7 @@ private:
         Vertex& v = m_vertices[p];
         v.to_neighbors = i == 0 ? v.to_neighbors + to_next - from_previous
                                 : v.to_neighbors - from_previous + to_next;
-        v.normal = v.normal + area_vector;
+        v.normal = v.normal + twice_area;
         ++v.number_of_faces;
       }
       from_previous = to_next;
@@ -153,12 +153,12 @@ private:
 
   static void set_height(Vertex& v)
   {
-    const double area = norm(v.normal);
-    if (area == 0)
+    const double twice_area = norm(v.normal);
+    if (twice_area == 0)
       return;
-    v.normal = (1 / area) * v.normal;
+    v.normal = (1 / twice_area) * v.normal;
     const double height = dot(v.to_neighbors, v.normal) / (2 * v.number_of_faces);
-    if (height * height > flat * area)
+    if (2 * (height * height) > flat * twice_area)
       v.height = height;
   }
 
@@ -167,64 +167,29 @@ private:
   Large_array<Vertex> m_vertices;
 };
 
-/// Moves the points of a surface, and with them all but degenerate faces and adjacencies.
-/// `heights`: of all vertices
-inline void smooth(Surface& surface, const Vertex_heights& heights, const Execution& execution)
-{
-  Surface_arrays& arrays = arrays_of(surface);
-  heights.smooth(arrays.points);
-  std::vector<std::pair<std::size_t, double>> degenerate; // faces and their areas
-  for (std::size_t f = 0; f < arrays.areas.size(); ++f)
-    if (surface.is_degenerate(f))
-      degenerate.push_back({f, arrays.areas[f]});
-  compute_normals(surface, execution);
-  for (const auto& [face, area] : degenerate) {
-    arrays.normals[face] = {0, 0, 0};
-    arrays.areas[face] = area;
-  }
-}
-
-/// The area of a surface whose faces were moved, and the signs of its adjacencies. Their lengths
-/// stay.
-inline void update_sums_and_signs(Surface& surface, const Execution& execution)
-{
-  Surface_arrays& arrays = arrays_of(surface);
-  sum_areas(surface);
-  for_each_index(execution, arrays.flags.size(), [&](std::size_t a) {
-    if (!surface.has_angle(a))
-      return;
-    const Surface::Index lower = surface.lower_face(a), higher = surface.higher_face(a);
-    arrays.flags[a] = with_sign(arrays.flags[a],
-                                sign_of_edge(surface.normal(higher), surface.normal(lower),
-                                             common_edges(surface, lower, higher).first));
-  });
-}
-
-/// The surface with its points moved to the height of their neighbors, but at creases, as often as
+/// The points of a surface moved to the height of their neighbors, but at creases, as often as
 /// there is more noise than curvature; none where there is not. So angles are measured over a width
 /// that the noise asks for.
 ///
 /// O(F); with a small constant where there is no noise, which is seen from some 20,000 faces.
-inline std::optional<Surface> smooth_noise(const Surface& surface,
-                                           const Execution& execution = Execution())
+inline std::optional<Large_array<Double_3>> points_without_noise(const Surface& surface)
 {
   constexpr std::size_t enough_faces = 20000;
   constexpr int most_rounds = 5;
   const std::size_t stride = (std::max)(surface.number_of_faces() / enough_faces, std::size_t(1));
   if (!Vertex_heights(surface, stride).are_noise(stride))
     return std::nullopt;
-  std::optional<Surface> result = surface;
-  Vertex_heights heights(*result, 1);
+  Large_array<Double_3> points = arrays_of(surface).points;
+  Vertex_heights heights(surface, 1);
   for (int round = 1;; ++round) {
-    smooth(*result, heights, execution.silent());
+    heights.smooth(points);
     if (round == most_rounds)
       break;
-    heights.update();
+    heights.update(points);
     if (!heights.are_noise(stride))
       break;
   }
-  update_sums_and_signs(*result, execution.silent());
-  return result;
+  return points;
 }
 
 } // namespace internal
