@@ -74,9 +74,7 @@ private:
 /// The order of merges does not depend on the number of segments. Where none is given, a chooser
 /// chooses it. A number that exceeds that of the superfacets splits them.
 ///
-/// \tparam GraphAnnotator fills the data of the graph of regions: nested types `RegionData` and
-///         `SectionData`, and `void operator()(Graph&, const Surface&, const Partition& regions,
-///         const Region_rays&) const`
+/// \tparam GraphAnnotator a model of `GraphAnnotator`
 /// \tparam MergingPolicy a model of `MergingPolicy` whose order does not depend on the number of
 ///         segments
 /// \tparam NumberChooser a model of `NumberChooser`, for the costs of the policy

@@ -29,8 +29,7 @@ constexpr bool check_annotator()
                         Region_adjacency_graph<typename T::RegionData, typename T::SectionData>&,
                         const Surface&, const Partition&, const Region_rays&>::value,
       "a GraphAnnotator needs: void operator()(Graph&, const Surface&, const Partition& regions, "
-      "const "
-      "Region_rays&) const");
+      "const Region_rays&) const");
   return true;
 }
 

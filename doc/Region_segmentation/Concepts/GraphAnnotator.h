@@ -1,0 +1,34 @@
+/*!
+\ingroup PkgRegionSegmentationConcepts
+\cgalConcept
+
+Fills the data of the region graph that its own regions and borders do not sum up, for the policy of
+a `CGAL::Region_segmentation::Superfacet_merging`.
+
+\cgalHasModel `CGAL::Region_segmentation::Visibility_annotator`
+\cgalHasModel `CGAL::Region_segmentation::Learned_annotator`
+\cgalHasModel `CGAL::Region_segmentation::Scalar_annotator`
+*/
+class GraphAnnotator
+{
+public:
+  /// a model of `RegionData`
+  typedef unspecified_type RegionData;
+
+  /// a model of `SectionData`
+  typedef unspecified_type SectionData;
+
+  /*!
+  sets data of the regions and sections of a graph. Those that sum up faces and borders, by
+  `RegionData::add_face()` and the like, are set before. It is called again, for another graph, when
+  constraints or seeds divide regions.
+
+  \param graph a `Region_adjacency_graph<RegionData, SectionData>`; its vertices are the regions
+  \param surface the surface that is measured, of which the method may have changed the numbering:
+         `Surface::input_face()` gives the numbers of the input
+  \param regions of the faces of the surface
+  \param rays what the regions see
+  */
+  void operator()(Graph& graph, const Surface& surface, const Partition& regions,
+                  const Region_rays& rays) const;
+};
