@@ -37,7 +37,7 @@ namespace Region_segmentation {
 /// RS::write_face_values(mesh, composed(segmenter.regions(), editor.partition()), segment_map);
 /// \endcode
 ///
-/// Complexity: O(R) for an operation and for `partition()`, in R regions. The tree is copied. An
+/// Complexity: O(R log R) for an operation, O(R) for `partition()`, in R regions. The tree is copied. An
 /// editor does not follow a `Segmenter` whose constraints or seeds change: its regions are others.
 class Partition_editor
 {

@@ -14,7 +14,7 @@ namespace Region_segmentation {
 namespace internal {
 
 /// Whether a face lies on a surface: its vertices do, within a tolerance, and its normal is that of
-/// the surface, within half of the largest angle between facets, unless it is thin.
+/// the surface, within some 37 degrees, unless it is thin.
 class Face_test
 {
 public:

@@ -16,7 +16,7 @@ namespace Region_segmentation {
 namespace internal {
 
 /// The adjacency of faces, or of patches, in both directions, with a length for each step.
-/// Constrained edges are not steps. 8 bytes per face, and 8 for each side of a dual edge: searches
+/// 8 bytes per face, and 8 for each side of a dual edge: searches
 /// over all faces are memory-bound, so lengths are float.
 class Dual_graph
 {

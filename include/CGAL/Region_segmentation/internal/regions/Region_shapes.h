@@ -25,7 +25,6 @@ struct Region_shapes
 
   Region_shapes() = default;
 
-  /// \pre the mesh was read with its centroids and the area of its surface
   Region_shapes(const Surface& mesh, const Partition& regions)
     : areas(regions.number_of_parts())
     , normals(regions.number_of_parts())

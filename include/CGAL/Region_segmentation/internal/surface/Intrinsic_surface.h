@@ -39,8 +39,8 @@ namespace internal {
 /// within rounding of the border of two cells with a probability of one in a million or less: then
 /// it moves to the next cell.) Faces that are given twice or lie on others are one.
 ///
-/// A surface of more than `most_faces` faces stays as it is: the copy would be half of the memory
-/// of a segmentation.
+/// A surface of more than `most_faces` faces stays as it is: the copy would take half as much
+/// memory again.
 class Intrinsic_surface
 {
   using Index = Surface::Index;
