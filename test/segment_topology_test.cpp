@@ -47,7 +47,7 @@ Topology topology_of(const Soup& soup)
 
 template <typename Mesh = Surface_mesh>
 std::set<Edge> seams_of(const Soup& soup, const Labels& labels,
-                        const RS::Seam_cost& cost = RS::Seam_cost())
+                        const RS::Border_cost& cost = RS::Border_cost{10, CGAL_PI})
 {
   const Mesh mesh = to_mesh<Mesh>(soup);
   auto map = edge_map(mesh, std::uint8_t(1)); // stale
@@ -62,7 +62,7 @@ std::set<Edge> seams_of(const Soup& soup, const Labels& labels,
 
 /// Those inside segments.
 std::set<Edge> inner_seams_of(const Soup& soup, const Labels& labels,
-                              const RS::Seam_cost& cost = RS::Seam_cost())
+                              const RS::Border_cost& cost = RS::Border_cost{10, CGAL_PI})
 {
   std::set<Edge> seams = seams_of(soup, labels, cost);
   for (const auto& [edge, both] : faces_of_edges(soup))
@@ -290,7 +290,7 @@ TEST(Mark_segment_seams_test, a_tube_is_opened_along_its_shortest_line)
   for (std::size_t i = 0; i < rings; ++i)
     hidden.insert(make_edge(i * sides + 2, (i + 1) * sides + 2));
   EXPECT_EQ(inner_seams_of(tube, Labels(sides * rings, 0)), hidden);
-  EXPECT_EQ(inner_seams_of(tube, Labels(sides * rings, 0), RS::Seam_cost{0}), expected);
+  EXPECT_EQ(inner_seams_of(tube, Labels(sides * rings, 0), RS::Border_cost{0}), expected);
 }
 
 double length(const Soup& soup, const Edge& edge)
@@ -350,7 +350,7 @@ TEST(Mark_segment_seams_test, a_sheet_with_a_hole_is_opened_along_its_shortest_l
         inner_edges.insert({edge, both});
     }
     double seam = 0;
-    for (const Edge& edge : inner_seams_of(sheet, labels, RS::Seam_cost{0}))
+    for (const Edge& edge : inner_seams_of(sheet, labels, RS::Border_cost{0}))
       seam += length(sheet, edge);
     EXPECT_NEAR(seam, shortest_line(sheet, is_outer, is_at_hole, inner_edges), 1e-9);
   }

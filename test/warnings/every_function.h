@@ -139,7 +139,7 @@ void use_segments(const Mesh& mesh)
   auto others = get(CGAL::dynamic_face_property_t<int>(), mesh);
   auto marks = get(CGAL::dynamic_edge_property_t<std::uint8_t>(), mesh);
   RS::mark_segment_borders(mesh, segments, marks);
-  RS::mark_segment_seams(mesh, segments, marks, RS::Seam_cost());
+  RS::mark_segment_seams(mesh, segments, marks, RS::Border_cost());
   std::vector<RS::Segment_border<Mesh, std::size_t>> borders;
   RS::extract_segment_borders(mesh, segments, std::back_inserter(borders));
   std::vector<RS::Segment_topology<std::size_t>> topologies;

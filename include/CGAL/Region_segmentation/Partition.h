@@ -89,7 +89,6 @@ public:
 
   /// The part of an element.
   Index operator[](std::size_t element) const { return m_part_of[element]; }
-  const Index* data() const { return m_part_of.data(); }
   auto begin() const { return m_part_of.begin(); }
   auto end() const { return m_part_of.end(); }
 

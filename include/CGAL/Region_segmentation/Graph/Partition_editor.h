@@ -37,8 +37,9 @@ namespace Region_segmentation {
 /// RS::write_face_values(mesh, composed(segmenter.regions(), editor.partition()), segment_map);
 /// \endcode
 ///
-/// Complexity: O(R log R) for an operation, O(R) for `partition()`, in R regions. The tree is copied. An
-/// editor does not follow a `Segmenter` whose constraints or seeds change: its regions are others.
+/// Complexity: O(R log R) for an operation, O(R) for `partition()`, in R regions. The tree is
+/// copied. An editor does not follow a `Segmenter` whose constraints or seeds change: its regions
+/// are others.
 class Partition_editor
 {
 public:

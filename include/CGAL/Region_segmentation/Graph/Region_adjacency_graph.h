@@ -84,12 +84,11 @@ public:
     region_descriptor kept, removed;
   };
 
-  void reserve(std::size_t regions, std::size_t sections)
+  void reserve(std::size_t regions)
   {
     m_place_of.reserve(regions);
     m_region_data.reserve(regions);
-    m_lists.reserve(regions, sections);
-    m_flags.reserve(sections);
+    m_lists.reserve(regions);
   }
 
   /// Adds a region; ids are assigned in order.

@@ -130,12 +130,9 @@ template <typename SectionCost = Additive_visibility_cost>
 class Spectral_partitioner : public internal::Data_named_by<SectionCost>
 {
 public:
-  /// `cost`: minus the logarithm of the affinity, up to a constant;
-  /// `additional_eigenvectors`: beyond the number of segments
-  explicit Spectral_partitioner(SectionCost cost = SectionCost(),
-                                std::size_t additional_eigenvectors = 3)
+  /// `cost`: minus the logarithm of the affinity, up to a constant
+  explicit Spectral_partitioner(SectionCost cost = SectionCost())
     : m_cost(std::move(cost))
-    , m_additional_eigenvectors(additional_eigenvectors)
   {}
 
   /// The segments of the regions.
@@ -150,7 +147,7 @@ public:
     CGAL_precondition(number_of_segments >= 1);
     CGAL_precondition(graph.number_of_regions() == graph.index_bound_of_regions());
     const Eigen::MatrixXd points = internal::commute_time_embedding<internal::Eigen_solver>(
-      graph.number_of_regions(), affinities(graph), number_of_segments + m_additional_eigenvectors);
+      graph.number_of_regions(), affinities(graph), number_of_segments + additional_eigenvectors);
 
     Clusters clusters;
     for (auto range = vertices(graph); range.first != range.second; ++range.first) {
@@ -165,6 +162,7 @@ public:
   }
 
 private:
+  static constexpr std::size_t additional_eigenvectors = 3; // beyond the number of segments
   using Clusters = Region_adjacency_graph<internal::Weighted_points, internal::No_section_data>;
 
   /// Calls `f(section, cost)` in the order of the sections.
@@ -192,7 +190,6 @@ private:
   }
 
   SectionCost m_cost;
-  std::size_t m_additional_eigenvectors;
 };
 
 /// \ingroup PkgRegionSegmentationMethods

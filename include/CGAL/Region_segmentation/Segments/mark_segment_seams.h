@@ -3,7 +3,7 @@
 #ifndef CGAL_REGION_SEGMENTATION_SEGMENTS_MARK_SEGMENT_SEAMS_H
 #define CGAL_REGION_SEGMENTATION_SEGMENTS_MARK_SEGMENT_SEAMS_H
 
-#include <CGAL/Region_segmentation/Segments/Seam_cost.h>
+#include <CGAL/Region_segmentation/Border_cost.h>
 #include <CGAL/Region_segmentation/Segments/mark_segment_borders.h>
 #include <CGAL/Region_segmentation/internal/segments/Mesh_geometry.h>
 #include <CGAL/Region_segmentation/internal/segments/Seam_finder.h>
@@ -40,7 +40,8 @@ namespace Region_segmentation {
 /// \param mesh an oriented 2-manifold with or without boundary, its faces polygons of any size
 /// \param segment_map the segments, by any labels; faces with the label `no_segment` are not opened
 /// \param edge_is_seam_map every key is written. Edges on the border of the mesh are not marked
-/// \param cost the cost of seams
+/// \param cost of the edges of a seam: so seams are short, and hidden in valleys of any depth; as
+///        short as possible with a gain of 0
 /// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
 ///
 /// \cgalNamedParamsBegin
@@ -53,7 +54,7 @@ namespace Region_segmentation {
 /// \returns the number of marked edges; more than `mark_segment_borders()` marks if a component of
 ///          a segment is not a disc
 /// \throws Invalid_input if a point is not finite; the map is unchanged
-/// \pre `cost.concave_gain >= 0`
+/// \pre `cost.concave_gain >= 0 && cost.maximum_deviation >= 0`
 ///
 /// Complexity: O(F log F). Deterministic: the same edges from every mesh type. Concurrent calls on
 /// different maps are safe.
@@ -62,19 +63,19 @@ namespace Region_segmentation {
 template <typename FaceGraph, typename FaceSegmentMap, typename EdgeIsSeamMap,
           typename NamedParameters = parameters::Default_named_parameters>
 std::size_t mark_segment_seams(const FaceGraph& mesh, const FaceSegmentMap& segment_map,
-                               EdgeIsSeamMap edge_is_seam_map, const Seam_cost& cost = Seam_cost(),
+                               EdgeIsSeamMap edge_is_seam_map,
+                               const Border_cost& cost = Border_cost{10, CGAL_PI},
                                const NamedParameters& np = parameters::default_values())
 {
   using Value = typename boost::property_traits<EdgeIsSeamMap>::value_type;
-  CGAL_precondition(cost.concave_gain >= 0);
+  CGAL_precondition(cost.concave_gain >= 0 && cost.maximum_deviation >= 0);
   const auto& pack = internal::pack(np);
   internal::check_parameters<std::decay_t<decltype(pack)>, internal::Tag_list<>>();
   const auto segmented = internal::make_segmented_mesh(mesh, segment_map, pack);
   const internal::Mesh_geometry geometry(segmented,
                                          internal::make_surface_of_neighbors(mesh, pack));
   internal::Seam_finder finder(segmented, [&](std::uint32_t h) {
-    const double concavity = (std::max)(0.0, -geometry.signed_deviation(h));
-    return geometry.length(h) / (1 + cost.concave_gain * concavity);
+    return cost(geometry.length(h), (std::max)(0.0, -geometry.signed_deviation(h)));
   });
   const auto seams = finder.find();
   const std::size_t number_of_borders = mark_segment_borders(mesh, segment_map, edge_is_seam_map);

@@ -104,13 +104,10 @@ private:
         corner_at[m_surface.corner(f, i)] = Face_search::none;
     }
     std::sort(m_contacts.begin(), m_contacts.end());
-    m_fans.resize(corners);
-    Index number = 0;
-    for (Index c = 0; c < corners; ++c)
-      m_fans[c] = fans.root(c) == c ? number++ : m_fans[fans.root(c)];
-    m_normals.assign(number, Double_3{0, 0, 0});
-    m_points.resize(number);
-    m_is_known.assign(number, 0);
+    m_fans = fans.take_partition();
+    m_normals.assign(m_fans.number_of_parts(), Double_3{0, 0, 0});
+    m_points.resize(m_normals.size());
+    m_is_known.assign(m_normals.size(), 0);
   }
 
   /// The mean of the normals of the faces, with the weights by which it is that of a sphere through
@@ -234,7 +231,7 @@ private:
 
   const Surface& m_surface;
   std::vector<Index> m_first; // by face: its first corner among those of free faces
-  std::vector<Index> m_fans;  // by corner
+  Partition m_fans;           // of corners
   std::vector<Double_3> m_points, m_normals;
   std::vector<std::uint8_t> m_is_known;
   std::vector<Contact> m_contacts;

@@ -4,7 +4,7 @@
 #define CGAL_REGION_SEGMENTATION_INTERNAL_FACES_FACE_GROWER_H
 
 #include <CGAL/Region_segmentation/internal/faces/Face_test.h>
-#include <CGAL/Region_segmentation/internal/faces/Patch.h>
+#include <CGAL/Region_segmentation/internal/faces/Face_set.h>
 #include <CGAL/Region_segmentation/internal/faces/fit_surface.h>
 
 #include <algorithm>
@@ -82,9 +82,8 @@ public:
     : m_surface(surface)
     , m_neighbors(neighbors)
     , m_test(test)
-    , m_face_marks(surface.number_of_faces())
-    , m_is_taken(surface.number_of_faces())
-    , m_vertex_marks(surface.number_of_vertices())
+    , m_taken(surface)
+    , m_visited(surface.number_of_faces())
   {}
 
   /// From those of the faces `seeds` that lie on `s`, over faces that `is_free(face)`. Improves
@@ -92,29 +91,26 @@ public:
   template <typename IsFree>
   void grow(Fitted_surface& s, const std::vector<Index>& seeds, const IsFree& is_free)
   {
-    m_faces.clear();
+    m_taken.clear();
+    m_visited.clear();
     m_rejected.clear();
-    m_points.clear();
     m_area = 0;
-    m_face_marks.clear();
-    m_is_taken.clear();
-    m_vertex_marks.clear();
     for (const Index f : seeds)
       visit(s, f);
-    std::size_t next_fit = 2 * m_points.size();
-    for (std::size_t next = 0, tested = m_faces.size(); next < m_faces.size();) {
-      for (; next < m_faces.size(); ++next) {
-        if (m_points.size() >= next_fit) {
+    std::size_t next_fit = 2 * points().size();
+    for (std::size_t next = 0, tested = faces().size(); next < faces().size();) {
+      for (; next < faces().size(); ++next) {
+        if (points().size() >= next_fit) {
           refine(s);
-          next_fit = 2 * m_points.size();
+          next_fit = 2 * points().size();
         }
-        for (const Face_neighbors::Neighbor& n : m_neighbors[m_faces[next]])
-          if (!m_face_marks.has(n.face) && is_free(n.face))
+        for (const Face_neighbors::Neighbor& n : m_neighbors[faces()[next]])
+          if (!m_visited.has(n.face) && is_free(n.face))
             visit(s, n.face);
       }
       refine(s);
-      if (m_faces.size() > tested) { // the surface is another one now
-        tested = m_faces.size();
+      if (faces().size() > tested) { // the surface is another one now
+        tested = faces().size();
         std::vector<Index> rejected;
         rejected.swap(m_rejected);
         for (const Index f : rejected)
@@ -128,9 +124,9 @@ public:
   double gradual_border(const Fitted_surface& s) const
   {
     double gradual = 0, all = 0;
-    for (const Index f : m_faces)
+    for (const Index f : faces())
       for (const Face_neighbors::Neighbor& n : m_neighbors[f])
-        if (!m_is_taken.has(n.face)) {
+        if (!is_taken(n.face)) {
           const double length = m_surface.length(n.adjacency);
           all += length;
           if (departs_gradually(m_surface, m_test, s, f, n.face))
@@ -145,12 +141,12 @@ public:
   bool is_tangent_to_neighbors() const
   {
     double sum[2] = {0, 0}, length[2] = {0, 0};
-    for (const Index f : m_faces)
+    for (const Index f : faces())
       for (const Face_neighbors::Neighbor& n : m_neighbors[f]) {
         const double cosine = m_surface.cosine(n.adjacency);
         if (m_neighbors.is_smooth(n.adjacency) && cosine < 1 - 1e-9) {
-          sum[m_is_taken.has(n.face)] += m_surface.length(n.adjacency) * std::acos(cosine);
-          length[m_is_taken.has(n.face)] += m_surface.length(n.adjacency);
+          sum[is_taken(n.face)] += m_surface.length(n.adjacency) * std::acos(cosine);
+          length[is_taken(n.face)] += m_surface.length(n.adjacency);
         }
       }
     return length[0] > 0 && sum[0] * length[1] < 0.75 * sum[1] * length[0];
@@ -161,35 +157,35 @@ public:
   std::size_t number_of_facets() const
   {
     std::size_t flat = 0;
-    for (const Index f : m_faces)
+    for (const Index f : faces())
       for (const Face_neighbors::Neighbor& n : m_neighbors[f])
-        flat += n.face < f && m_is_taken.has(n.face) && m_surface.cosine(n.adjacency) > 1 - 1e-9;
-    return m_faces.size() > flat ? m_faces.size() - flat : 1;
+        flat += n.face < f && is_taken(n.face) && m_surface.cosine(n.adjacency) > 1 - 1e-9;
+    return faces().size() > flat ? faces().size() - flat : 1;
   }
 
   /// The share of the area that is coplanar with the largest face.
   double share_of_largest_facet() const
   {
-    Index largest = m_faces[0];
-    for (const Index f : m_faces)
+    Index largest = faces()[0];
+    for (const Index f : faces())
       if (m_surface.area(f) > m_surface.area(largest))
         largest = f;
     double area = 0;
-    for (const Index f : m_faces)
+    for (const Index f : faces())
       if (dot(m_surface.normal(f), m_surface.normal(largest)) > 1 - 1e-9)
         area += m_surface.area(f);
     return area / m_area;
   }
 
-  const std::vector<Index>& faces() const { return m_faces; }
-  bool is_taken(Index face) const { return m_is_taken.has(face); }
-  const std::vector<Double_3>& points() const { return m_points; }
+  const std::vector<Index>& faces() const { return m_taken.faces(); }
+  bool is_taken(Index face) const { return m_taken.has(face); }
+  const std::vector<Double_3>& points() const { return m_taken.points(); }
   double area() const { return m_area; }
 
 private:
   void visit(const Fitted_surface& s, Index face)
   {
-    if (m_face_marks.mark(face))
+    if (m_visited.mark(face))
       take_if_on(s, face);
   }
 
@@ -199,25 +195,21 @@ private:
       m_rejected.push_back(face);
       return;
     }
-    m_is_taken.mark(face);
-    m_faces.push_back(face);
+    m_taken.add(face);
     m_area += m_surface.area(face);
-    for (std::size_t i = 0; i < m_surface.number_of_corners(face); ++i)
-      if (m_vertex_marks.mark(m_surface.corner(face, i)))
-        m_points.push_back(m_surface.point(m_surface.corner(face, i)));
   }
 
   void refine(Fitted_surface& s) const
   {
-    refine_surface(s, m_points, m_test.tolerance(), 1e-3 * m_test.tolerance());
+    refine_surface(s, points(), m_test.tolerance(), 1e-3 * m_test.tolerance());
   }
 
   const Surface& m_surface;
   const Face_neighbors& m_neighbors;
   const Face_test& m_test;
-  Element_marks m_face_marks, m_is_taken, m_vertex_marks;
-  std::vector<Index> m_faces, m_rejected;
-  std::vector<Double_3> m_points;
+  Face_set m_taken;
+  Element_marks m_visited;
+  std::vector<Index> m_rejected;
   double m_area = 0;
 };
 

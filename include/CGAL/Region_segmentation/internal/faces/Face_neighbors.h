@@ -4,6 +4,9 @@
 #define CGAL_REGION_SEGMENTATION_INTERNAL_FACES_FACE_NEIGHBORS_H
 
 #include <CGAL/Region_segmentation/Surface.h>
+#include <CGAL/Region_segmentation/internal/support/Grouped_items.h>
+
+#include <CGAL/Iterator_range.h>
 
 #include <algorithm>
 #include <cmath>
@@ -23,39 +26,20 @@ public:
   {
     Index face, adjacency;
   };
-  struct Range
-  {
-    const Neighbor *first, *last;
-    const Neighbor* begin() const { return first; }
-    const Neighbor* end() const { return last; }
-  };
-
   explicit Face_neighbors(const Surface& surface)
     : m_surface(surface)
-    , m_first(surface.number_of_faces() + 1, 0)
   {
-    const std::size_t n = surface.number_of_adjacencies();
-    for (std::size_t a = 0; a < n; ++a)
-      if (!surface.has_flag(a, Surface::LINK)) {
-        ++m_first[surface.lower_face(a)];
-        ++m_first[surface.higher_face(a)];
-      }
-    Index sum = 0;
-    for (Index& first : m_first)
-      first = sum += first;
-    m_neighbors.resize(sum);
-    for (std::size_t a = n; a-- > 0;)
-      if (!surface.has_flag(a, Surface::LINK)) {
-        m_neighbors[--m_first[surface.lower_face(a)]] = {surface.higher_face(a), Index(a)};
-        m_neighbors[--m_first[surface.higher_face(a)]] = {surface.lower_face(a), Index(a)};
-      }
+    m_neighbors = grouped<Neighbor>(surface.number_of_faces(), [&](const auto& add) {
+      for (Index a = 0; a < surface.number_of_adjacencies(); ++a)
+        if (!surface.has_flag(a, Surface::LINK)) {
+          add(surface.lower_face(a), {surface.higher_face(a), a});
+          add(surface.higher_face(a), {surface.lower_face(a), a});
+        }
+    });
     find_thin_faces(surface);
   }
 
-  Range operator[](std::size_t face) const
-  {
-    return {m_neighbors.data() + m_first[face], m_neighbors.data() + m_first[face + 1]};
-  }
+  Iterator_range<const Neighbor*> operator[](std::size_t face) const { return m_neighbors[face]; }
 
   /// Whether a face is a sliver, needle or cap: its normal tells nothing of the surface on which
   /// its vertices lie.
@@ -91,8 +75,7 @@ private:
   }
 
   const Surface& m_surface;
-  std::vector<Index> m_first;
-  std::vector<Neighbor> m_neighbors;
+  Grouped_items<Neighbor> m_neighbors;
   std::vector<std::uint8_t> m_is_thin;
 };
 

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -74,21 +73,6 @@ public:
 
   /// Starts a phase.
   void clear_tried() { is_tried.assign(labels.size(), 0); }
-
-  /// Joins labels: `now[i]` is the label that `i` becomes, at the end of a chain.
-  void relabel(const std::vector<Index>& now)
-  {
-    for (Index& label : labels)
-      while (label != none && now[label] != label)
-        label = now[label];
-  }
-
-  std::vector<Index> unchanged_labels() const
-  {
-    std::vector<Index> now(surfaces.size());
-    std::iota(now.begin(), now.end(), Index(0));
-    return now;
-  }
 
 private:
   static constexpr double noises_in_tolerance = 5;

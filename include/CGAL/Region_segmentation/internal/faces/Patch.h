@@ -3,84 +3,43 @@
 #ifndef CGAL_REGION_SEGMENTATION_INTERNAL_FACES_PATCH_H
 #define CGAL_REGION_SEGMENTATION_INTERNAL_FACES_PATCH_H
 
+#include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/internal/faces/Face_neighbors.h>
+#include <CGAL/Region_segmentation/internal/faces/Face_set.h>
 
-#include <cstdint>
-#include <vector>
+#include <cstddef>
 
 namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// Marks of elements that are cleared in constant time.
-class Element_marks
-{
-public:
-  explicit Element_marks(std::size_t size)
-    : m_marks(size, 0)
-  {}
-  void clear() { ++m_current; }
-  bool has(std::size_t i) const { return m_marks[i] == m_current; }
-  /// Returns whether the element was not marked before.
-  bool mark(std::size_t i)
-  {
-    const bool is_new = !has(i);
-    m_marks[i] = m_current;
-    return is_new;
-  }
-
-private:
-  std::vector<std::uint32_t> m_marks;
-  std::uint32_t m_current = 1;
-};
-
 /// Some faces around a face, connected by edges, and the points of their vertices.
-class Patch
+class Patch : private Face_set
 {
 public:
-  using Index = Surface::Index;
+  using Face_set::faces;
+  using Face_set::points;
 
   Patch(const Surface& surface, const Face_neighbors& neighbors)
-    : m_surface(surface)
+    : Face_set(surface)
     , m_neighbors(neighbors)
-    , m_face_marks(surface.number_of_faces())
-    , m_vertex_marks(surface.number_of_vertices())
   {}
 
   /// Collects faces in breadth first order from `seed`, across `may_cross(neighbor)`, until they
   /// have `wanted` vertices.
   template <typename MayCross>
-  void collect(Index seed, std::size_t wanted, const MayCross& may_cross)
+  void collect(Surface::Index seed, std::size_t wanted, const MayCross& may_cross)
   {
-    m_faces.clear();
-    m_points.clear();
-    m_face_marks.clear();
-    m_vertex_marks.clear();
+    clear();
     add(seed);
-    for (std::size_t next = 0; next < m_faces.size() && m_points.size() < wanted; ++next)
-      for (const Face_neighbors::Neighbor& n : m_neighbors[m_faces[next]])
-        if (!m_face_marks.has(n.face) && may_cross(n))
+    for (std::size_t next = 0; next < faces().size() && points().size() < wanted; ++next)
+      for (const Face_neighbors::Neighbor& n : m_neighbors[faces()[next]])
+        if (!has(n.face) && may_cross(n))
           add(n.face);
   }
 
-  const std::vector<Index>& faces() const { return m_faces; }
-  const std::vector<Double_3>& points() const { return m_points; }
-
 private:
-  void add(Index face)
-  {
-    m_face_marks.mark(face);
-    m_faces.push_back(face);
-    for (std::size_t i = 0; i < m_surface.number_of_corners(face); ++i)
-      if (m_vertex_marks.mark(m_surface.corner(face, i)))
-        m_points.push_back(m_surface.point(m_surface.corner(face, i)));
-  }
-
-  const Surface& m_surface;
   const Face_neighbors& m_neighbors;
-  Element_marks m_face_marks, m_vertex_marks;
-  std::vector<Index> m_faces;
-  std::vector<Double_3> m_points;
 };
 
 } // namespace internal

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -45,7 +46,8 @@ inline void merge_equal_surfaces(Face_search& search)
   for (Index f = 0; f < search.labels.size(); ++f)
     if (search.is_found(f))
       faces[search.labels[f]].push_back(f);
-  std::vector<Index> now = search.unchanged_labels();
+  std::vector<Index> now(search.surfaces.size()); // the labels that labels become
+  std::iota(now.begin(), now.end(), Index(0));
   const auto current = [&](Index i) {
     while (now[i] != i)
       i = now[i] = now[now[i]];
@@ -75,7 +77,9 @@ inline void merge_equal_surfaces(Face_search& search)
     faces[i].insert(faces[i].end(), faces[j].begin(), faces[j].end());
     faces[j].clear();
   }
-  search.relabel(now);
+  for (Index& label : search.labels)
+    if (label != Face_search::none)
+      label = current(label);
 }
 
 } // namespace internal

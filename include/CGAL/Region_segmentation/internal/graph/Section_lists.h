@@ -41,11 +41,7 @@ public:
   using Index = std::uint32_t;
   static constexpr Index none = (std::numeric_limits<Index>::max)();
 
-  void reserve(std::size_t places, std::size_t sections)
-  {
-    m_places.reserve(places);
-    m_sections.reserve(sections);
-  }
+  void reserve(std::size_t places) { m_places.reserve(places); }
 
   /// A place without sections; places are numbered in order. Its owner is a number given by the
   /// caller.

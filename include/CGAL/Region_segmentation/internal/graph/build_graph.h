@@ -25,7 +25,7 @@ build_graph(const Surface& surface, const Partition& regions, const Constraints&
 {
   static_assert(check_graph_data<RegionData, SectionData>());
   Region_adjacency_graph<RegionData, SectionData> graph;
-  graph.reserve(regions.number_of_parts(), 0);
+  graph.reserve(regions.number_of_parts());
   for (std::size_t r = 0; r < regions.number_of_parts(); ++r)
     graph.add_region();
   for (std::size_t f = 0; f < surface.number_of_faces(); ++f)
