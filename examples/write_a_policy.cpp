@@ -67,12 +67,12 @@ struct Normal_cost
   }
 };
 
-/// A model of `MergingPolicy`: the flattest section of all goes next. Its order does not depend on
-/// the wanted number of segments, so `initialize()` does not take it.
+/// A model of `MergingPolicy`: the flattest section of all goes next, whatever the wanted number of
+/// segments is.
 struct Flattest_first
 {
   template <typename Graph>
-  void initialize(const Graph&)
+  void initialize(const Graph&, std::size_t)
   {}
 
   template <typename Graph>

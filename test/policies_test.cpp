@@ -607,26 +607,6 @@ TEST(Policy_sequence_test, can_change_at_a_number_whatever_k)
   }
 }
 
-TEST(Policy_sequence_test, depends_on_the_number_if_a_policy_or_the_switch_does)
-{
-  using RS::internal::depends_on_number;
-  using Fixed = RS::Lowest_cost_first<Length_cost>;
-  using Any_number = RS::Policy_sequence<Fixed, Fixed, RS::Switch_at_count>;
-  EXPECT_FALSE((depends_on_number<Fixed, Graph>));
-  EXPECT_FALSE((depends_on_number<RS::Smallest_region_first, Graph>));
-  EXPECT_FALSE((depends_on_number<RS::Least_compact_region_first, Graph>));
-  EXPECT_FALSE((depends_on_number<Any_number, Graph>));
-  EXPECT_FALSE(
-    (depends_on_number<RS::Policy_sequence<Any_number, Fixed, RS::Switch_at_count>, Graph>));
-  EXPECT_TRUE(
-    (depends_on_number<RS::Policy_sequence<Fixed, Fixed, RS::Switch_at_multiple>, Graph>));
-  EXPECT_TRUE(
-    (depends_on_number<RS::Policy_sequence<Recording_policy, Fixed, RS::Switch_at_count>, Graph>));
-  EXPECT_TRUE(
-    (depends_on_number<RS::Policy_sequence<Fixed, Recording_policy, RS::Switch_at_count>, Graph>));
-  EXPECT_TRUE((depends_on_number<RS::Two_step_merging, Graph>));
-}
-
 TEST(Policy_sequence_test, of_policies_that_do_not_know_the_number_gives_one_tree)
 {
   Graph g = star({{3, 1}, {1, 1}, {2, 1}, {5, 1}, {4, 1}});

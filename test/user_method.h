@@ -6,12 +6,14 @@
 // A method as a user writes it, of public functions alone.
 
 #include <CGAL/Region_segmentation/Hierarchy.h>
+#include <CGAL/Region_segmentation/Methods/Two_step.h>
 #include <CGAL/Region_segmentation/build_region_adjacency_graph.h>
 #include <CGAL/Region_segmentation/merge_regions.h>
 #include <CGAL/Region_segmentation/requested_regions.h>
 
 #include <cstddef>
 #include <numeric>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -53,7 +55,7 @@ struct User_method
     RS::Requested_regions requested = RS::requested_regions(surface, prepared, request);
     auto graph = RS::build_region_adjacency_graph(surface, requested.regions, request.constraints,
                                                   execution);
-    if constexpr (RS::internal::depends_on_number<Policy, decltype(graph)>) {
+    if constexpr (std::is_same<Policy, RS::Two_step_merging>::value) { // depends on the number
       const std::size_t number = request.number_of_segments;
       RS::Merge_tree tree = RS::merge_regions(graph, Policy(policy), number,
                                               RS::Stop_at_count{number});

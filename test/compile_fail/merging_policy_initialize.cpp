@@ -6,7 +6,7 @@ struct Policy
 #ifdef WITH_FAULT
   void initialize(Graph&, int, int) {}
 #else
-  void initialize(const Graph&) {}
+  void initialize(const Graph&, std::size_t) {}
 #endif
   std::optional<RS::Merge_candidate> next(const Graph&)
   {

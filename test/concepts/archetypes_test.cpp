@@ -97,7 +97,7 @@ public:
   Policy_archetype(const Policy_archetype&) = default;
   Policy_archetype& operator=(const Policy_archetype&) = delete;
 
-  void initialize(const Graph&) {}
+  void initialize(const Graph&, std::size_t) {}
   std::optional<RS::Merge_candidate> next(const Graph& g)
   {
     for (auto range = edges(g); range.first != range.second; ++range.first)

@@ -19,14 +19,10 @@ of the graph are or derive from these, the combination does not compile.
 class MergingPolicy
 {
 public:
-  /// \name Initialization
-  /// One of the two. It is called before the first merge of each run.
-  /// @{
-  /// of a policy whose order does not depend on the wanted number of segments: one tree gives all.
-  void initialize(const Graph& graph);
-  /// of a policy whose order depends on it.
+  /// is called before the first merge of each run. `number_of_segments`: that to which regions are
+  /// merged, 1 where one tree gives all numbers, as in
+  /// `CGAL::Region_segmentation::Superfacet_merging`.
   void initialize(const Graph& graph, std::size_t number_of_segments);
-  /// @}
 
   /// proposes the next merge, of a section for which `graph.is_mergeable(section)`; empty if there
   /// is none. The cost of the candidate is a number: otherwise

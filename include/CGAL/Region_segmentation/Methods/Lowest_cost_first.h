@@ -53,7 +53,7 @@ public:
   {}
 
   template <typename Graph>
-  void initialize(const Graph& graph)
+  void initialize(const Graph& graph, std::size_t)
   {
     static_assert(internal::check_section_cost<Cost, Graph>());
     m_queue.clear();

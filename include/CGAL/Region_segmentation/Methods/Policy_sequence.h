@@ -8,7 +8,6 @@
 
 #include <cstddef>
 #include <optional>
-#include <type_traits>
 #include <utility>
 
 namespace CGAL {
@@ -33,7 +32,10 @@ struct Switch_at_count
 {
   std::size_t count;
 
-  bool operator()(std::size_t number_of_regions) const { return number_of_regions <= count; }
+  bool operator()(std::size_t number_of_regions, std::size_t) const
+  {
+    return number_of_regions <= count;
+  }
 };
 
 /// \ingroup PkgRegionSegmentationPolicies
@@ -42,16 +44,12 @@ struct Switch_at_count
 /// Its order depends on the wanted number of segments if one of the policies or the switch does.
 ///
 /// \tparam First, Second models of `MergingPolicy`, such as another sequence
-/// \tparam Switch `Switch_at_multiple`, `Switch_at_count`, or a similar function object: whether
-///         the second policy takes over
+/// \tparam Switch `Switch_at_multiple`, `Switch_at_count`, or a similar function object of the
+///         number of regions and the wanted number of segments: whether the second policy takes
+///         over
 template <typename First, typename Second, typename Switch>
 class Policy_sequence
 {
-  template <typename Graph>
-  static constexpr bool depends_on_number = internal::depends_on_number<First, Graph> ||
-                                            internal::depends_on_number<Second, Graph> ||
-                                            !std::is_invocable<const Switch&, std::size_t>::value;
-
 public:
   First first;
   Second second;
@@ -63,24 +61,22 @@ public:
     , is_time_for_second(is_time_for_second_)
   {}
 
-  template <typename Graph, std::enable_if_t<!depends_on_number<Graph>, int> = 0>
-  void initialize(const Graph& graph)
-  {
-    start(graph, 1);
-  }
-
-  template <typename Graph, std::enable_if_t<depends_on_number<Graph>, int> = 0>
+  template <typename Graph>
   void initialize(const Graph& graph, std::size_t number_of_segments)
   {
-    start(graph, number_of_segments);
+    static_assert(internal::check_merging_policy<First, Graph>());
+    static_assert(internal::check_merging_policy<Second, Graph>());
+    m_number_of_segments = number_of_segments;
+    m_is_second = false;
+    first.initialize(graph, number_of_segments);
   }
 
   template <typename Graph>
   std::optional<Merge_candidate> next(const Graph& graph)
   {
-    if (!m_is_second && is_time(graph.number_of_regions())) {
+    if (!m_is_second && is_time_for_second(graph.number_of_regions(), m_number_of_segments)) {
       m_is_second = true;
-      internal::initialize_policy(second, graph, m_number_of_segments);
+      second.initialize(graph, m_number_of_segments);
     }
     return m_is_second ? second.next(graph) : first.next(graph);
   }
@@ -95,24 +91,6 @@ public:
   }
 
 private:
-  template <typename Graph>
-  void start(const Graph& graph, std::size_t number_of_segments)
-  {
-    static_assert(internal::check_merging_policy<First, Graph>());
-    static_assert(internal::check_merging_policy<Second, Graph>());
-    m_number_of_segments = number_of_segments;
-    m_is_second = false;
-    internal::initialize_policy(first, graph, number_of_segments);
-  }
-
-  bool is_time(std::size_t number_of_regions) const
-  {
-    if constexpr (std::is_invocable<const Switch&, std::size_t>::value)
-      return is_time_for_second(number_of_regions);
-    else
-      return is_time_for_second(number_of_regions, m_number_of_segments);
-  }
-
   std::size_t m_number_of_segments = 1;
   bool m_is_second = false;
 };

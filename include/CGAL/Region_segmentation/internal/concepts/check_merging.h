@@ -28,10 +28,8 @@ constexpr bool check_section_cost()
 }
 
 template <typename T, typename Graph>
-using Initializes = decltype(std::declval<T&>().initialize(std::declval<const Graph&>()));
-template <typename T, typename Graph>
-using Initializes_for_number = decltype(std::declval<T&>().initialize(std::declval<const Graph&>(),
-                                                                      std::size_t()));
+using Initializes = decltype(std::declval<T&>().initialize(std::declval<const Graph&>(),
+                                                           std::size_t()));
 template <typename T, typename Graph>
 using Proposes = std::enable_if_t<
   std::is_same<decltype(std::declval<T&>().next(std::declval<const Graph&>())->section),
@@ -41,11 +39,6 @@ using Proposes = std::enable_if_t<
 template <typename T, typename Graph>
 using Observes_merges = decltype(std::declval<T&>().on_merge(
   std::declval<const Graph&>(), std::declval<typename Graph::Merge>()));
-
-/// Whether the order of a policy depends on the wanted number of segments: then it cannot be
-/// initialized without it.
-template <typename Policy, typename Graph>
-constexpr bool depends_on_number = !satisfies<Initializes, Policy, Graph>;
 
 template <typename T, typename Graph>
 constexpr bool check_merging_policy()
@@ -57,24 +50,13 @@ constexpr bool check_merging_policy()
   static_assert(std::is_copy_constructible<T>::value,
                 "a MergingPolicy needs to be copy constructible");
   static_assert(
-    satisfies<Initializes, T, Graph> || satisfies<Initializes_for_number, T, Graph>,
-    "a MergingPolicy needs: void initialize(const Graph&), or, if its order depends on the wanted "
-    "number, void initialize(const Graph&, std::size_t number_of_segments)");
+    satisfies<Initializes, T, Graph>,
+    "a MergingPolicy needs: void initialize(const Graph&, std::size_t number_of_segments)");
   static_assert(satisfies<Proposes, T, Graph>,
                 "a MergingPolicy needs: std::optional<Merge_candidate> next(const Graph&)");
   static_assert(satisfies<Observes_merges, T, Graph>,
                 "a MergingPolicy needs: void on_merge(const Graph&, const typename Graph::Merge&)");
   return true;
-}
-
-/// Initializes a policy of either kind.
-template <typename Policy, typename Graph>
-void initialize_policy(Policy& policy, const Graph& graph, std::size_t number_of_segments)
-{
-  if constexpr (depends_on_number<Policy, Graph>)
-    policy.initialize(graph, number_of_segments);
-  else
-    policy.initialize(graph);
 }
 
 } // namespace internal

@@ -97,7 +97,7 @@ public:
   template <typename Policy, typename Stop>
   void run(Policy& policy, Stop& stop)
   {
-    initialize_policy(policy, m_graph, m_number);
+    policy.initialize(m_graph, m_number);
     while (const auto candidate = policy.next(m_graph)) {
       if (stop(m_graph, candidate->cost))
         break;
