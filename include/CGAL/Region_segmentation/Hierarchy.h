@@ -8,6 +8,7 @@
 #include <CGAL/Region_segmentation/Surface.h>
 
 #include <cstddef>
+#include <memory>
 #include <utility>
 
 namespace CGAL {
@@ -16,30 +17,30 @@ namespace Region_segmentation {
 /// \ingroup PkgRegionSegmentationData
 /// What a method gives whose order of merges does not depend on the number of segments: first
 /// regions, their merges, and the number of segments that was given or chosen. Any number of
-/// segments is at hand, and the segmentations are nested.
+/// segments is at hand, and the segmentations are nested. Copies share the first regions.
 class Hierarchy
 {
 public:
   Hierarchy() = default;
   /// `regions`: of the faces; `tree`: their merges
   Hierarchy(Partition regions, Merge_tree tree, std::size_t number_of_segments)
-    : m_regions(std::move(regions))
+    : m_regions(std::make_shared<const Partition>(std::move(regions)))
     , m_tree(std::move(tree))
     , m_number(number_of_segments)
   {}
 
-  const Partition& regions() const { return m_regions; }
+  const Partition& regions() const { return *m_regions; }
   const Merge_tree& merge_tree() const { return m_tree; }
   std::size_t number_of_segments() const { return m_number; }
 
   /// The segments of the faces: `number` of them, or the nearest number that there is.
-  Partition segments(const Surface&, std::size_t number) const
+  Composed_partition segments(const Surface&, std::size_t number) const
   {
-    return composed(m_regions, m_tree.partition_at_count(number));
+    return Composed_partition(m_regions, m_tree.partition_at_count(number));
   }
 
 private:
-  Partition m_regions;
+  std::shared_ptr<const Partition> m_regions = std::make_shared<const Partition>();
   Merge_tree m_tree;
   std::size_t m_number = 0;
 };

@@ -218,7 +218,7 @@ public:
                       const NamedParameters& np = parameters::default_values()) const
   {
     CGAL_precondition_msg(number_of_segments >= 1, "number_of_segments is at least 1");
-    const Partition segments = segments_of(number_of_segments, execution_of_request(np));
+    const Composed_partition segments = segments_of(number_of_segments, execution_of_request(np));
     m_input.write(segments, segment_map);
     return segments.number_of_parts();
   }
@@ -337,14 +337,15 @@ private:
     return m_merged;
   }
 
-  Partition segments_of(std::size_t number, const Execution& execution) const
+  Composed_partition segments_of(std::size_t number, const Execution& execution) const
   {
     if constexpr (needs_number) {
       Request request = m_request;
       request.number_of_segments = number;
-      const Segmentation result = internal::merge_by(method(), surface(), m_prepared->prepared,
-                                                     request, execution);
-      return composed(result.regions, result.segments);
+      Segmentation result = internal::merge_by(method(), surface(), m_prepared->prepared, request,
+                                               execution);
+      return {std::make_shared<const Partition>(std::move(result.regions)),
+              std::move(result.segments)};
     } else
       return m_merged.segments(surface(), number);
   }

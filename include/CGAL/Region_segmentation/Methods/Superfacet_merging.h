@@ -27,6 +27,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -51,11 +52,14 @@ public:
 
   /// The segments of the faces of the surface that the hierarchy was made of. O(F log F) where
   /// regions are split.
-  Partition segments(const Surface& surface, std::size_t number) const
+  Composed_partition segments(const Surface& surface, std::size_t number) const
   {
     number = (std::min)(number, m_largest_number);
-    return number > regions().number_of_parts() ? m_superfacets.split(surface, regions(), number)
-                                                : Hierarchy::segments(surface, number);
+    if (number <= regions().number_of_parts())
+      return Hierarchy::segments(surface, number);
+    Partition split = m_superfacets.split(surface, regions(), number);
+    Partition segments = Partition::into_single_elements(split.number_of_parts());
+    return {std::make_shared<const Partition>(std::move(split)), std::move(segments)};
   }
 
 private:

@@ -172,7 +172,7 @@ std::size_t run_method(const Input& input, const Surface& surface, SegmentMap& s
     write_outputs(input, result.regions, result.merge_tree, np);
     return result.segments.number_of_parts();
   } else {
-    const Partition segments = result.segments(surface, result.number_of_segments());
+    const Composed_partition segments = result.segments(surface, result.number_of_segments());
     input.write(segments, segment_map);
     write_outputs(input, result.regions(), result.merge_tree(), np);
     return segments.number_of_parts();
