@@ -5,27 +5,39 @@
 
 #include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/Partition.h>
-#include <CGAL/Region_segmentation/internal/regions/connected_pieces.h>
+#include <CGAL/Region_segmentation/Request.h>
+#include <CGAL/Region_segmentation/internal/support/divide_parts.h>
+#include <CGAL/Region_segmentation/internal/support/Lowest_root_forest.h>
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// The number of pieces of each region.
-inline std::vector<std::size_t> number_of_pieces(const Partition& regions, const Partition& pieces)
+/// The pieces of regions, those of a region that is not `split` joined again.
+inline Partition joined_unless_split(const Partition& pieces, const Partition& regions,
+                                     const std::vector<std::uint8_t>& split)
 {
-  std::vector<std::size_t> number(regions.number_of_parts());
-  Partition::Index next_piece = 0; // pieces are numbered by their first face
+  using Index = Partition::Index;
+  constexpr Index none = (std::numeric_limits<Index>::max)();
+  std::vector<Index> first_of(regions.number_of_parts(), none);
+  Lowest_root_forest joined(pieces.number_of_parts());
+  Index next_piece = 0; // pieces are numbered by their first face
+  bool is_any_joined = false;
   for (std::size_t f = 0; f < regions.size(); ++f)
     if (pieces[f] == next_piece) {
-      ++number[regions[f]];
+      Index& first = first_of[regions[f]];
+      if (first == none)
+        first = next_piece;
+      else if (!split[regions[f]])
+        is_any_joined |= joined.unite(first, next_piece);
       ++next_piece;
     }
-  return number;
+  return is_any_joined ? composed(pieces, joined.take_partition()) : pieces;
 }
 
 /// Splits the regions that constrained edges separate: those that have more connected components
@@ -33,18 +45,20 @@ inline std::vector<std::size_t> number_of_pieces(const Partition& regions, const
 inline Partition split_at_constraints(const Surface& surface, const Partition& regions,
                                       const Constraints& constraints)
 {
-  const Partition pieces = connected_pieces(surface, regions, constraints);
-  if (pieces.number_of_parts() == regions.number_of_parts())
-    return regions;
-  const auto separated = number_of_pieces(regions, pieces);
-  const auto connected = number_of_pieces(regions,
-                                          connected_pieces(surface, regions, Constraints()));
-  std::vector<std::uint64_t> labels(regions.size());
-  for (std::size_t f = 0; f < labels.size(); ++f) {
-    const bool is_split = separated[regions[f]] > connected[regions[f]];
-    labels[f] = (std::uint64_t(regions[f]) << 32) | (is_split ? pieces[f] : 0);
-  }
-  return Partition::from_labels(labels);
+  std::vector<Surface::Index> inner; // constrained, and in one region
+  std::vector<std::uint8_t> crossed(regions.number_of_parts()), split(regions.number_of_parts());
+  for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a)
+    if (constraints[a] && regions[surface.lower_face(a)] == regions[surface.higher_face(a)]) {
+      inner.push_back(Surface::Index(a));
+      crossed[regions[surface.lower_face(a)]] = 1;
+    }
+  const Partition pieces = divide_parts(surface, regions, crossed,
+                                        adjacencies_of_parts(surface, regions, crossed),
+                                        [&](std::size_t a) { return !constraints[a]; });
+  for (const Surface::Index a : inner)
+    if (pieces[surface.lower_face(a)] != pieces[surface.higher_face(a)])
+      split[regions[surface.lower_face(a)]] = 1;
+  return joined_unless_split(pieces, regions, split);
 }
 
 } // namespace internal

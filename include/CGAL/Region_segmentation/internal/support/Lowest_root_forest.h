@@ -31,6 +31,10 @@ public:
   {
     std::iota(m_parents.begin(), m_parents.end(), Index(0));
   }
+  /// `roots`: of the tree of each face
+  explicit Lowest_root_forest(std::vector<Index> roots)
+    : m_parents(std::move(roots))
+  {}
 
   /// Returns whether they were in different trees.
   bool unite(Index a, Index b)
