@@ -379,6 +379,15 @@ TEST(Region_rays_test, of_changed_regions_are_those_of_all)
         EXPECT_EQ((*changed.hits()[r])[i].face, (*anew.hits()[r])[i].face);
         EXPECT_EQ((*changed.hits()[r])[i].distance, (*anew.hits()[r])[i].distance);
       }
+    for (std::size_t r = 0; r < after.number_of_parts(); ++r) {
+      EXPECT_EQ(changed.shapes().areas[r], anew.shapes().areas[r]);
+      EXPECT_EQ(norm(changed.shapes().normals[r] - anew.shapes().normals[r]), 0);
+      EXPECT_EQ(norm(changed.shapes().centroids[r] - anew.shapes().centroids[r]), 0);
+      EXPECT_EQ(norm(changed.shapes().area_vectors[r] - anew.shapes().area_vectors[r]), 0);
+      EXPECT_EQ(changed.shapes().moments[r].second.trace(),
+                anew.shapes().moments[r].second.trace());
+      EXPECT_EQ(norm(changed.shapes().moments[r].first - anew.shapes().moments[r].first), 0);
+    }
   }
 }
 

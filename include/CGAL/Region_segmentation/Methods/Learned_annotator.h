@@ -3,12 +3,12 @@
 #ifndef CGAL_REGION_SEGMENTATION_METHODS_LEARNED_ANNOTATOR_H
 #define CGAL_REGION_SEGMENTATION_METHODS_LEARNED_ANNOTATOR_H
 
-#include <CGAL/Region_segmentation/Double_3.h>
 #include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/Methods/Learned_data.h>
 #include <CGAL/Region_segmentation/Methods/Visibility_annotator.h>
 #include <CGAL/Region_segmentation/Partition.h>
+#include <CGAL/Region_segmentation/internal/regions/Region_shapes.h>
 
 #include <cstddef>
 
@@ -48,35 +48,17 @@ public:
     Visibility_annotator::operator()(graph, surface, regions, rays);
     if (surface.area() == 0)
       return;
-    set_shapes(graph, surface, regions);
+    set_shapes(graph, rays.shapes());
     set_thickness_and_visibility(graph);
   }
 
 private:
-  /// The variance of an equilateral triangle of area 1 along a direction in its plane: 1 / (6
-  /// sqrt(3)).
-  static constexpr double variance_of_triangle = 0.096225044864937627;
-
   template <typename Graph>
-  static void set_shapes(Graph& graph, const Surface& mesh, const Partition& regions)
+  static void set_shapes(Graph& graph, const internal::Region_shapes& shapes)
   {
-    for (auto range = vertices(graph); range.first != range.second; ++range.first) {
-      graph[*range.first].area_vector = {0, 0, 0};
-      graph[*range.first].moments = internal::Second_moments();
-    }
-    const double per_area = 1 / mesh.area(), per_length = 1 / mesh.length_unit();
-    const Double_3 origin = mesh.centroid(0); // avoids cancellation far from the origin
-    for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
-      Learned_region_data& region = graph[Index(regions[f])];
-      const double area = per_area * mesh.weight(f), variance = area * variance_of_triangle;
-      const Double_3& normal = mesh.normal(f);
-      region.area_vector = region.area_vector + area * normal;
-      region.moments.add(area, per_length * (mesh.centroid(f) - origin));
-      internal::Symmetric_3& second = region.moments.second;
-      second.xx += area * variance;
-      second.yy += area * variance;
-      second.zz += area * variance;
-      second.add_square(-area * variance, normal);
+    for (Index r = 0; r < shapes.moments.size(); ++r) {
+      graph[r].area_vector = shapes.area_vectors[r];
+      graph[r].moments = shapes.moments[r];
     }
   }
 

@@ -35,20 +35,28 @@ public:
               const Execution& execution = Execution())
     : m_hits(regions.number_of_parts())
   {
-    trace(surface, patches, regions, execution);
+    if (surface.area() == 0)
+      return;
+    m_shapes = internal::Region_shapes(surface, regions);
+    m_tree = std::make_shared<internal::Ray_tree>(surface, patches, m_shapes.surface_centroid,
+                                                  execution.step(0, 0.6));
+    trace(surface, patches, regions, execution.step(0.6, 1));
   }
 
-  /// The rays of other regions: only those of regions that were not among the former ones are
-  /// traced.
+  /// The rays and shapes of other regions: only those of regions that were not among the former
+  /// ones are traced and measured.
   Region_rays of_changed_regions(const Surface& surface, const Surface_patches& patches,
                                  const Partition& former, const Partition& regions,
                                  const Execution& execution = Execution()) const
   {
     Region_rays result;
+    const std::vector<Partition::Index> former_of = equal_parts(former, regions);
+    for (const Partition::Index r : former_of)
+      result.m_hits.push_back(r < m_hits.size() ? m_hits[r] : std::nullopt);
+    if (surface.area() == 0)
+      return result;
+    result.m_shapes = m_shapes.of_changed_regions(surface, regions, former_of);
     result.m_tree = m_tree;
-    const std::vector<Partition::Index> previous_of = equal_parts(former, regions);
-    for (const Partition::Index previous : previous_of)
-      result.m_hits.push_back(previous < m_hits.size() ? m_hits[previous] : std::nullopt);
     result.trace(surface, patches, regions, execution);
     return result;
   }
@@ -63,14 +71,8 @@ private:
   void trace(const Surface& surface, const Surface_patches& patches, const Partition& regions,
              const Execution& execution)
   {
-    if (surface.area() == 0)
-      return;
-    m_shapes = internal::Region_shapes(surface, regions);
-    if (!m_tree)
-      m_tree = std::make_shared<internal::Ray_tree>(surface, patches, m_shapes.surface_centroid,
-                                                    execution.step(0, 0.6));
     internal::Inward_rays(surface, patches.fine, regions, m_shapes, *m_tree)
-      .trace(m_hits, execution.step(0.6, 1));
+      .trace(m_hits, execution);
   }
 
   /// For each part of `after` the part of `before` with the same elements, or the highest number if
