@@ -6,6 +6,7 @@
 #include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/Patches.h>
 #include <CGAL/Region_segmentation/internal/cells/Patch_builder.h>
+#include <CGAL/Region_segmentation/internal/cells/Patch_division.h>
 #include <CGAL/Region_segmentation/make_surface.h>
 
 #include <gtest/gtest.h>
@@ -279,10 +280,10 @@ TEST(Patches_test, are_connected_and_described)
   }
 }
 
-TEST(Patches_test, are_not_joined_across_seams)
+/// A hundred flat sheets, small beside a square, at a common side; and one that is apart. (Without
+/// links, since the sheets would be crumbs, which weigh nothing.)
+RS::Surface sheets_at_one_side()
 {
-  // A hundred flat sheets, small beside a square, at a common side; and one that is apart. (Without
-  // links, since the sheets would be crumbs, which weigh nothing.)
   Soup soup;
   for (int i = 0; i < 100; ++i) {
     const double angle = i;
@@ -292,8 +293,12 @@ TEST(Patches_test, are_not_joined_across_seams)
   }
   soup = joined(joined(soup, translated(grid(4, 4), 5, 0, 0)),
                 translated(scaled(grid(1, 1), 3000), 20, 0, 0));
-  const RS::Surface surface = RS::make_surface(soup.points, soup.polygons,
-                                               RS::parameters::component_links(false));
+  return RS::make_surface(soup.points, soup.polygons, RS::parameters::component_links(false));
+}
+
+TEST(Patches_test, are_not_joined_across_seams)
+{
+  const RS::Surface surface = sheets_at_one_side();
   ASSERT_TRUE(surface.has_seams_or_links());
   const Surface_patches patches = patches_of(surface);
   EXPECT_EQ(patches.fine.size(), 102u) << "each sheet";
@@ -303,26 +308,95 @@ TEST(Patches_test, are_not_joined_across_seams)
   expect_description(patches.fine, surface, labels_of(patches.fine.of_elements()), Contacts::YES);
 }
 
-TEST(Patches_test, of_a_given_partition_are_not_adjacent_across_constraints)
+/// The pieces of patches in regions, by the lowest face that is reached.
+Labels pieces_by_definition(const RS::Surface& mesh, const RS::Partition& patch_of,
+                            const RS::Partition& regions, const RS::Constraints& constraints)
 {
-  for (unsigned seed = 1; seed <= 3; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    const Soup soup = small_faces(seed, 10);
-    const RS::Surface mesh = surface_of(soup);
-    std::mt19937 random(seed);
-    Labels labels;
-    for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
-      labels.push_back(random() % 20);
-    RS::Constraints constraints;
-    for (std::size_t a = 0; a < mesh.number_of_adjacencies(); ++a)
-      if (random() % 3 == 0)
-        constraints.add(a, mesh.number_of_adjacencies());
-    const RS::Partition parts = RS::Partition::from_labels(labels);
-    const RS::Patches patches = RS::internal::Patch_builder::build(mesh, parts, constraints);
-    EXPECT_EQ(labels_of(patches.of_elements()), labels_of(parts));
-    expect_description(patches, mesh, labels_of(parts), Contacts::YES, constraints);
-    expect_centers(patches, [&](std::size_t f) { return mesh.centroid(f); });
+  Labels lowest(mesh.number_of_faces());
+  std::iota(lowest.begin(), lowest.end(), std::size_t(0));
+  for (bool has_changed = true; std::exchange(has_changed, false);)
+    for (std::size_t a = 0; a < mesh.number_of_adjacencies(); ++a) {
+      const std::size_t f = mesh.lower_face(a), g = mesh.higher_face(a);
+      if (constraints[a] || patch_of[f] != patch_of[g] || regions[f] != regions[g] ||
+          lowest[f] == lowest[g])
+        continue;
+      lowest[f] = lowest[g] = std::min(lowest[f], lowest[g]);
+      has_changed = true;
+    }
+  return labels_of(RS::Partition::from_labels(lowest));
+}
+
+/// Divides patches by random regions and constraints, below an x.
+void expect_division(const RS::Surface& mesh, double x, std::mt19937& random)
+{
+  const RS::Patches patches = patches_of(mesh).fine;
+  const RS::Partition& patch_of = patches.of_elements();
+  Labels labels;
+  std::vector<bool> is_changed(patches.size());
+  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
+    labels.push_back(1000 * (patch_of[f] % 7));
+    if (mesh.centroid(f).x < x && random() % 20 == 0)
+      labels.back() += 1;
   }
+  RS::Constraints constraints;
+  for (std::size_t a = 0; a < mesh.number_of_adjacencies(); ++a)
+    if (mesh.centroid(mesh.lower_face(a)).x < x && random() % 10 == 0) {
+      constraints.add(a, mesh.number_of_adjacencies());
+      is_changed[patch_of[mesh.lower_face(a)]] = is_changed[patch_of[mesh.higher_face(a)]] = true;
+    }
+  const RS::Partition regions = RS::Partition::from_labels(labels);
+  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
+    if (regions[f] != regions[patches[patch_of[f]].center])
+      is_changed[patch_of[f]] = true;
+
+  const auto pieces = RS::internal::Patch_division(mesh, patches, regions, constraints).divided();
+  ASSERT_TRUE(pieces);
+  const Labels expected = pieces_by_definition(mesh, patch_of, regions, constraints);
+  EXPECT_EQ(labels_of(pieces->of_elements()), expected);
+  expect_description(*pieces, mesh, expected, Contacts::YES, constraints);
+  expect_centers(*pieces, [&](std::size_t f) { return mesh.centroid(f); });
+  std::size_t unchanged = 0;
+  for (std::size_t p = 0; p < patches.size(); ++p)
+    if (!is_changed[p]) {
+      const RS::Patches::Patch& piece = (*pieces)[expected[patches[p].center]];
+      EXPECT_EQ(norm(piece.centroid - patches[p].centroid), 0);
+      EXPECT_EQ(norm(piece.normal - patches[p].normal), 0);
+      EXPECT_EQ(piece.area, patches[p].area);
+      EXPECT_EQ(piece.center, patches[p].center);
+      ++unchanged;
+    }
+  EXPECT_GT(unchanged, 0u);
+  EXPECT_LT(unchanged, patches.size());
+}
+
+TEST(Patches_test, are_divided_by_regions_and_constraints_where_these_are)
+{
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937 random(seed);
+    expect_division(surface_of(small_faces(seed)), 12, random);
+  }
+}
+
+TEST(Patches_test, divided_ones_have_contacts_across_seams)
+{
+  const RS::Surface sheets = sheets_at_one_side();
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937 random(seed);
+    expect_division(sheets, 2, random);
+  }
+}
+
+TEST(Patches_test, of_one_region_each_are_not_divided)
+{
+  const RS::Surface mesh = surface_of(small_faces(1));
+  const RS::Patches patches = patches_of(mesh).fine;
+  RS::Constraints constraints;
+  for (std::size_t a = 0; a < mesh.number_of_adjacencies(); a += 3)
+    constraints.add(a, mesh.number_of_adjacencies());
+  EXPECT_FALSE(
+    RS::internal::Patch_division(mesh, patches, patches.of_elements(), constraints).divided());
 }
 
 TEST(Patches_test,

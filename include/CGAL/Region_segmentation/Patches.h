@@ -15,7 +15,8 @@ namespace Region_segmentation {
 
 namespace internal {
 class Patch_builder;
-}
+class Patch_division;
+} // namespace internal
 
 /// \ingroup PkgRegionSegmentationData
 /// A partition of elements, the faces of a mesh or smaller patches, into connected patches, and the
@@ -58,6 +59,7 @@ public:
 
 private:
   friend class internal::Patch_builder;
+  friend class internal::Patch_division;
 
   Partition m_of_elements;
   internal::Large_array<Patch> m_patches;

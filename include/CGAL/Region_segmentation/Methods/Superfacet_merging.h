@@ -12,6 +12,7 @@
 #include <CGAL/Region_segmentation/Request.h>
 #include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/internal/cells/Patch_builder.h>
+#include <CGAL/Region_segmentation/internal/cells/Patch_division.h>
 #include <CGAL/Region_segmentation/internal/concepts/check_annotator.h>
 #include <CGAL/Region_segmentation/internal/concepts/check_merging.h>
 #include <CGAL/Region_segmentation/internal/graph/build_graph.h>
@@ -25,9 +26,9 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -100,6 +101,7 @@ struct Superfacet_merging
     internal::Dual_graph border_costs; ///< between fine patches
     Partition regions;                 ///< the superfacets, of the faces of the shape
     Region_rays rays;
+    std::size_t number_of_proper_faces; ///< that are not degenerate
 
     /// The surface that is measured.
     const Surface& shape(const Surface& surface) const { return intrinsic.of(surface); }
@@ -124,8 +126,9 @@ struct Superfacet_merging
     Partition regions = internal::join_degenerate_regions(
       surface, composed(patches.fine.of_elements(), regions_of_patches));
     Region_rays rays(surface, patches, regions, execution.stage("rays"));
-    return {std::move(intrinsic), std::move(patches), std::move(costs), std::move(regions),
-            std::move(rays)};
+    const std::size_t proper_faces = internal::number_of_proper_faces(surface);
+    return {std::move(intrinsic), std::move(patches), std::move(costs),
+            std::move(regions),   std::move(rays),    proper_faces};
   }
 
   Refinable_hierarchy merge(const Surface& given, const Prepared& prepared,
@@ -145,7 +148,7 @@ struct Superfacet_merging
                                                     execution.stage("merging"));
     // Regions that seeds joined are not split.
     const std::size_t largest_number = request.seeds.empty()
-                                         ? (std::max)(internal::number_of_proper_faces(surface),
+                                         ? (std::max)(prepared.number_of_proper_faces,
                                                       std::size_t(1))
                                          : requested.regions.number_of_parts();
     const std::size_t number = (std::min)(
@@ -185,12 +188,12 @@ private:
                          const Hierarchy& merged, const Execution& execution) const
   {
     const Partition& regions = requested.regions;
-    const bool are_prepared = (request.constraints.empty() && request.seeds.empty()) ||
-                              are_unions(prepared.patches.fine, regions);
-    const Patches divided = are_prepared
-                              ? Patches()
-                              : divided_patches(surface, prepared.patches.fine, regions, request);
-    const Patches& cells = are_prepared ? prepared.patches.fine : divided;
+    std::optional<Patches> divided;
+    if (!request.constraints.empty() || !request.seeds.empty())
+      divided = internal::Patch_division(surface, prepared.patches.fine, regions,
+                                         request.constraints)
+                  .divided();
+    const Patches& cells = divided ? *divided : prepared.patches.fine;
     std::vector<Index> region_of;
     for (std::size_t c = 0; c < cells.size(); ++c)
       region_of.push_back(regions[cells[c].center]);
@@ -199,31 +202,10 @@ private:
                                  : regions.number_of_parts();
     const std::vector<Index> label_of_cell = straightening(
       cells, surface.length_unit(),
-      are_prepared ? prepared.border_costs : internal::border_costs(surface, cells, border_cost),
+      divided ? internal::border_costs(surface, cells, border_cost) : prepared.border_costs,
       region_of, merged.merge_tree(), [&](Index r) { return requested.is_fixed(r); }, number,
       execution.stage("borders"));
     return of_labels(prepared, cells.of_elements(), label_of_cell, merged);
-  }
-
-  static bool are_unions(const Patches& patches, const Partition& regions)
-  {
-    for (std::size_t f = 0; f < regions.size(); ++f)
-      if (regions[f] != regions[patches[patches.of_elements()[f]].center])
-        return false;
-    return true;
-  }
-
-  /// Cells: the pieces of patches in each region.
-  static Patches divided_patches(const Surface& surface, const Patches& patches,
-                                 const Partition& regions, const Request& request)
-  {
-    std::vector<std::uint64_t> labels;
-    labels.reserve(regions.size());
-    for (std::size_t f = 0; f < regions.size(); ++f)
-      labels.push_back((std::uint64_t(patches.of_elements()[f]) << 32) | regions[f]);
-    return internal::Patch_builder::build(
-      surface, internal::connected_pieces(surface, labels, request.constraints),
-      request.constraints);
   }
 
   /// Of cells labelled by former regions, or by the lowest ones of segments; for the given faces.

@@ -6,10 +6,11 @@
 #include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/Patches.h>
-#include <CGAL/Region_segmentation/Request.h>
 #include <CGAL/Region_segmentation/internal/cells/Patch_selection.h>
 #include <CGAL/Region_segmentation/internal/support/Grouped_items.h>
 #include <CGAL/Region_segmentation/internal/support/Large_array.h>
+
+#include <boost/range/irange.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -67,7 +68,7 @@ public:
 
   static Surface_patches build(const Surface& surface, const Execution& execution)
   {
-    Patch_builder builder(surface, Constraints(), execution);
+    Patch_builder builder(surface, execution);
     // A round takes a time proportional to the number of patches before it.
     const auto report = [&] {
       const double faces = double((std::max)(surface.number_of_faces(), std::size_t(1)));
@@ -80,61 +81,73 @@ public:
       builder.join_patches(Surface_patches::maximum_area * surface.area(), report);
     Surface_patches result;
     result.fine = builder.finish();
-    set_centers(result.fine, surface);
-    set_contacts(result.fine, surface, Constraints());
+    set_centers(result.fine, surface, boost::irange(std::size_t(0), surface.number_of_faces()));
+    set_contacts(result.fine, surface);
     builder.m_adjacencies.push_back(result.fine.m_adjacencies);
     builder.join_patches(Surface_patches::maximum_coarse_area * surface.area(), report);
     result.coarse = builder.finish();
     const Patches& fine = result.fine;
     set_centers(
-      result.coarse, [&](std::size_t p) { return fine[p].centroid; },
+      result.coarse, boost::irange(std::size_t(0), fine.size()),
+      [&](std::size_t p) { return fine[p].centroid; },
       [&](std::size_t p) { return squared_norm(fine[p].normal) == 0; });
     return result;
   }
 
-  /// The parts of a partition as patches; those on both sides of constrained edges are not adjacent
-  /// there.
-  static Patches build(const Surface& surface, Partition of_faces, const Constraints& constraints)
+  /// \name For those who change patches
+  /// @{
+  static constexpr Index none = (std::numeric_limits<Index>::max)();
+
+  /// Of the patches of some faces.
+  template <typename Faces>
+  static void set_centers(Patches& patches, const Surface& surface, const Faces& faces)
   {
-    Patch_builder builder(surface, constraints, Execution());
-    builder.m_rounds.push_back(std::move(of_faces));
-    builder.replace_faces();
-    Patches patches = builder.finish();
-    set_centers(patches, surface);
-    set_contacts(patches, surface, constraints);
-    return patches;
+    set_centers(
+      patches, faces, [&](std::size_t f) { return surface.centroid(f); },
+      [&](std::size_t f) { return surface.is_degenerate(f); });
   }
 
+  static void set_concave_deviations(Patches& patches, const Execution& execution)
+  {
+    patches.m_concave_deviations.resize(patches.m_adjacencies.size());
+    for_each_index(execution, patches.m_adjacencies.size(), [&](std::size_t i) {
+      const Adjacency& a = patches.m_adjacencies[i];
+      patches.m_concave_deviations[i] = concave_deviation(patches.m_patches[a.lower],
+                                                          patches.m_patches[a.higher]);
+    });
+  }
+
+  static bool is_before(const Adjacency& a, const Adjacency& b)
+  {
+    return a.lower != b.lower ? a.lower < b.lower : a.higher < b.higher;
+  }
+
+  /// One for each two patches.
+  static void sort_and_unite(Large_array<Adjacency>& adjacencies)
+  {
+    std::stable_sort(adjacencies.begin(), adjacencies.end(), is_before);
+    unite(adjacencies);
+  }
+  /// @}
+
 private:
-  Patch_builder(const Surface& surface, const Constraints& constraints, const Execution& execution)
+  Patch_builder(const Surface& surface, const Execution& execution)
     : m_surface(surface)
-    , m_constraints(constraints)
     , m_execution(execution.silent())
     , m_unit(surface.length_unit())
   {}
 
-  static void set_centers(Patches& patches, const Surface& surface)
+  static void set_contacts(Patches& patches, const Surface& surface)
   {
-    set_centers(
-      patches, [&](std::size_t f) { return surface.centroid(f); },
-      [&](std::size_t f) { return surface.is_degenerate(f); });
-  }
-
-  static void set_contacts(Patches& patches, const Surface& surface, const Constraints& constraints)
-  {
-    Large_array<Adjacency>& contacts = patches.m_contacts;
     if (!surface.has_seams_or_links())
       return;
     for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a) {
       const Index p = patches.m_of_elements[surface.lower_face(a)],
                   q = patches.m_of_elements[surface.higher_face(a)];
-      if (surface.has_flag(a, Surface::SEAM | Surface::LINK) && !constraints[a] && p != q)
-        contacts.push_back({(std::min)(p, q), (std::max)(p, q), surface.length(a)});
+      if (surface.has_flag(a, Surface::SEAM | Surface::LINK) && p != q)
+        patches.m_contacts.push_back({(std::min)(p, q), (std::max)(p, q), surface.length(a)});
     }
-    std::stable_sort(contacts.begin(), contacts.end(), [](const Adjacency& a, const Adjacency& b) {
-      return a.lower != b.lower ? a.lower < b.lower : a.higher < b.higher;
-    });
-    unite(contacts);
+    sort_and_unite(patches.m_contacts);
   }
 
   /// Adds up the lengths of subsequent adjacencies of the same two patches.
@@ -151,12 +164,12 @@ private:
   }
 
   /// A degenerate element only if there is no other.
-  template <typename Centroid, typename IsDegenerate>
-  static void set_centers(Patches& patches, const Centroid& centroid,
+  template <typename Elements, typename Centroid, typename IsDegenerate>
+  static void set_centers(Patches& patches, const Elements& elements, const Centroid& centroid,
                           const IsDegenerate& is_degenerate)
   {
     std::vector<double> distances(patches.size(), std::numeric_limits<double>::infinity());
-    for (std::size_t i = 0; i < patches.m_of_elements.size(); ++i) {
+    for (const std::size_t i : elements) {
       const Index part = patches.m_of_elements[i];
       Patch& patch = patches.m_patches[part];
       const double distance = squared_norm(centroid(i) - patch.centroid);
@@ -190,7 +203,7 @@ private:
     const std::size_t end = (std::min)((range + 1) * edges_in_range(),
                                        m_surface.number_of_adjacencies());
     for (std::size_t e = range * edges_in_range(); e < end; ++e)
-      if (!m_surface.has_flag(e, Surface::SEAM | Surface::LINK) && !m_constraints[e])
+      if (!m_surface.has_flag(e, Surface::SEAM | Surface::LINK))
         f(m_surface.lower_face(e), m_surface.higher_face(e), [&] { return m_surface.length(e); });
   }
 
@@ -406,12 +419,7 @@ private:
     for_each_index(m_execution, m_places.size(), [&](std::size_t p) {
       result.m_patches[p] = {m_places[p].centroid, m_directions[p].normal, m_places[p].area, none};
     });
-    result.m_concave_deviations.resize(result.m_adjacencies.size());
-    for_each_index(m_execution, result.m_adjacencies.size(), [&](std::size_t i) {
-      const Adjacency& a = result.m_adjacencies[i];
-      result.m_concave_deviations[i] = concave_deviation(result.m_patches[a.lower],
-                                                         result.m_patches[a.higher]);
-    });
+    set_concave_deviations(result, m_execution);
     return result;
   }
 
@@ -456,10 +464,7 @@ private:
     return std::acos((std::max)(-1.0, (std::min)(1.0, dot(a.normal, b.normal))));
   }
 
-  static constexpr Index none = (std::numeric_limits<Index>::max)();
-
   const Surface& m_surface;
-  const Constraints m_constraints;
   const Execution m_execution; // silent
   const double m_unit;
   std::vector<Partition> m_rounds; // of the faces or the fine patches, then of the patches of the
