@@ -154,7 +154,7 @@ struct Superfacet_merging
     const std::size_t number = (std::min)(
       request.number_of_segments > 0 ? request.number_of_segments : chooser(tree, surface),
       largest_number);
-    return Refinable_hierarchy(straightened(surface, prepared, requested, request,
+    return Refinable_hierarchy(straightened(given, prepared, requested, request,
                                             Hierarchy(Partition(), tree, number), execution),
                                superfacets, largest_number);
   }
@@ -183,10 +183,11 @@ private:
 
   /// The hierarchy with the borders of its segments moved: of all of them, or of one number alone
   /// if the request says so.
-  Hierarchy straightened(const Surface& surface, const Prepared& prepared,
+  Hierarchy straightened(const Surface& given, const Prepared& prepared,
                          const Requested_regions& requested, const Request& request,
                          const Hierarchy& merged, const Execution& execution) const
   {
+    const Surface& surface = prepared.shape(given);
     const Partition& regions = requested.regions;
     std::optional<Patches> divided;
     if (!request.constraints.empty() || !request.seeds.empty())
@@ -205,22 +206,26 @@ private:
       divided ? internal::border_costs(surface, cells, border_cost) : prepared.border_costs,
       region_of, merged.merge_tree(), [&](Index r) { return requested.is_fixed(r); }, number,
       execution.stage("borders"));
-    return of_labels(prepared, cells.of_elements(), label_of_cell, merged);
+    return of_labels(given, prepared, cells.of_elements(), label_of_cell, merged);
   }
 
   /// Of cells labelled by former regions, or by the lowest ones of segments; for the given faces.
-  static Hierarchy of_labels(const Prepared& prepared, const Partition& cell_of,
-                             const std::vector<Index>& label_of_cell, const Hierarchy& merged)
+  static Hierarchy of_labels(const Surface& given, const Prepared& prepared,
+                             const Partition& cell_of, const std::vector<Index>& label_of_cell,
+                             const Hierarchy& merged)
   {
     constexpr Index none = (std::numeric_limits<Index>::max)();
-    const Partition of_cells = Partition::from_labels(label_of_cell);
-    const Partition of_shape = composed(cell_of, of_cells);
-    const std::vector<Index> numbers = prepared.intrinsic.new_numbers(of_shape);
-    std::vector<Index> new_numbers(merged.merge_tree().number_of_regions(), none);
-    for (std::size_t c = 0; c < label_of_cell.size(); ++c)
-      new_numbers[label_of_cell[c]] = numbers[of_cells[c]];
-    return Hierarchy(prepared.intrinsic.of_given(of_shape, numbers),
-                     internal::renumber_tree(merged.merge_tree(), std::move(new_numbers)),
+    std::vector<Index> number_of(merged.merge_tree().number_of_regions(), none), region_of;
+    region_of.reserve(given.number_of_faces());
+    Index number = 0;
+    for (std::size_t f = 0; f < given.number_of_faces(); ++f) {
+      Index& region = number_of[label_of_cell[cell_of[prepared.intrinsic.face(f)]]];
+      if (region == none)
+        region = number++;
+      region_of.push_back(region);
+    }
+    return Hierarchy(Partition(std::move(region_of), number),
+                     internal::renumber_tree(merged.merge_tree(), std::move(number_of)),
                      merged.number_of_segments());
   }
 };

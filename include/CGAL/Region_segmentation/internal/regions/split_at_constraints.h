@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -19,7 +20,7 @@ namespace Region_segmentation {
 namespace internal {
 
 /// The pieces of regions, those of a region that is not `split` joined again.
-inline Partition joined_unless_split(const Partition& pieces, const Partition& regions,
+inline Partition joined_unless_split(Partition pieces, const Partition& regions,
                                      const std::vector<std::uint8_t>& split)
 {
   using Index = Partition::Index;
@@ -52,13 +53,13 @@ inline Partition split_at_constraints(const Surface& surface, const Partition& r
       inner.push_back(Surface::Index(a));
       crossed[regions[surface.lower_face(a)]] = 1;
     }
-  const Partition pieces = divide_parts(surface, regions, crossed,
-                                        adjacencies_of_parts(surface, regions, crossed),
-                                        [&](std::size_t a) { return !constraints[a]; });
+  Partition pieces = divide_parts(surface, regions, crossed,
+                                  adjacencies_of_parts(surface, regions, crossed),
+                                  [&](std::size_t a) { return !constraints[a]; });
   for (const Surface::Index a : inner)
     if (pieces[surface.lower_face(a)] != pieces[surface.higher_face(a)])
       split[regions[surface.lower_face(a)]] = 1;
-  return joined_unless_split(pieces, regions, split);
+  return joined_unless_split(std::move(pieces), regions, split);
 }
 
 } // namespace internal
