@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <type_traits>
 #include <vector>
@@ -22,19 +21,16 @@ class Constraints
 {
 public:
   bool empty() const { return m_marks.empty(); }
-  bool operator[](std::size_t adjacency) const
-  {
-    return !m_marks.empty() && m_marks[adjacency] != 0;
-  }
+  bool operator[](std::size_t adjacency) const { return !m_marks.empty() && m_marks[adjacency]; }
 
   void add(std::size_t adjacency, std::size_t number_of_adjacencies)
   {
     m_marks.resize(number_of_adjacencies);
-    m_marks[adjacency] = 1;
+    m_marks[adjacency] = true;
   }
 
 private:
-  std::vector<std::uint8_t> m_marks;
+  std::vector<bool> m_marks;
 };
 
 /// \ingroup PkgRegionSegmentationData

@@ -47,7 +47,7 @@ public:
     std::vector<Vertex_pair> borders; // border edges may coincide
     if (component_links(np))
       for (const edge_descriptor e : edges(*m_mesh))
-        if (CGAL::is_border(e, *m_mesh) && get(map, e))
+        if (get(map, e) && CGAL::is_border(e, *m_mesh))
           borders.push_back({Surface::Index(order.rank_of_vertex()(source(e, *m_mesh))),
                              Surface::Index(order.rank_of_vertex()(target(e, *m_mesh)))});
     mark_constraints(surface, std::move(borders), constraints);
