@@ -8,7 +8,12 @@
 #include <CGAL/Region_segmentation/Methods/Learned_merging.h>
 #include <CGAL/Region_segmentation/Methods/Two_step.h>
 #include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
+#include <CGAL/Region_segmentation/Segmenter.h>
 #include <CGAL/Region_segmentation/segment.h>
+
+#include <CGAL/boost/graph/iterator.h>
+
+#include <boost/property_map/function_property_map.hpp>
 
 #include <valgrind/callgrind.h>
 
@@ -37,6 +42,38 @@ bool count(const char* name, const Mesh& mesh, const SegmentationMethod& method)
   return number == 8;
 }
 
+/// A number of segments, and a drawn line, of a mesh that is prepared.
+/// \returns whether there are 8 segments, and the line divides regions
+bool count_segmenter(const Mesh& mesh)
+{
+  std::vector<std::uint32_t> segments(num_faces(mesh));
+  const auto map = boost::make_iterator_property_map(segments.begin(), get(CGAL::face_index, mesh));
+  RS::Segmenter segmenter(mesh);
+  CALLGRIND_START_INSTRUMENTATION;
+  const std::size_t number = segmenter.segment(map, 8);
+  CALLGRIND_STOP_INSTRUMENTATION;
+  CALLGRIND_DUMP_STATS_AT("number of a segmenter");
+  const std::size_t before = segmenter.regions().number_of_parts();
+
+  const auto is_right = [&](Mesh::Face_index f) {
+    double x = 0;
+    for (const auto v : CGAL::vertices_around_face(halfedge(f, mesh), mesh))
+      x += mesh.point(v).x();
+    return x > 0;
+  };
+  const auto line = boost::make_function_property_map<Mesh::Edge_index>([&](Mesh::Edge_index e) {
+    const auto h = halfedge(e, mesh);
+    return is_right(face(h, mesh)) != is_right(face(opposite(h, mesh), mesh));
+  });
+  CALLGRIND_START_INSTRUMENTATION;
+  segmenter.add_constraints(line);
+  CALLGRIND_STOP_INSTRUMENTATION;
+  CALLGRIND_DUMP_STATS_AT("line in a segmenter");
+  const std::size_t after = segmenter.regions().number_of_parts();
+  std::cout << "drawn line: " << after - before << " regions more\n";
+  return number == 8 && after > before;
+}
+
 } // namespace
 
 int main()
@@ -47,6 +84,7 @@ int main()
   const bool is_right = count("two-step smooth", smooth, RS::Two_step()) &
                         count("two-step noisy", noisy, RS::Two_step()) &
                         count("visibility smooth", smooth, RS::Visibility_merging()) &
-                        count("learned smooth", smooth, RS::Learned_merging());
+                        count("learned smooth", smooth, RS::Learned_merging()) &
+                        count_segmenter(smooth);
   return is_right ? EXIT_SUCCESS : EXIT_FAILURE;
 }
