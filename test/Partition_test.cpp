@@ -88,6 +88,7 @@ TEST(Partition_test, a_composed_one_is_looked_up)
   EXPECT_EQ(both.number_of_parts(), 2u);
   for (std::size_t i = 0; i < both.size(); ++i)
     EXPECT_EQ(both[i], expected[i]);
+  EXPECT_EQ(Partition(both), expected);
 }
 
 } // namespace Partition_test

@@ -138,6 +138,9 @@ public:
   /// The part of an element.
   Index operator[](std::size_t element) const { return m_coarse[(*m_fine)[element]]; }
 
+  /// The same with an array.
+  operator Partition() const { return composed(*m_fine, m_coarse); }
+
 private:
   std::shared_ptr<const Partition> m_fine; // shared, since it may belong to a `Hierarchy`
   Partition m_coarse;
