@@ -39,16 +39,18 @@ public:
   void for_each(const IsWanted& is_wanted, const F& f)
   {
     const FaceGraph& mesh = m_order.mesh();
-    const auto is_wanted_side = [&](halfedge_descriptor h) { return is_wanted(edge(h, mesh)); };
-    for (Index rank = 0; rank < m_order.number_of_faces(); ++rank) {
-      const auto sides = CGAL::halfedges_around_face(halfedge(m_order.ordered_faces()[rank], mesh),
-                                                     mesh);
-      if (std::any_of(sides.begin(), sides.end(), is_wanted_side))
+    std::vector<bool> has_wanted(m_order.number_of_faces());
+    for (const auto e : edges(mesh))
+      if (is_wanted(e))
+        for (const halfedge_descriptor h : {halfedge(e, mesh), opposite(halfedge(e, mesh), mesh)})
+          if (const Index rank = m_order.face_rank(h); rank != Order::none)
+            has_wanted[rank] = true;
+    for (Index rank = 0; rank < m_order.number_of_faces(); ++rank)
+      if (has_wanted[rank])
         for_each_of_face(rank, [&](halfedge_descriptor h, std::size_t adjacency) {
-          if (is_wanted_side(h))
+          if (is_wanted(edge(h, mesh)))
             f(h, adjacency);
         });
-    }
   }
 
 private:
