@@ -4,6 +4,7 @@
 #define CGAL_REGION_SEGMENTATION_EXECUTION_H
 
 #include <CGAL/Region_segmentation/exceptions.h>
+#include <CGAL/Region_segmentation/internal/support/Function_ref.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -18,8 +19,7 @@ namespace internal {
 /// Threads, as plain functions, so that no stage depends on a library of threads.
 struct Threads
 {
-  using Body = void (*)(const void* function, std::size_t i);
-  void (*for_each)(std::size_t first, std::size_t last, Body body, const void* function);
+  void (*for_each)(std::size_t first, std::size_t last, Function_ref<void(std::size_t)> f);
   std::size_t (*number)();
 };
 
@@ -87,12 +87,11 @@ public:
   }
 
   /// Calls `f(i)` for i = `first` .. `last - 1`, in order or in parallel.
-  template <typename F>
-  void for_each(std::size_t first, std::size_t last, const F& f) const
+  void for_each(std::size_t first, std::size_t last,
+                internal::Function_ref<void(std::size_t)> f) const
   {
     if (m_threads && last - first > 1)
-      m_threads->for_each(
-        first, last, [](const void* g, std::size_t i) { (*static_cast<const F*>(g))(i); }, &f);
+      m_threads->for_each(first, last, f);
     else
       for (std::size_t i = first; i < last; ++i)
         f(i);
@@ -128,9 +127,9 @@ inline std::size_t number_of_blocks(std::size_t number_of_elements, std::size_t 
 
 /// Calls `f(block, begin, end)` for the blocks of elements 0 .. `number_of_elements - 1`, and
 /// reports the progress.
-template <typename F>
-void for_each_block(const Execution& execution, std::size_t number_of_elements, const F& f,
-                    std::size_t size = block_size)
+inline void for_each_block(const Execution& execution, std::size_t number_of_elements,
+                           Function_ref<void(std::size_t, std::size_t, std::size_t)> f,
+                           std::size_t size = block_size)
 {
   constexpr std::size_t number_of_reports = 50;
   const std::size_t number = number_of_blocks(number_of_elements, size);
@@ -152,9 +151,10 @@ void for_each_block(const Execution& execution, std::size_t number_of_elements, 
 /// place where the part of the block begins, which returns where it ends. Returns the end of all.
 ///
 /// `number_in(block, begin, end)`: the size of a part; is asked first, and in parallel only.
-template <typename NumberIn, typename Write>
-std::size_t for_each_block_of_output(const Execution& execution, std::size_t number_of_elements,
-                                     const NumberIn& number_in, const Write& write)
+inline std::size_t for_each_block_of_output(
+  const Execution& execution, std::size_t number_of_elements,
+  Function_ref<std::size_t(std::size_t, std::size_t, std::size_t)> number_in,
+  Function_ref<std::size_t(std::size_t, std::size_t, std::size_t, std::size_t)> write)
 {
   std::vector<std::size_t> places(number_of_blocks(number_of_elements) + 1);
   if (execution.is_parallel())

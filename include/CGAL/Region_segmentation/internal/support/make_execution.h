@@ -29,8 +29,8 @@ const Threads* threads_of()
   if constexpr (std::is_convertible<ConcurrencyTag, CGAL::Parallel_tag>::value) {
 #ifdef CGAL_LINKED_WITH_TBB
     static const Threads threads = {
-      [](std::size_t first, std::size_t last, Threads::Body body, const void* function) {
-        tbb::parallel_for(first, last, [=](std::size_t i) { body(function, i); });
+      [](std::size_t first, std::size_t last, Function_ref<void(std::size_t)> f) {
+        tbb::parallel_for(first, last, [=](std::size_t i) { f(i); });
       },
       [] { return std::size_t(tbb::this_task_arena::max_concurrency()); }};
     return &threads;
