@@ -13,6 +13,8 @@
 
 #include <CGAL/assertions.h>
 
+#include <utility>
+
 namespace CGAL {
 namespace Region_segmentation {
 
@@ -38,9 +40,9 @@ struct Region_growing
   {
     CGAL_precondition_msg(maximum_angle >= 0 && maximum_angle <= 180,
                           "maximum_angle is in [0, 180] degrees");
-    const auto is_feature = internal::mark_feature_edges(surface, maximum_angle, feature_convexity,
-                                                         execution.step(0, 0.5));
-    return internal::grow(surface, is_feature, constraints, execution.step(0.5, 1));
+    auto is_feature = internal::mark_feature_edges(surface, maximum_angle, feature_convexity,
+                                                   execution.step(0, 0.5));
+    return internal::grow(surface, std::move(is_feature), constraints, execution.step(0.5, 1));
   }
 };
 

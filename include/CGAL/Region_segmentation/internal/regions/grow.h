@@ -11,9 +11,9 @@
 #include <CGAL/Region_segmentation/internal/support/label_components.h>
 #include <CGAL/Region_segmentation/internal/surface/collect_adjacencies.h>
 
-#include <algorithm>
 #include <cstddef>
-#include <vector>
+#include <cstdint>
+#include <utility>
 
 namespace CGAL {
 namespace Region_segmentation {
@@ -21,22 +21,26 @@ namespace internal {
 
 /// The connected components of the faces across edges that are neither features nor constrained. A
 /// degenerate face joins the component across its longest edge that is not constrained.
-inline Partition grow(const Surface& surface, const Edge_marks& is_feature,
-                      const Constraints& constraints, const Execution& execution)
+/// `marks`: 1 for a feature, or 0
+inline Partition grow(const Surface& surface, Edge_marks marks, const Constraints& constraints,
+                      const Execution& execution)
 {
-  // The longest edges that are not constrained: where none is, the adjacencies that join.
-  std::vector<Surface::Index> joining;
-  if (!constraints.empty())
-    joining = longest_edges_of_degenerate_faces(surface, [&](std::size_t a) {
+  constexpr std::uint8_t barred = 1, closed = 2;
+  for_each_index(execution, marks.size(),
+                 [mark = marks.data(), flags = arrays_of(surface).flags.data()](std::size_t a) {
+                   if (flags[a] & (Surface::SEAM | Surface::LINK | Surface::CLOSED))
+                     mark[a] |= flags[a] & Surface::CLOSED ? closed : barred;
+                 });
+  if (!constraints.empty()) {
+    const auto is_candidate = [&](std::size_t a) {
       return surface.has_flag(a, Surface::CLOSED | Surface::JOINING) && !constraints[a];
-    });
-  const auto joins = [&](std::size_t a) {
-    if (is_feature[a] || constraints[a] || surface.has_flag(a, Surface::SEAM | Surface::LINK))
-      return false;
-    return !surface.has_flag(a, Surface::CLOSED) ||
-           std::binary_search(joining.begin(), joining.end(), a);
-  };
-  return label_components(surface, joins, execution);
+    };
+    for (std::size_t a = 0; a < marks.size(); ++a)
+      marks[a] = std::uint8_t(marks[a] | barred * constraints[a]);
+    for (const Surface::Index a : longest_edges_of_degenerate_faces(surface, is_candidate))
+      marks[a] &= barred;
+  }
+  return label_components(surface, marks, barred | closed, execution);
 }
 
 } // namespace internal

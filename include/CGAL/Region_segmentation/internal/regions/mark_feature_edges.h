@@ -6,7 +6,7 @@
 #include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/Feature_convexity.h>
 #include <CGAL/Region_segmentation/Surface.h>
-#include <CGAL/Region_segmentation/internal/support/Large_array.h>
+#include <CGAL/Region_segmentation/internal/support/label_components.h>
 
 #include <CGAL/number_type_config.h>
 
@@ -17,9 +17,6 @@
 namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
-
-/// One byte per adjacency of a surface, not 0 if it is marked.
-using Edge_marks = Large_array<std::uint8_t>;
 
 /// Marks the adjacencies whose deviation is above `maximum_angle`, in degrees, and whose sign is
 /// wanted: feature edges.

@@ -4,6 +4,7 @@
 #define CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_BUILD_SURFACE_H
 
 #include <CGAL/Region_segmentation/Execution.h>
+#include <CGAL/Region_segmentation/internal/support/Lowest_root_forest.h>
 #include <CGAL/Region_segmentation/internal/support/label_components.h>
 #include <CGAL/Region_segmentation/internal/surface/collect_adjacencies.h>
 #include <CGAL/Region_segmentation/internal/surface/compute_normals.h>
@@ -47,13 +48,16 @@ inline Added_adjacency adjacency_of_seam(const Surface& surface, const Seam& sea
 }
 
 /// Adds links between what is not connected by edges and seams, and marks crumbs.
-inline void insert_links(Surface& surface, std::size_t number_of_edge_components,
+inline void insert_links(Surface& surface, const Partition& edge_component_of,
                          const Execution& execution)
 {
-  if (number_of_edge_components < 2)
+  if (edge_component_of.number_of_parts() < 2)
     return;
-  const Partition connected = label_components(
-    surface, [](std::size_t) { return true; }, execution.silent());
+  Lowest_root_forest joined(edge_component_of.number_of_parts());
+  for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a)
+    joined.unite(edge_component_of[surface.lower_face(a)],
+                 edge_component_of[surface.higher_face(a)]);
+  const Partition connected = composed(edge_component_of, joined.take_partition());
   std::vector<Added_adjacency> added;
   for (const Link& link : find_links(surface, connected, execution))
     added.push_back({link.lower, link.higher, link.length * link.length, Surface::LINK});
@@ -92,7 +96,7 @@ inline Surface build_surface(Raw_surface raw, Adjacency_of wanted, const Executi
   insert_adjacencies(raw.surface, added);
   join_degenerate_faces(raw.surface);
   if (wanted == Adjacency_of::COMPONENTS)
-    insert_links(raw.surface, component_of.number_of_parts(), execution.step(0.9, 1));
+    insert_links(raw.surface, component_of, execution.step(0.9, 1));
   sum_areas(raw.surface);
   return std::move(raw.surface);
 }
