@@ -3,12 +3,10 @@
 #ifndef CGAL_REGION_SEGMENTATION_INTERNAL_REGIONS_APPLY_SEEDS_H
 #define CGAL_REGION_SEGMENTATION_INTERNAL_REGIONS_APPLY_SEEDS_H
 
-#include <CGAL/Region_segmentation/Graph/Region_adjacency_graph.h>
 #include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/exceptions.h>
 #include <CGAL/Region_segmentation/Request.h>
-#include <CGAL/Region_segmentation/internal/graph/build_graph.h>
 #include <CGAL/Region_segmentation/internal/regions/split_at_seeds.h>
 #include <CGAL/Region_segmentation/internal/support/shortest_paths.h>
 
@@ -27,24 +25,6 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// Length of a section, and integral of the deviation of its concave edges.
-struct Valley
-{
-  double length = 0, concave = 0;
-
-  void add_adjacency(const Surface& surface, std::size_t a)
-  {
-    length += surface.length(a);
-    if (surface.has_flag(a, Surface::CONCAVE))
-      concave += surface.length(a) * surface.deviation(a);
-  }
-  void absorb(const Valley& other)
-  {
-    length += other.length;
-    concave += other.concave;
-  }
-};
-
 /// Joins the regions of each seed along the cheapest paths of regions that avoid all other seeds.
 ///
 /// A step from region i to j across a section of length L costs (sqrt(a_i) + sqrt(a_j)) / 2 (1 + 80
@@ -52,7 +32,8 @@ struct Valley
 /// weight that `Superfacets` gives to them. Seeds are joined in order; a seed that cannot be joined
 /// any more is the first one in another attempt.
 ///
-/// Complexity: O(F), and for each region of a seed that is not adjacent to the others O(S log R).
+/// Complexity: O(F + E log E) for E adjacencies between regions, and for each region of a seed that
+/// is not adjacent to the others O(S log R).
 class Seed_joining
 {
   using Index = Partition::Index;
@@ -61,10 +42,11 @@ public:
   /// \pre each region has faces of one seed at most: that in `seeds`
   Seed_joining(const Surface& surface, const Partition& regions, const Seeds& seeds,
                const Constraints& constraints)
-    : m_graph(build_graph<Region_geometry, Valley>(surface, regions, constraints, Execution()))
+    : m_steps(regions.number_of_parts())
     , m_seeds(seeds)
     , m_members(seeds.number())
   {
+    add_steps(surface, regions, constraints);
     for (Index r = 0; r < regions.number_of_parts(); ++r)
       if (m_seeds.of[r] != Seeds::none)
         m_members[m_seeds.of[r]].push_back(r);
@@ -80,14 +62,16 @@ public:
     // seeds.
     for (std::size_t number_of_tries = 0; number_of_tries <= order.size(); ++number_of_tries) {
       m_owner = m_seeds.of;
-      const auto failed = std::find_if(order.begin(), order.end(),
-                                       [this](Index seed) { return !join_members(seed); });
-      if (failed == order.end())
+      Index* failed = order.data();
+      Index* const end = failed + order.size();
+      while (failed != end && join_members(*failed))
+        ++failed;
+      if (failed == end)
         return Seeds{std::move(m_owner), m_seeds.values};
       m_failed = *failed;
-      if (failed == order.begin())
+      if (failed == order.data())
         break;
-      std::rotate(order.begin(), failed, failed + 1);
+      std::rotate(order.data(), failed, failed + 1);
     }
     return std::nullopt;
   }
@@ -98,13 +82,43 @@ public:
 private:
   static constexpr double concave_weight = 80; // 1/radian
 
-  double cost(Section_descriptor s) const
+  struct Step
   {
-    const Valley& valley = m_graph[s];
-    const double concavity = valley.length > 0 ? valley.concave / valley.length : 0;
-    return (std::sqrt(m_graph[m_graph.source(s)].area) +
-            std::sqrt(m_graph[m_graph.target(s)].area)) /
-           2 * (1 + concave_weight * concavity);
+    Index region;
+    double cost;
+  };
+
+  void add_steps(const Surface& surface, const Partition& regions, const Constraints& constraints)
+  {
+    std::vector<double> areas(m_steps.size());
+    for (std::size_t f = 0; f < regions.size(); ++f)
+      areas[regions[f]] += surface.area(f);
+    std::vector<std::pair<std::uint64_t, Index>> sections; // two regions, an adjacency
+    for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a) {
+      const Index r = regions[surface.lower_face(a)], s = regions[surface.higher_face(a)];
+      if (r != s)
+        sections.push_back({(std::uint64_t((std::min)(r, s)) << 32) | (std::max)(r, s), Index(a)});
+    }
+    std::sort(sections.data(), sections.data() + sections.size());
+    for (std::size_t first = 0, past = 0; first < sections.size(); first = past) {
+      double length = 0, concave = 0;
+      bool is_barred = false;
+      for (; past < sections.size() && sections[past].first == sections[first].first; ++past) {
+        const Index a = sections[past].second;
+        length += surface.length(a);
+        if (surface.has_flag(a, Surface::CONCAVE))
+          concave += surface.length(a) * surface.deviation(a);
+        is_barred = is_barred || constraints[a];
+      }
+      if (is_barred)
+        continue;
+      const Index r = Index(sections[first].first >> 32), s = Index(sections[first].first);
+      const double concavity = length > 0 ? concave / length : 0;
+      const double cost = (std::sqrt(areas[r]) + std::sqrt(areas[s])) / 2 *
+                          (1 + concave_weight * concavity);
+      m_steps[r].push_back({s, cost});
+      m_steps[s].push_back({r, cost});
+    }
   }
 
   /// Whether the regions of a seed could be joined; if so, those on the paths now belong to the
@@ -150,17 +164,14 @@ private:
         return false;
       },
       [&](Index r, const auto& enter) {
-        for (const Section_descriptor s : m_graph.sections(r)) {
-          const Index next = m_graph.target(s);
-          if (m_graph.is_mergeable(s) && (m_owner[next] == Seeds::none || m_owner[next] == seed) &&
-              enter(next, cost(s)))
+        for (const auto& [next, cost] : m_steps[r])
+          if ((m_owner[next] == Seeds::none || m_owner[next] == seed) && enter(next, cost))
             predecessor[next] = r;
-        }
       });
     return path;
   }
 
-  const Region_adjacency_graph<Region_geometry, Valley> m_graph;
+  std::vector<std::vector<Step>> m_steps;    // by region
   const Seeds& m_seeds;                      // of the regions
   std::vector<std::vector<Index>> m_members; // by seed: its regions
   std::vector<Index> m_owner; // by region: the seed that it or a path through it belongs to
