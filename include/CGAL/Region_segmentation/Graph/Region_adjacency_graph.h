@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -84,11 +85,14 @@ public:
     region_descriptor kept, removed;
   };
 
-  void reserve(std::size_t regions)
+  /// Regions without sections, ids 0 .. `number_of_regions` - 1.
+  explicit Region_adjacency_graph(std::size_t number_of_regions = 0)
+    : m_place_of(number_of_regions)
+    , m_lists(number_of_regions)
+    , m_region_data(number_of_regions)
+    , m_number_of_regions(number_of_regions)
   {
-    m_place_of.reserve(regions);
-    m_region_data.reserve(regions);
-    m_lists.reserve(regions);
+    std::iota(m_place_of.begin(), m_place_of.end(), Index(0));
   }
 
   /// Adds a region; ids are assigned in order.
@@ -249,7 +253,7 @@ private:
   Lists m_lists;
   internal::Large_array<RegionData> m_region_data;
   internal::Large_array<std::uint8_t> m_flags; // by section
-  std::size_t m_number_of_regions = 0;
+  std::size_t m_number_of_regions;
   std::size_t m_number_of_sections = 0;
 };
 

@@ -9,12 +9,12 @@
 #include <CGAL/Iterator_range.h>
 
 #include <boost/container/small_vector.hpp>
-#include <boost/unordered_map.hpp>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <unordered_map>
 #include <utility>
 
 namespace CGAL {
@@ -41,7 +41,13 @@ public:
   using Index = std::uint32_t;
   static constexpr Index none = (std::numeric_limits<Index>::max)();
 
-  void reserve(std::size_t places) { m_places.reserve(places); }
+  /// Places that own themselves, as those of `add_place()`.
+  explicit Section_lists(std::size_t number_of_places)
+    : m_places(number_of_places)
+  {
+    for (Index p = 0; p < number_of_places; ++p)
+      set_owner(p, p);
+  }
 
   /// A place without sections; places are numbered in order. Its owner is a number given by the
   /// caller.
@@ -101,7 +107,7 @@ public:
       const Index half = find_in_short(q, p);
       return half == none ? none : half ^ 1;
     }
-    const auto found = m_between_long.find(std::minmax(p, q));
+    const auto found = m_between_long.find(key(p, q));
     if (found == m_between_long.end())
       return none;
     const Index s = found->second;
@@ -178,10 +184,11 @@ private:
     return is_long(place(half)) && is_long(place(half ^ 1));
   }
   bool is_removed(Index half) const { return m_sections[half / 2].places[0] == none; }
-  std::pair<Index, Index> ends(Index s) const
+  static std::uint64_t key(Index p, Index q)
   {
-    return std::minmax(m_sections[s].places[0], m_sections[s].places[1]);
+    return (std::uint64_t((std::min)(p, q)) << 32) | (std::max)(p, q);
   }
+  std::uint64_t key(Index s) const { return key(m_sections[s].places[0], m_sections[s].places[1]); }
 
   Index find_in_short(Index p, Index q) const
   {
@@ -208,13 +215,13 @@ private:
   void enter_if_between_long(Index half)
   {
     if (is_between_long(half))
-      m_between_long.emplace(ends(half / 2), half / 2);
+      m_between_long.emplace(key(half / 2), half / 2);
   }
 
   void move(Index half, Index to)
   {
     if (is_between_long(half))
-      m_between_long.erase(ends(half / 2));
+      m_between_long.erase(key(half / 2));
     m_sections[half / 2].places[half % 2] = to;
     append(to, half);
   }
@@ -223,7 +230,7 @@ private:
   void remove_section(Index s)
   {
     if (is_between_long(2 * s))
-      m_between_long.erase(ends(s));
+      m_between_long.erase(key(s));
     m_sections[s].places[0] = m_sections[s].places[1] = none;
   }
 
@@ -242,8 +249,7 @@ private:
 
   Large_array<Place> m_places;
   Large_array<Section> m_sections;
-  boost::unordered_map<std::pair<Index, Index>, Index> m_between_long; // sections, by their two
-                                                                       // places
+  std::unordered_map<std::uint64_t, Index> m_between_long; // sections, by their two places
 };
 
 } // namespace internal

@@ -24,10 +24,7 @@ build_graph(const Surface& surface, const Partition& regions, const Constraints&
             const Execution& execution)
 {
   static_assert(check_graph_data<RegionData, SectionData>());
-  Region_adjacency_graph<RegionData, SectionData> graph;
-  graph.reserve(regions.number_of_parts());
-  for (std::size_t r = 0; r < regions.number_of_parts(); ++r)
-    graph.add_region();
+  Region_adjacency_graph<RegionData, SectionData> graph(regions.number_of_parts());
   for (std::size_t f = 0; f < surface.number_of_faces(); ++f)
     graph[regions[f]].add_face(surface, f);
   execution.report(0.3);
