@@ -117,11 +117,16 @@ private:
                (m_lengths[a] > m_lengths[b] || m_angles[a] > m_angles[b] ||
                 graph.target(m_sections[a]) < graph.target(m_sections[b]));
       };
-      if (std::any_of(m_front.begin(), m_front.end(), [&](std::size_t j) { return outdoes(j, i); }))
+      bool is_outdone = false;
+      auto kept = m_front.begin();
+      for (auto j = m_front.begin(); j != m_front.end() && !is_outdone; ++j) {
+        is_outdone = outdoes(*j, i);
+        if (!outdoes(i, *j))
+          *kept++ = *j;
+      }
+      if (is_outdone) // and outdoes none of the front
         continue;
-      m_front.erase(std::remove_if(m_front.begin(), m_front.end(),
-                                   [&](std::size_t j) { return outdoes(i, j); }),
-                    m_front.end());
+      m_front.erase(kept, m_front.end());
       m_front.push_back(i);
     }
   }

@@ -5,6 +5,7 @@
 
 #include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/Surface.h>
+#include <CGAL/Region_segmentation/internal/support/Function_ref.h>
 #include <CGAL/Region_segmentation/internal/support/Grouped_items.h>
 #include <CGAL/Region_segmentation/internal/surface/Axis_box.h>
 #include <CGAL/Region_segmentation/internal/surface/distances.h>
@@ -26,7 +27,7 @@ namespace internal {
 /// divided into triangles from their first corner. A node is divided when its children are first
 /// asked for: far from other components faces are never sorted.
 ///
-/// Bytes: 16 per triangle, and 72 per node.
+/// Bytes: 20 per triangle, and 72 per node.
 class Component_tree
 {
 public:
@@ -39,11 +40,11 @@ public:
     Index face;
   };
 
-  /// Parts begin to end - 1 of a component, or several components.
+  /// Parts of a component, or several components.
   struct Node
   {
     Axis_box box;
-    Index begin, end;
+    Index begin, end;      ///< of the items
     Index children = none; ///< the first one, the second follows
     Index component;       ///< `none` if there are several
     double tolerance;      ///< the largest one of its components
@@ -54,13 +55,14 @@ public:
                  std::vector<double> tolerances = {})
     : m_surface(surface)
     , m_tolerances(std::move(tolerances))
-    , m_order(component_of_face.number_of_parts())
-    , m_boxes(m_order.size())
+    , m_boxes(component_of_face.number_of_parts())
   {
-    m_tolerances.resize(m_order.size());
+    m_tolerances.resize(m_boxes.size());
     group_faces(component_of_face);
-    std::iota(m_order.begin(), m_order.end(), Index(0));
-    add_node_of_components(0, Index(m_order.size()));
+    m_items.resize(m_boxes.size() + m_parts.all().size());
+    std::iota(m_items.begin(), m_items.begin() + std::ptrdiff_t(m_boxes.size()), Index(0));
+    std::iota(m_items.begin() + std::ptrdiff_t(m_boxes.size()), m_items.end(), Index(0));
+    add_node_of_components(0, Index(m_boxes.size()));
   }
 
   static constexpr Index root() { return 0; }
@@ -72,9 +74,8 @@ public:
     return n.component != none && n.end - n.begin <= leaf_size;
   }
 
-  /// The parts of a leaf.
-  const Part* begin(Index node) const { return all_parts() + m_nodes[node].begin; }
-  const Part* end(Index node) const { return all_parts() + m_nodes[node].end; }
+  /// \pre the item is one of a leaf
+  const Part& part(Index item) const { return m_parts.all()[m_items[item]]; }
 
   Triangle triangle(const Part& p) const
   {
@@ -105,17 +106,17 @@ public:
   }
 
   /// Calls `f(part, other, squared_gap)` for the parts of two leaves whose boxes are not farther
-  /// from each other than `squared_bound()`, which may become less.
-  template <typename SquaredBound, typename F>
-  void for_each_near(Index a, Index b, const SquaredBound& squared_bound, const F& f) const
+  /// from each other than `squared_bound`, which `f` may lower.
+  void for_each_near(Index a, Index b, const double& squared_bound,
+                     Function_ref<void(const Part&, const Part&, double)> f) const
   {
-    for (const Part* p = begin(a); p != end(a); ++p) {
-      const Axis_box box_of_p = box(*p);
-      if (squared_gap(box_of_p, m_nodes[b].box) > squared_bound())
+    for (Index i = m_nodes[a].begin; i < m_nodes[a].end; ++i) {
+      const Axis_box box_of_part = box(part(i));
+      if (squared_gap(box_of_part, m_nodes[b].box) > squared_bound)
         continue;
-      for (const Part* q = begin(b); q != end(b); ++q)
-        if (const double gap = squared_gap(box_of_p, box(*q)); gap <= squared_bound())
-          f(*p, *q, gap);
+      for (Index j = m_nodes[b].begin; j < m_nodes[b].end; ++j)
+        if (const double gap = squared_gap(box_of_part, box(part(j))); gap <= squared_bound)
+          f(part(i), part(j), gap);
     }
   }
 
@@ -123,11 +124,10 @@ private:
   static constexpr Index leaf_size = 4;
 
   Axis_box box(const Part& p) const { return box_of(triangle(p)); }
-  const Part* all_parts() const { return m_parts.all().data(); }
 
   void group_faces(const Partition& component_of_face)
   {
-    m_parts = grouped<Part>(m_order.size(), [&](const auto& add) {
+    m_parts = grouped<Part>(m_boxes.size(), [&](const auto& add) {
       for (Index f = 0; f < component_of_face.size(); ++f) {
         const std::size_t n = m_surface.number_of_corners(f);
         const auto corner = [&](std::size_t c) {
@@ -145,44 +145,41 @@ private:
   void divide(Index node)
   {
     const Node n = m_nodes[node];
-    const Index children = Index(m_nodes.size());
-    const std::size_t axis = n.box.longest_axis();
-    const double middle = n.box.low[axis] + n.box.extent(axis) / 2;
-    if (n.component == none) {
-      const auto center = [&](Index c) {
-        return m_boxes[c].low[axis] + m_boxes[c].extent(axis) / 2;
-      };
-      const Index at = split(m_order.begin(), n, middle, center);
-      add_node_of_components(n.begin, at);
-      add_node_of_components(at, n.end);
-    } else {
-      const auto center = [&](const Part& p) {
-        double sum = 0;
-        for (Index v : p.corners)
-          sum += coordinate(m_surface.point(v), axis);
-        return sum / 3;
-      };
-      const Index at = split(m_parts[0].begin(), n, middle, center);
-      add_node_of_faces(n, n.begin, at);
-      add_node_of_faces(n, at, n.end);
-    }
+    const Index children = Index(m_nodes.size()), at = split(n);
+    for (const auto& [begin, end] : {std::make_pair(n.begin, at), std::make_pair(at, n.end)})
+      if (n.component == none)
+        add_node_of_components(begin, end);
+      else
+        add_node_of_faces(n, begin, end);
     m_nodes[node].children = children;
   }
 
   /// In the middle of the box, or at the median where this leaves one child with less than an
   /// eighth: then the depth is logarithmic.
-  template <typename Iterator, typename Center>
-  static Index split(Iterator items, const Node& n, double middle, const Center& center)
+  Index split(const Node& n)
   {
-    const Iterator begin = items + n.begin, end = items + n.end;
-    const Iterator at = std::partition(begin, end,
-                                       [&](const auto& i) { return center(i) < middle; });
+    const std::size_t axis = n.box.longest_axis();
+    const double middle = n.box.low[axis] + n.box.extent(axis) / 2;
+    const auto begin = m_items.begin() + n.begin, end = m_items.begin() + n.end;
+    const auto at = std::partition(begin, end,
+                                   [&](Index i) { return center(n, i, axis) < middle; });
     if ((std::min)(at - begin, end - at) * 8 >= end - begin)
-      return Index(at - items);
-    const Iterator median = begin + (end - begin) / 2;
-    std::nth_element(begin, median, end,
-                     [&](const auto& i, const auto& j) { return center(i) < center(j); });
-    return Index(median - items);
+      return Index(at - m_items.begin());
+    const auto median = begin + (end - begin) / 2;
+    const auto less = [&](Index i, Index j) { return center(n, i, axis) < center(n, j, axis); };
+    std::nth_element(begin, median, end, Function_ref<bool(Index, Index)>(less));
+    return Index(median - m_items.begin());
+  }
+
+  /// Of a component or part in a node.
+  double center(const Node& n, Index i, std::size_t axis) const
+  {
+    if (n.component == none)
+      return m_boxes[i].low[axis] + m_boxes[i].extent(axis) / 2;
+    double sum = 0;
+    for (const Index v : m_parts.all()[i].corners)
+      sum += coordinate(m_surface.point(v), axis);
+    return sum / 3;
   }
 
   static double coordinate(const Double_3& p, std::size_t axis)
@@ -198,13 +195,14 @@ private:
     n.component = none;
     n.tolerance = 0;
     for (Index i = begin; i < end; ++i) {
-      n.box.add(m_boxes[m_order[i]]);
-      n.tolerance = (std::max)(n.tolerance, m_tolerances[m_order[i]]);
+      n.box.add(m_boxes[m_items[i]]);
+      n.tolerance = (std::max)(n.tolerance, m_tolerances[m_items[i]]);
     }
     if (end - begin == 1) {
-      n.component = m_order[begin];
-      n.begin = Index(m_parts[n.component].begin() - all_parts());
-      n.end = Index(m_parts[n.component].end() - all_parts());
+      n.component = m_items[begin];
+      const auto parts = m_parts[n.component];
+      n.begin = Index(m_boxes.size()) + Index(parts.begin() - m_parts.all().data());
+      n.end = n.begin + Index(parts.size());
     }
     m_nodes.push_back(n);
   }
@@ -217,15 +215,15 @@ private:
     n.end = end;
     n.children = none;
     for (Index i = begin; i < end; ++i)
-      n.box.add(box(all_parts()[i]));
+      n.box.add(box(part(i)));
     m_nodes.push_back(n);
   }
 
   const Surface& m_surface;
   std::vector<double> m_tolerances;
-  std::vector<Index> m_order;    // of components
   std::vector<Axis_box> m_boxes; // by component
   Grouped_items<Part> m_parts;   // by component
+  std::vector<Index> m_items;    // the components, then the parts, in the order of the nodes
   std::vector<Node> m_nodes;
 };
 

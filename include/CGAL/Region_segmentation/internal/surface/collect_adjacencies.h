@@ -4,6 +4,7 @@
 #define CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_COLLECT_ADJACENCIES_H
 
 #include <CGAL/Region_segmentation/Execution.h>
+#include <CGAL/Region_segmentation/internal/support/Function_ref.h>
 #include <CGAL/Region_segmentation/internal/surface/Raw_surface.h>
 #include <CGAL/Region_segmentation/internal/surface/compute_normals.h>
 
@@ -18,17 +19,8 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// A side of a face that leads to a lower one.
-struct Side_to_lower_face
-{
-  using Index = Surface::Index;
-
-  std::uint64_t lower_and_side; ///< compared as one number
-  Index face;
-
-  Index lower_face() const { return Index(lower_and_side >> 32); }
-  Index side() const { return Index(lower_and_side); }
-};
+/// A side of a face that leads to a lower one: this one and the side as one number, and the face.
+using Side_to_lower_face = std::pair<std::uint64_t, Surface::Index>;
 
 /// Appends the sides of a face that lead to lower ones, by these, of several in the order of the
 /// boundary. Returns the new end; behind it there is room for two more.
@@ -60,8 +52,7 @@ inline Side_to_lower_face* add_sides_to_lower_faces(const Raw_surface& raw, Surf
   for (Index side = first; side < past; ++side)
     if (neighbors[side] < face)
       *end++ = {key(side), face};
-  std::sort(begin, end,
-            [](const auto& a, const auto& b) { return a.lower_and_side < b.lower_and_side; });
+  std::sort(begin, end);
   return end;
 }
 
@@ -104,7 +95,7 @@ inline void collect_adjacencies(Raw_surface& raw, const Execution& execution)
       for (; f < past; ++f)
         end_of_sides = add_sides_to_lower_faces(raw, Index(f), end_of_sides);
       for (const Side_to_lower_face* s = sides.data(); s != end_of_sides; ++s, ++a) {
-        const Index lower = s->lower_face(), higher = s->face, side = s->side();
+        const Index lower = Index(s->first >> 32), side = Index(s->first), higher = s->second;
         const Index next = side + 1 < first_corners[higher + 1] ? side + 1 : first_corners[higher];
         const Double_3 direction = points[corners[next]] - points[corners[side]];
         lower_faces[a] = lower;
@@ -137,7 +128,7 @@ inline void insert_adjacencies(Surface& surface, const std::vector<Added_adjacen
   std::vector<std::pair<std::uint64_t, Index>> order; // in which to insert
   for (const Added_adjacency& a : added)
     order.push_back({key(a.higher, a.lower), Index(order.size())});
-  std::sort(order.begin(), order.end());
+  std::sort(order.data(), order.data() + order.size());
 
   Surface_arrays& arrays = arrays_of(surface);
   std::size_t from = arrays.flags.size(), to = from + added.size();
@@ -163,10 +154,10 @@ inline void insert_adjacencies(Surface& surface, const std::vector<Added_adjacen
 }
 
 /// The longest adjacency of each degenerate face, among those that `is_candidate(adjacency)`; of
-/// equal ones that to the lowest face. Sorted.
-template <typename IsCandidate>
-std::vector<Surface::Index> longest_edges_of_degenerate_faces(const Surface& surface,
-                                                              const IsCandidate& is_candidate)
+/// equal ones that to the lowest face.
+inline std::vector<Surface::Index>
+longest_edges_of_degenerate_faces(const Surface& surface,
+                                  Function_ref<bool(std::size_t)> is_candidate)
 {
   using Index = Surface::Index;
   constexpr Index none = (std::numeric_limits<Index>::max)();
@@ -181,10 +172,7 @@ std::vector<Surface::Index> longest_edges_of_degenerate_faces(const Surface& sur
       if (surface.is_degenerate(face) && is_candidate(a) &&
           (longest[face] == none || key(a, face) < key(longest[face], face)))
         longest[face] = a;
-  std::sort(longest.begin(), longest.end());
-  longest.erase(std::unique(longest.begin(), longest.end()), longest.end());
-  if (!longest.empty() && longest.back() == none)
-    longest.pop_back();
+  longest.erase(std::remove(longest.begin(), longest.end(), none), longest.end());
   return longest;
 }
 

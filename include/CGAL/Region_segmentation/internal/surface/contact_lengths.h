@@ -174,8 +174,9 @@ inline std::vector<Link> links_of_contacts(const Surface& surface,
   };
   for (auto begin = contacts.begin(); begin != contacts.end();) {
     const auto pair = components(*begin);
-    const auto end = std::find_if(begin, contacts.end(),
-                                  [&](const auto& c) { return components(c) != pair; });
+    auto end = begin;
+    while (end != contacts.end() && components(*end) == pair)
+      ++end;
     const Contact_sides sides{Contact_side(surface, begin, end, 0),
                               Contact_side(surface, begin, end, 1)};
     const double tolerance = (std::min)(tolerances[pair.first], tolerances[pair.second]);

@@ -4,6 +4,7 @@
 #define CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_DISTANCES_H
 
 #include <CGAL/Region_segmentation/Double_3.h>
+#include <CGAL/Region_segmentation/internal/support/Function_ref.h>
 
 #include <algorithm>
 #include <array>
@@ -70,8 +71,8 @@ inline double nearest_parameter(const Double_3& a, const Double_3& b, const Doub
 }
 
 /// Calls `f(point)` where an edge of `s` goes through `t`.
-template <typename F>
-void for_each_piercing(const Triangle& s, const Triangle& t, const F& f)
+inline void for_each_piercing(const Triangle& s, const Triangle& t,
+                              Function_ref<void(const Double_3&)> f)
 {
   const Double_3 n = cross(t[1] - t[0], t[2] - t[0]);
   const double h[3] = {dot(s[0] - t[0], n), dot(s[1] - t[0], n), dot(s[2] - t[0], n)};

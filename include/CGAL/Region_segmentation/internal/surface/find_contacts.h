@@ -5,6 +5,7 @@
 
 #include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/Partition.h>
+#include <CGAL/Region_segmentation/internal/support/sorted_indices.h>
 #include <CGAL/Region_segmentation/internal/surface/Component_tree.h>
 #include <CGAL/Region_segmentation/internal/surface/Triangle_contact.h>
 
@@ -45,7 +46,7 @@ public:
   std::vector<Face_contact> find(const Execution& execution)
   {
     Step_counter counter(execution, m_number_left);
-    m_stack.emplace_back(m_tree.root(), m_tree.root());
+    m_stack.push_back({m_tree.root(), m_tree.root()});
     while (!m_stack.empty() && m_number_left > 0) {
       const auto [a, b] = m_stack.back();
       m_stack.pop_back();
@@ -55,13 +56,16 @@ public:
         visit(a, b);
       counter.advance();
     }
-    const auto key = [&](const Face_contact& c) {
-      return std::make_tuple(m_component_of[c.faces[0]], m_component_of[c.faces[1]], c.faces[0],
-                             c.faces[1], int(c.contact.kind), c.contact.amount);
+    const auto key = [&](Index i) {
+      const auto& [faces, contact] = m_contacts[i];
+      return std::make_tuple(m_component_of[faces[0]], m_component_of[faces[1]], faces[0], faces[1],
+                             int(contact.kind), contact.amount);
     };
-    std::sort(m_contacts.begin(), m_contacts.end(),
-              [&](const Face_contact& s, const Face_contact& t) { return key(s) < key(t); });
-    return std::move(m_contacts);
+    std::vector<Face_contact> sorted;
+    for (const Index i :
+         sorted_indices(m_contacts.size(), [&](Index i, Index j) { return key(i) < key(j); }))
+      sorted.push_back(m_contacts[i]);
+    return sorted;
   }
 
 private:
@@ -76,9 +80,9 @@ private:
     if (m_tree[node].component != Component_tree::none)
       return;
     const Index child = m_tree.children(node);
-    m_stack.emplace_back(child, child);
-    m_stack.emplace_back(child + 1, child + 1);
-    m_stack.emplace_back(child, child + 1);
+    m_stack.push_back({child, child});
+    m_stack.push_back({child + 1, child + 1});
+    m_stack.push_back({child, child + 1});
   }
 
   void visit(Index a, Index b)
@@ -89,8 +93,8 @@ private:
       return;
     }
     const Index child = m_tree.children(node), other = node == a ? b : a;
-    m_stack.emplace_back(child, other);
-    m_stack.emplace_back(child + 1, other);
+    m_stack.push_back({child, other});
+    m_stack.push_back({child + 1, other});
   }
 
   /// \pre both nodes are leaves
@@ -100,8 +104,8 @@ private:
       std::swap(a, b);
     const double bound = squared_tolerance(a, b);
     m_tree.for_each_near(
-      a, b, [=] { return bound; },
-      [&](const auto& p, const auto& q, double squared_gap) {
+      a, b, bound,
+      [&](const Component_tree::Part& p, const Component_tree::Part& q, double squared_gap) {
         const double squared = (std::min)({bound, m_surface.area(p.face), m_surface.area(q.face)});
         if (squared_gap > squared)
           return;

@@ -8,8 +8,8 @@
 #include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/internal/support/Lowest_root_forest.h>
 #include <CGAL/Region_segmentation/internal/support/label_components.h>
+#include <CGAL/Region_segmentation/internal/support/sorted_indices.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <tuple>
 #include <utility>
@@ -81,14 +81,16 @@ merges_of_crumbs(const Surface& surface, const Partition& regions)
     if (bodies.is_crumb(d))
       ways.push_back({bodies.areas[d], d, -length, distance, regions[g], regions[f], c});
   }
-  std::sort(ways.begin(), ways.end());
+  const auto order = sorted_indices(ways.size(),
+                                    [&](Index i, Index j) { return ways[i] < ways[j]; });
 
   Lowest_root_forest joined(bodies.areas.size());
   std::vector<bool> has_arrived(bodies.areas.size()); // by root: one of its components is no crumb
   for (std::size_t c = 0; c < has_arrived.size(); ++c)
     has_arrived[c] = !bodies.is_crumb(c);
   for (bool is_any = true; std::exchange(is_any, false);)
-    for (const auto& [area, crumb, length, distance, region, other, component] : ways) {
+    for (const Index way : order) {
+      const auto& [area, crumb, length, distance, region, other, component] = ways[way];
       const Index from = joined.root(crumb), to = joined.root(component);
       if (from == to || has_arrived[from])
         continue;

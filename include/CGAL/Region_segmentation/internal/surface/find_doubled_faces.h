@@ -58,14 +58,15 @@ inline void find_doubled_faces(Raw_surface& raw, std::vector<Added_adjacency>& a
   for (const auto& open : raw.open_sides)
     if (keys.empty() || keys.back().second != open.face)
       keys.push_back({key_of_cycle(raw.surface, open.face), open.face});
-  std::sort(keys.begin(), keys.end());
+  std::sort(keys.data(), keys.data() + keys.size());
   std::vector<Index> originals; // of a key: several if it belongs to different faces
   for (std::size_t i = 0; i < keys.size(); ++i) {
     if (i > 0 && keys[i].first != keys[i - 1].first)
       originals.clear();
     const Index f = keys[i].second;
-    const auto original = std::find_if(originals.begin(), originals.end(),
-                                       [&](Index g) { return are_equal_faces(raw.surface, g, f); });
+    auto original = originals.begin();
+    while (original != originals.end() && !are_equal_faces(raw.surface, *original, f))
+      ++original;
     if (original == originals.end()) {
       originals.push_back(f);
       continue;

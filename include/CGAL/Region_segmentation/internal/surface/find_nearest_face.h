@@ -30,9 +30,10 @@ void find_nearest_face(Component_tree& tree, Component_tree::Index node, const D
   if (!enters(tree[node]))
     return;
   if (tree.is_leaf(node)) {
-    for (const auto* part = tree.begin(node); part != tree.end(node); ++part) {
-      const double distance = std::sqrt(squared_distance(point, tree.triangle(*part)));
-      best = (std::min)(best, Cost_of_face(distance + added_cost(part->face), part->face));
+    for (Component_tree::Index i = tree[node].begin; i < tree[node].end; ++i) {
+      const auto& part = tree.part(i);
+      const double distance = std::sqrt(squared_distance(point, tree.triangle(part)));
+      best = (std::min)(best, Cost_of_face(distance + added_cost(part.face), part.face));
     }
     return;
   }

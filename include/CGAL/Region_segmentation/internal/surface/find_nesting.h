@@ -58,7 +58,7 @@ public:
     };
     std::vector<std::pair<double, Index>> largest_first;
     for (Index c = 0; c < m_boxes.size(); ++c)
-      largest_first.emplace_back(-size(c), c);
+      largest_first.push_back({-size(c), c});
     std::sort(largest_first.begin(), largest_first.end());
     for (const auto& [minus_size, c] : largest_first) {
       // A container has the larger box, so its result is known.
@@ -115,9 +115,9 @@ private:
         !(m_is_closed[component] && is_smaller(query / number_of_orders, component)))
       return;
     if (m_tree.is_leaf(node)) {
-      for (const auto* part = m_tree.begin(node); part != m_tree.end(node); ++part)
-        if (is_above_point(m_tree.triangle(*part), at))
-          m_crossings.emplace_back(query, component);
+      for (Index i = m_tree[node].begin; i < m_tree[node].end; ++i)
+        if (is_above_point(m_tree.triangle(m_tree.part(i)), at))
+          m_crossings.push_back({query, component});
       return;
     }
     const Index child = m_tree.children(node);
@@ -149,7 +149,7 @@ private:
     std::vector<std::pair<Index, Index>> votes, result;
     for_each_repeated(m_crossings, [&](const auto& crossing, std::size_t number) {
       if (number % 2 == 1)
-        votes.emplace_back(crossing.first / Index(number_of_orders), crossing.second);
+        votes.push_back({crossing.first / Index(number_of_orders), crossing.second});
     });
     for_each_repeated(votes, [&](const auto& vote, std::size_t number) {
       if (number * 2 > number_of_orders)

@@ -153,8 +153,8 @@ private:
     const Index node = m_tree.node_to_divide(a, b), other = node == a ? b : a;
     if (node == Component_tree::none) {
       m_tree.for_each_near(
-        a, b, [&] { return nearest.squared_distance; },
-        [&](const auto& p, const auto& q, double) {
+        a, b, nearest.squared_distance,
+        [&](const Component_tree::Part& p, const Component_tree::Part& q, double) {
           const Pair pair{squared_distance(m_tree.triangle(p), m_tree.triangle(q)), true,
                           (std::min)(p.face, q.face), (std::max)(p.face, q.face)};
           if (nearest < pair)

@@ -12,7 +12,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -28,9 +27,9 @@ struct Side_of_edge
 };
 
 /// The side that leaves a corner of a face.
-inline Side_of_edge side_at(const Surface_arrays& arrays, Surface::Index face,
-                            Surface::Index corner)
+inline Side_of_edge side_at(const Surface_arrays& arrays, const Raw_surface::Open_side& at)
 {
+  const auto [face, corner] = at;
   const Surface::Index v = arrays.corners[corner],
                        w = arrays.corners[next_corner(arrays, face, corner)];
   return {(std::min)(v, w), (std::max)(v, w), face, corner, v < w};
@@ -62,19 +61,16 @@ public:
   /// Sets the neighbors of open sides, and collects the seams.
   void match()
   {
-    Grouped_items<Side_of_edge> slices = open_sides_in_slices();
+    Grouped_items<Vertices_and_side> slices = open_sides_in_slices();
+    std::vector<Side_of_edge> sides; // of an edge
     for (std::size_t slice = 0; slice < slices.number_of_groups(); ++slice) {
-      const auto sides = slices[slice];
-      std::sort(sides.begin(), sides.end(), [](const Side_of_edge& a, const Side_of_edge& b) {
-        return std::tie(a.lower_vertex, a.higher_vertex, a.face, a.corner) <
-               std::tie(b.lower_vertex, b.higher_vertex, b.face, b.corner);
-      });
-      for (auto first = sides.begin(); first != sides.end();) {
-        const auto past = std::find_if(first, sides.end(), [&](const Side_of_edge& s) {
-          return s.lower_vertex != first->lower_vertex || s.higher_vertex != first->higher_vertex;
-        });
-        match_edge(first, past);
-        first = past;
+      const auto in_slice = slices[slice];
+      std::sort(in_slice.begin(), in_slice.end());
+      for (auto side = in_slice.begin(); side != in_slice.end();) {
+        sides.clear();
+        for (const auto edge = side->first; side != in_slice.end() && side->first == edge; ++side)
+          sides.push_back(side_at(m_arrays, m_raw.open_sides[side->second]));
+        match_edge(sides);
       }
     }
     m_raw.open_sides.erase(std::remove_if(m_raw.open_sides.begin(), m_raw.open_sides.end(),
@@ -93,31 +89,35 @@ private:
     return m_raw.neighbors[open.side] == Raw_surface::none;
   }
 
+  /// The lower and the higher vertex of an open side as one number, and its index.
+  using Vertices_and_side = std::pair<std::uint64_t, Index>;
+
   /// Of the range of the lower vertices; as many as there are sides.
-  Grouped_items<Side_of_edge> open_sides_in_slices() const
+  Grouped_items<Vertices_and_side> open_sides_in_slices() const
   {
     const std::size_t size = m_raw.open_sides.size();
-    return grouped<Side_of_edge>(size, [&](const auto& add) {
-      for (const auto& open : m_raw.open_sides)
-        if (const Side_of_edge side = side_at(m_arrays, open.face, open.side);
-            side.lower_vertex != side.higher_vertex && is_open(open))
-          add(side.lower_vertex * std::uint64_t(size) / m_arrays.points.size(), side);
+    return grouped<Vertices_and_side>(size, [&](const auto& add) {
+      for (Index i = 0; i < size; ++i)
+        if (const Side_of_edge side = side_at(m_arrays, m_raw.open_sides[i]);
+            side.lower_vertex != side.higher_vertex && is_open(m_raw.open_sides[i]))
+          add(side.lower_vertex * std::uint64_t(size) / m_arrays.points.size(),
+              {(std::uint64_t(side.lower_vertex) << 32) | side.higher_vertex, i});
     });
   }
 
-  template <typename Iterator>
-  void match_edge(Iterator first, Iterator past)
+  /// \pre the sides are in order
+  void match_edge(const std::vector<Side_of_edge>& sides)
   {
-    if (past - first == 2)
-      return join(first[0], first[1]);
+    if (sides.size() == 2)
+      return join(sides[0], sides[1]);
     m_proper.clear();
-    for (Iterator s = first; s != past; ++s)
-      if (!m_raw.surface.is_degenerate(s->face))
-        m_proper.push_back(*s);
-    const Side_of_edge base = m_proper.empty() ? *first : m_proper.front();
-    for (Iterator s = first; s != past; ++s)
-      if (s->corner != base.corner && m_raw.surface.is_degenerate(s->face) && s->face != base.face)
-        add_seam(base, *s, 1);
+    for (const Side_of_edge& s : sides)
+      if (!m_raw.surface.is_degenerate(s.face))
+        m_proper.push_back(s);
+    const Side_of_edge base = m_proper.empty() ? sides.front() : m_proper.front();
+    for (const Side_of_edge& s : sides)
+      if (s.corner != base.corner && m_raw.surface.is_degenerate(s.face) && s.face != base.face)
+        add_seam(base, s, 1);
     if (m_proper.size() == 2)
       join(m_proper[0], m_proper[1]);
     else if (m_proper.size() > 2)

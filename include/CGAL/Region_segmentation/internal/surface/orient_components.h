@@ -54,8 +54,10 @@ inline std::vector<Component_volume> component_volumes(const Raw_surface& raw,
   for (const Seam& seam : seams)
     for (const Surface::Index face : {seam.face, seam.other_face})
       components[component_of[face]].has_seam = true;
-  if (std::all_of(components.begin(), components.end(),
-                  [](const Component_volume& c) { return c.has_border; }))
+  bool is_any_without_border = false;
+  for (const Component_volume& c : components)
+    is_any_without_border = is_any_without_border || !c.has_border;
+  if (!is_any_without_border)
     return components;
   for (std::size_t f = 0; f < component_of.size();) {
     Component_volume c = components[component_of[f]]; // a copy is in registers
@@ -77,12 +79,14 @@ inline void orient_components(Raw_surface& raw, const Partition& component_of,
 {
   Surface_arrays& arrays = arrays_of(raw.surface);
   const std::vector<Component_volume> components = component_volumes(raw, component_of, seams);
-  std::vector<bool> is_closed, is_inside_out;
-  for (const Component_volume& c : components) {
-    is_closed.push_back(c.is_closed());
-    is_inside_out.push_back(c.is_closed() && c.volume < 0);
+  std::vector<bool> is_closed(components.size()), is_inside_out(components.size());
+  bool is_any_inside_out = false;
+  for (std::size_t c = 0; c < components.size(); ++c) {
+    is_closed[c] = components[c].is_closed();
+    is_inside_out[c] = is_closed[c] && components[c].volume < 0;
+    is_any_inside_out = is_any_inside_out || is_inside_out[c];
   }
-  if (std::find(is_inside_out.begin(), is_inside_out.end(), true) == is_inside_out.end())
+  if (!is_any_inside_out)
     return;
   if (components.size() > 1) {
     const std::vector<Surface::Index> outermost = outermost_of(raw.surface, component_of,
