@@ -137,7 +137,7 @@ public:
       std::swap(m, l);
     Merge_features features(graph[m], graph[l], graph[s]);
     features.set(COST, Visibility_cost()(graph, s));
-    return features.m_values;
+    return features.rounded();
   }
 
 private:
@@ -280,11 +280,17 @@ private:
                          m.covariance.trace() * l.covariance.trace()));
   }
 
-  void set(std::size_t feature, double value)
+  void set(std::size_t feature, double value) { m_values[feature] = value; }
+
+  Values rounded() const
   {
     constexpr double bound = 32767, steps = 1 << Model::feature_bits;
-    const double rounded = std::floor(value * steps + 0.5);
-    m_values[feature] = std::int16_t((std::max)(-bound, (std::min)(bound, rounded)));
+    Values result;
+    for (std::size_t i = 0; i < m_values.size(); ++i) {
+      const double nearest = std::floor(m_values[i] * steps + 0.5);
+      result[i] = std::int16_t((std::max)(-bound, (std::min)(bound, nearest)));
+    }
+    return result;
   }
 
   static double log(double x) { return std::log((std::max)(x, smallest)); }
@@ -308,7 +314,7 @@ private:
   static constexpr double smallest = 1e-12;
   static constexpr double least_perimeter = 1e-6; // of a component that is merged entirely
 
-  Values m_values;
+  std::array<double, NUMBER_OF_FEATURES> m_values;
 };
 
 } // namespace Region_segmentation

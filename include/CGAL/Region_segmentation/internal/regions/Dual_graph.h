@@ -5,11 +5,13 @@
 
 #include <CGAL/Region_segmentation/Patches.h>
 #include <CGAL/Region_segmentation/Surface.h>
+#include <CGAL/Region_segmentation/internal/support/Function_ref.h>
 #include <CGAL/Region_segmentation/internal/support/Grouped_items.h>
 
 #include <CGAL/Iterator_range.h>
 
 #include <cstddef>
+#include <vector>
 
 namespace CGAL {
 namespace Region_segmentation {
@@ -30,36 +32,33 @@ public:
   };
 
   /// Of the adjacencies for which `is_step(adjacency)`.
-  template <typename IsStep, typename LengthOf>
-  Dual_graph(const Surface& surface, const IsStep& is_step, const LengthOf& length)
+  Dual_graph(const Surface& surface, Function_ref<bool(std::size_t)> is_step,
+             Function_ref<double(std::size_t)> length)
     : m_steps(surface.number_of_faces())
   {
-    add_steps([&](const auto& add) {
-      for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a)
-        if (is_step(a))
-          add(surface.lower_face(a), surface.higher_face(a), [&] { return length(a); });
-    });
+    std::vector<Edge> edges;
+    for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a)
+      if (is_step(a))
+        edges.push_back({surface.lower_face(a), surface.higher_face(a), float(length(a))});
+    add_steps(edges);
   }
 
   /// Of patches in place of faces, across edges; `length(i)`: of the i-th adjacency.
-  template <typename LengthOf>
-  Dual_graph(const Patches& patches, const LengthOf& length)
+  Dual_graph(const Patches& patches, Function_ref<double(std::size_t)> length)
     : m_steps(patches.size())
   {
-    add_steps([&](const auto& add) { add_edges(patches, length, add); });
+    add_steps(edges_of(patches, length));
   }
 
   /// The same, and across seams and links; `length_of_contact(contact)`.
-  template <typename LengthOf, typename LengthOfContact>
-  Dual_graph(const Patches& patches, const LengthOf& length,
-             const LengthOfContact& length_of_contact)
+  Dual_graph(const Patches& patches, Function_ref<double(std::size_t)> length,
+             Function_ref<double(const Patches::Adjacency&)> length_of_contact)
     : m_steps(patches.size())
   {
-    add_steps([&](const auto& add) {
-      add_edges(patches, length, add);
-      for (const Patches::Adjacency& contact : patches.contacts())
-        add(contact.lower, contact.higher, [&] { return length_of_contact(contact); });
-    });
+    std::vector<Edge> edges = edges_of(patches, length);
+    for (const Patches::Adjacency& contact : patches.contacts())
+      edges.push_back({contact.lower, contact.higher, float(length_of_contact(contact))});
+    add_steps(edges);
   }
 
   std::size_t number_of_faces() const { return m_steps.number_of_groups(); }
@@ -68,28 +67,33 @@ public:
   Iterator_range<const Step*> steps(std::size_t face) const { return m_steps[face]; }
 
 private:
-  template <typename LengthOf, typename Add>
-  static void add_edges(const Patches& patches, const LengthOf& length, const Add& add)
+  struct Edge
   {
+    Index face, other_face;
+    float length;
+  };
+
+  static std::vector<Edge> edges_of(const Patches& patches,
+                                    Function_ref<double(std::size_t)> length)
+  {
+    std::vector<Edge> edges;
     for (std::size_t i = 0; i < patches.adjacencies().size(); ++i)
-      add(patches.adjacencies()[i].lower, patches.adjacencies()[i].higher,
-          [&] { return length(i); });
+      edges.push_back(
+        {patches.adjacencies()[i].lower, patches.adjacencies()[i].higher, float(length(i))});
+    return edges;
   }
 
-  /// `for_each(add)` calls `add(face, other_face, length)` for each step; it is called twice.
-  template <typename ForEach>
-  void add_steps(const ForEach& for_each)
+  void add_steps(const std::vector<Edge>& edges)
   {
-    for_each([this](Index f, Index g, const auto&) {
-      m_steps.count(f);
-      m_steps.count(g);
-    });
+    for (const Edge& e : edges) {
+      m_steps.count(e.face);
+      m_steps.count(e.other_face);
+    }
     m_steps.end_counting();
-    for_each([this](Index f, Index g, const auto& length) {
-      const float l = float(length());
-      m_steps.add(f, {g, l});
-      m_steps.add(g, {f, l});
-    });
+    for (const Edge& e : edges) {
+      m_steps.add(e.face, {e.other_face, e.length});
+      m_steps.add(e.other_face, {e.face, e.length});
+    }
   }
 
   Grouped_items<Step> m_steps; // by face

@@ -8,14 +8,15 @@
 #include <CGAL/Region_segmentation/internal/regions/Dual_graph.h>
 #include <CGAL/Region_segmentation/internal/support/Float_key.h>
 #include <CGAL/Region_segmentation/internal/support/Lowest_root_forest.h>
+#include <CGAL/Region_segmentation/internal/support/sorted_indices.h>
 #include <CGAL/Region_segmentation/internal/support/Large_array.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <limits>
-#include <numeric>
 #include <queue>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -87,17 +88,14 @@ public:
   /// The regions split further: the face farthest from its seed is separated first, with the faces
   /// that were reached through it; of several, the higher one; those that `is_joined(face)` only
   /// after all others.
-  template <typename IsJoined>
-  Partition split_regions(std::size_t number_of_parts, const IsJoined& is_joined) const
+  Partition split_regions(std::size_t number_of_parts, Function_ref<bool(Index)> is_joined) const
   {
-    std::vector<Index> order(m_reached.size());
-    std::iota(order.begin(), order.end(), Index(0));
-    std::sort(order.begin(), order.end(), [&](Index a, Index b) {
-      return m_reached[a].distance != m_reached[b].distance
-               ? m_reached[a].distance < m_reached[b].distance
-               : a < b;
+    const auto order = sorted_indices(m_reached.size(), [&](Index a, Index b) {
+      const auto key = [&](Index f) {
+        return std::make_tuple(!is_joined(f), m_reached[f].distance, f);
+      };
+      return key(a) < key(b);
     });
-    std::stable_partition(order.begin(), order.end(), is_joined);
     std::size_t to_join = order.size() - (std::min)(number_of_parts, order.size());
     Lowest_root_forest forest(order.size());
     for (const Index f : order)
@@ -125,10 +123,12 @@ private:
     for (std::size_t f = 0; f < m_reached.size(); ++f)
       if (m_reached[f].distance == unreached)
         others.push_back(Index(f));
-    std::stable_sort(others.begin(), others.end(),
-                     [&](Index f, Index g) { return remoteness[f] > remoteness[g]; });
-    for (const Index f : others)
-      if (m_reached[f].distance == unreached) {
+    const auto order = sorted_indices(others.size(), [&](Index i, Index j) {
+      const double r = remoteness[others[i]], s = remoteness[others[j]];
+      return r != s ? r > s : i < j;
+    });
+    for (const Index i : order)
+      if (const Index f = others[i]; m_reached[f].distance == unreached) {
         grow_from(f);
         seeds.advance();
       }

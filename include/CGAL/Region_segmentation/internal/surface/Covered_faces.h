@@ -5,6 +5,7 @@
 
 #include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/internal/support/Grouped_items.h>
+#include <CGAL/Region_segmentation/internal/support/sorted_indices.h>
 #include <CGAL/Region_segmentation/internal/surface/Component_tree.h>
 #include <CGAL/Region_segmentation/internal/surface/find_crumbs.h>
 #include <CGAL/Region_segmentation/internal/surface/find_nearest_face.h>
@@ -82,16 +83,19 @@ private:
   /// Those in contact with a larger one, but for crumbs; larger ones first.
   std::vector<Index> components_on_larger_ones() const
   {
-    std::vector<Index> result;
+    std::vector<bool> is_on_larger(m_bodies.areas.size());
     for (std::size_t a = 0; a < m_surface.number_of_adjacencies(); ++a)
       if (m_surface.has_flag(a, Surface::LINK) && m_surface.length(a) > 0) {
         const Index c = m_bodies.component_of[m_surface.lower_face(a)],
                     d = m_bodies.component_of[m_surface.higher_face(a)];
         if (const Index smaller = is_larger(c, d) ? d : c; !m_bodies.is_crumb(smaller))
-          result.push_back(smaller);
+          is_on_larger[smaller] = true;
       }
-    std::sort(result.begin(), result.end(), [&](Index c, Index d) { return is_larger(c, d); });
-    result.erase(std::unique(result.begin(), result.end()), result.end());
+    std::vector<Index> result;
+    for (const Index c :
+         sorted_indices(m_bodies.areas.size(), [&](Index c, Index d) { return is_larger(c, d); }))
+      if (is_on_larger[c])
+        result.push_back(c);
     return result;
   }
 

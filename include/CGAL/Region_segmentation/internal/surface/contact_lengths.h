@@ -50,7 +50,7 @@ struct Contact_side
     std::vector<std::pair<Index, Index>> order; // a face, a contact of it
     for (Iterator c = begin; c != end; ++c)
       order.push_back({c->faces[side], Index(c - begin)});
-    std::sort(order.begin(), order.end());
+    std::sort(order.data(), order.data() + order.size());
     for (const auto& [face, i] : order)
       add(face, begin[i].faces[1 - side], begin[i].contact);
     double sum_of_squares = 0;

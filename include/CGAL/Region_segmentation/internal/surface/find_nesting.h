@@ -59,7 +59,7 @@ public:
     std::vector<std::pair<double, Index>> largest_first;
     for (Index c = 0; c < m_boxes.size(); ++c)
       largest_first.push_back({-size(c), c});
-    std::sort(largest_first.begin(), largest_first.end());
+    std::sort(largest_first.data(), largest_first.data() + largest_first.size());
     for (const auto& [minus_size, c] : largest_first) {
       // A container has the larger box, so its result is known.
       const auto first = std::lower_bound(pairs.begin(), pairs.end(), std::make_pair(c, Index(0)));
@@ -162,7 +162,7 @@ private:
   template <typename F>
   static void for_each_repeated(std::vector<std::pair<Index, Index>>& pairs, const F& f)
   {
-    std::sort(pairs.begin(), pairs.end());
+    std::sort(pairs.data(), pairs.data() + pairs.size());
     for (auto first = pairs.begin(); first != pairs.end();) {
       const auto past = std::upper_bound(first, pairs.end(), *first);
       f(*first, std::size_t(past - first));

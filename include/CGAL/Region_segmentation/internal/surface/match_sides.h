@@ -146,7 +146,7 @@ private:
       const Double_3 d = inward(m_proper[i], axis);
       around.push_back({i == 0 ? 0 : pseudo_angle(dot(d, first), dot(d, second)), i});
     }
-    std::sort(around.begin(), around.end());
+    std::sort(around.data(), around.data() + around.size());
     for (std::size_t i = 0; i < around.size(); ++i) {
       const Side_of_edge &a = m_proper[around[i].second],
                          &b = m_proper[around[(i + 1) % around.size()].second];
