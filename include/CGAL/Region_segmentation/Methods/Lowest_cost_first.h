@@ -5,6 +5,7 @@
 
 #include <CGAL/Region_segmentation/Graph/Merge_candidate.h>
 #include <CGAL/Region_segmentation/internal/concepts/check_merging.h>
+#include <CGAL/Region_segmentation/internal/support/Function_ref.h>
 #include <CGAL/Region_segmentation/internal/concepts/check_graph_data.h>
 
 #include <algorithm>
@@ -20,47 +21,25 @@
 namespace CGAL {
 namespace Region_segmentation {
 
-/// \ingroup PkgRegionSegmentationPolicies
-/// Turns a cost of sections into a policy: merges across the cheapest section of the graph next; of
-/// equal ones, the one between the lower regions. A model of `MergingPolicy`.
-///
-/// The order does not depend on the wanted number of segments, so one tree gives them all. A merge
-/// changes only the costs of the sections of the merged region: a cost may depend on a section and
-/// on its two regions.
-///
-/// All of them are computed anew, unless the region is a hub of more than `hub_degree` sections:
-/// then those that the merge moved or united, and all others after every (degree / `hub_degree`)th
-/// merge of the region, rounded down. So a hub takes linear time, while the cost of a section at
-/// its rim lags behind by a small share of its merges.
-///
-/// Complexity: O(min(d, `hub_degree`) log S) per merge, amortized, d the number of sections of the
-/// merged region.
-///
-/// A lambda is a cost, too: `Lowest_cost_first([](const auto& graph, auto s) { return
-/// graph[s].length; })`.
-///
-/// \tparam Cost a model of `SectionCost`; a section whose cost is not a number is never merged
-///         across
-template <typename Cost>
-class Lowest_cost_first : public internal::Data_named_by<Cost>
+namespace internal {
+
+/// The sections of a graph by their costs, for `Lowest_cost_first`: independent of the cost, so
+/// that it is compiled once for a graph.
+class Section_queue
 {
 public:
   /// Regions of more sections are hubs; a graph of at most as many regions has none.
   static constexpr std::size_t hub_degree = 1024;
-
-  explicit Lowest_cost_first(Cost cost = Cost())
-    : m_cost(std::move(cost))
-  {}
+  using Cost_of = Function_ref<double(Section_descriptor)>;
 
   template <typename Graph>
-  void initialize(const Graph& graph, std::size_t)
+  void initialize(const Graph& graph, Cost_of cost)
   {
-    static_assert(internal::check_section_cost<Cost, Graph>());
     m_queue.clear();
     m_entries.assign(graph.index_bound_of_sections(), Entry());
     m_lags.assign(graph.index_bound_of_regions(), 0);
     for (auto range = edges(graph); range.first != range.second; ++range.first)
-      update(graph, *range.first);
+      update(graph, *range.first, cost);
   }
 
   template <typename Graph>
@@ -77,17 +56,17 @@ public:
   }
 
   template <typename Graph>
-  void on_merge(const Graph& graph, const typename Graph::Merge& merge)
+  void on_merge(const Graph& graph, const typename Graph::Merge& merge, Cost_of cost)
   {
     std::uint32_t& lag = m_lags[merge.kept];
     lag = (std::max)(lag, m_lags[merge.removed]) + 1;
     if (lag < graph.degree(merge.kept) / hub_degree)
       for (const std::uint32_t neighbor : m_neighbors)
-        update(graph, *graph.section(merge.kept, neighbor));
+        update(graph, *graph.section(merge.kept, neighbor), cost);
     else {
       lag = 0;
       for (Section_descriptor s : graph.sections(merge.kept))
-        update(graph, s);
+        update(graph, s, cost);
     }
     if (m_queue.size() > 4 * graph.number_of_sections() + smallest_number_to_clean)
       remove_stale_entries(graph);
@@ -145,11 +124,11 @@ private:
 
   /// Entries that have not changed are not pushed again.
   template <typename Graph>
-  void update(const Graph& graph, Section_descriptor s)
+  void update(const Graph& graph, Section_descriptor s, Cost_of cost_of)
   {
     if (!graph.is_mergeable(s))
       return;
-    const double cost = m_cost(graph, s);
+    const double cost = cost_of(s);
     const std::uint32_t a = graph.source(s), b = graph.target(s);
     Entry& entry = m_entries[s.id()];
     if (entry.cost == cost && entry.lower == (std::min)(a, b) && entry.higher == (std::max)(a, b))
@@ -161,12 +140,68 @@ private:
     std::push_heap(m_queue.begin(), m_queue.end(), std::greater<Entry>());
   }
 
-  Cost m_cost;
   std::vector<Entry> m_queue;        // a heap, the next one first
   std::vector<Entry> m_entries;      // by section, the newest
   std::vector<std::uint32_t> m_lags; // by region: its merges since all of its sections were updated
   std::vector<std::uint32_t> m_neighbors; // of the smaller region of the next merge, if the other
                                           // one is a hub
+};
+
+} // namespace internal
+
+/// \ingroup PkgRegionSegmentationPolicies
+/// Turns a cost of sections into a policy: merges across the cheapest section of the graph next; of
+/// equal ones, the one between the lower regions. A model of `MergingPolicy`.
+///
+/// The order does not depend on the wanted number of segments, so one tree gives them all. A merge
+/// changes only the costs of the sections of the merged region: a cost may depend on a section and
+/// on its two regions.
+///
+/// All of them are computed anew, unless the region is a hub of more than `hub_degree` sections:
+/// then those that the merge moved or united, and all others after every (degree / `hub_degree`)th
+/// merge of the region, rounded down. So a hub takes linear time, while the cost of a section at
+/// its rim lags behind by a small share of its merges.
+///
+/// Complexity: O(min(d, `hub_degree`) log S) per merge, amortized, d the number of sections of the
+/// merged region.
+///
+/// A lambda is a cost, too: `Lowest_cost_first([](const auto& graph, auto s) { return
+/// graph[s].length; })`.
+///
+/// \tparam Cost a model of `SectionCost`; a section whose cost is not a number is never merged
+///         across
+template <typename Cost>
+class Lowest_cost_first : public internal::Data_named_by<Cost>
+{
+public:
+  static constexpr std::size_t hub_degree = internal::Section_queue::hub_degree;
+
+  explicit Lowest_cost_first(Cost cost = Cost())
+    : m_cost(std::move(cost))
+  {}
+
+  template <typename Graph>
+  void initialize(const Graph& graph, std::size_t)
+  {
+    static_assert(internal::check_section_cost<Cost, Graph>());
+    m_sections.initialize(graph, [&](Section_descriptor s) { return m_cost(graph, s); });
+  }
+
+  template <typename Graph>
+  std::optional<Merge_candidate> next(const Graph& graph)
+  {
+    return m_sections.next(graph);
+  }
+
+  template <typename Graph>
+  void on_merge(const Graph& graph, const typename Graph::Merge& merge)
+  {
+    m_sections.on_merge(graph, merge, [&](Section_descriptor s) { return m_cost(graph, s); });
+  }
+
+private:
+  Cost m_cost;
+  internal::Section_queue m_sections;
 };
 
 } // namespace Region_segmentation

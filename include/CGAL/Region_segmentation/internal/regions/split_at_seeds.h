@@ -5,9 +5,9 @@
 
 #include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/Partition.h>
-#include <CGAL/Region_segmentation/internal/regions/Dual_graph.h>
 #include <CGAL/Region_segmentation/internal/regions/connected_pieces.h>
 #include <CGAL/Region_segmentation/Request.h>
+#include <CGAL/Region_segmentation/internal/support/Grouped_items.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -47,23 +47,25 @@ inline Partition split_at_seeds(const Surface& surface, const Partition& regions
   if (std::find(is_split.begin(), is_split.end(), 1) == is_split.end())
     return regions;
 
-  const Dual_graph graph(
-    surface,
-    [&](std::size_t e) {
-      const Index f = surface.lower_face(e), g = surface.higher_face(e);
-      return regions[f] == regions[g] && is_split[regions[f]] && !constraints[e];
-    },
-    [](std::size_t) { return 1; });
+  const auto neighbors = grouped<Index>(regions.size(), [&](const auto& add) {
+    for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a) {
+      const Index f = surface.lower_face(a), g = surface.higher_face(a);
+      if (regions[f] == regions[g] && is_split[regions[f]] && !constraints[a]) {
+        add(f, g);
+        add(g, f);
+      }
+    }
+  });
 
   std::vector<Index> seed_of = seeds.of, front;
   for (std::size_t f = 0; f < regions.size(); ++f)
     if (is_split[regions[f]] && seed_of[f] != Seeds::none)
       front.push_back(Index(f));
   for (std::size_t i = 0; i < front.size(); ++i)
-    for (const auto& step : graph.steps(front[i]))
-      if (seed_of[step.face] == Seeds::none) {
-        seed_of[step.face] = seed_of[front[i]];
-        front.push_back(step.face);
+    for (const Index f : neighbors[front[i]])
+      if (seed_of[f] == Seeds::none) {
+        seed_of[f] = seed_of[front[i]];
+        front.push_back(f);
       }
 
   // Faces that no seed reaches have none.

@@ -71,7 +71,7 @@ inline void insert_links(Surface& surface, const Partition& edge_component_of,
 }
 
 /// From points and corners to a surface.
-inline Surface build_surface(Raw_surface raw, Adjacency_of wanted, const Execution& execution)
+inline Surface build_surface(Raw_surface&& raw, Adjacency_of wanted, const Execution& execution)
 {
   std::vector<Added_adjacency> added;
   std::vector<Seam> seams;

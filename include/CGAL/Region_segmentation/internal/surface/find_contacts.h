@@ -61,10 +61,11 @@ public:
       return std::make_tuple(m_component_of[faces[0]], m_component_of[faces[1]], faces[0], faces[1],
                              int(contact.kind), contact.amount);
     };
-    std::vector<Face_contact> sorted;
+    std::vector<Face_contact> sorted(m_contacts.size());
+    auto place = sorted.begin();
     for (const Index i :
          sorted_indices(m_contacts.size(), [&](Index i, Index j) { return key(i) < key(j); }))
-      sorted.push_back(m_contacts[i]);
+      *place++ = m_contacts[i];
     return sorted;
   }
 

@@ -52,7 +52,7 @@ public:
   std::vector<Index> outermost()
   {
     std::vector<Index> result(m_boxes.size());
-    const std::vector<std::pair<Index, Index>> pairs = containments();
+    const std::vector<Pair> pairs = containments();
     const auto size = [&](Index c) {
       return m_boxes[c].extent(0) + m_boxes[c].extent(1) + m_boxes[c].extent(2);
     };
@@ -73,6 +73,8 @@ public:
   }
 
 private:
+  using Pair = std::pair<Index, Index>;
+
   static constexpr std::size_t number_of_orders = 3;
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -144,23 +146,23 @@ private:
   }
 
   /// Pairs of a component and one that contains it, sorted.
-  std::vector<std::pair<Index, Index>> containments()
+  std::vector<Pair> containments()
   {
-    std::vector<std::pair<Index, Index>> votes, result;
-    for_each_repeated(m_crossings, [&](const auto& crossing, std::size_t number) {
+    std::vector<Pair> votes, result;
+    for_each_repeated(m_crossings, [&](const Pair& crossing, std::size_t number) {
       if (number % 2 == 1)
         votes.push_back({crossing.first / Index(number_of_orders), crossing.second});
     });
-    for_each_repeated(votes, [&](const auto& vote, std::size_t number) {
+    for_each_repeated(votes, [&](const Pair& vote, std::size_t number) {
       if (number * 2 > number_of_orders)
-        result.push_back(vote);
+        result.push_back(Pair(vote));
     });
     return result;
   }
 
   /// Sorts pairs, and calls `f(pair, number)` for different ones, with how often each is there.
-  template <typename F>
-  static void for_each_repeated(std::vector<std::pair<Index, Index>>& pairs, const F& f)
+  static void for_each_repeated(std::vector<Pair>& pairs,
+                                Function_ref<void(const Pair&, std::size_t)> f)
   {
     std::sort(pairs.data(), pairs.data() + pairs.size());
     for (auto first = pairs.begin(); first != pairs.end();) {
@@ -174,7 +176,7 @@ private:
   Component_tree m_tree;
   std::vector<Axis_box> m_boxes;   // by component
   std::vector<Double_3> m_queries; // three for each component; infinite for open ones
-  std::vector<std::pair<Index, Index>> m_crossings; // a query and a component with a face above it
+  std::vector<Pair> m_crossings;   // a query and a component with a face above it
 };
 
 /// For each component the outermost closed one that contains it, itself if there is none or if it

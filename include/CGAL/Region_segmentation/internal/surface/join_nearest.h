@@ -120,7 +120,7 @@ private:
       find_nearest_faces(a, b, nearest);
       if (++m_number_of_pairs <=
           most_pairs_of_component * m_component_of.number_of_parts() + most_pairs)
-        m_queue.push(nearest);
+        m_queue.push(Pair(nearest));
       else if (unite(nearest.a, nearest.b))
         m_links.push_back({nearest.a, nearest.b, 0});
       return;
