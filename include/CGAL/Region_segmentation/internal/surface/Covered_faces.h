@@ -88,7 +88,7 @@ private:
       if (m_surface.has_flag(a, Surface::LINK) && m_surface.length(a) > 0) {
         const Index c = m_bodies.component_of[m_surface.lower_face(a)],
                     d = m_bodies.component_of[m_surface.higher_face(a)];
-        if (const Index smaller = is_larger(c, d) ? d : c; !m_bodies.is_crumb(smaller))
+        if (const Index smaller = is_larger(c, d) ? d : c; !m_bodies.is_crumb[smaller])
           is_on_larger[smaller] = true;
       }
     std::vector<Index> result;

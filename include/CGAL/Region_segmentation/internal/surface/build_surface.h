@@ -62,12 +62,7 @@ inline void insert_links(Surface& surface, const Partition& edge_component_of,
   for (const Link& link : find_links(surface, connected, execution))
     added.push_back({link.lower, link.higher, link.length * link.length, Surface::LINK});
   insert_adjacencies(surface, std::move(added));
-  const Bodies bodies(surface);
-  if (bodies.number() == bodies.areas.size())
-    return;
-  std::vector<bool>& is_crumb = arrays_of(surface).is_crumb;
-  for (const Partition::Index component : bodies.component_of)
-    is_crumb.push_back(bodies.is_crumb(component));
+  mark_crumbs(surface, edge_components(surface, execution.silent()));
 }
 
 /// From points and corners to a surface.

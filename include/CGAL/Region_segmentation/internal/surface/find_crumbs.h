@@ -19,37 +19,48 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// Components of less than this share of the area of the largest one are crumbs.
-inline constexpr double area_of_crumbs = 1e-3;
+/// By component: the sum of the areas of its faces.
+inline std::vector<double> component_areas(const Surface& surface, const Partition& component_of)
+{
+  std::vector<double> areas(component_of.number_of_parts());
+  for (std::size_t f = 0; f < component_of.size(); ++f)
+    areas[component_of[f]] += surface.area(f);
+  return areas;
+}
+
+/// Marks the faces of the components that are crumbs, if there are any.
+inline void mark_crumbs(Surface& surface, const Partition& component_of)
+{
+  constexpr double largest = 1e-3; // share of the area of the largest component
+  const std::vector<double> areas = component_areas(surface, component_of);
+  const auto bounds = std::minmax_element(areas.begin(), areas.end());
+  const double bound = largest * *bounds.second;
+  if (*bounds.first < bound)
+    for (const Partition::Index component : component_of)
+      arrays_of(surface).is_crumb.push_back(areas[component] < bound);
+}
 
 /// The components across edges, and which of them are crumbs.
 struct Bodies
 {
   Partition component_of; // of the faces
   std::vector<double> areas;
-  double area_of_largest = 0;
+  std::vector<bool> is_crumb;
 
   explicit Bodies(const Surface& surface)
     : component_of(edge_components(surface, Execution()))
-    , areas(component_of.number_of_parts())
+    , areas(component_areas(surface, component_of))
+    , is_crumb(areas.size(), true)
   {
     for (std::size_t f = 0; f < component_of.size(); ++f)
-      areas[component_of[f]] += surface.area(f);
-    for (const double area : areas)
-      area_of_largest = (std::max)(area_of_largest, area);
+      if (!surface.is_crumb(f))
+        is_crumb[component_of[f]] = false;
   }
 
-  bool is_crumb(std::size_t component) const
-  {
-    return areas[component] < area_of_crumbs * area_of_largest;
-  }
-  /// Those that are no crumbs.
+  /// Of those that are no crumbs.
   std::size_t number() const
   {
-    std::size_t result = 0;
-    for (std::size_t c = 0; c < areas.size(); ++c)
-      result += !is_crumb(c);
-    return result;
+    return std::size_t(std::count(is_crumb.begin(), is_crumb.end(), false));
   }
 };
 
@@ -70,15 +81,15 @@ merges_of_crumbs(const Surface& surface, const Partition& regions)
   for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a) {
     const Index f = surface.lower_face(a), g = surface.higher_face(a);
     const Index c = bodies.component_of[f], d = bodies.component_of[g];
-    if (c == d && regions[f] != regions[g] && bodies.is_crumb(c))
+    if (c == d && regions[f] != regions[g] && bodies.is_crumb[c])
       result.push_back({regions[f], regions[g]});
-    if (c == d || !(bodies.is_crumb(c) || bodies.is_crumb(d)))
+    if (c == d || !(bodies.is_crumb[c] || bodies.is_crumb[d]))
       continue;
     const double length = surface.length(a),
                  distance = norm(surface.centroid(f) - surface.centroid(g));
-    if (bodies.is_crumb(c))
+    if (bodies.is_crumb[c])
       ways.push_back({bodies.areas[c], c, -length, distance, regions[f], regions[g], d});
-    if (bodies.is_crumb(d))
+    if (bodies.is_crumb[d])
       ways.push_back({bodies.areas[d], d, -length, distance, regions[g], regions[f], c});
   }
   const auto order = sorted_indices(ways.size(),
@@ -87,7 +98,7 @@ merges_of_crumbs(const Surface& surface, const Partition& regions)
   Lowest_root_forest joined(bodies.areas.size());
   std::vector<bool> has_arrived(bodies.areas.size()); // by root: one of its components is no crumb
   for (std::size_t c = 0; c < has_arrived.size(); ++c)
-    has_arrived[c] = !bodies.is_crumb(c);
+    has_arrived[c] = !bodies.is_crumb[c];
   for (bool is_any = true; std::exchange(is_any, false);)
     for (const Index way : order) {
       const auto& [area, crumb, length, distance, region, other, component] = ways[way];
