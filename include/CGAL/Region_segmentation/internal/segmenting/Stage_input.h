@@ -46,8 +46,8 @@ public:
   template <typename F>
   void for_each_adjacency(const F& f) const
   {
-    Edges_of_adjacencies<FaceGraph, Pack>(m_order, m_surface)
-      .for_each([](const auto&) { return true; }, f);
+    for_each_edge_with_adjacency(
+      m_order, m_surface, [](const auto&) { return true; }, f);
   }
 
   /// The number of a vertex, by iteration.
