@@ -72,8 +72,9 @@ int main()
   count_with_each_method("folded cone", shapes::folded_cone);
   count_with_each_method("star", shapes::star);
   count_without_rays("triangles at one edge", shapes::triangles_at_one_edge);
-  // Each two are in contact: fewer of them, and what all methods have in common.
-  count_at_two_sizes("slivers, two-step", shapes::slivers, number_of_faces / 2, RS::Two_step());
+  // Each two are in contact: fewer of them, and what all methods have in common. The larger
+  // have more pairs than are compared.
+  count_at_two_sizes("slivers, two-step", shapes::slivers, number_of_faces / 3, RS::Two_step());
   count_with_each_method("tetrahedra", shapes::tetrahedra);
   count_with_each_method("folded strip", shapes::folded_strip);
   count_with_each_method("torus and far triangle", shapes::torus_and_far_triangle);
