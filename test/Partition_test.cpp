@@ -26,7 +26,7 @@ TEST(Partition_test, numbers_labels_by_their_first_element)
   EXPECT_EQ(p.size(), 5u);
   EXPECT_EQ(p.number_of_parts(), 3u);
   EXPECT_EQ(p[3], 2u);
-  EXPECT_EQ(p.data()[4], 1u);
+  EXPECT_EQ(p[4], 1u);
 }
 
 TEST(Partition_test, labels_of_every_width_stay_different)
