@@ -396,8 +396,9 @@ TEST(Segmenter_test, regions_of_more_components_with_constraints_than_without_ar
     EXPECT_EQ(result.number_of_parts(), number) << "each in one region";
     const auto pieces = numbers_of_components(surface, result, constraints);
     for (std::size_t f = 0; f < regions.size(); ++f)
-      if (parts[regions[f]].size() > 1)
+      if (parts[regions[f]].size() > 1) {
         EXPECT_EQ(pieces[result[f]], 1u);
+      }
     EXPECT_EQ(result, RS::Partition::from_labels(Labels(result.begin(), result.end())))
       << "numbered by first faces";
   }
