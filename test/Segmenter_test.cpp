@@ -20,6 +20,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <optional>
 #include <random>
 #include <set>
@@ -572,10 +574,33 @@ TEST(Segmenter_test, random_seeds_are_followed_or_refused)
       EXPECT_EQ(labels(segmenter, 6), before) << e.what();
       continue;
     }
-    for (std::size_t k : {1, 3, 8})
+    for (std::size_t k : {1, 3, 8, 30, 1000})
       EXPECT_TRUE(follows_seeds(labels(segmenter, k), values)) << k;
   }
   EXPECT_GT(followed, 2 * refused);
+}
+
+// Borders are straightened, so that there are fewer regions than before.
+TEST(Segmenter_test, seeds_hold_for_numbers_above_that_of_the_regions)
+{
+  const Soup soup = mapped(torus(60, 30), [](const Point& p) {
+    const double u = std::atan2(p[1], p[0]), v = std::atan2(p[2], std::hypot(p[0], p[1]) - 1);
+    const double s = 1 + 0.05 * std::sin(5 * u) * std::cos(3 * v);
+    return Point{s * p[0], s * p[1], s * p[2]};
+  });
+  std::vector<std::size_t> values(soup.polygons.size(), no_seed);
+  std::fill(values.begin(), values.begin() + std::ptrdiff_t(values.size() / 3), 0);
+  const Surface_mesh mesh = to_surface_mesh(soup);
+  auto seeds = face_map(mesh);
+  for (auto f : mesh.faces())
+    put(seeds, f, values[f]);
+  const auto check = [&](const auto& method) {
+    const RS::Segmenter segmenter(mesh, RS::parameters::face_seed_map(seeds).method(method));
+    for (std::size_t k : {100, 300, 320, 350, 400, 480, 5000})
+      EXPECT_TRUE(follows_seeds(labels(segmenter, k), values)) << k;
+  };
+  check(RS::Learned_merging());
+  check(RS::Visibility_merging());
 }
 
 TEST(Segmenter_test, paths_between_equal_seeds_do_not_depend_on_scale)
@@ -670,6 +695,9 @@ TEST(Segmenter_test, seeds_that_cannot_be_joined_are_refused_by_name)
   put(seeds, Face(200), 42);
   RS::Segmenter of_two(two, RS::parameters::component_links(false));
   EXPECT_EQ(refusal(of_two, seeds).rfind("the faces of seed 42 cannot be joined", 0), 0u);
+  const auto apart = RS::parameters::component_links(false).face_seed_map(seeds);
+  EXPECT_THROW(RS::Segmenter(two, apart), RS::Invalid_input);
+  EXPECT_THROW(RS::Segmenter(two, apart.method(RS::Two_step())), RS::Invalid_input);
 
   const Surface_mesh bar = fine_dumbbell();
   const auto loop = edge_map(bar, loop_at(bar, 11));

@@ -179,6 +179,10 @@ TEST(Checked_build_test, right_use_passes)
     EXPECT_GE(RS::segment(mesh, map, RP::number_of_segments(3)), 1u);
     EXPECT_GE(RS::segment(mesh, map, RP::number_of_segments(1000000)), 1u);
   }
+  const Surface_mesh empty;
+  auto none = get(CGAL::dynamic_face_property_t<std::size_t>(), empty);
+  EXPECT_EQ(RS::segment(empty, none), 0u);
+  EXPECT_EQ(RS::Segmenter(empty).segment(none), 0u);
 }
 
 } // namespace

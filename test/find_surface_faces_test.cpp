@@ -450,6 +450,17 @@ void expect_part_faces(double scale)
   EXPECT_GT(border, 0);
 }
 
+TEST(FindSurfaceFaces, AreasOfLargeUnitsAreNumbers)
+{
+  const std::vector<test::Point> points = {{0, 0, 0}, {1e160, 0, 0}, {0, 1e-20, 0}};
+  test::Surface_mesh mesh = test::to_surface_mesh(test::Soup{points, {{0, 1, 2}}});
+  auto map = test::face_map(mesh);
+  std::vector<RS::Part_face<test::Kernel>> faces;
+  RS::find_part_faces(mesh, map, std::back_inserter(faces));
+  ASSERT_EQ(faces.size(), 1u);
+  EXPECT_NEAR(faces[0].area, 5e139, 1e126);
+}
+
 TEST(FindSurfaceFaces, PartFacesAreInUnitsAndTypesOfTheMesh)
 {
   for (const double scale : {1.0, 1e-3, 1e40}) {

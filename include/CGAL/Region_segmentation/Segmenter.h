@@ -197,7 +197,7 @@ public:
   template <typename SegmentMap>
   std::size_t segment(SegmentMap&& segment_map) const
   {
-    return segment(std::forward<SegmentMap>(segment_map), number_of_segments());
+    return write(segments_of(number_of_segments(), Execution()), segment_map);
   }
 
   /// segments the mesh into a given number, or the nearest possible one; see `segment()`.
@@ -218,9 +218,7 @@ public:
                       const NamedParameters& np = parameters::default_values()) const
   {
     CGAL_precondition_msg(number_of_segments >= 1, "number_of_segments is at least 1");
-    const Composed_partition segments = segments_of(number_of_segments, execution_of_request(np));
-    m_input.write(segments, segment_map);
-    return segments.number_of_parts();
+    return write(segments_of(number_of_segments, execution_of_request(np)), segment_map);
   }
 
   /// adds edges that are always borders and are never merged across to those that are constrained
@@ -228,8 +226,8 @@ public:
   ///
   /// First regions are split only where the edges separate their faces, and only the new regions
   /// are annotated anew; the segments are those of a new segmenter with all constraints. An edge
-  /// that has the same region on both sides afterwards has no effect; one between two regions bars
-  /// their section from being merged across.
+  /// that then is inside a first region has no effect: borders are straightened across it. One
+  /// between two regions bars their section from being merged across.
   ///
   /// \param edge_is_constrained_map whether an edge becomes constrained: as the named parameter of
   ///        `segment()`
@@ -323,9 +321,14 @@ private:
 
   Merged merge(const Request& request, const Execution& execution) const
   {
-    if constexpr (needs_number)
+    if constexpr (needs_number) {
+      if (!request.seeds.empty()) { // reports seeds that cannot be joined, by the least work
+        Request any = request;
+        any.number_of_segments = (std::max)(surface().number_of_faces(), std::size_t(1));
+        internal::merge_by(method(), surface(), m_prepared->prepared, any, execution);
+      }
       return Merged();
-    else
+    } else
       return internal::merge_by(method(), surface(), m_prepared->prepared, request, execution);
   }
 
@@ -350,15 +353,15 @@ private:
       return m_merged.segments(surface(), number);
   }
 
+  template <typename SegmentMap>
+  std::size_t write(const Composed_partition& segments, SegmentMap& segment_map) const
+  {
+    m_input.write(segments, segment_map);
+    return segments.number_of_parts();
+  }
+
   void change(Request request, const Execution& execution)
   {
-    if constexpr (needs_number) {
-      if (!request.seeds.empty()) { // reports seeds that cannot be joined, by the least work
-        Request any = request;
-        any.number_of_segments = (std::max)(surface().number_of_faces(), std::size_t(1));
-        internal::merge_by(method(), surface(), m_prepared->prepared, any, execution);
-      }
-    }
     m_merged = merge(request, execution);
     m_request = std::move(request);
   }

@@ -53,7 +53,7 @@ std::vector<Part_face<Kernel>> part_faces(const Surface& surface, const Surface_
     face.first_on_axis = axes[i];
   }
   for (std::size_t f = 0; f < surface.number_of_faces(); ++f)
-    result[faces.partition[f]].area += unit * unit * surface.area(f);
+    result[faces.partition[f]].area += unit * (unit * surface.area(f));
   return result;
 }
 

@@ -147,16 +147,18 @@ struct Superfacet_merging
     const Merge_tree tree = merge_requested_regions(surface, requested, graph, policy, 1,
                                                     execution.stage("merging"));
     // Regions that seeds joined are not split.
-    const std::size_t largest_number = request.seeds.empty()
-                                         ? (std::max)(prepared.number_of_proper_faces,
-                                                      std::size_t(1))
-                                         : requested.regions.number_of_parts();
+    const bool can_split = request.seeds.empty();
+    const std::size_t largest_number = can_split ? (std::max)(prepared.number_of_proper_faces,
+                                                              std::size_t(1))
+                                                 : requested.regions.number_of_parts();
     const std::size_t number = (std::min)(
       request.number_of_segments > 0 ? request.number_of_segments : chooser(tree, surface),
       largest_number);
-    return Refinable_hierarchy(straightened(given, prepared, requested, request,
-                                            Hierarchy(Partition(), tree, number), execution),
-                               superfacets, largest_number);
+    Hierarchy hierarchy = straightened(given, prepared, requested, request,
+                                       Hierarchy(Partition(), tree, number), execution);
+    const std::size_t regions_left = hierarchy.regions().number_of_parts();
+    return Refinable_hierarchy(std::move(hierarchy), superfacets,
+                               can_split ? largest_number : regions_left);
   }
 
   /// The graph of regions of the shape, with the data of the annotator; the rays of superfacets

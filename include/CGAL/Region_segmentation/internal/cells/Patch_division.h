@@ -25,7 +25,8 @@ namespace internal {
 
 /// Divides patches of the faces of a surface by regions and constraints: into the connected pieces
 /// of each patch in each region, across adjacencies that are not constrained. Pieces on both sides
-/// of constrained edges are not adjacent there.
+/// of constrained edges are not adjacent there. None if each patch is in one region: then
+/// constrained edges are on borders of regions, or have no effect.
 ///
 /// Patches of one region and without constrained edges stay as they are; the data of the others, of
 /// their pieces, are summed over the faces and adjacencies of these in order.
