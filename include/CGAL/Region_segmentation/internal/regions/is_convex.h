@@ -6,8 +6,6 @@
 #include <CGAL/Region_segmentation/Double_3.h>
 #include <CGAL/Region_segmentation/Surface.h>
 
-#include <CGAL/number_type_config.h>
-
 #include <cmath>
 #include <cstddef>
 
@@ -27,24 +25,6 @@ constexpr double largest_gap_of_closed = 1e-6;
 /// False for one without area. O(F).
 inline bool is_convex(const Surface& mesh)
 {
-  double concave = 0, all = 0;
-  const auto sum_up = [&](const auto& angle_along) {
-    concave = all = 0;
-    for (std::size_t e = 0; e < mesh.number_of_adjacencies(); ++e)
-      if (mesh.has_flag(e, Surface::CONCAVE | Surface::CONVEX) &&
-          !mesh.is_crumb(mesh.lower_face(e))) {
-        const double angle = angle_along(e);
-        all += angle;
-        concave += mesh.has_flag(e, Surface::CONCAVE) ? angle : 0;
-      }
-  };
-  // An angle is at least its chord |N_i - N_j|, and at most pi / 2 times that: angles are
-  // expensive, and chords decide for most surfaces. (Rounding never makes the bound less than it
-  // is.)
-  sum_up(
-    [&](std::size_t e) { return std::sqrt(mesh.squared_length(e) * (2 - 2 * mesh.cosine(e))); });
-  if (concave > largest_concave_share_of_convex * (CGAL_PI / 2 * (1 + 1e-6)) * all)
-    return false;
   double area = 0;
   Double_3 sum = {0, 0, 0};
   for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
@@ -53,8 +33,25 @@ inline bool is_convex(const Surface& mesh)
   }
   if (!(std::sqrt(squared_norm(sum)) <= largest_gap_of_closed * area) || area == 0)
     return false;
-  sum_up([&](std::size_t e) { return mesh.length(e) * mesh.deviation(e); });
-  return concave <= largest_concave_share_of_convex * all;
+  const auto counts = [&](std::size_t e) {
+    return mesh.has_flag(e, Surface::CONCAVE | Surface::CONVEX) &&
+           !mesh.is_crumb(mesh.lower_face(e));
+  };
+  double length = 0; // of the edges whose angles are not known yet
+  for (std::size_t e = 0; e < mesh.number_of_adjacencies(); ++e)
+    length += counts(e) ? mesh.length(e) : 0;
+  length *= 1 + 1e-6; // rounding never makes it less than it is
+  double concave = 0, convex = 0;
+  for (std::size_t e = 0; e < mesh.number_of_adjacencies(); ++e) {
+    if (!counts(e))
+      continue;
+    (mesh.has_flag(e, Surface::CONCAVE) ? concave : convex) += mesh.length(e) * mesh.deviation(e);
+    length -= mesh.length(e);
+    // Angles are expensive, and a few are sufficient for most surfaces: no edge adds more than pi.
+    if (concave > largest_concave_share_of_convex * (concave + convex + 4 * length))
+      return false;
+  }
+  return concave <= largest_concave_share_of_convex * (concave + convex);
 }
 
 } // namespace internal
