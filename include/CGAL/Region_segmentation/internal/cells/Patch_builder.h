@@ -7,15 +7,14 @@
 #include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/Patches.h>
 #include <CGAL/Region_segmentation/internal/cells/Patch_selection.h>
+#include <CGAL/Region_segmentation/internal/cells/patch_data.h>
 #include <CGAL/Region_segmentation/internal/support/Grouped_items.h>
 #include <CGAL/Region_segmentation/internal/support/Large_array.h>
 
 #include <boost/range/irange.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -32,7 +31,6 @@ namespace internal {
 class Patch_builder
 {
   using Index = Surface::Index;
-  using Patch = Patches::Patch;
   using Adjacency = Patches::Adjacency;
 
 public:
@@ -81,54 +79,19 @@ public:
       builder.join_patches(Surface_patches::maximum_area * surface.area(), report);
     Surface_patches result;
     result.fine = builder.finish();
-    set_centers(result.fine, surface, boost::irange(std::size_t(0), surface.number_of_faces()));
+    set_centers(result.fine.m_patches, result.fine.m_of_elements, surface,
+                boost::irange(std::size_t(0), surface.number_of_faces()));
     set_contacts(result.fine, surface);
     builder.m_adjacencies.push_back(result.fine.m_adjacencies);
     builder.join_patches(Surface_patches::maximum_coarse_area * surface.area(), report);
     result.coarse = builder.finish();
     const Patches& fine = result.fine;
     set_centers(
-      result.coarse, boost::irange(std::size_t(0), fine.size()),
-      [&](std::size_t p) { return fine[p].centroid; },
+      result.coarse.m_patches, result.coarse.m_of_elements,
+      boost::irange(std::size_t(0), fine.size()), [&](std::size_t p) { return fine[p].centroid; },
       [&](std::size_t p) { return squared_norm(fine[p].normal) == 0; });
     return result;
   }
-
-  /// \name For those who change patches
-  /// @{
-  static constexpr Index none = (std::numeric_limits<Index>::max)();
-
-  /// Of the patches of some faces.
-  template <typename Faces>
-  static void set_centers(Patches& patches, const Surface& surface, const Faces& faces)
-  {
-    set_centers(
-      patches, faces, [&](std::size_t f) { return surface.centroid(f); },
-      [&](std::size_t f) { return surface.is_degenerate(f); });
-  }
-
-  static void set_concave_deviations(Patches& patches, const Execution& execution)
-  {
-    patches.m_concave_deviations.resize(patches.m_adjacencies.size());
-    for_each_index(execution, patches.m_adjacencies.size(), [&](std::size_t i) {
-      const Adjacency& a = patches.m_adjacencies[i];
-      patches.m_concave_deviations[i] = concave_deviation(patches.m_patches[a.lower],
-                                                          patches.m_patches[a.higher]);
-    });
-  }
-
-  static bool is_before(const Adjacency& a, const Adjacency& b)
-  {
-    return a.lower != b.lower ? a.lower < b.lower : a.higher < b.higher;
-  }
-
-  /// One for each two patches.
-  static void sort_and_unite(Large_array<Adjacency>& adjacencies)
-  {
-    std::stable_sort(adjacencies.begin(), adjacencies.end(), is_before);
-    unite(adjacencies);
-  }
-  /// @}
 
 private:
   Patch_builder(const Surface& surface, const Execution& execution)
@@ -149,52 +112,6 @@ private:
     }
     sort_and_unite(patches.m_contacts);
   }
-
-  /// Adds up the lengths of subsequent adjacencies of the same two patches.
-  static void unite(Large_array<Adjacency>& adjacencies)
-  {
-    std::size_t n = 0;
-    for (const Adjacency& a : adjacencies)
-      if (n > 0 && adjacencies[n - 1].lower == a.lower && adjacencies[n - 1].higher == a.higher)
-        adjacencies[n - 1].length += a.length;
-      else
-        adjacencies[n++] = a;
-    adjacencies.resize(n);
-    adjacencies.shrink_to_fit(); // large patches have many edges with each other
-  }
-
-  /// A degenerate element only if there is no other.
-  template <typename Elements, typename Centroid, typename IsDegenerate>
-  static void set_centers(Patches& patches, const Elements& elements, const Centroid& centroid,
-                          const IsDegenerate& is_degenerate)
-  {
-    std::vector<double> distances(patches.size(), std::numeric_limits<double>::infinity());
-    for (const std::size_t i : elements) {
-      const Index part = patches.m_of_elements[i];
-      Patch& patch = patches.m_patches[part];
-      const double distance = squared_norm(centroid(i) - patch.centroid);
-      if (!(distance < distances[part] || patch.center == none))
-        continue;
-      const bool is_last_choice = is_degenerate(i);
-      if (is_last_choice && patch.center != none)
-        continue;
-      distances[part] = is_last_choice ? std::numeric_limits<double>::infinity() : distance;
-      patch.center = Index(i);
-    }
-  }
-
-  /// Of a patch, while there are many of them. In two arrays, which are replaced one after the
-  /// other: memory is used most then.
-  struct Place
-  {
-    Double_3 centroid;
-    double area;
-  };
-  struct Direction
-  {
-    Double_3 normal;
-    double projected_area; // on the plane of the normal: the length of the area vector
-  };
 
   /// The edges of the mesh that can be crossed, as above.
   template <typename F>
@@ -323,46 +240,32 @@ private:
   template <typename AreaOf, typename CentroidOf>
   void replace_places(const Partition& joined, const AreaOf& area_of, const CentroidOf& centroid_of)
   {
-    Large_array<Place> places(joined.number_of_parts());
+    constexpr Index none = (std::numeric_limits<Index>::max)();
+    Large_array<Patch_place> places(joined.number_of_parts());
     Large_array<Index> firsts(places.size());
     for_each_index(m_execution, places.size(), [&](std::size_t p) {
-      places[p] = {{0, 0, 0}, 0};
+      places[p] = Patch_place{};
       firsts[p] = none;
     });
     for_each_in_part(joined, [&](Index part, std::size_t p) {
-      Place& place = places[part];
-      const double area = area_of(p);
       if (firsts[part] == none)
         firsts[part] = Index(p);
-      // Relative to the first of them, to avoid cancellation far from the origin.
-      place.centroid = place.centroid + area * (centroid_of(p) - centroid_of(firsts[part]));
-      place.area += area;
+      places[part].add(area_of(p), centroid_of(p) - centroid_of(firsts[part]));
     });
-    for_each_index(m_execution, places.size(), [&](std::size_t p) {
-      Place& place = places[p];
-      place.centroid = centroid_of(firsts[p]) +
-                       (place.area > 0 ? 1 / place.area : 0) * place.centroid;
-    });
+    for_each_index(m_execution, places.size(),
+                   [&](std::size_t p) { places[p].end(centroid_of(firsts[p])); });
     m_places = std::move(places);
   }
 
   template <typename AreaVector>
   void replace_directions(const Partition& joined, const AreaVector& area_vector)
   {
-    Large_array<Direction> directions(joined.number_of_parts());
-    for_each_index(m_execution, directions.size(), [&](std::size_t p) {
-      directions[p] = {{0, 0, 0}, 0};
-    });
-    for_each_in_part(joined, [&](Index part, std::size_t p) {
-      directions[part].normal = directions[part].normal + area_vector(p);
-    });
-    for_each_index(m_execution, directions.size(), [&](std::size_t p) {
-      Direction& direction = directions[p];
-      direction.projected_area = norm(direction.normal);
-      direction.normal = direction.projected_area > 0
-                           ? (1 / direction.projected_area) * direction.normal
-                           : Double_3{0, 0, 0};
-    });
+    Large_array<Patch_direction> directions(joined.number_of_parts());
+    for_each_index(m_execution, directions.size(),
+                   [&](std::size_t p) { directions[p] = Patch_direction{}; });
+    for_each_in_part(joined,
+                     [&](Index part, std::size_t p) { directions[part].add(area_vector(p)); });
+    for_each_index(m_execution, directions.size(), [&](std::size_t p) { directions[p].end(); });
     m_directions = std::move(directions);
   }
 
@@ -417,9 +320,11 @@ private:
     result.m_adjacencies = united_adjacencies();
     result.m_patches.resize(m_places.size());
     for_each_index(m_execution, m_places.size(), [&](std::size_t p) {
-      result.m_patches[p] = {m_places[p].centroid, m_directions[p].normal, m_places[p].area, none};
+      result.m_patches[p] = {m_places[p].centroid, m_directions[p].normal, m_places[p].area,
+                             no_center};
     });
-    set_concave_deviations(result, m_execution);
+    result.m_concave_deviations = concave_deviations(result.m_patches, result.m_adjacencies,
+                                                     m_execution);
     return result;
   }
 
@@ -456,21 +361,15 @@ private:
     return united;
   }
 
-  static double concave_deviation(const Patch& a, const Patch& b)
-  {
-    if (squared_norm(a.normal) == 0 || squared_norm(b.normal) == 0 ||
-        !(dot(b.normal - a.normal, b.centroid - a.centroid) < 0))
-      return 0;
-    return std::acos((std::max)(-1.0, (std::min)(1.0, dot(a.normal, b.normal))));
-  }
-
   const Surface& m_surface;
   const Execution m_execution; // silent
   const double m_unit;
   std::vector<Partition> m_rounds; // of the faces or the fine patches, then of the patches of the
                                    // round before
-  Large_array<Place> m_places;
-  Large_array<Direction> m_directions;
+  /// Of the patches, while there are many of them. In two arrays, which are replaced one after the
+  /// other: memory is used most then.
+  Large_array<Patch_place> m_places;
+  Large_array<Patch_direction> m_directions;
   /// By range of edges of the mesh; several between two patches, until the end. Empty before the
   /// second round.
   std::vector<Large_array<Adjacency>> m_adjacencies;

@@ -3,12 +3,11 @@
 #ifndef CGAL_REGION_SEGMENTATION_INTERNAL_CELLS_PATCH_DIVISION_H
 #define CGAL_REGION_SEGMENTATION_INTERNAL_CELLS_PATCH_DIVISION_H
 
-#include <CGAL/Region_segmentation/Double_3.h>
 #include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/Patches.h>
 #include <CGAL/Region_segmentation/Request.h>
 #include <CGAL/Region_segmentation/Surface.h>
-#include <CGAL/Region_segmentation/internal/cells/Patch_builder.h>
+#include <CGAL/Region_segmentation/internal/cells/patch_data.h>
 #include <CGAL/Region_segmentation/internal/support/divide_parts.h>
 #include <CGAL/Region_segmentation/internal/support/Large_array.h>
 
@@ -33,7 +32,6 @@ namespace internal {
 class Patch_division
 {
   using Index = Surface::Index;
-  using Patch = Patches::Patch;
   using Adjacency = Patches::Adjacency;
 
 public:
@@ -78,8 +76,7 @@ public:
 private:
   void set_patches()
   {
-    m_pieces.m_patches.resize(m_pieces.m_of_elements.number_of_parts(),
-                              Patch{{0, 0, 0}, {0, 0, 0}, 0, Patch_builder::none});
+    m_pieces.m_patches.resize(m_pieces.m_of_elements.number_of_parts());
     for (std::size_t p = 0; p < m_patches.size(); ++p) {
       m_piece_of.push_back(m_pieces.m_of_elements[m_patches[p].center]);
       if (!m_is_changed[p])
@@ -90,31 +87,28 @@ private:
       if (m_is_changed[m_patches.of_elements()[f]])
         faces.push_back(Index(f));
     sum_up(faces);
-    Patch_builder::set_centers(m_pieces, m_surface, faces);
+    set_centers(m_pieces.m_patches, m_pieces.m_of_elements, m_surface, faces);
   }
 
   void sum_up(const std::vector<Index>& faces)
   {
-    std::vector<Index> first_of(m_pieces.size(), Index(Patch_builder::none));
+    std::vector<Patch_place> places(m_pieces.size());
+    std::vector<Patch_direction> directions(m_pieces.size());
+    std::vector<Index> first_of(m_pieces.size(), no_center);
     for (const Index f : faces) {
       const Index piece = m_pieces.m_of_elements[f];
-      Patch& sum = m_pieces.m_patches[piece];
-      if (first_of[piece] == Patch_builder::none)
+      if (first_of[piece] == no_center)
         first_of[piece] = f;
-      // Relative to the first of them, to avoid cancellation far from the origin.
       const double area = m_surface.weight(f);
-      sum.centroid = sum.centroid +
-                     area * (m_surface.centroid(f) - m_surface.centroid(first_of[piece]));
-      sum.normal = sum.normal + area * m_surface.normal(f);
-      sum.area += area;
+      places[piece].add(area, m_surface.centroid(f) - m_surface.centroid(first_of[piece]));
+      directions[piece].add(area * m_surface.normal(f));
     }
     for (std::size_t i = 0; i < m_pieces.size(); ++i)
-      if (first_of[i] != Patch_builder::none) {
-        Patch& sum = m_pieces.m_patches[i];
-        const double length = norm(sum.normal);
-        sum.centroid = m_surface.centroid(first_of[i]) +
-                       (sum.area > 0 ? 1 / sum.area : 0) * sum.centroid;
-        sum.normal = length > 0 ? (1 / length) * sum.normal : Double_3{0, 0, 0};
+      if (first_of[i] != no_center) {
+        places[i].end(m_surface.centroid(first_of[i]));
+        directions[i].end();
+        m_pieces.m_patches[i] = {places[i].centroid, directions[i].normal, places[i].area,
+                                 no_center};
       }
   }
 
@@ -132,21 +126,22 @@ private:
     }
     m_pieces.m_adjacencies = with_unchanged(m_patches.adjacencies(), std::move(across_edges));
     m_pieces.m_contacts = with_unchanged(m_patches.contacts(), std::move(contacts));
-    Patch_builder::set_concave_deviations(m_pieces, Execution());
+    m_pieces.m_concave_deviations = concave_deviations(m_pieces.m_patches, m_pieces.m_adjacencies,
+                                                       Execution());
   }
 
   /// Those of changed patches, and those between two others.
   Large_array<Adjacency> with_unchanged(const Large_array<Adjacency>& former,
                                         Large_array<Adjacency> changed) const
   {
-    Patch_builder::sort_and_unite(changed);
+    sort_and_unite(changed);
     Large_array<Adjacency> unchanged, result; // pieces are in the order of patches
     for (const Adjacency& a : former)
       if (!m_is_changed[a.lower] && !m_is_changed[a.higher])
         unchanged.push_back({m_piece_of[a.lower], m_piece_of[a.higher], a.length});
     result.reserve(unchanged.size() + changed.size());
     std::merge(unchanged.begin(), unchanged.end(), changed.begin(), changed.end(),
-               std::back_inserter(result), Patch_builder::is_before);
+               std::back_inserter(result), is_before);
     return result;
   }
 

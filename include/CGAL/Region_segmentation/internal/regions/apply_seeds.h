@@ -8,6 +8,7 @@
 #include <CGAL/Region_segmentation/exceptions.h>
 #include <CGAL/Region_segmentation/Request.h>
 #include <CGAL/Region_segmentation/internal/regions/split_at_seeds.h>
+#include <CGAL/Region_segmentation/internal/support/part_areas.h>
 #include <CGAL/Region_segmentation/internal/support/shortest_paths.h>
 
 #include <algorithm>
@@ -90,9 +91,7 @@ private:
 
   void add_steps(const Surface& surface, const Partition& regions, const Constraints& constraints)
   {
-    std::vector<double> areas(m_steps.size());
-    for (std::size_t f = 0; f < regions.size(); ++f)
-      areas[regions[f]] += surface.area(f);
+    const std::vector<double> areas = part_areas(surface, regions);
     std::vector<std::pair<std::uint64_t, Index>> sections; // two regions, an adjacency
     for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a) {
       const Index r = regions[surface.lower_face(a)], s = regions[surface.higher_face(a)];

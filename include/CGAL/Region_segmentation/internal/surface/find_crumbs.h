@@ -8,8 +8,10 @@
 #include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/internal/support/Lowest_root_forest.h>
 #include <CGAL/Region_segmentation/internal/support/label_components.h>
+#include <CGAL/Region_segmentation/internal/support/part_areas.h>
 #include <CGAL/Region_segmentation/internal/support/sorted_indices.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <tuple>
 #include <utility>
@@ -19,20 +21,11 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// By component: the sum of the areas of its faces.
-inline std::vector<double> component_areas(const Surface& surface, const Partition& component_of)
-{
-  std::vector<double> areas(component_of.number_of_parts());
-  for (std::size_t f = 0; f < component_of.size(); ++f)
-    areas[component_of[f]] += surface.area(f);
-  return areas;
-}
-
 /// Marks the faces of the components that are crumbs, if there are any.
 inline void mark_crumbs(Surface& surface, const Partition& component_of)
 {
   constexpr double largest = 1e-3; // share of the area of the largest component
-  const std::vector<double> areas = component_areas(surface, component_of);
+  const std::vector<double> areas = part_areas(surface, component_of);
   const auto bounds = std::minmax_element(areas.begin(), areas.end());
   const double bound = largest * *bounds.second;
   if (*bounds.first < bound)
@@ -49,7 +42,7 @@ struct Bodies
 
   explicit Bodies(const Surface& surface)
     : component_of(edge_components(surface, Execution()))
-    , areas(component_areas(surface, component_of))
+    , areas(part_areas(surface, component_of))
     , is_crumb(areas.size(), true)
   {
     for (std::size_t f = 0; f < component_of.size(); ++f)

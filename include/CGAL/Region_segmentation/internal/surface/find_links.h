@@ -6,6 +6,7 @@
 #include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/Surface.h>
+#include <CGAL/Region_segmentation/internal/support/part_areas.h>
 #include <CGAL/Region_segmentation/internal/surface/Component_tree.h>
 #include <CGAL/Region_segmentation/internal/surface/Link.h>
 #include <CGAL/Region_segmentation/internal/surface/contact_lengths.h>
@@ -27,9 +28,7 @@ namespace internal {
 inline std::vector<double> contact_tolerances(const Surface& surface,
                                               const Partition& component_of_face)
 {
-  std::vector<double> result(component_of_face.number_of_parts(), 0);
-  for (std::size_t f = 0; f < component_of_face.size(); ++f)
-    result[component_of_face[f]] += surface.area(f);
+  std::vector<double> result = part_areas(surface, component_of_face);
   for (double& area : result)
     area = std::sqrt(area) / 250;
   return result;
