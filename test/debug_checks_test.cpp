@@ -9,9 +9,6 @@
 #include <CGAL/assertions_behaviour.h>
 #include <CGAL/region_segmentation.h>
 #include <CGAL/region_segmentation_stages.h>
-#ifdef TEST_EIGEN
-#include <CGAL/Region_segmentation/Methods/Spectral_partitioner.h>
-#endif
 
 #include <boost/property_map/property_map.hpp>
 #include <gtest/gtest.h>
@@ -117,28 +114,6 @@ TEST_F(Debug_checks_test, index_maps_stay_within_the_size)
 }
 
 // Labels of regions need not be dense: see Region_adjacency_graph_test.cpp.
-
-#ifdef TEST_EIGEN
-TEST_F(Debug_checks_test, a_partitioner_takes_a_whole_graph_and_a_number)
-{
-  struct Equal_cost
-  {
-    double operator()(const RS::Region_adjacency_graph<>&, RS::Section_descriptor) const
-    {
-      return 0;
-    }
-  };
-  RS::Region_adjacency_graph<> g;
-  for (int i = 0; i < 3; ++i)
-    g.add_region();
-  const auto a = g.add_section(0, 1);
-  g.add_section(1, 2);
-  const RS::Spectral_partitioner<Equal_cost> partitioner;
-  EXPECT_THROW(partitioner(g, 0), Precondition_exception);
-  g.merge(a);
-  EXPECT_THROW(partitioner(g, 2), Precondition_exception) << "a region was removed";
-}
-#endif
 
 TEST_F(Debug_checks_test, the_graph_refuses_what_is_not_there)
 {

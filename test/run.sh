@@ -13,7 +13,7 @@ command -v npm >/dev/null || npm=npm
 sh "$root/cmake/install_packages.sh" $npm g++ make cmake assimp-utils blender chromium chromium-driver clang clang-format \
   dpkg-dev doxygen emscripten g++-aarch64-linux-gnu lib3mf-dev libboost-iostreams-dev libcgal-demo \
   libcgal-dev libclang-rt-14-dev libcli11-dev libeigen3-dev libfast-float-dev libgtest-dev libjs-mathjax \
-  libjs-three libopenmesh-dev libpng-dev libspectra-dev libtbb-dev libtinygltf-dev \
+  libjs-three libopenmesh-dev libpng-dev libtbb-dev libtinygltf-dev \
   libxgboost-dev lintian nlohmann-json3-dev node-acorn node-typescript nodejs parallel python3-dev \
   python3-numpy python3-pip python3-pybind11 python3-pytest python3-selenium python3-setuptools \
   python3-vtk9 qemu-user-static valgrind zlib1g-dev

@@ -4,10 +4,9 @@
 #define CGAL_REGION_SEGMENTATION_H
 
 /// \file region_segmentation.h
-/// `segment()` and `Segmenter` with all methods but those that need Eigen, `Smooth_faces` and
-/// `Spectral_partitioning`. The single stages are in `region_segmentation_stages.h`, what follows a
-/// segmentation in the headers of the folder `Segments`, measures in
-/// `Region_segmentation/evaluation.h`.
+/// `segment()` and `Segmenter` with all methods but `Smooth_faces`, which needs Eigen. The single
+/// stages are in `region_segmentation_stages.h`, what follows a segmentation in the headers of the
+/// folder `Segments`, measures in `Region_segmentation/evaluation.h`.
 
 #include <CGAL/Region_segmentation/Methods/Learned_merging.h>
 #include <CGAL/Region_segmentation/Methods/Two_step.h>

@@ -6,7 +6,7 @@
 # headers) instead of one for each header.
 
 # The headers of the list that a header includes, directly or not; cycles are allowed. RESULT_use_eigen: whether one of these or
-# the header itself includes Eigen or Spectra.
+# the header itself includes Eigen.
 function(included_headers root headers header result)
   set(use_eigen FALSE)
   set(found)
@@ -15,7 +15,7 @@ function(included_headers root headers header result)
     list(POP_FRONT open next)
     file(STRINGS ${root}/${next} lines REGEX "^#include <")
     list(TRANSFORM lines REPLACE "^#include <(.*)>.*" "\\1")
-    if(lines MATCHES "(^|;)(Eigen|Spectra)/")
+    if(lines MATCHES "(^|;)Eigen/")
       set(use_eigen TRUE)
     endif()
     foreach(included IN LISTS lines)

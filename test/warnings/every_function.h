@@ -23,7 +23,6 @@
 #include <CGAL/region_segmentation_stages.h>
 #ifdef TEST_EIGEN
 #include <CGAL/Region_segmentation/Methods/Smooth_faces.h>
-#include <CGAL/Region_segmentation/Methods/Spectral_partitioner.h>
 #include <CGAL/Region_segmentation/Segments/describe_segments.h>
 #include <CGAL/Region_segmentation/find_common_surfaces.h>
 #endif
@@ -75,8 +74,6 @@ void use_methods(const Mesh& mesh)
   RS::segment<ConcurrencyTag>(mesh, segments, RS::parameters::method(by_scalar));
 #ifdef TEST_EIGEN
   RS::segment<ConcurrencyTag>(mesh, segments, RS::parameters::method(RS::Smooth_faces()));
-  RS::segment<ConcurrencyTag>(
-    mesh, segments, RS::parameters::number_of_segments(2).method(RS::Spectral_partitioning<>()));
 #endif
 
   RS::Segmenter segmenter(mesh, RS::parameters::number_of_segments(2), ConcurrencyTag());

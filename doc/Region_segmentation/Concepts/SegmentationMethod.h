@@ -15,7 +15,6 @@ method of a user's own is shown in \ref RegionSegmentationOwnMethod.
 \cgalHasModel `CGAL::Region_segmentation::Smooth_faces`
 \cgalHasModel `CGAL::Region_segmentation::Two_step`
 \cgalHasModel `CGAL::Region_segmentation::Superfacet_merging`
-\cgalHasModel `CGAL::Region_segmentation::Spectral_partitioning`
 */
 class SegmentationMethod
 {
