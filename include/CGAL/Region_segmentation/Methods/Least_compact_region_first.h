@@ -83,12 +83,8 @@ public:
     m_planarities.resize(n);
     m_compactness.resize(n);
     m_weights.resize(n);
-    double total_area = 0;
-    for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t i = 0; i < n; ++i)
       set_shape(i, shape(graph, m_regions[i]));
-      total_area += m_areas[i];
-    }
-    m_areas_are_regular = total_area < highest_area;
     for (std::size_t i = 0; i < n; ++i)
       m_weights[i] = weight(i);
   }
@@ -116,23 +112,20 @@ public:
     const Shape after = shape(graph, merge.kept);
     set_shape(kept, after);
     remove(m_slots[merge.removed]);
-    change_weights(after, before, gone);
+    for (std::size_t i = 0; i < m_regions.size(); ++i) {
+      const Shape other = shape_in(i);
+      m_weights[i] += term(other, after) - term(other, before) - term(other, gone);
+    }
     m_weights[m_slots[merge.kept]] = weight(m_slots[merge.kept]);
   }
 
 private:
   static constexpr double settled = std::numeric_limits<double>::infinity();
 
-  // Products of three areas, and of three of e^-rho, must be in the range of double where shares
-  // are combined.
-  static constexpr double lowest_area = 1e-100, highest_area = 1e100, ragged = 200;
-
   struct Shape
   {
     double area, planarity;
     double compactness; // e^-planarity
-
-    bool is_regular() const { return area > lowest_area && planarity < ragged; }
   };
 
   template <typename Graph>
@@ -184,8 +177,17 @@ private:
   /// What P_j subtracts from 1.
   double term(const Shape& i, const Shape& j) const
   {
-    return m_gamma * softmax(i.planarity, j.planarity) +
-           (1 - m_gamma) * internal::share(i.area, j.area);
+    return m_gamma * share_of_compactness(i, j) + (1 - m_gamma) * internal::share(i.area, j.area);
+  }
+
+  /// e^-a / (e^-a + e^-b), for planarities a and b up to infinity.
+  static double share_of_compactness(const Shape& i, const Shape& j)
+  {
+    constexpr double least = 1e-290; // below it, e^-planarity has fewer digits, or is 0
+    const double sum = i.compactness + j.compactness;
+    if (sum > least)
+      return i.compactness / sum;
+    return i.planarity == j.planarity ? 0.5 : 1 / (1 + std::exp(i.planarity - j.planarity));
   }
 
   /// The sum over all regions j, itself included as 1/2.
@@ -193,55 +195,13 @@ private:
   {
     const Shape i = shape_in(slot);
     double sum = 0;
-    if (m_areas_are_regular && i.is_regular())
-      for (std::size_t j = 0; j < m_regions.size(); ++j) {
-        const double c = i.compactness + m_compactness[j], a = i.area + m_areas[j];
-        sum += (m_gamma * i.compactness * a + (1 - m_gamma) * i.area * c) / (c * a);
-      }
-    else
-      for (std::size_t j = 0; j < m_regions.size(); ++j)
-        sum += term(i, shape_in(j));
+    for (std::size_t j = 0; j < m_regions.size(); ++j)
+      sum += term(i, shape_in(j));
     return sum;
-  }
-
-  /// x / (x + after) - x / (x + before) - x / (x + gone): divisions bound the time of the loop over
-  /// all regions.
-  static double change(double x, double after, double before, double gone)
-  {
-    const double p = x + after, q = x + before, r = x + gone;
-    return x * (q * r - p * (q + r)) / (p * q * r);
-  }
-
-  /// The loop over all regions, once per merge; branch-free, so that it is vectorized.
-  void change_weights(const Shape& after, const Shape& before, const Shape& gone)
-  {
-    const double *areas = m_areas.data(), *compactness = m_compactness.data();
-    double* weights = m_weights.data();
-    const std::size_t n = m_regions.size();
-    if (m_areas_are_regular && after.is_regular() && before.is_regular() && gone.is_regular())
-      for (std::size_t i = 0; i < n; ++i)
-        weights[i] += m_gamma * change(compactness[i], after.compactness, before.compactness,
-                                       gone.compactness) +
-                      (1 - m_gamma) * change(areas[i], after.area, before.area, gone.area);
-    else
-      for (std::size_t i = 0; i < n; ++i) {
-        const Shape shape = shape_in(i);
-        weights[i] += term(shape, after) - term(shape, before) - term(shape, gone);
-      }
-  }
-
-  /// e^-a / (e^-a + e^-b) with an exponential that is at most 1, for a and b up to infinity.
-  static double softmax(double a, double b)
-  {
-    if (a == b)
-      return 0.5;
-    const double e = std::exp(-std::abs(a - b));
-    return a < b ? 1 / (1 + e) : e / (1 + e);
   }
 
   Longest_flattest_section m_section_of;
   double m_gamma;
-  bool m_areas_are_regular = true;
   std::vector<std::uint32_t> m_slots;   // by region
   std::vector<std::uint32_t> m_regions; // by slot, and so the rest
   std::vector<double> m_areas, m_planarities, m_compactness, m_weights;

@@ -100,7 +100,6 @@ private:
       m_lengths.push_back(graph[s].length);
       m_angles.push_back(graph[s].mean_angle());
     }
-    m_terms.resize(m_sections.size());
   }
 
   /// P_ij increases with length and with angle, so a section that is dominated in both by a
@@ -131,23 +130,19 @@ private:
     }
   }
 
-  double sum_over_others(std::size_t i)
+  double sum_over_others(std::size_t i) const
   {
-    const double length = m_lengths[i], angle = m_angles[i];
-    const std::size_t size = m_sections.size();
-    for (std::size_t j = 0; j < size; ++j)
-      m_terms[j] = m_beta * internal::share(length, m_lengths[j]) +
-                   (1 - m_beta) * internal::share(angle, m_angles[j]);
-    m_terms[i] = 0;
     double sum = 0;
-    for (double term : m_terms)
-      sum += term;
+    for (std::size_t j = 0; j < m_sections.size(); ++j)
+      if (j != i)
+        sum += m_beta * internal::share(m_lengths[i], m_lengths[j]) +
+               (1 - m_beta) * internal::share(m_angles[i], m_angles[j]);
     return sum;
   }
 
   double m_beta;
   std::vector<Section_descriptor> m_sections; // of the region, and so the rest
-  std::vector<double> m_lengths, m_angles, m_terms;
+  std::vector<double> m_lengths, m_angles;
   std::vector<std::size_t> m_front;
 };
 
