@@ -41,8 +41,7 @@ int main()
   for (auto s : CGAL::make_range(edges(graph)))
     std::cout << "regions " << source(s, graph) << " and " << target(s, graph) << " share "
               << graph[s].length << ", mean dihedral angle " << graph[s].mean_angle() << " rad\n";
-  const RS::Merge_tree tree = RS::merge_regions(graph, RS::Two_step_merging(), 2,
-                                                RS::Stop_at_count{2});
+  const RS::Merge_tree tree = RS::merge_regions(graph, RS::Two_step_merging(), 2);
   for (const auto& merge : tree.merges())
     std::cout << "region " << merge.removed << " was merged into " << merge.kept << '\n';
 }

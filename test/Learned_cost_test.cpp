@@ -264,13 +264,11 @@ TEST(Lowest_order_first_test, merges_in_one_order_and_records_another_cost)
   const Concavity_model concavity;
   const RS::Learned_cost order(concavity.model);
   const RS::Expected_merge_cost cost(concavity.model);
-  const auto everything = [](const Graph&, double) { return false; };
   Graph a = graph, b = graph, c = graph;
   const RS::Merge_tree by_order = merge_regions(a, RS::Lowest_cost_first<RS::Learned_cost>(order),
-                                                1, everything);
+                                                1);
   const RS::Merge_tree both = merge_regions(
-    b, RS::Lowest_order_first<RS::Learned_cost, RS::Expected_merge_cost>(order, cost), 1,
-    everything);
+    b, RS::Lowest_order_first<RS::Learned_cost, RS::Expected_merge_cost>(order, cost), 1);
   ASSERT_EQ(both.merges().size(), graph.number_of_regions() - 1);
   ASSERT_EQ(both.merges().size(), by_order.merges().size());
   for (std::size_t i = 0; i < both.merges().size(); ++i) {

@@ -106,7 +106,7 @@ TEST(Scalar_cost, merges_by_the_difference_of_the_means)
   auto graph = annotated(surface, RS::Partition::into_single_elements(surface.number_of_faces()),
                          Annotator(values));
   const RS::Merge_tree tree = RS::merge_regions(
-    graph, RS::Lowest_cost_first(RS::Scalar_cost<No_cost>(weight)), 1, RS::Stop_at_count{1});
+    graph, RS::Lowest_cost_first(RS::Scalar_cost<No_cost>(weight)), 1);
   std::vector<std::size_t> region(num_faces(mesh));
   for (std::size_t f = 0; f < region.size(); ++f)
     region[f] = f;

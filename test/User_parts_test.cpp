@@ -53,8 +53,7 @@ struct Octants
     auto graph = RS::build_region_adjacency_graph(surface, requested.regions, request.constraints,
                                                   execution.stage("graph"));
     const std::size_t number = request.number_of_segments;
-    RS::Merge_tree tree = RS::merge_regions(graph, RS::Two_step_merging(policy), number,
-                                            RS::Stop_at_count{number});
+    RS::Merge_tree tree = RS::merge_regions(graph, RS::Two_step_merging(policy), number);
     RS::Partition segments = tree.partition_at_count(number);
     return {std::move(requested.regions), std::move(segments), std::move(tree)};
   }
@@ -131,8 +130,7 @@ struct Merging_of_faces
                                                   typename Cost::SectionData>(
       surface, requested.regions, request.constraints);
     cost.annotate(graph, surface, requested.regions);
-    RS::Merge_tree tree = RS::merge_regions(graph, RS::Lowest_cost_first<Cost>(cost), 1,
-                                            RS::Stop_at_count{1});
+    RS::Merge_tree tree = RS::merge_regions(graph, RS::Lowest_cost_first<Cost>(cost), 1);
     return RS::Hierarchy(std::move(requested.regions), std::move(tree),
                          request.number_of_segments > 0 ? request.number_of_segments : 1);
   }

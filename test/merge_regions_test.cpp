@@ -42,7 +42,7 @@ TEST(Merge_regions_test, stops_at_a_count)
 {
   Graph g = path(6);
   Shortest_first policy;
-  const auto tree = RS::merge_regions(g, policy, 4, RS::Stop_at_count{4});
+  const auto tree = RS::merge_regions(g, policy, 4);
   EXPECT_EQ(g.number_of_regions(), 4u);
   EXPECT_EQ(tree.number_of_regions(), 6u);
   ASSERT_EQ(tree.merges().size(), 2u);
@@ -50,32 +50,24 @@ TEST(Merge_regions_test, stops_at_a_count)
   EXPECT_EQ(tree.merges()[1].cost, 2);
 }
 
-TEST(Merge_regions_test, stops_before_what_costs_more)
-{
-  Graph g = path(6);
-  Shortest_first policy;
-  RS::merge_regions(g, policy, 1, RS::Stop_at_cost{3});
-  EXPECT_EQ(g.number_of_regions(), 3u); // costs 1, 2 and 3 are paid
-}
-
 TEST(Merge_regions_test, ends_when_nothing_is_left_to_merge)
 {
   Graph g = path(6);
   g.forbid_merge(*g.section(2, 3));
   Shortest_first policy;
-  RS::merge_regions(g, policy, 1, RS::Stop_at_count{1});
+  RS::merge_regions(g, policy, 1);
   EXPECT_EQ(g.number_of_regions(), 2u);
   Graph empty;
-  EXPECT_TRUE(RS::merge_regions(empty, policy, 1, RS::Stop_at_count{1}).merges().empty());
+  EXPECT_TRUE(RS::merge_regions(empty, policy, 1).merges().empty());
 }
 
 TEST(Merge_regions_test, goes_on_with_a_graph_that_is_partly_merged)
 {
   Graph g = path(6), at_once = path(6);
   Shortest_first policy;
-  const auto first = RS::merge_regions(g, policy, 4, RS::Stop_at_count{4});
-  const auto second = RS::merge_regions(g, policy, 2, RS::Stop_at_count{2});
-  const auto all = RS::merge_regions(at_once, policy, 2, RS::Stop_at_count{2});
+  const auto first = RS::merge_regions(g, policy, 4);
+  const auto second = RS::merge_regions(g, policy, 2);
+  const auto all = RS::merge_regions(at_once, policy, 2);
   ASSERT_EQ(first.merges().size() + second.merges().size(), all.merges().size());
   EXPECT_EQ(second.merges().back().removed, all.merges().back().removed);
 }
@@ -98,7 +90,7 @@ TEST(Merge_regions_test, tells_a_visitor_about_a_hundred_times)
   Graph g = path(5000);
   Shortest_first policy;
   Counting_visitor visitor;
-  RS::merge_regions(g, policy, 1, RS::Stop_at_count{1}, RS::parameters::visitor(std::ref(visitor)));
+  RS::merge_regions(g, policy, 1, RS::parameters::visitor(std::ref(visitor)));
   EXPECT_GE(visitor.fractions.size(), 50u);
   EXPECT_LE(visitor.fractions.size(), 200u);
   EXPECT_EQ(visitor.fractions.front(), 0);
@@ -113,13 +105,12 @@ TEST(Merge_regions_test, a_cancelled_run_leaves_a_whole_graph)
   Shortest_first policy;
   Counting_visitor visitor;
   visitor.cancel_at = 10;
-  EXPECT_THROW(RS::merge_regions(g, policy, 1, RS::Stop_at_count{1},
-                                 RS::parameters::visitor(std::ref(visitor))),
+  EXPECT_THROW(RS::merge_regions(g, policy, 1, RS::parameters::visitor(std::ref(visitor))),
                RS::Segmentation_cancelled);
   EXPECT_GT(g.number_of_regions(), 1u);
   EXPECT_LT(g.number_of_regions(), 50u);
   EXPECT_EQ(g.number_of_sections(), g.number_of_regions() - 1); // still a path
-  RS::merge_regions(g, policy, 1, RS::Stop_at_count{1});
+  RS::merge_regions(g, policy, 1);
   EXPECT_EQ(g.number_of_regions(), 1u);
 }
 
@@ -138,7 +129,7 @@ TEST(Merge_regions_test, a_policy_that_proposes_what_cannot_be_merged_is_an_erro
   Graph g = path(4);
   const auto s = *g.section(1, 2);
   try {
-    RS::merge_regions(g, Stubborn_policy{s}, 1, RS::Stop_at_count{1});
+    RS::merge_regions(g, Stubborn_policy{s}, 1);
     ADD_FAILURE() << "taken";
   } catch (const RS::Invalid_method& error) {
     EXPECT_EQ(error.what(), "the MergingPolicy proposes to merge across section " +
@@ -146,8 +137,7 @@ TEST(Merge_regions_test, a_policy_that_proposes_what_cannot_be_merged_is_an_erro
   }
   EXPECT_EQ(g.number_of_regions(), 3u);
   g.forbid_merge(*g.section(0, 1));
-  EXPECT_THROW(RS::merge_regions(g, Stubborn_policy{*g.section(0, 1)}, 1, RS::Stop_at_count{1}),
-               RS::Invalid_method)
+  EXPECT_THROW(RS::merge_regions(g, Stubborn_policy{*g.section(0, 1)}, 1), RS::Invalid_method)
     << "barred";
   EXPECT_EQ(g.number_of_regions(), 3u);
 }
@@ -167,7 +157,7 @@ TEST(Merge_regions_test, a_policy_whose_cost_is_not_a_number_is_an_error)
 {
   Graph g = path(4);
   try {
-    RS::merge_regions(g, Policy_without_a_cost(), 1, RS::Stop_at_count{1});
+    RS::merge_regions(g, Policy_without_a_cost(), 1);
     ADD_FAILURE() << "taken";
   } catch (const RS::Invalid_method& error) {
     EXPECT_EQ(
@@ -176,18 +166,17 @@ TEST(Merge_regions_test, a_policy_whose_cost_is_not_a_number_is_an_error)
                   "a number"));
   }
   EXPECT_EQ(g.number_of_regions(), 4u);
-  EXPECT_NO_THROW(RS::merge_regions(g, Policy_without_a_cost(), 4, RS::Stop_at_count{4}))
-    << "nothing is merged";
+  EXPECT_NO_THROW(RS::merge_regions(g, Policy_without_a_cost(), 4)) << "nothing is merged";
 }
 
 TEST(Merge_regions_test, the_policy_is_initialized_and_may_be_a_temporary)
 {
   Graph g = path(6), other = path(6);
-  const auto tree = RS::merge_regions(g, Shortest_first(), 2, RS::Stop_at_count{2});
+  const auto tree = RS::merge_regions(g, Shortest_first(), 2);
   Shortest_first policy;
-  RS::merge_regions(other, policy, 4, RS::Stop_at_count{4});
+  RS::merge_regions(other, policy, 4);
   Graph again = path(6);
-  const auto second = RS::merge_regions(again, policy, 2, RS::Stop_at_count{2});
+  const auto second = RS::merge_regions(again, policy, 2);
   ASSERT_EQ(tree.merges().size(), second.merges().size());
   for (std::size_t i = 0; i < tree.merges().size(); ++i)
     EXPECT_EQ(tree.merges()[i].removed, second.merges()[i].removed);

@@ -148,7 +148,7 @@ Result run_stages(const Mesh& mesh, const Options& options)
   auto graph = RS::build_region_adjacency_graph(mesh, regions,
                                                 RS::parameters::component_links(false));
   RS::Two_step_merging policy;
-  result.tree = RS::merge_regions(graph, policy, options.k, RS::Stop_at_count{options.k});
+  result.tree = RS::merge_regions(graph, policy, options.k);
   result.regions = labels_of(mesh, regions);
   result.features = flags_of(mesh, features);
   result.number_of_segments = graph.number_of_regions();

@@ -73,7 +73,7 @@ template <typename Policy>
 Merges merges(Graph g, Policy policy, std::size_t k = 1)
 {
   Merges result;
-  const auto tree = RS::merge_regions(g, policy, k, RS::Stop_at_count{k});
+  const auto tree = RS::merge_regions(g, policy, k);
   for (const auto& m : tree.merges())
     result.push_back({m.kept, m.removed});
   return result;
@@ -230,10 +230,10 @@ TEST(Smallest_region_first_test, can_be_used_again_after_a_run_that_was_stopped)
   };
   RS::Two_step_merging policy;
   Graph first = chain(20000, 1e6);
-  RS::merge_regions(first, policy, 1, RS::Stop_at_count{10000});
+  RS::merge_regions(first, policy, 5000);
   for (const std::size_t size : {300, 3000, 30000}) {
     Graph again = chain(size, 1e-3);
-    const RS::Merge_tree tree = RS::merge_regions(again, policy, 5, RS::Stop_at_count{5});
+    const RS::Merge_tree tree = RS::merge_regions(again, policy, 5);
     Merges pairs;
     for (const auto& m : tree.merges())
       pairs.push_back({m.kept, m.removed});
@@ -267,7 +267,7 @@ TEST(Smallest_region_first_test, the_cost_is_the_area)
 {
   Graph g = star({{1, 1}, {2, 2}});
   RS::Smallest_region_first policy;
-  const auto tree = RS::merge_regions(g, policy, 1, RS::Stop_at_count{1});
+  const auto tree = RS::merge_regions(g, policy, 1);
   ASSERT_EQ(tree.merges().size(), 2u);
   EXPECT_EQ(tree.merges()[0].cost, 1);
   EXPECT_EQ(tree.merges()[1].cost, 2); // region 1, not the merged one of area 1 + 3
@@ -355,7 +355,7 @@ TEST(Least_compact_region_first_test, costs_are_means_over_the_other_regions)
       add_section(g, r - 1, r, 1);
     RS::Least_compact_region_first policy(0.1, 0); // by area alone
     std::vector<double> result;
-    for (const auto& merge : RS::merge_regions(g, policy, 1, RS::Stop_at_count{1}).merges())
+    for (const auto& merge : RS::merge_regions(g, policy, 1).merges())
       result.push_back(merge.cost);
     return result;
   };
@@ -375,7 +375,7 @@ TEST(Least_compact_region_first_test, takes_planarities_of_any_size)
   for (std::uint32_t r = 1; r < 5; ++r)
     add_section(g, r - 1, r, 1);
   RS::Least_compact_region_first policy;
-  const auto tree = RS::merge_regions(g, policy, 1, RS::Stop_at_count{1});
+  const auto tree = RS::merge_regions(g, policy, 1);
   ASSERT_EQ(tree.merges().size(), 4u);
   for (const auto& m : tree.merges()) {
     EXPECT_GE(m.cost, 0);
@@ -567,7 +567,7 @@ std::vector<std::string> calls_of(std::size_t regions, std::size_t k, double fac
   std::vector<std::string> calls;
   Graph g = star(std::vector<std::pair<double, double>>(regions - 1, {1, 1}));
   Recording_sequence policy({&calls, "first"}, {&calls, "second"}, RS::Switch_at_multiple{factor});
-  RS::merge_regions(g, policy, k, RS::Stop_at_count{k});
+  RS::merge_regions(g, policy, k);
   return calls;
 }
 
@@ -589,7 +589,7 @@ TEST(Policy_sequence_test, is_used_again_from_the_start)
   for (int i = 0; i < 2; ++i) {
     calls.clear();
     Graph g = star(std::vector<std::pair<double, double>>(5, {1, 1}));
-    RS::merge_regions(g, policy, 2, RS::Stop_at_count{2});
+    RS::merge_regions(g, policy, 2);
     EXPECT_EQ(calls.front(), "first initialize 6 2");
     EXPECT_EQ(calls.size(), 6u);
   }
@@ -602,7 +602,7 @@ TEST(Policy_sequence_test, can_change_at_a_number_whatever_k)
     Graph g = star(std::vector<std::pair<double, double>>(5, {1, 1}));
     RS::Policy_sequence policy(Recording_policy{&calls, "first"},
                                Recording_policy{&calls, "second"}, RS::Switch_at_count{4});
-    RS::merge_regions(g, policy, k, RS::Stop_at_count{k});
+    RS::merge_regions(g, policy, k);
     EXPECT_EQ(calls[3], "second initialize 4 " + std::to_string(k));
   }
 }

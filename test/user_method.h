@@ -57,14 +57,13 @@ struct User_method
                                                   execution);
     if constexpr (std::is_same<Policy, RS::Two_step_merging>::value) { // depends on the number
       const std::size_t number = request.number_of_segments;
-      RS::Merge_tree tree = RS::merge_regions(graph, Policy(policy), number,
-                                              RS::Stop_at_count{number});
+      RS::Merge_tree tree = RS::merge_regions(graph, Policy(policy), number);
       RS::Partition segments = tree.partition_at_count(number);
       return RS::Segmentation{std::move(requested.regions), std::move(segments), std::move(tree)};
     } else {
       const std::size_t number = request.number_of_segments > 0 ? request.number_of_segments
                                                                 : chosen_number;
-      RS::Merge_tree tree = RS::merge_regions(graph, Policy(policy), 1, RS::Stop_at_count{1});
+      RS::Merge_tree tree = RS::merge_regions(graph, Policy(policy), 1);
       return RS::Hierarchy(std::move(requested.regions), std::move(tree), number);
     }
   }

@@ -5,8 +5,8 @@ void test(Graph& graph)
 {
 #ifdef WITH_FAULT
   const RS::Two_step_merging policy;
-  RS::merge_regions(graph, policy, 3, RS::Stop_at_count{3});
+  RS::merge_regions(graph, policy, 3);
 #else
-  RS::merge_regions(graph, RS::Two_step_merging(), 3, RS::Stop_at_count{3});
+  RS::merge_regions(graph, RS::Two_step_merging(), 3);
 #endif
 }

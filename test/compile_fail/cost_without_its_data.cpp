@@ -11,5 +11,5 @@ void test(const Mesh& mesh, Labels labels)
   auto graph = RS::build_region_adjacency_graph<RS::Visibility_region_data,
                                                 RS::Visibility_section_data>(mesh, labels);
 #endif
-  RS::merge_regions(graph, RS::Lowest_cost_first<RS::Visibility_cost>(), 3, RS::Stop_at_count{3});
+  RS::merge_regions(graph, RS::Lowest_cost_first<RS::Visibility_cost>(), 3);
 }

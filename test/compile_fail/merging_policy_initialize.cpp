@@ -16,5 +16,5 @@ struct Policy
 };
 void test(Graph& graph)
 {
-  RS::merge_regions(graph, Policy(), 3, RS::Stop_at_count{3});
+  RS::merge_regions(graph, Policy(), 3);
 }

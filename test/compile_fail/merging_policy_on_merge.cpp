@@ -12,5 +12,5 @@ struct Policy
 void test(Graph& graph)
 {
   Policy policy;
-  RS::merge_regions(graph, policy, 3, RS::Stop_at_count{3});
+  RS::merge_regions(graph, policy, 3);
 }

@@ -5,8 +5,8 @@
 void test(Visibility_graph& graph)
 {
 #ifdef WITH_FAULT
-  RS::merge_regions(graph, RS::Two_step_merging(), 3, RS::Stop_at_count{3});
+  RS::merge_regions(graph, RS::Two_step_merging(), 3);
 #else
-  RS::merge_regions(graph, RS::Lowest_cost_first<RS::Visibility_cost>(), 3, RS::Stop_at_count{3});
+  RS::merge_regions(graph, RS::Lowest_cost_first<RS::Visibility_cost>(), 3);
 #endif
 }

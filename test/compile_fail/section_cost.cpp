@@ -18,5 +18,5 @@ struct Cost
 void test(Graph& graph)
 {
   RS::Lowest_cost_first<Cost> policy;
-  RS::merge_regions(graph, policy, 3, RS::Stop_at_count{3});
+  RS::merge_regions(graph, policy, 3);
 }

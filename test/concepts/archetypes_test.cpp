@@ -143,16 +143,6 @@ public:
   }
 };
 
-class Stop_archetype
-{
-public:
-  explicit Stop_archetype(int) {}
-  Stop_archetype(const Stop_archetype&) = default;
-  Stop_archetype& operator=(const Stop_archetype&) = delete;
-
-  bool operator()(const Graph& g, double) { return g.number_of_regions() <= 3; }
-};
-
 class Visitor_archetype
 {
 public:
@@ -256,12 +246,12 @@ TEST(Archetypes_test, data)
   EXPECT_EQ(g[*g.section(0, 2)].adjacencies, 1u);
 }
 
-TEST(Archetypes_test, policy_stop_and_visitor)
+TEST(Archetypes_test, policy_and_visitor)
 {
   Graph g = graph_of_cube();
   Policy_archetype policy(0);
   Visitor_archetype visitor(0);
-  RS::merge_regions(g, policy, 2, Stop_archetype(0), RP::visitor(std::ref(visitor)));
+  RS::merge_regions(g, policy, 3, RP::visitor(std::ref(visitor)));
   EXPECT_EQ(g.number_of_regions(), 3u);
   std::size_t faces = 0;
   for (auto [it, end] = vertices(g); it != end; ++it)
@@ -272,7 +262,7 @@ TEST(Archetypes_test, policy_stop_and_visitor)
 TEST(Archetypes_test, policy_whose_order_depends_on_the_number)
 {
   Graph g = graph_of_cube();
-  RS::merge_regions(g, Policy_for_number_archetype(0), 2, RS::Stop_at_count{2});
+  RS::merge_regions(g, Policy_for_number_archetype(0), 2);
   EXPECT_EQ(g.number_of_regions(), 2u);
 }
 
@@ -280,7 +270,7 @@ TEST(Archetypes_test, cost)
 {
   Graph g = graph_of_cube();
   RS::Lowest_cost_first<Section_cost_archetype> policy(Section_cost_archetype(0));
-  RS::merge_regions(g, policy, 2, RS::Stop_at_count{2});
+  RS::merge_regions(g, policy, 2);
   EXPECT_EQ(g.number_of_regions(), 2u);
 }
 
@@ -348,7 +338,7 @@ TEST(Archetypes_test, a_cost_that_names_its_data)
   EXPECT_TRUE((RS::internal::reads_data_of<Policy, Graph>()));
   EXPECT_FALSE((RS::internal::reads_data_of<Policy, RS::Region_adjacency_graph<>>()));
   Graph g = graph_of_cube();
-  RS::merge_regions(g, Policy(), 2, RS::Stop_at_count{2});
+  RS::merge_regions(g, Policy(), 2);
   EXPECT_EQ(g.number_of_regions(), 2u);
 }
 

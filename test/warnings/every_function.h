@@ -124,7 +124,7 @@ void use_stages(const Mesh& mesh)
   RS::grow_regions(mesh, features, regions);
   auto graph = RS::build_region_adjacency_graph(mesh, regions);
   RS::Two_step_merging policy;
-  RS::merge_regions(graph, policy, 2, RS::Stop_at_count{2});
+  RS::merge_regions(graph, policy, 2);
   RS::smooth_borders(mesh, regions);
   RS::write_face_values(mesh, RS::face_values(mesh, regions), regions);
 }

@@ -17,46 +17,17 @@
 namespace CGAL {
 namespace Region_segmentation {
 
-/// \ingroup PkgRegionSegmentationPolicies
-/// Stops when a number of regions is reached, in `merge_regions()`.
-struct Stop_at_count
-{
-  std::size_t number_of_regions;
-
-  template <typename Graph>
-  bool operator()(const Graph& graph, double /* next_cost */) const
-  {
-    return graph.number_of_regions() <= number_of_regions;
-  }
-};
-
-/// \ingroup PkgRegionSegmentationPolicies
-/// Stops before the first merge that costs more than a bound, in `merge_regions()`.
-struct Stop_at_cost
-{
-  double maximum_cost;
-
-  template <typename Graph>
-  bool operator()(const Graph&, double next_cost) const
-  {
-    return next_cost > maximum_cost;
-  }
-};
-
 /// \ingroup PkgRegionSegmentationStages
-/// merges the regions of a graph, one section at a time, in the order of a policy.
+/// merges the regions of a graph, one section at a time, in the order of a policy, until
+/// `number_of_segments` are left or the policy has no further candidate.
 ///
-/// Merging ends when `stop` returns `true` or the policy has no further candidate.
+/// To stop at a cost, merge all of them, and ask the tree: `Merge_tree::partition_at_cost()`.
 ///
 /// \tparam Graph a `Region_adjacency_graph`
 /// \tparam Policy a model of `MergingPolicy`
-/// \tparam Stop `bool operator()(const Graph&, double next_cost)`: whether to end before the next
-///         merge, which would cost `next_cost`. `Stop_at_count`, `Stop_at_cost`, or a user's own
 /// \param graph the regions; merged in place
 /// \param policy is initialized for the graph, so that it can be used again
-/// \param number_of_segments the wanted number, for a policy whose order depends on it; `stop` ends
-///        merging
-/// \param stop is called before each merge
+/// \param number_of_segments the wanted number of regions
 /// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
 ///
 /// \cgalNamedParamsBegin
@@ -75,9 +46,9 @@ struct Stop_at_cost
 ///
 /// Complexity: that of the policy, and O((R + S) log R) expected for the graph itself.
 /// Deterministic.
-template <typename Graph, typename Policy, typename Stop,
+template <typename Graph, typename Policy,
           typename NamedParameters = parameters::Default_named_parameters>
-Merge_tree merge_regions(Graph& graph, Policy&& policy, std::size_t number_of_segments, Stop stop,
+Merge_tree merge_regions(Graph& graph, Policy&& policy, std::size_t number_of_segments,
                          const NamedParameters& np = parameters::default_values())
 {
   const auto& pack = internal::pack(np);
@@ -86,13 +57,10 @@ Merge_tree merge_regions(Graph& graph, Policy&& policy, std::size_t number_of_se
   static_assert(!std::is_const<std::remove_reference_t<Policy>>::value,
                 "merging changes the policy: pass one that is not const, or a temporary copy");
   static_assert(internal::check_merging_policy<std::decay_t<Policy>, Graph>());
-  static_assert(
-    std::is_invocable_r<bool, Stop&, const Graph&, double>::value,
-    "a predicate that stops merging needs: bool operator()(const Graph&, double next_cost)");
   internal::Merger<Graph> merger(
     graph, Seeds(), number_of_segments,
     internal::make_execution<CGAL::Sequential_tag>(pack).stage("merging"));
-  merger.run(policy, stop);
+  merger.run(policy);
   return merger.take_tree();
 }
 

@@ -5,7 +5,6 @@
 
 #include <CGAL/Region_segmentation/internal/graph/merge_graph.h>
 #include <CGAL/Region_segmentation/internal/surface/find_crumbs.h>
-#include <CGAL/Region_segmentation/merge_regions.h>
 #include <CGAL/Region_segmentation/requested_regions.h>
 
 #include <algorithm>
@@ -31,11 +30,9 @@ Merge_tree merge_requested_regions(const Surface& surface, const Requested_regio
   of_crumbs.erase(std::remove_if(of_crumbs.begin(), of_crumbs.end(),
                                  [&](const auto& pair) { return requested.is_fixed(pair.first); }),
                   of_crumbs.end());
-  Stop_at_count stop{number};
   internal::Merger<Graph> merger(graph, requested.seeds, number, execution);
   merger.merge_first(of_crumbs);
-  if (graph.number_of_regions() > number) // initializing a policy may take quadratic time
-    merger.run(policy, stop);
+  merger.run(policy);
   return merger.take_tree();
 }
 

@@ -113,8 +113,7 @@ Model_score score(const Training_model& model, Policy policy, const Chooser& cho
 {
   Graph graph = model.graph;
   RS::Merge_tree tree = model.first_merges;
-  const RS::Merge_tree last_merges = RS::merge_regions(graph, policy, 1,
-                                                       [](const Graph&, double) { return false; });
+  const RS::Merge_tree last_merges = RS::merge_regions(graph, policy, 1);
   for (const RS::Merge_tree::Merge& merge : last_merges.merges())
     tree.push_back(merge);
   const Straightened segments = straighten_borders(model, tree);

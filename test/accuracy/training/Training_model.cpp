@@ -56,8 +56,7 @@ Training_model make_training_model(int number, const princeton_benchmark::Model&
   result.regions = std::move(prepared.regions);
   result.cells = std::move(prepared.patches.fine);
   result.border_costs.emplace(std::move(prepared.border_costs));
-  result.first_merges = RS::merge_regions(result.graph, RS::Visibility_merging().policy, 1,
-                                          RS::Stop_at_count{few});
+  result.first_merges = RS::merge_regions(result.graph, RS::Visibility_merging().policy, few);
   result.counts = Label_counts(
     std::vector<std::size_t>(result.regions.begin(), result.regions.end()),
     result.regions.number_of_parts(), result.people);

@@ -90,16 +90,19 @@ public:
     }
   }
 
-  /// Merges in the order of a policy, until `stop(graph, next_cost)` or the policy has no further
-  /// candidate.
+  /// Merges in the order of a policy, which may take quadratic time to initialize, until it has no
+  /// further candidate.
   /// \throws Invalid_method if the policy proposes a section that is removed or not mergeable, or a
   ///         cost that is not a number
-  template <typename Policy, typename Stop>
-  void run(Policy& policy, Stop& stop)
+  template <typename Policy>
+  void run(Policy& policy)
   {
+    if (m_graph.number_of_regions() <= m_number)
+      return;
     policy.initialize(m_graph, m_number);
-    while (const auto candidate = policy.next(m_graph)) {
-      if (stop(m_graph, candidate->cost))
+    while (m_graph.number_of_regions() > m_number) {
+      const auto candidate = policy.next(m_graph);
+      if (!candidate)
         break;
       check(*candidate);
       policy.on_merge(m_graph, merge(candidate->section, candidate->cost));
