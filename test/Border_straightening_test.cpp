@@ -38,8 +38,7 @@ RS::Surface surface_of(const Soup& soup)
 RS::Partition superfacets_of(const RS::Surface& surface, std::size_t number)
 {
   const RS::Surface_patches patches = RS::internal::Patch_builder::build(surface, RS::Execution());
-  const auto costs = RS::internal::border_costs_of_edges(surface, patches.fine, RS::Border_cost());
-  return composed(patches.fine.of_elements(), RS::Superfacets(number)(surface, patches, costs));
+  return composed(patches.fine.of_elements(), RS::Superfacets(number)(surface, patches));
 }
 
 /// Merges of adjacent segments, drawn at random, until few are left.
@@ -68,14 +67,12 @@ struct Merged_surface
 {
   RS::Surface surface;
   RS::Patches patches;
-  RS::internal::Dual_graph costs;
   RS::Partition regions;
   RS::Merge_tree tree;
 
   Merged_surface(RS::Surface surface_, const RS::Partition& regions_, RS::Merge_tree tree_)
     : surface(std::move(surface_))
     , patches(RS::internal::Patch_builder::build(surface, RS::Execution()).fine)
-    , costs(RS::internal::border_costs(surface, patches, RS::Border_cost()))
     , regions(regions_)
     , tree(std::move(tree_))
   {
@@ -96,8 +93,8 @@ struct Merged_surface
                                   const IsFixed& is_fixed,
                                   std::size_t number = std::size_t(-1)) const
   {
-    return straightening(patches, surface.length_unit(), costs, {regions.begin(), regions.end()},
-                         tree, is_fixed, number, RS::Execution());
+    return straightening(surface, patches, RS::Border_cost(), regions, tree, is_fixed, number,
+                         RS::Execution());
   }
   std::vector<Index> straightened(const RS::Border_straightening& straightening) const
   {

@@ -43,9 +43,7 @@ RS::Partition regions_of(const RS::Surface& surface, const RS::Superfacets& supe
                          const RS::Border_cost& cost = RS::Border_cost())
 {
   const RS::Surface_patches patches = patches_of(surface);
-  return composed(patches.fine.of_elements(),
-                  superfacets(surface, patches,
-                              RS::internal::border_costs_of_edges(surface, patches.fine, cost)));
+  return composed(patches.fine.of_elements(), superfacets(surface, patches, cost));
 }
 
 bool is_edge(const RS::Surface& surface, std::size_t adjacency)

@@ -515,9 +515,8 @@ TEST(Visibility_annotator_test, annotating_again_changes_nothing)
 {
   const RS::Surface mesh = surface_of(random_mesh(Family::BLOCKS, 2));
   const RS::Surface_patches patches = patches_of(mesh);
-  const auto costs = RS::internal::border_costs_of_edges(mesh, patches.fine, RS::Border_cost());
   const RS::Partition regions = composed(patches.fine.of_elements(),
-                                         RS::Superfacets(30)(mesh, patches, costs));
+                                         RS::Superfacets(30)(mesh, patches));
   const Graph once = annotated(mesh, regions);
   Graph twice = once;
   RS::Visibility_annotator()(twice, mesh, regions, RS::Region_rays(mesh, patches, regions));

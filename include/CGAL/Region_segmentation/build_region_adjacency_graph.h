@@ -57,10 +57,10 @@ build_region_adjacency_graph(const Surface& surface, const Partition& regions,
 }
 
 /// \ingroup PkgRegionSegmentationStages
-/// builds the graph of the regions of a mesh and the sections between them.
+/// builds the graph of the regions of a mesh and the sections between them. (Of a surface that was
+/// read in parallel, see above.)
 ///
 /// \tparam RegionData, SectionData see above
-/// \tparam ConcurrencyTag `Sequential_tag` or, with TBB, `Parallel_tag`; see `segment()`
 /// \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam FaceRegionMap a model of `ReadablePropertyMap` with the face descriptor as key and an
 ///         integral value type
@@ -97,8 +97,8 @@ build_region_adjacency_graph(const Surface& surface, const Partition& regions,
 ///
 /// Source: \cgalCite{YZWLL14}, section 3.3 (EdgeSection).
 template <typename RegionData = Region_geometry, typename SectionData = Section_geometry,
-          typename ConcurrencyTag = CGAL::Sequential_tag, typename FaceGraph,
-          typename FaceRegionMap, typename NamedParameters = parameters::Default_named_parameters,
+          typename FaceGraph, typename FaceRegionMap,
+          typename NamedParameters = parameters::Default_named_parameters,
           std::enable_if_t<internal::is_pack<NamedParameters>, int> = 0>
 Region_adjacency_graph<RegionData, SectionData>
 build_region_adjacency_graph(const FaceGraph& mesh, FaceRegionMap region_map,
@@ -107,7 +107,7 @@ build_region_adjacency_graph(const FaceGraph& mesh, FaceRegionMap region_map,
   const auto& pack = internal::pack(np);
   using Pack = std::decay_t<decltype(pack)>;
   internal::check_parameters<Pack, internal::Graph_parameters>();
-  const Execution execution = internal::make_execution<ConcurrencyTag>(pack);
+  const Execution execution = internal::make_execution<CGAL::Sequential_tag>(pack);
   const internal::Face_graph_input<FaceGraph> input(mesh);
   const Surface surface = input.surface(pack, execution);
   Constraints constraints;

@@ -33,11 +33,8 @@ struct Straightened
 
 Straightened straighten_borders(const Training_model& model, const RS::Merge_tree& tree)
 {
-  std::vector<RS::Partition::Index> region_of_cell;
-  for (std::size_t c = 0; c < model.cells.size(); ++c)
-    region_of_cell.push_back(model.regions[model.cells[c].center]);
   const auto label_of_cell = RS::Border_straightening()(
-    model.cells, model.surface.length_unit(), *model.border_costs, region_of_cell, tree,
+    model.surface, model.cells, RS::Border_cost(), model.regions, tree,
     [](RS::Partition::Index) { return false; }, model.regions.number_of_parts(), RS::Execution());
   std::vector<RS::Partition::Index> labels;
   for (const RS::Partition::Index cell : model.cells.of_elements())

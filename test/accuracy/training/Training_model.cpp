@@ -55,7 +55,6 @@ Training_model make_training_model(int number, const princeton_benchmark::Model&
   result.surface = prepared.shape(result.surface);
   result.regions = std::move(prepared.regions);
   result.cells = std::move(prepared.patches.fine);
-  result.border_costs.emplace(std::move(prepared.border_costs));
   result.first_merges = RS::merge_regions(result.graph, RS::Visibility_merging().policy, few);
   result.counts = Label_counts(
     std::vector<std::size_t>(result.regions.begin(), result.regions.end()),

@@ -13,10 +13,8 @@
 #include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/Patches.h>
 #include <CGAL/Region_segmentation/Surface.h>
-#include <CGAL/Region_segmentation/internal/regions/Dual_graph.h>
 
 #include <cstddef>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -41,9 +39,8 @@ struct Training_model : Training_graph
   std::vector<std::size_t> segments_of_people;
   std::vector<std::vector<int>> people;       ///< the labels of the faces by each person, from 0 on
   CGAL::Region_segmentation::Surface surface; ///< without noise
-  CGAL::Region_segmentation::Partition regions;                                ///< the first ones
-  CGAL::Region_segmentation::Patches cells;                                    ///< of the regions
-  std::optional<CGAL::Region_segmentation::internal::Dual_graph> border_costs; ///< between cells
+  CGAL::Region_segmentation::Partition regions;       ///< the first ones
+  CGAL::Region_segmentation::Patches cells;           ///< of the regions
   CGAL::Region_segmentation::Merge_tree first_merges; ///< before the graph and the counts
   std::vector<Training_graph> variants; ///< of the same model, to learn from: of other first
                                         ///< regions, or finer faces

@@ -3,12 +3,15 @@
 #ifndef CGAL_REGION_SEGMENTATION_METHODS_BORDER_STRAIGHTENING_H
 #define CGAL_REGION_SEGMENTATION_METHODS_BORDER_STRAIGHTENING_H
 
+#include <CGAL/Region_segmentation/Border_cost.h>
 #include <CGAL/Region_segmentation/Execution.h>
-#include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/Graph/Merge_tree.h>
+#include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/Patches.h>
-#include <CGAL/Region_segmentation/internal/regions/Dual_graph.h>
+#include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/internal/cuts/Nested_borders.h>
+#include <CGAL/Region_segmentation/internal/regions/Dual_graph.h>
+#include <CGAL/Region_segmentation/internal/regions/border_costs.h>
 
 #include <CGAL/assertions.h>
 
@@ -67,22 +70,24 @@ struct Border_straightening
   /// cell in that segmentation (or the one nearest to it), named by its lowest region: the other
   /// merges are not undone then.
   ///
-  /// `region_of`: of the cells; `border_costs`: between them; `tree`: the merges of the regions,
-  /// which are connected; `is_fixed(region)`: whether its faces stay in the segments of the region,
-  /// of at most one region of a tree.
+  /// `cells`: of the surface; `regions`: of its faces, each a union of cells; `tree`: the merges of
+  /// the regions, which are connected; `is_fixed(region)`: whether its faces stay in the segments
+  /// of the region, of at most one region of a tree.
   template <typename IsFixed>
   std::vector<Surface::Index>
-  operator()(const Patches& cells, double length_unit, const internal::Dual_graph& border_costs,
-             const std::vector<Surface::Index>& region_of, const Merge_tree& tree,
-             const IsFixed& is_fixed, std::size_t number_of_segments,
-             const Execution& execution) const
+  operator()(const Surface& surface, const Patches& cells, const Border_cost& border_cost,
+             const Partition& regions, const Merge_tree& tree, const IsFixed& is_fixed,
+             std::size_t number_of_segments, const Execution& execution) const
   {
     CGAL_precondition_msg(width >= 0 && width_of_segment >= 0,
                           "Border_straightening: constants are at least 0");
+    const double length_unit = surface.length_unit();
     std::vector<double> areas;
-    areas.reserve(cells.size());
-    for (std::size_t c = 0; c < cells.size(); ++c)
+    std::vector<Surface::Index> region_of;
+    for (std::size_t c = 0; c < cells.size(); ++c) {
       areas.push_back(cells[c].area / length_unit / length_unit);
+      region_of.push_back(regions[cells[c].center]);
+    }
     const auto distance = [&](Surface::Index p, Surface::Index q) {
       return norm(cells[p].centroid - cells[q].centroid) / length_unit;
     };
@@ -90,7 +95,8 @@ struct Border_straightening
       const double result = (std::min)(width, width_of_segment * std::sqrt(area));
       return result >= narrowest_band ? result : 0;
     };
-    internal::Nested_borders borders(border_costs, distance, areas, region_of, tree);
+    const internal::Dual_graph costs = internal::border_costs(surface, cells, border_cost);
+    internal::Nested_borders borders(costs, distance, areas, region_of, tree);
     borders.run(number_of_cuts, number_of_segments, band_width, is_fixed, execution);
     return borders.take_labels();
   }

@@ -3,6 +3,7 @@
 #ifndef CGAL_REGION_SEGMENTATION_METHODS_SUPERFACET_MERGING_H
 #define CGAL_REGION_SEGMENTATION_METHODS_SUPERFACET_MERGING_H
 
+#include <CGAL/Region_segmentation/Border_cost.h>
 #include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/Hierarchy.h>
 #include <CGAL/Region_segmentation/Methods/Border_straightening.h>
@@ -17,7 +18,6 @@
 #include <CGAL/Region_segmentation/internal/concepts/check_merging.h>
 #include <CGAL/Region_segmentation/internal/graph/build_graph.h>
 #include <CGAL/Region_segmentation/internal/graph/renumber_tree.h>
-#include <CGAL/Region_segmentation/internal/regions/border_costs.h>
 #include <CGAL/Region_segmentation/internal/regions/join_degenerate_regions.h>
 #include <CGAL/Region_segmentation/internal/surface/Intrinsic_surface.h>
 #include <CGAL/Region_segmentation/internal/surface/smooth_noise.h>
@@ -98,8 +98,7 @@ struct Superfacet_merging
   {
     internal::Intrinsic_surface intrinsic; ///< without noise
     Surface_patches patches;
-    internal::Dual_graph border_costs; ///< between fine patches
-    Partition regions;                 ///< the superfacets, of the faces of the shape
+    Partition regions; ///< the superfacets, of the faces of the shape
     Region_rays rays;
     std::size_t number_of_proper_faces; ///< that are not degenerate
 
@@ -115,20 +114,14 @@ struct Superfacet_merging
     const Surface& surface = intrinsic.of(given);
     const Execution stage = execution.stage("regions");
     Surface_patches patches = internal::Patch_builder::build(surface, stage.step(0, 0.6));
-    internal::Dual_graph costs = internal::border_costs(surface, patches.fine, border_cost);
-    const Partition regions_of_patches = patches.fine.contacts().empty()
-                                           ? superfacets(surface, patches, costs,
-                                                         stage.step(0.6, 1))
-                                           : superfacets(surface, patches,
-                                                         internal::border_costs_of_edges(
-                                                           surface, patches.fine, border_cost),
-                                                         stage.step(0.6, 1));
+    const Partition regions_of_patches = superfacets(surface, patches, border_cost,
+                                                     stage.step(0.6, 1));
     Partition regions = internal::join_degenerate_regions(
       surface, composed(patches.fine.of_elements(), regions_of_patches));
     Region_rays rays(surface, patches, regions, execution.stage("rays"));
     const std::size_t proper_faces = internal::number_of_proper_faces(surface);
-    return {std::move(intrinsic), std::move(patches), std::move(costs),
-            std::move(regions),   std::move(rays),    proper_faces};
+    return {std::move(intrinsic), std::move(patches), std::move(regions), std::move(rays),
+            proper_faces};
   }
 
   Refinable_hierarchy merge(const Surface& given, const Prepared& prepared,
@@ -197,17 +190,12 @@ private:
                                          request.constraints)
                   .divided();
     const Patches& cells = divided ? *divided : prepared.patches.fine;
-    std::vector<Index> region_of;
-    for (std::size_t c = 0; c < cells.size(); ++c)
-      region_of.push_back(regions[cells[c].center]);
     const std::size_t number = request.numbers == Request::Numbers::ONE
                                  ? merged.number_of_segments()
                                  : regions.number_of_parts();
     const std::vector<Index> label_of_cell = straightening(
-      cells, surface.length_unit(),
-      divided ? internal::border_costs(surface, cells, border_cost) : prepared.border_costs,
-      region_of, merged.merge_tree(), [&](Index r) { return requested.is_fixed(r); }, number,
-      execution.stage("borders"));
+      surface, cells, border_cost, regions, merged.merge_tree(),
+      [&](Index r) { return requested.is_fixed(r); }, number, execution.stage("borders"));
     return of_labels(given, prepared, cells.of_elements(), label_of_cell, merged);
   }
 

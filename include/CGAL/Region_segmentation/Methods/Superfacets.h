@@ -3,6 +3,7 @@
 #ifndef CGAL_REGION_SEGMENTATION_METHODS_SUPERFACETS_H
 #define CGAL_REGION_SEGMENTATION_METHODS_SUPERFACETS_H
 
+#include <CGAL/Region_segmentation/Border_cost.h>
 #include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/Partition.h>
@@ -78,16 +79,18 @@ public:
     , maximum_deviation(maximum_deviation_)
   {}
 
-  /// The regions of the patches of a surface. `border_costs`: between its fine patches
+  /// The regions of the fine patches of a surface.
   Partition operator()(const Surface& surface, const Surface_patches& patches,
-                       const internal::Dual_graph& border_costs,
+                       const Border_cost& border_cost = Border_cost(),
                        const Execution& execution = Execution()) const
   {
     CGAL_precondition_msg(number >= 1 && concave_weight >= 0 && maximum_deviation >= 0,
                           "Superfacets: number is at least 1, the other constants at least 0");
     if (surface.number_of_faces() == 0)
       return Partition();
-    return internal::Border_shortening(border_costs, nearest_seeds(surface, patches, execution))
+    const internal::Dual_graph costs = internal::border_costs_of_edges(surface, patches.fine,
+                                                                       border_cost);
+    return internal::Border_shortening(costs, nearest_seeds(surface, patches, execution))
       .take_regions();
   }
 
