@@ -92,8 +92,7 @@ struct Spectral_partitioning
     RS::Merge_tree tree = RS::merge_requested_regions(
       surface, requested, graph, RS::Lowest_cost_first(growth_of_variance),
       request.number_of_segments, execution.stage("merging"));
-    RS::Partition segments = tree.partition_at_count(request.number_of_segments);
-    return {std::move(requested.regions), std::move(segments), std::move(tree)};
+    return {std::move(requested.regions), std::move(tree), request.number_of_segments};
   }
 
 private:

@@ -54,8 +54,7 @@ struct Octants
                                                   execution.stage("graph"));
     const std::size_t number = request.number_of_segments;
     RS::Merge_tree tree = RS::merge_regions(graph, RS::Two_step_merging(policy), number);
-    RS::Partition segments = tree.partition_at_count(number);
-    return {std::move(requested.regions), std::move(segments), std::move(tree)};
+    return {std::move(requested.regions), std::move(tree), number};
   }
 };
 

@@ -58,8 +58,7 @@ struct User_method
     if constexpr (std::is_same<Policy, RS::Two_step_merging>::value) { // depends on the number
       const std::size_t number = request.number_of_segments;
       RS::Merge_tree tree = RS::merge_regions(graph, Policy(policy), number);
-      RS::Partition segments = tree.partition_at_count(number);
-      return RS::Segmentation{std::move(requested.regions), std::move(segments), std::move(tree)};
+      return RS::Segmentation(std::move(requested.regions), std::move(tree), number);
     } else {
       const std::size_t number = request.number_of_segments > 0 ? request.number_of_segments
                                                                 : chosen_number;

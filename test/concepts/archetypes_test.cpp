@@ -220,11 +220,10 @@ public:
                          const RS::Request& request, const RS::Execution&) const
   {
     EXPECT_EQ(request.number_of_segments, 2u);
-    RS::Partition regions = prepared.regions();
+    const RS::Partition regions = prepared.regions();
     std::vector<int> labels(regions.number_of_parts(), 1);
     labels[0] = 0;
-    const RS::Merge_tree none(regions.number_of_parts());
-    return {std::move(regions), RS::Partition::from_labels(labels), none};
+    return {composed(regions, RS::Partition::from_labels(labels)), RS::Merge_tree(2), 2};
   }
 };
 
@@ -354,15 +353,15 @@ struct Method_of_two_faces
   }
 };
 
-/// Its segments are not those of its regions.
-struct Method_of_no_segments
+/// Its merges are not those of its regions.
+struct Method_of_other_merges
 {
   int prepare(const RS::Surface&, const RS::Execution&) const { return 0; }
   RS::Segmentation merge(const RS::Surface& surface, int, const RS::Request&,
                          const RS::Execution&) const
   {
     return {RS::Partition::from_labels(std::vector<int>(surface.number_of_faces())),
-            RS::Partition(), RS::Merge_tree(1)};
+            RS::Merge_tree(2), 2};
   }
 };
 
@@ -371,10 +370,10 @@ TEST(Archetypes_test, methods_that_break_their_promise)
   const auto mesh = test::to_surface_mesh(test::cube());
   auto map = test::face_map(mesh, 77);
   EXPECT_THROW(RS::segment(mesh, map, 2, RP::method(Method_of_two_faces())), RS::Invalid_method);
-  EXPECT_THROW(RS::segment(mesh, map, 2, RP::method(Method_of_no_segments())), RS::Invalid_method);
+  EXPECT_THROW(RS::segment(mesh, map, 2, RP::method(Method_of_other_merges())), RS::Invalid_method);
   EXPECT_THROW(RS::Segmenter(mesh, RP::method(Method_of_two_faces())), RS::Invalid_method);
-  const RS::Segmenter of_no_segments(mesh, RP::method(Method_of_no_segments()));
-  EXPECT_THROW(of_no_segments.segment(map, 2), RS::Invalid_method);
+  const RS::Segmenter of_other_merges(mesh, RP::method(Method_of_other_merges()));
+  EXPECT_THROW(of_other_merges.segment(map, 2), RS::Invalid_method);
   EXPECT_EQ(test::labels_of(mesh, map), test::Labels(6, 77));
 }
 

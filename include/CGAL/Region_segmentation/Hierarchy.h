@@ -46,13 +46,13 @@ private:
 };
 
 /// \ingroup PkgRegionSegmentationData
-/// What a method gives whose order of merges depends on the number of segments.
-struct Segmentation
+/// What a method gives whose order of merges depends on the number of segments: a hierarchy for one
+/// number alone. Its merges end there; if regions were not merged one pair at a time, the segments
+/// are its regions, and it has no merges.
+class Segmentation : public Hierarchy
 {
-  Partition regions;     ///< of the faces
-  Partition segments;    ///< of the regions
-  Merge_tree merge_tree; ///< of the regions; without merges if they were not merged one pair at a
-                         ///< time
+public:
+  using Hierarchy::Hierarchy;
 };
 
 } // namespace Region_segmentation

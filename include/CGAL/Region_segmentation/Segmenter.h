@@ -306,7 +306,7 @@ private:
                   "this method merges for each number: give it to "
                   "segment(segment_map, number_of_segments)");
     if constexpr (internal::has_outputs<Pack>)
-      internal::write_outputs(m_input, regions(), merge_tree(), np);
+      internal::write_outputs(m_input, merged(), np);
   }
 
   /// With the visitor of the parameters, the only one of them that is watched and taken.
@@ -345,10 +345,8 @@ private:
     if constexpr (needs_number) {
       Request request = m_request;
       request.number_of_segments = number;
-      Segmentation result = internal::merge_by(method(), surface(), m_prepared->prepared, request,
-                                               execution);
-      return {std::make_shared<const Partition>(std::move(result.regions)),
-              std::move(result.segments)};
+      return internal::merge_by(method(), surface(), m_prepared->prepared, request, execution)
+        .segments(surface(), number);
     } else
       return m_merged.segments(surface(), number);
   }

@@ -77,8 +77,7 @@ struct Two_step
       surface, requested.regions, request.constraints, execution.stage("graph"));
     Merge_tree tree = merge_requested_regions(surface, requested, graph, policy, number,
                                               execution.stage("merging"));
-    Partition segments = tree.partition_at_count(number);
-    return {std::move(requested.regions), std::move(segments), std::move(tree)};
+    return {std::move(requested.regions), std::move(tree), number};
   }
 };
 

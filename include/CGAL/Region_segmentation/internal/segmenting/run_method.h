@@ -49,7 +49,7 @@ constexpr bool check_method()
     "Segmentation merge(const Surface&, const Prepared&, const Request&, const Execution&) const. "
     "(The default method needs #include <CGAL/region_segmentation.h>)");
   if constexpr (satisfies<Merged_by, Method>)
-    static_assert(needs_number<Method>() || std::is_base_of<Hierarchy, Merged_by<Method>>::value,
+    static_assert(std::is_base_of<Hierarchy, Merged_by<Method>>::value,
                   "merge() of a SegmentationMethod returns a Hierarchy or a Segmentation");
   return true;
 }
@@ -111,26 +111,21 @@ Request request_of_pack(const Input& input, const Surface& surface, const Pack& 
 }
 
 /// What the method merges.
-/// \throws Invalid_method unless its regions are those of the faces, and its merges or segments
-///         those of the regions
+/// \throws Invalid_method unless its regions are those of the faces, and its merges those of the
+///         regions
 template <typename Method, typename Prepared>
 auto merge_by(const Method& method, const Surface& surface, const Prepared& prepared,
               const Request& request, const Execution& execution)
 {
   auto result = method.merge(surface, prepared, request, execution);
-  const auto check = [&](const Partition& regions, std::size_t number_of_regions) {
-    if (regions.size() != surface.number_of_faces() ||
-        regions.number_of_parts() != number_of_regions)
-      throw Invalid_method("merge() of the SegmentationMethod returns " +
-                           std::to_string(regions.number_of_parts()) + " regions of " +
-                           std::to_string(regions.size()) + " faces, and merges " +
-                           std::to_string(number_of_regions) + "; the mesh has " +
-                           std::to_string(surface.number_of_faces()) + " faces");
-  };
-  if constexpr (needs_number<Method>())
-    check(result.regions, result.segments.size());
-  else
-    check(result.regions(), result.merge_tree().number_of_regions());
+  const Partition& regions = result.regions();
+  const std::size_t number_of_regions = result.merge_tree().number_of_regions();
+  if (regions.size() != surface.number_of_faces() || regions.number_of_parts() != number_of_regions)
+    throw Invalid_method("merge() of the SegmentationMethod returns " +
+                         std::to_string(regions.number_of_parts()) + " regions of " +
+                         std::to_string(regions.size()) + " faces, and merges " +
+                         std::to_string(number_of_regions) + "; the mesh has " +
+                         std::to_string(surface.number_of_faces()) + " faces");
   return result;
 }
 
@@ -138,17 +133,17 @@ template <typename Pack>
 constexpr bool has_outputs = has_parameter<Pack, internal_np::region_map_t> ||
                              has_parameter<Pack, internal_np::merge_tree_t>;
 
-/// Writes the outputs that a pack asks for. `result`: a `Hierarchy` or a `Segmentation`
+/// Writes the outputs that a pack asks for.
 template <typename Input, typename Pack>
-void write_outputs([[maybe_unused]] const Input& input, [[maybe_unused]] const Partition& regions,
-                   [[maybe_unused]] const Merge_tree& tree, [[maybe_unused]] const Pack& np)
+void write_outputs([[maybe_unused]] const Input& input, [[maybe_unused]] const Hierarchy& result,
+                   [[maybe_unused]] const Pack& np)
 {
   if constexpr (has_parameter<Pack, internal_np::region_map_t>) {
     auto map = CGAL::parameters::get_parameter(np, internal_np::region_map);
-    input.write(regions, map);
+    input.write(result.regions(), map);
   }
   if constexpr (has_parameter<Pack, internal_np::merge_tree_t>)
-    CGAL::parameters::get_parameter_reference(np, internal_np::merge_tree) = tree;
+    CGAL::parameters::get_parameter_reference(np, internal_np::merge_tree) = result.merge_tree();
 }
 
 /// Segments a surface once, and writes labels and outputs. Returns the number of segments.
@@ -158,6 +153,8 @@ std::size_t run_method(const Input& input, const Surface& surface, SegmentMap& s
 {
   using Method = Method_of_pack<Pack>;
   static_assert(check_method<Method>());
+  static_assert(!needs_number<Method>() || has_parameter<Pack, internal_np::number_of_segments_t>,
+                "segment() with this method needs the named parameter number_of_segments");
   input.check(segment_map);
   const Method method = method_of_pack<Method>(np);
   Request request = request_of_pack(input, surface, np);
@@ -165,18 +162,10 @@ std::size_t run_method(const Input& input, const Surface& surface, SegmentMap& s
     request.numbers = Request::Numbers::ONE;
   const auto prepared = method.prepare(surface, execution);
   const auto result = merge_by(method, surface, prepared, request, execution);
-  if constexpr (needs_number<Method>()) {
-    static_assert(has_parameter<Pack, internal_np::number_of_segments_t>,
-                  "segment() with this method needs the named parameter number_of_segments");
-    input.write(composed(result.regions, result.segments), segment_map);
-    write_outputs(input, result.regions, result.merge_tree, np);
-    return result.segments.number_of_parts();
-  } else {
-    const Composed_partition segments = result.segments(surface, result.number_of_segments());
-    input.write(segments, segment_map);
-    write_outputs(input, result.regions(), result.merge_tree(), np);
-    return segments.number_of_parts();
-  }
+  const Composed_partition segments = result.segments(surface, result.number_of_segments());
+  input.write(segments, segment_map);
+  write_outputs(input, result, np);
+  return segments.number_of_parts();
 }
 
 } // namespace internal
