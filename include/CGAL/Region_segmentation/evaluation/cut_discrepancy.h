@@ -39,7 +39,7 @@ std::vector<Edge_graph::Index> cut_vertices(const Mesh_order<FaceGraph, Pack>& o
       continue;
     const Label label_h = get(label_map, face(h, mesh)), label_o = get(label_map, face(o, mesh));
     if (label_h != label_o)
-      is_on_cut[order.rank_of_vertex()(source(h, mesh))] = is_on_cut[order.rank_of_vertex()(
+      is_on_cut[order.vertex_rank(source(h, mesh))] = is_on_cut[order.vertex_rank(
         source(o, mesh))] = true;
   }
   std::vector<Edge_graph::Index> result;

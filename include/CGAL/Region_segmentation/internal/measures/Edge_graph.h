@@ -27,8 +27,8 @@ public:
     : m_incident_edges(grouped<Incident_edge>(order.number_of_vertices(), [&](const auto& add) {
       for (auto e : edges(order.mesh())) {
         const auto h = halfedge(e, order.mesh());
-        const std::size_t v = order.rank_of_vertex()(source(h, order.mesh())),
-                          w = order.rank_of_vertex()(target(h, order.mesh()));
+        const std::size_t v = order.vertex_rank(source(h, order.mesh())),
+                          w = order.vertex_rank(target(h, order.mesh()));
         const double length = norm(surface.point(v) - surface.point(w));
         add(v, {Index(w), length});
         add(w, {Index(v), length});

@@ -48,8 +48,8 @@ public:
     if (component_links(np))
       for (const edge_descriptor e : edges(*m_mesh))
         if (get(map, e) && CGAL::is_border(e, *m_mesh))
-          borders.push_back({Surface::Index(order.rank_of_vertex()(source(e, *m_mesh))),
-                             Surface::Index(order.rank_of_vertex()(target(e, *m_mesh)))});
+          borders.push_back(
+            {order.vertex_rank(source(e, *m_mesh)), order.vertex_rank(target(e, *m_mesh))});
     mark_constraints(surface, std::move(borders), constraints);
   }
 

@@ -54,7 +54,7 @@ public:
   template <typename Vertex>
   std::size_t rank(const Vertex& v) const
   {
-    return m_order.rank_of_vertex()(v);
+    return m_order.vertex_rank(v);
   }
 
   /// Writes `value(adjacency)` for the edges with two different faces, `true` for border edges,

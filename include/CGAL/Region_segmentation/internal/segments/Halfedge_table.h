@@ -63,25 +63,16 @@ auto read_halfedges(const FaceGraph& mesh, const Pack& np, Halfedge_table& table
   const Mesh_order<FaceGraph, Pack> order(mesh, np);
   const auto halfedge_index = get_initialized_halfedge_index_map(mesh, np);
   std::vector<Index> number(num_halfedges(mesh), Halfedge_table::none);
-  const auto source_of = [rank = order.rank_of_vertex(), &mesh](auto h) {
-    return Index(rank(source(h, mesh)));
-  };
   table.number_of_vertices = order.number_of_vertices();
   table.first.push_back(0);
   for (auto f : order.ordered_faces()) {
-    const auto begin = std::ptrdiff_t(descriptors.size());
-    for (auto h : CGAL::halfedges_around_face(halfedge(f, mesh), mesh))
+    for (auto h : CGAL::halfedges_around_face(order.first_halfedge(f), mesh)) {
+      number[std::size_t(get(halfedge_index, h))] = Index(descriptors.size());
       descriptors.push_back(h);
-    const auto lowest = std::min_element(
-      descriptors.begin() + begin, descriptors.end(),
-      [&](auto g, auto h) { return source_of(g) < source_of(h); });
-    std::rotate(descriptors.begin() + begin, lowest, descriptors.end());
+      table.source.push_back(order.vertex_rank(source(h, mesh)));
+    }
     table.face.resize(descriptors.size(), Index(table.first.size() - 1));
     table.first.push_back(Index(descriptors.size()));
-  }
-  for (auto h : descriptors) {
-    number[std::size_t(get(halfedge_index, h))] = Index(table.source.size());
-    table.source.push_back(source_of(h));
   }
   for (auto h : descriptors)
     table.opposite.push_back(number[std::size_t(get(halfedge_index, opposite(h, mesh)))]);

@@ -192,28 +192,25 @@ private:
     return 0.5 + dot(point, Intrinsic_frame::direction) / (2 * bound);
   }
 
-  /// The numbers of things in the order of their positions.
+  /// The numbers of things in the order of their positions. In slices of these, each sorted: sorted
+  /// at once, the surface of 20,000 faces takes 1.2 times as long.
   static std::vector<Index> numbers(const std::vector<double>& positions)
   {
     using Item = std::pair<double, Index>;
     const std::size_t size = positions.size();
-    const auto slice = [&](double x) {
+    auto slices = grouped<Item>(size, [&](const auto& add) {
       constexpr double last = 0.999999;
-      return std::size_t((std::max)(0.0, (std::min)(x, last)) * double(size));
-    };
-    auto items = grouped<Item>(size, [&](const auto& f) { // in slices
-      for (std::size_t i = 0; i < size; ++i)
-        f(slice(positions[i]), Item{positions[i], Index(i)});
+      for (Index i = 0; i < size; ++i) {
+        const double x = (std::max)(0.0, (std::min)(positions[i], last));
+        add(std::size_t(x * double(size)), Item{positions[i], i});
+      }
     });
+    for (std::size_t slice = 0; slice < size; ++slice)
+      std::sort(slices[slice].begin(), slices[slice].end());
     std::vector<Index> result(size);
     Index number = 0;
-    for (std::size_t i = 0; i < size; ++i) {
-      const auto range = items[i];
-      if (range.size() > 1)
-        std::sort(range.begin(), range.end());
-      for (const Item& item : range)
-        result[item.second] = number++;
-    }
+    for (const Item& item : slices.all())
+      result[item.second] = number++;
     return result;
   }
 
@@ -246,15 +243,7 @@ private:
       Index* const corners = arrays.corners.data() + first;
       for (std::size_t i = 0; i < n; ++i)
         corners[i] = number_of[given.corner(f, i)];
-      if (n == 3) {
-        const Index p = corners[0], q = corners[1], r = corners[2];
-        const unsigned char* const place = places_in_triangle(p, q, r);
-        corners[place[0]] = p;
-        corners[place[1]] = q;
-        corners[place[2]] = r;
-      } else {
-        std::rotate(corners, std::min_element(corners, corners + n), corners + n);
-      }
+      std::rotate(corners, std::min_element(corners, corners + n), corners + n);
       arrays.first_corners.push_back(Index(first + n));
     }
   }

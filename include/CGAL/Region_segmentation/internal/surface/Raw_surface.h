@@ -48,35 +48,24 @@ inline void find_open_sides(Raw_surface& raw)
 {
   using Index = Surface::Index;
   const auto& first_corners = arrays_of(raw.surface).first_corners;
-  const auto begin = raw.neighbors.begin(), end = raw.neighbors.end();
-  Index face = 0;
   raw.open_sides.clear();
-  for (auto n = begin; (n = std::find(n, end, Raw_surface::none)) != end; ++n) {
-    const Index side = Index(n - begin);
-    if (side >= first_corners[face + 1])
-      face = Index(std::upper_bound(first_corners.begin() + face, first_corners.end(), side) -
-                   first_corners.begin() - 1);
-    raw.open_sides.push_back({face, side});
-  }
+  for (Index f = 0; f + 1 < first_corners.size(); ++f)
+    for (Index side = first_corners[f]; side < first_corners[f + 1]; ++side)
+      if (raw.neighbors[side] == Raw_surface::none)
+        raw.open_sides.push_back({f, side});
 }
 
-/// The places of the corners p, q, r of a triangle in a boundary that begins at the lowest of them.
-/// Which one that is is unpredictable, so there is no branch.
-inline const unsigned char* places_in_triangle(Surface::Index p, Surface::Index q, Surface::Index r)
+/// Lets the boundary of each face begin at its vertex of lowest index.
+inline void begin_at_lowest_vertices(Raw_surface& raw, const Execution& execution)
 {
-  static constexpr unsigned char places[3][3] = {{0, 1, 2}, {2, 0, 1}, {1, 2, 0}};
-  return places[r < (std::min)(p, q) ? 2 : q < p];
-}
-
-/// Lets the boundary of a face, its corners `first` .. `past` - 1, begin at its vertex of lowest
-/// index.
-inline void begin_at_lowest_vertex(Raw_surface& raw, std::size_t first, std::size_t past)
-{
-  Surface::Index *const corners = arrays_of(raw.surface).corners.data(),
-                        *const neighbors = raw.neighbors.data();
-  const auto lowest = std::min_element(corners + first, corners + past) - corners;
-  std::rotate(corners + first, corners + lowest, corners + past);
-  std::rotate(neighbors + first, neighbors + lowest, neighbors + past);
+  Surface_arrays& arrays = arrays_of(raw.surface);
+  for_each_index(execution, arrays.first_corners.size() - 1, [&](std::size_t f) {
+    const std::size_t first = arrays.first_corners[f], past = arrays.first_corners[f + 1];
+    Surface::Index *const corners = arrays.corners.data(), *const neighbors = raw.neighbors.data();
+    const auto lowest = std::min_element(corners + first, corners + past) - corners;
+    std::rotate(corners + first, corners + lowest, corners + past);
+    std::rotate(neighbors + first, neighbors + lowest, neighbors + past);
+  });
 }
 
 /// The corner of a face that follows another one around it.

@@ -19,43 +19,6 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// A side of a face that leads to a lower one: this one and the side as one number, and the face.
-using Side_to_lower_face = std::pair<std::uint64_t, Surface::Index>;
-
-/// Appends the sides of a face that lead to lower ones, by these, of several in the order of the
-/// boundary. Returns the new end; behind it there is room for two more.
-///
-/// Which sides of a triangle lead to lower faces, and in which order, is unpredictable. So all
-/// three are written, those that lead to no lower face last, where the next face overwrites them.
-inline Side_to_lower_face* add_sides_to_lower_faces(const Raw_surface& raw, Surface::Index face,
-                                                    Side_to_lower_face* end)
-{
-  using Index = Surface::Index;
-  const Index* const neighbors = raw.neighbors.data();
-  const Index first = arrays_of(raw.surface).first_corners[face],
-              past = arrays_of(raw.surface).first_corners[face + 1];
-  const auto key = [=](Index side) { return (std::uint64_t(neighbors[side]) << 32) | side; };
-  if (past - first == 3) {
-    const auto key_or_highest = [=](Index side) {
-      return key(side) | (std::uint64_t(0) - std::uint64_t(neighbors[side] >= face));
-    };
-    const std::uint64_t a = key_or_highest(first), b = key_or_highest(first + 1),
-                        c = key_or_highest(first + 2);
-    const unsigned b_a = b < a, c_a = c < a, c_b = c < b;
-    end[b_a + c_a] = {a, face};
-    end[1 - b_a + c_b] = {b, face};
-    end[2 - c_a - c_b] = {c, face};
-    return end + (neighbors[first] < face) + (neighbors[first + 1] < face) +
-           (neighbors[first + 2] < face);
-  }
-  Side_to_lower_face* const begin = end;
-  for (Index side = first; side < past; ++side)
-    if (neighbors[side] < face)
-      *end++ = {key(side), face};
-  std::sort(begin, end);
-  return end;
-}
-
 inline void resize_adjacencies(Surface_arrays& arrays, std::size_t size)
 {
   arrays.lower_faces.resize(size);
@@ -64,44 +27,35 @@ inline void resize_adjacencies(Surface_arrays& arrays, std::size_t size)
   arrays.flags.resize(size);
 }
 
-/// The adjacencies across edges, from the faces across the sides of each face.
+/// The adjacencies across edges, from the faces across the sides of each face. Those of a face by
+/// the lower faces, of several to one in the order of the boundary.
 inline void collect_adjacencies(Raw_surface& raw, const Execution& execution)
 {
   using Index = Surface::Index;
   Surface_arrays& arrays = arrays_of(raw.surface);
   resize_adjacencies(arrays, arrays.corners.size() / 2); // each one has two sides
-  const Double_3 *const points = arrays.points.data(), *const normals = arrays.normals.data();
-  const Index *const corners = arrays.corners.data(), *const neighbors = raw.neighbors.data(),
-                     *const first_corners = arrays.first_corners.data();
-  Index *const lower_faces = arrays.lower_faces.data(), *const higher_faces = arrays.higher_faces
-                                                                                .data();
-  double* const squared_lengths = arrays.squared_lengths.data();
-  std::uint8_t* const flags = arrays.flags.data();
-  const auto number_in = [=](std::size_t, std::size_t begin, std::size_t end) {
+  const auto number_in = [&](std::size_t, std::size_t begin, std::size_t end) {
     std::size_t result = 0;
     for (std::size_t f = begin; f < end; ++f)
-      for (Index c = first_corners[f]; c < first_corners[f + 1]; ++c)
-        result += neighbors[c] < f;
+      for (Index c = arrays.first_corners[f]; c < arrays.first_corners[f + 1]; ++c)
+        result += raw.neighbors[c] < f;
     return result;
   };
-  const auto write = [=, &raw](std::size_t, std::size_t begin, std::size_t end, std::size_t a) {
-    constexpr std::size_t at_once = 256; // small enough for the cache
-    std::vector<Side_to_lower_face> sides;
-    for (std::size_t f = begin, past; f < end; f = past) {
-      past = (std::min)(f + at_once, end);
-      sides.resize(
-        (std::max)(sides.size(), first_corners[past] - first_corners[f] + std::size_t(2)));
-      Side_to_lower_face* end_of_sides = sides.data();
-      for (; f < past; ++f)
-        end_of_sides = add_sides_to_lower_faces(raw, Index(f), end_of_sides);
-      for (const Side_to_lower_face* s = sides.data(); s != end_of_sides; ++s, ++a) {
-        const Index lower = Index(s->first >> 32), side = Index(s->first), higher = s->second;
-        const Index next = side + 1 < first_corners[higher + 1] ? side + 1 : first_corners[higher];
-        const Double_3 direction = points[corners[next]] - points[corners[side]];
-        lower_faces[a] = lower;
-        higher_faces[a] = higher;
-        squared_lengths[a] = squared_norm(direction);
-        flags[a] = sign_of_edge(normals[higher], normals[lower], direction);
+  const auto write = [&](std::size_t, std::size_t begin, std::size_t end, std::size_t a) {
+    std::vector<std::pair<Index, Index>> sides; // of a face: the lower face across, and the side
+    for (std::size_t f = begin; f < end; ++f) {
+      sides.clear();
+      for (Index side = arrays.first_corners[f]; side < arrays.first_corners[f + 1]; ++side)
+        if (raw.neighbors[side] < f)
+          sides.push_back({raw.neighbors[side], side});
+      std::sort(sides.begin(), sides.end());
+      for (const auto& [lower, side] : sides) {
+        const Double_3 direction = arrays.points[arrays.corners[next_corner(arrays, f, side)]] -
+                                   arrays.points[arrays.corners[side]];
+        arrays.lower_faces[a] = lower;
+        arrays.higher_faces[a] = Index(f);
+        arrays.squared_lengths[a] = squared_norm(direction);
+        arrays.flags[a++] = sign_of_edge(arrays.normals[f], arrays.normals[lower], direction);
       }
     }
     return a;

@@ -31,22 +31,11 @@ void for_each_side_to_lower_face(const Mesh_order<FaceGraph, Pack>& order, const
   using Side = std::pair<Surface::Index, halfedge_descriptor>; // the face across, the halfedge
                                                                // there
   const FaceGraph& mesh = order.mesh();
-  const auto rank_of_vertex = order.rank_of_vertex();
   boost::container::small_vector<Side, 8> sides;
-  std::size_t lowest = Order::none, first = 0;
-  const halfedge_descriptor start = halfedge(order.ordered_faces()[face], mesh);
-  for (halfedge_descriptor h : CGAL::halfedges_around_face(start, mesh)) {
-    const std::size_t vertex = rank_of_vertex(source(h, mesh));
-    if (vertex < lowest) {
-      lowest = vertex;
-      first = sides.size();
-    }
-    sides.push_back({order.face_rank(opposite(h, mesh)), opposite(h, mesh)});
-  }
-  std::rotate(sides.begin(), sides.begin() + std::ptrdiff_t(first), sides.end());
-  sides.erase(
-    std::remove_if(sides.begin(), sides.end(), [=](const Side& s) { return s.first >= face; }),
-    sides.end());
+  const auto first = order.first_halfedge(order.ordered_faces()[face]);
+  for (halfedge_descriptor h : CGAL::halfedges_around_face(first, mesh))
+    if (const Surface::Index across = order.face_rank(opposite(h, mesh)); across < face)
+      sides.push_back({across, opposite(h, mesh)});
   std::stable_sort(sides.begin(), sides.end(),
                    [](const Side& s, const Side& t) { return s.first < t.first; });
   std::size_t adjacency = sides.empty() ? 0 : surface.first_adjacency(face);

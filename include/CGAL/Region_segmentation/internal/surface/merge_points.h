@@ -82,8 +82,7 @@ inline void merge_points_of_open_sides(Raw_surface& raw)
     return;
   for (Index& v : arrays.corners)
     v = lowest[v];
-  for (std::size_t f = 0; f + 1 < arrays.first_corners.size(); ++f)
-    begin_at_lowest_vertex(raw, arrays.first_corners[f], arrays.first_corners[f + 1]);
+  begin_at_lowest_vertices(raw, Execution());
   find_open_sides(raw);
 }
 

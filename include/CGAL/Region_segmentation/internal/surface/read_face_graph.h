@@ -11,7 +11,6 @@
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/number_utils.h>
 
-#include <algorithm>
 #include <cstddef>
 
 namespace CGAL {
@@ -41,43 +40,19 @@ void read_points(const Mesh_order<FaceGraph, Pack>& order, const Pack& np, Surfa
                  });
 }
 
-/// The corners of the faces of a block, from that of lowest number on, and the faces across their
-/// sides. `rank`, `corner`: the first ones. Returns the end of the corners.
+/// The corners of the faces of a block, and the faces across their sides. `rank`, `corner`: the
+/// first ones. Returns the end of the corners.
 template <typename FaceGraph, typename Pack>
 std::size_t read_corners_of_block(const Mesh_order<FaceGraph, Pack>& order, Raw_surface& raw,
                                   std::size_t block, std::size_t rank, std::size_t corner)
 {
-  using Index = Surface::Index;
-  using Halfedge = typename boost::graph_traits<FaceGraph>::halfedge_descriptor;
   const FaceGraph& mesh = order.mesh();
-  Index *const corners = arrays_of(raw.surface).corners.data(),
-               *const first_corners = arrays_of(raw.surface).first_corners.data(),
-               *const neighbors = raw.neighbors.data();
-  const auto rank_of_face = order.rank_of_face();
-  const auto rank_of_vertex = order.rank_of_vertex();
-  const auto vertex_at = [&](Halfedge h) { return Index(rank_of_vertex(source(h, mesh))); };
-  const auto set = [&](std::size_t c, Index vertex, Halfedge h) {
-    const auto across = face(opposite(h, mesh), mesh);
-    const bool is_border = across == boost::graph_traits<FaceGraph>::null_face();
-    corners[c] = vertex;
-    neighbors[c] = is_border ? Index(Raw_surface::none) : Index(rank_of_face(across));
-  };
+  Surface_arrays& arrays = arrays_of(raw.surface);
   for (auto f : order.faces_of_block(block)) {
-    const std::size_t first = corner;
-    first_corners[rank++] = Index(first);
-    const Halfedge start = halfedge(f, mesh), second = next(start, mesh),
-                   third = next(second, mesh);
-    if (next(third, mesh) == start) {
-      const Index p = vertex_at(start), q = vertex_at(second), r = vertex_at(third);
-      const unsigned char* const place = places_in_triangle(p, q, r);
-      set(first + place[0], p, start);
-      set(first + place[1], q, second);
-      set(first + place[2], r, third);
-      corner += 3;
-    } else {
-      for (Halfedge h : CGAL::halfedges_around_face(start, mesh))
-        set(corner++, vertex_at(h), h);
-      begin_at_lowest_vertex(raw, first, corner);
+    arrays.first_corners[rank++] = Surface::Index(corner);
+    for (auto h : CGAL::halfedges_around_face(halfedge(f, mesh), mesh)) {
+      arrays.corners[corner] = order.vertex_rank(source(h, mesh));
+      raw.neighbors[corner++] = order.face_rank(opposite(h, mesh));
     }
   }
   return corner;
@@ -106,6 +81,8 @@ void read_corners(const Mesh_order<FaceGraph, Pack>& order, Raw_surface& raw,
   arrays.first_corners.back() = Surface::Index(number);
   arrays.corners.resize(number);
   raw.neighbors.resize(number);
+  // Not face by face above: what is unpredictable waits for memory there.
+  begin_at_lowest_vertices(raw, execution);
 }
 
 template <typename FaceGraph, typename Pack>

@@ -55,8 +55,7 @@ Raw_surface read_polygons(const PointRange& points, const PolygonRange& polygons
       arrays.points[v] = {0, 0, 0}; // may have been anything
   set_unit(raw.surface, execution);
   raw.neighbors.assign(arrays.corners.size(), Raw_surface::none);
-  for (std::size_t f = 0; f + 1 < arrays.first_corners.size(); ++f)
-    begin_at_lowest_vertex(raw, arrays.first_corners[f], arrays.first_corners[f + 1]);
+  begin_at_lowest_vertices(raw, execution);
   return raw;
 }
 
