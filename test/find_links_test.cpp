@@ -24,7 +24,7 @@ namespace RS = CGAL::Region_segmentation;
 using RS::Double_3;
 using RS::Partition;
 using RS::Surface;
-using RS::internal::Link;
+using RS::internal::Added_adjacency;
 using RS::internal::squared_distance;
 using Index = Surface::Index;
 
@@ -70,9 +70,11 @@ struct Model
     : component_of(fill(soup))
   {}
 
-  std::vector<Link> links() const
+  std::vector<Added_adjacency> links() const
   {
-    return RS::internal::find_links(surface, component_of, RS::Execution());
+    auto result = RS::internal::find_links(surface, component_of, RS::Execution());
+    std::sort(result.begin(), result.end());
+    return result;
   }
 
   std::vector<Index> outermost() const
@@ -207,26 +209,26 @@ Soup together(const std::vector<Soup>& soups)
   return result;
 }
 
-double length_of_contact(const std::vector<Link>& links)
+double length_of_contact(const std::vector<Added_adjacency>& links)
 {
   double sum = 0;
-  for (const Link& l : links)
-    sum += l.length;
+  for (const Added_adjacency& l : links)
+    sum += std::sqrt(l.squared_length);
   return sum;
 }
 
-/// What holds for all links: order, different components, and everything connected; at most one
+/// What holds for all links: different components, and everything connected; at most one
 /// link for a pair of faces.
-void check(const Model& m, const std::vector<Link>& links)
+void check(const Model& m, const std::vector<Added_adjacency>& links)
 {
   RS::internal::Lowest_root_forest forest(m.component_of.number_of_parts());
   std::size_t number = m.component_of.number_of_parts();
   for (std::size_t i = 0; i < links.size(); ++i) {
-    const Link& l = links[i];
+    const Added_adjacency& l = links[i];
     EXPECT_LT(l.lower, l.higher);
     EXPECT_NE(m.component_of[l.lower], m.component_of[l.higher]);
-    EXPECT_GE(l.length, 0);
-    EXPECT_TRUE(std::isfinite(l.length));
+    EXPECT_GE(std::sqrt(l.squared_length), 0);
+    EXPECT_TRUE(std::isfinite(std::sqrt(l.squared_length)));
     EXPECT_TRUE(i == 0 || links[i - 1] < l);
     number -= forest.unite(m.component_of[l.lower], m.component_of[l.higher]);
   }
@@ -360,8 +362,8 @@ TEST(find_links_test, a_crumb_joins_the_nearest_component)
   const auto links = m.links();
   check(m, links);
   std::set<std::pair<Index, Index>> pairs;
-  for (const Link& l : links) {
-    EXPECT_EQ(l.length, 0);
+  for (const Added_adjacency& l : links) {
+    EXPECT_EQ(std::sqrt(l.squared_length), 0);
     pairs.emplace(m.component_of[l.lower], m.component_of[l.higher]);
   }
   EXPECT_EQ(pairs, (std::set<std::pair<Index, Index>>{{0, 1}, {0, 2}, {1, 3}}));
@@ -370,7 +372,7 @@ TEST(find_links_test, a_crumb_joins_the_nearest_component)
 
 /// The weight of a minimum spanning tree of the components by the distance of their nearest faces,
 /// compared with the links of length 0 after those of contact.
-void compare_with_all_distances(const Model& m, const std::vector<Link>& links)
+void compare_with_all_distances(const Model& m, const std::vector<Added_adjacency>& links)
 {
   using RS::internal::Triangle;
   const auto triangle = [&](std::size_t f) {
@@ -387,8 +389,8 @@ void compare_with_all_distances(const Model& m, const std::vector<Link>& links)
   std::sort(pairs.begin(), pairs.end());
   RS::internal::Lowest_root_forest forest(n);
   std::set<std::pair<Index, Index>> expected, found;
-  for (const Link& l : links)
-    if (l.length > 0)
+  for (const Added_adjacency& l : links)
+    if (std::sqrt(l.squared_length) > 0)
       forest.unite(m.component_of[l.lower], m.component_of[l.higher]);
     else
       found.emplace(l.lower, l.higher);
@@ -454,11 +456,13 @@ TEST(find_links_test, links_do_not_depend_on_the_order_of_faces)
     shuffled.polygons[i] = scene.polygons[order[i]];
   const Model m(scene), n(shuffled);
   std::map<std::pair<Index, Index>, double> lengths, shuffled_lengths;
-  for (const Link& l : m.links()) // by components: partners of a face may be equally good
-    lengths[std::minmax(m.component_of[l.lower], m.component_of[l.higher])] += l.length;
-  for (const Link& l : n.links())
+  for (const Added_adjacency& l : m.links()) // by components: partners of a face may be equally
+                                             // good
+    lengths[std::minmax(m.component_of[l.lower], m.component_of[l.higher])] += std::sqrt(
+      l.squared_length);
+  for (const Added_adjacency& l : n.links())
     shuffled_lengths[std::minmax(m.component_of[order[l.lower]],
-                                 m.component_of[order[l.higher]])] += l.length;
+                                 m.component_of[order[l.higher]])] += std::sqrt(l.squared_length);
   ASSERT_EQ(lengths.size(), shuffled_lengths.size());
   for (const auto& [pair, length] : lengths) {
     ASSERT_EQ(shuffled_lengths.count(pair), 1u);

@@ -58,10 +58,7 @@ inline void insert_links(Surface& surface, const Partition& edge_component_of,
     joined.unite(edge_component_of[surface.lower_face(a)],
                  edge_component_of[surface.higher_face(a)]);
   const Partition connected = composed(edge_component_of, joined.take_partition());
-  std::vector<Added_adjacency> added;
-  for (const Link& link : find_links(surface, connected, execution))
-    added.push_back({link.lower, link.higher, link.length * link.length, Surface::LINK});
-  insert_adjacencies(surface, std::move(added));
+  insert_adjacencies(surface, find_links(surface, connected, execution));
   mark_crumbs(surface, edge_components(surface, execution.silent()));
 }
 

@@ -5,6 +5,7 @@
 
 #include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/internal/support/Function_ref.h>
+#include <CGAL/Region_segmentation/internal/surface/Added_adjacency.h>
 #include <CGAL/Region_segmentation/internal/surface/Raw_surface.h>
 #include <CGAL/Region_segmentation/internal/surface/compute_normals.h>
 
@@ -12,6 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -64,44 +66,29 @@ inline void collect_adjacencies(Raw_surface& raw, const Execution& execution)
                      for_each_block_of_output(execution, arrays.normals.size(), number_in, write));
 }
 
-/// An adjacency that is added to those across edges.
-struct Added_adjacency
-{
-  Surface::Index lower, higher;
-  double squared_length;
-  std::uint8_t flags;
-};
-
 /// Inserts adjacencies behind those of the same two faces.
-inline void insert_adjacencies(Surface& surface, const std::vector<Added_adjacency>& added)
+inline void insert_adjacencies(Surface& surface, std::vector<Added_adjacency> added)
 {
-  if (added.empty())
-    return;
-  using Index = Surface::Index;
-  const auto key = [](Index higher, Index lower) { return (std::uint64_t(higher) << 32) | lower; };
-  std::vector<std::pair<std::uint64_t, Index>> order; // in which to insert
-  for (const Added_adjacency& a : added)
-    order.push_back({key(a.higher, a.lower), Index(order.size())});
-  std::sort(order.data(), order.data() + order.size());
-
+  std::stable_sort(added.begin(), added.end());
   Surface_arrays& arrays = arrays_of(surface);
   std::size_t from = arrays.flags.size(), to = from + added.size();
   resize_adjacencies(arrays, to);
   for (std::size_t i = added.size(); i > 0;) {
     --to;
-    if (from > 0 &&
-        key(arrays.higher_faces[from - 1], arrays.lower_faces[from - 1]) > order[i - 1].first) {
+    const Added_adjacency& a = added[i - 1];
+    if (from > 0 && std::tie(a.higher, a.lower) <
+                      std::tie(arrays.higher_faces[from - 1], arrays.lower_faces[from - 1])) {
       --from;
       arrays.lower_faces[to] = arrays.lower_faces[from];
       arrays.higher_faces[to] = arrays.higher_faces[from];
       arrays.squared_lengths[to] = arrays.squared_lengths[from];
       arrays.flags[to] = arrays.flags[from];
     } else {
-      const Added_adjacency& a = added[order[--i].second];
       arrays.lower_faces[to] = a.lower;
       arrays.higher_faces[to] = a.higher;
       arrays.squared_lengths[to] = a.squared_length;
       arrays.flags[to] = a.flags;
+      --i;
       arrays.has_seams_or_links |= (a.flags & (Surface::SEAM | Surface::LINK)) != 0;
     }
   }

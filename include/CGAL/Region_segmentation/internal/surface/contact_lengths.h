@@ -4,7 +4,7 @@
 #define CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_CONTACT_LENGTHS_H
 
 #include <CGAL/Region_segmentation/Surface.h>
-#include <CGAL/Region_segmentation/internal/surface/Link.h>
+#include <CGAL/Region_segmentation/internal/surface/Added_adjacency.h>
 #include <CGAL/Region_segmentation/internal/surface/find_contacts.h>
 
 #include <algorithm>
@@ -149,26 +149,23 @@ inline Triangle_contact contact_of_components(const Surface& surface, const Cont
 /// more of them, with the face that it shares most with. The length of contact is divided among
 /// them as areas or lengths are.
 inline void add_links_of_pair(const Contact_sides& sides, const Triangle_contact& contact,
-                              std::vector<Link>& links)
+                              std::vector<Added_adjacency>& links)
 {
   const std::size_t k = contact.kind;
   const Contact_side&
     side = sides[sides[1].numbers_of_faces[k] > sides[0].numbers_of_faces[k] ? 1 : 0];
   for (const Contact_side::Face& f : side.faces)
-    if (f.sums[k] > 0) {
-      const Surface::Index g = f.partners[k];
-      links.push_back(
-        {(std::min)(f.face, g), (std::max)(f.face, g), f.sums[k] / side.sums[k] * contact.amount});
-    }
+    if (f.sums[k] > 0)
+      links.push_back(link_of(f.face, f.partners[k], f.sums[k] / side.sums[k] * contact.amount));
 }
 
 /// \pre the contacts are sorted by components, then by faces
-inline std::vector<Link> links_of_contacts(const Surface& surface,
-                                           const Partition& component_of_face,
-                                           const std::vector<double>& tolerances,
-                                           const std::vector<Face_contact>& contacts)
+inline std::vector<Added_adjacency> links_of_contacts(const Surface& surface,
+                                                      const Partition& component_of_face,
+                                                      const std::vector<double>& tolerances,
+                                                      const std::vector<Face_contact>& contacts)
 {
-  std::vector<Link> result;
+  std::vector<Added_adjacency> result;
   const auto components = [&](const Face_contact& c) {
     return std::make_pair(component_of_face[c.faces[0]], component_of_face[c.faces[1]]);
   };

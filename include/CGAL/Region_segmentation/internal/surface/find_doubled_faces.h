@@ -6,9 +6,10 @@
 #include <CGAL/Region_segmentation/internal/surface/Raw_surface.h>
 #include <CGAL/Region_segmentation/internal/surface/collect_adjacencies.h>
 
+#include <boost/functional/hash.hpp>
+
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -31,20 +32,14 @@ inline bool are_equal_faces(const Surface& s, Surface::Index f, Surface::Index g
   return is_same || is_reverse;
 }
 
-/// A number for the cycle of the vertices of a face, in either direction.
-inline std::uint64_t key_of_cycle(const Surface& s, Surface::Index f)
+/// A number for the sides of a face, whatever their order and directions.
+inline std::size_t key_of_sides(const Surface& s, Surface::Index f)
 {
-  const std::size_t n = s.number_of_corners(f);
-  std::uint64_t forward = 0, backward = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    forward = forward * 0x9E3779B97F4A7C15u + s.corner(f, i) + 1;
-    backward = backward * 0x9E3779B97F4A7C15u + s.corner(f, (n - i) % n) + 1;
-  }
-  const auto mixed = [](std::uint64_t x) {
-    x = (x ^ (x >> 29)) * 0xBF58476D1CE4E5B9u;
-    return x ^ (x >> 32);
-  };
-  return mixed(forward) + mixed(backward); // a sum of linear functions would be equal for many
+  std::size_t sum = 0;
+  for_each_side(s, f, [&](Surface::Index v, Surface::Index w) {
+    sum += boost::hash<std::pair<Surface::Index, Surface::Index>>()(std::minmax(v, w));
+  });
+  return sum;
 }
 
 /// Makes faces degenerate that were given before, in any orientation, and gives them an adjacency
@@ -54,10 +49,10 @@ inline void find_doubled_faces(Raw_surface& raw, std::vector<Added_adjacency>& a
 {
   using Index = Surface::Index;
   Surface_arrays& arrays = arrays_of(raw.surface);
-  std::vector<std::pair<std::uint64_t, Index>> keys; // of a cycle, and a face with it
+  std::vector<std::pair<std::size_t, Index>> keys; // and the face with it
   for (const auto& open : raw.open_sides)
     if (keys.empty() || keys.back().second != open.face)
-      keys.push_back({key_of_cycle(raw.surface, open.face), open.face});
+      keys.push_back({key_of_sides(raw.surface, open.face), open.face});
   std::sort(keys.data(), keys.data() + keys.size());
   std::vector<Index> originals; // of a key: several if it belongs to different faces
   for (std::size_t i = 0; i < keys.size(); ++i) {

@@ -8,12 +8,11 @@
 #include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/internal/support/part_areas.h>
 #include <CGAL/Region_segmentation/internal/surface/Component_tree.h>
-#include <CGAL/Region_segmentation/internal/surface/Link.h>
+#include <CGAL/Region_segmentation/internal/surface/Added_adjacency.h>
 #include <CGAL/Region_segmentation/internal/surface/contact_lengths.h>
 #include <CGAL/Region_segmentation/internal/surface/find_contacts.h>
 #include <CGAL/Region_segmentation/internal/surface/join_nearest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -34,26 +33,24 @@ inline std::vector<double> contact_tolerances(const Surface& surface,
   return result;
 }
 
-/// Links between components, sorted by their higher, then by their lower face: where they are in
-/// contact, with the length of contact, and between the nearest ones, with length 0, until all are
-/// connected.
+/// Links between components: where they are in contact, with the length of contact, and between the
+/// nearest ones, with length 0, until all are connected.
 ///
 /// \pre the surface has its edges and seams, and `component_of_face` is its connected components
 ///
 /// Nothing is done for one component. Otherwise O(F log F), see `Contact_finder` and
 /// `Nearest_joiner`.
-inline std::vector<Link> find_links(const Surface& surface, const Partition& component_of_face,
-                                    const Execution& execution)
+inline std::vector<Added_adjacency>
+find_links(const Surface& surface, const Partition& component_of_face, const Execution& execution)
 {
   if (component_of_face.number_of_parts() < 2)
     return {};
   const std::vector<double> tolerances = contact_tolerances(surface, component_of_face);
   Component_tree tree(surface, component_of_face, tolerances);
   Contact_finder finder(surface, tree, component_of_face);
-  std::vector<Link> links = links_of_contacts(surface, component_of_face, tolerances,
-                                              finder.find(execution.step(0, 0.5)));
+  std::vector<Added_adjacency> links = links_of_contacts(surface, component_of_face, tolerances,
+                                                         finder.find(execution.step(0, 0.5)));
   Nearest_joiner(tree, component_of_face, links).run(execution.step(0.5, 1));
-  std::sort(links.begin(), links.end());
   return links;
 }
 

@@ -7,7 +7,7 @@
 #include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/internal/support/Lowest_root_forest.h>
 #include <CGAL/Region_segmentation/internal/surface/Component_tree.h>
-#include <CGAL/Region_segmentation/internal/surface/Link.h>
+#include <CGAL/Region_segmentation/internal/surface/Added_adjacency.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -36,14 +36,15 @@ public:
   using Index = Surface::Index;
 
   /// `links`: components with a link are in one group
-  Nearest_joiner(Component_tree& tree, const Partition& component_of_face, std::vector<Link>& links)
+  Nearest_joiner(Component_tree& tree, const Partition& component_of_face,
+                 std::vector<Added_adjacency>& links)
     : m_tree(tree)
     , m_component_of(component_of_face)
     , m_links(links)
     , m_groups(component_of_face.number_of_parts())
     , m_number_of_groups(component_of_face.number_of_parts())
   {
-    for (const Link& l : links)
+    for (const Added_adjacency& l : links)
       unite(l.lower, l.higher);
   }
 
@@ -56,7 +57,7 @@ public:
       m_queue.pop();
       if (pair.is_of_faces) {
         if (unite(pair.a, pair.b)) {
-          m_links.push_back({pair.a, pair.b, 0});
+          m_links.push_back(link_of(pair.a, pair.b, 0));
           counter.advance();
         }
       } else if (!in_one_group(pair.a, pair.b)) {
@@ -122,7 +123,7 @@ private:
           most_pairs_of_component * m_component_of.number_of_parts() + most_pairs)
         m_queue.push(Pair(nearest));
       else if (unite(nearest.a, nearest.b))
-        m_links.push_back({nearest.a, nearest.b, 0});
+        m_links.push_back(link_of(nearest.a, nearest.b, 0));
       return;
     }
     const Index node = a == b ? a : node_of_components(a, b);
@@ -174,7 +175,7 @@ private:
 
   Component_tree& m_tree;
   const Partition& m_component_of;
-  std::vector<Link>& m_links;
+  std::vector<Added_adjacency>& m_links;
   Lowest_root_forest m_groups;                           // of components
   std::size_t m_number_of_groups, m_number_of_pairs = 0; // pairs of components that were compared
   std::vector<Index> m_members; // by node: a component, if all are known to be in one group

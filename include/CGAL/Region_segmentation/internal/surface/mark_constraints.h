@@ -28,10 +28,8 @@ inline void mark_constraints(const Surface& surface, std::vector<Vertex_pair> pa
   using Index = Surface::Index;
   if (pairs.empty())
     return;
-  Point_numbering number(arrays_of(surface).points, surface.number_of_vertices());
-  std::vector<Index> merged(surface.number_of_vertices());
-  for (Index v = 0; v < merged.size(); ++v)
-    merged[v] = number(v);
+  const std::vector<Index> merged = lowest_of_equal_points(arrays_of(surface).points,
+                                                           [](std::size_t) { return true; });
   const auto edge = [&](Index v, Index w) {
     return Vertex_pair(std::minmax(merged[v], merged[w]));
   };

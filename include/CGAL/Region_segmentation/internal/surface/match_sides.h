@@ -3,7 +3,6 @@
 #ifndef CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_MATCH_SIDES_H
 #define CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_MATCH_SIDES_H
 
-#include <CGAL/Region_segmentation/internal/support/Grouped_items.h>
 #include <CGAL/Region_segmentation/internal/surface/Raw_surface.h>
 #include <CGAL/Region_segmentation/internal/surface/compute_normals.h>
 #include <CGAL/Region_segmentation/internal/surface/collect_adjacencies.h>
@@ -11,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -24,6 +23,16 @@ struct Side_of_edge
 {
   Surface::Index lower_vertex, higher_vertex, face, corner;
   bool is_forward; ///< whether the boundary of the face runs from the lower to the higher vertex
+
+  std::pair<Surface::Index, Surface::Index> vertices() const
+  {
+    return {lower_vertex, higher_vertex};
+  }
+  friend bool operator<(const Side_of_edge& a, const Side_of_edge& b)
+  {
+    return std::tie(a.lower_vertex, a.higher_vertex, a.corner) <
+           std::tie(b.lower_vertex, b.higher_vertex, b.corner);
+  }
 };
 
 /// The side that leaves a corner of a face.
@@ -61,17 +70,17 @@ public:
   /// Sets the neighbors of open sides, and collects the seams.
   void match()
   {
-    Grouped_items<Vertices_and_side> slices = open_sides_in_slices();
-    std::vector<Side_of_edge> sides; // of an edge
-    for (std::size_t slice = 0; slice < slices.number_of_groups(); ++slice) {
-      const auto in_slice = slices[slice];
-      std::sort(in_slice.begin(), in_slice.end());
-      for (auto side = in_slice.begin(); side != in_slice.end();) {
-        sides.clear();
-        for (const auto edge = side->first; side != in_slice.end() && side->first == edge; ++side)
-          sides.push_back(side_at(m_arrays, m_raw.open_sides[side->second]));
-        match_edge(sides);
-      }
+    std::vector<Side_of_edge> open;
+    for (const Raw_surface::Open_side& at : m_raw.open_sides)
+      if (const Side_of_edge side = side_at(m_arrays, at);
+          side.lower_vertex != side.higher_vertex && is_open(at))
+        open.push_back(side);
+    std::sort(open.begin(), open.end());
+    for (auto side = open.begin(); side != open.end();) {
+      const auto first = side;
+      while (side != open.end() && side->vertices() == first->vertices())
+        ++side;
+      match_edge({first, side});
     }
     m_raw.open_sides.erase(std::remove_if(m_raw.open_sides.begin(), m_raw.open_sides.end(),
                                           [&](const auto& open) { return !is_open(open); }),
@@ -87,22 +96,6 @@ private:
   bool is_open(const Raw_surface::Open_side& open) const
   {
     return m_raw.neighbors[open.side] == Raw_surface::none;
-  }
-
-  /// The lower and the higher vertex of an open side as one number, and its index.
-  using Vertices_and_side = std::pair<std::uint64_t, Index>;
-
-  /// Of the range of the lower vertices; as many as there are sides.
-  Grouped_items<Vertices_and_side> open_sides_in_slices() const
-  {
-    const std::size_t size = m_raw.open_sides.size();
-    return grouped<Vertices_and_side>(size, [&](const auto& add) {
-      for (Index i = 0; i < size; ++i)
-        if (const Side_of_edge side = side_at(m_arrays, m_raw.open_sides[i]);
-            side.lower_vertex != side.higher_vertex && is_open(m_raw.open_sides[i]))
-          add(side.lower_vertex * std::uint64_t(size) / m_arrays.points.size(),
-              {(std::uint64_t(side.lower_vertex) << 32) | side.higher_vertex, i});
-    });
   }
 
   /// \pre the sides are in order

@@ -54,21 +54,9 @@ inline std::vector<Component_volume> component_volumes(const Raw_surface& raw,
   for (const Seam& seam : seams)
     for (const Surface::Index face : {seam.face, seam.other_face})
       components[component_of[face]].has_seam = true;
-  bool is_any_without_border = false;
-  for (const Component_volume& c : components)
-    is_any_without_border = is_any_without_border || !c.has_border;
-  if (!is_any_without_border)
-    return components;
-  for (std::size_t f = 0; f < component_of.size();) {
-    Component_volume c = components[component_of[f]]; // a copy is in registers
-    const auto part = component_of[f];
-    if (c.has_border)
-      ++f;
-    else
-      for (; f < component_of.size() && component_of[f] == part; ++f)
-        c.add_face(raw.surface, f);
-    components[part] = c;
-  }
+  for (std::size_t f = 0; f < component_of.size(); ++f)
+    if (Component_volume& c = components[component_of[f]]; !c.has_border)
+      c.add_face(raw.surface, f);
   return components;
 }
 
@@ -88,18 +76,16 @@ inline void orient_components(Raw_surface& raw, const Partition& component_of,
   }
   if (!is_any_inside_out)
     return;
-  if (components.size() > 1) {
-    const std::vector<Surface::Index> outermost = outermost_of(raw.surface, component_of,
-                                                               is_closed);
-    const std::vector<bool> by_itself = is_inside_out;
-    for (std::size_t c = 0; c < components.size(); ++c)
-      is_inside_out[c] = is_closed[c] && by_itself[outermost[c]];
-  }
+  const std::vector<Surface::Index> outermost = outermost_of(raw.surface, component_of, is_closed);
+  const auto is_turned = [&](std::size_t face) {
+    const Surface::Index c = component_of[face];
+    return is_closed[c] && is_inside_out[outermost[c]];
+  };
   for (std::size_t f = 0; f < component_of.size(); ++f)
-    if (is_inside_out[component_of[f]])
+    if (is_turned(f))
       turn_face(raw, f);
   for (std::size_t a = 0; a < arrays.flags.size(); ++a)
-    if (is_inside_out[component_of[arrays.lower_faces[a]]] &&
+    if (is_turned(arrays.lower_faces[a]) &&
         (arrays.flags[a] & (Surface::CONVEX | Surface::CONCAVE)))
       arrays.flags[a] ^= Surface::CONVEX | Surface::CONCAVE;
 }
