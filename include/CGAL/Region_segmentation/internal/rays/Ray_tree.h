@@ -9,6 +9,7 @@
 #include <CGAL/Region_segmentation/internal/rays/Four_triangles.h>
 #include <CGAL/Region_segmentation/internal/rays/Ray_leaves.h>
 #include <CGAL/Region_segmentation/internal/support/Float_key.h>
+#include <CGAL/Region_segmentation/internal/surface/Axis_box.h>
 
 #include <boost/config.hpp>
 
@@ -56,7 +57,7 @@ public:
     const auto make = [&](std::size_t, std::size_t begin, std::size_t end) {
       for (std::size_t leaf = begin; leaf < end; ++leaf) {
         boxes[leaf] = box_of(mesh, leaf);
-        items[leaf] = {boxes[leaf].center(), Index(leaf)};
+        items[leaf] = {center_of(boxes[leaf]), Index(leaf)};
       }
     };
     for_each_block(execution.step(0.3, 0.6), items.size(), make, 256);
@@ -99,31 +100,7 @@ public:
 private:
   static constexpr std::size_t width = 4;
 
-  /// Empty until a point is added; coordinates that are not numbers are ignored.
-  struct Box
-  {
-    Float_3 low = all((std::numeric_limits<float>::max)()),
-            high = all(std::numeric_limits<float>::lowest());
-
-    static Float_3 all(float x) { return {x, x, x}; }
-
-    /// Finite.
-    Float_3 center() const
-    {
-      Float_3 c;
-      for (std::size_t k = 0; k < 3; ++k)
-        c[k] = std::isfinite(low[k] + high[k]) ? (low[k] + high[k]) / 2 : 0;
-      return c;
-    }
-
-    void add(const Float_3& a, const Float_3& b)
-    {
-      for (std::size_t k = 0; k < 3; ++k) {
-        low[k] = a[k] < low[k] ? a[k] : low[k];
-        high[k] = b[k] > high[k] ? b[k] : high[k];
-      }
-    }
-  };
+  using Box = Axis_box_of<float>;
 
   /// A leaf to be sorted into the tree.
   struct Item
@@ -159,11 +136,11 @@ private:
     m_leaves.for_each_triangle(mesh, leaf,
                                [&](const Float_3& p, const Float_3& q, const Float_3& r, Index) {
                                  for (const Float_3* c : {&p, &q, &r})
-                                   box.add(*c, *c);
+                                   box.add_point(*c);
                                });
     if (!(box.low[0] <= box.high[0])) { // of crumbs alone
       constexpr Float_3 origin{0, 0, 0};
-      box.add(origin, origin);
+      box.add_point(origin);
     }
     float extent = float(mesh.length_unit() / m_unit);
     for (std::size_t k = 0; k < 3; ++k)
@@ -173,6 +150,15 @@ private:
       box.high[k] += margin * extent;
     }
     return box;
+  }
+
+  /// Finite.
+  static Float_3 center_of(const Box& box)
+  {
+    Float_3 c;
+    for (std::size_t k = 0; k < 3; ++k)
+      c[k] = std::isfinite(box.low[k] + box.high[k]) ? (box.low[k] + box.high[k]) / 2 : 0;
+    return c;
   }
 
   /// Adds a node for some items, and its descendants: halves of halves along the axis on which the
@@ -200,7 +186,7 @@ private:
         m_nodes[n].bounds[1][k][i] = box.high[k];
       }
       m_nodes[n].child[i] = child;
-      all.add(box.low, box.high);
+      all.add(box);
     }
     return all;
   }
@@ -210,11 +196,8 @@ private:
     Item* const middle = first + (last - first) / 2;
     Box centers;
     for (const Item* item = first; item != last; ++item)
-      centers.add(item->center, item->center);
-    const auto side = [&](std::size_t k) { return centers.high[k] - centers.low[k]; };
-    const std::size_t axis = side(0) >= side(1) && side(0) >= side(2) ? 0
-                             : side(1) >= side(2)                     ? 1
-                                                                      : 2;
+      centers.add_point(item->center);
+    const std::size_t axis = centers.longest_axis();
     std::nth_element(first, middle, last, [axis](const Item& a, const Item& b) {
       return a.center[axis] < b.center[axis];
     });
@@ -243,29 +226,20 @@ private:
   /// Where a ray enters the boxes of children; infinite where it does not.
   BOOST_NOINLINE static Lanes entries_of(const Node& node, const Ray& ray)
   {
-    const auto bounds = [&](std::size_t k, std::size_t side) {
-      return node.bounds[side][k].data();
-    };
-    const auto [entered_x, entered_y, entered_z] = ray.entered;
-    const float *near_x = bounds(0, entered_x), *near_y = bounds(1, entered_y),
-                *near_z = bounds(2, entered_z);
-    const float *far_x = bounds(0, 1 - entered_x), *far_y = bounds(1, 1 - entered_y),
-                *far_z = bounds(2, 1 - entered_z);
-    const auto [source_x, source_y, source_z] = ray.source;
-    const auto [inverse_x, inverse_y, inverse_z] = ray.inverse;
-    Lanes entries;
-    for (std::size_t i = 0; i < width; ++i) {
-      // One that is not a number (0 * infinity) is ignored.
-      const auto larger = [](float a, float b) { return a > b ? a : b; };
-      const auto smaller = [](float a, float b) { return a < b ? a : b; };
-      float in = larger((near_x[i] - source_x) * inverse_x, 0);
-      in = larger((near_y[i] - source_y) * inverse_y, in);
-      in = larger((near_z[i] - source_z) * inverse_z, in);
-      float out = smaller((far_x[i] - source_x) * inverse_x, ray.distance);
-      out = smaller((far_y[i] - source_y) * inverse_y, out);
-      out = smaller((far_z[i] - source_z) * inverse_z, out);
-      entries[i] = in <= out ? in : std::numeric_limits<float>::infinity();
+    // What is not a number (0 * infinity) is ignored.
+    const auto larger = [](float a, float b) { return a > b ? a : b; };
+    const auto smaller = [](float a, float b) { return a < b ? a : b; };
+    Lanes in{}, out, entries;
+    out.fill(ray.distance);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Lanes &near = node.bounds[ray.entered[k]][k], &far = node.bounds[1 - ray.entered[k]][k];
+      for (std::size_t i = 0; i < width; ++i) {
+        in[i] = larger((near[i] - ray.source[k]) * ray.inverse[k], in[i]);
+        out[i] = smaller((far[i] - ray.source[k]) * ray.inverse[k], out[i]);
+      }
     }
+    for (std::size_t i = 0; i < width; ++i)
+      entries[i] = in[i] <= out[i] ? in[i] : std::numeric_limits<float>::infinity();
     return entries;
   }
 

@@ -14,36 +14,35 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// An axis-parallel box; empty by default.
-struct Axis_box
+/// An axis-parallel box; empty by default. Coordinates that are not numbers are ignored.
+template <typename Number>
+struct Axis_box_of
 {
-  std::array<double, 3> low = all(std::numeric_limits<double>::infinity());
-  std::array<double, 3> high = all(-std::numeric_limits<double>::infinity());
+  using Coordinates = std::array<Number, 3>;
 
-  static constexpr std::array<double, 3> all(double x) { return {x, x, x}; }
+  Coordinates low = all(std::numeric_limits<Number>::infinity());
+  Coordinates high = all(-std::numeric_limits<Number>::infinity());
 
-  void add(const Double_3& p)
-  {
-    const double c[3] = {p.x, p.y, p.z};
-    for (std::size_t i = 0; i < 3; ++i) {
-      low[i] = (std::min)(low[i], c[i]);
-      high[i] = (std::max)(high[i], c[i]);
-    }
-  }
-  void add(const Axis_box& b)
+  static constexpr Coordinates all(Number x) { return {x, x, x}; }
+
+  void add_point(const Coordinates& p) { add({p, p}); }
+  void add(const Axis_box_of& b)
   {
     for (std::size_t i = 0; i < 3; ++i) {
       low[i] = (std::min)(low[i], b.low[i]);
       high[i] = (std::max)(high[i], b.high[i]);
     }
   }
-  double extent(std::size_t axis) const { return high[axis] - low[axis]; }
+  Number extent(std::size_t axis) const { return high[axis] - low[axis]; }
+  Number center(std::size_t axis) const { return low[axis] + extent(axis) / 2; }
   std::size_t longest_axis() const
   {
     const std::size_t axis = extent(1) > extent(0) ? 1 : 0;
     return extent(2) > extent(axis) ? 2 : axis;
   }
 };
+
+using Axis_box = Axis_box_of<double>;
 
 inline double squared_gap(const Axis_box& a, const Axis_box& b)
 {
@@ -61,7 +60,7 @@ Axis_box box_of(const Points& points)
 {
   Axis_box result;
   for (const Double_3& p : points)
-    result.add(p);
+    result.add_point({p.x, p.y, p.z});
   return result;
 }
 

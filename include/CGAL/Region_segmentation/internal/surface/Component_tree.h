@@ -159,7 +159,7 @@ private:
   Index split(const Node& n)
   {
     const std::size_t axis = n.box.longest_axis();
-    const double middle = n.box.low[axis] + n.box.extent(axis) / 2;
+    const double middle = n.box.center(axis);
     const auto begin = m_items.begin() + n.begin, end = m_items.begin() + n.end;
     const auto at = std::partition(begin, end,
                                    [&](Index i) { return center(n, i, axis) < middle; });
@@ -175,16 +175,11 @@ private:
   double center(const Node& n, Index i, std::size_t axis) const
   {
     if (n.component == none)
-      return m_boxes[i].low[axis] + m_boxes[i].extent(axis) / 2;
+      return m_boxes[i].center(axis);
     double sum = 0;
-    for (const Index v : m_parts.all()[i].corners)
-      sum += coordinate(m_surface.point(v), axis);
+    for (const Double_3& p : triangle(m_parts.all()[i]))
+      sum += std::array{p.x, p.y, p.z}[axis];
     return sum / 3;
-  }
-
-  static double coordinate(const Double_3& p, std::size_t axis)
-  {
-    return axis == 0 ? p.x : axis == 1 ? p.y : p.z;
   }
 
   void add_node_of_components(Index begin, Index end)

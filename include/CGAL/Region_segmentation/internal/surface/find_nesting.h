@@ -13,6 +13,7 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <map>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -37,46 +38,35 @@ public:
     : m_is_closed(is_closed)
     , m_tree(surface, component_of_face)
     , m_boxes(is_closed.size())
-    , m_queries(number_of_orders * is_closed.size(), Double_3{infinity, infinity, infinity})
+    , m_extreme_points(is_closed.size(),
+                       Extreme_points{all(infinity), all(infinity), all(infinity)})
   {
     for (std::size_t f = 0; f < component_of_face.size(); ++f)
       if (is_closed[component_of_face[f]])
         for (std::size_t i = 0; i < surface.number_of_corners(f); ++i)
           add_point(component_of_face[f], surface.point(surface.corner(f, i)));
-    for (Index q = 0; q < m_queries.size(); ++q)
-      if (is_closed[q / number_of_orders])
-        find_crossings(q, Component_tree::root());
   }
 
   /// For each component the outermost closed one that contains it, itself if there is none.
   std::vector<Index> outermost()
   {
-    std::vector<Index> result(m_boxes.size());
-    const std::vector<Pair> pairs = containments();
-    const auto size = [&](Index c) {
-      return m_boxes[c].extent(0) + m_boxes[c].extent(1) + m_boxes[c].extent(2);
-    };
-    std::vector<std::pair<double, Index>> largest_first;
+    std::vector<Index> container;
     for (Index c = 0; c < m_boxes.size(); ++c)
-      largest_first.push_back({-size(c), c});
-    std::sort(largest_first.data(), largest_first.data() + largest_first.size());
-    for (const auto& [minus_size, c] : largest_first) {
-      // A container has the larger box, so its result is known.
-      const auto first = std::lower_bound(pairs.begin(), pairs.end(), std::make_pair(c, Index(0)));
-      Index largest = c;
-      for (auto p = first; p != pairs.end() && p->first == c; ++p)
-        if (largest == c || size(p->second) > size(largest))
-          largest = p->second;
-      result[c] = largest == c ? c : result[largest];
+      container.push_back(m_is_closed[c] ? largest_container(c) : c);
+    std::vector<Index> result;
+    for (Index c : container) {
+      while (container[c] != c) // ends: the box of a container is larger
+        c = container[c];
+      result.push_back(c);
     }
     return result;
   }
 
 private:
-  using Pair = std::pair<Index, Index>;
-
   static constexpr std::size_t number_of_orders = 3;
+  using Extreme_points = std::array<Double_3, number_of_orders>;
   static constexpr double infinity = std::numeric_limits<double>::infinity();
+  static constexpr Double_3 all(double x) { return {x, x, x}; }
 
   static std::array<double, 3> in_order(const Double_3& p, std::size_t order)
   {
@@ -87,9 +77,9 @@ private:
 
   void add_point(Index component, const Double_3& p)
   {
-    m_boxes[component].add(p);
+    m_boxes[component].add_point({p.x, p.y, p.z});
     for (std::size_t order = 0; order < number_of_orders; ++order) {
-      Double_3& lowest = m_queries[number_of_orders * component + order];
+      Double_3& lowest = m_extreme_points[component][order];
       if (in_order(p, order) < in_order(lowest, order))
         lowest = p;
     }
@@ -105,26 +95,44 @@ private:
     return is_inside;
   }
 
-  /// Of the triangles of a node above a query, in components in which that of the query may be.
-  void find_crossings(Index query, Index node)
+  /// Of those with the largest box the lowest, itself if there is none.
+  Index largest_container(Index component)
+  {
+    std::map<Index, std::array<bool, number_of_orders>> contains; // by component: the points
+    for (std::size_t order = 0; order < number_of_orders; ++order)
+      for_each_crossing(component, m_extreme_points[component][order], Component_tree::root(),
+                        [&](Index c) { contains[c][order] = !contains[c][order]; });
+    const auto size = [&](Index c) {
+      return m_boxes[c].extent(0) + m_boxes[c].extent(1) + m_boxes[c].extent(2);
+    };
+    Index result = component;
+    for (const auto& [c, points] : contains)
+      if (std::count(points.begin(), points.end(), true) * 2 > std::ptrdiff_t(number_of_orders) &&
+          (result == component || size(c) > size(result)))
+        result = c;
+    return result;
+  }
+
+  /// Calls `f(component)` for the triangles of a node above a point, in components in which that of
+  /// the point may be.
+  void for_each_crossing(Index inner, const Double_3& at, Index node, Function_ref<void(Index)> f)
   {
     const Axis_box& box = m_tree[node].box;
     const Index component = m_tree[node].component;
-    const Double_3& at = m_queries[query];
     if (!(at.x >= box.low[0] && at.x <= box.high[0] && at.y >= box.low[1] && at.y <= box.high[1]))
       return;
     if (component != Component_tree::none &&
-        !(m_is_closed[component] && is_smaller(query / number_of_orders, component)))
+        !(m_is_closed[component] && is_smaller(inner, component)))
       return;
     if (m_tree.is_leaf(node)) {
       for (Index i = m_tree[node].begin; i < m_tree[node].end; ++i)
         if (is_above_point(m_tree.triangle(m_tree.part(i)), at))
-          m_crossings.push_back({query, component});
+          f(component);
       return;
     }
     const Index child = m_tree.children(node);
-    find_crossings(query, child);
-    find_crossings(query, child + 1);
+    for_each_crossing(inner, at, child, f);
+    for_each_crossing(inner, at, child + 1, f);
   }
 
   /// Whether the segment p, q in the plane passes the point on the side of larger y.
@@ -145,38 +153,10 @@ private:
     return n.z != 0 && t[0].z - (n.x * d.x + n.y * d.y) / n.z > at.z;
   }
 
-  /// Pairs of a component and one that contains it, sorted.
-  std::vector<Pair> containments()
-  {
-    std::vector<Pair> votes, result;
-    for_each_repeated(m_crossings, [&](const Pair& crossing, std::size_t number) {
-      if (number % 2 == 1)
-        votes.push_back({crossing.first / Index(number_of_orders), crossing.second});
-    });
-    for_each_repeated(votes, [&](const Pair& vote, std::size_t number) {
-      if (number * 2 > number_of_orders)
-        result.push_back(Pair(vote));
-    });
-    return result;
-  }
-
-  /// Sorts pairs, and calls `f(pair, number)` for different ones, with how often each is there.
-  static void for_each_repeated(std::vector<Pair>& pairs,
-                                Function_ref<void(const Pair&, std::size_t)> f)
-  {
-    std::sort(pairs.data(), pairs.data() + pairs.size());
-    for (auto first = pairs.begin(); first != pairs.end();) {
-      const auto past = std::upper_bound(first, pairs.end(), *first);
-      f(*first, std::size_t(past - first));
-      first = past;
-    }
-  }
-
   const std::vector<bool>& m_is_closed;
   Component_tree m_tree;
-  std::vector<Axis_box> m_boxes;   // by component
-  std::vector<Double_3> m_queries; // three for each component; infinite for open ones
-  std::vector<Pair> m_crossings;   // a query and a component with a face above it
+  std::vector<Axis_box> m_boxes;                // by component
+  std::vector<Extreme_points> m_extreme_points; // by component; infinite for open ones
 };
 
 /// For each component the outermost closed one that contains it, itself if there is none or if it

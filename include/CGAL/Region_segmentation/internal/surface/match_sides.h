@@ -3,9 +3,12 @@
 #ifndef CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_MATCH_SIDES_H
 #define CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_MATCH_SIDES_H
 
+#include <CGAL/Region_segmentation/internal/support/Grouped_items.h>
 #include <CGAL/Region_segmentation/internal/surface/Raw_surface.h>
 #include <CGAL/Region_segmentation/internal/surface/compute_normals.h>
 #include <CGAL/Region_segmentation/internal/surface/collect_adjacencies.h>
+
+#include <CGAL/Iterator_range.h>
 
 #include <algorithm>
 #include <cmath>
@@ -24,10 +27,6 @@ struct Side_of_edge
   Surface::Index lower_vertex, higher_vertex, face, corner;
   bool is_forward; ///< whether the boundary of the face runs from the lower to the higher vertex
 
-  std::pair<Surface::Index, Surface::Index> vertices() const
-  {
-    return {lower_vertex, higher_vertex};
-  }
   friend bool operator<(const Side_of_edge& a, const Side_of_edge& b)
   {
     return std::tie(a.lower_vertex, a.higher_vertex, a.corner) <
@@ -70,17 +69,21 @@ public:
   /// Sets the neighbors of open sides, and collects the seams.
   void match()
   {
-    std::vector<Side_of_edge> open;
-    for (const Raw_surface::Open_side& at : m_raw.open_sides)
-      if (const Side_of_edge side = side_at(m_arrays, at);
-          side.lower_vertex != side.higher_vertex && is_open(at))
-        open.push_back(side);
-    std::sort(open.begin(), open.end());
-    for (auto side = open.begin(); side != open.end();) {
-      const auto first = side;
-      while (side != open.end() && side->vertices() == first->vertices())
-        ++side;
-      match_edge({first, side});
+    auto by_vertex = grouped<Side_of_edge>(m_arrays.points.size(), [&](const auto& add) {
+      for (const Raw_surface::Open_side& at : m_raw.open_sides)
+        if (const Side_of_edge side = side_at(m_arrays, at);
+            side.lower_vertex != side.higher_vertex && is_open(at))
+          add(side.lower_vertex, side);
+    });
+    for (std::size_t v = 0; v < by_vertex.number_of_groups(); ++v) {
+      const auto sides = by_vertex[v];
+      std::sort(sides.begin(), sides.end());
+      for (const Side_of_edge *first = sides.begin(), *past = first; first != sides.end();
+           first = past) {
+        while (past != sides.end() && past->higher_vertex == first->higher_vertex)
+          ++past;
+        match_edge(first, past);
+      }
     }
     m_raw.open_sides.erase(std::remove_if(m_raw.open_sides.begin(), m_raw.open_sides.end(),
                                           [&](const auto& open) { return !is_open(open); }),
@@ -98,16 +101,17 @@ private:
     return m_raw.neighbors[open.side] == Raw_surface::none;
   }
 
-  /// \pre the sides are in order
-  void match_edge(const std::vector<Side_of_edge>& sides)
+  /// \pre the sides of the edge are in order
+  void match_edge(const Side_of_edge* first, const Side_of_edge* past)
   {
-    if (sides.size() == 2)
-      return join(sides[0], sides[1]);
+    if (past - first == 2)
+      return join(first[0], first[1]);
+    const CGAL::Iterator_range sides(first, past);
     m_proper.clear();
     for (const Side_of_edge& s : sides)
       if (!m_raw.surface.is_degenerate(s.face))
         m_proper.push_back(s);
-    const Side_of_edge base = m_proper.empty() ? sides.front() : m_proper.front();
+    const Side_of_edge base = m_proper.empty() ? *first : m_proper.front();
     for (const Side_of_edge& s : sides)
       if (s.corner != base.corner && m_raw.surface.is_degenerate(s.face) && s.face != base.face)
         add_seam(base, s, 1);
