@@ -2,6 +2,7 @@
 
 #include "segments.h"
 
+#include <CGAL/Region_segmentation/Segments/close_segments.h>
 #include <CGAL/Region_segmentation/Segments/describe_segments.h>
 #include <CGAL/Region_segmentation/internal/segments/Primitive_fitter.h>
 
@@ -203,6 +204,27 @@ TEST(Describe_segments_test, volumes_add_up_where_three_segments_meet)
         }
         for (std::size_t& label : labels)
           label = label == std::size_t(-1) ? 0 : label;
+      }
+    }
+}
+
+TEST(Describe_segments_test, volumes_are_those_of_closed_segments)
+{
+  using Piece = RS::Segment_piece<Surface_mesh, Surface_mesh, std::size_t>;
+  for (Family family : {Family::SPHERE, Family::SHEET, Family::TORUS, Family::BLOCKS})
+    for (unsigned seed = 1; seed <= 3; ++seed) {
+      SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
+      const Soup soup = triangulated(mapped(random_mesh(family, seed), moved));
+      const Labels labels = random_labels(soup, 5, seed);
+      const std::vector<Description> found = descriptions_of(soup, labels);
+      const Surface_mesh mesh = to_surface_mesh(soup);
+      std::vector<Piece> solids;
+      RS::close_segments(mesh, face_labels(mesh, labels), std::back_inserter(solids));
+      ASSERT_EQ(solids.size(), found.size());
+      for (std::size_t i = 0; i < solids.size(); ++i) {
+        EXPECT_EQ(solids[i].segment, found[i].segment);
+        EXPECT_NEAR(CGAL::Polygon_mesh_processing::volume(solids[i].mesh), found[i].volume,
+                    1e-6 * std::pow(found[i].area, 1.5));
       }
     }
 }

@@ -39,17 +39,10 @@ struct Segment_description
   std::size_t number_of_faces = 0;
   double area = 0; ///< degenerate faces included
 
-  /// The volume enclosed by the segment and its caps; negative for a cavity.
-  ///
-  /// Border edges that share vertices, of any segments and of the mesh, form a network; its apex is
-  /// the mean of its vertices. The cap of a segment consists of the triangles between the edges of
-  /// its border and their apices. Two segments at an edge have the same triangle there, oppositely
-  /// oriented; so the volumes of all segments, and of the faces without a segment, add up to the
-  /// volume of the mesh. Where one loop separates two segments, the apex is its middle. Where
-  /// borders meet, as around the faces of a machine part, segments are pyramids to a common apex.
-  ///
-  /// A closed surface that is inside out is read as if it were not, see `make_surface()`. The
-  /// borders of an open surface have caps, too.
+  /// The volume enclosed by the segment and its caps; negative for a cavity. The caps are those of
+  /// `close_segments()`, so the volumes of all segments, and of the faces without a segment, add up
+  /// to the volume of the mesh; the borders of an open mesh have caps, too. A closed component that
+  /// is inside out is read as if it were not, see `make_surface()`.
   double volume = 0;
   /// The part of the volume of the mesh; 0 if that is below 1e-12 of its area to the power of 3/2.
   double volume_share = 0;

@@ -161,7 +161,7 @@ std::size_t close_segments(const FaceGraph& mesh, const FaceSegmentMap& segment_
   const double unit = internal::unit_of_coordinates(largest);
   for (Double_3& p : positions)
     p = {p.x / unit, p.y / unit, p.z / unit};
-  const internal::Segment_caps caps(segmented, std::move(positions));
+  const internal::Segment_caps caps(segmented, std::move(positions), [](auto) { return false; });
   const internal::Closed_segments closed(segmented, caps);
   const internal::Elements_of_solids<FaceGraph, std::decay_t<decltype(points)>> elements{
     {mesh, segmented.descriptors, points},

@@ -38,18 +38,26 @@ class Segment_caps
 public:
   using Index = Halfedge_table::Index;
 
-  /// `points`: by vertex of the mesh
-  Segment_caps(const Segmented_halfedges& mesh, std::vector<Double_3> points)
+  /// `points`: by vertex of the mesh. `is_turned(face)`: whether a face is read the other way round
+  template <typename IsTurned>
+  Segment_caps(const Segmented_halfedges& mesh, std::vector<Double_3> points,
+               const IsTurned& is_turned)
     : m_mesh(mesh)
     , m_points(std::move(points))
   {
-    collect_border_edges();
+    collect_border_edges(is_turned);
     join_junctions();
     for (const auto& [pair, edges] : m_edges)
       trace_polygons(pair, edges);
     place_centers();
     for (const Polygon& polygon : m_polygons)
       fill(polygon);
+  }
+
+  /// The number of a segment in a cap: that of the faces without one is above all.
+  Index numbered(Index segment) const
+  {
+    return segment == m_mesh.none ? Index(m_mesh.number_of_segments) : segment;
   }
 
   const std::vector<Cap_triangle>& triangles() const { return m_triangles; }
@@ -81,22 +89,23 @@ private:
     Double_3 position() const { return length > 0 ? 1 / length * sum : last; }
   };
 
-  Index numbered(Index segment) const
-  {
-    return segment == m_mesh.none ? Index(m_mesh.number_of_segments) : segment;
-  }
   Index numbered_across(Index h) const
   {
     return m_mesh.opposite[h] == m_mesh.none ? Index(m_mesh.number_of_segments + 1)
                                              : numbered(m_mesh.segment_across(h));
   }
 
-  void collect_border_edges()
+  template <typename IsTurned>
+  void collect_border_edges(const IsTurned& is_turned)
   {
     for (Index h = 0; h < m_mesh.size(); ++h)
       if (const Pair pair(numbered(m_mesh.segment(h)), numbered_across(h));
-          pair.first < pair.second)
-        m_edges[pair].emplace(m_mesh.source[h], m_mesh.target(h));
+          pair.first < pair.second) {
+        Index from = m_mesh.source[h], to = m_mesh.target(h);
+        if (is_turned(m_mesh.face[h]))
+          std::swap(from, to);
+        m_edges[pair].emplace(from, to);
+      }
   }
 
   /// By a center for each network of border edges with junctions.

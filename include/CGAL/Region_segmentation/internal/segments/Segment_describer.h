@@ -162,7 +162,7 @@ private:
   {
     Primitive_fitter fitter(m_faces[segment].size());
     for_each_face(segment, center, size, [&](Index f, const Points& corners) {
-      fitter.add_face(corners, to_eigen(m_geometry.normal(f)), norm(m_geometry.area_vector(f)));
+      fitter.add_face(corners, to_eigen(m_geometry.normal(f)), m_geometry.surface().area(f));
     });
     const Fitted_surface surface = fitter.fit();
     const double unit = m_geometry.unit();
@@ -190,7 +190,7 @@ private:
     const std::vector<double> volumes = segment_volumes(m_segmented, m_geometry);
     double area = 0, volume = 0;
     for (Index f = 0; f < m_segmented.number_of_faces(); ++f)
-      area += norm(m_geometry.area_vector(f));
+      area += m_geometry.surface().area(f);
     for (double v : volumes)
       volume += v;
     for (std::size_t s = 0; s < m_descriptions.size(); ++s) {

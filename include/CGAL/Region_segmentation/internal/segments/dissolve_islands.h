@@ -65,7 +65,7 @@ inline void dissolve_islands(const Halfedge_table& mesh, const Mesh_geometry& ge
   std::vector<double> areas(components.number_of_parts(), 0);
   std::vector<Index> labels(components.number_of_parts());
   for (Index f = 0; f < components.size(); ++f) {
-    areas[components[f]] += norm(geometry.area_vector(f));
+    areas[components[f]] += geometry.surface().area(f);
     labels[components[f]] = label_of_face[f];
   }
   std::vector<char> is_island = find_islands(labels, areas, numbers);
