@@ -4,7 +4,6 @@
 
 #include <CGAL/Region_segmentation/Segments/close_segments.h>
 #include <CGAL/Region_segmentation/Segments/describe_segments.h>
-#include <CGAL/Region_segmentation/internal/segments/Primitive_fitter.h>
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polyhedron_3.h>
@@ -310,9 +309,9 @@ TEST(Describe_segments_test, agrees_with_cgal_on_random_meshes)
 TEST(Describe_segments_test, finds_a_plane)
 {
   const Description d = description_of(mapped(grid(7, 4), moved));
-  EXPECT_EQ(d.primitive.type, RS::Primitive_type::PLANE);
-  EXPECT_NEAR(d.primitive.error, 0, 1e-9);
-  expect_near(d.primitive.direction, moved_direction({0, 0, 1}), 1e-9);
+  EXPECT_EQ(d.surface.kind, RS::Surface_kind::PLANE);
+  EXPECT_NEAR(d.surface_error(), 0, 1e-9);
+  expect_near(d.surface.direction, moved_direction({0, 0, 1}), 1e-9);
   EXPECT_NEAR(d.extents[0], 7, 1e-9);
   EXPECT_NEAR(d.extents[2], 0, 1e-9);
 }
@@ -323,19 +322,18 @@ TEST(Describe_segments_test, the_normal_of_a_plane_points_to_the_side_of_most_fa
   const Soup sheet = mapped(grid(9, 4), [](const Point& p) {
     return moved({p[0], p[1], int(p[0]) % 2 == 0 ? 0. : 0.1});
   });
-  ASSERT_EQ(description_of(sheet).primitive.type, RS::Primitive_type::PLANE);
-  EXPECT_GT(description_of(sheet).primitive.direction * moved_direction({0, 0, 1}), 0.99);
-  EXPECT_LT(description_of(reversed(sheet)).primitive.direction * moved_direction({0, 0, 1}),
-            -0.99);
+  ASSERT_EQ(description_of(sheet).surface.kind, RS::Surface_kind::PLANE);
+  EXPECT_GT(description_of(sheet).surface.direction * moved_direction({0, 0, 1}), 0.99);
+  EXPECT_LT(description_of(reversed(sheet)).surface.direction * moved_direction({0, 0, 1}), -0.99);
 }
 
 TEST(Describe_segments_test, finds_nothing_but_a_plane_where_all_points_are_on_it)
 {
   const Description d = description_of(grid(7, 4));
-  EXPECT_EQ(d.primitive.error, 0);
-  for (RS::Primitive_type type :
-       {RS::Primitive_type::SPHERE, RS::Primitive_type::CYLINDER, RS::Primitive_type::CONE})
-    EXPECT_EQ(d.primitive.error_of(type), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(d.surface_error(), 0);
+  for (RS::Surface_kind type :
+       {RS::Surface_kind::SPHERE, RS::Surface_kind::CYLINDER, RS::Surface_kind::CONE})
+    EXPECT_EQ(d.surface_errors[std::size_t(type)], std::numeric_limits<double>::infinity());
 }
 
 /// Of the signed distance, by central differences, where the surface has a tangent plane.
@@ -347,19 +345,19 @@ TEST(Surface_distance_test, has_the_derivatives_of_its_profile)
   for (const RS::Surface_kind kind :
        {RS::Surface_kind::PLANE, RS::Surface_kind::CYLINDER, RS::Surface_kind::CONE,
         RS::Surface_kind::SPHERE, RS::Surface_kind::TORUS}) {
-    RS::Fitted_surface surface;
+    RS::Fitted_surface<> surface;
     surface.kind = kind;
     surface.radius = 0.7;
     surface.minor_radius = 0.2;
     surface.angle = 0.4;
-    const auto distance = [](const RS::Fitted_surface& s, double r, double z) {
+    const auto distance = [](const RS::Fitted_surface<>& s, double r, double z) {
       return RS::internal::Surface_distance(s)({s.point.x + r, s.point.y, s.point.z + z});
     };
     for (int i = 0; i < 100; ++i) {
       const double r = coordinate(random), z = coordinate(random) - 1;
       const RS::internal::Profile profile = RS::internal::Surface_distance(surface).profile(r, z);
       const auto changed = [&](double radius, double second) {
-        RS::Fitted_surface s = surface;
+        RS::Fitted_surface<> s = surface;
         s.radius += radius;
         (kind == RS::Surface_kind::CONE ? s.angle : s.minor_radius) += second;
         return distance(s, r, z);
@@ -384,7 +382,7 @@ TEST(Surface_fitter_test, weights_points)
                                             {0, 0, 1.2}, {0, 0, -1},  {0.9, 0, 0}, {5, 5, 5}};
   std::vector<RS::Double_3> repeated(points.begin(), points.end() - 1);
   repeated.push_back(points[4]);
-  RS::Fitted_surface weighted, expected;
+  RS::Fitted_surface<> weighted, expected;
   weighted.kind = expected.kind = RS::Surface_kind::SPHERE;
   weighted.radius = expected.radius = 1;
   const double misfit = RS::internal::Surface_fitter(points, 0, {1, 1, 1, 1, 2, 1, 1, 0})(weighted,
@@ -405,10 +403,10 @@ TEST(Describe_segments_test, finds_a_sphere_and_a_part_of_it)
   auto all = descriptions_of(whole, labels);
   all.push_back(description_of(whole));
   for (const Description& d : all) {
-    EXPECT_EQ(d.primitive.type, RS::Primitive_type::SPHERE);
-    EXPECT_NEAR(d.primitive.radius, 2, 1e-6);
-    EXPECT_NEAR(d.primitive.error, 0, 1e-6);
-    expect_near(d.primitive.point, moved_point({0, 0, 0}), 1e-6);
+    EXPECT_EQ(d.surface.kind, RS::Surface_kind::SPHERE);
+    EXPECT_NEAR(d.surface.radius, 2, 1e-6);
+    EXPECT_NEAR(d.surface_error(), 0, 1e-6);
+    expect_near(d.surface.point, moved_point({0, 0, 0}), 1e-6);
   }
 }
 
@@ -421,13 +419,16 @@ TEST(Describe_segments_test, finds_a_cylinder)
         return moved({2 * std::cos(2 * pi * v), 2 * std::sin(2 * pi * v), 6 * u});
       },
       part));
-    EXPECT_EQ(d.primitive.type, RS::Primitive_type::CYLINDER);
-    EXPECT_NEAR(d.primitive.radius, 2, 1e-6);
-    EXPECT_NEAR(std::abs(d.primitive.direction * moved_direction({0, 0, 1})), 1, 1e-6);
-    EXPECT_NEAR(d.primitive.error, 0, 1e-6);
-    const Vector_3 away = d.primitive.point - moved_point({0, 0, 0});
-    EXPECT_NEAR(CGAL::cross_product(away, d.primitive.direction).squared_length(), 0, 1e-10);
-    EXPECT_NEAR((d.primitive.point - d.centroid) * d.primitive.direction, 0, 1e-6);
+    EXPECT_EQ(d.surface.kind, RS::Surface_kind::CYLINDER);
+    EXPECT_NEAR(d.surface.radius, 2, 1e-6);
+    EXPECT_NEAR(std::abs(d.surface.direction * moved_direction({0, 0, 1})), 1, 1e-6);
+    EXPECT_NEAR(d.surface_error(), 0, 1e-6);
+    EXPECT_NEAR(d.surface.deviation, 0, 1e-6);
+    EXPECT_NEAR(d.surface.highest, 3, 1e-6);
+    EXPECT_NEAR(d.surface.lowest, -3, 1e-6);
+    const Vector_3 away = d.surface.point - moved_point({0, 0, 0});
+    EXPECT_NEAR(CGAL::cross_product(away, d.surface.direction).squared_length(), 0, 1e-10);
+    EXPECT_NEAR((d.surface.point - d.centroid) * d.surface.direction, 0, 1e-6);
   }
 }
 
@@ -443,11 +444,13 @@ TEST(Describe_segments_test, finds_a_cone)
         },
         part);
       const Description d = description_of(is_hole ? reversed(soup) : soup);
-      EXPECT_EQ(d.primitive.type, RS::Primitive_type::CONE);
-      EXPECT_NEAR(d.primitive.half_angle, std::atan(0.25), 1e-6);
-      EXPECT_NEAR(d.primitive.error, 0, 1e-6);
-      expect_near(d.primitive.point, moved_point({0, 0, 0}), 1e-4);
-      expect_near(d.primitive.direction, moved_direction({0, 0, 1}), 1e-6);
+      EXPECT_EQ(d.surface.kind, RS::Surface_kind::CONE);
+      EXPECT_NEAR(d.surface.angle, std::atan(0.25), 1e-6);
+      EXPECT_EQ(d.surface.side, is_hole ? -1 : 1);
+      EXPECT_NEAR((d.surface.point - d.centroid) * d.surface.direction, 0, 1e-6);
+      EXPECT_NEAR(d.surface_error(), 0, 1e-6);
+      expect_near(d.surface.apex(), moved_point({0, 0, 0}), 1e-4);
+      expect_near(d.surface.direction, moved_direction({0, 0, 1}), 1e-6);
     }
 }
 
@@ -459,13 +462,13 @@ TEST(Describe_segments_test, takes_no_cone_that_is_nearly_a_cylinder_or_a_plane)
     const double r = 1 + 0.02 * u;
     return moved({r * std::cos(2 * pi * v), r * std::sin(2 * pi * v), 4 * u});
   }));
-  EXPECT_EQ(steep.primitive.type, RS::Primitive_type::CYLINDER);
-  EXPECT_NEAR(steep.primitive.radius, 1.01, 1e-3);
+  EXPECT_EQ(steep.surface.kind, RS::Surface_kind::CYLINDER);
+  EXPECT_NEAR(steep.surface.radius, 1.01, 1e-3);
   const Description flat = description_of(tube(5, 24, [](double u, double v) {
     const double r = 1 + u;
     return moved({r * std::cos(2 * pi * v), r * std::sin(2 * pi * v), 0.005 * r});
   }));
-  EXPECT_NE(flat.primitive.type, RS::Primitive_type::CONE); // a plane, or a large sphere
+  EXPECT_NE(flat.surface.kind, RS::Surface_kind::CONE); // a plane, or a large sphere
 }
 
 TEST(Describe_segments_test, tells_two_circles_of_corners_from_a_sphere)
@@ -476,10 +479,9 @@ TEST(Describe_segments_test, tells_two_circles_of_corners_from_a_sphere)
       const double r = 1 - taper * u;
       return moved({r * std::cos(2 * pi * v), r * std::sin(2 * pi * v), 1.5 * u});
     })));
-    EXPECT_NEAR(d.primitive.error_of(RS::Primitive_type::SPHERE), 0, 1e-6);
-    EXPECT_EQ(d.primitive.type,
-              taper == 0 ? RS::Primitive_type::CYLINDER : RS::Primitive_type::CONE);
-    EXPECT_NEAR(d.primitive.error, 0, 1e-6);
+    EXPECT_NEAR(d.surface_errors[std::size_t(RS::Surface_kind::SPHERE)], 0, 1e-6);
+    EXPECT_EQ(d.surface.kind, taper == 0 ? RS::Surface_kind::CYLINDER : RS::Surface_kind::CONE);
+    EXPECT_NEAR(d.surface_error(), 0, 1e-6);
   }
 }
 
@@ -491,11 +493,11 @@ TEST(Describe_segments_test, finds_the_primitive_under_noise)
   });
   bump(soup, 0.02, random);
   const Description d = description_of(soup);
-  EXPECT_EQ(d.primitive.type, RS::Primitive_type::CYLINDER);
-  EXPECT_NEAR(d.primitive.radius, 1, 0.01);
-  EXPECT_LT(d.primitive.error, 0.02);
-  EXPECT_GT(d.primitive.error, 0.005);
-  EXPECT_GT(d.primitive.error_of(RS::Primitive_type::PLANE), 0.5);
+  EXPECT_EQ(d.surface.kind, RS::Surface_kind::CYLINDER);
+  EXPECT_NEAR(d.surface.radius, 1, 0.01);
+  EXPECT_LT(d.surface_error(), 0.02);
+  EXPECT_GT(d.surface_error(), 0.005);
+  EXPECT_GT(d.surface_errors[std::size_t(RS::Surface_kind::PLANE)], 0.5);
 }
 
 TEST(Describe_segments_test, scales_with_the_mesh)
@@ -510,12 +512,12 @@ TEST(Describe_segments_test, scales_with_the_mesh)
     EXPECT_EQ(small[i].area * factor * factor, large[i].area);
     EXPECT_EQ(small[i].volume * factor * factor * factor, large[i].volume);
     EXPECT_EQ(small[i].border_length * factor, large[i].border_length);
-    EXPECT_NEAR(small[i].primitive.error * factor, large[i].primitive.error,
-                1e-6 * large[i].primitive.error);
-    for (RS::Primitive_type type : {RS::Primitive_type::PLANE, RS::Primitive_type::SPHERE}) {
-      const double error = large[i].primitive.error_of(type);
+    EXPECT_NEAR(small[i].surface_error() * factor, large[i].surface_error(),
+                1e-6 * large[i].surface_error());
+    for (RS::Surface_kind type : {RS::Surface_kind::PLANE, RS::Surface_kind::SPHERE}) {
+      const double error = large[i].surface_errors[std::size_t(type)];
       ASSERT_TRUE(std::isfinite(error));
-      EXPECT_NEAR(small[i].primitive.error_of(type) * factor, error, 1e-6 * error);
+      EXPECT_NEAR(small[i].surface_errors[std::size_t(type)] * factor, error, 1e-6 * error);
     }
   }
 }
@@ -539,7 +541,7 @@ TEST(Describe_segments_test, a_surface_inside_out_is_described_as_if_it_were_not
       EXPECT_NEAR(found[i].volume, expected[i].volume, 1e-9 * std::pow(expected[i].area, 1.5));
       EXPECT_NEAR(found[i].volume_share, expected[i].volume_share, 1e-9);
       // The minimum is flat where faces are of random segments.
-      EXPECT_NEAR(found[i].primitive.error, expected[i].primitive.error,
+      EXPECT_NEAR(found[i].surface_error(), expected[i].surface_error(),
                   1e-3 * std::sqrt(expected[i].area));
     }
   }
@@ -567,7 +569,7 @@ TEST(Describe_segments_test, is_the_same_on_every_mesh_type)
   for (std::size_t i = 0; i < a.size(); ++i) {
     EXPECT_EQ(a[i].area, b[i].area);
     EXPECT_EQ(a[i].volume, b[i].volume);
-    EXPECT_EQ(a[i].primitive.errors, b[i].primitive.errors);
+    EXPECT_EQ(a[i].surface_errors, b[i].surface_errors);
   }
 }
 
@@ -579,7 +581,7 @@ TEST(Describe_segments_test, bears_surfaces_without_extent)
   point.polygons = {{0, 1, 2}};
   const Description d = description_of(point);
   EXPECT_EQ(d.area, 0);
-  EXPECT_EQ(d.primitive.error, 0);
+  EXPECT_EQ(d.surface_error(), 0);
   expect_near(d.centroid, Point_3(1, 2, 3), 0);
   Soup infinite = grid(1, 1);
   infinite.points[2][1] = std::numeric_limits<double>::infinity();

@@ -44,12 +44,12 @@ RS::Surface surface_of(const Shape& shape)
 }
 
 /// Expects the faces of the shape, and returns their surfaces, in the order of the faces.
-std::vector<RS::Fitted_surface> expect_faces(const Shape& shape)
+std::vector<RS::Fitted_surface<>> expect_faces(const Shape& shape)
 {
   const RS::Surface_faces found = RS::find_surface_faces(surface_of(shape));
   EXPECT_EQ(found.partition, RS::Partition::from_labels(shape.faces));
   EXPECT_EQ(found.surfaces.size(), std::size_t(shape.number_of_faces));
-  std::vector<RS::Fitted_surface> result(shape.number_of_faces);
+  std::vector<RS::Fitted_surface<>> result(shape.number_of_faces);
   for (std::size_t f = 0; f < shape.faces.size(); ++f)
     result[shape.faces[f]] = found.surfaces[found.partition[f]];
   return result;
@@ -58,7 +58,7 @@ std::vector<RS::Fitted_surface> expect_faces(const Shape& shape)
 TEST(FindSurfaceFaces, Box)
 {
   for (const int n : {1, 4})
-    for (const RS::Fitted_surface& s : expect_faces(box(1, 2, 3, n)))
+    for (const RS::Fitted_surface<>& s : expect_faces(box(1, 2, 3, n)))
       EXPECT_EQ(s.kind, Surface_kind::PLANE);
 }
 
@@ -66,7 +66,7 @@ TEST(FindSurfaceFaces, CylinderWithHole)
 {
   for (const int turns : {12, 40})
     for (const int rows : {1, 3}) {
-      const std::vector<RS::Fitted_surface> s = expect_faces(ring(2, 2, 1, 3, turns, rows));
+      const std::vector<RS::Fitted_surface<>> s = expect_faces(ring(2, 2, 1, 3, turns, rows));
       EXPECT_EQ(s[0].kind, Surface_kind::CYLINDER);
       EXPECT_NEAR(s[0].radius, 2, 1e-8);
       EXPECT_EQ(s[0].side, 1);
@@ -80,7 +80,7 @@ TEST(FindSurfaceFaces, CylinderWithHole)
 
 TEST(FindSurfaceFaces, Cone)
 {
-  const std::vector<RS::Fitted_surface> s = expect_faces(ring(3, 2, 1, 2, 24, 3));
+  const std::vector<RS::Fitted_surface<>> s = expect_faces(ring(3, 2, 1, 2, 24, 3));
   EXPECT_EQ(s[0].kind, Surface_kind::CONE);
   EXPECT_NEAR(s[0].angle, std::atan(0.5), 1e-7);
   EXPECT_NEAR(s[0].apex().z, 6, 1e-6);
@@ -89,11 +89,11 @@ TEST(FindSurfaceFaces, Cone)
 
 TEST(FindSurfaceFaces, SphereAndTorus)
 {
-  const std::vector<RS::Fitted_surface> s = expect_faces(dome(2, 24, 7));
+  const std::vector<RS::Fitted_surface<>> s = expect_faces(dome(2, 24, 7));
   EXPECT_EQ(s[0].kind, Surface_kind::SPHERE);
   EXPECT_NEAR(s[0].radius, 2, 1e-7);
   EXPECT_EQ(s[1].kind, Surface_kind::PLANE);
-  const std::vector<RS::Fitted_surface> t = expect_faces(torus(3, 1, 40, 16));
+  const std::vector<RS::Fitted_surface<>> t = expect_faces(torus(3, 1, 40, 16));
   EXPECT_EQ(t[0].kind, Surface_kind::TORUS);
   EXPECT_NEAR(t[0].radius, 3, 1e-6);
   EXPECT_NEAR(t[0].minor_radius, 1, 1e-6);
@@ -104,7 +104,7 @@ TEST(FindSurfaceFaces, Fillets)
 {
   for (const int facets : {3, 6})
     for (const int rows : {1, 5}) {
-      const std::vector<RS::Fitted_surface> s = expect_faces(filleted_bar(3, 1, 5, facets, rows));
+      const std::vector<RS::Fitted_surface<>> s = expect_faces(filleted_bar(3, 1, 5, facets, rows));
       for (int k = 0; k < 4; ++k) {
         EXPECT_EQ(s[2 * k].kind, Surface_kind::PLANE);
         EXPECT_EQ(s[2 * k + 1].kind, Surface_kind::CYLINDER);
@@ -116,7 +116,7 @@ TEST(FindSurfaceFaces, Fillets)
 // A plane that is tangent to a cylinder of large radius.
 TEST(FindSurfaceFaces, LargeRadius)
 {
-  const std::vector<RS::Fitted_surface> s = expect_faces(filleted_bar(1, 20, 5, 30, 8));
+  const std::vector<RS::Fitted_surface<>> s = expect_faces(filleted_bar(1, 20, 5, 30, 8));
   EXPECT_EQ(s[0].kind, Surface_kind::PLANE);
   EXPECT_EQ(s[1].kind, Surface_kind::CYLINDER);
   EXPECT_NEAR(s[1].radius, 20, 1e-6);
@@ -149,7 +149,7 @@ TEST(FindSurfaceFaces, FreeformWalls)
   for (const Shape& shape : {with_wall(24, 1, cam), with_wall(40, 1, cam), with_wall(64, 1, cam),
                              with_wall(24, 12, vase), with_wall(24, 6, both)}) {
     SCOPED_TRACE(shape.triangles.size());
-    const std::vector<RS::Fitted_surface> s = expect_faces(shape);
+    const std::vector<RS::Fitted_surface<>> s = expect_faces(shape);
     EXPECT_EQ(s[0].kind, Surface_kind::FREEFORM);
     EXPECT_EQ(s[1].kind, Surface_kind::PLANE);
     EXPECT_EQ(s[2].kind, Surface_kind::PLANE);
@@ -196,7 +196,7 @@ TEST(FindSurfaceFaces, ChamferOfOneRow)
 {
   for (const int facets : {5, 7, 12}) {
     SCOPED_TRACE(facets);
-    const std::vector<RS::Fitted_surface> s = expect_faces(chamfered_plate(facets));
+    const std::vector<RS::Fitted_surface<>> s = expect_faces(chamfered_plate(facets));
     for (int k = 0; k < 4; ++k) {
       EXPECT_EQ(s[4 * k].kind, Surface_kind::PLANE);
       EXPECT_EQ(s[4 * k + 1].kind, Surface_kind::PLANE);
@@ -274,7 +274,7 @@ TEST(FindSurfaceFaces, FilletsOfFreeformWalls)
 {
   for (const int facets : {3, 5, 9}) {
     SCOPED_TRACE(facets);
-    const std::vector<RS::Fitted_surface> s = expect_faces(with_filleted_wall(48, facets));
+    const std::vector<RS::Fitted_surface<>> s = expect_faces(with_filleted_wall(48, facets));
     EXPECT_EQ(s[0].kind, Surface_kind::FREEFORM);
     EXPECT_EQ(s[1].kind, Surface_kind::FREEFORM);
     EXPECT_EQ(s[2].kind, Surface_kind::PLANE);
@@ -321,7 +321,7 @@ TEST(FindSurfaceFaces, RolesAndExtents)
   using R = Face_role;
   EXPECT_EQ(found.roles, (std::vector<R>{R::BOSS, R::BOSS, R::NONE, R::NONE, R::NONE, R::BOSS,
                                          R::NONE, R::HOLE, R::HOLE}));
-  const RS::Fitted_surface& wall = found.surfaces[5];
+  const RS::Fitted_surface<>& wall = found.surfaces[5];
   EXPECT_NEAR(wall.highest - wall.lowest, 2, 1e-9);
   EXPECT_NEAR(wall.point.z + (wall.direction.z > 0 ? wall.lowest : -wall.highest), 1, 1e-9);
   EXPECT_NEAR(found.surfaces[4].highest, found.surfaces[4].lowest, 1e-9);
@@ -422,13 +422,13 @@ void expect_part_faces(double scale)
   double area = 0, border = 0;
   std::size_t holes = 0;
   for (std::size_t i = 0; i < faces.size(); ++i) {
-    const RS::Fitted_surface& s = found.surfaces[i];
-    EXPECT_EQ(faces[i].kind, s.kind);
+    const RS::Fitted_surface<>& s = found.surfaces[i];
+    EXPECT_EQ(faces[i].surface.kind, s.kind);
     EXPECT_EQ(faces[i].role, found.roles[i]);
-    EXPECT_EQ(faces[i].radius, surface.unit() * s.radius);
-    EXPECT_EQ(CGAL::to_double(faces[i].point.y()), surface.unit() * s.point.y);
-    EXPECT_EQ(CGAL::to_double(faces[i].direction.z()), s.direction.z);
-    EXPECT_EQ(faces[i].highest, surface.unit() * s.highest);
+    EXPECT_EQ(faces[i].surface.radius, surface.unit() * s.radius);
+    EXPECT_EQ(CGAL::to_double(faces[i].surface.point.y()), surface.unit() * s.point.y);
+    EXPECT_EQ(CGAL::to_double(faces[i].surface.direction.z()), s.direction.z);
+    EXPECT_EQ(faces[i].surface.highest, surface.unit() * s.highest);
     area += faces[i].area / scale / scale;
     if (faces[i].role == Face_role::HOLE)
       ++holes;
@@ -441,7 +441,7 @@ void expect_part_faces(double scale)
     }
     if (s.has_axis())
       for (std::size_t j = 0; j < i; ++j)
-        if (faces[j].kind == Surface_kind::CYLINDER) {
+        if (faces[j].surface.kind == Surface_kind::CYLINDER) {
           EXPECT_EQ(faces[i].first_on_axis, faces[j].first_on_axis);
         }
   }

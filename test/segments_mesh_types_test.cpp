@@ -109,7 +109,7 @@ Results results_on(const Mesh& mesh, const Labels& labels)
   RS::describe_segments(mesh, segments, std::back_inserter(descriptions));
   for (const auto& d : descriptions)
     results.areas_and_errors.insert(results.areas_and_errors.end(),
-                                    {d.area, d.volume, d.primitive.error});
+                                    {d.area, d.volume, d.surface_error()});
 #endif
   return results;
 }

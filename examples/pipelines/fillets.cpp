@@ -13,7 +13,7 @@
 namespace RS = CGAL::Region_segmentation;
 
 /// Of the ball that rolls along a fillet; infinite for faces that are none.
-double fillet_radius(const RS::Fitted_surface& s, RS::Face_role role)
+double fillet_radius(const RS::Fitted_surface<>& s, RS::Face_role role)
 {
   if (role != RS::Face_role::BLEND || s.kind == RS::Surface_kind::FREEFORM)
     return std::numeric_limits<double>::infinity();

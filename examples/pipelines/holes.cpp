@@ -22,11 +22,12 @@ int main(int argc, char** argv)
   std::cout << "face  axis  radius  depth  direction\n";
   for (std::size_t i = 0; i < faces.size(); ++i) {
     const RS::Part_face<Kernel>& f = faces[i];
-    if (f.role != RS::Face_role::HOLE || f.kind != RS::Surface_kind::CYLINDER)
+    const RS::Fitted_surface<Kernel>& s = f.surface;
+    if (f.role != RS::Face_role::HOLE || s.kind != RS::Surface_kind::CYLINDER)
       continue;
-    std::cout << i << "  " << f.first_on_axis << "  " << f.radius << "  " << f.highest - f.lowest
-              << "  " << f.direction << '\n';
-    is_valid = is_valid && f.radius > 0 && f.highest > f.lowest;
+    std::cout << i << "  " << f.first_on_axis << "  " << s.radius << "  " << s.highest - s.lowest
+              << "  " << s.direction << '\n';
+    is_valid = is_valid && s.radius > 0 && s.highest > s.lowest;
   }
   return is_valid ? EXIT_SUCCESS : EXIT_FAILURE;
 }

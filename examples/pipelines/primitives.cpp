@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The smooth faces of a machine part, and the primitive that fits each best.
+// The smooth faces of a machine part, and the simple surface that fits each best.
 
 #include "input_mesh.h"
 
@@ -21,14 +21,14 @@ int main(int argc, char** argv)
 
   std::vector<RS::Segment_description<std::size_t, Kernel>> descriptions;
   const std::size_t n = RS::describe_segments(mesh, face_id, std::back_inserter(descriptions));
-  const char* const names[] = {"plane", "sphere", "cylinder", "cone"};
+  const char* const names[] = {"plane", "cylinder", "cone", "sphere"};
   bool is_best = true;
   for (const auto& d : descriptions) {
-    const RS::Fitted_primitive<Kernel>& p = d.primitive;
+    const RS::Fitted_surface<Kernel>& s = d.surface;
     std::cout << "face " << d.segment << ": area " << d.area << ", " << d.neighbors.size()
-              << " neighbors, " << names[int(p.type)] << ", radius " << p.radius << ", error "
-              << p.error << '\n';
-    is_best = is_best && p.error <= p.error_of(RS::Primitive_type::PLANE);
+              << " neighbors, " << names[int(s.kind)] << ", radius " << s.radius << ", error "
+              << d.surface_error() << '\n';
+    is_best = is_best && d.surface_error() <= d.surface_errors[int(RS::Surface_kind::PLANE)];
   }
   return n > 0 && is_best ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -66,11 +66,14 @@ py::dict to_dictionary(const RS::Segment_description<std::int64_t, Kernel>& d)
   for (const auto& n : d.neighbors)
     neighbors.append(py::dict("segment"_a = n.segment, "border_length"_a = n.border_length,
                               "mean_signed_deviation"_a = n.mean_signed_deviation));
-  const char* const types[] = {"plane", "sphere", "cylinder", "cone"};
-  const auto& p = d.primitive;
-  const py::dict primitive("type"_a = types[int(p.type)], "point"_a = to_tuple(p.point),
-                           "direction"_a = to_tuple(p.direction), "radius"_a = p.radius,
-                           "half_angle"_a = p.half_angle, "error"_a = p.error);
+  const char* const types[] = {"plane", "cylinder", "cone", "sphere"};
+  const auto& s = d.surface;
+  const bool is_cone = s.kind == RS::Surface_kind::CONE;
+  const py::dict primitive(
+    "type"_a = types[int(s.kind)], "point"_a = to_tuple(is_cone ? s.apex() : s.point),
+    "direction"_a = to_tuple(s.kind == RS::Surface_kind::SPHERE ? Kernel::Vector_3(0, 0, 0)
+                                                                : s.direction),
+    "radius"_a = is_cone ? 0 : s.radius, "half_angle"_a = s.angle, "error"_a = d.surface_error());
   return py::dict("segment"_a = d.segment, "number_of_faces"_a = d.number_of_faces,
                   "area"_a = d.area, "volume"_a = d.volume, "centroid"_a = to_tuple(d.centroid),
                   "axes"_a = axes,

@@ -42,12 +42,13 @@ void write_value(Text_buffer& text, double value)
     text << value;
 }
 
-void write_primitive(Text_buffer& text, const RS::Fitted_surface& s)
+void write_primitive(Text_buffer& text, const Segment_description& segment)
 {
+  const RS::Fitted_surface<Kernel> s = surface_of(segment);
   text << "," << name_of(s.kind);
   write_value(text, has_radius(s) ? s.radius : none);
   write_value(text, s.kind == RS::Surface_kind::CONE ? s.angle * 180 / CGAL_PI : none);
-  write_value(text, s.kind == RS::Surface_kind::FREEFORM ? none : s.deviation);
+  write_value(text, s.kind == RS::Surface_kind::FREEFORM ? none : error_of(segment));
 }
 
 void write_numbers(Text_buffer& text, const std::vector<std::size_t>& numbers)
@@ -64,12 +65,12 @@ void write_numbers(Text_buffer& text, const std::vector<std::size_t>& numbers)
 /// The place of a surface, and what is known of faces of machine parts.
 void write_face(Text_buffer& text, const Segment_description& segment)
 {
-  const RS::Fitted_surface s = surface_of(segment);
+  const RS::Fitted_surface<Kernel> s = surface_of(segment);
   const bool has_point = s.kind != RS::Surface_kind::FREEFORM,
              has_direction = has_point && s.kind != RS::Surface_kind::SPHERE;
-  for (double x : {s.point.x, s.point.y, s.point.z})
+  for (double x : {s.point.x(), s.point.y(), s.point.z()})
     write_value(text, has_point ? x : none);
-  for (double x : {s.direction.x, s.direction.y, s.direction.z})
+  for (double x : {s.direction.x(), s.direction.y(), s.direction.z()})
     write_value(text, has_direction ? x : none);
   write_value(text, s.kind == RS::Surface_kind::TORUS ? s.minor_radius : none);
   for (double z : {s.lowest, s.highest})
@@ -113,7 +114,7 @@ void write_csv(std::ostream& out, const Result& result)
          {s.area, shares[s.segment], s.volume, s.volume_share, s.border_length, s.boundary_length,
           s.centroid.x(), s.centroid.y(), s.centroid.z(), s.extents[0], s.extents[1], s.extents[2]})
       write_value(text, value);
-    write_primitive(text, surface_of(s));
+    write_primitive(text, s);
     std::vector<std::size_t> neighbors;
     for (const auto& neighbor : s.neighbors)
       neighbors.push_back(neighbor.segment);

@@ -13,18 +13,6 @@ namespace segment_mesh {
 
 namespace RS = CGAL::Region_segmentation;
 
-namespace {
-
-RS::Fitted_surface scaled(RS::Fitted_surface s, double unit)
-{
-  s.point = unit * s.point;
-  for (double* length : {&s.radius, &s.minor_radius, &s.deviation, &s.lowest, &s.highest})
-    *length *= unit;
-  return s;
-}
-
-} // namespace
-
 Machine_part::Machine_part(RS::Surface surface)
   : m_surface(std::move(surface))
   , m_faces(RS::find_surface_faces(m_surface))
@@ -46,7 +34,8 @@ Machine_part::faces(const std::vector<std::size_t>& labels) const
   std::map<std::size_t, std::size_t> labels_of_surfaces, labels_of_axes;
   for (const auto& [label, part] : parts)
     if (part != several)
-      result[label] = {scaled(m_faces.surfaces[part], m_surface.unit()), m_faces.roles[part],
+      result[label] = {RS::scaled<Kernel>(m_faces.surfaces[part], m_surface.unit()),
+                       m_faces.roles[part],
                        labels_of_surfaces.emplace(m_common_surfaces[part], label).first->second,
                        labels_of_axes.emplace(m_common_axes[part], label).first->second};
   return result;

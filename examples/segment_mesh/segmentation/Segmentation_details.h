@@ -27,7 +27,7 @@ using Kernel = CGAL::Simple_cartesian<double>;
 /// A segment that is a face of a machine part.
 struct Surface_face
 {
-  CGAL::Region_segmentation::Fitted_surface surface; ///< in units of the mesh
+  CGAL::Region_segmentation::Fitted_surface<Kernel> surface; ///< in units of the mesh
   CGAL::Region_segmentation::Face_role role = CGAL::Region_segmentation::Face_role::NONE;
   std::size_t same_surface = 0; ///< the first segment on the same surface
   std::size_t same_axis = 0;    ///< the first segment with the same axis

@@ -19,11 +19,6 @@ namespace {
 using nlohmann::ordered_json;
 namespace RS = CGAL::Region_segmentation;
 
-ordered_json double_3_json(const RS::Double_3& v)
-{
-  return {v.x, v.y, v.z};
-}
-
 template <typename Triple>
 ordered_json vector_json(const Triple& v)
 {
@@ -32,14 +27,14 @@ ordered_json vector_json(const Triple& v)
 
 ordered_json surface_json(const Segment_description& segment)
 {
-  const RS::Fitted_surface s = surface_of(segment);
+  const RS::Fitted_surface<Kernel> s = surface_of(segment);
   ordered_json json = {{"type", name_of(s.kind)}};
   if (s.kind == RS::Surface_kind::FREEFORM)
     return json;
-  json["error"] = s.deviation;
-  json["point"] = double_3_json(s.point);
+  json["error"] = error_of(segment);
+  json["point"] = vector_json(s.point);
   if (s.kind != RS::Surface_kind::SPHERE)
-    json["direction"] = double_3_json(s.direction);
+    json["direction"] = vector_json(s.direction);
   if (has_radius(s))
     json["radius"] = s.radius;
   if (s.kind == RS::Surface_kind::TORUS)
@@ -51,26 +46,6 @@ ordered_json surface_json(const Segment_description& segment)
   if (segment.face && s.has_axis())
     json["extent"] = {s.lowest, s.highest};
   return json;
-}
-
-RS::Surface_kind kind_of(RS::Primitive_type type)
-{
-  switch (type) {
-  case RS::Primitive_type::SPHERE:
-    return RS::Surface_kind::SPHERE;
-  case RS::Primitive_type::CYLINDER:
-    return RS::Surface_kind::CYLINDER;
-  case RS::Primitive_type::CONE:
-    return RS::Surface_kind::CONE;
-  default:
-    return RS::Surface_kind::PLANE;
-  }
-}
-
-template <typename Triple>
-RS::Double_3 to_double_3(const Triple& v)
-{
-  return {v.x(), v.y(), v.z()};
 }
 
 } // namespace
@@ -87,34 +62,28 @@ const char* name_of(RS::Face_role role)
   return names[std::size_t(role)];
 }
 
-bool has_radius(const RS::Fitted_surface& s)
+bool has_radius(const RS::Fitted_surface<Kernel>& s)
 {
   return s.kind == RS::Surface_kind::SPHERE || s.kind == RS::Surface_kind::CYLINDER ||
          s.kind == RS::Surface_kind::TORUS;
 }
 
-RS::Fitted_surface surface_of(const Segment_description& segment)
+RS::Fitted_surface<Kernel> surface_of(const Segment_description& segment)
 {
-  RS::Fitted_surface s;
-  if (segment.face) {
-    s = segment.face->surface;
-    if (s.kind == RS::Surface_kind::CONE) {
-      const double to_apex = s.radius / std::tan(s.angle);
-      s.point = s.apex();
-      s.radius = 0;
-      s.lowest += to_apex;
-      s.highest += to_apex;
-    }
-    return s;
+  RS::Fitted_surface<Kernel> s = segment.face ? segment.face->surface : segment.surface;
+  if (s.kind == RS::Surface_kind::CONE) {
+    const double to_apex = s.radius / std::tan(s.angle);
+    s.point = s.apex();
+    s.radius = 0;
+    s.lowest += to_apex;
+    s.highest += to_apex;
   }
-  const auto& primitive = segment.primitive;
-  s.kind = kind_of(primitive.type);
-  s.point = to_double_3(primitive.point);
-  s.direction = to_double_3(primitive.direction);
-  s.radius = primitive.radius;
-  s.angle = primitive.half_angle;
-  s.deviation = primitive.error;
   return s;
+}
+
+double error_of(const Segment_description& segment)
+{
+  return segment.face ? segment.face->surface.deviation : segment.surface_error();
 }
 
 ordered_json segment_json(const Segment_description& segment)

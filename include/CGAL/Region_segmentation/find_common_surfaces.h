@@ -51,7 +51,7 @@ inline std::vector<Partition::Index> find_common_surfaces(const Surface& surface
   std::vector<std::vector<Surface::Index>> facets(faces.surfaces.size());
   for (Surface::Index f = 0; f < surface.number_of_faces(); ++f)
     facets[faces.partition[f]].push_back(f);
-  const auto lies_on = [&](std::size_t part, const Fitted_surface& s) {
+  const auto lies_on = [&](std::size_t part, const Fitted_surface<>& s) {
     const internal::Surface_distance distance(s);
     return std::all_of(facets[part].begin(), facets[part].end(), [&](Surface::Index f) {
       for (std::size_t i = 0; i < surface.number_of_corners(f); ++i)
@@ -61,7 +61,7 @@ inline std::vector<Partition::Index> find_common_surfaces(const Surface& surface
     });
   };
   return internal::first_equal_ones(faces.surfaces.size(), [&](std::size_t i, std::size_t j) {
-    const Fitted_surface &s = faces.surfaces[i], &t = faces.surfaces[j];
+    const Fitted_surface<>&s = faces.surfaces[i], &t = faces.surfaces[j];
     return s.kind == t.kind && s.kind != Surface_kind::FREEFORM && (lies_on(j, s) || lies_on(i, t));
   });
 }
@@ -77,14 +77,14 @@ inline std::vector<Partition::Index> find_common_surfaces(const Surface& surface
 inline std::vector<Partition::Index> find_common_axes(const Surface_faces& faces)
 {
   const double tolerance = internal::tolerances_of_common_surfaces * faces.tolerance;
-  const auto is_on_axis = [&](const Fitted_surface& s, const Fitted_surface& of) {
+  const auto is_on_axis = [&](const Fitted_surface<>& s, const Fitted_surface<>& of) {
     const auto distance = [&](double z) {
       return internal::meridian_point(of, s.point + z * s.direction).r;
     };
     return distance(s.lowest) <= tolerance && distance(s.highest) <= tolerance;
   };
   return internal::first_equal_ones(faces.surfaces.size(), [&](std::size_t i, std::size_t j) {
-    const Fitted_surface &s = faces.surfaces[i], &t = faces.surfaces[j];
+    const Fitted_surface<>&s = faces.surfaces[i], &t = faces.surfaces[j];
     return s.has_axis() && t.has_axis() && is_on_axis(s, t) && is_on_axis(t, s);
   });
 }

@@ -36,19 +36,9 @@ std::vector<Part_face<Kernel>> part_faces(const Surface& surface, const Surface_
                                       axes = find_common_axes(faces);
   std::vector<Part_face<Kernel>> result(faces.surfaces.size());
   for (std::size_t i = 0; i < result.size(); ++i) {
-    const Fitted_surface& s = faces.surfaces[i];
     Part_face<Kernel>& face = result[i];
-    face.kind = s.kind;
+    face.surface = scaled<Kernel>(faces.surfaces[i], unit);
     face.role = faces.roles[i];
-    face.point = typename Kernel::Point_3(unit * s.point.x, unit * s.point.y, unit * s.point.z);
-    face.direction = typename Kernel::Vector_3(s.direction.x, s.direction.y, s.direction.z);
-    face.radius = unit * s.radius;
-    face.minor_radius = unit * s.minor_radius;
-    face.angle = s.angle;
-    face.side = s.side;
-    face.deviation = unit * s.deviation;
-    face.lowest = unit * s.lowest;
-    face.highest = unit * s.highest;
     face.first_on_surface = surfaces[i];
     face.first_on_axis = axes[i];
   }

@@ -17,10 +17,7 @@
 
 #include <CGAL/assertions.h>
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -33,10 +30,10 @@ namespace Region_segmentation {
 /// `annotate_surface_faces()`.
 struct Surface_faces
 {
-  Partition partition;                  ///< of the faces of the mesh
-  std::vector<Fitted_surface> surfaces; ///< by part, in units of the surface
-  std::vector<Face_role> roles;         ///< by part
-  double tolerance = 0;                 ///< that was used, in units of the surface
+  Partition partition;                    ///< of the faces of the mesh
+  std::vector<Fitted_surface<>> surfaces; ///< by part, in units of the surface
+  std::vector<Face_role> roles;           ///< by part
+  double tolerance = 0;                   ///< that was used, in units of the surface
 };
 
 namespace internal {
@@ -66,7 +63,7 @@ inline Surface_faces find_faces(const Surface& surface, double tolerance,
 }
 
 /// A surface in a frame as one in space.
-inline Fitted_surface in_space(Fitted_surface s, const Intrinsic_frame& frame)
+inline Fitted_surface<> in_space(Fitted_surface<> s, const Intrinsic_frame& frame)
 {
   if (s.kind == Surface_kind::FREEFORM)
     return s;
@@ -77,7 +74,8 @@ inline Fitted_surface in_space(Fitted_surface s, const Intrinsic_frame& frame)
   return s;
 }
 
-/// Fits the surfaces to the points of their faces: those of the search were rounded.
+/// Fits the surfaces to the points of their faces: those of the search were rounded. Sets their
+/// deviations and extents.
 inline void fit_surfaces(const Surface& surface, Surface_faces& faces)
 {
   std::vector<std::vector<Double_3>> points(faces.surfaces.size());
@@ -85,32 +83,10 @@ inline void fit_surfaces(const Surface& surface, Surface_faces& faces)
     for (std::size_t i = 0; i < surface.number_of_corners(f); ++i)
       points[faces.partition[f]].push_back(surface.point(surface.corner(f, i)));
   for (std::size_t part = 0; part < points.size(); ++part)
-    if (faces.surfaces[part].kind != Surface_kind::FREEFORM)
-      refine_surface(faces.surfaces[part], points[part], faces.tolerance, 0);
-}
-
-/// Sets deviation and extent of the surfaces of faces.
-inline void measure_surfaces(const Surface& surface, Surface_faces& faces)
-{
-  constexpr double infinite = std::numeric_limits<double>::infinity();
-  for (Fitted_surface& s : faces.surfaces)
-    if (s.kind != Surface_kind::FREEFORM) {
-      s.lowest = infinite;
-      s.highest = -infinite;
+    if (Fitted_surface<>& s = faces.surfaces[part]; s.kind != Surface_kind::FREEFORM) {
+      refine_surface(s, points[part], faces.tolerance, 0);
+      measure(s, points[part]);
     }
-  for (std::size_t f = 0; f < surface.number_of_faces(); ++f) {
-    Fitted_surface& s = faces.surfaces[faces.partition[f]];
-    if (s.kind == Surface_kind::FREEFORM)
-      continue;
-    const Surface_distance distance(s);
-    for (std::size_t i = 0; i < surface.number_of_corners(f); ++i) {
-      const Double_3& p = surface.point(surface.corner(f, i));
-      const double z = dot(p - s.point, s.direction);
-      s.deviation = (std::max)(s.deviation, std::fabs(distance(p)));
-      s.lowest = (std::min)(s.lowest, z);
-      s.highest = (std::max)(s.highest, z);
-    }
-  }
 }
 
 } // namespace internal
@@ -164,7 +140,6 @@ inline Surface_faces find_surface_faces(const Surface& surface, double tolerance
   }
   result.tolerance = found.tolerance * intrinsic.frame().unit();
   internal::fit_surfaces(surface, result);
-  internal::measure_surfaces(surface, result);
   return result;
 }
 

@@ -5,10 +5,24 @@
 
 #include <CGAL/Region_segmentation/Double_3.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <vector>
 
 namespace CGAL {
 namespace Region_segmentation {
+
+namespace internal {
+
+struct Kernel_of_doubles
+{
+  using FT = double;
+  using Point_3 = Double_3;
+  using Vector_3 = Double_3;
+};
+
+} // namespace internal
 
 /// \ingroup PkgRegionSegmentationSegments
 /// The kinds of surfaces of which machine parts are made, from the simplest on.
@@ -23,26 +37,31 @@ enum class Surface_kind { PLANE, CYLINDER, CONE, SPHERE, TORUS, FREEFORM };
 enum class Face_role { NONE, BLEND, HOLE, BOSS };
 
 /// \ingroup PkgRegionSegmentationSegments
-/// A surface that is fitted to a face. Each kind but the last is a surface of revolution: with z
-/// the coordinate of a point along the axis, from `point`, and r its distance to the axis, its
-/// signed distance to the surface is
+/// A surface that is fitted to a face or a segment. Each kind but the last is a surface of
+/// revolution: with z the coordinate of a point along the axis, from `point`, and r its distance to
+/// the axis, its signed distance to the surface is
 /// - z for a plane,
 /// - r - `radius` for a cylinder,
 /// - (r - `radius`) cos `angle` - z sin `angle` for a cone, an approximation on the far side of the
 ///   apex,
 /// - sqrt(r^2 + z^2) - `radius` for a sphere,
 /// - sqrt((r - `radius`)^2 + z^2) - `minor_radius` for a torus.
+///
+/// \tparam Kernel has the types of `point` and `direction`: a model of `Kernel`; by default both
+/// are
+///         `Double_3`
+template <typename Kernel = internal::Kernel_of_doubles>
 struct Fitted_surface
 {
   Surface_kind kind = Surface_kind::FREEFORM;
 
   /// A point of the plane, the center of the sphere or torus, a point of the axis of the cylinder
   /// or cone.
-  Double_3 point{0, 0, 0};
+  typename Kernel::Point_3 point{0, 0, 0};
   /// Of length 1: the normal of the plane, on the side of those of the faces; the axis of the
   /// cylinder or torus; the axis of the cone, in the direction in which it widens. Without meaning
   /// for a sphere.
-  Double_3 direction{0, 0, 1};
+  typename Kernel::Vector_3 direction{0, 0, 1};
   double radius = 0; ///< of the cylinder or sphere; of the cone at `point`; the major radius of the
                      ///< torus
   double minor_radius = 0; ///< of the tube of the torus
@@ -63,8 +82,33 @@ struct Fitted_surface
   }
 
   /// The apex of the cone.
-  Double_3 apex() const { return point - (radius / std::tan(angle)) * direction; }
+  typename Kernel::Point_3 apex() const
+  {
+    return point - typename Kernel::FT(radius / std::tan(angle)) * direction;
+  }
 };
+
+/// \ingroup PkgRegionSegmentationSegments
+/// The surface with all lengths and coordinates times a factor, in the types of a kernel: from the
+/// unit of a `Surface` to that of its mesh.
+template <typename Kernel = internal::Kernel_of_doubles>
+Fitted_surface<Kernel> scaled(const Fitted_surface<>& s, double factor)
+{
+  using FT = typename Kernel::FT;
+  const Double_3 p = factor * s.point, d = s.direction;
+  Fitted_surface<Kernel> result;
+  result.kind = s.kind;
+  result.point = typename Kernel::Point_3{FT(p.x), FT(p.y), FT(p.z)};
+  result.direction = typename Kernel::Vector_3{FT(d.x), FT(d.y), FT(d.z)};
+  result.radius = factor * s.radius;
+  result.minor_radius = factor * s.minor_radius;
+  result.angle = s.angle;
+  result.side = s.side;
+  result.deviation = factor * s.deviation;
+  result.lowest = factor * s.lowest;
+  result.highest = factor * s.highest;
+  return result;
+}
 
 namespace internal {
 
@@ -76,7 +120,7 @@ struct Meridian_point
   Double_3 outward;
 };
 
-inline Meridian_point meridian_point(const Fitted_surface& s, const Double_3& p)
+inline Meridian_point meridian_point(const Fitted_surface<>& s, const Double_3& p)
 {
   const Double_3 d = p - s.point;
   const double z = dot(d, s.direction);
@@ -96,7 +140,7 @@ struct Profile
 class Surface_distance
 {
 public:
-  explicit Surface_distance(const Fitted_surface& s)
+  explicit Surface_distance(const Fitted_surface<>& s)
     : m_surface(s)
     , m_cosine(std::cos(s.angle))
     , m_sine(std::sin(s.angle))
@@ -111,7 +155,7 @@ public:
 
   Profile profile(double r, double z) const
   {
-    const Fitted_surface& s = m_surface;
+    const Fitted_surface<>& s = m_surface;
     switch (s.kind) {
     case Surface_kind::CYLINDER:
       return {r - s.radius, 1, 0, -1, 0};
@@ -133,17 +177,32 @@ public:
   }
 
 private:
-  const Fitted_surface& m_surface;
+  const Fitted_surface<>& m_surface;
   double m_cosine, m_sine;
 };
 
 /// The unit normal of the surface at the point of it next to `p`, on the side of those of the
 /// faces.
-inline Double_3 surface_normal(const Fitted_surface& s, const Double_3& p)
+inline Double_3 surface_normal(const Fitted_surface<>& s, const Double_3& p)
 {
   const Meridian_point m = meridian_point(s, p);
   const Profile f = Surface_distance(s).profile(m.r, m.z);
   return double(s.side) * (f.by_r * m.outward + f.by_z * s.direction);
+}
+
+/// Sets the deviation and the extent of a surface to those of points.
+inline void measure(Fitted_surface<>& s, const std::vector<Double_3>& points)
+{
+  s.deviation = 0;
+  s.lowest = std::numeric_limits<double>::infinity();
+  s.highest = -s.lowest;
+  const Surface_distance distance(s);
+  for (const Double_3& p : points) {
+    const double z = dot(p - s.point, s.direction);
+    s.deviation = (std::max)(s.deviation, std::fabs(distance(p)));
+    s.lowest = (std::min)(s.lowest, z);
+    s.highest = (std::max)(s.highest, z);
+  }
 }
 
 } // namespace internal

@@ -5,8 +5,6 @@
 
 #include <CGAL/Region_segmentation/Segments/Fitted_surface.h>
 
-#include <CGAL/Origin.h>
-
 #include <cstddef>
 #include <vector>
 
@@ -23,21 +21,14 @@ struct Part_face_neighbor
 };
 
 /// \ingroup PkgRegionSegmentationSegments
-/// A face of a machine part with its surface, in units of the mesh: see `Fitted_surface` for the
-/// meaning of its members.
+/// A face of a machine part. Lengths and areas are in units of the mesh.
 ///
 /// \tparam Kernel a model of `Kernel`: that of the points of the mesh, see `find_part_faces()`
 template <typename Kernel>
 struct Part_face
 {
-  Surface_kind kind = Surface_kind::FREEFORM;
+  Fitted_surface<Kernel> surface;
   Face_role role = Face_role::NONE;
-  typename Kernel::Point_3 point = CGAL::ORIGIN;
-  typename Kernel::Vector_3 direction = CGAL::NULL_VECTOR;
-  double radius = 0, minor_radius = 0, angle = 0; ///< the angle in radians
-  int side = 1;
-  double deviation = 0, lowest = 0, highest = 0;
-
   double area = 0; ///< of its facets
   /// The first face on the same surface, and the first one with the same axis; itself if no earlier
   /// one is.

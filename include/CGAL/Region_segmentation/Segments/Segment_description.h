@@ -3,7 +3,7 @@
 #ifndef CGAL_REGION_SEGMENTATION_SEGMENTS_SEGMENT_DESCRIPTION_H
 #define CGAL_REGION_SEGMENTATION_SEGMENTS_SEGMENT_DESCRIPTION_H
 
-#include <CGAL/Region_segmentation/Segments/Fitted_primitive.h>
+#include <CGAL/Region_segmentation/Segments/Fitted_surface.h>
 
 #include <CGAL/Origin.h>
 
@@ -59,7 +59,15 @@ struct Segment_description
   /// In the order of their first faces, `no_segment` last.
   std::vector<Segment_neighbor<Label>> neighbors;
 
-  Fitted_primitive<Kernel> primitive;
+  /// The plane, cylinder, cone or sphere that fits best. The point of a cylinder or cone is next to
+  /// the centroid.
+  Fitted_surface<Kernel> surface;
+  /// By `Surface_kind`: the root mean square distance of the corners of the faces, weighted by
+  /// area, to the best surface of these four kinds; infinite where none was found.
+  std::array<double, 4> surface_errors{};
+
+  /// That of `surface`.
+  double surface_error() const { return surface_errors[std::size_t(surface.kind)]; }
 };
 
 } // namespace Region_segmentation

@@ -51,7 +51,8 @@ inline Perpendicular longest_perpendicular(const Surface& surface, Surface::Inde
 /// departs from the surface less than a plane that is tangent to it where they meet would, and more
 /// than the tolerance. Else its curvature is another one.
 inline bool departs_gradually(const Surface& surface, const Face_test& test,
-                              const Fitted_surface& s, Surface::Index face, Surface::Index neighbor)
+                              const Fitted_surface<>& s, Surface::Index face,
+                              Surface::Index neighbor)
 {
   constexpr double much_less = 0.7, along_tube = 0.02;
   if (s.kind == Surface_kind::PLANE || !test.has_normal_of(s, neighbor))
@@ -89,7 +90,7 @@ public:
   /// From those of the faces `seeds` that lie on `s`, over faces that `is_free(face)`. Improves
   /// `s`.
   template <typename IsFree>
-  void grow(Fitted_surface& s, const std::vector<Index>& seeds, const IsFree& is_free)
+  void grow(Fitted_surface<>& s, const std::vector<Index>& seeds, const IsFree& is_free)
   {
     m_taken.clear();
     m_visited.clear();
@@ -121,7 +122,7 @@ public:
 
   /// The share of the border where the mesh leaves the surface little by little: growing has
   /// stopped in the middle of a face that is not on this surface, but only osculated by it.
-  double gradual_border(const Fitted_surface& s) const
+  double gradual_border(const Fitted_surface<>& s) const
   {
     double gradual = 0, all = 0;
     for (const Index f : faces())
@@ -183,13 +184,13 @@ public:
   double area() const { return m_area; }
 
 private:
-  void visit(const Fitted_surface& s, Index face)
+  void visit(const Fitted_surface<>& s, Index face)
   {
     if (m_visited.mark(face))
       take_if_on(s, face);
   }
 
-  void take_if_on(const Fitted_surface& s, Index face)
+  void take_if_on(const Fitted_surface<>& s, Index face)
   {
     if (!m_test(s, face)) {
       m_rejected.push_back(face);
@@ -199,7 +200,7 @@ private:
     m_area += m_surface.area(face);
   }
 
-  void refine(Fitted_surface& s) const
+  void refine(Fitted_surface<>& s) const
   {
     refine_surface(s, points(), m_test.tolerance(), 1e-3 * m_test.tolerance());
   }

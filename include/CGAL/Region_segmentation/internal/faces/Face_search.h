@@ -29,9 +29,9 @@ public:
   const double noise; ///< the standard deviation of vertices from their surfaces
   const Face_test test;
   Face_grower grower;
-  std::vector<Index> labels;            ///< by face of the mesh; none: not found yet
-  std::vector<Fitted_surface> surfaces; ///< by label
-  std::vector<std::uint8_t> is_tried;   ///< by face of the mesh: no seed in this phase
+  std::vector<Index> labels;              ///< by face of the mesh; none: not found yet
+  std::vector<Fitted_surface<>> surfaces; ///< by label
+  std::vector<std::uint8_t> is_tried;     ///< by face of the mesh: no seed in this phase
 
   /// \param tolerance 0: found from the mesh
   Face_search(const Surface& s, double tolerance)
@@ -48,9 +48,9 @@ public:
   bool is_exact() const { return test.tolerance() < 2e-5 * surface.length_unit(); }
 
   bool is_found(Index face) const { return labels[face] != none; }
-  const Fitted_surface& surface_of(Index face) const { return surfaces[labels[face]]; }
+  const Fitted_surface<>& surface_of(Index face) const { return surfaces[labels[face]]; }
 
-  void add(const Fitted_surface& s, const std::vector<Index>& faces)
+  void add(const Fitted_surface<>& s, const std::vector<Index>& faces)
   {
     for (const Index f : faces)
       labels[f] = Index(surfaces.size());

@@ -26,13 +26,13 @@ public:
 
   double tolerance() const { return m_tolerance; }
 
-  bool has_normal_of(const Fitted_surface& s, std::size_t face) const
+  bool has_normal_of(const Fitted_surface<>& s, std::size_t face) const
   {
     return m_neighbors.is_thin(face) ||
            dot(m_surface.normal(face), surface_normal(s, m_surface.centroid(face))) > least_cosine;
   }
 
-  bool operator()(const Fitted_surface& s, std::size_t face) const
+  bool operator()(const Fitted_surface<>& s, std::size_t face) const
   {
     const Surface_distance distance(s);
     for (std::size_t i = 0; i < m_surface.number_of_corners(face); ++i)
@@ -43,7 +43,7 @@ public:
 
   /// The mean distance of the midpoints of the edges of a face to a surface: how much the face
   /// deviates from it.
-  double deviation(const Fitted_surface& s, std::size_t face) const
+  double deviation(const Fitted_surface<>& s, std::size_t face) const
   {
     const Surface_distance distance(s);
     const std::size_t n = m_surface.number_of_corners(face);

@@ -67,7 +67,7 @@ inline double error_of_patch(const Surface& surface, const Face_neighbors& neigh
     return least;
   const Surface_proposer propose(points, surface.centroid(seed), surface.normal(seed),
                                  Double_3{0, 0, 0}, 1e-9 * size);
-  Fitted_surface s;
+  Fitted_surface<> s;
   for (const Surface_kind kind : kinds_of_surfaces) {
     const int redundant = int(points.size()) - degrees_of_freedom(kind);
     if (least > 1e-7 * size && redundant > 4)

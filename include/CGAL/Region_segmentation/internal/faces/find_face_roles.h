@@ -69,15 +69,16 @@ private:
 };
 
 /// The normal of the surface of a face at a point; of a freeform one, that of a facet.
-inline Double_3 normal_at(const Fitted_surface& s, const Double_3& point, const Double_3& of_facet)
+inline Double_3 normal_at(const Fitted_surface<>& s, const Double_3& point,
+                          const Double_3& of_facet)
 {
   return s.kind == Surface_kind::FREEFORM ? of_facet : surface_normal(s, point);
 }
 
 /// Whether the surfaces of two faces meet smoothly at an adjacency: their normals, not those of the
 /// facets, are nearly equal.
-inline bool meet_smoothly(const Surface& surface, std::size_t adjacency, const Fitted_surface& s,
-                          const Fitted_surface& t)
+inline bool meet_smoothly(const Surface& surface, std::size_t adjacency, const Fitted_surface<>& s,
+                          const Fitted_surface<>& t)
 {
   constexpr double least_cosine = 0.966; // 15 degrees
   const std::size_t f = surface.lower_face(adjacency), g = surface.higher_face(adjacency);
@@ -90,7 +91,7 @@ inline bool meet_smoothly(const Surface& surface, std::size_t adjacency, const F
 /// How much an edge runs along the path of the ball that rolls in a blend, in [0, 1]: along the
 /// axis of a cylinder, around that of a torus, anywhere on a sphere or a freeform face. 0 on planes
 /// and cones.
-inline double alignment_with_rolling(const Fitted_surface& s, const Shared_side& side)
+inline double alignment_with_rolling(const Fitted_surface<>& s, const Shared_side& side)
 {
   switch (s.kind) {
   case Surface_kind::CYLINDER:
@@ -109,7 +110,7 @@ inline double alignment_with_rolling(const Fitted_surface& s, const Shared_side&
 
 /// Which faces are blends: most of their border along the path of a rolling ball is smooth.
 inline std::vector<Face_role> find_blends(const Surface& surface, const Partition& faces,
-                                          const std::vector<Fitted_surface>& surfaces)
+                                          const std::vector<Fitted_surface<>>& surfaces)
 {
   constexpr double most = 0.6;
   std::vector<double> smooth(surfaces.size(), 0), all(surfaces.size(), 0);
@@ -136,7 +137,7 @@ inline std::vector<Face_role> find_blends(const Surface& surface, const Partitio
 /// boss if one of its ends, where its border runs around its axis, is a foot: a concave edge, or a
 /// concave blend; and another one is not.
 inline std::vector<Face_role> find_walls(const Surface& surface, const Partition& faces,
-                                         const std::vector<Fitted_surface>& surfaces)
+                                         const std::vector<Fitted_surface<>>& surfaces)
 {
   constexpr double most_along_axis = 0.5;
   constexpr unsigned foot = 1, head = 2;
@@ -171,7 +172,7 @@ inline std::vector<Face_role> find_walls(const Surface& surface, const Partition
 /// The roles of faces: those of `find_walls()`, and planes that border on the walls of holes, or of
 /// bosses, alone.
 inline std::vector<Face_role> find_face_roles(const Surface& surface, const Partition& faces,
-                                              const std::vector<Fitted_surface>& surfaces)
+                                              const std::vector<Fitted_surface<>>& surfaces)
 {
   const std::vector<Face_role> walls = find_walls(surface, faces, surfaces);
   const auto bit = [](Face_role role) { return 1u << unsigned(role); };

@@ -6,8 +6,7 @@
 #include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/internal/faces/Face_search.h>
 #include <CGAL/Region_segmentation/internal/faces/propose_surfaces.h>
-
-#include <Eigen/Dense>
+#include <CGAL/Region_segmentation/internal/support/eigenvectors.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -65,7 +64,7 @@ private:
     });
     if (m_options.only_at_borders && !is_at_border())
       return false;
-    Fitted_surface best;
+    Fitted_surface<> best;
     std::vector<Index> best_faces;
     double best_area = 0;
     const double tolerance = m_search.test.tolerance();
@@ -73,7 +72,7 @@ private:
                                    axis_of_normals(),
                                    m_search.is_exact() ? 1e-2 * tolerance : 0.5 * m_search.noise);
     for (const Surface_kind kind : kinds_of_surfaces) {
-      Fitted_surface s;
+      Fitted_surface<> s;
       if (propose(kind, s) > tolerance || largest_distance(s, m_patch.points()) > tolerance)
         continue;
       orient(s, seed);
@@ -125,18 +124,13 @@ private:
   /// The direction to which the normals of the patch are most orthogonal.
   Double_3 axis_of_normals() const
   {
-    Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
-    for (const Index f : m_patch.faces()) {
-      const Double_3& n = m_surface.normal(f);
-      const Eigen::Vector3d v(n.x, n.y, n.z);
-      sum += m_surface.area(f) * v * v.transpose();
-    }
-    const Eigen::Vector3d
-      axis = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(sum).eigenvectors().col(0);
-    return {axis[0], axis[1], axis[2]};
+    Symmetric_3 sum;
+    for (const Index f : m_patch.faces())
+      sum.add_square(m_surface.area(f), m_surface.normal(f));
+    return eigenvectors(sum)[0];
   }
 
-  void orient(Fitted_surface& s, Index seed) const
+  void orient(Fitted_surface<>& s, Index seed) const
   {
     s.side = 1;
     if (dot(surface_normal(s, m_surface.centroid(seed)), m_surface.normal(seed)) < 0) {
@@ -148,7 +142,7 @@ private:
   }
 
   /// Whether what was grown is a face, and not only osculated or crossed by its surface.
-  bool is_face(const Fitted_surface& s) const
+  bool is_face(const Fitted_surface<>& s) const
   {
     const std::size_t points = m_grower.points().size();
     if (int(points) < degrees_of_freedom(s.kind) + 2 ||

@@ -26,8 +26,8 @@ inline void find_small_planes(Face_search& search, const Execution& execution)
     progress.advance();
     if (search.is_found(seed) || search.is_tried[seed])
       continue;
-    Fitted_surface s = surface_of_kind(Surface_kind::PLANE, search.surface.centroid(seed),
-                                       search.surface.normal(seed));
+    Fitted_surface<> s = surface_of_kind(Surface_kind::PLANE, search.surface.centroid(seed),
+                                         search.surface.normal(seed));
     search.grower.grow(s, {seed}, [&](Surface::Index f) { return !search.is_found(f); });
     const std::vector<Surface::Index>& faces = search.grower.faces();
     if (share_of_smooth_border(search) < (search.grower.points().size() < few_points ? 0.1 : 0.5))
@@ -67,8 +67,8 @@ inline void find_pairs_of_planes(Face_search& search, const Execution& execution
       ++number[components[f]];
   for (const Index f : largest)
     if (f != Face_search::none && !search.is_found(f) && number[components[f]] <= 2) {
-      Fitted_surface s = surface_of_kind(Surface_kind::PLANE, surface.centroid(f),
-                                         surface.normal(f));
+      Fitted_surface<> s = surface_of_kind(Surface_kind::PLANE, surface.centroid(f),
+                                           surface.normal(f));
       search.grower.grow(s, {f}, [&](Index g) { return !search.is_found(g); });
       search.add(s, search.grower.faces());
     }

@@ -34,13 +34,23 @@ inline Double_3 any_perpendicular(const Double_3& a)
   return (1 / norm(b)) * b;
 }
 
-inline double largest_distance(const Fitted_surface& s, const std::vector<Double_3>& points)
+inline double largest_distance(const Fitted_surface<>& s, const std::vector<Double_3>& points)
 {
   const Surface_distance distance(s);
   double largest = 0;
   for (const Double_3& p : points)
     largest = (std::max)(largest, std::fabs(distance(p)));
   return largest;
+}
+
+/// Moves the point of a cylinder or cone along its axis, next to `p`.
+inline void move_along_axis(Fitted_surface<>& s, const Double_3& p)
+{
+  if (s.kind != Surface_kind::CYLINDER && s.kind != Surface_kind::CONE)
+    return;
+  const double z = dot(p - s.point, s.direction);
+  s.point = s.point + z * s.direction;
+  s.radius += s.kind == Surface_kind::CONE ? z * std::tan(s.angle) : 0;
 }
 
 /// Fits a surface to points: Levenberg and Marquardt's method for the sum of squared distances,
@@ -68,14 +78,14 @@ public:
 
   /// Returns the root mean square distance, infinity if the fit leads to no surface.
   /// \param slow_iterations in a row, of which none improves much, after which the fit ends
-  double operator()(Fitted_surface& s, int iterations = 15, int slow_iterations = 3) const
+  double operator()(Fitted_surface<>& s, int iterations = 15, int slow_iterations = 3) const
   {
     anchor(s);
     Normal_equations best = equations(s);
     double damping = 1e-3;
     int slow = 0;
     for (int i = 0; i < iterations && rms(best) > m_stop && slow < slow_iterations; ++i) {
-      const Fitted_surface next = moved(s, step(best, damping));
+      const Fitted_surface<> next = moved(s, step(best, damping));
       const Normal_equations e = equations(next);
       if (e.cost < best.cost) {
         slow = e.cost > 0.8 * best.cost ? slow + 1 : 0;
@@ -90,7 +100,7 @@ public:
     return normalized(s) ? rms(best) : std::numeric_limits<double>::infinity();
   }
 
-  double root_mean_square(const Fitted_surface& s) const
+  double root_mean_square(const Fitted_surface<>& s) const
   {
     const Surface_distance distance(s);
     double sum = 0;
@@ -118,18 +128,15 @@ private:
 
   /// Moves the point of a plane, cylinder or cone next to the points; the fit is well conditioned
   /// there.
-  void anchor(Fitted_surface& s) const
+  void anchor(Fitted_surface<>& s) const
   {
-    const double z = dot(m_center - s.point, s.direction);
-    if (s.kind == Surface_kind::CYLINDER || s.kind == Surface_kind::CONE) {
-      s.point = s.point + z * s.direction;
-      s.radius += s.kind == Surface_kind::CONE ? z * std::tan(s.angle) : 0;
-    } else if (s.kind == Surface_kind::PLANE) {
-      s.point = m_center - z * s.direction;
-    }
+    if (s.kind == Surface_kind::PLANE)
+      s.point = m_center - dot(m_center - s.point, s.direction) * s.direction;
+    else
+      move_along_axis(s, m_center);
   }
 
-  Normal_equations equations(const Fitted_surface& s) const
+  Normal_equations equations(const Fitted_surface<>& s) const
   {
     const Double_3 e1 = any_perpendicular(s.direction), e2 = cross(s.direction, e1);
     const bool slides = s.kind == Surface_kind::CONE || s.kind == Surface_kind::CYLINDER;
@@ -162,10 +169,10 @@ private:
     return solve_positive_definite(a, Vector(-e.b));
   }
 
-  static Fitted_surface moved(const Fitted_surface& s, const Vector& d)
+  static Fitted_surface<> moved(const Fitted_surface<>& s, const Vector& d)
   {
     const Double_3 e1 = any_perpendicular(s.direction), e2 = cross(s.direction, e1);
-    Fitted_surface result = s;
+    Fitted_surface<> result = s;
     result.point = s.point + d[0] * e1 + d[1] * e2 + d[2] * s.direction;
     const Double_3 a = s.direction + d[3] * e1 + d[4] * e2;
     result.direction = (1 / norm(a)) * a;
@@ -175,7 +182,7 @@ private:
   }
 
   /// Brings the parameters into their ranges. Returns whether the surface is one.
-  bool normalized(Fitted_surface& s) const
+  bool normalized(Fitted_surface<>& s) const
   {
     if (s.kind == Surface_kind::CONE && s.angle < 0) {
       s.angle = -s.angle;
@@ -200,8 +207,8 @@ private:
 /// Fits a surface to points, from the values that it has, and to 300 of them, spread evenly, where
 /// there are more. The values stay if those found are not within the tolerance.
 /// \param stop see `Surface_fitter`
-inline void refine_surface(Fitted_surface& s, const std::vector<Double_3>& points, double tolerance,
-                           double stop)
+inline void refine_surface(Fitted_surface<>& s, const std::vector<Double_3>& points,
+                           double tolerance, double stop)
 {
   constexpr std::size_t most_points = 300;
   std::vector<Double_3> sample;
@@ -210,7 +217,7 @@ inline void refine_surface(Fitted_surface& s, const std::vector<Double_3>& point
     sample.push_back(points[i]);
   if (int(sample.size()) < degrees_of_freedom(s.kind))
     return;
-  Fitted_surface better = s;
+  Fitted_surface<> better = s;
   if (Surface_fitter(sample, stop)(better, 8) <= tolerance)
     s = better;
 }

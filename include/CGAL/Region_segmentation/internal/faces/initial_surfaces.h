@@ -80,28 +80,28 @@ inline Osculating_paraboloid osculating_paraboloid(const std::vector<Double_3>& 
   return result;
 }
 
-inline Fitted_surface surface_of_kind(Surface_kind kind, const Double_3& point,
-                                      const Double_3& direction)
+inline Fitted_surface<> surface_of_kind(Surface_kind kind, const Double_3& point,
+                                        const Double_3& direction)
 {
-  Fitted_surface s;
+  Fitted_surface<> s;
   s.kind = kind;
   s.point = point;
   s.direction = direction;
   return s;
 }
 
-inline Fitted_surface initial_cylinder(const Osculating_paraboloid& o)
+inline Fitted_surface<> initial_cylinder(const Osculating_paraboloid& o)
 {
-  Fitted_surface s = surface_of_kind(Surface_kind::CYLINDER,
-                                     o.point + (1 / o.curvature[0]) * o.normal, o.direction[1]);
+  Fitted_surface<> s = surface_of_kind(Surface_kind::CYLINDER,
+                                       o.point + (1 / o.curvature[0]) * o.normal, o.direction[1]);
   s.radius = 1 / std::fabs(o.curvature[0]);
   return s;
 }
 
 /// The cylinder along `axis` whose section is the circle with the least algebraic distance to the
 /// points.
-inline Fitted_surface cylinder_along(const Double_3& axis, const std::vector<Double_3>& points,
-                                     const Double_3& origin)
+inline Fitted_surface<> cylinder_along(const Double_3& axis, const std::vector<Double_3>& points,
+                                       const Double_3& origin)
 {
   const Double_3 other = std::fabs(axis.x) < 0.6 ? Double_3{1, 0, 0} : Double_3{0, 1, 0};
   Double_3 u = cross(axis, other);
@@ -116,27 +116,28 @@ inline Fitted_surface cylinder_along(const Double_3& axis, const std::vector<Dou
     b += (x * x + y * y) * row;
   }
   const Eigen::Matrix<double, 3, 1, Eigen::DontAlign> c = solve_positive_definite(a, b);
-  Fitted_surface s = surface_of_kind(Surface_kind::CYLINDER, origin + c[0] * u + c[1] * v, axis);
+  Fitted_surface<> s = surface_of_kind(Surface_kind::CYLINDER, origin + c[0] * u + c[1] * v, axis);
   s.radius = std::sqrt((std::max)(0.0, c[2] + c[0] * c[0] + c[1] * c[1]));
   return s;
 }
 
-inline Fitted_surface initial_sphere(const Osculating_paraboloid& o)
+inline Fitted_surface<> initial_sphere(const Osculating_paraboloid& o)
 {
   const double k = (o.curvature[0] + o.curvature[1]) / 2;
-  Fitted_surface s = surface_of_kind(Surface_kind::SPHERE, o.point + (1 / k) * o.normal, o.normal);
+  Fitted_surface<> s = surface_of_kind(Surface_kind::SPHERE, o.point + (1 / k) * o.normal,
+                                       o.normal);
   s.radius = 1 / std::fabs(k);
   return s;
 }
 
 /// The axis of a cone meets the normal at the center of curvature; `angle` is that between axis and
 /// ruling, of any sign.
-inline Fitted_surface initial_cone(const Osculating_paraboloid& o, double angle)
+inline Fitted_surface<> initial_cone(const Osculating_paraboloid& o, double angle)
 {
   const Double_3 axis = std::cos(angle) * o.direction[1] + std::sin(angle) * o.normal;
   const double distance = 1 / o.curvature[0];
   const Double_3 on_axis = o.point + distance * o.normal;
-  Fitted_surface s = surface_of_kind(Surface_kind::CONE, on_axis, axis);
+  Fitted_surface<> s = surface_of_kind(Surface_kind::CONE, on_axis, axis);
   const double z = dot(o.point - on_axis, axis);
   s.point = on_axis + z * axis;
   s.radius = norm(o.point - s.point);
@@ -147,7 +148,7 @@ inline Fitted_surface initial_cone(const Osculating_paraboloid& o, double angle)
 /// The axis of a torus meets the normal at the center of curvature along the parallel; the circle
 /// in the tube, at that along the meridian, which is `direction[meridian]`; `angle` is that between
 /// axis and meridian.
-inline Fitted_surface initial_torus(const Osculating_paraboloid& o, int meridian, double angle)
+inline Fitted_surface<> initial_torus(const Osculating_paraboloid& o, int meridian, double angle)
 {
   const double along_parallel = o.curvature[1 - meridian],
                smallest = 0.02 * std::fabs(o.curvature[0]);
@@ -158,7 +159,7 @@ inline Fitted_surface initial_torus(const Osculating_paraboloid& o, int meridian
   const Double_3 on_axis = o.point + (1 / parallel) * o.normal;
   const Double_3 tube = o.point + (1 / o.curvature[meridian]) * o.normal;
   const double z = dot(tube - on_axis, axis);
-  Fitted_surface s = surface_of_kind(Surface_kind::TORUS, on_axis + z * axis, axis);
+  Fitted_surface<> s = surface_of_kind(Surface_kind::TORUS, on_axis + z * axis, axis);
   s.radius = norm(tube - s.point);
   s.minor_radius = 1 / std::fabs(o.curvature[meridian]);
   return s;

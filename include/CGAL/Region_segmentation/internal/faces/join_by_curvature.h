@@ -128,8 +128,8 @@ inline void join_by_curvature(Face_search& search)
       const Index region = joiner.current(regions.of_faces[f]);
       if (labels[region] == Face_search::none) {
         labels[region] = Index(search.surfaces.size());
-        const Fitted_surface own = search.surfaces[regions.label_of_region[region]];
-        search.surfaces.push_back(joiner.is_joined(region) ? Fitted_surface() : own);
+        const Fitted_surface<> own = search.surfaces[regions.label_of_region[region]];
+        search.surfaces.push_back(joiner.is_joined(region) ? Fitted_surface<>() : own);
       }
       search.labels[f] = labels[region];
     }

@@ -36,13 +36,13 @@ public:
     , m_paraboloid(osculating_paraboloid(points, origin, normal))
   {}
 
-  double operator()(Surface_kind kind, Fitted_surface& best) const
+  double operator()(Surface_kind kind, Fitted_surface<>& best) const
   {
     double least = 1e300;
     if (int(m_points.size()) < degrees_of_freedom(kind) + 2)
       return least;
-    for (const Fitted_surface& initial : nearest_initial_surfaces(kind)) {
-      Fitted_surface s = initial;
+    for (const Fitted_surface<>& initial : nearest_initial_surfaces(kind)) {
+      Fitted_surface<> s = initial;
       const double error = m_fitter(s);
       if (error < least) {
         least = error;
@@ -56,23 +56,24 @@ public:
 
 private:
   /// The three initial surfaces that are nearest to the points, the nearest first.
-  std::vector<Fitted_surface> nearest_initial_surfaces(Surface_kind kind) const
+  std::vector<Fitted_surface<>> nearest_initial_surfaces(Surface_kind kind) const
   {
     constexpr std::size_t most = 3;
-    std::vector<Fitted_surface> initial = initial_surfaces(kind);
-    for (Fitted_surface& s : initial)
+    std::vector<Fitted_surface<>> initial = initial_surfaces(kind);
+    for (Fitted_surface<>& s : initial)
       s.deviation = m_fitter.root_mean_square(s);
-    std::stable_sort(
-      initial.begin(), initial.end(),
-      [](const Fitted_surface& a, const Fitted_surface& b) { return a.deviation < b.deviation; });
+    std::stable_sort(initial.begin(), initial.end(),
+                     [](const Fitted_surface<>& a, const Fitted_surface<>& b) {
+                       return a.deviation < b.deviation;
+                     });
     initial.resize((std::min)(initial.size(), most));
     return initial;
   }
 
-  std::vector<Fitted_surface> initial_surfaces(Surface_kind kind) const
+  std::vector<Fitted_surface<>> initial_surfaces(Surface_kind kind) const
   {
     const Osculating_paraboloid& o = m_paraboloid;
-    std::vector<Fitted_surface> result;
+    std::vector<Fitted_surface<>> result;
     switch (kind) {
     case Surface_kind::PLANE:
       result.push_back(surface_of_kind(Surface_kind::PLANE, m_origin, m_normal));

@@ -29,7 +29,7 @@ inline void separate_components(Face_search& search, const Execution& execution)
              (label != Face_search::none || search.neighbors.may_be_smooth(a));
     },
     execution);
-  std::vector<Fitted_surface> surfaces(components.number_of_parts());
+  std::vector<Fitted_surface<>> surfaces(components.number_of_parts());
   for (Surface::Index f = 0; f < surface.number_of_faces(); ++f)
     if (search.is_found(f))
       surfaces[components[f]] = search.surface_of(f);

@@ -18,7 +18,7 @@ namespace internal {
 
 /// The number of different angles that points have around the circle in the tube of a torus, up to
 /// 1/1000 of their range.
-inline int number_of_parallels(const Fitted_surface& torus, const std::vector<Double_3>& points)
+inline int number_of_parallels(const Fitted_surface<>& torus, const std::vector<Double_3>& points)
 {
   std::vector<double> angles;
   for (const Double_3& p : points) {

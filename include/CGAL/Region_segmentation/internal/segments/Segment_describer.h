@@ -5,13 +5,15 @@
 
 #include <CGAL/Region_segmentation/Segments/Segment_description.h>
 #include <CGAL/Region_segmentation/internal/segments/Mesh_geometry.h>
-#include <CGAL/Region_segmentation/internal/segments/Primitive_fitter.h>
+#include <CGAL/Region_segmentation/internal/segments/Segment_fitter.h>
 #include <CGAL/Region_segmentation/internal/segments/Segmented_mesh.h>
 #include <CGAL/Region_segmentation/internal/segments/segment_volumes.h>
+#include <CGAL/Region_segmentation/internal/support/eigenvectors.h>
 
-#include <Eigen/Core>
-#include <Eigen/Eigenvalues>
+#include <CGAL/Origin.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -45,143 +47,120 @@ public:
   std::vector<Description> describe()
   {
     for (std::size_t s = 0; s < m_descriptions.size(); ++s)
-      describe_surface(s);
+      describe_shape(s);
     describe_volumes();
     describe_neighbors();
     return std::move(m_descriptions);
   }
 
 private:
-  using Points = std::vector<Eigen::Vector3d>;
+  using Points = std::vector<Double_3>;
 
-  static Eigen::Vector3d to_eigen(const Double_3& v) { return {v.x, v.y, v.z}; }
-  static typename Kernel::Vector_3 to_vector(const Eigen::Vector3d& v)
+  static typename Kernel::Vector_3 to_vector(const Double_3& v)
   {
     using FT = typename Kernel::FT;
-    return typename Kernel::Vector_3(FT(v[0]), FT(v[1]), FT(v[2]));
-  }
-  static typename Kernel::Point_3 to_point(const Eigen::Vector3d& v)
-  {
-    return CGAL::ORIGIN + to_vector(v);
+    return typename Kernel::Vector_3(FT(v.x), FT(v.y), FT(v.z));
   }
 
-  /// Calls `f(face, corners)` for the faces of a segment; a corner is (p - origin) / unit.
+  /// Calls `f(face, corners)` for the faces of a segment; a corner is factor (p - origin).
   template <typename F>
-  void for_each_face(std::size_t segment, const Eigen::Vector3d& origin, double unit,
-                     const F& f) const
+  void for_each_face(std::size_t segment, const Double_3& origin, double factor, const F& f) const
   {
     Points corners;
     for (Index face : m_faces[segment]) {
       corners.clear();
       for (Index h = m_segmented.first[face]; h < m_segmented.first[face + 1]; ++h)
-        corners.push_back((to_eigen(m_geometry.point(m_segmented.source[h])) - origin) / unit);
+        corners.push_back(factor * (m_geometry.point(m_segmented.source[h]) - origin));
       f(face, corners);
     }
   }
 
-  /// Area, centroid, axes, extents and primitive.
-  void describe_surface(std::size_t segment)
+  /// Area, centroid, axes, extents and surface.
+  void describe_shape(std::size_t segment)
   {
     const Index first_face = *m_faces[segment].begin();
     // Relative to a point nearby, so that nothing cancels far from the origin.
-    const Eigen::Vector3d origin = to_eigen(
-      m_geometry.point(m_segmented.source[m_segmented.first[first_face]]));
-    double area = 0;
-    Eigen::Vector3d first_moment = Eigen::Vector3d::Zero();
-    Eigen::Matrix3d second_moment = Eigen::Matrix3d::Zero();
-    for_each_face(segment, origin, 1, [&](Index, const Points& p) {
-      add_moments(p, area, first_moment, second_moment);
-    });
-    Eigen::Vector3d center = Eigen::Vector3d::Zero();
-    if (area > 0) {
-      center = first_moment / area;
-      second_moment = second_moment / area - center * center.transpose();
-    }
+    const Double_3 origin = m_geometry.point(m_segmented.source[m_segmented.first[first_face]]);
+    Second_moments moments;
+    for_each_face(segment, origin, 1, [&](Index, const Points& p) { add_moments(p, moments); });
+    const double area = moments.weight, unit = m_geometry.unit();
+    const Double_3 center = origin + moments.centroid();
     Description& d = m_descriptions[segment];
-    const double unit = m_geometry.unit();
     d.segment = m_segmented.labels[segment];
     d.number_of_faces = m_faces[segment].size();
     d.area = area * unit * unit; // one by one: the square of the unit may be infinite, the area 0
-    d.centroid = to_point(unit * (origin + center));
-    describe_extents(segment, origin + center, principal_axes(second_moment));
-    fit_primitive(segment, origin + center, area > 0 ? std::sqrt(area) : 1);
+    d.centroid = CGAL::ORIGIN + to_vector(unit * center);
+    describe_extents(segment, center, principal_axes(moments.covariance()));
+    fit_surface(segment, center, area);
   }
 
   /// Of the triangles of a fan, each with its area as seen along the normal, so that a face may be
   /// concave. The integral of x x^T over a triangle a, b, c of area A is
   /// A / 12 (a a^T + b b^T + c c^T + s s^T), s = a + b + c.
-  static void add_moments(const Points& p, double& area, Eigen::Vector3d& first,
-                          Eigen::Matrix3d& second)
+  static void add_moments(const Points& p, Second_moments& moments)
   {
-    Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+    Double_3 normal{0, 0, 0};
     for (std::size_t i = 2; i < p.size(); ++i)
-      normal += (p[i - 1] - p[0]).cross(p[i] - p[0]);
-    normal.stableNormalize();
-    for (std::size_t i = 2; i < p.size(); ++i) {
-      const double a = normal.dot((p[i - 1] - p[0]).cross(p[i] - p[0])) / 2;
-      const Eigen::Vector3d sum = p[0] + p[i - 1] + p[i];
-      area += a;
-      first += a / 3 * sum;
-      for (const Eigen::Vector3d& v : {p[0], p[i - 1], p[i], sum})
-        second += a / 12 * v * v.transpose();
+      normal = normal + cross(p[i - 1] - p[0], p[i] - p[0]);
+    const double length = norm(normal);
+    for (std::size_t i = 2; length > 0 && i < p.size(); ++i) {
+      const double a = dot(normal, cross(p[i - 1] - p[0], p[i] - p[0])) / length / 2;
+      const Double_3 sum = p[0] + p[i - 1] + p[i];
+      moments.weight += a;
+      moments.first = moments.first + a / 3 * sum;
+      for (const Double_3& v : {p[0], p[i - 1], p[i], sum})
+        moments.second.add_square(a / 12, v);
     }
   }
 
-  static Eigen::Matrix3d principal_axes(const Eigen::Matrix3d& covariance)
+  static std::array<Double_3, 3> principal_axes(const Symmetric_3& covariance)
   {
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance); // eigenvalues increase
-    Eigen::Matrix3d axes = solver.eigenvectors().rowwise().reverse();
-    for (Eigen::Index i = 0; i < 2; ++i) {
-      Eigen::Index largest;
-      axes.col(i).cwiseAbs().maxCoeff(&largest);
-      if (axes(largest, i) < 0)
-        axes.col(i) = -axes.col(i);
+    std::array<Double_3, 3> axes = eigenvectors(covariance);
+    std::swap(axes[0], axes[2]); // now from the largest to the smallest
+    for (Double_3& a : axes) {
+      const double x = std::fabs(a.x), y = std::fabs(a.y), z = std::fabs(a.z);
+      if ((x >= y && x >= z ? a.x : y >= z ? a.y : a.z) < 0)
+        a = -1.0 * a;
     }
-    axes.col(2) = axes.col(0).cross(axes.col(1));
+    axes[2] = cross(axes[0], axes[1]);
     return axes;
   }
 
-  void describe_extents(std::size_t segment, const Eigen::Vector3d& center,
-                        const Eigen::Matrix3d& axes)
+  void describe_extents(std::size_t segment, const Double_3& center,
+                        const std::array<Double_3, 3>& axes)
   {
-    Eigen::Array3d lowest = Eigen::Array3d::Constant((std::numeric_limits<double>::max)()),
-                   highest = -lowest;
-    for_each_face(segment, center, 1, [&](Index, const Points& corners) {
-      for (const Eigen::Vector3d& p : corners) {
-        lowest = lowest.min((axes.transpose() * p).array());
-        highest = highest.max((axes.transpose() * p).array());
-      }
-    });
     for (std::size_t i = 0; i < 3; ++i) {
-      m_descriptions[segment].axes[i] = to_vector(axes.col(Eigen::Index(i)));
-      m_descriptions[segment].extents[i] = (highest - lowest)[Eigen::Index(i)] * m_geometry.unit();
+      double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+      for_each_face(segment, center, 1, [&](Index, const Points& corners) {
+        for (const Double_3& p : corners) {
+          lowest = (std::min)(lowest, dot(axes[i], p));
+          highest = (std::max)(highest, dot(axes[i], p));
+        }
+      });
+      m_descriptions[segment].axes[i] = to_vector(axes[i]);
+      m_descriptions[segment].extents[i] = (highest - lowest) * m_geometry.unit();
     }
   }
 
-  void fit_primitive(std::size_t segment, const Eigen::Vector3d& center, double size)
+  void fit_surface(std::size_t segment, const Double_3& center, double area)
   {
-    Primitive_fitter fitter(m_faces[segment].size());
-    for_each_face(segment, center, size, [&](Index f, const Points& corners) {
-      fitter.add_face(corners, to_eigen(m_geometry.normal(f)), m_geometry.surface().area(f));
+    const double size = area > 0 ? std::sqrt(area) : 1, unit = m_geometry.unit();
+    Segment_fitter fitter(m_faces[segment].size());
+    for_each_face(segment, center, 1 / size, [&](Index f, const Points& corners) {
+      fitter.add_face(corners, m_geometry.normal(f), area > 0 ? m_geometry.surface().area(f) : 1);
     });
-    const Fitted_surface surface = fitter.fit();
-    const double unit = m_geometry.unit();
-    Fitted_primitive<Kernel>& result = m_descriptions[segment].primitive;
-    result.type = type_of(surface.kind);
-    Double_3 point = surface.point, direction = surface.direction;
-    if (result.type == Primitive_type::CYLINDER)
-      point = point - dot(point, direction) * direction; // next to the center
-    else if (result.type == Primitive_type::CONE)
-      point = surface.apex();
-    else if (result.type == Primitive_type::SPHERE)
-      direction = {0, 0, 0};
-    result.point = to_point(unit * (center + size * to_eigen(point)));
-    result.direction = to_vector(to_eigen(direction));
-    result.radius = result.type == Primitive_type::CONE ? 0 : surface.radius * size * unit;
-    result.half_angle = surface.angle;
-    for (std::size_t i = 0; i < result.errors.size(); ++i)
-      result.errors[i] = fitter.errors()[i] * size * unit;
-    result.error = result.error_of(result.type);
+    Description& d = m_descriptions[segment];
+    Fitted_surface<> surface = fitter.fit(d.surface_errors);
+    surface.point = surface.point + 1 / size * center;
+    double outwards = 0;
+    for (Index f : m_faces[segment])
+      outwards += m_geometry.surface().area(f) *
+                  dot(m_geometry.normal(f),
+                      surface_normal(surface, 1 / size * m_geometry.surface().centroid(f)));
+    surface.side = outwards < 0 ? -1 : 1;
+    d.surface = scaled<Kernel>(surface, size * unit);
+    for (double& error : d.surface_errors)
+      error *= size * unit;
   }
 
   void describe_volumes()

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_SEGMENTS_SEGMENT_FITTER_H
+#define CGAL_REGION_SEGMENTATION_INTERNAL_SEGMENTS_SEGMENT_FITTER_H
+
+#include <CGAL/Region_segmentation/Segments/Segment_description.h>
+#include <CGAL/Region_segmentation/internal/faces/fit_surface.h>
+#include <CGAL/Region_segmentation/internal/support/eigenvectors.h>
+
+#include <CGAL/number_type_config.h>
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Region_segmentation {
+namespace internal {
+
+struct Weighted_points
+{
+  std::vector<Double_3> points;
+  std::vector<double> weights;
+
+  void add(const Double_3& point, double weight)
+  {
+    points.push_back(point);
+    weights.push_back(weight);
+  }
+};
+
+/// The sphere with the least squared powers of the points p: by the solution (c, s) of
+/// 2 c.p + s = |p|^2 in the least squares sense, where s = r^2 - |c|^2. Of points in a plane
+/// through the origin it is that of their circle.
+inline Fitted_surface<> sphere_through(const Weighted_points& samples)
+{
+  Eigen::Matrix4d matrix = Eigen::Matrix4d::Zero();
+  Eigen::Vector4d right_side = Eigen::Vector4d::Zero();
+  for (std::size_t i = 0; i < samples.points.size(); ++i) {
+    const Double_3& p = samples.points[i];
+    const Eigen::Vector4d row(2 * p.x, 2 * p.y, 2 * p.z, 1);
+    matrix += samples.weights[i] * row * row.transpose();
+    right_side += samples.weights[i] * squared_norm(p) * row;
+  }
+  const Eigen::Vector4d solution = matrix.completeOrthogonalDecomposition().solve(right_side);
+  Fitted_surface<> result;
+  result.kind = Surface_kind::SPHERE;
+  result.point = {solution[0], solution[1], solution[2]};
+  result.radius = std::sqrt((std::max)(0.0, solution[3] + squared_norm(result.point)));
+  return result;
+}
+
+/// Fits surfaces to the faces of a segment: first by linear systems in points and normals, then by
+/// least squares of the distances of the corners, see `Surface_fitter`. Faces are added in a system
+/// of coordinates where the centroid of the segment is the origin and its area is 1.
+class Segment_fitter
+{
+public:
+  using Errors = std::array<double, 4>; ///< by `Surface_kind`
+
+  explicit Segment_fitter(std::size_t number_of_faces)
+    : m_stride((number_of_faces + most_fitted_faces - 1) / most_fitted_faces)
+  {}
+
+  /// `normal`: zero for a degenerate face.
+  void add_face(const std::vector<Double_3>& corners, const Double_3& normal, double weight)
+  {
+    const double n = double(corners.size());
+    const bool is_fitted = m_middles.points.size() % m_stride == 0;
+    Double_3 sum{0, 0, 0};
+    for (const Double_3& p : corners) {
+      sum = sum + p;
+      m_corners.add(p, weight / n);
+      m_moments.add(weight / n, p);
+      if (is_fitted)
+        m_fitted.add(p, weight / n);
+    }
+    m_middles.add((1 / n) * sum, weight);
+    m_normals.add(weight, normal);
+    m_offsets = m_offsets + (weight * dot(normal, corners[0])) * normal;
+  }
+
+  /// The simplest surface than which no more complex one is better by far. `errors`: the root mean
+  /// square distance of the corners to the best one of each kind; infinite where none was found.
+  ///
+  /// Surfaces are compared by the misfit: the root mean square distance of corners and middles of
+  /// faces together. Corners alone do not tell a cylinder or a cone from a sphere if they lie on
+  /// two circles, as on many machine parts.
+  Fitted_surface<> fit(Errors& errors) const
+  {
+    const Surface_fitter corners(m_corners.points, 0, m_corners.weights),
+      middles(m_middles.points, 0, m_middles.weights), fitter(m_fitted.points, 0, m_fitted.weights);
+    Fitted_surface<> best;
+    double least = infinity;
+    const auto accept = [&](const Fitted_surface<>& s) {
+      const double at_corners = corners.root_mean_square(s),
+                   misfit = std::hypot(at_corners, middles.root_mean_square(s)) / std::sqrt(2.0);
+      if (!is_proper(s) || !std::isfinite(misfit))
+        return;
+      errors[std::size_t(s.kind)] = at_corners;
+      if (least > tolerance && misfit < worthwhile * least) {
+        least = misfit;
+        best = s;
+      }
+    };
+    errors.fill(infinity);
+    accept(plane());
+    if (least > 0) // else nothing can be better, and the systems are singular
+      for (Fitted_surface<> s : {sphere_through(m_fitted), cylinder(), cone()})
+        if (fitter(s, most_iterations, most_slow_iterations) < infinity)
+          accept(s);
+    move_along_axis(best, {0, 0, 0});
+    measure(best, m_corners.points);
+    return best;
+  }
+
+private:
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  static constexpr std::size_t most_fitted_faces = 2000; // errors are those of all faces
+  static constexpr double tolerance = 1e-4;              // misfits below are as good as none
+  static constexpr double worthwhile = 0.8; // what another parameter multiplies the misfit with
+  static constexpr int most_iterations = 100, most_slow_iterations = 20; // often no surface fits
+  static constexpr double largest_radius = 100;       // beyond, a surface is as good as flat
+  static constexpr double smallest_half_angle = 0.01; // radians; below, a cone is a cylinder
+
+  static bool is_proper(const Fitted_surface<>& s)
+  {
+    if (s.kind != Surface_kind::CONE)
+      return s.radius <= largest_radius;
+    return s.angle >= smallest_half_angle && s.angle <= CGAL_PI / 2 - smallest_half_angle &&
+           norm(s.apex()) <= largest_radius;
+  }
+
+  Fitted_surface<> plane() const
+  {
+    Fitted_surface<> result;
+    result.kind = Surface_kind::PLANE;
+    result.point = m_moments.centroid();
+    result.direction = eigenvectors(m_moments.covariance())[0];
+    if (dot(result.direction, m_normals.first) < 0)
+      result.direction = -1.0 * result.direction;
+    return result;
+  }
+
+  /// The normals of a cylinder are perpendicular to its axis; along the axis, it is a circle.
+  Fitted_surface<> cylinder() const
+  {
+    const Double_3 axis = eigenvectors(m_normals.second)[0];
+    Weighted_points projected = m_fitted;
+    for (Double_3& p : projected.points)
+      p = p - dot(axis, p) * axis;
+    Fitted_surface<> result = sphere_through(projected);
+    result.kind = Surface_kind::CYLINDER;
+    result.direction = axis;
+    return result;
+  }
+
+  /// The normals of a cone lie on a circle around its axis, and its tangent planes meet in the
+  /// apex.
+  Fitted_surface<> cone() const
+  {
+    const Eigen::Vector3d apex = to_eigen(m_normals.second)
+                                   .completeOrthogonalDecomposition()
+                                   .solve(Eigen::Vector3d(m_offsets.x, m_offsets.y, m_offsets.z));
+    Fitted_surface<> result;
+    result.kind = Surface_kind::CONE;
+    result.point = {apex[0], apex[1], apex[2]};
+    result.direction = eigenvectors(m_normals.covariance())[0];
+    if (dot(result.point, result.direction) > 0) // from the apex to the centroid, the origin
+      result.direction = -1.0 * result.direction;
+    result.angle = std::asin(
+      (std::min)(1.0, std::fabs(dot(m_normals.centroid(), result.direction))));
+    return result;
+  }
+
+  const std::size_t m_stride;
+  Weighted_points m_corners, m_middles; // of all faces
+  Weighted_points m_fitted;             // corners of every `m_stride`-th face
+  Second_moments m_moments, m_normals;  // of corners and of normals
+  Double_3 m_offsets{0, 0, 0}; // the sum of (n.p) n: p on the plane of a face, n its normal
+};
+
+} // namespace internal
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_INTERNAL_SEGMENTS_SEGMENT_FITTER_H
