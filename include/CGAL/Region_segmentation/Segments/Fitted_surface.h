@@ -112,6 +112,16 @@ Fitted_surface<Kernel> scaled(const Fitted_surface<>& s, double factor)
 
 namespace internal {
 
+inline Fitted_surface<> surface_of_kind(Surface_kind kind, const Double_3& point,
+                                        const Double_3& direction)
+{
+  Fitted_surface<> s;
+  s.kind = kind;
+  s.point = point;
+  s.direction = direction;
+  return s;
+}
+
 /// A point in the half plane through the axis of a surface of revolution, and the direction of r in
 /// space.
 struct Meridian_point

@@ -4,6 +4,7 @@
 #define CGAL_REGION_SEGMENTATION_INTERNAL_FACES_FACE_CURVATURES_H
 
 #include <CGAL/Region_segmentation/internal/faces/Chord_normals.h>
+#include <CGAL/Region_segmentation/internal/faces/Shared_side.h>
 #include <CGAL/Region_segmentation/internal/faces/fit_surface.h>
 #include <CGAL/Region_segmentation/internal/faces/solve_positive_definite.h>
 
@@ -50,7 +51,7 @@ public:
     constexpr double of_norm = 0.05, of_error = 25, of_size = 1;
     const Index f = m_surface.lower_face(adjacency), g = m_surface.higher_face(adjacency);
     const Tensor &s = m_tensors[m_numbers[f]], &t = m_tensors[m_numbers[g]];
-    const Double_3 along = shared_edge(f, g);
+    const Double_3 along = Shared_side(m_surface, f, g).along;
     const double cf = s.across(along), cg = t.across(along);
     return {cf - cg, (std::max)(std::fabs(cf), std::fabs(cg)) +
                        of_norm * (std::max)(s.norm(), t.norm()) + of_error * (s.error + t.error) +
@@ -116,18 +117,6 @@ private:
     t.xy = c[1];
     t.yy = c[2];
     return t;
-  }
-
-  /// From one of two shared corners to the other; 0 if there are fewer.
-  Double_3 shared_edge(Index f, Index g) const
-  {
-    Double_3 ends[2];
-    int number = 0;
-    for (std::size_t i = 0; i < m_surface.number_of_corners(f); ++i)
-      for (std::size_t j = 0; j < m_surface.number_of_corners(g) && number < 2; ++j)
-        if (m_surface.corner(f, i) == m_surface.corner(g, j))
-          ends[number++] = m_surface.point(m_surface.corner(f, i));
-    return number == 2 ? ends[1] - ends[0] : Double_3{0, 0, 0};
   }
 
   const Surface& m_surface;

@@ -5,6 +5,7 @@
 
 #include <CGAL/Region_segmentation/internal/faces/Face_test.h>
 #include <CGAL/Region_segmentation/internal/faces/Face_set.h>
+#include <CGAL/Region_segmentation/internal/faces/Shared_side.h>
 #include <CGAL/Region_segmentation/internal/faces/fit_surface.h>
 
 #include <algorithm>
@@ -16,36 +17,25 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// The vertex of a face that is farthest from an edge of it, given with another face, as the foot
-/// of the perpendicular on the line of that edge, and the perpendicular; 0 if there is no such
-/// edge.
+/// The vertex of a face that is farthest from its side to another face, as the foot of the
+/// perpendicular on the line of that side, and the perpendicular.
 struct Perpendicular
 {
-  Double_3 foot, vector;
-};
+  Double_3 foot, vector{0, 0, 0};
 
-inline Perpendicular longest_perpendicular(const Surface& surface, Surface::Index face,
-                                           Surface::Index other)
-{
-  Double_3 ends[2];
-  std::size_t number = 0;
-  for (std::size_t i = 0; i < surface.number_of_corners(face); ++i)
-    for (std::size_t j = 0; j < surface.number_of_corners(other) && number < 2; ++j)
-      if (surface.corner(face, i) == surface.corner(other, j))
-        ends[number++] = surface.point(surface.corner(face, i));
-  Perpendicular longest{ends[0], {0, 0, 0}};
-  const double length = number == 2 ? norm(ends[1] - ends[0]) : 0;
-  if (!(length > 0))
-    return longest;
-  const Double_3 along = (1 / length) * (ends[1] - ends[0]);
-  for (std::size_t i = 0; i < surface.number_of_corners(face); ++i) {
-    const Double_3 p = surface.point(surface.corner(face, i)), d = p - ends[0],
-                   across = d - dot(d, along) * along;
-    if (squared_norm(across) > squared_norm(longest.vector))
-      longest = {p - across, across};
+  Perpendicular(const Surface& surface, Surface::Index face, Surface::Index other)
+  {
+    const Shared_side side(surface, face, other);
+    for (std::size_t i = 0; i < surface.number_of_corners(face); ++i) {
+      const Double_3 p = surface.point(surface.corner(face, i)), d = p - side.middle,
+                     across = d - dot(d, side.along) * side.along;
+      if (i == 0 || squared_norm(across) > squared_norm(vector)) {
+        foot = p - across;
+        vector = across;
+      }
+    }
   }
-  return longest;
-}
+};
 
 /// Whether the neighbor of a face that is on a curved surface leaves it little by little: it
 /// departs from the surface less than a plane that is tangent to it where they meet would, and more
@@ -57,7 +47,7 @@ inline bool departs_gradually(const Surface& surface, const Face_test& test,
   constexpr double much_less = 0.7, along_tube = 0.02;
   if (s.kind == Surface_kind::PLANE || !test.has_normal_of(s, neighbor))
     return false;
-  const Perpendicular p = longest_perpendicular(surface, neighbor, face);
+  const Perpendicular p(surface, neighbor, face);
   const double height = norm(p.vector);
   const Double_3 normal = surface_normal(s, p.foot),
                  tangent = p.vector - dot(p.vector, normal) * normal;

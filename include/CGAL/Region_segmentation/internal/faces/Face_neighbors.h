@@ -10,12 +10,25 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
 namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
+
+/// Calls `f(adjacency, i, j)` for the adjacencies across edges and seams of faces with different
+/// labels i and j: those of the lower and of the higher face.
+template <typename Labels, typename F>
+void for_each_border(const Surface& surface, const Labels& labels, const F& f)
+{
+  for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a) {
+    const std::size_t i = labels[surface.lower_face(a)], j = labels[surface.higher_face(a)];
+    if (i != j && !surface.has_flag(a, Surface::LINK))
+      f(a, i, j);
+  }
+}
 
 /// The faces adjacent to each face across edges and seams, and whether they go on smoothly there.
 class Face_neighbors

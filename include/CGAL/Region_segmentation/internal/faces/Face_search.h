@@ -25,7 +25,7 @@ public:
 
   const Surface& surface;
   const Face_neighbors neighbors;
-  Patch patch;
+  Face_set patch;     ///< some faces around a face
   const double noise; ///< the standard deviation of vertices from their surfaces
   const Face_test test;
   Face_grower grower;
@@ -37,7 +37,7 @@ public:
   Face_search(const Surface& s, double tolerance)
     : surface(s)
     , neighbors(s)
-    , patch(s, neighbors)
+    , patch(s)
     , noise(tolerance > 0 ? tolerance / noises_in_tolerance : estimate_noise(s, neighbors, patch))
     , test(s, neighbors, (std::max)(noises_in_tolerance * noise, exact_tolerance(s)))
     , grower(s, neighbors, test)

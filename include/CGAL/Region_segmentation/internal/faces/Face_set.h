@@ -5,6 +5,7 @@
 
 #include <CGAL/Region_segmentation/Double_3.h>
 #include <CGAL/Region_segmentation/Surface.h>
+#include <CGAL/Region_segmentation/internal/faces/Face_neighbors.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -64,6 +65,20 @@ public:
     for (std::size_t i = 0; i < m_surface.number_of_corners(face); ++i)
       if (m_vertex_marks.mark(m_surface.corner(face, i)))
         m_points.push_back(m_surface.point(m_surface.corner(face, i)));
+  }
+
+  /// Makes it the faces around `seed` in breadth first order, across `may_cross(neighbor)`, until
+  /// they have `wanted` vertices.
+  template <typename MayCross>
+  void collect(const Face_neighbors& neighbors, Index seed, std::size_t wanted,
+               const MayCross& may_cross)
+  {
+    clear();
+    add(seed);
+    for (std::size_t next = 0; next < faces().size() && points().size() < wanted; ++next)
+      for (const Face_neighbors::Neighbor& n : neighbors[faces()[next]])
+        if (!has(n.face) && may_cross(n))
+          add(n.face);
   }
 
   bool has(Index face) const { return m_face_marks.has(face); }

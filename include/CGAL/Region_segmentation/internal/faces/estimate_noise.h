@@ -3,7 +3,7 @@
 #ifndef CGAL_REGION_SEGMENTATION_INTERNAL_FACES_ESTIMATE_NOISE_H
 #define CGAL_REGION_SEGMENTATION_INTERNAL_FACES_ESTIMATE_NOISE_H
 
-#include <CGAL/Region_segmentation/internal/faces/Patch.h>
+#include <CGAL/Region_segmentation/internal/faces/Face_set.h>
 #include <CGAL/Region_segmentation/internal/faces/propose_surfaces.h>
 
 #include <algorithm>
@@ -51,15 +51,15 @@ inline double share_of_plane_area(const Surface& surface, const Face_neighbors& 
 
 /// The standard deviation of the points around a face from the surface that fits them best;
 /// infinite if there are too few.
-inline double error_of_patch(const Surface& surface, const Face_neighbors& neighbors, Patch& patch,
-                             Surface::Index seed)
+inline double error_of_patch(const Surface& surface, const Face_neighbors& neighbors,
+                             Face_set& patch, Surface::Index seed)
 {
   constexpr std::size_t wanted = 24, fewest = 8;
   const double size = surface.length_unit();
   double least = std::numeric_limits<double>::infinity();
   if (neighbors.is_thin(seed))
     return least;
-  patch.collect(seed, wanted, [&](const Face_neighbors::Neighbor& n) {
+  patch.collect(neighbors, seed, wanted, [&](const Face_neighbors::Neighbor& n) {
     return neighbors.may_be_smooth(n.adjacency);
   });
   const std::vector<Double_3>& points = patch.points();
@@ -80,7 +80,8 @@ inline double error_of_patch(const Surface& surface, const Face_neighbors& neigh
 /// The standard deviation of vertices from the surfaces on which they lie. Freeform faces and
 /// patches across borders fit no surface, so this is a low quantile over patches that are spread
 /// evenly over the area.
-inline double estimate_noise(const Surface& surface, const Face_neighbors& neighbors, Patch& patch)
+inline double estimate_noise(const Surface& surface, const Face_neighbors& neighbors,
+                             Face_set& patch)
 {
   constexpr int samples = 300;
   constexpr double largest = 2e-3; // times the size

@@ -6,67 +6,17 @@
 #include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/Segments/Fitted_surface.h>
 #include <CGAL/Region_segmentation/Surface.h>
+#include <CGAL/Region_segmentation/internal/faces/Face_neighbors.h>
+#include <CGAL/Region_segmentation/internal/faces/Shared_side.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
-
-/// The side that two faces share, from one vertex to another; of several, one of them. `along` is 0
-/// if they share no vertices. Linear time in the corners of the face that has fewer.
-struct Shared_side
-{
-  Double_3 middle{0, 0, 0}, along{0, 0, 0};
-
-  Shared_side(const Surface& surface, std::size_t face, std::size_t other)
-  {
-    if (surface.number_of_corners(face) > surface.number_of_corners(other))
-      std::swap(face, other);
-    const std::size_t n = surface.number_of_corners(face);
-    double least = none;
-    for (std::size_t i = 0; i < n; ++i) {
-      const std::size_t p = surface.corner(face, i), q = surface.corner(face, (i + 1) % n);
-      const double distance = (std::max)(this->distance(surface, p, other),
-                                         this->distance(surface, q, other));
-      if (distance < least) {
-        least = distance;
-        set(surface.point(p), surface.point(q));
-      }
-    }
-    if (least == none)
-      middle = 0.5 * (surface.centroid(face) + surface.centroid(other));
-  }
-
-private:
-  static constexpr std::size_t many = 64; // corners, among which a vertex is not searched
-  static constexpr double none = (std::numeric_limits<double>::max)();
-
-  /// 0 for a vertex of a face, else none; that from its plane where the face has many corners.
-  static double distance(const Surface& surface, std::size_t vertex, std::size_t face)
-  {
-    const std::size_t n = surface.number_of_corners(face);
-    if (n > many)
-      return std::fabs(
-        dot(surface.normal(face), surface.point(vertex) - surface.point(surface.corner(face, 0))));
-    for (std::size_t i = 0; i < n; ++i)
-      if (surface.corner(face, i) == vertex)
-        return 0;
-    return none;
-  }
-
-  void set(const Double_3& from, const Double_3& to)
-  {
-    const Double_3 d = to - from;
-    middle = 0.5 * (from + to);
-    along = norm(d) > 0 ? (1 / norm(d)) * d : d;
-  }
-};
 
 /// The normal of the surface of a face at a point; of a freeform one, that of a facet.
 inline Double_3 normal_at(const Fitted_surface<>& s, const Double_3& point,
@@ -114,18 +64,15 @@ inline std::vector<Face_role> find_blends(const Surface& surface, const Partitio
 {
   constexpr double most = 0.6;
   std::vector<double> smooth(surfaces.size(), 0), all(surfaces.size(), 0);
-  for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a) {
-    const std::size_t f = surface.lower_face(a), g = surface.higher_face(a);
-    if (faces[f] == faces[g] || surface.has_flag(a, Surface::LINK))
-      continue;
-    const Shared_side side(surface, f, g);
-    const bool is_smooth = meet_smoothly(surface, a, surfaces[faces[f]], surfaces[faces[g]]);
-    for (const std::size_t part : {faces[f], faces[g]}) {
+  for_each_border(surface, faces, [&](std::size_t a, std::size_t i, std::size_t j) {
+    const Shared_side side(surface, surface.lower_face(a), surface.higher_face(a));
+    const bool is_smooth = meet_smoothly(surface, a, surfaces[i], surfaces[j]);
+    for (const std::size_t part : {i, j}) {
       const double length = surface.length(a) * alignment_with_rolling(surfaces[part], side);
       all[part] += length;
       smooth[part] += is_smooth ? length : 0;
     }
-  }
+  });
   std::vector<Face_role> roles(surfaces.size(), Face_role::NONE);
   for (std::size_t i = 0; i < roles.size(); ++i)
     if (smooth[i] > most * all[i])
@@ -148,19 +95,17 @@ inline std::vector<Face_role> find_walls(const Surface& surface, const Partition
            (kind == Surface_kind::CYLINDER || kind == Surface_kind::CONE);
   };
   std::vector<unsigned> ends(roles.size(), 0);
-  for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a) {
-    const std::size_t f = surface.lower_face(a), g = surface.higher_face(a);
-    if (faces[f] == faces[g] || surface.has_flag(a, Surface::LINK))
-      continue;
+  for_each_border(surface, faces, [&](std::size_t a, std::size_t i, std::size_t j) {
     const bool is_concave_edge = surface.has_flag(a, Surface::CONCAVE) &&
-                                 !meet_smoothly(surface, a, surfaces[faces[f]], surfaces[faces[g]]);
-    const Double_3 along = Shared_side(surface, f, g).along;
-    for (const auto& [part, other] : {std::pair(faces[f], faces[g]), std::pair(faces[g], faces[f])})
+                                 !meet_smoothly(surface, a, surfaces[i], surfaces[j]);
+    const Double_3 along = Shared_side(surface, surface.lower_face(a), surface.higher_face(a))
+                             .along;
+    for (const auto& [part, other] : {std::pair(i, j), std::pair(j, i)})
       if (is_wall(part) && std::fabs(dot(along, surfaces[part].direction)) < most_along_axis) {
         const bool is_on_blend = roles[other] == Face_role::BLEND && surfaces[other].side < 0;
         ends[part] |= is_concave_edge || is_on_blend ? foot : head;
       }
-  }
+  });
   for (std::size_t part = 0; part < roles.size(); ++part)
     if (is_wall(part))
       roles[part] = surfaces[part].side < 0       ? Face_role::HOLE
@@ -177,13 +122,10 @@ inline std::vector<Face_role> find_face_roles(const Surface& surface, const Part
   const std::vector<Face_role> walls = find_walls(surface, faces, surfaces);
   const auto bit = [](Face_role role) { return 1u << unsigned(role); };
   std::vector<unsigned> around(surfaces.size(), 0); // the bits of the roles of neighbors
-  for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a) {
-    const std::size_t i = faces[surface.lower_face(a)], j = faces[surface.higher_face(a)];
-    if (i == j || surface.has_flag(a, Surface::LINK))
-      continue;
+  for_each_border(surface, faces, [&](std::size_t, std::size_t i, std::size_t j) {
     around[i] |= bit(walls[j]);
     around[j] |= bit(walls[i]);
-  }
+  });
   std::vector<Face_role> result = walls;
   for (std::size_t i = 0; i < result.size(); ++i)
     for (const Face_role role : {Face_role::HOLE, Face_role::BOSS})

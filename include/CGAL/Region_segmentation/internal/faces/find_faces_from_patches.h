@@ -57,11 +57,12 @@ private:
   bool find_from(Index seed)
   {
     const double shortest = m_options.least_length * longest_edge(seed);
-    m_patch.collect(seed, m_options.vertices, [&](const Face_neighbors::Neighbor& n) {
-      return !m_search.is_found(n.face) && m_surface.length(n.adjacency) >= shortest &&
-             m_search.neighbors.may_be_smooth(n.adjacency) &&
-             m_surface.area(n.face) < largest_area * m_surface.area(seed);
-    });
+    m_patch.collect(
+      m_search.neighbors, seed, m_options.vertices, [&](const Face_neighbors::Neighbor& n) {
+        return !m_search.is_found(n.face) && m_surface.length(n.adjacency) >= shortest &&
+               m_search.neighbors.may_be_smooth(n.adjacency) &&
+               m_surface.area(n.face) < largest_area * m_surface.area(seed);
+      });
     if (m_options.only_at_borders && !is_at_border())
       return false;
     Fitted_surface<> best;
@@ -189,7 +190,7 @@ private:
 
   Face_search& m_search;
   const Surface& m_surface;
-  Patch& m_patch;
+  Face_set& m_patch;
   Face_grower& m_grower;
   Options m_options;
 };

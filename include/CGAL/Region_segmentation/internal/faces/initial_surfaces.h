@@ -4,6 +4,7 @@
 #define CGAL_REGION_SEGMENTATION_INTERNAL_FACES_INITIAL_SURFACES_H
 
 #include <CGAL/Region_segmentation/Segments/Fitted_surface.h>
+#include <CGAL/Region_segmentation/internal/faces/fit_surface.h>
 #include <CGAL/Region_segmentation/internal/faces/solve_positive_definite.h>
 
 #include <Eigen/Dense>
@@ -32,10 +33,7 @@ inline Osculating_paraboloid osculating_paraboloid(const std::vector<Double_3>& 
 {
   using Vector = Eigen::Matrix<double, 6, 1, Eigen::DontAlign>;
   using Matrix = Eigen::Matrix<double, 6, 6, Eigen::DontAlign>;
-  const Double_3 axis = std::fabs(normal.x) < 0.6 ? Double_3{1, 0, 0} : Double_3{0, 1, 0};
-  Double_3 u = cross(axis, normal);
-  u = (1 / norm(u)) * u;
-  const Double_3 v = cross(normal, u);
+  const Double_3 u = any_perpendicular(normal), v = cross(normal, u);
   double size = 0;
   for (const Double_3& p : points)
     size = (std::max)(size, norm(p - origin));
@@ -80,16 +78,6 @@ inline Osculating_paraboloid osculating_paraboloid(const std::vector<Double_3>& 
   return result;
 }
 
-inline Fitted_surface<> surface_of_kind(Surface_kind kind, const Double_3& point,
-                                        const Double_3& direction)
-{
-  Fitted_surface<> s;
-  s.kind = kind;
-  s.point = point;
-  s.direction = direction;
-  return s;
-}
-
 inline Fitted_surface<> initial_cylinder(const Osculating_paraboloid& o)
 {
   Fitted_surface<> s = surface_of_kind(Surface_kind::CYLINDER,
@@ -103,10 +91,7 @@ inline Fitted_surface<> initial_cylinder(const Osculating_paraboloid& o)
 inline Fitted_surface<> cylinder_along(const Double_3& axis, const std::vector<Double_3>& points,
                                        const Double_3& origin)
 {
-  const Double_3 other = std::fabs(axis.x) < 0.6 ? Double_3{1, 0, 0} : Double_3{0, 1, 0};
-  Double_3 u = cross(axis, other);
-  u = (1 / norm(u)) * u;
-  const Double_3 v = cross(axis, u);
+  const Double_3 u = any_perpendicular(axis), v = cross(axis, u);
   Eigen::Matrix<double, 3, 3, Eigen::DontAlign> a = Eigen::Matrix3d::Zero();
   Eigen::Matrix<double, 3, 1, Eigen::DontAlign> b = Eigen::Vector3d::Zero();
   for (const Double_3& p : points) {

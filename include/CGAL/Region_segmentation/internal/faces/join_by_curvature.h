@@ -71,18 +71,13 @@ struct Free_regions
       is_free[f] = evidence[label] != Evidence::STRONG;
       if (!is_free[f])
         continue;
-      if (is_of_surface(search, f) && of_label[label] != Face_search::none) {
-        of_faces[f] = of_label[label];
-        continue;
+      if (search.surfaces[label].kind == Surface_kind::FREEFORM ||
+          of_label[label] == Face_search::none) {
+        of_label[label] = Index(label_of_region.size());
+        label_of_region.push_back(label);
       }
-      of_faces[f] = of_label[label] = Index(label_of_region.size());
-      label_of_region.push_back(label);
+      of_faces[f] = of_label[label];
     }
-  }
-
-  static bool is_of_surface(const Face_search& search, Index face)
-  {
-    return search.surface_of(face).kind != Surface_kind::FREEFORM;
   }
 };
 
@@ -90,24 +85,21 @@ struct Free_regions
 inline void fill(Curvature_joiner& joiner, const Face_search& search, const Free_regions& regions)
 {
   using Index = Surface::Index;
-  const Surface& surface = search.surface;
   for (Index f = 0; f < search.labels.size(); ++f)
     if (regions.is_free[f])
       joiner.add_face(regions.of_faces[f], regions.evidence[search.labels[f]] == Evidence::WEAK);
   const Face_curvatures curvatures(search, regions.is_free);
-  for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a) {
-    const Index f = surface.lower_face(a), g = surface.higher_face(a);
-    if (!regions.is_free[f] || !regions.is_free[g] || regions.of_faces[f] == regions.of_faces[g] ||
-        surface.has_flag(a, Surface::LINK))
-      continue;
-    const double length = surface.length(a);
+  for_each_border(search.surface, regions.of_faces, [&](std::size_t a, Index i, Index j) {
+    if (i == Face_search::none || j == Face_search::none)
+      return;
+    const double length = search.surface.length(a);
     Curvature_joiner::Border edge{length, length, search.neighbors.may_be_smooth(a)};
     if (edge.is_smooth) {
       const Face_curvatures::Jump jump = curvatures(a);
       edge.jump = length * jump.difference / jump.scale;
     }
-    joiner.add_edge(regions.of_faces[f], regions.of_faces[g], edge);
-  }
+    joiner.add_edge(i, j, edge);
+  });
 }
 
 /// Divides what fits no surface into freeform faces, at the borders across which its curvature

@@ -19,15 +19,12 @@ namespace internal {
 inline std::vector<std::pair<Surface::Index, Surface::Index>>
 smooth_neighbors(const Face_search& search)
 {
-  const Surface& surface = search.surface;
   std::vector<std::pair<Surface::Index, Surface::Index>> pairs;
-  for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a) {
-    const Surface::Index i = search.labels[surface.lower_face(a)],
-                         j = search.labels[surface.higher_face(a)];
-    if (i != j && i != Face_search::none && j != Face_search::none &&
-        !surface.has_flag(a, Surface::LINK) && search.neighbors.is_smooth(a))
-      pairs.push_back({(std::min)(i, j), (std::max)(i, j)});
-  }
+  for_each_border(
+    search.surface, search.labels, [&](std::size_t a, Surface::Index i, Surface::Index j) {
+      if (i != Face_search::none && j != Face_search::none && search.neighbors.is_smooth(a))
+        pairs.push_back({(std::min)(i, j), (std::max)(i, j)});
+    });
   std::sort(pairs.begin(), pairs.end());
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
   return pairs;

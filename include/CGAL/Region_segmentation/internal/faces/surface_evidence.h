@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -47,33 +48,22 @@ struct Label_vertices
 inline std::vector<Label_vertices> vertices_of_labels(const Face_search& search)
 {
   using Index = Surface::Index;
-  constexpr Index several = Face_search::none - 1;
   const Surface& surface = search.surface;
-  std::vector<Index> label_of_vertex(surface.number_of_vertices(), Face_search::none);
-  std::vector<std::vector<Index>> faces(search.surfaces.size());
-  for (Index f = 0; f < surface.number_of_faces(); ++f) {
-    const Index own = search.labels[f];
-    for (std::size_t i = 0; i < surface.number_of_corners(f); ++i) {
-      Index& label = label_of_vertex[surface.corner(f, i)];
-      label = label == Face_search::none || label == own ? own : several;
-    }
-    if (search.surfaces[own].kind != Surface_kind::FREEFORM)
-      faces[own].push_back(f);
-  }
-  std::vector<Label_vertices> result(faces.size());
-  Element_marks is_counted(surface.number_of_vertices());
-  for (Index label = 0; label < faces.size(); ++label) {
-    is_counted.clear();
-    for (const Index f : faces[label])
-      for (std::size_t i = 0; i < surface.number_of_corners(f); ++i) {
-        const Index vertex = surface.corner(f, i);
-        if (!is_counted.mark(vertex))
-          continue;
-        ++result[label].number;
-        result[label].inside += label_of_vertex[vertex] == label;
-        if (search.surfaces[label].kind == Surface_kind::TORUS)
-          result[label].points.push_back(surface.point(vertex));
-      }
+  std::vector<std::pair<Index, Index>> pairs; // of labels and vertices
+  for (Index f = 0; f < surface.number_of_faces(); ++f)
+    for (std::size_t i = 0; i < surface.number_of_corners(f); ++i)
+      pairs.push_back({search.labels[f], surface.corner(f, i)});
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  std::vector<Index> number_of_labels(surface.number_of_vertices(), 0);
+  for (const auto& pair : pairs)
+    ++number_of_labels[pair.second];
+  std::vector<Label_vertices> result(search.surfaces.size());
+  for (const auto& [label, vertex] : pairs) {
+    ++result[label].number;
+    result[label].inside += number_of_labels[vertex] == 1;
+    if (search.surfaces[label].kind == Surface_kind::TORUS)
+      result[label].points.push_back(surface.point(vertex));
   }
   return result;
 }
@@ -113,18 +103,14 @@ inline std::vector<double> shares_of_uncertain_border(const Face_search& search,
 {
   const Surface& surface = search.surface;
   std::vector<double> uncertain(evidence.size(), 0), all(evidence.size(), 0);
-  for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a) {
-    const Surface::Index i = search.labels[surface.lower_face(a)],
-                         j = search.labels[surface.higher_face(a)];
-    if (i == j || surface.has_flag(a, Surface::LINK))
-      continue;
+  for_each_border(surface, search.labels, [&](std::size_t a, std::size_t i, std::size_t j) {
     const double length = surface.length(a),
                  smooth = search.neighbors.may_be_smooth(a) ? length : 0;
     all[i] += length;
     all[j] += length;
     uncertain[i] += evidence[j] == Evidence::STRONG ? 0 : smooth;
     uncertain[j] += evidence[i] == Evidence::STRONG ? 0 : smooth;
-  }
+  });
   for (std::size_t label = 0; label < all.size(); ++label)
     uncertain[label] /= all[label] > 0 ? all[label] : 1;
   return uncertain;

@@ -48,9 +48,8 @@ inline Fitted_surface<> sphere_through(const Weighted_points& samples)
     right_side += samples.weights[i] * squared_norm(p) * row;
   }
   const Eigen::Vector4d solution = matrix.completeOrthogonalDecomposition().solve(right_side);
-  Fitted_surface<> result;
-  result.kind = Surface_kind::SPHERE;
-  result.point = {solution[0], solution[1], solution[2]};
+  Fitted_surface<> result = surface_of_kind(Surface_kind::SPHERE,
+                                            {solution[0], solution[1], solution[2]}, {0, 0, 1});
   result.radius = std::sqrt((std::max)(0.0, solution[3] + squared_norm(result.point)));
   return result;
 }
@@ -138,13 +137,9 @@ private:
 
   Fitted_surface<> plane() const
   {
-    Fitted_surface<> result;
-    result.kind = Surface_kind::PLANE;
-    result.point = m_moments.centroid();
-    result.direction = eigenvectors(m_moments.covariance())[0];
-    if (dot(result.direction, m_normals.first) < 0)
-      result.direction = -1.0 * result.direction;
-    return result;
+    const Double_3 normal = eigenvectors(m_moments.covariance())[0];
+    return surface_of_kind(Surface_kind::PLANE, m_moments.centroid(),
+                           dot(normal, m_normals.first) < 0 ? -1.0 * normal : normal);
   }
 
   /// The normals of a cylinder are perpendicular to its axis; along the axis, it is a circle.
@@ -167,10 +162,8 @@ private:
     const Eigen::Vector3d apex = to_eigen(m_normals.second)
                                    .completeOrthogonalDecomposition()
                                    .solve(Eigen::Vector3d(m_offsets.x, m_offsets.y, m_offsets.z));
-    Fitted_surface<> result;
-    result.kind = Surface_kind::CONE;
-    result.point = {apex[0], apex[1], apex[2]};
-    result.direction = eigenvectors(m_normals.covariance())[0];
+    Fitted_surface<> result = surface_of_kind(Surface_kind::CONE, {apex[0], apex[1], apex[2]},
+                                              eigenvectors(m_normals.covariance())[0]);
     if (dot(result.point, result.direction) > 0) // from the apex to the centroid, the origin
       result.direction = -1.0 * result.direction;
     result.angle = std::asin(
