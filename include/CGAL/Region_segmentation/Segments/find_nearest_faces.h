@@ -5,6 +5,7 @@
 
 #include <CGAL/Region_segmentation/exceptions.h>
 #include <CGAL/Region_segmentation/internal/segments/Nearest_face_finder.h>
+#include <CGAL/Region_segmentation/make_surface.h>
 #include <CGAL/Region_segmentation/parameters.h>
 
 #include <CGAL/number_utils.h>
@@ -35,7 +36,6 @@ namespace Region_segmentation {
 ///   \cgalParamVertexPointMap
 ///   \cgalParamIndexMap{face}
 ///   \cgalParamIndexMap{vertex}
-///   \cgalParamIndexMap{halfedge}
 /// \cgalNamedParamsEnd
 ///
 /// \returns the number of points
@@ -52,26 +52,23 @@ std::size_t find_nearest_faces(const FaceGraph& mesh, const PointRange& points,
 {
   const auto& pack = internal::pack(np);
   internal::check_parameters<std::decay_t<decltype(pack)>, internal::Tag_list<>>();
-  internal::Halfedge_table halfedges;
-  internal::read_halfedges(mesh, pack, halfedges);
-  const internal::Mesh_geometry geometry(halfedges,
-                                         internal::make_surface_of_neighbors(mesh, pack));
+  const Surface surface = internal::make_surface_of_neighbors(mesh, pack);
   const std::vector<typename boost::graph_traits<FaceGraph>::face_descriptor> all(
     faces(mesh).begin(), faces(mesh).end());
   std::vector<Double_3> positions;
   for (const auto& p : points) {
-    positions.push_back((1 / geometry.unit()) * Double_3{CGAL::to_double(p[0]),
-                                                         CGAL::to_double(p[1]),
-                                                         CGAL::to_double(p[2])});
+    positions.push_back((1 / surface.unit()) * Double_3{CGAL::to_double(p[0]),
+                                                        CGAL::to_double(p[1]),
+                                                        CGAL::to_double(p[2])});
     if (all.empty() || !is_finite(positions.back()))
       throw Invalid_input(all.empty() ? "find_nearest_faces: the mesh has no faces"
                                       : "find_nearest_faces: a point is not finite");
   }
   if (positions.empty())
     return 0;
-  internal::Nearest_face_finder finder(geometry);
+  internal::Nearest_face_finder finder(surface);
   for (const Double_3& p : positions)
-    *nearest_faces++ = all[finder.find(p, Double_3{0, 0, 0})];
+    *nearest_faces++ = all[finder.find(p, [](auto) { return true; })];
   return positions.size();
 }
 

@@ -5,6 +5,7 @@
 
 #include <CGAL/Region_segmentation/exceptions.h>
 #include <CGAL/Region_segmentation/face_values.h>
+#include <CGAL/Region_segmentation/internal/segments/Mesh_geometry.h>
 #include <CGAL/Region_segmentation/internal/segments/Nearest_face_finder.h>
 #include <CGAL/Region_segmentation/internal/segments/Segmented_mesh.h>
 #include <CGAL/Region_segmentation/internal/segments/dissolve_islands.h>
@@ -25,22 +26,28 @@ namespace internal {
 
 /// A face is divided into triangles between its sides and the mean of its corners. The middle of
 /// each finds a face of the other mesh, and votes for its label by its area; of equal votes the
-/// lowest label counts. `scale`: of the unit of `to` as a multiple of that of the other mesh
+/// lowest label counts.
 inline std::vector<Halfedge_table::Index>
-labels_of_nearest_faces(const Mesh_geometry& to, Nearest_face_finder& finder, double scale,
+labels_of_nearest_faces(const Mesh_geometry& to, const Mesh_geometry& from,
                         const std::vector<Halfedge_table::Index>& labels)
 {
   using Index = Halfedge_table::Index;
+  const double scale = to.unit() / from.unit();
+  Nearest_face_finder finder(from.surface());
   const Surface& surface = to.surface();
   std::vector<Index> result;
   for (Index f = 0; f < surface.number_of_faces(); ++f) {
     const std::size_t n = surface.number_of_corners(f);
     const Double_3 center = surface.centroid(f);
+    const Double_3 normal = to.given_normal(f);
+    const auto agrees = [&](Index g) {
+      return to.surface().is_degenerate(f) || dot(normal, from.given_normal(g)) > 0;
+    };
     std::map<Index, double> votes;
     for (std::size_t i = 0; i < n; ++i) {
       const Double_3 p = surface.point(surface.corner(f, i)),
                      q = surface.point(surface.corner(f, (i + 1) % n));
-      const Index nearest = finder.find(scale / 3 * (p + q + center), to.given_normal(f));
+      const Index nearest = finder.find(scale / 3 * (p + q + center), agrees);
       votes[labels[nearest]] += norm(cross(p - center, q - center));
     }
     result.push_back(std::max_element(votes.begin(), votes.end(), [](const auto& a, const auto& b) {
@@ -116,17 +123,17 @@ std::size_t transfer_labels(const FromGraph& from, const FromMap& from_map, cons
   if (segmented.number_of_faces() == 0)
     throw Invalid_input("transfer_labels: the mesh with labels has no faces");
 
-  internal::Nearest_face_finder finder(from_geometry);
-  std::vector<Index> labels = internal::labels_of_nearest_faces(
-    to_geometry, finder, to_geometry.unit() / from_geometry.unit(), segmented.segment_of_face);
-  const Partition components = internal::components_of_labels(segmented, segmented.segment_of_face);
+  std::vector<Index> labels = internal::labels_of_nearest_faces(to_geometry, from_geometry,
+                                                                segmented.segment_of_face);
+  const Partition components = internal::components_of_labels(from_geometry.surface(),
+                                                              segmented.segment_of_face);
   std::map<Index, std::size_t> numbers;
   for (std::size_t f = 0, next = 0; f < components.size(); ++f)
     if (components[f] == next) { // numbered by their first faces
       ++numbers[segmented.segment_of_face[f]];
       ++next;
     }
-  internal::dissolve_islands(halfedges, to_geometry, numbers, labels);
+  internal::dissolve_islands(to_geometry.surface(), numbers, labels);
 
   std::vector<typename boost::property_traits<FromMap>::value_type> values;
   for (Index label : labels)

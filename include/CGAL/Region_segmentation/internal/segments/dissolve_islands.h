@@ -3,10 +3,10 @@
 #ifndef CGAL_REGION_SEGMENTATION_INTERNAL_SEGMENTS_DISSOLVE_ISLANDS_H
 #define CGAL_REGION_SEGMENTATION_INTERNAL_SEGMENTS_DISSOLVE_ISLANDS_H
 
+#include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/Partition.h>
-#include <CGAL/Region_segmentation/internal/segments/Halfedge_table.h>
-#include <CGAL/Region_segmentation/internal/segments/Mesh_geometry.h>
-#include <CGAL/Region_segmentation/internal/support/Lowest_root_forest.h>
+#include <CGAL/Region_segmentation/Surface.h>
+#include <CGAL/Region_segmentation/internal/support/label_components.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -19,31 +19,29 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// The components of faces with equal labels, across edges.
-inline Partition components_of_labels(const Halfedge_table& mesh,
-                                      const std::vector<Halfedge_table::Index>& label_of_face)
+/// The components of faces with equal labels.
+inline Partition components_of_labels(const Surface& surface,
+                                      const std::vector<Surface::Index>& label_of_face)
 {
-  Lowest_root_forest forest(mesh.number_of_faces());
-  for (Halfedge_table::Index h = 0; h < mesh.size(); ++h)
-    if (mesh.opposite[h] != Halfedge_table::none) {
-      const auto f = mesh.face[h], g = mesh.face[mesh.opposite[h]];
-      if (label_of_face[f] == label_of_face[g])
-        forest.unite(f, g);
-    }
-  return forest.take_partition();
+  return label_components(
+    surface,
+    [&](std::size_t a) {
+      return label_of_face[surface.lower_face(a)] == label_of_face[surface.higher_face(a)];
+    },
+    Execution());
 }
 
 /// Which components are islands: all but the largest ones of their label, `numbers[label]` of them,
 /// if smaller than a tenth of the largest one. Of equal ones the first are the largest.
-inline std::vector<char> find_islands(const std::vector<Halfedge_table::Index>& label_of_component,
+inline std::vector<char> find_islands(const std::vector<Surface::Index>& label_of_component,
                                       const std::vector<double>& areas,
-                                      const std::map<Halfedge_table::Index, std::size_t>& numbers)
+                                      const std::map<Surface::Index, std::size_t>& numbers)
 {
   std::vector<std::size_t> by_size(areas.size());
   std::iota(by_size.begin(), by_size.end(), std::size_t(0));
   std::stable_sort(by_size.begin(), by_size.end(),
                    [&](std::size_t a, std::size_t b) { return areas[a] > areas[b]; });
-  std::map<Halfedge_table::Index, std::pair<std::size_t, double>> seen; // number, largest area
+  std::map<Surface::Index, std::pair<std::size_t, double>> seen; // number, largest area
   std::vector<char> is_island(areas.size(), false);
   for (std::size_t c : by_size) {
     auto& [rank,
@@ -56,28 +54,27 @@ inline std::vector<char> find_islands(const std::vector<Halfedge_table::Index>& 
 /// Gives the faces of islands the label with which they share the longest border, from outside to
 /// inside; those without a neighbor keep theirs.
 /// `numbers`: how many components of each label are expected, see `find_islands()`
-inline void dissolve_islands(const Halfedge_table& mesh, const Mesh_geometry& geometry,
-                             const std::map<Halfedge_table::Index, std::size_t>& numbers,
-                             std::vector<Halfedge_table::Index>& label_of_face)
+inline void dissolve_islands(const Surface& surface,
+                             const std::map<Surface::Index, std::size_t>& numbers,
+                             std::vector<Surface::Index>& label_of_face)
 {
-  using Index = Halfedge_table::Index;
-  const Partition components = components_of_labels(mesh, label_of_face);
+  using Index = Surface::Index;
+  const Partition components = components_of_labels(surface, label_of_face);
   std::vector<double> areas(components.number_of_parts(), 0);
   std::vector<Index> labels(components.number_of_parts());
   for (Index f = 0; f < components.size(); ++f) {
-    areas[components[f]] += geometry.surface().area(f);
+    areas[components[f]] += surface.area(f);
     labels[components[f]] = label_of_face[f];
   }
   std::vector<char> is_island = find_islands(labels, areas, numbers);
   bool is_changed = true;
   while (std::exchange(is_changed, false)) {
     std::map<Index, std::map<Index, double>> lengths; // of islands with labels around them
-    for (Index h = 0; h < mesh.size(); ++h)
-      if (mesh.opposite[h] != mesh.none && is_island[components[mesh.face[h]]]) {
-        const Index across = components[mesh.face[mesh.opposite[h]]];
-        if (!is_island[across])
-          lengths[components[mesh.face[h]]][labels[across]] += geometry.length(h);
-      }
+    for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a) {
+      const Index f = components[surface.lower_face(a)], g = components[surface.higher_face(a)];
+      if (is_island[f] != is_island[g])
+        lengths[is_island[f] ? f : g][labels[is_island[f] ? g : f]] += surface.length(a);
+    }
     for (const auto& [island, of_labels] : lengths) {
       labels[island] = std::max_element(
                          of_labels.begin(), of_labels.end(),
