@@ -55,7 +55,6 @@ public:
     for (const Index f : faces)
       labels[f] = Index(surfaces.size());
     surfaces.push_back(s);
-    surfaces.back().deviation = 0;
   }
 
   /// Faces that are neither found nor thin, the largest first: so what is found does not depend on

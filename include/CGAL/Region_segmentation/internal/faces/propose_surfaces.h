@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -18,9 +19,9 @@ inline constexpr Surface_kind kinds_of_surfaces[] = {Surface_kind::PLANE, Surfac
                                                      Surface_kind::CONE, Surface_kind::SPHERE,
                                                      Surface_kind::TORUS};
 
-/// Fits a surface of a kind to points near `origin` with approximate normal `normal`, from several
-/// initial values; until one has a root mean square distance below `stop`. Returns the smallest
-/// one.
+/// Fits a surface of a kind to points near `origin` with approximate normal `normal`, from the
+/// three initial surfaces that are nearest to them, the nearest first; until one has a root mean
+/// square distance below `stop`. Returns the smallest one.
 class Surface_proposer
 {
 public:
@@ -38,15 +39,21 @@ public:
 
   double operator()(Surface_kind kind, Fitted_surface<>& best) const
   {
+    constexpr std::size_t most_tried = 3;
     double least = 1e300;
     if (int(m_points.size()) < degrees_of_freedom(kind) + 2)
       return least;
-    for (const Fitted_surface<>& initial : nearest_initial_surfaces(kind)) {
-      Fitted_surface<> s = initial;
-      const double error = m_fitter(s);
+    std::vector<std::pair<double, Fitted_surface<>>> initial; // with their distances to the points
+    for (const Fitted_surface<>& s : initial_surfaces(kind))
+      initial.push_back({m_fitter.root_mean_square(s), s});
+    std::stable_sort(initial.begin(), initial.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    initial.resize((std::min)(initial.size(), most_tried));
+    for (auto& candidate : initial) {
+      const double error = m_fitter(candidate.second);
       if (error < least) {
         least = error;
-        best = s;
+        best = candidate.second;
       }
       if (least <= m_stop)
         break;
@@ -55,21 +62,6 @@ public:
   }
 
 private:
-  /// The three initial surfaces that are nearest to the points, the nearest first.
-  std::vector<Fitted_surface<>> nearest_initial_surfaces(Surface_kind kind) const
-  {
-    constexpr std::size_t most = 3;
-    std::vector<Fitted_surface<>> initial = initial_surfaces(kind);
-    for (Fitted_surface<>& s : initial)
-      s.deviation = m_fitter.root_mean_square(s);
-    std::stable_sort(initial.begin(), initial.end(),
-                     [](const Fitted_surface<>& a, const Fitted_surface<>& b) {
-                       return a.deviation < b.deviation;
-                     });
-    initial.resize((std::min)(initial.size(), most));
-    return initial;
-  }
-
   std::vector<Fitted_surface<>> initial_surfaces(Surface_kind kind) const
   {
     const Osculating_paraboloid& o = m_paraboloid;

@@ -5,6 +5,7 @@
 
 #include <CGAL/Region_segmentation/Segments/Segment_description.h>
 #include <CGAL/Region_segmentation/internal/faces/fit_surface.h>
+#include <CGAL/Region_segmentation/internal/faces/initial_surfaces.h>
 #include <CGAL/Region_segmentation/internal/support/eigenvectors.h>
 
 #include <CGAL/number_type_config.h>
@@ -142,17 +143,10 @@ private:
                            dot(normal, m_normals.first) < 0 ? -1.0 * normal : normal);
   }
 
-  /// The normals of a cylinder are perpendicular to its axis; along the axis, it is a circle.
+  /// The normals of a cylinder are perpendicular to its axis.
   Fitted_surface<> cylinder() const
   {
-    const Double_3 axis = eigenvectors(m_normals.second)[0];
-    Weighted_points projected = m_fitted;
-    for (Double_3& p : projected.points)
-      p = p - dot(axis, p) * axis;
-    Fitted_surface<> result = sphere_through(projected);
-    result.kind = Surface_kind::CYLINDER;
-    result.direction = axis;
-    return result;
+    return cylinder_along(eigenvectors(m_normals.second)[0], m_fitted.points, {0, 0, 0});
   }
 
   /// The normals of a cone lie on a circle around its axis, and its tangent planes meet in the
