@@ -213,7 +213,7 @@ inline Mesh without_noise(const Mesh& mesh, int rounds = 5)
       all += a != 0 && b != 0;
       opposite += (a < 0 && b > 0) || (a > 0 && b < 0);
     }
-  const bool is_noisy = opposite > 0.42 * all + std::sqrt(all);
+  const bool is_noisy = opposite > 0.15 * all + 15 * std::sqrt(all);
   return is_noisy && rounds > 0 ? without_noise(mesh.moved(points), rounds - 1) : mesh;
 }
 
