@@ -6,9 +6,9 @@
 #include <CGAL/Region_segmentation/Feature_convexity.h>
 #include <CGAL/Region_segmentation/internal/regions/mark_feature_edges.h>
 #include <CGAL/Region_segmentation/internal/segmenting/Stage_input.h>
-#include <CGAL/Region_segmentation/internal/support/options.h>
 #include <CGAL/Region_segmentation/parameters.h>
 
+#include <CGAL/assertions.h>
 #include <CGAL/tags.h>
 
 #include <cstddef>
@@ -86,10 +86,17 @@ std::size_t detect_feature_edges(const FaceGraph& mesh, EdgeIsFeatureMap edge_is
   internal::check_parameters<std::decay_t<decltype(pack)>, internal::Feature_edge_parameters>();
   static_assert(internal::check_edge_map<EdgeIsFeatureMap, FaceGraph>());
   const Execution execution = internal::make_execution<ConcurrencyTag>(pack);
-  const double maximum_angle = internal::maximum_angle(pack);
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  const double maximum_angle = choose_parameter(
+    get_parameter(pack, CGAL::internal_np::maximum_angle), default_maximum_angle);
+  CGAL_precondition_msg(maximum_angle >= 0 && maximum_angle <= 180,
+                        "maximum_angle is in [0, 180] degrees");
+  const Feature_convexity convexity = choose_parameter(
+    get_parameter(pack, internal_np::feature_convexity), Feature_convexity::CONCAVE);
   const internal::Stage_input input(mesh, pack, execution);
-  const auto is_feature = internal::mark_feature_edges(
-    input.surface(), maximum_angle, internal::feature_convexity(pack), execution.stage("features"));
+  const auto is_feature = internal::mark_feature_edges(input.surface(), maximum_angle, convexity,
+                                                       execution.stage("features"));
   return input.write(edge_is_feature_map,
                      [&](std::size_t a) { return is_feature[a] != 0 || input.constraints()[a]; });
 }

@@ -24,7 +24,9 @@ namespace Region_segmentation {
 namespace internal {
 
 /// A graph whose nodes lie on two sides, source and sink, and the minimum cut between its two
-/// terminals; of several, one that moves the fewest nodes. Boost.Graph finds the flow.
+/// terminals; of several, one that moves the fewest nodes. Boost.Graph finds the flow, in
+/// compressed rows: in a `boost::adjacency_list`, the default method takes 8 % more instructions,
+/// and a late constraint 30 %.
 ///
 /// Capacities are rounded to integers, their sum being about 2^51 over the number of nodes. Sums
 /// are exact, so the cut does not depend on the order of nodes and edges. None is 0: if every node

@@ -34,31 +34,28 @@ public:
   /// Of the adjacencies for which `is_step(adjacency)`.
   Dual_graph(const Surface& surface, Function_ref<bool(std::size_t)> is_step,
              Function_ref<double(std::size_t)> length)
-    : m_steps(surface.number_of_faces())
   {
     std::vector<Edge> edges;
     for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a)
       if (is_step(a))
         edges.push_back({surface.lower_face(a), surface.higher_face(a), float(length(a))});
-    add_steps(edges);
+    set_steps(surface.number_of_faces(), edges);
   }
 
   /// Of patches in place of faces, across edges; `length(i)`: of the i-th adjacency.
   Dual_graph(const Patches& patches, Function_ref<double(std::size_t)> length)
-    : m_steps(patches.size())
   {
-    add_steps(edges_of(patches, length));
+    set_steps(patches.size(), edges_of(patches, length));
   }
 
   /// The same, and across seams and links; `length_of_contact(contact)`.
   Dual_graph(const Patches& patches, Function_ref<double(std::size_t)> length,
              Function_ref<double(const Patches::Adjacency&)> length_of_contact)
-    : m_steps(patches.size())
   {
     std::vector<Edge> edges = edges_of(patches, length);
     for (const Patches::Adjacency& contact : patches.contacts())
       edges.push_back({contact.lower, contact.higher, float(length_of_contact(contact))});
-    add_steps(edges);
+    set_steps(patches.size(), edges);
   }
 
   std::size_t number_of_faces() const { return m_steps.number_of_groups(); }
@@ -83,17 +80,14 @@ private:
     return edges;
   }
 
-  void add_steps(const std::vector<Edge>& edges)
+  void set_steps(std::size_t number_of_faces, const std::vector<Edge>& edges)
   {
-    for (const Edge& e : edges) {
-      m_steps.count(e.face);
-      m_steps.count(e.other_face);
-    }
-    m_steps.end_counting();
-    for (const Edge& e : edges) {
-      m_steps.add(e.face, {e.other_face, e.length});
-      m_steps.add(e.other_face, {e.face, e.length});
-    }
+    m_steps = grouped<Step>(number_of_faces, [&](const auto& add) {
+      for (const Edge& e : edges) {
+        add(e.face, {e.other_face, e.length});
+        add(e.other_face, {e.face, e.length});
+      }
+    });
   }
 
   Grouped_items<Step> m_steps; // by face

@@ -5,9 +5,9 @@
 
 #include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/Partition.h>
-#include <CGAL/Region_segmentation/internal/regions/connected_pieces.h>
 #include <CGAL/Region_segmentation/Request.h>
 #include <CGAL/Region_segmentation/internal/support/Grouped_items.h>
+#include <CGAL/Region_segmentation/internal/support/divide_parts.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -47,10 +47,11 @@ inline Partition split_at_seeds(const Surface& surface, const Partition& regions
   if (std::find(is_split.begin(), is_split.end(), 1) == is_split.end())
     return regions;
 
+  const auto adjacencies = adjacencies_of_parts(surface, regions, is_split);
   const auto neighbors = grouped<Index>(regions.size(), [&](const auto& add) {
-    for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a) {
+    for (const Index a : adjacencies) {
       const Index f = surface.lower_face(a), g = surface.higher_face(a);
-      if (regions[f] == regions[g] && is_split[regions[f]] && !constraints[a]) {
+      if (regions[f] == regions[g] && !constraints[a]) {
         add(f, g);
         add(g, f);
       }
@@ -68,15 +69,9 @@ inline Partition split_at_seeds(const Surface& surface, const Partition& regions
         front.push_back(f);
       }
 
-  // Faces that no seed reaches have none.
-  std::vector<std::uint64_t> labels(regions.size());
-  for (std::size_t f = 0; f < labels.size(); ++f)
-    labels[f] = (std::uint64_t(regions[f]) << 32) | (is_split[regions[f]] ? seed_of[f] : 0);
-  const Partition dealt = Partition::from_labels(labels);
-  const Partition pieces = connected_pieces(surface, dealt, constraints);
-  for (std::size_t f = 0; f < labels.size(); ++f)
-    labels[f] = (std::uint64_t(dealt[f]) << 32) | (is_split[regions[f]] ? pieces[f] : 0);
-  return Partition::from_labels(labels);
+  return divide_parts(surface, regions, is_split, adjacencies, [&](std::size_t a) {
+    return !constraints[a] && seed_of[surface.lower_face(a)] == seed_of[surface.higher_face(a)];
+  });
 }
 
 /// The seeds of regions, each of which has faces of one seed at most.

@@ -8,9 +8,10 @@
 #include <CGAL/Region_segmentation/Request.h>
 #include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/exceptions.h>
-#include <CGAL/Region_segmentation/internal/support/options.h>
 #include <CGAL/Region_segmentation/internal/support/satisfies.h>
 #include <CGAL/Region_segmentation/parameters.h>
+
+#include <CGAL/assertions.h>
 
 #include <cstddef>
 #include <string>
@@ -99,7 +100,11 @@ template <typename Input, typename Pack>
 Request request_of_pack(const Input& input, const Surface& surface, const Pack& np)
 {
   Request request;
-  request.number_of_segments = number_of_segments(np);
+  if constexpr (has_parameter<Pack, internal_np::number_of_segments_t>) {
+    const auto k = CGAL::parameters::get_parameter(np, internal_np::number_of_segments);
+    CGAL_precondition_msg(k >= 1, "number_of_segments is at least 1");
+    request.number_of_segments = std::size_t(k);
+  }
   if constexpr (has_parameter<Pack, CGAL::internal_np::edge_is_constrained_t>)
     input.add_constraints(
       surface, CGAL::parameters::get_parameter(np, CGAL::internal_np::edge_is_constrained), np,
