@@ -237,20 +237,22 @@ TEST(Region_shapes_test, are_those_of_the_faces_and_of_the_first_face_where_ther
   const RS::Surface mesh = surface_of(joined(grid(2, 1), point));
   const RS::internal::Region_shapes shapes(mesh,
                                            RS::Partition::from_labels(std::vector<int>{0, 0, 1}));
-  EXPECT_EQ(shapes.areas, (std::vector<double>{2, 0}));
+  ASSERT_EQ(shapes.regions.size(), 2u);
+  EXPECT_EQ(shapes.regions[0].area, 2);
+  EXPECT_EQ(shapes.regions[1].area, 0);
   const auto expect_equal = [](const Double_3& a, const Double_3& b) {
     EXPECT_EQ(norm(a - b), 0) << a.x << ' ' << b.x;
   };
-  expect_equal(shapes.normals[0], {0, 0, 1});
-  expect_equal(shapes.normals[1], {0, 0, 0});
-  expect_equal(shapes.centroids[0], {1, 0.5, 0});
-  expect_equal(shapes.centroids[1], {0.5, 0.5, 0});
+  expect_equal(shapes.regions[0].normal, {0, 0, 1});
+  expect_equal(shapes.regions[1].normal, {0, 0, 0});
+  expect_equal(shapes.regions[0].centroid, {1, 0.5, 0});
+  expect_equal(shapes.regions[1].centroid, {0.5, 0.5, 0});
   expect_equal(shapes.surface_centroid, {1, 0.5, 0});
 
   const RS::internal::Region_shapes of_one(surface_of(grid(1, 1)),
                                            RS::Partition::from_labels(std::vector<int>{0}));
-  EXPECT_EQ(of_one.areas, std::vector<double>{1});
-  expect_equal(of_one.centroids[0], {0.5, 0.5, 0});
+  EXPECT_EQ(of_one.regions.at(0).area, 1);
+  expect_equal(of_one.regions[0].centroid, {0.5, 0.5, 0});
   expect_equal(of_one.surface_centroid, {0.5, 0.5, 0});
 }
 
@@ -339,8 +341,8 @@ TEST(Inward_rays_test, start_from_any_face_where_a_region_has_no_center_of_a_pat
 
   // As if these were a larger part of the surface: small ones cast no rays.
   RS::internal::Region_shapes shapes(mesh, regions);
-  for (double& area : shapes.areas)
-    area = mesh.area();
+  for (RS::internal::Region_shape& region : shapes.regions)
+    region.area = mesh.area();
   const RS::internal::Ray_tree tree = tree_of(mesh, shapes.surface_centroid);
   std::vector<std::optional<RS::internal::Inward_rays::Hits>> hits(regions.number_of_parts());
   RS::internal::Inward_rays(mesh, patches, regions, shapes, tree).trace(hits, RS::Execution());
@@ -380,13 +382,14 @@ TEST(Region_rays_test, of_changed_regions_are_those_of_all)
         EXPECT_EQ((*changed.hits()[r])[i].distance, (*anew.hits()[r])[i].distance);
       }
     for (std::size_t r = 0; r < after.number_of_parts(); ++r) {
-      EXPECT_EQ(changed.shapes().areas[r], anew.shapes().areas[r]);
-      EXPECT_EQ(norm(changed.shapes().normals[r] - anew.shapes().normals[r]), 0);
-      EXPECT_EQ(norm(changed.shapes().centroids[r] - anew.shapes().centroids[r]), 0);
-      EXPECT_EQ(norm(changed.shapes().area_vectors[r] - anew.shapes().area_vectors[r]), 0);
-      EXPECT_EQ(changed.shapes().moments[r].second.trace(),
-                anew.shapes().moments[r].second.trace());
-      EXPECT_EQ(norm(changed.shapes().moments[r].first - anew.shapes().moments[r].first), 0);
+      const RS::internal::Region_shape &a = changed.shapes().regions[r],
+                                       &b = anew.shapes().regions[r];
+      EXPECT_EQ(a.area, b.area);
+      EXPECT_EQ(norm(a.normal - b.normal), 0);
+      EXPECT_EQ(norm(a.centroid - b.centroid), 0);
+      EXPECT_EQ(norm(a.area_vector - b.area_vector), 0);
+      EXPECT_EQ(a.moments.second.trace(), b.moments.second.trace());
+      EXPECT_EQ(norm(a.moments.first - b.moments.first), 0);
     }
   }
 }

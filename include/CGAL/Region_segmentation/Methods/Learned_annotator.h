@@ -56,9 +56,9 @@ private:
   template <typename Graph>
   static void set_shapes(Graph& graph, const internal::Region_shapes& shapes)
   {
-    for (Index r = 0; r < shapes.moments.size(); ++r) {
-      graph[r].area_vector = shapes.area_vectors[r];
-      graph[r].moments = shapes.moments[r];
+    for (Index r = 0; r < shapes.regions.size(); ++r) {
+      graph[r].area_vector = shapes.regions[r].area_vector;
+      graph[r].moments = shapes.regions[r].moments;
     }
   }
 

@@ -183,7 +183,7 @@ private:
     std::vector<double> distances(faces.size(), (std::numeric_limits<double>::max)());
     for (std::size_t f = 0; f < regions.size(); ++f) {
       const Index r = regions[f];
-      const double distance = squared_norm(mesh.centroid(f) - shapes.centroids[r]);
+      const double distance = squared_norm(mesh.centroid(f) - shapes.regions[r].centroid);
       if (distance < distances[r]) {
         distances[r] = distance;
         faces[r] = Index(f);

@@ -86,7 +86,7 @@ public:
       return;
     const internal::Region_shapes& shapes = rays.shapes();
     for (std::size_t r = 0; r < regions.number_of_parts(); ++r)
-      graph[Index(r)].area = shapes.areas[r] / surface.area();
+      graph[Index(r)].area = shapes.regions[r].area / surface.area();
     set_bends(graph, shapes);
     set_rays(graph, regions, rays.hits(), surface.length_unit());
   }
@@ -97,9 +97,10 @@ private:
   {
     for (auto range = edges(graph); range.first != range.second; ++range.first) {
       const Index i = graph.source(*range.first), j = graph.target(*range.first);
-      const Double_3 &n = shapes.normals[i], &m = shapes.normals[j];
+      const internal::Region_shape &a = shapes.regions[i], &b = shapes.regions[j];
+      const Double_3 &n = a.normal, &m = b.normal;
       const double angle = std::atan2(norm(cross(n, m)), dot(n, m));
-      const bool is_concave = dot(m - n, shapes.centroids[j] - shapes.centroids[i]) < 0;
+      const bool is_concave = dot(m - n, b.centroid - a.centroid) < 0;
       Visibility_section_data& section = graph[*range.first];
       section.bend = section.length * (is_concave ? angle : -angle);
     }

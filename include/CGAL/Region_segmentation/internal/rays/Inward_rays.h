@@ -62,8 +62,8 @@ public:
   {
     group_faces(hits);
     std::size_t rays = 1;
-    for (const double area : m_shapes.areas)
-      rays += number_of_rays(area / m_mesh.area());
+    for (const Region_shape& region : m_shapes.regions)
+      rays += number_of_rays(region.area / m_mesh.area());
     m_visits_of_ray = most_visits / rays;
     for_each_block(
       execution, hits.size(),
@@ -127,7 +127,8 @@ private:
     for_each_face([&](Index r, std::size_t) { m_faces.count(r); });
     m_faces.end_counting();
     for_each_face([&](Index r, std::size_t face) {
-      m_faces.add(r, {squared_norm(m_mesh.centroid(face) - m_shapes.centroids[r]), Index(face)});
+      m_faces.add(
+        r, {squared_norm(m_mesh.centroid(face) - m_shapes.regions[r].centroid), Index(face)});
     });
   }
 
@@ -136,7 +137,7 @@ private:
     Hits hits;
     hits.fill({Ray_tree::no_face, 0});
     auto [begin, end] = m_faces[region];
-    const std::size_t number = number_of_rays(m_shapes.areas[region] / m_mesh.area());
+    const std::size_t number = number_of_rays(m_shapes.regions[region].area / m_mesh.area());
     if (number < rays_per_region) {
       trace_from(std::min_element(begin, end)->second, m_spirals[0].data(), number, hits.data());
       return hits;
