@@ -34,7 +34,7 @@ public:
 
   \returns `Hierarchy`, or a type derived from it, if the order of merges does not depend on the
   number of segments: a `Segmenter` calls it once for each change of constraints or seeds. Otherwise
-  `Segmentation`: it is called for each number, which must be given
+  `Segmentation`, a hierarchy for one number: it is called for each number, which must be given
   \throws Invalid_input if the request cannot be met
   */
   Hierarchy merge(const Surface& surface, const Prepared& prepared, const Request& request,

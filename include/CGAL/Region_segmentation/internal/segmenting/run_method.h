@@ -37,7 +37,7 @@ using Merged_by = decltype(std::declval<const Method&>().merge(
 template <typename Method>
 constexpr bool needs_number()
 {
-  return std::is_same<Merged_by<Method>, Segmentation>::value;
+  return std::is_base_of<Segmentation, Merged_by<Method>>::value;
 }
 
 template <typename Method>
