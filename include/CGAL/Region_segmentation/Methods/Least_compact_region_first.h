@@ -72,51 +72,47 @@ public:
     static_assert(internal::satisfies<internal::Has_area_and_perimeter, typename Graph::RegionData>,
                   "Least_compact_region_first reads area and perimeter of RegionData, as "
                   "Region_geometry has them");
-    m_regions.clear();
+    m_entries.clear();
     m_slots.resize(graph.index_bound_of_regions());
     for (auto range = vertices(graph); range.first != range.second; ++range.first) {
-      m_slots[*range.first] = std::uint32_t(m_regions.size());
-      m_regions.push_back(*range.first);
+      m_slots[*range.first] = m_entries.size();
+      m_entries.push_back({*range.first, shape(graph, *range.first), 0});
     }
-    const std::size_t n = m_regions.size();
-    m_areas.resize(n);
-    m_planarities.resize(n);
-    m_compactness.resize(n);
-    m_weights.resize(n);
-    for (std::size_t i = 0; i < n; ++i)
-      set_shape(i, shape(graph, m_regions[i]));
-    for (std::size_t i = 0; i < n; ++i)
-      m_weights[i] = weight(i);
+    for (Entry& entry : m_entries)
+      entry.weight = weight(entry.shape);
   }
 
   template <typename Graph>
   std::optional<Merge_candidate> next(const Graph& graph)
   {
-    while (true) {
-      const std::size_t best = slot_of_lowest_weight();
-      if (best == m_regions.size() || m_weights[best] == settled)
-        return std::nullopt;
-      if (const auto section = m_section_of(graph, m_regions[best])) {
-        const double others = double((std::max)(m_regions.size(), std::size_t(2)) - 1);
-        return Merge_candidate{*section, (m_weights[best] - 0.5) / others};
+    while (!m_entries.empty()) {
+      // The largest sum of P_j is the smallest sum of what it subtracts.
+      const auto best = std::min_element(
+        m_entries.begin(), m_entries.end(), [](const Entry& a, const Entry& b) {
+          return a.weight != b.weight ? a.weight < b.weight : a.region < b.region;
+        });
+      if (best->weight == settled)
+        break;
+      if (const auto section = m_section_of(graph, best->region)) {
+        const double others = double((std::max)(m_entries.size(), std::size_t(2)) - 1);
+        return Merge_candidate{*section, (best->weight - 0.5) / others};
       }
-      m_weights[best] = settled; // it never gets a section, but still counts for the others
+      best->weight = settled; // it never gets a section, but still counts for the others
     }
+    return std::nullopt;
   }
 
   template <typename Graph>
   void on_merge(const Graph& graph, const typename Graph::Merge& merge)
   {
-    const std::size_t kept = m_slots[merge.kept];
-    const Shape before = shape_in(kept), gone = shape_in(m_slots[merge.removed]);
-    const Shape after = shape(graph, merge.kept);
-    set_shape(kept, after);
-    remove(m_slots[merge.removed]);
-    for (std::size_t i = 0; i < m_regions.size(); ++i) {
-      const Shape other = shape_in(i);
-      m_weights[i] += term(other, after) - term(other, before) - term(other, gone);
-    }
-    m_weights[m_slots[merge.kept]] = weight(m_slots[merge.kept]);
+    const Shape before = m_entries[m_slots[merge.kept]].shape,
+                gone = m_entries[m_slots[merge.removed]].shape, after = shape(graph, merge.kept);
+    m_entries[m_slots[merge.kept]].shape = after;
+    remove(merge.removed);
+    for (Entry& entry : m_entries)
+      entry.weight += term(entry.shape, after) - term(entry.shape, before) -
+                      term(entry.shape, gone);
+    m_entries[m_slots[merge.kept]].weight = weight(after);
   }
 
 private:
@@ -128,6 +124,13 @@ private:
     double compactness; // e^-planarity
   };
 
+  struct Entry
+  {
+    std::uint32_t region;
+    Shape shape;
+    double weight; // the sum of what P_j subtracts from 1
+  };
+
   template <typename Graph>
   static Shape shape(const Graph& graph, std::uint32_t region)
   {
@@ -135,43 +138,12 @@ private:
     return {graph[region].area, rho, std::exp(-rho)};
   }
 
-  Shape shape_in(std::size_t slot) const
+  /// Moves the last entry to its place.
+  void remove(std::uint32_t region)
   {
-    return {m_areas[slot], m_planarities[slot], m_compactness[slot]};
-  }
-
-  void set_shape(std::size_t slot, const Shape& shape)
-  {
-    m_areas[slot] = shape.area;
-    m_planarities[slot] = shape.planarity;
-    m_compactness[slot] = shape.compactness;
-  }
-
-  /// Moves the last slot here.
-  void remove(std::size_t slot)
-  {
-    const std::uint32_t moved = m_regions.back();
-    m_slots[moved] = std::uint32_t(slot);
-    const auto move_last = [slot](auto& array) {
-      array[slot] = array.back();
-      array.pop_back();
-    };
-    move_last(m_regions);
-    move_last(m_areas);
-    move_last(m_planarities);
-    move_last(m_compactness);
-    move_last(m_weights);
-  }
-
-  /// The largest sum of P_j is the smallest sum of what it subtracts.
-  std::size_t slot_of_lowest_weight() const
-  {
-    std::size_t best = m_regions.size();
-    for (std::size_t i = 0; i < m_regions.size(); ++i)
-      if (best == m_regions.size() || m_weights[i] < m_weights[best] ||
-          (m_weights[i] == m_weights[best] && m_regions[i] < m_regions[best]))
-        best = i;
-    return best;
+    m_slots[m_entries.back().region] = m_slots[region];
+    m_entries[m_slots[region]] = m_entries.back();
+    m_entries.pop_back();
   }
 
   /// What P_j subtracts from 1.
@@ -191,20 +163,18 @@ private:
   }
 
   /// The sum over all regions j, itself included as 1/2.
-  double weight(std::size_t slot) const
+  double weight(const Shape& i) const
   {
-    const Shape i = shape_in(slot);
     double sum = 0;
-    for (std::size_t j = 0; j < m_regions.size(); ++j)
-      sum += term(i, shape_in(j));
+    for (const Entry& j : m_entries)
+      sum += term(i, j.shape);
     return sum;
   }
 
   Longest_flattest_section m_section_of;
   double m_gamma;
-  std::vector<std::uint32_t> m_slots;   // by region
-  std::vector<std::uint32_t> m_regions; // by slot, and so the rest
-  std::vector<double> m_areas, m_planarities, m_compactness, m_weights;
+  std::vector<Entry> m_entries;     // of the remaining regions
+  std::vector<std::size_t> m_slots; // by region: the place of its entry
 };
 
 } // namespace Region_segmentation
