@@ -129,16 +129,19 @@ private:
   void describe_extents(std::size_t segment, const Double_3& center,
                         const std::array<Double_3, 3>& axes)
   {
-    for (std::size_t i = 0; i < 3; ++i) {
-      double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
-      for_each_face(segment, center, 1, [&](Index, const Points& corners) {
-        for (const Double_3& p : corners) {
-          lowest = (std::min)(lowest, dot(axes[i], p));
-          highest = (std::max)(highest, dot(axes[i], p));
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    std::array<double, 3> lowest{infinity, infinity, infinity},
+      highest{-infinity, -infinity, -infinity};
+    for_each_face(segment, center, 1, [&](Index, const Points& corners) {
+      for (const Double_3& p : corners)
+        for (std::size_t i = 0; i < 3; ++i) {
+          lowest[i] = (std::min)(lowest[i], dot(axes[i], p));
+          highest[i] = (std::max)(highest[i], dot(axes[i], p));
         }
-      });
+    });
+    for (std::size_t i = 0; i < 3; ++i) {
       m_descriptions[segment].axes[i] = to_vector(axes[i]);
-      m_descriptions[segment].extents[i] = (highest - lowest) * m_geometry.unit();
+      m_descriptions[segment].extents[i] = (highest[i] - lowest[i]) * m_geometry.unit();
     }
   }
 
