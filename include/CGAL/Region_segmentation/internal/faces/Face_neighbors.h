@@ -24,7 +24,7 @@ template <typename Labels, typename F>
 void for_each_border(const Surface& surface, const Labels& labels, const F& f)
 {
   for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a) {
-    const std::size_t i = labels[surface.lower_face(a)], j = labels[surface.higher_face(a)];
+    const Surface::Index i = labels[surface.lower_face(a)], j = labels[surface.higher_face(a)];
     if (i != j && !surface.has_flag(a, Surface::LINK))
       f(a, i, j);
   }
