@@ -53,7 +53,6 @@ public:
     , m_regions(regions)
     , m_shapes(shapes)
     , m_tree(tree)
-    , m_faces(regions.number_of_parts())
     , m_spirals{make_spirals(1), make_spirals(2), make_spirals(3)}
   {}
 
@@ -116,19 +115,17 @@ private:
       wants_all[m_regions[m_patches[p].center]] = false;
     const bool any_wants_all = std::find(wants_all.begin(), wants_all.end(), true) !=
                                wants_all.end();
-    const auto for_each_face = [&](const auto& f) {
+    m_faces = grouped<Face_at_distance>(m_regions.number_of_parts(), [&](const auto& add) {
+      const auto add_face = [&](std::size_t face) {
+        const Index r = m_regions[face];
+        add(r, {squared_norm(m_mesh.centroid(face) - m_shapes.regions[r].centroid), Index(face)});
+      };
       for (std::size_t p = 0; p < m_patches.size(); ++p)
         if (const Index face = m_patches[p].center; !hits[m_regions[face]])
-          f(m_regions[face], face);
+          add_face(face);
       for (std::size_t face = 0; any_wants_all && face < m_regions.size(); ++face)
         if (wants_all[m_regions[face]])
-          f(m_regions[face], face);
-    };
-    for_each_face([&](Index r, std::size_t) { m_faces.count(r); });
-    m_faces.end_counting();
-    for_each_face([&](Index r, std::size_t face) {
-      m_faces.add(
-        r, {squared_norm(m_mesh.centroid(face) - m_shapes.regions[r].centroid), Index(face)});
+          add_face(face);
     });
   }
 

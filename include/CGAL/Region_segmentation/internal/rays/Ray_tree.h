@@ -232,10 +232,11 @@ private:
     Lanes in{}, out, entries;
     out.fill(ray.distance);
     for (std::size_t k = 0; k < 3; ++k) {
-      const Lanes &near = node.bounds[ray.entered[k]][k], &far = node.bounds[1 - ray.entered[k]][k];
+      const Lanes &begins = node.bounds[ray.entered[k]][k],
+                  &ends = node.bounds[1 - ray.entered[k]][k];
       for (std::size_t i = 0; i < width; ++i) {
-        in[i] = larger((near[i] - ray.source[k]) * ray.inverse[k], in[i]);
-        out[i] = smaller((far[i] - ray.source[k]) * ray.inverse[k], out[i]);
+        in[i] = larger((begins[i] - ray.source[k]) * ray.inverse[k], in[i]);
+        out[i] = smaller((ends[i] - ray.source[k]) * ray.inverse[k], out[i]);
       }
     }
     for (std::size_t i = 0; i < width; ++i)

@@ -4,12 +4,10 @@
 #define CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_MESH_ORDER_H
 
 #include <CGAL/Region_segmentation/Surface.h>
-#include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/exceptions.h>
 #include <CGAL/Region_segmentation/internal/support/Large_array.h>
 #include <CGAL/Region_segmentation/parameters.h>
 
-#include <CGAL/Iterator_range.h>
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
@@ -17,7 +15,6 @@
 
 #include <boost/graph/graph_traits.hpp>
 
-#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -66,13 +63,6 @@ public:
   }
   const std::vector<Descriptor>& elements() const { return m_elements; }
 
-  /// The elements of a block.
-  CGAL::Iterator_range<const Descriptor*> block(std::size_t i) const
-  {
-    const Descriptor* const first = m_elements.data();
-    return {first + i * block_size, first + (std::min)((i + 1) * block_size, size())};
-  }
-
 private:
   IndexMap m_index_map;
   Large_array<Surface::Index> m_ranks; // by index; empty: the same
@@ -109,10 +99,6 @@ public:
   std::size_t number_of_faces() const { return m_faces.size(); }
   std::size_t number_of_vertices() const { return m_vertices.size(); }
 
-  /// The faces and vertices with the numbers of one block.
-  auto faces_of_block(std::size_t block) const { return m_faces.block(block); }
-  auto vertices_of_block(std::size_t block) const { return m_vertices.block(block); }
-
   Surface::Index vertex_rank(vertex_descriptor v) const { return m_vertices[v]; }
   /// The number of the face of a halfedge; `none` at a border.
   Surface::Index face_rank(halfedge_descriptor h) const
@@ -134,8 +120,8 @@ public:
     return first;
   }
 
-  /// In order.
   const auto& ordered_faces() const { return m_faces.elements(); }
+  const auto& ordered_vertices() const { return m_vertices.elements(); }
 
 private:
   const FaceGraph& m_mesh;

@@ -5,7 +5,6 @@
 
 #include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/Partition.h>
-#include <CGAL/Region_segmentation/internal/support/sorted_indices.h>
 #include <CGAL/Region_segmentation/internal/surface/Component_tree.h>
 #include <CGAL/Region_segmentation/internal/surface/Triangle_contact.h>
 
@@ -46,27 +45,14 @@ public:
   std::vector<Face_contact> find(const Execution& execution)
   {
     Step_counter counter(execution, m_number_left);
-    m_stack.push_back({m_tree.root(), m_tree.root()});
-    while (!m_stack.empty() && m_number_left > 0) {
-      const auto [a, b] = m_stack.back();
-      m_stack.pop_back();
-      if (a == b)
-        divide(a);
-      else if (squared_gap(m_tree[a].box, m_tree[b].box) <= squared_tolerance(a, b))
-        visit(a, b);
-      counter.advance();
-    }
-    const auto key = [&](Index i) {
-      const auto& [faces, contact] = m_contacts[i];
-      return std::make_tuple(m_component_of[faces[0]], m_component_of[faces[1]], faces[0], faces[1],
-                             int(contact.kind), contact.amount);
+    visit(m_tree.root(), m_tree.root(), counter);
+    const auto key = [&](const Face_contact& c) {
+      return std::make_tuple(m_component_of[c.faces[0]], m_component_of[c.faces[1]], c.faces,
+                             c.contact.kind, c.contact.amount);
     };
-    std::vector<Face_contact> sorted(m_contacts.size());
-    auto place = sorted.begin();
-    for (const Index i :
-         sorted_indices(m_contacts.size(), [&](Index i, Index j) { return key(i) < key(j); }))
-      *place++ = m_contacts[i];
-    return sorted;
+    std::sort(m_contacts.begin(), m_contacts.end(),
+              [&](const Face_contact& c, const Face_contact& d) { return key(c) < key(d); });
+    return std::move(m_contacts);
   }
 
 private:
@@ -76,26 +62,26 @@ private:
   }
   double squared_tolerance(Index a, Index b) const { return tolerance(a, b) * tolerance(a, b); }
 
-  void divide(Index node)
+  void visit(Index a, Index b, Step_counter& counter)
   {
-    if (m_tree[node].component != Component_tree::none)
+    if (m_number_left == 0)
       return;
-    const Index child = m_tree.children(node);
-    m_stack.push_back({child, child});
-    m_stack.push_back({child + 1, child + 1});
-    m_stack.push_back({child, child + 1});
-  }
-
-  void visit(Index a, Index b)
-  {
-    const Index node = m_tree.node_to_divide(a, b);
-    if (node == Component_tree::none) {
-      compare_faces(a, b);
-      return;
+    counter.advance();
+    if (a == b) {
+      if (m_tree[a].component != Component_tree::none)
+        return;
+      const Index child = m_tree.children(a);
+      visit(child, child + 1, counter);
+      visit(child + 1, child + 1, counter);
+      visit(child, child, counter);
+    } else if (squared_gap(m_tree[a].box, m_tree[b].box) <= squared_tolerance(a, b)) {
+      const Index node = m_tree.node_to_divide(a, b), other = node == a ? b : a;
+      if (node == Component_tree::none)
+        return compare_faces(a, b);
+      const Index child = m_tree.children(node);
+      visit(child + 1, other, counter);
+      visit(child, other, counter);
     }
-    const Index child = m_tree.children(node), other = node == a ? b : a;
-    m_stack.push_back({child, other});
-    m_stack.push_back({child + 1, other});
   }
 
   /// \pre both nodes are leaves
@@ -122,7 +108,6 @@ private:
   const Surface& m_surface;
   Component_tree& m_tree;
   const Partition& m_component_of;
-  std::vector<std::pair<Index, Index>> m_stack;
   std::vector<Face_contact> m_contacts;
   /// A bound of the pairs that are compared, for thousands of triangles that all cross each other;
   /// further contacts are not found.

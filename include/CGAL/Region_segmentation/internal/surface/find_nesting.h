@@ -5,6 +5,7 @@
 
 #include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/Surface.h>
+#include <CGAL/Region_segmentation/internal/support/Function_ref.h>
 #include <CGAL/Region_segmentation/internal/surface/Axis_box.h>
 #include <CGAL/Region_segmentation/internal/surface/Component_tree.h>
 #include <CGAL/Region_segmentation/internal/surface/distances.h>

@@ -17,8 +17,8 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// Moves the points of a surface, and with them all but degenerate faces, and the lengths of
-/// adjacencies.
+/// Moves the points of a surface, and with them normals, areas and the signs of angles. Degenerate
+/// faces and the lengths of adjacencies remain as they are.
 inline void move_points(Surface& surface, Large_array<Double_3> points, const Execution& execution)
 {
   Surface_arrays& arrays = arrays_of(surface);

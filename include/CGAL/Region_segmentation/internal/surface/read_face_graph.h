@@ -29,10 +29,11 @@ void read_points(const Mesh_order<FaceGraph, Pack>& order, const Pack& np, Surfa
   const auto no_halfedge = boost::graph_traits<FaceGraph>::null_halfedge();
   arrays.points.resize(order.number_of_vertices());
   for_each_block(execution, order.number_of_vertices(),
-                 [&](std::size_t block, std::size_t rank, std::size_t) {
-                   for (auto v : order.vertices_of_block(block)) {
+                 [&](std::size_t, std::size_t begin, std::size_t end) {
+                   for (std::size_t i = begin; i < end; ++i) {
+                     const auto v = order.ordered_vertices()[i];
                      const auto& p = get(point_map, v);
-                     Double_3& q = arrays.points[rank++];
+                     Double_3& q = arrays.points[i];
                      q = {CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2])};
                      if (halfedge(v, order.mesh()) == no_halfedge && is_finite(q))
                        q = {0, 0, 0};
@@ -40,24 +41,7 @@ void read_points(const Mesh_order<FaceGraph, Pack>& order, const Pack& np, Surfa
                  });
 }
 
-/// The corners of the faces of a block, and the faces across their sides. `rank`, `corner`: the
-/// first ones. Returns the end of the corners.
-template <typename FaceGraph, typename Pack>
-std::size_t read_corners_of_block(const Mesh_order<FaceGraph, Pack>& order, Raw_surface& raw,
-                                  std::size_t block, std::size_t rank, std::size_t corner)
-{
-  const FaceGraph& mesh = order.mesh();
-  Surface_arrays& arrays = arrays_of(raw.surface);
-  for (auto f : order.faces_of_block(block)) {
-    arrays.first_corners[rank++] = Surface::Index(corner);
-    for (auto h : CGAL::halfedges_around_face(halfedge(f, mesh), mesh)) {
-      arrays.corners[corner] = order.vertex_rank(source(h, mesh));
-      raw.neighbors[corner++] = order.face_rank(opposite(h, mesh));
-    }
-  }
-  return corner;
-}
-
+/// The corners of the faces, and the faces across their sides.
 template <typename FaceGraph, typename Pack>
 void read_corners(const Mesh_order<FaceGraph, Pack>& order, Raw_surface& raw,
                   const Execution& execution)
@@ -67,16 +51,26 @@ void read_corners(const Mesh_order<FaceGraph, Pack>& order, Raw_surface& raw,
   arrays.first_corners.resize(order.number_of_faces() + 1);
   arrays.corners.resize(num_halfedges(mesh));
   raw.neighbors.resize(num_halfedges(mesh));
+  const auto halfedges_of = [&](std::size_t face) {
+    return CGAL::halfedges_around_face(halfedge(order.ordered_faces()[face], mesh), mesh);
+  };
   const std::size_t number = for_each_block_of_output(
     execution, order.number_of_faces(),
-    [&](std::size_t block, std::size_t, std::size_t) {
+    [&](std::size_t, std::size_t begin, std::size_t end) {
       std::size_t result = 0;
-      for (auto f : order.faces_of_block(block))
-        result += CGAL::halfedges_around_face(halfedge(f, mesh), mesh).size();
+      for (std::size_t f = begin; f < end; ++f)
+        result += halfedges_of(f).size();
       return result;
     },
-    [&](std::size_t block, std::size_t begin, std::size_t, std::size_t corner) {
-      return read_corners_of_block(order, raw, block, begin, corner);
+    [&](std::size_t, std::size_t begin, std::size_t end, std::size_t corner) {
+      for (std::size_t f = begin; f < end; ++f) {
+        arrays.first_corners[f] = Surface::Index(corner);
+        for (auto h : halfedges_of(f)) {
+          arrays.corners[corner] = order.vertex_rank(source(h, mesh));
+          raw.neighbors[corner++] = order.face_rank(opposite(h, mesh));
+        }
+      }
+      return corner;
     });
   arrays.first_corners.back() = Surface::Index(number);
   arrays.corners.resize(number);
