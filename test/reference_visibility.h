@@ -174,9 +174,10 @@ private:
   }
 };
 
-/// The mesh as the methods on superfacets see it: while noise exceeds curvature, points move along
-/// the normals to the height of their neighbors, unless that is more than 3 times the median.
-inline Mesh without_noise(const Mesh& mesh, int rounds = 5)
+/// The mesh as the methods on superfacets see it: if noise exceeds curvature, points move along the
+/// normals to the height of their neighbors, unless that is more than 3 times the median; again
+/// until little noise is left.
+inline Mesh without_noise(const Mesh& mesh, double share = 0.42, int rounds = 5)
 {
   const std::size_t n = mesh.points.size();
   std::vector<Vector> normals(n), to_neighbors(n);
@@ -213,8 +214,8 @@ inline Mesh without_noise(const Mesh& mesh, int rounds = 5)
       all += a != 0 && b != 0;
       opposite += (a < 0 && b > 0) || (a > 0 && b < 0);
     }
-  const bool is_noisy = opposite > 0.15 * all + 15 * std::sqrt(all);
-  return is_noisy && rounds > 0 ? without_noise(mesh.moved(points), rounds - 1) : mesh;
+  const bool is_noisy = opposite > share * all + std::sqrt(all);
+  return is_noisy && rounds > 0 ? without_noise(mesh.moved(points), 0.2, rounds - 1) : mesh;
 }
 
 /// Small flat patches of faces, or of other patches.

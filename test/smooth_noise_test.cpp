@@ -144,9 +144,9 @@ TEST(smooth_noise_test, is_found_from_a_part_of_the_faces)
   for (const std::size_t stride : {1, 2, 3, 7, 20}) {
     SCOPED_TRACE(stride);
     const RS::Surface surface = surface_of(clean), rough = surface_of(noisy(clean, 0.005, 1));
-    EXPECT_TRUE(RS::internal::Vertex_heights(rough, stride).are_noise(stride));
-    EXPECT_TRUE(RS::internal::Vertex_heights(rough, 1).are_noise(stride));
-    EXPECT_FALSE(RS::internal::Vertex_heights(surface, stride).are_noise(stride));
+    EXPECT_TRUE(RS::internal::Vertex_heights(rough, stride).are_opposite(0.42, stride));
+    EXPECT_TRUE(RS::internal::Vertex_heights(rough, 1).are_opposite(0.42, stride));
+    EXPECT_FALSE(RS::internal::Vertex_heights(surface, stride).are_opposite(0.42, stride));
   }
 }
 
