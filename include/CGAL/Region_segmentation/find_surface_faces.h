@@ -45,7 +45,8 @@ inline Surface_faces find_faces(const Surface& surface, double tolerance,
 {
   Face_search search(surface, tolerance);
   find_faces_from_patches(search, execution.step(0, 0.7));
-  find_small_planes(search, execution.step(0.7, 0.9));
+  find_small_planes(search, execution.step(0.7, 0.85));
+  find_pairs_of_planes(search, execution.step(0.85, 0.9));
   merge_equal_surfaces(search);
   compete_at_borders(search);
   separate_components(search, execution.step(0.9, 1));

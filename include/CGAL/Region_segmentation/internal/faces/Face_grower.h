@@ -126,6 +126,34 @@ public:
     return all > 0 ? gradual / all : 0;
   }
 
+  /// Facets of a fillet turn by twice the angle that there is between the fillet and the face to
+  /// which it is tangent; chamfers turn by the same angle. Whether the mean deviation across the
+  /// border, where it is not sharp, is less than 3/4 of that inside.
+  bool is_tangent_to_neighbors() const
+  {
+    double sum[2] = {0, 0}, length[2] = {0, 0};
+    for (const Index f : faces())
+      for (const Face_neighbors::Neighbor& n : m_neighbors[f]) {
+        const double cosine = m_surface.cosine(n.adjacency);
+        if (m_neighbors.is_smooth(n.adjacency) && cosine < 1 - 1e-9) {
+          sum[is_taken(n.face)] += m_surface.length(n.adjacency) * std::acos(cosine);
+          length[is_taken(n.face)] += m_surface.length(n.adjacency);
+        }
+      }
+    return length[0] > 0 && sum[0] * length[1] < 0.75 * sum[1] * length[0];
+  }
+
+  /// The number of plane facets of which the faces consist, or less if there are vertices inside
+  /// facets.
+  std::size_t number_of_facets() const
+  {
+    std::size_t flat = 0;
+    for (const Index f : faces())
+      for (const Face_neighbors::Neighbor& n : m_neighbors[f])
+        flat += n.face < f && is_taken(n.face) && m_surface.cosine(n.adjacency) > 1 - 1e-9;
+    return faces().size() > flat ? faces().size() - flat : 1;
+  }
+
   /// The share of the area that is coplanar with the largest face.
   double share_of_largest_facet() const
   {

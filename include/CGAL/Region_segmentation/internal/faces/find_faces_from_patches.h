@@ -149,11 +149,21 @@ private:
     if (int(points) < degrees_of_freedom(s.kind) + 2 ||
         m_grower.faces().size() < m_patch.faces().size() * 3 / 4)
       return false;
-    constexpr double mostly_plane = 0.6; // with the first facets of the fillets beside it
-    if (s.kind == Surface_kind::PLANE ? points < fewest_points_of_plane
-                                      : m_grower.share_of_largest_facet() > mostly_plane)
+    if (s.kind == Surface_kind::PLANE ? points < fewest_points_of_plane : is_chain_of_planes())
       return false;
     return !m_search.is_exact() || m_grower.gradual_border(s) <= 0.1;
+  }
+
+  /// Whether the faces are two planes, or three of several triangles each, such as chamfers, rather
+  /// than facets of a curved face; or mostly one plane, with the first facets of the fillets beside
+  /// it.
+  bool is_chain_of_planes() const
+  {
+    if (m_grower.share_of_largest_facet() > 0.6)
+      return true;
+    const std::size_t facets = m_grower.number_of_facets();
+    const bool are_few = facets <= 2 || (facets == 3 && m_grower.faces().size() > 2 * facets);
+    return are_few && !m_grower.is_tangent_to_neighbors();
   }
 
   /// Seeds in a large set of faces that was grown in vain would grow it again: so the time of all

@@ -5,7 +5,9 @@
 
 #include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/internal/faces/Face_search.h>
+#include <CGAL/Region_segmentation/internal/support/label_components.h>
 
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -34,6 +36,42 @@ inline void find_small_planes(Face_search& search, const Execution& execution)
       for (const Surface::Index f : faces)
         search.is_tried[f] = 1;
   }
+}
+
+/// Two facets do not make a curved face: what is left of a component of at most two is planes.
+inline void find_pairs_of_planes(Face_search& search, const Execution& execution)
+{
+  using Index = Surface::Index;
+  constexpr double flat = 1 - 1e-9; // cosine
+  const Surface& surface = search.surface;
+  const auto label_left = [&](const auto& joins, const Execution& step) {
+    return label_components(
+      surface,
+      [&](std::size_t a) {
+        return !surface.has_flag(a, Surface::LINK) && !search.is_found(surface.lower_face(a)) &&
+               !search.is_found(surface.higher_face(a)) && joins(a);
+      },
+      step);
+  };
+  const Partition components = label_left(
+    [&](std::size_t a) { return search.neighbors.may_be_smooth(a); }, execution.step(0, 0.5));
+  const Partition facets = label_left([&](std::size_t a) { return surface.cosine(a) > flat; },
+                                      execution.step(0.5, 1));
+  std::vector<Index> largest(facets.number_of_parts(), Face_search::none); // face of a facet
+  for (const Index f : search.seeds())
+    if (largest[facets[f]] == Face_search::none)
+      largest[facets[f]] = f;
+  std::vector<std::size_t> number(components.number_of_parts(), 0); // of facets
+  for (const Index f : largest)
+    if (f != Face_search::none)
+      ++number[components[f]];
+  for (const Index f : largest)
+    if (f != Face_search::none && !search.is_found(f) && number[components[f]] <= 2) {
+      Fitted_surface<> s = surface_of_kind(Surface_kind::PLANE, surface.centroid(f),
+                                           surface.normal(f));
+      search.grower.grow(s, {f}, [&](Index g) { return !search.is_found(g); });
+      search.add(s, search.grower.faces());
+    }
 }
 
 } // namespace internal
