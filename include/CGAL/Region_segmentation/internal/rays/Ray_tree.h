@@ -223,24 +223,33 @@ private:
     return keys;
   }
 
-  /// Where a ray enters the boxes of children; infinite where it does not.
+  /// Where a ray enters the boxes of children; infinite where it does not. A loop over the axes
+  /// takes twice as long.
   BOOST_NOINLINE static Lanes entries_of(const Node& node, const Ray& ray)
   {
-    // What is not a number (0 * infinity) is ignored.
-    const auto larger = [](float a, float b) { return a > b ? a : b; };
-    const auto smaller = [](float a, float b) { return a < b ? a : b; };
-    Lanes in{}, out, entries;
-    out.fill(ray.distance);
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Lanes &begins = node.bounds[ray.entered[k]][k],
-                  &ends = node.bounds[1 - ray.entered[k]][k];
-      for (std::size_t i = 0; i < width; ++i) {
-        in[i] = larger((begins[i] - ray.source[k]) * ray.inverse[k], in[i]);
-        out[i] = smaller((ends[i] - ray.source[k]) * ray.inverse[k], out[i]);
-      }
+    const auto bounds = [&](std::size_t k, std::size_t side) {
+      return node.bounds[side][k].data();
+    };
+    const auto [entered_x, entered_y, entered_z] = ray.entered;
+    const float *near_x = bounds(0, entered_x), *near_y = bounds(1, entered_y),
+                *near_z = bounds(2, entered_z);
+    const float *far_x = bounds(0, 1 - entered_x), *far_y = bounds(1, 1 - entered_y),
+                *far_z = bounds(2, 1 - entered_z);
+    const auto [source_x, source_y, source_z] = ray.source;
+    const auto [inverse_x, inverse_y, inverse_z] = ray.inverse;
+    Lanes entries;
+    for (std::size_t i = 0; i < width; ++i) {
+      // One that is not a number (0 * infinity) is ignored.
+      const auto larger = [](float a, float b) { return a > b ? a : b; };
+      const auto smaller = [](float a, float b) { return a < b ? a : b; };
+      float in = larger((near_x[i] - source_x) * inverse_x, 0);
+      in = larger((near_y[i] - source_y) * inverse_y, in);
+      in = larger((near_z[i] - source_z) * inverse_z, in);
+      float out = smaller((far_x[i] - source_x) * inverse_x, ray.distance);
+      out = smaller((far_y[i] - source_y) * inverse_y, out);
+      out = smaller((far_z[i] - source_z) * inverse_z, out);
+      entries[i] = in <= out ? in : std::numeric_limits<float>::infinity();
     }
-    for (std::size_t i = 0; i < width; ++i)
-      entries[i] = in[i] <= out[i] ? in[i] : std::numeric_limits<float>::infinity();
     return entries;
   }
 

@@ -32,28 +32,31 @@ inline void compute_normals(Surface& surface, const Execution& execution)
   const std::size_t size = arrays.first_corners.size() - 1;
   arrays.normals.resize(size);
   arrays.areas.resize(size);
-  const auto point_at = [&](Surface::Index corner) -> const Double_3& {
-    return arrays.points[arrays.corners[corner]];
-  };
+  // Through references to the arrays it takes twice as long.
+  const Double_3* const points = arrays.points.data();
+  const Surface::Index *const corners = arrays.corners.data(),
+                              *const first_corners = arrays.first_corners.data();
+  double* const areas = arrays.areas.data();
+  Double_3* const normals = arrays.normals.data();
   for_each_block(execution, size, [&](std::size_t, std::size_t begin, std::size_t end) {
     for (std::size_t f = begin; f < end; ++f) {
-      const Surface::Index first = arrays.first_corners[f], past = arrays.first_corners[f + 1];
-      const Double_3 origin = point_at(first);
+      const Surface::Index first = first_corners[f], past = first_corners[f + 1];
+      const Double_3 origin = points[corners[first]];
       Double_3 twice_area{};
       double squared_longest_edge = 0;
       if (past - first > 2)
-        squared_longest_edge = (std::max)(squared_norm(point_at(first + 1) - origin),
-                                          squared_norm(point_at(past - 1) - origin));
+        squared_longest_edge = (std::max)(squared_norm(points[corners[first + 1]] - origin),
+                                          squared_norm(points[corners[past - 1]] - origin));
       for (Surface::Index c = first + 2; c < past; ++c) {
-        const Double_3 &p = point_at(c - 1), &q = point_at(c);
+        const Double_3 &p = points[corners[c - 1]], &q = points[corners[c]];
         twice_area = twice_area + cross(p - origin, q - origin);
         squared_longest_edge = (std::max)(squared_longest_edge, squared_norm(q - p));
       }
       const Double_3 area_vector = 0.5 * twice_area;
       const double area = norm(area_vector);
-      arrays.areas[f] = area;
-      arrays.normals[f] = is_degenerate(area, squared_longest_edge) ? Double_3{}
-                                                                    : (1 / area) * area_vector;
+      areas[f] = area;
+      normals[f] = is_degenerate(area, squared_longest_edge) ? Double_3{}
+                                                             : (1 / area) * area_vector;
     }
   });
 }
