@@ -63,15 +63,14 @@ inline Surface_faces find_faces(const Surface& surface, double tolerance,
 }
 
 /// A surface in a frame as one in space.
-inline Fitted_surface<> in_space(Fitted_surface<> s, const Intrinsic_frame& frame)
+inline Fitted_surface<> in_space(const Fitted_surface<>& s, const Intrinsic_frame& frame)
 {
   if (s.kind == Surface_kind::FREEFORM)
     return s;
-  s.point = frame.point(s.point);
-  s.direction = frame.vector(s.direction);
-  s.radius *= frame.unit();
-  s.minor_radius *= frame.unit();
-  return s;
+  Fitted_surface<> result = scaled(s, frame.unit());
+  result.point = frame.point(s.point);
+  result.direction = frame.vector(s.direction);
+  return result;
 }
 
 /// Fits the surfaces to the points of their faces: those of the search were rounded. Sets their

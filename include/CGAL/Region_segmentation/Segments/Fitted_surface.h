@@ -47,9 +47,8 @@ enum class Face_role { NONE, BLEND, HOLE, BOSS };
 /// - sqrt(r^2 + z^2) - `radius` for a sphere,
 /// - sqrt((r - `radius`)^2 + z^2) - `minor_radius` for a torus.
 ///
-/// \tparam Kernel has the types of `point` and `direction`: a model of `Kernel`; by default both
-/// are
-///         `Double_3`
+/// \tparam Kernel has the types of `point` and `direction`: a model of `Kernel`; by
+///         default `Double_3`
 template <typename Kernel = internal::Kernel_of_doubles>
 struct Fitted_surface
 {

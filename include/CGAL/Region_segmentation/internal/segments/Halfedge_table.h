@@ -12,7 +12,6 @@
 
 #include <boost/graph/graph_traits.hpp>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>

@@ -7,6 +7,7 @@
 #include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/internal/support/label_components.h>
+#include <CGAL/Region_segmentation/internal/support/part_areas.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -60,13 +61,10 @@ inline void dissolve_islands(const Surface& surface,
 {
   using Index = Surface::Index;
   const Partition components = components_of_labels(surface, label_of_face);
-  std::vector<double> areas(components.number_of_parts(), 0);
   std::vector<Index> labels(components.number_of_parts());
-  for (Index f = 0; f < components.size(); ++f) {
-    areas[components[f]] += surface.area(f);
+  for (Index f = 0; f < components.size(); ++f)
     labels[components[f]] = label_of_face[f];
-  }
-  std::vector<char> is_island = find_islands(labels, areas, numbers);
+  std::vector<char> is_island = find_islands(labels, part_areas(surface, components), numbers);
   bool is_changed = true;
   while (std::exchange(is_changed, false)) {
     std::map<Index, std::map<Index, double>> lengths; // of islands with labels around them
