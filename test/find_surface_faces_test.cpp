@@ -282,23 +282,55 @@ TEST(FindSurfaceFaces, FilletsOfFreeformWalls)
   }
 }
 
-// Vertices are exact if those of some patch are, though little of the area is flat; noise is in
-// all.
+/// A cylinder of 24 facets of which the vertices were moved along the facets, as by remeshing: it
+/// has `columns` of them, and an even number of rows, every other one shifted. Wall, bottom, top.
+Shape with_remeshed_wall(int columns, int rows)
+{
+  const auto at = [](double along, double turn, double z) {
+    const double facet = 2 * pi / 24, angle = std::fmod(2 * pi * turn + 0.02, facet) - facet / 2;
+    return around(along * 2 * std::cos(facet / 2) / std::cos(angle), turn, z);
+  };
+  Shape shape;
+  shape.add_face(columns, rows, [&](double u, double v) {
+    const double shift = std::lround(v * rows) % 2 * 0.5 / columns;
+    return at(1, u + shift, 3 * v);
+  });
+  shape.add_face(columns, 2, [&](double u, double v) { return at(v, u, 0); });
+  shape.add_face(columns, 2, [&](double u, double v) { return at(1 - v, u, 3); });
+  return shape;
+}
+
+// Vertices on curved surfaces to rounding, of a freeform part, with few digits, with noise, and
+// moved along facets.
 TEST(FindSurfaceFaces, Tolerance)
 {
-  const Shape coil = helical_tube(0.3, 12);
   const auto relative_tolerance = [](const Shape& shape) {
     const RS::Surface surface = surface_of(shape);
     return RS::find_surface_faces(surface).tolerance / (surface.length_unit() * surface.unit());
   };
-  EXPECT_NEAR(relative_tolerance(coil), 1e-6, 1e-9);
+  EXPECT_NEAR(relative_tolerance(helical_tube(0.3, 12)), 1e-6, 1e-9);
+  const Shape ring = helical_tube(0, 4);
+  EXPECT_NEAR(relative_tolerance(ring), 1e-6, 1e-9);
+  const auto moved = [&](const auto& move) {
+    Shape shape = ring;
+    for (Point& p : shape.points)
+      p = Point{move(p.x), move(p.y), move(p.z)};
+    return shape;
+  };
+  const Shape rounded = moved([](double x) { return std::round(x * 1e5) / 1e5; });
+  EXPECT_NEAR(relative_tolerance(rounded), 1e-5, 1e-9);
+  EXPECT_EQ(expect_faces(rounded)[0].kind, Surface_kind::TORUS);
   const unsigned seed = 5;
   std::mt19937 random(seed);
   std::normal_distribution<double> noise(0, 2e-3);
-  Shape noisy = coil;
-  for (Point& p : noisy.points)
-    p = p + Point{noise(random), noise(random), noise(random)};
+  const Shape noisy = moved([&](double x) { return x + noise(random); });
   EXPECT_GT(relative_tolerance(noisy), 1e-4);
+  EXPECT_EQ(expect_faces(noisy)[0].kind, Surface_kind::TORUS);
+  const Shape remeshed = with_remeshed_wall(40, 12);
+  EXPECT_GT(relative_tolerance(remeshed), 1e-4);
+  const std::vector<RS::Fitted_surface<>> s = expect_faces(remeshed);
+  EXPECT_EQ(s[0].kind, Surface_kind::CYLINDER);
+  EXPECT_NEAR(s[0].radius, 2, 0.02);
 }
 
 /// The faces of a shape, which are found in its order.

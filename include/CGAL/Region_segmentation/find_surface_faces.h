@@ -6,18 +6,23 @@
 #include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/internal/faces/compete_at_borders.h>
+#include <CGAL/Region_segmentation/internal/faces/description_length.h>
 #include <CGAL/Region_segmentation/internal/faces/find_face_roles.h>
 #include <CGAL/Region_segmentation/internal/faces/find_faces_from_patches.h>
 #include <CGAL/Region_segmentation/internal/faces/find_small_planes.h>
 #include <CGAL/Region_segmentation/internal/faces/fit_surface.h>
 #include <CGAL/Region_segmentation/internal/faces/join_by_curvature.h>
+#include <CGAL/Region_segmentation/internal/faces/join_crossing_faces.h>
 #include <CGAL/Region_segmentation/internal/faces/merge_equal_surfaces.h>
 #include <CGAL/Region_segmentation/internal/faces/separate_components.h>
 #include <CGAL/Region_segmentation/internal/surface/Intrinsic_surface.h>
 
 #include <CGAL/assertions.h>
 
+#include <cmath>
 #include <cstddef>
+#include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -40,11 +45,13 @@ namespace internal {
 
 /// The faces of a surface as it is, without deviations and extents. `tolerance`: in units of the
 /// surface
-inline Surface_faces find_faces(const Surface& surface, double tolerance,
-                                const Execution& execution)
+inline Surface_faces find_faces_within(const Surface& surface, double tolerance,
+                                       const Execution& execution)
 {
   Face_search search(surface, tolerance);
   find_faces_from_patches(search, execution.step(0, 0.7));
+  if (!search.is_exact())
+    join_crossing_faces(search);
   find_small_planes(search, execution.step(0.7, 0.85));
   find_pairs_of_planes(search, execution.step(0.85, 0.9));
   merge_equal_surfaces(search);
@@ -62,6 +69,75 @@ inline Surface_faces find_faces(const Surface& surface, double tolerance,
   return result;
 }
 
+/// The faces of a surface as it is, for that tolerance above rounding with which their description
+/// is shortest.
+inline Surface_faces find_inexact_faces(const Surface& surface, double rounding,
+                                        const Execution& execution)
+{
+  constexpr int tolerances = 7;
+  constexpr double largest = 6400, // times rounding
+    too_long = 2;
+  Surface_faces best;
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < tolerances; ++i) { // the largest first: below the noise most patches fail
+    Surface_faces faces = find_faces_within(
+      surface, std::ldexp(largest * rounding, -i),
+      execution.step(double(i) / tolerances, double(i + 1) / tolerances));
+    const double length = description_length(surface, faces.partition, faces.surfaces, rounding);
+    if (length > too_long * least)
+      break;
+    if (length <= least) {
+      least = length;
+      best = std::move(faces);
+    }
+  }
+  return best;
+}
+
+/// Whether vertices deviate from `inexact` faces by chance, rather than that a freeform part is
+/// covered by them: the description is shorter, and either about half of the edges have ends on
+/// opposite sides, or, as where vertices were moved along facets, some do, and there are hardly
+/// more faces.
+inline bool is_noise(const Surface& surface, const Surface_faces& exact,
+                     const Surface_faces& inexact, double rounding)
+{
+  constexpr double half = 0.45, some = 0.1, hardly_more = 1.3;
+  const auto bits = [&](const Surface_faces& faces) {
+    return description_length(surface, faces.partition, faces.surfaces, rounding);
+  };
+  const double opposite = share_of_opposite_sides(surface, inexact.partition, inexact.surfaces);
+  return bits(inexact) < bits(exact) &&
+         (opposite >= half || (opposite >= some && double(inexact.surfaces.size()) <=
+                                                     hardly_more * double(exact.surfaces.size())));
+}
+
+/// The faces of a surface as it is. `tolerance`: in units of the surface; 0: that which its
+/// vertices ask for.
+inline Surface_faces find_faces(const Surface& surface, double tolerance,
+                                const Execution& execution)
+{
+  if (tolerance > 0)
+    return find_faces_within(surface, tolerance, execution);
+  constexpr double much = 0.5, more = 0.1, little = 0.05;
+  const double rounding = 1e-6 * surface.length_unit();
+  const auto curved = [&](const Surface_faces& faces) {
+    return share_of_curved_surfaces(surface, faces.partition, faces.surfaces);
+  };
+  Surface_faces exact = find_faces_within(surface, rounding, execution.step(0, 0.2));
+  const double curved_exactly = curved(exact);
+  if (curved_exactly < much) {
+    Surface_faces rounded = find_faces_within(surface, 10 * rounding, execution.step(0.2, 0.4));
+    if (curved(rounded) > curved_exactly + more)
+      exact = std::move(rounded);
+    else if (curved_exactly <= little) {
+      Surface_faces inexact = find_inexact_faces(surface, rounding, execution.step(0.4, 1));
+      if (is_noise(surface, exact, inexact, rounding))
+        exact = std::move(inexact);
+    }
+  }
+  execution.report(1);
+  return exact;
+}
 /// A surface in a frame as one in space.
 inline Fitted_surface<> in_space(const Fitted_surface<>& s, const Intrinsic_frame& frame)
 {
@@ -95,15 +171,26 @@ inline void fit_surfaces(const Surface& surface, Surface_faces& faces)
 /// tori, and freeform faces.
 ///
 /// -# *Tolerance.* Vertices of a tessellation lie on the exact surface, to rounding: the tolerance
-///    is \f$10^{-6}\f$ of the square root of the area, if at least 1/20 of the area is flat to
-///    that, or some patch lies on its surface. Otherwise it is 5 times the standard deviation of
-///    the vertices from the surfaces that fit patches of 24 of them: the least of 1.4 times that of
-///    the best sixteenth of 300 patches, three times that of the best one, and 1/500 of that root.
+///    is \f$10^{-6}\f$ of the size, the square root of the area, if at least half of what is not
+///    plane is on curved surfaces then. If a tenth more of it is with \f$10^{-5}\f$, as where
+///    coordinates have few digits, it is that. If not even a twentieth is, vertices may be noisy,
+///    or were moved by remeshing along the facets of a tessellation: then the steps that follow are
+///    taken for \f$64 \cdot 10^{-4}, 32 \cdot 10^{-4}, \ldots, 10^{-4}\f$, until the description of
+///    the faces is more than twice as long as the shortest one of these. Its length is 1/8 a face,
+///    plus the mean over the vertices of \f$\log_2(\sigma / 10^{-6})\f$, \f$\sigma\f$ the standard
+///    deviation of those of a face from its surface, over the size; 1/250 for freeform faces. The
+///    faces of the shortest one are the result if it is shorter than that for \f$10^{-6}\f$, and
+///    either .45 of the edges on curved surfaces have ends on opposite sides of them, or .1 have
+///    and there are at most 1.3 times as many faces: a freeform part, too, can be covered by
+///    surfaces.
 /// -# *Surfaces from patches.* From each face that is not found yet, the largest first, a patch of
 ///    neighbors is collected. The simplest surface on which its vertices lie grows over all faces
 ///    that lie on it, and is fitted again whenever their number has doubled. Where the mesh leaves
 ///    it little by little, less than a plane tangent to it there, it only osculates a freeform face
 ///    and is dropped. Smaller patches follow, then planes of few vertices.
+/// -# *Crossing faces.* With a tolerance above rounding, a surface needs as many vertices that are
+///    not on faces found before as it has degrees of freedom. Faces of which all vertices are,
+///    since they cross a crease, go to the neighbor from whose surface they deviate least.
 /// -# *Competition.* Neighbors of which one's surface is also that of the other are one; faces at
 ///    borders go to the surface from which the midpoints of their sides deviate least.
 /// -# *Freeform faces* are what is left, between creases and borders where the curvature jumps.
@@ -119,7 +206,8 @@ inline void fit_surfaces(const Surface& surface, Surface_faces& faces)
 /// \param execution reports the progress
 ///
 /// Deterministic. The faces are independent of motion, scale and the order of faces, up to 524,288
-/// of them, see \ref RegionSegmentationTies. Complexity: near linear in the number of faces.
+/// of them, see \ref RegionSegmentationTies. Complexity: near linear in the number of faces;
+/// up to nine searches where vertices do not lie on curved surfaces to rounding.
 /// \throws Segmentation_cancelled if the visitor cancels
 inline Surface_faces find_surface_faces(const Surface& surface, double tolerance = 0,
                                         const Execution& execution = Execution())

@@ -4,7 +4,7 @@
 #define CGAL_REGION_SEGMENTATION_INTERNAL_FACES_FACE_SEARCH_H
 
 #include <CGAL/Region_segmentation/internal/faces/Face_grower.h>
-#include <CGAL/Region_segmentation/internal/faces/estimate_noise.h>
+#include <CGAL/Region_segmentation/internal/faces/Face_set.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -25,23 +25,22 @@ public:
 
   const Surface& surface;
   const Face_neighbors neighbors;
-  Face_set patch;     ///< some faces around a face
-  const double noise; ///< the standard deviation of vertices from their surfaces
+  Face_set patch; ///< some faces around a face
   const Face_test test;
   Face_grower grower;
   std::vector<Index> labels;              ///< by face of the mesh; none: not found yet
   std::vector<Fitted_surface<>> surfaces; ///< by label
   std::vector<std::uint8_t> is_tried;     ///< by face of the mesh: no seed in this phase
+  std::vector<std::uint8_t> is_on_found;  ///< by vertex: a face that is found has it
 
-  /// \param tolerance 0: found from the mesh
   Face_search(const Surface& s, double tolerance)
     : surface(s)
     , neighbors(s)
     , patch(s)
-    , noise(tolerance > 0 ? tolerance / noises_in_tolerance : estimate_noise(s, neighbors, patch))
-    , test(s, neighbors, (std::max)(noises_in_tolerance * noise, exact_tolerance(s)))
+    , test(s, neighbors, tolerance)
     , grower(s, neighbors, test)
     , labels(s.number_of_faces(), none)
+    , is_on_found(s.number_of_vertices(), 0)
   {}
 
   /// Whether vertices lie on their surfaces, to rounding.
@@ -52,9 +51,24 @@ public:
 
   void add(const Fitted_surface<>& s, const std::vector<Index>& faces)
   {
-    for (const Index f : faces)
+    for (const Index f : faces) {
       labels[f] = Index(surfaces.size());
+      for (std::size_t i = 0; i < surface.number_of_corners(f); ++i)
+        is_on_found[surface.corner(f, i)] = 1;
+    }
     surfaces.push_back(s);
+  }
+
+  /// The number of vertices of some faces that no face that is found has.
+  std::size_t number_of_new_vertices(const std::vector<Index>& faces) const
+  {
+    std::vector<Index> vertices;
+    for (const Index f : faces)
+      for (std::size_t i = 0; i < surface.number_of_corners(f); ++i)
+        if (!is_on_found[surface.corner(f, i)])
+          vertices.push_back(surface.corner(f, i));
+    std::sort(vertices.begin(), vertices.end());
+    return std::size_t(std::unique(vertices.begin(), vertices.end()) - vertices.begin());
   }
 
   /// Faces that are neither found nor thin, the largest first: so what is found does not depend on
@@ -72,9 +86,6 @@ public:
 
   /// Starts a phase.
   void clear_tried() { is_tried.assign(labels.size(), 0); }
-
-private:
-  static constexpr double noises_in_tolerance = 5;
 };
 
 /// The share of the border of the faces that were grown where the surface goes on smoothly to faces

@@ -45,6 +45,8 @@ public:
   {
     m_search.clear_tried();
     const std::vector<Index> seeds = m_search.seeds();
+    if (!some_patch_fits(seeds))
+      return;
     Step_counter progress(execution, seeds.size());
     for (const Index seed : seeds) {
       progress.advance();
@@ -54,27 +56,35 @@ public:
   }
 
 private:
+  /// Whether one of some patches from seeds of all sizes lies on a surface. If not, vertices are
+  /// noisy, or the part is freeform: nothing would be found in much more time.
+  bool some_patch_fits(const std::vector<Index>& seeds)
+  {
+    constexpr std::size_t patches = 500;
+    const std::size_t step = seeds.size() / patches + 1;
+    for (std::size_t i = 0; i < seeds.size(); i += step) {
+      collect(seeds[i]);
+      const Surface_proposer propose = proposer(seeds[i]);
+      Fitted_surface<> s;
+      for (const Surface_kind kind : kinds_of_surfaces)
+        if (fits(propose, kind, s))
+          return true;
+    }
+    return false;
+  }
+
   bool find_from(Index seed)
   {
-    const double shortest = m_options.least_length * longest_edge(seed);
-    m_patch.collect(
-      m_search.neighbors, seed, m_options.vertices, [&](const Face_neighbors::Neighbor& n) {
-        return !m_search.is_found(n.face) && m_surface.length(n.adjacency) >= shortest &&
-               m_search.neighbors.may_be_smooth(n.adjacency) &&
-               m_surface.area(n.face) < largest_area * m_surface.area(seed);
-      });
+    collect(seed);
     if (m_options.only_at_borders && !is_at_border())
       return false;
     Fitted_surface<> best;
     std::vector<Index> best_faces;
     double best_area = 0;
-    const double tolerance = m_search.test.tolerance();
-    const Surface_proposer propose(m_patch.points(), m_surface.centroid(seed), mean_normal(),
-                                   axis_of_normals(),
-                                   m_search.is_exact() ? 1e-2 * tolerance : 0.5 * m_search.noise);
+    const Surface_proposer propose = proposer(seed);
     for (const Surface_kind kind : kinds_of_surfaces) {
       Fitted_surface<> s;
-      if (propose(kind, s) > tolerance || largest_distance(s, m_patch.points()) > tolerance)
+      if (!fits(propose, kind, s))
         continue;
       orient(s, seed);
       m_grower.grow(s, m_patch.faces(), [&](Index f) { return !m_search.is_found(f); });
@@ -94,6 +104,29 @@ private:
       return false;
     m_search.add(best, best_faces);
     return true;
+  }
+
+  void collect(Index seed)
+  {
+    const double shortest = m_options.least_length * longest_edge(seed);
+    m_patch.collect(
+      m_search.neighbors, seed, m_options.vertices, [&](const Face_neighbors::Neighbor& n) {
+        return !m_search.is_found(n.face) && m_surface.length(n.adjacency) >= shortest &&
+               m_search.neighbors.may_be_smooth(n.adjacency) &&
+               m_surface.area(n.face) < largest_area * m_surface.area(seed);
+      });
+  }
+
+  Surface_proposer proposer(Index seed) const
+  {
+    return {m_patch.points(), m_surface.centroid(seed), mean_normal(), axis_of_normals(),
+            (m_search.is_exact() ? 1e-2 : 0.1) * m_search.test.tolerance()};
+  }
+
+  bool fits(const Surface_proposer& propose, Surface_kind kind, Fitted_surface<>& s) const
+  {
+    const double tolerance = m_search.test.tolerance();
+    return propose(kind, s) <= tolerance && largest_distance(s, m_patch.points()) <= tolerance;
   }
 
   bool is_at_border() const
@@ -151,7 +184,10 @@ private:
       return false;
     if (s.kind == Surface_kind::PLANE ? points < fewest_points_of_plane : is_chain_of_planes())
       return false;
-    return !m_search.is_exact() || m_grower.gradual_border(s) <= 0.1;
+    // Faces that cross a crease lie on many surfaces, with vertices of the faces beside it alone.
+    return m_search.is_exact()
+             ? m_grower.gradual_border(s) <= 0.1
+             : int(m_search.number_of_new_vertices(m_grower.faces())) >= degrees_of_freedom(s.kind);
   }
 
   /// Whether the faces are two planes, or three of several triangles each, such as chamfers, rather

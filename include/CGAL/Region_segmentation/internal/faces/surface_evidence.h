@@ -5,6 +5,7 @@
 
 #include <CGAL/Region_segmentation/internal/faces/Face_search.h>
 #include <CGAL/Region_segmentation/internal/faces/fit_surface.h>
+#include <CGAL/Region_segmentation/internal/faces/labels_of_vertices.h>
 
 #include <algorithm>
 #include <cmath>
@@ -49,12 +50,7 @@ inline std::vector<Label_vertices> vertices_of_labels(const Face_search& search)
 {
   using Index = Surface::Index;
   const Surface& surface = search.surface;
-  std::vector<std::pair<Index, Index>> pairs; // of labels and vertices
-  for (Index f = 0; f < surface.number_of_faces(); ++f)
-    for (std::size_t i = 0; i < surface.number_of_corners(f); ++i)
-      pairs.push_back({search.labels[f], surface.corner(f, i)});
-  std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  const std::vector<std::pair<Index, Index>> pairs = labels_of_vertices(surface, search.labels);
   std::vector<Index> number_of_labels(surface.number_of_vertices(), 0);
   for (const auto& pair : pairs)
     ++number_of_labels[pair.second];

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_FACES_JOIN_CROSSING_FACES_H
+#define CGAL_REGION_SEGMENTATION_INTERNAL_FACES_JOIN_CROSSING_FACES_H
+
+#include <CGAL/Region_segmentation/internal/faces/Face_search.h>
+
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Region_segmentation {
+namespace internal {
+
+/// Where a mesh does not follow the creases, as after remeshing, faces cross them: all of their
+/// vertices are on faces that are found. They go to that neighbor from whose surface they deviate
+/// least, beginning with those that have a neighbor.
+inline void join_crossing_faces(Face_search& search)
+{
+  using Index = Surface::Index;
+  std::vector<Index> left;
+  for (Index f = 0; f < search.labels.size(); ++f) {
+    bool is_crossing = !search.is_found(f);
+    for (std::size_t i = 0; i < search.surface.number_of_corners(f); ++i)
+      is_crossing = is_crossing && search.is_on_found[search.surface.corner(f, i)];
+    if (is_crossing)
+      left.push_back(f);
+  }
+  std::vector<std::pair<Index, Index>> joined; // faces and their labels
+  do {
+    joined.clear();
+    for (const Index f : left) {
+      double least = std::numeric_limits<double>::infinity();
+      Index best = Face_search::none;
+      if (!search.is_found(f))
+        for (const Face_neighbors::Neighbor& n : search.neighbors[f])
+          if (search.is_found(n.face)) {
+            const double deviation = search.test.deviation(search.surface_of(n.face), f);
+            if (deviation < least) {
+              least = deviation;
+              best = search.labels[n.face];
+            }
+          }
+      if (best != Face_search::none)
+        joined.push_back({f, best});
+    }
+    for (const auto& [face, label] : joined)
+      search.labels[face] = label;
+  } while (!joined.empty());
+}
+
+} // namespace internal
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_INTERNAL_FACES_JOIN_CROSSING_FACES_H
