@@ -79,17 +79,20 @@ inline Surface_faces find_inexact_faces(const Surface& surface, double rounding,
     too_long = 2;
   Surface_faces best;
   double least = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < tolerances; ++i) { // the largest first: below the noise most patches fail
+  for (int i = 0; i < tolerances; ++i) {
     Surface_faces faces = find_faces_within(
       surface, std::ldexp(largest * rounding, -i),
       execution.step(double(i) / tolerances, double(i + 1) / tolerances));
     const double length = description_length(surface, faces.partition, faces.surfaces, rounding);
-    if (length > too_long * least)
-      break;
+    // Below the noise most patches fail, which takes time.
+    const Areas_of_kinds areas(surface, faces.partition, faces.surfaces);
+    const bool is_below_noise = areas.share_of_freeform() > 0.5 || length > too_long * least;
     if (length <= least) {
       least = length;
       best = std::move(faces);
     }
+    if (is_below_noise)
+      break;
   }
   return best;
 }
@@ -121,7 +124,7 @@ inline Surface_faces find_faces(const Surface& surface, double tolerance,
   constexpr double much = 0.5, more = 0.1, little = 0.05;
   const double rounding = 1e-6 * surface.length_unit();
   const auto curved = [&](const Surface_faces& faces) {
-    return share_of_curved_surfaces(surface, faces.partition, faces.surfaces);
+    return Areas_of_kinds(surface, faces.partition, faces.surfaces).share_of_curved();
   };
   Surface_faces exact = find_faces_within(surface, rounding, execution.step(0, 0.2));
   const double curved_exactly = curved(exact);
@@ -175,8 +178,9 @@ inline void fit_surfaces(const Surface& surface, Surface_faces& faces)
 ///    plane is on curved surfaces then. If a tenth more of it is with \f$10^{-5}\f$, as where
 ///    coordinates have few digits, it is that. If not even a twentieth is, vertices may be noisy,
 ///    or were moved by remeshing along the facets of a tessellation: then the steps that follow are
-///    taken for \f$64 \cdot 10^{-4}, 32 \cdot 10^{-4}, \ldots, 10^{-4}\f$, until the description of
-///    the faces is more than twice as long as the shortest one of these. Its length is 1/8 a face,
+///    taken for \f$64 \cdot 10^{-4}, 32 \cdot 10^{-4}, \ldots, 10^{-4}\f$, until more than half
+///    of the area is freeform, or the description of the faces is more than twice as long as the
+///    shortest one of these. The length of a description of the faces is 1/8 a face,
 ///    plus the mean over the vertices of \f$\log_2(\sigma / 10^{-6})\f$, \f$\sigma\f$ the standard
 ///    deviation of those of a face from its surface, over the size; 1/250 for freeform faces. The
 ///    faces of the shortest one are the result if it is shorter than that for \f$10^{-6}\f$, and

@@ -16,19 +16,26 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// The share of the area that is on cylinders, cones, spheres and tori, of what is not on planes; 1
-/// if there is nothing else.
-inline double share_of_curved_surfaces(const Surface& surface, const Partition& faces,
-                                       const std::vector<Fitted_surface<>>& surfaces)
+/// The areas of faces on planes, on other surfaces, and of freeform ones.
+struct Areas_of_kinds
 {
-  double curved = 0, freeform = 0;
-  for (std::size_t f = 0; f < surface.number_of_faces(); ++f) {
-    const Surface_kind kind = surfaces[faces[f]].kind;
-    if (kind != Surface_kind::PLANE)
-      (kind == Surface_kind::FREEFORM ? freeform : curved) += surface.area(f);
+  double plane = 0, curved = 0, freeform = 0;
+
+  Areas_of_kinds(const Surface& surface, const Partition& faces,
+                 const std::vector<Fitted_surface<>>& surfaces)
+  {
+    for (std::size_t f = 0; f < surface.number_of_faces(); ++f) {
+      const Surface_kind kind = surfaces[faces[f]].kind;
+      (kind == Surface_kind::PLANE      ? plane
+       : kind == Surface_kind::FREEFORM ? freeform
+                                        : curved) += surface.area(f);
+    }
   }
-  return freeform > 0 ? curved / (curved + freeform) : 1;
-}
+
+  /// Of what is not plane; 1 if there is nothing else.
+  double share_of_curved() const { return freeform > 0 ? curved / (curved + freeform) : 1; }
+  double share_of_freeform() const { return freeform / (plane + curved + freeform); }
+};
 
 /// The share of the edges of faces on curved surfaces of which the ends are on opposite sides of
 /// the surface, 1 if there is none: about half of them where vertices deviate by chance, few where
