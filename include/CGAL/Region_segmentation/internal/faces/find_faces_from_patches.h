@@ -45,7 +45,7 @@ public:
   {
     m_search.clear_tried();
     const std::vector<Index> seeds = m_search.seeds();
-    if (!some_patch_fits(seeds))
+    if (seeds.size() > many && !some_patch_fits(seeds))
       return;
     Step_counter progress(execution, seeds.size());
     for (const Index seed : seeds) {
@@ -60,9 +60,7 @@ private:
   /// noisy, or the part is freeform: nothing would be found in much more time.
   bool some_patch_fits(const std::vector<Index>& seeds)
   {
-    constexpr std::size_t patches = 500;
-    const std::size_t step = seeds.size() / patches + 1;
-    for (std::size_t i = 0; i < seeds.size(); i += step) {
+    for (std::size_t i = 0; i < seeds.size(); i += seeds.size() / sampled) {
       collect(seeds[i]);
       const Surface_proposer propose = proposer(seeds[i]);
       Fitted_surface<> s;
@@ -223,6 +221,7 @@ private:
   static constexpr double largest_area = 8; // of a face of a patch, as a multiple of that of the
                                             // seed
   static constexpr std::size_t fewest_points_of_plane = 8;
+  static constexpr std::size_t many = 5000, sampled = 500; // seeds
 
   Face_search& m_search;
   const Surface& m_surface;
