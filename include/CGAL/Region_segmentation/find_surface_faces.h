@@ -123,24 +123,25 @@ inline Surface_faces find_faces(const Surface& surface, double tolerance,
     return find_faces_within(surface, tolerance, execution);
   constexpr double much = 0.5, more = 0.1, little = 0.05;
   const double rounding = 1e-6 * surface.length_unit();
-  const auto curved = [&](const Surface_faces& faces) {
-    return Areas_of_kinds(surface, faces.partition, faces.surfaces).share_of_curved();
+  const auto curved = [&](const Surface_faces& found) {
+    return Areas_of_kinds(surface, found.partition, found.surfaces).share_of_curved();
   };
-  Surface_faces exact = find_faces_within(surface, rounding, execution.step(0, 0.2));
-  const double curved_exactly = curved(exact);
+  Surface_faces faces = find_faces_within(surface, rounding, execution.step(0, 0.2));
+  const double curved_exactly = curved(faces);
   if (curved_exactly < much) {
     Surface_faces rounded = find_faces_within(surface, 10 * rounding, execution.step(0.2, 0.4));
     if (curved(rounded) > curved_exactly + more)
-      exact = std::move(rounded);
+      faces = std::move(rounded);
     else if (curved_exactly <= little) {
       Surface_faces inexact = find_inexact_faces(surface, rounding, execution.step(0.4, 1));
-      if (is_noise(surface, exact, inexact, rounding))
-        exact = std::move(inexact);
+      if (is_noise(surface, faces, inexact, rounding))
+        faces = std::move(inexact);
     }
   }
   execution.report(1);
-  return exact;
+  return faces;
 }
+
 /// A surface in a frame as one in space.
 inline Fitted_surface<> in_space(const Fitted_surface<>& s, const Intrinsic_frame& frame)
 {
