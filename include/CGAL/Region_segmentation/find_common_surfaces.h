@@ -3,7 +3,8 @@
 #ifndef CGAL_REGION_SEGMENTATION_FIND_COMMON_SURFACES_H
 #define CGAL_REGION_SEGMENTATION_FIND_COMMON_SURFACES_H
 
-#include <CGAL/Region_segmentation/find_surface_faces.h>
+#include <CGAL/Region_segmentation/Segments/Surface_faces.h>
+#include <CGAL/Region_segmentation/Surface.h>
 
 #include <algorithm>
 #include <cmath>

@@ -9,8 +9,9 @@
 #include <CGAL/Region_segmentation/Methods/Number_below_cost.h>
 #include <CGAL/Region_segmentation/Methods/Surface_face_cost.h>
 #include <CGAL/Region_segmentation/Request.h>
+#include <CGAL/Region_segmentation/Segments/Surface_faces.h>
 #include <CGAL/Region_segmentation/Surface.h>
-#include <CGAL/Region_segmentation/find_surface_faces.h>
+#include <CGAL/Region_segmentation/internal/faces/find_faces.h>
 #include <CGAL/Region_segmentation/internal/graph/build_graph.h>
 #include <CGAL/Region_segmentation/internal/graph/renumber_tree.h>
 #include <CGAL/Region_segmentation/internal/surface/Intrinsic_surface.h>

@@ -4,9 +4,9 @@
 #define CGAL_REGION_SEGMENTATION_METHODS_SURFACE_FACE_COST_H
 
 #include <CGAL/Region_segmentation/Partition.h>
-#include <CGAL/Region_segmentation/Segments/Fitted_surface.h>
+#include <CGAL/Region_segmentation/Segments/Surface_faces.h>
 #include <CGAL/Region_segmentation/Surface.h>
-#include <CGAL/Region_segmentation/find_surface_faces.h>
+#include <CGAL/Region_segmentation/internal/faces/find_face_roles.h>
 
 #include <algorithm>
 #include <cmath>
