@@ -122,6 +122,39 @@ TEST(FindSurfaceFaces, LargeRadius)
   EXPECT_NEAR(s[1].radius, 20, 1e-6);
 }
 
+// A shaft with a flat, whose vertices lie on the cylinder: it deviates more than its facets do.
+TEST(FindSurfaceFaces, ShaftWithFlat)
+{
+  constexpr double first = 1.0 / 18, last = 17.0 / 18; // turns
+  const auto section = [](double u) { return first + (last - first) * u; };
+  const auto cap = [&](Shape& shape, double z, bool is_top) {
+    shape.add_face(
+      40, 1, [&](double u, double v) { return around(2 * (is_top ? 1 - v : v), section(u), z); });
+    const Point ends[] = {around(2, first, z), around(2, last, z)};
+    shape.add_triangle(ends[is_top ? 1 : 0], ends[is_top ? 0 : 1], {0, 0, z},
+                       shape.number_of_faces - 1);
+  };
+  Shape shape;
+  shape.add_face(40, 1, [&](double u, double v) { return around(2, section(u), 3 * v); });
+  shape.add_face(1, 1, [&](double u, double v) {
+    return (1 - u) * around(2, last, 3 * v) + u * around(2, first, 3 * v);
+  });
+  cap(shape, 0, false);
+  cap(shape, 3, true);
+  const std::vector<RS::Fitted_surface<>> s = expect_faces(shape);
+  EXPECT_EQ(s[0].kind, Surface_kind::CYLINDER);
+  EXPECT_NEAR(s[0].radius, 2, 1e-8);
+  EXPECT_EQ(s[1].kind, Surface_kind::PLANE);
+}
+
+// The triangles of narrow strips have normals, though their height is small.
+TEST(FindSurfaceFaces, NarrowStrips)
+{
+  for (const double height : {1e-3, 2e-4})
+    for (const RS::Fitted_surface<>& s : expect_faces(box(1, 2, height, 1)))
+      EXPECT_EQ(s.kind, Surface_kind::PLANE);
+}
+
 /// A solid between two planes: `radius(turns, z)` is that of its wall, of rows by the angle
 /// and the height.
 template <typename Function>
@@ -331,6 +364,32 @@ TEST(FindSurfaceFaces, Tolerance)
   const std::vector<RS::Fitted_surface<>> s = expect_faces(remeshed);
   EXPECT_EQ(s[0].kind, Surface_kind::CYLINDER);
   EXPECT_NEAR(s[0].radius, 2, 0.02);
+}
+
+// Noise between the rounding of exact and of few digits, and a freeform surface of small facets:
+// ten times the tolerance for rounding would cover both with many faces.
+TEST(FindSurfaceFaces, ToleranceOfSmallDeviations)
+{
+  const unsigned seed = 6;
+  SCOPED_TRACE(seed);
+  std::mt19937 random(seed);
+  for (const double deviation : {3e-6, 5e-6, 7e-6}) {
+    SCOPED_TRACE(deviation);
+    std::normal_distribution<double> noise(0, deviation);
+    Shape plate;
+    plate.add_face(60, 60, [](double u, double v) { return Point{u, v, 0}; });
+    for (Point& p : plate.points)
+      p.z = noise(random);
+    expect_faces(plate);
+  }
+  const auto wave = [](double u, double v) {
+    return Point{u, v, 0.05 * std::sin(5 * u) * std::cos(3 * v + 2 * u)};
+  };
+  for (const int n : {60, 120}) { // places of the finer one lie on surfaces to rounding
+    Shape freeform;
+    freeform.add_face(n, n, wave);
+    EXPECT_LE(RS::find_surface_faces(surface_of(freeform)).surfaces.size(), n == 60 ? 1u : 10u);
+  }
 }
 
 /// The faces of a shape, which are found in its order.

@@ -53,26 +53,31 @@ inline void fit_surfaces(const Surface& surface, Surface_faces& faces)
 ///
 /// -# *Tolerance.* Vertices of a tessellation lie on the exact surface, to rounding: the tolerance
 ///    is \f$10^{-6}\f$ of the size, the square root of the area, if at least half of what is not
-///    plane is on curved surfaces then. If a tenth more of it is with \f$10^{-5}\f$, as where
-///    coordinates have few digits, it is that. If not even a twentieth is, vertices may be noisy,
-///    or were moved by remeshing along the facets of a tessellation: then the steps that follow are
-///    taken for \f$64 \cdot 10^{-4}, 32 \cdot 10^{-4}, \ldots, 10^{-4}\f$, until more than half
-///    of the area is freeform, or the description of the faces is more than twice as long as the
-///    shortest one of these. The length of a description of the faces is 1/8 a face,
-///    plus the mean over the vertices of \f$\log_2(\sigma / 10^{-6})\f$, \f$\sigma\f$ the standard
-///    deviation of those of a face from its surface, over the size; 1/250 for freeform faces. The
-///    faces of the shortest one are the result if it is shorter than that for \f$10^{-6}\f$, and
-///    either .45 of the edges on curved surfaces have ends on opposite sides of them, or .1 have
-///    and there are at most 1.3 times as many faces: a freeform part, too, can be covered by
-///    surfaces.
+///    plane is on curved surfaces then. Otherwise coordinates may have few digits: the steps that
+///    follow are taken for \f$10^{-5}\f$, and the tolerance is that if a tenth more of it is on
+///    curved surfaces, and the description of the faces, see below, is shorter. If not even a
+///    twentieth was with \f$10^{-6}\f$, and .9 is not now, vertices may be noisy, or were moved by
+///    remeshing along the facets of a tessellation: then the steps are taken for \f$64 \cdot
+///    10^{-4}, 32 \cdot 10^{-4}, \ldots, 10^{-4}\f$, until more than half of the area is
+///    freeform, or the description of the faces is more than 1.8 times as long as the shortest one.
+///    Its length is 1/8 a face, plus the mean over the vertices of \f$\log_2(\sigma / 10^{-6})\f$,
+///    \f$\sigma\f$ the standard deviation of those of a face from its surface, over the size; 1/250
+///    for freeform faces. The faces of the shortest one of these are the result if it is shorter
+///    than that of the faces before, and either .45 of the edges on curved surfaces have ends on
+///    opposite sides of them, or .1 have and there are at most 1.3 times as many faces: a freeform
+///    part, too, can be covered by surfaces.
 /// -# *Surfaces from patches.* From each face that is not found yet, the largest first, a patch of
 ///    neighbors is collected. The simplest surface on which its vertices lie grows over all faces
 ///    that lie on it, and is fitted again whenever their number has doubled. Where the mesh leaves
 ///    it little by little, less than a plane tangent to it there, it only osculates a freeform face
 ///    and is dropped. Smaller patches follow, then planes of few vertices.
-/// -# *Crossing faces.* With a tolerance above rounding, a surface needs as many vertices that are
-///    not on faces found before as it has degrees of freedom. Faces of which all vertices are,
-///    since they cross a crease, go to the neighbor from whose surface they deviate least.
+///    Of a curved surface, several faces of one plane that deviate ten times as much as three
+///    quarters of its faces do, at the midpoints of their edges, are a flat, not part of it.
+/// -# *Faces between others.* Of what is left, faces of which all vertices are on faces that are
+///    found go to the neighbor from whose surface they deviate least: if their vertices lie on it,
+///    and their normal is within 53 degrees of its; with a tolerance above rounding always, since
+///    they cross a crease. Then, a surface needs as many vertices that are not on faces found
+///    before as it has degrees of freedom.
 /// -# *Competition.* Neighbors of which one's surface is also that of the other are one; faces at
 ///    borders go to the surface from which the midpoints of their sides deviate least.
 /// -# *Freeform faces* are what is left, between creases and borders where the curvature jumps.
@@ -80,7 +85,8 @@ inline void fit_surfaces(const Surface& surface, Surface_faces& faces)
 ///    quarter of that border is neither sharp nor at surfaces that are certain.
 ///
 /// Faces without a normal of their own, such as slivers, belong to the surface on which their
-/// vertices lie. Faces of the result are connected across edges and seams.
+/// vertices lie. Half of a narrow strip has a normal. Faces of the result are connected across
+/// edges and seams.
 ///
 /// \param surface the surface of the part
 /// \param tolerance the largest distance of a vertex from its surface, in units of the mesh; 0:

@@ -9,9 +9,9 @@
 #include <CGAL/Iterator_range.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -72,19 +72,30 @@ public:
 
 private:
   static constexpr double smooth_cosine = 0.819; // 35 degrees: a cylinder has at least 11 facets
-  /// The height of a thin face over its longest edge, as a multiple of that edge, is below this.
-  static constexpr double thin = 0.002;
 
   void find_thin_faces(const Surface& surface)
   {
     m_is_thin.resize(surface.number_of_faces());
-    for (std::size_t f = 0; f < m_is_thin.size(); ++f) {
-      double longest = 0;
-      for (std::size_t i = 0, n = surface.number_of_corners(f); i < n; ++i)
-        longest = (std::max)(longest, squared_norm(surface.point(surface.corner(f, i)) -
-                                                   surface.point(surface.corner(f, (i + 1) % n))));
-      m_is_thin[f] = surface.is_degenerate(f) || 2 * surface.area(f) < thin * longest;
+    for (std::size_t f = 0; f < m_is_thin.size(); ++f)
+      m_is_thin[f] = surface.is_degenerate(f) || is_thin(surface, f);
+  }
+
+  /// Half of a narrow strip, which has an edge about as short as its height, is not thin.
+  static bool is_thin(const Surface& surface, std::size_t face)
+  {
+    constexpr double thin = 0.002, // height over the longest edge
+      of_strip = 0.5,              // height over the shortest edge
+      rounding = 1e-5;             // height over the size of the surface
+    double longest = 0, shortest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0, n = surface.number_of_corners(face); i < n; ++i) {
+      const double length = norm(surface.point(surface.corner(face, i)) -
+                                 surface.point(surface.corner(face, (i + 1) % n)));
+      longest = (std::max)(longest, length);
+      shortest = (std::min)(shortest, length);
     }
+    const double height = 2 * surface.area(face) / longest;
+    return height < thin * longest &&
+           (height < of_strip * shortest || height < rounding * surface.length_unit());
   }
 
   const Surface& m_surface;

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -49,14 +50,32 @@ public:
   bool is_found(Index face) const { return labels[face] != none; }
   const Fitted_surface<>& surface_of(Index face) const { return surfaces[labels[face]]; }
 
+  /// Adds a face of the part, without those of its facets that are flat.
   void add(const Fitted_surface<>& s, const std::vector<Index>& faces)
   {
-    for (const Index f : faces) {
-      labels[f] = Index(surfaces.size());
-      for (std::size_t i = 0; i < surface.number_of_corners(f); ++i)
-        is_on_found[surface.corner(f, i)] = 1;
-    }
+    const Index label = Index(surfaces.size());
     surfaces.push_back(s);
+    m_largest_deviations.push_back(largest_deviation(s, faces));
+    for (const Index f : faces)
+      if (!is_flat(label, f)) {
+        labels[f] = label;
+        for (std::size_t i = 0; i < surface.number_of_corners(f); ++i)
+          is_on_found[surface.corner(f, i)] = 1;
+      }
+  }
+
+  /// Whether a face is one of several of a plane that deviate much more from a curved surface than
+  /// its other faces do, though their vertices lie on it: a flat of a shaft.
+  bool is_flat(Index label, Index face) const
+  {
+    constexpr double flat = 1 - 1e-9; // cosine
+    const auto deviates = [&](Index f) {
+      return test.deviation(surfaces[label], f) > m_largest_deviations[label];
+    };
+    const auto around = neighbors[face];
+    return deviates(face) && std::any_of(around.begin(), around.end(), [&](const auto& n) {
+             return surface.cosine(n.adjacency) > flat && deviates(n.face);
+           });
   }
 
   /// The number of vertices of some faces that no face that is found has.
@@ -86,6 +105,23 @@ public:
 
   /// Starts a phase.
   void clear_tried() { is_tried.assign(labels.size(), 0); }
+
+private:
+  /// A tessellation is equally accurate everywhere.
+  double largest_deviation(const Fitted_surface<>& s, const std::vector<Index>& faces) const
+  {
+    if (!is_exact() || s.kind == Surface_kind::PLANE)
+      return std::numeric_limits<double>::infinity();
+    constexpr double much = 10;
+    std::vector<double> deviations;
+    for (const Index f : faces)
+      deviations.push_back(test.deviation(s, f));
+    const auto most = deviations.begin() + std::ptrdiff_t(deviations.size() * 3 / 4);
+    std::nth_element(deviations.begin(), most, deviations.end());
+    return (std::max)(much * *most, test.tolerance());
+  }
+
+  std::vector<double> m_largest_deviations; // by label
 };
 
 /// The share of the border of the faces that were grown where the surface goes on smoothly to faces

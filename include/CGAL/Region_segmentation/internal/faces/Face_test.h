@@ -26,19 +26,25 @@ public:
 
   double tolerance() const { return m_tolerance; }
 
-  bool has_normal_of(const Fitted_surface<>& s, std::size_t face) const
+  bool operator()(const Fitted_surface<>& s, std::size_t face) const
   {
-    return m_neighbors.is_thin(face) ||
-           dot(m_surface.normal(face), surface_normal(s, m_surface.centroid(face))) > least_cosine;
+    return has_vertices_on(s, face) && has_normal_of(s, face);
   }
 
-  bool operator()(const Fitted_surface<>& s, std::size_t face) const
+  bool has_vertices_on(const Fitted_surface<>& s, std::size_t face) const
   {
     const Surface_distance distance(s);
     for (std::size_t i = 0; i < m_surface.number_of_corners(face); ++i)
       if (!(std::fabs(distance(corner(face, i))) <= m_tolerance))
         return false;
-    return has_normal_of(s, face);
+    return true;
+  }
+
+  bool has_normal_of(const Fitted_surface<>& s, std::size_t face,
+                     double cosine = usual_cosine) const
+  {
+    return m_neighbors.is_thin(face) ||
+           dot(m_surface.normal(face), surface_normal(s, m_surface.centroid(face))) > cosine;
   }
 
   /// The mean distance of the midpoints of the edges of a face to a surface: how much the face
@@ -54,7 +60,7 @@ public:
   }
 
 private:
-  static constexpr double least_cosine = 0.8;
+  static constexpr double usual_cosine = 0.8;
 
   const Double_3& corner(std::size_t face, std::size_t i) const
   {

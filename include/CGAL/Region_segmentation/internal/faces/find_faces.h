@@ -15,6 +15,7 @@
 #include <CGAL/Region_segmentation/internal/faces/merge_equal_surfaces.h>
 #include <CGAL/Region_segmentation/internal/faces/separate_components.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -31,8 +32,7 @@ inline Surface_faces find_faces_within(const Surface& surface, double tolerance,
 {
   Face_search search(surface, tolerance);
   find_faces_from_patches(search, execution.step(0, 0.7));
-  if (!search.is_exact())
-    join_crossing_faces(search);
+  join_crossing_faces(search);
   find_small_planes(search, execution.step(0.7, 0.85));
   find_pairs_of_planes(search, execution.step(0.85, 0.9));
   merge_equal_surfaces(search);
@@ -91,29 +91,33 @@ inline double share_of_opposite_sides(const Surface& surface, const Surface_face
   return all > 0 ? opposite / all : 1;
 }
 
-/// The faces of a surface as it is, for that tolerance above rounding with which their description
-/// is shortest.
-inline Surface_faces find_inexact_faces(const Surface& surface, double rounding,
-                                        const Execution& execution)
+/// Faces of a surface, and how long its description by them is.
+struct Described_faces
+{
+  Surface_faces faces;
+  double length = std::numeric_limits<double>::infinity();
+};
+
+/// Those for that tolerance above rounding with which their description is shortest. `of_exact`:
+/// the length of that for rounding
+inline Described_faces find_inexact_faces(const Surface& surface, double rounding, double of_exact,
+                                          const Execution& execution)
 {
   constexpr int tolerances = 7;
   constexpr double largest = 6400, // times rounding
-    too_long = 2;
-  Surface_faces best;
-  double least = std::numeric_limits<double>::infinity();
+    too_long = 1.8;
+  Described_faces best;
   for (int i = 0; i < tolerances; ++i) {
     Surface_faces faces = find_faces_within(
       surface, std::ldexp(largest * rounding, -i),
       execution.step(double(i) / tolerances, double(i + 1) / tolerances));
     const double length = description_length(surface, faces, rounding);
-    // Below the noise most patches fail, which takes time.
-    const Areas_of_kinds areas(surface, faces);
-    const bool is_below_noise = areas.share_of_freeform() > 0.5 || length > too_long * least;
-    if (length <= least) {
-      least = length;
-      best = std::move(faces);
-    }
-    if (is_below_noise)
+    // Where vertices are not noisy, or below the noise, most patches fail, which takes time.
+    const bool is_in_vain = Areas_of_kinds(surface, faces).share_of_freeform() > 0.5 ||
+                            length > too_long * (std::min)(best.length, of_exact);
+    if (length <= best.length)
+      best = {std::move(faces), length};
+    if (is_in_vain)
       break;
   }
   return best;
@@ -123,17 +127,15 @@ inline Surface_faces find_inexact_faces(const Surface& surface, double rounding,
 /// covered by them: the description is shorter, and either about half of the edges have ends on
 /// opposite sides, or, as where vertices were moved along facets, some do, and there are hardly
 /// more faces.
-inline bool is_noise(const Surface& surface, const Surface_faces& exact,
-                     const Surface_faces& inexact, double rounding)
+inline bool is_noise(const Surface& surface, const Described_faces& exact,
+                     const Described_faces& inexact)
 {
   constexpr double half = 0.45, some = 0.1, hardly_more = 1.3;
-  const auto bits = [&](const Surface_faces& faces) {
-    return description_length(surface, faces, rounding);
-  };
-  const double opposite = share_of_opposite_sides(surface, inexact);
-  return bits(inexact) < bits(exact) &&
-         (opposite >= half || (opposite >= some && double(inexact.surfaces.size()) <=
-                                                     hardly_more * double(exact.surfaces.size())));
+  const double opposite = share_of_opposite_sides(surface, inexact.faces);
+  return inexact.length < exact.length &&
+         (opposite >= half ||
+          (opposite >= some && double(inexact.faces.surfaces.size()) <=
+                                 hardly_more * double(exact.faces.surfaces.size())));
 }
 
 /// The faces of a surface as it is. `tolerance`: in units of the surface; 0: that which its
@@ -143,25 +145,31 @@ inline Surface_faces find_faces(const Surface& surface, double tolerance,
 {
   if (tolerance > 0)
     return find_faces_within(surface, tolerance, execution);
-  constexpr double much = 0.5, more = 0.1, little = 0.05;
+  constexpr double most = 0.9, much = 0.5, more = 0.1, little = 0.05;
   const double rounding = 1e-6 * surface.length_unit();
-  const auto curved = [&](const Surface_faces& found) {
-    return Areas_of_kinds(surface, found).share_of_curved();
+  const auto find = [&](double within, const Execution& step) {
+    Described_faces result{find_faces_within(surface, within, step)};
+    result.length = description_length(surface, result.faces, rounding);
+    return result;
   };
-  Surface_faces faces = find_faces_within(surface, rounding, execution.step(0, 0.2));
-  const double curved_exactly = curved(faces);
+  const auto curved = [&](const Described_faces& found) {
+    return Areas_of_kinds(surface, found.faces).share_of_curved();
+  };
+  Described_faces found = find(rounding, execution.step(0, 0.2));
+  const double curved_exactly = curved(found);
   if (curved_exactly < much) {
-    Surface_faces rounded = find_faces_within(surface, 10 * rounding, execution.step(0.2, 0.4));
-    if (curved(rounded) > curved_exactly + more)
-      faces = std::move(rounded);
-    else if (curved_exactly <= little) {
-      Surface_faces inexact = find_inexact_faces(surface, rounding, execution.step(0.4, 1));
-      if (is_noise(surface, faces, inexact, rounding))
-        faces = std::move(inexact);
-    }
+    Described_faces rounded = find(10 * rounding, execution.step(0.2, 0.4));
+    if (curved(rounded) > curved_exactly + more && rounded.length < found.length)
+      found = std::move(rounded);
+  }
+  if (curved_exactly <= little && curved(found) < most) {
+    Described_faces inexact = find_inexact_faces(surface, rounding, found.length,
+                                                 execution.step(0.4, 1));
+    if (is_noise(surface, found, inexact))
+      found = std::move(inexact);
   }
   execution.report(1);
-  return faces;
+  return std::move(found.faces);
 }
 
 } // namespace internal

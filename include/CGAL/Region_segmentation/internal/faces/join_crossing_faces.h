@@ -13,6 +13,18 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
+/// Whether a face of which all vertices are on faces that are found can have the label of one of
+/// them: its vertices lie on that surface, and its normal is that of the surface within some 53
+/// degrees, as long triangles across a fillet may have it; with a tolerance above rounding always.
+inline bool may_join(const Face_search& search, Surface::Index face, Surface::Index label)
+{
+  constexpr double least_cosine = 0.6;
+  const Fitted_surface<>& s = search.surfaces[label];
+  return !search.is_exact() ||
+         (search.test.has_vertices_on(s, face) &&
+          search.test.has_normal_of(s, face, least_cosine) && !search.is_flat(label, face));
+}
+
 /// Where a mesh does not follow the creases, as after remeshing, faces cross them: all of their
 /// vertices are on faces that are found. They go to that neighbor from whose surface they deviate
 /// least, beginning with those that have a neighbor.
@@ -35,7 +47,7 @@ inline void join_crossing_faces(Face_search& search)
       Index best = Face_search::none;
       if (!search.is_found(f))
         for (const Face_neighbors::Neighbor& n : search.neighbors[f])
-          if (search.is_found(n.face)) {
+          if (search.is_found(n.face) && may_join(search, f, search.labels[n.face])) {
             const double deviation = search.test.deviation(search.surface_of(n.face), f);
             if (deviation < least) {
               least = deviation;

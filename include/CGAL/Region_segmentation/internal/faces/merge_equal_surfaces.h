@@ -60,8 +60,9 @@ inline void merge_equal_surfaces(Face_search& search)
     const bool are_tori = kinds[0] == Surface_kind::TORUS && kinds[1] == Surface_kind::TORUS;
     const Face_test& test = are_tori ? test_of_tori : search.test;
     const auto has_all = [&](Index of, Index others) {
-      return std::all_of(faces[others].begin(), faces[others].end(),
-                         [&](Index f) { return test(search.surfaces[of], f); });
+      return std::all_of(faces[others].begin(), faces[others].end(), [&](Index f) {
+        return test(search.surfaces[of], f) && !search.is_flat(of, f);
+      });
     };
     if (!has_all(i, j)) {
       std::swap(i, j);
