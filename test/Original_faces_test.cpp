@@ -142,4 +142,15 @@ TEST(Original_faces_test, bodies_in_contact_are_not_covered)
             0u);
 }
 
+// The faces of a sheet inside a wall, with opposite normals, in any order.
+TEST(Original_faces_test, what_is_opposite_is_not_covered)
+{
+  const Soup box = voxel_surface(voxel_block({0, 0, 0}, {1, 1, 1}));
+  const Soup sheet = reversed(mapped(grid(2, 2), [](const Point& p) {
+    return Point{0.25 + p[0] / 4, 0.25 + p[1] / 4, 1};
+  }));
+  EXPECT_EQ(number_of_covered(joined(box, sheet)), 0u);
+  EXPECT_EQ(number_of_covered(joined(sheet, box)), 0u);
+}
+
 } // namespace Original_faces_test

@@ -694,6 +694,39 @@ TEST(Doubled_faces_test, are_degenerate_and_adjacent_to_the_first_alone)
     }
 }
 
+// In a face graph, too, where a neighbor of the copy is adjacent to the first one then.
+TEST(Doubled_faces_test, of_a_face_graph_are_as_of_polygons)
+{
+  const std::vector<Point> points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
+  const auto surface_with = [&](const std::vector<int>& order) {
+    Surface_mesh mesh;
+    std::vector<Surface_mesh::Vertex_index> v;
+    for (const std::size_t p : {0, 1, 2, 0, 1, 2, 3})
+      v.push_back(mesh.add_vertex(Kernel::Point_3(points[p][0], points[p][1], points[p][2])));
+    for (const int face : order)
+      if (face == 0)
+        mesh.add_face(v[0], v[1], v[2]);
+      else if (face == 1)
+        mesh.add_face(v[3], v[4], v[5]); // equal
+      else
+        mesh.add_face(v[5], v[4], v[6]); // beside it
+    return RS::make_surface(mesh);
+  };
+  for (const std::vector<int>& order : {std::vector<int>{0, 1, 2}, {0, 2, 1}, {2, 0, 1}}) {
+    Soup soup{points, {}};
+    for (const int face : order)
+      soup.polygons.push_back(face == 2 ? Polygon{2, 1, 3} : Polygon{0, 1, 2});
+    const RS::Surface surface = surface_with(order), expected = surface_of(soup);
+    ASSERT_EQ(surface.number_of_adjacencies(), 2u);
+    ASSERT_EQ(expected.number_of_adjacencies(), 2u);
+    for (std::size_t a = 0; a < 2; ++a) {
+      EXPECT_EQ(surface.lower_face(a), expected.lower_face(a));
+      EXPECT_EQ(surface.higher_face(a), expected.higher_face(a));
+      EXPECT_EQ(surface.flags(a), expected.flags(a));
+    }
+  }
+}
+
 TEST(Doubled_faces_test, polygons_with_the_same_corners_in_another_order_are_others)
 {
   const Soup soup{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0.5}, {0, 1, 0}},

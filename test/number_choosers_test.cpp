@@ -138,6 +138,22 @@ TYPED_TEST(Number_choosers_test, a_drawn_loop_adds_a_segment)
   EXPECT_EQ(
     RS::segment(ball, halves, RS::parameters::method(TypeParam()).edge_is_constrained_map(equator)),
     2u);
+
+  // Of two, also if they are linked.
+  const Surface_mesh two = to_surface_mesh(joined(sphere(4), translated(sphere(4), 5, 0, 0)));
+  auto first = edge_map(two);
+  for (auto e : edges(two))
+    put(first, e,
+        std::abs(two.point(source(e, two)).z()) < 1e-9 &&
+          std::abs(two.point(target(e, two)).z()) < 1e-9 && two.point(source(e, two)).x() < 2);
+  for (const bool links : {false, true}) {
+    auto parts = face_map(two);
+    EXPECT_EQ(
+      RS::segment(
+        two, parts,
+        RS::parameters::method(TypeParam()).edge_is_constrained_map(first).component_links(links)),
+      3u);
+  }
 }
 
 /// Chooses 3, and counts how often.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "io/write_mesh.h"
 #include "io/write_segmentation.h"
 
 #include "Temporary_folder.h"
@@ -303,6 +304,29 @@ TEST_F(Written, borders_have_the_length_of_the_borders)
     expected += segment.border_length / 2;
   EXPECT_GT(length, 0);
   EXPECT_NEAR(length, expected, 1e-9 * expected);
+}
+
+TEST_F(Written, coordinates_that_a_format_cannot_have_are_refused)
+{
+  for (const auto& [name, scale] : std::vector<std::pair<std::string, double>>{
+         {"a.glb", 1e300}, {"a.glb", 1e-300}, {"a.3mf", 1e12}}) {
+    if (!(name == "a.glb" ? can_write_glb() : can_write_3mf()))
+      continue;
+    Input_mesh input = s_input;
+    for (Point& p : input.soup.points)
+      for (double& x : p)
+        x *= scale;
+    const std::string file = m_folder.path(name);
+    try {
+      write_segmentation(make_output(file), {s_name, input, s_marks, s_settings, s_side_files,
+                                             s_segmentation, *s_details, s_no_viewpoint});
+      ADD_FAILURE() << name << " " << scale;
+    } catch (const Output_error& error) {
+      EXPECT_EQ(std::string(error.what()).rfind(file + ": coordinates reach ", 0), 0u)
+        << error.what();
+    }
+    EXPECT_TRUE(m_folder.names().empty());
+  }
 }
 
 TEST_F(Written, gzip_is_undone_by_gzip)

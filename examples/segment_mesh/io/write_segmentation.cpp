@@ -11,6 +11,11 @@
 #include "view/render_view.h"
 #include "view/write_png.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
 namespace segment_mesh {
 
 namespace {
@@ -73,6 +78,34 @@ void check_libraries(const Output& output)
   require(Output_format::THREE_MF, can_write_3mf(), ".3mf needs lib3mf (Debian: lib3mf-dev)");
 }
 
+/// The largest absolute value of a coordinate of a polygon.
+double largest_coordinate(const Polygon_soup& soup)
+{
+  double largest = 0;
+  for (const Polygon_soup::Polygon& polygon : soup.polygons)
+    for (const std::size_t v : polygon)
+      for (const double x : soup.points[v])
+        largest = (std::max)(largest, std::fabs(x));
+  return largest;
+}
+
+/// \throws Output_error if a format cannot represent the coordinates
+void check_coordinates(const Output& output, const Polygon_soup& soup)
+{
+  using Limits = std::numeric_limits<float>;
+  const bool is_3mf = output.format == Output_format::THREE_MF;
+  if (!is_3mf && output.format != Output_format::GLB)
+    return;
+  const double most = is_3mf ? 1e9 /* of lib3mf */ : double((Limits::max)()),
+               largest = largest_coordinate(soup);
+  if (largest > most || (largest > 0 && largest < double((Limits::min)()))) {
+    std::ostringstream text;
+    text << "coordinates reach " << largest << ", this format can have some from "
+         << double((Limits::min)()) << " to " << most;
+    throw Output_error(output.file, text.str());
+  }
+}
+
 void write_each_segment(const Output& output, const Result& result)
 {
   const auto faces = faces_of_segments(result.segmentation.segment_of_face,
@@ -91,6 +124,7 @@ void write_each_segment(const Output& output, const Result& result)
 void write_segmentation(const Output& output, const Result& result)
 {
   check_libraries(output);
+  check_coordinates(output, result.input.soup);
   if (output.is_for_each_segment()) {
     write_each_segment(output, result);
     return;

@@ -183,7 +183,7 @@ void for_each_index(const Execution& execution, std::size_t n, const F& f)
   });
 }
 
-/// Reports the progress of a known number of steps, of any of them at most a hundred times.
+/// Reports the progress of a known number of steps, of any of them at most two hundred times.
 class Step_counter
 {
 public:

@@ -36,8 +36,7 @@ public:
     Index center;
   };
 
-  /// Two patches that are adjacent across edges, seams or links that are not constrained, and the
-  /// length of these.
+  /// Two patches that are adjacent across edges, seams or links, and the length of these.
   struct Adjacency
   {
     Index lower, higher;

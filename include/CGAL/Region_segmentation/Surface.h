@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -33,12 +34,26 @@ struct Surface_arrays
   Large_array<Index> higher_faces;     // 4 bytes an adjacency
   Large_array<double> squared_lengths; // 8 bytes an adjacency
   Large_array<std::uint8_t> flags;     // 1 byte an adjacency
+  // Of polygons of more than `many_corners`, by face, once the surface is complete: computed for
+  // each of their adjacencies they would take quadratic time.
+  static constexpr Index many_corners = 64;
+  std::vector<std::pair<Index, Double_3>> centroids;
   double unit = 1, area = 0, length_unit = 1;
   bool has_seams_or_links = false;
   std::vector<bool> is_crumb;            // by face; empty: none is
   Large_array<Index> input_faces;        // 4 bytes a face; empty: the same
   std::size_t number_of_input_faces = 0; // if these are not empty
 };
+
+inline Double_3 mean_of_corners(const Surface_arrays& arrays, std::size_t face)
+{
+  const Surface_arrays::Index first = arrays.first_corners[face],
+                              end = arrays.first_corners[face + 1];
+  Double_3 sum{};
+  for (Surface_arrays::Index c = first; c < end; ++c)
+    sum = sum + arrays.points[arrays.corners[c]];
+  return (1.0 / double(end - first)) * sum;
+}
 
 Surface_arrays& arrays_of(Surface& surface);
 const Surface_arrays& arrays_of(const Surface& surface);
@@ -151,11 +166,13 @@ public:
   /// The mean of the corners.
   Double_3 centroid(std::size_t face) const
   {
-    const Index first = m_arrays.first_corners[face], end = m_arrays.first_corners[face + 1];
-    Double_3 sum{};
-    for (Index c = first; c < end; ++c)
-      sum = sum + m_arrays.points[m_arrays.corners[c]];
-    return (1.0 / double(end - first)) * sum;
+    if (number_of_corners(face) <= internal::Surface_arrays::many_corners)
+      return internal::mean_of_corners(m_arrays, face);
+    const auto found = std::lower_bound(m_arrays.centroids.begin(), m_arrays.centroids.end(), face,
+                                        [](const auto& c, std::size_t f) { return c.first < f; });
+    return found != m_arrays.centroids.end() && found->first == face
+             ? found->second
+             : internal::mean_of_corners(m_arrays, face);
   }
   /// @}
 

@@ -25,7 +25,7 @@ namespace IO {
 /// reads labels in the `.seg` format of the Princeton Segmentation Benchmark: one integer per line,
 /// one line per face. Empty lines at the end are ignored.
 ///
-/// \tparam Label an integral type
+/// \tparam Label an integral type other than `bool`
 /// \throws Invalid_input if the stream cannot be read (a missing file), or a line is not an integer
 ///         that `Label` can represent; the message states the line
 template <typename Label = long long>

@@ -49,14 +49,16 @@ protected:
     return tree.number_of_regions() - tree.merges().size();
   }
 
-  /// The number of components if they are convex, else what the chooser takes.
+  /// The number of components if they are convex, and as many more as constrained edges keep apart;
+  /// else what the chooser takes.
   template <typename NumberChooser>
   static std::size_t choose(const NumberChooser& chooser, const Merge_tree& tree,
                             const Surface& mesh)
   {
     if (!internal::is_convex(mesh))
       return chooser(tree);
-    return mesh.has_seams_or_links() ? internal::Bodies(mesh).number() : number_of_pieces(tree);
+    return mesh.has_seams_or_links() ? internal::Bodies(mesh).number() + number_of_pieces(tree) - 1
+                                     : number_of_pieces(tree);
   }
 };
 

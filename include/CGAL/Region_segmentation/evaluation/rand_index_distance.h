@@ -22,7 +22,7 @@ inline std::uint64_t number_of_pairs(std::uint64_t n)
   return n == 0 ? 0 : n * (n - 1) / 2;
 }
 
-/// Exact integers up to the one division: every sum is at most C(F) < 2^63.
+/// Exact integers up to the one division: every sum is at most 2 C(F) < 2^64.
 inline double rand_index_distance(const Partition& a, const Partition& b)
 {
   if (a.size() < 2)

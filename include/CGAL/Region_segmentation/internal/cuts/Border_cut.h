@@ -100,7 +100,7 @@ private:
         m_distances[element] = 0;
       }
     find_shortest_paths(
-      border, m_distances, [](Index) { return true; },
+      std::vector<Index>(m_band), m_distances, [](Index) { return true; },
       [&](Index element, const auto& enter) {
         for (const auto& step : m_costs.steps(element))
           if (m_piece_of[step.face] == m_piece_of[element])

@@ -198,7 +198,7 @@ private:
         if (m_label_of[step.face] == a)
           border.insert(border.end(), {element, step.face});
     }
-    m_area_of[a] -= m_area_of[b];
+    m_area_of[a] = (std::max)(0.0, m_area_of[a] - m_area_of[b]);
     const double band_width = width((std::min)(m_area_of[a], m_area_of[b]));
     if (!(band_width > 0))
       return;

@@ -124,11 +124,13 @@ private:
   /// that are not flat do not depend on the numbering of vertices.
   static std::size_t first_of_fan(const Surface& mesh, Index face)
   {
+    if (mesh.number_of_corners(face) <= 3)
+      return 0;
+    const Double_3 centroid = mesh.centroid(face);
     std::size_t first = 0;
     double farthest = -1;
-    for (std::size_t i = 0; mesh.number_of_corners(face) > 3 && i < mesh.number_of_corners(face);
-         ++i)
-      if (const double d = squared_norm(mesh.point(mesh.corner(face, i)) - mesh.centroid(face));
+    for (std::size_t i = 0; i < mesh.number_of_corners(face); ++i)
+      if (const double d = squared_norm(mesh.point(mesh.corner(face, i)) - centroid);
           d > farthest) {
         farthest = d;
         first = i;

@@ -40,7 +40,7 @@ public:
   struct Hit
   {
     Index face;
-    double distance; // in units of the mesh
+    double distance; // in units of the surface
   };
   static constexpr Index no_face = Ray::no_face;
 

@@ -29,12 +29,12 @@ namespace internal {
 /// Joins the regions of each seed along the cheapest paths of regions that avoid all other seeds.
 ///
 /// A step from region i to j across a section of length L costs (sqrt(a_i) + sqrt(a_j)) / 2 (1 + 80
-/// C / L), a the areas and C the integral of the deviation of the concave edges of the section: the
-/// weight that `Superfacets` gives to them. Seeds are joined in order; a seed that cannot be joined
-/// any more is the first one in another attempt.
+/// C / L), a the areas and C the integral of the deviation of the concave edges of the section.
+/// Seeds are joined in order; a seed that cannot be joined any more is the first one in another
+/// attempt.
 ///
-/// Complexity: O(F + E log E) for E adjacencies between regions, and for each region of a seed that
-/// is not adjacent to the others O(S log R).
+/// Complexity: O(F + E log E) for E adjacencies between regions, and for each attempt and seed
+/// O(R + S log R) in practice.
 class Seed_joining
 {
   using Index = Partition::Index;
@@ -121,53 +121,44 @@ private:
   }
 
   /// Whether the regions of a seed could be joined; if so, those on the paths now belong to the
-  /// seed.
+  /// seed. Dijkstra's algorithm from its first region through regions of no other seed; those on a
+  /// path to another one are sources from then on.
   bool join_members(Index seed)
   {
-    const std::vector<Index>& members = m_members[seed];
-    std::vector<Index> connected; // with the first member
-    std::vector<bool> is_connected(m_owner.size());
-    const auto connect = [&](Index r) {
-      if (is_connected[r])
-        return;
-      is_connected[r] = true;
-      m_owner[r] = seed;
-      connected.push_back(r);
-    };
-    connect(members.front());
-    while (std::any_of(members.begin(), members.end(), [&](Index r) { return !is_connected[r]; })) {
-      const auto path = cheapest_path(seed, connected, is_connected);
-      if (path.empty())
-        return false;
-      for (Index r : path)
-        connect(r);
-    }
-    return true;
-  }
-
-  /// The path from `connected` to the nearest other region of the seed, through regions of no other
-  /// seed; empty if there is none.
-  std::vector<Index> cheapest_path(Index seed, const std::vector<Index>& connected,
-                                   const std::vector<bool>& is_connected) const
-  {
     std::vector<double> distances(m_owner.size(), std::numeric_limits<double>::infinity());
-    std::vector<Index> predecessor(m_owner.size(), Index(Seeds::none));
+    std::vector<Index> predecessors(m_owner.size());
+    std::vector<bool> is_connected(m_owner.size());
     std::vector<Index> path;
+    std::size_t left = m_members[seed].size();
+    const auto connect_to = [&](Index r) {
+      --left;
+      path.clear();
+      for (; !is_connected[r]; r = predecessors[r]) {
+        is_connected[r] = true;
+        m_owner[r] = seed;
+        path.push_back(r);
+        left -= r != path.front() && m_seeds.of[r] == seed;
+      }
+    };
+    const Index first = m_members[seed].front();
+    predecessors[first] = first;
     find_shortest_paths(
-      connected, distances,
+      std::vector<Index>{first}, distances,
       [&](Index r) {
-        if (is_connected[r] || m_seeds.of[r] != seed)
-          return true;
-        for (Index i = r; i != Seeds::none; i = predecessor[i])
-          path.push_back(i);
-        return false;
+        path.clear();
+        if (m_seeds.of[r] == seed && !is_connected[r])
+          connect_to(r);
+        return left > 0;
       },
       [&](Index r, const auto& enter) {
         for (const auto& [next, cost] : m_steps[r])
           if ((m_owner[next] == Seeds::none || m_owner[next] == seed) && enter(next, cost))
-            predecessor[next] = r;
+            predecessors[next] = r;
+        const double distance = distances[r];
+        for (const Index source : path)
+          enter(source, -distance);
       });
-    return path;
+    return left == 0;
   }
 
   std::vector<std::vector<Step>> m_steps;    // by region

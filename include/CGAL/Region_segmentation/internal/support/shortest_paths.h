@@ -15,10 +15,11 @@ namespace internal {
 /// Dijkstra's algorithm from several sources, for graphs that are known by their steps. Nodes at
 /// the same distance are visited by index.
 ///
-/// `distances`: by node; infinite, or a bound below which a node is not entered.
-/// `visit(node)`: called once for each node that is reached, when its distance is final; returns
-/// whether to go on. `for_each_step(node, enter)`: calls `enter(neighbor, length)` for the steps
-/// from a node, which returns whether the neighbor became nearer.
+/// `distances`: by node; infinite, or a bound: a node is entered below it.
+/// `visit(node)`: called for each node that is reached, when its distance is final; returns whether
+/// to go on. `for_each_step(node, enter)`: calls `enter(neighbor, length)` for the steps
+/// from a node, which returns whether the neighbor became nearer. A length that leads back to a
+/// distance of 0 makes a source of a node; it is visited again.
 template <typename Index, typename Visit, typename ForEachStep>
 void find_shortest_paths(const std::vector<Index>& sources, std::vector<double>& distances,
                          const Visit& visit, const ForEachStep& for_each_step)

@@ -157,7 +157,7 @@ private:
   Index nearest(Index component, const Double_3& point, const Double_3& normal, Index otherwise)
   {
     const double tolerance = std::sqrt(m_bodies.areas[component]) / 100;
-    Cost_of_face best(tolerance, otherwise);
+    Cost_of_face best(tolerance, otherwise); // costs of faces that do not agree are above it
     find_nearest_face(
       *m_tree, Component_tree::root(), point,
       [&](const auto& node) {
@@ -166,7 +166,7 @@ private:
       [&](Index g) {
         return squared_norm(normal) == 0 || dot(normal, m_surface.normal(g)) > least_cosine
                  ? 0
-                 : tolerance;
+                 : 2 * tolerance;
       },
       best);
     return best.second;

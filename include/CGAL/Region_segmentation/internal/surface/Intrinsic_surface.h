@@ -265,7 +265,7 @@ private:
         arrays.is_crumb[i] = true;
       }
     }
-    sum_areas(*m_surface);
+    sum_up(*m_surface);
   }
 
   /// Those of the given surface, by their new higher, then lower faces; without those between faces
@@ -296,7 +296,7 @@ private:
     for (std::size_t a = 0; a < size; ++a) {
       const auto [lower, g] = adjacencies[a];
       const Index higher = (std::max)(m_faces[given.lower_face(g)], m_faces[given.higher_face(g)]);
-      const auto [direction, number] = few_common_edges(lower, higher);
+      const auto [direction, number] = common_edges(*m_surface, lower, higher);
       arrays.lower_faces[a] = lower;
       arrays.higher_faces[a] = higher;
       arrays.squared_lengths[a] = number == 1 && !given.has_flag(g, Surface::SEAM | Surface::LINK)
@@ -309,15 +309,6 @@ private:
           sign_of_edge(m_surface->normal(higher), m_surface->normal(lower), direction));
     }
     join_degenerate_faces(*m_surface);
-  }
-
-  /// None of polygons of so many corners that a search of all pairs would take long.
-  std::pair<Double_3, std::size_t> few_common_edges(Index lower, Index higher) const
-  {
-    constexpr std::size_t most_pairs = 256;
-    if (m_surface->number_of_corners(lower) * m_surface->number_of_corners(higher) > most_pairs)
-      return {{0, 0, 0}, 0};
-    return common_edges(*m_surface, lower, higher);
   }
 
   Intrinsic_frame m_frame;

@@ -45,7 +45,7 @@ public:
       m_elements.push_back(d);
     }
     CGAL_precondition_msg(size() < (std::numeric_limits<Surface::Index>::max)(),
-                          "a mesh has fewer than 2^32 - 1 vertices, faces and edges");
+                          "a mesh has fewer than 2^32 - 1 vertices and faces");
     if (!is_identity)
       m_ranks.resize(capacity);
     for (std::size_t rank = 0; rank < size() && !is_identity; ++rank) {

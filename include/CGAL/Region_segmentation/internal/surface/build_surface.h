@@ -89,7 +89,7 @@ inline Surface build_surface(Raw_surface&& raw, Adjacency_of wanted, const Execu
   join_degenerate_faces(raw.surface);
   if (wanted == Adjacency_of::COMPONENTS)
     insert_links(raw.surface, component_of, execution.step(0.9, 1));
-  sum_areas(raw.surface);
+  sum_up(raw.surface);
   return std::move(raw.surface);
 }
 

@@ -89,10 +89,14 @@ inline bool runs_along(const Surface& surface, Surface::Index face, Surface::Ind
 }
 
 /// The edges between two faces, along the boundary of the higher one: their sum and their number.
+/// None of polygons of so many corners that a search of all pairs would take long.
 inline std::pair<Double_3, std::size_t> common_edges(const Surface& surface, Surface::Index lower,
                                                      Surface::Index higher)
 {
+  constexpr std::size_t most_pairs = 256;
   std::pair<Double_3, std::size_t> result{{0, 0, 0}, 0};
+  if (surface.number_of_corners(lower) * surface.number_of_corners(higher) > most_pairs)
+    return result;
   for_each_side(surface, higher, [&](Surface::Index p, Surface::Index q) {
     if (runs_along(surface, lower, q, p)) {
       result.first = result.first + (surface.point(q) - surface.point(p));
@@ -102,14 +106,20 @@ inline std::pair<Double_3, std::size_t> common_edges(const Surface& surface, Sur
   return result;
 }
 
-/// Sets the area of the surface and the unit of lengths by the weights of the faces.
-inline void sum_areas(Surface& surface)
+/// Sets the area of the surface and the unit of lengths by the weights of the faces, and the
+/// centroids of polygons of many corners.
+inline void sum_up(Surface& surface)
 {
   Surface_arrays& arrays = arrays_of(surface);
   arrays.area = 0;
   for (std::size_t f = 0; f < surface.number_of_faces(); ++f)
     arrays.area += surface.weight(f);
   arrays.length_unit = arrays.area > 0 ? std::sqrt(arrays.area) : 1;
+  arrays.centroids.clear();
+  if (arrays.corners.size() > 3 * surface.number_of_faces())
+    for (Surface::Index f = 0; f < surface.number_of_faces(); ++f)
+      if (surface.number_of_corners(f) > Surface_arrays::many_corners)
+        arrays.centroids.push_back({f, mean_of_corners(arrays, f)});
 }
 
 } // namespace internal

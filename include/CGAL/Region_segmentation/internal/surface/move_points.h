@@ -32,14 +32,15 @@ inline void move_points(Surface& surface, Large_array<Double_3> points, const Ex
     arrays.normals[face] = {0, 0, 0};
     arrays.areas[face] = area;
   }
-  sum_areas(surface);
+  sum_up(surface);
   for_each_index(execution, arrays.flags.size(), [&](std::size_t a) {
     if (!surface.has_angle(a))
       return;
     const Surface::Index lower = surface.lower_face(a), higher = surface.higher_face(a);
-    arrays.flags[a] = with_sign(arrays.flags[a],
-                                sign_of_edge(surface.normal(higher), surface.normal(lower),
-                                             common_edges(surface, lower, higher).first));
+    const auto [direction, number] = common_edges(surface, lower, higher);
+    if (number > 0)
+      arrays.flags[a] = with_sign(
+        arrays.flags[a], sign_of_edge(surface.normal(higher), surface.normal(lower), direction));
   });
 }
 
