@@ -4,12 +4,12 @@
 #define CGAL_REGION_SEGMENTATION_SMOOTH_BORDERS_H
 
 #include <CGAL/Region_segmentation/Execution.h>
-#include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/Partition.h>
+#include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/internal/cuts/Border_smoothing.h>
 #include <CGAL/Region_segmentation/internal/regions/border_costs.h>
-#include <CGAL/Region_segmentation/internal/regions/connected_pieces.h>
 #include <CGAL/Region_segmentation/internal/segmenting/Stage_input.h>
+#include <CGAL/Region_segmentation/internal/support/label_components.h>
 #include <CGAL/Region_segmentation/internal/support/read_face_labels.h>
 #include <CGAL/Region_segmentation/parameters.h>
 
@@ -70,7 +70,13 @@ struct Minimum_cut_borders
     const double area = surface.area();
     if (area == 0)
       return 0;
-    const Partition pieces = internal::connected_pieces(surface, label_of_face, constraints);
+    const Partition pieces = internal::label_components(
+      surface,
+      [&](std::size_t a) {
+        return label_of_face[surface.lower_face(a)] == label_of_face[surface.higher_face(a)] &&
+               !constraints[a];
+      },
+      Execution());
     std::vector<Surface::Index> label_of_piece(pieces.number_of_parts());
     std::vector<double> sizes(pieces.number_of_parts()); // square roots of the relative areas
     for (std::size_t f = 0; f < surface.number_of_faces(); ++f) {

@@ -22,45 +22,8 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// Bars the sections between regions of different seeds, while regions are merged.
-class Seed_barriers
-{
-public:
-  template <typename Graph>
-  Seed_barriers(Seeds of_regions, Graph& graph)
-    : m_seeds(std::move(of_regions))
-  {
-    if (!m_seeds.empty())
-      for (auto range = edges(graph); range.first != range.second; ++range.first)
-        bar_if_between_seeds(graph, *range.first);
-  }
-
-  template <typename Graph>
-  void on_merge(Graph& graph, const typename Graph::Merge& merge)
-  {
-    if (m_seeds.empty())
-      return;
-    Seeds::Index& kept = m_seeds.of[merge.kept];
-    if (kept == Seeds::none)
-      kept = m_seeds.of[merge.removed];
-    if (kept != Seeds::none)
-      for (auto s : graph.sections(merge.kept))
-        bar_if_between_seeds(graph, s);
-  }
-
-private:
-  template <typename Graph, typename Section>
-  void bar_if_between_seeds(Graph& graph, Section s) const
-  {
-    const Seeds::Index a = m_seeds.of[graph.source(s)], b = m_seeds.of[graph.target(s)];
-    if (a != b && a != Seeds::none && b != Seeds::none)
-      graph.forbid_merge(s);
-  }
-
-  Seeds m_seeds; // of the regions
-};
-
-/// Merges the regions of a graph, and records it.
+/// Merges the regions of a graph, and records it. The sections between regions of different seeds
+/// are barred.
 template <typename Graph>
 class Merger
 {
@@ -69,11 +32,15 @@ public:
   Merger(Graph& graph, const Seeds& of_regions, std::size_t number, const Execution& execution)
     : m_graph(graph)
     , m_number(number)
-    , m_barriers(of_regions, graph)
+    , m_seeds(of_regions)
     , m_tree(graph.index_bound_of_regions())
     , m_progress(execution,
                  graph.number_of_regions() - (std::min)(graph.number_of_regions(), number))
-  {}
+  {
+    if (!m_seeds.empty())
+      for (auto range = edges(graph); range.first != range.second; ++range.first)
+        bar_if_between_seeds(*range.first);
+  }
 
   /// Merges pairs of first regions, if that is possible.
   void merge_first(const std::vector<std::pair<Partition::Index, Partition::Index>>& pairs)
@@ -115,10 +82,29 @@ private:
   typename Graph::Merge merge(typename Graph::section_descriptor section, double cost)
   {
     const auto merge = m_graph.merge(section);
-    m_barriers.on_merge(m_graph, merge);
+    bar_after(merge);
     m_tree.push_back({merge.kept, merge.removed, cost});
     m_progress.advance();
     return merge;
+  }
+
+  void bar_after(const typename Graph::Merge& merge)
+  {
+    if (m_seeds.empty())
+      return;
+    Seeds::Index& kept = m_seeds.of[merge.kept];
+    if (kept == Seeds::none)
+      kept = m_seeds.of[merge.removed];
+    if (kept != Seeds::none)
+      for (auto s : m_graph.sections(merge.kept))
+        bar_if_between_seeds(s);
+  }
+
+  void bar_if_between_seeds(typename Graph::section_descriptor s)
+  {
+    const Seeds::Index a = m_seeds.of[m_graph.source(s)], b = m_seeds.of[m_graph.target(s)];
+    if (a != b && a != Seeds::none && b != Seeds::none)
+      m_graph.forbid_merge(s);
   }
 
   template <typename Candidate>
@@ -137,7 +123,7 @@ private:
 
   Graph& m_graph;
   const std::size_t m_number;
-  Seed_barriers m_barriers;
+  Seeds m_seeds; // of the regions
   Merge_tree m_tree;
   Step_counter m_progress;
 };

@@ -74,15 +74,8 @@ public:
 
   Partition regions() const
   {
-    std::vector<Index> id_of(m_seeds.size(), Index(none)), region_of;
-    Index number = 0;
-    region_of.reserve(m_reached.size());
-    for (const Reached& r : m_reached) {
-      if (id_of[r.seed] == none)
-        id_of[r.seed] = number++;
-      region_of.push_back(id_of[r.seed]);
-    }
-    return Partition(std::move(region_of), number);
+    return Partition::from_labels(m_reached, m_reached.size(),
+                                  [](const Reached& r) { return r.seed; });
   }
 
   /// The regions split further: the face farthest from its seed is separated first, with the faces
@@ -203,7 +196,6 @@ private:
   }
 
   static constexpr double unreached = (std::numeric_limits<double>::max)();
-  static constexpr Index none = (std::numeric_limits<Index>::max)();
   static constexpr std::size_t faces_per_bound = 64;
 
   Dual_graph m_graph;

@@ -7,11 +7,9 @@
 #include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/Request.h>
 #include <CGAL/Region_segmentation/internal/support/divide_parts.h>
-#include <CGAL/Region_segmentation/internal/support/Lowest_root_forest.h>
 
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -20,25 +18,14 @@ namespace Region_segmentation {
 namespace internal {
 
 /// The pieces of regions, those of a region that is not `split` joined again.
-inline Partition joined_unless_split(Partition pieces, const Partition& regions,
+inline Partition joined_unless_split(const Partition& pieces, const Partition& regions,
                                      const std::vector<std::uint8_t>& split)
 {
-  using Index = Partition::Index;
-  constexpr Index none = (std::numeric_limits<Index>::max)();
-  std::vector<Index> first_of(regions.number_of_parts(), none);
-  Lowest_root_forest joined(pieces.number_of_parts());
-  Index next_piece = 0; // pieces are numbered by their first face
-  bool is_any_joined = false;
-  for (std::size_t f = 0; f < regions.size(); ++f)
-    if (pieces[f] == next_piece) {
-      Index& first = first_of[regions[f]];
-      if (first == none)
-        first = next_piece;
-      else if (!split[regions[f]])
-        is_any_joined |= joined.unite(first, next_piece);
-      ++next_piece;
-    }
-  return is_any_joined ? composed(pieces, joined.take_partition()) : pieces;
+  std::size_t face = 0;
+  return Partition::from_labels(pieces, pieces.size(), [&](Partition::Index piece) {
+    const Partition::Index region = regions[face++];
+    return split[region] ? std::uint64_t(regions.number_of_parts()) + piece : region;
+  });
 }
 
 /// Splits the regions that constrained edges separate: those that have more connected components
