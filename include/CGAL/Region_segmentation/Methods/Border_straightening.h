@@ -12,6 +12,7 @@
 #include <CGAL/Region_segmentation/internal/cuts/Nested_borders.h>
 #include <CGAL/Region_segmentation/internal/regions/Dual_graph.h>
 #include <CGAL/Region_segmentation/internal/regions/border_costs.h>
+#include <CGAL/Region_segmentation/internal/support/Function_ref.h>
 
 #include <CGAL/assertions.h>
 
@@ -73,11 +74,12 @@ struct Border_straightening
   /// `cells`: of the surface; `regions`: of its faces, each a union of cells; `tree`: the merges of
   /// the regions, which are connected; `is_fixed(region)`: whether its faces stay in the segments
   /// of the region, of at most one region of a tree.
-  template <typename IsFixed>
-  std::vector<Surface::Index>
-  operator()(const Surface& surface, const Patches& cells, const Border_cost& border_cost,
-             const Partition& regions, const Merge_tree& tree, const IsFixed& is_fixed,
-             std::size_t number_of_segments, const Execution& execution) const
+  std::vector<Surface::Index> operator()(const Surface& surface, const Patches& cells,
+                                         const Border_cost& border_cost, const Partition& regions,
+                                         const Merge_tree& tree,
+                                         internal::Function_ref<bool(Surface::Index)> is_fixed,
+                                         std::size_t number_of_segments,
+                                         const Execution& execution) const
   {
     CGAL_precondition_msg(width >= 0 && width_of_segment >= 0,
                           "Border_straightening: constants are at least 0");

@@ -5,6 +5,7 @@
 
 #include <CGAL/Region_segmentation/internal/cuts/Minimum_cut.h>
 #include <CGAL/Region_segmentation/internal/regions/Dual_graph.h>
+#include <CGAL/Region_segmentation/internal/support/Function_ref.h>
 #include <CGAL/Region_segmentation/internal/support/shortest_paths.h>
 
 #include <cstddef>
@@ -17,17 +18,15 @@ namespace internal {
 
 /// Moves the border between two pieces of a mesh to a minimum cut in a band around it. Elements are
 /// faces, or patches; a piece that was connected still is.
-///
-/// `Distance`: `distance(i, j)`, of two adjacent elements
-template <typename Distance>
 class Border_cut
 {
 public:
   using Index = Dual_graph::Index;
 
-  /// `costs`: of the borders between adjacent elements; `piece_of`: by element, is changed by
-  /// `move_border()`
-  Border_cut(const Dual_graph& costs, const Distance& distance, std::vector<Index>& piece_of)
+  /// `costs`: of the borders between adjacent elements; `distance(i, j)`: of two of these, is kept
+  /// by reference; `piece_of`: by element, is changed by `move_border()`
+  Border_cut(const Dual_graph& costs, Function_ref<double(Index, Index)> distance,
+             std::vector<Index>& piece_of)
     : m_costs(costs)
     , m_distance(distance)
     , m_piece_of(piece_of)
@@ -42,9 +41,8 @@ public:
   /// would be disconnected. Returns the elements that were moved.
   ///
   /// `border`: the elements of both pieces that are adjacent to the other one, or some of them.
-  template <typename MustStay>
   std::vector<Index> move_border(Index a, Index b, const std::vector<Index>& border, double width,
-                                 const MustStay& must_stay)
+                                 Function_ref<bool(Index)> must_stay)
   {
     grow_band(border, width);
     Minimum_cut cut;
@@ -123,8 +121,7 @@ private:
   }
 
   /// Returns whether there are elements that stay in both pieces.
-  template <typename MustStay>
-  bool add_nodes(Minimum_cut& cut, Index a, const MustStay& must_stay)
+  bool add_nodes(Minimum_cut& cut, Index a, Function_ref<bool(Index)> must_stay)
   {
     bool stays_in_a = false, stays_in_b = false;
     for (const Index element : m_band) {
@@ -177,7 +174,7 @@ private:
   }
 
   const Dual_graph& m_costs;
-  const Distance m_distance;
+  Function_ref<double(Index, Index)> m_distance;
   std::vector<Index>& m_piece_of;
   std::vector<double> m_distances; // of the elements of the band to the border
   std::vector<Index> m_nodes;      // of the elements of the band

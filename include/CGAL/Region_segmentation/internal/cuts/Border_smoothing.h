@@ -3,11 +3,12 @@
 #ifndef CGAL_REGION_SEGMENTATION_INTERNAL_CUTS_BORDER_SMOOTHING_H
 #define CGAL_REGION_SEGMENTATION_INTERNAL_CUTS_BORDER_SMOOTHING_H
 
+#include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/Request.h>
 #include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/internal/cuts/Border_cut.h>
 #include <CGAL/Region_segmentation/internal/regions/Dual_graph.h>
-#include <CGAL/Region_segmentation/Execution.h>
+#include <CGAL/Region_segmentation/internal/support/Function_ref.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -20,8 +21,7 @@ namespace Region_segmentation {
 namespace internal {
 
 /// Moves the borders between the pieces of segments, one pair of pieces after another. A piece is
-/// connected across edges that are not constrained, at any time. `Distance`: see `Border_cut`
-template <typename Distance>
+/// connected across edges that are not constrained, at any time.
 class Border_smoothing
 {
 public:
@@ -30,7 +30,7 @@ public:
   /// `costs`: of the borders between adjacent faces. `piece_of_face` is changed; `label_of_piece`:
   /// two pieces of one segment have no border to be moved.
   Border_smoothing(const Surface& surface, const Constraints& constraints, const Dual_graph& costs,
-                   const Distance& distance, std::vector<Index>& piece_of_face,
+                   Function_ref<double(Index, Index)> distance, std::vector<Index>& piece_of_face,
                    const std::vector<Index>& label_of_piece)
     : m_piece_of(piece_of_face)
     , m_label_of_piece(label_of_piece)
@@ -42,8 +42,7 @@ public:
   }
 
   /// `width(a, b)`: the width of the band between two pieces on each side.
-  template <typename Width>
-  void run(const Width& width, const Execution& execution)
+  void run(Function_ref<double(Index, Index)> width, const Execution& execution)
   {
     Step_counter borders(execution, m_borders.size());
     for (auto first = m_borders.begin(); first != m_borders.end();) {
@@ -97,7 +96,7 @@ private:
   const std::vector<Index>& m_label_of_piece;
   std::vector<Border> m_borders;
   const Dual_graph m_constrained; // across constrained edges
-  Border_cut<Distance> m_cut;
+  Border_cut m_cut;
 };
 
 } // namespace internal

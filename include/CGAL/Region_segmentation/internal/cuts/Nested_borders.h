@@ -8,6 +8,7 @@
 #include <CGAL/Region_segmentation/internal/cuts/Border_cut.h>
 #include <CGAL/Region_segmentation/internal/cuts/Tree_elements.h>
 #include <CGAL/Region_segmentation/internal/regions/Dual_graph.h>
+#include <CGAL/Region_segmentation/internal/support/Function_ref.h>
 #include <CGAL/Region_segmentation/internal/support/Lowest_root_forest.h>
 
 #include <algorithm>
@@ -29,8 +30,6 @@ namespace internal {
 /// borders on. A region can lose all its elements.
 ///
 /// O(P log R + R h) in practice for P elements and R regions in a tree of height h, and the cuts.
-/// `Distance`: see `Border_cut`
-template <typename Distance>
 class Nested_borders
 {
 public:
@@ -38,7 +37,7 @@ public:
 
   /// `costs`: of the borders between adjacent elements; `areas`: of the elements; `region_of`: by
   /// element
-  Nested_borders(const Dual_graph& costs, const Distance& distance,
+  Nested_borders(const Dual_graph& costs, Function_ref<double(Index, Index)> distance,
                  const std::vector<double>& areas, const std::vector<Index>& region_of,
                  const Merge_tree& tree)
     : m_costs(costs)
@@ -65,9 +64,9 @@ public:
   /// border of two parts can move, by the area of the smaller part; 0: it stays.
   /// `is_fixed(region)`: whether its elements stay in the segments of the region; at most one
   /// region of a tree
-  template <typename Width, typename IsFixed>
-  void run(std::size_t number_of_cuts, std::size_t number_of_segments, const Width& width,
-           const IsFixed& is_fixed, const Execution& execution)
+  void run(std::size_t number_of_cuts, std::size_t number_of_segments,
+           Function_ref<double(double)> width, Function_ref<bool(Index)> is_fixed,
+           const Execution& execution)
   {
     const std::size_t merges = m_tree.merges().size();
     std::size_t segments = m_tree.number_of_regions() - merges;
@@ -90,8 +89,7 @@ private:
   static constexpr Index none = (std::numeric_limits<Index>::max)();
 
   /// Undoes a merge: labels the elements of its segment by the two parts; returns the guests.
-  template <typename IsFixed>
-  std::vector<Index> divide(std::size_t i, const IsFixed& is_fixed)
+  std::vector<Index> divide(std::size_t i, Function_ref<bool(Index)> is_fixed)
   {
     const Index a = m_tree.merges()[i].kept, b = m_tree.merges()[i].removed;
     std::vector<Index> guests = std::exchange(m_guests[a], {});
@@ -116,9 +114,8 @@ private:
 
   /// A part of several components keeps that with fixed elements, else the largest by area; of
   /// equal ones that of the lowest element. The others become guests.
-  template <typename IsFixed>
   void make_connected(Index label, const Tree_elements::Part& part, std::vector<Index>& guests,
-                      const IsFixed& is_fixed)
+                      Function_ref<bool(Index)> is_fixed)
   {
     if (m_cut.is_connected(label, m_elements.lost(part)))
       return;
@@ -181,9 +178,8 @@ private:
     return is_adjacent ? cost : -1;
   }
 
-  template <typename Width, typename IsFixed>
-  void move_border(std::size_t i, std::vector<Index>& guests, const Width& width,
-                   const IsFixed& is_fixed)
+  void move_border(std::size_t i, std::vector<Index>& guests, Function_ref<double(double)> width,
+                   Function_ref<bool(Index)> is_fixed)
   {
     const Index a = m_tree.merges()[i].kept, b = m_tree.merges()[i].removed;
     std::vector<Index> elements_of_b, border;
@@ -224,7 +220,7 @@ private:
   std::vector<Index> m_label_of;            // by element: its segment, named by the lowest region
   std::vector<std::vector<Index>> m_guests; // by segment
   std::vector<double> m_area_of;            // by segment, as long as borders are moved
-  Border_cut<Distance> m_cut;
+  Border_cut m_cut;
 };
 
 } // namespace internal
