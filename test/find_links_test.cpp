@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <ctime>
 #include <limits>
 #include <map>
 #include <random>
@@ -531,6 +532,29 @@ TEST(find_links_test, many_triangles_that_all_cross)
     scene.add(s);
   }
   checked_length(scene);
+}
+
+// Most boxes are inside most larger ones.
+TEST(find_links_test, triangles_of_all_sizes)
+{
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> exponent(-30, 30), sign(-1, 1);
+  Soup soup;
+  for (Index i = 0; i < 4000; ++i) {
+    for (int k = 0; k < 3; ++k) {
+      const auto coordinate = [&] {
+        return std::copysign(std::pow(10, exponent(random)), sign(random));
+      };
+      const double x = coordinate(), y = coordinate();
+      soup.points.push_back({x, y, coordinate()});
+    }
+    soup.polygons.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+  }
+  const Model m(soup);
+  const std::clock_t start = std::clock();
+  const auto links = m.links();
+  EXPECT_LT(double(std::clock() - start) / CLOCKS_PER_SEC, 4);
+  check(m, links);
 }
 
 TEST(find_nesting_test, nested_spheres)

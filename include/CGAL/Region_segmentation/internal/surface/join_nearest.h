@@ -29,7 +29,8 @@ namespace internal {
 /// The pairs of components by distance come from one queue, which also holds pairs of nodes by the
 /// gap between their boxes. Pairs in one group are dropped. Near linear: only faces whose boxes are
 /// nearer than the components are compared. Where the boxes of very many components overlap, pairs
-/// are joined as they come after the first 16 C + 100,000, C the number of components.
+/// are joined as they come after 16 C + 100,000 pairs of components, or eight times as many of
+/// nodes, C the number of components.
 class Nearest_joiner
 {
 public:
@@ -60,6 +61,8 @@ public:
           m_links.push_back(link_of(pair.a, pair.b, 0));
           counter.advance();
         }
+      } else if (m_effort > most_effort()) {
+        join_all(pair.a, pair.b);
       } else if (!in_one_group(pair.a, pair.b)) {
         divide(pair.a, pair.b);
       }
@@ -115,17 +118,12 @@ private:
 
   void divide(Index a, Index b)
   {
-    if (a != b && m_tree[a].component != Component_tree::none &&
-        m_tree[b].component != Component_tree::none) {
-      Pair nearest{std::numeric_limits<double>::infinity(), true, 0, 0};
-      find_nearest_faces(a, b, nearest);
-      if (++m_number_of_pairs <=
-          most_pairs_of_component * m_component_of.number_of_parts() + most_pairs)
-        m_queue.push(Pair(nearest));
-      else if (unite(nearest.a, nearest.b))
-        m_links.push_back(link_of(nearest.a, nearest.b, 0));
+    if (are_components(a, b)) {
+      m_effort += effort_of_components;
+      m_queue.push(nearest_faces(a, b));
       return;
     }
+    ++m_effort;
     const Index node = a == b ? a : node_of_components(a, b);
     const Index child = m_tree.children(node);
     if (a == b) {
@@ -138,6 +136,31 @@ private:
     }
   }
 
+  /// Joins the components of two nodes as they come, depth first.
+  void join_all(Index a, Index b)
+  {
+    if (in_one_group(a, b))
+      return;
+    if (are_components(a, b)) {
+      const Pair nearest = nearest_faces(a, b);
+      unite(nearest.a, nearest.b);
+      m_links.push_back(link_of(nearest.a, nearest.b, 0));
+      return;
+    }
+    const Index node = a == b ? a : node_of_components(a, b);
+    const Index child = m_tree.children(node), other = node == a ? b : a;
+    join_all(child, a == b ? child : other);
+    join_all(child + 1, a == b ? child + 1 : other);
+    if (a == b)
+      join_all(child, child + 1);
+  }
+
+  bool are_components(Index a, Index b) const
+  {
+    return a != b && m_tree[a].component != Component_tree::none &&
+           m_tree[b].component != Component_tree::none;
+  }
+
   /// The one of two nodes to divide that has several components.
   Index node_of_components(Index a, Index b) const
   {
@@ -147,6 +170,13 @@ private:
   }
 
   double gap(Index a, Index b) const { return squared_gap(m_tree[a].box, m_tree[b].box); }
+
+  Pair nearest_faces(Index a, Index b)
+  {
+    Pair nearest{std::numeric_limits<double>::infinity(), true, 0, 0};
+    find_nearest_faces(a, b, nearest);
+    return nearest;
+  }
 
   /// Depth first, the nearer child first.
   void find_nearest_faces(Index a, Index b, Pair& nearest)
@@ -171,13 +201,18 @@ private:
         find_nearest_faces(child, other, nearest);
   }
 
-  static constexpr std::size_t most_pairs_of_component = 16, most_pairs = 100000;
+  static constexpr std::size_t effort_of_components = 8; // of a pair; 1 for nodes
+
+  std::size_t most_effort() const
+  {
+    return effort_of_components * (16 * m_component_of.number_of_parts() + 100000);
+  }
 
   Component_tree& m_tree;
   const Partition& m_component_of;
   std::vector<Added_adjacency>& m_links;
-  Lowest_root_forest m_groups;                           // of components
-  std::size_t m_number_of_groups, m_number_of_pairs = 0; // pairs of components that were compared
+  Lowest_root_forest m_groups; // of components
+  std::size_t m_number_of_groups, m_effort = 0;
   std::vector<Index> m_members; // by node: a component, if all are known to be in one group
   std::priority_queue<Pair> m_queue;
 };
