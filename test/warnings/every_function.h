@@ -25,6 +25,7 @@
 #include <CGAL/Region_segmentation/Methods/Smooth_faces.h>
 #include <CGAL/Region_segmentation/Segments/describe_segments.h>
 #include <CGAL/Region_segmentation/find_common_surfaces.h>
+#include <CGAL/Region_segmentation/find_surface_faces.h>
 #endif
 
 #include <boost/graph/graph_traits.hpp>
