@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 #include <random>
 #include <set>
 #include <string>
@@ -267,6 +268,59 @@ TEST(Segment_test, any_finite_coordinates_are_segmented)
         segments_of(mesh, RS::parameters::number_of_segments(3).method(RS::Two_step())).size(),
         soup.polygons.size());
     }
+}
+
+// Time: a shape that is large in one way takes as long as others of its size.
+
+/// Seeds 0 on all rows of squares but a band, seeds 1 on one side of a column of the band, through
+/// which seeds 0 are joined, or on both, which then cannot be joined.
+TEST(Segment_time_test, seeds_on_most_faces)
+{
+  constexpr std::size_t n = 150;
+  const Soup soup = grid(n, n);
+  for (const bool is_possible : {true, false}) {
+    std::vector<std::size_t> seeds(n * n, std::size_t(-1)), labels(n * n);
+    for (std::size_t y = 0; y < n; ++y)
+      for (std::size_t x = 0; x < n; ++x)
+        if (y < 72 || y > 78)
+          seeds[y * n + x] = 0;
+        else if (x < 50 || (x > 50 && !is_possible))
+          seeds[y * n + x] = 1;
+    const auto segment = [&] {
+      return RS::segment(soup.points, soup.polygons, labels, 2,
+                         RS::parameters::face_seed_map(seeds));
+    };
+    const std::clock_t start = std::clock();
+    if (is_possible) {
+      EXPECT_EQ(segment(), 2u);
+      for (std::size_t f = 0; f < seeds.size(); ++f)
+        EXPECT_TRUE(seeds[f] > 1 || labels[f] == seeds[f]);
+    } else
+      EXPECT_THROW(segment(), RS::Invalid_input);
+    EXPECT_LT(double(std::clock() - start) / CLOCKS_PER_SEC, 5);
+  }
+}
+
+TEST(Segment_time_test, polygons_of_many_corners)
+{
+  constexpr std::size_t n = 40000;
+  Soup prism;
+  Polygon bottom, top;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double angle = 2 * std::acos(-1.0) * double(i) / n;
+    prism.points.push_back({std::cos(angle), std::sin(angle), 0});
+    prism.points.push_back({std::cos(angle), std::sin(angle), 1});
+    const std::size_t next = 2 * ((i + 1) % n);
+    prism.polygons.push_back({2 * i, next, next + 1, 2 * i + 1});
+    bottom.insert(bottom.begin(), 2 * i);
+    top.push_back(2 * i + 1);
+  }
+  prism.polygons.push_back(bottom);
+  prism.polygons.push_back(top);
+  std::vector<std::size_t> labels(prism.polygons.size());
+  const std::clock_t start = std::clock();
+  EXPECT_EQ(RS::segment(prism.points, prism.polygons, labels, 3), 3u);
+  EXPECT_LT(double(std::clock() - start) / CLOCKS_PER_SEC, 8);
 }
 
 } // namespace segment_test
