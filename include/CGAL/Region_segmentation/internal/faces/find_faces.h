@@ -11,7 +11,7 @@
 #include <CGAL/Region_segmentation/internal/faces/find_faces_from_patches.h>
 #include <CGAL/Region_segmentation/internal/faces/find_small_planes.h>
 #include <CGAL/Region_segmentation/internal/faces/join_by_curvature.h>
-#include <CGAL/Region_segmentation/internal/faces/join_crossing_faces.h>
+#include <CGAL/Region_segmentation/internal/faces/join_remaining_faces.h>
 #include <CGAL/Region_segmentation/internal/faces/merge_equal_surfaces.h>
 #include <CGAL/Region_segmentation/internal/faces/separate_components.h>
 
@@ -32,7 +32,7 @@ inline Surface_faces find_faces_within(const Surface& surface, double tolerance,
 {
   Face_search search(surface, tolerance);
   find_faces_from_patches(search, execution.step(0, 0.7));
-  join_crossing_faces(search);
+  join_remaining_faces(search);
   find_small_planes(search, execution.step(0.7, 0.85));
   find_pairs_of_planes(search, execution.step(0.85, 0.9));
   merge_equal_surfaces(search);

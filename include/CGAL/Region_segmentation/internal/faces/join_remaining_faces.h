@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_FACES_JOIN_CROSSING_FACES_H
-#define CGAL_REGION_SEGMENTATION_INTERNAL_FACES_JOIN_CROSSING_FACES_H
+#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_FACES_JOIN_REMAINING_FACES_H
+#define CGAL_REGION_SEGMENTATION_INTERNAL_FACES_JOIN_REMAINING_FACES_H
 
 #include <CGAL/Region_segmentation/internal/faces/Face_search.h>
 
@@ -25,18 +25,18 @@ inline bool may_join(const Face_search& search, Surface::Index face, Surface::In
           search.test.has_normal_of(s, face, least_cosine) && !search.is_flat(label, face));
 }
 
-/// Where a mesh does not follow the creases, as after remeshing, faces cross them: all of their
-/// vertices are on faces that are found. They go to that neighbor from whose surface they deviate
-/// least, beginning with those that have a neighbor.
-inline void join_crossing_faces(Face_search& search)
+/// Faces of which all vertices are on faces that are found go to that neighbor from whose surface
+/// they deviate least, beginning with those that have such a neighbor. Where a mesh does not follow
+/// the creases, as after remeshing, faces cross them.
+inline void join_remaining_faces(Face_search& search)
 {
   using Index = Surface::Index;
   std::vector<Index> left;
   for (Index f = 0; f < search.labels.size(); ++f) {
-    bool is_crossing = !search.is_found(f);
+    bool remains = !search.is_found(f);
     for (std::size_t i = 0; i < search.surface.number_of_corners(f); ++i)
-      is_crossing = is_crossing && search.is_on_found[search.surface.corner(f, i)];
-    if (is_crossing)
+      remains = remains && search.is_on_found[search.surface.corner(f, i)];
+    if (remains)
       left.push_back(f);
   }
   std::vector<std::pair<Index, Index>> joined; // faces and their labels
@@ -66,4 +66,4 @@ inline void join_crossing_faces(Face_search& search)
 } // namespace Region_segmentation
 } // namespace CGAL
 
-#endif // CGAL_REGION_SEGMENTATION_INTERNAL_FACES_JOIN_CROSSING_FACES_H
+#endif // CGAL_REGION_SEGMENTATION_INTERNAL_FACES_JOIN_REMAINING_FACES_H
