@@ -6,6 +6,7 @@
 #include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/Graph/Merge_tree.h>
 #include <CGAL/Region_segmentation/internal/regions/is_convex.h>
+#include <CGAL/Region_segmentation/internal/support/label_components.h>
 #include <CGAL/Region_segmentation/internal/surface/find_crumbs.h>
 
 #include <algorithm>
@@ -57,8 +58,11 @@ protected:
   {
     if (!internal::is_convex(mesh))
       return chooser(tree);
-    return mesh.has_seams_or_links() ? internal::Bodies(mesh).number() + number_of_pieces(tree) - 1
-                                     : number_of_pieces(tree);
+    if (!mesh.has_seams_or_links())
+      return number_of_pieces(tree);
+    const Partition connected = internal::label_components(
+      mesh, [](std::size_t) { return true; }, Execution());
+    return internal::Bodies(mesh).number() + number_of_pieces(tree) - connected.number_of_parts();
   }
 };
 

@@ -150,7 +150,7 @@ public:
     std::size_t flat = 0;
     for (const Index f : faces())
       for (const Face_neighbors::Neighbor& n : m_neighbors[f])
-        flat += n.face < f && is_taken(n.face) && m_surface.cosine(n.adjacency) > 1 - 1e-9;
+        flat += n.face < f && is_taken(n.face) && m_neighbors.is_coplanar(n.adjacency);
     return faces().size() > flat ? faces().size() - flat : 1;
   }
 

@@ -63,7 +63,12 @@ public:
   {
     return m_surface.cosine(adjacency) > smooth_cosine;
   }
-  /// The same, or unknown.
+  /// Whether its two faces are parts of one plane facet.
+  bool is_coplanar(std::size_t adjacency) const
+  {
+    return m_surface.cosine(adjacency) > flat_cosine;
+  }
+  /// Whether it is smooth, or that is unknown.
   bool may_be_smooth(std::size_t adjacency) const
   {
     return is_smooth(adjacency) || is_thin(m_surface.lower_face(adjacency)) ||
@@ -71,6 +76,7 @@ public:
   }
 
 private:
+  static constexpr double flat_cosine = 1 - 1e-9;
   static constexpr double smooth_cosine = 0.819; // 35 degrees: a cylinder has at least 11 facets
 
   void find_thin_faces(const Surface& surface)

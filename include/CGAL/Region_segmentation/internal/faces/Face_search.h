@@ -68,13 +68,12 @@ public:
   /// its other faces do, though their vertices lie on it: a flat of a shaft.
   bool is_flat(Index label, Index face) const
   {
-    constexpr double flat = 1 - 1e-9; // cosine
     const auto deviates = [&](Index f) {
       return test.deviation(surfaces[label], f) > m_largest_deviations[label];
     };
     const auto around = neighbors[face];
     return deviates(face) && std::any_of(around.begin(), around.end(), [&](const auto& n) {
-             return surface.cosine(n.adjacency) > flat && deviates(n.face);
+             return neighbors.is_coplanar(n.adjacency) && deviates(n.face);
            });
   }
 

@@ -28,10 +28,11 @@ inline double description_length(const Surface& surface, const Surface_faces& fa
     double squares = 0, vertices = 0;
   };
   std::vector<Sum> sums(faces.surfaces.size());
+  const std::vector<Surface_distance> distances(faces.surfaces.begin(), faces.surfaces.end());
   for (const auto& [face, vertex] : labels_of_vertices(surface, faces.partition)) {
     const Fitted_surface<>& s = faces.surfaces[face];
     const double d = s.kind == Surface_kind::FREEFORM ? freeform
-                                                      : Surface_distance(s)(surface.point(vertex));
+                                                      : distances[face](surface.point(vertex));
     sums[face].squares += d * d;
     ++sums[face].vertices;
   }

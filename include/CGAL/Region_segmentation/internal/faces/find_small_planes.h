@@ -42,7 +42,6 @@ inline void find_small_planes(Face_search& search, const Execution& execution)
 inline void find_pairs_of_planes(Face_search& search, const Execution& execution)
 {
   using Index = Surface::Index;
-  constexpr double flat = 1 - 1e-9; // cosine
   const Surface& surface = search.surface;
   const auto label_left = [&](const auto& joins, const Execution& step) {
     return label_components(
@@ -55,8 +54,8 @@ inline void find_pairs_of_planes(Face_search& search, const Execution& execution
   };
   const Partition components = label_left(
     [&](std::size_t a) { return search.neighbors.may_be_smooth(a); }, execution.step(0, 0.5));
-  const Partition facets = label_left([&](std::size_t a) { return surface.cosine(a) > flat; },
-                                      execution.step(0.5, 1));
+  const Partition facets = label_left(
+    [&](std::size_t a) { return search.neighbors.is_coplanar(a); }, execution.step(0.5, 1));
   std::vector<Index> largest(facets.number_of_parts(), Face_search::none); // face of a facet
   for (const Index f : search.seeds())
     if (largest[facets[f]] == Face_search::none)

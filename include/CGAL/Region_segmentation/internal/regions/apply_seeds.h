@@ -131,13 +131,11 @@ private:
     std::vector<Index> path;
     std::size_t left = m_members[seed].size();
     const auto connect_to = [&](Index r) {
-      --left;
-      path.clear();
       for (; !is_connected[r]; r = predecessors[r]) {
         is_connected[r] = true;
         m_owner[r] = seed;
         path.push_back(r);
-        left -= r != path.front() && m_seeds.of[r] == seed;
+        left -= m_seeds.of[r] == seed;
       }
     };
     const Index first = m_members[seed].front();

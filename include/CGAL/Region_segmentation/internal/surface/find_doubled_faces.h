@@ -42,11 +42,10 @@ inline std::size_t key_of_sides(const Surface& s, Surface::Index f)
   return sum;
 }
 
-/// Makes the sides of a face open, and those of its neighbors beside it: these are returned.
-inline std::vector<Raw_surface::Open_side> separate_from_neighbors(Raw_surface& raw,
-                                                                   Surface::Index face)
+/// Lets the sides of a face lead to itself. Those of its neighbors that led to it are open then,
+/// and are appended to the open sides.
+inline void separate_from_neighbors(Raw_surface& raw, Surface::Index face)
 {
-  std::vector<Raw_surface::Open_side> opened;
   const auto& first_corners = arrays_of(raw.surface).first_corners;
   for (Surface::Index side = first_corners[face]; side < first_corners[face + 1]; ++side) {
     const Surface::Index neighbor = raw.neighbors[side];
@@ -56,10 +55,9 @@ inline std::vector<Raw_surface::Open_side> separate_from_neighbors(Raw_surface& 
     for (Surface::Index s = first_corners[neighbor]; s < first_corners[neighbor + 1]; ++s)
       if (raw.neighbors[s] == face) {
         raw.neighbors[s] = Raw_surface::none;
-        opened.push_back({neighbor, s});
+        raw.open_sides.push_back({neighbor, s});
       }
   }
-  return opened;
 }
 
 /// Makes faces degenerate that were given before, in any orientation, and gives them an adjacency
@@ -74,7 +72,7 @@ inline void find_doubled_faces(Raw_surface& raw, std::vector<Added_adjacency>& a
     if (keys.empty() || keys.back().second != open.face)
       keys.push_back({key_of_sides(raw.surface, open.face), open.face});
   std::sort(keys.data(), keys.data() + keys.size());
-  std::vector<Raw_surface::Open_side> opened;
+  const std::size_t number_of_open_sides = raw.open_sides.size();
   std::vector<Index> originals; // of a key: several if it belongs to different faces
   for (std::size_t i = 0; i < keys.size(); ++i) {
     if (i > 0 && keys[i].first != keys[i - 1].first)
@@ -87,15 +85,14 @@ inline void find_doubled_faces(Raw_surface& raw, std::vector<Added_adjacency>& a
       originals.push_back(f);
       continue;
     }
-    for (const Raw_surface::Open_side& side : separate_from_neighbors(raw, f))
-      opened.push_back(side);
+    separate_from_neighbors(raw, f);
     arrays.normals[f] = {0, 0, 0};
     arrays.areas[f] = 0;
     added.push_back({*original, f, 1, 0});
   }
-  raw.open_sides.insert(raw.open_sides.end(), opened.begin(), opened.end());
-  std::sort(raw.open_sides.begin(), raw.open_sides.end(),
-            [](const auto& s, const auto& t) { return s.side < t.side; });
+  if (raw.open_sides.size() > number_of_open_sides)
+    std::sort(raw.open_sides.begin(), raw.open_sides.end(),
+              [](const auto& s, const auto& t) { return s.side < t.side; });
 }
 
 } // namespace internal

@@ -57,12 +57,9 @@ public:
       const Pair pair = m_queue.top();
       m_queue.pop();
       if (pair.is_of_faces) {
-        if (unite(pair.a, pair.b)) {
-          m_links.push_back(link_of(pair.a, pair.b, 0));
-          counter.advance();
-        }
+        join(pair, counter);
       } else if (m_effort > most_effort()) {
-        join_all(pair.a, pair.b);
+        join_all(pair.a, pair.b, counter);
       } else if (!in_one_group(pair.a, pair.b)) {
         divide(pair.a, pair.b);
       }
@@ -88,6 +85,15 @@ private:
     const bool were_apart = m_groups.unite(m_component_of[face], m_component_of[other]);
     m_number_of_groups -= were_apart;
     return were_apart;
+  }
+
+  /// Links the components of two faces, if they are in different groups.
+  void join(const Pair& faces, Step_counter& counter)
+  {
+    if (unite(faces.a, faces.b)) {
+      m_links.push_back(link_of(faces.a, faces.b, 0));
+      counter.advance();
+    }
   }
 
   /// The root of the group of all components of a node, `none` if they are in several.
@@ -137,22 +143,20 @@ private:
   }
 
   /// Joins the components of two nodes as they come, depth first.
-  void join_all(Index a, Index b)
+  void join_all(Index a, Index b, Step_counter& counter)
   {
     if (in_one_group(a, b))
       return;
     if (are_components(a, b)) {
-      const Pair nearest = nearest_faces(a, b);
-      unite(nearest.a, nearest.b);
-      m_links.push_back(link_of(nearest.a, nearest.b, 0));
+      join(nearest_faces(a, b), counter);
       return;
     }
     const Index node = a == b ? a : node_of_components(a, b);
     const Index child = m_tree.children(node), other = node == a ? b : a;
-    join_all(child, a == b ? child : other);
-    join_all(child + 1, a == b ? child + 1 : other);
+    join_all(child, a == b ? child : other, counter);
+    join_all(child + 1, a == b ? child + 1 : other, counter);
     if (a == b)
-      join_all(child, child + 1);
+      join_all(child, child + 1, counter);
   }
 
   bool are_components(Index a, Index b) const
