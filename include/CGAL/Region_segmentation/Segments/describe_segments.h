@@ -7,11 +7,12 @@
 /// Requires Eigen 3; so it is not part of region_segmentation.h.
 
 #include <CGAL/Region_segmentation/Segments/Segment_description.h>
+#include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/internal/segments/Kernel_of_points.h>
-#include <CGAL/Region_segmentation/internal/segments/Mesh_geometry.h>
 #include <CGAL/Region_segmentation/internal/segments/Segment_describer.h>
 #include <CGAL/Region_segmentation/internal/segments/Segmented_mesh.h>
 #include <CGAL/Region_segmentation/internal/support/check_output.h>
+#include <CGAL/Region_segmentation/make_surface.h>
 #include <CGAL/Region_segmentation/parameters.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -83,9 +84,8 @@ std::size_t describe_segments(const FaceGraph& mesh, const FaceSegmentMap& segme
                                                  Segment_description<Label, Kernel>>());
   internal::check_parameters<Pack, internal::Tag_list<>>();
   const auto segmented = internal::make_segmented_mesh(mesh, segment_map, pack);
-  const internal::Mesh_geometry geometry(segmented,
-                                         internal::make_surface_of_neighbors(mesh, pack));
-  internal::Segment_describer<FaceGraph, Label, Kernel> describer(segmented, geometry);
+  const Surface surface = internal::make_surface_of_neighbors(mesh, pack);
+  internal::Segment_describer<FaceGraph, Label, Kernel> describer(segmented, surface);
   for (auto& description : describer.describe())
     *descriptions++ = std::move(description);
   return segmented.number_of_segments;

@@ -4,10 +4,13 @@
 #define CGAL_REGION_SEGMENTATION_SEGMENTS_MARK_SEGMENT_SEAMS_H
 
 #include <CGAL/Region_segmentation/Border_cost.h>
+#include <CGAL/Region_segmentation/Double_3.h>
 #include <CGAL/Region_segmentation/Segments/mark_segment_borders.h>
-#include <CGAL/Region_segmentation/internal/segments/Mesh_geometry.h>
+#include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/internal/segments/Seam_finder.h>
 #include <CGAL/Region_segmentation/internal/segments/Segmented_mesh.h>
+#include <CGAL/Region_segmentation/internal/segments/signed_deviation.h>
+#include <CGAL/Region_segmentation/make_surface.h>
 #include <CGAL/Region_segmentation/parameters.h>
 
 #include <CGAL/assertions.h>
@@ -72,10 +75,10 @@ std::size_t mark_segment_seams(const FaceGraph& mesh, const FaceSegmentMap& segm
   const auto& pack = internal::pack(np);
   internal::check_parameters<std::decay_t<decltype(pack)>, internal::Tag_list<>>();
   const auto segmented = internal::make_segmented_mesh(mesh, segment_map, pack);
-  const internal::Mesh_geometry geometry(segmented,
-                                         internal::make_surface_of_neighbors(mesh, pack));
+  const Surface surface = internal::make_surface_of_neighbors(mesh, pack);
   internal::Seam_finder finder(segmented, [&](std::uint32_t h) {
-    return cost(geometry.length(h), (std::max)(0.0, -geometry.signed_deviation(h)));
+    return cost(norm(internal::direction(segmented, surface, h)),
+                (std::max)(0.0, -internal::signed_deviation(segmented, surface, h)));
   });
   const auto seams = finder.find();
   const std::size_t number_of_borders = mark_segment_borders(mesh, segment_map, edge_is_seam_map);

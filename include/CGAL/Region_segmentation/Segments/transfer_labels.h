@@ -3,12 +3,22 @@
 #ifndef CGAL_REGION_SEGMENTATION_SEGMENTS_TRANSFER_LABELS_H
 #define CGAL_REGION_SEGMENTATION_SEGMENTS_TRANSFER_LABELS_H
 
+#include <CGAL/Region_segmentation/Double_3.h>
+#include <CGAL/Region_segmentation/Execution.h>
+#include <CGAL/Region_segmentation/Partition.h>
+#include <CGAL/Region_segmentation/Surface.h>
+#include <CGAL/Region_segmentation/Segments/no_segment.h>
 #include <CGAL/Region_segmentation/exceptions.h>
 #include <CGAL/Region_segmentation/face_values.h>
-#include <CGAL/Region_segmentation/internal/segments/Mesh_geometry.h>
 #include <CGAL/Region_segmentation/internal/segments/Nearest_face_finder.h>
-#include <CGAL/Region_segmentation/internal/segments/Segmented_mesh.h>
+#include <CGAL/Region_segmentation/internal/segments/number_segments.h>
 #include <CGAL/Region_segmentation/internal/segments/dissolve_islands.h>
+#include <CGAL/Region_segmentation/internal/support/Large_array.h>
+#include <CGAL/Region_segmentation/internal/support/check_maps.h>
+#include <CGAL/Region_segmentation/internal/surface/Mesh_order.h>
+#include <CGAL/Region_segmentation/internal/surface/build_surface.h>
+#include <CGAL/Region_segmentation/internal/surface/compute_normals.h>
+#include <CGAL/Region_segmentation/internal/surface/read_face_graph.h>
 #include <CGAL/Region_segmentation/parameters.h>
 
 #include <boost/property_map/property_map.hpp>
@@ -17,6 +27,7 @@
 #include <cstddef>
 #include <map>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -24,32 +35,46 @@ namespace Region_segmentation {
 
 namespace internal {
 
-/// A face is divided into triangles between its sides and the mean of its corners. The middle of
-/// each finds a face of the other mesh, and votes for its label by its area; of equal votes the
-/// lowest label counts.
-inline std::vector<Halfedge_table::Index>
-labels_of_nearest_faces(const Mesh_geometry& to, const Mesh_geometry& from,
-                        const std::vector<Halfedge_table::Index>& labels)
+/// A surface with the normals of its faces as they are given: it turns components that are inside
+/// out.
+struct Surface_as_given
 {
-  using Index = Halfedge_table::Index;
-  const double scale = to.unit() / from.unit();
-  Nearest_face_finder finder(from.surface());
-  const Surface& surface = to.surface();
+  Surface surface;
+  Large_array<Double_3> normals;
+
+  template <typename FaceGraph, typename Pack>
+  Surface_as_given(const FaceGraph& mesh, const Pack& np)
+  {
+    Raw_surface raw = read_face_graph(Mesh_order<FaceGraph, Pack>(mesh, np), np, Execution());
+    compute_normals(raw.surface, Execution());
+    normals = arrays_of(raw.surface).normals;
+    surface = build_surface(std::move(raw), Adjacency_of::NEIGHBORS, Execution());
+  }
+};
+
+/// A face is divided into triangles between its sides and the mean of its corners. The middle of
+/// each finds a face of the other mesh, and votes for its segment by its area; of equal votes the
+/// lowest segment counts.
+inline std::vector<Surface::Index>
+segments_of_nearest_faces(const Surface_as_given& to, const Surface_as_given& from,
+                          const std::vector<Surface::Index>& segment_of_face)
+{
+  using Index = Surface::Index;
+  const Surface& surface = to.surface;
+  const double scale = surface.unit() / from.surface.unit();
+  Nearest_face_finder finder(from.surface);
   std::vector<Index> result;
   for (Index f = 0; f < surface.number_of_faces(); ++f) {
-    const std::size_t n = surface.number_of_corners(f);
     const Double_3 center = surface.centroid(f);
-    const Double_3 normal = to.given_normal(f);
     const auto agrees = [&](Index g) {
-      return to.surface().is_degenerate(f) || dot(normal, from.given_normal(g)) > 0;
+      return surface.is_degenerate(f) || dot(to.normals[f], from.normals[g]) > 0;
     };
     std::map<Index, double> votes;
-    for (std::size_t i = 0; i < n; ++i) {
-      const Double_3 p = surface.point(surface.corner(f, i)),
-                     q = surface.point(surface.corner(f, (i + 1) % n));
+    for_each_side(surface, f, [&](Index v, Index w) {
+      const Double_3 &p = surface.point(v), &q = surface.point(w);
       const Index nearest = finder.find(scale / 3 * (p + q + center), agrees);
-      votes[labels[nearest]] += norm(cross(p - center, q - center));
-    }
+      votes[segment_of_face[nearest]] += norm(cross(p - center, q - center));
+    });
     result.push_back(std::max_element(votes.begin(), votes.end(), [](const auto& a, const auto& b) {
                        return a.second < b.second;
                      })->first);
@@ -106,40 +131,38 @@ std::size_t transfer_labels(const FromGraph& from, const FromMap& from_map, cons
                             const FromParameters& np_from = parameters::default_values(),
                             const ToParameters& np_to = parameters::default_values())
 {
+  static_assert(internal::check_face_map<FromMap, FromGraph>());
   static_assert(internal::check_face_map<ToMap, ToGraph>());
-  using Index = internal::Halfedge_table::Index;
+  using Index = Surface::Index;
+  using Label = typename boost::property_traits<FromMap>::value_type;
   const auto &from_pack = internal::pack(np_from), &to_pack = internal::pack(np_to);
   internal::check_parameters<std::decay_t<decltype(from_pack)>, internal::Tag_list<>>();
   internal::check_parameters<std::decay_t<decltype(to_pack)>, internal::Tag_list<>>();
-  const auto segmented = internal::make_segmented_mesh(from, from_map, from_pack);
-  const internal::Mesh_geometry from_geometry(segmented,
-                                              internal::make_surface_of_neighbors(from, from_pack));
-  internal::Halfedge_table halfedges;
-  internal::read_halfedges(to, to_pack, halfedges);
-  const internal::Mesh_geometry to_geometry(halfedges,
-                                            internal::make_surface_of_neighbors(to, to_pack));
-  if (halfedges.number_of_faces() == 0)
+  const internal::Surface_as_given from_surface(from, from_pack), to_surface(to, to_pack);
+  if (to_surface.surface.number_of_faces() == 0)
     return 0;
-  if (segmented.number_of_faces() == 0)
+  if (from_surface.surface.number_of_faces() == 0)
     throw Invalid_input("transfer_labels: the mesh with labels has no faces");
 
-  std::vector<Index> labels = internal::labels_of_nearest_faces(to_geometry, from_geometry,
-                                                                segmented.segment_of_face);
-  const Partition components = internal::components_of_labels(from_geometry.surface(),
-                                                              segmented.segment_of_face);
+  std::vector<Label> labels; // by segment
+  const std::vector<Index> segment_of_face = internal::number_segments(from, from_map, labels);
+  std::vector<Index> result = internal::segments_of_nearest_faces(to_surface, from_surface,
+                                                                  segment_of_face);
+  const Partition components = internal::components_of_labels(from_surface.surface,
+                                                              segment_of_face);
   std::map<Index, std::size_t> numbers;
   for (std::size_t f = 0, next = 0; f < components.size(); ++f)
     if (components[f] == next) { // numbered by their first faces
-      ++numbers[segmented.segment_of_face[f]];
+      ++numbers[segment_of_face[f]];
       ++next;
     }
-  internal::dissolve_islands(to_geometry.surface(), numbers, labels);
+  internal::dissolve_islands(to_surface.surface, numbers, result);
 
-  std::vector<typename boost::property_traits<FromMap>::value_type> values;
-  for (Index label : labels)
-    values.push_back(segmented.label(label));
+  std::vector<Label> values;
+  for (Index segment : result)
+    values.push_back(segment < labels.size() ? labels[segment] : Label(no_segment));
   write_face_values(to, values, to_map);
-  return Partition::from_labels(labels).number_of_parts();
+  return Partition::from_labels(result).number_of_parts();
 }
 
 } // namespace Region_segmentation

@@ -3,11 +3,13 @@
 #ifndef CGAL_REGION_SEGMENTATION_INTERNAL_SEGMENTS_SEGMENT_DESCRIBER_H
 #define CGAL_REGION_SEGMENTATION_INTERNAL_SEGMENTS_SEGMENT_DESCRIBER_H
 
+#include <CGAL/Region_segmentation/Double_3.h>
 #include <CGAL/Region_segmentation/Segments/Segment_description.h>
-#include <CGAL/Region_segmentation/internal/segments/Mesh_geometry.h>
+#include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/internal/segments/Segment_fitter.h>
 #include <CGAL/Region_segmentation/internal/segments/Segmented_mesh.h>
 #include <CGAL/Region_segmentation/internal/segments/segment_volumes.h>
+#include <CGAL/Region_segmentation/internal/segments/signed_deviation.h>
 #include <CGAL/Region_segmentation/internal/support/eigenvectors.h>
 
 #include <CGAL/Origin.h>
@@ -36,10 +38,9 @@ class Segment_describer
 public:
   using Description = Segment_description<Label, Kernel>;
 
-  Segment_describer(const Segmented_mesh<FaceGraph, Label>& segmented,
-                    const Mesh_geometry& geometry)
+  Segment_describer(const Segmented_mesh<FaceGraph, Label>& segmented, const Surface& surface)
     : m_segmented(segmented)
-    , m_geometry(geometry)
+    , m_surface(surface)
     , m_faces(segmented.faces_of_segments())
     , m_descriptions(segmented.number_of_segments)
   {}
@@ -70,7 +71,7 @@ private:
     for (Index face : m_faces[segment]) {
       corners.clear();
       for (Index h = m_segmented.first[face]; h < m_segmented.first[face + 1]; ++h)
-        corners.push_back(factor * (m_geometry.point(m_segmented.source[h]) - origin));
+        corners.push_back(factor * (m_surface.point(m_segmented.source[h]) - origin));
       f(face, corners);
     }
   }
@@ -80,10 +81,10 @@ private:
   {
     const Index first_face = *m_faces[segment].begin();
     // Relative to a point nearby, so that nothing cancels far from the origin.
-    const Double_3 origin = m_geometry.point(m_segmented.source[m_segmented.first[first_face]]);
+    const Double_3 origin = m_surface.point(m_segmented.source[m_segmented.first[first_face]]);
     Second_moments moments;
     for_each_face(segment, origin, 1, [&](Index, const Points& p) { add_moments(p, moments); });
-    const double area = moments.weight, unit = m_geometry.unit();
+    const double area = moments.weight, unit = m_surface.unit();
     const Double_3 center = origin + moments.centroid();
     Description& d = m_descriptions[segment];
     d.segment = m_segmented.labels[segment];
@@ -141,25 +142,25 @@ private:
     });
     for (std::size_t i = 0; i < 3; ++i) {
       m_descriptions[segment].axes[i] = to_vector(axes[i]);
-      m_descriptions[segment].extents[i] = (highest[i] - lowest[i]) * m_geometry.unit();
+      m_descriptions[segment].extents[i] = (highest[i] - lowest[i]) * m_surface.unit();
     }
   }
 
   void fit_surface(std::size_t segment, const Double_3& center, double area)
   {
-    const double size = area > 0 ? std::sqrt(area) : 1, unit = m_geometry.unit();
+    const double size = area > 0 ? std::sqrt(area) : 1, unit = m_surface.unit();
     Segment_fitter fitter(m_faces[segment].size());
     for_each_face(segment, center, 1 / size, [&](Index f, const Points& corners) {
-      fitter.add_face(corners, m_geometry.normal(f), area > 0 ? m_geometry.surface().area(f) : 1);
+      fitter.add_face(corners, m_surface.normal(f), area > 0 ? m_surface.area(f) : 1);
     });
     Description& d = m_descriptions[segment];
     Fitted_surface<> surface = fitter.fit(d.surface_errors);
     surface.point = surface.point + 1 / size * center;
     double outwards = 0;
     for (Index f : m_faces[segment])
-      outwards += m_geometry.surface().area(f) *
-                  dot(m_geometry.normal(f),
-                      surface_normal(surface, 1 / size * m_geometry.surface().centroid(f)));
+      outwards += m_surface.area(f) *
+                  dot(m_surface.normal(f),
+                      surface_normal(surface, 1 / size * m_surface.centroid(f)));
     surface.side = outwards < 0 ? -1 : 1;
     d.surface = scaled<Kernel>(surface, size * unit);
     for (double& error : d.surface_errors)
@@ -168,11 +169,11 @@ private:
 
   void describe_volumes()
   {
-    const double unit = m_geometry.unit();
-    const std::vector<double> volumes = segment_volumes(m_segmented, m_geometry);
+    const double unit = m_surface.unit();
+    const std::vector<double> volumes = segment_volumes(m_segmented, m_surface);
     double area = 0, volume = 0;
     for (Index f = 0; f < m_segmented.number_of_faces(); ++f)
-      area += m_geometry.surface().area(f);
+      area += m_surface.area(f);
     for (double v : volumes)
       volume += v;
     for (std::size_t s = 0; s < m_descriptions.size(); ++s) {
@@ -189,18 +190,18 @@ private:
       double length = 0, weighted_deviation = 0;
     };
     std::map<std::pair<Index, Index>, Joint> joints; // of a segment with its neighbors
-    const double unit = m_geometry.unit();
+    const double unit = m_surface.unit();
     for (Index h = 0; h < m_segmented.size(); ++h) {
       const Index segment = m_segmented.segment(h);
       if (segment == m_segmented.none || !m_segmented.is_on_border(h))
         continue;
-      const double length = m_geometry.length(h);
+      const double length = norm(direction(m_segmented, m_surface, h));
       if (m_segmented.opposite[h] == m_segmented.none)
         m_descriptions[segment].boundary_length += length * unit;
       else {
         Joint& joint = joints[{segment, m_segmented.segment_across(h)}];
         joint.length += length;
-        joint.weighted_deviation += length * m_geometry.signed_deviation(h);
+        joint.weighted_deviation += length * signed_deviation(m_segmented, m_surface, h);
       }
     }
     for (const auto& [segments, joint] : joints) {
@@ -212,7 +213,7 @@ private:
   }
 
   const Segmented_mesh<FaceGraph, Label>& m_segmented;
-  const Mesh_geometry& m_geometry;
+  const Surface& m_surface;
   const Grouped_items<Index> m_faces; // by segment
   std::vector<Description> m_descriptions;
 };

@@ -6,8 +6,8 @@
 #include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/Segments/no_segment.h>
 #include <CGAL/Region_segmentation/internal/segments/Halfedge_table.h>
+#include <CGAL/Region_segmentation/internal/segments/number_segments.h>
 #include <CGAL/Region_segmentation/internal/support/Grouped_items.h>
-#include <CGAL/Region_segmentation/internal/support/Key_numbering.h>
 #include <CGAL/Region_segmentation/internal/support/Lowest_root_forest.h>
 #include <CGAL/Region_segmentation/internal/support/check_maps.h>
 
@@ -15,7 +15,6 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 namespace CGAL {
@@ -81,14 +80,7 @@ struct Segmented_mesh : Segmented_halfedges
   Segmented_mesh(const FaceGraph& mesh, const SegmentMap& segment_map, const Pack& np)
     : descriptors(read_halfedges(mesh, np, *this))
   {
-    Key_numbering number(2 * number_of_faces() + 1024);
-    for (auto f : faces(mesh)) {
-      const Label label = get(segment_map, f);
-      const bool has_segment = is_segment(label);
-      segment_of_face.push_back(has_segment ? number(static_cast<std::uint64_t>(label)) : none);
-      if (number.size() > labels.size())
-        labels.push_back(label);
-    }
+    segment_of_face = number_segments(mesh, segment_map, labels);
     number_of_segments = labels.size();
   }
 

@@ -3,9 +3,11 @@
 #ifndef CGAL_REGION_SEGMENTATION_INTERNAL_SEGMENTS_SEGMENT_VOLUMES_H
 #define CGAL_REGION_SEGMENTATION_INTERNAL_SEGMENTS_SEGMENT_VOLUMES_H
 
-#include <CGAL/Region_segmentation/internal/segments/Mesh_geometry.h>
+#include <CGAL/Region_segmentation/Double_3.h>
+#include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/internal/segments/Segment_caps.h>
 #include <CGAL/Region_segmentation/internal/segments/Segmented_mesh.h>
+#include <CGAL/Region_segmentation/internal/segments/signed_deviation.h>
 
 #include <array>
 #include <cstddef>
@@ -21,15 +23,14 @@ namespace internal {
 ///
 /// By the divergence theorem, as the sum of the tetrahedra from a point of the segment to its
 /// triangles.
-inline std::vector<double> segment_volumes(const Segmented_halfedges& mesh,
-                                           const Mesh_geometry& geometry)
+inline std::vector<double> segment_volumes(const Segmented_halfedges& mesh, const Surface& surface)
 {
   using Index = Halfedge_table::Index;
   std::vector<Double_3> points;
   for (Index v = 0; v < mesh.number_of_vertices; ++v)
-    points.push_back(geometry.point(v));
+    points.push_back(surface.point(v));
   const Segment_caps caps(mesh, std::move(points),
-                          [&](Index f) { return geometry.orientation(f) < 0; });
+                          [&](Index f) { return is_turned(mesh, surface, f); });
   std::vector<double> volumes(mesh.number_of_segments + 1, 0);
   std::vector<Index> origins(volumes.size(), Halfedge_table::none); // vertices
   const auto add = [&](std::size_t segment, const std::array<Index, 3>& corners, int orientation) {
@@ -44,7 +45,8 @@ inline std::vector<double> segment_volumes(const Segmented_halfedges& mesh,
     if (origins[segment] == mesh.none)
       origins[segment] = first;
     for (Index h = mesh.first[f] + 2; h < mesh.first[f + 1]; ++h)
-      add(segment, {first, mesh.source[h - 1], mesh.source[h]}, geometry.orientation(f));
+      add(segment, {first, mesh.source[h - 1], mesh.source[h]},
+          is_turned(mesh, surface, f) ? -1 : 1);
   }
   for (const Cap_triangle& t : caps.triangles()) {
     add(t.lower, t.corners, 1);
