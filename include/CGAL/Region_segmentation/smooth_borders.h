@@ -6,7 +6,7 @@
 #include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/Surface.h>
-#include <CGAL/Region_segmentation/internal/cuts/Border_smoothing.h>
+#include <CGAL/Region_segmentation/internal/cuts/smooth_piece_borders.h>
 #include <CGAL/Region_segmentation/internal/regions/border_costs.h>
 #include <CGAL/Region_segmentation/internal/segmenting/Stage_input.h>
 #include <CGAL/Region_segmentation/internal/support/label_components.h>
@@ -111,15 +111,17 @@ private:
         const double concavity = surface.has_flag(a, Surface::CONCAVE) ? surface.deviation(a) : 0;
         return (std::min)(cost(surface.length(a) / unit, concavity), longest);
       });
-    const auto distance = [&](Surface::Index f, Surface::Index g) {
-      return norm(surface.centroid(f) - surface.centroid(g)) / unit;
-    };
-    internal::Border_smoothing(surface, constraints, costs, distance, piece_of_face, label_of_piece)
-      .run(
-        [&](Surface::Index a, Surface::Index b) {
-          return (std::min)(width, width_of_segment * (std::min)(sizes[a], sizes[b]));
-        },
-        execution);
+    const internal::Dual_graph constrained(
+      surface, [&](std::size_t a) { return constraints[a]; }, [](std::size_t) { return 0; });
+    internal::smooth_piece_borders(
+      costs, constrained,
+      [&](Surface::Index f, Surface::Index g) {
+        return norm(surface.centroid(f) - surface.centroid(g)) / unit;
+      },
+      [&](Surface::Index a, Surface::Index b) {
+        return (std::min)(width, width_of_segment * (std::min)(sizes[a], sizes[b]));
+      },
+      label_of_piece, piece_of_face, execution);
   }
 
   static constexpr double longest = 1e30; // relative; limits the lengths of extreme needles to the
