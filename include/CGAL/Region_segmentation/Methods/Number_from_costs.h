@@ -6,6 +6,7 @@
 #include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/Graph/Merge_tree.h>
 #include <CGAL/Region_segmentation/Methods/Number_range.h>
+#include <CGAL/Region_segmentation/internal/regions/is_convex.h>
 
 #include <algorithm>
 #include <cmath>
@@ -39,8 +40,10 @@ public:
     , level(level_)
   {}
 
-  std::size_t operator()(const Merge_tree& tree) const
+  std::size_t operator()(const Merge_tree& tree, const Surface& mesh = Surface()) const
   {
+    if (internal::is_convex(mesh))
+      return number_of_convex(tree, mesh);
     const std::size_t leaves = tree.number_of_regions();
     const std::size_t least = least_number(tree);
     // The merge from k to k - 1 regions has the index leaves - k.
@@ -56,12 +59,6 @@ public:
                                     [=](const Merge_tree::Merge& m) { return m.cost > threshold; });
     const std::size_t number = leaves - std::size_t(above - tree.merges().begin());
     return (std::max)(number, least);
-  }
-
-  /// As above, but the number of connected components if they are convex.
-  std::size_t operator()(const Merge_tree& tree, const Surface& mesh) const
-  {
-    return choose(*this, tree, mesh);
   }
 };
 

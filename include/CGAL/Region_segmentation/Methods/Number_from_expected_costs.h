@@ -6,6 +6,7 @@
 #include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/Graph/Merge_tree.h>
 #include <CGAL/Region_segmentation/Methods/Number_range.h>
+#include <CGAL/Region_segmentation/internal/regions/is_convex.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -32,8 +33,10 @@ public:
     : Number_range(maximum_number_)
   {}
 
-  std::size_t operator()(const Merge_tree& tree) const
+  std::size_t operator()(const Merge_tree& tree, const Surface& mesh = Surface()) const
   {
+    if (internal::is_convex(mesh))
+      return number_of_convex(tree, mesh);
     const std::size_t least = least_number(tree);
     std::size_t best = (std::max)(least, largest_number(tree));
     double sum = 0, lowest = 0;
@@ -49,12 +52,6 @@ public:
       }
     }
     return best;
-  }
-
-  /// As above, but the number of connected components if they are convex.
-  std::size_t operator()(const Merge_tree& tree, const Surface& mesh) const
-  {
-    return choose(*this, tree, mesh);
   }
 };
 

@@ -5,7 +5,6 @@
 
 #include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/Graph/Merge_tree.h>
-#include <CGAL/Region_segmentation/internal/regions/is_convex.h>
 #include <CGAL/Region_segmentation/internal/support/label_components.h>
 #include <CGAL/Region_segmentation/internal/surface/find_crumbs.h>
 
@@ -50,14 +49,9 @@ protected:
     return tree.number_of_regions() - tree.merges().size();
   }
 
-  /// The number of components if they are convex, and as many more as constrained edges keep apart;
-  /// else what the chooser takes.
-  template <typename NumberChooser>
-  static std::size_t choose(const NumberChooser& chooser, const Merge_tree& tree,
-                            const Surface& mesh)
+  /// The number of components, which are convex, and as many more as constrained edges keep apart.
+  static std::size_t number_of_convex(const Merge_tree& tree, const Surface& mesh)
   {
-    if (!internal::is_convex(mesh))
-      return chooser(tree);
     if (!mesh.has_seams_or_links())
       return number_of_pieces(tree);
     const Partition connected = internal::label_components(
