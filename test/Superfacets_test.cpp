@@ -361,11 +361,11 @@ TEST(Superfacets_test, are_seeded_on_the_patches_and_shortened)
 /// The graph of patches with the steps of the definition.
 RS::internal::Dual_graph dual_graph_of(const RS::Patches& patches, const RS::Surface& mesh)
 {
-  return RS::internal::Dual_graph(patches, [&](std::size_t i) {
-    const auto& a = patches.adjacencies()[i];
-    return norm(patches[a.lower].centroid - patches[a.higher].centroid) / mesh.length_unit() +
-           0.4 * std::min(patches.concave_deviation(i), 0.6);
-  });
+  return RS::internal::Dual_graph(
+    patches, RS::internal::Dual_graph::EDGES, [&](const auto& a, double deviation) {
+      return norm(patches[a.lower].centroid - patches[a.higher].centroid) / mesh.length_unit() +
+             0.4 * std::min(deviation, 0.6);
+    });
 }
 
 TEST(Superfacets_test, are_seeded_on_coarse_patches_where_there_are_four_for_each)
@@ -400,8 +400,8 @@ TEST(Superfacets_test, are_seeded_on_coarse_patches_where_there_are_four_for_eac
         seeds.push_back(coarse[seed].center);
       seeding.run(seeds);
     }
-    const RS::internal::Dual_graph costs = RS::internal::border_costs_of_edges(mesh, fine,
-                                                                               RS::Border_cost());
+    const RS::internal::Dual_graph costs = RS::internal::border_costs(
+      mesh, fine, RS::Border_cost(), RS::internal::Dual_graph::EDGES);
     const RS::Partition expected = RS::internal::Border_shortening(costs, seeding.regions())
                                      .take_regions();
     ASSERT_EQ(expected.number_of_parts(), number);

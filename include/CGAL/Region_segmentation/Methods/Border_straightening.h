@@ -97,7 +97,8 @@ struct Border_straightening
       const double result = (std::min)(width, width_of_segment * std::sqrt(area));
       return result >= narrowest_band ? result : 0;
     };
-    const internal::Dual_graph costs = internal::border_costs(surface, cells, border_cost);
+    const internal::Dual_graph costs = internal::border_costs(
+      surface, cells, border_cost, internal::Dual_graph::EDGES_AND_CONTACTS);
     internal::Nested_borders borders(costs, distance, areas, region_of, tree);
     borders.run(number_of_cuts, number_of_segments, band_width, is_fixed, execution);
     return borders.take_labels();

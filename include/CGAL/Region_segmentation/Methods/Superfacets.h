@@ -88,8 +88,8 @@ public:
                           "Superfacets: number is at least 1, the other constants at least 0");
     if (surface.number_of_faces() == 0)
       return Partition();
-    const internal::Dual_graph costs = internal::border_costs_of_edges(surface, patches.fine,
-                                                                       border_cost);
+    const internal::Dual_graph costs = internal::border_costs(surface, patches.fine, border_cost,
+                                                              internal::Dual_graph::EDGES);
     return internal::Border_shortening(costs, nearest_seeds(surface, patches, execution))
       .take_regions();
   }
@@ -159,11 +159,10 @@ private:
 
   internal::Dual_graph steps(const Surface& mesh, const Patches& patches) const
   {
-    return internal::Dual_graph(patches, [&](std::size_t i) {
-      const Patches::Adjacency& a = patches.adjacencies()[i];
-      return step(mesh, norm(patches[a.lower].centroid - patches[a.higher].centroid),
-                  patches.concave_deviation(i));
-    });
+    return internal::Dual_graph(
+      patches, internal::Dual_graph::EDGES, [&](const Patches::Adjacency& a, double deviation) {
+        return step(mesh, norm(patches[a.lower].centroid - patches[a.higher].centroid), deviation);
+      });
   }
 
   /// At least the smallest float, so that only seeds have the distance 0; and so short that a path

@@ -9,6 +9,7 @@
 #include <CGAL/Region_segmentation/internal/support/Grouped_items.h>
 
 #include <CGAL/Iterator_range.h>
+#include <CGAL/number_type_config.h>
 
 #include <cstddef>
 #include <vector>
@@ -42,19 +43,23 @@ public:
     set_steps(surface.number_of_faces(), edges);
   }
 
-  /// Of patches in place of faces, across edges; `length(i)`: of the i-th adjacency.
-  Dual_graph(const Patches& patches, Function_ref<double(std::size_t)> length)
-  {
-    set_steps(patches.size(), edges_of(patches, length));
-  }
+  /// What patches are adjacent across: edges, or also seams and links.
+  enum Across { EDGES, EDGES_AND_CONTACTS };
 
-  /// The same, and across seams and links; `length_of_contact(contact)`.
-  Dual_graph(const Patches& patches, Function_ref<double(std::size_t)> length,
-             Function_ref<double(const Patches::Adjacency&)> length_of_contact)
+  /// Of patches in place of faces. `length(adjacency, deviation)`: by the concave deviation of the
+  /// two patches; a right angle at a contact, where there is a valley
+  Dual_graph(const Patches& patches, Across across,
+             Function_ref<double(const Patches::Adjacency&, double)> length)
   {
-    std::vector<Edge> edges = edges_of(patches, length);
-    for (const Patches::Adjacency& contact : patches.contacts())
-      edges.push_back({contact.lower, contact.higher, float(length_of_contact(contact))});
+    std::vector<Edge> edges;
+    const auto add = [&](const Patches::Adjacency& a, double deviation) {
+      edges.push_back({a.lower, a.higher, float(length(a, deviation))});
+    };
+    for (std::size_t i = 0; i < patches.adjacencies().size(); ++i)
+      add(patches.adjacencies()[i], patches.concave_deviation(i));
+    if (across == EDGES_AND_CONTACTS)
+      for (const Patches::Adjacency& contact : patches.contacts())
+        add(contact, CGAL_PI / 2);
     set_steps(patches.size(), edges);
   }
 
@@ -69,16 +74,6 @@ private:
     Index face, other_face;
     float length;
   };
-
-  static std::vector<Edge> edges_of(const Patches& patches,
-                                    Function_ref<double(std::size_t)> length)
-  {
-    std::vector<Edge> edges;
-    for (std::size_t i = 0; i < patches.adjacencies().size(); ++i)
-      edges.push_back(
-        {patches.adjacencies()[i].lower, patches.adjacencies()[i].higher, float(length(i))});
-    return edges;
-  }
 
   void set_steps(std::size_t number_of_faces, const std::vector<Edge>& edges)
   {

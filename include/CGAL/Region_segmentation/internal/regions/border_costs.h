@@ -8,36 +8,19 @@
 #include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/internal/regions/Dual_graph.h>
 
-#include <CGAL/number_type_config.h>
-
-#include <cstddef>
-
 namespace CGAL {
 namespace Region_segmentation {
 
 namespace internal {
 
-/// The costs of the borders between adjacent patches across edges.
-inline Dual_graph border_costs_of_edges(const Surface& surface, const Patches& patches,
-                                        const Border_cost& cost)
-{
-  const double unit = surface.length_unit();
-  return Dual_graph(patches, [&](std::size_t i) {
-    return cost(patches.adjacencies()[i].length / unit, patches.concave_deviation(i));
-  });
-}
-
-/// The same, and across seams and links, where there is a valley.
+/// The costs of the borders between adjacent patches.
 inline Dual_graph border_costs(const Surface& surface, const Patches& patches,
-                               const Border_cost& cost)
+                               const Border_cost& cost, Dual_graph::Across across)
 {
   const double unit = surface.length_unit();
-  return Dual_graph(
-    patches,
-    [&](std::size_t i) {
-      return cost(patches.adjacencies()[i].length / unit, patches.concave_deviation(i));
-    },
-    [&](const Patches::Adjacency& contact) { return cost(contact.length / unit, CGAL_PI / 2); });
+  return Dual_graph(patches, across, [&](const Patches::Adjacency& a, double deviation) {
+    return cost(a.length / unit, deviation);
+  });
 }
 
 } // namespace internal
