@@ -342,20 +342,16 @@ private:
   /// summed must be kept.
   Large_array<Adjacency> united_adjacencies()
   {
-    Grouped_items<Adjacency> by_higher(m_places.size()), by_lower(m_places.size());
-    for (const Large_array<Adjacency>& range : m_adjacencies)
-      for (const Adjacency& a : range) {
-        by_higher.count(a.higher);
-        by_lower.count(a.lower);
-      }
-    by_higher.end_counting();
-    for (const Large_array<Adjacency>& range : m_adjacencies)
-      for (const Adjacency& a : range)
-        by_higher.add(a.higher, a);
+    const Grouped_items<Adjacency> by_higher(m_places.size(), [&](const auto& add) {
+      for (const Large_array<Adjacency>& range : m_adjacencies)
+        for (const Adjacency& a : range)
+          add(a.higher, a);
+    });
     m_adjacencies.clear();
-    by_lower.end_counting();
-    for (const Adjacency& a : by_higher.all())
-      by_lower.add(a.lower, a);
+    const Grouped_items<Adjacency> by_lower(m_places.size(), [&](const auto& add) {
+      for (const Adjacency& a : by_higher.all())
+        add(a.lower, a);
+    });
     Large_array<Adjacency> united(by_lower.all());
     unite(united);
     return united;

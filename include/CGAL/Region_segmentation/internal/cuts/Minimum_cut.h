@@ -118,7 +118,7 @@ private:
   {
     const std::vector<Edge<Capacity>> network = edges_of_network();
     // Arcs by where they start; 2e and 2e + 1 are those of an edge, there and back.
-    const auto by_start = grouped<Node>(colors.size(), [&](const auto& add) {
+    const Grouped_items<Node> by_start(colors.size(), [&](const auto& add) {
       for (Node e = 0; e < network.size(); ++e) {
         add(network[e].lower, 2 * e);
         add(network[e].higher, 2 * e + 1);

@@ -41,7 +41,7 @@ public:
     , m_is_waiting(region_of.size(), false)
   {
     set_places();
-    m_elements = grouped<Index>(m_place_of.size(), [&](const auto& add) {
+    m_elements = Grouped_items<Index>(m_place_of.size(), [&](const auto& add) {
       for (std::size_t e = 0; e < region_of.size(); ++e)
         add(m_place_of[region_of[e]], Index(e));
     });

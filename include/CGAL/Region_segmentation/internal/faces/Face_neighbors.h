@@ -42,7 +42,7 @@ public:
   explicit Face_neighbors(const Surface& surface)
     : m_surface(surface)
   {
-    m_neighbors = grouped<Neighbor>(surface.number_of_faces(), [&](const auto& add) {
+    m_neighbors = Grouped_items<Neighbor>(surface.number_of_faces(), [&](const auto& add) {
       for (Index a = 0; a < surface.number_of_adjacencies(); ++a)
         if (!surface.has_flag(a, Surface::LINK)) {
           add(surface.lower_face(a), {surface.higher_face(a), a});

@@ -24,7 +24,7 @@ public:
 
   template <typename FaceGraph, typename Pack>
   Edge_graph(const Mesh_order<FaceGraph, Pack>& order, const Surface& surface)
-    : m_incident_edges(grouped<Incident_edge>(order.number_of_vertices(), [&](const auto& add) {
+    : m_incident_edges(order.number_of_vertices(), [&](const auto& add) {
       for (auto e : edges(order.mesh())) {
         const auto h = halfedge(e, order.mesh());
         const std::size_t v = order.vertex_rank(source(h, order.mesh())),
@@ -33,7 +33,7 @@ public:
         add(v, {Index(w), length});
         add(w, {Index(v), length});
       }
-    }))
+    })
   {}
 
   /// The sum over `targets`, which are different, of the length of the shortest path along edges to

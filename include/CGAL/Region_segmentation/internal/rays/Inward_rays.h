@@ -115,7 +115,7 @@ private:
       wants_all[m_regions[m_patches[p].center]] = false;
     const bool any_wants_all = std::find(wants_all.begin(), wants_all.end(), true) !=
                                wants_all.end();
-    m_faces = grouped<Face_at_distance>(m_regions.number_of_parts(), [&](const auto& add) {
+    m_faces = Grouped_items<Face_at_distance>(m_regions.number_of_parts(), [&](const auto& add) {
       const auto add_face = [&](std::size_t face) {
         const Index r = m_regions[face];
         add(r, {squared_norm(m_mesh.centroid(face) - m_shapes.regions[r].centroid), Index(face)});

@@ -85,11 +85,12 @@ private:
   {
     const Patches& fine = patches.fine;
     const auto patch_of = [&](Index p) { return are_coarse ? patches.coarse.of_elements()[p] : p; };
-    return grouped<Index>(are_coarse ? patches.coarse.size() : fine.size(), [&](const auto& add) {
-      for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
-        if (!mesh.is_crumb(f)) // rays pass through crumbs
-          add(patch_of(fine.of_elements()[f]), Index(f));
-    });
+    return Grouped_items<Index>(are_coarse ? patches.coarse.size() : fine.size(),
+                                [&](const auto& add) {
+                                  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
+                                    if (!mesh.is_crumb(f)) // rays pass through crumbs
+                                      add(patch_of(fine.of_elements()[f]), Index(f));
+                                });
   }
 
   void store(const Surface& mesh)

@@ -77,7 +77,7 @@ private:
 
   void set_steps(std::size_t number_of_faces, const std::vector<Edge>& edges)
   {
-    m_steps = grouped<Step>(number_of_faces, [&](const auto& add) {
+    m_steps = Grouped_items<Step>(number_of_faces, [&](const auto& add) {
       for (const Edge& e : edges) {
         add(e.face, {e.other_face, e.length});
         add(e.other_face, {e.face, e.length});

@@ -48,7 +48,7 @@ inline Partition split_at_seeds(const Surface& surface, const Partition& regions
     return regions;
 
   const auto adjacencies = adjacencies_of_parts(surface, regions, is_split);
-  const auto neighbors = grouped<Index>(regions.size(), [&](const auto& add) {
+  const Grouped_items<Index> neighbors(regions.size(), [&](const auto& add) {
     for (const Index a : adjacencies) {
       const Index f = surface.lower_face(a), g = surface.higher_face(a);
       if (regions[f] == regions[g] && !constraints[a]) {

@@ -43,7 +43,7 @@ public:
       else if (h < mesh.opposite[h] && mesh.segment(h) != none) {
         m_edges.push_back({{mesh.source[h], mesh.target(h)}, h, cost(h)});
       }
-    m_edges_at = grouped<Index>(mesh.number_of_vertices, [&](const auto& add) {
+    m_edges_at = Grouped_items<Index>(mesh.number_of_vertices, [&](const auto& add) {
       for (Index e = 0; e < m_edges.size(); ++e)
         for (Index v : m_edges[e].vertices)
           add(v, e);

@@ -61,7 +61,7 @@ struct Segmented_halfedges : Halfedge_table
 
   Grouped_items<Index> faces_of_segments() const
   {
-    return grouped<Index>(number_of_segments, [&](const auto& add) {
+    return Grouped_items<Index>(number_of_segments, [&](const auto& add) {
       for (Index f = 0; f < segment_of_face.size(); ++f)
         if (segment_of_face[f] != none)
           add(segment_of_face[f], f);

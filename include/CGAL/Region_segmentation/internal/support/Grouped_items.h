@@ -15,7 +15,7 @@ namespace Region_segmentation {
 namespace internal {
 
 /// Items by their group, in one array, those of a group in the order of insertion: a counting sort.
-/// Groups are numbered from 0. First every item is counted, then all are added.
+/// Groups are numbered from 0.
 ///
 /// Sorting by comparison, superfacets take 1.2 times as long at 10,000 and at 160,000 faces,
 /// tracing rays 1.17 times at 160,000. (A small vector for each face takes the same time, and 16
@@ -26,24 +26,22 @@ template <typename Item>
 class Grouped_items
 {
 public:
-  explicit Grouped_items(std::size_t number_of_groups = 0)
-    : m_first(number_of_groups + 2, 0)
+  Grouped_items()
+    : m_first(2, 0)
   {}
 
-  // Counts are stored two places further on, so that adding moves each start to its final place.
-  void count(std::size_t group) { ++m_first[group + 2]; }
-
-  void end_counting()
+  /// The items for which `for_each(add)` calls `add(group, item)`; it is called twice.
+  template <typename ForEach>
+  Grouped_items(std::size_t number_of_groups, const ForEach& for_each)
+    : m_first(number_of_groups + 2, 0)
   {
+    // Counts are stored two places further on, so that adding moves each start to its final place.
+    for_each([&](std::size_t group, const Item&) { ++m_first[group + 2]; });
     std::partial_sum(m_first.begin(), m_first.end(), m_first.begin());
     m_items.resize(m_first.back());
+    for_each([&](std::size_t group, const Item& item) { m_items[m_first[group + 1]++] = item; });
   }
 
-  /// \pre the item was counted
-  void add(std::size_t group, const Item& item) { m_items[m_first[group + 1]++] = item; }
-
-  /// \name After all items are added
-  /// @{
   std::size_t number_of_groups() const { return m_first.size() - 2; }
   const Large_array<Item>& all() const { return m_items; }
   Iterator_range<const Item*> operator[](std::size_t group) const
@@ -54,23 +52,11 @@ public:
   {
     return {m_items.data() + m_first[group], m_items.data() + m_first[group + 1]};
   }
-  /// @}
 
 private:
   Large_array<std::size_t> m_first;
   Large_array<Item> m_items;
 };
-
-/// The items for which `for_each(add)` calls `add(group, item)`; it is called twice.
-template <typename Item, typename ForEach>
-Grouped_items<Item> grouped(std::size_t number_of_groups, const ForEach& for_each)
-{
-  Grouped_items<Item> result(number_of_groups);
-  for_each([&](std::size_t group, const Item&) { result.count(group); });
-  result.end_counting();
-  for_each([&](std::size_t group, const Item& item) { result.add(group, item); });
-  return result;
-}
 
 } // namespace internal
 } // namespace Region_segmentation

@@ -127,7 +127,7 @@ private:
 
   void group_faces(const Partition& component_of_face)
   {
-    m_parts = grouped<Part>(m_boxes.size(), [&](const auto& add) {
+    m_parts = Grouped_items<Part>(m_boxes.size(), [&](const auto& add) {
       for (Index f = 0; f < component_of_face.size(); ++f) {
         const std::size_t n = m_surface.number_of_corners(f);
         const auto corner = [&](std::size_t c) {

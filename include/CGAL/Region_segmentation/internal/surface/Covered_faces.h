@@ -45,7 +45,7 @@ public:
     m_tree.emplace(surface, m_bodies.component_of);
     m_places.resize(surface.number_of_vertices());
     const std::vector<std::size_t> open_sides = numbers_of_open_sides();
-    const auto faces_of = grouped<Index>(open_sides.size(), [&](const auto& add) {
+    const Grouped_items<Index> faces_of(open_sides.size(), [&](const auto& add) {
       for (Index f = 0; f < m_bodies.component_of.size(); ++f)
         add(m_bodies.component_of[f], f);
     });

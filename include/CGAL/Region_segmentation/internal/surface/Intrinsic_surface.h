@@ -198,7 +198,7 @@ private:
   {
     using Item = std::pair<double, Index>;
     const std::size_t size = positions.size();
-    auto slices = grouped<Item>(size, [&](const auto& add) {
+    Grouped_items<Item> slices(size, [&](const auto& add) {
       constexpr double last = 0.999999;
       for (Index i = 0; i < size; ++i) {
         const double x = (std::max)(0.0, (std::min)(positions[i], last));
@@ -272,7 +272,7 @@ private:
   /// that are one.
   Large_array<Adjacency> sorted_adjacencies(const Surface& given) const
   {
-    auto by_higher = grouped<Adjacency>(m_surface->number_of_faces(), [&](const auto& add) {
+    Grouped_items<Adjacency> by_higher(m_surface->number_of_faces(), [&](const auto& add) {
       for (std::size_t a = 0; a < given.number_of_adjacencies(); ++a)
         if (const Index f = m_faces[given.lower_face(a)], g = m_faces[given.higher_face(a)];
             f != g && (m_is_left_out.empty() || !m_is_left_out[a]))

@@ -69,7 +69,7 @@ public:
   /// Sets the neighbors of open sides, and collects the seams.
   void match()
   {
-    auto by_vertex = grouped<Side_of_edge>(m_arrays.points.size(), [&](const auto& add) {
+    Grouped_items<Side_of_edge> by_vertex(m_arrays.points.size(), [&](const auto& add) {
       for (const Raw_surface::Open_side& at : m_raw.open_sides)
         if (const Side_of_edge side = side_at(m_arrays, at);
             side.lower_vertex != side.higher_vertex && is_open(at))
