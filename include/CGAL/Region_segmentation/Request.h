@@ -4,12 +4,11 @@
 #define CGAL_REGION_SEGMENTATION_REQUEST_H
 
 #include <CGAL/Region_segmentation/Partition.h>
-#include <CGAL/Region_segmentation/internal/support/Key_numbering.h>
+#include <CGAL/Region_segmentation/internal/support/number_labels.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <limits>
-#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -52,15 +51,7 @@ struct Seeds
   static Seeds from_values(const std::vector<Value>& values)
   {
     Seeds seeds;
-    internal::Key_numbering number(2 * values.size() + 1024);
-    seeds.of.reserve(values.size());
-    for (const Value v : values) {
-      const std::size_t value = std::size_t(v);
-      const bool has_seed = std::is_same<Value, bool>::value || v != Value(-1);
-      seeds.of.push_back(has_seed ? number(value) : Index(none));
-      if (seeds.values.size() < number.size())
-        seeds.values.push_back(value);
-    }
+    seeds.of = internal::number_labels(values, seeds.values);
     return seeds;
   }
 };

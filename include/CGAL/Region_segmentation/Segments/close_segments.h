@@ -145,7 +145,7 @@ std::size_t close_segments(const FaceGraph& mesh, const FaceSegmentMap& segment_
   const double clearance = choose_parameter(get_parameter(pack, internal_np::clearance), 0.0);
   CGAL_precondition_msg(clearance >= 0 && std::isfinite(clearance),
                         "close_segments(): the clearance is a finite length, at least 0");
-  const auto segmented = internal::make_segmented_mesh(mesh, segment_map, pack);
+  const internal::Segmented_mesh segmented(mesh, segment_map, pack);
   const auto points = choose_parameter(get_parameter(pack, CGAL::internal_np::vertex_point),
                                        get_const_property_map(CGAL::vertex_point, mesh));
   std::vector<Double_3> positions;

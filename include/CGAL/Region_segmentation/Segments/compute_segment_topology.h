@@ -123,7 +123,7 @@ std::size_t compute_segment_topology(const FaceGraph& mesh, const FaceSegmentMap
     internal::check_output_of_labels<TopologyOutputIterator, Segment_topology<Label>>());
   const auto& pack = internal::pack(np);
   internal::check_parameters<std::decay_t<decltype(pack)>, internal::Tag_list<>>();
-  const auto segmented = internal::make_segmented_mesh(mesh, segment_map, pack);
+  const internal::Segmented_mesh segmented(mesh, segment_map, pack);
   const auto counts = internal::count_topology(segmented);
   for (std::size_t s = 0; s < counts.size(); ++s) {
     const auto& c = counts[s];

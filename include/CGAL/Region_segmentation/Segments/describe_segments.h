@@ -83,7 +83,7 @@ std::size_t describe_segments(const FaceGraph& mesh, const FaceSegmentMap& segme
   static_assert(internal::check_output_of_labels<DescriptionOutputIterator,
                                                  Segment_description<Label, Kernel>>());
   internal::check_parameters<Pack, internal::Tag_list<>>();
-  const auto segmented = internal::make_segmented_mesh(mesh, segment_map, pack);
+  const internal::Segmented_mesh segmented(mesh, segment_map, pack);
   const Surface surface = internal::make_surface_of_neighbors(mesh, pack);
   internal::Segment_describer<FaceGraph, Label, Kernel> describer(segmented, surface);
   for (auto& description : describer.describe())

@@ -74,7 +74,7 @@ std::size_t extract_segment_borders(const FaceGraph& mesh, const FaceSegmentMap&
     internal::check_output_of_labels<BorderOutputIterator, Segment_border<FaceGraph, Label>>());
   const auto& pack = internal::pack(np);
   internal::check_parameters<std::decay_t<decltype(pack)>, internal::Tag_list<>>();
-  const auto segmented = internal::make_segmented_mesh(mesh, segment_map, pack);
+  const internal::Segmented_mesh segmented(mesh, segment_map, pack);
   const internal::Border_chains chains(segmented);
   std::size_t count = 0;
   chains.for_each_chain([&](const auto& chain, bool is_closed) {

@@ -74,7 +74,7 @@ std::size_t mark_segment_seams(const FaceGraph& mesh, const FaceSegmentMap& segm
   CGAL_precondition(cost.concave_gain >= 0 && cost.maximum_deviation >= 0);
   const auto& pack = internal::pack(np);
   internal::check_parameters<std::decay_t<decltype(pack)>, internal::Tag_list<>>();
-  const auto segmented = internal::make_segmented_mesh(mesh, segment_map, pack);
+  const internal::Segmented_mesh segmented(mesh, segment_map, pack);
   const Surface surface = internal::make_surface_of_neighbors(mesh, pack);
   internal::Seam_finder finder(segmented, [&](std::uint32_t h) {
     return cost(norm(internal::direction(segmented, surface, h)),

@@ -89,7 +89,7 @@ std::size_t split_into_segments(const FaceGraph& mesh, const FaceSegmentMap& seg
   const auto& pack = internal::pack(np);
   using Pack = std::decay_t<decltype(pack)>;
   internal::check_parameters<Pack, internal::Tag_list<CGAL::internal_np::edge_is_constrained_t>>();
-  auto segmented = internal::make_segmented_mesh(mesh, segment_map, pack);
+  internal::Segmented_mesh segmented(mesh, segment_map, pack);
   if constexpr (!CGAL::parameters::is_default_parameter<
                   Pack, CGAL::internal_np::edge_is_constrained_t>::value) {
     const auto is_cut = get_parameter(pack, CGAL::internal_np::edge_is_constrained);

@@ -11,10 +11,10 @@
 #include <CGAL/Region_segmentation/exceptions.h>
 #include <CGAL/Region_segmentation/face_values.h>
 #include <CGAL/Region_segmentation/internal/segments/Nearest_face_finder.h>
-#include <CGAL/Region_segmentation/internal/segments/number_segments.h>
 #include <CGAL/Region_segmentation/internal/segments/dissolve_islands.h>
 #include <CGAL/Region_segmentation/internal/support/Large_array.h>
 #include <CGAL/Region_segmentation/internal/support/check_maps.h>
+#include <CGAL/Region_segmentation/internal/support/number_labels.h>
 #include <CGAL/Region_segmentation/internal/surface/Mesh_order.h>
 #include <CGAL/Region_segmentation/internal/surface/build_surface.h>
 #include <CGAL/Region_segmentation/internal/surface/compute_normals.h>
@@ -131,7 +131,6 @@ std::size_t transfer_labels(const FromGraph& from, const FromMap& from_map, cons
                             const FromParameters& np_from = parameters::default_values(),
                             const ToParameters& np_to = parameters::default_values())
 {
-  static_assert(internal::check_face_map<FromMap, FromGraph>());
   static_assert(internal::check_face_map<ToMap, ToGraph>());
   using Index = Surface::Index;
   using Label = typename boost::property_traits<FromMap>::value_type;
@@ -145,7 +144,8 @@ std::size_t transfer_labels(const FromGraph& from, const FromMap& from_map, cons
     throw Invalid_input("transfer_labels: the mesh with labels has no faces");
 
   std::vector<Label> labels; // by segment
-  const std::vector<Index> segment_of_face = internal::number_segments(from, from_map, labels);
+  const std::vector<Index> segment_of_face = internal::number_labels(face_values(from, from_map),
+                                                                     labels);
   std::vector<Index> result = internal::segments_of_nearest_faces(to_surface, from_surface,
                                                                   segment_of_face);
   const Partition components = internal::components_of_labels(from_surface.surface,

@@ -3,9 +3,7 @@
 #ifndef CGAL_REGION_SEGMENTATION_INTERNAL_SEGMENTS_HALFEDGE_TABLE_H
 #define CGAL_REGION_SEGMENTATION_INTERNAL_SEGMENTS_HALFEDGE_TABLE_H
 
-#include <CGAL/Region_segmentation/Double_3.h>
 #include <CGAL/Region_segmentation/internal/surface/Mesh_order.h>
-#include <CGAL/Region_segmentation/parameters.h>
 
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -39,19 +37,6 @@ struct Halfedge_table
   Index next(Index h) const { return h + 1 < first[face[h] + 1] ? h + 1 : first[face[h]]; }
   Index target(Index h) const { return source[next(h)]; }
 };
-
-/// The area vector of a face by Newell's formula, relative to its first corner. `point(v)`: that of
-/// a vertex
-template <typename Point>
-Double_3 area_vector(const Halfedge_table& table, Halfedge_table::Index face, const Point& point)
-{
-  const Halfedge_table::Index first = table.first[face], end = table.first[face + 1];
-  const Double_3 origin = point(table.source[first]);
-  Double_3 sum{0, 0, 0};
-  for (Halfedge_table::Index h = first + 2; h < end; ++h)
-    sum = sum + cross(point(table.source[h - 1]) - origin, point(table.source[h]) - origin);
-  return 0.5 * sum;
-}
 
 /// Fills a table; returns the descriptors of its halfedges.
 template <typename FaceGraph, typename Pack>

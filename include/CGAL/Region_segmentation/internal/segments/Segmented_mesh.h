@@ -5,11 +5,11 @@
 
 #include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/Segments/no_segment.h>
+#include <CGAL/Region_segmentation/face_values.h>
 #include <CGAL/Region_segmentation/internal/segments/Halfedge_table.h>
-#include <CGAL/Region_segmentation/internal/segments/number_segments.h>
 #include <CGAL/Region_segmentation/internal/support/Grouped_items.h>
 #include <CGAL/Region_segmentation/internal/support/Lowest_root_forest.h>
-#include <CGAL/Region_segmentation/internal/support/check_maps.h>
+#include <CGAL/Region_segmentation/internal/support/number_labels.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
@@ -80,7 +80,7 @@ struct Segmented_mesh : Segmented_halfedges
   Segmented_mesh(const FaceGraph& mesh, const SegmentMap& segment_map, const Pack& np)
     : descriptors(read_halfedges(mesh, np, *this))
   {
-    segment_of_face = number_segments(mesh, segment_map, labels);
+    segment_of_face = number_labels(face_values(mesh, segment_map), labels);
     number_of_segments = labels.size();
   }
 
@@ -88,12 +88,8 @@ struct Segmented_mesh : Segmented_halfedges
 };
 
 template <typename FaceGraph, typename SegmentMap, typename Pack>
-auto make_segmented_mesh(const FaceGraph& mesh, const SegmentMap& segment_map, const Pack& np)
-{
-  static_assert(check_face_map<SegmentMap, FaceGraph>());
-  using Label = typename boost::property_traits<SegmentMap>::value_type;
-  return Segmented_mesh<FaceGraph, Label>(mesh, segment_map, np);
-}
+Segmented_mesh(const FaceGraph&, const SegmentMap&, const Pack&)
+  -> Segmented_mesh<FaceGraph, typename boost::property_traits<SegmentMap>::value_type>;
 
 } // namespace internal
 } // namespace Region_segmentation

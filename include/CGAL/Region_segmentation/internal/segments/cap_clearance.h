@@ -6,6 +6,7 @@
 #include <CGAL/Region_segmentation/Double_3.h>
 #include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/internal/segments/Closed_segments.h>
+#include <CGAL/Region_segmentation/internal/segments/Halfedge_table.h>
 
 #include <array>
 #include <cmath>
@@ -60,6 +61,18 @@ private:
   double m_angle = 0;
 };
 
+/// The area vector of a face by Newell's formula, relative to its first corner. `points`: by source
+inline Double_3 area_vector(const Halfedge_table& mesh, Halfedge_table::Index face,
+                            const std::vector<Double_3>& points)
+{
+  const Halfedge_table::Index first = mesh.first[face], end = mesh.first[face + 1];
+  const Double_3 origin = points[mesh.source[first]];
+  Double_3 sum{0, 0, 0};
+  for (Halfedge_table::Index h = first + 2; h < end; ++h)
+    sum = sum + cross(points[mesh.source[h - 1]] - origin, points[mesh.source[h]] - origin);
+  return 0.5 * sum;
+}
+
 /// The moves of the vertices of solids that leave a clearance between the caps of two of them: by
 /// the halfedge that leaves the vertex. `points`: by source
 inline std::vector<Double_3> moves_for_clearance(const Closed_segments& solids,
@@ -70,7 +83,7 @@ inline std::vector<Double_3> moves_for_clearance(const Closed_segments& solids,
   const Partition fans = solids.fans();
   std::vector<Planes_of_vertex> planes(fans.number_of_parts());
   for (Index f = 0; f < solids.number_of_faces(); ++f) {
-    const Double_3 area = area_vector(solids, f, [&](Index v) { return points[v]; });
+    const Double_3 area = area_vector(solids, f, points);
     if (!(norm(area) > 0))
       continue;
     for (Index h = solids.first[f]; h < solids.first[f + 1]; ++h) {
