@@ -12,6 +12,7 @@
 #include <CGAL/assertions.h>
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -104,9 +105,9 @@ inline Surface_faces find_surface_faces(const Surface& surface, double tolerance
   const internal::Intrinsic_surface intrinsic(surface);
   const Surface& shape = intrinsic.of(surface);
   const Surface_faces found = internal::find_faces(shape, tolerance / shape.unit(), execution);
-  const std::vector<Partition::Index> numbers = intrinsic.new_numbers(found.partition);
+  auto [partition, numbers] = intrinsic.of_given(surface, found.partition);
   Surface_faces result;
-  result.partition = intrinsic.of_given(found.partition, numbers);
+  result.partition = std::move(partition);
   result.surfaces.resize(numbers.size());
   result.roles.resize(numbers.size());
   for (std::size_t part = 0; part < numbers.size(); ++part) {

@@ -22,7 +22,6 @@
 
 #include <cstddef>
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Region_segmentation {
@@ -73,9 +72,8 @@ struct Smooth_faces
                                                     execution.stage("merging"));
     const std::size_t number = request.number_of_segments > 0 ? request.number_of_segments
                                                               : chooser(tree, surface);
-    const std::vector<Partition::Index> numbers = prepared.intrinsic.new_numbers(requested.regions);
-    return Hierarchy(prepared.intrinsic.of_given(requested.regions, numbers),
-                     internal::renumber_tree(tree, numbers), number);
+    auto [regions, numbers] = prepared.intrinsic.of_given(given, requested.regions);
+    return Hierarchy(std::move(regions), internal::renumber_tree(tree, std::move(numbers)), number);
   }
 };
 

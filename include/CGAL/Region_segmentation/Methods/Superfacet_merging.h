@@ -26,7 +26,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <type_traits>
@@ -147,8 +146,8 @@ struct Superfacet_merging
     const std::size_t number = (std::min)(
       request.number_of_segments > 0 ? request.number_of_segments : chooser(tree, surface),
       largest_number);
-    Hierarchy hierarchy = straightened(given, prepared, requested, request,
-                                       Hierarchy(Partition(), tree, number), execution);
+    Hierarchy hierarchy = straightened(given, prepared, requested, request, tree, number,
+                                       execution);
     const std::size_t regions_left = hierarchy.regions().number_of_parts();
     return Refinable_hierarchy(std::move(hierarchy), superfacets,
                                can_split ? largest_number : regions_left);
@@ -180,7 +179,8 @@ private:
   /// if the request says so.
   Hierarchy straightened(const Surface& given, const Prepared& prepared,
                          const Requested_regions& requested, const Request& request,
-                         const Hierarchy& merged, const Execution& execution) const
+                         const Merge_tree& tree, std::size_t number_of_segments,
+                         const Execution& execution) const
   {
     const Surface& surface = prepared.shape(given);
     const Partition& regions = requested.regions;
@@ -190,33 +190,16 @@ private:
                                          request.constraints)
                   .divided();
     const Patches& cells = divided ? *divided : prepared.patches.fine;
-    const std::size_t number = request.numbers == Request::Numbers::ONE
-                                 ? merged.number_of_segments()
-                                 : regions.number_of_parts();
+    const std::size_t number = request.numbers == Request::Numbers::ONE ? number_of_segments
+                                                                        : regions.number_of_parts();
     const std::vector<Index> label_of_cell = straightening(
-      surface, cells, border_cost, regions, merged.merge_tree(),
-      [&](Index r) { return requested.is_fixed(r); }, number, execution.stage("borders"));
-    return of_labels(given, prepared, cells.of_elements(), label_of_cell, merged);
-  }
-
-  /// Of cells labelled by former regions, or by the lowest ones of segments; for the given faces.
-  static Hierarchy of_labels(const Surface& given, const Prepared& prepared,
-                             const Partition& cell_of, const std::vector<Index>& label_of_cell,
-                             const Hierarchy& merged)
-  {
-    constexpr Index none = (std::numeric_limits<Index>::max)();
-    std::vector<Index> number_of(merged.merge_tree().number_of_regions(), none), region_of;
-    region_of.reserve(given.number_of_faces());
-    Index number = 0;
-    for (std::size_t f = 0; f < given.number_of_faces(); ++f) {
-      Index& region = number_of[label_of_cell[cell_of[prepared.intrinsic.face(f)]]];
-      if (region == none)
-        region = number++;
-      region_of.push_back(region);
-    }
-    return Hierarchy(Partition(std::move(region_of), number),
-                     internal::renumber_tree(merged.merge_tree(), std::move(number_of)),
-                     merged.number_of_segments());
+      surface, cells, border_cost, regions, tree, [&](Index r) { return requested.is_fixed(r); },
+      number, execution.stage("borders"));
+    auto [regions_of_given, numbers] = prepared.intrinsic.of_given(
+      given, regions.number_of_parts(),
+      [&](Index f) { return label_of_cell[cells.of_elements()[f]]; });
+    return Hierarchy(std::move(regions_of_given), internal::renumber_tree(tree, std::move(numbers)),
+                     number_of_segments);
   }
 };
 

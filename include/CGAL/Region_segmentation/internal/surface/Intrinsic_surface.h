@@ -109,36 +109,36 @@ public:
     return result;
   }
 
-  /// The numbers of the parts of a partition of the faces, by the first of the given faces.
-  std::vector<Index> new_numbers(const Partition& faces) const
+  /// The partition of the given faces by `part_of(face)` of those of the surface; and the new
+  /// numbers of the parts, by the first given faces: the highest number for those without any.
+  template <typename PartOf>
+  std::pair<Partition, std::vector<Index>>
+  of_given(const Surface& given, std::size_t number_of_parts, const PartOf& part_of) const
   {
     constexpr Index none = (std::numeric_limits<Index>::max)();
-    std::vector<Index> result(faces.number_of_parts(), none);
+    std::vector<Index> result, numbers(number_of_parts, none);
+    result.reserve(given.number_of_faces());
     Index number = 0;
-    for (std::size_t f = 0; f < number_of_given(faces); ++f)
-      if (Index& n = result[faces[face(f)]]; n == none)
+    for (std::size_t f = 0; f < given.number_of_faces(); ++f) {
+      Index& n = numbers[part_of(face(f))];
+      if (n == none)
         n = number++;
-    return result;
+      result.push_back(n);
+    }
+    return {Partition(std::move(result), number), std::move(numbers)};
   }
 
-  /// A partition of the faces as one of the given faces, with these numbers.
-  Partition of_given(const Partition& faces, const std::vector<Index>& numbers) const
+  /// The same for a partition of the faces.
+  std::pair<Partition, std::vector<Index>> of_given(const Surface& given,
+                                                    const Partition& faces) const
   {
-    std::vector<Index> part_of(number_of_given(faces));
-    for (std::size_t f = 0; f < part_of.size(); ++f)
-      part_of[f] = numbers[faces[face(f)]];
-    return Partition(std::move(part_of), numbers.size());
+    return of_given(given, faces.number_of_parts(), [&](Index f) { return faces[f]; });
   }
 
   /// The number of a given face.
   Index face(std::size_t given) const { return m_faces.empty() ? Index(given) : m_faces[given]; }
 
 private:
-  std::size_t number_of_given(const Partition& faces) const
-  {
-    return m_faces.empty() ? faces.size() : m_faces.size();
-  }
-
   using Adjacency = std::pair<Index, Index>; // its lower face; its number in the given surface
 
   /// Of the grid in the unit of the frame: 2^28, and more where that is large for the area, as of a
