@@ -80,8 +80,12 @@ struct Model
 
   std::vector<Index> outermost() const
   {
-    return RS::internal::outermost_of(surface, component_of,
-                                      std::vector<bool>(component_of.number_of_parts(), true));
+    return outermost_of_closed(std::vector<bool>(component_of.number_of_parts(), true));
+  }
+
+  std::vector<Index> outermost_of_closed(const std::vector<bool>& is_closed) const
+  {
+    return RS::internal::Nesting_finder(surface, component_of, is_closed).outermost();
   }
 
   Surface surface;
@@ -594,10 +598,8 @@ TEST(find_nesting_test, linked_tori_and_a_sphere_in_the_hole)
 TEST(find_nesting_test, open_components_contain_nothing)
 {
   const Model m(together({sphere(4), sphere(4).scaled(0.5)}));
-  EXPECT_EQ(RS::internal::outermost_of(m.surface, m.component_of, {false, true}),
-            (std::vector<Index>{0, 1}));
-  EXPECT_EQ(RS::internal::outermost_of(m.surface, m.component_of, {true, false}),
-            (std::vector<Index>{0, 1}));
+  EXPECT_EQ(m.outermost_of_closed({false, true}), (std::vector<Index>{0, 1}));
+  EXPECT_EQ(m.outermost_of_closed({true, false}), (std::vector<Index>{0, 1}));
 }
 
 TEST(find_nesting_test, random_spheres_in_spheres_in_any_position)

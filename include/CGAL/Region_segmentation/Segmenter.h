@@ -3,10 +3,13 @@
 #ifndef CGAL_REGION_SEGMENTATION_SEGMENTER_H
 #define CGAL_REGION_SEGMENTATION_SEGMENTER_H
 
+#include <CGAL/Region_segmentation/Execution.h>
+#include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/internal/segmenting/Face_graph_input.h>
 #include <CGAL/Region_segmentation/internal/segmenting/Polygon_input.h>
 #include <CGAL/Region_segmentation/internal/segmenting/run_method.h>
 #include <CGAL/Region_segmentation/internal/support/make_execution.h>
+#include <CGAL/Region_segmentation/make_surface.h>
 #include <CGAL/Region_segmentation/parameters.h>
 
 #include <CGAL/assertions.h>
@@ -132,7 +135,7 @@ public:
     : Segmenter(Input(mesh), internal::pack(np),
                 internal::make_execution<ConcurrencyTag>(internal::pack(np)),
                 [&](const Execution& execution) {
-                  return Input(mesh).surface(internal::pack(np), execution);
+                  return internal::make_surface(mesh, internal::pack(np), execution);
                 })
   {}
 

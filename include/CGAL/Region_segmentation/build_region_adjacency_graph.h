@@ -13,6 +13,7 @@
 #include <CGAL/Region_segmentation/internal/segmenting/Face_graph_input.h>
 #include <CGAL/Region_segmentation/internal/segmenting/run_method.h>
 #include <CGAL/Region_segmentation/internal/support/read_face_labels.h>
+#include <CGAL/Region_segmentation/make_surface.h>
 #include <CGAL/Region_segmentation/parameters.h>
 
 #include <CGAL/tags.h>
@@ -108,11 +109,10 @@ build_region_adjacency_graph(const FaceGraph& mesh, FaceRegionMap region_map,
   using Pack = std::decay_t<decltype(pack)>;
   internal::check_parameters<Pack, internal::Graph_parameters>();
   const Execution execution = internal::make_execution<CGAL::Sequential_tag>(pack);
-  const internal::Face_graph_input<FaceGraph> input(mesh);
-  const Surface surface = input.surface(pack, execution);
+  const Surface surface = internal::make_surface(mesh, pack, execution);
   Constraints constraints;
   if constexpr (internal::has_parameter<Pack, CGAL::internal_np::edge_is_constrained_t>)
-    input.add_constraints(
+    internal::Face_graph_input<FaceGraph>(mesh).add_constraints(
       surface, CGAL::parameters::get_parameter(pack, CGAL::internal_np::edge_is_constrained), pack,
       constraints);
   return build_region_adjacency_graph<RegionData, SectionData>(

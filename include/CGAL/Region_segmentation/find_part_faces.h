@@ -6,12 +6,13 @@
 #include <CGAL/Region_segmentation/Methods/Surface_face_cost.h>
 #include <CGAL/Region_segmentation/Segments/Part_face.h>
 #include <CGAL/Region_segmentation/build_region_adjacency_graph.h>
+#include <CGAL/Region_segmentation/face_values.h>
 #include <CGAL/Region_segmentation/find_common_surfaces.h>
 #include <CGAL/Region_segmentation/find_surface_faces.h>
-#include <CGAL/Region_segmentation/internal/segmenting/Face_graph_input.h>
 #include <CGAL/Region_segmentation/internal/segments/Kernel_of_points.h>
 #include <CGAL/Region_segmentation/internal/support/check_maps.h>
 #include <CGAL/Region_segmentation/internal/support/make_execution.h>
+#include <CGAL/Region_segmentation/make_surface.h>
 #include <CGAL/Region_segmentation/parameters.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -118,12 +119,11 @@ std::size_t find_part_faces(const FaceGraph& mesh, PartFaceMap part_face_map,
   using Kernel = internal::Kernel_of_points<
     typename GetVertexPointMap<FaceGraph, Pack>::const_type>;
   const Execution execution = internal::make_execution<CGAL::Sequential_tag>(pack);
-  const internal::Face_graph_input<FaceGraph> input(mesh);
-  const Surface surface = input.surface(pack, execution);
+  const Surface surface = internal::make_surface(mesh, pack, execution);
   const Surface_faces found = find_surface_faces(surface, 0, execution.stage("regions"));
   std::vector<Part_face<Kernel>> result = internal::part_faces<Kernel>(surface, found);
   internal::add_neighbors(surface, found, result);
-  input.write(found.partition, part_face_map);
+  write_face_values(mesh, found.partition, part_face_map);
   for (Part_face<Kernel>& face : result)
     *part_faces++ = std::move(face);
   return found.surfaces.size();

@@ -3,10 +3,13 @@
 #ifndef CGAL_REGION_SEGMENTATION_SEGMENT_H
 #define CGAL_REGION_SEGMENTATION_SEGMENT_H
 
+#include <CGAL/Region_segmentation/Execution.h>
+#include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/internal/segmenting/Face_graph_input.h>
 #include <CGAL/Region_segmentation/internal/segmenting/Polygon_input.h>
 #include <CGAL/Region_segmentation/internal/segmenting/run_method.h>
 #include <CGAL/Region_segmentation/internal/support/make_execution.h>
+#include <CGAL/Region_segmentation/make_surface.h>
 #include <CGAL/Region_segmentation/parameters.h>
 
 #include <CGAL/tags.h>
@@ -137,8 +140,9 @@ std::size_t segment(const FaceGraph& mesh, FaceSegmentMap segment_map,
   const auto& pack = internal::pack(np);
   internal::check_parameters<std::decay_t<decltype(pack)>, internal::Segmenting_parameters>();
   const Execution execution = internal::make_execution<ConcurrencyTag>(pack);
-  const internal::Face_graph_input<FaceGraph> input(mesh);
-  return internal::run_method(input, input.surface(pack, execution), segment_map, pack, execution);
+  const Surface surface = internal::make_surface(mesh, pack, execution);
+  return internal::run_method(internal::Face_graph_input<FaceGraph>(mesh), surface, segment_map,
+                              pack, execution);
 }
 
 namespace internal {

@@ -105,7 +105,7 @@ std::optional<double> cut_discrepancy(const FaceGraph& mesh, const FaceLabelMapA
   const auto& pack = internal::pack(np);
   internal::check_parameters<std::decay_t<decltype(pack)>, internal::Tag_list<>>();
   const internal::Mesh_order<FaceGraph, std::decay_t<decltype(pack)>> order(mesh, pack);
-  const Surface surface = internal::make_surface_of_neighbors(mesh, pack);
+  const Surface surface = internal::make_surface_of_neighbors(order, pack);
   const auto cut_a = internal::cut_vertices(order, a), cut_b = internal::cut_vertices(order, b);
   const double size = internal::mean_distance_to_centroid(surface);
   if (cut_a.empty() || cut_b.empty() || size == 0)

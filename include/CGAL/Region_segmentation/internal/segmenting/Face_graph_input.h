@@ -31,12 +31,6 @@ public:
 
   const FaceGraph& mesh() const { return *m_mesh; }
 
-  template <typename Pack>
-  Surface surface(const Pack& np, const Execution& execution) const
-  {
-    return make_surface(*m_mesh, np, execution);
-  }
-
   /// Adds the constraints of a map of the edges.
   template <typename EdgeMap, typename Pack>
   void add_constraints(const Surface& surface, const EdgeMap& map, const Pack& np,

@@ -48,7 +48,9 @@ public:
           add_point(component_of_face[f], surface.point(surface.corner(f, i)));
   }
 
-  /// For each component the outermost closed one that contains it, itself if there is none.
+  /// For each component the outermost closed one that contains it, itself if there is none or if it
+  /// is open. Of two components that cross either, neither or one may be in the other. O(F log F)
+  /// in practice.
   std::vector<Index> outermost()
   {
     std::vector<Index> container;
@@ -159,16 +161,6 @@ private:
   std::vector<Axis_box> m_boxes;                // by component
   std::vector<Extreme_points> m_extreme_points; // by component; infinite for open ones
 };
-
-/// For each component the outermost closed one that contains it, itself if there is none or if it
-/// is open. Of two components that cross either, neither or one may be in the other. O(F log F)
-/// in practice.
-inline std::vector<Surface::Index> outermost_of(const Surface& surface,
-                                                const Partition& component_of_face,
-                                                const std::vector<bool>& is_closed)
-{
-  return Nesting_finder(surface, component_of_face, is_closed).outermost();
-}
 
 } // namespace internal
 } // namespace Region_segmentation
