@@ -8,7 +8,6 @@
 #include <CGAL/Region_segmentation/internal/support/Large_array.h>
 
 #include <cstddef>
-#include <utility>
 
 namespace CGAL {
 namespace Region_segmentation {

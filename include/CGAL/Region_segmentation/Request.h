@@ -6,7 +6,6 @@
 #include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/internal/support/number_labels.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <vector>

@@ -11,7 +11,7 @@
 #include <CGAL/Region_segmentation/exceptions.h>
 #include <CGAL/Region_segmentation/internal/graph/build_graph.h>
 #include <CGAL/Region_segmentation/internal/segmenting/Face_graph_input.h>
-#include <CGAL/Region_segmentation/internal/segmenting/run_method.h>
+#include <CGAL/Region_segmentation/internal/support/make_execution.h>
 #include <CGAL/Region_segmentation/internal/support/read_face_labels.h>
 #include <CGAL/Region_segmentation/make_surface.h>
 #include <CGAL/Region_segmentation/parameters.h>

@@ -6,6 +6,7 @@
 #include <CGAL/Region_segmentation/Feature_convexity.h>
 #include <CGAL/Region_segmentation/internal/regions/mark_feature_edges.h>
 #include <CGAL/Region_segmentation/internal/segmenting/Stage_input.h>
+#include <CGAL/Region_segmentation/internal/support/make_execution.h>
 #include <CGAL/Region_segmentation/parameters.h>
 
 #include <CGAL/assertions.h>

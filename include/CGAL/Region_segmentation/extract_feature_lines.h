@@ -5,6 +5,7 @@
 
 #include <CGAL/Region_segmentation/internal/regions/prune_feature_graph.h>
 #include <CGAL/Region_segmentation/internal/segmenting/Stage_input.h>
+#include <CGAL/Region_segmentation/internal/support/make_execution.h>
 #include <CGAL/Region_segmentation/parameters.h>
 
 #include <CGAL/boost/graph/helpers.h>

@@ -7,6 +7,7 @@
 #include <CGAL/Region_segmentation/face_values.h>
 #include <CGAL/Region_segmentation/internal/regions/grow.h>
 #include <CGAL/Region_segmentation/internal/segmenting/Stage_input.h>
+#include <CGAL/Region_segmentation/internal/support/make_execution.h>
 #include <CGAL/Region_segmentation/parameters.h>
 
 #include <CGAL/tags.h>

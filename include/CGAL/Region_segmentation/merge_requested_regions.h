@@ -3,6 +3,7 @@
 #ifndef CGAL_REGION_SEGMENTATION_MERGE_REQUESTED_REGIONS_H
 #define CGAL_REGION_SEGMENTATION_MERGE_REQUESTED_REGIONS_H
 
+#include <CGAL/Region_segmentation/internal/concepts/check_merging.h>
 #include <CGAL/Region_segmentation/internal/graph/merge_graph.h>
 #include <CGAL/Region_segmentation/internal/surface/find_crumbs.h>
 #include <CGAL/Region_segmentation/requested_regions.h>

@@ -9,8 +9,6 @@
 #include <CGAL/Region_segmentation/internal/regions/apply_seeds.h>
 #include <CGAL/Region_segmentation/internal/regions/split_at_constraints.h>
 
-#include <utility>
-
 namespace CGAL {
 namespace Region_segmentation {
 

@@ -3,12 +3,16 @@
 #ifndef CGAL_REGION_SEGMENTATION_SMOOTH_BORDERS_H
 #define CGAL_REGION_SEGMENTATION_SMOOTH_BORDERS_H
 
+#include <CGAL/Region_segmentation/Border_cost.h>
+#include <CGAL/Region_segmentation/Double_3.h>
 #include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/Partition.h>
+#include <CGAL/Region_segmentation/Request.h>
 #include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/internal/cuts/smooth_piece_borders.h>
-#include <CGAL/Region_segmentation/internal/regions/border_costs.h>
+#include <CGAL/Region_segmentation/internal/regions/Dual_graph.h>
 #include <CGAL/Region_segmentation/internal/segmenting/Stage_input.h>
+#include <CGAL/Region_segmentation/internal/support/make_execution.h>
 #include <CGAL/Region_segmentation/internal/support/label_components.h>
 #include <CGAL/Region_segmentation/internal/support/read_face_labels.h>
 #include <CGAL/Region_segmentation/parameters.h>

@@ -3,14 +3,11 @@
 #ifndef CGAL_REGION_SEGMENTATION_METHODS_LEARNED_ANNOTATOR_H
 #define CGAL_REGION_SEGMENTATION_METHODS_LEARNED_ANNOTATOR_H
 
-#include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/Methods/Learned_data.h>
 #include <CGAL/Region_segmentation/Methods/Visibility_annotator.h>
 #include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/internal/regions/Region_shapes.h>
-
-#include <cstddef>
 
 namespace CGAL {
 namespace Region_segmentation {

@@ -7,8 +7,8 @@
 #include <CGAL/Region_segmentation/internal/support/satisfies.h>
 #include <CGAL/Region_segmentation/internal/support/share.h>
 
-#include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <utility>
 #include <vector>

@@ -3,8 +3,10 @@
 #ifndef CGAL_REGION_SEGMENTATION_METHODS_NUMBER_RANGE_H
 #define CGAL_REGION_SEGMENTATION_METHODS_NUMBER_RANGE_H
 
-#include <CGAL/Region_segmentation/Surface.h>
+#include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/Graph/Merge_tree.h>
+#include <CGAL/Region_segmentation/Partition.h>
+#include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/internal/support/label_components.h>
 #include <CGAL/Region_segmentation/internal/surface/find_crumbs.h>
 

@@ -13,14 +13,13 @@
 #include <CGAL/Region_segmentation/internal/regions/Farthest_point_seeding.h>
 #include <CGAL/Region_segmentation/internal/regions/Region_shapes.h>
 #include <CGAL/Region_segmentation/internal/regions/border_costs.h>
-#include <CGAL/Region_segmentation/internal/support/Large_array.h>
 #include <CGAL/Region_segmentation/internal/surface/find_crumbs.h>
 
 #include <CGAL/assertions.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 

@@ -12,9 +12,7 @@
 
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace CGAL {

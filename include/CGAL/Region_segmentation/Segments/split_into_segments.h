@@ -12,6 +12,7 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <cstddef>
+#include <cstdint>
 #include <type_traits>
 #include <utility>
 #include <vector>

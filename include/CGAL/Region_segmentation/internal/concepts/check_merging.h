@@ -7,6 +7,7 @@
 #include <CGAL/Region_segmentation/internal/support/satisfies.h>
 
 #include <cstddef>
+#include <optional>
 #include <type_traits>
 #include <utility>
 

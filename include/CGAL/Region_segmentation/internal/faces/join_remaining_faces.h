@@ -5,6 +5,7 @@
 
 #include <CGAL/Region_segmentation/internal/faces/Face_search.h>
 
+#include <cstddef>
 #include <limits>
 #include <utility>
 #include <vector>

@@ -7,13 +7,11 @@
 #include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/Request.h>
 #include <CGAL/Region_segmentation/Surface.h>
-#include <CGAL/Region_segmentation/internal/regions/mark_feature_edges.h>
 #include <CGAL/Region_segmentation/internal/support/label_components.h>
 #include <CGAL/Region_segmentation/internal/surface/collect_adjacencies.h>
 
 #include <cstddef>
 #include <cstdint>
-#include <utility>
 
 namespace CGAL {
 namespace Region_segmentation {

@@ -9,8 +9,7 @@
 #include <CGAL/Region_segmentation/internal/surface/mark_constraints.h>
 #include <CGAL/Region_segmentation/make_surface.h>
 
-#include <cstddef>
-#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {

@@ -7,7 +7,7 @@
 #include <CGAL/Region_segmentation/exceptions.h>
 #include <CGAL/Region_segmentation/internal/support/check_maps.h>
 #include <CGAL/Region_segmentation/internal/surface/mark_constraints.h>
-#include <CGAL/Region_segmentation/make_surface.h>
+#include <CGAL/Region_segmentation/parameters.h>
 
 #include <boost/property_map/property_map.hpp>
 

@@ -3,10 +3,9 @@
 #ifndef CGAL_REGION_SEGMENTATION_INTERNAL_SEGMENTING_STAGE_INPUT_H
 #define CGAL_REGION_SEGMENTATION_INTERNAL_SEGMENTING_STAGE_INPUT_H
 
+#include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/Request.h>
 #include <CGAL/Region_segmentation/Surface.h>
-#include <CGAL/Region_segmentation/internal/support/check_maps.h>
-#include <CGAL/Region_segmentation/internal/support/make_execution.h>
 #include <CGAL/Region_segmentation/internal/surface/edges_of_adjacencies.h>
 #include <CGAL/Region_segmentation/make_surface.h>
 #include <CGAL/Region_segmentation/parameters.h>
@@ -14,8 +13,6 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <cstddef>
-#include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Region_segmentation {

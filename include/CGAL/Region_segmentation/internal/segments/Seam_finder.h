@@ -7,7 +7,6 @@
 #include <CGAL/Region_segmentation/internal/support/shortest_paths.h>
 
 #include <algorithm>
-#include <cstddef>
 #include <limits>
 #include <vector>
 

@@ -7,7 +7,6 @@
 #include <CGAL/Region_segmentation/internal/segments/Segmented_mesh.h>
 #include <CGAL/Region_segmentation/internal/support/Lowest_root_forest.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <map>

@@ -3,7 +3,8 @@
 #ifndef CGAL_REGION_SEGMENTATION_INTERNAL_SEGMENTS_SEGMENT_FITTER_H
 #define CGAL_REGION_SEGMENTATION_INTERNAL_SEGMENTS_SEGMENT_FITTER_H
 
-#include <CGAL/Region_segmentation/Segments/Segment_description.h>
+#include <CGAL/Region_segmentation/Double_3.h>
+#include <CGAL/Region_segmentation/Segments/Fitted_surface.h>
 #include <CGAL/Region_segmentation/internal/faces/fit_surface.h>
 #include <CGAL/Region_segmentation/internal/faces/initial_surfaces.h>
 #include <CGAL/Region_segmentation/internal/support/eigenvectors.h>

@@ -17,7 +17,6 @@
 #include <CGAL/Region_segmentation/internal/surface/orient_faces.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>

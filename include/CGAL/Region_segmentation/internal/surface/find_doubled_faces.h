@@ -4,7 +4,7 @@
 #define CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_FIND_DOUBLED_FACES_H
 
 #include <CGAL/Region_segmentation/internal/surface/Raw_surface.h>
-#include <CGAL/Region_segmentation/internal/surface/collect_adjacencies.h>
+#include <CGAL/Region_segmentation/internal/surface/Added_adjacency.h>
 
 #include <boost/functional/hash.hpp>
 

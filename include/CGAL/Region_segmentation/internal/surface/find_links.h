@@ -14,7 +14,6 @@
 #include <CGAL/Region_segmentation/internal/surface/join_nearest.h>
 
 #include <cmath>
-#include <cstddef>
 #include <vector>
 
 namespace CGAL {

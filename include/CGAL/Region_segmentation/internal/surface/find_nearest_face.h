@@ -7,6 +7,7 @@
 #include <CGAL/Region_segmentation/internal/surface/Component_tree.h>
 #include <CGAL/Region_segmentation/internal/surface/distances.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>

@@ -3,10 +3,10 @@
 #ifndef CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_MATCH_SIDES_H
 #define CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_MATCH_SIDES_H
 
+#include <CGAL/Region_segmentation/Double_3.h>
+#include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/internal/support/Grouped_items.h>
 #include <CGAL/Region_segmentation/internal/surface/Raw_surface.h>
-#include <CGAL/Region_segmentation/internal/surface/compute_normals.h>
-#include <CGAL/Region_segmentation/internal/surface/collect_adjacencies.h>
 
 #include <CGAL/Iterator_range.h>
 

@@ -7,7 +7,6 @@
 #include <CGAL/Region_segmentation/internal/surface/find_nesting.h>
 #include <CGAL/Region_segmentation/internal/surface/orient_faces.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <vector>
 

@@ -9,7 +9,6 @@
 
 #include <CGAL/number_utils.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <type_traits>
