@@ -45,13 +45,15 @@ struct Surface_arrays
   std::size_t number_of_input_faces = 0; // if these are not empty
 };
 
-inline Double_3 mean_of_corners(const Surface_arrays& arrays, std::size_t face)
+/// `points`: by vertex, those of the surface or others
+inline Double_3 mean_of_corners(const Surface_arrays& arrays, const Large_array<Double_3>& points,
+                                std::size_t face)
 {
   const Surface_arrays::Index first = arrays.first_corners[face],
                               end = arrays.first_corners[face + 1];
   Double_3 sum{};
   for (Surface_arrays::Index c = first; c < end; ++c)
-    sum = sum + arrays.points[arrays.corners[c]];
+    sum = sum + points[arrays.corners[c]];
   return (1.0 / double(end - first)) * sum;
 }
 
@@ -166,13 +168,14 @@ public:
   /// The mean of the corners.
   Double_3 centroid(std::size_t face) const
   {
-    if (number_of_corners(face) <= internal::Surface_arrays::many_corners)
-      return internal::mean_of_corners(m_arrays, face);
-    const auto found = std::lower_bound(m_arrays.centroids.begin(), m_arrays.centroids.end(), face,
-                                        [](const auto& c, std::size_t f) { return c.first < f; });
-    return found != m_arrays.centroids.end() && found->first == face
-             ? found->second
-             : internal::mean_of_corners(m_arrays, face);
+    if (number_of_corners(face) > internal::Surface_arrays::many_corners) {
+      const auto found = std::lower_bound(m_arrays.centroids.begin(), m_arrays.centroids.end(),
+                                          face,
+                                          [](const auto& c, std::size_t f) { return c.first < f; });
+      if (found != m_arrays.centroids.end() && found->first == face)
+        return found->second;
+    }
+    return internal::mean_of_corners(m_arrays, m_arrays.points, face);
   }
   /// @}
 

@@ -165,11 +165,7 @@ private:
         faces.push_back(f);
     std::vector<double> positions;
     for (const Index f : faces) {
-      const std::size_t n = given.number_of_corners(f);
-      Double_3 sum{0, 0, 0}; // exact
-      for (std::size_t c = 0; c < n; ++c)
-        sum = sum + points[given.corner(f, c)];
-      const double x = position((1 / double(n)) * sum);
+      const double x = position(mean_of_corners(arrays_of(given), points, f)); // sums are exact
       positions.push_back(given.is_crumb(f) ? 2 + x / (1 + std::fabs(x)) : x);
     }
     const std::vector<Index> new_numbers = numbers(positions);

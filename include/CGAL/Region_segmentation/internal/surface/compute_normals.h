@@ -119,7 +119,7 @@ inline void sum_up(Surface& surface)
   if (arrays.corners.size() > 3 * surface.number_of_faces())
     for (Surface::Index f = 0; f < surface.number_of_faces(); ++f)
       if (surface.number_of_corners(f) > Surface_arrays::many_corners)
-        arrays.centroids.push_back({f, mean_of_corners(arrays, f)});
+        arrays.centroids.push_back({f, mean_of_corners(arrays, arrays.points, f)});
 }
 
 } // namespace internal
