@@ -161,20 +161,21 @@ private:
     const double middle = n.box.center(axis);
     const auto begin = m_items.begin() + n.begin, end = m_items.begin() + n.end;
     const auto at = std::partition(begin, end,
-                                   [&](Index i) { return center(n, i, axis) < middle; });
+                                   [&](Index i) { return position(n, i, axis) < middle; });
     if ((std::min)(at - begin, end - at) * 8 >= end - begin)
       return Index(at - m_items.begin());
     const auto median = begin + (end - begin) / 2;
-    const auto less = [&](Index i, Index j) { return center(n, i, axis) < center(n, j, axis); };
+    const auto less = [&](Index i, Index j) { return position(n, i, axis) < position(n, j, axis); };
     std::nth_element(begin, median, end, Function_ref<bool(Index, Index)>(less));
     return Index(median - m_items.begin());
   }
 
-  /// Of a component or part in a node.
-  double center(const Node& n, Index i, std::size_t axis) const
+  /// The center of a part in a node, or where a component begins: so components with one center are
+  /// in the order of their sizes.
+  double position(const Node& n, Index i, std::size_t axis) const
   {
     if (n.component == none)
-      return m_boxes[i].center(axis);
+      return m_boxes[i].low[axis];
     double sum = 0;
     for (const Double_3& p : triangle(m_parts.all()[i]))
       sum += std::array{p.x, p.y, p.z}[axis];

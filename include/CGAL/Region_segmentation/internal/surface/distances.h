@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
 
 namespace CGAL {
 namespace Region_segmentation {
@@ -85,25 +86,47 @@ inline void for_each_piercing(const Triangle& s, const Triangle& t,
   }
 }
 
+/// Between two triangles along the line through their centroids: at most their distance.
+inline double squared_separation(const Triangle& s, const Triangle& t)
+{
+  const Double_3 along = (t[0] - s[0]) + (t[1] - s[1]) + (t[2] - s[2]);
+  const auto position = [&](const Double_3& p) { return dot(along, p - s[0]); };
+  const double gap = (std::min)({position(t[0]), position(t[1]), position(t[2])}) -
+                     (std::max)({0.0, position(s[1]), position(s[2])});
+  return gap > 0 ? gap / squared_norm(along) * gap : 0;
+}
+
+/// The least of `least` and the distances of the points of a triangle to the plane of another one
+/// that they are above.
+inline double least_height(const Triangle& s, const Triangle& t, double least)
+{
+  const Double_3 n = cross(t[1] - t[0], t[2] - t[0]);
+  const double nn = squared_norm(n);
+  for (const Double_3& p : s)
+    if (const double h = dot(p - t[0], n); nn > 0 && is_above(p, t, n))
+      least = (std::min)(least, h / nn * h);
+  return least;
+}
+
 /// Between two triangles.
 inline double squared_distance(const Triangle& s, const Triangle& t)
 {
-  bool cross_each_other = false;
-  const auto note = [&](const Double_3&) { cross_each_other = true; };
-  for_each_piercing(s, t, note);
-  for_each_piercing(t, s, note);
-  if (cross_each_other)
-    return 0;
-  double least = squared_distance(s[0], t);
-  for (std::size_t i = 0; i < 3; ++i) {
-    least = (std::min)({least, squared_distance(s[i], t), squared_distance(t[i], s)});
+  if (squared_separation(s, t) == 0) {
+    bool cross_each_other = false;
+    const auto note = [&](const Double_3&) { cross_each_other = true; };
+    for_each_piercing(s, t, note);
+    for_each_piercing(t, s, note);
+    if (cross_each_other)
+      return 0;
+  }
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j) {
       const Double_3 &a = s[i], &b = s[(i + 1) % 3], &c = t[j], &d = t[(j + 1) % 3];
       const double x = nearest_parameter(a, b, c, d);
       least = (std::min)(least, squared_distance(a + x * (b - a), c, d));
     }
-  }
-  return least;
+  return least_height(s, t, least_height(t, s, least));
 }
 
 } // namespace internal

@@ -49,7 +49,7 @@ find_links(const Surface& surface, const Partition& component_of_face, const Exe
   Contact_finder finder(surface, tree, component_of_face);
   std::vector<Added_adjacency> links = links_of_contacts(surface, component_of_face, tolerances,
                                                          finder.find(execution.step(0, 0.5)));
-  Nearest_joiner(tree, component_of_face, links).run(execution.step(0.5, 1));
+  Nearest_joiner(surface, tree, component_of_face, links).run(execution.step(0.5, 1));
   return links;
 }
 

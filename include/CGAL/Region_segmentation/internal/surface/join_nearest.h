@@ -3,16 +3,20 @@
 #ifndef CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_JOIN_NEAREST_H
 #define CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_JOIN_NEAREST_H
 
+#include <CGAL/Region_segmentation/Double_3.h>
 #include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/Partition.h>
+#include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/internal/support/Lowest_root_forest.h>
-#include <CGAL/Region_segmentation/internal/surface/Component_tree.h>
 #include <CGAL/Region_segmentation/internal/surface/Added_adjacency.h>
+#include <CGAL/Region_segmentation/internal/surface/Component_tree.h>
+#include <CGAL/Region_segmentation/internal/surface/distances.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
-#include <queue>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -21,25 +25,30 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// Links the nearest components of different groups until there is one group: Kruskal's algorithm,
-/// a minimum spanning tree by the distance of their nearest faces, ties by the lower, then the
-/// higher of these. Of faces of two components at the same distance those are taken that are found
-/// first; this depends on nothing but the surface.
+/// Links the nearest components of different groups until there is one group: the minimum spanning
+/// tree by the squared distances of faces, rounded to 24 bits: the nearest point of a component is
+/// often one of several faces. Of these the smallest are taken, of equal ones by the places of
+/// their corners; so neither rounding nor the numbers of faces decide.
 ///
-/// The pairs of components by distance come from one queue, which also holds pairs of nodes by the
-/// gap between their boxes. Pairs in one group are dropped. Near linear: only faces whose boxes are
-/// nearer than the components are compared. Where the boxes of very many components overlap, pairs
-/// are joined as they come after 16 C + 100,000 pairs of components, or eight times as many of
-/// nodes, C the number of components.
+/// By the algorithm of Boruvka: in each round every group finds the face of another one that is
+/// nearest to it, and is joined to it. Pairs of nodes of the tree are left out where both are in
+/// one group, or farther from each other than what all groups in them have found. At most log C
+/// rounds, C the number of components, each near linear. Where very many faces are about as near as
+/// the nearest ones, so that more than 64 F + 1,000,000 pairs of them are compared, a group is
+/// joined to what it has found.
+///
+/// Source: W. B. March, P. Ram, A. G. Gray: Fast Euclidean minimum spanning tree: algorithm,
+/// analysis, and applications. KDD 2010.
 class Nearest_joiner
 {
 public:
   using Index = Surface::Index;
 
   /// `links`: components with a link are in one group
-  Nearest_joiner(Component_tree& tree, const Partition& component_of_face,
+  Nearest_joiner(const Surface& surface, Component_tree& tree, const Partition& component_of_face,
                  std::vector<Added_adjacency>& links)
-    : m_tree(tree)
+    : m_surface(surface)
+    , m_tree(tree)
     , m_component_of(component_of_face)
     , m_links(links)
     , m_groups(component_of_face.number_of_parts())
@@ -51,34 +60,69 @@ public:
 
   void run(const Execution& execution)
   {
-    Step_counter counter(execution, m_number_of_groups - 1);
-    m_queue.push({0, false, m_tree.root(), m_tree.root()});
+    Step_counter counter(execution, m_number_left);
     while (m_number_of_groups > 1) {
-      const Pair pair = m_queue.top();
-      m_queue.pop();
-      if (pair.is_of_faces) {
-        join(pair, counter);
-      } else if (m_effort > most_effort()) {
-        join_all(pair.a, pair.b, counter);
-      } else if (!in_one_group(pair.a, pair.b)) {
-        divide(pair.a, pair.b);
-      }
+      m_nearest.assign(m_component_of.number_of_parts(), Pair());
+      m_states.clear();
+      visit(m_tree.root(), m_tree.root(), counter);
+      for (const Pair& pair : m_nearest)
+        if (pair.part != nullptr && unite(pair.part->face, pair.other->face))
+          m_links.push_back(link_of(pair.part->face, pair.other->face, 0));
     }
   }
 
 private:
+  static constexpr Index none = Component_tree::none;
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+  /// Of triangles of faces; none by default.
   struct Pair
   {
-    double squared_distance;
-    bool is_of_faces; ///< or of nodes, which come first
-    Index a, b;
+    double squared_distance = infinity;
+    const Component_tree::Part *part = nullptr, *other = nullptr;
 
-    auto key() const { return std::make_tuple(squared_distance, is_of_faces, a, b); }
-    friend bool operator<(const Pair& p, const Pair& q)
-    {
-      return p.key() > q.key();
-    } // lowest first
+    /// Of the squared distance of what may be nearer.
+    double bound() const { return (1 + 1e-6) * squared_distance; }
   };
+
+  /// Of a node in a round.
+  struct State
+  {
+    bool is_known = false;
+    Index group = none;      ///< of all of its components; `none` if they are in several
+    double bound = infinity; ///< of what these groups have found, if they are several
+  };
+
+  static double rounded(double x)
+  {
+    int exponent = 0;
+    const double mantissa = std::frexp(x, &exponent);
+    return std::ldexp(std::round(std::ldexp(mantissa, 24)), exponent - 24);
+  }
+
+  /// The area, the corners in order, and the face.
+  auto size_and_place(const Component_tree::Part& part) const
+  {
+    std::array<std::array<double, 3>, 3> corners;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Double_3& p = m_surface.point(part.corners[i]);
+      corners[i] = {p.x, p.y, p.z};
+    }
+    std::sort(corners.begin(), corners.end());
+    return std::make_tuple(rounded(m_surface.area(part.face)), corners, part.face);
+  }
+
+  bool is_nearer(const Pair& p, const Pair& q) const
+  {
+    if (p.squared_distance != q.squared_distance || q.part == nullptr)
+      return p.squared_distance < q.squared_distance;
+    const auto key = [&](const Pair& pair) {
+      std::array faces = {size_and_place(*pair.part), size_and_place(*pair.other)};
+      std::sort(faces.begin(), faces.end());
+      return faces;
+    };
+    return key(p) < key(q);
+  }
 
   bool unite(Index face, Index other)
   {
@@ -87,138 +131,106 @@ private:
     return were_apart;
   }
 
-  /// Links the components of two faces, if they are in different groups.
-  void join(const Pair& faces, Step_counter& counter)
-  {
-    if (unite(faces.a, faces.b)) {
-      m_links.push_back(link_of(faces.a, faces.b, 0));
-      counter.advance();
-    }
-  }
-
-  /// The root of the group of all components of a node, `none` if they are in several.
   Index group(Index node)
   {
-    if (m_tree[node].component != Component_tree::none)
+    if (m_tree[node].component != none)
       return m_groups.root(m_tree[node].component);
-    if (node < m_members.size() && m_members[node] != Component_tree::none)
-      return m_groups.root(m_members[node]);
-    const Index child = m_tree.children(node), result = group(child);
-    if (result == Component_tree::none || result != group(child + 1))
-      return Component_tree::none;
-    if (node >= m_members.size())
-      m_members.resize(node + 1, Index(Component_tree::none));
-    return m_members[node] = result;
+    if (node < m_states.size() && m_states[node].is_known)
+      return m_states[node].group;
+    const Index child = m_tree.children(node), first = group(child), second = group(child + 1);
+    if (node >= m_states.size())
+      m_states.resize(node + 1);
+    m_states[node] = {true, first == second ? first : none, infinity};
+    return m_states[node].group;
   }
 
   bool in_one_group(Index a, Index b)
   {
     const Index g = group(a);
-    return g != Component_tree::none && (a == b || g == group(b));
+    return g != none && (a == b || g == group(b));
   }
 
-  void push(Index a, Index b)
+  /// The largest squared distance of what the groups of a node have found.
+  double bound(Index node)
   {
-    m_queue.push({gap(a, b), false, (std::min)(a, b), (std::max)(a, b)});
+    const Index g = group(node);
+    return g != none ? m_nearest[g].bound() : m_states[node].bound;
   }
-
-  void divide(Index a, Index b)
-  {
-    if (are_components(a, b)) {
-      m_effort += effort_of_components;
-      m_queue.push(nearest_faces(a, b));
-      return;
-    }
-    ++m_effort;
-    const Index node = a == b ? a : node_of_components(a, b);
-    const Index child = m_tree.children(node);
-    if (a == b) {
-      m_queue.push({0, false, child, child});
-      m_queue.push({0, false, child + 1, child + 1});
-      push(child, child + 1);
-    } else {
-      push(child, node == a ? b : a);
-      push(child + 1, node == a ? b : a);
-    }
-  }
-
-  /// Joins the components of two nodes as they come, depth first.
-  void join_all(Index a, Index b, Step_counter& counter)
-  {
-    if (in_one_group(a, b))
-      return;
-    if (are_components(a, b)) {
-      join(nearest_faces(a, b), counter);
-      return;
-    }
-    const Index node = a == b ? a : node_of_components(a, b);
-    const Index child = m_tree.children(node), other = node == a ? b : a;
-    join_all(child, a == b ? child : other, counter);
-    join_all(child + 1, a == b ? child + 1 : other, counter);
-    if (a == b)
-      join_all(child, child + 1, counter);
-  }
-
-  bool are_components(Index a, Index b) const
-  {
-    return a != b && m_tree[a].component != Component_tree::none &&
-           m_tree[b].component != Component_tree::none;
-  }
-
-  /// The one of two nodes to divide that has several components.
-  Index node_of_components(Index a, Index b) const
-  {
-    if (m_tree[a].component != Component_tree::none)
-      return b;
-    return m_tree[b].component != Component_tree::none ? a : m_tree.node_to_divide(a, b);
-  }
+  double bound(Index a, Index b) { return (std::max)(bound(a), bound(b)); }
 
   double gap(Index a, Index b) const { return squared_gap(m_tree[a].box, m_tree[b].box); }
 
-  Pair nearest_faces(Index a, Index b)
-  {
-    Pair nearest{std::numeric_limits<double>::infinity(), true, 0, 0};
-    find_nearest_faces(a, b, nearest);
-    return nearest;
-  }
-
   /// Depth first, the nearer child first.
-  void find_nearest_faces(Index a, Index b, Pair& nearest)
+  void visit(Index a, Index b, Step_counter& counter)
   {
-    const Index node = m_tree.node_to_divide(a, b), other = node == a ? b : a;
-    if (node == Component_tree::none) {
-      m_tree.for_each_near(
-        a, b, nearest.squared_distance,
-        [&](const Component_tree::Part& p, const Component_tree::Part& q, double) {
-          const Pair pair{squared_distance(m_tree.triangle(p), m_tree.triangle(q)), true,
-                          (std::min)(p.face, q.face), (std::max)(p.face, q.face)};
-          if (nearest < pair)
-            nearest = pair;
-        });
+    if (in_one_group(a, b))
+      return;
+    if (a == b) {
+      const Index child = m_tree.children(a);
+      visit(child, child, counter);
+      visit(child + 1, child + 1, counter);
+      visit(child, child + 1, counter);
+      update_bound(a, child);
       return;
     }
-    Index nearer = m_tree.children(node), farther = nearer + 1;
-    if (gap(farther, other) < gap(nearer, other))
-      std::swap(nearer, farther);
-    for (Index child : {nearer, farther})
-      if (gap(child, other) < nearest.squared_distance)
-        find_nearest_faces(child, other, nearest);
+    const double largest = bound(a, b);
+    if (gap(a, b) > largest || (m_number_left == 0 && largest < infinity))
+      return;
+    const Index node = node_to_divide(a, b), other = node == a ? b : a;
+    if (node == none) {
+      compare_faces(a, b, counter);
+      return;
+    }
+    const Index child = m_tree.children(node);
+    const bool is_second_nearer = gap(child + 1, other) < gap(child, other);
+    visit(child + is_second_nearer, other, counter);
+    visit(child + !is_second_nearer, other, counter);
+    update_bound(node, child);
   }
 
-  static constexpr std::size_t effort_of_components = 8; // of a pair; 1 for nodes
-
-  std::size_t most_effort() const
+  void update_bound(Index node, Index child)
   {
-    return effort_of_components * (16 * m_component_of.number_of_parts() + 100000);
+    if (group(node) == none)
+      m_states[node].bound = (std::min)(m_states[node].bound, bound(child, child + 1));
   }
 
+  /// Nodes of several components first.
+  Index node_to_divide(Index a, Index b) const
+  {
+    const bool is_one = m_tree[a].component != none, is_other_one = m_tree[b].component != none;
+    return is_one == is_other_one ? m_tree.node_to_divide(a, b) : is_one ? b : a;
+  }
+
+  /// \pre both nodes are leaves
+  void compare_faces(Index a, Index b, Step_counter& counter)
+  {
+    Pair &nearest = m_nearest[group(a)], &nearest_of_other = m_nearest[group(b)];
+    double largest = bound(a, b);
+    m_tree.for_each_near(a, b, largest,
+                         [&](const Component_tree::Part& p, const Component_tree::Part& q, double) {
+                           const Triangle s = m_tree.triangle(p), t = m_tree.triangle(q);
+                           if (squared_separation(s, t) > largest)
+                             return;
+                           counter.advance();
+                           if (m_number_left > 0)
+                             --m_number_left;
+                           const Pair pair{rounded(squared_distance(s, t)), &p, &q};
+                           for (Pair* const former : {&nearest, &nearest_of_other})
+                             if (is_nearer(pair, *former))
+                               *former = pair;
+                           largest = (std::max)(nearest.bound(), nearest_of_other.bound());
+                         });
+  }
+
+  const Surface& m_surface;
   Component_tree& m_tree;
   const Partition& m_component_of;
   std::vector<Added_adjacency>& m_links;
   Lowest_root_forest m_groups; // of components
-  std::size_t m_number_of_groups, m_effort = 0;
-  std::vector<Index> m_members; // by node: a component, if all are known to be in one group
-  std::priority_queue<Pair> m_queue;
+  std::size_t m_number_of_groups;
+  std::vector<Pair> m_nearest; // in a round, by the lowest component of a group
+  std::vector<State> m_states; // in a round, by node of several components
+  std::size_t m_number_left = 64 * m_component_of.size() + 1000000; // of pairs of faces
 };
 
 } // namespace internal
