@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <ostream>
 
 namespace read_mesh_test {
@@ -166,6 +167,20 @@ TEST(Unknown_statements, are_skipped_with_a_remark)
   const std::string start = folder.path("a.obj") + ":2: unknown statement 'hello' skipped";
   EXPECT_EQ(remarks("\nhello world\n"), Remarks{start});
   EXPECT_EQ(remarks("\nhello\nworld\nhello\n"), Remarks{start + ", and 2 more"});
+}
+
+TEST(Lines_of_off, beyond_the_header_are_not_read_with_a_remark)
+{
+  const Temporary_folder folder;
+  const auto remarks = [&folder](const std::string& end) {
+    return read_mesh(folder.write("a.off", sample::off() + end)).remarks;
+  };
+  EXPECT_EQ(remarks("\n# the end\n\n"), Remarks{});
+  const std::string text = sample::off();
+  const auto lines = std::size_t(std::count(text.begin(), text.end(), '\n'));
+  EXPECT_EQ(remarks("\n3 0 1 2\n3 0 1 2\n"),
+            Remarks{folder.path("a.off") + ":" + std::to_string(lines + 2) +
+                    ": not read, nor what follows: the header promises 4 faces"});
 }
 
 TEST(Format, is_that_of_the_ending_or_a_given_one)

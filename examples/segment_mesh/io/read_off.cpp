@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "io/Text_scanner.h"
+#include "io/errors.h"
 #include "io/read_soup.h"
 #include "soup/vector_algebra.h"
 
@@ -108,7 +109,7 @@ void read_face(Text_scanner& scan, const Off_header& header, Polygons& polygons)
 
 } // namespace
 
-Polygon_soup read_off(const std::string& file, std::string_view bytes)
+Polygon_soup read_off(const std::string& file, std::string_view bytes, Remarks& remarks)
 {
   Text_scanner scan(file, bytes, '#');
   const Off_header header = read_header(scan);
@@ -128,6 +129,10 @@ Polygon_soup read_off(const std::string& file, std::string_view bytes)
       fail_at_end(scan, soup.polygons.size(), header.number_of_faces, "face");
     read_face(scan, header, soup.polygons);
   }
+  if (scan.next_line())
+    remarks.push_back(one_line(file + ":" + std::to_string(scan.line_number()) +
+                               ": not read, nor what follows: the header promises " +
+                               counted(number_of_faces, "face")));
   return soup;
 }
 

@@ -9,7 +9,7 @@ Polygon_soup read_soup(const std::string& file, Mesh_format format, std::string_
 {
   switch (format) {
   case Mesh_format::OFF:
-    return read_off(file, bytes);
+    return read_off(file, bytes, remarks);
   case Mesh_format::OBJ:
     return read_obj(file, bytes, remarks);
   case Mesh_format::PLY:

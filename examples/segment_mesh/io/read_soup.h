@@ -30,8 +30,8 @@ Polygon_soup read_soup(const std::string& file, Mesh_format format, std::string_
 /// \name One function a format
 /// @{
 /// Also with a `4OFF` header, and with the `OFF4 4 0` of some data sets; colors, normals and
-/// textures are skipped.
-Polygon_soup read_off(const std::string& file, std::string_view bytes);
+/// textures are skipped; lines beyond the numbers of the header, too, with a remark.
+Polygon_soup read_off(const std::string& file, std::string_view bytes, Remarks& remarks);
 /// Statements that are not of the format are skipped, with a remark.
 Polygon_soup read_obj(const std::string& file, std::string_view bytes, Remarks& remarks);
 /// Text and binary of both orders of bytes, values of any type; elements and properties beside
