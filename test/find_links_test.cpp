@@ -16,6 +16,7 @@
 #include <ctime>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <random>
 #include <set>
 #include <tuple>
@@ -487,6 +488,22 @@ TEST(find_links_test, nested_spheres_can_be_cancelled)
   EXPECT_THROW(links(cancelling), RS::Segmentation_cancelled);
 }
 
+std::vector<Index> random_order(std::size_t size, std::mt19937& random)
+{
+  std::vector<Index> order(size);
+  std::iota(order.begin(), order.end(), Index(0));
+  std::shuffle(order.begin(), order.end(), random);
+  return order;
+}
+
+Soup in_order(const Soup& soup, const std::vector<Index>& order)
+{
+  Soup result{soup.points, {}};
+  for (const Index f : order)
+    result.polygons.push_back(soup.polygons[f]);
+  return result;
+}
+
 /// Triangles that touch at corners, at several of the same distance.
 TEST(find_links_test, links_of_touching_components_do_not_depend_on_the_order_of_faces)
 {
@@ -497,13 +514,8 @@ TEST(find_links_test, links_of_touching_components_do_not_depend_on_the_order_of
   for (const auto& polygon : all.polygons)
     if (random() % 5 > 1)
       scene.polygons.push_back(polygon);
-  std::vector<Index> order(scene.polygons.size());
-  for (Index i = 0; i < order.size(); ++i)
-    order[i] = i;
-  std::shuffle(order.begin(), order.end(), random);
-  Soup shuffled = scene;
-  for (std::size_t i = 0; i < order.size(); ++i)
-    shuffled.polygons[i] = scene.polygons[order[i]];
+  const std::vector<Index> order = random_order(scene.polygons.size(), random);
+  const Soup shuffled = in_order(scene, order);
   std::set<std::pair<Index, Index>> links, shuffled_links;
   for (const Added_adjacency& l : Model(scene).links())
     links.insert(std::minmax(l.lower, l.higher));
@@ -549,13 +561,8 @@ TEST(find_links_test, links_do_not_depend_on_the_order_of_faces)
     scene.add(sphere(2)
                 .scaled(0.1 * unit(random))
                 .moved(2 * unit(random), 2 * unit(random), 2 * unit(random)));
-  std::vector<Index> order(scene.polygons.size());
-  for (Index i = 0; i < order.size(); ++i)
-    order[i] = i;
-  std::shuffle(order.begin(), order.end(), random);
-  Soup shuffled = scene;
-  for (std::size_t i = 0; i < order.size(); ++i)
-    shuffled.polygons[i] = scene.polygons[order[i]];
+  const std::vector<Index> order = random_order(scene.polygons.size(), random);
+  const Soup shuffled = in_order(scene, order);
   const Model m(scene), n(shuffled);
   std::map<std::pair<Index, Index>, double> lengths, shuffled_lengths;
   for (const Added_adjacency& l : m.links()) // by components: partners of a face may be equally

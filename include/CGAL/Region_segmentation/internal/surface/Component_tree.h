@@ -64,6 +64,13 @@ public:
     add_node_of_components(0, Index(m_boxes.size()));
   }
 
+  /// A bound of the pairs of faces that are compared, for thousands of triangles that all cross, or
+  /// are near, each other.
+  static constexpr std::size_t most_pairs(std::size_t number_of_faces)
+  {
+    return 64 * number_of_faces + 1000000;
+  }
+
   static constexpr Index root() { return 0; }
   /// Valid until a node is divided.
   const Node& operator[](Index node) const { return m_nodes[node]; }

@@ -109,9 +109,8 @@ private:
   Component_tree& m_tree;
   const Partition& m_component_of;
   std::vector<Face_contact> m_contacts;
-  /// A bound of the pairs that are compared, for thousands of triangles that all cross each other;
-  /// further contacts are not found.
-  std::size_t m_number_left = 64 * m_component_of.size() + 1000000;
+  /// Of the pairs that are compared; further contacts are not found.
+  std::size_t m_number_left = Component_tree::most_pairs(m_component_of.size());
 };
 
 } // namespace internal

@@ -34,8 +34,8 @@ namespace internal {
 /// nearest to it, and is joined to it. Pairs of nodes of the tree are left out where both are in
 /// one group, or farther from each other than what all groups in them have found. At most log C
 /// rounds, C the number of components, each near linear. Where very many faces are about as near as
-/// the nearest ones, so that more than 64 F + 1,000,000 pairs of them are compared, a group is
-/// joined to what it has found.
+/// the nearest ones, so that more pairs than `Component_tree::most_pairs()` are compared, a group
+/// is joined to what it has found.
 ///
 /// Source: W. B. March, P. Ram, A. G. Gray: Fast Euclidean minimum spanning tree: algorithm,
 /// analysis, and applications. KDD 2010.
@@ -131,6 +131,7 @@ private:
     return were_apart;
   }
 
+  /// Of all components of a node; `none` if they are in several.
   Index group(Index node)
   {
     if (m_tree[node].component != none)
@@ -176,7 +177,7 @@ private:
     const double largest = bound(a, b);
     if (gap(a, b) > largest || (m_number_left == 0 && largest < infinity))
       return;
-    const Index node = node_to_divide(a, b), other = node == a ? b : a;
+    const Index node = m_tree.node_to_divide(a, b), other = node == a ? b : a;
     if (node == none) {
       compare_faces(a, b, counter);
       return;
@@ -194,32 +195,24 @@ private:
       m_states[node].bound = (std::min)(m_states[node].bound, bound(child, child + 1));
   }
 
-  /// Nodes of several components first.
-  Index node_to_divide(Index a, Index b) const
-  {
-    const bool is_one = m_tree[a].component != none, is_other_one = m_tree[b].component != none;
-    return is_one == is_other_one ? m_tree.node_to_divide(a, b) : is_one ? b : a;
-  }
-
   /// \pre both nodes are leaves
   void compare_faces(Index a, Index b, Step_counter& counter)
   {
-    Pair &nearest = m_nearest[group(a)], &nearest_of_other = m_nearest[group(b)];
     double largest = bound(a, b);
-    m_tree.for_each_near(a, b, largest,
-                         [&](const Component_tree::Part& p, const Component_tree::Part& q, double) {
-                           const Triangle s = m_tree.triangle(p), t = m_tree.triangle(q);
-                           if (squared_separation(s, t) > largest)
-                             return;
-                           counter.advance();
-                           if (m_number_left > 0)
-                             --m_number_left;
-                           const Pair pair{rounded(squared_distance(s, t)), &p, &q};
-                           for (Pair* const former : {&nearest, &nearest_of_other})
-                             if (is_nearer(pair, *former))
-                               *former = pair;
-                           largest = (std::max)(nearest.bound(), nearest_of_other.bound());
-                         });
+    const auto compare = [&](const Component_tree::Part& p, const Component_tree::Part& q, double) {
+      const Triangle s = m_tree.triangle(p), t = m_tree.triangle(q);
+      if (squared_separation(s, t) > largest)
+        return;
+      counter.advance();
+      if (m_number_left > 0)
+        --m_number_left;
+      const Pair pair{rounded(squared_distance(s, t)), &p, &q};
+      for (const Index node : {a, b})
+        if (Pair& nearest = m_nearest[group(node)]; is_nearer(pair, nearest))
+          nearest = pair;
+      largest = bound(a, b);
+    };
+    m_tree.for_each_near(a, b, largest, compare);
   }
 
   const Surface& m_surface;
@@ -230,7 +223,7 @@ private:
   std::size_t m_number_of_groups;
   std::vector<Pair> m_nearest; // in a round, by the lowest component of a group
   std::vector<State> m_states; // in a round, by node of several components
-  std::size_t m_number_left = 64 * m_component_of.size() + 1000000; // of pairs of faces
+  std::size_t m_number_left = Component_tree::most_pairs(m_component_of.size());
 };
 
 } // namespace internal
