@@ -6,6 +6,7 @@
 #include "dumbbell.h"
 
 #include <CGAL/Region_segmentation/Methods/Lowest_cost_first.h>
+#include <CGAL/Region_segmentation/Methods/Number_below_cost.h>
 #include <CGAL/Region_segmentation/Methods/Region_growing.h>
 #include <CGAL/Region_segmentation/Segmenter.h>
 #include <CGAL/Region_segmentation/build_region_adjacency_graph.h>
@@ -14,9 +15,11 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/generators.h>
 
 #include <algorithm>
 #include <iostream>
+#include <limits>
 #include <utility>
 
 using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
@@ -46,6 +49,8 @@ struct Facet_merging
     RS::Requested_regions requested = RS::requested_regions(surface, prepared.regions, request);
     auto graph = RS::build_region_adjacency_graph(surface, requested.regions, request.constraints);
     const auto bend_times_width = [](const auto& g, auto s) {
+      if (g[s].length == 0) // components that do not touch: last
+        return (std::numeric_limits<double>::max)();
       return (CGAL_PI - g[s].mean_angle()) * (std::min)(g[g.source(s)].area, g[g.target(s)].area) /
              g[s].length;
     };
@@ -53,13 +58,8 @@ struct Facet_merging
                                                       RS::Lowest_cost_first(bend_times_width), 1,
                                                       execution.stage("merging"));
     std::size_t number = request.number_of_segments;
-    if (number == 0) {
-      const double bound = maximum_cost * surface.length_unit();
-      number = tree.number_of_regions();
-      for (auto merge = tree.merges().begin(); merge != tree.merges().end() && merge->cost <= bound;
-           ++merge)
-        --number;
-    }
+    if (number == 0)
+      number = RS::Number_below_cost{maximum_cost * surface.length_unit()}(tree, surface);
     return RS::Hierarchy(std::move(requested.regions), std::move(tree), number);
   }
 };
@@ -67,12 +67,15 @@ struct Facet_merging
 int main()
 {
   Mesh mesh = make_dumbbell<Mesh, Point>();
+  // A component apart is linked to the nearest one.
+  CGAL::make_tetrahedron(Point(9, 0, 0), Point(9, 1, 0), Point(9, 0, 1), Point(10, 0, 0), mesh);
   auto segment_id = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:segment").first;
   auto seed = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:seed", std::size_t(-1)).first;
 
   RS::Segmenter segmenter(mesh, RS::parameters::method(Facet_merging()));
   std::cout << segmenter.regions().number_of_parts() << " facets, " << segmenter.segment(segment_id)
-            << " segments chosen, " << segmenter.segment(segment_id, 5) << " asked for\n";
+            << " segments chosen, " << segmenter.segment(segment_id, 5) << " and "
+            << segmenter.segment(segment_id, 1) << " asked for\n";
   seed[*faces(mesh).begin()] = 0;
   seed[*std::prev(faces(mesh).end())] = 1;
   segmenter.set_seeds(seed);

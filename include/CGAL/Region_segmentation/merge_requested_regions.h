@@ -20,6 +20,8 @@ namespace Region_segmentation {
 ///
 /// \tparam Graph a `Region_adjacency_graph` of `requested.regions`
 /// \tparam Policy a model of `MergingPolicy`
+/// \param number of regions to be left; with 1 there is a tree for all numbers
+/// \param execution `Execution()`, or the stage of the merges (`execution.stage("merging")`)
 /// \returns the tree of the merges
 template <typename Graph, typename Policy>
 Merge_tree merge_requested_regions(const Surface& surface, const Requested_regions& requested,

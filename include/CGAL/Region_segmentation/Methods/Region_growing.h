@@ -35,6 +35,7 @@ struct Region_growing
   /// Which edges can be feature edges.
   Feature_convexity feature_convexity = Feature_convexity::CONCAVE;
 
+  /// The regions of the faces. `constraints`: adjacencies that are not crossed either
   Partition operator()(const Surface& surface, const Constraints& constraints = Constraints(),
                        const Execution& execution = Execution()) const
   {
