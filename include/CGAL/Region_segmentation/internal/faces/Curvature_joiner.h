@@ -4,6 +4,7 @@
 #define CGAL_REGION_SEGMENTATION_INTERNAL_FACES_CURVATURE_JOINER_H
 
 #include <CGAL/Region_segmentation/Surface.h>
+#include <CGAL/Region_segmentation/internal/support/Lowest_root_forest.h>
 
 #include <algorithm>
 #include <cmath>
@@ -108,12 +109,7 @@ public:
   }
 
   /// The region that `region` belongs to now.
-  Index current(Index region)
-  {
-    while (m_parents[region] != region)
-      region = m_parents[region] = m_parents[m_parents[region]];
-    return region;
-  }
+  Index current(Index region) { return root_in_forest(m_parents, region); }
 
   /// Whether a current region was joined with others.
   bool is_joined(Index region) const { return m_regions[region].is_joined; }

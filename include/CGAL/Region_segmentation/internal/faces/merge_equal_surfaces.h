@@ -4,6 +4,7 @@
 #define CGAL_REGION_SEGMENTATION_INTERNAL_FACES_MERGE_EQUAL_SURFACES_H
 
 #include <CGAL/Region_segmentation/internal/faces/Face_search.h>
+#include <CGAL/Region_segmentation/internal/support/Lowest_root_forest.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -45,11 +46,7 @@ inline void merge_equal_surfaces(Face_search& search)
       faces[search.labels[f]].push_back(f);
   std::vector<Index> now(search.surfaces.size()); // the labels that labels become
   std::iota(now.begin(), now.end(), Index(0));
-  const auto current = [&](Index i) {
-    while (now[i] != i)
-      i = now[i] = now[now[i]];
-    return i;
-  };
+  const auto current = [&](Index i) { return root_in_forest(now, i); };
   for (const auto& pair : smooth_neighbors(search)) {
     Index i = current(pair.first), j = current(pair.second);
     const Surface_kind kinds[] = {search.surfaces[i].kind, search.surfaces[j].kind};

@@ -93,7 +93,8 @@ private:
   static Spirals make_spirals(std::size_t samples)
   {
     constexpr double golden_angle = 2.399963229728653, half_cone = 0.9; // radian
-    const std::size_t rays = rays_per_region / samples;                 // of a face
+    static_assert(rays_per_region % 6 == 0 && faces_per_region == 3, "1, 2 or 3 faces share them");
+    const std::size_t rays = rays_per_region / samples; // of a face
     Spirals spirals;
     for (std::size_t i = 0; i < rays_per_region; ++i) {
       const std::size_t k = i / rays, q = i % rays;

@@ -15,6 +15,19 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
+/// The root of an element of a forest, in which a root is its own parent. Halves the path.
+template <typename Index>
+Index root_in_forest(std::vector<Index>& parents, Index i)
+{
+  Index parent = parents[i];
+  for (Index above = parents[parent]; above != parent; above = parents[parent]) {
+    parents[i] = above;
+    i = above;
+    parent = parents[i];
+  }
+  return parent;
+}
+
 /// A forest over the faces in which a parent is never above its child: the root of a tree is its
 /// lowest face, independently of the order of unions, so the array of parents becomes the array of
 /// labels, numbered by first faces.
@@ -48,16 +61,7 @@ public:
   }
 
   /// The lowest face of a tree.
-  Index root(Index i)
-  {
-    Index parent = m_parents[i];
-    for (Index above = m_parents[parent]; above != parent; above = m_parents[parent]) {
-      m_parents[i] = above; // path halving
-      i = above;
-      parent = m_parents[i];
-    }
-    return parent;
-  }
+  Index root(Index i) { return root_in_forest(m_parents, i); }
 
   /// Unites the tree of the root `r` with that of `a`; returns their root. Branch-free, since it is
   /// unpredictable whether they are united already.
