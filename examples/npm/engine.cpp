@@ -16,7 +16,6 @@
 #include <exception>
 #include <stdexcept>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -72,7 +71,7 @@ std::vector<std::uint32_t> segment_by(const Method& method, const val& request)
   std::vector<std::uint32_t> labels(soup.polygons.size());
   if (const std::size_t number = request["numberOfSegments"].as<unsigned>())
     segmenter.segment(labels, number);
-  else if constexpr (std::is_same<Method, RS::Two_step>::value)
+  else if constexpr (decltype(segmenter)::needs_number)
     throw std::invalid_argument("method two-step needs numberOfSegments");
   else
     segmenter.segment(labels);

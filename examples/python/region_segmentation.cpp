@@ -19,7 +19,6 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -47,7 +46,9 @@ public:
 template <typename Method>
 class Prepared_by : public Prepared
 {
-  static constexpr bool needs_number = std::is_same<Method, RS::Two_step>::value;
+  using Segmenter = decltype(RS::Segmenter(std::declval<const Soup&>().points,
+                                           std::declval<const Soup&>().polygons,
+                                           RS::parameters::method(std::declval<const Method&>())));
 
   [[noreturn]] static void refuse(const char* what)
   {
@@ -65,7 +66,7 @@ public:
   {
     if (number_of_segments)
       return m_segmenter.segment(labels, *number_of_segments);
-    if constexpr (needs_number)
+    if constexpr (Segmenter::needs_number)
       refuse("needs number_of_segments");
     else
       return m_segmenter.segment(labels);
@@ -74,22 +75,21 @@ public:
   void set_seeds(const Seeds& seeds) override { m_segmenter.set_seeds(seeds); }
   const RS::Partition& regions() const override
   {
-    if constexpr (needs_number)
+    if constexpr (Segmenter::needs_number)
       refuse("has no regions for all numbers");
     else
       return m_segmenter.regions();
   }
   const RS::Merge_tree& merge_tree() const override
   {
-    if constexpr (needs_number)
+    if constexpr (Segmenter::needs_number)
       refuse("has no tree for all numbers");
     else
       return m_segmenter.merge_tree();
   }
 
 private:
-  decltype(RS::Segmenter(std::declval<const Soup&>().points, std::declval<const Soup&>().polygons,
-                         RS::parameters::method(std::declval<const Method&>()))) m_segmenter;
+  Segmenter m_segmenter;
 };
 
 std::unique_ptr<Prepared> prepare(const std::string& method, const Soup& soup, bool component_links)

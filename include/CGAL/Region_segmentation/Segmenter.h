@@ -55,11 +55,12 @@ class Segmenter
 {
   static_assert(internal::check_method<Method>());
   using Prepared = internal::Prepared_by<Method>;
-  static constexpr bool needs_number = internal::needs_number<Method>();
-  /// What is merged again only if constraints or seeds change.
-  using Merged = std::conditional_t<needs_number, std::monostate, internal::Merged_by<Method>>;
 
 public:
+  /// Whether the order of merges of the method depends on the number of segments: then each number
+  /// is merged anew, and there is neither a number that is chosen nor one tree for all.
+  static constexpr bool needs_number = internal::needs_number<Method>();
+
   /// prepares a mesh, which must exist as long as the segmenter.
   ///
   /// \tparam ConcurrencyTag `Sequential_tag` or, with TBB, `Parallel_tag`; see `segment()`
@@ -98,8 +99,7 @@ public:
   ///     \cgalParamDefault{`true`}
   ///   \cgalParamNEnd
   ///   \cgalParamNBegin{visitor}
-  ///     \cgalParamDescription{follows the progress, and can cancel: stages "reading", "regions",
-  ///       "rays", "graph", "merging", "borders", as far as the method has them}
+  ///     \cgalParamDescription{follows the progress, and can cancel}
   ///     \cgalParamType{a model of `SegmentationVisitor`}
   ///     \cgalParamDefault{none}
   ///     \cgalParamExtra{passed by `std::ref()`; used by the constructor only}
@@ -280,6 +280,9 @@ public:
   }
 
 private:
+  /// What is merged again only if constraints or seeds change.
+  using Merged = std::conditional_t<needs_number, std::monostate, internal::Merged_by<Method>>;
+
   /// What does not change. Copies of a segmenter share it.
   struct Unchanged
   {
