@@ -86,8 +86,7 @@ auto with_number(Number number_of_segments, const NamedParameters& np)
 ///     \cgalParamDefault{`true`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{follows the progress, and can cancel: stages "reading", "regions",
-///       "rays", "graph", "merging", "borders", as far as the method has them}
+///     \cgalParamDescription{follows the progress, and can cancel}
 ///     \cgalParamType{a model of `SegmentationVisitor`}
 ///     \cgalParamDefault{none}
 ///     \cgalParamExtra{passed by `std::ref()`}
