@@ -42,11 +42,7 @@ const std::map<std::string, Mesh_type> mesh_types = {{"polygon_soup", Mesh_type:
                                                      {"polyhedron", Mesh_type::POLYHEDRON},
                                                      {"openmesh", Mesh_type::OPENMESH}};
 
-const std::map<std::string, Mesh_format> formats = {{"off", Mesh_format::OFF},
-                                                    {"obj", Mesh_format::OBJ},
-                                                    {"ply", Mesh_format::PLY},
-                                                    {"stl", Mesh_format::STL},
-                                                    {"gltf", Mesh_format::GLTF}};
+const std::map<std::string, Mesh_format> formats(mesh_formats().begin(), mesh_formats().end());
 
 /// More would be a slip of the hand.
 constexpr std::size_t most_threads = 1024;
@@ -84,7 +80,7 @@ public:
   {}
 
   template <typename Value>
-  CLI::Option* add(const char* names, Value& value, const char* type, const char* text) const
+  CLI::Option* add(const char* names, Value& value, const char* type, const std::string& text) const
   {
     CLI::Option* const
       option = m_app.add_option(names, value, text)->type_name(type)->group(m_name);
@@ -115,13 +111,13 @@ private:
 void add_inputs(CLI::App& app, Raw_options& raw)
 {
   const Option_group input(app, "Input");
-  input.add(
-    "INPUT", raw.options.inputs, "",
-    "Meshes: .off, .obj, .ply, .stl, .glb or .gltf, also compressed as .gz; - is standard input. "
-    "Several inputs are processed one after the other.");
+  input.add("INPUT", raw.options.inputs, "",
+            "Meshes: " + endings_of_meshes() +
+              ", also compressed as .gz; - is standard input. Several inputs are processed one "
+              "after the other.");
   input
     .add("--input-format", raw.input_format, "FORMAT",
-         "For all inputs, whatever their extensions: off, obj, ply, stl or gltf. Needed for "
+         "For all inputs, whatever their extensions: one of these, without the dot. Needed for "
          "standard input.")
     ->check(one_of(formats));
   input.add_flag(

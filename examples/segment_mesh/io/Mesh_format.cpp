@@ -4,8 +4,8 @@
 
 #include "io/Text_scanner.h"
 #include "io/errors.h"
+#include "io/file_endings.h"
 
-#include <cctype>
 #include <filesystem>
 
 namespace segment_mesh {
@@ -14,15 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// In lower case.
-std::string ending_of(const fs::path& file)
-{
-  std::string ending = file.extension().string();
-  for (char& c : ending)
-    c = char(std::tolower(static_cast<unsigned char>(c)));
-  return ending;
-}
-
 fs::path without_gz(const fs::path& file)
 {
   return is_compressed(file.string()) ? file.parent_path() / file.stem() : file;
@@ -30,28 +21,37 @@ fs::path without_gz(const fs::path& file)
 
 } // namespace
 
+const std::vector<std::pair<std::string, Mesh_format>>& mesh_formats()
+{
+  static const std::vector<std::pair<std::string, Mesh_format>> formats = {
+    {"off", Mesh_format::OFF}, {"obj", Mesh_format::OBJ},  {"ply", Mesh_format::PLY},
+    {"stl", Mesh_format::STL}, {"glb", Mesh_format::GLTF}, {"gltf", Mesh_format::GLTF}};
+  return formats;
+}
+
+std::string endings_of_meshes()
+{
+  std::vector<std::string> endings;
+  for (const auto& format : mesh_formats())
+    endings.push_back(format.first);
+  return list_of_endings(endings);
+}
+
 Mesh_format mesh_format(const std::string& file)
 {
   if (file == standard_input)
     throw Input_error(file, "the format of standard input is not known: --input-format");
-  const std::string ending = ending_of(without_gz(file));
-  if (ending == ".off")
-    return Mesh_format::OFF;
-  if (ending == ".obj")
-    return Mesh_format::OBJ;
-  if (ending == ".ply")
-    return Mesh_format::PLY;
-  if (ending == ".stl")
-    return Mesh_format::STL;
-  if (ending == ".glb" || ending == ".gltf")
-    return Mesh_format::GLTF;
-  throw Input_error(file, "unknown extension " + in_quotes(ending) +
-                            ", not .off, .obj, .ply, .stl, .glb or .gltf");
+  const std::string ending = ending_of(without_gz(file).string());
+  for (const auto& [name, format] : mesh_formats())
+    if (name == ending)
+      return format;
+  throw Input_error(file, "unknown extension " + in_quotes(ending.empty() ? "" : "." + ending) +
+                            ", not " + endings_of_meshes());
 }
 
 bool is_compressed(const std::string& file)
 {
-  return ending_of(file) == ".gz";
+  return ending_of(file) == "gz";
 }
 
 std::string stem_of_input(const std::string& file)

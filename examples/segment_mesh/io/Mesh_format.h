@@ -4,6 +4,8 @@
 #define CGAL_REGION_SEGMENTATION_SEGMENT_MESH_MESH_FORMAT_H
 
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace segment_mesh {
 
@@ -12,6 +14,12 @@ enum class Mesh_format { OFF, OBJ, PLY, STL, GLTF };
 
 /// The name of a file that stands for standard input.
 constexpr const char* standard_input = "-";
+
+/// The formats by the words for them, which are the endings of their files.
+const std::vector<std::pair<std::string, Mesh_format>>& mesh_formats();
+
+/// These words, as a sentence lists endings.
+std::string endings_of_meshes();
 
 /// The format that the ending of `file` names, in upper or lower case, before `.gz` if there is
 /// one. \throws Input_error for another ending, and for standard input

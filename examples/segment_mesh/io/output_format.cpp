@@ -3,39 +3,21 @@
 #include "io/output_format.h"
 
 #include "io/errors.h"
+#include "io/file_endings.h"
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 
 namespace segment_mesh {
 
 namespace {
 
-/// The last ending of a name, without the dot, in lower case.
-std::string ending_of(const std::filesystem::path& file)
-{
-  std::string ending = file.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return char(std::tolower(c)); });
-  return ending.empty() ? ending : ending.substr(1);
-}
-
-std::string list_of_endings()
-{
-  const std::vector<std::string>& names = output_format_names();
-  std::string list;
-  for (std::size_t i = 0; i < names.size(); ++i)
-    list += (i == 0 ? "." : i + 1 < names.size() ? ", ." : " or .") + names[i];
-  return list;
-}
-
 Output_format format_of_ending(const std::string& file, const std::string& ending)
 {
   const std::vector<std::string>& names = output_format_names();
   const auto found = std::find(names.begin(), names.end(), ending);
   if (found == names.end())
-    throw Usage_error(file + ": unknown extension of an output, not " + list_of_endings());
+    throw Usage_error(file + ": unknown extension of an output, not " + list_of_endings(names));
   return Output_format(found - names.begin());
 }
 
@@ -95,7 +77,7 @@ Output make_output(const std::string& file, Output_content content,
 {
   Output output{file, Output_format::SEG, content, Compression::NONE};
   std::filesystem::path name = file;
-  if (ending_of(name) == "gz") {
+  if (ending_of(file) == "gz") {
     output.compression = Compression::GZIP;
     name.replace_extension();
   }
@@ -103,7 +85,7 @@ Output make_output(const std::string& file, Output_content content,
     throw Usage_error("--borders -: borders are written to a file");
   if (output.is_stdout() && !format)
     throw Usage_error("-o -: needs --output-format");
-  output.format = format ? *format : format_of_ending(file, ending_of(name));
+  output.format = format ? *format : format_of_ending(file, ending_of(name.string()));
   check(output);
   return output;
 }

@@ -20,21 +20,30 @@ namespace segment_mesh {
 
 namespace {
 
+/// \pre the format is one of meshes
 void write_mesh(std::ostream& out, Output_format format, const Labelled_mesh& mesh,
                 const std::vector<Polyline>& feature_lines)
 {
-  if (format == Output_format::PLY)
-    write_ply(out, mesh);
-  else if (format == Output_format::OFF)
-    write_off(out, mesh);
-  else if (format == Output_format::VTP)
-    write_vtp(out, mesh);
-  else if (format == Output_format::GLB)
-    write_glb(out, mesh);
-  else if (format == Output_format::THREE_MF)
-    write_3mf(out, mesh);
-  else
-    write_obj(out, mesh, feature_lines);
+  switch (format) {
+  case Output_format::PLY:
+    return write_ply(out, mesh);
+  case Output_format::OFF:
+    return write_off(out, mesh);
+  case Output_format::OBJ:
+    return write_obj(out, mesh, feature_lines);
+  case Output_format::VTP:
+    return write_vtp(out, mesh);
+  case Output_format::GLB:
+    return write_glb(out, mesh);
+  case Output_format::THREE_MF:
+    return write_3mf(out, mesh);
+  case Output_format::SEG:
+  case Output_format::JSON:
+  case Output_format::CSV:
+  case Output_format::PNG:
+  case Output_format::HTML:
+    break;
+  }
 }
 
 void write_borders(std::ostream& out, Output_format format, const Result& result)
@@ -59,7 +68,12 @@ void write_whole(std::ostream& out, Output_format format, const Result& result)
     return write_view(out, result);
   case Output_format::HTML:
     return write_html(out, result);
-  default:
+  case Output_format::PLY:
+  case Output_format::OFF:
+  case Output_format::OBJ:
+  case Output_format::VTP:
+  case Output_format::GLB:
+  case Output_format::THREE_MF:
     return write_mesh(out, format, {result.input.soup, result.segmentation.segment_of_face},
                       format == Output_format::OBJ ? result.details.feature_lines()
                                                    : std::vector<Polyline>());
