@@ -249,7 +249,9 @@ PYBIND11_MODULE(region_segmentation, module)
     "centroid, axes, extents, border_length, boundary_length; neighbors (segment, border_length,\n"
     "mean_signed_deviation); and primitive (type, point, direction, radius, half_angle, error). "
     "Faces of label -1\n"
-    "belong to no segment. What is not manifold is torn apart there, before.",
+    "belong to no segment. What is not manifold is torn apart there, before; faces with a point "
+    "twice are counted, and\n"
+    "have no area.",
     py::arg("points"), py::arg("faces") = none, py::arg("labels"), py::arg("face_sizes") = none);
 
   py::class_<Segmenter>(module, "Segmenter",

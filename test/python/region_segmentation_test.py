@@ -155,6 +155,18 @@ def test_descriptions():
     assert len(region_segmentation.describe_segments(points, faces, numpy.full(200, -1))) == 0
 
 
+def test_descriptions_of_faces_with_a_point_twice():
+    points = numpy.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0], [0, 0, 0]], "f8")
+    faces = [[1, 1, 2], [0, 1, 2], [1, 3, 2], [0, 4, 1], [0, 1, 3, 0, 2]]
+    labels = [7, 0, 0, 0, 2]
+    assert len(region_segmentation.segment(points, faces, 1)) == len(faces)
+    described = region_segmentation.describe_segments(points, faces, labels)
+    assert [d["segment"] for d in described] == [7, 0, 2]
+    assert [d["number_of_faces"] for d in described] == [1, 3, 1]
+    assert [d["area"] for d in described] == [0, 1, 0]
+    assert [d["primitive"]["type"] for d in described] == ["plane"] * 3
+
+
 def test_wrong_input_is_named():
     points, faces = grid(3, 1)
 
