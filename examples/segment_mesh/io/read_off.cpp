@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "io/Text_scanner.h"
-#include "io/errors.h"
 #include "io/read_soup.h"
 #include "soup/vector_algebra.h"
 
@@ -130,9 +129,8 @@ Polygon_soup read_off(const std::string& file, std::string_view bytes, Remarks& 
     read_face(scan, header, soup.polygons);
   }
   if (scan.next_line())
-    remarks.push_back(one_line(file + ":" + std::to_string(scan.line_number()) +
-                               ": not read, nor what follows: the header promises " +
-                               counted(number_of_faces, "face")));
+    remarks.push_back(scan.not_read() + ": the header promises " +
+                      counted(number_of_faces, "face"));
   return soup;
 }
 

@@ -35,8 +35,9 @@ Polygon_soup read_off(const std::string& file, std::string_view bytes, Remarks& 
 /// Statements that are not of the format are skipped, with a remark.
 Polygon_soup read_obj(const std::string& file, std::string_view bytes, Remarks& remarks);
 /// Text and binary of both orders of bytes, values of any type; elements and properties beside
-/// those of vertices, faces and triangle strips (`tristrips`) are skipped.
-Polygon_soup read_ply(const std::string& file, std::string_view bytes);
+/// those of vertices, faces and triangle strips (`tristrips`) are skipped; what is beyond the
+/// numbers of the header, too, with a remark.
+Polygon_soup read_ply(const std::string& file, std::string_view bytes, Remarks& remarks);
 /// Text and binary; equal points are merged into the first of them.
 Polygon_soup read_stl(const std::string& file, std::string_view bytes);
 /// Text and binary: the triangles of the scene that is shown, as it places them; equal points are
