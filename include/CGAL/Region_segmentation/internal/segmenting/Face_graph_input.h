@@ -35,6 +35,7 @@ public:
   void add_constraints(const Surface& surface, const EdgeMap& map, const Pack& np,
                        Constraints& constraints) const
   {
+    static_assert(check_edge_map<EdgeMap, FaceGraph>());
     const Mesh_order<FaceGraph, Pack> order(*m_mesh, np);
     add_constraints_of_edges(order, surface, map, constraints);
     std::vector<Vertex_pair> borders; // border edges may coincide

@@ -32,7 +32,9 @@ constexpr bool check_edge_map()
 {
   static_assert(
     satisfies<Has_key, Map, typename boost::graph_traits<FaceGraph>::edge_descriptor>,
-    "a property map of the edges is needed: its key is the edge descriptor of the mesh");
+    "a property map of the edges is needed: its key is the edge descriptor of the mesh. (One of a "
+    "function f is boost::make_function_property_map<edge_descriptor>(f), one of a std::set s is "
+    "CGAL::Boolean_property_map<decltype(s)>(s))");
   return true;
 }
 
