@@ -118,7 +118,9 @@ auto with_number(Number number_of_segments, const NamedParameters& np)
 /// \pre `number_of_segments` is at least 1; with the checks of \cgal disabled, another number gives
 ///      an unspecified number of segments
 /// \post every segment is connected by edges, seams and links where every first region is
-/// \throws Invalid_input if a point is not finite or equal seeds cannot be joined;
+/// \throws Invalid_input if a point is not finite, equal seeds cannot be joined, or a map has a
+/// type
+///         that does not hold the labels, and -1 for none beside them;
 ///         `Segmentation_cancelled` if the visitor cancels; all maps are unchanged. What `put()` of
 ///         a map throws: `segment_map` is written first, in the order of the faces, then
 ///         `region_map`, then `merge_tree`; what precedes keeps its final value, the rest is

@@ -47,9 +47,12 @@ public:
     mark_constraints(surface, std::move(borders), constraints);
   }
 
+  /// \throws Invalid_input if a map does not hold labels below `n`
   template <typename FaceMap>
-  void check(const FaceMap&) const
-  {}
+  void check(const FaceMap&, std::size_t n) const
+  {
+    check_labels<typename boost::property_traits<FaceMap>::value_type>(n);
+  }
 
   template <typename FaceMap>
   auto values(const FaceMap& map) const
