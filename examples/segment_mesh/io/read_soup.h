@@ -4,16 +4,13 @@
 #define CGAL_REGION_SEGMENTATION_SEGMENT_MESH_READ_SOUP_H
 
 #include "io/Mesh_format.h"
+#include "io/errors.h"
 #include "soup/Polygon_soup.h"
 
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace segment_mesh {
-
-/// What the user should know, a line each.
-using Remarks = std::vector<std::string>;
 
 /// Reads points and faces from the bytes of a file, in one pass. \cgal's readers, which the tests
 /// compare these with, give no line and no cause, accept some files that are short, and reserve the
