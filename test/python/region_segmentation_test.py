@@ -180,7 +180,15 @@ def test_wrong_input_is_named():
     assert message(points, faces + 7) == "face 6, from 0: index 16 is out of range: there are 16 points"
     assert message(points, [0, 1, 2], face_sizes=[4]) == "face_sizes: their sum is not the number of indices"
     assert message(points, faces, seeds=[1]) == "seeds: not an integer for each face, -1 for none"
-    assert message(points, faces, 0) == "number_of_segments: at least 1"
+    for number in 0, -1, -(10**30):
+        expected = f"number_of_segments: not None or an integer of at least 1, but {number}"
+        assert message(points, faces, number) == expected
+    for number in 2.5, True, "2":
+        for function in region_segmentation.segment, lambda *a: region_segmentation.Segmenter(*a[:2]).segment(a[2]):
+            with pytest.raises(TypeError, match=f"^number_of_segments: not None or an integer of at least 1, but {number!r}$"):
+                function(points, faces, number)
+    assert (region_segmentation.segment(points, faces, numpy.int32(2)) == region_segmentation.segment(points, faces, 2)).all()
+    assert message(points, []) == "faces: an empty list; at least one face is expected"
     assert message(points, faces, method="two-step") == "method two-step needs number_of_segments"
     assert message(points, faces, method="x").startswith("method: not learned")
     assert message(points, faces, constrained_edges=[[0, 9]]) == "constrained_edges: there is no edge between points 0 and 9"
