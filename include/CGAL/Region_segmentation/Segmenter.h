@@ -140,11 +140,11 @@ public:
   {}
 
   /// Deleted, since a reference to a temporary mesh would dangle.
-  template <
-    typename FaceGraph, typename NamedParameters = parameters::Default_named_parameters,
-    typename ConcurrencyTag = CGAL::Sequential_tag,
-    std::enable_if_t<
-      !internal::is_polygon_range<NamedParameters>() && !std::is_lvalue_reference<FaceGraph>::value, int> = 0>
+  template <typename FaceGraph, typename NamedParameters = parameters::Default_named_parameters,
+            typename ConcurrencyTag = CGAL::Sequential_tag,
+            std::enable_if_t<!internal::is_polygon_range<NamedParameters>() &&
+                               !std::is_lvalue_reference<FaceGraph>::value,
+                             int> = 0>
   explicit Segmenter(FaceGraph&& mesh, const NamedParameters& np = parameters::default_values(),
                      ConcurrencyTag = ConcurrencyTag()) = delete;
 
