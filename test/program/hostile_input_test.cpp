@@ -60,7 +60,7 @@ const std::vector<Row> rows = {
   {"a header that promises more than the file holds",
    "refused: `the header promises` n, `the file ends after` m; no memory is reserved for n",
    "a.ply", with(binary_ply, "face 4", "face 4000000000"), 0},
-  {"an OFF or PLY file that holds more than its header promises",
+  {"an OFF, PLY or binary STL file that holds more than its header promises",
    "the rest is `not read`, with a remark", "a.ply", ply + "3 0 1 2\n", 4},
   {"a file that is cut off within an item", "refused, with the line: `a face with 2 of 3 indices`",
    "a.off", off.substr(0, off.size() - 3), 0},

@@ -201,6 +201,15 @@ TEST(Items_of_ply, beyond_the_header_are_not_read_with_a_remark)
               Remarks{start + " not read: 3 bytes at the end" + end});
 }
 
+TEST(Bytes_of_stl, beyond_the_header_are_not_read_with_a_remark)
+{
+  const Temporary_folder folder;
+  const Input_mesh input = read_mesh(folder.write("a.stl", sample::binary_stl() + "xyz"));
+  EXPECT_EQ(input.soup.polygons.size(), 4u);
+  EXPECT_EQ(input.remarks, Remarks{folder.path("a.stl") + ": not read: 3 bytes at the end: the "
+                                                          "header promises 4 triangles"});
+}
+
 TEST(Format, is_that_of_the_ending_or_a_given_one)
 {
   EXPECT_EQ(mesh_format("a/b.off"), Mesh_format::OFF);

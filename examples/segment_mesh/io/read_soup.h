@@ -35,8 +35,9 @@ Polygon_soup read_obj(const std::string& file, std::string_view bytes, Remarks& 
 /// those of vertices, faces and triangle strips (`tristrips`) are skipped; what is beyond the
 /// numbers of the header, too, with a remark.
 Polygon_soup read_ply(const std::string& file, std::string_view bytes, Remarks& remarks);
-/// Text and binary; equal points are merged into the first of them.
-Polygon_soup read_stl(const std::string& file, std::string_view bytes);
+/// Text and binary; equal points are merged into the first of them; bytes beyond the number of a
+/// binary file are skipped, with a remark.
+Polygon_soup read_stl(const std::string& file, std::string_view bytes, Remarks& remarks);
 /// Text and binary: the triangles of the scene that is shown, as it places them; equal points are
 /// merged into the first of them. Buffers are in the file, or in files of its folder.
 Polygon_soup read_gltf(const std::string& file, std::string_view bytes, Remarks& remarks);
