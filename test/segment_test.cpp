@@ -211,6 +211,52 @@ TEST(Segment_test, polygons_have_the_labels_of_their_mesh)
     }
 }
 
+/// Labels 0 to 254 fit, 255 is `no_segment`; for a signed type 127 fits.
+TEST(Segment_test, maps_of_too_small_a_type_are_refused_before_anything_is_written)
+{
+  const Soup soup = sphere(3);
+  const Surface_mesh mesh = to_surface_mesh(soup);
+  Surface_mesh copy = mesh;
+  const auto try_with = [&](auto zero, std::size_t most) {
+    using Label = decltype(zero);
+    auto map = copy.add_property_map<Surface_mesh::Face_index, Label>("f:small", 77).first;
+    std::vector<Label> labels(soup.polygons.size(), 77);
+    const RS::Segmenter segmenter(mesh), of_soup(soup.points, soup.polygons);
+    for (const std::size_t k : {most, most + 1}) {
+      const bool fits = k == most;
+      const auto expect = [&](const auto& segment) {
+        if (fits)
+          EXPECT_EQ(segment(), k);
+        else
+          EXPECT_THROW(segment(), RS::Invalid_input);
+      };
+      std::fill(labels.begin(), labels.end(), Label(77));
+      for (auto f : faces(mesh))
+        map[f] = Label(77);
+      expect([&] { return RS::segment(mesh, map, k); });
+      expect([&] { return segmenter.segment(map, k); });
+      expect([&] { return RS::segment(soup.points, soup.polygons, labels, k); });
+      expect([&] { return of_soup.segment(labels, k); });
+      for (auto f : faces(mesh)) {
+        EXPECT_TRUE(fits || map[f] == Label(77));
+        EXPECT_TRUE(fits || labels[f] == Label(77));
+      }
+    }
+    copy.remove_property_map(map);
+  };
+  try_with((unsigned char)(0), 255);
+  try_with((signed char)(0), 128);
+  auto small = copy.add_property_map<Surface_mesh::Face_index, unsigned char>("f:regions").first;
+  Labels segments(soup.polygons.size(), 77);
+  auto segment_map = boost::make_iterator_property_map(segments.begin(),
+                                                       get(boost::face_index, mesh));
+  const auto np = RS::parameters::number_of_segments(2).method(Options(2, all).method());
+  EXPECT_EQ(RS::segment(mesh, segment_map, np), 2u);
+  std::fill(segments.begin(), segments.end(), 77);
+  EXPECT_THROW(RS::segment(mesh, segment_map, np.region_map(small)), RS::Invalid_input);
+  EXPECT_EQ(segments, Labels(soup.polygons.size(), 77));
+}
+
 TEST(Segment_test, ranges_of_another_size_than_the_polygons_are_refused)
 {
   const Soup soup = cube();

@@ -142,6 +142,9 @@ Soup make_soup(const py::object& points, const py::object& faces, const py::obje
       throw py::type_error("a mesh: not points and faces, nor an object with vertices and faces");
     return make_soup(points.attr("vertices"), points.attr("faces"), face_sizes);
   }
+  // An empty list is an array of no dimension that says what it holds.
+  check(!py::isinstance<py::list>(faces) || py::len(faces) > 0,
+        "faces: an empty list; at least one face is expected");
   Soup soup;
   soup.points = to_points(points);
   Polygon_writer writer(soup.polygons, soup.points.size());

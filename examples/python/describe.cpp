@@ -2,53 +2,64 @@
 
 #include "describe.h"
 
+#include "segmentation/Manifold.h"
+#include "soup/vector_algebra.h"
+
 #include <CGAL/Region_segmentation/Segments/describe_segments.h>
+#include <CGAL/Region_segmentation/Segments/no_segment.h>
 #include <CGAL/Region_segmentation/exceptions.h>
 
-#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
-#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
-#include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
+#include <boost/property_map/property_map.hpp>
 
-#include <algorithm>
 #include <iterator>
+#include <map>
+#include <utility>
 
-namespace PMP = CGAL::Polygon_mesh_processing;
 namespace RS = CGAL::Region_segmentation;
 
 namespace {
 
 using Kernel = CGAL::Simple_cartesian<double>;
-using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Description = RS::Segment_description<std::int64_t, Kernel>;
 
-/// \throws Invalid_input that names the first polygon with a point twice
-void refuse_repeated_points(const std::vector<std::vector<std::size_t>>& polygons)
+/// With unused points that are not finite moved to the origin.
+/// \throws Invalid_input if another one is not finite
+Soup with_finite_points(Soup soup)
 {
-  for (std::size_t f = 0; f < polygons.size(); ++f) {
-    std::vector<std::size_t> corners = polygons[f];
-    std::sort(corners.begin(), corners.end());
-    if (std::adjacent_find(corners.begin(), corners.end()) != corners.end())
-      throw RS::Invalid_input("face " + std::to_string(f) + ", from 0: has a point twice");
-  }
+  for (const std::size_t i : soup.polygons.corners())
+    if (!segment_mesh::is_finite(soup.points[i]))
+      throw RS::Invalid_input("the point of vertex " + std::to_string(i) + " is not finite");
+  for (segment_mesh::Point& p : soup.points)
+    if (!segment_mesh::is_finite(p))
+      p = {};
+  return soup;
 }
 
-/// A half-edge mesh of the polygons, in their order: equal points are merged, polygons oriented,
-/// and what is not manifold is torn apart.
-Mesh make_mesh(const Soup& soup)
+/// A description for each segment, in the order of their first faces, also of one whose faces all
+/// have a point twice; the number of faces counts these.
+std::vector<Description> with_all_faces(std::vector<Description> descriptions,
+                                        const std::vector<std::int64_t>& labels)
 {
-  std::vector<Kernel::Point_3> points;
-  for (const auto& p : soup.points)
-    points.emplace_back(p[0], p[1], p[2]);
-  std::vector<std::vector<std::size_t>> polygons;
-  for (const segment_mesh::Polygons::Polygon polygon : soup.polygons)
-    polygons.emplace_back(polygon.begin(), polygon.end());
-  PMP::merge_duplicate_points_in_polygon_soup(points, polygons);
-  refuse_repeated_points(polygons);
-  PMP::orient_polygon_soup(points, polygons);
-  Mesh mesh;
-  PMP::polygon_soup_to_polygon_mesh(points, polygons, mesh);
-  return mesh;
+  std::map<std::int64_t, Description*> described;
+  for (Description& d : descriptions)
+    described.emplace(d.segment, &d);
+  std::map<std::int64_t, std::size_t> position;
+  std::vector<Description> result;
+  for (const std::int64_t label : labels) {
+    if (label == RS::no_segment)
+      continue;
+    const auto [place, is_new] = position.emplace(label, result.size());
+    if (is_new) {
+      Description& d = result.emplace_back();
+      d.segment = label;
+      d.surface.kind = RS::Surface_kind::PLANE;
+      if (const auto found = described.find(label); found != described.end())
+        d = std::move(*found->second);
+      d.number_of_faces = 0;
+    }
+    ++result[place->second].number_of_faces;
+  }
+  return result;
 }
 
 template <typename Triple>
@@ -57,7 +68,7 @@ py::tuple to_tuple(const Triple& t)
   return py::make_tuple(t.x(), t.y(), t.z());
 }
 
-py::dict to_dictionary(const RS::Segment_description<std::int64_t, Kernel>& d)
+py::dict to_dictionary(const Description& d)
 {
   using namespace pybind11::literals;
   py::list axes, neighbors;
@@ -86,14 +97,16 @@ py::dict to_dictionary(const RS::Segment_description<std::int64_t, Kernel>& d)
 
 py::list describe(const Soup& soup, const std::vector<std::int64_t>& labels)
 {
-  std::vector<RS::Segment_description<std::int64_t, Kernel>> descriptions;
+  std::vector<Description> descriptions;
   {
     const py::gil_scoped_release release;
-    Mesh mesh = make_mesh(soup);
-    auto segment = mesh.add_property_map<Mesh::Face_index, std::int64_t>("f:segment").first;
-    for (auto f : faces(mesh))
-      segment[f] = labels[std::size_t(f)];
-    RS::describe_segments(mesh, segment, std::back_inserter(descriptions));
+    const segment_mesh::Manifold manifold = make_manifold(with_finite_points(soup));
+    const std::vector<std::int64_t> labels_of_mesh = manifold.values_of_mesh_faces(labels);
+    RS::describe_segments(manifold.mesh,
+                          boost::make_iterator_property_map(labels_of_mesh.begin(),
+                                                            get(boost::face_index, manifold.mesh)),
+                          std::back_inserter(descriptions));
+    descriptions = with_all_faces(std::move(descriptions), labels);
   }
   py::list result;
   for (const auto& d : descriptions)

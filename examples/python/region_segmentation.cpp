@@ -29,6 +29,23 @@ namespace {
 using Labels = py::array_t<std::size_t>;
 using Seeds = std::vector<std::int64_t>;
 
+/// \throws pybind11::type_error or std::invalid_argument unless it is None or an integer from 1 on
+std::optional<std::size_t> to_number_of_segments(const py::object& number)
+{
+  const std::string expected = "number_of_segments: not None or an integer of at least 1, but " +
+                               std::string(py::repr(number));
+  if (number.is_none())
+    return std::nullopt;
+  if (py::isinstance<py::bool_>(number) || PyIndex_Check(number.ptr()) == 0)
+    throw py::type_error(expected);
+  const py::ssize_t value = PyNumber_AsSsize_t(number.ptr(), nullptr); // the nearest that there is
+  if (value == -1 && PyErr_Occurred() != nullptr)
+    throw py::error_already_set();
+  if (value < 1)
+    throw std::invalid_argument(expected);
+  return std::size_t(value);
+}
+
 /// A soup prepared by one of the methods.
 class Prepared
 {
@@ -124,10 +141,9 @@ public:
       set_seeds(seeds);
   }
 
-  Labels segment(std::optional<std::size_t> number_of_segments) const
+  Labels segment(const py::object& number) const
   {
-    if (number_of_segments == std::size_t(0))
-      throw std::invalid_argument("number_of_segments: at least 1");
+    const std::optional<std::size_t> number_of_segments = to_number_of_segments(number);
     std::vector<std::size_t> labels(m_soup.polygons.size());
     std::size_t n = 0;
     {
@@ -180,10 +196,11 @@ private:
 };
 
 Labels segment(const py::object& points, const py::object& faces,
-               std::optional<std::size_t> number_of_segments, const std::string& method,
+               const py::object& number_of_segments, const std::string& method,
                const py::object& constrained_edges, const py::object& seeds, bool component_links,
                const py::object& face_sizes)
 {
+  to_number_of_segments(number_of_segments); // before it takes time
   return Segmenter(points, faces, method, constrained_edges, seeds, component_links, face_sizes)
     .segment(number_of_segments);
 }
@@ -249,7 +266,9 @@ PYBIND11_MODULE(region_segmentation, module)
     "centroid, axes, extents, border_length, boundary_length; neighbors (segment, border_length,\n"
     "mean_signed_deviation); and primitive (type, point, direction, radius, half_angle, error). "
     "Faces of label -1\n"
-    "belong to no segment. What is not manifold is torn apart there, before.",
+    "belong to no segment. What is not manifold is torn apart there, before; faces with a point "
+    "twice are counted, and\n"
+    "have no area.",
     py::arg("points"), py::arg("faces") = none, py::arg("labels"), py::arg("face_sizes") = none);
 
   py::class_<Segmenter>(module, "Segmenter",

@@ -14,7 +14,13 @@ setup(
     ext_modules=[
         Pybind11Extension(
             "region_segmentation",
-            ["region_segmentation.cpp", "Soup.cpp", "describe.cpp"],
+            [
+                "region_segmentation.cpp",
+                "Soup.cpp",
+                "describe.cpp",
+                "../segment_mesh/segmentation/make_manifold.cpp",
+                "../segment_mesh/soup/link_corners.cpp",
+            ],
             include_dirs=[os.path.relpath(library, folder), "../segment_mesh", "/usr/include/eigen3"],
             libraries=["gmp", "mpfr"],
             define_macros=[("NDEBUG", None)],

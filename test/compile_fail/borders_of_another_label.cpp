@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// expect: the output iterator takes values of another type: their Label is the value type of the
-// map of segments
+// expect: whose Label is the value type of the map of segments
 #include "common.h"
-#include <iterator>
 void test(const Mesh& mesh, Labels labels)
 {
 #ifdef WITH_FAULT

@@ -9,12 +9,19 @@
 #define REGION_SEGMENTATION_TEST_COMPILE_FAIL_COMMON_H
 
 #include <CGAL/Region_segmentation/Segments/extract_segment_borders.h>
+#include <CGAL/Region_segmentation/Segments/split_into_segments.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/property_map.h>
 #include <CGAL/region_segmentation.h>
 #include <CGAL/region_segmentation_stages.h>
 
+#include <boost/property_map/function_property_map.hpp>
+
+#include <iterator>
 #include <optional>
+#include <set>
+#include <string>
 #include <utility>
 #include <vector>
 

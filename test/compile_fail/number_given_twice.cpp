@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// expect: the number of segments is given twice
+// expect: one of the named parameters is given twice
 #include "common.h"
 void test(const Mesh& mesh, Labels labels)
 {

@@ -16,7 +16,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (!is_gzip(bytes))
     return -1; // not for the corpus
   try {
-    require(inflate("x", bytes).size() <= (std::max)(harmless_size, largest_inflation * size),
+    Remarks remarks;
+    require(inflate("x", bytes, remarks).size() <=
+              (std::max)(harmless_size, largest_inflation * size),
             "growth is bounded");
   } catch (const Input_error& error) {
     require(std::string(error.what()).rfind("x: is a", 0) == 0, error.what());

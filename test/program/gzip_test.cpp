@@ -36,10 +36,19 @@ std::string random_text(std::size_t size)
   return text;
 }
 
+/// Without remarks.
+std::string inflated(const std::string& bytes)
+{
+  Remarks remarks;
+  const std::string result = inflate("x", bytes, remarks);
+  EXPECT_EQ(remarks, Remarks{});
+  return result;
+}
+
 std::string message(const std::string& bytes)
 {
   try {
-    inflate("x", bytes);
+    inflated(bytes);
   } catch (const Input_error& error) {
     return error.what();
   }
@@ -54,9 +63,10 @@ TEST(Gzip, is_inflated)
     const std::string bytes = compressed(folder, text);
     EXPECT_TRUE(is_gzip(bytes));
     EXPECT_FALSE(is_gzip(text));
-    EXPECT_TRUE(inflate("x", bytes) == text) << size;
-    EXPECT_TRUE(load_bytes(folder.write("a.off.gz", bytes)) == text) << size;
-    EXPECT_TRUE(load_bytes(folder.write("a.off", bytes)) == text)
+    EXPECT_TRUE(inflated(bytes) == text) << size;
+    Remarks remarks;
+    EXPECT_TRUE(load_bytes(folder.write("a.off.gz", bytes), remarks) == text) << size;
+    EXPECT_TRUE(load_bytes(folder.write("a.off", bytes), remarks) == text)
       << "an ending that says nothing of it";
   }
 }
@@ -64,8 +74,7 @@ TEST(Gzip, is_inflated)
 TEST(Gzip, is_inflated_in_several_members)
 {
   const Temporary_folder folder;
-  EXPECT_EQ(inflate("x", compressed(folder, "OFF\n") + compressed(folder, "1 2 3\n")),
-            "OFF\n1 2 3\n");
+  EXPECT_EQ(inflated(compressed(folder, "OFF\n") + compressed(folder, "1 2 3\n")), "OFF\n1 2 3\n");
 }
 
 TEST(Gzip, may_be_padded_by_zeros)
@@ -73,8 +82,22 @@ TEST(Gzip, may_be_padded_by_zeros)
   const Temporary_folder folder;
   const std::string bytes = compressed(folder, "OFF\n");
   for (const std::size_t size : {1, 511, 100000})
-    EXPECT_EQ(inflate("x", bytes + std::string(size, '\0')), "OFF\n") << size;
-  EXPECT_EQ(message(bytes + std::string(9, '\0') + "x"), "x: is a damaged gzip file");
+    EXPECT_EQ(inflated(bytes + std::string(size, '\0')), "OFF\n") << size;
+}
+
+TEST(Gzip, is_inflated_before_other_bytes_with_a_remark)
+{
+  const Temporary_folder folder;
+  const std::string bytes = compressed(folder, "OFF\n");
+  const auto remarks = [](const std::string& all) {
+    Remarks result;
+    EXPECT_EQ(inflate("x", all, result), "OFF\n");
+    return result;
+  };
+  EXPECT_EQ(remarks(bytes + "and more"),
+            Remarks{"x: not read: 8 bytes after the end of the gzip data"});
+  EXPECT_EQ(remarks(bytes + std::string(9, '\0') + "x"),
+            Remarks{"x: not read: 10 bytes after the end of the gzip data"});
 }
 
 TEST(Gzip, of_labels_may_grow_as_much_as_they_do)
@@ -85,10 +108,11 @@ TEST(Gzip, of_labels_may_grow_as_much_as_they_do)
   for (std::size_t i = 0; i < number_of_faces; ++i)
     labels += i < number_of_faces / 2 ? "0\n" : "1\n";
   const std::string file = folder.write("a.seg.gz", compressed(folder, labels));
+  Remarks remarks;
   EXPECT_LT(100 * folder.read("a.seg.gz").size(), labels.size());
-  EXPECT_EQ(read_truth(file, number_of_faces).labels.back(), 1);
+  EXPECT_EQ(read_truth(file, number_of_faces, remarks).labels.back(), 1);
   folder.write("a.seg.gz", compressed(folder, std::string(60000000, '0')));
-  EXPECT_THROW(read_truth(file, number_of_faces), Input_error);
+  EXPECT_THROW(read_truth(file, number_of_faces, remarks), Input_error);
 }
 
 TEST(Gzip, is_told_where_it_is_damaged)
@@ -100,7 +124,7 @@ TEST(Gzip, is_told_where_it_is_damaged)
   std::string damaged = bytes;
   damaged[damaged.size() / 2] = char(~damaged[damaged.size() / 2]);
   EXPECT_EQ(message(damaged), "x: is a damaged gzip file");
-  EXPECT_EQ(message(bytes + "and more"), "x: is a damaged gzip file");
+  EXPECT_EQ(message(bytes + "\x1f\x8b and more"), "x: is a damaged gzip file");
 }
 
 TEST(Gzip, is_refused_where_it_exhausts_the_memory)
@@ -108,7 +132,7 @@ TEST(Gzip, is_refused_where_it_exhausts_the_memory)
   const Temporary_folder folder;
   EXPECT_EQ(message(compressed(folder, std::string(200000000, '0'))),
             "x: is a gzip file that grows by more than 100 times");
-  EXPECT_EQ(inflate("x", compressed(folder, std::string(1000000, '0'))).size(), 1000000u);
+  EXPECT_EQ(inflated(compressed(folder, std::string(1000000, '0'))).size(), 1000000u);
 }
 
 TEST(Gzip, is_told_where_it_is_empty)
@@ -116,7 +140,8 @@ TEST(Gzip, is_told_where_it_is_empty)
   const Temporary_folder folder;
   const std::string file = folder.write("a.off.gz", compressed(folder, ""));
   try {
-    load_bytes(file);
+    Remarks remarks;
+    load_bytes(file, remarks);
     ADD_FAILURE() << "was read";
   } catch (const Input_error& error) {
     EXPECT_EQ(error.what(), file + ": is empty");

@@ -183,6 +183,33 @@ TEST(Lines_of_off, beyond_the_header_are_not_read_with_a_remark)
                     ": not read, nor what follows: the header promises 4 faces"});
 }
 
+TEST(Items_of_ply, beyond_the_header_are_not_read_with_a_remark)
+{
+  const Temporary_folder folder;
+  const auto remarks = [&folder](const std::string& bytes) {
+    return read_mesh(folder.write("a.ply", bytes)).remarks;
+  };
+  const std::string start = folder.path("a.ply") + ":",
+                    end = ": the header promises 4 items of element 'face'";
+  const std::string text = sample::ply();
+  const auto lines = std::size_t(std::count(text.begin(), text.end(), '\n'));
+  EXPECT_EQ(remarks(text + "\n \n"), Remarks{});
+  EXPECT_EQ(remarks(text + "\n3 0 1 2\n3 0 1 2\n"),
+            Remarks{start + std::to_string(lines + 2) + ": not read, nor what follows" + end});
+  for (const char* format : {"binary_little_endian", "binary_big_endian"})
+    EXPECT_EQ(remarks(sample::binary_ply(format) + "xyz"),
+              Remarks{start + " not read: 3 bytes at the end" + end});
+}
+
+TEST(Bytes_of_stl, beyond_the_header_are_not_read_with_a_remark)
+{
+  const Temporary_folder folder;
+  const Input_mesh input = read_mesh(folder.write("a.stl", sample::binary_stl() + "xyz"));
+  EXPECT_EQ(input.soup.polygons.size(), 4u);
+  EXPECT_EQ(input.remarks, Remarks{folder.path("a.stl") + ": not read: 3 bytes at the end: the "
+                                                          "header promises 4 triangles"});
+}
+
 TEST(Format, is_that_of_the_ending_or_a_given_one)
 {
   EXPECT_EQ(mesh_format("a/b.off"), Mesh_format::OFF);

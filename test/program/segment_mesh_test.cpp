@@ -437,6 +437,31 @@ TEST_F(Program, takes_segments_that_exist)
   EXPECT_EQ(run("a.off --labels b.seg -o c.seg").err, "b.seg: 1 label for 4 faces\n");
 }
 
+TEST_F(Program, takes_faces_of_no_segment)
+{
+  folder.write("a.off", sample::off());
+  folder.write("a.seg", "3\n-1\n2\n-1\n");
+  const Outcome outcome = run("a.off --labels a.seg -o b.seg -o b.csv -o b.json -o b.ply -o b.obj "
+                              "-o b.png -o b.html -o '{segment}.off' --borders c.obj");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(outcome.out, "a.off: 4 faces, 2 segments\n");
+  EXPECT_EQ(outcome.err, "a.seg: 2 faces of no segment: the label is -1\n"
+                         "a.seg: labels from 2 to 3 are numbered from 0 to 1\n");
+  EXPECT_EQ(folder.read("b.seg"), "1\n-1\n0\n-1\n");
+  const std::string table = folder.read("b.csv"), json = folder.read("b.json");
+  EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 3);
+  EXPECT_NE(table.find("\n0,1,"), std::string::npos) << table;
+  EXPECT_NE(json.find("\"face_segments\": [1,-1,0,-1]"), std::string::npos) << json;
+  for (const char* file : {"b.csv", "b.json", "b.obj", "c.obj"})
+    EXPECT_EQ(folder.read(file).find("1844"), std::string::npos) << file;
+  EXPECT_TRUE(folder.has("0.off") && folder.has("1.off"));
+  EXPECT_EQ(folder.names().size(), 12u);
+  folder.write("a.seg", "-1\n-1\n-1\n-1\n");
+  EXPECT_EQ(run("a.off --labels a.seg -o b.seg -o b.csv -o b.json -o b.ply -o b.png").out,
+            "a.off: 4 faces, 0 segments\n");
+  EXPECT_EQ(folder.read("b.seg"), folder.read("a.seg"));
+}
+
 TEST_F(Program, writes_a_file_for_each_segment)
 {
   folder.write("a.off", sample::off());

@@ -155,6 +155,18 @@ def test_descriptions():
     assert len(region_segmentation.describe_segments(points, faces, numpy.full(200, -1))) == 0
 
 
+def test_descriptions_of_faces_with_a_point_twice():
+    points = numpy.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0], [0, 0, 0]], "f8")
+    faces = [[1, 1, 2], [0, 1, 2], [1, 3, 2], [0, 4, 1], [0, 1, 3, 0, 2]]
+    labels = [7, 0, 0, 0, 2]
+    assert len(region_segmentation.segment(points, faces, 1)) == len(faces)
+    described = region_segmentation.describe_segments(points, faces, labels)
+    assert [d["segment"] for d in described] == [7, 0, 2]
+    assert [d["number_of_faces"] for d in described] == [1, 3, 1]
+    assert [d["area"] for d in described] == [0, 1, 0]
+    assert [d["primitive"]["type"] for d in described] == ["plane"] * 3
+
+
 def test_wrong_input_is_named():
     points, faces = grid(3, 1)
 
@@ -168,7 +180,15 @@ def test_wrong_input_is_named():
     assert message(points, faces + 7) == "face 6, from 0: index 16 is out of range: there are 16 points"
     assert message(points, [0, 1, 2], face_sizes=[4]) == "face_sizes: their sum is not the number of indices"
     assert message(points, faces, seeds=[1]) == "seeds: not an integer for each face, -1 for none"
-    assert message(points, faces, 0) == "number_of_segments: at least 1"
+    for number in 0, -1, -(10**30):
+        expected = f"number_of_segments: not None or an integer of at least 1, but {number}"
+        assert message(points, faces, number) == expected
+    for number in 2.5, True, "2":
+        for function in region_segmentation.segment, lambda *a: region_segmentation.Segmenter(*a[:2]).segment(a[2]):
+            with pytest.raises(TypeError, match=f"^number_of_segments: not None or an integer of at least 1, but {number!r}$"):
+                function(points, faces, number)
+    assert (region_segmentation.segment(points, faces, numpy.int32(2)) == region_segmentation.segment(points, faces, 2)).all()
+    assert message(points, []) == "faces: an empty list; at least one face is expected"
     assert message(points, faces, method="two-step") == "method two-step needs number_of_segments"
     assert message(points, faces, method="x").startswith("method: not learned")
     assert message(points, faces, constrained_edges=[[0, 9]]) == "constrained_edges: there is no edge between points 0 and 9"

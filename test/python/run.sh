@@ -16,7 +16,7 @@ rm -rf "$1"
 mkdir -p "$1/source/examples/segment_mesh"
 cp -r "$2/include" "$1/source/"
 cp -r "$2/examples/python" "$1/source/examples/"
-cp -r "$2/examples/segment_mesh/soup" "$1/source/examples/segment_mesh/"
+cp -r "$2/examples/segment_mesh/soup" "$2/examples/segment_mesh/segmentation" "$1/source/examples/segment_mesh/"
 CFLAGS="-O1 -g0" "$python" -m pip wheel --quiet --no-build-isolation --no-deps --no-index -w "$1" \
   "$1/source/examples/python"
 "$python" -m venv --without-pip --system-site-packages "$1/venv"

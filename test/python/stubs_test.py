@@ -98,8 +98,9 @@ def test_methods_of_the_stubs():
 
 def test_errors_name_the_place():
     points = numpy.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]])
-    with pytest.raises(region_segmentation.InvalidInput, match="^face 1, from 0: has a point twice$"):
-        region_segmentation.describe_segments(points, [[0, 1, 2], [1, 1, 2]], [0, 0])
     points[3] = numpy.nan
-    with pytest.raises(region_segmentation.InvalidInput, match="^the point of vertex 3 is not finite$"):
-        region_segmentation.segment(points, [[0, 1, 2], [1, 3, 2]])
+    faces = [[0, 1, 2], [1, 3, 2]]
+    for function in region_segmentation.segment, lambda *mesh: region_segmentation.describe_segments(*mesh, [0, 0]):
+        with pytest.raises(region_segmentation.InvalidInput, match="^the point of vertex 3 is not finite$"):
+            function(points, faces)
+        function(points, faces[:1] + faces[:1])

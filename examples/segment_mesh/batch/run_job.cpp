@@ -45,18 +45,26 @@ Case load(const Job& job, const Options& options)
   }
   result.marks = read_marks(job.side_files, result.mesh);
   for (const std::string& truth : job.truths)
-    result.truths.push_back(read_truth(truth, result.mesh.soup.polygons.size()));
+    result.truths.push_back(
+      read_truth(truth, result.mesh.soup.polygons.size(), result.mesh.remarks));
   return result;
 }
 
-/// The labels of a file, one for each of its faces, with a remark if they are not 0, 1, ...
+/// The labels of a file, one for each of its faces, with a remark if they are not 0, 1, ..., and
+/// one on faces of no segment.
 Segmentation read_labels(const std::string& file, Input_mesh& mesh)
 {
-  const Truth labels = read_truth(file, mesh.soup.polygons.size());
-  Segmentation result = segmentation_from_labels(labels.labels);
-  const auto [least, greatest] = std::minmax_element(labels.labels.begin(), labels.labels.end());
-  if (!labels.labels.empty() &&
-      (*least != 0 || *greatest != std::int64_t(result.number_of_segments) - 1))
+  std::vector<std::int64_t> labels = read_truth(file, mesh.soup.polygons.size(), mesh.remarks)
+                                       .labels;
+  Segmentation result = segmentation_from_labels(labels);
+  const auto none = std::remove(labels.begin(), labels.end(), std::int64_t(-1));
+  if (none != labels.end())
+    mesh.remarks.push_back(one_line(file) + ": " +
+                           counted(std::size_t(labels.end() - none), "face") +
+                           " of no segment: the label is -1");
+  labels.erase(none, labels.end());
+  const auto [least, greatest] = std::minmax_element(labels.begin(), labels.end());
+  if (!labels.empty() && (*least != 0 || *greatest != std::int64_t(result.number_of_segments) - 1))
     mesh.remarks.push_back(one_line(file) + ": labels from " + std::to_string(*least) + " to " +
                            std::to_string(*greatest) + " are numbered from 0 to " +
                            std::to_string(result.number_of_segments - 1));

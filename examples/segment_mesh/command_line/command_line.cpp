@@ -126,8 +126,8 @@ void add_inputs(CLI::App& app, Raw_options& raw)
     "number is the default of -k, and the score against them is printed.");
   input.add("--labels", raw.options.side_files.labels, "FILE.seg",
             "Instead of segmenting: take the segments from this file, a label for each face, to "
-            "draw, describe and compare "
-            "them. {stem} as in -o.");
+            "draw, describe and compare them; faces of label -1 are of no segment. {stem} as in "
+            "-o.");
 }
 
 void add_outputs(CLI::App& app, Raw_options& raw)

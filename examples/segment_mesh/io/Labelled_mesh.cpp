@@ -11,7 +11,8 @@ faces_of_segments(const std::vector<std::size_t>& segment_of_face, std::size_t n
 {
   std::vector<std::vector<std::size_t>> faces(number_of_segments);
   for (std::size_t f = 0; f < segment_of_face.size(); ++f)
-    faces[segment_of_face[f]].push_back(f);
+    if (segment_of_face[f] < number_of_segments)
+      faces[segment_of_face[f]].push_back(f);
   return faces;
 }
 

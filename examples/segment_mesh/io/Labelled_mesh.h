@@ -10,14 +10,14 @@
 
 namespace segment_mesh {
 
-/// A mesh, or a part of it, with a segment for each face.
+/// A mesh, or a part of it, with a segment for each face, `no_segment` for none.
 struct Labelled_mesh
 {
   const Polygon_soup& soup;
   const std::vector<std::size_t>& segment_of_face;
 };
 
-/// By segment, in their order.
+/// By segment, in their order; without those of no segment.
 std::vector<std::vector<std::size_t>>
 faces_of_segments(const std::vector<std::size_t>& segment_of_face, std::size_t number_of_segments);
 

@@ -8,6 +8,7 @@
 #include "io/little_endian.h"
 
 #include <cmath>
+#include <string>
 #include <string_view>
 
 namespace segment_mesh {
@@ -49,6 +50,14 @@ public:
     if (m_data.size() / size_of(type) < number)
       throw Input_error(m_file, cut_off(*m_element, m_item));
     m_data.remove_prefix(std::size_t(number) * size_of(type));
+  }
+
+  /// What is not read; empty at the end of the file.
+  std::string rest() const
+  {
+    return m_data.empty()
+             ? std::string()
+             : one_line(m_file + ": not read: " + counted(m_data.size(), "byte") + " at the end");
   }
 
   [[noreturn]] void fail(const std::string& cause) const

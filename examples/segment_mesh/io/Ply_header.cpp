@@ -144,10 +144,15 @@ bool is_floating_point(Ply_type type)
   return with_type(type, [](auto value) { return std::is_floating_point<decltype(value)>::value; });
 }
 
+std::string items_of(const Ply_element& element)
+{
+  return counted(std::size_t(element.count), "item") + " of element " + in_quotes(element.name);
+}
+
 std::string cut_off(const Ply_element& element, std::uint64_t item)
 {
-  return "the header promises " + counted(std::size_t(element.count), "item") + " of element " +
-         in_quotes(element.name) + ", the file ends after " + std::to_string(item);
+  return "the header promises " + items_of(element) + ", the file ends after " +
+         std::to_string(item);
 }
 
 Ply_header read_ply_header(const std::string& file, Text_scanner& scan)

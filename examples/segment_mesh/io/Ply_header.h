@@ -76,6 +76,8 @@ struct Ply_header
   std::uint64_t number_of_vertices = 0;
 };
 
+/// "4 items of element 'face'".
+std::string items_of(const Ply_element& element);
 /// What is wrong with a file that ends within an item.
 std::string cut_off(const Ply_element& element, std::uint64_t item);
 

@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <limits>
+#include <string>
 #include <utility>
 
 namespace segment_mesh {
@@ -61,6 +62,12 @@ public:
   {
     for (std::uint64_t i = 0; i < number; ++i)
       word();
+  }
+
+  /// What is not read; empty at the end of the file.
+  std::string rest()
+  {
+    return m_scan.has_word() || m_scan.next_line() ? m_scan.not_read() : std::string();
   }
 
   [[noreturn]] void fail(const std::string& cause) const { m_scan.fail(cause); }

@@ -10,9 +10,9 @@ std::vector<Segment_triangles> triangles_of_segments(const Labelled_mesh& mesh)
 {
   std::vector<Segment_triangles> result;
   const std::vector<std::size_t>& labels = mesh.segment_of_face;
-  const std::size_t number_of_segments = labels.empty()
-                                           ? 0
-                                           : 1 + *std::max_element(labels.begin(), labels.end());
+  std::size_t number_of_segments = 0; // no_segment and 1 are 0
+  for (std::size_t label : labels)
+    number_of_segments = (std::max)(number_of_segments, label + 1);
   const auto faces = faces_of_segments(labels, number_of_segments);
   for (std::size_t segment = 0; segment < number_of_segments; ++segment) {
     Polygon_soup part = extract_faces(mesh.soup, faces[segment]);

@@ -101,6 +101,11 @@ std::string_view Text_scanner::word_of_any_line()
   return has_word() || next_line() ? word() : std::string_view();
 }
 
+std::string Text_scanner::not_read() const
+{
+  return one_line(m_file + ":" + std::to_string(m_line_number) + ": not read, nor what follows");
+}
+
 void Text_scanner::fail(const std::string& cause) const
 {
   throw Input_error(m_file, m_line_number, cause);

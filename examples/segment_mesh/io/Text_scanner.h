@@ -40,6 +40,8 @@ public:
   /// How many bytes are left, from the line after this one.
   std::size_t available() const { return m_text.size() - m_next; }
 
+  /// Names file and line, where what is read ends.
+  std::string not_read() const;
   /// \throws Input_error naming file and line
   [[noreturn]] void fail(const std::string& cause) const;
 

@@ -6,8 +6,12 @@
 #include <cstddef>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace segment_mesh {
+
+/// What the user should know, a line each.
+using Remarks = std::vector<std::string>;
 
 /// Of the character of UTF-8 that begins at `at`: 1 if none does.
 inline std::size_t size_of_character(const std::string& text, std::size_t at)

@@ -35,7 +35,8 @@ bool is_gzip(std::string_view bytes)
   return bytes.substr(0, 2) == "\x1f\x8b";
 }
 
-std::string inflate(const std::string& file, std::string_view bytes, std::size_t expected_size)
+std::string inflate(const std::string& file, std::string_view bytes, Remarks& remarks,
+                    std::size_t expected_size)
 {
   z_stream stream{};
   if (inflateInit2(&stream, gzip_format + MAX_WBITS) != Z_OK)
@@ -47,8 +48,12 @@ std::string inflate(const std::string& file, std::string_view bytes, std::size_t
   int status = Z_OK;
   while (status != Z_STREAM_END || taken < bytes.size()) {
     if (status == Z_STREAM_END) {
-      if (bytes.find_first_not_of('\0', taken) == std::string_view::npos)
+      if (!is_gzip(bytes.substr(taken))) {
+        if (bytes.find_first_not_of('\0', taken) != std::string_view::npos)
+          remarks.push_back(one_line(file + ": not read: " + std::to_string(bytes.size() - taken) +
+                                     " bytes after the end of the gzip data"));
         break;
+      }
       inflateReset(&stream);
     }
     if (size == result.size())

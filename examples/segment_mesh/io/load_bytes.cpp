@@ -65,11 +65,11 @@ std::string load_standard_input()
 
 } // namespace
 
-std::string load_bytes(const std::string& file, std::size_t expected_size)
+std::string load_bytes(const std::string& file, Remarks& remarks, std::size_t expected_size)
 {
   std::string bytes = file == standard_input ? load_standard_input() : load_file(file);
   if (is_gzip(bytes))
-    bytes = inflate(file, bytes, expected_size);
+    bytes = inflate(file, bytes, remarks, expected_size);
   if (bytes.empty())
     throw Input_error(file, "is empty");
   return bytes;

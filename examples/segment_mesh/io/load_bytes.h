@@ -12,7 +12,8 @@ namespace segment_mesh {
 
 /// The bytes of a regular file, or of standard input for `-`; inflated if they are those of a gzip
 /// file. \param expected_size see `inflate()` \throws Input_error also if there are none
-std::string load_bytes(const std::string& file, std::size_t expected_size = harmless_size);
+std::string load_bytes(const std::string& file, Remarks& remarks,
+                       std::size_t expected_size = harmless_size);
 
 } // namespace segment_mesh
 

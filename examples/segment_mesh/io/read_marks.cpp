@@ -60,9 +60,9 @@ private:
   std::vector<Vertex_pair> m_edges;
 };
 
-std::vector<Vertex_pair> read_constraints(const std::string& file, const Input_mesh& input)
+std::vector<Vertex_pair> read_constraints(const std::string& file, Input_mesh& input)
 {
-  const std::string bytes = load_bytes(file);
+  const std::string bytes = load_bytes(file, input.remarks);
   const Edge_list edges(input.soup);
   Text_scanner scan(file, bytes, '#');
   const auto next_point = [&] {
@@ -87,9 +87,9 @@ std::vector<Vertex_pair> read_constraints(const std::string& file, const Input_m
   return result;
 }
 
-std::vector<std::size_t> read_seeds(const std::string& file, const Input_mesh& input)
+std::vector<std::size_t> read_seeds(const std::string& file, Input_mesh& input)
 {
-  const std::string bytes = load_bytes(file);
+  const std::string bytes = load_bytes(file, input.remarks);
   Text_scanner scan(file, bytes, '#');
   std::vector<std::size_t> result(input.soup.polygons.size(), no_seed);
   while (scan.next_line()) {
@@ -112,7 +112,7 @@ std::vector<std::size_t> read_seeds(const std::string& file, const Input_mesh& i
 
 } // namespace
 
-Marks read_marks(const Side_files& files, const Input_mesh& input)
+Marks read_marks(const Side_files& files, Input_mesh& input)
 {
   Marks marks;
   if (!files.constraints.empty())

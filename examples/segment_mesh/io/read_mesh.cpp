@@ -11,7 +11,8 @@ Input_mesh read_mesh(const std::string& file, std::optional<Mesh_format> format)
   if (!format)
     format = mesh_format(file);
   Input_mesh input;
-  input.soup = read_soup(file, *format, load_bytes(file), input.remarks);
+  const std::string bytes = load_bytes(file, input.remarks);
+  input.soup = read_soup(file, *format, bytes, input.remarks);
   return input;
 }
 

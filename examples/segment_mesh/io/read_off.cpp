@@ -61,11 +61,15 @@ Off_header read_header(Text_scanner& scan)
   return header;
 }
 
-[[noreturn]] void fail_at_end(const Text_scanner& scan, std::size_t item, std::int64_t promised,
-                              const std::string& what)
+/// Goes to the line of the item that is due.
+/// \throws Input_error if there is none; it says so if the line of the last item has more on it
+void next_item(Text_scanner& scan, std::size_t item, std::size_t promised, const std::string& what)
 {
-  scan.fail("the header promises " + counted(std::size_t(promised), what) +
-            ", the file ends after " + std::to_string(item));
+  const bool goes_on = item > 0 && scan.has_word();
+  if (!scan.next_line())
+    scan.fail("the header promises " + counted(promised, what) + ", the file ends after " +
+              std::to_string(item) +
+              (goes_on ? ", whose line goes on: each is to have a line of its own" : ""));
 }
 
 Point read_point(Text_scanner& scan, const Off_header& header)
@@ -111,6 +115,8 @@ void read_face(Text_scanner& scan, const Off_header& header, Polygons& polygons)
 
 Polygon_soup read_off(const std::string& file, std::string_view bytes, Remarks& remarks)
 {
+  if (bytes.find('\n') == std::string_view::npos && bytes.find('\r') != std::string_view::npos)
+    throw Input_error(file, "its lines end with carriage returns alone, not with line feeds");
   Text_scanner scan(file, bytes, '#');
   const Off_header header = read_header(scan);
   const std::size_t number_of_vertices(header.number_of_vertices),
@@ -120,19 +126,17 @@ Polygon_soup read_off(const std::string& file, std::string_view bytes, Remarks& 
   soup.polygons.reserve((std::min)(number_of_faces, bytes.size() / least_face_size));
   while (soup.points.size() < number_of_vertices) {
     // What is left of the header's line is the first vertex.
-    if (!(soup.points.empty() && scan.has_word()) && !scan.next_line())
-      fail_at_end(scan, soup.points.size(), header.number_of_vertices, "vertex");
+    if (!(soup.points.empty() && scan.has_word()))
+      next_item(scan, soup.points.size(), number_of_vertices, "vertex");
     soup.points.push_back(read_point(scan, header));
   }
   while (soup.polygons.size() < number_of_faces) {
-    if (!scan.next_line())
-      fail_at_end(scan, soup.polygons.size(), header.number_of_faces, "face");
+    next_item(scan, soup.polygons.size(), number_of_faces, "face");
     read_face(scan, header, soup.polygons);
   }
   if (scan.next_line())
-    remarks.push_back(one_line(file + ":" + std::to_string(scan.line_number()) +
-                               ": not read, nor what follows: the header promises " +
-                               counted(number_of_faces, "face")));
+    remarks.push_back(scan.not_read() + ": the header promises " +
+                      counted(number_of_faces, "face"));
   return soup;
 }
 

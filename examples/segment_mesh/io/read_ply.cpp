@@ -22,7 +22,7 @@ public:
     , m_values(std::move(values))
   {}
 
-  Polygon_soup read()
+  Polygon_soup read(Remarks& remarks)
   {
     for (const Ply_element& element : m_header.elements) {
       reserve(element);
@@ -36,6 +36,9 @@ public:
           m_soup.points.push_back(point);
       }
     }
+    if (const std::string rest = m_values.rest(); !rest.empty() && !m_soup.polygons.empty())
+      remarks.push_back(rest + ": the header promises " +
+                        one_line(items_of(m_header.elements.back())));
     return std::move(m_soup);
   }
 
@@ -119,15 +122,14 @@ private:
 
 } // namespace
 
-Polygon_soup read_ply(const std::string& file, std::string_view bytes)
+Polygon_soup read_ply(const std::string& file, std::string_view bytes, Remarks& remarks)
 {
   Text_scanner scan(file, bytes, Text_scanner::no_comments);
   const Ply_header header = read_ply_header(file, scan);
   const std::string_view data = bytes.substr(scan.offset_of_next_line());
   Polygon_soup soup = header.format == Ply_format::ASCII
-                        ? Ply_reader<Ply_text>(header, Ply_text(std::move(scan))).read()
-                        : Ply_reader<Ply_binary>(header, Ply_binary(file, data, header.format))
-                            .read();
+                        ? Ply_reader(header, Ply_text(std::move(scan))).read(remarks)
+                        : Ply_reader(header, Ply_binary(file, data, header.format)).read(remarks);
   if (soup.polygons.empty())
     throw Input_error(file, "no faces");
   return soup;

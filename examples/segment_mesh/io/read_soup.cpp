@@ -13,9 +13,9 @@ Polygon_soup read_soup(const std::string& file, Mesh_format format, std::string_
   case Mesh_format::OBJ:
     return read_obj(file, bytes, remarks);
   case Mesh_format::PLY:
-    return read_ply(file, bytes);
+    return read_ply(file, bytes, remarks);
   case Mesh_format::STL:
-    return read_stl(file, bytes);
+    return read_stl(file, bytes, remarks);
   case Mesh_format::GLTF:
     return read_gltf(file, bytes, remarks);
   }

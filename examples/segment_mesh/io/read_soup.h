@@ -4,16 +4,13 @@
 #define CGAL_REGION_SEGMENTATION_SEGMENT_MESH_READ_SOUP_H
 
 #include "io/Mesh_format.h"
+#include "io/errors.h"
 #include "soup/Polygon_soup.h"
 
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace segment_mesh {
-
-/// What the user should know, a line each.
-using Remarks = std::vector<std::string>;
 
 /// Reads points and faces from the bytes of a file, in one pass. \cgal's readers, which the tests
 /// compare these with, give no line and no cause, accept some files that are short, and reserve the
@@ -35,10 +32,12 @@ Polygon_soup read_off(const std::string& file, std::string_view bytes, Remarks& 
 /// Statements that are not of the format are skipped, with a remark.
 Polygon_soup read_obj(const std::string& file, std::string_view bytes, Remarks& remarks);
 /// Text and binary of both orders of bytes, values of any type; elements and properties beside
-/// those of vertices, faces and triangle strips (`tristrips`) are skipped.
-Polygon_soup read_ply(const std::string& file, std::string_view bytes);
-/// Text and binary; equal points are merged into the first of them.
-Polygon_soup read_stl(const std::string& file, std::string_view bytes);
+/// those of vertices, faces and triangle strips (`tristrips`) are skipped; what is beyond the
+/// numbers of the header, too, with a remark.
+Polygon_soup read_ply(const std::string& file, std::string_view bytes, Remarks& remarks);
+/// Text and binary; equal points are merged into the first of them; bytes beyond the number of a
+/// binary file are skipped, with a remark.
+Polygon_soup read_stl(const std::string& file, std::string_view bytes, Remarks& remarks);
 /// Text and binary: the triangles of the scene that is shown, as it places them; equal points are
 /// merged into the first of them. Buffers are in the file, or in files of its folder.
 Polygon_soup read_gltf(const std::string& file, std::string_view bytes, Remarks& remarks);

@@ -54,7 +54,7 @@ Polygon_soup triangles_on(std::vector<Point> points)
   return soup;
 }
 
-Polygon_soup read_binary(const std::string& file, std::string_view bytes)
+Polygon_soup read_binary(const std::string& file, std::string_view bytes, Remarks& remarks)
 {
   if (bytes.size() < data_offset)
     throw Input_error(file,
@@ -64,6 +64,10 @@ Polygon_soup read_binary(const std::string& file, std::string_view bytes)
   if (promised > available)
     throw Input_error(file, "the header promises " + counted(promised, "triangle") +
                               ", the file ends after " + std::to_string(available));
+  if (const std::size_t rest = bytes.size() - data_offset - triangle_size * promised; rest > 0)
+    remarks.push_back(one_line(file + ": not read: " + counted(rest, "byte") +
+                               " at the end: the header promises " +
+                               counted(promised, "triangle")));
   std::vector<Point> points;
   points.reserve(3 * promised);
   for (std::size_t i = 0; i < promised; ++i)
@@ -128,9 +132,9 @@ Polygon_soup read_text(const std::string& file, std::string_view bytes)
 
 } // namespace
 
-Polygon_soup read_stl(const std::string& file, std::string_view bytes)
+Polygon_soup read_stl(const std::string& file, std::string_view bytes, Remarks& remarks)
 {
-  Polygon_soup soup = is_text(bytes) ? read_text(file, bytes) : read_binary(file, bytes);
+  Polygon_soup soup = is_text(bytes) ? read_text(file, bytes) : read_binary(file, bytes, remarks);
   if (soup.polygons.empty())
     throw Input_error(file, "no faces");
   merge_equal_points(soup);

@@ -9,7 +9,8 @@
 //
 // They are those of `Segment_description`; lengths, areas and volumes in units of the mesh,
 // half_angle in degrees. radius is empty but for a sphere, cylinder or torus, half_angle but for a
-// cone; neighbors are separated by spaces. A value that is too large for a double is empty.
+// cone; neighbors are separated by spaces, -1 stands for faces of no segment. A value that is too
+// large for a double is empty.
 // Of the method smooth-faces, unless faces were merged: primitive and what belongs to it are those
 // of `Fitted_surface`, the point of a cone its apex, error the largest distance of a vertex;
 // lowest and highest the ends of a cylinder, cone or torus along direction from point; concave 1 or
@@ -20,6 +21,7 @@
 #include "io/write_segmentation.h"
 #include "segmentation/segment_json.h"
 
+#include <CGAL/Region_segmentation/Segments/no_segment.h>
 #include <CGAL/number_type_config.h>
 
 #include <cmath>
@@ -55,7 +57,7 @@ void write_numbers(Text_buffer& text, const std::vector<std::size_t>& numbers)
 {
   const char* separator = ",";
   for (std::size_t number : numbers) {
-    text << separator << number;
+    text << separator << std::int64_t(number);
     separator = " ";
   }
   if (numbers.empty())
@@ -89,7 +91,8 @@ std::vector<double> area_shares(const Result& result)
   std::vector<double> shares(result.segmentation.number_of_segments);
   double area = 0;
   for (const Region& region : result.details.regions()) {
-    shares[region.segment] += region.area;
+    if (region.segment != RS::no_segment)
+      shares[region.segment] += region.area;
     area += region.area;
   }
   for (double& share : shares)

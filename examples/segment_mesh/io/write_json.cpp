@@ -133,7 +133,7 @@ void add_details(const Result& result, ordered_json& json)
 {
   json["segments"] = array_json(result.details.segments(), segment_json);
   json["regions"] = array_json(result.details.regions(), [](const Region& r) -> ordered_json {
-    return {{"segment", r.segment},
+    return {{"segment", std::int64_t(r.segment)},
             {"faces", r.number_of_faces},
             {"area", r.area},
             {"perimeter", r.perimeter}};
@@ -188,7 +188,8 @@ void write_json(std::ostream& out, const Result& result)
   json["settings"] = settings_json(result);
   json["times"] = times_json(result.segmentation);
   add_details(result, json);
-  json["face_segments"] = result.segmentation.segment_of_face;
+  json["face_segments"] = array_json(result.segmentation.segment_of_face,
+                                     [](std::size_t s) { return std::int64_t(s); });
   json["face_regions"] = result.segmentation.region_of_face;
   json["remarks"] = result.input.remarks;
   write_members(out, json);

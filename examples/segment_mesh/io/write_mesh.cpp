@@ -107,7 +107,7 @@ void write_obj(std::ostream& out, const Labelled_mesh& mesh,
   const std::vector<std::size_t>& labels = mesh.segment_of_face;
   for (std::size_t f = 0; f < labels.size(); ++f) {
     if (f == 0 || labels[f] != labels[f - 1])
-      text << "g segment_" << labels[f] << "\n";
+      text << "g segment_" << std::int64_t(labels[f]) << "\n";
     text << "f";
     for (std::size_t i : mesh.soup.polygons[f])
       text << " " << i + 1;
@@ -138,7 +138,8 @@ void write_borders_obj(std::ostream& out, const std::vector<Point>& points,
     Polyline line;
     for (std::size_t i : border.points)
       line.push_back(new_index[i]);
-    text << "g border_" << border.segments[0] << "_" << border.segments[1] << "\n";
+    text << "g border_" << std::int64_t(border.segments[0]) << "_"
+         << std::int64_t(border.segments[1]) << "\n";
     write_line(text, line);
   }
 }

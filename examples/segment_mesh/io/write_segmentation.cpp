@@ -155,7 +155,7 @@ void write_seg(std::ostream& out, const Result& result)
 {
   Text_buffer text(out);
   for (std::size_t label : result.segmentation.segment_of_face)
-    text << label << "\n";
+    text << std::int64_t(label) << "\n";
 }
 
 void write_view(std::ostream& out, const Result& result)

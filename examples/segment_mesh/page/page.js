@@ -47,6 +47,7 @@ class Page {
       firstFaces[region] = Math.min(firstFaces[region], face);
       ++this.facesOfRegion[region];
     });
+    if (content.none !== null) firstFaces[content.none] = Number.MAX_VALUE; // no segment: after all of them
     this.tree = new MergeTree(content.regions, arrays.merges, arrays.areas, firstFaces);
     this.totalArea = arrays.areas.reduce((sum, area) => sum + area, 0) || 1;
     this.shapes = new Map();
@@ -151,8 +152,9 @@ class Page {
   // Names and colors.
 
   indexOf(node) { return this.nodes.indexOf(node); }
-  nameOf(node) { return "Segment " + this.indexOf(node); }
+  nameOf(node) { return node === this.content.none ? "No segment" : "Segment " + this.indexOf(node); }
   colorOf(node) {
+    if (node === this.content.none) return [96, 96, 96];
     if (element("coloring").value === "kinds") return kindColors[this.kindOf(node)];
     return this.content.colors[this.colors[node] % this.content.colors.length];
   }
@@ -343,7 +345,10 @@ class Page {
     setTimeout(() => URL.revokeObjectURL(link.href), 1000);
   }
 
-  labels() { return Array.from(this.arrays.regions, region => this.segmentOfRegion[region]).join("\n") + "\n"; }
+  labels() {
+    const label = segment => this.nodes[segment] === this.content.none ? -1 : segment;
+    return Array.from(this.arrays.regions, region => label(this.segmentOfRegion[region])).join("\n") + "\n";
+  }
 
   listen() {
     this.listenToCanvas();

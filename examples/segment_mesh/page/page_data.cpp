@@ -137,6 +137,16 @@ ordered_json colors_json()
   return colors;
 }
 
+/// The region of the faces of no segment, null if there are none.
+ordered_json none_region(const Segmentation& segmentation)
+{
+  const auto& segments = segmentation.segment_of_face;
+  const auto none = std::find(segments.begin(), segments.end(), std::size_t(-1));
+  return none == segments.end()
+           ? ordered_json()
+           : ordered_json(segmentation.region_of_face[std::size_t(none - segments.begin())]);
+}
+
 ordered_json content_json(const Page_content& content, const Array_file& file)
 {
   const Segmentation& segmentation = content.segmentation;
@@ -147,6 +157,7 @@ ordered_json content_json(const Page_content& content, const Array_file& file)
           {"segments", segmentation.number_of_segments},
           {"regions", segmentation.number_of_regions},
           {"greatest", greatest},
+          {"none", none_region(segmentation)},
           {"view", {{"toward", viewpoint.toward_viewer}, {"up", viewpoint.up}}},
           {"colors", colors_json()},
           {"arrays", file.index()}};

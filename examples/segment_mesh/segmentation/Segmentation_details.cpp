@@ -251,7 +251,8 @@ std::vector<Segment_description> Segmentation_details::segments() const
   for (Segment_description& description : result)
     description.number_of_faces = 0;
   for (std::size_t segment : m_segmentation.segment_of_face) // of the soup
-    ++result[segment].number_of_faces;
+    if (segment != RS::no_segment)
+      ++result[segment].number_of_faces;
   if (machine_part()) {
     auto neighbors = machine_part()->smooth_neighbors(m_segmentation.segment_of_face,
                                                       result.size());

@@ -4,11 +4,15 @@
 
 #include "segmentation/smooth_borders.h"
 
+#include <CGAL/Region_segmentation/Segments/no_segment.h>
+
 #include <algorithm>
 
 namespace segment_mesh {
 
 namespace {
+
+using CGAL::Region_segmentation::no_segment;
 
 Segmentation run_on(Mesh_type type, const Polygon_soup& soup, const Marks& marks,
                     const Segmentation_settings& settings, const Progress_listener& listener)
@@ -43,14 +47,21 @@ Segmentation segmentation_from_labels(const std::vector<std::int64_t>& labels)
   std::vector<std::int64_t> different = labels;
   std::sort(different.begin(), different.end());
   different.erase(std::unique(different.begin(), different.end()), different.end());
+  const auto none = std::find(different.begin(), different.end(), std::int64_t(no_segment));
+  const bool has_none = none != different.end();
+  if (has_none)
+    different.erase(none);
 
   Segmentation result;
-  result.number_of_segments = result.number_of_regions = different.size();
-  result.segment_of_face.reserve(labels.size());
-  for (std::int64_t label : labels)
-    result.segment_of_face.push_back(
-      std::size_t(std::lower_bound(different.begin(), different.end(), label) - different.begin()));
-  result.region_of_face = result.segment_of_face;
+  const std::size_t n = different.size();
+  result.number_of_segments = n;
+  result.number_of_regions = n + has_none;
+  for (std::int64_t label : labels) {
+    const auto i = std::size_t(std::lower_bound(different.begin(), different.end(), label) -
+                               different.begin());
+    result.segment_of_face.push_back(label == no_segment ? std::size_t(no_segment) : i);
+    result.region_of_face.push_back(label == no_segment ? n : i);
+  }
   result.tree = CGAL::Region_segmentation::Merge_tree(result.number_of_regions);
   return result;
 }

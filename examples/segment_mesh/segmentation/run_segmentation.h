@@ -41,8 +41,8 @@ struct Segmentation
   /// Where the method chose the largest number that it chooses: there may be more parts.
   std::optional<std::size_t> largest_number;
   std::optional<Feature_settings> features; ///< of a method that has feature edges
-  std::vector<std::size_t> segment_of_face;
-  std::vector<std::size_t> region_of_face; ///< a region lies in one segment
+  std::vector<std::size_t> segment_of_face; ///< `no_segment` for faces of none
+  std::vector<std::size_t> region_of_face;  ///< a region lies in one segment
   /// Of the regions. Its partition into `number_of_segments` is `segment_of_face`; it has no merges
   /// where the segments are the regions.
   CGAL::Region_segmentation::Merge_tree tree{0};
@@ -68,7 +68,8 @@ Segmentation run_segmentation(const Polygon_soup& soup, const Marks& marks,
                               const Segmentation_settings& settings,
                               const Progress_listener& listener);
 
-/// A segmentation that exists: a segment for each label, in their order, and no other regions.
+/// A segmentation that exists: a segment for each label, in their order. No other regions, but for
+/// a last one of the faces with the label -1, which are in no segment.
 Segmentation segmentation_from_labels(const std::vector<std::int64_t>& labels);
 
 /// \name The same on one type

@@ -35,7 +35,8 @@ public:
   {
     m_colors.reserve(scene.number_of_faces());
     for (std::size_t label : scene.labels)
-      m_colors.push_back(segment_color(options.colors.empty() ? label : options.colors[label]));
+      m_colors.push_back(
+        segment_color(label < options.colors.size() ? options.colors[label] : label));
   }
 
   std::array<float, 3> operator()(std::size_t sample) const

@@ -128,7 +128,7 @@ public:
   /// Complexity: that of the method.
   template <typename FaceGraph, typename NamedParameters = parameters::Default_named_parameters,
             typename ConcurrencyTag = CGAL::Sequential_tag,
-            std::enable_if_t<internal::is_pack<NamedParameters>, int> = 0>
+            std::enable_if_t<!internal::is_polygon_range<NamedParameters>(), int> = 0>
   explicit Segmenter(const FaceGraph& mesh,
                      const NamedParameters& np = parameters::default_values(),
                      ConcurrencyTag = ConcurrencyTag())
@@ -140,11 +140,11 @@ public:
   {}
 
   /// Deleted, since a reference to a temporary mesh would dangle.
-  template <
-    typename FaceGraph, typename NamedParameters = parameters::Default_named_parameters,
-    typename ConcurrencyTag = CGAL::Sequential_tag,
-    std::enable_if_t<
-      internal::is_pack<NamedParameters> && !std::is_lvalue_reference<FaceGraph>::value, int> = 0>
+  template <typename FaceGraph, typename NamedParameters = parameters::Default_named_parameters,
+            typename ConcurrencyTag = CGAL::Sequential_tag,
+            std::enable_if_t<!internal::is_polygon_range<NamedParameters>() &&
+                               !std::is_lvalue_reference<FaceGraph>::value,
+                             int> = 0>
   explicit Segmenter(FaceGraph&& mesh, const NamedParameters& np = parameters::default_values(),
                      ConcurrencyTag = ConcurrencyTag()) = delete;
 
@@ -377,15 +377,15 @@ private:
 };
 
 template <typename FaceGraph, typename NamedParameters = parameters::Default_named_parameters,
-          typename... ConcurrencyTag, std::enable_if_t<internal::is_pack<NamedParameters>, int> = 0>
+          typename... ConcurrencyTag,
+          std::enable_if_t<!internal::is_polygon_range<NamedParameters>(), int> = 0>
 Segmenter(const FaceGraph&, const NamedParameters& = parameters::default_values(),
           ConcurrencyTag...) -> Segmenter<internal::Face_graph_input<FaceGraph>,
                                           internal::Method_of_parameters<NamedParameters>>;
-template <
-  typename PointRange, typename PolygonRange,
-  typename NamedParameters = parameters::Default_named_parameters, typename... ConcurrencyTag,
-  std::enable_if_t<internal::is_polygon_range<PolygonRange>() && internal::is_pack<NamedParameters>,
-                   int> = 0>
+template <typename PointRange, typename PolygonRange,
+          typename NamedParameters = parameters::Default_named_parameters,
+          typename... ConcurrencyTag,
+          std::enable_if_t<internal::is_polygon_range<PolygonRange>(), int> = 0>
 Segmenter(const PointRange&, const PolygonRange&,
           const NamedParameters& = parameters::default_values(), ConcurrencyTag...)
   -> Segmenter<internal::Polygon_input, internal::Method_of_parameters<NamedParameters>>;

@@ -165,7 +165,7 @@ public:
     const Double_3& n = m_arrays.normals[face];
     return n.x == 0 && n.y == 0 && n.z == 0;
   }
-  /// The mean of the corners.
+  /// The mean of the corners; its members are `x`, `y` and `z`, whatever the kernel of the mesh.
   Double_3 centroid(std::size_t face) const
   {
     if (number_of_corners(face) > internal::Surface_arrays::many_corners) {

@@ -39,6 +39,8 @@ auto face_values(const FaceGraph& mesh, const FaceMap& map)
 /// \tparam Values a type with `operator[](std::size_t)`, such as `Partition` or a vector
 /// \tparam FaceMap a model of `WritablePropertyMap` with the face descriptor as key
 /// \pre there is a value for each face
+/// \throws Invalid_input if the values are a partition with more parts than the value type of the
+///         map has labels, -1 not among them; nothing is written
 ///
 /// Complexity: O(F).
 template <typename FaceGraph, typename Values, typename FaceMap>
@@ -46,6 +48,8 @@ void write_face_values(const FaceGraph& mesh, const Values& values, FaceMap map)
 {
   static_assert(internal::check_face_map<FaceMap, FaceGraph>());
   using Value = typename boost::property_traits<FaceMap>::value_type;
+  if constexpr (internal::satisfies<internal::Number_of_parts, Values>)
+    internal::check_labels<Value>(values.number_of_parts());
   std::size_t i = 0;
   for (auto f : faces(mesh))
     put(map, f, Value(values[i++]));

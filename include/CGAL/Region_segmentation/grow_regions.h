@@ -86,11 +86,11 @@ std::size_t grow_regions(const FaceGraph& mesh, EdgeIsFeatureMap edge_is_feature
   const Partition regions = internal::grow(surface, is_feature, input.constraints(),
                                            execution.stage("regions"));
 
+  write_face_values(mesh, regions, region_map);
   input.write(edge_is_feature_map, [&](std::size_t a) {
     const bool is_between = regions[surface.lower_face(a)] != regions[surface.higher_face(a)];
     return input.constraints()[a] || (is_feature[a] && is_between);
   });
-  write_face_values(mesh, regions, region_map);
   return regions.number_of_parts();
 }
 

@@ -10,7 +10,11 @@
 /// so \cgal's look-up functions read it, and every function of the package accepts packs made by
 /// `CGAL::parameters`.
 
+#include <CGAL/Region_segmentation/internal/support/satisfies.h>
+
 #include <CGAL/Named_function_parameters.h>
+
+#include <boost/property_map/property_map.hpp>
 
 #include <functional>
 #include <iterator>
@@ -185,11 +189,15 @@ struct Is_range<T, std::void_t<decltype(std::begin(std::declval<const T&>()),
 template <typename T>
 constexpr bool is_range = Is_range<T>::value;
 
-/// Distinguishes polygons, a range of ranges, from property maps and named parameters.
+template <typename T>
+using Key_of_map = typename boost::property_traits<T>::key_type;
+
+/// Distinguishes polygons, a range of ranges, from property maps, also those with iterators, and
+/// named parameters.
 template <typename T>
 constexpr bool is_polygon_range()
 {
-  if constexpr (is_range<T>)
+  if constexpr (is_range<T> && !satisfies<Key_of_map, T>)
     return is_range<std::decay_t<decltype(*std::begin(std::declval<const T&>()))>>;
   else
     return false;
@@ -228,14 +236,24 @@ struct Takes_all<CGAL::Named_function_parameters<T, Tag, Base>, Taken>
       Takes_all<Base, Taken>>
 {};
 
+template <typename Pack, typename... Seen>
+struct Are_different : std::true_type
+{};
+template <typename T, typename Tag, typename Base, typename... Seen>
+struct Are_different<CGAL::Named_function_parameters<T, Tag, Base>, Seen...>
+  : std::conjunction<std::negation<Is_in<Tag, Tag_list<Seen...>>>,
+                     Are_different<Base, Tag, Seen...>>
+{};
+
 /// Does not compile if a pack has one of the watched parameters that is not among the accepted
-/// ones.
+/// ones, or a parameter twice.
 template <typename Pack, typename Taken>
 constexpr void check_parameters()
 {
   static_assert(Takes_all<Pack, Taken>::value, "one of the named parameters is not taken by this "
                                                "function (constants of a method are members of "
                                                "its parts)");
+  static_assert(Are_different<Pack>::value, "one of the named parameters is given twice");
 }
 
 } // namespace internal

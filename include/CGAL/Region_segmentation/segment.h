@@ -29,8 +29,6 @@ auto with_number(Number number_of_segments, const NamedParameters& np)
   static_assert(std::is_integral<Number>::value, "the number of segments is an integer");
   const auto& pack = internal::pack(np);
   using Pack = std::decay_t<decltype(pack)>;
-  static_assert(!has_parameter<Pack, internal_np::number_of_segments_t>,
-                "the number of segments is given twice");
   return Named_parameters<Number, internal_np::number_of_segments_t, Pack>(number_of_segments,
                                                                            pack);
 }
@@ -119,7 +117,9 @@ auto with_number(Number number_of_segments, const NamedParameters& np)
 /// \pre `number_of_segments` is at least 1; with the checks of \cgal disabled, another number gives
 ///      an unspecified number of segments
 /// \post every segment is connected by edges, seams and links where every first region is
-/// \throws Invalid_input if a point is not finite or equal seeds cannot be joined;
+/// \throws Invalid_input if a point is not finite, equal seeds cannot be joined, or a map has a
+/// type
+///         that does not hold the labels, and -1 for none beside them;
 ///         `Segmentation_cancelled` if the visitor cancels; all maps are unchanged. What `put()` of
 ///         a map throws: `segment_map` is written first, in the order of the faces, then
 ///         `region_map`, then `merge_tree`; what precedes keeps its final value, the rest is
@@ -131,7 +131,9 @@ auto with_number(Number number_of_segments, const NamedParameters& np)
 /// change, use a `Segmenter`.
 template <typename ConcurrencyTag = CGAL::Sequential_tag, typename FaceGraph,
           typename FaceSegmentMap, typename NamedParameters = parameters::Default_named_parameters,
-          std::enable_if_t<internal::is_pack<NamedParameters>, int> = 0>
+          std::enable_if_t<!std::is_arithmetic<NamedParameters>::value &&
+                             !internal::is_polygon_range<FaceSegmentMap>(),
+                           int> = 0>
 std::size_t segment(const FaceGraph& mesh, FaceSegmentMap segment_map,
                     const NamedParameters& np = parameters::default_values())
 {
@@ -142,24 +144,6 @@ std::size_t segment(const FaceGraph& mesh, FaceSegmentMap segment_map,
   const Surface surface = internal::make_surface(mesh, pack, execution);
   return internal::run_method(internal::Face_graph_input<FaceGraph>(mesh), surface, segment_map,
                               pack, execution);
-}
-
-namespace internal {
-
-/// Neither a pack of parameters nor a number after a map: reports it, and only it.
-template <typename FaceSegmentMap, typename T>
-constexpr bool is_misplaced = !is_pack<T> && !std::is_arithmetic<T>::value &&
-                              !is_polygon_range<FaceSegmentMap>();
-
-} // namespace internal
-
-template <typename ConcurrencyTag = CGAL::Sequential_tag, typename FaceGraph,
-          typename FaceSegmentMap, typename T,
-          std::enable_if_t<internal::is_misplaced<FaceSegmentMap, T>, int> = 0>
-std::size_t segment(const FaceGraph&, FaceSegmentMap, const T& argument)
-{
-  internal::pack(argument);
-  return 0;
 }
 
 /// \ingroup PkgRegionSegmentationMain
@@ -192,11 +176,12 @@ std::size_t segment(const FaceGraph& mesh, FaceSegmentMap segment_map, Number nu
 ///
 /// \throws Invalid_input if a polygon has no corner or one that is not a point, a point of a
 ///         polygon is not finite, or a range has not as many elements as there are polygons
-template <
-  typename ConcurrencyTag = CGAL::Sequential_tag, typename PointRange, typename PolygonRange,
-  typename PolygonSegmentMap, typename NamedParameters = parameters::Default_named_parameters,
-  std::enable_if_t<internal::is_polygon_range<PolygonRange>() && internal::is_pack<NamedParameters>,
-                   int> = 0>
+template <typename ConcurrencyTag = CGAL::Sequential_tag, typename PointRange,
+          typename PolygonRange, typename PolygonSegmentMap,
+          typename NamedParameters = parameters::Default_named_parameters,
+          std::enable_if_t<internal::is_polygon_range<PolygonRange>() &&
+                             !std::is_arithmetic<NamedParameters>::value,
+                           int> = 0>
 std::size_t segment(const PointRange& points, const PolygonRange& polygons,
                     PolygonSegmentMap&& segment_map,
                     const NamedParameters& np = parameters::default_values())

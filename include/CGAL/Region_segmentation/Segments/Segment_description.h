@@ -16,6 +16,8 @@ namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationSegments
 /// A segment that shares edges with another one.
+///
+/// \tparam Label the value type of the map of segments
 template <typename Label>
 struct Segment_neighbor
 {

@@ -35,6 +35,7 @@ public:
   void add_constraints(const Surface& surface, const EdgeMap& map, const Pack& np,
                        Constraints& constraints) const
   {
+    static_assert(check_edge_map<EdgeMap, FaceGraph>());
     const Mesh_order<FaceGraph, Pack> order(*m_mesh, np);
     add_constraints_of_edges(order, surface, map, constraints);
     std::vector<Vertex_pair> borders; // border edges may coincide
@@ -46,9 +47,12 @@ public:
     mark_constraints(surface, std::move(borders), constraints);
   }
 
+  /// \throws Invalid_input if a map does not hold labels below `n`
   template <typename FaceMap>
-  void check(const FaceMap&) const
-  {}
+  void check(const FaceMap&, std::size_t n) const
+  {
+    check_labels<typename boost::property_traits<FaceMap>::value_type>(n);
+  }
 
   template <typename FaceMap>
   auto values(const FaceMap& map) const

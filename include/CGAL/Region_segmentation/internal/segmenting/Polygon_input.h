@@ -48,21 +48,27 @@ public:
     mark_constraints(surface, std::move(edges), constraints);
   }
 
-  /// \throws Invalid_input if a range has another number of elements
+  /// \throws Invalid_input if a range has another number of elements, or does not hold labels below
+  /// `n`
   template <typename Map>
-  void check(const Map& map) const
+  void check(const Map& map, std::size_t n) const
   {
-    if constexpr (is_range<Map>)
+    static_assert(holds_labels<Map>(), "labels of polygons are a range or a property map of an "
+                                       "integral type other than bool");
+    if constexpr (is_range<Map>) {
       if (const auto size = std::size_t(std::distance(std::begin(map), std::end(map)));
           size != m_number)
         throw Invalid_input("a range of " + std::to_string(size) + " elements for " +
                             std::to_string(m_number) + " polygons");
+      check_labels<std::decay_t<decltype(map[0])>>(n);
+    } else
+      check_labels<typename boost::property_traits<Map>::value_type>(n);
   }
 
   template <typename Map>
   auto values(const Map& map) const
   {
-    check(map);
+    check(map, 0);
     using Value = std::decay_t<decltype(value(map, 0))>;
     std::vector<Value> result;
     result.reserve(m_number);
@@ -74,9 +80,7 @@ public:
   template <typename Values, typename Map>
   void write(const Values& values, Map& map) const
   {
-    static_assert(holds_labels<Map>(), "labels of polygons are a range or a property map of an "
-                                       "integral type other than bool");
-    check(map);
+    check(map, values.number_of_parts());
     for (std::size_t i = 0; i < m_number; ++i)
       if constexpr (is_range<Map>)
         map[i] = std::decay_t<decltype(map[i])>(values[i]);

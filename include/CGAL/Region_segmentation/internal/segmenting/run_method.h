@@ -160,7 +160,7 @@ std::size_t run_method(const Input& input, const Surface& surface, SegmentMap& s
   static_assert(check_method<Method>());
   static_assert(!needs_number<Method>() || has_parameter<Pack, internal_np::number_of_segments_t>,
                 "segment() with this method needs the named parameter number_of_segments");
-  input.check(segment_map);
+  input.check(segment_map, 0);
   const Method method = method_of_pack<Method>(np);
   Request request = request_of_pack(input, surface, np);
   if constexpr (!has_outputs<Pack>)
@@ -168,6 +168,9 @@ std::size_t run_method(const Input& input, const Surface& surface, SegmentMap& s
   const auto prepared = method.prepare(surface, execution);
   const auto result = merge_by(method, surface, prepared, request, execution);
   const Composed_partition segments = result.segments(surface, result.number_of_segments());
+  if constexpr (has_parameter<Pack, internal_np::region_map_t>)
+    input.check(CGAL::parameters::get_parameter(np, internal_np::region_map),
+                result.regions().number_of_parts());
   input.write(segments, segment_map);
   write_outputs(input, result, np);
   return segments.number_of_parts();

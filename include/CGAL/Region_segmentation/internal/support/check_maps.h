@@ -3,12 +3,17 @@
 #ifndef CGAL_REGION_SEGMENTATION_INTERNAL_SUPPORT_CHECK_MAPS_H
 #define CGAL_REGION_SEGMENTATION_INTERNAL_SUPPORT_CHECK_MAPS_H
 
+#include <CGAL/Region_segmentation/exceptions.h>
 #include <CGAL/Region_segmentation/internal/support/satisfies.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
+#include <cstddef>
+#include <limits>
+#include <string>
 #include <type_traits>
+#include <utility>
 
 namespace CGAL {
 namespace Region_segmentation {
@@ -27,12 +32,30 @@ constexpr bool check_face_map()
   return true;
 }
 
+template <typename Values>
+using Number_of_parts = decltype(std::declval<const Values&>().number_of_parts());
+
+/// \throws Invalid_input if a type does not hold the labels below `n`, and -1 for none beside them
+template <typename Label>
+void check_labels(std::size_t n)
+{
+  static_assert(std::is_integral<Label>::value,
+                "labels are written to a map or range of an integral type, such as std::size_t");
+  constexpr auto greatest = (std::numeric_limits<Label>::max)();
+  constexpr bool is_greatest_none = greatest == Label(-1) && !std::is_same<Label, bool>::value;
+  if (n > 0 && n - 1 > std::size_t(greatest) - is_greatest_none)
+    throw Invalid_input(std::to_string(n) + " labels are too many for the type of the map, whose " +
+                        "greatest value is " + std::to_string(greatest));
+}
+
 template <typename Map, typename FaceGraph>
 constexpr bool check_edge_map()
 {
   static_assert(
     satisfies<Has_key, Map, typename boost::graph_traits<FaceGraph>::edge_descriptor>,
-    "a property map of the edges is needed: its key is the edge descriptor of the mesh");
+    "a property map of the edges is needed: its key is the edge descriptor of the mesh. (One of a "
+    "function f is boost::make_function_property_map<edge_descriptor>(f), one of a std::set s is "
+    "CGAL::Boolean_property_map<decltype(s)>(s))");
   return true;
 }
 

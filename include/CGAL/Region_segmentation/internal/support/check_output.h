@@ -20,8 +20,10 @@ template <typename OutputIterator, typename Value>
 constexpr bool check_output_of_labels()
 {
   static_assert(satisfies<Takes_value, OutputIterator, Value>,
-                "the output iterator takes values of another type: their Label is the value type "
-                "of the map of segments");
+                "the output iterator does not take what this function gives: "
+                "Segment_piece<SegmentMesh, FaceGraph, Label>, Segment_border<FaceGraph, Label> or "
+                "Segment_description<Label, Kernel>, whose Label is the value type of the map of "
+                "segments");
   return true;
 }
 
