@@ -20,6 +20,10 @@ namespace Region_segmentation {
 ///
 /// \tparam Graph a `Region_adjacency_graph` of `requested.regions`
 /// \tparam Policy a model of `MergingPolicy`
+/// \param surface that of the regions
+/// \param requested the regions, which seeds and constraints have changed
+/// \param graph is merged
+/// \param policy determines the order of merges
 /// \param number of regions to be left; with 1 there is a tree for all numbers
 /// \param execution `Execution()`, or the stage of the merges (`execution.stage("merging")`)
 /// \returns the tree of the merges
