@@ -6,6 +6,8 @@
 #include <CGAL/Region_segmentation/Double_3.h>
 #include <CGAL/Region_segmentation/internal/support/Large_array.h>
 
+#include <CGAL/Iterator_range.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -40,7 +42,7 @@ struct Surface_arrays
   std::vector<std::pair<Index, Double_3>> centroids;
   double unit = 1, area = 0, length_unit = 1;
   bool has_seams_or_links = false;
-  std::vector<bool> is_crumb;            // by face; empty: none is
+  std::vector<char> is_crumb;            // by face; empty: none is
   Large_array<Index> input_faces;        // 4 bytes a face; empty: the same
   std::size_t number_of_input_faces = 0; // if these are not empty
 };
@@ -246,13 +248,21 @@ inline const Surface_arrays& arrays_of(const Surface& surface)
   return surface.m_arrays;
 }
 
+/// The vertices at the corners of a face, in order.
+inline Iterator_range<const Surface::Index*> corners_of(const Surface& surface, std::size_t face)
+{
+  const Surface_arrays& arrays = arrays_of(surface);
+  return {arrays.corners.data() + arrays.first_corners[face],
+          arrays.corners.data() + arrays.first_corners[face + 1]};
+}
+
 /// Calls `f(v, w)` for the sides of a face, which run from vertex v to vertex w, in order.
 template <typename F>
 void for_each_side(const Surface& surface, std::size_t face, const F& f)
 {
-  const std::size_t n = surface.number_of_corners(face);
-  for (std::size_t i = 0; i < n; ++i)
-    f(surface.corner(face, i), surface.corner(face, i + 1 < n ? i + 1 : 0));
+  const auto [first, end] = corners_of(surface, face);
+  for (const Surface::Index* corner = first; corner != end; ++corner)
+    f(*corner, corner + 1 != end ? corner[1] : *first);
 }
 
 } // namespace internal

@@ -76,10 +76,11 @@ struct Visibility_cost
     const double harmonic = 2 * smaller * larger / (smaller + larger);
     const double seen = (std::min)(a.visibility, b.visibility);
     const double mutual = seen > 0 ? section.visibility / seen : 0;
+    const double log_smaller = std::log(smaller);
     return depth_exponent * std::log(depth(section)) +
            area_exponent *
-             ((1 - harmonic_share) * std::log(smaller) + harmonic_share * std::log(harmonic)) -
-           length_exponent * (2 * std::log(length) - std::log(smaller)) +
+             ((1 - harmonic_share) * log_smaller + harmonic_share * std::log(harmonic)) -
+           length_exponent * (2 * std::log(length) - log_smaller) +
            thickness_exponent * std::log(thickness_offset + std::abs(a.mean_log_thickness() -
                                                                      b.mean_log_thickness())) -
            visibility_exponent * std::log(visibility_offset + mutual);

@@ -250,7 +250,8 @@ private:
     for_each_in_part(joined, [&](Index part, std::size_t p) {
       if (firsts[part] == none)
         firsts[part] = Index(p);
-      places[part].add(area_of(p), centroid_of(p) - centroid_of(firsts[part]));
+      places[part].add(area_of(p),
+                       firsts[part] == p ? Double_3{} : centroid_of(p) - centroid_of(firsts[part]));
     });
     for_each_index(m_execution, places.size(),
                    [&](std::size_t p) { places[p].end(centroid_of(firsts[p])); });
@@ -348,11 +349,11 @@ private:
           add(a.higher, a);
     });
     m_adjacencies.clear();
-    const Grouped_items<Adjacency> by_lower(m_places.size(), [&](const auto& add) {
+    Grouped_items<Adjacency> by_lower(m_places.size(), [&](const auto& add) {
       for (const Adjacency& a : by_higher.all())
         add(a.lower, a);
     });
-    Large_array<Adjacency> united(by_lower.all());
+    Large_array<Adjacency> united = std::move(by_lower).all();
     unite(united);
     return united;
   }

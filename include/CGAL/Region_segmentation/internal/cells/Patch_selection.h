@@ -122,13 +122,14 @@ private:
                    std::vector<Index>& path) const
   {
     std::uint8_t parity = parities[i].load(std::memory_order_relaxed);
-    for (; parity == UNKNOWN; parity = parities[i].load(std::memory_order_relaxed)) {
+    while (parity == UNKNOWN && m_parents[i] != i) {
       path.push_back(i);
-      if (m_parents[i] == i) {
-        parity = ODD; // of what would be above the root
-        break;
-      }
       i = m_parents[i];
+      parity = parities[i].load(std::memory_order_relaxed);
+    }
+    if (parity == UNKNOWN) { // a root
+      parity = EVEN;
+      parities[i].store(parity, std::memory_order_relaxed);
     }
     for (; !path.empty(); path.pop_back()) {
       parity = parity == ODD ? EVEN : ODD;

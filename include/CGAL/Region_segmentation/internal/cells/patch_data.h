@@ -90,8 +90,8 @@ void set_centers(Large_array<Patches::Patch>& patches, const Partition& patch_of
 
 inline double concave_deviation(const Patches::Patch& a, const Patches::Patch& b)
 {
-  if (squared_norm(a.normal) == 0 || squared_norm(b.normal) == 0 ||
-      !(dot(b.normal - a.normal, b.centroid - a.centroid) < 0))
+  if (!(dot(b.normal - a.normal, b.centroid - a.centroid) < 0) || squared_norm(a.normal) == 0 ||
+      squared_norm(b.normal) == 0)
     return 0;
   return std::acos((std::max)(-1.0, (std::min)(1.0, dot(a.normal, b.normal))));
 }

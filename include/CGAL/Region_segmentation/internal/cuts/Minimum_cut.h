@@ -128,6 +128,8 @@ private:
     std::vector<std::pair<Node, Node>> arcs; // start, end
     std::vector<Capacity> capacities, residual(size);
     std::vector<Node> place(size);
+    arcs.reserve(size);
+    capacities.reserve(size);
     for (const Node arc : by_start.all()) {
       const auto& [lower, higher, capacity] = network[arc / 2];
       place[arc] = Node(arcs.size());

@@ -27,9 +27,9 @@ struct Ray
   using Index = Surface::Index;
   static constexpr Index no_face = (std::numeric_limits<Index>::max)();
 
-  Float_3 source, direction, inverse; // of the direction, infinite for 0
-  std::array<std::size_t, 3> entered; // by which of the two bounds it enters a box, by axis
-  Index skipped;                      // is not hit
+  Float_3 source, direction, inverse;     // of the direction, infinite for 0
+  std::array<std::size_t, 3> entry, exit; // by which of the six bounds it enters and leaves a box
+  Index skipped;                          // is not hit
   Index face = no_face;
   float distance = (std::numeric_limits<float>::max)();
 
@@ -40,7 +40,8 @@ struct Ray
   {
     for (std::size_t k = 0; k < 3; ++k) {
       inverse[k] = 1 / direction[k];
-      entered[k] = inverse[k] < 0 ? 1 : 0;
+      entry[k] = inverse[k] < 0 ? 3 + k : k;
+      exit[k] = inverse[k] < 0 ? k : 3 + k;
     }
   }
 };

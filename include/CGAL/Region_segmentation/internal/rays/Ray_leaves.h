@@ -54,6 +54,15 @@ public:
     return {float(v.x), float(v.y), float(v.z)};
   }
 
+  /// Calls `f(point)` for the corners of the faces of a leaf.
+  template <typename F>
+  void for_each_point(const Surface& mesh, std::size_t leaf, const F& f) const
+  {
+    for (const Index face : m_faces[leaf])
+      for (const Index corner : corners_of(mesh, face))
+        f(m_points[corner]);
+  }
+
   /// Calls `f(p, q, r, face)` for the triangles of a leaf: the first corner of a fan, and two
   /// others.
   template <typename F>

@@ -114,7 +114,7 @@ private:
 
   struct Node
   {
-    std::array<std::array<Lanes, 3>, 2> bounds; // of the children, lower and upper ones
+    std::array<Lanes, 6> bounds;    // of the children, lower ones by axis, and upper ones
     std::array<Index, width> child; // twice the index of a node, or twice that of a leaf plus one
   };
 
@@ -133,11 +133,7 @@ private:
     constexpr float margin = 5e-7f; // relative to the distance from the origin, and to the size of
                                     // the surface
     Box box;
-    m_leaves.for_each_triangle(mesh, leaf,
-                               [&](const Float_3& p, const Float_3& q, const Float_3& r, Index) {
-                                 for (const Float_3* c : {&p, &q, &r})
-                                   box.add_point(*c);
-                               });
+    m_leaves.for_each_point(mesh, leaf, [&](const Float_3& p) { box.add_point(p); });
     if (!(box.low[0] <= box.high[0])) { // of crumbs alone
       constexpr Float_3 origin{0, 0, 0};
       box.add_point(origin);
@@ -182,8 +178,8 @@ private:
         box = add_node(ends[i], ends[i + 1], boxes);
       }
       for (std::size_t k = 0; k < 3; ++k) {
-        m_nodes[n].bounds[0][k][i] = box.low[k];
-        m_nodes[n].bounds[1][k][i] = box.high[k];
+        m_nodes[n].bounds[k][i] = box.low[k];
+        m_nodes[n].bounds[3 + k][i] = box.high[k];
       }
       m_nodes[n].child[i] = child;
       all.add(box);
@@ -227,14 +223,10 @@ private:
   /// takes twice as long.
   BOOST_NOINLINE static Lanes entries_of(const Node& node, const Ray& ray)
   {
-    const auto bounds = [&](std::size_t k, std::size_t side) {
-      return node.bounds[side][k].data();
-    };
-    const auto [entered_x, entered_y, entered_z] = ray.entered;
-    const float *near_x = bounds(0, entered_x), *near_y = bounds(1, entered_y),
-                *near_z = bounds(2, entered_z);
-    const float *far_x = bounds(0, 1 - entered_x), *far_y = bounds(1, 1 - entered_y),
-                *far_z = bounds(2, 1 - entered_z);
+    const Lanes &near_x = node.bounds[ray.entry[0]], &near_y = node.bounds[ray.entry[1]],
+                &near_z = node.bounds[ray.entry[2]];
+    const Lanes &far_x = node.bounds[ray.exit[0]], &far_y = node.bounds[ray.exit[1]],
+                &far_z = node.bounds[ray.exit[2]];
     const auto [source_x, source_y, source_z] = ray.source;
     const auto [inverse_x, inverse_y, inverse_z] = ray.inverse;
     Lanes entries;

@@ -52,11 +52,13 @@ public:
              Function_ref<double(const Patches::Adjacency&, double)> length)
   {
     std::vector<Edge> edges;
+    edges.reserve(patches.adjacencies().size() + patches.contacts().size());
     const auto add = [&](const Patches::Adjacency& a, double deviation) {
       edges.push_back({a.lower, a.higher, float(length(a, deviation))});
     };
-    for (std::size_t i = 0; i < patches.adjacencies().size(); ++i)
-      add(patches.adjacencies()[i], patches.concave_deviation(i));
+    std::size_t i = 0;
+    for (const Patches::Adjacency& a : patches.adjacencies())
+      add(a, patches.concave_deviation(i++));
     if (across == EDGES_AND_CONTACTS)
       for (const Patches::Adjacency& contact : patches.contacts())
         add(contact, CGAL_PI / 2);

@@ -25,25 +25,15 @@ constexpr double largest_gap_of_closed = 1e-6;
 /// False for one without area. O(F).
 inline bool is_convex(const Surface& mesh)
 {
-  double area = 0;
-  Double_3 sum = {0, 0, 0};
-  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
-    area += mesh.weight(f);
-    sum = sum + mesh.weight(f) * mesh.normal(f);
-  }
-  if (!(std::sqrt(squared_norm(sum)) <= largest_gap_of_closed * area) || area == 0)
-    return false;
-  const auto counts = [&](std::size_t e) {
-    return mesh.has_flag(e, Surface::CONCAVE | Surface::CONVEX) &&
-           !mesh.is_crumb(mesh.lower_face(e));
-  };
-  double length = 0; // of the edges whose angles are not known yet
-  for (std::size_t e = 0; e < mesh.number_of_adjacencies(); ++e)
-    length += counts(e) ? mesh.length(e) : 0;
-  length *= 1 + 1e-6; // rounding never makes it less than it is
+  double squared_lengths = 0;
+  for (const double l : arrays_of(mesh).squared_lengths)
+    squared_lengths += l;
+  // A bound of the length of the edges whose angles are not known yet, by Cauchy's inequality;
+  // above rounding.
+  double length = (1 + 1e-6) * std::sqrt(double(mesh.number_of_adjacencies()) * squared_lengths);
   double concave = 0, convex = 0;
   for (std::size_t e = 0; e < mesh.number_of_adjacencies(); ++e) {
-    if (!counts(e))
+    if (!mesh.has_flag(e, Surface::CONCAVE | Surface::CONVEX) || mesh.is_crumb(mesh.lower_face(e)))
       continue;
     (mesh.has_flag(e, Surface::CONCAVE) ? concave : convex) += mesh.length(e) * mesh.deviation(e);
     length -= mesh.length(e);
@@ -51,7 +41,11 @@ inline bool is_convex(const Surface& mesh)
     if (concave > largest_concave_share_of_convex * (concave + convex + 4 * length))
       return false;
   }
-  return concave <= largest_concave_share_of_convex * (concave + convex);
+  Double_3 sum = {0, 0, 0};
+  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
+    sum = sum + mesh.weight(f) * mesh.normal(f);
+  return concave <= largest_concave_share_of_convex * (concave + convex) && mesh.area() > 0 &&
+         norm(sum) <= largest_gap_of_closed * mesh.area();
 }
 
 } // namespace internal

@@ -25,12 +25,13 @@ struct Axis_box_of
 
   static constexpr Coordinates all(Number x) { return {x, x, x}; }
 
-  void add_point(const Coordinates& p) { add({p, p}); }
-  void add(const Axis_box_of& b)
+  void add_point(const Coordinates& p) { add(p, p); }
+  void add(const Axis_box_of& b) { add(b.low, b.high); }
+  void add(const Coordinates& other_low, const Coordinates& other_high)
   {
     for (std::size_t i = 0; i < 3; ++i) {
-      low[i] = (std::min)(low[i], b.low[i]);
-      high[i] = (std::max)(high[i], b.high[i]);
+      low[i] = (std::min)(low[i], other_low[i]);
+      high[i] = (std::max)(high[i], other_high[i]);
     }
   }
   Number extent(std::size_t axis) const { return high[axis] - low[axis]; }

@@ -88,12 +88,11 @@ private:
     for (std::size_t f = 0; f < surface.number_of_faces(); ++f) {
       if (!counts(f))
         continue;
-      const std::size_t n = surface.number_of_corners(f);
-      for (std::size_t i = 0; i < n; ++i) {
-        double& area = areas[surface.corner(f, i)];
-        area = (std::max)(area, 0.0) + surface.area(f) / double(n);
-      }
+      const double share = surface.area(f) / double(surface.number_of_corners(f));
+      for_each_side(surface, f,
+                    [&](Index v, Index) { areas[v] = (std::max)(areas[v], 0.0) + share; });
     }
+    m_places.reserve(areas.size());
     for (std::size_t v = 0; v < areas.size(); ++v)
       if (areas[v] != unused)
         m_places.push_back({surface.point(v), areas[v]});
@@ -131,23 +130,22 @@ private:
   /// those with the largest area. None if all are on the axis.
   std::vector<Double_3> farthest(const Double_3& axis) const
   {
-    const auto squared_distance = [&](const Place& p) {
-      return squared_norm(p.point - dot(p.point, axis) * axis);
-    };
+    std::vector<double> distances(m_places.size()); // squared
+    for (std::size_t i = 0; i < m_places.size(); ++i)
+      distances[i] = squared_norm(m_places[i].point - dot(m_places[i].point, axis) * axis);
     double distance = 0, area = 0;
-    for (const Place& p : m_places)
-      distance = (std::max)(distance, squared_distance(p));
-    const auto is_far = [&](const Place& p) {
-      return squared_distance(p) >= (1 - rounding) * distance;
-    };
-    for (const Place& p : m_places)
-      if (is_far(p))
-        area = (std::max)(area, p.area);
+    for (const double d : distances)
+      distance = (std::max)(distance, d);
+    const auto is_far = [&](std::size_t i) { return distances[i] >= (1 - rounding) * distance; };
+    for (std::size_t i = 0; i < m_places.size(); ++i)
+      if (is_far(i))
+        area = (std::max)(area, m_places[i].area);
     std::vector<Double_3> result;
     if (distance > rounding)
-      for (const Place& p : m_places)
-        if (is_far(p) && p.area >= (1 - rounding) * area && result.size() < most_candidates)
-          result.push_back(p.point);
+      for (std::size_t i = 0; i < m_places.size(); ++i)
+        if (is_far(i) && m_places[i].area >= (1 - rounding) * area &&
+            result.size() < most_candidates)
+          result.push_back(m_places[i].point);
     return result;
   }
 

@@ -87,7 +87,7 @@ public:
     Request result = request;
     if (!request.constraints.empty() && !m_faces.empty()) {
       result.constraints = Constraints();
-      const Large_array<Adjacency> adjacencies = sorted_adjacencies(given);
+      const Large_array<Adjacency> adjacencies = sorted_adjacencies(given).all();
       for (std::size_t a = 0; a < adjacencies.size(); ++a)
         if (request.constraints[adjacencies[a].second])
           result.constraints.add(a, adjacencies.size());
@@ -160,14 +160,13 @@ private:
                     const Large_array<Double_3>& points)
   {
     std::vector<Index> faces;
-    for (Index f = 0; f < originals.size(); ++f)
-      if (originals[f] == f)
-        faces.push_back(f);
     std::vector<double> positions;
-    for (const Index f : faces) {
-      const double x = position(mean_of_corners(arrays_of(given), points, f)); // sums are exact
-      positions.push_back(given.is_crumb(f) ? 2 + x / (1 + std::fabs(x)) : x);
-    }
+    for (Index f = 0; f < originals.size(); ++f)
+      if (originals[f] == f) {
+        const double x = position(mean_of_corners(arrays_of(given), points, f)); // sums are exact
+        faces.push_back(f);
+        positions.push_back(given.is_crumb(f) ? 2 + x / (1 + std::fabs(x)) : x);
+      }
     const std::vector<Index> new_numbers = numbers(positions);
     m_faces.resize(originals.size());
     arrays_of(m_surface.emplace()).input_faces.resize(faces.size());
@@ -199,8 +198,7 @@ private:
         add(std::size_t(x * double(size)), Item{positions[i], i});
       }
     });
-    for (std::size_t slice = 0; slice < size; ++slice)
-      std::sort(slices[slice].begin(), slices[slice].end());
+    sort_groups(slices);
     std::vector<Index> result(size);
     Index number = 0;
     for (const Item& item : slices.all())
@@ -208,20 +206,27 @@ private:
     return result;
   }
 
+  template <typename Item>
+  static void sort_groups(Grouped_items<Item>& items)
+  {
+    for (std::size_t group = 0; group < items.number_of_groups(); ++group)
+      if (const auto range = items[group]; range.size() > 1)
+        std::sort(range.begin(), range.end());
+  }
+
   void set_corners(const Surface& given, const Large_array<Double_3>& points,
                    Surface_arrays& arrays)
   {
     constexpr Index none = (std::numeric_limits<Index>::max)();
     std::vector<Index> vertices, number_of(points.size(), none);
-    for (const Index f : arrays.input_faces)
-      for (std::size_t i = 0; i < given.number_of_corners(f); ++i)
-        if (Index& number = number_of[given.corner(f, i)]; number == none) {
-          number = Index(vertices.size());
-          vertices.push_back(given.corner(f, i));
-        }
     std::vector<double> positions;
-    for (const Index v : vertices)
-      positions.push_back(position(points[v]));
+    for (const Index f : arrays.input_faces)
+      for_each_side(given, f, [&](Index v, Index) {
+        if (std::exchange(number_of[v], 0) == none) {
+          vertices.push_back(v);
+          positions.push_back(position(points[v]));
+        }
+      });
     const std::vector<Index> new_numbers = numbers(positions);
     arrays.points.resize(vertices.size());
     for (std::size_t i = 0; i < vertices.size(); ++i) {
@@ -232,13 +237,11 @@ private:
     arrays.first_corners.reserve(arrays.input_faces.size() + 1);
     arrays.first_corners.push_back(0);
     for (const Index f : arrays.input_faces) {
-      const std::size_t first = arrays.corners.size(), n = given.number_of_corners(f);
-      arrays.corners.resize(first + n);
-      Index* const corners = arrays.corners.data() + first;
-      for (std::size_t i = 0; i < n; ++i)
-        corners[i] = number_of[given.corner(f, i)];
-      std::rotate(corners, std::min_element(corners, corners + n), corners + n);
-      arrays.first_corners.push_back(Index(first + n));
+      for_each_side(given, f, [&](Index v, Index) { arrays.corners.push_back(number_of[v]); });
+      const auto first = arrays.corners.begin() + arrays.first_corners.back(),
+                 end = arrays.corners.end();
+      std::rotate(first, std::min_element(first, end), end);
+      arrays.first_corners.push_back(Index(arrays.corners.size()));
     }
   }
 
@@ -264,7 +267,7 @@ private:
 
   /// Those of the given surface, by their new higher, then lower faces; without those between faces
   /// that are one.
-  Large_array<Adjacency> sorted_adjacencies(const Surface& given) const
+  Grouped_items<Adjacency> sorted_adjacencies(const Surface& given) const
   {
     Grouped_items<Adjacency> by_higher(m_surface->number_of_faces(), [&](const auto& add) {
       for (std::size_t a = 0; a < given.number_of_adjacencies(); ++a)
@@ -272,36 +275,31 @@ private:
             f != g && (m_is_left_out.empty() || !m_is_left_out[a]))
           add((std::max)(f, g), Adjacency{(std::min)(f, g), Index(a)});
     });
-    for (std::size_t f = 0; f < by_higher.number_of_groups(); ++f) {
-      const auto range = by_higher[f];
-      if (range.size() > 1)
-        std::sort(range.begin(), range.end());
-    }
-    return by_higher.all();
+    sort_groups(by_higher);
+    return by_higher;
   }
 
   void set_adjacencies(const Surface& given)
   {
     const double unit = m_frame.unit();
     Surface_arrays& arrays = arrays_of(*m_surface);
-    const Large_array<Adjacency> adjacencies = sorted_adjacencies(given);
-    const std::size_t size = adjacencies.size();
-    resize_adjacencies(arrays, size);
-    for (std::size_t a = 0; a < size; ++a) {
-      const auto [lower, g] = adjacencies[a];
-      const Index higher = (std::max)(m_faces[given.lower_face(g)], m_faces[given.higher_face(g)]);
-      const auto [direction, number] = common_edges(*m_surface, lower, higher);
-      arrays.lower_faces[a] = lower;
-      arrays.higher_faces[a] = higher;
-      arrays.squared_lengths[a] = number == 1 && !given.has_flag(g, Surface::SEAM | Surface::LINK)
-                                    ? squared_norm(direction)
-                                    : float(given.squared_length(g) / unit / unit);
-      arrays.flags[a] = given.flags(g);
-      if (given.has_angle(g) && number > 0)
-        arrays.flags[a] = with_sign(
-          given.flags(g),
-          sign_of_edge(m_surface->normal(higher), m_surface->normal(lower), direction));
-    }
+    const Grouped_items<Adjacency> adjacencies = sorted_adjacencies(given);
+    resize_adjacencies(arrays, adjacencies.all().size());
+    std::size_t a = 0;
+    for (Index higher = 0; higher < adjacencies.number_of_groups(); ++higher)
+      for (const auto& [lower, g] : adjacencies[higher]) {
+        const auto [direction, number] = common_edges(*m_surface, lower, higher);
+        const std::uint8_t flags = given.flags(g);
+        arrays.lower_faces[a] = lower;
+        arrays.higher_faces[a] = higher;
+        arrays.squared_lengths[a] = number == 1 && !(flags & (Surface::SEAM | Surface::LINK))
+                                      ? squared_norm(direction)
+                                      : float(given.squared_length(g) / unit / unit);
+        arrays.flags[a++] = given.has_angle(g) && number > 0
+                              ? with_sign(flags, sign_of_edge(m_surface->normal(higher),
+                                                              m_surface->normal(lower), direction))
+                              : flags;
+      }
     join_degenerate_faces(*m_surface);
   }
 

@@ -49,10 +49,13 @@ inline void find_open_sides(Raw_surface& raw)
   using Index = Surface::Index;
   const auto& first_corners = arrays_of(raw.surface).first_corners;
   raw.open_sides.clear();
-  for (Index f = 0; f + 1 < first_corners.size(); ++f)
-    for (Index side = first_corners[f]; side < first_corners[f + 1]; ++side)
-      if (raw.neighbors[side] == Raw_surface::none)
-        raw.open_sides.push_back({f, side});
+  Index f = 0;
+  for (Index side = 0; side < raw.neighbors.size(); ++side)
+    if (raw.neighbors[side] == Raw_surface::none) {
+      while (first_corners[f + 1] <= side)
+        ++f;
+      raw.open_sides.push_back({f, side});
+    }
 }
 
 /// Lets the boundary of each face begin at its vertex of lowest index.

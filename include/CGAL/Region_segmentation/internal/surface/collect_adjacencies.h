@@ -46,10 +46,12 @@ inline void collect_adjacencies(Raw_surface& raw, const Execution& execution)
     std::vector<std::pair<Index, Index>> sides; // of a face: the lower face across, and the side
     for (std::size_t f = begin; f < end; ++f) {
       sides.clear();
-      for (Index side = arrays.first_corners[f]; side < arrays.first_corners[f + 1]; ++side)
-        if (raw.neighbors[side] < f)
-          sides.push_back({raw.neighbors[side], side});
-      std::sort(sides.begin(), sides.end());
+      const Index end = arrays.first_corners[f + 1];
+      for (Index side = arrays.first_corners[f]; side < end; ++side)
+        if (const Index lower = raw.neighbors[side]; lower < f)
+          sides.push_back({lower, side});
+      if (sides.size() > 1)
+        std::sort(sides.begin(), sides.end());
       for (const auto& [lower, side] : sides) {
         const Double_3 direction = arrays.points[arrays.corners[next_corner(arrays, f, side)]] -
                                    arrays.points[arrays.corners[side]];

@@ -81,11 +81,11 @@ inline std::uint8_t with_sign(std::uint8_t flags, std::uint8_t sign)
 inline bool runs_along(const Surface& surface, Surface::Index face, Surface::Index from,
                        Surface::Index to)
 {
-  const std::size_t n = surface.number_of_corners(face);
-  for (std::size_t i = 0; i < n; ++i)
-    if (surface.corner(face, i) == from && surface.corner(face, i + 1 < n ? i + 1 : 0) == to)
+  const auto [first, end] = corners_of(surface, face);
+  for (const Surface::Index* next = first + 1; next != end; ++next)
+    if (next[-1] == from && *next == to)
       return true;
-  return false;
+  return end[-1] == from && *first == to;
 }
 
 /// The edges between two faces, along the boundary of the higher one: their sum and their number.

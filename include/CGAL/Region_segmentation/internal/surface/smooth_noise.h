@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -54,14 +55,14 @@ public:
   /// benchmark, and of 47 of them with faces split into four, none has more than .41.
   bool are_opposite(double share, std::size_t stride) const
   {
-    double all = 0, opposite = 0;
+    std::size_t all = 0, opposite = 0;
     for (std::size_t f = 0; f < m_surface.number_of_faces(); f += stride)
       for_each_side(m_surface, f, [&](Index p, Index q) {
         const double product = m_vertices[place(p)].height * m_vertices[place(q)].height;
         all += product != 0;
         opposite += product < 0;
       });
-    return opposite > share * all + std::sqrt(all); // not by chance
+    return double(opposite) > share * double(all) + std::sqrt(double(all)); // not by chance
   }
 
   /// Moves the points along their normals to the heights of their neighbors, but at creases.
@@ -130,7 +131,8 @@ private:
   void add_face(std::size_t face, const Points& points)
   {
     const std::size_t n = m_surface.number_of_corners(face);
-    const auto point = [&](std::size_t i) { return points[m_surface.corner(face, i)]; };
+    const Index* const corners = corners_of(m_surface, face).begin();
+    const auto point = [&](std::size_t i) { return points[corners[i]]; };
     const Double_3 first = point(0);
     Double_3 twice_area{0, 0, 0}; // by Newell's formula
     for (std::size_t i = 2; i < n && !m_surface.is_degenerate(face); ++i)
@@ -138,7 +140,7 @@ private:
     Double_3 from_previous = first - point(n - 1), at = first;
     for (std::size_t i = 0; i < n; ++i) {
       const Double_3 next = i + 1 < n ? point(i + 1) : first, to_next = next - at;
-      if (const Index p = place(m_surface.corner(face, i)); p != none) {
+      if (const Index p = place(corners[i]); p != none) {
         Vertex& v = m_vertices[p];
         v.to_neighbors = i == 0 ? v.to_neighbors + to_next - from_previous
                                 : v.to_neighbors - from_previous + to_next;
@@ -177,16 +179,18 @@ inline std::optional<Large_array<Double_3>> points_without_noise(const Surface& 
   constexpr int most_rounds = 5;
   constexpr double share_of_noise = 0.42, share_left = 0.2; // of edges
   const std::size_t stride = (std::max)(surface.number_of_faces() / enough_faces, std::size_t(1));
-  if (!Vertex_heights(surface, stride).are_opposite(share_of_noise, stride))
+  std::optional<Vertex_heights> heights(std::in_place, surface, stride);
+  if (!heights->are_opposite(share_of_noise, stride))
     return std::nullopt;
+  if (stride > 1)
+    heights.emplace(surface, 1);
   Large_array<Double_3> points = arrays_of(surface).points;
-  Vertex_heights heights(surface, 1);
   for (int round = 1;; ++round) {
-    heights.smooth(points);
+    heights->smooth(points);
     if (round == most_rounds)
       break;
-    heights.update(points);
-    if (!heights.are_opposite(share_left, stride))
+    heights->update(points);
+    if (!heights->are_opposite(share_left, stride))
       break;
   }
   return points;
