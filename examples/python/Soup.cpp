@@ -142,11 +142,11 @@ Soup make_soup(const py::object& points, const py::object& faces, const py::obje
       throw py::type_error("a mesh: not points and faces, nor an object with vertices and faces");
     return make_soup(points.attr("vertices"), points.attr("faces"), face_sizes);
   }
-  // An empty list is an array of no dimension that says what it holds.
-  check(!py::isinstance<py::list>(faces) || py::len(faces) > 0,
-        "faces: an empty list; at least one face is expected");
   Soup soup;
   soup.points = to_points(points);
+  // An empty list is an array that does not say that it holds integers.
+  if (face_sizes.is_none() && py::isinstance<py::sequence>(faces) && py::len(faces) == 0)
+    return soup;
   Polygon_writer writer(soup.polygons, soup.points.size());
   if (!face_sizes.is_none())
     add_with_sizes(to_indices(faces, expected_faces),

@@ -32,17 +32,19 @@ using Seeds = std::vector<std::int64_t>;
 /// \throws pybind11::type_error or std::invalid_argument unless it is None or an integer from 1 on
 std::optional<std::size_t> to_number_of_segments(const py::object& number)
 {
-  const std::string expected = "number_of_segments: not None or an integer of at least 1, but " +
-                               std::string(py::repr(number));
+  const auto expected = [&] {
+    return "number_of_segments: not None or an integer of at least 1, but " +
+           std::string(py::repr(number));
+  };
   if (number.is_none())
     return std::nullopt;
   if (py::isinstance<py::bool_>(number) || PyIndex_Check(number.ptr()) == 0)
-    throw py::type_error(expected);
+    throw py::type_error(expected());
   const py::ssize_t value = PyNumber_AsSsize_t(number.ptr(), nullptr); // the nearest that there is
   if (value == -1 && PyErr_Occurred() != nullptr)
     throw py::error_already_set();
   if (value < 1)
-    throw std::invalid_argument(expected);
+    throw std::invalid_argument(expected());
   return std::size_t(value);
 }
 

@@ -40,21 +40,22 @@ INSTANTIATE_TEST_SUITE_P(
               ":2: the file ends where the header has a number of faces"},
     Malformed{"no_faces", "a.off", "OFF\n1 0 0\n0 0 0\n", ":2: no faces"},
     Malformed{"cut_off", "a.off", off.substr(0, off.size() - 16),
-              ":8: the header promises 4 faces, the file ends after 2"},
-    Malformed{"cut_off_points", "a.off", "OFF\n4 4 0\n0 0 0\n",
-              ":3: the header promises 4 vertices, the file ends after 1"},
+              ":8: the header promises 4 faces, the file ends after 2 (each on a line of its own)"},
+    Malformed{
+      "cut_off_points", "a.off", "OFF\n4 4 0\n0 0 0\n",
+      ":3: the header promises 4 vertices, the file ends after 1 (each on a line of its own)"},
     Malformed{"cut_off_line", "a.off", off.substr(0, off.size() - 3),
               ":10: a face with 2 of 3 indices"},
     Malformed{"carriage_returns", "a.off", "OFF # x\r4 4 0\r0 0 0\r",
               ": its lines end with carriage returns alone, not with line feeds"},
-    Malformed{"vertices_on_a_line", "a.off", "OFF\n4 4 0\n0 0 0 1 0 0 0 1 0 0 0 1\n",
-              ":3: the header promises 4 vertices, the file ends after 1, whose line goes on: each "
-              "is to have a line of its own"},
+    Malformed{
+      "vertices_on_a_line", "a.off", "OFF\n4 4 0\n0 0 0 1 0 0 0 1 0 0 0 1\n",
+      ":3: the header promises 4 vertices, the file ends after 1 (each on a line of its own)"},
     Malformed{"faces_on_a_line", "a.off", with(off, "3 1 2 3\n", "3 1 2 3 "),
-              ":9: the header promises 4 faces, the file ends after 3, whose line goes on: each is "
-              "to have a line of its own"},
+              ":9: the header promises 4 faces, the file ends after 3 (each on a line of its own)"},
     Malformed{"promises", "a.off", with(off, "4 4 0", "4 2000000000 0"),
-              ":10: the header promises 2000000000 faces, the file ends after 4"},
+              ":10: the header promises 2000000000 faces, the file ends after 4 (each on a line of "
+              "its own)"},
     Malformed{"coordinate", "a.off", with(off, "1 0 0", "1 0"),
               ":4: a vertex with 2 of 3 coordinates"},
     Malformed{"text", "a.off", with(off, "1 0 0", "1 zero 0"), ":4: 'zero' is not a number"},

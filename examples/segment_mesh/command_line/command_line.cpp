@@ -117,8 +117,8 @@ void add_inputs(CLI::App& app, Raw_options& raw)
               "after the other.");
   input
     .add("--input-format", raw.input_format, "FORMAT",
-         "For all inputs, whatever their extensions: one of these, without the dot. Needed for "
-         "standard input.")
+         "For all inputs, whatever their extensions: the extension that they would "
+         "have, without the dot. Needed for standard input.")
     ->check(one_of(formats));
   input.add_flag(
     "--demo",

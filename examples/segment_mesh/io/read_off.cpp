@@ -62,14 +62,12 @@ Off_header read_header(Text_scanner& scan)
 }
 
 /// Goes to the line of the item that is due.
-/// \throws Input_error if there is none; it says so if the line of the last item has more on it
+/// \throws Input_error if there is none
 void next_item(Text_scanner& scan, std::size_t item, std::size_t promised, const std::string& what)
 {
-  const bool goes_on = item > 0 && scan.has_word();
   if (!scan.next_line())
     scan.fail("the header promises " + counted(promised, what) + ", the file ends after " +
-              std::to_string(item) +
-              (goes_on ? ", whose line goes on: each is to have a line of its own" : ""));
+              std::to_string(item) + " (each on a line of its own)");
 }
 
 Point read_point(Text_scanner& scan, const Off_header& header)

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 
 namespace segment_mesh {
 
@@ -106,17 +107,16 @@ ordered_json segment_json(const Segment_description& segment)
   }
   for (const Kernel::Vector_3& axis : segment.axes)
     json["axes"].push_back(vector_json(axis));
-  for (const auto& neighbor : segment.neighbors)
-    if (RS::is_segment(neighbor.segment)) {
-      ordered_json& entry = json["neighbors"].emplace_back(
-        ordered_json{{"segment", neighbor.segment},
-                     {"border_length", neighbor.border_length},
-                     {"mean_signed_deviation", neighbor.mean_signed_deviation * 180 / CGAL_PI}});
-      if (const auto& smooth = segment.smooth_neighbors) {
-        const bool is_smooth = std::count(smooth->begin(), smooth->end(), neighbor.segment) > 0;
-        entry["border"] = is_smooth ? "smooth" : "sharp";
-      }
+  for (const auto& neighbor : segment.neighbors) {
+    ordered_json& entry = json["neighbors"].emplace_back(
+      ordered_json{{"segment", std::int64_t(neighbor.segment)}, // -1 for no segment
+                   {"border_length", neighbor.border_length},
+                   {"mean_signed_deviation", neighbor.mean_signed_deviation * 180 / CGAL_PI}});
+    if (const auto& smooth = segment.smooth_neighbors) {
+      const bool is_smooth = std::count(smooth->begin(), smooth->end(), neighbor.segment) > 0;
+      entry["border"] = is_smooth ? "smooth" : "sharp";
     }
+  }
   return json;
 }
 

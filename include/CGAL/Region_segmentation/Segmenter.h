@@ -122,7 +122,8 @@ public:
   ///   \cgalParamNEnd
   /// \cgalNamedParamsEnd
   ///
-  /// \throws Invalid_input if a point is not finite, or equal seeds cannot be joined;
+  /// \throws Invalid_input if a point is not finite, equal seeds cannot be joined, or the type of
+  ///         `region_map` does not hold the labels;
   ///         Segmentation_cancelled if the visitor cancels; all maps are unchanged
   ///
   /// Complexity: that of the method.

@@ -8,6 +8,7 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -48,7 +49,8 @@ void write_face_values(const FaceGraph& mesh, const Values& values, FaceMap map)
 {
   static_assert(internal::check_face_map<FaceMap, FaceGraph>());
   using Value = typename boost::property_traits<FaceMap>::value_type;
-  if constexpr (internal::satisfies<internal::Number_of_parts, Values>)
+  if constexpr (internal::satisfies<internal::Number_of_parts, Values> &&
+                std::is_integral<Value>::value)
     internal::check_labels<Value>(values.number_of_parts());
   std::size_t i = 0;
   for (auto f : faces(mesh))

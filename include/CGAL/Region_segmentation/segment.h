@@ -44,7 +44,7 @@ auto with_number(Number number_of_segments, const NamedParameters& np)
 ///         concurrent reads; maps are written by one thread
 /// \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam FaceSegmentMap a model of `WritablePropertyMap` with the face descriptor as key and an
-///         integral value type that holds the number of segments
+///         integral value type that holds the ids and -1 beside them
 /// \param mesh its faces are polygons of any size. Border edges that coincide are joined, and
 ///        components are linked, unless `component_links` is `false`
 /// \param segment_map every key is written: ids 0 .. n-1, numbered by the first face
@@ -117,13 +117,11 @@ auto with_number(Number number_of_segments, const NamedParameters& np)
 /// \pre `number_of_segments` is at least 1; with the checks of \cgal disabled, another number gives
 ///      an unspecified number of segments
 /// \post every segment is connected by edges, seams and links where every first region is
-/// \throws Invalid_input if a point is not finite, equal seeds cannot be joined, or a map has a
-/// type
-///         that does not hold the labels, and -1 for none beside them;
-///         `Segmentation_cancelled` if the visitor cancels; all maps are unchanged. What `put()` of
-///         a map throws: `segment_map` is written first, in the order of the faces, then
-///         `region_map`, then `merge_tree`; what precedes keeps its final value, the rest is
-///         unchanged
+/// \throws Invalid_input if a point is not finite, equal seeds cannot be joined, or the type of a
+///         map does not hold the labels and -1 beside them; `Segmentation_cancelled` if the visitor
+///         cancels; all maps are unchanged. What `put()` of a map throws: `segment_map` is written
+///         first, in the order of the faces, then `region_map`, then `merge_tree`; what precedes
+///         keeps its final value, the rest is unchanged
 ///
 /// Complexity: that of its parts; O(F log F) in practice for `Learned_merging`, O(F + R log R +
 /// k^2) expected for `Two_step`. Deterministic: identical results from every mesh type. Concurrent

@@ -25,6 +25,11 @@ constexpr double largest_gap_of_closed = 1e-6;
 /// False for one without area. O(F).
 inline bool is_convex(const Surface& mesh)
 {
+  Double_3 sum = {0, 0, 0};
+  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
+    sum = sum + mesh.weight(f) * mesh.normal(f);
+  if (!(norm(sum) <= largest_gap_of_closed * mesh.area()) || mesh.area() == 0)
+    return false;
   double squared_lengths = 0;
   for (const double l : arrays_of(mesh).squared_lengths)
     squared_lengths += l;
@@ -41,11 +46,7 @@ inline bool is_convex(const Surface& mesh)
     if (concave > largest_concave_share_of_convex * (concave + convex + 4 * length))
       return false;
   }
-  Double_3 sum = {0, 0, 0};
-  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
-    sum = sum + mesh.weight(f) * mesh.normal(f);
-  return concave <= largest_concave_share_of_convex * (concave + convex) && mesh.area() > 0 &&
-         norm(sum) <= largest_gap_of_closed * mesh.area();
+  return concave <= largest_concave_share_of_convex * (concave + convex);
 }
 
 } // namespace internal

@@ -51,24 +51,21 @@ public:
   /// \throws Invalid_input if a range has another number of elements, or does not hold labels below
   /// `n`
   template <typename Map>
-  void check(const Map& map, std::size_t n) const
+  void check(const Map& map, std::size_t n, const char* what = "labels") const
   {
     static_assert(holds_labels<Map>(), "labels of polygons are a range or a property map of an "
                                        "integral type other than bool");
-    if constexpr (is_range<Map>) {
-      if (const auto size = std::size_t(std::distance(std::begin(map), std::end(map)));
-          size != m_number)
-        throw Invalid_input("a range of " + std::to_string(size) + " elements for " +
-                            std::to_string(m_number) + " polygons");
-      check_labels<std::decay_t<decltype(map[0])>>(n);
-    } else
-      check_labels<typename boost::property_traits<Map>::value_type>(n);
+    check_size(map);
+    if constexpr (is_range<Map>)
+      check_labels<std::decay_t<decltype(map[0])>>(n, what);
+    else
+      check_labels<typename boost::property_traits<Map>::value_type>(n, what);
   }
 
   template <typename Map>
   auto values(const Map& map) const
   {
-    check(map, 0);
+    check_size(map);
     using Value = std::decay_t<decltype(value(map, 0))>;
     std::vector<Value> result;
     result.reserve(m_number);
@@ -89,6 +86,16 @@ public:
   }
 
 private:
+  template <typename Map>
+  void check_size(const Map& map) const
+  {
+    if constexpr (is_range<Map>)
+      if (const auto size = std::size_t(std::distance(std::begin(map), std::end(map)));
+          size != m_number)
+        throw Invalid_input("a range of " + std::to_string(size) + " elements for " +
+                            std::to_string(m_number) + " polygons");
+  }
+
   template <typename Map>
   static constexpr bool holds_labels()
   {

@@ -170,7 +170,7 @@ std::size_t run_method(const Input& input, const Surface& surface, SegmentMap& s
   const Composed_partition segments = result.segments(surface, result.number_of_segments());
   if constexpr (has_parameter<Pack, internal_np::region_map_t>)
     input.check(CGAL::parameters::get_parameter(np, internal_np::region_map),
-                result.regions().number_of_parts());
+                result.regions().number_of_parts(), "labels of first regions");
   input.write(segments, segment_map);
   write_outputs(input, result, np);
   return segments.number_of_parts();

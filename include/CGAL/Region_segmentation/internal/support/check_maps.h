@@ -36,16 +36,20 @@ template <typename Values>
 using Number_of_parts = decltype(std::declval<const Values&>().number_of_parts());
 
 /// \throws Invalid_input if a type does not hold the labels below `n`, and -1 for none beside them
+/// `what`: is written
 template <typename Label>
-void check_labels(std::size_t n)
+void check_labels(std::size_t n, const char* what = "labels")
 {
   static_assert(std::is_integral<Label>::value,
                 "labels are written to a map or range of an integral type, such as std::size_t");
   constexpr auto greatest = (std::numeric_limits<Label>::max)();
   constexpr bool is_greatest_none = greatest == Label(-1) && !std::is_same<Label, bool>::value;
-  if (n > 0 && n - 1 > std::size_t(greatest) - is_greatest_none)
-    throw Invalid_input(std::to_string(n) + " labels are too many for the type of the map, whose " +
-                        "greatest value is " + std::to_string(greatest));
+  constexpr std::size_t highest = std::size_t(greatest) - is_greatest_none;
+  if (n > 0 && n - 1 > highest)
+    throw Invalid_input(std::to_string(n) + " " + what +
+                        ": the type of their map holds those from "
+                        "0 to " +
+                        std::to_string(highest) + ", and -1 for none");
 }
 
 template <typename Map, typename FaceGraph>

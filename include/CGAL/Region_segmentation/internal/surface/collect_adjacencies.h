@@ -46,8 +46,8 @@ inline void collect_adjacencies(Raw_surface& raw, const Execution& execution)
     std::vector<std::pair<Index, Index>> sides; // of a face: the lower face across, and the side
     for (std::size_t f = begin; f < end; ++f) {
       sides.clear();
-      const Index end = arrays.first_corners[f + 1];
-      for (Index side = arrays.first_corners[f]; side < end; ++side)
+      const Index end_of_face = arrays.first_corners[f + 1];
+      for (Index side = arrays.first_corners[f]; side < end_of_face; ++side)
         if (const Index lower = raw.neighbors[side]; lower < f)
           sides.push_back({lower, side});
       if (sides.size() > 1)
