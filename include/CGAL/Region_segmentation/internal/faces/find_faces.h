@@ -130,7 +130,7 @@ inline Described_faces find_inexact_faces(const Surface& surface, double roundin
 inline bool is_noise(const Surface& surface, const Described_faces& exact,
                      const Described_faces& inexact)
 {
-  constexpr double half = 0.45, some = 0.05, hardly_more = 1.3;
+  constexpr double half = 0.45, some = 0.1, hardly_more = 1.3;
   const double opposite = share_of_opposite_sides(surface, inexact.faces);
   return inexact.length < exact.length &&
          (opposite >= half ||
