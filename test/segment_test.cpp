@@ -221,7 +221,8 @@ TEST(Segment_test, maps_of_too_small_a_type_are_refused_before_anything_is_writt
     using Label = decltype(zero);
     auto map = copy.add_property_map<Surface_mesh::Face_index, Label>("f:small", 77).first;
     std::vector<Label> labels(soup.polygons.size(), 77);
-    const RS::Segmenter segmenter(mesh), of_soup(soup.points, soup.polygons);
+    const RS::Segmenter segmenter(mesh);
+    const RS::Segmenter of_soup(soup.points, soup.polygons);
     for (const std::size_t k : {most, most + 1}) {
       const bool fits = k == most;
       const auto expect = [&](const auto& segment) {
