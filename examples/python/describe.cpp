@@ -40,24 +40,22 @@ Soup with_finite_points(Soup soup)
 std::vector<Description> with_all_faces(std::vector<Description> descriptions,
                                         const std::vector<std::int64_t>& labels)
 {
-  std::map<std::int64_t, Description*> described;
-  for (Description& d : descriptions)
-    described.emplace(d.segment, &d);
-  std::map<std::int64_t, std::size_t> position;
+  std::map<std::int64_t, std::size_t> position; // by label
   std::vector<Description> result;
   for (const std::int64_t label : labels) {
     if (label == RS::no_segment)
       continue;
     const auto [place, is_new] = position.emplace(label, result.size());
     if (is_new) {
-      Description& d = result.emplace_back();
-      d.segment = label;
-      d.surface.kind = RS::Surface_kind::PLANE;
-      if (const auto found = described.find(label); found != described.end())
-        d = std::move(*found->second);
-      d.number_of_faces = 0;
+      result.emplace_back().segment = label;
+      result.back().surface.kind = RS::Surface_kind::PLANE;
     }
     ++result[place->second].number_of_faces;
+  }
+  for (Description& d : descriptions) {
+    Description& place = result[position.at(d.segment)];
+    d.number_of_faces = place.number_of_faces;
+    place = std::move(d);
   }
   return result;
 }

@@ -143,9 +143,8 @@ public:
       set_seeds(seeds);
   }
 
-  Labels segment(const py::object& number) const
+  Labels segment(std::optional<std::size_t> number_of_segments) const
   {
-    const std::optional<std::size_t> number_of_segments = to_number_of_segments(number);
     std::vector<std::size_t> labels(m_soup.polygons.size());
     std::size_t n = 0;
     {
@@ -202,9 +201,9 @@ Labels segment(const py::object& points, const py::object& faces,
                const py::object& constrained_edges, const py::object& seeds, bool component_links,
                const py::object& face_sizes)
 {
-  to_number_of_segments(number_of_segments); // before it takes time
+  const std::optional<std::size_t> number = to_number_of_segments(number_of_segments);
   return Segmenter(points, faces, method, constrained_edges, seeds, component_links, face_sizes)
-    .segment(number_of_segments);
+    .segment(number);
 }
 
 py::array_t<std::size_t> segment_borders(const py::object& points, const py::object& faces,
@@ -280,8 +279,12 @@ PYBIND11_MODULE(region_segmentation, module)
          "Arguments as of the function segment.", py::arg("points"), py::arg("faces") = none,
          py::arg("method") = "learned", py::arg("constrained_edges") = none,
          py::arg("seeds") = none, py::arg("component_links") = true, py::arg("face_sizes") = none)
-    .def("segment", &Segmenter::segment, "As the function of this name.",
-         py::arg("number_of_segments") = none)
+    .def(
+      "segment",
+      [](const Segmenter& segmenter, const py::object& number_of_segments) {
+        return segmenter.segment(to_number_of_segments(number_of_segments));
+      },
+      "As the function of this name.", py::arg("number_of_segments") = none)
     .def("add_constraints", &Segmenter::add_constraints, "More constrained edges.",
          py::arg("constrained_edges"))
     .def("set_seeds", &Segmenter::set_seeds, "Replaces the seeds.", py::arg("seeds"))

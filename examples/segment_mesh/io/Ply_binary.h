@@ -55,9 +55,7 @@ public:
   /// What is not read; empty at the end of the file.
   std::string rest() const
   {
-    return m_data.empty()
-             ? std::string()
-             : one_line(m_file + ": not read: " + counted(m_data.size(), "byte") + " at the end");
+    return m_data.empty() ? std::string() : bytes_not_read(m_file, m_data.size()) + " at the end";
   }
 
   [[noreturn]] void fail(const std::string& cause) const

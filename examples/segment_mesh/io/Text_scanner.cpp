@@ -156,6 +156,11 @@ std::string in_quotes(std::string_view word)
   return "'" + text + (word.size() > longest ? "...'" : "'");
 }
 
+std::string bytes_not_read(const std::string& file, std::size_t count)
+{
+  return one_line(file + ": not read: " + counted(count, "byte"));
+}
+
 std::string counted(std::size_t count, const std::string& singular)
 {
   if (count == 1)

@@ -69,6 +69,8 @@ private:
 std::string_view without_byte_order_mark(std::string_view text);
 /// A word in quotes, shortened if it is long.
 std::string in_quotes(std::string_view word);
+/// "FILE: not read: 2 bytes".
+std::string bytes_not_read(const std::string& file, std::size_t count);
 /// "1 face", "2 faces".
 std::string counted(std::size_t count, const std::string& singular);
 

@@ -51,8 +51,8 @@ std::string inflate(const std::string& file, std::string_view bytes, Remarks& re
     if (status == Z_STREAM_END) {
       if (!is_gzip(bytes.substr(taken))) {
         if (bytes.find_first_not_of('\0', taken) != std::string_view::npos)
-          remarks.push_back(one_line(file + ": not read: " + counted(bytes.size() - taken, "byte") +
-                                     " after the end of the gzip data"));
+          remarks.push_back(bytes_not_read(file, bytes.size() - taken) +
+                            " after the end of the gzip data");
         break;
       }
       inflateReset(&stream);

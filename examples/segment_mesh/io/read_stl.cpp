@@ -65,9 +65,8 @@ Polygon_soup read_binary(const std::string& file, std::string_view bytes, Remark
     throw Input_error(file, "the header promises " + counted(promised, "triangle") +
                               ", the file ends after " + std::to_string(available));
   if (const std::size_t rest = bytes.size() - data_offset - triangle_size * promised; rest > 0)
-    remarks.push_back(one_line(file + ": not read: " + counted(rest, "byte") +
-                               " at the end: the header promises " +
-                               counted(promised, "triangle")));
+    remarks.push_back(bytes_not_read(file, rest) + " at the end: the header promises " +
+                      counted(promised, "triangle"));
   std::vector<Point> points;
   points.reserve(3 * promised);
   for (std::size_t i = 0; i < promised; ++i)

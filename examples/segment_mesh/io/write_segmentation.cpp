@@ -20,32 +20,6 @@ namespace segment_mesh {
 
 namespace {
 
-/// \pre the format is one of meshes
-void write_mesh(std::ostream& out, Output_format format, const Labelled_mesh& mesh,
-                const std::vector<Polyline>& feature_lines)
-{
-  switch (format) {
-  case Output_format::PLY:
-    return write_ply(out, mesh);
-  case Output_format::OFF:
-    return write_off(out, mesh);
-  case Output_format::OBJ:
-    return write_obj(out, mesh, feature_lines);
-  case Output_format::VTP:
-    return write_vtp(out, mesh);
-  case Output_format::GLB:
-    return write_glb(out, mesh);
-  case Output_format::THREE_MF:
-    return write_3mf(out, mesh);
-  case Output_format::SEG:
-  case Output_format::JSON:
-  case Output_format::CSV:
-  case Output_format::PNG:
-  case Output_format::HTML:
-    break;
-  }
-}
-
 void write_borders(std::ostream& out, Output_format format, const Result& result)
 {
   const std::vector<Point>& points = result.input.soup.points;
@@ -55,11 +29,21 @@ void write_borders(std::ostream& out, Output_format format, const Result& result
     write_borders_obj(out, points, result.details.borders());
 }
 
-void write_whole(std::ostream& out, Output_format format, const Result& result)
+/// A mesh, the whole or a part of `result`; or, in a format that is not of meshes, all of `result`.
+void write_segments(std::ostream& out, Output_format format, const Result& result,
+                    const Labelled_mesh& mesh, const std::vector<Polyline>& feature_lines)
 {
   switch (format) {
   case Output_format::SEG:
     return write_seg(out, result);
+  case Output_format::PLY:
+    return write_ply(out, mesh);
+  case Output_format::OFF:
+    return write_off(out, mesh);
+  case Output_format::OBJ:
+    return write_obj(out, mesh, feature_lines);
+  case Output_format::VTP:
+    return write_vtp(out, mesh);
   case Output_format::JSON:
     return write_json(out, result);
   case Output_format::CSV:
@@ -68,15 +52,10 @@ void write_whole(std::ostream& out, Output_format format, const Result& result)
     return write_view(out, result);
   case Output_format::HTML:
     return write_html(out, result);
-  case Output_format::PLY:
-  case Output_format::OFF:
-  case Output_format::OBJ:
-  case Output_format::VTP:
   case Output_format::GLB:
+    return write_glb(out, mesh);
   case Output_format::THREE_MF:
-    return write_mesh(out, format, {result.input.soup, result.segmentation.segment_of_face},
-                      format == Output_format::OBJ ? result.details.feature_lines()
-                                                   : std::vector<Polyline>());
+    return write_3mf(out, mesh);
   }
 }
 
@@ -127,8 +106,8 @@ void write_each_segment(const Output& output, const Result& result)
   for (std::size_t segment = 0; segment < faces.size(); ++segment) {
     const Polygon_soup part = extract_faces(result.input.soup, faces[segment]);
     Output_stream out(with_segment(output.file, std::to_string(segment)), output.compression);
-    write_mesh(out.stream(), output.format,
-               {part, std::vector<std::size_t>(part.polygons.size(), segment)}, {});
+    write_segments(out.stream(), output.format, result,
+                   {part, std::vector<std::size_t>(part.polygons.size(), segment)}, {});
     out.commit();
   }
 }
@@ -147,7 +126,10 @@ void write_segmentation(const Output& output, const Result& result)
   if (output.content == Output_content::BORDERS)
     write_borders(out.stream(), output.format, result);
   else
-    write_whole(out.stream(), output.format, result);
+    write_segments(out.stream(), output.format, result,
+                   {result.input.soup, result.segmentation.segment_of_face},
+                   output.format == Output_format::OBJ ? result.details.feature_lines()
+                                                       : std::vector<Polyline>());
   out.commit();
 }
 

@@ -6,6 +6,8 @@
 #include "view/choose_viewpoint.h"
 #include "view/segment_colors.h"
 
+#include <CGAL/Region_segmentation/Segments/no_segment.h>
+
 #include <boost/endian/conversion.hpp>
 
 #include <nlohmann/json.hpp>
@@ -141,7 +143,8 @@ ordered_json colors_json()
 ordered_json none_region(const Segmentation& segmentation)
 {
   const auto& segments = segmentation.segment_of_face;
-  const auto none = std::find(segments.begin(), segments.end(), std::size_t(-1));
+  const auto none = std::find(segments.begin(), segments.end(),
+                              CGAL::Region_segmentation::no_segment);
   return none == segments.end()
            ? ordered_json()
            : ordered_json(segmentation.region_of_face[std::size_t(none - segments.begin())]);

@@ -47,9 +47,8 @@ void check_labels(std::size_t n, const char* what = "labels")
   constexpr std::size_t highest = std::size_t(greatest) - is_greatest_none;
   if (n > 0 && n - 1 > highest)
     throw Invalid_input(std::to_string(n) + " " + what +
-                        ": the type of their map holds those from "
-                        "0 to " +
-                        std::to_string(highest) + ", and -1 for none");
+                        ": the type of their map holds those from 0 to " + std::to_string(highest) +
+                        ", and -1 for none");
 }
 
 template <typename Map, typename FaceGraph>
