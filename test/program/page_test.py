@@ -240,6 +240,35 @@ def check_looks(browser):
         assert {child.get_attribute("role") for child in children} == {"radio"}
 
 
+def check_faces_of_no_segment(program, browser, folder):
+    """They are no segment: not in the number, not in the name of a file, and not joined with one."""
+    subprocess.run([program, "--demo", "-q", "-k", "6", "-o", "none.off", "-o", "none.seg"], cwd=folder, check=True,
+                   stdout=subprocess.DEVNULL)
+    labels = [label if int(label) < 4 else "-1" for label in (folder / "none.seg").read_text().split()]
+    (folder / "none.seg").write_text("\n".join(labels) + "\n")
+    subprocess.run([program, "none.off", "--labels", "none.seg", "-q", "-o", "none.html"], cwd=folder, check=True,
+                   stdout=subprocess.DEVNULL)
+    page = Page(browser, folder / "none.html")
+    assert page.count() == 4 and page.rows() == 5, page.count()
+    assert page.labels() == labels
+    places = page.places()
+    assert 4 in places, "no face of no segment is seen"
+    page.press("[data-tool=join]")
+    page.click(places[0])
+    page.click(places[4])
+    assert page.labels() == labels and "no segment" in page.element("toast").text
+    page.click(places[0])
+    page.click(places[1])
+    assert page.count() == 3
+    page.press("#save-labels")
+    saved = folder / "none_3.seg"
+    for _ in range(100):
+        if saved.exists():
+            break
+        time.sleep(0.1)
+    assert [int(label) for label in saved.read_text().split()].count(-1) == labels.count("-1")
+
+
 def test(program, picture, folder):
     number_of_faces = make_mesh(program, folder)
     k = 12
@@ -320,6 +349,7 @@ def test(program, picture, folder):
                 break
             time.sleep(0.1)
         assert partition_of(saved.read_text().split()) == before
+        check_faces_of_no_segment(program, browser, folder)
         errors = [entry for entry in browser.get_log("browser") if entry["level"] == "SEVERE"]
         assert not errors, json.dumps(errors)
     finally:
