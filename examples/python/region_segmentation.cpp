@@ -38,7 +38,9 @@ std::optional<std::size_t> to_number_of_segments(const py::object& number)
   };
   if (number.is_none())
     return std::nullopt;
-  if (py::isinstance<py::bool_>(number) || PyIndex_Check(number.ptr()) == 0)
+  const bool is_bool = py::isinstance<py::bool_>(number) ||
+                       py::isinstance(number, py::module_::import("numpy").attr("bool_"));
+  if (is_bool || PyIndex_Check(number.ptr()) == 0)
     throw py::type_error(expected());
   const py::ssize_t value = PyNumber_AsSsize_t(number.ptr(), nullptr); // the nearest that there is
   if (value == -1 && PyErr_Occurred() != nullptr)

@@ -183,7 +183,7 @@ def test_wrong_input_is_named():
     for number in 0, -1, -(10**30):
         expected = f"number_of_segments: not None or an integer of at least 1, but {number}"
         assert message(points, faces, number) == expected
-    for number in 2.5, True, "2":
+    for number in 2.5, True, numpy.True_, "2":
         for function in region_segmentation.segment, lambda *a: region_segmentation.Segmenter(*a[:2]).segment(a[2]):
             with pytest.raises(TypeError, match=f"^number_of_segments: not None or an integer of at least 1, but {number!r}$"):
                 function(points, faces, number)
