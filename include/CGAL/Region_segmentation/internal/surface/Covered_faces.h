@@ -153,20 +153,21 @@ private:
     return nearest(component, m_surface.centroid(f), m_surface.normal(f), f);
   }
 
-  /// The nearest face of a larger component, `otherwise` if none is within the tolerance.
+  /// A face of a larger component within the tolerance, `otherwise` if there is none: the nearest
+  /// one with a similar normal, or, without a normal, any.
   Index nearest(Index component, const Double_3& point, const Double_3& normal, Index otherwise)
   {
     const double tolerance = std::sqrt(m_bodies.areas[component]) / 100;
     Cost_of_face best(tolerance, otherwise); // costs of faces that do not agree are above it
+    const bool is_any = squared_norm(normal) == 0;
     find_nearest_face(
       *m_tree, Component_tree::root(), point,
       [&](const auto& node) {
-        return node.component == Component_tree::none || is_larger(node.component, component);
+        return !(is_any && best.second != otherwise) &&
+               (node.component == Component_tree::none || is_larger(node.component, component));
       },
       [&](Index g) {
-        return squared_norm(normal) == 0 || dot(normal, m_surface.normal(g)) > least_cosine
-                 ? 0
-                 : 2 * tolerance;
+        return is_any || dot(normal, m_surface.normal(g)) > least_cosine ? 0 : 2 * tolerance;
       },
       best);
     return best.second;
