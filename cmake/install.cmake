@@ -1,5 +1,5 @@
-# Install rules and the package config: find_package(CGAL_Region_segmentation) gives the target
-# CGAL::Region_segmentation.
+# Install rules and the package config: find_package(CGAL_Region_segmentation) gives the targets
+# CGAL::Region_segmentation and CGAL::Region_segmentation_compiled.
 include(CMakePackageConfigHelpers)
 
 set_target_properties(CGAL_Region_segmentation PROPERTIES EXPORT_NAME Region_segmentation)
@@ -15,4 +15,5 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/CGAL_Region_segmentationC
   COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
 install(FILES ${PROJECT_BINARY_DIR}/CGAL_Region_segmentationConfig.cmake
               ${PROJECT_BINARY_DIR}/CGAL_Region_segmentationConfigVersion.cmake
+              cmake/compiled_methods.cmake cmake/compiled_methods.cpp
         DESTINATION ${config_dir})

@@ -37,4 +37,4 @@ foreach(file IN ITEMS include/CGAL/region_segmentation.h bin/segment_mesh share/
 endforeach()
 
 run(${WORK}/root/usr/bin/segment_mesh --demo -q -o ${WORK}/demo.seg)
-run_user(${WORK}/root/usr)
+run_user(${WORK}/root/usr check)

@@ -54,7 +54,7 @@ template <typename Input, typename Method>
 class Segmenter
 {
   static_assert(internal::check_method<Method>());
-  using Prepared = internal::Prepared_by<Method>;
+  using Calls = internal::Method_calls<Method>;
 
 public:
   /// Whether the order of merges of the method depends on the number of segments: then each number
@@ -282,19 +282,19 @@ public:
 
 private:
   /// What is merged again only if constraints or seeds change.
-  using Merged = std::conditional_t<needs_number, std::monostate, internal::Merged_by<Method>>;
+  using Merged = std::conditional_t<needs_number, std::monostate, typename Calls::Merged>;
 
   /// What does not change. Copies of a segmenter share it.
   struct Unchanged
   {
     Method method;
     Surface surface;
-    Prepared prepared;
+    typename Calls::Prepared prepared;
 
     Unchanged(Method m, Surface s, const Execution& execution)
       : method(std::move(m))
       , surface(std::move(s))
-      , prepared(method.prepare(surface, execution))
+      , prepared(Calls::prepare(method, surface, execution))
     {}
   };
 
@@ -332,11 +332,11 @@ private:
       if (!request.seeds.empty()) { // reports seeds that cannot be joined, by the least work
         Request any = request;
         any.number_of_segments = (std::max)(surface().number_of_faces(), std::size_t(1));
-        internal::merge_by(method(), surface(), m_prepared->prepared, any, execution);
+        Calls::merge(method(), surface(), m_prepared->prepared, any, execution);
       }
       return Merged();
     } else
-      return internal::merge_by(method(), surface(), m_prepared->prepared, request, execution);
+      return Calls::merge(method(), surface(), m_prepared->prepared, request, execution);
   }
 
   const auto& merged() const
@@ -352,10 +352,11 @@ private:
     if constexpr (needs_number) {
       Request request = m_request;
       request.number_of_segments = number;
-      return internal::merge_by(method(), surface(), m_prepared->prepared, request, execution)
-        .segments(surface(), number);
+      return Calls::segments(
+        Calls::merge(method(), surface(), m_prepared->prepared, request, execution), surface(),
+        number);
     } else
-      return m_merged.segments(surface(), number);
+      return Calls::segments(m_merged, surface(), number);
   }
 
   template <typename SegmentMap>

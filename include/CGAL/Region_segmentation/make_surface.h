@@ -28,15 +28,23 @@ bool component_links(const Pack& np)
     CGAL::parameters::get_parameter(np, internal_np::component_links), true);
 }
 
+/// With links, or with what is adjacent without them.
+template <Adjacency_of unlinked, typename Pack>
+Surface build_linked_surface(Raw_surface&& raw, const Pack& np, const Execution& execution)
+{
+  if constexpr (has_parameter<Pack, internal_np::component_links_t>)
+    if (!component_links(np))
+      return build_surface<unlinked>(std::move(raw), execution);
+  return build_surface<Adjacency_of::COMPONENTS>(std::move(raw), execution);
+}
+
 template <typename FaceGraph, typename Pack>
 Surface make_surface(const FaceGraph& mesh, const Pack& np, const Execution& execution)
 {
   const Execution reading = execution.stage("reading");
   Raw_surface raw = read_face_graph(Mesh_order<FaceGraph, Pack>(mesh, np), np,
                                     reading.step(0, 0.5));
-  return build_surface(std::move(raw),
-                       component_links(np) ? Adjacency_of::COMPONENTS : Adjacency_of::NEIGHBORS,
-                       reading.step(0.5, 1));
+  return build_linked_surface<Adjacency_of::NEIGHBORS>(std::move(raw), np, reading.step(0.5, 1));
 }
 
 /// For functions that read a face graph as it is: without links and coinciding borders.
@@ -44,8 +52,8 @@ template <typename FaceGraph, typename Pack>
 Surface make_surface_of_neighbors(const Mesh_order<FaceGraph, Pack>& order, const Pack& np,
                                   const Execution& execution = Execution())
 {
-  return build_surface(read_face_graph(order, np, execution.step(0, 0.5)), Adjacency_of::NEIGHBORS,
-                       execution.step(0.5, 1));
+  return build_surface<Adjacency_of::NEIGHBORS>(read_face_graph(order, np, execution.step(0, 0.5)),
+                                                execution.step(0.5, 1));
 }
 template <typename FaceGraph, typename Pack>
 Surface make_surface_of_neighbors(const FaceGraph& mesh, const Pack& np)
@@ -58,10 +66,8 @@ Surface make_surface(const PointRange& points, const PolygonRange& polygons, con
                      const Execution& execution)
 {
   const Execution reading = execution.stage("reading");
-  return build_surface(read_polygons(points, polygons, reading.step(0, 0.5)),
-                       component_links(np) ? Adjacency_of::COMPONENTS
-                                           : Adjacency_of::COINCIDING_SIDES,
-                       reading.step(0.5, 1));
+  return build_linked_surface<Adjacency_of::COINCIDING_SIDES>(
+    read_polygons(points, polygons, reading.step(0, 0.5)), np, reading.step(0.5, 1));
 }
 
 using Surface_parameters = Tag_list<internal_np::component_links_t, CGAL::internal_np::visitor_t>;

@@ -12,6 +12,7 @@
 #include <CGAL/Region_segmentation/Methods/Policy_sequence.h>
 #include <CGAL/Region_segmentation/Methods/Superfacet_merging.h>
 #include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
+#include <CGAL/Region_segmentation/internal/concepts/Method_calls.h>
 #include <CGAL/Region_segmentation/internal/model/learned_merge_model.h>
 
 #include <cstddef>
@@ -59,6 +60,14 @@ struct Learned_merging
                          Number_from_expected_costs(few)}
   {}
 };
+
+#ifdef CGAL_REGION_SEGMENTATION_COMPILED
+namespace internal {
+
+CGAL_REGION_SEGMENTATION_EXTERN template struct Method_calls<Learned_merging>;
+
+} // namespace internal
+#endif
 
 } // namespace Region_segmentation
 } // namespace CGAL

@@ -11,6 +11,7 @@
 #include <CGAL/Region_segmentation/Request.h>
 #include <CGAL/Region_segmentation/Segments/Surface_faces.h>
 #include <CGAL/Region_segmentation/Surface.h>
+#include <CGAL/Region_segmentation/internal/concepts/Method_calls.h>
 #include <CGAL/Region_segmentation/internal/faces/find_faces.h>
 #include <CGAL/Region_segmentation/internal/graph/build_graph.h>
 #include <CGAL/Region_segmentation/internal/graph/renumber_tree.h>
@@ -76,6 +77,14 @@ struct Smooth_faces
     return Hierarchy(std::move(regions), internal::renumber_tree(tree, std::move(numbers)), number);
   }
 };
+
+#ifdef CGAL_REGION_SEGMENTATION_COMPILED
+namespace internal {
+
+CGAL_REGION_SEGMENTATION_EXTERN template struct Method_calls<Smooth_faces>;
+
+} // namespace internal
+#endif
 
 } // namespace Region_segmentation
 } // namespace CGAL

@@ -12,6 +12,7 @@
 #include <CGAL/Region_segmentation/Methods/Smallest_region_first.h>
 #include <CGAL/Region_segmentation/Request.h>
 #include <CGAL/Region_segmentation/Surface.h>
+#include <CGAL/Region_segmentation/internal/concepts/Method_calls.h>
 #include <CGAL/Region_segmentation/internal/graph/build_graph.h>
 #include <CGAL/Region_segmentation/merge_requested_regions.h>
 #include <CGAL/Region_segmentation/requested_regions.h>
@@ -80,6 +81,14 @@ struct Two_step
     return {std::move(requested.regions), std::move(tree), number};
   }
 };
+
+#ifdef CGAL_REGION_SEGMENTATION_COMPILED
+namespace internal {
+
+CGAL_REGION_SEGMENTATION_EXTERN template struct Method_calls<Two_step>;
+
+} // namespace internal
+#endif
 
 } // namespace Region_segmentation
 } // namespace CGAL

@@ -9,6 +9,7 @@
 #include <CGAL/Region_segmentation/Methods/Superfacet_merging.h>
 #include <CGAL/Region_segmentation/Methods/Visibility_annotator.h>
 #include <CGAL/Region_segmentation/Methods/Visibility_cost.h>
+#include <CGAL/Region_segmentation/internal/concepts/Method_calls.h>
 
 #include <cstddef>
 
@@ -39,6 +40,14 @@ struct Visibility_merging
                          Number_from_costs(default_level)}
   {}
 };
+
+#ifdef CGAL_REGION_SEGMENTATION_COMPILED
+namespace internal {
+
+CGAL_REGION_SEGMENTATION_EXTERN template struct Method_calls<Visibility_merging>;
+
+} // namespace internal
+#endif
 
 } // namespace Region_segmentation
 } // namespace CGAL

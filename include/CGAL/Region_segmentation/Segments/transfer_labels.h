@@ -48,7 +48,7 @@ struct Surface_as_given
     Raw_surface raw = read_face_graph(Mesh_order<FaceGraph, Pack>(mesh, np), np, Execution());
     compute_normals(raw.surface, Execution());
     normals = arrays_of(raw.surface).normals;
-    surface = build_surface(std::move(raw), Adjacency_of::NEIGHBORS, Execution());
+    surface = build_surface<Adjacency_of::NEIGHBORS>(std::move(raw), Execution());
   }
 };
 

@@ -7,8 +7,7 @@
 #include <CGAL/Region_segmentation/Hierarchy.h>
 #include <CGAL/Region_segmentation/Request.h>
 #include <CGAL/Region_segmentation/Surface.h>
-#include <CGAL/Region_segmentation/exceptions.h>
-#include <CGAL/Region_segmentation/internal/support/satisfies.h>
+#include <CGAL/Region_segmentation/internal/concepts/Method_calls.h>
 #include <CGAL/Region_segmentation/parameters.h>
 
 #include <CGAL/assertions.h>
@@ -24,36 +23,6 @@ namespace Region_segmentation {
 struct Learned_merging;
 
 namespace internal {
-
-template <typename Method>
-using Prepared_by = decltype(std::declval<const Method&>().prepare(
-  std::declval<const Surface&>(), std::declval<const Execution&>()));
-template <typename Method>
-using Merged_by = decltype(std::declval<const Method&>().merge(
-  std::declval<const Surface&>(), std::declval<const Prepared_by<Method>&>(),
-  std::declval<const Request&>(), std::declval<const Execution&>()));
-
-/// Whether the order of merges of a method depends on the number of segments.
-template <typename Method>
-constexpr bool needs_number()
-{
-  return std::is_base_of<Segmentation, Merged_by<Method>>::value;
-}
-
-template <typename Method>
-constexpr bool check_method()
-{
-  static_assert(
-    satisfies<Merged_by, Method>,
-    "a SegmentationMethod needs: Prepared prepare(const Surface&, const Execution&) const, and "
-    "Hierarchy or "
-    "Segmentation merge(const Surface&, const Prepared&, const Request&, const Execution&) const. "
-    "(The default method needs #include <CGAL/region_segmentation.h>)");
-  if constexpr (satisfies<Merged_by, Method>)
-    static_assert(std::is_base_of<Hierarchy, Merged_by<Method>>::value,
-                  "merge() of a SegmentationMethod returns a Hierarchy or a Segmentation");
-  return true;
-}
 
 /// The method of a pack, or the default one.
 template <typename Pack>
@@ -115,25 +84,6 @@ Request request_of_pack(const Input& input, const Surface& surface, const Pack& 
   return request;
 }
 
-/// What the method merges.
-/// \throws Invalid_method unless its regions are those of the faces, and its merges those of the
-///         regions
-template <typename Method, typename Prepared>
-auto merge_by(const Method& method, const Surface& surface, const Prepared& prepared,
-              const Request& request, const Execution& execution)
-{
-  auto result = method.merge(surface, prepared, request, execution);
-  const Partition& regions = result.regions();
-  const std::size_t number_of_regions = result.merge_tree().number_of_regions();
-  if (regions.size() != surface.number_of_faces() || regions.number_of_parts() != number_of_regions)
-    throw Invalid_method("merge() of the SegmentationMethod returns " +
-                         std::to_string(regions.number_of_parts()) + " regions of " +
-                         std::to_string(regions.size()) + " faces, and merges " +
-                         std::to_string(number_of_regions) + "; the mesh has " +
-                         std::to_string(surface.number_of_faces()) + " faces");
-  return result;
-}
-
 template <typename Pack>
 constexpr bool has_outputs = has_parameter<Pack, internal_np::region_map_t> ||
                              has_parameter<Pack, internal_np::merge_tree_t>;
@@ -165,9 +115,10 @@ std::size_t run_method(const Input& input, const Surface& surface, SegmentMap& s
   Request request = request_of_pack(input, surface, np);
   if constexpr (!has_outputs<Pack>)
     request.numbers = Request::Numbers::ONE;
-  const auto prepared = method.prepare(surface, execution);
-  const auto result = merge_by(method, surface, prepared, request, execution);
-  const Composed_partition segments = result.segments(surface, result.number_of_segments());
+  using Calls = Method_calls<Method>;
+  const auto prepared = Calls::prepare(method, surface, execution);
+  const auto result = Calls::merge(method, surface, prepared, request, execution);
+  const Composed_partition segments = Calls::segments(result, surface, result.number_of_segments());
   if constexpr (has_parameter<Pack, internal_np::region_map_t>)
     input.check(CGAL::parameters::get_parameter(np, internal_np::region_map),
                 result.regions().number_of_parts(), "labels of first regions");

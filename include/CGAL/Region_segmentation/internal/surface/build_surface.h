@@ -5,6 +5,7 @@
 
 #include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/internal/support/Lowest_root_forest.h>
+#include <CGAL/Region_segmentation/internal/support/compiled.h>
 #include <CGAL/Region_segmentation/internal/support/label_components.h>
 #include <CGAL/Region_segmentation/internal/surface/collect_adjacencies.h>
 #include <CGAL/Region_segmentation/internal/surface/compute_normals.h>
@@ -62,22 +63,26 @@ inline void insert_links(Surface& surface, const Partition& edge_component_of,
 }
 
 /// From points and corners to a surface.
-inline Surface build_surface(Raw_surface&& raw, Adjacency_of wanted, const Execution& execution)
+/// \tparam wanted what is adjacent; what others need is not compiled
+template <Adjacency_of wanted>
+Surface build_surface(Raw_surface&& raw, const Execution& execution)
 {
   std::vector<Added_adjacency> added;
   std::vector<Seam> seams;
   find_open_sides(raw);
-  const bool matches = wanted != Adjacency_of::NEIGHBORS && !raw.open_sides.empty();
-  if (matches)
-    merge_points_of_open_sides(raw);
+  const bool has_open_sides = !raw.open_sides.empty();
+  if constexpr (wanted != Adjacency_of::NEIGHBORS)
+    if (has_open_sides)
+      merge_points_of_open_sides(raw);
   compute_normals(raw.surface, execution.step(0, 0.3));
-  if (matches) {
-    find_doubled_faces(raw, added);
-    Side_matcher matcher(raw);
-    matcher.match();
-    seams = matcher.seams();
-    orient_faces(raw, matcher.parallel_sides(), seams);
-  }
+  if constexpr (wanted != Adjacency_of::NEIGHBORS)
+    if (has_open_sides) {
+      find_doubled_faces(raw, added);
+      Side_matcher matcher(raw);
+      matcher.match();
+      seams = matcher.seams();
+      orient_faces(raw, matcher.parallel_sides(), seams);
+    }
   collect_adjacencies(raw, execution.step(0.3, 0.8));
   raw.neighbors = Large_array<Surface::Index>(); // later steps need the memory
   const Partition component_of = edge_components(raw.surface, execution.step(0.8, 0.9));
@@ -86,11 +91,20 @@ inline Surface build_surface(Raw_surface&& raw, Adjacency_of wanted, const Execu
     added.push_back(adjacency_of_seam(raw.surface, seam));
   insert_adjacencies(raw.surface, added);
   join_degenerate_faces(raw.surface);
-  if (wanted == Adjacency_of::COMPONENTS)
+  if constexpr (wanted == Adjacency_of::COMPONENTS)
     insert_links(raw.surface, component_of, execution.step(0.9, 1));
   sum_up(raw.surface);
   return std::move(raw.surface);
 }
+
+#ifdef CGAL_REGION_SEGMENTATION_COMPILED
+CGAL_REGION_SEGMENTATION_EXTERN template Surface
+build_surface<Adjacency_of::NEIGHBORS>(Raw_surface&&, const Execution&);
+CGAL_REGION_SEGMENTATION_EXTERN template Surface
+build_surface<Adjacency_of::COINCIDING_SIDES>(Raw_surface&&, const Execution&);
+CGAL_REGION_SEGMENTATION_EXTERN template Surface
+build_surface<Adjacency_of::COMPONENTS>(Raw_surface&&, const Execution&);
+#endif
 
 } // namespace internal
 } // namespace Region_segmentation

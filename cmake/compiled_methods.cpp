@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// The one translation unit with the code of the methods: target CGAL::Region_segmentation_compiled.
+
+#define CGAL_REGION_SEGMENTATION_EXTERN
+
+#include <CGAL/Region_segmentation/Methods/Learned_merging.h>
+#include <CGAL/Region_segmentation/Methods/Two_step.h>
+#include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
+#include <CGAL/Region_segmentation/make_surface.h>
+#if __has_include(<Eigen/Core>)
+#include <CGAL/Region_segmentation/Methods/Smooth_faces.h>
+#endif
