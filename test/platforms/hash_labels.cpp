@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// hash_labels MESHES: prints a line `MESH METHOD HASH` for each mesh of a file of write_meshes and
-// each method, and `done` after the last. Equal lines are equal labels, of a chosen and of given
-// numbers.
+// hash_labels MESHES STEP: prints a line `MESH METHOD HASH` for each STEP-th mesh of a file of
+// write_meshes and each method, and `done` after the last. Equal lines are equal labels, of a
+// chosen and of given numbers.
 
 #include <CGAL/Region_segmentation/Methods/Smooth_faces.h>
 #include <CGAL/region_segmentation.h>
@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <string>
@@ -89,10 +90,14 @@ void print_labels(const Mesh& mesh, const char* method_name, const Method& metho
 
 int main(int argc, char** argv)
 {
-  if (argc != 2)
+  if (argc != 3)
     return 2;
+  const int step = std::atoi(argv[2]);
   std::ifstream in(argv[1]);
-  for (Mesh mesh; in >> mesh;) {
+  int number = 0;
+  for (Mesh mesh; in >> mesh; ++number) {
+    if (number % step != 0)
+      continue;
     print_labels(mesh, "learned", RS::Learned_merging());
     print_labels(mesh, "visibility", RS::Visibility_merging());
     print_labels(mesh, "two-step", RS::Two_step());

@@ -5,9 +5,10 @@
 # to build and to run. Where a row differs from the first, the meshes and methods in question follow.
 #
 # The meshes are procedural, and CGAL's small ones where the environment variable
-# REGION_SEGMENTATION_REAL_MESHES names their folder. PLATFORMS_DIR is where it builds, by default
-# build-platforms/; CXXFLAGS are added to the options of the compilers. With INSTALL_PACKAGES=no
-# nothing is installed. Each compiler must also see -ffast-math refused.
+# REGION_SEGMENTATION_REAL_MESHES names their folder; with PLATFORMS_STEP=N each N-th one of all.
+# PLATFORMS_DIR is where it builds, by default build-platforms/; CXXFLAGS are added to the options
+# of the compilers. With INSTALL_PACKAGES=no nothing is installed. Each compiler must also see
+# -ffast-math refused.
 #
 # Exit status: 0 all rows are equal; 1 one differs, or a platform cannot be built or run; 77 packages
 # are absent.
@@ -73,7 +74,7 @@ build()
 # run NAME ENDING: its output, which ends with a line `done`.
 run()
 {
-  output=$(WINEDEBUG=-all $(column "$1" 4) "$work/$1/hash_labels$2" "$work/meshes" | tr -d '\r')
+  output=$(WINEDEBUG=-all $(column "$1" 4) "$work/$1/hash_labels$2" "$work/meshes" "${PLATFORMS_STEP:-1}" | tr -d '\r')
   [ "${output##*
 }" = "done" ] && printf '%s\n' "$output"
 }

@@ -46,7 +46,7 @@ void count_at_two_sizes(const std::string& name, Make_shape make, std::size_t fa
   count(name + " large", make(4 * faces), method);
 }
 
-constexpr std::size_t number_of_faces = 2500;
+constexpr std::size_t number_of_faces = 1600;
 
 /// With the methods whose time is linear where thousands of components overlap; there `learned`
 /// casts 12 rays of each up to 6,400 of them.
