@@ -95,6 +95,21 @@ public:
     return names.at(category);
   }
 
+  /// All numbers of a file.
+  static std::vector<int> read_integers(const Path& file)
+  {
+    std::ifstream in(file);
+    if (!in)
+      throw std::runtime_error(file.string() + ": cannot be opened");
+    std::vector<int> numbers;
+    for (int number; in >> number;)
+      numbers.push_back(number);
+    if (!in.eof())
+      throw std::runtime_error(file.string() + ": entry " + std::to_string(numbers.size() + 1) +
+                               " is not an integer");
+    return numbers;
+  }
+
 private:
   Path segmentation_folder(int model) const
   {
@@ -118,20 +133,6 @@ private:
         numbers.push_back(std::stoi(digits));
     }
     std::sort(numbers.begin(), numbers.end());
-    return numbers;
-  }
-
-  static std::vector<int> read_integers(const Path& file)
-  {
-    std::ifstream in(file);
-    if (!in)
-      throw std::runtime_error(file.string() + ": cannot be opened");
-    std::vector<int> numbers;
-    for (int number; in >> number;)
-      numbers.push_back(number);
-    if (!in.eof())
-      throw std::runtime_error(file.string() + ": entry " + std::to_string(numbers.size() + 1) +
-                               " is not an integer");
     return numbers;
   }
 

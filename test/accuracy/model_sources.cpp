@@ -5,8 +5,11 @@
 #include "io/read_mesh.h"
 #include "models/procedural_models.h"
 
+#include <algorithm>
+#include <map>
 #include <set>
 #include <stdexcept>
+#include <utility>
 
 namespace princeton_benchmark {
 
@@ -31,6 +34,25 @@ Model load_princeton_model(const Princeton_data& data, int number)
   return model;
 }
 
+Model load_furniture(const std::filesystem::path& mesh_file)
+{
+  Model model;
+  model.soup = segment_mesh::read_mesh(mesh_file.string()).soup;
+  std::filesystem::path label_file = mesh_file;
+  std::vector<int> labels = Princeton_data::read_integers(label_file.replace_extension(".seg"));
+  if (labels.size() != model.soup.polygons.size())
+    throw std::runtime_error(label_file.string() + ": " + std::to_string(labels.size()) +
+                             " labels for " + std::to_string(model.soup.polygons.size()) +
+                             " faces");
+  std::map<int, std::size_t> sizes;
+  for (const int label : labels)
+    ++sizes[label];
+  for (const auto& part : sizes)
+    model.number_of_segments += double(part.second) > .002 * double(labels.size());
+  model.truths.push_back(make_truth("its parts", std::move(labels)));
+  return model;
+}
+
 Model make_procedural_model(segment_mesh::Labelled_model made)
 {
   Model model;
@@ -49,6 +71,24 @@ std::vector<Model_source> princeton_sources(const Princeton_data& data)
     sources.push_back({std::to_string(number),
                        Princeton_data::category_name(Princeton_data::category(number)),
                        [&data, number] { return load_princeton_model(data, number); }});
+  return sources;
+}
+
+std::vector<Model_source> furniture_sources(const std::filesystem::path& folder)
+{
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    if (entry.path().extension() == ".off")
+      files.push_back(entry.path());
+  if (files.empty())
+    throw std::runtime_error(folder.string() + ": no file KIND_NAME.off");
+  std::sort(files.begin(), files.end());
+  std::vector<Model_source> sources;
+  for (const std::filesystem::path& file : files) {
+    const std::string name = file.stem().string();
+    sources.push_back(
+      {name, name.substr(0, name.find('_')), [file] { return load_furniture(file); }});
+  }
   return sources;
 }
 

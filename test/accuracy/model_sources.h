@@ -9,6 +9,7 @@
 #include "soup/Polygon_soup.h"
 
 #include <cstddef>
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
@@ -41,6 +42,12 @@ struct Model_source
 /// All models of a copy of the Princeton benchmark, by number. \pre `data` lives as long as the
 /// result
 std::vector<Model_source> princeton_sources(const Princeton_data& data);
+
+/// Furniture: each `KIND_NAME.off` of a folder with the labels of its faces in `KIND_NAME.seg`, one
+/// truth; by name, the category is the kind. The number that a method is given is that of the parts
+/// of more than .2 % of the faces.
+/// \throws std::runtime_error if there is none
+std::vector<Model_source> furniture_sources(const std::filesystem::path& folder);
 
 /// The models that segment_mesh can make, each a category of its own with one truth.
 std::vector<Model_source> procedural_sources();

@@ -191,6 +191,38 @@ TEST(Run_benchmark, reads_the_layout_of_the_benchmark_and_tells_of_a_bad_file)
   fs::remove_all(root);
 }
 
+TEST(Furniture_sources, are_models_with_a_label_for_each_face_by_name)
+{
+  namespace fs = std::filesystem;
+  const fs::path root = fs::temp_directory_path() /
+                        ("furniture_" + std::to_string(std::random_device()()));
+  fs::create_directories(root);
+  EXPECT_THROW(furniture_sources(root), std::runtime_error) << "there is none";
+  constexpr std::size_t faces = 1000;
+  for (const std::string name : {"Table_b", "Chair_a_1"}) {
+    std::ofstream mesh(root / (name + ".off")), labels(root / (name + ".seg"));
+    mesh << "OFF\n3 " << faces << " 0\n0 0 0\n1 0 0\n0 1 0\n";
+    for (std::size_t f = 0; f < faces; ++f) {
+      mesh << "3 0 1 2\n";
+      labels << (f < 2 ? 7 : f < 5 ? 5 : 0) << '\n'; // .2 %, .3 %, and the rest
+    }
+  }
+  std::ofstream(root / "Table_b.seg", std::ios::app) << "0\n"; // one too many
+
+  const std::vector<Model_source> sources = furniture_sources(root);
+  ASSERT_EQ(sources.size(), 2u);
+  EXPECT_EQ(sources[0].name, "Chair_a_1");
+  EXPECT_EQ(sources[0].category, "Chair");
+  EXPECT_EQ(sources[1].category, "Table");
+  const Model model = sources[0].load();
+  EXPECT_EQ(model.number_of_segments, 2u) << "the part of .2 % does not count";
+  ASSERT_EQ(model.truths.size(), 1u);
+  EXPECT_EQ(model.truths[0].number_of_segments, 3u);
+  EXPECT_EQ(model.truths[0].labels.size(), faces);
+  EXPECT_THROW(sources[1].load(), std::runtime_error);
+  fs::remove_all(root);
+}
+
 TEST(Summary, takes_means_of_models_then_of_categories)
 {
   std::vector<Model_result> results = {make_result("1", "a", 0.1), make_result("2", "b", 0.5),

@@ -82,3 +82,17 @@ TEST(Cross_validation_test, learns_from_variants_with_the_fold_of_their_model)
     << "without the model and its variant";
   EXPECT_NE(with_variant.trained[1].trees.leaves, alone.trained[1].trees.leaves);
 }
+
+/// Furniture of one category is in one fold, and in that of the category of the benchmark.
+TEST(Cross_validation_test, furniture_of_one_category_is_learned_from_together)
+{
+  std::vector<Training_model> models(12);
+  const std::vector<const char*> categories = {"Cup",   "Cup",   "Cup",  "Chair", "Chair", "Chair",
+                                               "Bench", "Chair", "Desk", "Table", "Chair", "Table"};
+  for (std::size_t i = 0; i < models.size(); ++i) {
+    models[i].category = categories[i];
+    models[i].is_furniture = i >= 6;
+  }
+  EXPECT_EQ(folds_of_models(models, 3), (Folds{0, 1, 2, 0, 1, 2, 2, 0, 2, 1, 0, 1}));
+  EXPECT_EQ(folds_of_categories(models), (Folds{0, 0, 0, 1, 1, 1, 2, 1, 3, 4, 1, 4}));
+}

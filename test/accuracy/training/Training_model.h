@@ -31,10 +31,14 @@ struct Training_graph
   Label_counts counts;
 };
 
-/// A model of the benchmark at the number of regions from which the learned cost merges.
+/// A model, of the benchmark or furniture, at the number of regions from which the learned cost
+/// merges.
 struct Training_model : Training_graph
 {
-  int number = 0;                     ///< in the benchmark
+  int number = 0; ///< in the benchmark, or above all of them: of its seeds
+  std::string category;
+  bool is_furniture = false;
+  double weight = 1;                  ///< of what is learned from it
   std::size_t number_of_segments = 0; ///< k of the standard protocol
   std::vector<std::size_t> segments_of_people;
   std::vector<std::vector<int>> people;       ///< the labels of the faces by each person, from 0 on

@@ -2,11 +2,11 @@
 
 #include "cross_validation.h"
 
-#include "Princeton_data.h"
 #include "merging_runs.h"
 
 #include <algorithm>
 #include <map>
+#include <string>
 #include <utility>
 
 namespace train_merge_cost {
@@ -27,9 +27,12 @@ void append_rows(Training_rows& rows, const Training_model& model, unsigned trai
 {
   const unsigned seed = training_seed * 1000000u + unsigned(run_number) * 1000u +
                         unsigned(model.number);
+  const std::size_t first = rows.size();
   rows.append(run(model, seed));
   for (std::size_t i = 0; i < model.variants.size(); ++i)
     rows.append(run(model.variants[i], seed + unsigned(i + 1) * 100000u));
+  for (std::size_t r = first; r < rows.size(); ++r)
+    rows.weights[r] *= float(model.weight);
 }
 
 std::size_t number_of(const Folds& folds)
@@ -108,19 +111,33 @@ Training_rows joined(const std::vector<Training_rows>& rows)
 
 Folds folds_of_models(const std::vector<Training_model>& models, std::size_t number)
 {
+  std::map<std::string, std::size_t> pieces; // by category
+  for (const Training_model& model : models)
+    if (model.is_furniture)
+      ++pieces[model.category];
+  std::vector<std::pair<std::string, std::size_t>> categories(pieces.begin(), pieces.end());
+  std::stable_sort(categories.begin(), categories.end(),
+                   [](const auto& a, const auto& b) { return a.second > b.second; });
+  std::map<std::string, std::size_t> fold_of;
+  std::vector<std::size_t> sizes(number);
+  for (const auto& [category, size] : categories) {
+    const auto fold = std::min_element(sizes.begin(), sizes.end());
+    fold_of[category] = std::size_t(fold - sizes.begin());
+    *fold += size;
+  }
   Folds folds;
-  for (std::size_t i = 0; i < models.size(); ++i)
-    folds.push_back(i % number);
+  std::size_t next = 0;
+  for (const Training_model& model : models)
+    folds.push_back(model.is_furniture ? fold_of.at(model.category) : next++ % number);
   return folds;
 }
 
 Folds folds_of_categories(const std::vector<Training_model>& models)
 {
   Folds folds;
-  std::map<int, std::size_t> fold_of;
+  std::map<std::string, std::size_t> fold_of;
   for (const Training_model& model : models)
-    folds.push_back(
-      fold_of.emplace(Princeton_data::category(model.number), fold_of.size()).first->second);
+    folds.push_back(fold_of.emplace(model.category, fold_of.size()).first->second);
   return folds;
 }
 

@@ -30,10 +30,12 @@ struct Training_plan
 /// others.
 using Folds = std::vector<std::size_t>;
 
-/// `number` folds; neighbors in the benchmark, which are of one category, belong to different ones.
+/// `number` folds. Neighbors in the benchmark, which are of one category, belong to different ones.
+/// Furniture of one category belongs to one: the largest category first, each to the fold that has
+/// the least furniture.
 Folds folds_of_models(const std::vector<Training_model>& models, std::size_t number);
 
-/// A fold for each category that is there.
+/// A fold for each category that is there, whether of the benchmark or of furniture.
 Folds folds_of_categories(const std::vector<Training_model>& models);
 
 struct Cross_validation
@@ -44,7 +46,7 @@ struct Cross_validation
                                                 ///< trained on
   std::vector<Model_score> scores;              ///< by model, out of fold
 
-  /// The model that was trained without a model of the benchmark.
+  /// The model that was trained without one of the models.
   Model without(std::size_t model) const { return trained[folds[model]].model(); }
 };
 

@@ -24,6 +24,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
@@ -80,12 +81,13 @@ std::vector<Variant> variants_of_models()
 
 struct Options
 {
-  std::string data_folder, header;
+  std::string data_folder, furniture_folder, header;
   bool has_report = false;
   std::size_t superfacets = CGAL::Region_segmentation::Superfacets().number;
   std::size_t few = CGAL::Region_segmentation::Learned_merging::few;
   std::vector<Variant> variants = variants_of_models();
   std::size_t folds = 5;
+  double furniture_weight = 0.4; // 44 pieces weigh as 18 of the 190 models
   Training_plan plan;
 };
 
@@ -98,6 +100,16 @@ std::variant<Options, int> parse_command_line(int argc, char** argv)
     ->required()
     ->check(CLI::ExistingDirectory)
     ->type_name("DIR");
+  app
+    .add_option("--furniture", options.furniture_folder,
+                "Learn from these models, too: KIND_NAME.off with the label of each face in "
+                "KIND_NAME.seg")
+    ->check(CLI::ExistingDirectory)
+    ->type_name("DIR");
+  app
+    .add_option("--furniture-weight", options.furniture_weight,
+                "Of such a model beside one of the benchmark. Default: .4")
+    ->check(CLI::Range(0., 100.));
   app.add_option("--output", options.header, "Write the model as a header: learned_merge_model.h")
     ->type_name("FILE");
   app.add_flag("--report", options.has_report,
@@ -151,35 +163,61 @@ std::size_t superfacets_of(const Variant& variant, const Options& options)
   return std::size_t(std::llround(variant.superfacets * double(options.superfacets)));
 }
 
-std::vector<Training_model> load_models(const Princeton_data& data, const Options& options)
+/// A model that is learned from.
+struct Source
+{
+  princeton_benchmark::Model_source model;
+  int number; ///< of `Training_model`
+  bool is_furniture;
+};
+
+/// `data` must exist as long as the result.
+std::vector<Source> make_sources(const Princeton_data& data, const Options& options)
+{
+  constexpr int first_of_furniture = 20 * Princeton_data::number_of_categories + 1;
+  std::vector<Source> sources;
+  for (princeton_benchmark::Model_source& model : princeton_benchmark::princeton_sources(data))
+    sources.push_back({std::move(model), data.models()[sources.size()], false});
+  if (options.furniture_folder.empty())
+    return sources;
+  const std::size_t of_benchmark = sources.size();
+  for (princeton_benchmark::Model_source& model :
+       princeton_benchmark::furniture_sources(options.furniture_folder))
+    sources.push_back(
+      {std::move(model), first_of_furniture + int(sources.size() - of_benchmark), true});
+  return sources;
+}
+
+std::vector<Training_model> load_models(const std::vector<Source>& sources, const Options& options)
 {
   std::vector<Training_model> models;
-  const auto sources = princeton_benchmark::princeton_sources(data);
   for (std::size_t i = 0; i < sources.size(); ++i) {
-    const princeton_benchmark::Model model = sources[i].load();
+    const princeton_benchmark::Model model = sources[i].model.load();
     models.push_back(
-      make_training_model(data.models()[i], model, options.superfacets, options.few));
+      make_training_model(sources[i].number, model, options.superfacets, options.few));
+    models.back().category = sources[i].model.category;
+    models.back().is_furniture = sources[i].is_furniture;
+    models.back().weight = sources[i].is_furniture ? options.furniture_weight : 1;
     for (std::size_t v = i % 2; v < options.variants.size(); v += 2) // half of them, which is
                                                                      // enough of each
       models.back().variants.push_back(
-        make_training_model(data.models()[i], changed(model, options.variants[v], unsigned(i)),
+        make_training_model(sources[i].number, changed(model, options.variants[v], unsigned(i)),
                             superfacets_of(options.variants[v], options), options.few));
   }
   return models;
 }
 
 /// Out of fold; with another seed than those that are learned from.
-std::vector<Model_score> scores_of_variant(const Princeton_data& data, const Options& options,
-                                           const Variant& variant,
+std::vector<Model_score> scores_of_variant(const std::vector<Source>& sources,
+                                           const Options& options, const Variant& variant,
                                            const Cross_validation& validation)
 {
   std::vector<Model_score> scores;
-  const auto sources = princeton_benchmark::princeton_sources(data);
   for (std::size_t i = 0; i < sources.size(); ++i) {
-    const princeton_benchmark::Model model = changed(sources[i].load(), variant,
+    const princeton_benchmark::Model model = changed(sources[i].model.load(), variant,
                                                      unsigned(sources.size() + i));
     scores.push_back(score_learned(
-      make_training_model(data.models()[i], model, superfacets_of(variant, options), options.few),
+      make_training_model(sources[i].number, model, superfacets_of(variant, options), options.few),
       validation.without(i)));
   }
   return scores;
@@ -194,15 +232,31 @@ std::vector<Model_score> scores_of(const std::vector<Training_model>& models, co
   return scores;
 }
 
-std::string mean_given_and_chosen(const std::vector<Model_score>& scores)
+std::size_t number_of_pieces(const std::vector<Training_model>& models)
 {
-  double given = 0, chosen = 0;
-  for (const Model_score& score : scores) {
-    given += score.given / double(scores.size());
-    chosen += score.automatic / double(scores.size());
-  }
+  return std::size_t(std::count_if(models.begin(), models.end(),
+                                   [](const Training_model& model) { return model.is_furniture; }));
+}
+
+std::string mean_given_and_chosen(const std::vector<Training_model>& models, bool of_furniture,
+                                  const std::vector<Model_score>& scores)
+{
+  double given = 0, chosen = 0, number = 0;
+  for (std::size_t i = 0; i < models.size(); ++i)
+    if (models[i].is_furniture == of_furniture) {
+      given += scores[i].given;
+      chosen += scores[i].automatic;
+      ++number;
+    }
   char text[64];
-  std::snprintf(text, sizeof text, "%.4f / %.4f", given, chosen);
+  std::snprintf(text, sizeof text, "%.4f / %.4f", given / number, chosen / number);
+  return text;
+}
+
+std::string in_digits(double value)
+{
+  char text[32];
+  std::snprintf(text, sizeof text, "%g", value);
   return text;
 }
 
@@ -220,23 +274,32 @@ std::vector<std::string> provenance(const Options& options,
                                     const Cross_validation& validation)
 {
   const Training_rows rows = all_rows(validation);
+  const std::size_t pieces = number_of_pieces(models), of_benchmark = models.size() - pieces;
+  const auto scores = [&](bool of_furniture) {
+    return mean_given_and_chosen(models, of_furniture, validation.scores);
+  };
   return {
     "Made by train_merge_cost --seed " + std::to_string(options.plan.seed) + " --trainings " +
       std::to_string(options.plan.trainings) + (options.variants.empty() ? " --no-variants" : "") +
-      " from " + std::to_string(models.size()) +
+      " from " + std::to_string(of_benchmark) +
       " models of the Princeton Segmentation Benchmark, number " +
-      std::to_string(models.front().number) + " to " + std::to_string(models.back().number) + ".",
+      std::to_string(models.front().number) + " to " +
+      std::to_string(models[of_benchmark - 1].number) +
+      (pieces > 0 ? ", and " + std::to_string(pieces) + " pieces of furniture of the weight " +
+                      in_digits(options.furniture_weight) + "."
+                  : "."),
     names_of_variants(options),
     "Hash of the " + std::to_string(rows.size()) + " training rows: " + fingerprint(rows) +
       "; of the training sources: " + std::string(training_sources_hash) + ".",
-    "1 - Rand index, out of fold, k given / chosen: " + mean_given_and_chosen(validation.scores) +
-      "."};
+    "1 - Rand index, out of fold, k given / chosen: " + scores(false) +
+      (pieces > 0 ? "; of furniture: " + scores(true) : "") + "."};
 }
 
 /// Of the models, and with a report of their variants and with whole categories left out, each as
 /// soon as it is known.
-void write_report(const Options& options, const std::vector<Training_model>& models,
-                  const Cross_validation& validation, const Trained_model& final_model)
+void write_report(const Options& options, const std::vector<Source>& sources,
+                  const std::vector<Training_model>& models, const Cross_validation& validation,
+                  const Trained_model& final_model)
 {
   using princeton_benchmark::write_text;
   const std::vector<Model_score> by_hand = scores_of(models, score_visibility);
@@ -245,20 +308,20 @@ void write_report(const Options& options, const std::vector<Training_model>& mod
     models, [&](const Training_model& m) { return score_learned(m, model); });
   std::vector<Scored_way> ways = {
     {"hand-made", &by_hand}, {"in sample", &in_sample}, {"out of fold", &validation.scores}};
-  write_text(std::cout, means_table(ways));
+  write_text(std::cout, means_table(models, ways));
   std::cout.flush();
   if (!options.has_report)
     return;
   for (const Variant& variant : options.variants) {
-    const std::vector<Model_score> scores = scores_of_variant(Princeton_data(options.data_folder),
-                                                              options, variant, validation);
-    write_text(std::cout, means_table({{"out of fold, " + variant.name, &scores}}));
+    const std::vector<Model_score> scores = scores_of_variant(sources, options, variant,
+                                                              validation);
+    write_text(std::cout, means_table(models, {{"out of fold, " + variant.name, &scores}}));
     std::cout.flush();
   }
   const std::vector<Model_score>
     by_category = cross_validate(models, folds_of_categories(models), options.plan).scores;
   ways.push_back({"category left out", &by_category});
-  write_text(std::cout, means_table({ways.back()}));
+  write_text(std::cout, means_table(models, {ways.back()}));
   write_text(std::cout, category_table(models, ways));
   write_text(std::cout, calibration_table(validation));
   write_text(std::cout, importance_table(validation, options.plan.seed));
@@ -271,7 +334,8 @@ int run_program(int argc, char** argv)
     return *exit_status;
   const Options& options = std::get<Options>(parsed);
   const Princeton_data data(options.data_folder);
-  const std::vector<Training_model> models = load_models(data, options);
+  const std::vector<Source> sources = make_sources(data, options);
+  const std::vector<Training_model> models = load_models(sources, options);
   const Cross_validation validation = cross_validate(models, folds_of_models(models, options.folds),
                                                      options.plan);
   const Trained_model trained = train_on_all(validation, options.plan);
@@ -280,7 +344,7 @@ int run_program(int argc, char** argv)
     write_model(file.stream(), trained, provenance(options, models, validation));
     file.commit();
   }
-  write_report(options, models, validation, trained);
+  write_report(options, sources, models, validation, trained);
   return 0;
 }
 

@@ -2,14 +2,11 @@
 
 #include "training_report.h"
 
-#include "Princeton_data.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
-#include <map>
 #include <random>
 #include <utility>
 
@@ -145,28 +142,37 @@ void for_each_out_of_fold(const Cross_validation& validation, const F& f)
 
 using Score_member = double Model_score::*;
 
-Mean mean_of(const std::vector<Model_score>& scores, Score_member member)
+Mean mean_of(const std::vector<Training_model>& models, bool of_furniture,
+             const std::vector<Model_score>& scores, Score_member member)
 {
   Mean mean;
-  for (const Model_score& score : scores)
-    mean.add(score.*member);
+  for (std::size_t i = 0; i < models.size(); ++i)
+    if (models[i].is_furniture == of_furniture)
+      mean.add(scores[i].*member);
   return mean;
 }
 
 } // namespace
 
-Table means_table(const std::vector<Scored_way>& ways)
+Table means_table(const std::vector<Training_model>& models, const std::vector<Scored_way>& ways)
 {
   Table table{"1 - Rand index, means over the models and their standard errors",
               {"", "k given", "k chosen", "best k in hindsight", "first", "nearest"},
               {},
               {"first, nearest: the paper's protocol"}};
-  for (const Scored_way& way : ways) {
-    std::vector<std::string> row = {way.name};
+  const auto add_row = [&](const std::string& name, bool of_furniture, const Scored_way& way) {
+    std::vector<std::string> row = {name};
     for (Score_member member : {&Model_score::given, &Model_score::automatic, &Model_score::best,
                                 &Model_score::first, &Model_score::nearest})
-      row.push_back(mean_of(*way.scores, member).text());
+      row.push_back(mean_of(models, of_furniture, *way.scores, member).text());
     table.rows.push_back(row);
+  };
+  const bool has_furniture = std::any_of(models.begin(), models.end(),
+                                         [](const Training_model& m) { return m.is_furniture; });
+  for (const Scored_way& way : ways) {
+    add_row(way.name, false, way);
+    if (has_furniture)
+      add_row(way.name + ", furniture", true, way);
   }
   return table;
 }
@@ -176,11 +182,16 @@ Table category_table(const std::vector<Training_model>& models, const std::vecto
   Table table{"By category: k given / k chosen", {""}, {}, {}};
   for (const Scored_way& way : ways)
     table.header.push_back(way.name);
-  std::map<int, std::vector<std::size_t>> members;
-  for (std::size_t i = 0; i < models.size(); ++i)
-    members[Princeton_data::category(models[i].number)].push_back(i);
+  std::vector<std::pair<std::string, std::vector<std::size_t>>> members; // models of a category
+                                                                         // follow each other
+  for (std::size_t i = 0; i < models.size(); ++i) {
+    const std::string name = models[i].category + (models[i].is_furniture ? ", furniture" : "");
+    if (members.empty() || members.back().first != name)
+      members.push_back({name, {}});
+    members.back().second.push_back(i);
+  }
   for (const auto& [category, indices] : members) {
-    std::vector<std::string> row = {Princeton_data::category_name(category)};
+    std::vector<std::string> row = {category};
     for (const Scored_way& way : ways) {
       Mean given, chosen;
       for (std::size_t i : indices) {

@@ -18,8 +18,10 @@ struct Scored_way
   const std::vector<Model_score>* scores;
 };
 
-/// Means over the models, with the standard error of the mean.
-princeton_benchmark::Table means_table(const std::vector<Scored_way>& ways);
+/// Means over the models of the benchmark, and over those of furniture, with the standard error of
+/// the mean.
+princeton_benchmark::Table means_table(const std::vector<Training_model>& models,
+                                       const std::vector<Scored_way>& ways);
 
 /// Means over the models of each category, k given and chosen.
 princeton_benchmark::Table category_table(const std::vector<Training_model>& models,
