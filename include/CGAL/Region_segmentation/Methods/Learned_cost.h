@@ -38,10 +38,10 @@ namespace Region_segmentation {
 /// and in the costs.
 ///
 /// The constants of the trees and the network are those of the header
-/// `internal/model/learned_merge_model.h`. They were trained on half of the Princeton benchmark,
-/// see `doc/accuracy.md`. Since features are rounded, constants are integers, and what follows uses
-/// only arithmetic operations whose rounding is prescribed, the last bits of logarithms, which
-/// differ between libraries, do not decide.
+/// `internal/model/learned_merge_model.h`. They were trained on half of the Princeton benchmark
+/// and on furniture, see `doc/accuracy.md`. Since features are rounded, constants are integers, and
+/// what follows uses only arithmetic operations whose rounding is prescribed, the last bits of
+/// logarithms, which differ between libraries, do not decide.
 class Merge_estimate
 {
 public:

@@ -6,6 +6,7 @@
 #include <CGAL/Region_segmentation/Double_3.h>
 #include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/Methods/Visibility_data.h>
+#include <CGAL/Region_segmentation/Methods/Whole_shape.h>
 #include <CGAL/Region_segmentation/internal/support/Second_moments.h>
 
 #include <cmath>
@@ -70,7 +71,7 @@ struct Learned_section_data : Visibility_section_data
 
 /// \ingroup PkgRegionSegmentationGraph
 /// In addition to `Visibility_region_data`: how the thickness varies, what a region sees of itself,
-/// and its shape; filled by `Learned_annotator`. A model of `RegionData`.
+/// its shape, and that of the surface; filled by `Learned_annotator`. A model of `RegionData`.
 ///
 /// Lengths are in units of the square root of the area of the surface.
 struct Learned_region_data : Visibility_region_data
@@ -81,9 +82,11 @@ struct Learned_region_data : Visibility_region_data
   double perimeter = 0;             ///< length of the sections with other regions
   Double_3 area_vector{0, 0, 0};    ///< integral of the normal
   internal::Second_moments moments; ///< of the area
+  Whole_shape whole;                ///< that of all regions
 
   /// Adds the region on the other side of a section. All data are added; but the visibility of the
-  /// section is added to `own_visibility`, and twice its length is taken from `perimeter`.
+  /// section is added to `own_visibility`, twice its length is taken from `perimeter`, and `whole`
+  /// remains.
   void absorb(const Learned_region_data& other, const Learned_section_data& between)
   {
     Visibility_region_data::absorb(other, between);

@@ -6,6 +6,7 @@
 #include <CGAL/Region_segmentation/Double_3.h>
 #include <CGAL/Region_segmentation/Methods/Learned_data.h>
 #include <CGAL/Region_segmentation/Methods/Visibility_cost.h>
+#include <CGAL/Region_segmentation/Methods/Whole_shape.h>
 #include <CGAL/Region_segmentation/internal/model/Merge_model.h>
 #include <CGAL/Region_segmentation/internal/support/Second_moments.h>
 
@@ -22,7 +23,8 @@ namespace CGAL {
 namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationPolicies
-/// The features of a section and its two regions from which the probability of a merge is computed.
+/// The features of a section, its two regions and the whole surface from which the probability of a
+/// merge is computed.
 ///
 /// Of the two regions, m is the smaller and M the larger (of equal ones, m is the one of lower id),
 /// u is their union. The data of u are those of m and M merged across the section. All features are
@@ -122,6 +124,12 @@ public:
     LOG_FILLING_M,   ///< ln(a_m / (pi W_m^2)): -0.45 for a disc
     LOG_FILLING_L,   ///< of M
     LOG_FILLING_U,   ///< of u
+    // The whole surface, the same for all sections
+    WHOLE_LOG_FILLING,      ///< `Whole_shape::log_filling`
+    WHOLE_FLATNESS,         ///< `Whole_shape::flatness`
+    WHOLE_STRONGLY_CONCAVE, ///< `Whole_shape::strongly_concave`
+    WHOLE_RIGHT_ANGLES,     ///< `Whole_shape::right_angles`
+    WHOLE_OUTWARD,          ///< `Whole_shape::outward`
     NUMBER_OF_FEATURES
   };
 
@@ -175,6 +183,7 @@ private:
     set_visibility(section, m, l);
     set_regions({&shape_m, &shape_l, &shape_u});
     set_pair(shape_m, shape_l, shape_u);
+    set_whole(m.whole);
   }
 
   void set_section(const Learned_section_data& section)
@@ -278,6 +287,15 @@ private:
     set(DISTANCE, distance / std::sqrt(u.area));
     set(ALIGNMENT, ratio(internal::trace_of_product(m.covariance, l.covariance),
                          m.covariance.trace() * l.covariance.trace()));
+  }
+
+  void set_whole(const Whole_shape& whole)
+  {
+    set(WHOLE_LOG_FILLING, whole.log_filling);
+    set(WHOLE_FLATNESS, whole.flatness);
+    set(WHOLE_STRONGLY_CONCAVE, whole.strongly_concave);
+    set(WHOLE_RIGHT_ANGLES, whole.right_angles);
+    set(WHOLE_OUTWARD, whole.outward);
   }
 
   void set(std::size_t feature, double value) { m_values[feature] = value; }
