@@ -642,6 +642,26 @@ TEST(find_links_test, many_triangles_that_all_cross)
   checked_length(scene);
 }
 
+// Each two cross near the origin: 5.5 million pairs, of which some 1.2 million are compared.
+TEST(find_links_test, compared_pairs_are_bounded)
+{
+  constexpr Index number = 3332;
+  std::mt19937 random(1);
+  std::normal_distribution<double> normal;
+  Soup soup;
+  for (Index i = 0; i < number; ++i) {
+    const Double_3 d = {normal(random), normal(random), normal(random)}, p = 1 / norm(d) * d;
+    soup.points.push_back(p);
+    soup.points.push_back(-1.0 * p);
+    soup.points.push_back({0.01, i % 2 ? 0.01 : -0.01, 0.01});
+    soup.polygons.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+  }
+  const Model m(soup);
+  const auto links = m.links();
+  EXPECT_LE(links.size(), 65u * number + 1000000);
+  EXPECT_GE(links.size(), 1000000u) << "they do not cross";
+}
+
 // Most boxes are inside most larger ones.
 TEST(find_links_test, triangles_of_all_sizes)
 {

@@ -84,18 +84,6 @@ Mesh triangles_at_one_edge(std::size_t faces)
   return mesh;
 }
 
-Mesh slivers(std::size_t faces)
-{
-  Mesh mesh;
-  std::mt19937 random(1);
-  for (std::size_t i = 0; i < faces; ++i) {
-    const Point p = on_sphere(random), q(-p.x(), -p.y(), -p.z());
-    const Vertex a = mesh.add_vertex(p), b = mesh.add_vertex(q);
-    mesh.add_face(a, b, midpoint_moved(mesh, q, 0.01, i % 2 ? 0.01 : -0.01, 0.01));
-  }
-  return mesh;
-}
-
 Mesh tetrahedra(std::size_t faces)
 {
   Mesh mesh;

@@ -22,8 +22,6 @@ Mesh folded_cone(std::size_t faces);
 Mesh star(std::size_t faces);
 /// Triangles that do not touch, through the same segment in space.
 Mesh triangles_at_one_edge(std::size_t faces);
-/// Long triangles that do not touch, through the center of a sphere.
-Mesh slivers(std::size_t faces);
 /// Small tetrahedra at random.
 Mesh tetrahedra(std::size_t faces);
 /// A strip of triangles in zigzag folds.
