@@ -175,21 +175,21 @@ TEST(Whole_shape_test, of_a_cube)
   EXPECT_NEAR(whole.log_filling, -std::log(CGAL_PI * squared_width), 1e-12);
 }
 
+RS::Whole_shape whole_of_single_faces(const Soup& soup)
+{
+  const auto faces = RS::Partition::into_single_elements(soup.polygons.size());
+  return annotated(surface_of(soup), faces)[0].whole;
+}
+
 TEST(Whole_shape_test, of_a_ball_and_a_box_on_a_plate)
 {
-  std::mt19937 random(1);
   const Soup ball = random_mesh(Family::SPHERE, 1);
-  std::vector<std::size_t> single(ball.polygons.size());
-  std::iota(single.begin(), single.end(), std::size_t(0));
-  const RS::Whole_shape round = annotated(ball, single)[0].whole;
+  const RS::Whole_shape round = whole_of_single_faces(ball);
   EXPECT_NEAR(round.right_angles, 7. / 15, 0.05);
   EXPECT_GT(round.outward, 0.9);
   EXPECT_LT(round.strongly_concave, 0.1);
 
-  const Soup soup = box_on_plate();
-  single.resize(soup.polygons.size());
-  std::iota(single.begin(), single.end(), std::size_t(0));
-  const RS::Whole_shape boxes = annotated(soup, single)[0].whole;
+  const RS::Whole_shape boxes = whole_of_single_faces(box_on_plate());
   EXPECT_NEAR(boxes.right_angles, 1, 1e-9);
   EXPECT_GT(boxes.strongly_concave, 0);
   EXPECT_LT(boxes.outward, 0.95);

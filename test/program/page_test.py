@@ -240,6 +240,15 @@ def check_looks(browser):
         assert {child.get_attribute("role") for child in children} == {"radio"}
 
 
+def saved_labels(file):
+    """Of a file that the page saves."""
+    for _ in range(100):
+        if file.exists():
+            break
+        time.sleep(0.1)
+    return file.read_text().split()
+
+
 def check_faces_of_no_segment(program, browser, folder):
     """They are no segment: not in the number, not in the name of a file, and not joined with one."""
     subprocess.run([program, "--demo", "-q", "-k", "6", "-o", "none.off", "-o", "none.seg"], cwd=folder, check=True,
@@ -261,12 +270,7 @@ def check_faces_of_no_segment(program, browser, folder):
     page.click(places[1])
     assert page.count() == 3
     page.press("#save-labels")
-    saved = folder / "none_3.seg"
-    for _ in range(100):
-        if saved.exists():
-            break
-        time.sleep(0.1)
-    assert [int(label) for label in saved.read_text().split()].count(-1) == labels.count("-1")
+    assert saved_labels(folder / "none_3.seg").count("-1") == labels.count("-1")
 
 
 def test(program, picture, folder):
@@ -343,12 +347,7 @@ def test(program, picture, folder):
         assert colors > 50, f"{colors} colors"
 
         page.press("#save-labels")
-        saved = folder / f"a_{k + 3}.seg"
-        for _ in range(100):
-            if saved.exists():
-                break
-            time.sleep(0.1)
-        assert partition_of(saved.read_text().split()) == before
+        assert partition_of(saved_labels(folder / f"a_{k + 3}.seg")) == before
         check_faces_of_no_segment(program, browser, folder)
         errors = [entry for entry in browser.get_log("browser") if entry["level"] == "SEVERE"]
         assert not errors, json.dumps(errors)

@@ -74,9 +74,9 @@ class Page {
     element("name").title = content.name;
     element("summary").textContent = counted(this.arrays.regions.length, "face") + " · " + counted(content.regions, "region");
     const slider = element("slider"), count = element("count");
-    slider.min = count.min = this.segmentsOf(tree.least);
+    slider.min = count.min = tree.least - this.otherNodes;
     slider.max = Math.max(content.greatest, slider.min);
-    count.max = this.segmentsOf(content.regions);
+    count.max = content.regions - this.otherNodes;
     slider.disabled = count.disabled = tree.least === content.regions;
     element("least").textContent = slider.min;
     element("greatest").textContent = slider.max;
@@ -84,8 +84,8 @@ class Page {
 
   // The segmentation.
 
-  /// How many of the nodes of a partition are segments: one has the faces of no segment, if there are any.
-  segmentsOf(numberOfNodes) { return numberOfNodes - (this.content.none === null ? 0 : 1); }
+  /// The nodes of a partition that are no segments: one with the faces of no segment, if there are any.
+  get otherNodes() { return this.content.none === null ? 0 : 1; }
 
   setNodes(nodes) {
     this.nodes = nodes;
@@ -93,7 +93,7 @@ class Page {
     nodes.forEach((node, segment) => this.tree.forEachRegion(node, region => { this.segmentOfRegion[region] = segment; }));
     for (const name of ["hovered", "selected", "firstToJoin"])
       if (!nodes.includes(this[name])) this[name] = null;
-    element("slider").value = element("count").value = this.segmentsOf(nodes.length);
+    element("slider").value = element("count").value = nodes.length - this.otherNodes;
     element("undo").disabled = this.history.length === 0;
     this.measure();
     this.list();
@@ -127,7 +127,7 @@ class Page {
 
   setNumber(number) {
     const {tree} = this;
-    number = Math.max(tree.least, Math.min(this.content.regions, Math.round(number) + tree.least - this.segmentsOf(tree.least)));
+    number = Math.max(tree.least, Math.min(this.content.regions, Math.round(number) + this.otherNodes));
     if (!isFinite(number)) return this.setNodes(this.nodes);
     const isEdited = this.nodes.join() !== tree.partition(this.nodes.length).join();
     if (isEdited) {
@@ -344,7 +344,7 @@ class Page {
   save(blob, ending) {
     const link = document.createElement("a");
     link.href = URL.createObjectURL(blob);
-    link.download = element("name").textContent.replace(/\.[^.]*$/, "") + "_" + this.segmentsOf(this.nodes.length) + ending;
+    link.download = element("name").textContent.replace(/\.[^.]*$/, "") + "_" + (this.nodes.length - this.otherNodes) + ending;
     link.click();
     setTimeout(() => URL.revokeObjectURL(link.href), 1000);
   }

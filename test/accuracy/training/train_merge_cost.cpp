@@ -248,9 +248,8 @@ std::string mean_given_and_chosen(const std::vector<Training_model>& models, boo
       chosen += scores[i].automatic;
       ++number;
     }
-  char text[64];
-  std::snprintf(text, sizeof text, "%.4f / %.4f", given / number, chosen / number);
-  return text;
+  return princeton_benchmark::score(given / number) + " / " +
+         princeton_benchmark::score(chosen / number);
 }
 
 std::string in_digits(double value)

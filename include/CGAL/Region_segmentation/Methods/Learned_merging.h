@@ -62,11 +62,7 @@ struct Learned_merging
 };
 
 #ifdef CGAL_REGION_SEGMENTATION_COMPILED
-namespace internal {
-
-CGAL_REGION_SEGMENTATION_EXTERN template struct Method_calls<Learned_merging>;
-
-} // namespace internal
+CGAL_REGION_SEGMENTATION_EXTERN template struct internal::Method_calls<Learned_merging>;
 #endif
 
 } // namespace Region_segmentation

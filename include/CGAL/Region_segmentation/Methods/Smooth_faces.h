@@ -79,11 +79,7 @@ struct Smooth_faces
 };
 
 #ifdef CGAL_REGION_SEGMENTATION_COMPILED
-namespace internal {
-
-CGAL_REGION_SEGMENTATION_EXTERN template struct Method_calls<Smooth_faces>;
-
-} // namespace internal
+CGAL_REGION_SEGMENTATION_EXTERN template struct internal::Method_calls<Smooth_faces>;
 #endif
 
 } // namespace Region_segmentation

@@ -83,11 +83,7 @@ struct Two_step
 };
 
 #ifdef CGAL_REGION_SEGMENTATION_COMPILED
-namespace internal {
-
-CGAL_REGION_SEGMENTATION_EXTERN template struct Method_calls<Two_step>;
-
-} // namespace internal
+CGAL_REGION_SEGMENTATION_EXTERN template struct internal::Method_calls<Two_step>;
 #endif
 
 } // namespace Region_segmentation

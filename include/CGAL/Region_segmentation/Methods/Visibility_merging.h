@@ -42,11 +42,7 @@ struct Visibility_merging
 };
 
 #ifdef CGAL_REGION_SEGMENTATION_COMPILED
-namespace internal {
-
-CGAL_REGION_SEGMENTATION_EXTERN template struct Method_calls<Visibility_merging>;
-
-} // namespace internal
+CGAL_REGION_SEGMENTATION_EXTERN template struct internal::Method_calls<Visibility_merging>;
 #endif
 
 } // namespace Region_segmentation

@@ -13,7 +13,6 @@
 #include <CGAL/assertions.h>
 
 #include <cstddef>
-#include <string>
 #include <type_traits>
 #include <utility>
 
