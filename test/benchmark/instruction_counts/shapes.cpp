@@ -4,6 +4,7 @@
 
 #include "make_triangles.h"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <vector>
@@ -80,6 +81,23 @@ Mesh triangles_at_one_edge(std::size_t faces)
     const Vertex a = mesh.add_vertex(Point(0, 0, 0)), b = mesh.add_vertex(Point(0, 0, 1));
     mesh.add_face(a, b,
                   mesh.add_vertex(on_circle(double(i) / 2 / pi, 1, double(i) / double(faces))));
+  }
+  return mesh;
+}
+
+Mesh polygons_on_ten_points(std::size_t faces)
+{
+  Mesh mesh;
+  std::mt19937 random(1);
+  std::vector<Point> points;
+  for (int i = 0; i < 10; ++i)
+    points.push_back(on_sphere(random));
+  for (std::size_t f = 0; f < faces; ++f) {
+    std::shuffle(points.begin(), points.end(), random);
+    std::vector<Vertex> corners;
+    for (std::size_t i = 0; i < 3 + f % 6; ++i)
+      corners.push_back(mesh.add_vertex(points[i]));
+    mesh.add_face(corners);
   }
   return mesh;
 }

@@ -22,6 +22,8 @@ Mesh folded_cone(std::size_t faces);
 Mesh star(std::size_t faces);
 /// Triangles that do not touch, through the same segment in space.
 Mesh triangles_at_one_edge(std::size_t faces);
+/// Polygons of three to eight of the same ten points.
+Mesh polygons_on_ten_points(std::size_t faces);
 /// Small tetrahedra at random.
 Mesh tetrahedra(std::size_t faces);
 /// A strip of triangles in zigzag folds.

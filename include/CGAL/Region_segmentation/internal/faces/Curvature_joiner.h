@@ -92,6 +92,7 @@ public:
       std::swap(a, b);
     Region &kept = m_regions[a], &removed = m_regions[b];
     m_parents[b] = a;
+    const std::size_t faces_before = kept.is_fitted ? 0 : kept.faces;
     kept.faces += removed.faces;
     kept.is_fitted = false;
     kept.is_joined = true;
@@ -100,12 +101,15 @@ public:
     for (const auto& neighbor : removed.borders) {
       Region& other = m_regions[neighbor.first];
       other.borders.erase(b);
-      kept.borders[neighbor.first].add(neighbor.second, 1);
+      Border& border = kept.borders[neighbor.first];
+      border.add(neighbor.second, 1);
       other.borders[a].add(neighbor.second, -1);
+      push_between(a, neighbor.first, border);
     }
     removed.borders.clear();
     for (const auto& neighbor : kept.borders)
-      push((std::min)(a, neighbor.first), (std::max)(a, neighbor.first), neighbor.second);
+      if (m_regions[neighbor.first].faces > faces_before) // else its jump is as before
+        push_between(a, neighbor.first, neighbor.second);
   }
 
   /// The region that `region` belongs to now.
@@ -145,6 +149,11 @@ private:
   {
     if (border.is_smooth && !(m_regions[a].is_fitted && m_regions[b].is_fitted))
       m_queue.push({jump(a, b, border), a, b});
+  }
+
+  void push_between(Index a, Index b, const Border& border_of_a)
+  {
+    push((std::min)(a, b), (std::max)(a, b), border_of_a);
   }
 
   std::vector<Region> m_regions;

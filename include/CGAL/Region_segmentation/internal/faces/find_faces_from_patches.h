@@ -50,6 +50,8 @@ public:
     Step_counter progress(execution, seeds.size());
     for (const Index seed : seeds) {
       progress.advance();
+      if (m_grown_in_vain > most_in_vain * m_surface.number_of_faces())
+        return;
       if (!m_search.is_found(seed) && !m_search.is_tried[seed] && !find_from(seed))
         mark_patch();
     }
@@ -61,12 +63,16 @@ private:
   bool some_patch_fits(const std::vector<Index>& seeds)
   {
     for (std::size_t i = 0; i < seeds.size(); i += seeds.size() / sampled) {
+      if (m_search.is_tried[seeds[i]])
+        continue;
       collect(seeds[i]);
       const Surface_proposer propose = proposer(seeds[i]);
       Fitted_surface<> s;
       for (const Surface_kind kind : kinds_of_surfaces)
         if (fits(propose, kind, s))
           return true;
+      if (is_crowded())
+        mark_patch();
     }
     return false;
   }
@@ -87,6 +93,7 @@ private:
       orient(s, seed);
       m_grower.grow(s, m_patch.faces(), [&](Index f) { return !m_search.is_found(f); });
       if (!is_face(s)) {
+        m_grown_in_vain += m_grower.faces().size();
         mark_as_tried_if_many();
         continue;
       }
@@ -126,6 +133,10 @@ private:
     const double tolerance = m_search.test.tolerance();
     return propose(kind, s) <= tolerance && largest_distance(s, m_patch.points()) <= tolerance;
   }
+
+  /// Whether the faces share few vertices, as those of a manifold do not. Most patches of such
+  /// faces are all of them: one is tried.
+  bool is_crowded() const { return m_patch.faces().size() > 4 * m_options.vertices; }
 
   bool is_at_border() const
   {
@@ -204,7 +215,7 @@ private:
   /// growing stays near linear.
   void mark_as_tried_if_many()
   {
-    if (m_grower.faces().size() > 4 * m_patch.faces().size())
+    if (is_crowded() || m_grower.faces().size() > 4 * m_patch.faces().size())
       for (const Index f : m_grower.faces())
         m_search.is_tried[f] = 1;
   }
@@ -212,7 +223,7 @@ private:
   /// The innermost faces of a patch that fits no surface are not tried again.
   void mark_patch()
   {
-    const std::size_t share = m_options.vertices > 12 ? 4 : 2;
+    const std::size_t share = is_crowded() ? 1 : m_options.vertices > 12 ? 4 : 2;
     const std::size_t number = (std::max)(m_patch.faces().size() / share, std::size_t(1));
     for (std::size_t i = 0; i < number; ++i)
       m_search.is_tried[m_patch.faces()[i]] = 1;
@@ -222,12 +233,14 @@ private:
                                             // seed
   static constexpr std::size_t fewest_points_of_plane = 8;
   static constexpr std::size_t many = 5000, sampled = 500; // seeds
+  static constexpr std::size_t most_in_vain = 16; // times the faces; 6 at most on 150 meshes
 
   Face_search& m_search;
   const Surface& m_surface;
   Face_set& m_patch;
   Face_grower& m_grower;
   Options m_options;
+  std::size_t m_grown_in_vain = 0; // faces
 };
 
 /// Larger patches first: they tell surfaces apart that small ones do not.
