@@ -6,6 +6,7 @@
 #include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/exceptions.h>
 #include <CGAL/Region_segmentation/Execution.h>
+#include <CGAL/Region_segmentation/internal/support/Large_array.h>
 #include <CGAL/Region_segmentation/internal/support/unit_of_coordinates.h>
 
 #include <algorithm>
@@ -38,7 +39,7 @@ struct Raw_surface
   Surface surface;
   /// By side: the face across; `none`: of a border, or not known; or `at_seam`.
   Large_array<Index> neighbors;
-  std::vector<Open_side> open_sides; ///< in order
+  Large_array<Open_side> open_sides; ///< in order
 
   static bool is_face(Index neighbor) { return neighbor < at_seam; }
 };
@@ -49,6 +50,8 @@ inline void find_open_sides(Raw_surface& raw)
   using Index = Surface::Index;
   const auto& first_corners = arrays_of(raw.surface).first_corners;
   raw.open_sides.clear();
+  raw.open_sides.reserve(
+    std::size_t(std::count(raw.neighbors.begin(), raw.neighbors.end(), Raw_surface::none)));
   Index f = 0;
   for (Index side = 0; side < raw.neighbors.size(); ++side)
     if (raw.neighbors[side] == Raw_surface::none) {

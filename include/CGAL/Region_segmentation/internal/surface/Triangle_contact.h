@@ -149,21 +149,22 @@ struct Clipped_segment
 };
 
 /// The length of the part of the segment a, b within the tolerance of a triangle: of its plane, and
-/// of its edges seen along the normal.
+/// of its edges seen along the normal. 0 if it is shorter than `shortest`.
 inline double length_near(const Double_3& a, const Double_3& b, const Plane_triangle& t,
-                          double tolerance)
+                          double tolerance, double length, double shortest)
 {
   Clipped_segment part;
   const double h = t.height(a), g = t.height(b);
   part.clip(h - tolerance, g - tolerance);
   part.clip(-h - tolerance, -g - tolerance);
-  for (std::size_t i = 0; i < 3 && part.begin < part.end; ++i) {
+  const auto length_left = [&] { return (part.end - part.begin) * length; };
+  for (std::size_t i = 0; i < 3 && length_left() >= shortest; ++i) {
     const Double_3& p = t.corners[i];
     const Double_3 out = cross(t.corners[(i + 1) % 3] - p, t.normal);
     const double bound = tolerance * norm(out);
     part.clip(dot(a - p, out) - bound, dot(b - p, out) - bound);
   }
-  return part.begin < part.end ? (part.end - part.begin) * norm(b - a) : 0;
+  return length_left() >= shortest ? length_left() : 0;
 }
 
 /// The length of the longest part of an edge of one triangle that lies on the other; parts shorter
@@ -174,9 +175,8 @@ inline double length_along_edge(const Plane_triangle& s, const Plane_triangle& t
   for (const auto& [one, other] : {std::make_pair(&s, &t), std::make_pair(&t, &s)})
     for (std::size_t i = 0; i < 3; ++i) {
       const Double_3 &a = one->corners[i], &b = one->corners[(i + 1) % 3];
-      const double length = length_near(a, b, *other, tolerance);
-      if (length > longest && length >= (std::min)(norm(b - a) / 2, 4 * tolerance))
-        longest = length;
+      const double length = norm(b - a), shortest = (std::min)(length / 2, 4 * tolerance);
+      longest = (std::max)(longest, length_near(a, b, *other, tolerance, length, shortest));
     }
   return longest;
 }

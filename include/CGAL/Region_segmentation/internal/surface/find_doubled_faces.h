@@ -3,6 +3,7 @@
 #ifndef CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_FIND_DOUBLED_FACES_H
 #define CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_FIND_DOUBLED_FACES_H
 
+#include <CGAL/Region_segmentation/internal/support/for_each_repetition.h>
 #include <CGAL/Region_segmentation/internal/surface/Raw_surface.h>
 #include <CGAL/Region_segmentation/internal/surface/Added_adjacency.h>
 
@@ -67,29 +68,21 @@ inline void find_doubled_faces(Raw_surface& raw, std::vector<Added_adjacency>& a
 {
   using Index = Surface::Index;
   Surface_arrays& arrays = arrays_of(raw.surface);
-  std::vector<std::pair<std::size_t, Index>> keys; // and the face with it
-  for (const auto& open : raw.open_sides)
-    if (keys.empty() || keys.back().second != open.face)
-      keys.push_back({key_of_sides(raw.surface, open.face), open.face});
-  std::sort(keys.data(), keys.data() + keys.size());
   const std::size_t number_of_open_sides = raw.open_sides.size();
-  std::vector<Index> originals; // of a key: several if it belongs to different faces
-  for (std::size_t i = 0; i < keys.size(); ++i) {
-    if (i > 0 && keys[i].first != keys[i - 1].first)
-      originals.clear();
-    const Index f = keys[i].second;
-    auto original = originals.begin();
-    while (original != originals.end() && !are_equal_faces(raw.surface, *original, f))
-      ++original;
-    if (original == originals.end()) {
-      originals.push_back(f);
-      continue;
-    }
-    separate_from_neighbors(raw, f);
-    arrays.normals[f] = {0, 0, 0};
-    arrays.areas[f] = 0;
-    added.push_back({*original, f, 1, 0});
-  }
+  for_each_repetition((std::min)(raw.surface.number_of_faces(), number_of_open_sides),
+                      [&](const auto& add) {
+                        for (std::size_t i = 0; i < number_of_open_sides; ++i)
+                          if (const Index f = raw.open_sides[i].face;
+                              i == 0 || raw.open_sides[i - 1].face != f)
+                            add(f, key_of_sides(raw.surface, f));
+                      },
+                      [&](Index f, Index g) { return are_equal_faces(raw.surface, f, g); },
+                      [&](Index f, Index first) {
+                        separate_from_neighbors(raw, f);
+                        arrays.normals[f] = {0, 0, 0};
+                        arrays.areas[f] = 0;
+                        added.push_back({first, f, 1, 0});
+                      });
   if (raw.open_sides.size() > number_of_open_sides)
     std::sort(raw.open_sides.begin(), raw.open_sides.end(),
               [](const auto& s, const auto& t) { return s.side < t.side; });

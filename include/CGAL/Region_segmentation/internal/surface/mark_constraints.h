@@ -30,8 +30,9 @@ inline void mark_constraints(const Surface& surface, std::vector<Vertex_pair> pa
     return;
   const std::vector<Index> merged = lowest_of_equal_points(arrays_of(surface).points,
                                                            [](std::size_t) { return true; });
+  const auto lowest = [&](Index v) { return merged.empty() ? v : merged[v]; };
   const auto edge = [&](Index v, Index w) {
-    return Vertex_pair(std::minmax(merged[v], merged[w]));
+    return Vertex_pair(std::minmax(lowest(v), lowest(w)));
   };
   for (Vertex_pair& pair : pairs)
     pair = edge(pair.first, pair.second);

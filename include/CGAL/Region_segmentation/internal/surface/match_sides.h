@@ -8,8 +8,6 @@
 #include <CGAL/Region_segmentation/internal/support/Grouped_items.h>
 #include <CGAL/Region_segmentation/internal/surface/Raw_surface.h>
 
-#include <CGAL/Iterator_range.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -26,12 +24,6 @@ struct Side_of_edge
 {
   Surface::Index lower_vertex, higher_vertex, face, corner;
   bool is_forward; ///< whether the boundary of the face runs from the lower to the higher vertex
-
-  friend bool operator<(const Side_of_edge& a, const Side_of_edge& b)
-  {
-    return std::tie(a.lower_vertex, a.higher_vertex, a.corner) <
-           std::tie(b.lower_vertex, b.higher_vertex, b.corner);
-  }
 };
 
 /// The side that leaves a corner of a face.
@@ -69,20 +61,22 @@ public:
   /// Sets the neighbors of open sides, and collects the seams.
   void match()
   {
-    Grouped_items<Side_of_edge> by_vertex(m_arrays.points.size(), [&](const auto& add) {
+    Grouped_items<Side_at_vertex> by_vertex(m_arrays.points.size(), [&](const auto& add) {
       for (const Raw_surface::Open_side& at : m_raw.open_sides)
         if (const Side_of_edge side = side_at(m_arrays, at);
             side.lower_vertex != side.higher_vertex && is_open(at))
-          add(side.lower_vertex, side);
+          add(side.lower_vertex, {side.higher_vertex, at});
     });
+    std::vector<Side_of_edge> of_edge;
     for (std::size_t v = 0; v < by_vertex.number_of_groups(); ++v) {
       const auto sides = by_vertex[v];
       std::sort(sides.begin(), sides.end());
-      for (const Side_of_edge *first = sides.begin(), *past = first; first != sides.end();
-           first = past) {
-        while (past != sides.end() && past->higher_vertex == first->higher_vertex)
-          ++past;
-        match_edge(first, past);
+      for (auto side = sides.begin(); side != sides.end();) {
+        of_edge.clear();
+        for (const Index w = side->other_vertex; side != sides.end() && side->other_vertex == w;
+             ++side)
+          of_edge.push_back(side_at(m_arrays, side->at));
+        match_edge(of_edge);
       }
     }
     m_raw.open_sides.erase(std::remove_if(m_raw.open_sides.begin(), m_raw.open_sides.end(),
@@ -96,22 +90,33 @@ public:
   const std::vector<Seam>& seams() const { return m_seams; }
 
 private:
+  /// An open side from or to the lower one of its vertices.
+  struct Side_at_vertex
+  {
+    Index other_vertex;
+    Raw_surface::Open_side at;
+
+    friend bool operator<(const Side_at_vertex& a, const Side_at_vertex& b)
+    {
+      return std::tie(a.other_vertex, a.at.side) < std::tie(b.other_vertex, b.at.side);
+    }
+  };
+
   bool is_open(const Raw_surface::Open_side& open) const
   {
     return m_raw.neighbors[open.side] == Raw_surface::none;
   }
 
-  /// \pre the sides of the edge are in order
-  void match_edge(const Side_of_edge* first, const Side_of_edge* past)
+  /// `sides`: of the edge, in order
+  void match_edge(const std::vector<Side_of_edge>& sides)
   {
-    if (past - first == 2)
-      return join(first[0], first[1]);
-    const CGAL::Iterator_range sides(first, past);
+    if (sides.size() == 2)
+      return join(sides[0], sides[1]);
     m_proper.clear();
     for (const Side_of_edge& s : sides)
       if (!m_raw.surface.is_degenerate(s.face))
         m_proper.push_back(s);
-    const Side_of_edge base = m_proper.empty() ? *first : m_proper.front();
+    const Side_of_edge base = m_proper.empty() ? sides.front() : m_proper.front();
     for (const Side_of_edge& s : sides)
       if (s.corner != base.corner && m_raw.surface.is_degenerate(s.face) && s.face != base.face)
         add_seam(base, s, 1);

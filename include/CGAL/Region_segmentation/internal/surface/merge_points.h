@@ -3,14 +3,17 @@
 #ifndef CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_MERGE_POINTS_H
 #define CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_MERGE_POINTS_H
 
+#include <CGAL/Region_segmentation/Double_3.h>
 #include <CGAL/Region_segmentation/internal/support/Function_ref.h>
+#include <CGAL/Region_segmentation/internal/support/Large_array.h>
+#include <CGAL/Region_segmentation/internal/support/for_each_repetition.h>
 #include <CGAL/Region_segmentation/internal/surface/Raw_surface.h>
 
 #include <boost/functional/hash.hpp>
 
 #include <array>
 #include <cstddef>
-#include <unordered_map>
+#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -18,20 +21,31 @@ namespace Region_segmentation {
 namespace internal {
 
 /// For each point that counts the lowest one equal to it, of those; -0 is 0. For each other one
-/// itself.
+/// itself. Empty if all are different.
 inline std::vector<Surface::Index> lowest_of_equal_points(const Large_array<Double_3>& points,
                                                           Function_ref<bool(std::size_t)> counts)
 {
-  using Coordinates = std::array<double, 3>;
-  std::unordered_map<Coordinates, Surface::Index, boost::hash<Coordinates>> lowest;
-  std::vector<Surface::Index> result(points.size());
-  for (Surface::Index v = 0; v < points.size(); ++v) {
-    const Double_3& p = points[v];
-    result[v] = counts(v)
-                  ? lowest.emplace(Coordinates{p.x + 0.0, p.y + 0.0, p.z + 0.0}, v).first->second
-                  : v;
-  }
-  return result;
+  using Index = Surface::Index;
+  const auto coordinates = [&](Index v) {
+    return std::array{points[v].x + 0.0, points[v].y + 0.0, points[v].z + 0.0};
+  };
+  std::vector<Index> lowest;
+  for_each_repetition(
+    points.size(),
+    [&](const auto& add) {
+      for (Index v = 0; v < points.size(); ++v)
+        if (counts(v))
+          add(v, boost::hash<std::array<double, 3>>()(coordinates(v)));
+    },
+    [&](Index v, Index w) { return coordinates(v) == coordinates(w); },
+    [&](Index v, Index first) {
+      if (lowest.empty()) {
+        lowest.resize(points.size());
+        std::iota(lowest.begin(), lowest.end(), Index(0));
+      }
+      lowest[v] = first;
+    });
+  return lowest;
 }
 
 /// Makes equal points one vertex, the lowest, as far as they are at sides whose neighbor is not
@@ -46,10 +60,7 @@ inline void merge_points_of_open_sides(Raw_surface& raw)
       arrays, face, side)]] = true;
   const std::vector<Index> lowest = lowest_of_equal_points(
     arrays.points, [&](std::size_t v) { return is_at_open_side[v]; });
-  bool is_any_merged = false;
-  for (Index v = 0; v < lowest.size(); ++v)
-    is_any_merged = is_any_merged || lowest[v] != v;
-  if (!is_any_merged)
+  if (lowest.empty())
     return;
   for (Index& v : arrays.corners)
     v = lowest[v];

@@ -9,6 +9,8 @@
 
 #include <CGAL/number_utils.h>
 
+#include <boost/range/distance.hpp>
+
 #include <cstddef>
 #include <string>
 #include <type_traits>
@@ -28,6 +30,10 @@ Raw_surface read_polygons(const PointRange& points, const PolygonRange& polygons
   using Index = Surface::Index;
   Raw_surface raw;
   Surface_arrays& arrays = arrays_of(raw.surface);
+  const auto size = std::size_t(boost::distance(polygons));
+  arrays.points.reserve(std::size_t(boost::distance(points)));
+  arrays.first_corners.reserve(size + 1);
+  arrays.corners.reserve(3 * size); // for triangles
   for (const auto& p : points)
     arrays.points.push_back({CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2])});
   std::vector<bool> is_used(arrays.points.size());
