@@ -8,6 +8,7 @@
 
 #include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/internal/segmenting/Face_graph_input.h>
+#include <CGAL/Region_segmentation/internal/support/for_each_repetition.h>
 #include <CGAL/Region_segmentation/make_surface.h>
 
 #include <gtest/gtest.h>
@@ -808,6 +809,34 @@ TEST(Coinciding_borders_test, of_a_face_graph_are_adjacent)
               .number_of_adjacencies(),
             31u);
   EXPECT_EQ(surface_of(soup).number_of_adjacencies(), 31u);
+}
+
+TEST(For_each_repetition_test, finds_the_first_of_equal_items_whatever_their_hashes)
+{
+  for (const std::size_t hashes : {1, 2, 7, 1000}) // high bits count, and equal items agree in them
+    for (unsigned seed = 1; seed <= 10; ++seed) {
+      SCOPED_TRACE(std::to_string(hashes) + " hashes, seed " + std::to_string(seed));
+      std::mt19937 random(seed);
+      std::vector<unsigned> values(200);
+      for (unsigned& v : values)
+        v = random() % 100;
+      const auto counts = [](std::size_t i) { return i % 5 != 3; };
+      std::map<std::size_t, std::size_t> expected, found;
+      std::map<unsigned, std::size_t> first;
+      for (std::size_t i = 0; i < values.size(); ++i)
+        if (counts(i) && !first.emplace(values[i], i).second)
+          expected[i] = first[values[i]];
+      RS::internal::for_each_repetition(
+        values.size(),
+        [&](const auto& add) {
+          for (std::size_t i = 0; i < values.size(); ++i)
+            if (counts(i))
+              add(i, std::size_t(values[i] % hashes * 0x9e3779b97f4a7c15u));
+        },
+        [&](std::size_t i, std::size_t j) { return values[i] == values[j]; },
+        [&](std::size_t i, std::size_t of) { EXPECT_TRUE(found.emplace(i, of).second); });
+      EXPECT_EQ(found, expected);
+    }
 }
 
 TEST(Coinciding_borders_test, are_constrained_with_one_of_them)
