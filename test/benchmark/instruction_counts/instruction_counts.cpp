@@ -9,6 +9,7 @@
 #include <CGAL/Region_segmentation/Methods/Two_step.h>
 #include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
 #include <CGAL/Region_segmentation/Segmenter.h>
+#include <CGAL/Region_segmentation/make_surface.h>
 #include <CGAL/Region_segmentation/segment.h>
 
 #include <CGAL/boost/graph/iterator.h>
@@ -40,6 +41,16 @@ bool count(const char* name, const Mesh& mesh, const SegmentationMethod& method)
   CALLGRIND_DUMP_STATS_AT(name);
   std::cout << name << ": " << number << " segments\n";
   return number == 8;
+}
+
+/// \returns whether they are adjacent across three edges each
+bool count_reading(const speed_benchmark::Triangles& polygons)
+{
+  CALLGRIND_START_INSTRUMENTATION;
+  const RS::Surface surface = RS::make_surface(polygons.points, polygons.corners);
+  CALLGRIND_STOP_INSTRUMENTATION;
+  CALLGRIND_DUMP_STATS_AT("reading polygons");
+  return 2 * surface.number_of_adjacencies() == 3 * polygons.corners.size();
 }
 
 /// A number of segments, and a drawn line, of a mesh that is prepared.
@@ -85,6 +96,6 @@ int main()
                         count("two-step noisy", noisy, RS::Two_step()) &
                         count("visibility smooth", smooth, RS::Visibility_merging()) &
                         count("learned smooth", smooth, RS::Learned_merging()) &
-                        count_segmenter(smooth);
+                        count_reading(torus) & count_segmenter(smooth);
   return is_right ? EXIT_SUCCESS : EXIT_FAILURE;
 }
