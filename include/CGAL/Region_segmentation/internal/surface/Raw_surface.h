@@ -30,35 +30,37 @@ struct Raw_surface
   using Index = Surface::Index;
   static constexpr Index none = (std::numeric_limits<Index>::max)(), at_seam = none - 1;
 
-  /// A side whose neighbor is not known.
-  struct Open_side
-  {
-    Index face, side;
-  };
-
   Surface surface;
   /// By side: the face across; `none`: of a border, or not known; or `at_seam`.
   Large_array<Index> neighbors;
-  Large_array<Open_side> open_sides; ///< in order
 
   static bool is_face(Index neighbor) { return neighbor < at_seam; }
 };
 
-/// Finds the open sides: few of most meshes, all of polygons.
-inline void find_open_sides(Raw_surface& raw)
+/// Calls `f(face, side, next)` for the open sides, whose neighbor is not known, in order: few of
+/// most meshes, all of polygons. `next`: the corner to which the side leads
+template <typename F>
+void for_each_open_side(const Raw_surface& raw, const F& f)
 {
   using Index = Surface::Index;
   const auto& first_corners = arrays_of(raw.surface).first_corners;
-  raw.open_sides.clear();
-  raw.open_sides.reserve(
-    std::size_t(std::count(raw.neighbors.begin(), raw.neighbors.end(), Raw_surface::none)));
-  Index f = 0;
-  for (Index side = 0; side < raw.neighbors.size(); ++side)
-    if (raw.neighbors[side] == Raw_surface::none) {
-      while (first_corners[f + 1] <= side)
-        ++f;
-      raw.open_sides.push_back({f, side});
-    }
+  for (Index face = 0; face + 1 < first_corners.size(); ++face) {
+    const Index first = first_corners[face], past = first_corners[face + 1];
+    for (Index side = first; side < past; ++side)
+      if (raw.neighbors[side] == Raw_surface::none)
+        f(face, side, side + 1 < past ? side + 1 : first);
+  }
+}
+
+/// The faces with open sides, ascending.
+inline std::vector<Surface::Index> faces_with_open_sides(const Raw_surface& raw)
+{
+  std::vector<Surface::Index> faces;
+  for_each_open_side(raw, [&](Surface::Index face, Surface::Index, Surface::Index) {
+    if (faces.empty() || faces.back() != face)
+      faces.push_back(face);
+  });
+  return faces;
 }
 
 /// Lets the boundary of each face begin at its vertex of lowest index.

@@ -69,8 +69,8 @@ Surface build_surface(Raw_surface&& raw, const Execution& execution)
 {
   std::vector<Added_adjacency> added;
   std::vector<Seam> seams;
-  find_open_sides(raw);
-  const bool has_open_sides = !raw.open_sides.empty();
+  const bool has_open_sides = std::find(raw.neighbors.begin(), raw.neighbors.end(),
+                                        Raw_surface::none) != raw.neighbors.end();
   if constexpr (wanted != Adjacency_of::NEIGHBORS)
     if (has_open_sides)
       merge_points_of_open_sides(raw);
@@ -83,10 +83,13 @@ Surface build_surface(Raw_surface&& raw, const Execution& execution)
       seams = matcher.seams();
       orient_faces(raw, matcher.parallel_sides(), seams);
     }
+  std::vector<Surface::Index> faces_at_borders;
+  if (has_open_sides)
+    faces_at_borders = faces_with_open_sides(raw);
   collect_adjacencies(raw, execution.step(0.3, 0.8));
   raw.neighbors = Large_array<Surface::Index>(); // later steps need the memory
   const Partition component_of = edge_components(raw.surface, execution.step(0.8, 0.9));
-  orient_components(raw, component_of, seams);
+  orient_components(raw, component_of, faces_at_borders, seams);
   for (const Seam& seam : seams)
     added.push_back(adjacency_of_seam(raw.surface, seam));
   insert_adjacencies(raw.surface, added);

@@ -43,8 +43,7 @@ inline std::size_t key_of_sides(const Surface& s, Surface::Index f)
   return sum;
 }
 
-/// Lets the sides of a face lead to itself. Those of its neighbors that led to it are open then,
-/// and are appended to the open sides.
+/// Lets the sides of a face lead to itself. Those of its neighbors that led to it are open then.
 inline void separate_from_neighbors(Raw_surface& raw, Surface::Index face)
 {
   const auto& first_corners = arrays_of(raw.surface).first_corners;
@@ -54,10 +53,8 @@ inline void separate_from_neighbors(Raw_surface& raw, Surface::Index face)
     if (!Raw_surface::is_face(neighbor) || neighbor == face)
       continue;
     for (Surface::Index s = first_corners[neighbor]; s < first_corners[neighbor + 1]; ++s)
-      if (raw.neighbors[s] == face) {
+      if (raw.neighbors[s] == face)
         raw.neighbors[s] = Raw_surface::none;
-        raw.open_sides.push_back({neighbor, s});
-      }
   }
 }
 
@@ -68,24 +65,20 @@ inline void find_doubled_faces(Raw_surface& raw, std::vector<Added_adjacency>& a
 {
   using Index = Surface::Index;
   Surface_arrays& arrays = arrays_of(raw.surface);
-  const std::size_t number_of_open_sides = raw.open_sides.size();
-  for_each_repetition((std::min)(raw.surface.number_of_faces(), number_of_open_sides),
-                      [&](const auto& add) {
-                        for (std::size_t i = 0; i < number_of_open_sides; ++i)
-                          if (const Index f = raw.open_sides[i].face;
-                              i == 0 || raw.open_sides[i - 1].face != f)
-                            add(f, key_of_sides(raw.surface, f));
-                      },
-                      [&](Index f, Index g) { return are_equal_faces(raw.surface, f, g); },
-                      [&](Index f, Index first) {
-                        separate_from_neighbors(raw, f);
-                        arrays.normals[f] = {0, 0, 0};
-                        arrays.areas[f] = 0;
-                        added.push_back({first, f, 1, 0});
-                      });
-  if (raw.open_sides.size() > number_of_open_sides)
-    std::sort(raw.open_sides.begin(), raw.open_sides.end(),
-              [](const auto& s, const auto& t) { return s.side < t.side; });
+  const std::vector<Index> faces = faces_with_open_sides(raw);
+  for_each_repetition(
+    faces.size(),
+    [&](const auto& add) {
+      for (const Index f : faces)
+        add(f, key_of_sides(raw.surface, f));
+    },
+    [&](Index f, Index g) { return are_equal_faces(raw.surface, f, g); },
+    [&](Index f, Index first) {
+      separate_from_neighbors(raw, f);
+      arrays.normals[f] = {0, 0, 0};
+      arrays.areas[f] = 0;
+      added.push_back({first, f, 1, 0});
+    });
 }
 
 } // namespace internal

@@ -27,9 +27,9 @@ struct Side_of_edge
 };
 
 /// The side that leaves a corner of a face.
-inline Side_of_edge side_at(const Surface_arrays& arrays, const Raw_surface::Open_side& at)
+inline Side_of_edge side_at(const Surface_arrays& arrays, Surface::Index face,
+                            Surface::Index corner)
 {
-  const auto [face, corner] = at;
   const Surface::Index v = arrays.corners[corner],
                        w = arrays.corners[next_corner(arrays, face, corner)];
   return {(std::min)(v, w), (std::max)(v, w), face, corner, v < w};
@@ -62,10 +62,11 @@ public:
   void match()
   {
     Grouped_items<Side_at_vertex> by_vertex(m_arrays.points.size(), [&](const auto& add) {
-      for (const Raw_surface::Open_side& at : m_raw.open_sides)
-        if (const Side_of_edge side = side_at(m_arrays, at);
-            side.lower_vertex != side.higher_vertex && is_open(at))
-          add(side.lower_vertex, {side.higher_vertex, at});
+      for_each_open_side(m_raw, [&](Index face, Index side, Index next) {
+        const Index v = m_arrays.corners[side], w = m_arrays.corners[next];
+        if (v != w)
+          add((std::min)(v, w), {(std::max)(v, w), face, side});
+      });
     });
     std::vector<Side_of_edge> of_edge;
     for (std::size_t v = 0; v < by_vertex.number_of_groups(); ++v) {
@@ -75,13 +76,10 @@ public:
         of_edge.clear();
         for (const Index w = side->other_vertex; side != sides.end() && side->other_vertex == w;
              ++side)
-          of_edge.push_back(side_at(m_arrays, side->at));
+          of_edge.push_back(side_at(m_arrays, side->face, side->corner));
         match_edge(of_edge);
       }
     }
-    m_raw.open_sides.erase(std::remove_if(m_raw.open_sides.begin(), m_raw.open_sides.end(),
-                                          [&](const auto& open) { return !is_open(open); }),
-                           m_raw.open_sides.end());
   }
 
   /// The sides of edges whose two sides run in the same direction: one of the faces is to be
@@ -93,19 +91,13 @@ private:
   /// An open side from or to the lower one of its vertices.
   struct Side_at_vertex
   {
-    Index other_vertex;
-    Raw_surface::Open_side at;
+    Index other_vertex, face, corner;
 
     friend bool operator<(const Side_at_vertex& a, const Side_at_vertex& b)
     {
-      return std::tie(a.other_vertex, a.at.side) < std::tie(b.other_vertex, b.at.side);
+      return std::tie(a.other_vertex, a.corner) < std::tie(b.other_vertex, b.corner);
     }
   };
-
-  bool is_open(const Raw_surface::Open_side& open) const
-  {
-    return m_raw.neighbors[open.side] == Raw_surface::none;
-  }
 
   /// `sides`: of the edge, in order
   void match_edge(const std::vector<Side_of_edge>& sides)

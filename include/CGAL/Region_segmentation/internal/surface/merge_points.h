@@ -55,9 +55,9 @@ inline void merge_points_of_open_sides(Raw_surface& raw)
   using Index = Surface::Index;
   Surface_arrays& arrays = arrays_of(raw.surface);
   std::vector<bool> is_at_open_side(arrays.points.size());
-  for (const auto& [face, side] : raw.open_sides)
-    is_at_open_side[arrays.corners[side]] = is_at_open_side[arrays.corners[next_corner(
-      arrays, face, side)]] = true;
+  for_each_open_side(raw, [&](Index, Index side, Index next) {
+    is_at_open_side[arrays.corners[side]] = is_at_open_side[arrays.corners[next]] = true;
+  });
   const std::vector<Index> lowest = lowest_of_equal_points(
     arrays.points, [&](std::size_t v) { return is_at_open_side[v]; });
   if (lowest.empty())
@@ -65,7 +65,6 @@ inline void merge_points_of_open_sides(Raw_surface& raw)
   for (Index& v : arrays.corners)
     v = lowest[v];
   begin_at_lowest_vertices(raw, Execution());
-  find_open_sides(raw);
 }
 
 } // namespace internal

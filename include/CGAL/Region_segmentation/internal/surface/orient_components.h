@@ -43,13 +43,14 @@ struct Component_volume
 };
 
 /// With volumes of the components without border alone.
-inline std::vector<Component_volume> component_volumes(const Raw_surface& raw,
-                                                       const Partition& component_of,
-                                                       const std::vector<Seam>& seams)
+inline std::vector<Component_volume>
+component_volumes(const Raw_surface& raw, const Partition& component_of,
+                  const std::vector<Surface::Index>& faces_at_borders,
+                  const std::vector<Seam>& seams)
 {
   std::vector<Component_volume> components(component_of.number_of_parts());
-  for (const auto& open : raw.open_sides)
-    components[component_of[open.face]].has_border = true;
+  for (const Surface::Index face : faces_at_borders)
+    components[component_of[face]].has_border = true;
   for (const Seam& seam : seams)
     for (const Surface::Index face : {seam.face, seam.other_face})
       components[component_of[face]].has_seam = true;
@@ -62,10 +63,12 @@ inline std::vector<Component_volume> component_volumes(const Raw_surface& raw,
 /// Turns the outermost closed components of negative signed volume, together with the closed
 /// components inside them.
 inline void orient_components(Raw_surface& raw, const Partition& component_of,
+                              const std::vector<Surface::Index>& faces_at_borders,
                               const std::vector<Seam>& seams)
 {
   Surface_arrays& arrays = arrays_of(raw.surface);
-  const std::vector<Component_volume> components = component_volumes(raw, component_of, seams);
+  const std::vector<Component_volume> components = component_volumes(raw, component_of,
+                                                                     faces_at_borders, seams);
   std::vector<bool> is_closed(components.size()), is_inside_out(components.size());
   bool is_any_inside_out = false;
   for (std::size_t c = 0; c < components.size(); ++c) {

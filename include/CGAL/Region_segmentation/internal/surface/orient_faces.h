@@ -32,7 +32,7 @@ inline Side_of_edge opposite_side(const Raw_surface& raw, const Side_of_edge& a,
   const Surface_arrays& arrays = arrays_of(raw.surface);
   Side_of_edge b = a;
   for (Surface::Index c = arrays.first_corners[face]; c < arrays.first_corners[face + 1]; ++c) {
-    const Side_of_edge side = side_at(arrays, {face, c});
+    const Side_of_edge side = side_at(arrays, face, c);
     if (raw.neighbors[c] == a.face && side.lower_vertex == a.lower_vertex &&
         side.higher_vertex == a.higher_vertex)
       b = side;
@@ -80,7 +80,7 @@ inline void orient_faces(Raw_surface& raw, const std::vector<Surface::Index>& pa
       const Index g = raw.neighbors[c];
       if (!Raw_surface::is_face(g) || g <= f || (is_turned[f] != is_turned[g]) == is_parallel[c])
         continue;
-      const Side_of_edge a = side_at(arrays, {f, c}), b = opposite_side(raw, a, g);
+      const Side_of_edge a = side_at(arrays, f, c), b = opposite_side(raw, a, g);
       raw.neighbors[a.corner] = raw.neighbors[b.corner] = Raw_surface::at_seam;
       seams.push_back({a.lower_vertex, a.higher_vertex, f, g, 1});
     }
