@@ -170,7 +170,7 @@ private:
     constexpr int iterations = 30;
     constexpr double of_estimate = 0.01; // weight, the equation of a chord has 1
     const std::size_t n = m_normals.size();
-    std::vector<Double_3> tilt(n, Double_3{0, 0, 0}), residual(n, Double_3{0, 0, 0}), product(n);
+    std::vector<Double_3> tilt(n), residual(n), product(n); // zeros
     const auto add = [&](std::vector<Double_3>& to, const Chord& c, double x) {
       for (int i = 0; i < 2; ++i)
         to[c.ends[i]] = to[c.ends[i]] + x * c.tangents[i];
