@@ -813,7 +813,7 @@ TEST(Coinciding_borders_test, of_a_face_graph_are_adjacent)
 
 TEST(For_each_repetition_test, finds_the_first_of_equal_items_whatever_their_hashes)
 {
-  for (const std::size_t hashes : {1, 2, 7, 1000}) // high bits count, and equal items agree in them
+  for (const std::size_t hashes : {1, 2, 7, 1000})
     for (unsigned seed = 1; seed <= 10; ++seed) {
       SCOPED_TRACE(std::to_string(hashes) + " hashes, seed " + std::to_string(seed));
       std::mt19937 random(seed);

@@ -50,8 +50,8 @@ public:
     Step_counter progress(execution, seeds.size());
     for (const Index seed : seeds) {
       progress.advance();
-      if (m_grown_in_vain > most_in_vain * m_surface.number_of_faces())
-        return;
+      if (m_grown_in_vain > 16 * m_surface.number_of_faces() + 50000)
+        return; // a bound of the time: 150 meshes grow at most 6 times their faces in vain
       if (!m_search.is_found(seed) && !m_search.is_tried[seed] && !find_from(seed))
         mark_patch();
     }
@@ -233,7 +233,6 @@ private:
                                             // seed
   static constexpr std::size_t fewest_points_of_plane = 8;
   static constexpr std::size_t many = 5000, sampled = 500; // seeds
-  static constexpr std::size_t most_in_vain = 16; // times the faces; 6 at most on 150 meshes
 
   Face_search& m_search;
   const Surface& m_surface;

@@ -27,12 +27,12 @@ void for_each_repetition(std::size_t most_items, const ForEach& for_each, const 
                          const F& f)
 {
   using Item = std::uint32_t;
-  using Key = std::uint64_t; // half of a hash, and the item
+  using Key = std::uint64_t; // of a hash, and the item
   constexpr int bits = 32;
   Large_array<Key> keys;
   keys.reserve(most_items);
-  for_each([&](std::size_t item, std::size_t hash) {
-    keys.push_back(Key(hash) >> bits << bits | Key(item));
+  for_each([&](std::size_t item, std::uint64_t hash) { // of 32 or 64 bits
+    keys.push_back((hash ^ hash >> bits) << bits | Key(item));
   });
   boost::sort::spreadsort::integer_sort(keys.begin(), keys.end());
   std::vector<Item> distinct; // those of a hash
