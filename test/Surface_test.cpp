@@ -839,6 +839,24 @@ TEST(For_each_repetition_test, finds_the_first_of_equal_items_whatever_their_has
     }
 }
 
+/// Else time is quadratic where hashes have 32 bits.
+TEST(For_each_repetition_test, compares_few_items_of_different_hashes)
+{
+  constexpr std::size_t size = 10000;
+  for (const int shift : {0, 16, 32}) {
+    std::size_t comparisons = 0;
+    RS::internal::for_each_repetition(
+      size,
+      [&](const auto& add) {
+        for (std::size_t i = 0; i < size; ++i)
+          add(i, std::uint64_t(i) << shift);
+      },
+      [&](std::size_t, std::size_t) { return ++comparisons == 0; },
+      [&](std::size_t, std::size_t) { FAIL(); });
+    EXPECT_EQ(comparisons, 0) << shift;
+  }
+}
+
 TEST(Coinciding_borders_test, are_constrained_with_one_of_them)
 {
   const Soup soup = joined(grid(3, 4), translated(grid(2, 4), 3, 0, 0));

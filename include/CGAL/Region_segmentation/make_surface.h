@@ -126,7 +126,7 @@ Surface make_surface(const FaceGraph& mesh,
 /// \throws Invalid_input if a polygon has no corner or one that is not a point, or a point of a
 ///         polygon is not finite; Segmentation_cancelled if the visitor cancels
 ///
-/// Complexity: O(F) expected, O(F log F) with several components or seams.
+/// Complexity: O(F log F); O(F) for a connected face graph without borders.
 template <typename ConcurrencyTag = CGAL::Sequential_tag, typename PointRange,
           typename PolygonRange, typename NamedParameters = parameters::Default_named_parameters,
           std::enable_if_t<internal::is_polygon_range<PolygonRange>(), int> = 0>

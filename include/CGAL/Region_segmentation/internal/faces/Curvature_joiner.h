@@ -92,6 +92,7 @@ public:
       std::swap(a, b);
     Region &kept = m_regions[a], &removed = m_regions[b];
     m_parents[b] = a;
+    // Borders between fitted regions were not queued.
     const std::size_t faces_before = kept.is_fitted ? 0 : kept.faces;
     kept.faces += removed.faces;
     kept.is_fitted = false;

@@ -134,7 +134,8 @@ private:
     return propose(kind, s) <= tolerance && largest_distance(s, m_patch.points()) <= tolerance;
   }
 
-  /// Whether the faces share few vertices, as those of a manifold do not. Most patches of such
+  /// Whether the faces share few vertices. Those of a manifold do not: only patches of fewer
+  /// vertices than are wanted grow, so they have some three faces for each. Most patches of such
   /// faces are all of them: one is tried.
   bool is_crowded() const { return m_patch.faces().size() > 4 * m_options.vertices; }
 
@@ -211,8 +212,8 @@ private:
     return are_few && !m_grower.is_tangent_to_neighbors();
   }
 
-  /// Seeds in a large set of faces that was grown in vain would grow it again: so the time of all
-  /// growing stays near linear.
+  /// Seeds in a large set of faces that was grown in vain, or from a crowded patch, would grow it
+  /// again: so the time of all growing stays near linear.
   void mark_as_tried_if_many()
   {
     if (is_crowded() || m_grower.faces().size() > 4 * m_patch.faces().size())
@@ -220,7 +221,8 @@ private:
         m_search.is_tried[f] = 1;
   }
 
-  /// The innermost faces of a patch that fits no surface are not tried again.
+  /// The innermost faces of a patch that fits no surface are not tried again, nor any of a crowded
+  /// one.
   void mark_patch()
   {
     const std::size_t share = is_crowded() ? 1 : m_options.vertices > 12 ? 4 : 2;

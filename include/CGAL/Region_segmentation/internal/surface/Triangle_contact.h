@@ -149,7 +149,7 @@ struct Clipped_segment
 };
 
 /// The length of the part of the segment a, b within the tolerance of a triangle: of its plane, and
-/// of its edges seen along the normal. 0 if it is shorter than `shortest`.
+/// of its edges seen along the normal. 0 if it is shorter than `shortest`. `length`: of the segment
 inline double length_near(const Double_3& a, const Double_3& b, const Plane_triangle& t,
                           double tolerance, double length, double shortest)
 {

@@ -83,7 +83,7 @@ Surface build_surface(Raw_surface&& raw, const Execution& execution)
       seams = matcher.seams();
       orient_faces(raw, matcher.parallel_sides(), seams);
     }
-  std::vector<Surface::Index> faces_at_borders;
+  std::vector<Surface::Index> faces_at_borders; // as long as neighbors are known
   if (has_open_sides)
     faces_at_borders = faces_with_open_sides(raw);
   collect_adjacencies(raw, execution.step(0.3, 0.8));

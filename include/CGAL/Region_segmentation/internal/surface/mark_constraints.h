@@ -21,7 +21,7 @@ namespace internal {
 using Vertex_pair = std::pair<Surface::Index, Surface::Index>;
 
 /// Constrains the adjacencies across edges, and the seams, between the given pairs of vertices;
-/// equal points count as one. O(F + C log C) expected for C pairs.
+/// equal points count as one. O(F log F + C log C) for C pairs.
 inline void mark_constraints(const Surface& surface, std::vector<Vertex_pair> pairs,
                              Constraints& constraints)
 {

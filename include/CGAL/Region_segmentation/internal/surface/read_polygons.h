@@ -9,9 +9,8 @@
 
 #include <CGAL/number_utils.h>
 
-#include <boost/range/distance.hpp>
-
 #include <cstddef>
+#include <iterator>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -30,8 +29,8 @@ Raw_surface read_polygons(const PointRange& points, const PolygonRange& polygons
   using Index = Surface::Index;
   Raw_surface raw;
   Surface_arrays& arrays = arrays_of(raw.surface);
-  const auto size = std::size_t(boost::distance(polygons));
-  arrays.points.reserve(std::size_t(boost::distance(points)));
+  const auto size = std::size_t(std::distance(std::begin(polygons), std::end(polygons)));
+  arrays.points.reserve(std::size_t(std::distance(std::begin(points), std::end(points))));
   arrays.first_corners.reserve(size + 1);
   arrays.corners.reserve(3 * size); // for triangles
   for (const auto& p : points)
