@@ -105,12 +105,12 @@ public:
       Border& border = kept.borders[neighbor.first];
       border.add(neighbor.second, 1);
       other.borders[a].add(neighbor.second, -1);
-      push_between(a, neighbor.first, border);
+      push(a, neighbor.first, border);
     }
     removed.borders.clear();
     for (const auto& neighbor : kept.borders)
       if (m_regions[neighbor.first].faces > faces_before) // else its jump is as before
-        push_between(a, neighbor.first, neighbor.second);
+        push(a, neighbor.first, neighbor.second);
   }
 
   /// The region that `region` belongs to now.
@@ -149,12 +149,7 @@ private:
   void push(Index a, Index b, const Border& border)
   {
     if (border.is_smooth && !(m_regions[a].is_fitted && m_regions[b].is_fitted))
-      m_queue.push({jump(a, b, border), a, b});
-  }
-
-  void push_between(Index a, Index b, const Border& border_of_a)
-  {
-    push((std::min)(a, b), (std::max)(a, b), border_of_a);
+      m_queue.push({jump(a, b, border), (std::min)(a, b), (std::max)(a, b)});
   }
 
   std::vector<Region> m_regions;

@@ -37,32 +37,6 @@ struct Raw_surface
   static bool is_face(Index neighbor) { return neighbor < at_seam; }
 };
 
-/// Calls `f(face, side, next)` for the open sides, whose neighbor is not known, in order: few of
-/// most meshes, all of polygons. `next`: the corner to which the side leads
-template <typename F>
-void for_each_open_side(const Raw_surface& raw, const F& f)
-{
-  using Index = Surface::Index;
-  const auto& first_corners = arrays_of(raw.surface).first_corners;
-  for (Index face = 0; face + 1 < first_corners.size(); ++face) {
-    const Index first = first_corners[face], past = first_corners[face + 1];
-    for (Index side = first; side < past; ++side)
-      if (raw.neighbors[side] == Raw_surface::none)
-        f(face, side, side + 1 < past ? side + 1 : first);
-  }
-}
-
-/// The faces with open sides, ascending.
-inline std::vector<Surface::Index> faces_with_open_sides(const Raw_surface& raw)
-{
-  std::vector<Surface::Index> faces;
-  for_each_open_side(raw, [&](Surface::Index face, Surface::Index, Surface::Index) {
-    if (faces.empty() || faces.back() != face)
-      faces.push_back(face);
-  });
-  return faces;
-}
-
 /// Lets the boundary of each face begin at its vertex of lowest index.
 inline void begin_at_lowest_vertices(Raw_surface& raw, const Execution& execution)
 {
@@ -82,6 +56,31 @@ inline Surface::Index next_corner(const Surface_arrays& arrays, std::size_t face
 {
   return Surface::Index(corner + 1 == arrays.first_corners[face + 1] ? arrays.first_corners[face]
                                                                      : corner + 1);
+}
+
+/// Calls `f(face, side, next)` for the open sides, whose neighbor is not known, in order: few of
+/// most meshes, all of polygons. `next`: the corner to which the side leads
+template <typename F>
+void for_each_open_side(const Raw_surface& raw, const F& f)
+{
+  using Index = Surface::Index;
+  const Surface_arrays& arrays = arrays_of(raw.surface);
+  const auto& first_corners = arrays.first_corners;
+  for (Index face = 0; face + 1 < first_corners.size(); ++face)
+    for (Index side = first_corners[face]; side < first_corners[face + 1]; ++side)
+      if (raw.neighbors[side] == Raw_surface::none)
+        f(face, side, next_corner(arrays, face, side));
+}
+
+/// The faces with open sides, ascending.
+inline std::vector<Surface::Index> faces_with_open_sides(const Raw_surface& raw)
+{
+  std::vector<Surface::Index> faces;
+  for_each_open_side(raw, [&](Surface::Index face, Surface::Index, Surface::Index) {
+    if (faces.empty() || faces.back() != face)
+      faces.push_back(face);
+  });
+  return faces;
 }
 
 /// Chooses the unit of the points, and scales them.
