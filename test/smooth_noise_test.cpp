@@ -33,7 +33,7 @@ RS::Surface surface_of(const Soup& soup)
 
 std::optional<RS::Surface> smooth_noise(RS::Surface surface)
 {
-  auto points = RS::internal::points_without_noise(surface);
+  auto points = RS::internal::points_without_noise(surface, RS::Execution());
   if (!points)
     return std::nullopt;
   RS::internal::move_points(surface, std::move(*points), RS::Execution());
@@ -144,9 +144,11 @@ TEST(smooth_noise_test, is_found_from_a_part_of_the_faces)
   for (const std::size_t stride : {1, 2, 3, 7, 20}) {
     SCOPED_TRACE(stride);
     const RS::Surface surface = surface_of(clean), rough = surface_of(noisy(clean, 0.005, 1));
-    EXPECT_TRUE(RS::internal::Vertex_heights(rough, stride).are_opposite(0.42, stride));
-    EXPECT_TRUE(RS::internal::Vertex_heights(rough, 1).are_opposite(0.42, stride));
-    EXPECT_FALSE(RS::internal::Vertex_heights(surface, stride).are_opposite(0.42, stride));
+    EXPECT_TRUE(
+      RS::internal::Vertex_heights(rough, stride, RS::Execution()).are_opposite(0.42, stride));
+    EXPECT_TRUE(RS::internal::Vertex_heights(rough, 1, RS::Execution()).are_opposite(0.42, stride));
+    EXPECT_FALSE(
+      RS::internal::Vertex_heights(surface, stride, RS::Execution()).are_opposite(0.42, stride));
   }
 }
 

@@ -4,6 +4,7 @@
 #define CGAL_REGION_SEGMENTATION_PARTITION_H
 
 #include <CGAL/Region_segmentation/internal/support/Key_numbering.h>
+#include <CGAL/Region_segmentation/internal/support/Large_array.h>
 
 #include <CGAL/assertions.h>
 
@@ -30,21 +31,28 @@ class Partition
 {
 public:
   using Index = std::uint32_t;
+  /// A vector of the numbers of parts, by element; `resize()` does not initialize them.
+  using Numbers = internal::Large_array<Index>;
 
   /// No elements.
   Partition() = default;
 
   /// \pre the numbers are those of a partition: below `number_of_parts`, each one used, by the
   ///      first element
-  Partition(std::vector<Index> part_of, std::size_t number_of_parts)
+  Partition(Numbers part_of, std::size_t number_of_parts)
     : m_part_of(std::move(part_of))
     , m_number_of_parts(number_of_parts)
+  {}
+  /// As above, copied from a range.
+  template <typename IndexRange>
+  Partition(const IndexRange& part_of, std::size_t number_of_parts)
+    : Partition(Numbers(std::begin(part_of), std::end(part_of)), number_of_parts)
   {}
 
   /// Each element is a part.
   static Partition into_single_elements(std::size_t size)
   {
-    std::vector<Index> part_of(size);
+    Numbers part_of(size);
     std::iota(part_of.begin(), part_of.end(), Index(0));
     return Partition(std::move(part_of), size);
   }
@@ -100,7 +108,7 @@ public:
   friend bool operator!=(const Partition& a, const Partition& b) { return !(a == b); }
 
 private:
-  std::vector<Index> m_part_of;
+  Numbers m_part_of;
   std::size_t m_number_of_parts = 0;
 };
 
@@ -110,7 +118,7 @@ private:
 inline Partition composed(const Partition& fine, const Partition& coarse)
 {
   CGAL_precondition(fine.number_of_parts() == coarse.size());
-  std::vector<Partition::Index> part_of(fine.size());
+  Partition::Numbers part_of(fine.size());
   for (std::size_t i = 0; i < part_of.size(); ++i)
     part_of[i] = coarse[fine[i]];
   return Partition(std::move(part_of), coarse.number_of_parts());

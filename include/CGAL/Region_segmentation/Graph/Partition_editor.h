@@ -70,7 +70,7 @@ public:
   /// The segments of the regions.
   Partition partition() const
   {
-    std::vector<Index> segment_of(m_tree.number_of_regions());
+    Partition::Numbers segment_of(m_tree.number_of_regions());
     std::vector<Index> stack;
     for (std::size_t s = 0; s < m_segments.size(); ++s) {
       stack.assign(m_segments[s].begin(), m_segments[s].end());

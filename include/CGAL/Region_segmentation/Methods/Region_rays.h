@@ -37,7 +37,7 @@ public:
   {
     if (surface.area() == 0)
       return;
-    m_shapes = internal::Region_shapes(surface, regions);
+    m_shapes = internal::Region_shapes(surface, regions, execution);
     m_tree = std::make_shared<internal::Ray_tree>(surface, patches, m_shapes.surface_centroid,
                                                   execution.step(0, 0.6));
     trace(surface, patches, regions, execution.step(0.6, 1));
@@ -55,7 +55,7 @@ public:
       result.m_hits.push_back(r < m_hits.size() ? m_hits[r] : std::nullopt);
     if (surface.area() == 0)
       return result;
-    result.m_shapes = m_shapes.of_changed_regions(surface, regions, former_of);
+    result.m_shapes = m_shapes.of_changed_regions(surface, regions, former_of, execution);
     result.m_tree = m_tree;
     result.trace(surface, patches, regions, execution);
     return result;

@@ -107,7 +107,7 @@ struct Superfacet_merging
   Prepared prepare(const Surface& given, const Execution& execution = Execution()) const
   {
     internal::Intrinsic_surface intrinsic(given);
-    if (auto points = internal::points_without_noise(intrinsic.of(given)))
+    if (auto points = internal::points_without_noise(intrinsic.of(given), execution))
       intrinsic.move_points(given, std::move(*points), execution.silent());
     const Surface& surface = intrinsic.of(given);
     const Execution stage = execution.stage("regions");
@@ -165,9 +165,9 @@ struct Superfacet_merging
     if (regions == prepared.regions)
       annotator(graph, surface, regions, prepared.rays);
     else
-      annotator(
-        graph, surface, regions,
-        prepared.rays.of_changed_regions(surface, prepared.patches, prepared.regions, regions));
+      annotator(graph, surface, regions,
+                prepared.rays.of_changed_regions(surface, prepared.patches, prepared.regions,
+                                                 regions, execution.silent()));
     return graph;
   }
 

@@ -88,7 +88,10 @@ private:
       if (m_is_changed[m_patches.of_elements()[f]])
         faces.push_back(Index(f));
     sum_up(faces);
-    set_centers(m_pieces.m_patches, m_pieces.m_of_elements, m_surface, faces);
+    Patch_centers centers(m_pieces.m_patches);
+    const auto is_degenerate = [&](std::size_t f) { return m_surface.is_degenerate(f); };
+    for (const Index f : faces)
+      centers.offer(m_pieces.m_of_elements[f], f, m_surface.centroid(f), is_degenerate);
   }
 
   void sum_up(const std::vector<Index>& faces)

@@ -75,7 +75,7 @@ public:
   {
     Large_array<Index> roots = find_roots();
     m_parents = Large_array<Index>(); // its memory is needed
-    std::vector<Index> part_of(roots.size(), none);
+    Partition::Numbers part_of(roots.size(), none);
     Index number_of_parts = 0;
     for (std::size_t i = 0; i < roots.size(); ++i) {
       Index& part = part_of[roots[i]];
@@ -103,8 +103,8 @@ private:
                    [&](std::size_t, std::size_t begin, std::size_t end) {
                      std::vector<Index> path;
                      for (std::size_t i = begin; i < end; ++i) {
-                       if (m_parents[i] != i)
-                         has_child[m_parents[i]].store(true, std::memory_order_relaxed);
+                       // of a root, too, which does not matter
+                       has_child[m_parents[i]].store(true, std::memory_order_relaxed);
                        find_parity(Index(i), parities, path);
                      }
                    });
@@ -121,6 +121,12 @@ private:
   void find_parity(Index i, std::vector<std::atomic<std::uint8_t>>& parities,
                    std::vector<Index>& path) const
   {
+    const Index parent = m_parents[i], grandparent = m_parents[parent];
+    if (m_parents[grandparent] == grandparent) { // of most; without unpredictable branches
+      const bool is_odd = (parent != i) != (grandparent != parent);
+      parities[i].store(is_odd ? ODD : EVEN, std::memory_order_relaxed);
+      return;
+    }
     std::uint8_t parity = parities[i].load(std::memory_order_relaxed);
     while (parity == UNKNOWN && m_parents[i] != i) {
       path.push_back(i);

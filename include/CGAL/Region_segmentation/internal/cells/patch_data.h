@@ -55,38 +55,39 @@ struct Patch_direction
   }
 };
 
-/// Sets the centers of the patches of some elements: a degenerate element only if there is no
-/// other.
-/// \pre these patches have no center
-template <typename Elements, typename Centroid, typename IsDegenerate>
-void set_centers(Large_array<Patches::Patch>& patches, const Partition& patch_of,
-                 const Elements& elements, const Centroid& centroid,
-                 const IsDegenerate& is_degenerate)
+/// Finds the centers of patches among their elements: a degenerate one only if there is no other.
+class Patch_centers
 {
-  std::vector<double> distances(patches.size(), std::numeric_limits<double>::infinity());
-  for (const std::size_t i : elements) {
-    const Patches::Index part = patch_of[i];
-    Patches::Patch& patch = patches[part];
-    const double distance = squared_norm(centroid(i) - patch.centroid);
-    if (!(distance < distances[part] || patch.center == no_center))
-      continue;
-    const bool is_last_choice = is_degenerate(i);
-    if (is_last_choice && patch.center != no_center)
-      continue;
-    distances[part] = is_last_choice ? std::numeric_limits<double>::infinity() : distance;
-    patch.center = Patches::Index(i);
-  }
-}
+public:
+  /// \pre those of which elements are offered have no center
+  explicit Patch_centers(Large_array<Patches::Patch>& patches)
+    : m_patches(patches)
+    , m_distances(patches.size(), infinity)
+  {}
 
-/// Of the patches of some faces.
-template <typename Faces>
-void set_centers(Large_array<Patches::Patch>& patches, const Partition& patch_of,
-                 const Surface& surface, const Faces& faces)
-{
-  set_centers(
-    patches, patch_of, faces, [&](std::size_t f) { return surface.centroid(f); },
-    [&](std::size_t f) { return surface.is_degenerate(f); });
-}
+  /// Those of a patch in order. `is_degenerate(element)` is asked of few.
+  template <typename IsDegenerate>
+  void offer(std::size_t patch, std::size_t element, const Double_3& centroid,
+             const IsDegenerate& is_degenerate)
+  {
+    Patches::Patch& p = m_patches[patch];
+    const double distance = squared_norm(centroid - p.centroid);
+    const bool is_first = p.center == no_center;
+    if (!is_first && !(distance < m_distances[patch]))
+      return;
+    const bool is_last_choice = is_degenerate(element);
+    if (is_last_choice && !is_first)
+      return;
+    m_distances[patch] = is_last_choice ? infinity : distance;
+    p.center = Patches::Index(element);
+  }
+
+private:
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+  Large_array<Patches::Patch>& m_patches;
+  std::vector<double> m_distances; // of the centers, squared; infinite for degenerate ones
+};
 
 inline double concave_deviation(const Patches::Patch& a, const Patches::Patch& b)
 {

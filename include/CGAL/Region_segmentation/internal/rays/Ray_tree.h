@@ -49,18 +49,15 @@ public:
            const Execution& execution,
            std::size_t most_stored_faces = Ray_leaves::most_stored_faces)
     : m_unit(unit_of(mesh, patches.fine, origin))
-    , m_leaves(mesh, patches, origin, 1 / m_unit, most_stored_faces)
+    , m_leaves(mesh, patches, origin, 1 / m_unit, most_stored_faces, execution.silent())
   {
-    execution.report(0.3);
-    std::vector<Box> boxes(m_leaves.size());
-    std::vector<Item> items(m_leaves.size());
-    const auto make = [&](std::size_t, std::size_t begin, std::size_t end) {
-      for (std::size_t leaf = begin; leaf < end; ++leaf) {
-        boxes[leaf] = box_of(mesh, leaf);
-        items[leaf] = {center_of(boxes[leaf]), Index(leaf)};
-      }
-    };
-    for_each_block(execution.step(0.3, 0.6), items.size(), make, 256);
+    execution.report(0.5);
+    std::vector<Box> boxes;
+    std::vector<Item> items;
+    for (const Box& box : m_leaves.boxes()) {
+      boxes.push_back(enlarged(box, float(mesh.length_unit() / m_unit)));
+      items.push_back({center_of(boxes.back()), Index(items.size())});
+    }
     if (!items.empty())
       add_node(items.data(), items.data() + items.size(), boxes);
     execution.report(1);
@@ -127,18 +124,15 @@ private:
     return std::ldexp(1.0, std::ilogb((std::max)(std::sqrt(largest), mesh.length_unit())));
   }
 
-  /// Slightly enlarged, so that rounding misses no triangle.
-  Box box_of(const Surface& mesh, std::size_t leaf) const
+  /// Slightly enlarged, so that rounding misses no triangle. `extent`: the size of the surface
+  static Box enlarged(Box box, float extent)
   {
     constexpr float margin = 5e-7f; // relative to the distance from the origin, and to the size of
                                     // the surface
-    Box box;
-    m_leaves.for_each_point(mesh, leaf, [&](const Float_3& p) { box.add_point(p); });
     if (!(box.low[0] <= box.high[0])) { // of crumbs alone
       constexpr Float_3 origin{0, 0, 0};
       box.add_point(origin);
     }
-    float extent = float(mesh.length_unit() / m_unit);
     for (std::size_t k = 0; k < 3; ++k)
       extent = (std::max)({extent, std::abs(box.low[k]), std::abs(box.high[k])});
     for (std::size_t k = 0; k < 3; ++k) {

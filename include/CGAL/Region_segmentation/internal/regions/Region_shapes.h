@@ -4,9 +4,11 @@
 #define CGAL_REGION_SEGMENTATION_INTERNAL_REGIONS_REGION_SHAPES_H
 
 #include <CGAL/Region_segmentation/Double_3.h>
+#include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/internal/support/Second_moments.h>
+#include <CGAL/Region_segmentation/internal/support/for_each_in_part.h>
 
 #include <cstddef>
 #include <limits>
@@ -38,13 +40,14 @@ struct Region_shapes
 
   Region_shapes() = default;
 
-  Region_shapes(const Surface& mesh, const Partition& region_of)
+  Region_shapes(const Surface& mesh, const Partition& region_of,
+                const Execution& execution = Execution())
     : regions(region_of.number_of_parts())
   {
     if (mesh.number_of_faces() == 0)
       return;
     const std::vector<bool> all(regions.size(), true);
-    sum_up(mesh, region_of, all);
+    sum_up(mesh, region_of, all, execution);
     for (const Region_shape& sums : regions)
       surface_centroid = surface_centroid + sums.centroid;
     surface_centroid = mesh.centroid(0) + inverse(mesh.area()) * surface_centroid;
@@ -54,7 +57,8 @@ struct Region_shapes
   /// The shapes of other regions. `former_of`: by region, an equal one among the former ones, or a
   /// number that none has
   Region_shapes of_changed_regions(const Surface& mesh, const Partition& region_of,
-                                   const std::vector<Index>& former_of) const
+                                   const std::vector<Index>& former_of,
+                                   const Execution& execution) const
   {
     Region_shapes result;
     result.regions.resize(region_of.number_of_parts());
@@ -65,7 +69,7 @@ struct Region_shapes
       if (!is_new[r])
         result.regions[r] = regions[former_of[r]];
     }
-    result.sum_up(mesh, region_of, is_new);
+    result.sum_up(mesh, region_of, is_new, execution);
     result.divide(mesh, is_new);
     return result;
   }
@@ -76,14 +80,14 @@ private:
   static constexpr double variance_of_triangle = 0.096225044864937627;
 
   /// Sums over the faces, in order, of the regions that are `wanted`.
-  void sum_up(const Surface& mesh, const Partition& region_of, const std::vector<bool>& wanted)
+  void sum_up(const Surface& mesh, const Partition& region_of, const std::vector<bool>& wanted,
+              const Execution& execution)
   {
     const Double_3 origin = mesh.centroid(0); // avoids cancellation far from the origin
     const double per_area = inverse(mesh.area()), per_length = 1 / mesh.length_unit();
-    for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
-      const Index r = region_of[f];
+    for_each_in_part(execution.silent(), region_of, [&](std::size_t r, std::size_t f) {
       if (!wanted[r])
-        continue;
+        return;
       const double area = mesh.weight(f), share = per_area * area;
       const Double_3 &normal = mesh.normal(f), centroid = mesh.centroid(f) - origin;
       Region_shape& region = regions[r];
@@ -98,7 +102,7 @@ private:
       second.yy += share * variance;
       second.zz += share * variance;
       second.add_square(-share * variance, normal);
-    }
+    });
   }
 
   /// Sums become means.

@@ -6,6 +6,9 @@
 #include <CGAL/Region_segmentation/Double_3.h>
 #include <CGAL/Region_segmentation/Surface.h>
 
+#include <CGAL/number_type_config.h>
+
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -20,32 +23,58 @@ constexpr double largest_concave_share_of_convex = 1e-3;
 /// The largest sum of the area vectors of a closed surface, relative to that of the areas.
 constexpr double largest_gap_of_closed = 1e-6;
 
+inline bool counts_for_convexity(const Surface& mesh, std::size_t edge)
+{
+  return mesh.has_flag(edge, Surface::CONCAVE | Surface::CONVEX) &&
+         !mesh.is_crumb(mesh.lower_face(edge));
+}
+
+/// Whether concave edges have more than that share, by bounds of their angles, which are expensive:
+/// an angle is at least the distance of the unit normals, at most pi / 2 times that, and at most
+/// pi. So half of the edges of a fine mesh are sufficient. True of no convex surface.
+inline bool is_clearly_concave(const Surface& mesh)
+{
+  double squared_lengths = 0; // of the edges that are not known yet
+  for (const double l : arrays_of(mesh).squared_lengths)
+    squared_lengths += l;
+  squared_lengths *= 1 + 1e-6; // rounding
+  const std::size_t n = mesh.number_of_adjacencies();
+  double concave = 0, convex = 0;
+  const auto is_exceeded = [&](std::size_t known) {
+    // the length of the others is bounded by Cauchy's inequality
+    const double length = std::sqrt(double(n - known) * (std::max)(squared_lengths, 0.0));
+    return concave >
+           largest_concave_share_of_convex * (CGAL_PI / 2 * (concave + convex) + CGAL_PI * length);
+  };
+  for (std::size_t e = 0; e < n; ++e) {
+    squared_lengths -= mesh.squared_length(e);
+    if (counts_for_convexity(mesh, e)) {
+      const Double_3 between = mesh.normal(mesh.lower_face(e)) - mesh.normal(mesh.higher_face(e));
+      const double product = std::sqrt(mesh.squared_length(e) * squared_norm(between));
+      (mesh.has_flag(e, Surface::CONCAVE) ? concave : convex) += product;
+    }
+    if (e % 256 == 255 && is_exceeded(e + 1))
+      return true;
+  }
+  return is_exceeded(n);
+}
+
 /// Whether all components of a surface but crumbs bound convex bodies: it is closed, and has no
 /// concave edges. (A closed surface that is convex at all edges is convex: van Heijenoort 1952.)
 /// False for one without area. O(F).
 inline bool is_convex(const Surface& mesh)
 {
+  if (mesh.area() == 0 || is_clearly_concave(mesh))
+    return false;
   Double_3 sum = {0, 0, 0};
   for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
     sum = sum + mesh.weight(f) * mesh.normal(f);
-  if (!(norm(sum) <= largest_gap_of_closed * mesh.area()) || mesh.area() == 0)
+  if (!(norm(sum) <= largest_gap_of_closed * mesh.area()))
     return false;
-  double squared_lengths = 0;
-  for (const double l : arrays_of(mesh).squared_lengths)
-    squared_lengths += l;
-  // A bound of the length of the edges whose angles are not known yet, by Cauchy's inequality;
-  // above rounding.
-  double length = (1 + 1e-6) * std::sqrt(double(mesh.number_of_adjacencies()) * squared_lengths);
   double concave = 0, convex = 0;
-  for (std::size_t e = 0; e < mesh.number_of_adjacencies(); ++e) {
-    if (!mesh.has_flag(e, Surface::CONCAVE | Surface::CONVEX) || mesh.is_crumb(mesh.lower_face(e)))
-      continue;
-    (mesh.has_flag(e, Surface::CONCAVE) ? concave : convex) += mesh.length(e) * mesh.deviation(e);
-    length -= mesh.length(e);
-    // Angles are expensive, and a few are sufficient for most surfaces: no edge adds more than pi.
-    if (concave > largest_concave_share_of_convex * (concave + convex + 4 * length))
-      return false;
-  }
+  for (std::size_t e = 0; e < mesh.number_of_adjacencies(); ++e)
+    if (counts_for_convexity(mesh, e))
+      (mesh.has_flag(e, Surface::CONCAVE) ? concave : convex) += mesh.length(e) * mesh.deviation(e);
   return concave <= largest_concave_share_of_convex * (concave + convex);
 }
 

@@ -26,7 +26,7 @@ public:
 
   /// \pre there is a face
   explicit Nearest_face_finder(const Surface& surface)
-    : m_tree(surface, Partition(std::vector<Index>(surface.number_of_faces(), 0), 1))
+    : m_tree(surface, Partition(Partition::Numbers(surface.number_of_faces(), 0), 1))
     , m_disagreement(0.05 * surface.length_unit())
   {}
 

@@ -9,15 +9,14 @@
 #include <cstddef>
 #include <numeric>
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
 /// The root of an element of a forest, in which a root is its own parent. Halves the path.
-template <typename Index>
-Index root_in_forest(std::vector<Index>& parents, Index i)
+template <typename Parents, typename Index>
+Index root_in_forest(Parents& parents, Index i)
 {
   Index parent = parents[i];
   for (Index above = parents[parent]; above != parent; above = parents[parent]) {
@@ -45,7 +44,7 @@ public:
     std::iota(m_parents.begin(), m_parents.end(), Index(0));
   }
   /// `roots`: of the tree of each face
-  explicit Lowest_root_forest(std::vector<Index> roots)
+  explicit Lowest_root_forest(Partition::Numbers roots)
     : m_parents(std::move(roots))
   {}
 
@@ -86,7 +85,7 @@ public:
   }
 
 private:
-  std::vector<Index> m_parents;
+  Partition::Numbers m_parents;
 };
 
 } // namespace internal

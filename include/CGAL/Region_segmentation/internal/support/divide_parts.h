@@ -38,7 +38,8 @@ Partition divide_parts(const Surface& surface, const Partition& parts,
 {
   using Index = Partition::Index;
   constexpr Index none = (std::numeric_limits<Index>::max)();
-  std::vector<Index> first_of(parts.number_of_parts(), none), roots;
+  std::vector<Index> first_of(parts.number_of_parts(), none);
+  Partition::Numbers roots;
   roots.reserve(parts.size());
   for (Index f = 0; f < parts.size(); ++f) {
     Index& first = first_of[parts[f]];

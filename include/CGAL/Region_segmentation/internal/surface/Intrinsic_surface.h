@@ -114,7 +114,8 @@ public:
   of_given(const Surface& given, std::size_t number_of_parts, const PartOf& part_of) const
   {
     constexpr Index none = (std::numeric_limits<Index>::max)();
-    std::vector<Index> result, numbers(number_of_parts, none);
+    Partition::Numbers result;
+    std::vector<Index> numbers(number_of_parts, none);
     result.reserve(given.number_of_faces());
     Index number = 0;
     for (std::size_t f = 0; f < given.number_of_faces(); ++f) {

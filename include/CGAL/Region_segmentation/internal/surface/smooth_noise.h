@@ -4,6 +4,7 @@
 #define CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_SMOOTH_NOISE_H
 
 #include <CGAL/Region_segmentation/Double_3.h>
+#include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/internal/support/Large_array.h>
 
@@ -28,8 +29,9 @@ public:
   using Points = Large_array<Double_3>;
 
   /// Of the vertices of every `stride`th face.
-  Vertex_heights(const Surface& surface, std::size_t stride)
+  Vertex_heights(const Surface& surface, std::size_t stride, const Execution& execution)
     : m_surface(surface)
+    , m_execution(execution.silent())
   {
     if (stride > 1)
       choose_vertices(stride);
@@ -38,15 +40,24 @@ public:
     update(arrays_of(surface).points);
   }
 
-  /// After the points of the surface moved to these.
+  /// After the points of the surface moved to these. Each thread has some of the vertices, and
+  /// looks at all faces: so sums are in the order of the faces.
   void update(const Points& points)
   {
-    std::fill(m_vertices.begin(), m_vertices.end(), Vertex());
-    for (std::size_t f = 0; f < m_surface.number_of_faces(); ++f)
-      if (m_places.empty() || has_chosen_vertex(f))
-        add_face(f, points);
-    for (Vertex& v : m_vertices)
-      set_height(v);
+    const std::size_t ranges = m_execution.number_of_threads();
+    const std::size_t size = number_of_blocks(m_vertices.size(), ranges);
+    m_execution.for_each(0, ranges, [&](std::size_t range) {
+      const std::size_t begin = (std::min)(range * size, m_vertices.size()),
+                        end = (std::min)(begin + size, m_vertices.size());
+      for (std::size_t p = begin; p < end; ++p)
+        m_vertices[p] = Vertex();
+      const bool has_all = end - begin == m_surface.number_of_vertices();
+      for (std::size_t f = 0; f < m_surface.number_of_faces(); ++f)
+        if (has_all || has_vertex_between(f, begin, end))
+          add_face(f, points, begin, end);
+      for (std::size_t p = begin; p < end; ++p)
+        set_height(m_vertices[p]);
+    });
   }
 
   /// Whether more than this share of the edges join heights of opposite signs. Looks at every
@@ -70,9 +81,10 @@ public:
   void smooth(Points& points) const
   {
     const double largest = largest_of_noise();
-    for (std::size_t v = 0; v < points.size(); ++v)
+    for_each_index(m_execution, points.size(), [&](std::size_t v) {
       if (std::fabs(m_vertices[v].height) <= largest)
         points[v] = points[v] + m_vertices[v].height * m_vertices[v].normal;
+    });
   }
 
 private:
@@ -119,16 +131,16 @@ private:
     std::uint32_t number_of_faces = 0;
   };
 
-  bool has_chosen_vertex(std::size_t face) const
+  bool has_vertex_between(std::size_t face, std::size_t begin, std::size_t end) const
   {
-    const std::size_t n = m_surface.number_of_corners(face);
-    for (std::size_t i = 0; i < n; ++i)
-      if (place(m_surface.corner(face, i)) != none)
+    for (const Index corner : corners_of(m_surface, face))
+      if (place(corner) - begin < end - begin)
         return true;
     return false;
   }
 
-  void add_face(std::size_t face, const Points& points)
+  /// To its vertices whose places are between `begin` and `end`.
+  void add_face(std::size_t face, const Points& points, std::size_t begin, std::size_t end)
   {
     const std::size_t n = m_surface.number_of_corners(face);
     const Index* const corners = corners_of(m_surface, face).begin();
@@ -140,7 +152,7 @@ private:
     Double_3 from_previous = first - point(n - 1), at = first;
     for (std::size_t i = 0; i < n; ++i) {
       const Double_3 next = i + 1 < n ? point(i + 1) : first, to_next = next - at;
-      if (const Index p = place(corners[i]); p != none) {
+      if (const std::size_t p = place(corners[i]); p - begin < end - begin) {
         Vertex& v = m_vertices[p];
         v.to_neighbors = i == 0 ? v.to_neighbors + to_next - from_previous
                                 : v.to_neighbors - from_previous + to_next;
@@ -164,6 +176,7 @@ private:
   }
 
   const Surface& m_surface;
+  const Execution m_execution; // silent
   Large_array<Index> m_places; // by vertex: in the array of those that are chosen; empty: all are
   Large_array<Vertex> m_vertices;
 };
@@ -173,17 +186,18 @@ private:
 /// width that the noise asks for.
 ///
 /// O(F); with a small constant where there is no noise, which is seen from some 20,000 faces.
-inline std::optional<Large_array<Double_3>> points_without_noise(const Surface& surface)
+inline std::optional<Large_array<Double_3>> points_without_noise(const Surface& surface,
+                                                                 const Execution& execution)
 {
   constexpr std::size_t enough_faces = 20000;
   constexpr int most_rounds = 5;
   constexpr double share_of_noise = 0.42, share_left = 0.2; // of edges
   const std::size_t stride = (std::max)(surface.number_of_faces() / enough_faces, std::size_t(1));
-  std::optional<Vertex_heights> heights(std::in_place, surface, stride);
+  std::optional<Vertex_heights> heights(std::in_place, surface, stride, execution);
   if (!heights->are_opposite(share_of_noise, stride))
     return std::nullopt;
   if (stride > 1)
-    heights.emplace(surface, 1);
+    heights.emplace(surface, 1, execution);
   Large_array<Double_3> points = arrays_of(surface).points;
   for (int round = 1;; ++round) {
     heights->smooth(points);
