@@ -8,6 +8,8 @@
 #include <CGAL/Region_segmentation/Methods/Learned_merging.h>
 #include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
 #include <CGAL/Region_segmentation/Segmenter.h>
+#include <CGAL/Region_segmentation/internal/regions/is_convex.h>
+#include <CGAL/Region_segmentation/make_surface.h>
 
 #include <gtest/gtest.h>
 
@@ -167,6 +169,37 @@ struct Counting_chooser
     return 3;
   }
 };
+
+// The share of the concave edges, by the angles themselves.
+double concave_share(const RS::Surface& surface)
+{
+  double concave = 0, all = 0;
+  for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a) {
+    const double product = surface.length(a) * surface.deviation(a);
+    concave += surface.has_flag(a, RS::Surface::CONCAVE) ? product : 0;
+    all += product;
+  }
+  return concave / all;
+}
+
+TEST(Is_convex_test, a_thousandth_of_the_deviation_may_be_concave)
+{
+  std::size_t number_convex = 0, number_of_dents = 0;
+  for (const std::size_t levels : {2, 4, 6})
+    for (double depth = 1e-4; depth < 0.2; depth *= 1.2) {
+      Soup dented = sphere(levels);
+      for (double& x : dented.points[0])
+        x *= 1 - depth;
+      const Surface_mesh mesh = to_surface_mesh(dented);
+      const RS::Surface surface = RS::make_surface(mesh);
+      const bool is_convex = RS::internal::is_convex(surface);
+      EXPECT_EQ(is_convex, concave_share(surface) <= 1e-3) << levels << ", " << depth;
+      number_convex += is_convex;
+      ++number_of_dents;
+    }
+  EXPECT_GT(number_convex, number_of_dents / 8);
+  EXPECT_LT(number_convex, number_of_dents / 8 * 7);
+}
 
 TEST(Number_chooser_of_Segmenter, is_asked_once_for_each_change)
 {

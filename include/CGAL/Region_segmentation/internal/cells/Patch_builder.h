@@ -140,8 +140,8 @@ private:
              : (std::max)(m_surface.number_of_adjacencies(), std::size_t(1));
   }
 
-  /// The faces as the patches of the first round. Centroids are stored: the first round of 3 million
-  /// faces whose neighbors are far apart in memory takes .75 of the time without.
+  /// The faces as the patches of the first round. Centroids are stored: the first round of 3
+  /// million faces whose neighbors are far apart in memory takes .75 of the time without.
   class Faces
   {
   public:
