@@ -28,7 +28,8 @@ std::string name(const Case& c)
 namespace {
 
 /// Beyond these, the methods take minutes.
-constexpr std::size_t most_faces_for_slow_methods = 200000;
+constexpr std::size_t most_faces_for_shape_diameters = 200000;
+constexpr std::size_t most_faces_for_approximation = 1500000;
 constexpr std::size_t most_faces_for_curvatures = 1500000;
 
 constexpr std::pair<Method, const char*> methods[] = {{Method::TWO_STEP, "two-step"},
@@ -155,11 +156,15 @@ void add_partitions(std::vector<Case>& cases, const Mesh_wanted& mesh)
     mesh, "meshopt_buildMeshlets", [](auto& s) { s.build_meshlets(); }, "learned", learned));
 }
 
-void add_slow_methods(std::vector<Case>& cases, const Mesh_wanted& mesh)
+void add_shape_diameters(std::vector<Case>& cases, const Mesh_wanted& mesh)
 {
   cases.push_back(call(
     mesh, "sdf_values + segmentation", [](auto& s) { s.shape_diameter_segmentation(8); }, "learned",
     learned));
+}
+
+void add_approximation(std::vector<Case>& cases, const Mesh_wanted& mesh)
+{
   cases.push_back(call(
     mesh, "Surface_mesh_approximation", [](auto& s) { s.shape_approximation(8); }, "learned",
     learned));
@@ -189,8 +194,10 @@ std::vector<Case> plan_cases(const Plan& plan)
     add_stages(cases, mesh);
     add_stages(cases, {Shape::LOOP, faces, Mesh_type::SURFACE_MESH});
     add_partitions(cases, mesh);
-    if (faces <= most_faces_for_slow_methods)
-      add_slow_methods(cases, mesh);
+    if (faces <= most_faces_for_shape_diameters)
+      add_shape_diameters(cases, mesh);
+    if (faces <= most_faces_for_approximation)
+      add_approximation(cases, mesh);
     if (faces <= most_faces_for_curvatures)
       add_curvatures(cases, mesh);
     for (Mesh_type type : {Mesh_type::POLYHEDRON, Mesh_type::OPENMESH}) {
