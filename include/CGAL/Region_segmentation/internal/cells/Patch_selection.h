@@ -117,7 +117,8 @@ private:
     return roots;
   }
 
-  /// Sets the parity of a patch, and of those above it. `path`: is empty, before and after
+  /// Sets the parity of a patch, and, of a deep one, of those above it. `path`: is empty, before
+  /// and after
   void find_parity(Index i, std::vector<std::atomic<std::uint8_t>>& parities,
                    std::vector<Index>& path) const
   {

@@ -15,6 +15,7 @@
 #include <CGAL/Region_segmentation/internal/surface/Axis_box.h>
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -87,8 +88,8 @@ public:
     return {float(v.x), float(v.y), float(v.z)};
   }
 
-  /// Around the corners of the faces of each leaf.
-  const std::vector<Box>& boxes() const { return m_boxes; }
+  /// Around the corners of the faces of each leaf. Can be called once.
+  std::vector<Box> take_boxes() { return std::move(m_boxes); }
 
   /// Calls `f(p, q, r, face)` for the triangles of a leaf: the first corner of a fan, and two
   /// others.
@@ -177,7 +178,7 @@ private:
   Double_3 m_origin;
   double m_scale;
   Large_array<Float_3> m_points; // of vertices, relative
-  std::vector<Box> m_boxes;      // by leaf
+  std::vector<Box> m_boxes;      // by leaf, until they are taken
   Grouped_items<Index> m_faces;  // by leaf
   std::vector<Index> m_first;    // by leaf: of its stored groups; and the end of the last one
   Large_array<Four_triangles> m_stored;

@@ -49,14 +49,14 @@ public:
            const Execution& execution,
            std::size_t most_stored_faces = Ray_leaves::most_stored_faces)
     : m_unit(unit_of(mesh, patches.fine, origin))
-    , m_leaves(mesh, patches, origin, 1 / m_unit, most_stored_faces, execution.silent())
+    , m_leaves(mesh, patches, origin, 1 / m_unit, most_stored_faces, execution)
   {
     execution.report(0.5);
-    std::vector<Box> boxes;
+    std::vector<Box> boxes = m_leaves.take_boxes();
     std::vector<Item> items;
-    for (const Box& box : m_leaves.boxes()) {
-      boxes.push_back(enlarged(box, float(mesh.length_unit() / m_unit)));
-      items.push_back({center_of(boxes.back()), Index(items.size())});
+    for (Box& box : boxes) {
+      box = enlarged(box, float(mesh.length_unit() / m_unit));
+      items.push_back({center_of(box), Index(items.size())});
     }
     if (!items.empty())
       add_node(items.data(), items.data() + items.size(), boxes);

@@ -85,7 +85,7 @@ private:
   {
     const Double_3 origin = mesh.centroid(0); // avoids cancellation far from the origin
     const double per_area = inverse(mesh.area()), per_length = 1 / mesh.length_unit();
-    for_each_in_part(execution.silent(), region_of, [&](std::size_t r, std::size_t f) {
+    for_each_in_part(execution, region_of, [&](std::size_t r, std::size_t f) {
       if (!wanted[r])
         return;
       const double area = mesh.weight(f), share = per_area * area;
