@@ -11,7 +11,6 @@
 #include <CGAL/Region_segmentation/Methods/Learned_merging.h>
 #include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
 #include <CGAL/Region_segmentation/Segmenter.h>
-#include <CGAL/Region_segmentation/internal/surface/Intrinsic_surface.h>
 #include <CGAL/Region_segmentation/make_surface.h>
 #include <CGAL/Region_segmentation/segment.h>
 
@@ -61,8 +60,7 @@ reference::visibility::Mesh to_reference(const RS::Surface& surface)
 }
 
 template <typename Method, typename Reference>
-void expect_same_labels(Surface_mesh& mesh, const RS::internal::Intrinsic_surface& intrinsic,
-                        const reference::visibility::Mesh& copy,
+void expect_same_labels(Surface_mesh& mesh, const reference::visibility::Mesh& copy,
                         const reference::visibility::Annotated& annotated)
 {
   const Reference expected(copy, annotated);
@@ -77,7 +75,7 @@ void expect_same_labels(Surface_mesh& mesh, const RS::internal::Intrinsic_surfac
     std::vector<std::size_t> labels, expected_labels;
     for (auto f : faces(mesh)) {
       labels.push_back(segment_id[f]);
-      expected_labels.push_back(of_shape[intrinsic.face(std::size_t(f))]);
+      expected_labels.push_back(of_shape[std::size_t(f)]);
     }
     EXPECT_TRUE(labels == reference::visibility::numbered(expected_labels)) << k << " segments";
   };
@@ -94,22 +92,20 @@ void expect_same_labels(Surface_mesh& mesh, const RS::internal::Intrinsic_surfac
   expect_labels(chosen_number);
 }
 
-/// Of both methods on superfacets, in the frame of the mesh itself (of which
-/// Intrinsic_surface_test.cpp shows that it is that of the shape).
+/// Of both methods on superfacets.
 void expect_as_defined(Surface_mesh& mesh)
 {
   const RS::Surface surface = RS::make_surface(mesh, RS::parameters::component_links(false));
-  const RS::internal::Intrinsic_surface intrinsic(surface);
-  const reference::visibility::Mesh copy = without_noise(to_reference(intrinsic.of(surface)));
+  const reference::visibility::Mesh copy = without_noise(to_reference(surface));
   const reference::visibility::Annotated annotated(copy);
   {
     SCOPED_TRACE("visibility");
-    expect_same_labels<RS::Visibility_merging, reference::visibility::Result>(mesh, intrinsic, copy,
+    expect_same_labels<RS::Visibility_merging, reference::visibility::Result>(mesh, copy,
                                                                               annotated);
   }
   SCOPED_TRACE("learned");
-  expect_same_labels<RS::Learned_merging, reference::visibility::learned::Result>(mesh, intrinsic,
-                                                                                  copy, annotated);
+  expect_same_labels<RS::Learned_merging, reference::visibility::learned::Result>(mesh, copy,
+                                                                                  annotated);
 }
 
 TEST(Reference_merging_test, methods_on_superfacets_are_as_the_manual_defines_them)

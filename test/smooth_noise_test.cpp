@@ -6,7 +6,6 @@
 #include <CGAL/Region_segmentation/Methods/Learned_merging.h>
 #include <CGAL/Region_segmentation/Request.h>
 #include <CGAL/Region_segmentation/evaluation/rand_index_distance.h>
-#include <CGAL/Region_segmentation/internal/surface/move_points.h>
 #include <CGAL/Region_segmentation/internal/surface/smooth_noise.h>
 #include <CGAL/Region_segmentation/make_surface.h>
 
@@ -31,13 +30,9 @@ RS::Surface surface_of(const Soup& soup)
   return RS::make_surface(soup.points, soup.polygons);
 }
 
-std::optional<RS::Surface> smooth_noise(RS::Surface surface)
+std::optional<RS::Surface> smooth_noise(const RS::Surface& surface)
 {
-  auto points = RS::internal::points_without_noise(surface, RS::Execution());
-  if (!points)
-    return std::nullopt;
-  RS::internal::move_points(surface, std::move(*points), RS::Execution());
-  return surface;
+  return RS::internal::without_noise(surface, RS::Execution());
 }
 
 /// All points moved by independent normal deviates, of this standard deviation for each coordinate.

@@ -24,8 +24,7 @@ public:
   constraints or seeds divide regions.
 
   \param graph a `Region_adjacency_graph<RegionData, SectionData>`; its vertices are the regions
-  \param surface the surface that is measured, of which the method may have changed the numbering:
-         `Surface::input_face()` gives the numbers of the input
+  \param surface the surface that is measured
   \param regions of the faces of the surface
   \param rays what the regions see
   */

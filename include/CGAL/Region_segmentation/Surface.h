@@ -42,9 +42,7 @@ struct Surface_arrays
   std::vector<std::pair<Index, Double_3>> centroids;
   double unit = 1, area = 0, length_unit = 1;
   bool has_seams_or_links = false;
-  std::vector<char> is_crumb;            // by face; empty: none is
-  Large_array<Index> input_faces;        // 4 bytes a face; empty: the same
-  std::size_t number_of_input_faces = 0; // if these are not empty
+  std::vector<char> is_crumb; // by face; empty: none is
 };
 
 /// `points`: by vertex, those of the surface or others
@@ -69,9 +67,8 @@ const Surface_arrays& arrays_of(const Surface& surface);
 /// neither on its type nor on its being a manifold. `make_surface()` makes one from a face graph,
 /// or from points and polygons.
 ///
-/// Faces and vertices are numbered in the order of the input, unless a method has made the surface
-/// of another one (\ref RegionSegmentationTies). Points and lengths are in units of `unit()`, areas
-/// in squared ones.
+/// Faces and vertices are numbered in the order of the input. Points and lengths are in units of
+/// `unit()`, areas in squared ones.
 ///
 /// Two faces are *adjacent* across
 /// - an *edge*: an edge with exactly two faces, or two border edges that coincide;
@@ -114,8 +111,7 @@ public:
   std::size_t number_of_adjacencies() const { return m_arrays.higher_faces.size(); }
 
   /// The unit of points and lengths, as a multiple of that of the mesh: 1, unless areas might
-  /// exceed the range of double; then a power of two, so that results do not depend on it; or that
-  /// of another frame.
+  /// exceed the range of double; then a power of two, so that results do not depend on it.
   double unit() const { return m_arrays.unit; }
   /// The sum of the weights of the faces, in their order.
   double area() const { return m_arrays.area; }
@@ -142,16 +138,6 @@ public:
   /// The unit normal; the zero vector for a degenerate face.
   const Double_3& normal(std::size_t face) const { return m_arrays.normals[face]; }
   double area(std::size_t face) const { return m_arrays.areas[face]; }
-  /// The number of a face in the order of the input.
-  Index input_face(std::size_t face) const
-  {
-    return m_arrays.input_faces.empty() ? Index(face) : m_arrays.input_faces[face];
-  }
-  /// More than there are faces if some are given twice, and a method has made the surface.
-  std::size_t number_of_input_faces() const
-  {
-    return m_arrays.input_faces.empty() ? number_of_faces() : m_arrays.number_of_input_faces;
-  }
   /// Whether the face belongs to a crumb: a component of less than 1/1000 of the area of the
   /// largest one, where components are linked.
   bool is_crumb(std::size_t face) const

@@ -7,12 +7,10 @@
 #include <CGAL/Region_segmentation/Segments/Surface_faces.h>
 #include <CGAL/Region_segmentation/internal/faces/find_faces.h>
 #include <CGAL/Region_segmentation/internal/faces/fit_surface.h>
-#include <CGAL/Region_segmentation/internal/surface/Intrinsic_surface.h>
 
 #include <CGAL/assertions.h>
 
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -20,19 +18,7 @@ namespace Region_segmentation {
 
 namespace internal {
 
-/// A surface in a frame as one in space.
-inline Fitted_surface<> in_space(const Fitted_surface<>& s, const Intrinsic_frame& frame)
-{
-  if (s.kind == Surface_kind::FREEFORM)
-    return s;
-  Fitted_surface<> result = scaled(s, frame.unit());
-  result.point = frame.point(s.point);
-  result.direction = frame.vector(s.direction);
-  return result;
-}
-
-/// Fits the surfaces to the points of their faces: those of the search were rounded. Sets their
-/// deviations and extents.
+/// Fits the surfaces to the points of their faces. Sets their deviations and extents.
 inline void fit_surfaces(const Surface& surface, Surface_faces& faces)
 {
   std::vector<std::vector<Double_3>> points(faces.surfaces.size());
@@ -94,27 +80,14 @@ inline void fit_surfaces(const Surface& surface, Surface_faces& faces)
 ///        found from the mesh
 /// \param execution reports the progress
 ///
-/// Deterministic. The faces are independent of motion, scale and the order of faces, up to 524,288
-/// of them, see \ref RegionSegmentationTies. Complexity: near linear in the number of faces;
-/// up to nine searches where vertices do not lie on curved surfaces to rounding.
-/// \throws Segmentation_cancelled if the visitor cancels
+/// Deterministic. Complexity: near linear in the number of faces; up to nine searches where
+/// vertices do not lie on curved surfaces to rounding. \throws Segmentation_cancelled if the
+/// visitor cancels
 inline Surface_faces find_surface_faces(const Surface& surface, double tolerance = 0,
                                         const Execution& execution = Execution())
 {
   CGAL_precondition_msg(tolerance >= 0, "tolerance is not negative");
-  const internal::Intrinsic_surface intrinsic(surface);
-  const Surface& shape = intrinsic.of(surface);
-  const Surface_faces found = internal::find_faces(shape, tolerance / shape.unit(), execution);
-  auto [partition, numbers] = intrinsic.of_given(surface, found.partition);
-  Surface_faces result;
-  result.partition = std::move(partition);
-  result.surfaces.resize(numbers.size());
-  result.roles.resize(numbers.size());
-  for (std::size_t part = 0; part < numbers.size(); ++part) {
-    result.surfaces[numbers[part]] = internal::in_space(found.surfaces[part], intrinsic.frame());
-    result.roles[numbers[part]] = found.roles[part];
-  }
-  result.tolerance = found.tolerance * intrinsic.frame().unit();
+  Surface_faces result = internal::find_faces(surface, tolerance / surface.unit(), execution);
   internal::fit_surfaces(surface, result);
   return result;
 }

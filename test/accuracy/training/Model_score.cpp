@@ -24,14 +24,7 @@ double mean(const std::vector<double>& values)
   return std::accumulate(values.begin(), values.end(), 0.0) / double(values.size());
 }
 
-/// The regions after the borders of segments were moved, and their merges.
-struct Straightened
-{
-  RS::Partition regions;
-  RS::Merge_tree tree;
-};
-
-Straightened straighten_borders(const Training_model& model, const RS::Merge_tree& tree)
+RS::Hierarchy straighten_borders(const Training_model& model, const RS::Merge_tree& tree)
 {
   const auto label_of_cell = RS::Border_straightening()(
     model.surface, model.cells, RS::Border_cost(), model.regions, tree,
@@ -39,12 +32,7 @@ Straightened straighten_borders(const Training_model& model, const RS::Merge_tre
   std::vector<RS::Partition::Index> labels;
   for (const RS::Partition::Index cell : model.cells.of_elements())
     labels.push_back(label_of_cell[cell]);
-  RS::Partition regions = RS::Partition::from_labels(labels);
-  std::vector<RS::Partition::Index> new_numbers(model.regions.number_of_parts(),
-                                                std::numeric_limits<RS::Partition::Index>::max());
-  for (std::size_t f = 0; f < labels.size(); ++f)
-    new_numbers[labels[f]] = regions[f];
-  return {std::move(regions), RS::internal::renumber_tree(tree, std::move(new_numbers))};
+  return RS::internal::renumbered_hierarchy(labels, tree, model.regions.number_of_parts());
 }
 
 /// The distances to each person, by the number of segments, from the least number of the tree on,
@@ -52,12 +40,12 @@ Straightened straighten_borders(const Training_model& model, const RS::Merge_tre
 class Distances
 {
 public:
-  Distances(const Training_model& model, const Straightened& segments)
-    : m_counts(std::vector<std::size_t>(segments.regions.begin(), segments.regions.end()),
-               segments.regions.number_of_parts(), model.people)
+  Distances(const Training_model& model, const RS::Hierarchy& segments)
+    : m_counts(std::vector<std::size_t>(segments.regions().begin(), segments.regions().end()),
+               segments.regions().number_of_parts(), model.people)
   {
-    const auto& merges = segments.tree.merges();
-    m_least = segments.tree.number_of_regions() - merges.size();
+    const auto& merges = segments.merge_tree().merges();
+    m_least = segments.merge_tree().number_of_regions() - merges.size();
     m_by_number.resize(merges.size() + 1);
     for (std::size_t i = 0; i <= merges.size(); ++i) {
       const std::size_t place = merges.size() - i;
@@ -113,7 +101,7 @@ Model_score score(const Training_model& model, Policy policy, const Chooser& cho
   const RS::Merge_tree last_merges = RS::merge_regions(graph, policy, 1);
   for (const RS::Merge_tree::Merge& merge : last_merges.merges())
     tree.push_back(merge);
-  const Straightened segments = straighten_borders(model, tree);
+  const RS::Hierarchy segments = straighten_borders(model, tree);
   const Distances distances(model, segments);
   Model_score result;
   result.given = mean(distances(model.number_of_segments));

@@ -84,7 +84,7 @@ public:
     for (std::uint32_t r = 0; r < regions.number_of_parts(); ++r)
       graph[r].scalar = graph[r].area_of_scalar = 0;
     for (std::size_t f = 0; f < surface.number_of_faces(); ++f) {
-      graph[regions[f]].scalar += surface.area(f) * (*m_values)[surface.input_face(f)];
+      graph[regions[f]].scalar += surface.area(f) * (*m_values)[f];
       graph[regions[f]].area_of_scalar += surface.area(f);
     }
     Base::operator()(graph, surface, regions, rest...);
@@ -93,9 +93,9 @@ public:
 private:
   void check_values(const Surface& mesh) const
   {
-    if (m_values->size() != mesh.number_of_input_faces())
+    if (m_values->size() != mesh.number_of_faces())
       throw Invalid_input("the Scalar_annotator has " + std::to_string(m_values->size()) +
-                          " values for " + std::to_string(mesh.number_of_input_faces()) + " faces");
+                          " values for " + std::to_string(mesh.number_of_faces()) + " faces");
     for (std::size_t f = 0; f < m_values->size(); ++f)
       if (!std::isfinite((*m_values)[f]))
         throw Invalid_input("the scalar of face " + std::to_string(f) + " is not finite");

@@ -14,8 +14,6 @@
 #include <CGAL/Region_segmentation/internal/concepts/Method_calls.h>
 #include <CGAL/Region_segmentation/internal/faces/find_faces.h>
 #include <CGAL/Region_segmentation/internal/graph/build_graph.h>
-#include <CGAL/Region_segmentation/internal/graph/renumber_tree.h>
-#include <CGAL/Region_segmentation/internal/surface/Intrinsic_surface.h>
 #include <CGAL/Region_segmentation/merge_requested_regions.h>
 #include <CGAL/Region_segmentation/requested_regions.h>
 
@@ -44,37 +42,28 @@ struct Smooth_faces
 
   struct Prepared
   {
-    internal::Intrinsic_surface intrinsic;
-    Surface_faces faces; ///< of the intrinsic surface, without constraints
+    Surface_faces faces; ///< without constraints
   };
 
   Prepared prepare(const Surface& surface, const Execution& execution = Execution()) const
   {
     CGAL_precondition_msg(tolerance >= 0, "tolerance is not negative");
-    internal::Intrinsic_surface intrinsic(surface);
-    const Surface& shape = intrinsic.of(surface);
-    Surface_faces faces = internal::find_faces(shape, tolerance / shape.unit(),
-                                               execution.stage("regions"));
-    return {std::move(intrinsic), std::move(faces)};
+    return {internal::find_faces(surface, tolerance / surface.unit(), execution.stage("regions"))};
   }
 
-  Hierarchy merge(const Surface& given, const Prepared& prepared, const Request& given_request,
+  Hierarchy merge(const Surface& surface, const Prepared& prepared, const Request& request,
                   const Execution& execution = Execution()) const
   {
-    const Surface& surface = prepared.intrinsic.of(given);
-    const Request request = prepared.intrinsic.request(given, given_request);
-    const Requested_regions requested = requested_regions(surface, prepared.faces.partition,
-                                                          request);
+    Requested_regions requested = requested_regions(surface, prepared.faces.partition, request);
     auto graph = internal::build_graph<Surface_face_region_data, Surface_face_section_data>(
       surface, requested.regions, request.constraints, execution.stage("graph"));
     annotate_surface_faces(graph, surface, requested.regions, prepared.faces);
-    const Merge_tree tree = merge_requested_regions(surface, requested, graph,
-                                                    Lowest_cost_first<Surface_face_cost>(cost), 1,
-                                                    execution.stage("merging"));
+    Merge_tree tree = merge_requested_regions(surface, requested, graph,
+                                              Lowest_cost_first<Surface_face_cost>(cost), 1,
+                                              execution.stage("merging"));
     const std::size_t number = request.number_of_segments > 0 ? request.number_of_segments
                                                               : chooser(tree, surface);
-    auto [regions, numbers] = prepared.intrinsic.of_given(given, requested.regions);
-    return Hierarchy(std::move(regions), internal::renumber_tree(tree, std::move(numbers)), number);
+    return Hierarchy(std::move(requested.regions), std::move(tree), number);
   }
 };
 

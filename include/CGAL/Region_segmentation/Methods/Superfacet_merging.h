@@ -18,7 +18,6 @@
 #include <CGAL/Region_segmentation/internal/graph/build_graph.h>
 #include <CGAL/Region_segmentation/internal/graph/renumber_tree.h>
 #include <CGAL/Region_segmentation/internal/regions/join_degenerate_regions.h>
-#include <CGAL/Region_segmentation/internal/surface/Intrinsic_surface.h>
 #include <CGAL/Region_segmentation/internal/surface/smooth_noise.h>
 #include <CGAL/Region_segmentation/merge_requested_regions.h>
 #include <CGAL/Region_segmentation/requested_regions.h>
@@ -94,22 +93,20 @@ struct Superfacet_merging
   /// What does not depend on the request.
   struct Prepared
   {
-    internal::Intrinsic_surface intrinsic; ///< without noise
+    std::optional<Surface> smoothed; ///< the surface without its noise, if it has any
     Surface_patches patches;
-    Partition regions; ///< the superfacets, of the faces of the shape
+    Partition regions; ///< the superfacets, of the faces
     Region_rays rays;
     std::size_t number_of_proper_faces; ///< that are not degenerate
 
     /// The surface that is measured.
-    const Surface& shape(const Surface& surface) const { return intrinsic.of(surface); }
+    const Surface& shape(const Surface& surface) const { return smoothed ? *smoothed : surface; }
   };
 
   Prepared prepare(const Surface& given, const Execution& execution = Execution()) const
   {
-    internal::Intrinsic_surface intrinsic(given);
-    if (auto points = internal::points_without_noise(intrinsic.of(given), execution))
-      intrinsic.move_points(given, std::move(*points), execution.silent());
-    const Surface& surface = intrinsic.of(given);
+    std::optional<Surface> smoothed = internal::without_noise(given, execution.silent());
+    const Surface& surface = smoothed ? *smoothed : given;
     const Execution stage = execution.stage("regions");
     Surface_patches patches = internal::Patch_builder::build(surface, stage.step(0, 0.6));
     const Partition regions_of_patches = superfacets(surface, patches, border_cost,
@@ -118,16 +115,14 @@ struct Superfacet_merging
       surface, composed(patches.fine.of_elements(), regions_of_patches));
     Region_rays rays(surface, patches, regions, execution.stage("rays"));
     const std::size_t proper_faces = internal::number_of_proper_faces(surface);
-    return {std::move(intrinsic), std::move(patches), std::move(regions), std::move(rays),
+    return {std::move(smoothed), std::move(patches), std::move(regions), std::move(rays),
             proper_faces};
   }
 
-  Refinable_hierarchy merge(const Surface& given, const Prepared& prepared,
-                            const Request& given_request,
+  Refinable_hierarchy merge(const Surface& given, const Prepared& prepared, const Request& request,
                             const Execution& execution = Execution()) const
   {
     const Surface& surface = prepared.shape(given);
-    const Request request = prepared.intrinsic.request(given, given_request);
     static_assert(
       std::is_invocable_r<std::size_t, const NumberChooser&, const Merge_tree&,
                           const Surface&>::value,
@@ -145,7 +140,7 @@ struct Superfacet_merging
     const std::size_t number = (std::min)(
       request.number_of_segments > 0 ? request.number_of_segments : chooser(tree, surface),
       largest_number);
-    Hierarchy hierarchy = straightened(given, prepared, requested, request, tree, number,
+    Hierarchy hierarchy = straightened(surface, prepared, requested, request, tree, number,
                                        execution);
     const std::size_t regions_left = hierarchy.regions().number_of_parts();
     return Refinable_hierarchy(std::move(hierarchy), superfacets,
@@ -176,12 +171,11 @@ private:
 
   /// The hierarchy with the borders of its segments moved: of all of them, or of one number alone
   /// if the request says so.
-  Hierarchy straightened(const Surface& given, const Prepared& prepared,
+  Hierarchy straightened(const Surface& surface, const Prepared& prepared,
                          const Requested_regions& requested, const Request& request,
                          const Merge_tree& tree, std::size_t number_of_segments,
                          const Execution& execution) const
   {
-    const Surface& surface = prepared.shape(given);
     const Partition& regions = requested.regions;
     std::optional<Patches> divided;
     if (!request.constraints.empty() || !request.seeds.empty())
@@ -194,11 +188,11 @@ private:
     const std::vector<Index> label_of_cell = straightening(
       surface, cells, border_cost, regions, tree, [&](Index r) { return requested.is_fixed(r); },
       number, execution.stage("borders"));
-    auto [regions_of_given, numbers] = prepared.intrinsic.of_given(
-      given, regions.number_of_parts(),
-      [&](Index f) { return label_of_cell[cells.of_elements()[f]]; });
-    return Hierarchy(std::move(regions_of_given), internal::renumber_tree(tree, std::move(numbers)),
-                     number_of_segments);
+    std::vector<Index> region_of;
+    region_of.reserve(surface.number_of_faces());
+    for (const Index cell : cells.of_elements())
+      region_of.push_back(label_of_cell[cell]);
+    return internal::renumbered_hierarchy(region_of, tree, number_of_segments);
   }
 };
 

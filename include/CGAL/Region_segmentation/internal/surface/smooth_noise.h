@@ -7,6 +7,7 @@
 #include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/internal/support/Large_array.h>
+#include <CGAL/Region_segmentation/internal/surface/compute_normals.h>
 
 #include <algorithm>
 #include <cmath>
@@ -208,6 +209,44 @@ inline std::optional<Large_array<Double_3>> points_without_noise(const Surface& 
       break;
   }
   return points;
+}
+
+/// Moves the points of a surface, and with them normals, areas and the signs of angles. Degenerate
+/// faces and the lengths of adjacencies remain as they are.
+inline void move_points(Surface& surface, Large_array<Double_3> points, const Execution& execution)
+{
+  Surface_arrays& arrays = arrays_of(surface);
+  arrays.points = std::move(points);
+  std::vector<std::pair<std::size_t, double>> degenerate; // faces and their areas
+  for (std::size_t f = 0; f < arrays.areas.size(); ++f)
+    if (surface.is_degenerate(f))
+      degenerate.push_back({f, arrays.areas[f]});
+  compute_normals(surface, execution);
+  for (const auto& [face, area] : degenerate) {
+    arrays.normals[face] = {0, 0, 0};
+    arrays.areas[face] = area;
+  }
+  sum_up(surface);
+  for_each_index(execution, arrays.flags.size(), [&](std::size_t a) {
+    if (!surface.has_angle(a))
+      return;
+    const Surface::Index lower = surface.lower_face(a), higher = surface.higher_face(a);
+    const auto [direction, number] = common_edges(surface, lower, higher);
+    if (number > 0)
+      arrays.flags[a] = with_sign(
+        arrays.flags[a], sign_of_edge(surface.normal(higher), surface.normal(lower), direction));
+  });
+}
+
+/// The surface with less noise; none if it has no more noise than curvature.
+inline std::optional<Surface> without_noise(const Surface& surface, const Execution& execution)
+{
+  auto points = points_without_noise(surface, execution);
+  if (!points)
+    return std::nullopt;
+  Surface result = surface;
+  move_points(result, std::move(*points), execution);
+  return result;
 }
 
 } // namespace internal
