@@ -78,9 +78,10 @@ struct Spectral_partitioning
   RS::Segmentation merge(const RS::Surface& surface, const Prepared& prepared,
                          const RS::Request& request, const RS::Execution& execution) const
   {
-    RS::Requested_regions requested = RS::requested_regions(surface, prepared.regions, request);
-    auto graph = RS::build_region_adjacency_graph<Weighted_points, Attraction>(
-      surface, requested.regions, request.constraints);
+    RS::Requested_regions requested = RS::requested_regions(surface, prepared.regions,
+                                                            request.seeds);
+    auto graph = RS::build_region_adjacency_graph<Weighted_points, Attraction>(surface,
+                                                                               requested.regions);
     const Eigen::MatrixXd points = embedding(graph, request.number_of_segments + 3);
     for (auto range = vertices(graph); range.first != range.second; ++range.first)
       graph[*range.first].sum = graph[*range.first].weight * points.row(*range.first).transpose();

@@ -40,14 +40,15 @@ struct Facet_merging
 
   Prepared prepare(const RS::Surface& surface, const RS::Execution& execution) const
   {
-    return {growing(surface, RS::Constraints(), execution.stage("regions"))};
+    return {growing(surface, execution.stage("regions"))};
   }
 
   RS::Hierarchy merge(const RS::Surface& surface, const Prepared& prepared,
                       const RS::Request& request, const RS::Execution& execution) const
   {
-    RS::Requested_regions requested = RS::requested_regions(surface, prepared.regions, request);
-    auto graph = RS::build_region_adjacency_graph(surface, requested.regions, request.constraints);
+    RS::Requested_regions requested = RS::requested_regions(surface, prepared.regions,
+                                                            request.seeds);
+    auto graph = RS::build_region_adjacency_graph(surface, requested.regions);
     const auto bend_times_width = [](const auto& g, auto s) {
       if (g[s].length == 0) // components that do not touch: last
         return (std::numeric_limits<double>::max)();

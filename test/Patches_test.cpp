@@ -6,7 +6,6 @@
 #include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/Patches.h>
 #include <CGAL/Region_segmentation/internal/cells/Patch_builder.h>
-#include <CGAL/Region_segmentation/internal/cells/Patch_division.h>
 #include <CGAL/Region_segmentation/make_surface.h>
 
 #include <gtest/gtest.h>
@@ -221,8 +220,7 @@ enum class Contacts { YES, NO };
 /// What patches should be, of the faces of a mesh. `patch_of`: the patch of each face;
 /// `have_contacts`: whether the patches know them
 void expect_description(const RS::Patches& patches, const RS::Surface& mesh, const Labels& patch_of,
-                        Contacts have_contacts,
-                        const RS::Constraints& is_constrained = RS::Constraints())
+                        Contacts have_contacts)
 {
   std::vector<Node> nodes(patches.size());
   for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
@@ -239,7 +237,7 @@ void expect_description(const RS::Patches& patches, const RS::Surface& mesh, con
   Lengths lengths, contacts;
   for (std::size_t e = 0; e < mesh.number_of_adjacencies(); ++e) {
     const std::size_t a = patch_of[mesh.lower_face(e)], b = patch_of[mesh.higher_face(e)];
-    if (a != b && !is_constrained[e])
+    if (a != b && !mesh.has_flag(e, RS::Surface::CONSTRAINED))
       (mesh.has_flag(e, RS::Surface::SEAM | RS::Surface::LINK)
          ? contacts
          : lengths)[std::minmax(a, b)] += mesh.length(e);
@@ -310,15 +308,15 @@ TEST(Patches_test, are_not_joined_across_seams)
 
 /// The pieces of patches in regions, by the lowest face that is reached.
 Labels pieces_by_definition(const RS::Surface& mesh, const RS::Partition& patch_of,
-                            const RS::Partition& regions, const RS::Constraints& constraints)
+                            const RS::Partition& regions)
 {
   Labels lowest(mesh.number_of_faces());
   std::iota(lowest.begin(), lowest.end(), std::size_t(0));
   for (bool has_changed = true; std::exchange(has_changed, false);)
     for (std::size_t a = 0; a < mesh.number_of_adjacencies(); ++a) {
       const std::size_t f = mesh.lower_face(a), g = mesh.higher_face(a);
-      if (constraints[a] || patch_of[f] != patch_of[g] || regions[f] != regions[g] ||
-          lowest[f] == lowest[g])
+      if (mesh.has_flag(a, RS::Surface::barrier) || patch_of[f] != patch_of[g] ||
+          regions[f] != regions[g] || lowest[f] == lowest[g])
         continue;
       lowest[f] = lowest[g] = std::min(lowest[f], lowest[g]);
       has_changed = true;
@@ -326,50 +324,30 @@ Labels pieces_by_definition(const RS::Surface& mesh, const RS::Partition& patch_
   return labels_of(RS::Partition::from_labels(lowest));
 }
 
-/// Divides patches by random regions and constraints, below an x.
-void expect_division(const RS::Surface& mesh, double x, std::mt19937& random)
+/// Divides patches by random regions, below an x.
+void expect_division(RS::Surface mesh, double x, std::mt19937& random)
 {
+  for (std::size_t a = 0; a < mesh.number_of_adjacencies(); ++a)
+    if (mesh.centroid(mesh.lower_face(a)).x < x && random() % 10 == 0)
+      RS::internal::arrays_of(mesh).flags[a] |= RS::Surface::CONSTRAINED;
   const RS::Patches patches = patches_of(mesh).fine;
   const RS::Partition& patch_of = patches.of_elements();
   Labels labels;
-  std::vector<bool> is_changed(patches.size());
   for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
     labels.push_back(1000 * (patch_of[f] % 7));
     if (mesh.centroid(f).x < x && random() % 20 == 0)
       labels.back() += 1;
   }
-  RS::Constraints constraints;
-  for (std::size_t a = 0; a < mesh.number_of_adjacencies(); ++a)
-    if (mesh.centroid(mesh.lower_face(a)).x < x && random() % 10 == 0) {
-      constraints.add(a, mesh.number_of_adjacencies());
-      is_changed[patch_of[mesh.lower_face(a)]] = is_changed[patch_of[mesh.higher_face(a)]] = true;
-    }
   const RS::Partition regions = RS::Partition::from_labels(labels);
-  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
-    if (regions[f] != regions[patches[patch_of[f]].center])
-      is_changed[patch_of[f]] = true;
-
-  const auto pieces = RS::internal::Patch_division(mesh, patches, regions, constraints).divided();
-  ASSERT_TRUE(pieces);
-  const Labels expected = pieces_by_definition(mesh, patch_of, regions, constraints);
-  EXPECT_EQ(labels_of(pieces->of_elements()), expected);
-  expect_description(*pieces, mesh, expected, Contacts::YES, constraints);
-  expect_centers(*pieces, [&](std::size_t f) { return mesh.centroid(f); });
-  std::size_t unchanged = 0;
-  for (std::size_t p = 0; p < patches.size(); ++p)
-    if (!is_changed[p]) {
-      const RS::Patches::Patch& piece = (*pieces)[expected[patches[p].center]];
-      EXPECT_EQ(norm(piece.centroid - patches[p].centroid), 0);
-      EXPECT_EQ(norm(piece.normal - patches[p].normal), 0);
-      EXPECT_EQ(piece.area, patches[p].area);
-      EXPECT_EQ(piece.center, patches[p].center);
-      ++unchanged;
-    }
-  EXPECT_GT(unchanged, 0u);
-  EXPECT_LT(unchanged, patches.size());
+  const RS::Patches pieces = RS::internal::Patch_builder::divided(mesh, patches, regions);
+  const Labels expected = pieces_by_definition(mesh, patch_of, regions);
+  EXPECT_GT(pieces.size(), patches.size());
+  EXPECT_EQ(labels_of(pieces.of_elements()), expected);
+  expect_description(pieces, mesh, expected, Contacts::YES);
+  expect_centers(pieces, [&](std::size_t f) { return mesh.centroid(f); });
 }
 
-TEST(Patches_test, are_divided_by_regions_and_constraints_where_these_are)
+TEST(Patches_test, are_divided_by_regions)
 {
   for (unsigned seed = 1; seed <= 5; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -386,17 +364,6 @@ TEST(Patches_test, divided_ones_have_contacts_across_seams)
     std::mt19937 random(seed);
     expect_division(sheets, 2, random);
   }
-}
-
-TEST(Patches_test, of_one_region_each_are_not_divided)
-{
-  const RS::Surface mesh = surface_of(small_faces(1));
-  const RS::Patches patches = patches_of(mesh).fine;
-  RS::Constraints constraints;
-  for (std::size_t a = 0; a < mesh.number_of_adjacencies(); a += 3)
-    constraints.add(a, mesh.number_of_adjacencies());
-  EXPECT_FALSE(
-    RS::internal::Patch_division(mesh, patches, patches.of_elements(), constraints).divided());
 }
 
 TEST(Patches_test,

@@ -9,7 +9,6 @@
 #include <CGAL/Region_segmentation/Methods/Two_step.h>
 #include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
 #include <CGAL/Region_segmentation/Segmenter.h>
-#include <CGAL/Region_segmentation/internal/regions/split_at_constraints.h>
 #include <CGAL/Region_segmentation/make_surface.h>
 #include <CGAL/Region_segmentation/segment.h>
 #ifdef TEST_EIGEN
@@ -327,85 +326,6 @@ TEST(Segmenter_test, edges_that_separate_nothing_have_no_effect)
   segmenter.add_constraints(edge_map(mesh, within));
   EXPECT_EQ(Labels(segmenter.regions().begin(), segmenter.regions().end()), regions);
   EXPECT_EQ(labels(segmenter, 3), before);
-}
-
-TEST(Segmenter_test, regions_that_constraints_do_not_separate_stay_in_their_pieces)
-{
-  // A strip of two regions, each in two pieces; one piece of the second is divided.
-  //      +--+--+--+--+--+
-  //      |0 |1 |0 |1 # 1|
-  //      +--+--+--+--+--+
-  const Surface_mesh mesh = to_surface_mesh(grid(5, 1));
-  const RS::Surface surface = RS::make_surface(mesh);
-  RS::Constraints constraints;
-  constraints.add(3, surface.number_of_adjacencies()); // of faces 3 and 4
-  const RS::Partition split = RS::internal::split_at_constraints(
-    surface, RS::Partition::from_labels(Labels{0, 1, 0, 1, 1}), constraints);
-  EXPECT_EQ(Labels(split.begin(), split.end()), (Labels{0, 1, 0, 2, 3}));
-}
-
-/// The number of connected components of each region.
-std::vector<std::size_t> numbers_of_components(const RS::Surface& surface,
-                                               const RS::Partition& regions,
-                                               const RS::Constraints& constraints)
-{
-  std::vector<std::size_t> number(regions.number_of_parts());
-  std::vector<bool> is_reached(regions.size());
-  for (std::size_t f = 0; f < regions.size(); ++f) {
-    if (is_reached[f])
-      continue;
-    ++number[regions[f]];
-    is_reached[f] = true;
-    for (bool is_any = true; std::exchange(is_any, false);)
-      for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a) {
-        const std::size_t g = surface.lower_face(a), h = surface.higher_face(a);
-        if (regions[g] == regions[h] && !constraints[a] && is_reached[g] != is_reached[h])
-          is_reached[g] = is_reached[h] = is_any = true;
-      }
-  }
-  return number;
-}
-
-TEST(Segmenter_test, regions_of_more_components_with_constraints_than_without_are_split)
-{
-  std::size_t split = 0, whole = 0;
-  for (unsigned seed = 1; seed <= 20; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    std::mt19937 random(seed);
-    const RS::Surface surface = RS::make_surface(to_surface_mesh(grid(12, 12)));
-    Labels labels; // some of them are not connected
-    for (std::size_t f = 0; f < surface.number_of_faces(); ++f)
-      labels.push_back(f / 36 * 3 + f % 12 / 4 + (random() % 30 == 0 ? 1 : 0));
-    const RS::Partition regions = RS::Partition::from_labels(labels);
-    RS::Constraints constraints;
-    for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a)
-      if (random() % 4 == 0)
-        constraints.add(a, surface.number_of_adjacencies());
-    const RS::Partition result = RS::internal::split_at_constraints(surface, regions, constraints);
-
-    const auto with = numbers_of_components(surface, regions, constraints),
-               without = numbers_of_components(surface, regions, RS::Constraints());
-    std::vector<std::set<std::size_t>> parts(regions.number_of_parts());
-    for (std::size_t f = 0; f < regions.size(); ++f)
-      parts[regions[f]].insert(result[f]);
-    std::size_t number = 0;
-    for (std::size_t r = 0; r < parts.size(); ++r) {
-      const bool is_split = with[r] > without[r];
-      EXPECT_EQ(parts[r].size(), is_split ? with[r] : 1u) << "region " << r;
-      (is_split ? split : whole) += without[r] > 1;
-      number += parts[r].size();
-    }
-    EXPECT_EQ(result.number_of_parts(), number) << "each in one region";
-    const auto pieces = numbers_of_components(surface, result, constraints);
-    for (std::size_t f = 0; f < regions.size(); ++f)
-      if (parts[regions[f]].size() > 1) {
-        EXPECT_EQ(pieces[result[f]], 1u);
-      }
-    EXPECT_EQ(result, RS::Partition::from_labels(Labels(result.begin(), result.end())))
-      << "numbered by first faces";
-  }
-  EXPECT_GT(split, 0u);
-  EXPECT_GT(whole, 0u);
 }
 
 TEST(Segmenter_test, random_constraints_are_never_merged_across)

@@ -177,19 +177,16 @@ TEST_P(Surface_test, constraints_are_those_of_the_map)
   std::mt19937 random(GetParam());
   const std::set<Edge> constrained = random_edges(soup, 9, random);
   const Surface_mesh mesh = to_surface_mesh(soup);
-  RS::Constraints constraints;
-  EXPECT_TRUE(constraints.empty());
   RS::internal::Face_graph_input<Surface_mesh>(mesh).add_constraints(
-    surface, edge_map(mesh, constrained), RS::internal::pack(RS::parameters::default_values()),
-    constraints);
-  EXPECT_FALSE(constraints.empty());
+    surface, edge_map(mesh, constrained), RS::internal::pack(RS::parameters::default_values()));
   std::set<std::pair<std::size_t, std::size_t>> expected; // higher and lower face
   for (const auto& [edge, faces] : faces_of_edges(soup))
     if (faces.size() == 2 && constrained.count(edge) > 0)
       expected.insert({std::max(faces[0], faces[1]), std::min(faces[0], faces[1])});
   EXPECT_GT(expected.size(), 0u);
   for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a)
-    ASSERT_EQ(constraints[a], expected.count({surface.higher_face(a), surface.lower_face(a)}) > 0)
+    ASSERT_EQ(surface.has_flag(a, RS::Surface::CONSTRAINED),
+              expected.count({surface.higher_face(a), surface.lower_face(a)}) > 0)
       << "adjacency " << a << ", seed " << GetParam();
 }
 
@@ -861,16 +858,14 @@ TEST(Coinciding_borders_test, are_constrained_with_one_of_them)
 {
   const Soup soup = joined(grid(3, 4), translated(grid(2, 4), 3, 0, 0));
   const Surface_mesh mesh = to_surface_mesh(soup);
-  const RS::Surface surface = RS::make_surface(mesh);
+  RS::Surface surface = RS::make_surface(mesh);
   // Of the first sheet at x = 3, from y = 1 to 2; of the second one from y = 2 to 3.
   const std::set<Edge> constrained = {make_edge(4 + 3, 8 + 3), make_edge(20 + 6, 20 + 9)};
-  RS::Constraints constraints;
   RS::internal::Face_graph_input<Surface_mesh>(mesh).add_constraints(
-    surface, edge_map(mesh, constrained), RS::internal::pack(RS::parameters::default_values()),
-    constraints);
+    surface, edge_map(mesh, constrained), RS::internal::pack(RS::parameters::default_values()));
   std::set<std::pair<std::size_t, std::size_t>> found;
   for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a)
-    if (constraints[a])
+    if (surface.has_flag(a, RS::Surface::CONSTRAINED))
       found.insert({surface.lower_face(a), surface.higher_face(a)});
   EXPECT_EQ(found, (std::set<std::pair<std::size_t, std::size_t>>{{5, 14}, {8, 16}}));
 }

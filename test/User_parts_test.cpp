@@ -49,8 +49,9 @@ struct Octants
   RS::Segmentation merge(const RS::Surface& surface, const Prepared& prepared,
                          const RS::Request& request, const RS::Execution& execution) const
   {
-    RS::Requested_regions requested = RS::requested_regions(surface, prepared.regions, request);
-    auto graph = RS::build_region_adjacency_graph(surface, requested.regions, request.constraints,
+    RS::Requested_regions requested = RS::requested_regions(surface, prepared.regions,
+                                                            request.seeds);
+    auto graph = RS::build_region_adjacency_graph(surface, requested.regions,
                                                   execution.stage("graph"));
     const std::size_t number = request.number_of_segments;
     RS::Merge_tree tree = RS::merge_regions(graph, RS::Two_step_merging(policy), number);
@@ -124,10 +125,10 @@ struct Merging_of_faces
                       const RS::Execution&) const
   {
     const RS::Partition faces = RS::Partition::into_single_elements(surface.number_of_faces());
-    RS::Requested_regions requested = RS::requested_regions(surface, faces, request);
+    RS::Requested_regions requested = RS::requested_regions(surface, faces, request.seeds);
     auto graph = RS::build_region_adjacency_graph<typename Cost::RegionData,
-                                                  typename Cost::SectionData>(
-      surface, requested.regions, request.constraints);
+                                                  typename Cost::SectionData>(surface,
+                                                                              requested.regions);
     cost.annotate(graph, surface, requested.regions);
     RS::Merge_tree tree = RS::merge_regions(graph, RS::Lowest_cost_first<Cost>(cost), 1);
     return RS::Hierarchy(std::move(requested.regions), std::move(tree),

@@ -207,8 +207,9 @@ Labels regions(const Soup& soup, const std::set<Edge>& features, const std::set<
   const Surface_mesh mesh = to_surface_mesh(soup);
   auto feature_map = edge_map(mesh, features);
   auto region_map = face_map(mesh);
-  RS::grow_regions(mesh, feature_map, region_map,
-                   RS::parameters::edge_is_constrained_map(edge_map(mesh, constrained)));
+  RS::grow_regions(
+    mesh, feature_map, region_map,
+    RS::parameters::component_links(false).edge_is_constrained_map(edge_map(mesh, constrained)));
   return labels_of(mesh, region_map);
 }
 
@@ -224,8 +225,9 @@ TEST(Extract_feature_lines_test, pruning_leaves_the_regions_alone)
                                                   : std::set<Edge>();
       const std::set<Edge> before = both(
         both(borders(soup), random_edges(soup, 2 + seed % 3, random)), constrained);
-      const auto after = extract(
-        soup, before, RS::parameters::edge_is_constrained_map(edge_map(mesh, constrained)));
+      const auto after = extract(soup, before,
+                                 RS::parameters::component_links(false).edge_is_constrained_map(
+                                   edge_map(mesh, constrained)));
       EXPECT_TRUE(
         std::includes(before.begin(), before.end(), after.features.begin(), after.features.end()));
       EXPECT_EQ(regions(soup, before, constrained), regions(soup, after.features, constrained));

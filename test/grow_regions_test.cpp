@@ -4,9 +4,11 @@
 #include "oracles.h"
 
 #include <CGAL/Region_segmentation/Execution.h>
+#include <CGAL/Region_segmentation/Methods/Two_step.h>
 #include <CGAL/Region_segmentation/detect_feature_edges.h>
 #include <CGAL/Region_segmentation/grow_regions.h>
 #include <CGAL/Region_segmentation/make_surface.h>
+#include <CGAL/Region_segmentation/segment.h>
 
 #include <gtest/gtest.h>
 
@@ -30,13 +32,37 @@ Regions grow(const Soup& soup, const std::set<Edge>& features,
   auto feature_map = edge_map(mesh, features);
   auto region_map = face_map(mesh);
   Regions result;
-  result.n = RS::grow_regions(mesh, feature_map, region_map,
-                              RS::parameters::edge_is_constrained_map(edge_map(mesh, constrained)));
+  result.n = RS::grow_regions(
+    mesh, feature_map, region_map,
+    RS::parameters::component_links(false).edge_is_constrained_map(edge_map(mesh, constrained)));
   result.labels = labels_of(mesh, region_map);
   for (const auto& [edge, is_feature] : flags_of(mesh, feature_map))
     if (is_feature)
       result.features.insert(edge);
   return result;
+}
+
+// As a method sees them, unless components are kept apart.
+TEST(Grow_regions_test, borders_that_coincide_are_edges)
+{
+  const Soup flat = joined(grid(3, 4), translated(grid(2, 4), 3, 0, 0));
+  const Soup bent = mapped(flat, [](const Point& p) {
+    return Point{p[0], p[1], p[0] > 3 ? p[0] - 3 : 0.0};
+  });
+  for (const auto& [soup, number] : {std::make_pair(flat, 1u), std::make_pair(bent, 2u)}) {
+    const Surface_mesh mesh = to_surface_mesh(soup);
+    auto is_feature = edge_map(mesh);
+    auto region_map = face_map(mesh), regions_of_method = face_map(mesh);
+    RS::detect_feature_edges(mesh, is_feature);
+    EXPECT_EQ(RS::grow_regions(mesh, is_feature, region_map), number);
+    RS::segment(
+      mesh, face_map(mesh),
+      RS::parameters::number_of_segments(1).method(RS::Two_step()).region_map(regions_of_method));
+    EXPECT_EQ(labels_of(mesh, region_map), labels_of(mesh, regions_of_method));
+    const auto apart = RS::parameters::component_links(false);
+    RS::detect_feature_edges(mesh, is_feature, apart);
+    EXPECT_EQ(RS::grow_regions(mesh, is_feature, region_map, apart), 2u);
+  }
 }
 
 std::size_t number_of_regions(const Soup& soup, Feature_convexity convexity)

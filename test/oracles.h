@@ -247,7 +247,8 @@ struct Options : reference::Two_step_options
   auto named_features() const
   {
     return CGAL::Region_segmentation::parameters::maximum_angle(maximum_angle)
-      .feature_convexity(feature_convexity());
+      .feature_convexity(feature_convexity())
+      .component_links(false);
   }
 };
 
@@ -261,7 +262,7 @@ Result run(const Mesh& mesh, const Options& options, const With& with)
   auto features = edge_map(mesh, std::uint8_t(1));
   auto regions = face_map(mesh);
   RS::detect_feature_edges(mesh, features, with(options.named_features()));
-  RS::grow_regions(mesh, features, regions, with(RS::parameters::default_values()));
+  RS::grow_regions(mesh, features, regions, with(RS::parameters::component_links(false)));
   EXPECT_EQ(labels_of(mesh, regions), result.regions) << "the stages and segment() differ";
   result.features = flags_of(mesh, features);
   return result;

@@ -128,7 +128,9 @@ TEST_P(Reference_test, gives_the_same_features_and_lines)
     const auto count_lines = boost::make_function_output_iterator([&](const auto&) { ++lines; });
     const std::size_t number_of_lines = RS::extract_feature_lines(
       mesh, is_feature, count_lines,
-      RS::parameters::minimum_length(options.minimum_length).edge_is_constrained_map(constrained));
+      RS::parameters::minimum_length(options.minimum_length)
+        .component_links(false)
+        .edge_is_constrained_map(constrained));
     EXPECT_EQ(number_of_lines, lines);
     ASSERT_EQ(flags_of(mesh, is_feature), expected.is_feature_pruned);
   }

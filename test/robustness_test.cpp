@@ -247,7 +247,7 @@ TEST(Unused_policy_test, as_many_segments_as_regions)
 {
   const RS::Surface surface = RS::make_surface(to_surface_mesh(cube()));
   const RS::Requested_regions requested = RS::requested_regions(surface, Single_faces()(surface),
-                                                                RS::Request());
+                                                                RS::Seeds());
   for (const std::size_t k : {6, 100}) {
     auto graph = RS::build_region_adjacency_graph(surface, requested.regions);
     const RS::Merge_tree tree = RS::merge_requested_regions(surface, requested, graph,

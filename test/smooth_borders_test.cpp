@@ -52,7 +52,8 @@ Labels smoothed_on(const Soup& soup, const Labels& labels, const RS::Minimum_cut
   for (auto f : faces(mesh))
     put(map, f, labels[i++]);
   const std::size_t changed = RS::smooth_borders(
-    mesh, map, smoother, RS::parameters::edge_is_constrained_map(edge_map(mesh, constrained)));
+    mesh, map, smoother,
+    RS::parameters::component_links(false).edge_is_constrained_map(edge_map(mesh, constrained)));
   const Labels result = labels_of(mesh, map);
   EXPECT_EQ(changed, std::inner_product(labels.begin(), labels.end(), result.begin(),
                                         std::size_t(0), std::plus<>(), std::not_equal_to<>()));

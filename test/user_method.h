@@ -52,9 +52,8 @@ struct User_method
              const CGAL::Region_segmentation::Execution& execution) const
   {
     namespace RS = CGAL::Region_segmentation;
-    RS::Requested_regions requested = RS::requested_regions(surface, prepared, request);
-    auto graph = RS::build_region_adjacency_graph(surface, requested.regions, request.constraints,
-                                                  execution);
+    RS::Requested_regions requested = RS::requested_regions(surface, prepared, request.seeds);
+    auto graph = RS::build_region_adjacency_graph(surface, requested.regions, execution);
     if constexpr (std::is_same<Policy, RS::Two_step_merging>::value) { // depends on the number
       const std::size_t number = request.number_of_segments;
       RS::Merge_tree tree = RS::merge_regions(graph, Policy(policy), number);

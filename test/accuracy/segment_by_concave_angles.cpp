@@ -65,9 +65,9 @@ struct Concave_angle_merging
                       const RS::Execution& execution) const
   {
     RS::Requested_regions requested = RS::requested_regions(
-      surface, RS::Partition::into_single_elements(surface.number_of_faces()), request);
+      surface, RS::Partition::into_single_elements(surface.number_of_faces()), request.seeds);
     auto graph = RS::build_region_adjacency_graph<RS::Region_geometry, Concave_section>(
-      surface, requested.regions, request.constraints);
+      surface, requested.regions);
     RS::Merge_tree tree = RS::merge_requested_regions(surface, requested, graph,
                                                       RS::Lowest_cost_first<Concave_angle_cost>(),
                                                       1, execution.stage("merging"));

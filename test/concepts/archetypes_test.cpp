@@ -193,11 +193,14 @@ public:
                       const RS::Request& request, const RS::Execution& execution) const
   {
     execution.stage("merging");
-    RS::Requested_regions requested = RS::requested_regions(surface, prepared.regions(), request);
+    RS::Requested_regions requested = RS::requested_regions(surface, prepared.regions(),
+                                                            request.seeds);
     RS::Merge_tree tree(requested.regions.number_of_parts());
-    if (request.constraints.empty())
-      for (std::uint32_t r = 1; r < tree.number_of_regions(); ++r)
-        tree.push_back({0, r, double(r)});
+    bool is_constrained = false;
+    for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a)
+      is_constrained |= surface.has_flag(a, RS::Surface::CONSTRAINED);
+    for (std::uint32_t r = 1; r < tree.number_of_regions() && !is_constrained; ++r)
+      tree.push_back({0, r, double(r)});
     const std::size_t number = request.number_of_segments > 0 ? request.number_of_segments : 3;
     return RS::Hierarchy(std::move(requested.regions), std::move(tree), number);
   }

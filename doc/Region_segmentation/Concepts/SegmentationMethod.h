@@ -22,13 +22,14 @@ public:
   /// what `prepare()` returns: any type that can be moved.
   struct Prepared;
 
-  /// computes what depends on the surface alone, and on no request. A `Segmenter` calls it once.
+  /// computes what depends on the surface alone, and on no request. First regions do not cross
+  /// adjacencies that are `Surface::CONSTRAINED`. A `Segmenter` calls it once, and again for more
+  /// constraints.
   Prepared prepare(const Surface& surface, const Execution& execution) const;
 
   /*!
   segments the surface as the request says: with its number, or one of its own choice if that is 0,
-  its constraints and its seeds. `CGAL::Region_segmentation::requested_regions()` applies the last
-  two to first regions.
+  and its seeds, which `CGAL::Region_segmentation::requested_regions()` applies to first regions.
 
   The result depends on the arguments alone, not on earlier calls.
 

@@ -14,7 +14,6 @@ namespace Region_segmentation {
 
 namespace internal {
 class Patch_builder;
-class Patch_division;
 } // namespace internal
 
 /// \ingroup PkgRegionSegmentationData
@@ -57,7 +56,6 @@ public:
 
 private:
   friend class internal::Patch_builder;
-  friend class internal::Patch_division;
 
   Partition m_of_elements;
   internal::Large_array<Patch> m_patches;

@@ -14,24 +14,6 @@ namespace CGAL {
 namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationData
-/// Adjacencies of a surface that always are borders and are never merged across.
-class Constraints
-{
-public:
-  bool empty() const { return m_marks.empty(); }
-  bool operator[](std::size_t adjacency) const { return !m_marks.empty() && m_marks[adjacency]; }
-
-  void add(std::size_t adjacency, std::size_t number_of_adjacencies)
-  {
-    m_marks.resize(number_of_adjacencies);
-    m_marks[adjacency] = true;
-  }
-
-private:
-  std::vector<bool> m_marks;
-};
-
-/// \ingroup PkgRegionSegmentationData
 /// The seeds of faces or regions: elements with the same seed belong to one segment, elements with
 /// different seeds to different ones.
 struct Seeds
@@ -64,8 +46,7 @@ struct Request
 
   std::size_t number_of_segments = 0; ///< 0: chosen by the method
   Numbers numbers = Numbers::ALL; ///< `ONE`: a method may leave out what only other numbers need
-  Constraints constraints;
-  Seeds seeds; ///< of the faces
+  Seeds seeds;                    ///< of the faces
 };
 
 } // namespace Region_segmentation

@@ -29,7 +29,7 @@ namespace Region_segmentation {
 /// \ingroup PkgRegionSegmentationMain
 /// A mesh that is prepared once and can then be segmented into any number of segments.
 ///
-/// Preparing reads the mesh and does what does not depend on constraints and seeds. If the order of
+/// Preparing reads the mesh and does what does not depend on seeds. If the order of
 /// merges of the method does not depend on the number of segments, the regions are also merged:
 /// each number of segments then takes only the time of writing labels, and the segmentations are
 /// nested. With another method (`Two_step`) each call of `segment()` merges.
@@ -135,8 +135,10 @@ public:
                      ConcurrencyTag = ConcurrencyTag())
     : Segmenter(Input(mesh), internal::pack(np),
                 internal::make_execution<ConcurrencyTag>(internal::pack(np)),
-                [&](const Execution& execution) {
-                  return internal::make_surface(mesh, internal::pack(np), execution);
+                [&](const Input& input, const Execution& execution) {
+                  Surface surface = internal::make_surface(mesh, internal::pack(np), execution);
+                  internal::constrain(input, surface, internal::pack(np));
+                  return surface;
                 })
   {}
 
@@ -159,8 +161,11 @@ public:
             ConcurrencyTag = ConcurrencyTag())
     : Segmenter(Input(std::size_t(std::distance(std::begin(polygons), std::end(polygons)))),
                 internal::pack(np), internal::make_execution<ConcurrencyTag>(internal::pack(np)),
-                [&](const Execution& execution) {
-                  return internal::make_surface(points, polygons, internal::pack(np), execution);
+                [&](const Input& input, const Execution& execution) {
+                  Surface surface = internal::make_surface(points, polygons, internal::pack(np),
+                                                           execution);
+                  internal::constrain(input, surface, internal::pack(np));
+                  return surface;
                 })
   {}
 
@@ -171,7 +176,7 @@ public:
   /// The mesh as arrays.
   const Surface& surface() const { return m_prepared->surface; }
 
-  /// What segments consist of: the first regions as constraints and seeds change them, with their
+  /// What segments consist of: the first regions as seeds change them, with their
   /// borders moved (see `Border_straightening`), by face in iteration order. Only with a method
   /// that has one tree for all numbers.
   const Partition& regions() const { return merged().regions(); }
@@ -228,10 +233,10 @@ public:
   /// adds edges that are always borders and are never merged across to those that are constrained
   /// already.
   ///
-  /// First regions are split only where the edges separate their faces, and only the new regions
-  /// are annotated anew; the segments are those of a new segmenter with all constraints. An edge
-  /// that then is inside a first region has no effect: borders are straightened across it. One
-  /// between two regions bars their section from being merged across.
+  /// The mesh is prepared anew, so the segments are those of a new segmenter with all constraints.
+  /// No first region grows across a constrained edge. One that is inside a region nevertheless,
+  /// since its line ends there, has no effect; one between two regions bars their section from
+  /// being merged across.
   ///
   /// \param edge_is_constrained_map whether an edge becomes constrained: as the named parameter of
   ///        `segment()`
@@ -241,17 +246,18 @@ public:
   /// \throws Invalid_input if the edges separate equal seeds, Segmentation_cancelled if the visitor
   ///         cancels; nothing has changed then
   ///
-  /// Complexity: O(F), and that of annotating the new regions and of merging.
+  /// Complexity: that of the constructor without reading. The surface is copied.
   template <typename EdgeIsConstrainedMap,
             typename NamedParameters = parameters::Default_named_parameters>
   void add_constraints(const EdgeIsConstrainedMap& edge_is_constrained_map,
                        const NamedParameters& np = parameters::default_values())
   {
     const Execution execution = execution_of_request(np);
-    Request request = m_request;
-    m_input.add_constraints(surface(), edge_is_constrained_map, internal::pack(np),
-                            request.constraints);
-    change(std::move(request), execution);
+    Surface constrained = surface();
+    m_input.add_constraints(constrained, edge_is_constrained_map, internal::pack(np));
+    auto prepared = std::make_shared<const Prepared>(method(), std::move(constrained), execution);
+    m_merged = merge(*prepared, m_request, execution);
+    m_prepared = std::move(prepared);
   }
 
   /// replaces the seeds: faces with equal seeds belong to one segment, faces with different seeds
@@ -269,7 +275,7 @@ public:
   ///         components without links; Segmentation_cancelled if the visitor cancels; nothing has
   ///         changed then
   ///
-  /// Complexity: O(F), and that of annotating the new regions and of merging.
+  /// Complexity: O(F), and that of annotating the regions and of merging.
   template <typename FaceSeedMap, typename NamedParameters = parameters::Default_named_parameters>
   void set_seeds(const FaceSeedMap& face_seed_map,
                  const NamedParameters& np = parameters::default_values())
@@ -277,21 +283,22 @@ public:
     const Execution execution = execution_of_request(np);
     Request request = m_request;
     request.seeds = internal::read_seeds(m_input, face_seed_map);
-    change(std::move(request), execution);
+    m_merged = merge(*m_prepared, request, execution);
+    m_request = std::move(request);
   }
 
 private:
   /// What is merged again only if constraints or seeds change.
   using Merged = std::conditional_t<needs_number, std::monostate, typename Calls::Merged>;
 
-  /// What does not change. Copies of a segmenter share it.
-  struct Unchanged
+  /// What only constraints change. Copies of a segmenter share it.
+  struct Prepared
   {
     Method method;
     Surface surface;
     typename Calls::Prepared prepared;
 
-    Unchanged(Method m, Surface s, const Execution& execution)
+    Prepared(Method m, Surface s, const Execution& execution)
       : method(std::move(m))
       , surface(std::move(s))
       , prepared(Calls::prepare(method, surface, execution))
@@ -302,10 +309,10 @@ private:
   Segmenter(Input input, const Pack& np, const Execution& execution,
             const ReadSurface& read_surface)
     : m_input(std::move(input))
-    , m_prepared(std::make_shared<const Unchanged>(internal::method_of_pack<Method>(np),
-                                                   read_surface(execution), execution))
-    , m_request(internal::request_of_pack(m_input, surface(), np))
-    , m_merged(merge(m_request, execution))
+    , m_prepared(std::make_shared<const Prepared>(internal::method_of_pack<Method>(np),
+                                                  read_surface(m_input, execution), execution))
+    , m_request(internal::request_of_pack(m_input, np))
+    , m_merged(merge(*m_prepared, m_request, execution))
   {
     internal::check_parameters<Pack, internal::Segmenting_parameters>();
     static_assert(!needs_number ||
@@ -326,17 +333,17 @@ private:
     return internal::make_execution<CGAL::Sequential_tag>(pack);
   }
 
-  Merged merge(const Request& request, const Execution& execution) const
+  static Merged merge(const Prepared& p, const Request& request, const Execution& execution)
   {
     if constexpr (needs_number) {
       if (!request.seeds.empty()) { // reports seeds that cannot be joined, by the least work
         Request any = request;
-        any.number_of_segments = (std::max)(surface().number_of_faces(), std::size_t(1));
-        Calls::merge(method(), surface(), m_prepared->prepared, any, execution);
+        any.number_of_segments = (std::max)(p.surface.number_of_faces(), std::size_t(1));
+        Calls::merge(p.method, p.surface, p.prepared, any, execution);
       }
       return Merged();
     } else
-      return Calls::merge(method(), surface(), m_prepared->prepared, request, execution);
+      return Calls::merge(p.method, p.surface, p.prepared, request, execution);
   }
 
   const auto& merged() const
@@ -366,14 +373,8 @@ private:
     return segments.number_of_parts();
   }
 
-  void change(Request request, const Execution& execution)
-  {
-    m_merged = merge(request, execution);
-    m_request = std::move(request);
-  }
-
   Input m_input;
-  std::shared_ptr<const Unchanged> m_prepared;
+  std::shared_ptr<const Prepared> m_prepared;
   Request m_request;
   Merged m_merged;
 };

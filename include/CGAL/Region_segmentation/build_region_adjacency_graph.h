@@ -37,7 +37,6 @@ using Graph_parameters = Tag_list<internal_np::component_links_t,
 ///         and adjacencies. Those that need more, such as `Visibility_region_data`, are filled by
 ///         their annotator afterwards
 /// \param surface, regions the region of every face
-/// \param constraints adjacencies that are never merged across
 /// \param execution threads and visitor: reports the progress of the stage that it is of
 ///
 /// \returns a `Region_adjacency_graph`; its regions are the parts of `regions`
@@ -48,13 +47,12 @@ using Graph_parameters = Tag_list<internal_np::component_links_t,
 template <typename RegionData = Region_geometry, typename SectionData = Section_geometry>
 Region_adjacency_graph<RegionData, SectionData>
 build_region_adjacency_graph(const Surface& surface, const Partition& regions,
-                             const Constraints& constraints = Constraints(),
                              const Execution& execution = Execution())
 {
   if (regions.size() != surface.number_of_faces())
     throw Invalid_input("a partition of " + std::to_string(regions.size()) + " elements for " +
                         std::to_string(surface.number_of_faces()) + " faces");
-  return internal::build_graph<RegionData, SectionData>(surface, regions, constraints, execution);
+  return internal::build_graph<RegionData, SectionData>(surface, regions, execution);
 }
 
 /// \ingroup PkgRegionSegmentationStages
@@ -109,14 +107,12 @@ build_region_adjacency_graph(const FaceGraph& mesh, FaceRegionMap region_map,
   using Pack = std::decay_t<decltype(pack)>;
   internal::check_parameters<Pack, internal::Graph_parameters>();
   const Execution execution = internal::make_execution<CGAL::Sequential_tag>(pack);
-  const Surface surface = internal::make_surface(mesh, pack, execution);
-  Constraints constraints;
+  Surface surface = internal::make_surface(mesh, pack, execution);
   if constexpr (internal::has_parameter<Pack, CGAL::internal_np::edge_is_constrained_t>)
     internal::Face_graph_input<FaceGraph>(mesh).add_constraints(
-      surface, CGAL::parameters::get_parameter(pack, CGAL::internal_np::edge_is_constrained), pack,
-      constraints);
+      surface, CGAL::parameters::get_parameter(pack, CGAL::internal_np::edge_is_constrained), pack);
   return build_region_adjacency_graph<RegionData, SectionData>(
-    surface, internal::read_face_labels(mesh, region_map), constraints, execution.stage("graph"));
+    surface, internal::read_face_labels(mesh, region_map), execution.stage("graph"));
 }
 
 } // namespace Region_segmentation

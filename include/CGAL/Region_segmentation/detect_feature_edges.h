@@ -21,7 +21,8 @@ namespace Region_segmentation {
 namespace internal {
 using Feature_edge_parameters = Tag_list<
   CGAL::internal_np::maximum_angle_t, internal_np::feature_convexity_t,
-  CGAL::internal_np::edge_is_constrained_t, CGAL::internal_np::visitor_t>;
+  internal_np::component_links_t, CGAL::internal_np::edge_is_constrained_t,
+  CGAL::internal_np::visitor_t>;
 }
 
 /// \ingroup PkgRegionSegmentationStages
@@ -56,6 +57,12 @@ using Feature_edge_parameters = Tag_list<
 ///     \cgalParamType{a model of `ReadablePropertyMap` with the edge descriptor as key type and a
 ///       value type convertible to `bool`}
 ///     \cgalParamDefault{no edge}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{component_links}
+///     \cgalParamDescription{whether border edges with equal end points are one edge; other links
+///       have no effect here}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`true`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
 ///     \cgalParamDescription{follows the progress, and can cancel: stages "reading", "features"}
@@ -99,7 +106,7 @@ std::size_t detect_feature_edges(const FaceGraph& mesh, EdgeIsFeatureMap edge_is
   const auto is_feature = internal::mark_feature_edges(input.surface(), maximum_angle, convexity,
                                                        execution.stage("features"));
   return input.write(edge_is_feature_map,
-                     [&](std::size_t a) { return is_feature[a] != 0 || input.constraints()[a]; });
+                     [&](std::size_t a) { return is_feature[a] != 0 || input.is_constrained(a); });
 }
 
 } // namespace Region_segmentation

@@ -25,9 +25,9 @@ namespace Region_segmentation {
 
 namespace internal {
 
-using Feature_line_parameters = Tag_list<CGAL::internal_np::minimum_length_t,
-                                         CGAL::internal_np::edge_is_constrained_t,
-                                         CGAL::internal_np::visitor_t>;
+using Feature_line_parameters = Tag_list<
+  CGAL::internal_np::minimum_length_t, internal_np::component_links_t,
+  CGAL::internal_np::edge_is_constrained_t, CGAL::internal_np::visitor_t>;
 
 /// The marked edges of a mesh, its borders, and the unmarked edges that are barriers for growing,
 /// with their vertices as a graph.
@@ -48,12 +48,12 @@ auto make_feature_graph(const Stage_input<FaceGraph, Pack>& input,
     add_edge(from, to, {edge(h, mesh), role}, graph);
   };
 
-  for (auto e : edges(mesh))
-    if (CGAL::is_border(e, mesh))
-      add(halfedge(e, mesh), Feature_edge_role::FIXED);
-  input.for_each_adjacency([&](auto h, std::size_t a) {
-    if (input.constraints()[a])
+  input.for_each_edge([&](auto h, Surface::Index a) {
+    const bool is_border = CGAL::is_border(edge(h, mesh), mesh);
+    if (a == Surface::none ? is_border : input.is_constrained(a))
       add(h, Feature_edge_role::FIXED);
+    else if (a == Surface::none)
+      return;
     else if (get(edge_is_feature_map, edge(h, mesh)))
       add(h, Feature_edge_role::REMOVABLE);
     else if (input.surface().has_flag(a, Surface::CLOSED))
@@ -100,8 +100,8 @@ struct Polyline_collector
 /// \tparam PolylineOutputIterator a model of `OutputIterator` that takes
 ///         `std::vector<vertex_descriptor>`
 /// \param mesh an oriented 2-manifold with or without boundary
-/// \param edge_is_feature_map the feature edges; every key is written. Borders of the mesh are
-///        always feature edges
+/// \param edge_is_feature_map the feature edges; every key is written. Borders of the
+///        surface are always feature edges
 /// \param polylines receives the vertices of every line; a closed one ends with its first vertex
 /// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
 ///
@@ -117,6 +117,12 @@ struct Polyline_collector
 ///     \cgalParamType{a model of `ReadablePropertyMap` with the edge descriptor as key type and a
 ///       value type convertible to `bool`}
 ///     \cgalParamDefault{no edge}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{component_links}
+///     \cgalParamDescription{whether border edges with equal end points are one edge; other links
+///       have no effect here}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`true`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
 ///     \cgalParamDescription{follows the progress, and can cancel: stages "reading"}

@@ -45,6 +45,12 @@ namespace Region_segmentation {
 ///       value type convertible to `bool`}
 ///     \cgalParamDefault{no edge}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{component_links}
+///     \cgalParamDescription{whether border edges with equal end points are one edge; other links
+///       have no effect here}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`true`}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
 ///     \cgalParamDescription{follows the progress, and can cancel: stages "reading", "regions"}
 ///     \cgalParamType{a model of `SegmentationVisitor`}
@@ -81,15 +87,17 @@ std::size_t grow_regions(const FaceGraph& mesh, EdgeIsFeatureMap edge_is_feature
   const internal::Stage_input input(mesh, pack, execution);
   const Surface& surface = input.surface();
   internal::Edge_marks is_feature(surface.number_of_adjacencies());
-  input.for_each_adjacency(
-    [&](auto h, std::size_t a) { is_feature[a] = bool(get(edge_is_feature_map, edge(h, mesh))); });
-  const Partition regions = internal::grow(surface, is_feature, input.constraints(),
-                                           execution.stage("regions"));
+  internal::for_each_index(execution, is_feature.size(), [&](std::size_t a) { is_feature[a] = 0; });
+  input.for_each_edge([&](auto h, Surface::Index a) {
+    if (a != Surface::none && get(edge_is_feature_map, edge(h, mesh)))
+      is_feature[a] = 1;
+  });
+  const Partition regions = internal::grow(surface, is_feature, execution.stage("regions"));
 
   write_face_values(mesh, regions, region_map);
   input.write(edge_is_feature_map, [&](std::size_t a) {
     const bool is_between = regions[surface.lower_face(a)] != regions[surface.higher_face(a)];
-    return input.constraints()[a] || (is_feature[a] && is_between);
+    return input.is_constrained(a) || (is_feature[a] && is_between);
   });
   return regions.number_of_parts();
 }

@@ -55,6 +55,15 @@ Surface make_surface_of_neighbors(const Mesh_order<FaceGraph, Pack>& order, cons
   return build_surface<Adjacency_of::NEIGHBORS>(read_face_graph(order, np, execution.step(0, 0.5)),
                                                 execution.step(0.5, 1));
 }
+/// For single stages: without links.
+template <typename FaceGraph, typename Pack>
+Surface make_unlinked_surface(const Mesh_order<FaceGraph, Pack>& order, const Pack& np,
+                              const Execution& execution)
+{
+  return build_surface<Adjacency_of::COINCIDING_SIDES>(
+    read_face_graph(order, np, execution.step(0, 0.5)), execution.step(0.5, 1));
+}
+
 template <typename FaceGraph, typename Pack>
 Surface make_surface_of_neighbors(const FaceGraph& mesh, const Pack& np)
 {

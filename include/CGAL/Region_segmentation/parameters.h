@@ -208,7 +208,8 @@ struct Tag_list
 {};
 
 /// The parameters with which a mesh is read.
-using Reading_parameters = Tag_list<CGAL::internal_np::edge_is_constrained_t,
+using Reading_parameters = Tag_list<internal_np::component_links_t,
+                                    CGAL::internal_np::edge_is_constrained_t,
                                     CGAL::internal_np::visitor_t>;
 
 template <typename Tag, typename List>

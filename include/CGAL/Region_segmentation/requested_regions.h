@@ -7,13 +7,12 @@
 #include <CGAL/Region_segmentation/Request.h>
 #include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/internal/regions/apply_seeds.h>
-#include <CGAL/Region_segmentation/internal/regions/split_at_constraints.h>
 
 namespace CGAL {
 namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationData
-/// First regions as constraints and seeds change them, and the seeds of regions.
+/// First regions as seeds change them, and the seeds of regions.
 struct Requested_regions
 {
   Partition regions; ///< of the faces
@@ -26,21 +25,16 @@ struct Requested_regions
 };
 
 /// \ingroup PkgRegionSegmentationData
-/// splits regions where constraints separate their faces, and where they have faces of several
-/// seeds; regions of equal seeds are joined along the cheapest path.
+/// splits regions that have faces of several seeds, and joins regions of equal seeds along the
+/// cheapest path.
 /// \throws Invalid_input if the faces of a seed cannot be joined
 inline Requested_regions requested_regions(const Surface& surface, const Partition& regions,
-                                           const Request& request)
+                                           const Seeds& seeds)
 {
-  Requested_regions result;
-  result.regions = request.constraints.empty()
-                     ? regions
-                     : internal::split_at_constraints(surface, regions, request.constraints);
-  if (!request.seeds.empty()) {
-    result.regions = internal::apply_seeds(surface, result.regions, request.seeds,
-                                           request.constraints);
-    result.seeds = internal::seeds_of_regions(result.regions, request.seeds);
-  }
+  if (seeds.empty())
+    return {regions, Seeds()};
+  Requested_regions result{internal::apply_seeds(surface, regions, seeds), Seeds()};
+  result.seeds = internal::seeds_of_regions(result.regions, seeds);
   return result;
 }
 

@@ -139,9 +139,9 @@ std::size_t segment(const FaceGraph& mesh, FaceSegmentMap segment_map,
   const auto& pack = internal::pack(np);
   internal::check_parameters<std::decay_t<decltype(pack)>, internal::Segmenting_parameters>();
   const Execution execution = internal::make_execution<ConcurrencyTag>(pack);
-  const Surface surface = internal::make_surface(mesh, pack, execution);
-  return internal::run_method(internal::Face_graph_input<FaceGraph>(mesh), surface, segment_map,
-                              pack, execution);
+  return internal::run_method(internal::Face_graph_input<FaceGraph>(mesh),
+                              internal::make_surface(mesh, pack, execution), segment_map, pack,
+                              execution);
 }
 
 /// \ingroup PkgRegionSegmentationMain
@@ -187,9 +187,9 @@ std::size_t segment(const PointRange& points, const PolygonRange& polygons,
   const auto& pack = internal::pack(np);
   internal::check_parameters<std::decay_t<decltype(pack)>, internal::Segmenting_parameters>();
   const Execution execution = internal::make_execution<ConcurrencyTag>(pack);
-  const Surface surface = internal::make_surface(points, polygons, pack, execution);
-  return internal::run_method(internal::Polygon_input(surface.number_of_faces()), surface,
-                              segment_map, pack, execution);
+  Surface surface = internal::make_surface(points, polygons, pack, execution);
+  const internal::Polygon_input input(surface.number_of_faces());
+  return internal::run_method(input, std::move(surface), segment_map, pack, execution);
 }
 
 /// \ingroup PkgRegionSegmentationMain

@@ -65,7 +65,6 @@ struct Minimum_cut_borders
   /// Changes labels of faces; returns the number of changed faces.
   /// \pre there is a label for every face
   std::size_t operator()(const Surface& surface, std::vector<Surface::Index>& label_of_face,
-                         const Constraints& constraints = Constraints(),
                          const Execution& execution = Execution()) const
   {
     CGAL_precondition_msg(width >= 0 && width_of_segment >= 0,
@@ -78,7 +77,7 @@ struct Minimum_cut_borders
       surface,
       [&](std::size_t a) {
         return label_of_face[surface.lower_face(a)] == label_of_face[surface.higher_face(a)] &&
-               !constraints[a];
+               !surface.has_flag(a, Surface::CONSTRAINED);
       },
       Execution());
     std::vector<Surface::Index> label_of_piece(pieces.number_of_parts());
@@ -91,7 +90,7 @@ struct Minimum_cut_borders
       size = std::sqrt(size);
 
     std::vector<Surface::Index> piece_of_face(pieces.begin(), pieces.end());
-    move_borders(surface, constraints, sizes, label_of_piece, piece_of_face, execution);
+    move_borders(surface, sizes, label_of_piece, piece_of_face, execution);
 
     std::size_t changed = 0;
     for (std::size_t f = 0; f < surface.number_of_faces(); ++f) {
@@ -103,20 +102,20 @@ struct Minimum_cut_borders
   }
 
 private:
-  void move_borders(const Surface& surface, const Constraints& constraints,
-                    const std::vector<double>& sizes,
+  void move_borders(const Surface& surface, const std::vector<double>& sizes,
                     const std::vector<Surface::Index>& label_of_piece,
                     std::vector<Surface::Index>& piece_of_face, const Execution& execution) const
   {
     const double unit = surface.length_unit();
     const internal::Dual_graph costs(
-      surface, [&](std::size_t a) { return !constraints[a]; },
+      surface, [&](std::size_t a) { return !surface.has_flag(a, Surface::CONSTRAINED); },
       [&](std::size_t a) {
         const double concavity = surface.has_flag(a, Surface::CONCAVE) ? surface.deviation(a) : 0;
         return (std::min)(cost(surface.length(a) / unit, concavity), longest);
       });
     const internal::Dual_graph constrained(
-      surface, [&](std::size_t a) { return constraints[a]; }, [](std::size_t) { return 0; });
+      surface, [&](std::size_t a) { return surface.has_flag(a, Surface::CONSTRAINED); },
+      [](std::size_t) { return 0; });
     internal::smooth_piece_borders(
       costs, constrained,
       [&](Surface::Index f, Surface::Index g) {
@@ -153,6 +152,12 @@ private:
 ///     \cgalParamType{a model of `ReadablePropertyMap` with the edge descriptor as key type and a
 ///       value type convertible to `bool`}
 ///     \cgalParamDefault{no edge}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{component_links}
+///     \cgalParamDescription{whether border edges with equal end points are one edge; other links
+///       have no effect here}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`true`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
 ///     \cgalParamDescription{follows the progress, and can cancel: stages "reading", "borders"}
@@ -201,8 +206,7 @@ std::size_t smooth_borders(const FaceGraph& mesh, FaceSegmentMap segment_map,
     labels[before[i++]] = get(segment_map, f);
 
   std::vector<Surface::Index> after(before.begin(), before.end());
-  const std::size_t changed = smoother(input.surface(), after, input.constraints(),
-                                       execution.stage("borders"));
+  const std::size_t changed = smoother(input.surface(), after, execution.stage("borders"));
   i = 0;
   for (auto f : faces(mesh)) {
     if (after[i] != before[i])

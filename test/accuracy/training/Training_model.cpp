@@ -46,11 +46,9 @@ Training_model make_training_model(int number, const princeton_benchmark::Model&
   method.superfacets.number = superfacets;
   RS::Learned_merging::Prepared prepared = method.prepare(result.surface);
   result.graph = method.annotated_graph(result.surface, prepared, prepared.regions,
-                                        RS::Constraints(), RS::Execution());
+                                        RS::Execution());
   for (const std::vector<int>& labels : numbered_labels(model)) {
-    result.people.emplace_back(labels.size());
-    for (std::size_t f = 0; f < labels.size(); ++f)
-      result.people.back()[prepared.intrinsic.face(f)] = labels[f];
+    result.people.emplace_back(labels.begin(), labels.end());
   }
   result.surface = prepared.shape(result.surface);
   result.regions = std::move(prepared.regions);

@@ -35,15 +35,14 @@ struct Region_growing
   /// Which edges can be feature edges.
   Feature_convexity feature_convexity = Feature_convexity::CONCAVE;
 
-  /// The regions of the faces. `constraints`: adjacencies that are not crossed either
-  Partition operator()(const Surface& surface, const Constraints& constraints = Constraints(),
-                       const Execution& execution = Execution()) const
+  /// The regions of the faces.
+  Partition operator()(const Surface& surface, const Execution& execution = Execution()) const
   {
     CGAL_precondition_msg(maximum_angle >= 0 && maximum_angle <= 180,
                           "maximum_angle is in [0, 180] degrees");
     auto is_feature = internal::mark_feature_edges(surface, maximum_angle, feature_convexity,
                                                    execution.step(0, 0.5));
-    return internal::grow(surface, std::move(is_feature), constraints, execution.step(0.5, 1));
+    return internal::grow(surface, std::move(is_feature), execution.step(0.5, 1));
   }
 };
 

@@ -42,7 +42,7 @@ struct Smooth_faces
 
   struct Prepared
   {
-    Surface_faces faces; ///< without constraints
+    Surface_faces faces;
   };
 
   Prepared prepare(const Surface& surface, const Execution& execution = Execution()) const
@@ -54,9 +54,10 @@ struct Smooth_faces
   Hierarchy merge(const Surface& surface, const Prepared& prepared, const Request& request,
                   const Execution& execution = Execution()) const
   {
-    Requested_regions requested = requested_regions(surface, prepared.faces.partition, request);
+    Requested_regions requested = requested_regions(surface, prepared.faces.partition,
+                                                    request.seeds);
     auto graph = internal::build_graph<Surface_face_region_data, Surface_face_section_data>(
-      surface, requested.regions, request.constraints, execution.stage("graph"));
+      surface, requested.regions, execution.stage("graph"));
     annotate_surface_faces(graph, surface, requested.regions, prepared.faces);
     Merge_tree tree = merge_requested_regions(surface, requested, graph,
                                               Lowest_cost_first<Surface_face_cost>(cost), 1,

@@ -13,7 +13,6 @@
 #include <CGAL/Region_segmentation/Request.h>
 #include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/internal/cells/Patch_builder.h>
-#include <CGAL/Region_segmentation/internal/cells/Patch_division.h>
 #include <CGAL/Region_segmentation/internal/concepts/check_annotator.h>
 #include <CGAL/Region_segmentation/internal/graph/build_graph.h>
 #include <CGAL/Region_segmentation/internal/graph/renumber_tree.h>
@@ -127,9 +126,8 @@ struct Superfacet_merging
       std::is_invocable_r<std::size_t, const NumberChooser&, const Merge_tree&,
                           const Surface&>::value,
       "a NumberChooser needs: std::size_t operator()(const Merge_tree&, const Surface&) const");
-    const Requested_regions requested = requested_regions(surface, prepared.regions, request);
-    auto graph = annotated_graph(surface, prepared, requested.regions, request.constraints,
-                                 execution.stage("graph"));
+    const Requested_regions requested = requested_regions(surface, prepared.regions, request.seeds);
+    auto graph = annotated_graph(surface, prepared, requested.regions, execution.stage("graph"));
     const Merge_tree tree = merge_requested_regions(surface, requested, graph, policy, 1,
                                                     execution.stage("merging"));
     // Regions that seeds joined are not split.
@@ -148,21 +146,20 @@ struct Superfacet_merging
   }
 
   /// The graph of regions of the shape, with the data of the annotator; the rays of superfacets
-  /// among them are not traced again. `constraints`: of the shape
+  /// among them are not traced again.
   auto annotated_graph(const Surface& given, const Prepared& prepared, const Partition& regions,
-                       const Constraints& constraints, const Execution& execution) const
+                       const Execution& execution) const
   {
     static_assert(internal::check_annotator<GraphAnnotator>());
     const Surface& surface = prepared.shape(given);
     auto graph = internal::build_graph<typename GraphAnnotator::RegionData,
-                                       typename GraphAnnotator::SectionData>(
-      surface, regions, constraints, execution);
+                                       typename GraphAnnotator::SectionData>(surface, regions,
+                                                                             execution);
     if (regions == prepared.regions)
       annotator(graph, surface, regions, prepared.rays);
     else
       annotator(graph, surface, regions,
-                prepared.rays.of_changed_regions(surface, prepared.patches, prepared.regions,
-                                                 regions, execution.silent()));
+                Region_rays(surface, prepared.patches, regions, execution.silent()));
     return graph;
   }
 
@@ -178,10 +175,8 @@ private:
   {
     const Partition& regions = requested.regions;
     std::optional<Patches> divided;
-    if (!request.constraints.empty() || !request.seeds.empty())
-      divided = internal::Patch_division(surface, prepared.patches.fine, regions,
-                                         request.constraints)
-                  .divided();
+    if (!request.seeds.empty())
+      divided = internal::Patch_builder::divided(surface, prepared.patches.fine, regions);
     const Patches& cells = divided ? *divided : prepared.patches.fine;
     const std::size_t number = request.numbers == Request::Numbers::ONE ? number_of_segments
                                                                         : regions.number_of_parts();

@@ -106,7 +106,8 @@ public:
     internal::Dual_graph graph(
       surface,
       [&](std::size_t a) {
-        return regions[surface.lower_face(a)] == regions[surface.higher_face(a)];
+        return regions[surface.lower_face(a)] == regions[surface.higher_face(a)] &&
+               !surface.has_flag(a, Surface::CONSTRAINED);
       },
       [&](std::size_t a) {
         const double concavity = surface.has_flag(a, Surface::CONCAVE) ? surface.deviation(a) : 0;

@@ -57,12 +57,12 @@ struct Two_step
 
   struct Prepared
   {
-    Partition regions; ///< grown without constraints
+    Partition regions;
   };
 
   Prepared prepare(const Surface& surface, const Execution& execution = Execution()) const
   {
-    return {growing(surface, Constraints(), execution.stage("regions"))};
+    return {growing(surface, execution.stage("regions"))};
   }
 
   Segmentation merge(const Surface& surface, const Prepared& prepared, const Request& request,
@@ -70,12 +70,9 @@ struct Two_step
   {
     const std::size_t number = request.number_of_segments;
     CGAL_precondition_msg(number >= 1, "Two_step needs the number of segments");
-    const bool are_grown_again = !request.constraints.empty();
-    const Partition grown = are_grown_again ? growing(surface, request.constraints) : Partition();
-    Requested_regions requested = requested_regions(
-      surface, are_grown_again ? grown : prepared.regions, request);
+    Requested_regions requested = requested_regions(surface, prepared.regions, request.seeds);
     auto graph = internal::build_graph<Region_geometry, Section_geometry>(
-      surface, requested.regions, request.constraints, execution.stage("graph"));
+      surface, requested.regions, execution.stage("graph"));
     Merge_tree tree = merge_requested_regions(surface, requested, graph, policy, number,
                                               execution.stage("merging"));
     return {std::move(requested.regions), std::move(tree), number};

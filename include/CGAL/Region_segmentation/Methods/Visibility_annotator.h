@@ -12,7 +12,6 @@
 
 #include <cmath>
 #include <cstddef>
-#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -105,13 +104,13 @@ private:
   }
 
   template <typename Graph>
-  static void set_rays(Graph& graph, const Partition& regions,
-                       const std::vector<std::optional<Hits>>& hits, double unit)
+  static void set_rays(Graph& graph, const Partition& regions, const std::vector<Hits>& hits,
+                       double unit)
   {
     clear_visibility(graph);
     std::vector<Mean> thickness(regions.number_of_parts());
     for (std::size_t r = 0; r < regions.number_of_parts(); ++r)
-      for (const internal::Ray_tree::Hit& hit : *hits[r])
+      for (const internal::Ray_tree::Hit& hit : hits[r])
         if (hit.face != internal::Ray_tree::no_face) {
           thickness[r].add(std::log(hit.distance / unit + 1e-4));
           add_ray(graph, Index(r), regions[hit.face],

@@ -11,10 +11,12 @@
 #include <CGAL/Region_segmentation/internal/support/Grouped_items.h>
 #include <CGAL/Region_segmentation/internal/support/Large_array.h>
 #include <CGAL/Region_segmentation/internal/support/for_each_in_part.h>
+#include <CGAL/Region_segmentation/internal/support/label_components.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -71,20 +73,12 @@ public:
       const double faces = double((std::max)(surface.number_of_faces(), std::size_t(1)));
       execution.report(1 - double(builder.m_places.size()) / faces);
     };
-    const bool is_worth_another = builder.join_faces(Surface_patches::maximum_area *
-                                                     surface.area());
+    const bool is_worth_another = builder.join_faces(std::nullopt);
     report();
     if (is_worth_another)
       builder.join_patches(Surface_patches::maximum_area * surface.area(), report);
     Surface_patches result;
-    result.fine = builder.finish();
-    const auto is_degenerate = [&](std::size_t f) { return surface.is_degenerate(f); };
-    Patch_centers centers(result.fine.m_patches);
-    for_each_in_part(builder.m_execution, result.fine.m_of_elements,
-                     [&](std::size_t p, std::size_t f) {
-                       centers.offer(p, f, surface.centroid(f), is_degenerate);
-                     });
-    set_contacts(result.fine, surface);
+    result.fine = builder.finish_fine();
     builder.m_adjacencies.push_back(result.fine.m_adjacencies);
     builder.join_patches(Surface_patches::maximum_coarse_area * surface.area(), report);
     result.coarse = builder.finish();
@@ -94,6 +88,22 @@ public:
     for (std::size_t p = 0; p < fine.size(); ++p)
       coarse_centers.offer(result.coarse.m_of_elements[p], p, fine[p].centroid, has_no_normal);
     return result;
+  }
+
+  /// The connected pieces of patches in regions of the faces.
+  static Patches divided(const Surface& surface, const Patches& patches, const Partition& regions)
+  {
+    Patch_builder builder(surface, Execution());
+    const Partition& patch_of = patches.of_elements();
+    builder.join_faces(label_components(
+      surface,
+      [&](std::size_t a) {
+        const Index f = surface.lower_face(a), g = surface.higher_face(a);
+        return patch_of[f] == patch_of[g] && regions[f] == regions[g] &&
+               !surface.has_flag(a, Surface::barrier);
+      },
+      Execution()));
+    return builder.finish_fine();
   }
 
 private:
@@ -110,7 +120,8 @@ private:
     for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a) {
       const Index p = patches.m_of_elements[surface.lower_face(a)],
                   q = patches.m_of_elements[surface.higher_face(a)];
-      if (surface.has_flag(a, Surface::SEAM | Surface::LINK) && p != q)
+      if (surface.has_flag(a, Surface::SEAM | Surface::LINK) && p != q &&
+          !surface.has_flag(a, Surface::CONSTRAINED))
         patches.m_contacts.push_back({(std::min)(p, q), (std::max)(p, q), surface.length(a)});
     }
     sort_and_unite(patches.m_contacts);
@@ -123,7 +134,7 @@ private:
     const std::size_t end = (std::min)((range + 1) * edges_in_range(),
                                        m_surface.number_of_adjacencies());
     for (std::size_t e = range * edges_in_range(); e < end; ++e)
-      if (!m_surface.has_flag(e, Surface::SEAM | Surface::LINK))
+      if (!m_surface.has_flag(e, Surface::barrier))
         f(m_surface.lower_face(e), m_surface.higher_face(e), [&] { return m_surface.length(e); });
   }
 
@@ -171,13 +182,15 @@ private:
     Large_array<Double_3> m_centroids;
   };
 
-  /// The first round. Returns whether another one is worth it.
-  bool join_faces(double maximum_area)
+  /// The first round, which joins the faces of `given` patches, or those that it selects. Returns
+  /// whether another one is worth it.
+  bool join_faces(std::optional<Partition> given)
   {
     const auto area_of = [this](std::size_t f) { return m_surface.weight(f); };
     {
       const Faces faces(*this);
-      m_rounds.push_back(select(faces, maximum_area));
+      m_rounds.push_back(given ? std::move(*given)
+                               : select(faces, Surface_patches::maximum_area * m_surface.area()));
       replace_places(m_rounds.back(), area_of, [&](std::size_t f) { return faces.centroid(f); });
     } // the memory of the centroids is needed
     replace_directions(m_rounds.back(),
@@ -290,6 +303,19 @@ private:
       adjacencies.resize(n);
     });
     m_adjacencies = std::move(result);
+  }
+
+  /// The patches of the faces, with their centers and contacts.
+  Patches finish_fine()
+  {
+    Patches result = finish();
+    const auto is_degenerate = [&](std::size_t f) { return m_surface.is_degenerate(f); };
+    Patch_centers centers(result.m_patches);
+    for_each_in_part(m_execution, result.m_of_elements, [&](std::size_t p, std::size_t f) {
+      centers.offer(p, f, m_surface.centroid(f), is_degenerate);
+    });
+    set_contacts(result, m_surface);
+    return result;
   }
 
   /// The patches of the rounds since the last call.

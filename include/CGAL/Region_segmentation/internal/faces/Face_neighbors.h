@@ -25,7 +25,7 @@ void for_each_border(const Surface& surface, const Labels& labels, const F& f)
 {
   for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a) {
     const Surface::Index i = labels[surface.lower_face(a)], j = labels[surface.higher_face(a)];
-    if (i != j && !surface.has_flag(a, Surface::LINK))
+    if (i != j && !surface.has_flag(a, Surface::LINK | Surface::CONSTRAINED))
       f(a, i, j);
   }
 }
@@ -44,7 +44,7 @@ public:
   {
     m_neighbors = Grouped_items<Neighbor>(surface.number_of_faces(), [&](const auto& add) {
       for (Index a = 0; a < surface.number_of_adjacencies(); ++a)
-        if (!surface.has_flag(a, Surface::LINK)) {
+        if (!surface.has_flag(a, Surface::LINK | Surface::CONSTRAINED)) {
           add(surface.lower_face(a), {surface.higher_face(a), a});
           add(surface.higher_face(a), {surface.lower_face(a), a});
         }

@@ -47,7 +47,8 @@ inline void find_pairs_of_planes(Face_search& search, const Execution& execution
     return label_components(
       surface,
       [&](std::size_t a) {
-        return !surface.has_flag(a, Surface::LINK) && !search.is_found(surface.lower_face(a)) &&
+        return !surface.has_flag(a, Surface::LINK | Surface::CONSTRAINED) &&
+               !search.is_found(surface.lower_face(a)) &&
                !search.is_found(surface.higher_face(a)) && joins(a);
       },
       step);

@@ -25,7 +25,7 @@ inline void separate_components(Face_search& search, const Execution& execution)
     [&](std::size_t a) {
       const Surface::Index label = search.labels[surface.lower_face(a)];
       return label == search.labels[surface.higher_face(a)] &&
-             !surface.has_flag(a, Surface::LINK) &&
+             !surface.has_flag(a, Surface::LINK | Surface::CONSTRAINED) &&
              (label != Face_search::none || search.neighbors.may_be_smooth(a));
     },
     execution);

@@ -20,8 +20,7 @@ namespace internal {
 /// adjacencies in order. Sections with a constrained adjacency are not mergeable. O(F) expected.
 template <typename RegionData, typename SectionData>
 Region_adjacency_graph<RegionData, SectionData>
-build_graph(const Surface& surface, const Partition& regions, const Constraints& constraints,
-            const Execution& execution)
+build_graph(const Surface& surface, const Partition& regions, const Execution& execution)
 {
   static_assert(check_graph_data<RegionData, SectionData>());
   Region_adjacency_graph<RegionData, SectionData> graph(regions.number_of_parts());
@@ -37,7 +36,7 @@ build_graph(const Surface& surface, const Partition& regions, const Constraints&
     graph[a].add_border(surface, i);
     graph[b].add_border(surface, i);
     graph[section].add_adjacency(surface, i);
-    if (constraints[i])
+    if (surface.has_flag(i, Surface::CONSTRAINED))
       graph.forbid_merge(section);
   }
   execution.report(1);

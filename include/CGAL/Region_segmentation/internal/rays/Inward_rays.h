@@ -56,10 +56,11 @@ public:
     , m_spirals{make_spirals(1), make_spirals(2), make_spirals(3)}
   {}
 
-  /// Computes the missing hits of regions. Can be called once.
-  void trace(std::vector<std::optional<Hits>>& hits, const Execution& execution)
+  /// The hits by region. Can be called once.
+  std::vector<Hits> trace(const Execution& execution)
   {
-    group_faces(hits);
+    group_faces();
+    std::vector<Hits> hits(m_regions.number_of_parts());
     std::size_t rays = 1;
     for (const Region_shape& region : m_shapes.regions)
       rays += number_of_rays(region.area / m_mesh.area());
@@ -68,10 +69,10 @@ public:
       execution, hits.size(),
       [&](std::size_t, std::size_t begin, std::size_t end) {
         for (std::size_t r = begin; r < end; ++r)
-          if (!hits[r])
-            hits[r] = hits_of(r);
+          hits[r] = hits_of(r);
       },
       16);
+    return hits;
   }
 
 private:
@@ -105,13 +106,10 @@ private:
     return spirals;
   }
 
-  /// The faces at the centers of patches, of those regions of which hits are missing; all faces of
-  /// a region that contains no such center.
-  void group_faces(const std::vector<std::optional<Hits>>& hits)
+  /// The faces at the centers of patches; all faces of a region that contains no such center.
+  void group_faces()
   {
-    std::vector<bool> wants_all(m_regions.number_of_parts());
-    for (std::size_t r = 0; r < hits.size(); ++r)
-      wants_all[r] = !hits[r];
+    std::vector<bool> wants_all(m_regions.number_of_parts(), true);
     for (std::size_t p = 0; p < m_patches.size(); ++p)
       wants_all[m_regions[m_patches[p].center]] = false;
     const bool any_wants_all = std::find(wants_all.begin(), wants_all.end(), true) !=
@@ -122,8 +120,7 @@ private:
         add(r, {squared_norm(m_mesh.centroid(face) - m_shapes.regions[r].centroid), Index(face)});
       };
       for (std::size_t p = 0; p < m_patches.size(); ++p)
-        if (const Index face = m_patches[p].center; !hits[m_regions[face]])
-          add_face(face);
+        add_face(m_patches[p].center);
       for (std::size_t face = 0; any_wants_all && face < m_regions.size(); ++face)
         if (wants_all[m_regions[face]])
           add_face(face);

@@ -46,32 +46,11 @@ struct Region_shapes
   {
     if (mesh.number_of_faces() == 0)
       return;
-    const std::vector<bool> all(regions.size(), true);
-    sum_up(mesh, region_of, all, execution);
+    sum_up(mesh, region_of, execution);
     for (const Region_shape& sums : regions)
       surface_centroid = surface_centroid + sums.centroid;
     surface_centroid = mesh.centroid(0) + inverse(mesh.area()) * surface_centroid;
-    divide(mesh, all);
-  }
-
-  /// The shapes of other regions. `former_of`: by region, an equal one among the former ones, or a
-  /// number that none has
-  Region_shapes of_changed_regions(const Surface& mesh, const Partition& region_of,
-                                   const std::vector<Index>& former_of,
-                                   const Execution& execution) const
-  {
-    Region_shapes result;
-    result.regions.resize(region_of.number_of_parts());
-    result.surface_centroid = surface_centroid;
-    std::vector<bool> is_new(former_of.size());
-    for (std::size_t r = 0; r < former_of.size(); ++r) {
-      is_new[r] = former_of[r] >= regions.size();
-      if (!is_new[r])
-        result.regions[r] = regions[former_of[r]];
-    }
-    result.sum_up(mesh, region_of, is_new, execution);
-    result.divide(mesh, is_new);
-    return result;
+    divide(mesh);
   }
 
 private:
@@ -79,15 +58,12 @@ private:
   /// sqrt(3)).
   static constexpr double variance_of_triangle = 0.096225044864937627;
 
-  /// Sums over the faces, in order, of the regions that are `wanted`.
-  void sum_up(const Surface& mesh, const Partition& region_of, const std::vector<bool>& wanted,
-              const Execution& execution)
+  /// Sums over the faces, in order.
+  void sum_up(const Surface& mesh, const Partition& region_of, const Execution& execution)
   {
     const Double_3 origin = mesh.centroid(0); // avoids cancellation far from the origin
     const double per_area = inverse(mesh.area()), per_length = 1 / mesh.length_unit();
     for_each_in_part(execution, region_of, [&](std::size_t r, std::size_t f) {
-      if (!wanted[r])
-        return;
       const double area = mesh.weight(f), share = per_area * area;
       const Double_3 &normal = mesh.normal(f), centroid = mesh.centroid(f) - origin;
       Region_shape& region = regions[r];
@@ -106,15 +82,13 @@ private:
   }
 
   /// Sums become means.
-  void divide(const Surface& mesh, const std::vector<bool>& wanted)
+  void divide(const Surface& mesh)
   {
-    for (std::size_t r = 0; r < regions.size(); ++r)
-      if (wanted[r]) {
-        Region_shape& region = regions[r];
-        const double length = norm(region.normal);
-        region.normal = length > 0 ? (1 / length) * region.normal : Double_3{};
-        region.centroid = mesh.centroid(0) + inverse(region.area) * region.centroid;
-      }
+    for (Region_shape& region : regions) {
+      const double length = norm(region.normal);
+      region.normal = length > 0 ? (1 / length) * region.normal : Double_3{};
+      region.centroid = mesh.centroid(0) + inverse(region.area) * region.centroid;
+    }
   }
 
   /// 0 if the area is so small that its inverse would be infinite.

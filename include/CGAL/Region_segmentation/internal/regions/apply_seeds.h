@@ -41,13 +41,12 @@ class Seed_joining
 
 public:
   /// \pre each region has faces of one seed at most: that in `seeds`
-  Seed_joining(const Surface& surface, const Partition& regions, const Seeds& seeds,
-               const Constraints& constraints)
+  Seed_joining(const Surface& surface, const Partition& regions, const Seeds& seeds)
     : m_steps(regions.number_of_parts())
     , m_seeds(seeds)
     , m_members(seeds.number())
   {
-    add_steps(surface, regions, constraints);
+    add_steps(surface, regions);
     for (Index r = 0; r < regions.number_of_parts(); ++r)
       if (m_seeds.of[r] != Seeds::none)
         m_members[m_seeds.of[r]].push_back(r);
@@ -89,7 +88,7 @@ private:
     double cost;
   };
 
-  void add_steps(const Surface& surface, const Partition& regions, const Constraints& constraints)
+  void add_steps(const Surface& surface, const Partition& regions)
   {
     const std::vector<double> areas = part_areas(surface, regions);
     std::vector<std::pair<std::uint64_t, Index>> sections; // two regions, an adjacency
@@ -107,7 +106,7 @@ private:
         length += surface.length(a);
         if (surface.has_flag(a, Surface::CONCAVE))
           concave += surface.length(a) * surface.deviation(a);
-        is_barred = is_barred || constraints[a];
+        is_barred = is_barred || surface.has_flag(a, Surface::CONSTRAINED);
       }
       if (is_barred)
         continue;
@@ -181,21 +180,21 @@ inline Partition joined(const Partition& regions, const Seeds& of_regions)
 /// region for each seed. If there is no path of regions for a seed, one of faces is searched.
 /// \throws Invalid_input if the faces of a seed cannot be joined
 inline Partition apply_seeds(const Surface& surface, const Partition& regions,
-                             const Seeds& of_faces, const Constraints& constraints)
+                             const Seeds& of_faces)
 {
-  Partition split = split_at_seeds(surface, regions, of_faces, constraints);
+  Partition split = split_at_seeds(surface, regions, of_faces);
   const Seeds of_split = seeds_of_regions(split, of_faces);
-  if (const auto of_joined = Seed_joining(surface, split, of_split, constraints).join())
+  if (const auto of_joined = Seed_joining(surface, split, of_split).join())
     return joined(split, *of_joined);
 
   const Partition faces = Partition::into_single_elements(regions.size());
-  Seed_joining joining(surface, faces, of_faces, constraints);
+  Seed_joining joining(surface, faces, of_faces);
   const auto connected = joining.join();
   if (!connected)
     throw Invalid_input(
       "the faces of seed " + std::to_string(joining.failed_seed()) +
       " cannot be joined: other components, constrained edges or other seeds are between them");
-  split = split_at_seeds(surface, regions, *connected, constraints);
+  split = split_at_seeds(surface, regions, *connected);
   return joined(split, seeds_of_regions(split, *connected));
 }
 

@@ -20,25 +20,13 @@ namespace internal {
 /// The connected components of the faces across edges that are neither features nor constrained. A
 /// degenerate face joins the component across its longest edge that is not constrained.
 /// `marks`: 1 for a feature, or 0
-inline Partition grow(const Surface& surface, Edge_marks marks, const Constraints& constraints,
-                      const Execution& execution)
+inline Partition grow(const Surface& surface, Edge_marks marks, const Execution& execution)
 {
-  constexpr std::uint8_t barred = 1, closed = 2;
   for_each_index(execution, marks.size(),
                  [mark = marks.data(), flags = arrays_of(surface).flags.data()](std::size_t a) {
-                   if (flags[a] & (Surface::SEAM | Surface::LINK | Surface::CLOSED))
-                     mark[a] |= flags[a] & Surface::CLOSED ? closed : barred;
+                   mark[a] |= (flags[a] & (Surface::barrier | Surface::CLOSED)) != 0;
                  });
-  if (!constraints.empty()) {
-    const auto is_candidate = [&](std::size_t a) {
-      return surface.has_flag(a, Surface::CLOSED | Surface::JOINING) && !constraints[a];
-    };
-    for (std::size_t a = 0; a < marks.size(); ++a)
-      marks[a] = std::uint8_t(marks[a] | barred * constraints[a]);
-    for (const Surface::Index a : longest_edges_of_degenerate_faces(surface, is_candidate))
-      marks[a] &= barred;
-  }
-  return label_components(surface, marks, barred | closed, execution);
+  return label_components(surface, marks, 1, execution);
 }
 
 } // namespace internal

@@ -40,7 +40,8 @@ inline Partition join_degenerate_regions(const Surface& surface, const Partition
     for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a) {
       const auto r = forest.root(regions[surface.lower_face(a)]),
                  s = forest.root(regions[surface.higher_face(a)]);
-      if (!surface.has_flag(a, flag) || (is_proper[r] && is_proper[s]))
+      if (!surface.has_flag(a, flag) || surface.has_flag(a, Surface::CONSTRAINED) ||
+          (is_proper[r] && is_proper[s]))
         continue;
       is_proper[(std::min)(r, s)] = is_proper[r] || is_proper[s];
       forest.unite(r, s);

@@ -7,7 +7,7 @@
 #include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/Request.h>
 #include <CGAL/Region_segmentation/internal/support/Grouped_items.h>
-#include <CGAL/Region_segmentation/internal/support/divide_parts.h>
+#include <CGAL/Region_segmentation/internal/support/label_components.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -39,24 +39,25 @@ inline std::vector<std::uint8_t> regions_of_several_seeds(const Partition& regio
 /// the fewest edges have to be crossed, of several to the one that is reached first from the lower
 /// faces; constrained edges are not crossed. Each connected component becomes a region. O(F).
 inline Partition split_at_seeds(const Surface& surface, const Partition& regions,
-                                const Seeds& seeds, const Constraints& constraints)
+                                const Seeds& seeds)
 {
   using Index = Partition::Index;
   const auto is_split = regions_of_several_seeds(regions, seeds);
   if (std::find(is_split.begin(), is_split.end(), 1) == is_split.end())
     return regions;
 
-  const auto adjacencies = adjacencies_of_parts(surface, regions, is_split);
+  const auto is_inside = [&](std::size_t a) {
+    const Index r = regions[surface.lower_face(a)];
+    return is_split[r] && r == regions[surface.higher_face(a)] &&
+           !surface.has_flag(a, Surface::CONSTRAINED);
+  };
   const Grouped_items<Index> neighbors(regions.size(), [&](const auto& add) {
-    for (const Index a : adjacencies) {
-      const Index f = surface.lower_face(a), g = surface.higher_face(a);
-      if (regions[f] == regions[g] && !constraints[a]) {
-        add(f, g);
-        add(g, f);
+    for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a)
+      if (is_inside(a)) {
+        add(surface.lower_face(a), surface.higher_face(a));
+        add(surface.higher_face(a), surface.lower_face(a));
       }
-    }
   });
-
   std::vector<Index> seed_of = seeds.of, front;
   for (std::size_t f = 0; f < regions.size(); ++f)
     if (is_split[regions[f]] && seed_of[f] != Seeds::none)
@@ -68,9 +69,17 @@ inline Partition split_at_seeds(const Surface& surface, const Partition& regions
         front.push_back(f);
       }
 
-  return divide_parts(surface, regions, is_split, adjacencies, [&](std::size_t a) {
-    return !constraints[a] && seed_of[surface.lower_face(a)] == seed_of[surface.higher_face(a)];
-  });
+  const Partition pieces = label_components(
+    surface,
+    [&](std::size_t a) {
+      return is_inside(a) && seed_of[surface.lower_face(a)] == seed_of[surface.higher_face(a)];
+    },
+    Execution());
+  std::vector<std::uint64_t> labels(regions.size());
+  for (std::size_t f = 0; f < labels.size(); ++f)
+    labels[f] = is_split[regions[f]] ? std::uint64_t(regions.number_of_parts()) + pieces[f]
+                                     : regions[f];
+  return Partition::from_labels(labels);
 }
 
 /// The seeds of regions, each of which has faces of one seed at most.

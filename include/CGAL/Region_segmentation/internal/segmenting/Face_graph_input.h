@@ -5,7 +5,7 @@
 
 #include <CGAL/Region_segmentation/Request.h>
 #include <CGAL/Region_segmentation/face_values.h>
-#include <CGAL/Region_segmentation/internal/surface/edges_of_adjacencies.h>
+#include <CGAL/Region_segmentation/internal/surface/Mesh_order.h>
 #include <CGAL/Region_segmentation/internal/surface/mark_constraints.h>
 #include <CGAL/Region_segmentation/make_surface.h>
 
@@ -15,6 +15,16 @@
 namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
+
+/// Constrains what a pack says.
+template <typename Input, typename Pack>
+void constrain([[maybe_unused]] const Input& input, [[maybe_unused]] Surface& surface,
+               [[maybe_unused]] const Pack& np)
+{
+  if constexpr (has_parameter<Pack, CGAL::internal_np::edge_is_constrained_t>)
+    input.add_constraints(
+      surface, CGAL::parameters::get_parameter(np, CGAL::internal_np::edge_is_constrained), np);
+}
 
 /// A face graph as input of a segmentation: what is read from its property maps, and where labels
 /// are written.
@@ -30,21 +40,18 @@ public:
 
   const FaceGraph& mesh() const { return *m_mesh; }
 
-  /// Adds the constraints of a map of the edges.
+  /// Constrains the edges of a map.
   template <typename EdgeMap, typename Pack>
-  void add_constraints(const Surface& surface, const EdgeMap& map, const Pack& np,
-                       Constraints& constraints) const
+  void add_constraints(Surface& surface, const EdgeMap& map, const Pack& np) const
   {
     static_assert(check_edge_map<EdgeMap, FaceGraph>());
     const Mesh_order<FaceGraph, Pack> order(*m_mesh, np);
-    add_constraints_of_edges(order, surface, map, constraints);
-    std::vector<Vertex_pair> borders; // border edges may coincide
-    if (component_links(np))
-      for (const edge_descriptor e : edges(*m_mesh))
-        if (get(map, e) && CGAL::is_border(e, *m_mesh))
-          borders.push_back(
-            {order.vertex_rank(source(e, *m_mesh)), order.vertex_rank(target(e, *m_mesh))});
-    mark_constraints(surface, std::move(borders), constraints);
+    std::vector<Vertex_pair> constrained;
+    for (const edge_descriptor e : edges(*m_mesh))
+      if (get(map, e))
+        constrained.push_back(
+          {order.vertex_rank(source(e, *m_mesh)), order.vertex_rank(target(e, *m_mesh))});
+    mark_constraints(surface, constrained);
   }
 
   /// \throws Invalid_input if a map does not hold labels below `n`

@@ -31,10 +31,9 @@ public:
     : m_number(number_of_polygons)
   {}
 
-  /// Adds the constraints of a range of pairs of indices of points.
+  /// Constrains the edges of a range of pairs of indices of points.
   template <typename PairRange, typename Pack>
-  void add_constraints(const Surface& surface, const PairRange& pairs, const Pack&,
-                       Constraints& constraints) const
+  void add_constraints(Surface& surface, const PairRange& pairs, const Pack&) const
   {
     static_assert(is_range_of_pairs<PairRange>(),
                   "the constraints of polygons are a range of pairs of indices of points");
@@ -45,7 +44,7 @@ public:
         throw Invalid_input("a constraint has a point that does not exist");
       edges.push_back({Surface::Index(v), Surface::Index(w)});
     }
-    mark_constraints(surface, std::move(edges), constraints);
+    mark_constraints(surface, edges);
   }
 
   /// \throws Invalid_input if a range has another number of elements, or does not hold labels below

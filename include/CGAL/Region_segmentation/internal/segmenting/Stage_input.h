@@ -4,9 +4,10 @@
 #define CGAL_REGION_SEGMENTATION_INTERNAL_SEGMENTING_STAGE_INPUT_H
 
 #include <CGAL/Region_segmentation/Execution.h>
-#include <CGAL/Region_segmentation/Request.h>
 #include <CGAL/Region_segmentation/Surface.h>
-#include <CGAL/Region_segmentation/internal/surface/edges_of_adjacencies.h>
+#include <CGAL/Region_segmentation/internal/segmenting/Face_graph_input.h>
+#include <CGAL/Region_segmentation/internal/surface/Mesh_order.h>
+#include <CGAL/Region_segmentation/internal/surface/mark_constraints.h>
 #include <CGAL/Region_segmentation/make_surface.h>
 #include <CGAL/Region_segmentation/parameters.h>
 
@@ -18,33 +19,44 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// A face graph as the input of a single stage, whose maps have edges as keys: a surface with the
-/// adjacencies across edges of the graph alone, and the constraints.
+/// A face graph as the input of a single stage, whose maps have edges as keys: its surface, without
+/// links, which no stage crosses.
 template <typename FaceGraph, typename Pack>
 class Stage_input
 {
 public:
   Stage_input(const FaceGraph& mesh, const Pack& np, const Execution& execution)
     : m_order(mesh, np)
-    , m_surface(make_surface_of_neighbors(m_order, np, execution.stage("reading")))
+    , m_surface(component_links(np)
+                  ? make_unlinked_surface(m_order, np, execution.stage("reading"))
+                  : make_surface_of_neighbors(m_order, np, execution.stage("reading")))
   {
-    if constexpr (has_parameter<Pack, CGAL::internal_np::edge_is_constrained_t>)
-      add_constraints_of_edges(
-        m_order, m_surface,
-        CGAL::parameters::get_parameter(np, CGAL::internal_np::edge_is_constrained), m_constraints);
+    constrain(Face_graph_input<FaceGraph>(mesh), m_surface, np);
   }
 
   const FaceGraph& mesh() const { return m_order.mesh(); }
   const Surface& surface() const { return m_surface; }
-  const Constraints& constraints() const { return m_constraints; }
-
-  /// Calls `f(halfedge, adjacency)` for the edges with two different faces, each with the halfedge
-  /// of the lower face.
-  template <typename F>
-  void for_each_adjacency(const F& f) const
+  bool is_constrained(std::size_t adjacency) const
   {
-    for_each_edge_with_adjacency(
-      m_order, m_surface, [](const auto&) { return true; }, f);
+    return m_surface.has_flag(adjacency, Surface::CONSTRAINED);
+  }
+
+  /// Calls `f(halfedge, adjacency)` for each edge, with the adjacency across it: `Surface::none`
+  /// for a border, and for an edge with the same face on both sides. In the order of the higher
+  /// faces.
+  template <typename F>
+  void for_each_edge(const F& f) const
+  {
+    for (Surface::Index face = 0; face < m_order.number_of_faces(); ++face) {
+      std::size_t i = 0;
+      const auto first = m_order.first_halfedge(m_order.ordered_faces()[face]);
+      for (auto h : CGAL::halfedges_around_face(first, mesh())) {
+        const Surface::Index across = m_order.face_rank(opposite(h, mesh()));
+        if (across <= face || across == m_order.none)
+          f(h, adjacency(face, i, h));
+        ++i;
+      }
+    }
   }
 
   /// The number of a vertex, by iteration.
@@ -54,32 +66,40 @@ public:
     return m_order.vertex_rank(v);
   }
 
-  /// Writes `value(adjacency)` for the edges with two different faces, `true` for border edges,
-  /// `false` for the others. Returns the number of edges with `true`.
+  /// Writes `value(adjacency)` for the edges with an adjacency, `true` for the other border edges,
+  /// `false` for the rest. Returns the number of edges with `true`.
   template <typename EdgeMap, typename Value>
   std::size_t write(EdgeMap& map, const Value& value) const
   {
     using Mapped = typename boost::property_traits<EdgeMap>::value_type;
     std::size_t number = 0;
-    for_each_adjacency([&](auto h, std::size_t a) {
-      const bool is_true = value(a);
-      put(map, edge(h, mesh()), Mapped(is_true));
+    for_each_edge([&](auto h, Surface::Index a) {
+      const auto e = edge(h, mesh());
+      const bool is_true = a == Surface::none ? CGAL::is_border(e, mesh()) : value(a);
+      put(map, e, Mapped(is_true));
       number += is_true;
     });
-    for (auto e : edges(mesh())) {
-      const auto h = halfedge(e, mesh());
-      const bool is_border = CGAL::is_border(e, mesh());
-      if (is_border || face(h, mesh()) == face(opposite(h, mesh()), mesh()))
-        put(map, e, Mapped(is_border));
-      number += is_border;
-    }
     return number;
   }
 
 private:
+  /// Across the side of a face at a halfedge: the i-th, unless the surface has turned the face, or
+  /// begins it at another vertex.
+  template <typename Halfedge>
+  Surface::Index adjacency(Surface::Index face, std::size_t i, const Halfedge& h) const
+  {
+    const Point_pair wanted = point_pair(m_surface.point(rank(source(h, mesh()))),
+                                         m_surface.point(rank(target(h, mesh()))));
+    const std::size_t n = m_surface.number_of_corners(face);
+    for (std::size_t tries = 0; tries < n; ++tries, i = (i + 1) % n)
+      if (point_pair(m_surface.point(m_surface.corner(face, i)),
+                     m_surface.point(m_surface.corner(face, (i + 1) % n))) == wanted)
+        return m_surface.adjacency(face, i);
+    return Surface::none;
+  }
+
   Mesh_order<FaceGraph, Pack> m_order;
   Surface m_surface;
-  Constraints m_constraints;
 };
 
 } // namespace internal

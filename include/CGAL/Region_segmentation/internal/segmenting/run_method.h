@@ -65,7 +65,7 @@ Seeds read_seeds(const Input& input, const SeedMap& map)
 
 /// What a pack asks for.
 template <typename Input, typename Pack>
-Request request_of_pack(const Input& input, const Surface& surface, const Pack& np)
+Request request_of_pack(const Input& input, const Pack& np)
 {
   Request request;
   if constexpr (has_parameter<Pack, internal_np::number_of_segments_t>) {
@@ -73,10 +73,6 @@ Request request_of_pack(const Input& input, const Surface& surface, const Pack& 
     CGAL_precondition_msg(k >= 1, "number_of_segments is at least 1");
     request.number_of_segments = std::size_t(k);
   }
-  if constexpr (has_parameter<Pack, CGAL::internal_np::edge_is_constrained_t>)
-    input.add_constraints(
-      surface, CGAL::parameters::get_parameter(np, CGAL::internal_np::edge_is_constrained), np,
-      request.constraints);
   if constexpr (has_parameter<Pack, internal_np::face_seed_map_t>)
     request.seeds = read_seeds(input,
                                CGAL::parameters::get_parameter(np, internal_np::face_seed_map));
@@ -102,8 +98,8 @@ void write_outputs([[maybe_unused]] const Input& input, [[maybe_unused]] const H
 
 /// Segments a surface once, and writes labels and outputs. Returns the number of segments.
 template <typename Input, typename SegmentMap, typename Pack>
-std::size_t run_method(const Input& input, const Surface& surface, SegmentMap& segment_map,
-                       const Pack& np, const Execution& execution)
+std::size_t run_method(const Input& input, Surface surface, SegmentMap& segment_map, const Pack& np,
+                       const Execution& execution)
 {
   using Method = Method_of_pack<Pack>;
   static_assert(check_method<Method>());
@@ -111,7 +107,8 @@ std::size_t run_method(const Input& input, const Surface& surface, SegmentMap& s
                 "segment() with this method needs the named parameter number_of_segments");
   input.check(segment_map, 0);
   const Method method = method_of_pack<Method>(np);
-  Request request = request_of_pack(input, surface, np);
+  constrain(input, surface, np);
+  Request request = request_of_pack(input, np);
   if constexpr (!has_outputs<Pack>)
     request.numbers = Request::Numbers::ONE;
   using Calls = Method_calls<Method>;

@@ -18,6 +18,8 @@ struct Added_adjacency
   Surface::Index lower, higher; ///< faces
   double squared_length;
   std::uint8_t flags;
+  Surface::Index side = Surface::none, other_side = Surface::none; ///< of a seam: its corners
+  Surface::Index place = Surface::none;                            ///< once it is inserted
 
   friend bool operator<(const Added_adjacency& a, const Added_adjacency& b)
   {

@@ -28,7 +28,7 @@ namespace internal {
 struct Raw_surface
 {
   using Index = Surface::Index;
-  static constexpr Index none = (std::numeric_limits<Index>::max)(), at_seam = none - 1;
+  static constexpr Index none = Surface::none, at_seam = none - 1;
 
   Surface surface;
   /// By side: the face across; `none`: of a border, or not known; or `at_seam`.
@@ -56,6 +56,23 @@ inline Surface::Index next_corner(const Surface_arrays& arrays, std::size_t face
 {
   return Surface::Index(corner + 1 == arrays.first_corners[face + 1] ? arrays.first_corners[face]
                                                                      : corner + 1);
+}
+
+/// The side of the neighbor of a face across one of its sides.
+/// \pre there is a neighbor
+inline Surface::Index side_across(const Raw_surface& raw, Surface::Index face, Surface::Index side)
+{
+  const Surface_arrays& arrays = arrays_of(raw.surface);
+  const Surface::Index neighbor = raw.neighbors[side], v = arrays.corners[side],
+                       w = arrays.corners[next_corner(arrays, face, side)];
+  Surface::Index s = arrays.first_corners[neighbor];
+  for (; s < arrays.first_corners[neighbor + 1]; ++s) {
+    const Surface::Index from = arrays.corners[s],
+                         to = arrays.corners[next_corner(arrays, neighbor, s)];
+    if (raw.neighbors[s] == face && ((from == w && to == v) || (from == v && to == w)))
+      break;
+  }
+  return s;
 }
 
 /// Calls `f(face, side, next)` for the open sides, whose neighbor is not known, in order: few of

@@ -33,10 +33,18 @@ enum class Adjacency_of { NEIGHBORS, COINCIDING_SIDES, COMPONENTS };
 /// edge if one of them is degenerate.
 inline Added_adjacency adjacency_of_seam(const Surface& surface, const Seam& seam)
 {
+  const auto side_of = [&](Surface::Index face) {
+    return side_between(surface, face, seam.lower_vertex, seam.higher_vertex);
+  };
   const Surface::Index lower = (std::min)(seam.face, seam.other_face),
                        higher = (std::max)(seam.face, seam.other_face);
   const Double_3 direction = surface.point(seam.higher_vertex) - surface.point(seam.lower_vertex);
-  Added_adjacency result = {lower, higher, seam.share * seam.share * squared_norm(direction), 0};
+  Added_adjacency result = {lower,
+                            higher,
+                            seam.share * seam.share * squared_norm(direction),
+                            0,
+                            side_of(seam.face),
+                            side_of(seam.other_face)};
   if (surface.is_degenerate(lower) || surface.is_degenerate(higher))
     return result;
   result.flags = Surface::SEAM;

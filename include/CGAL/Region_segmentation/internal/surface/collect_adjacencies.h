@@ -28,6 +28,19 @@ inline void resize_adjacencies(Surface_arrays& arrays, std::size_t size)
   arrays.flags.resize(size);
 }
 
+/// The corner from which the side of a face between two vertices leaves, in either direction;
+/// `none` if there is no such side. O(n) for n corners.
+inline Surface::Index side_between(const Surface& surface, Surface::Index face, Surface::Index v,
+                                   Surface::Index w)
+{
+  Surface::Index side = arrays_of(surface).first_corners[face], result = Surface::none;
+  for_each_side(surface, face, [&](Surface::Index from, Surface::Index to) {
+    result = std::minmax(from, to) == std::minmax(v, w) ? side : result;
+    ++side;
+  });
+  return result;
+}
+
 /// The adjacencies across edges, from the faces across the sides of each face. Those of a face by
 /// the lower faces, of several to one in the order of the boundary.
 inline void collect_adjacencies(Raw_surface& raw, const Execution& execution)
@@ -35,6 +48,9 @@ inline void collect_adjacencies(Raw_surface& raw, const Execution& execution)
   using Index = Surface::Index;
   Surface_arrays& arrays = arrays_of(raw.surface);
   resize_adjacencies(arrays, arrays.corners.size() / 2); // each one has two sides
+  arrays.adjacencies.resize(arrays.corners.size());
+  for_each_index(execution.silent(), arrays.corners.size(),
+                 [&](std::size_t side) { arrays.adjacencies[side] = Surface::none; });
   const auto number_in = [&](std::size_t, std::size_t begin, std::size_t end) {
     std::size_t result = 0;
     for (std::size_t f = begin; f < end; ++f)
@@ -58,6 +74,8 @@ inline void collect_adjacencies(Raw_surface& raw, const Execution& execution)
         arrays.lower_faces[a] = lower;
         arrays.higher_faces[a] = Index(f);
         arrays.squared_lengths[a] = squared_norm(direction);
+        arrays.adjacencies[side] = Index(a);
+        arrays.adjacencies[side_across(raw, Index(f), side)] = Index(a);
         arrays.flags[a++] = sign_of_edge(arrays.normals[f], arrays.normals[lower], direction);
       }
     }
@@ -70,9 +88,12 @@ inline void collect_adjacencies(Raw_surface& raw, const Execution& execution)
 /// Inserts adjacencies behind those of the same two faces.
 inline void insert_adjacencies(Surface& surface, std::vector<Added_adjacency> added)
 {
+  if (added.empty())
+    return;
   std::stable_sort(added.begin(), added.end());
   Surface_arrays& arrays = arrays_of(surface);
   std::size_t from = arrays.flags.size(), to = from + added.size();
+  std::vector<Surface::Index> new_places(from); // of the adjacencies that there are
   resize_adjacencies(arrays, to);
   for (std::size_t i = added.size(); i > 0;) {
     --to;
@@ -80,6 +101,7 @@ inline void insert_adjacencies(Surface& surface, std::vector<Added_adjacency> ad
     if (from > 0 && std::tie(a.higher, a.lower) <
                       std::tie(arrays.higher_faces[from - 1], arrays.lower_faces[from - 1])) {
       --from;
+      new_places[from] = Surface::Index(to);
       arrays.lower_faces[to] = arrays.lower_faces[from];
       arrays.higher_faces[to] = arrays.higher_faces[from];
       arrays.squared_lengths[to] = arrays.squared_lengths[from];
@@ -89,50 +111,46 @@ inline void insert_adjacencies(Surface& surface, std::vector<Added_adjacency> ad
       arrays.higher_faces[to] = a.higher;
       arrays.squared_lengths[to] = a.squared_length;
       arrays.flags[to] = a.flags;
-      --i;
+      added[--i].place = Surface::Index(to);
       arrays.has_seams_or_links |= (a.flags & (Surface::SEAM | Surface::LINK)) != 0;
     }
   }
+  std::iota(new_places.begin(), new_places.begin() + std::ptrdiff_t(from), Surface::Index(0));
+  for (Surface::Index& a : arrays.adjacencies)
+    a = a == Surface::none ? a : new_places[a];
+  for (const Added_adjacency& a : added)
+    if (a.side != Surface::none)
+      arrays.adjacencies[a.side] = a.place;
+  for (const Added_adjacency& a : added)
+    if (a.other_side != Surface::none && arrays.adjacencies[a.other_side] == Surface::none)
+      arrays.adjacencies[a.other_side] = a.place;
 }
 
-/// The longest adjacency of each degenerate face, among those that `is_candidate(adjacency)`; of
-/// equal ones that to the lowest face.
-inline std::vector<Surface::Index>
-longest_edges_of_degenerate_faces(const Surface& surface,
-                                  Function_ref<bool(std::size_t)> is_candidate)
+/// Marks the adjacencies of degenerate faces: the longest edge of each that is not constrained
+/// joins it, of equal ones that to the lowest face.
+inline void join_degenerate_faces(Surface& surface)
 {
   using Index = Surface::Index;
-  constexpr Index none = (std::numeric_limits<Index>::max)();
-  std::vector<Index> longest(surface.number_of_faces(), none);
+  Surface_arrays& arrays = arrays_of(surface);
+  std::vector<Index> longest; // by face
   const auto key = [&](Index a, Index face) {
     const Index lower = surface.lower_face(a);
     return std::make_pair(-surface.squared_length(a),
                           lower == face ? surface.higher_face(a) : lower);
   };
   for (Index a = 0; a < surface.number_of_adjacencies(); ++a)
-    for (const Index face : {surface.lower_face(a), surface.higher_face(a)})
-      if (surface.is_degenerate(face) && is_candidate(a) &&
-          (longest[face] == none || key(a, face) < key(longest[face], face)))
+    for (const Index face : {surface.lower_face(a), surface.higher_face(a)}) {
+      if (!surface.is_degenerate(face) || surface.has_flag(a, Surface::LINK))
+        continue;
+      arrays.flags[a] = std::uint8_t((arrays.flags[a] & Surface::CONSTRAINED) | Surface::CLOSED);
+      longest.resize(surface.number_of_faces(), Surface::none);
+      if (!surface.has_flag(a, Surface::CONSTRAINED) &&
+          (longest[face] == Surface::none || key(a, face) < key(longest[face], face)))
         longest[face] = a;
-  longest.erase(std::remove(longest.begin(), longest.end(), none), longest.end());
-  return longest;
-}
-
-/// Marks the adjacencies of degenerate faces: the longest edge of each joins it.
-inline void join_degenerate_faces(Surface& surface)
-{
-  Surface_arrays& arrays = arrays_of(surface);
-  const auto is_zero = [](const Double_3& n) { return n.x == 0 && n.y == 0 && n.z == 0; };
-  if (std::none_of(arrays.normals.begin(), arrays.normals.end(), is_zero))
-    return;
-  const auto is_edge = [&](std::size_t a) { return !surface.has_flag(a, Surface::LINK); };
-  const auto joining = longest_edges_of_degenerate_faces(surface, is_edge);
-  for (std::size_t a = 0; a < arrays.flags.size(); ++a)
-    if (is_edge(a) && (surface.is_degenerate(arrays.lower_faces[a]) ||
-                       surface.is_degenerate(arrays.higher_faces[a])))
-      arrays.flags[a] = Surface::CLOSED;
-  for (const Surface::Index a : joining)
-    arrays.flags[a] = Surface::JOINING;
+    }
+  for (const Index a : longest)
+    if (a != Surface::none)
+      arrays.flags[a] = Surface::JOINING;
 }
 
 } // namespace internal

@@ -3,13 +3,11 @@
 #ifndef CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_MARK_CONSTRAINTS_H
 #define CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_MARK_CONSTRAINTS_H
 
-#include <CGAL/Region_segmentation/Request.h>
 #include <CGAL/Region_segmentation/Surface.h>
-#include <CGAL/Region_segmentation/internal/surface/merge_points.h>
+#include <CGAL/Region_segmentation/internal/surface/collect_adjacencies.h>
 
 #include <algorithm>
-#include <cmath>
-#include <cstddef>
+#include <array>
 #include <utility>
 #include <vector>
 
@@ -20,45 +18,49 @@ namespace internal {
 /// Two vertices.
 using Vertex_pair = std::pair<Surface::Index, Surface::Index>;
 
-/// Constrains the adjacencies across edges, and the seams, between the given pairs of vertices;
-/// equal points count as one. O(F log F + C log C) for C pairs.
-inline void mark_constraints(const Surface& surface, std::vector<Vertex_pair> pairs,
-                             Constraints& constraints)
+/// The coordinates of two points, the lower one first.
+using Point_pair = std::array<std::array<double, 3>, 2>;
+
+inline Point_pair point_pair(const Double_3& p, const Double_3& q)
+{
+  const std::array<double, 3> a{p.x, p.y, p.z}, b{q.x, q.y, q.z};
+  return a < b ? Point_pair{a, b} : Point_pair{b, a};
+}
+
+/// Constrains the edges and seams between pairs of vertices. A vertex that no face uses, since its
+/// point is that of another one, stands for all vertices with this point. O(F log C) for C pairs.
+inline void mark_constraints(Surface& surface, const std::vector<Vertex_pair>& pairs)
 {
   using Index = Surface::Index;
   if (pairs.empty())
     return;
-  const std::vector<Index> merged = lowest_of_equal_points(arrays_of(surface).points,
-                                                           [](std::size_t) { return true; });
-  const auto lowest = [&](Index v) { return merged.empty() ? v : merged[v]; };
-  const auto edge = [&](Index v, Index w) {
-    return Vertex_pair(std::minmax(lowest(v), lowest(w)));
+  Surface_arrays& arrays = arrays_of(surface);
+  std::vector<bool> is_used(surface.number_of_vertices());
+  for (const Index v : arrays.corners)
+    is_used[v] = true;
+  std::vector<std::pair<Point_pair, Vertex_pair>> constrained;
+  for (const Vertex_pair& pair : pairs)
+    constrained.push_back(
+      {point_pair(surface.point(pair.first), surface.point(pair.second)), pair});
+  std::sort(constrained.begin(), constrained.end());
+  const auto is_constrained = [&](Index v, Index w) {
+    const auto is = [&](Index end, Index vertex) { return end == vertex || !is_used[end]; };
+    const Point_pair points = point_pair(surface.point(v), surface.point(w));
+    auto c = std::lower_bound(constrained.begin(), constrained.end(),
+                              std::make_pair(points, Vertex_pair(0, 0)));
+    for (; c != constrained.end() && c->first == points; ++c)
+      if (const auto& [p, q] = c->second; (is(p, v) && is(q, w)) || (is(p, w) && is(q, v)))
+        return true;
+    return false;
   };
-  for (Vertex_pair& pair : pairs)
-    pair = edge(pair.first, pair.second);
-  std::sort(pairs.begin(), pairs.end());
-
-  std::vector<std::pair<Vertex_pair, Index>> sides; // with their faces
-  for (Index f = 0; f < surface.number_of_faces(); ++f)
+  for (Index f = 0; f < surface.number_of_faces(); ++f) {
+    Index side = arrays.first_corners[f];
     for_each_side(surface, f, [&](Index v, Index w) {
-      if (std::binary_search(pairs.begin(), pairs.end(), edge(v, w)))
-        sides.push_back({edge(v, w), f});
+      if (const Index a = arrays.adjacencies[side++]; a != Surface::none && is_constrained(v, w))
+        arrays.flags[a] |= Surface::CONSTRAINED;
     });
-  std::sort(sides.begin(), sides.end());
-  const auto has_side = [&](const Vertex_pair& side, Index face) {
-    return std::binary_search(sides.begin(), sides.end(), std::make_pair(side, face));
-  };
-  for (const auto& [side, face] : sides) {
-    const double length = norm(surface.point(side.first) - surface.point(side.second));
-    for (std::size_t a = surface.first_adjacency(face);
-         a < surface.number_of_adjacencies() && surface.higher_face(a) == face; ++a) {
-      const double share = surface.length(a) / (length > 0 ? length : 1);
-      const bool is_of_side = std::abs(share - 1) < 1e-9 || std::abs(share - 0.5) < 1e-9;
-      if (!surface.has_flag(a, Surface::LINK) && is_of_side &&
-          has_side(side, surface.lower_face(a)))
-        constraints.add(a, surface.number_of_adjacencies());
-    }
   }
+  join_degenerate_faces(surface);
 }
 
 } // namespace internal

@@ -39,8 +39,9 @@ inline Side_of_edge side_at(const Surface_arrays& arrays, Surface::Index face,
 /// oriented.
 struct Seam
 {
-  Surface::Index lower_vertex, higher_vertex, face, other_face;
-  double share; ///< of the length of the edge
+  Surface::Index lower_vertex, higher_vertex;
+  Surface::Index face, other_face; ///< the side of `face` has this seam
+  double share;                    ///< of the length of the edge
 };
 
 /// Finds what is adjacent across sides with the same two vertices.
@@ -111,7 +112,7 @@ private:
     const Side_of_edge base = m_proper.empty() ? sides.front() : m_proper.front();
     for (const Side_of_edge& s : sides)
       if (s.corner != base.corner && m_raw.surface.is_degenerate(s.face) && s.face != base.face)
-        add_seam(base, s, 1);
+        add_seam(s, base, 1);
     if (m_proper.size() == 2)
       join(m_proper[0], m_proper[1]);
     else if (m_proper.size() > 2)

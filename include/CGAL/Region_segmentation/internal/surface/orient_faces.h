@@ -21,23 +21,9 @@ inline void turn_face(Raw_surface& raw, std::size_t face)
              past = std::ptrdiff_t(arrays.first_corners[face + 1]);
   arrays.normals[face] = -1.0 * arrays.normals[face];
   std::reverse(arrays.corners.begin() + first + 1, arrays.corners.begin() + past);
-  if (!raw.neighbors.empty())
-    std::reverse(raw.neighbors.begin() + first, raw.neighbors.begin() + past);
-}
-
-/// The side of `face` across which `a.face` is.
-inline Side_of_edge opposite_side(const Raw_surface& raw, const Side_of_edge& a,
-                                  Surface::Index face)
-{
-  const Surface_arrays& arrays = arrays_of(raw.surface);
-  Side_of_edge b = a;
-  for (Surface::Index c = arrays.first_corners[face]; c < arrays.first_corners[face + 1]; ++c) {
-    const Side_of_edge side = side_at(arrays, face, c);
-    if (raw.neighbors[c] == a.face && side.lower_vertex == a.lower_vertex &&
-        side.higher_vertex == a.higher_vertex)
-      b = side;
-  }
-  return b;
+  for (auto* sides : {&raw.neighbors, &arrays.adjacencies})
+    if (!sides->empty())
+      std::reverse(sides->begin() + first, sides->begin() + past);
 }
 
 /// Turns faces so that neighbors across edges run in opposite directions along them. Of each
@@ -80,8 +66,9 @@ inline void orient_faces(Raw_surface& raw, const std::vector<Surface::Index>& pa
       const Index g = raw.neighbors[c];
       if (!Raw_surface::is_face(g) || g <= f || (is_turned[f] != is_turned[g]) == is_parallel[c])
         continue;
-      const Side_of_edge a = side_at(arrays, f, c), b = opposite_side(raw, a, g);
-      raw.neighbors[a.corner] = raw.neighbors[b.corner] = Raw_surface::at_seam;
+      const Side_of_edge a = side_at(arrays, f, c);
+      raw.neighbors[side_across(raw, f, c)] = Raw_surface::at_seam;
+      raw.neighbors[c] = Raw_surface::at_seam;
       seams.push_back({a.lower_vertex, a.higher_vertex, f, g, 1});
     }
   for (Index f = 0; f < size; ++f)
