@@ -274,6 +274,8 @@ std::vector<std::string> provenance(const Options& options,
 {
   const Training_rows rows = all_rows(validation);
   const std::size_t pieces = number_of_pieces(models), of_benchmark = models.size() - pieces;
+  const bool even = std::all_of(models.begin(), models.begin() + std::ptrdiff_t(of_benchmark),
+                                [](const Training_model& m) { return m.number % 2 == 0; });
   const auto scores = [&](bool of_furniture) {
     return mean_given_and_chosen(models, of_furniture, validation.scores);
   };
@@ -281,12 +283,19 @@ std::vector<std::string> provenance(const Options& options,
     "Made by train_merge_cost --seed " + std::to_string(options.plan.seed) + " --trainings " +
       std::to_string(options.plan.trainings) + (options.variants.empty() ? " --no-variants" : "") +
       " from " + std::to_string(of_benchmark) +
-      " models of the Princeton Segmentation Benchmark, number " +
+      " models of the Princeton Segmentation Benchmark, " +
+      (even ? "of its even-numbered half, number " : "number ") +
       std::to_string(models.front().number) + " to " +
       std::to_string(models[of_benchmark - 1].number) +
       (pieces > 0 ? ", and " + std::to_string(pieces) + " pieces of furniture of the weight " +
                       in_digits(options.furniture_weight) + "."
                   : "."),
+    std::string("The benchmark: X. Chen, A. Golovinskiy, T. Funkhouser, \"A Benchmark for 3D Mesh "
+                "Segmentation\", ACM Transactions on Graphics 28(3), 2009. ") +
+      (pieces > 0 ? "The furniture: made of the parts of IKEA-Manuals-at-Work (Liu et al., "
+                    "CC BY 4.0). "
+                  : "") +
+      "See doc/accuracy.md.",
     names_of_variants(options),
     "Hash of the " + std::to_string(rows.size()) + " training rows: " + fingerprint(rows) +
       "; of the training sources: " + std::string(training_sources_hash) + ".",
