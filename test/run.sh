@@ -1,7 +1,7 @@
 #!/bin/sh
 # run.sh [all] [CTEST ARGUMENT...]: builds and runs the tests of the library and of the program; with `all` also those of
 # the modules for Python, npm and Blender, of pages in browsers, examples, packages, documents, other compilers and
-# processors, of what measures and trains, with sanitizers, and short fuzzing.
+# processors, of speed and memory, of what measures and trains, with sanitizers, and short fuzzing.
 #
 # Installs what is missing and builds in release mode into build-test/. CGAL_DIR=DIR tests against
 # another CGAL, in a build of its own. REGION_SEGMENTATION_PSB=DIR, the unpacked Princeton Segmentation
@@ -10,7 +10,7 @@ set -eu
 root=$(cd "$(dirname "$0")/.." && pwd)
 
 packages="g++ make cmake clang-format lib3mf-dev libboost-iostreams-dev libcgal-demo libcgal-dev libcli11-dev libeigen3-dev
-  libgtest-dev libjs-three libopenmesh-dev libpng-dev libtbb-dev libtinygltf-dev nlohmann-json3-dev valgrind zlib1g-dev"
+  libgtest-dev libjs-three libopenmesh-dev libpng-dev libtbb-dev libtinygltf-dev nlohmann-json3-dev zlib1g-dev"
 all=OFF
 if [ "${1:-}" = all ]; then
   shift
@@ -18,7 +18,7 @@ if [ "${1:-}" = all ]; then
   packages="$packages assimp-utils blender chromium chromium-driver clang dpkg-dev doxygen emscripten g++-aarch64-linux-gnu
     libclang-rt-14-dev libfast-float-dev libjs-mathjax libxgboost-dev lintian node-acorn node-typescript nodejs parallel
     python3-dev python3-numpy python3-pip python3-pybind11 python3-pytest python3-selenium python3-setuptools python3-vtk9
-    qemu-user-static"
+    qemu-user-static valgrind"
   # That of node's makers is part of their nodejs, which excludes Debian's.
   command -v npm >/dev/null || packages="$packages npm"
 fi
