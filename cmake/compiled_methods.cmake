@@ -3,7 +3,7 @@
 # Smooth_faces is in it where CMake finds Eigen.
 find_package(Eigen3 CONFIG QUIET)
 
-# Such a target; the tests have others, with flags of their own.
+# Such a target; the guards on speed have another, with flags of their own.
 function(CGAL_Region_segmentation_add_compiled_methods target)
   add_library(${target} STATIC EXCLUDE_FROM_ALL
     ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/compiled_methods.cpp)

@@ -40,12 +40,12 @@ begin_cmake()
 
 # Examples in one folder.
 examples=$package/examples/$name
-cp "$root/examples/dumbbell.h" "$examples"
-sed 's,"../dumbbell.h","dumbbell.h",' "$root/examples/pipelines/input_mesh.h" >"$examples/input_mesh.h"
+cp "$root"/examples/*.h "$examples"
+sed 's,"\.\./,",' "$root/examples/pipelines/input_mesh.h" >"$examples/input_mesh.h"
 for file in "$root"/examples/*.cpp "$root"/examples/pipelines/*.cpp; do
   cp "$file" "$examples/$(basename "$file" .cpp)_example.cpp"
 done
-with_eigen='^\(parameterize_.*\|.*_part\|primitives\|holes\|fillets\)_example.cpp$'
+with_eigen='^\(partition_spectrally\|parameterize_.*\|.*_part\|primitives\|holes\|fillets\)_example.cpp$'
 {
   begin_cmake Examples
   sources "$examples" | grep -v "$with_eigen" | programs

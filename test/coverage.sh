@@ -10,7 +10,7 @@ set -eu
 status=0
 root=$(cd "$(dirname "$0")/.." && pwd)
 work=${1:-$root/build-coverage}
-cmake -S "$root" -B "$work" -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS="--coverage -O1 -g0 -DNDEBUG -fno-inline" >/dev/null
+cmake -S "$root" -B "$work" -DCMAKE_BUILD_TYPE=Debug -DREGION_SEGMENTATION_ALL_TESTS=ON -DCMAKE_CXX_FLAGS="--coverage -O1 -g0 -DNDEBUG -fno-inline" >/dev/null
 export GCOV_ERROR_FILE="$work/gcov_errors"
 find "$work" -name '*.gcda' -exec rm {} +
 rm -f "$GCOV_ERROR_FILE"

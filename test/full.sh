@@ -12,7 +12,7 @@ sh "$root/cmake/install_packages.sh" clang clang-tools llvm g++ cmake make pytho
 sanitized() # NAME BUILD-TYPE FLAGS CTEST-ARGUMENT...
 {
   build=$work/$1
-  cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE="$2" -DCMAKE_CXX_COMPILER=clang++ \
+  cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE="$2" -DREGION_SEGMENTATION_ALL_TESTS=ON -DCMAKE_CXX_COMPILER=clang++ \
     -DCMAKE_CXX_FLAGS="$3 -fno-omit-frame-pointer -g1 -D_GLIBCXX_ASSERTIONS" >/dev/null
   cmake --build "$build" -j 2
   shift 3

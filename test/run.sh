@@ -1,22 +1,28 @@
 #!/bin/sh
-# run.sh [CTEST ARGUMENT...]: builds and runs the tests; without arguments all of them.
+# run.sh [all] [CTEST ARGUMENT...]: builds and runs the tests of the library and of the program; with `all` also those of
+# the modules for Python, npm and Blender, of pages in browsers, examples, packages, documents, other compilers and
+# processors, of speed and memory, of what measures and trains, with sanitizers, and short fuzzing.
 #
 # Installs what is missing and builds in release mode into build-test/. CGAL_DIR=DIR tests against
 # another CGAL, in a build of its own. REGION_SEGMENTATION_PSB=DIR, the unpacked Princeton Segmentation
-# Benchmark, adds the tests that need it; without it they say so and are skipped.
+# Benchmark, adds the tests of `all` that need it; without it they say so and are skipped.
 set -eu
 root=$(cd "$(dirname "$0")/.." && pwd)
 
-# That of node's makers is part of their nodejs, which excludes Debian's.
-npm=
-command -v npm >/dev/null || npm=npm
-sh "$root/cmake/install_packages.sh" $npm g++ make cmake assimp-utils blender chromium chromium-driver clang clang-format \
-  dpkg-dev doxygen emscripten g++-aarch64-linux-gnu lib3mf-dev libboost-iostreams-dev libcgal-demo \
-  libcgal-dev libclang-rt-14-dev libcli11-dev libeigen3-dev libfast-float-dev libgtest-dev libjs-mathjax \
-  libjs-three libopenmesh-dev libpng-dev libtbb-dev libtinygltf-dev \
-  libxgboost-dev lintian nlohmann-json3-dev node-acorn node-typescript nodejs parallel python3-dev \
-  python3-numpy python3-pip python3-pybind11 python3-pytest python3-selenium python3-setuptools \
-  python3-vtk9 qemu-user-static valgrind zlib1g-dev
+packages="g++ make cmake clang-format lib3mf-dev libboost-iostreams-dev libcgal-demo libcgal-dev libcli11-dev libeigen3-dev
+  libgtest-dev libjs-three libopenmesh-dev libpng-dev libtbb-dev libtinygltf-dev nlohmann-json3-dev zlib1g-dev"
+all=OFF
+if [ "${1:-}" = all ]; then
+  shift
+  all=ON
+  packages="$packages assimp-utils blender chromium chromium-driver clang dpkg-dev doxygen emscripten g++-aarch64-linux-gnu
+    libclang-rt-14-dev libfast-float-dev libjs-mathjax libxgboost-dev lintian node-acorn node-typescript nodejs parallel
+    python3-dev python3-numpy python3-pip python3-pybind11 python3-pytest python3-selenium python3-setuptools python3-vtk9
+    qemu-user-static valgrind"
+  # That of node's makers is part of their nodejs, which excludes Debian's.
+  command -v npm >/dev/null || packages="$packages npm"
+fi
+sh "$root/cmake/install_packages.sh" $packages
 
 build=$root/build-test
 if [ -n "${CGAL_DIR:-}" ]; then
@@ -34,6 +40,6 @@ fi
 export REGION_SEGMENTATION_REAL_MESHES="$meshes"
 
 cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release -DREGION_SEGMENTATION_BUILD_EXAMPLES=OFF \
-  ${CGAL_DIR:+"-DCGAL_DIR=$CGAL_DIR"} >/dev/null
+  -DREGION_SEGMENTATION_ALL_TESTS=$all ${CGAL_DIR:+"-DCGAL_DIR=$CGAL_DIR"} >/dev/null
 cmake --build "$build" -j 2
 ctest --test-dir "$build" --output-on-failure -j 2 "$@"

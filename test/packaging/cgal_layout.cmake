@@ -1,5 +1,6 @@
-# The tree in the layout of CGAL's repository: an example and a test are built and run there, as CGAL's scripts build them, and
-# Doxygen runs over the documentation without a warning. DOXYFILE is that of this repository, whose settings and aliases stand
+# The tree in the layout of CGAL's repository: two examples that need Eigen and a test are built and run there, as CGAL's scripts
+# build them (the test examples_alone compiles all examples of this layout), and Doxygen runs over the documentation without a
+# warning. DOXYFILE is that of this repository, whose settings and aliases stand
 # for those of CGAL's packages.
 include(${CMAKE_CURRENT_LIST_DIR}/run.cmake)
 set(package ${WORK}/Region_segmentation)
@@ -26,7 +27,7 @@ function(build_and_run kind)
     run(${WORK}/build_${kind}/${program})
   endforeach()
 endfunction()
-build_and_run(examples walk_the_region_graph_example)
+build_and_run(examples machine_part_example partition_spectrally_example)
 build_and_run(test Partition_test)
 
 if(NOT EXISTS ${DOXYFILE})

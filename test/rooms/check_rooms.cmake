@@ -1,5 +1,5 @@
-# cmake -D ROOT=DIR -P check_rooms.cmake: in the library, includes run one way between the rooms; and CONTRIBUTING.md has a
-# line for every folder.
+# cmake -D ROOT=DIR -P check_rooms.cmake: in the library, includes run one way between the rooms, and no name is a macro of
+# Windows' headers; and CONTRIBUTING.md has a line for every folder.
 cmake_minimum_required(VERSION 3.16)
 
 # The rooms in order: a header includes headers of its own room and of those before it. Headers by their paths below
@@ -54,6 +54,17 @@ foreach(header IN LISTS headers)
       message(SEND_ERROR "${header} (${room}) includes ${included} (${included_room}), which comes later")
     endif()
   endforeach()
+endforeach()
+
+# Words that Windows' headers define as macros; those of min and max have arguments, so (min)(a, b) is none of them.
+set(macros "small|near|far|hyper|interface|pascal|cdecl|environ|IN|OUT|OPTIONAL|ERROR|DELETE|CONST|VOID|STRICT|ABSOLUTE|RELATIVE|DIFFERENCE|TRANSPARENT|RGB")
+file(GLOB_RECURSE headers ${ROOT}/include/*.h)
+foreach(header IN LISTS headers)
+  file(READ ${header} text)
+  string(REGEX REPLACE "//[^\n]*|\"[^\"\n]*\"" " " text "${text}")
+  if(text MATCHES "[^A-Za-z0-9_]((${macros})[^A-Za-z0-9_]|(min|max) *\\()")
+    message(SEND_ERROR "${header}: ${CMAKE_MATCH_1} is a macro of Windows' headers")
+  endif()
 endforeach()
 
 # Folders of the tree, but for those that Python and its pip make.

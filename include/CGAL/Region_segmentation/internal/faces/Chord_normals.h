@@ -187,8 +187,8 @@ private:
     }
     std::vector<Double_3> direction = residual;
     double squared = squared_norm_of(residual);
-    const double small = 1e-12 * squared;
-    for (int i = 0; i < iterations && squared > small; ++i) {
+    const double negligible = 1e-12 * squared;
+    for (int i = 0; i < iterations && squared > negligible; ++i) {
       for (std::size_t k = 0; k < n; ++k)
         product[k] = of_estimate * direction[k];
       double denominator = of_estimate * squared_norm_of(direction);

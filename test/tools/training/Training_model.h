@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_TEST_TOOLS_TRAINING_TRAINING_MODEL_H
+#define CGAL_REGION_SEGMENTATION_TEST_TOOLS_TRAINING_TRAINING_MODEL_H
+
+#include "Label_counts.h"
+
+#include "model_sources.h"
+
+#include <CGAL/Region_segmentation/Graph/Merge_tree.h>
+#include <CGAL/Region_segmentation/Graph/Region_adjacency_graph.h>
+#include <CGAL/Region_segmentation/Methods/Learned_data.h>
+#include <CGAL/Region_segmentation/Partition.h>
+#include <CGAL/Region_segmentation/Patches.h>
+#include <CGAL/Region_segmentation/Surface.h>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace train_merge_cost {
+
+using Graph = CGAL::Region_segmentation::Region_adjacency_graph<
+  CGAL::Region_segmentation::Learned_region_data, CGAL::Region_segmentation::Learned_section_data>;
+
+/// What is learned from: the regions from which the learned cost merges, and what people say of
+/// them.
+struct Training_graph
+{
+  Graph graph;
+  Label_counts counts;
+};
+
+/// A model, of the benchmark or furniture, at the number of regions from which the learned cost
+/// merges.
+struct Training_model : Training_graph
+{
+  int number = 0; ///< in the benchmark, or above all of them: of its seeds
+  std::string category;
+  bool is_furniture = false;
+  double weight = 1;                  ///< of what is learned from it
+  std::size_t number_of_segments = 0; ///< k of the standard protocol
+  std::vector<std::size_t> segments_of_people;
+  std::vector<std::vector<int>> people;       ///< the labels of the faces by each person, from 0 on
+  CGAL::Region_segmentation::Surface surface; ///< without noise
+  CGAL::Region_segmentation::Partition regions;       ///< the first ones
+  CGAL::Region_segmentation::Patches cells;           ///< of the regions
+  CGAL::Region_segmentation::Merge_tree first_merges; ///< before the graph and the counts
+  std::vector<Training_graph> variants; ///< of the same model, to learn from: of other first
+                                        ///< regions, or finer faces
+};
+
+/// `superfacets`: the number of first regions; `few`: of regions to merge down to, by the hand-made
+/// cost
+Training_model make_training_model(int number, const princeton_benchmark::Model& model,
+                                   std::size_t superfacets, std::size_t few);
+
+} // namespace train_merge_cost
+
+#endif // CGAL_REGION_SEGMENTATION_TEST_TOOLS_TRAINING_TRAINING_MODEL_H
