@@ -4,9 +4,9 @@
 struct Policy
 {
 #ifdef WITH_FAULT
-  void initialize(Graph&, int, int) {}
+  void initialize(Graph&, int) {}
 #else
-  void initialize(const Graph&, std::size_t) {}
+  void initialize(const Graph&) {}
 #endif
   std::optional<RS::Merge_candidate> next(const Graph&)
   {

@@ -3,7 +3,7 @@
 #include "common.h"
 struct Policy
 {
-  void initialize(const Graph&, std::size_t) {}
+  void initialize(const Graph&) {}
 #ifdef WITH_FAULT
   std::optional<Graph::section_descriptor> next(const Graph&)
   {

@@ -3,7 +3,7 @@
 #include "common.h"
 struct Policy
 {
-  void initialize(const Graph&, std::size_t) {}
+  void initialize(const Graph&) {}
   std::optional<RS::Merge_candidate> next(const Graph&) { return std::nullopt; }
 #ifndef WITH_FAULT
   void on_merge(const Graph&, const Graph::Merge&) {}

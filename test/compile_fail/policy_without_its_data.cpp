@@ -5,7 +5,7 @@
 void test(Visibility_graph& graph)
 {
 #ifdef WITH_FAULT
-  RS::merge_regions(graph, RS::Two_step_merging(), 3);
+  RS::merge_regions(graph, RS::Smallest_region_first(), 3);
 #else
   RS::merge_regions(graph, RS::Lowest_cost_first<RS::Visibility_cost>(), 3);
 #endif

@@ -115,8 +115,7 @@ void use_stages(const Mesh& mesh)
   RS::extract_feature_lines(mesh, features, std::back_inserter(lines));
   RS::grow_regions(mesh, features, regions);
   auto graph = RS::build_region_adjacency_graph(mesh, regions);
-  RS::Two_step_merging policy;
-  RS::merge_regions(graph, policy, 2);
+  RS::merge_regions(graph, RS::Smallest_region_first(), 2);
   RS::smooth_borders(mesh, regions);
   RS::write_face_values(mesh, RS::face_values(mesh, regions), regions);
 }

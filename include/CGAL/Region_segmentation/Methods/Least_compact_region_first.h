@@ -66,7 +66,7 @@ public:
   {}
 
   template <typename Graph>
-  void initialize(const Graph& graph, std::size_t)
+  void initialize(const Graph& graph)
   {
     m_section_of.check_section_data<Graph>();
     static_assert(internal::satisfies<internal::Has_area_and_perimeter, typename Graph::RegionData>,

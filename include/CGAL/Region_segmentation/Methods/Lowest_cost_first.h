@@ -19,9 +19,8 @@ namespace Region_segmentation {
 /// Turns a cost of sections into a policy: merges across the cheapest section of the graph next; of
 /// equal ones, the one between the lower regions. A model of `MergingPolicy`.
 ///
-/// The order does not depend on the wanted number of segments, so one tree gives them all. A merge
-/// changes only the costs of the sections of the merged region: a cost may depend on a section and
-/// on its two regions.
+/// A merge changes only the costs of the sections of the merged region: a cost may depend on a
+/// section and on its two regions.
 ///
 /// All of them are computed anew, unless the region is a hub of more than `hub_degree` sections:
 /// then those that the merge moved or united, and all others after every (degree / `hub_degree`)th
@@ -47,7 +46,7 @@ public:
   {}
 
   template <typename Graph>
-  void initialize(const Graph& graph, std::size_t)
+  void initialize(const Graph& graph)
   {
     static_assert(internal::check_section_cost<Cost, Graph>());
     m_sections.initialize(graph, [&](Section_descriptor s) { return m_cost(graph, s); });

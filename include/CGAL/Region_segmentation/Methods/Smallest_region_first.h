@@ -38,7 +38,7 @@ public:
   {}
 
   template <typename Graph>
-  void initialize(const Graph& graph, std::size_t)
+  void initialize(const Graph& graph)
   {
     m_section_of.check_section_data<Graph>();
     std::vector<Entry> entries;

@@ -78,8 +78,7 @@ private:
 /// chooses it. A number that exceeds that of the superfacets splits them.
 ///
 /// \tparam GraphAnnotator a model of `GraphAnnotator`
-/// \tparam MergingPolicy a model of `MergingPolicy` whose order does not depend on the number of
-///         segments
+/// \tparam MergingPolicy a model of `MergingPolicy`, or `Policy_phases`
 /// \tparam NumberChooser a model of `NumberChooser`, for the costs of the policy
 template <typename GraphAnnotator, typename MergingPolicy, typename NumberChooser>
 struct Superfacet_merging

@@ -29,8 +29,7 @@ constexpr bool check_section_cost()
 }
 
 template <typename T, typename Graph>
-using Initializes = decltype(std::declval<T&>().initialize(std::declval<const Graph&>(),
-                                                           std::size_t()));
+using Initializes = decltype(std::declval<T&>().initialize(std::declval<const Graph&>()));
 template <typename T, typename Graph>
 using Proposes = std::enable_if_t<
   std::is_same<decltype(std::declval<T&>().next(std::declval<const Graph&>())->section),
@@ -50,9 +49,8 @@ constexpr bool check_merging_policy()
     "provide");
   static_assert(std::is_copy_constructible<T>::value,
                 "a MergingPolicy needs to be copy constructible");
-  static_assert(
-    satisfies<Initializes, T, Graph>,
-    "a MergingPolicy needs: void initialize(const Graph&, std::size_t number_of_segments)");
+  static_assert(satisfies<Initializes, T, Graph>,
+                "a MergingPolicy needs: void initialize(const Graph&)");
   static_assert(satisfies<Proposes, T, Graph>,
                 "a MergingPolicy needs: std::optional<Merge_candidate> next(const Graph&)");
   static_assert(satisfies<Observes_merges, T, Graph>,
