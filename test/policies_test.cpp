@@ -9,7 +9,6 @@
 #include <CGAL/Region_segmentation/Methods/Lowest_cost_first.h>
 #include <CGAL/Region_segmentation/Graph/Region_adjacency_graph.h>
 #include <CGAL/Region_segmentation/Methods/Smallest_region_first.h>
-#include <CGAL/Region_segmentation/internal/graph/Batch_queue.h>
 #include <CGAL/Region_segmentation/merge_regions.h>
 #include <CGAL/Region_segmentation/Methods/Two_step.h>
 
@@ -17,11 +16,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <map>
 #include <optional>
-#include <queue>
 #include <random>
 #include <set>
 #include <tuple>
@@ -270,41 +267,6 @@ TEST(Smallest_region_first_test, the_cost_is_the_area)
   ASSERT_EQ(tree.merges().size(), 2u);
   EXPECT_EQ(tree.merges()[0].cost, 1);
   EXPECT_EQ(tree.merges()[1].cost, 2); // region 1, not the merged one of area 1 + 3
-}
-
-TEST(Batch_queue_test, gives_what_a_heap_gives)
-{
-  using Queue = RS::internal::Batch_queue;
-  Queue queue; // of all rounds, since it starts anew with new entries
-  for (unsigned seed = 1; seed <= 50; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    std::mt19937 random(seed);
-    std::exponential_distribution<double> step(1);
-    const auto value = [&] {
-      return random() % 50 == 0 ? 1e300 * step(random) : random() % 8 == 0 ? 0 : step(random);
-    };
-    std::vector<Queue::Entry> entries(random() % 3000);
-    for (Queue::Entry& entry : entries)
-      entry = {value(), random() % 1000};
-    std::priority_queue<Queue::Entry, std::vector<Queue::Entry>, std::greater<>> heap(
-      std::greater<>(), entries);
-    queue.assign(entries);
-    for (std::size_t popped = 0; queue.has_top() || queue.next_batch([](auto&) {}); ++popped) {
-      if (seed % 5 == 0 && popped == 1000)
-        break; // something is left
-      const Queue::Entry top = queue.top();
-      ASSERT_FALSE(heap.empty());
-      ASSERT_EQ(top, heap.top());
-      queue.pop();
-      heap.pop();
-      if (popped < 5000) {
-        const Queue::Entry entry(seed % 2 ? top.first + value() : value(), random() % 1000);
-        queue.push(entry);
-        heap.push(entry);
-      }
-    }
-    EXPECT_TRUE(seed % 5 == 0 || heap.empty());
-  }
 }
 
 TEST(Planarity_test, is_one_for_a_disc_and_infinite_without_area)

@@ -8,7 +8,6 @@
 #include <CGAL/Region_segmentation/internal/graph/region_graph_iterators.h>
 #include <CGAL/Region_segmentation/internal/support/Large_array.h>
 #include <CGAL/Region_segmentation/internal/graph/Section_lists.h>
-#include <CGAL/Region_segmentation/internal/support/prefetch.h>
 
 #include <CGAL/Iterator_range.h>
 #include <CGAL/assertions.h>
@@ -168,28 +167,6 @@ public:
     return half == none ? std::nullopt : std::optional<section_descriptor>(half);
   }
 
-  /// Prefetches the data needed to visit the sections of regions and to merge across one of them,
-  /// for a policy that knows the next regions: their latencies overlap, while those of merges add
-  /// up. Affects only the running time.
-  ///
-  /// The gain is measured in `Batch_queue`.
-  /// \pre the regions are not removed
-  template <typename Regions>
-  void prefetch_neighborhoods(const Regions& regions) const
-  {
-    // Each loop finds its addresses in the data prefetched by the loop before it.
-    for (Index r : regions)
-      m_lists.prefetch_place(m_place_of[r]);
-    for_each_half_of_short(regions, [this](Index half) {
-      m_lists.prefetch_section(half / 2);
-      internal::prefetch(&m_flags[half / 2]);
-    });
-    for_each_half_of_short(regions,
-                           [this](Index half) { m_lists.prefetch_place(m_lists.place(half ^ 1)); });
-    for_each_half_of_short(
-      regions, [this](Index half) { internal::prefetch(&m_region_data[owner(half ^ 1)]); });
-  }
-
   /// Merges the two regions of a section. The lower id is kept; its data absorbs that of the other
   /// region, and sections to a common neighbor absorb each other.
   /// \pre the section exists and is mergeable
@@ -232,13 +209,6 @@ private:
   }
 
   region_descriptor owner(Index half) const { return m_lists.owner(m_lists.place(half)); }
-
-  template <typename Regions, typename F>
-  void for_each_half_of_short(const Regions& regions, const F& f) const
-  {
-    for (Index r : regions)
-      m_lists.for_each_of_short(m_place_of[r], f);
-  }
 
   void absorb_section(Index twin, Index gone)
   {

@@ -4,7 +4,6 @@
 #define CGAL_REGION_SEGMENTATION_INTERNAL_GRAPH_SECTION_LISTS_H
 
 #include <CGAL/Region_segmentation/internal/support/Large_array.h>
-#include <CGAL/Region_segmentation/internal/support/prefetch.h>
 
 #include <CGAL/Iterator_range.h>
 
@@ -83,21 +82,6 @@ public:
     return {list.data(), list.data() + list.size()};
   }
 
-  /// \name Prefetching
-  /// @{
-  void prefetch_place(Index place) const { prefetch_both_ends(&m_places[place]); }
-  void prefetch_section(Index section) const { prefetch_both_ends(&m_sections[section]); }
-  /// @}
-
-  /// Calls `f(half)` for the halves in a list, unless it is long.
-  template <typename F>
-  void for_each_of_short(Index place, const F& f) const
-  {
-    if (!is_long(place))
-      for (Index half : m_places[place].halves)
-        f(half);
-  }
-
   /// The half at p of the section between p and q, or `none`. O(1) expected.
   Index find(Index p, Index q) const
   {
@@ -169,14 +153,6 @@ private:
   /// With 32, merging takes 1.1 times as long on a noisy mesh of 1 million faces, and 1.3 times in
   /// the default method at 10,000 faces.
   static constexpr std::size_t long_length = 128;
-
-  /// For an object of at most two cache lines.
-  template <typename T>
-  static void prefetch_both_ends(const T* object)
-  {
-    prefetch(object);
-    prefetch(reinterpret_cast<const char*>(object + 1) - 1);
-  }
 
   bool is_long(Index place) const { return m_places[place].is_long; }
   bool is_between_long(Index half) const
