@@ -44,7 +44,7 @@ namespace Region_segmentation {
 ///         section that is removed or not mergeable, or a cost that is not a number; the graph is
 ///         then in the state between two merges
 ///
-/// Complexity: that of the policy, and O((R + S) log R) expected for the graph itself.
+/// Complexity: that of the policy, and O((R + S) log R) for the graph itself in practice.
 /// Deterministic.
 template <typename Graph, typename Policy,
           typename NamedParameters = parameters::Default_named_parameters>

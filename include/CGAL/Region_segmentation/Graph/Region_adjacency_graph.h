@@ -36,9 +36,9 @@ namespace Region_segmentation {
 /// `[0, num_vertices())`, are not reused, and the descriptors of remaining elements stay valid.
 /// `number_of_regions()` and `number_of_sections()` count the remaining ones.
 ///
-/// `merge()` takes expected time linear in the number of sections of the region that has fewer.
-/// Bytes, without the data: 84 per region and 9 per section; more for regions with more than 12
-/// sections.
+/// `merge()` looks up each section of the region that has fewer: in linear time, unless these lead to
+/// regions of many sections. Bytes, without the data: 84 per region and 9 per section; more for
+/// regions with more than 12 sections.
 ///
 /// \tparam RegionData_ a model of `RegionData`
 /// \tparam SectionData_ a model of `SectionData`
@@ -159,8 +159,8 @@ public:
     return internal::remaining<out_edge_iterator>(*this, halves.begin(), halves.end());
   }
 
-  /// The section between two regions, with `a` as its source; empty where there is none. O(1)
-  /// expected.
+  /// The section between two regions, with `a` as its source; empty where there is none. Linear in
+  /// the smaller of their degrees.
   std::optional<section_descriptor> section(region_descriptor a, region_descriptor b) const
   {
     const Index half = m_lists.find(m_place_of[a], m_place_of[b]);
