@@ -6,7 +6,6 @@
 #include <CGAL/Region_segmentation/Graph/Section_descriptor.h>
 #include <CGAL/Region_segmentation/Graph/geometry_data.h>
 #include <CGAL/Region_segmentation/internal/graph/region_graph_iterators.h>
-#include <CGAL/Region_segmentation/internal/support/Large_array.h>
 #include <CGAL/Region_segmentation/internal/graph/Section_lists.h>
 
 #include <CGAL/Iterator_range.h>
@@ -21,6 +20,7 @@
 #include <numeric>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Region_segmentation {
@@ -36,8 +36,8 @@ namespace Region_segmentation {
 /// `[0, num_vertices())`, are not reused, and the descriptors of remaining elements stay valid.
 /// `number_of_regions()` and `number_of_sections()` count the remaining ones.
 ///
-/// `merge()` looks up each section of the region that has fewer: in linear time, unless these lead to
-/// regions of many sections. Bytes, without the data: 84 per region and 9 per section; more for
+/// `merge()` looks up each section of the region that has fewer: in linear time, unless these lead
+/// to regions of many sections. Bytes, without the data: 84 per region and 9 per section; more for
 /// regions with more than 12 sections.
 ///
 /// \tparam RegionData_ a model of `RegionData`
@@ -219,10 +219,10 @@ private:
 
   // Small into large: the sections of a region belong to a place. The kept region takes over the
   // place that has more of them, so that only those of the other place change.
-  internal::Large_array<Index> m_place_of; // by region
+  std::vector<Index> m_place_of; // by region
   Lists m_lists;
-  internal::Large_array<RegionData> m_region_data;
-  internal::Large_array<std::uint8_t> m_flags; // by section
+  std::vector<RegionData> m_region_data;
+  std::vector<std::uint8_t> m_flags; // by section
   std::size_t m_number_of_regions;
   std::size_t m_number_of_sections = 0;
 };

@@ -3,8 +3,6 @@
 #ifndef CGAL_REGION_SEGMENTATION_INTERNAL_GRAPH_SECTION_LISTS_H
 #define CGAL_REGION_SEGMENTATION_INTERNAL_GRAPH_SECTION_LISTS_H
 
-#include <CGAL/Region_segmentation/internal/support/Large_array.h>
-
 #include <CGAL/Iterator_range.h>
 
 #include <boost/container/small_vector.hpp>
@@ -15,6 +13,7 @@
 #include <cstdint>
 #include <limits>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Region_segmentation {
@@ -91,8 +90,8 @@ public:
 
   /// Removes the section s between two places and unites them: the one with more remaining sections
   /// (`to`, of equal ones) takes over those of the other. If both have a section to a third place,
-  /// calls `absorb(kept, removed)`. Returns the remaining place. Each section of the other is looked
-  /// up by `find()`.
+  /// calls `absorb(kept, removed)`. Returns the remaining place. Each section of the other is
+  /// looked up by `find()`.
   template <typename Absorb>
   Index unite(Index s, Index from, Index to, const Absorb& absorb)
   {
@@ -149,8 +148,8 @@ private:
                          place.halves.end());
   }
 
-  Large_array<Place> m_places;
-  Large_array<Section> m_sections;
+  std::vector<Place> m_places;
+  std::vector<Section> m_sections;
 };
 
 } // namespace internal
