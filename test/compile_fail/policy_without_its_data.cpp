@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// expect: Longest_flattest_section reads length, mean_angle() and has_links_alone() of SectionData
+// expect: the MergingPolicy names RegionData or SectionData that are not those of the graph
 #include "common.h"
 // A policy that reads the data of another graph.
 void test(Visibility_graph& graph)

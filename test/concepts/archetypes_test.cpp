@@ -313,12 +313,10 @@ struct Cost_with_data
 
 TEST(Archetypes_test, a_cost_that_names_its_data)
 {
-  using Policy = RS::Lowest_cost_first<Cost_with_data>;
-  EXPECT_TRUE((std::is_same<Policy::RegionData, Region_data_archetype>::value));
-  EXPECT_TRUE((RS::internal::reads_data_of<Policy, Graph>()));
-  EXPECT_FALSE((RS::internal::reads_data_of<Policy, RS::Region_adjacency_graph<>>()));
+  EXPECT_TRUE((RS::internal::reads_data_of<Cost_with_data, Graph>()));
+  EXPECT_FALSE((RS::internal::reads_data_of<Cost_with_data, RS::Region_adjacency_graph<>>()));
   Graph g = graph_of_cube();
-  RS::merge_regions(g, Policy(), 2);
+  RS::merge_regions(g, RS::Lowest_cost_first<Cost_with_data>(), 2);
   EXPECT_EQ(g.number_of_regions(), 2u);
 }
 

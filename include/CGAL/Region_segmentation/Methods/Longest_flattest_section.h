@@ -4,25 +4,16 @@
 #define CGAL_REGION_SEGMENTATION_METHODS_LONGEST_FLATTEST_SECTION_H
 
 #include <CGAL/Region_segmentation/Graph/Section_descriptor.h>
-#include <CGAL/Region_segmentation/internal/support/satisfies.h>
 #include <CGAL/Region_segmentation/internal/support/share.h>
 
 #include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <tuple>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Region_segmentation {
-
-namespace internal {
-template <typename SectionData>
-using Has_length_and_angle = decltype(std::declval<const SectionData&>().length +
-                                      std::declval<const SectionData&>().mean_angle() +
-                                      std::declval<const SectionData&>().has_links_alone());
-}
 
 /// \ingroup PkgRegionSegmentationPolicies
 /// chooses, among the sections of a region, the one to merge across: long and flat compared with
@@ -45,16 +36,6 @@ public:
   explicit Longest_flattest_section(double beta = 0.1)
     : m_beta(beta)
   {}
-
-  /// Does not compile for a graph without the required data.
-  template <typename Graph>
-  static constexpr void check_section_data()
-  {
-    static_assert(internal::satisfies<internal::Has_length_and_angle, typename Graph::SectionData>,
-                  "Longest_flattest_section reads length, mean_angle() and has_links_alone() of "
-                  "SectionData, as Section_geometry has "
-                  "them");
-  }
 
   /// The section, seen from the region; empty if the region has none that is mergeable.
   template <typename Graph>

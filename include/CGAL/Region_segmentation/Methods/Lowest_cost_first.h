@@ -4,8 +4,7 @@
 #define CGAL_REGION_SEGMENTATION_METHODS_LOWEST_COST_FIRST_H
 
 #include <CGAL/Region_segmentation/Graph/Merge_candidate.h>
-#include <CGAL/Region_segmentation/internal/concepts/check_graph_data.h>
-#include <CGAL/Region_segmentation/internal/concepts/check_merging.h>
+#include <CGAL/Region_segmentation/internal/concepts/check_parts.h>
 
 #include <algorithm>
 #include <cmath>
@@ -39,7 +38,7 @@ namespace Region_segmentation {
 /// \tparam Cost a model of `SectionCost`; a section whose cost is not a number is never merged
 ///         across
 template <typename Cost>
-class Lowest_cost_first : public internal::Data_named_by<Cost>
+class Lowest_cost_first
 {
 public:
   static constexpr std::size_t hub_degree = 1024;

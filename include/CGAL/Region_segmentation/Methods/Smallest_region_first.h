@@ -5,6 +5,7 @@
 
 #include <CGAL/Region_segmentation/Methods/Longest_flattest_section.h>
 #include <CGAL/Region_segmentation/Graph/Merge_candidate.h>
+#include <CGAL/Region_segmentation/Graph/geometry_data.h>
 
 #include <cmath>
 #include <cstdint>
@@ -31,6 +32,9 @@ namespace Region_segmentation {
 class Smallest_region_first
 {
 public:
+  using RegionData = Region_geometry;
+  using SectionData = Section_geometry;
+
   explicit Smallest_region_first(double beta = 0.1)
     : m_section_of(beta)
   {}
@@ -38,7 +42,6 @@ public:
   template <typename Graph>
   void initialize(const Graph& graph)
   {
-    m_section_of.check_section_data<Graph>();
     m_queue = Queue();
     for (auto range = vertices(graph); range.first != range.second; ++range.first)
       push(graph, *range.first);

@@ -14,7 +14,7 @@
 #include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/internal/cells/Patch_builder.h>
 #include <CGAL/Region_segmentation/internal/cells/Patch_division.h>
-#include <CGAL/Region_segmentation/internal/concepts/check_annotator.h>
+#include <CGAL/Region_segmentation/internal/concepts/check_parts.h>
 #include <CGAL/Region_segmentation/internal/graph/build_graph.h>
 #include <CGAL/Region_segmentation/internal/graph/renumber_tree.h>
 #include <CGAL/Region_segmentation/internal/regions/join_degenerate_regions.h>

@@ -8,7 +8,7 @@
 #include <CGAL/Region_segmentation/Graph/Merge_tree.h>
 #include <CGAL/Region_segmentation/Request.h>
 #include <CGAL/Region_segmentation/exceptions.h>
-#include <CGAL/Region_segmentation/internal/concepts/check_merging.h>
+#include <CGAL/Region_segmentation/internal/concepts/check_parts.h>
 #include <CGAL/Region_segmentation/internal/support/Lowest_root_forest.h>
 
 #include <algorithm>
