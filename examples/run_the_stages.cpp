@@ -41,7 +41,9 @@ int main()
   for (auto s : CGAL::make_range(edges(graph)))
     std::cout << "regions " << source(s, graph) << " and " << target(s, graph) << " share "
               << graph[s].length << ", mean dihedral angle " << graph[s].mean_angle() << " rad\n";
-  const RS::Merge_tree tree = RS::merge_regions(graph, RS::Two_step_merging(), 2);
+  const RS::Policy_phases<RS::Smallest_region_first, RS::Least_compact_region_first> steps{
+    {RS::Smallest_region_first(), 4}, {RS::Least_compact_region_first(), 2}};
+  const RS::Merge_tree tree = RS::merge_regions(graph, steps, 2);
   for (const auto& merge : tree.merges())
     std::cout << "region " << merge.removed << " was merged into " << merge.kept << '\n';
 }

@@ -72,7 +72,7 @@ struct Normal_cost
 struct Flattest_first
 {
   template <typename Graph>
-  void initialize(const Graph&, std::size_t)
+  void initialize(const Graph&)
   {}
 
   template <typename Graph>

@@ -29,8 +29,6 @@ using namespace test;
 /// depends on the number.
 struct Octants
 {
-  RS::Two_step_merging policy;
-
   struct Prepared
   {
     RS::Partition regions;
@@ -54,7 +52,9 @@ struct Octants
     auto graph = RS::build_region_adjacency_graph(surface, requested.regions,
                                                   execution.stage("graph"));
     const std::size_t number = request.number_of_segments;
-    RS::Merge_tree tree = RS::merge_regions(graph, RS::Two_step_merging(policy), number);
+    const RS::Policy_phases<RS::Smallest_region_first, RS::Least_compact_region_first> steps{
+      {RS::Smallest_region_first(), 2 * number}, {RS::Least_compact_region_first(), number}};
+    RS::Merge_tree tree = RS::merge_regions(graph, steps, number);
     return {std::move(requested.regions), std::move(tree), number};
   }
 };

@@ -119,7 +119,7 @@ struct Stubborn_policy
 {
   Graph::section_descriptor section;
 
-  void initialize(const Graph&, std::size_t) {}
+  void initialize(const Graph&) {}
   std::optional<RS::Merge_candidate> next(const Graph&) { return RS::Merge_candidate{section, 0}; }
   void on_merge(const Graph&, const Graph::Merge&) {}
 };
@@ -145,7 +145,7 @@ TEST(Merge_regions_test, a_policy_that_proposes_what_cannot_be_merged_is_an_erro
 /// Proposes any section, at a cost that is not a number.
 struct Policy_without_a_cost
 {
-  void initialize(const Graph&, std::size_t) {}
+  void initialize(const Graph&) {}
   std::optional<RS::Merge_candidate> next(const Graph& g)
   {
     return RS::Merge_candidate{*edges(g).first, std::numeric_limits<double>::quiet_NaN()};

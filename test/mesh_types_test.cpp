@@ -147,8 +147,9 @@ Result run_stages(const Mesh& mesh, const Options& options)
   RS::grow_regions(mesh, features, regions);
   auto graph = RS::build_region_adjacency_graph(mesh, regions,
                                                 RS::parameters::component_links(false));
-  RS::Two_step_merging policy;
-  result.tree = RS::merge_regions(graph, policy, options.k);
+  const RS::Policy_phases<RS::Smallest_region_first, RS::Least_compact_region_first> steps{
+    {RS::Smallest_region_first(), 2 * options.k}, {RS::Least_compact_region_first(), options.k}};
+  result.tree = RS::merge_regions(graph, steps, options.k);
   result.regions = labels_of(mesh, regions);
   result.features = flags_of(mesh, features);
   result.number_of_segments = graph.number_of_regions();

@@ -229,7 +229,9 @@ struct Options : reference::Two_step_options
   CGAL::Region_segmentation::Two_step method() const
   {
     CGAL::Region_segmentation::Two_step method;
-    method.policy = CGAL::Region_segmentation::Two_step_merging(beta, gamma, factor);
+    method.beta = beta;
+    method.gamma = gamma;
+    method.factor = factor;
     method.growing.maximum_angle = maximum_angle;
     method.growing.feature_convexity = feature_convexity();
     return method;

@@ -7,10 +7,8 @@
 #include <CGAL/Region_segmentation/Methods/Least_compact_region_first.h>
 #include <CGAL/Region_segmentation/Methods/Longest_flattest_section.h>
 #include <CGAL/Region_segmentation/Methods/Lowest_cost_first.h>
-#include <CGAL/Region_segmentation/Methods/Policy_sequence.h>
 #include <CGAL/Region_segmentation/Graph/Region_adjacency_graph.h>
 #include <CGAL/Region_segmentation/Methods/Smallest_region_first.h>
-#include <CGAL/Region_segmentation/internal/graph/Batch_queue.h>
 #include <CGAL/Region_segmentation/merge_regions.h>
 #include <CGAL/Region_segmentation/Methods/Two_step.h>
 
@@ -18,11 +16,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <map>
 #include <optional>
-#include <queue>
 #include <random>
 #include <set>
 #include <tuple>
@@ -228,7 +224,7 @@ TEST(Smallest_region_first_test, can_be_used_again_after_a_run_that_was_stopped)
       add_section(g, i, i + 1, 1);
     return g;
   };
-  RS::Two_step_merging policy;
+  RS::Smallest_region_first policy;
   Graph first = chain(20000, 1e6);
   RS::merge_regions(first, policy, 5000);
   for (const std::size_t size : {300, 3000, 30000}) {
@@ -237,7 +233,7 @@ TEST(Smallest_region_first_test, can_be_used_again_after_a_run_that_was_stopped)
     Merges pairs;
     for (const auto& m : tree.merges())
       pairs.push_back({m.kept, m.removed});
-    EXPECT_EQ(pairs, merges(chain(size, 1e-3), RS::Two_step_merging(), 5)) << size;
+    EXPECT_EQ(pairs, merges(chain(size, 1e-3), RS::Smallest_region_first(), 5)) << size;
   }
 }
 
@@ -271,41 +267,6 @@ TEST(Smallest_region_first_test, the_cost_is_the_area)
   ASSERT_EQ(tree.merges().size(), 2u);
   EXPECT_EQ(tree.merges()[0].cost, 1);
   EXPECT_EQ(tree.merges()[1].cost, 2); // region 1, not the merged one of area 1 + 3
-}
-
-TEST(Batch_queue_test, gives_what_a_heap_gives)
-{
-  using Queue = RS::internal::Batch_queue;
-  Queue queue; // of all rounds, since it starts anew with new entries
-  for (unsigned seed = 1; seed <= 50; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    std::mt19937 random(seed);
-    std::exponential_distribution<double> step(1);
-    const auto value = [&] {
-      return random() % 50 == 0 ? 1e300 * step(random) : random() % 8 == 0 ? 0 : step(random);
-    };
-    std::vector<Queue::Entry> entries(random() % 3000);
-    for (Queue::Entry& entry : entries)
-      entry = {value(), random() % 1000};
-    std::priority_queue<Queue::Entry, std::vector<Queue::Entry>, std::greater<>> heap(
-      std::greater<>(), entries);
-    queue.assign(entries);
-    for (std::size_t popped = 0; queue.has_top() || queue.next_batch([](auto&) {}); ++popped) {
-      if (seed % 5 == 0 && popped == 1000)
-        break; // something is left
-      const Queue::Entry top = queue.top();
-      ASSERT_FALSE(heap.empty());
-      ASSERT_EQ(top, heap.top());
-      queue.pop();
-      heap.pop();
-      if (popped < 5000) {
-        const Queue::Entry entry(seed % 2 ? top.first + value() : value(), random() % 1000);
-        queue.push(entry);
-        heap.push(entry);
-      }
-    }
-    EXPECT_TRUE(seed % 5 == 0 || heap.empty());
-  }
 }
 
 TEST(Planarity_test, is_one_for_a_disc_and_infinite_without_area)
@@ -463,7 +424,7 @@ TEST(Lowest_cost_first_test, merging_into_a_hub_takes_linear_time)
   EXPECT_LT(evaluations[1], 2 * 1024 * 20000u);
 }
 
-/// Merges of a hub: at each one all costs anew, or only those that the documentation names.
+/// Merges of a hub: all costs anew, or none.
 TEST(Lowest_cost_first_test, costs_at_a_hub_lag_as_documented)
 {
   const std::size_t degree = 3000, bound = RS::Lowest_cost_first<Length_cost>::hub_degree;
@@ -497,12 +458,6 @@ TEST(Lowest_cost_first_test, costs_at_a_hub_lag_as_documented)
         lowest = key;
       }
     }
-    const std::uint32_t a = std::get<1>(lowest), b = std::get<2>(lowest);
-    const std::uint32_t rim = h.degree(a) < h.degree(b) ? a : b, hub = rim == a ? b : a;
-    std::vector<std::uint32_t> neighbors;
-    for (auto s : h.sections(rim))
-      if (h.target(s) != hub)
-        neighbors.push_back(h.target(s));
     const auto merge = h.merge(*best);
     expected.push_back({merge.kept, merge.removed});
     std::size_t& since = merges_since[merge.kept];
@@ -511,9 +466,7 @@ TEST(Lowest_cost_first_test, costs_at_a_hub_lag_as_documented)
       since = 0;
       for (auto s : h.sections(merge.kept))
         update(s);
-    } else
-      for (const std::uint32_t neighbor : neighbors)
-        update(*h.section(merge.kept, neighbor));
+    }
   }
   EXPECT_EQ(merges(g, RS::Lowest_cost_first<Counting_cost>(cost)), expected);
 }
@@ -539,10 +492,9 @@ struct Recording_policy
   std::string name;
 
   template <typename G>
-  void initialize(const G& g, std::size_t k)
+  void initialize(const G& g)
   {
-    calls->push_back(name + " initialize " + std::to_string(g.number_of_regions()) + " " +
-                     std::to_string(k));
+    calls->push_back(name + " initialize " + std::to_string(g.number_of_regions()));
   }
   template <typename G>
   std::optional<RS::Merge_candidate> next(const G& g)
@@ -559,87 +511,51 @@ struct Recording_policy
   }
 };
 
-using Recording_sequence = RS::Policy_sequence<Recording_policy, Recording_policy,
-                                               RS::Switch_at_multiple>;
+using Recording_phases = RS::Policy_phases<Recording_policy, Recording_policy>;
 
-std::vector<std::string> calls_of(std::size_t regions, std::size_t k, double factor)
+std::vector<std::string> calls_of(std::size_t regions, std::size_t k, std::size_t until)
 {
   std::vector<std::string> calls;
   Graph g = star(std::vector<std::pair<double, double>>(regions - 1, {1, 1}));
-  Recording_sequence policy({&calls, "first"}, {&calls, "second"}, RS::Switch_at_multiple{factor});
-  RS::merge_regions(g, policy, k);
+  RS::merge_regions(g, Recording_phases{{{&calls, "first"}, until}, {{&calls, "second"}, 1}}, k);
   return calls;
 }
 
-TEST(Policy_sequence_test, the_second_takes_over_at_factor_times_k)
+TEST(Policy_phases_test, the_second_takes_over_at_the_number_of_the_first)
 {
-  EXPECT_EQ(calls_of(6, 2, 2), (std::vector<std::string>{"first initialize 6 2", "first merge 5",
-                                                         "first merge 4", "second initialize 4 2",
-                                                         "second merge 3", "second merge 2"}));
-  // 2.5 * 2 = 5 regions; with 1.9 it is 3, the first number that is at most 3.8.
-  EXPECT_EQ(calls_of(6, 2, 2.5)[2], "second initialize 5 2");
-  EXPECT_EQ(calls_of(6, 2, 1.9)[4], "second initialize 3 2");
-  EXPECT_EQ(calls_of(3, 2, 2)[1], "second initialize 3 2") << "at once";
+  EXPECT_EQ(calls_of(6, 2, 4),
+            (std::vector<std::string>{"first initialize 6", "first merge 5", "first merge 4",
+                                      "second initialize 4", "second merge 3", "second merge 2"}));
+  EXPECT_EQ(calls_of(3, 2, 4), (std::vector<std::string>{"second initialize 3", "second merge 2"}))
+    << "at once";
+  EXPECT_EQ(calls_of(3, 2, 1), (std::vector<std::string>{"first initialize 3", "first merge 2"}))
+    << "it is not needed";
 }
 
-TEST(Policy_sequence_test, is_used_again_from_the_start)
+TEST(Policy_phases_test, the_first_that_has_no_candidate_ends_merging)
 {
   std::vector<std::string> calls;
-  Recording_sequence policy({&calls, "first"}, {&calls, "second"}, RS::Switch_at_multiple{2});
-  for (int i = 0; i < 2; ++i) {
-    calls.clear();
-    Graph g = star(std::vector<std::pair<double, double>>(5, {1, 1}));
-    RS::merge_regions(g, policy, 2);
-    EXPECT_EQ(calls.front(), "first initialize 6 2");
-    EXPECT_EQ(calls.size(), 6u);
-  }
+  Graph g = star({{1, 1}, {1, 1}, {1, 1}});
+  for (std::uint32_t r = 1; r < 4; ++r)
+    g.forbid_merge(*g.section(0, r));
+  const RS::Policy_phases<RS::Smallest_region_first, Recording_policy> phases{
+    {RS::Smallest_region_first(), 2}, {{&calls, "second"}, 1}};
+  EXPECT_TRUE(merges(g, phases).empty());
+  EXPECT_TRUE(calls.empty());
 }
 
-TEST(Policy_sequence_test, can_change_at_a_number_whatever_k)
-{
-  for (std::size_t k : {1, 3}) {
-    std::vector<std::string> calls;
-    Graph g = star(std::vector<std::pair<double, double>>(5, {1, 1}));
-    RS::Policy_sequence policy(Recording_policy{&calls, "first"},
-                               Recording_policy{&calls, "second"}, RS::Switch_at_count{4});
-    RS::merge_regions(g, policy, k);
-    EXPECT_EQ(calls[3], "second initialize 4 " + std::to_string(k));
-  }
-}
-
-TEST(Policy_sequence_test, of_policies_that_do_not_know_the_number_gives_one_tree)
+TEST(Policy_phases_test, give_one_tree)
 {
   Graph g = star({{3, 1}, {1, 1}, {2, 1}, {5, 1}, {4, 1}});
-  const RS::Policy_sequence policy(RS::Smallest_region_first(),
-                                   RS::Lowest_cost_first<Length_cost>(), RS::Switch_at_count{4});
-  const Merges whole = merges(g, policy);
+  const RS::Policy_phases<RS::Smallest_region_first, RS::Lowest_cost_first<Length_cost>> phases{
+    {RS::Smallest_region_first(), 4}, {RS::Lowest_cost_first<Length_cost>(), 1}};
+  const Merges whole = merges(g, phases);
   ASSERT_EQ(whole.size(), 5u);
   // Areas 1 .. 6: region 0 goes across its longest section; then the smallest is 2, which has one
   // section. Then by length: 1, 2, 4.
   EXPECT_EQ(whole, (Merges{{0, 4}, {0, 1}, {0, 2}, {0, 3}, {0, 5}}));
   for (std::size_t k = 2; k <= 6; ++k)
-    EXPECT_EQ(merges(g, policy, k), Merges(whole.begin(), whole.begin() + std::ptrdiff_t(6 - k)));
-}
-
-TEST(Two_step_merging_test, is_the_sequence_of_its_steps)
-{
-  std::mt19937 random(7);
-  Graph g;
-  for (std::size_t r = 0; r < 40; ++r)
-    add_region(g, 1 + double(random() % 1000) / 100, 1 + double(random() % 1000) / 100);
-  for (std::uint32_t r = 1; r < 40; ++r)
-    for (std::uint32_t q : {r - 1, std::uint32_t(random() % r)})
-      if (!g.section(q, r))
-        add_section(g, q, r, 1 + double(random() % 1000) / 100, double(1 + random() % 300) / 100);
-  const auto sequence = [](double factor) {
-    return RS::Policy_sequence(RS::Smallest_region_first(0.1),
-                               RS::Least_compact_region_first(0.1, 0.6),
-                               RS::Switch_at_multiple{factor});
-  };
-  EXPECT_EQ(merges(g, RS::Two_step_merging(), 5), merges(g, sequence(2), 5));
-  EXPECT_EQ(merges(g, RS::Two_step_merging(0.1, 0.6, 3), 5), merges(g, sequence(3), 5));
-  EXPECT_NE(merges(g, RS::Two_step_merging(), 5), merges(g, RS::Smallest_region_first(), 5));
-  EXPECT_NE(merges(g, RS::Two_step_merging(), 5), merges(g, RS::Least_compact_region_first(), 5));
+    EXPECT_EQ(merges(g, phases, k), Merges(whole.begin(), whole.begin() + std::ptrdiff_t(6 - k)));
 }
 
 } // namespace policies_test

@@ -229,7 +229,7 @@ TEST(Throwing_map_test, leaves_a_segmenter_as_it_was)
 struct Unused_policy
 {
   template <typename Graph>
-  void initialize(const Graph&, std::size_t)
+  void initialize(const Graph&)
   {
     ADD_FAILURE() << "initialized";
   }

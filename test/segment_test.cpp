@@ -129,7 +129,7 @@ TEST(Segment_test, constrained_edges_are_never_merged_across)
 TEST(Segment_test, takes_other_makers_of_regions)
 {
   const Surface_mesh mesh = to_surface_mesh(l_shape());
-  const auto method = make_user_method(Single_faces(), RS::Two_step_merging());
+  const auto method = make_user_method(Single_faces(), RS::Smallest_region_first());
   const Result result = run(mesh, RS::parameters::number_of_segments(14).method(method));
   EXPECT_EQ(result.number_of_segments, 14u);
   EXPECT_TRUE(is_numbered_by_first_face(result.regions, 14));

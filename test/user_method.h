@@ -13,7 +13,6 @@
 
 #include <cstddef>
 #include <numeric>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -46,24 +45,19 @@ struct User_method
     return initializer(surface);
   }
 
-  auto merge(const CGAL::Region_segmentation::Surface& surface,
-             const CGAL::Region_segmentation::Partition& prepared,
-             const CGAL::Region_segmentation::Request& request,
-             const CGAL::Region_segmentation::Execution& execution) const
+  CGAL::Region_segmentation::Hierarchy
+  merge(const CGAL::Region_segmentation::Surface& surface,
+        const CGAL::Region_segmentation::Partition& prepared,
+        const CGAL::Region_segmentation::Request& request,
+        const CGAL::Region_segmentation::Execution& execution) const
   {
     namespace RS = CGAL::Region_segmentation;
     RS::Requested_regions requested = RS::requested_regions(surface, prepared, request.seeds);
     auto graph = RS::build_region_adjacency_graph(surface, requested.regions, execution);
-    if constexpr (std::is_same<Policy, RS::Two_step_merging>::value) { // depends on the number
-      const std::size_t number = request.number_of_segments;
-      RS::Merge_tree tree = RS::merge_regions(graph, Policy(policy), number);
-      return RS::Segmentation(std::move(requested.regions), std::move(tree), number);
-    } else {
-      const std::size_t number = request.number_of_segments > 0 ? request.number_of_segments
-                                                                : chosen_number;
-      RS::Merge_tree tree = RS::merge_regions(graph, Policy(policy), 1);
-      return RS::Hierarchy(std::move(requested.regions), std::move(tree), number);
-    }
+    const std::size_t number = request.number_of_segments > 0 ? request.number_of_segments
+                                                              : chosen_number;
+    RS::Merge_tree tree = RS::merge_regions(graph, policy, 1);
+    return RS::Hierarchy(std::move(requested.regions), std::move(tree), number);
   }
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// expect: a GraphAnnotator needs: void operator()
+// expect: a GraphAnnotator needs the nested types RegionData and SectionData, and: void operator()
 #include "common.h"
 struct Annotator
 {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// expect: the MergingPolicy reads RegionData or SectionData that the annotator of the graph does
-// not provide
+// expect: the SectionCost names RegionData or SectionData that are not those of the graph
 #include "common.h"
 // A cost that reads the data of another graph.
 void test(const Mesh& mesh, Labels labels)

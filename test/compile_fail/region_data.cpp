@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// expect: a RegionData needs: void add_face
+// expect: a RegionData is default and copy constructible, and needs: void add_face
 #include "common.h"
 struct Region_data
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// expect: a SectionData needs: void add_adjacency
+// expect: a SectionData is default and copy constructible, and needs: void add_adjacency
 #include "common.h"
 struct Section_data
 {

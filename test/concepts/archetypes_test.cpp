@@ -97,7 +97,7 @@ public:
   Policy_archetype(const Policy_archetype&) = default;
   Policy_archetype& operator=(const Policy_archetype&) = delete;
 
-  void initialize(const Graph&, std::size_t) {}
+  void initialize(const Graph&) {}
   std::optional<RS::Merge_candidate> next(const Graph& g)
   {
     for (auto range = edges(g); range.first != range.second; ++range.first)
@@ -106,27 +106,6 @@ public:
     return std::nullopt;
   }
   void on_merge(const Graph&, const Graph::Merge&) {}
-};
-
-/// A policy whose order depends on the number.
-class Policy_for_number_archetype
-{
-public:
-  explicit Policy_for_number_archetype(int)
-    : m_policy(0)
-  {}
-  Policy_for_number_archetype(const Policy_for_number_archetype&) = default;
-  Policy_for_number_archetype& operator=(const Policy_for_number_archetype&) = delete;
-
-  void initialize(const Graph&, std::size_t number_of_segments)
-  {
-    EXPECT_EQ(number_of_segments, 2u);
-  }
-  std::optional<RS::Merge_candidate> next(const Graph& g) { return m_policy.next(g); }
-  void on_merge(const Graph&, const Graph::Merge&) {}
-
-private:
-  Policy_archetype m_policy;
 };
 
 class Number_chooser_archetype
@@ -261,10 +240,12 @@ TEST(Archetypes_test, policy_and_visitor)
   EXPECT_EQ(faces, 6u);
 }
 
-TEST(Archetypes_test, policy_whose_order_depends_on_the_number)
+TEST(Archetypes_test, policies_one_after_the_other)
 {
   Graph g = graph_of_cube();
-  RS::merge_regions(g, Policy_for_number_archetype(0), 2);
+  const Policy_archetype policy(0);
+  RS::merge_regions(
+    g, RS::Policy_phases<Policy_archetype, Policy_archetype>{{policy, 4}, {policy, 1}}, 2);
   EXPECT_EQ(g.number_of_regions(), 2u);
 }
 
@@ -335,12 +316,10 @@ struct Cost_with_data
 
 TEST(Archetypes_test, a_cost_that_names_its_data)
 {
-  using Policy = RS::Lowest_cost_first<Cost_with_data>;
-  EXPECT_TRUE((std::is_same<Policy::RegionData, Region_data_archetype>::value));
-  EXPECT_TRUE((RS::internal::reads_data_of<Policy, Graph>()));
-  EXPECT_FALSE((RS::internal::reads_data_of<Policy, RS::Region_adjacency_graph<>>()));
+  EXPECT_TRUE((RS::internal::reads_data_of<Cost_with_data, Graph>()));
+  EXPECT_FALSE((RS::internal::reads_data_of<Cost_with_data, RS::Region_adjacency_graph<>>()));
   Graph g = graph_of_cube();
-  RS::merge_regions(g, Policy(), 2);
+  RS::merge_regions(g, RS::Lowest_cost_first<Cost_with_data>(), 2);
   EXPECT_EQ(g.number_of_regions(), 2u);
 }
 

@@ -3,7 +3,7 @@
 """Breaks the library at sites drawn by a seed and says which tests notice.
 
 One build serves all: in a copy of include/ each site is `(::mutant(17) ? broken : original)`, and an environment variable
-selects the mutant of a run. What can only change the running time (prefetching, reserving, progress) is not broken, nor
+selects the mutant of a run. What can only change the running time (reserving, progress) is not broken, nor
 what the compiler evaluates. Survivors that change no result are listed in equivalent.txt, with the reason. What was
 compiled and run is kept in DIR: a run that was stopped continues there, as long as neither the library nor the tests
 change.
@@ -28,7 +28,7 @@ LIBRARY = pathlib.PurePath("CGAL/Region_segmentation")
 NOT_BROKEN = ("internal/model/learned_merge_model.h", "internal/concepts/", "parameters.h", "version.h",
               "internal/support/named_data.h", "internal/segmenting/check_", "exceptions.h")
 # They affect time and progress alone.
-TIME_ONLY = re.compile(r"prefetch|reserve\(|\.advance\(|report|shrink_to_fit|madvise")
+TIME_ONLY = re.compile(r"reserve\(|\.advance\(|report|shrink_to_fit|madvise")
 SWAPS = {"<": "<=", "<=": "<", ">": ">=", ">=": ">", "==": "!=", "!=": "==", "+": "-", "-": "+", "&&": "||", "||": "&&",
          "+=": "-=", "-=": "+=", "min": "max", "max": "min", "true": "false", "false": "true", "|=": "&=", "&=": "|=",
          "min_element": "max_element", "max_element": "min_element", "floor": "ceil", "ceil": "floor"}

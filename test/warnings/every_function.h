@@ -6,7 +6,6 @@
 // Every function and every part of a method once, so that a compiler sees all of the library: for
 // warnings and for other versions of CGAL, language standards and compilers.
 
-#include <CGAL/Region_segmentation/Graph/Partition_editor.h>
 #include <CGAL/Region_segmentation/IO/labels.h>
 #include <CGAL/Region_segmentation/Methods/Scalar_annotator.h>
 #include <CGAL/Region_segmentation/Methods/Scalar_cost.h>
@@ -82,14 +81,6 @@ void use_methods(const Mesh& mesh)
   segmenter.segment(segments, 3);
   segmenter.add_constraints(drawn);
   segmenter.set_seeds(seeds);
-  RS::Partition_editor editor(segmenter.merge_tree());
-  editor.set_count(3);
-  editor.split(0);
-  editor.join(0, 1);
-  editor.set_maximum_cost(0);
-  editor.set_maximum_size(std::vector<double>(editor.merge_tree().number_of_regions(), 1.), 1);
-  editor.undo();
-  editor.partition();
 }
 
 template <typename ConcurrencyTag>
@@ -124,8 +115,7 @@ void use_stages(const Mesh& mesh)
   RS::extract_feature_lines(mesh, features, std::back_inserter(lines));
   RS::grow_regions(mesh, features, regions);
   auto graph = RS::build_region_adjacency_graph(mesh, regions);
-  RS::Two_step_merging policy;
-  RS::merge_regions(graph, policy, 2);
+  RS::merge_regions(graph, RS::Smallest_region_first(), 2);
   RS::smooth_borders(mesh, regions);
   RS::write_face_values(mesh, RS::face_values(mesh, regions), regions);
 }

@@ -2,7 +2,8 @@
 \ingroup PkgRegionSegmentationConcepts
 \cgalConcept
 
-Proposes which regions are merged next. Copy constructible. `Graph` is a
+Proposes which regions are merged next. Copy constructible. Several policies one after the other are
+`CGAL::Region_segmentation::Policy_phases`. `Graph` is a
 `CGAL::Region_segmentation::Region_adjacency_graph`, which a policy does not change.
 
 It may declare the data that it reads by the types `%RegionData` and `%SectionData`: unless the data
@@ -10,19 +11,14 @@ of the graph are or derive from these, the combination does not compile.
 
 \cgalHasModel `CGAL::Region_segmentation::Lowest_cost_first`
 \cgalHasModel `CGAL::Region_segmentation::Lowest_order_first`
-\cgalHasModel `CGAL::Region_segmentation::Learned_policy`
 \cgalHasModel `CGAL::Region_segmentation::Smallest_region_first`
 \cgalHasModel `CGAL::Region_segmentation::Least_compact_region_first`
-\cgalHasModel `CGAL::Region_segmentation::Policy_sequence`
-\cgalHasModel `CGAL::Region_segmentation::Two_step_merging`
 */
 class MergingPolicy
 {
 public:
-  /// is called before the first merge of each run. `number_of_segments`: that to which regions are
-  /// merged, 1 where one tree gives all numbers, as in
-  /// `CGAL::Region_segmentation::Superfacet_merging`.
-  void initialize(const Graph& graph, std::size_t number_of_segments);
+  /// is called before the first merge of each run.
+  void initialize(const Graph& graph);
 
   /// proposes the next merge, of a section for which `graph.is_mergeable(section)`; empty if there
   /// is none. The cost of the candidate is a number: otherwise

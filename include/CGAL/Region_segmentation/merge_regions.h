@@ -6,7 +6,6 @@
 #include <CGAL/Region_segmentation/Graph/Merge_candidate.h>
 #include <CGAL/Region_segmentation/Graph/Merge_tree.h>
 #include <CGAL/Region_segmentation/Graph/Region_adjacency_graph.h>
-#include <CGAL/Region_segmentation/internal/concepts/check_merging.h>
 #include <CGAL/Region_segmentation/internal/graph/merge_graph.h>
 #include <CGAL/Region_segmentation/internal/support/make_execution.h>
 #include <CGAL/Region_segmentation/parameters.h>
@@ -21,12 +20,13 @@ namespace Region_segmentation {
 /// merges the regions of a graph, one section at a time, in the order of a policy, until
 /// `number_of_segments` are left or the policy has no further candidate.
 ///
-/// To stop at a cost, merge all of them, and ask the tree: `Merge_tree::partition_at_cost()`.
+/// To stop at a cost, merge all of them, and ask the tree: `Merge_tree::partition_at_cost()`. A
+/// graph that is partly merged is merged further, by the same policy or another one.
 ///
 /// \tparam Graph a `Region_adjacency_graph`
-/// \tparam Policy a model of `MergingPolicy`
+/// \tparam Policy a model of `MergingPolicy`, or `Policy_phases`
 /// \param graph the regions; merged in place
-/// \param policy is initialized for the graph, so that it can be used again
+/// \param policy determines the order of merges
 /// \param number_of_segments the wanted number of regions
 /// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
 ///
@@ -39,24 +39,21 @@ namespace Region_segmentation {
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \returns the tree of the merges, over all indices of regions of the graph
+/// \returns the tree of the merges of this call, over all indices of regions of the graph
 /// \throws Segmentation_cancelled if the visitor cancels, Invalid_method if the policy proposes a
 ///         section that is removed or not mergeable, or a cost that is not a number; the graph is
 ///         then in the state between two merges
 ///
-/// Complexity: that of the policy, and O((R + S) log R) expected for the graph itself.
+/// Complexity: that of the policy, and O((R + S) log R) for the graph itself in practice.
 /// Deterministic.
 template <typename Graph, typename Policy,
           typename NamedParameters = parameters::Default_named_parameters>
-Merge_tree merge_regions(Graph& graph, Policy&& policy, std::size_t number_of_segments,
+Merge_tree merge_regions(Graph& graph, Policy policy, std::size_t number_of_segments,
                          const NamedParameters& np = parameters::default_values())
 {
   const auto& pack = internal::pack(np);
   internal::check_parameters<std::decay_t<decltype(pack)>,
                              internal::Tag_list<CGAL::internal_np::visitor_t>>();
-  static_assert(!std::is_const<std::remove_reference_t<Policy>>::value,
-                "merging changes the policy: pass one that is not const, or a temporary copy");
-  static_assert(internal::check_merging_policy<std::decay_t<Policy>, Graph>());
   internal::Merger<Graph> merger(
     graph, Seeds(), number_of_segments,
     internal::make_execution<CGAL::Sequential_tag>(pack).stage("merging"));

@@ -3,7 +3,6 @@
 #ifndef CGAL_REGION_SEGMENTATION_MERGE_REQUESTED_REGIONS_H
 #define CGAL_REGION_SEGMENTATION_MERGE_REQUESTED_REGIONS_H
 
-#include <CGAL/Region_segmentation/internal/concepts/check_merging.h>
 #include <CGAL/Region_segmentation/internal/graph/merge_graph.h>
 #include <CGAL/Region_segmentation/internal/surface/find_crumbs.h>
 #include <CGAL/Region_segmentation/requested_regions.h>
@@ -19,7 +18,7 @@ namespace Region_segmentation {
 /// seeds never, crumbs first.
 ///
 /// \tparam Graph a `Region_adjacency_graph` of `requested.regions`
-/// \tparam Policy a model of `MergingPolicy`
+/// \tparam Policy a model of `MergingPolicy`, or `Policy_phases`
 /// \param surface that of the regions
 /// \param requested the regions, which seeds and constraints have changed
 /// \param graph is merged
@@ -32,7 +31,6 @@ Merge_tree merge_requested_regions(const Surface& surface, const Requested_regio
                                    Graph& graph, Policy policy, std::size_t number,
                                    const Execution& execution)
 {
-  static_assert(internal::check_merging_policy<Policy, Graph>());
   auto of_crumbs = internal::merges_of_crumbs(surface, requested.regions);
   of_crumbs.erase(std::remove_if(of_crumbs.begin(), of_crumbs.end(),
                                  [&](const auto& pair) { return requested.is_fixed(pair.first); }),

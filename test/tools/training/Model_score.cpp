@@ -11,6 +11,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <tuple>
 #include <utility>
 
 namespace train_merge_cost {
@@ -117,14 +118,14 @@ Model_score score(const Training_model& model, Policy policy, const Chooser& cho
 Model_score score_learned(const Training_model& model, const Model& learned)
 {
   const RS::Learned_merging method(learned);
-  return score(model, method.policy.second,
+  return score(model, std::get<2>(method.policy).first,
                [&](const RS::Merge_tree& tree) { return method.chooser(tree, model.surface); });
 }
 
 Model_score score_visibility(const Training_model& model)
 {
   const RS::Visibility_merging method;
-  return score(model, method.policy.second, method.chooser);
+  return score(model, std::get<1>(method.policy).first, method.chooser);
 }
 
 } // namespace train_merge_cost

@@ -35,7 +35,7 @@ template <typename Cost>
 void merge_all(Graph& graph, Label_counts& counts, const Cost& cost)
 {
   RS::Lowest_cost_first<Cost> policy(cost);
-  policy.initialize(graph, 1);
+  policy.initialize(graph);
   while (const auto candidate = policy.next(graph)) {
     const Graph::Merge merge = graph.merge(candidate->section);
     counts.merge(merge.kept, merge.removed);

@@ -6,9 +6,7 @@
 #include <CGAL/Region_segmentation/Graph/Section_descriptor.h>
 #include <CGAL/Region_segmentation/Graph/geometry_data.h>
 #include <CGAL/Region_segmentation/internal/graph/region_graph_iterators.h>
-#include <CGAL/Region_segmentation/internal/support/Large_array.h>
 #include <CGAL/Region_segmentation/internal/graph/Section_lists.h>
-#include <CGAL/Region_segmentation/internal/support/prefetch.h>
 
 #include <CGAL/Iterator_range.h>
 #include <CGAL/assertions.h>
@@ -22,6 +20,7 @@
 #include <numeric>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Region_segmentation {
@@ -37,9 +36,9 @@ namespace Region_segmentation {
 /// `[0, num_vertices())`, are not reused, and the descriptors of remaining elements stay valid.
 /// `number_of_regions()` and `number_of_sections()` count the remaining ones.
 ///
-/// `merge()` takes expected time linear in the number of sections of the region that has fewer.
-/// Bytes, without the data: 84 per region and 9 per section; more for regions with more than 12
-/// sections.
+/// `merge()` looks up each section of the region that has fewer: in linear time, unless these lead
+/// to regions of many sections. Bytes, without the data: 84 per region and 9 per section; more for
+/// regions with more than 12 sections.
 ///
 /// \tparam RegionData_ a model of `RegionData`
 /// \tparam SectionData_ a model of `SectionData`
@@ -160,34 +159,12 @@ public:
     return internal::remaining<out_edge_iterator>(*this, halves.begin(), halves.end());
   }
 
-  /// The section between two regions, with `a` as its source; empty where there is none. O(1)
-  /// expected.
+  /// The section between two regions, with `a` as its source; empty where there is none. Linear in
+  /// the smaller of their degrees.
   std::optional<section_descriptor> section(region_descriptor a, region_descriptor b) const
   {
     const Index half = m_lists.find(m_place_of[a], m_place_of[b]);
     return half == none ? std::nullopt : std::optional<section_descriptor>(half);
-  }
-
-  /// Prefetches the data needed to visit the sections of regions and to merge across one of them,
-  /// for a policy that knows the next regions: their latencies overlap, while those of merges add
-  /// up. Affects only the running time.
-  ///
-  /// The gain is measured in `Batch_queue`.
-  /// \pre the regions are not removed
-  template <typename Regions>
-  void prefetch_neighborhoods(const Regions& regions) const
-  {
-    // Each loop finds its addresses in the data prefetched by the loop before it.
-    for (Index r : regions)
-      m_lists.prefetch_place(m_place_of[r]);
-    for_each_half_of_short(regions, [this](Index half) {
-      m_lists.prefetch_section(half / 2);
-      internal::prefetch(&m_flags[half / 2]);
-    });
-    for_each_half_of_short(regions,
-                           [this](Index half) { m_lists.prefetch_place(m_lists.place(half ^ 1)); });
-    for_each_half_of_short(
-      regions, [this](Index half) { internal::prefetch(&m_region_data[owner(half ^ 1)]); });
   }
 
   /// Merges the two regions of a section. The lower id is kept; its data absorbs that of the other
@@ -233,13 +210,6 @@ private:
 
   region_descriptor owner(Index half) const { return m_lists.owner(m_lists.place(half)); }
 
-  template <typename Regions, typename F>
-  void for_each_half_of_short(const Regions& regions, const F& f) const
-  {
-    for (Index r : regions)
-      m_lists.for_each_of_short(m_place_of[r], f);
-  }
-
   void absorb_section(Index twin, Index gone)
   {
     m_lists.data(twin).absorb(m_lists.data(gone));
@@ -249,10 +219,10 @@ private:
 
   // Small into large: the sections of a region belong to a place. The kept region takes over the
   // place that has more of them, so that only those of the other place change.
-  internal::Large_array<Index> m_place_of; // by region
+  std::vector<Index> m_place_of; // by region
   Lists m_lists;
-  internal::Large_array<RegionData> m_region_data;
-  internal::Large_array<std::uint8_t> m_flags; // by section
+  std::vector<RegionData> m_region_data;
+  std::vector<std::uint8_t> m_flags; // by section
   std::size_t m_number_of_regions;
   std::size_t m_number_of_sections = 0;
 };

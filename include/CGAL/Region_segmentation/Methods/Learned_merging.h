@@ -9,46 +9,30 @@
 #include <CGAL/Region_segmentation/Methods/Lowest_order_first.h>
 #include <CGAL/Region_segmentation/Methods/Merge_features.h>
 #include <CGAL/Region_segmentation/Methods/Number_from_expected_costs.h>
-#include <CGAL/Region_segmentation/Methods/Policy_sequence.h>
 #include <CGAL/Region_segmentation/Methods/Superfacet_merging.h>
 #include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
 #include <CGAL/Region_segmentation/internal/concepts/Method_calls.h>
 #include <CGAL/Region_segmentation/internal/model/learned_merge_model.h>
 
 #include <cstddef>
+#include <tuple>
 
 namespace CGAL {
 namespace Region_segmentation {
 
-/// \ingroup PkgRegionSegmentationPolicies
-/// Merges by the policy of `Visibility_merging` until few regions are left, and those by
-/// `Learned_cost`. A model of `MergingPolicy`.
+/// \ingroup PkgRegionSegmentationMethods
+/// The default method: superfacets, annotated by `Learned_annotator`, merged as in
+/// `Visibility_merging` until few regions are left, and those by `Learned_cost`. A model of
+/// `SegmentationMethod`.
 ///
 /// The costs of the later merges are `Expected_merge_cost`; those of the earlier ones,
 /// `Visibility_cost`, have other units.
-class Learned_policy
-  : public Policy_sequence<decltype(Visibility_merging::policy),
-                           Lowest_order_first<Learned_cost, Expected_merge_cost>, Switch_at_count>
-{
-public:
-  using RegionData = Learned_region_data;
-  using SectionData = Learned_section_data;
-
-  /// `few`: the number of regions from which on the learned model merges. `model` must exist as
-  /// long as the policy.
-  Learned_policy(const Merge_features::Model& model, std::size_t few)
-    : Policy_sequence(Visibility_merging().policy,
-                      Lowest_order_first<Learned_cost, Expected_merge_cost>(
-                        Learned_cost(model), Expected_merge_cost(model)),
-                      Switch_at_count{few})
-  {}
-};
-
-/// \ingroup PkgRegionSegmentationMethods
-/// The default method: superfacets, annotated by `Learned_annotator`, merged by `Learned_policy`. A
-/// model of `SegmentationMethod`.
 struct Learned_merging
-  : Superfacet_merging<Learned_annotator, Learned_policy, Number_from_expected_costs>
+  : Superfacet_merging<
+      Learned_annotator,
+      Policy_phases<Lowest_cost_first<Visibility_cost>, Lowest_cost_first<Visibility_cost>,
+                    Lowest_order_first<Learned_cost, Expected_merge_cost>>,
+      Number_from_expected_costs>
 {
   /// The number of regions from which on the learned model merges: the model was trained for it.
   /// The largest number that is chosen.
@@ -56,7 +40,10 @@ struct Learned_merging
 
   /// `model`: another one than that of the package; it must exist as long as the method
   explicit Learned_merging(const Merge_features::Model& model = internal::learned_merge_model)
-    : Superfacet_merging{Learned_annotator(), Learned_policy(model, few),
+    : Superfacet_merging{Learned_annotator(),
+                         {std::get<0>(Visibility_merging().policy),
+                          {Lowest_cost_first(Visibility_cost()), few},
+                          {Lowest_order_first(Learned_cost(model), Expected_merge_cost(model)), 1}},
                          Number_from_expected_costs(few)}
   {}
 };

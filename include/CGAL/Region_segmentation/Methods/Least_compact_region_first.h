@@ -5,7 +5,7 @@
 
 #include <CGAL/Region_segmentation/Methods/Longest_flattest_section.h>
 #include <CGAL/Region_segmentation/Graph/Merge_candidate.h>
-#include <CGAL/Region_segmentation/internal/support/satisfies.h>
+#include <CGAL/Region_segmentation/Graph/geometry_data.h>
 #include <CGAL/Region_segmentation/internal/support/share.h>
 
 #include <CGAL/number_type_config.h>
@@ -22,20 +22,13 @@
 namespace CGAL {
 namespace Region_segmentation {
 
-namespace internal {
-template <typename RegionData>
-using Has_area_and_perimeter = decltype(std::declval<const RegionData&>().perimeter /
-                                        std::declval<const RegionData&>().area);
-}
-
 /// \ingroup PkgRegionSegmentationPolicies
 /// The planarity \f$\rho = c^2 / (4 \pi s)\f$ of a region of perimeter \f$c\f$ and area \f$s\f$: 1
 /// for a disc, more for any other plane shape, 0 for a region without neighbors, infinite where the
 /// area is 0. It has no unit.
 ///
 /// Source: \cgalCite{YZWLL14}, eq. 2.
-template <typename RegionData>
-double planarity(const RegionData& region)
+inline double planarity(const Region_geometry& region)
 {
   if (region.area == 0)
     return std::numeric_limits<double>::infinity();
@@ -58,6 +51,9 @@ double planarity(const RegionData& region)
 class Least_compact_region_first
 {
 public:
+  using RegionData = Region_geometry;
+  using SectionData = Section_geometry;
+
   /// `beta`: see `Longest_flattest_section`; `gamma`: the weight of planarity, in [0, 1]; that of
   /// the area is 1 - gamma
   explicit Least_compact_region_first(double beta = 0.1, double gamma = 0.6)
@@ -66,12 +62,8 @@ public:
   {}
 
   template <typename Graph>
-  void initialize(const Graph& graph, std::size_t)
+  void initialize(const Graph& graph)
   {
-    m_section_of.check_section_data<Graph>();
-    static_assert(internal::satisfies<internal::Has_area_and_perimeter, typename Graph::RegionData>,
-                  "Least_compact_region_first reads area and perimeter of RegionData, as "
-                  "Region_geometry has them");
     m_entries.clear();
     m_slots.resize(graph.index_bound_of_regions());
     for (auto range = vertices(graph); range.first != range.second; ++range.first) {

@@ -4,13 +4,18 @@
 #define CGAL_REGION_SEGMENTATION_METHODS_LOWEST_COST_FIRST_H
 
 #include <CGAL/Region_segmentation/Graph/Merge_candidate.h>
-#include <CGAL/Region_segmentation/internal/concepts/check_graph_data.h>
-#include <CGAL/Region_segmentation/internal/concepts/check_merging.h>
-#include <CGAL/Region_segmentation/internal/graph/Section_queue.h>
+#include <CGAL/Region_segmentation/internal/concepts/check_parts.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <optional>
+#include <queue>
+#include <tuple>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Region_segmentation {
@@ -19,14 +24,10 @@ namespace Region_segmentation {
 /// Turns a cost of sections into a policy: merges across the cheapest section of the graph next; of
 /// equal ones, the one between the lower regions. A model of `MergingPolicy`.
 ///
-/// The order does not depend on the wanted number of segments, so one tree gives them all. A merge
-/// changes only the costs of the sections of the merged region: a cost may depend on a section and
-/// on its two regions.
-///
-/// All of them are computed anew, unless the region is a hub of more than `hub_degree` sections:
-/// then those that the merge moved or united, and all others after every (degree / `hub_degree`)th
-/// merge of the region, rounded down. So a hub takes linear time, while the cost of a section at
-/// its rim lags behind by a small share of its merges.
+/// A merge changes only the costs of the sections of the merged region: a cost may depend on a
+/// section and on its two regions. These are computed anew after each merge; those of a region of
+/// more than `hub_degree` sections after every (degree / `hub_degree`)th, rounded down. So a hub
+/// takes linear time, while costs at it lag behind by a small share of its merges.
 ///
 /// Complexity: O(min(d, `hub_degree`) log S) per merge, amortized, d the number of sections of the
 /// merged region.
@@ -37,37 +38,83 @@ namespace Region_segmentation {
 /// \tparam Cost a model of `SectionCost`; a section whose cost is not a number is never merged
 ///         across
 template <typename Cost>
-class Lowest_cost_first : public internal::Data_named_by<Cost>
+class Lowest_cost_first
 {
 public:
-  static constexpr std::size_t hub_degree = internal::Section_queue::hub_degree;
+  static constexpr std::size_t hub_degree = 1024;
 
   explicit Lowest_cost_first(Cost cost = Cost())
     : m_cost(std::move(cost))
   {}
 
   template <typename Graph>
-  void initialize(const Graph& graph, std::size_t)
+  void initialize(const Graph& graph)
   {
     static_assert(internal::check_section_cost<Cost, Graph>());
-    m_sections.initialize(graph, [&](Section_descriptor s) { return m_cost(graph, s); });
+    m_queue = Queue();
+    m_keys.assign(graph.index_bound_of_sections(), Key(std::nan(""), 0, 0));
+    m_lags.assign(graph.index_bound_of_regions(), 0);
+    for (auto range = edges(graph); range.first != range.second; ++range.first)
+      update(graph, *range.first);
   }
 
   template <typename Graph>
   std::optional<Merge_candidate> next(const Graph& graph)
   {
-    return m_sections.next(graph);
+    for (; !m_queue.empty(); m_queue.pop()) {
+      const auto [key, section] = m_queue.top();
+      // Seeds bar sections later.
+      if (!graph.is_removed(section) && graph.is_mergeable(section) && key == m_keys[section.id()])
+        return Merge_candidate{section, std::get<0>(key)};
+    }
+    return std::nullopt;
   }
 
   template <typename Graph>
   void on_merge(const Graph& graph, const typename Graph::Merge& merge)
   {
-    m_sections.on_merge(graph, merge, [&](Section_descriptor s) { return m_cost(graph, s); });
+    std::uint32_t& lag = m_lags[merge.kept];
+    lag = (std::max)(lag, m_lags[merge.removed]) + 1;
+    if (lag < graph.degree(merge.kept) / hub_degree)
+      return;
+    lag = 0;
+    for (Section_descriptor s : graph.sections(merge.kept))
+      update(graph, s);
+    if (m_queue.size() > 4 * graph.number_of_sections() + 1024) { // most of a hub, and outdated
+      m_queue = Queue();
+      for (auto range = edges(graph); range.first != range.second; ++range.first)
+        push(*range.first);
+    }
   }
 
 private:
+  using Key = std::tuple<double, std::uint32_t, std::uint32_t>; // the cost, and the two regions
+  using Entry = std::pair<Key, Section_descriptor>; // outdated once its section has another key
+  using Queue = std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>>;
+
+  template <typename Graph>
+  void update(const Graph& graph, Section_descriptor s)
+  {
+    if (!graph.is_mergeable(s))
+      return;
+    const auto [lower, higher] = std::minmax({graph.source(s), graph.target(s)});
+    const Key key(m_cost(graph, s), lower, higher);
+    if (m_keys[s.id()] == key)
+      return;
+    m_keys[s.id()] = key;
+    push(s);
+  }
+
+  void push(Section_descriptor s)
+  {
+    if (!std::isnan(std::get<0>(m_keys[s.id()])))
+      m_queue.push({m_keys[s.id()], s});
+  }
+
   Cost m_cost;
-  internal::Section_queue m_sections;
+  Queue m_queue;
+  std::vector<Key> m_keys;           // by section
+  std::vector<std::uint32_t> m_lags; // by region: its merges since its costs were computed
 };
 
 } // namespace Region_segmentation

@@ -5,7 +5,7 @@
 
 #include <CGAL/Region_segmentation/Graph/Merge_candidate.h>
 #include <CGAL/Region_segmentation/Methods/Lowest_cost_first.h>
-#include <CGAL/Region_segmentation/internal/concepts/check_merging.h>
+#include <CGAL/Region_segmentation/internal/concepts/check_parts.h>
 
 #include <optional>
 #include <utility>

@@ -5,14 +5,13 @@
 
 #include <CGAL/Region_segmentation/Methods/Longest_flattest_section.h>
 #include <CGAL/Region_segmentation/Graph/Merge_candidate.h>
-#include <CGAL/Region_segmentation/internal/graph/Batch_queue.h>
+#include <CGAL/Region_segmentation/Graph/geometry_data.h>
 
-#include <boost/range/adaptor/map.hpp>
-
-#include <algorithm>
 #include <cmath>
-#include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <optional>
+#include <queue>
 #include <utility>
 #include <vector>
 
@@ -33,65 +32,54 @@ namespace Region_segmentation {
 class Smallest_region_first
 {
 public:
+  using RegionData = Region_geometry;
+  using SectionData = Section_geometry;
+
   explicit Smallest_region_first(double beta = 0.1)
     : m_section_of(beta)
   {}
 
   template <typename Graph>
-  void initialize(const Graph& graph, std::size_t)
+  void initialize(const Graph& graph)
   {
-    m_section_of.check_section_data<Graph>();
-    std::vector<Entry> entries;
-    entries.reserve(graph.number_of_regions());
+    m_queue = Queue();
     for (auto range = vertices(graph); range.first != range.second; ++range.first)
-      if (!std::isnan(graph[*range.first].area))
-        entries.push_back({graph[*range.first].area, *range.first});
-    m_queue.assign(std::move(entries));
+      push(graph, *range.first);
   }
 
   template <typename Graph>
   std::optional<Merge_candidate> next(const Graph& graph)
   {
-    do {
-      for (; m_queue.has_top(); m_queue.pop()) {
-        const Entry entry = m_queue.top();
-        if (is_stale(graph, entry))
-          continue;
-        // A region without a section never gets one, so its entry is dropped.
-        if (const auto section = m_section_of(graph, entry.second))
-          return Merge_candidate{*section, entry.first};
-      }
-    } while (m_queue.next_batch([&graph](std::vector<Entry>& batch) { prepare(graph, batch); }));
+    for (; !m_queue.empty(); m_queue.pop()) {
+      const auto [area, region] = m_queue.top();
+      if (graph.is_removed(region) || graph[region].area != area)
+        continue;
+      // A region without a section never gets one, so its entry is dropped.
+      if (const auto section = m_section_of(graph, region))
+        return Merge_candidate{*section, area};
+    }
     return std::nullopt;
   }
 
   template <typename Graph>
   void on_merge(const Graph& graph, const typename Graph::Merge& merge)
   {
-    if (!std::isnan(graph[merge.kept].area))
-      m_queue.push({graph[merge.kept].area, merge.kept});
+    push(graph, merge.kept);
   }
 
 private:
-  using Entry = internal::Batch_queue::Entry; // area, region: stale once the area has changed
+  using Entry = std::pair<double, std::uint32_t>; // area, region: stale once the area has changed
+  using Queue = std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>>;
 
   template <typename Graph>
-  static bool is_stale(const Graph& graph, const Entry& entry)
+  void push(const Graph& graph, std::uint32_t region)
   {
-    return graph.is_removed(entry.second) || graph[entry.second].area != entry.first;
-  }
-
-  template <typename Graph>
-  static void prepare(const Graph& graph, std::vector<Entry>& batch)
-  {
-    batch.erase(std::remove_if(batch.begin(), batch.end(),
-                               [&graph](const Entry& entry) { return is_stale(graph, entry); }),
-                batch.end());
-    graph.prefetch_neighborhoods(boost::adaptors::values(batch));
+    if (!std::isnan(graph[region].area))
+      m_queue.push({graph[region].area, region});
   }
 
   Longest_flattest_section m_section_of;
-  internal::Batch_queue m_queue;
+  Queue m_queue;
 };
 
 } // namespace Region_segmentation

@@ -13,7 +13,7 @@
 #include <CGAL/Region_segmentation/Request.h>
 #include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/internal/cells/Patch_builder.h>
-#include <CGAL/Region_segmentation/internal/concepts/check_annotator.h>
+#include <CGAL/Region_segmentation/internal/concepts/check_parts.h>
 #include <CGAL/Region_segmentation/internal/graph/build_graph.h>
 #include <CGAL/Region_segmentation/internal/graph/renumber_tree.h>
 #include <CGAL/Region_segmentation/internal/regions/join_degenerate_regions.h>
@@ -76,8 +76,7 @@ private:
 /// chooses it. A number that exceeds that of the superfacets splits them.
 ///
 /// \tparam GraphAnnotator a model of `GraphAnnotator`
-/// \tparam MergingPolicy a model of `MergingPolicy` whose order does not depend on the number of
-///         segments
+/// \tparam MergingPolicy a model of `MergingPolicy`, or `Policy_phases`
 /// \tparam NumberChooser a model of `NumberChooser`, for the costs of the policy
 template <typename GraphAnnotator, typename MergingPolicy, typename NumberChooser>
 struct Superfacet_merging

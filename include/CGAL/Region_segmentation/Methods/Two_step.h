@@ -7,7 +7,6 @@
 #include <CGAL/Region_segmentation/Graph/geometry_data.h>
 #include <CGAL/Region_segmentation/Hierarchy.h>
 #include <CGAL/Region_segmentation/Methods/Least_compact_region_first.h>
-#include <CGAL/Region_segmentation/Methods/Policy_sequence.h>
 #include <CGAL/Region_segmentation/Methods/Region_growing.h>
 #include <CGAL/Region_segmentation/Methods/Smallest_region_first.h>
 #include <CGAL/Region_segmentation/Request.h>
@@ -19,33 +18,17 @@
 
 #include <CGAL/assertions.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 
 namespace CGAL {
 namespace Region_segmentation {
 
-/// \ingroup PkgRegionSegmentationPolicies
-/// The merging of the paper: `Smallest_region_first` while there are more than `factor` times the
-/// wanted number of regions, then `Least_compact_region_first`. A model of `MergingPolicy`.
-///
-/// The order of merges depends on the wanted number, so its tree is valid for that number only.
-struct Two_step_merging
-  : Policy_sequence<Smallest_region_first, Least_compact_region_first, Switch_at_multiple>
-{
-  /// `beta`: the weight of a section's length against its flatness, in [0, 1];
-  /// `gamma`: the weight of a region's planarity against its area, in [0, 1];
-  /// `factor`: the number of regions after step one, as a multiple of the wanted number of
-  /// segments, at least 1
-  explicit Two_step_merging(double beta = 0.1, double gamma = 0.6, double factor = 2)
-    : Policy_sequence(Smallest_region_first(beta), Least_compact_region_first(beta, gamma),
-                      Switch_at_multiple{factor})
-  {}
-};
-
 /// \ingroup PkgRegionSegmentationMethods
-/// The method of the paper: `Region_growing` between feature edges, merged by `Two_step_merging`. A
-/// model of `SegmentationMethod`.
+/// The method of the paper: `Region_growing` between feature edges, merged by
+/// `Smallest_region_first` while there are more than `factor` times the wanted number of regions,
+/// then by `Least_compact_region_first`. A model of `SegmentationMethod`.
 ///
 /// It requires the number of segments, on which the order of merges depends.
 ///
@@ -53,7 +36,10 @@ struct Two_step_merging
 struct Two_step
 {
   Region_growing growing;
-  Two_step_merging policy;
+  double beta = 0.1;  ///< the weight of a section's length against its flatness, in [0, 1]
+  double gamma = 0.6; ///< the weight of a region's planarity against its area, in [0, 1]
+  double factor = 2;  ///< the number of regions after step one, as a multiple of the wanted number
+                      ///< of segments, at least 1
 
   struct Prepared
   {
@@ -73,7 +59,12 @@ struct Two_step
     Requested_regions requested = requested_regions(surface, prepared.regions, request.seeds);
     auto graph = internal::build_graph<Region_geometry, Section_geometry>(
       surface, requested.regions, execution.stage("graph"));
-    Merge_tree tree = merge_requested_regions(surface, requested, graph, policy, number,
+    const double after_step_one = (std::min)(factor * double(number),
+                                             double(graph.number_of_regions()));
+    const Policy_phases<Smallest_region_first, Least_compact_region_first> steps{
+      {Smallest_region_first(beta), std::size_t(after_step_one)},
+      {Least_compact_region_first(beta, gamma), number}};
+    Merge_tree tree = merge_requested_regions(surface, requested, graph, steps, number,
                                               execution.stage("merging"));
     return {std::move(requested.regions), std::move(tree), number};
   }

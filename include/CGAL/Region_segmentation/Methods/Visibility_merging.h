@@ -5,7 +5,6 @@
 
 #include <CGAL/Region_segmentation/Methods/Lowest_cost_first.h>
 #include <CGAL/Region_segmentation/Methods/Number_from_costs.h>
-#include <CGAL/Region_segmentation/Methods/Policy_sequence.h>
 #include <CGAL/Region_segmentation/Methods/Superfacet_merging.h>
 #include <CGAL/Region_segmentation/Methods/Visibility_annotator.h>
 #include <CGAL/Region_segmentation/Methods/Visibility_cost.h>
@@ -21,10 +20,10 @@ namespace Region_segmentation {
 /// the lowest `Visibility_cost` first, with different constants while there are more than 150
 /// regions. A model of `SegmentationMethod`.
 struct Visibility_merging
-  : Superfacet_merging<Visibility_annotator,
-                       Policy_sequence<Lowest_cost_first<Visibility_cost>,
-                                       Lowest_cost_first<Visibility_cost>, Switch_at_count>,
-                       Number_from_costs>
+  : Superfacet_merging<
+      Visibility_annotator,
+      Policy_phases<Lowest_cost_first<Visibility_cost>, Lowest_cost_first<Visibility_cost>>,
+      Number_from_costs>
 {
   /// The level of `Number_from_costs` for the constants of `Visibility_cost()`.
   static constexpr double default_level = -19.5;
@@ -35,8 +34,7 @@ struct Visibility_merging
     const Visibility_cost& cost_of_many = Visibility_cost::for_many_regions(),
     std::size_t many = 150)
     : Superfacet_merging{Visibility_annotator(),
-                         {Lowest_cost_first<Visibility_cost>(cost_of_many),
-                          Lowest_cost_first<Visibility_cost>(cost), Switch_at_count{many}},
+                         {{Lowest_cost_first(cost_of_many), many}, {Lowest_cost_first(cost), 1}},
                          Number_from_costs(default_level)}
   {}
 };

@@ -37,17 +37,16 @@ constexpr bool needs_number()
 }
 
 template <typename Method>
+using Is_method = std::enable_if_t<std::is_base_of<Hierarchy, Merged_by<Method>>::value>;
+
+template <typename Method>
 constexpr bool check_method()
 {
   static_assert(
-    satisfies<Merged_by, Method>,
+    satisfies<Is_method, Method>,
     "a SegmentationMethod needs: Prepared prepare(const Surface&, const Execution&) const, and "
-    "Hierarchy or "
-    "Segmentation merge(const Surface&, const Prepared&, const Request&, const Execution&) const. "
-    "(The default method needs #include <CGAL/region_segmentation.h>)");
-  if constexpr (satisfies<Merged_by, Method>)
-    static_assert(std::is_base_of<Hierarchy, Merged_by<Method>>::value,
-                  "merge() of a SegmentationMethod returns a Hierarchy or a Segmentation");
+    "Hierarchy or Segmentation merge(const Surface&, const Prepared&, const Request&, const "
+    "Execution&) const. (The default method needs #include <CGAL/region_segmentation.h>)");
   return true;
 }
 

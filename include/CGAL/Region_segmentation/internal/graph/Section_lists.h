@@ -3,35 +3,30 @@
 #ifndef CGAL_REGION_SEGMENTATION_INTERNAL_GRAPH_SECTION_LISTS_H
 #define CGAL_REGION_SEGMENTATION_INTERNAL_GRAPH_SECTION_LISTS_H
 
-#include <CGAL/Region_segmentation/internal/support/Large_array.h>
-#include <CGAL/Region_segmentation/internal/support/prefetch.h>
-
 #include <CGAL/Iterator_range.h>
 
 #include <boost/container/small_vector.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <unordered_map>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
 /// The incidence of sections and places: section s has the halves 2s and 2s + 1, each in the list
-/// of one place. Two places can be united. A list is in the order of insertion.
-///
-/// Short lists are searched linearly. A hash table finds the sections between two long lists; so a
-/// hub of any number of sections costs no more than another place.
+/// of one place. Two places can be united. A list is in the order of insertion; removed sections
+/// leave it when they are more than half of it.
 ///
 /// Short lists are stored in the places: with `std::vector`, graph and merging take 1.3 and 1.36
 /// times as long on a noisy mesh of 1 million faces.
 ///
-/// Bytes: 80 per place and 8 per section, without its data; more for lists of more than 12
-/// sections, and for sections between two long lists.
+/// Bytes: 80 per place and 8 per section, without its data; more for lists of more than 12.
 ///
 /// \tparam Data the data of a section, stored with its two places, since they are accessed together
 template <typename Data>
@@ -83,65 +78,43 @@ public:
     return {list.data(), list.data() + list.size()};
   }
 
-  /// \name Prefetching
-  /// @{
-  void prefetch_place(Index place) const { prefetch_both_ends(&m_places[place]); }
-  void prefetch_section(Index section) const { prefetch_both_ends(&m_sections[section]); }
-  /// @}
-
-  /// Calls `f(half)` for the halves in a list, unless it is long.
-  template <typename F>
-  void for_each_of_short(Index place, const F& f) const
-  {
-    if (!is_long(place))
-      for (Index half : m_places[place].halves)
-        f(half);
-  }
-
-  /// The half at p of the section between p and q, or `none`. O(1) expected.
+  /// The half at p of the section between p and q, or `none`. Linear in the shorter list.
   Index find(Index p, Index q) const
   {
-    if (!is_long(p))
-      return find_in_short(p, q);
-    if (!is_long(q)) {
-      const Index half = find_in_short(q, p);
-      return half == none ? none : half ^ 1;
-    }
-    const auto found = m_between_long.find(key(p, q));
-    if (found == m_between_long.end())
-      return none;
-    const Index s = found->second;
-    return place(2 * s) == p ? 2 * s : 2 * s + 1;
+    const bool is_shorter = m_places[p].halves.size() <= m_places[q].halves.size();
+    for (const Index half : m_places[is_shorter ? p : q].halves)
+      if (place(half ^ 1) == (is_shorter ? q : p))
+        return is_shorter ? half : half ^ 1;
+    return none;
   }
 
   /// Removes the section s between two places and unites them: the one with more remaining sections
   /// (`to`, of equal ones) takes over those of the other. If both have a section to a third place,
-  /// calls `absorb(kept, removed)`. Returns the remaining place, in expected time linear in the
-  /// sections of the other.
+  /// calls `absorb(kept, removed)`. Returns the remaining place. Each section of the other is
+  /// looked up by `find()`.
   template <typename Absorb>
   Index unite(Index s, Index from, Index to, const Absorb& absorb)
   {
     if (degree(from) > degree(to))
       std::swap(from, to);
-    const Index half_at_to = place(2 * s) == to ? 2 * s : 2 * s + 1;
-    remove_section(s);
-    erase(to, half_at_to);
+    m_sections[s].places = {none, none};
+    erase(to);
     for (const Index half : m_places[from].halves) {
       const Index other = place(half ^ 1);
       if (other == none)
         continue;
       const Index twin = find(to, other);
-      if (twin == none)
-        move(half, to);
-      else {
+      if (twin == none) {
+        m_sections[half / 2].places[half % 2] = to;
+        append(to, half);
+      } else {
         absorb(twin / 2, half / 2);
-        remove_section(half / 2);
-        erase(other, half ^ 1);
+        m_sections[half / 2].places = {none, none};
+        erase(other);
       }
     }
     m_places[from].halves = Halves();
     m_places[from].degree = 0;
-    m_places[from].is_long = 0;
     return to;
   }
 
@@ -150,106 +123,33 @@ private:
 
   struct Place
   {
-    Index owner = none;
-    Index degree : 31;
-    Index is_long : 1; // the list may then hold halves of removed sections, too; it stays long
-    Halves halves;
-
-    Place()
-      : degree(0)
-      , is_long(0)
-    {}
+    Index owner = none, degree = 0;
+    Halves halves; // at most half of them of removed sections
   };
   struct Section
   {
-    Index places[2];
+    std::array<Index, 2> places;
     Data data;
   };
 
-  /// With 32, merging takes 1.1 times as long on a noisy mesh of 1 million faces, and 1.3 times in
-  /// the default method at 10,000 faces.
-  static constexpr std::size_t long_length = 128;
-
-  /// For an object of at most two cache lines.
-  template <typename T>
-  static void prefetch_both_ends(const T* object)
-  {
-    prefetch(object);
-    prefetch(reinterpret_cast<const char*>(object + 1) - 1);
-  }
-
-  bool is_long(Index place) const { return m_places[place].is_long; }
-  bool is_between_long(Index half) const
-  {
-    return is_long(place(half)) && is_long(place(half ^ 1));
-  }
-  bool is_removed(Index half) const { return m_sections[half / 2].places[0] == none; }
-  static std::uint64_t key(Index p, Index q)
-  {
-    return (std::uint64_t((std::min)(p, q)) << 32) | (std::max)(p, q);
-  }
-  std::uint64_t key(Index s) const { return key(m_sections[s].places[0], m_sections[s].places[1]); }
-
-  Index find_in_short(Index p, Index q) const
-  {
-    for (Index half : m_places[p].halves)
-      if (place(half ^ 1) == q)
-        return half;
-    return none;
-  }
-
   void append(Index p, Index half)
   {
-    Place& place = m_places[p];
-    place.halves.push_back(half);
-    ++place.degree;
-    if (place.is_long)
-      enter_if_between_long(half);
-    else if (place.halves.size() > long_length) {
-      place.is_long = 1;
-      for (Index each : place.halves)
-        enter_if_between_long(each);
-    }
+    m_places[p].halves.push_back(half);
+    ++m_places[p].degree;
   }
 
-  void enter_if_between_long(Index half)
-  {
-    if (is_between_long(half))
-      m_between_long.emplace(key(half / 2), half / 2);
-  }
-
-  void move(Index half, Index to)
-  {
-    if (is_between_long(half))
-      m_between_long.erase(key(half / 2));
-    m_sections[half / 2].places[half % 2] = to;
-    append(to, half);
-  }
-
-  /// Its halves are still to be erased from their lists.
-  void remove_section(Index s)
-  {
-    if (is_between_long(2 * s))
-      m_between_long.erase(key(s));
-    m_sections[s].places[0] = m_sections[s].places[1] = none;
-  }
-
-  /// \pre the half is in the list; its section is removed
-  void erase(Index p, Index half)
+  /// Accounts for a section at the place that was removed.
+  void erase(Index p)
   {
     Place& place = m_places[p];
-    --place.degree;
-    if (!is_long(p))
-      place.halves.erase(std::find(place.halves.begin(), place.halves.end(), half));
-    else if (2 * place.degree < place.halves.size())
+    if (2 * --place.degree < place.halves.size())
       place.halves.erase(std::remove_if(place.halves.begin(), place.halves.end(),
-                                        [this](Index each) { return is_removed(each); }),
+                                        [this](Index half) { return this->place(half) == none; }),
                          place.halves.end());
   }
 
-  Large_array<Place> m_places;
-  Large_array<Section> m_sections;
-  std::unordered_map<std::uint64_t, Index> m_between_long; // sections, by their two places
+  std::vector<Place> m_places;
+  std::vector<Section> m_sections;
 };
 
 } // namespace internal

@@ -8,7 +8,7 @@
 #include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/Request.h>
 #include <CGAL/Region_segmentation/Surface.h>
-#include <CGAL/Region_segmentation/internal/concepts/check_graph_data.h>
+#include <CGAL/Region_segmentation/internal/concepts/check_parts.h>
 
 #include <cstddef>
 

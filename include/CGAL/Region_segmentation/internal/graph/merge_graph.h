@@ -4,15 +4,18 @@
 #define CGAL_REGION_SEGMENTATION_INTERNAL_GRAPH_MERGE_GRAPH_H
 
 #include <CGAL/Region_segmentation/Execution.h>
+#include <CGAL/Region_segmentation/Graph/Merge_candidate.h>
 #include <CGAL/Region_segmentation/Graph/Merge_tree.h>
 #include <CGAL/Region_segmentation/Request.h>
 #include <CGAL/Region_segmentation/exceptions.h>
+#include <CGAL/Region_segmentation/internal/concepts/check_parts.h>
 #include <CGAL/Region_segmentation/internal/support/Lowest_root_forest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -55,23 +58,33 @@ public:
     }
   }
 
-  /// Merges in the order of a policy, which may take quadratic time to initialize, until it has no
-  /// further candidate.
+  /// Merges in the order of a policy until `number` regions are left, or the number at which all
+  /// merging ends. Returns whether they are: otherwise the policy has no further candidate.
   /// \throws Invalid_method if the policy proposes a section that is removed or not mergeable, or a
   ///         cost that is not a number
   template <typename Policy>
-  void run(Policy& policy)
+  bool run(Policy& policy, std::size_t number = 0)
   {
-    if (m_graph.number_of_regions() <= m_number)
-      return;
-    policy.initialize(m_graph, m_number);
-    while (m_graph.number_of_regions() > m_number) {
+    static_assert(check_merging_policy<Policy, Graph>());
+    number = (std::max)(number, m_number);
+    if (m_graph.number_of_regions() <= number)
+      return true; // to initialize a policy may take quadratic time
+    policy.initialize(m_graph);
+    while (m_graph.number_of_regions() > number) {
       const auto candidate = policy.next(m_graph);
       if (!candidate)
-        break;
+        return false;
       check(*candidate);
       policy.on_merge(m_graph, merge(candidate->section, candidate->cost));
     }
+    return true;
+  }
+
+  template <typename... Policies>
+  bool run(Policy_phases<Policies...>& phases)
+  {
+    return std::apply([this](auto&... phase) { return (run(phase.first, phase.second) && ...); },
+                      phases);
   }
 
   Merge_tree take_tree() { return std::move(m_tree); }
