@@ -29,101 +29,21 @@ int any_of(std::mt19937& random, int from, int to)
   return from + int(random() % unsigned(to - from + 1));
 }
 
-/// A binary tree of nodes and leaves.
-struct Tree
-{
-  std::size_t feature = 0;
-  Model::Feature threshold = 0;
-  std::int32_t value = 0;     // of a leaf
-  std::vector<Tree> branches; // left and right; none: a leaf
-
-  std::size_t number_of_leaves() const
-  {
-    return branches.empty() ? 1 : branches[0].number_of_leaves() + branches[1].number_of_leaves();
-  }
-
-  std::int32_t value_at(const Model::Features& x) const
-  {
-    return branches.empty() ? value : branches[x[feature] < threshold ? 0 : 1].value_at(x);
-  }
-};
-
-Tree random_tree(std::mt19937& random, std::size_t leaves)
-{
-  Tree tree;
-  tree.value = any_of(random, -1000000, 1000000);
-  if (leaves > 1) {
-    tree.feature = random() % number_of_features;
-    tree.threshold = Model::Feature(any_of(random, -30, 30)); // equal ones are frequent
-    const std::size_t left = 1 + random() % (leaves - 1);
-    tree.branches = {random_tree(random, left), random_tree(random, leaves - left)};
-  }
-  return tree;
-}
-
-/// Trees in the form of the model.
-struct Tables
-{
-  std::array<std::vector<Model::Trees::Condition>, number_of_features> conditions_of_features;
-  std::vector<Model::Trees::Condition> conditions;
-  std::vector<Model::Trees::Leaves> leaves;
-
-  explicit Tables(const std::vector<Tree>& trees)
-  {
-    for (const Tree& tree : trees) {
-      leaves.emplace_back();
-      add(tree, 0);
-    }
-  }
-
-  Model::Trees trees()
-  {
-    conditions.clear();
-    Model::Trees result{nullptr, {}, leaves.data(), leaves.size()};
-    for (std::size_t f = 0; f < number_of_features; ++f) {
-      auto& of_feature = conditions_of_features[f];
-      std::sort(of_feature.begin(), of_feature.end(),
-                [](const auto& a, const auto& b) { return a.threshold < b.threshold; });
-      conditions.insert(conditions.end(), of_feature.begin(), of_feature.end());
-      result.first_conditions[f + 1] = std::uint32_t(conditions.size());
-    }
-    result.conditions = conditions.data();
-    return result;
-  }
-
-private:
-  void add(const Tree& tree, std::size_t first_leaf)
-  {
-    if (tree.branches.empty()) {
-      leaves.back()[first_leaf] = tree.value;
-      return;
-    }
-    const std::size_t right = first_leaf + tree.branches[0].number_of_leaves();
-    unsigned remaining = 0xffff;
-    for (std::size_t leaf = first_leaf; leaf < right; ++leaf)
-      remaining -= 1u << leaf;
-    conditions_of_features[tree.feature].push_back(
-      {tree.threshold, std::uint16_t(leaves.size() - 1), Model::Trees::Leaf_set(remaining)});
-    add(tree.branches[0], first_leaf);
-    add(tree.branches[1], right);
-  }
-};
-
 /// The formula of the documentation, in real numbers.
-double value_of(const Model::Network& network, const std::vector<double>& x)
+double value_of(const Model& model, const std::vector<double>& x)
 {
   std::vector<double> y;
   for (std::size_t i = 0; i < x.size(); ++i) {
-    const double center = network.inputs[i].center / 512.0,
-                 factor = network.inputs[i].factor / std::ldexp(1.0, 24 - 9);
+    const double center = model.inputs[i].center / 512.0,
+                 factor = model.inputs[i].factor / std::ldexp(1.0, 24 - 9);
     const double scaled = std::max(-4.0, std::min(4.0, factor * (x[i] - center)));
     y.push_back(std::trunc(256 * scaled) / 256);
   }
-  double sum = double(network.output_bias) / std::ldexp(1.0, 26);
+  double sum = double(model.output_bias) / std::ldexp(1.0, 26);
   for (std::size_t i = 0; i < y.size(); ++i)
-    sum += network.direct_weights[i] / 1024.0 * y[i];
-  for (std::size_t j = 0; j < network.number_of_units; ++j) {
-    const Model::Unit& unit = network.units[j];
+    sum += model.direct_weights[i] / 1024.0 * y[i];
+  for (std::size_t j = 0; j < model.number_of_units; ++j) {
+    const Model::Unit& unit = model.units[j];
     double h = unit.bias / std::ldexp(1.0, 18);
     for (std::size_t i = 0; i < y.size(); ++i)
       h += unit.weights[i] / 1024.0 * y[i];
@@ -180,12 +100,11 @@ struct Concavity_model
   Concavity_model()
   {
     using Full_model = RS::Merge_features::Model;
-    // The mean of no trees and the network: twice the wanted values.
     inputs[RS::Merge_features::CONCAVE].factor = 1 << (Full_model::factor_bits +
                                                        Full_model::input_bits - 9);
     Full_model::Weights direct{};
-    direct[RS::Merge_features::CONCAVE] = -8 * 1024;
-    model = {Full_model::Trees(), {inputs.data(), nullptr, 0, direct, std::int64_t(2) << 26}};
+    direct[RS::Merge_features::CONCAVE] = -4 * 1024;
+    model = {inputs.data(), nullptr, 0, direct, std::int64_t(1) << 26};
   }
 };
 
@@ -194,10 +113,6 @@ TEST(Merge_model_test, agrees_with_real_numbers)
   for (unsigned seed = 0; seed < 20; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     std::mt19937 random(seed);
-    std::vector<Tree> trees;
-    for (std::size_t leaves = 1; leaves <= Model::Trees::maximum_number_of_leaves; ++leaves)
-      trees.push_back(random_tree(random, leaves));
-    Tables tables(trees);
     std::vector<Model::Input> inputs;
     for (std::size_t i = 0; i < number_of_features; ++i)
       inputs.push_back({any_of(random, -10, 10), any_of(random, 100000, 2000000)});
@@ -205,10 +120,9 @@ TEST(Merge_model_test, agrees_with_real_numbers)
     for (std::size_t j = 0; j < 5; ++j)
       units.push_back({any_of(random, -1000000, 1000000), any_of(random, -30000, 30000),
                        random_weights(random, Model::weight_bound)});
-    const Model model{tables.trees(),
-                      {inputs.data(), units.data(), units.size(),
-                       random_weights(random, Model::weight_bound),
-                       any_of(random, -100000000, 100000000)}};
+    const Model model{inputs.data(), units.data(), units.size(),
+                      random_weights(random, Model::weight_bound),
+                      any_of(random, -100000000, 100000000)};
     for (int i = 0; i < 200; ++i) {
       Model::Features x;
       std::vector<double> real;
@@ -216,14 +130,7 @@ TEST(Merge_model_test, agrees_with_real_numbers)
         value = Model::Feature(any_of(random, -40, 40));
         real.push_back(value / 512.0);
       }
-      std::int64_t of_trees = 0;
-      for (const Tree& tree : trees)
-        of_trees += tree.value_at(x);
-      const double of_network = value_of(model.network, real);
-      EXPECT_EQ(model.trees(x), of_trees);
-      EXPECT_NEAR(std::ldexp(double(model.network_output(x)), -20), of_network, 0.01);
-      EXPECT_NEAR(std::ldexp(double(model(x)), -20),
-                  (std::ldexp(double(of_trees), -20) + of_network) / 2, 0.01);
+      EXPECT_NEAR(std::ldexp(double(model(x)), -20), value_of(model, real), 0.01);
     }
   }
 }

@@ -359,23 +359,9 @@ inline double power_of_e(double x)
 inline double probability(const Features& x)
 {
   const auto& model = CGAL::Region_segmentation::internal::learned_merge_model;
-  std::vector<unsigned> leaves(model.trees.number_of_trees,
-                               65535); // as bits, those that no condition excludes
-  for (std::size_t f = 0; f < x.size(); ++f)
-    for (std::size_t i = model.trees.first_conditions[f]; i < model.trees.first_conditions[f + 1];
-         ++i)
-      if (x[f] >= model.trees.conditions[i].threshold)
-        leaves[model.trees.conditions[i].tree] &= model.trees.conditions[i].remaining;
-  std::int64_t trees = 0;
-  for (std::size_t t = 0; t < leaves.size(); ++t) {
-    std::size_t first = 0;
-    while ((leaves[t] >> first & 1) == 0)
-      ++first;
-    trees += model.trees.leaves[t][first];
-  }
   std::vector<std::int64_t> y;
   for (std::size_t i = 0; i < x.size(); ++i) { // in 2^-8
-    const auto& input = model.network.inputs[i];
+    const auto& input = model.inputs[i];
     y.push_back(std::max<std::int64_t>(
       -1024, std::min<std::int64_t>(1024, (x[i] - input.center) * input.factor / 65536)));
   }
@@ -385,14 +371,13 @@ inline double probability(const Features& x)
       sum += weights[i] * y[i];
     return sum;
   };
-  std::int64_t network = model.network.output_bias +
-                         product(model.network.direct_weights) * 256; // in 2^-26
-  for (std::size_t j = 0; j < model.network.number_of_units; ++j) {
-    const auto& unit = model.network.units[j];
+  std::int64_t output = model.output_bias + product(model.direct_weights) * 256; // in 2^-26
+  for (std::size_t j = 0; j < model.number_of_units; ++j) {
+    const auto& unit = model.units[j];
     const double h = double(unit.bias + product(unit.weights));
-    network += unit.output_weight * std::int64_t(4096 * h / (262144 + std::abs(h)));
+    output += unit.output_weight * std::int64_t(4096 * h / (262144 + std::abs(h)));
   }
-  const double odds = double((trees + network / 64) / 2) / 1048576;
+  const double odds = double(output / 64) / 1048576;
   return 1 / (1 + power_of_e(-std::max(-16.0, std::min(16.0, odds))));
 }
 

@@ -64,7 +64,7 @@ TEST(Cross_validation_test, learns_from_variants_with_the_fold_of_their_model)
   };
   Training_plan plan;
   plan.noisy_runs = plan.learned_runs = 0;
-  plan.options.network.epochs = 1;
+  plan.options.epochs = 1;
   std::vector<Training_model> models = {make(2, 200), make(4, 200)};
   const Folds folds = {0, 1};
   const Cross_validation alone = cross_validate(models, folds, plan);
@@ -72,15 +72,15 @@ TEST(Cross_validation_test, learns_from_variants_with_the_fold_of_their_model)
   const Cross_validation with_variant = cross_validate(models, folds, plan);
 
   ASSERT_EQ(with_variant.scores.size(), 2u);
-  ASSERT_EQ(with_variant.rows[0].size(), 2u);
-  EXPECT_EQ(with_variant.rows[0][1].features, alone.rows[0][1].features) << "of the other model";
-  const auto &before = alone.rows[0][0].features, &after = with_variant.rows[0][0].features;
+  ASSERT_EQ(with_variant.rows.size(), 2u);
+  EXPECT_EQ(with_variant.rows[1].features, alone.rows[1].features) << "of the other model";
+  const auto &before = alone.rows[0].features, &after = with_variant.rows[0].features;
   ASSERT_GT(after.size(), before.size());
   EXPECT_TRUE(std::equal(before.begin(), before.end(), after.begin()))
     << "then those of the variant";
-  EXPECT_EQ(with_variant.trained[0].trees.leaves, alone.trained[0].trees.leaves)
+  EXPECT_EQ(with_variant.trained[0].direct_weights, alone.trained[0].direct_weights)
     << "without the model and its variant";
-  EXPECT_NE(with_variant.trained[1].trees.leaves, alone.trained[1].trees.leaves);
+  EXPECT_NE(with_variant.trained[1].direct_weights, alone.trained[1].direct_weights);
 }
 
 /// Furniture of one category is in one fold, and in that of the category of the benchmark.

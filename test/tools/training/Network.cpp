@@ -109,7 +109,7 @@ std::int16_t weight(double x)
 }
 
 /// Adds a share of a network: `share` * its output.
-void add(Integer_network& result, const Network& network, double share)
+void add(Trained_model& result, const Network& network, double share)
 {
   for (std::size_t j = 0; j < network.units(); ++j) {
     Model::Unit unit{
@@ -123,10 +123,9 @@ void add(Integer_network& result, const Network& network, double share)
 }
 
 /// The mean of networks with the same inputs.
-Integer_network mean_of(const std::vector<Network>& networks,
-                        const std::vector<Model::Input>& inputs)
+Trained_model mean_of(const std::vector<Network>& networks, const std::vector<Model::Input>& inputs)
 {
-  Integer_network result;
+  Trained_model result;
   result.inputs = inputs;
   const double share = 1 / double(networks.size());
   Eigen::VectorXf direct = Eigen::VectorXf::Zero(inputs.size());
@@ -228,8 +227,8 @@ Network train_network(const Eigen::MatrixXf& x, const Training_rows& rows,
 
 } // namespace
 
-Integer_network train_networks(const Training_rows& rows, const Network_options& options,
-                               unsigned seed)
+Trained_model train_networks(const Training_rows& rows, const Network_options& options,
+                             unsigned seed)
 {
   const Standardization standardization(rows);
   const Eigen::MatrixXf x = standardization(rows);

@@ -65,7 +65,7 @@ private:
 };
 
 /// A trained network with integer constants.
-struct Integer_network
+struct Trained_model
 {
   std::vector<Model::Input> inputs;
   std::vector<Model::Unit> units;
@@ -73,7 +73,7 @@ struct Integer_network
   std::int64_t output_bias = 0;
 
   /// Refers to this object.
-  Model::Network network() const
+  Model model() const
   {
     return {inputs.data(), units.data(), units.size(), direct_weights, output_bias};
   }
@@ -81,8 +81,8 @@ struct Integer_network
 
 /// Trains networks by Adam on the weighted logistic loss; returns their mean. One thread; equal
 /// seeds give equal networks.
-Integer_network train_networks(const Training_rows& rows, const Network_options& options,
-                               unsigned seed);
+Trained_model train_networks(const Training_rows& rows, const Network_options& options,
+                             unsigned seed);
 
 } // namespace train_merge_cost
 

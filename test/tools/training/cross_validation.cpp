@@ -13,12 +13,6 @@ namespace train_merge_cost {
 
 namespace {
 
-/// A seed for each training.
-unsigned seed_of(const Training_plan& plan, std::size_t training)
-{
-  return (plan.seed - 1) * unsigned(plan.trainings) + 1 + unsigned(training);
-}
-
 /// Appends the rows of a run of a model and of its variants: `run(graph, seed)`, with a seed for
 /// each run, model and variant.
 template <typename Run>
@@ -52,59 +46,26 @@ Training_rows rows_without(const std::vector<Training_rows>& rows, const Folds& 
 }
 
 std::vector<Trained_model> train_folds(const std::vector<Training_rows>& rows, const Folds& folds,
-                                       const Training_plan& plan, unsigned seed)
+                                       const Training_plan& plan)
 {
   std::vector<Trained_model> trained;
   for (std::size_t fold = 0; fold < number_of(folds); ++fold)
-    trained.push_back(train(rows_without(rows, folds, fold), plan.options, seed));
+    trained.push_back(train_networks(rows_without(rows, folds, fold), plan.options, plan.seed));
   return trained;
 }
 
 /// The rows of runs by the hand-made cost, by model.
 std::vector<Training_rows> first_rows(const std::vector<Training_model>& models,
-                                      const Training_plan& plan, unsigned seed)
+                                      const Training_plan& plan)
 {
   std::vector<Training_rows> rows(models.size());
   for (std::size_t i = 0; i < models.size(); ++i)
     for (std::size_t run = 0; run <= plan.noisy_runs; ++run)
       append_rows(
-        rows[i], models[i], seed, run, [&](const Training_graph& start, unsigned run_seed) {
+        rows[i], models[i], plan.seed, run, [&](const Training_graph& start, unsigned run_seed) {
           return rows_of_visibility_run(start, run > 0 ? plan.noise : 0, plan.share, run_seed);
         });
   return rows;
-}
-
-/// The models of one training by fold, and what they were trained on.
-struct Trained_folds
-{
-  std::vector<Trained_model> trained;
-  std::vector<Training_rows> rows; // by model
-};
-
-Trained_folds train_in_rounds(const std::vector<Training_model>& models, const Folds& folds,
-                              const Training_plan& plan, unsigned seed)
-{
-  Trained_folds result{{}, first_rows(models, plan, seed)};
-  result.trained = train_folds(result.rows, folds, plan, seed);
-  for (std::size_t round = 0; round < plan.learned_runs; ++round) {
-    for (std::size_t i = 0; i < models.size(); ++i)
-      append_rows(result.rows[i], models[i], seed, plan.noisy_runs + 1 + round,
-                  [&](const Training_graph& start, unsigned run_seed) {
-                    return rows_of_learned_run(start, result.trained[folds[i]].model(), plan.share,
-                                               run_seed);
-                  });
-    result.trained = train_folds(result.rows, folds, plan, seed);
-  }
-  return result;
-}
-
-/// All rows.
-Training_rows joined(const std::vector<Training_rows>& rows)
-{
-  Training_rows result;
-  for (const Training_rows& each : rows)
-    result.append(each);
-  return result;
 }
 
 } // namespace
@@ -144,16 +105,16 @@ Folds folds_of_categories(const std::vector<Training_model>& models)
 Cross_validation cross_validate(const std::vector<Training_model>& models, const Folds& folds,
                                 const Training_plan& plan)
 {
-  Cross_validation result{folds, {}, {}, {}};
-  std::vector<std::vector<Trained_model>> by_fold(number_of(folds));
-  for (std::size_t t = 0; t < plan.trainings; ++t) {
-    Trained_folds training = train_in_rounds(models, folds, plan, seed_of(plan, t));
-    for (std::size_t fold = 0; fold < by_fold.size(); ++fold)
-      by_fold[fold].push_back(std::move(training.trained[fold]));
-    result.rows.push_back(std::move(training.rows));
+  Cross_validation result{folds, {}, first_rows(models, plan), {}};
+  result.trained = train_folds(result.rows, folds, plan);
+  for (std::size_t round = 0; round < plan.learned_runs; ++round) {
+    for (std::size_t i = 0; i < models.size(); ++i)
+      append_rows(result.rows[i], models[i], plan.seed, plan.noisy_runs + 1 + round,
+                  [&](const Training_graph& start, unsigned run_seed) {
+                    return rows_of_learned_run(start, result.without(i), plan.share, run_seed);
+                  });
+    result.trained = train_folds(result.rows, folds, plan);
   }
-  for (const auto& trainings : by_fold)
-    result.trained.push_back(mean_of(trainings));
   for (std::size_t i = 0; i < models.size(); ++i)
     result.scores.push_back(score_learned(models[i], result.without(i)));
   return result;
@@ -162,17 +123,14 @@ Cross_validation cross_validate(const std::vector<Training_model>& models, const
 Training_rows all_rows(const Cross_validation& validation)
 {
   Training_rows result;
-  for (const auto& rows : validation.rows)
-    result.append(joined(rows));
+  for (const Training_rows& rows : validation.rows)
+    result.append(rows);
   return result;
 }
 
 Trained_model train_on_all(const Cross_validation& validation, const Training_plan& plan)
 {
-  std::vector<Trained_model> trainings;
-  for (std::size_t t = 0; t < validation.rows.size(); ++t)
-    trainings.push_back(train(joined(validation.rows[t]), plan.options, seed_of(plan, t)));
-  return mean_of(trainings);
+  return train_networks(all_rows(validation), plan.options, plan.seed);
 }
 
 } // namespace train_merge_cost

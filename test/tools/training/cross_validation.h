@@ -4,7 +4,7 @@
 #define CGAL_REGION_SEGMENTATION_TEST_TOOLS_TRAINING_CROSS_VALIDATION_H
 
 #include "Model_score.h"
-#include "Trained_model.h"
+#include "Network.h"
 #include "Training_model.h"
 #include "Training_rows.h"
 
@@ -17,13 +17,12 @@ namespace train_merge_cost {
 struct Training_plan
 {
   unsigned seed = 1;            ///< at least 1
-  std::size_t trainings = 1;    ///< whose mean is the model; each from the first candidates on
   std::size_t noisy_runs = 3;   ///< of the hand-made cost, in addition to one without noise
   double noise = 1.5;           ///< standard deviation
   std::size_t learned_runs = 1; ///< rounds in which models are merged by what was learned without
                                 ///< them
   double share = 0.3;           ///< of the candidates of a run
-  Training_options options;
+  Network_options options;
 };
 
 /// The fold of every model. Models of one fold are scored by a model that was trained on the
@@ -41,24 +40,21 @@ Folds folds_of_categories(const std::vector<Training_model>& models);
 struct Cross_validation
 {
   Folds folds;
-  std::vector<Trained_model> trained;           ///< by fold, without it
-  std::vector<std::vector<Training_rows>> rows; ///< by training, then by model: those that were
-                                                ///< trained on
-  std::vector<Model_score> scores;              ///< by model, out of fold
+  std::vector<Trained_model> trained; ///< by fold, without it
+  std::vector<Training_rows> rows;    ///< by model: those that were trained on
+  std::vector<Model_score> scores;    ///< by model, out of fold
 
   /// The model that was trained without one of the models.
   Model without(std::size_t model) const { return trained[folds[model]].model(); }
 };
 
-/// Each training consists of rounds, each on the rows of all earlier ones. The means of the
-/// trainings are scored.
+/// Training consists of rounds, each on the rows of all earlier ones.
 Cross_validation cross_validate(const std::vector<Training_model>& models, const Folds& folds,
                                 const Training_plan& plan);
 
-/// The rows of all trainings.
+/// The rows of all models.
 Training_rows all_rows(const Cross_validation& validation);
 
-/// The mean of the trainings on all models.
 Trained_model train_on_all(const Cross_validation& validation, const Training_plan& plan);
 
 } // namespace train_merge_cost

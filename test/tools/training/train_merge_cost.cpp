@@ -4,8 +4,8 @@
 // writes the model as the header of the library that holds it. With a report: cross-validation,
 // calibration, importance of features.
 
+#include "Network.h"
 #include "Princeton_data.h"
-#include "Trained_model.h"
 #include "Training_model.h"
 #include "cross_validation.h"
 #include "decimated.h"
@@ -116,8 +116,6 @@ std::variant<Options, int> parse_command_line(int argc, char** argv)
                "Variants, categories left out, calibration and the importance of features, too");
   app.add_option("--seed", options.plan.seed, "Of all that is random. Default: 1")
     ->check(CLI::Range(1, 1000));
-  app.add_option("--trainings", options.plan.trainings, "Whose mean is the model. Default: 1")
-    ->check(CLI::Range(1, 100));
   app
     .add_option("--superfacets", options.superfacets, "First regions. Default: that of Superfacets")
     ->check(CLI::Range(1, 100000));
@@ -280,9 +278,8 @@ std::vector<std::string> provenance(const Options& options,
     return mean_given_and_chosen(models, of_furniture, validation.scores);
   };
   return {
-    "Made by train_merge_cost --seed " + std::to_string(options.plan.seed) + " --trainings " +
-      std::to_string(options.plan.trainings) + (options.variants.empty() ? " --no-variants" : "") +
-      " from " + std::to_string(of_benchmark) +
+    "Made by train_merge_cost --seed " + std::to_string(options.plan.seed) +
+      (options.variants.empty() ? " --no-variants" : "") + " from " + std::to_string(of_benchmark) +
       " models of the Princeton Segmentation Benchmark, " +
       (even ? "of its even-numbered half, number " : "number ") +
       std::to_string(models.front().number) + " to " +

@@ -3,8 +3,6 @@
 #include "Label_counts.h"
 #include "Network.h"
 #include "Training_rows.h"
-#include "Trained_model.h"
-#include "boosted_trees.h"
 #include "write_model.h"
 
 #include <CGAL/Region_segmentation/evaluation/rand_index_distance.h>
@@ -23,21 +21,13 @@ namespace {
 
 constexpr std::size_t number_of_features = Merge_features::NUMBER_OF_FEATURES;
 
-/// Of random features; the log odds are a step of the first and a slope of the second.
+/// Of random features.
 double true_log_odds(const Merge_features::Values& x)
-{
-  return (x[0] < 100 ? -2 : 1) + x[1] / 512.0;
-}
-
-/// Without the step.
-double smooth_log_odds(const Merge_features::Values& x)
 {
   return x[1] / 256.0 - x[2] / 512.0;
 }
 
-using Log_odds = double (*)(const Merge_features::Values&);
-
-Training_rows toy_rows(std::size_t n, unsigned seed, Log_odds log_odds = true_log_odds)
+Training_rows toy_rows(std::size_t n, unsigned seed)
 {
   std::mt19937 random(seed);
   Training_rows rows;
@@ -45,26 +35,25 @@ Training_rows toy_rows(std::size_t n, unsigned seed, Log_odds log_odds = true_lo
     Merge_features::Values x;
     for (auto& value : x)
       value = std::int16_t(int(random() % 1024) - 512);
-    rows.add(x, 1 / (1 + std::exp(-log_odds(x))), 0.5 + double(random() % 100) / 100);
+    rows.add(x, 1 / (1 + std::exp(-true_log_odds(x))), 0.5 + double(random() % 100) / 100);
   }
   return rows;
 }
 
 template <typename Predict>
-double mean_error(const Training_rows& rows, const Predict& predict,
-                  Log_odds log_odds = true_log_odds)
+double mean_error(const Training_rows& rows, const Predict& predict)
 {
   double sum = 0;
   for (const auto& x : rows.features)
-    sum += std::abs(std::ldexp(double(predict(x)), -Model::result_bits) - log_odds(x));
+    sum += std::abs(std::ldexp(double(predict(x)), -Model::result_bits) - true_log_odds(x));
   return sum / double(rows.size());
 }
 
 Trained_model toy_model(const Training_rows& rows, unsigned seed)
 {
-  Training_options options;
-  options.network.epochs = 20;
-  return train(rows, options, seed);
+  Network_options options;
+  options.epochs = 20;
+  return train_networks(rows, options, seed);
 }
 
 } // namespace
@@ -105,31 +94,6 @@ TEST(Label_counts_test, distances_are_those_of_the_labels)
   }
 }
 
-TEST(Boosted_trees_test, learn_a_step_and_a_slope)
-{
-  const Training_rows rows = toy_rows(4000, 1);
-  Boosting_options options;
-  options.share_of_features = 1;
-  const auto trees = grow_trees(rows, options, 1);
-  EXPECT_EQ(trees.leaves.size(), options.number_of_trees);
-  EXPECT_LT(mean_error(toy_rows(500, 2), trees.trees()), 0.15);
-  EXPECT_GT(mean_error(toy_rows(500, 2), [&](const auto&) { return 0; }), 0.9);
-}
-
-TEST(Boosted_trees_test, equal_seeds_give_equal_trees)
-{
-  const Training_rows rows = toy_rows(1000, 1);
-  const auto a = grow_trees(rows, Boosting_options(), 1),
-             b = grow_trees(rows, Boosting_options(), 1),
-             c = grow_trees(rows, Boosting_options(), 2);
-  EXPECT_EQ(a.first_conditions, b.first_conditions);
-  EXPECT_EQ(a.leaves, b.leaves);
-  std::size_t different = 0;
-  for (std::size_t t = 0; t < a.leaves.size(); ++t)
-    different += a.leaves[t] != c.leaves[t];
-  EXPECT_GT(different, a.leaves.size() / 2);
-}
-
 TEST(Network_test, the_gradient_is_that_of_the_loss)
 {
   std::mt19937 random(3);
@@ -164,39 +128,12 @@ TEST(Network_test, the_gradient_is_that_of_the_loss)
 
 TEST(Network_test, learns_a_slope_in_integers)
 {
-  const Training_rows rows = toy_rows(4000, 1, smooth_log_odds),
-                      others = toy_rows(500, 2, smooth_log_odds);
-  Network_options options;
-  options.epochs = 20;
-  const Integer_network network = train_networks(rows, options, 1);
+  const Training_rows rows = toy_rows(4000, 1), others = toy_rows(500, 2);
+  const Trained_model network = toy_model(rows, 1);
+  const Network_options options;
   EXPECT_EQ(network.units.size(), options.number_of_units * options.number_of_networks);
-  const Model model{Model::Trees(), network.network()};
-  EXPECT_LT(mean_error(
-              others, [&](const auto& x) { return model.network_output(x); }, smooth_log_odds),
-            0.25);
-  EXPECT_GT(mean_error(
-              others, [&](const auto&) { return 0; }, smooth_log_odds),
-            0.9);
-}
-
-TEST(Trained_model_test, the_mean_of_models_is_the_mean_of_their_results)
-{
-  const Training_rows others = toy_rows(500, 4);
-  std::vector<Trained_model> models;
-  for (unsigned seed = 1; seed <= 3; ++seed)
-    models.push_back(toy_model(toy_rows(500, seed), seed)); // inputs are standardized differently
-  const Trained_model mean = mean_of(models);
-  EXPECT_EQ(mean.trees.leaves.size(), 3 * models.front().trees.leaves.size());
-  EXPECT_EQ(mean.network.units.size(), 3 * models.front().network.units.size());
-  const auto in_odds = [](std::int64_t result) {
-    return std::ldexp(double(result), -Model::result_bits);
-  };
-  for (const auto& x : others.features) {
-    double expected = 0;
-    for (const Trained_model& model : models)
-      expected += in_odds(model.model()(x)) / 3;
-    EXPECT_NEAR(in_odds(mean.model()(x)), expected, 0.02);
-  }
+  EXPECT_LT(mean_error(others, network.model()), 0.25);
+  EXPECT_GT(mean_error(others, [](const auto&) { return 0; }), 0.9);
 }
 
 TEST(Write_model_test, equal_seeds_give_equal_headers)

@@ -140,9 +140,8 @@ double divergence(double truth, double predicted)
 template <typename F>
 void for_each_out_of_fold(const Cross_validation& validation, const F& f)
 {
-  for (const auto& rows : validation.rows)
-    for (std::size_t i = 0; i < rows.size(); ++i)
-      f(validation.without(i), rows[i]);
+  for (std::size_t i = 0; i < validation.rows.size(); ++i)
+    f(validation.without(i), validation.rows[i]);
 }
 
 using Score_member = double Model_score::*;
@@ -260,8 +259,7 @@ Table importance_table(const Cross_validation& validation, unsigned seed)
       weight += w;
       unchanged += w * divergence(rows.probabilities[r], logistic(model(rows.features[r])));
       // Values come from a row of any model.
-      const auto& training = validation.rows[random() % validation.rows.size()];
-      const Training_rows& others = training[random() % training.size()];
+      const Training_rows& others = validation.rows[random() % validation.rows.size()];
       const auto& other = others.features[random() % others.size()];
       for (std::size_t i = 0; i < loss.size(); ++i) {
         auto x = rows.features[r];

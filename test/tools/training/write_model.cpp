@@ -73,24 +73,6 @@ void write_array(Line_breaker& line, const Array& array, const char* end)
     line.add_number(array[i], i + 1 < array.size() ? "," : end);
 }
 
-void write_trees(std::ostream& out, const std::string& type, const Integer_trees& trees)
-{
-  Line_breaker line(out);
-  out << "inline constexpr " << type << "::Trees::Condition learned_conditions[] = {\n";
-  for (const Model::Trees::Condition& c : trees.conditions)
-    line.add("{" + std::to_string(c.threshold) + "," + std::to_string(c.tree) + "," +
-             std::to_string(c.remaining) + "},");
-  line.end_line();
-  out << "};\n\ninline constexpr " << type << "::Trees::Leaves learned_leaves[] = {\n";
-  for (const Model::Trees::Leaves& leaves : trees.leaves) {
-    write_array(line, leaves, "}},");
-    line.end_line();
-  }
-  out << "};\n\ninline constexpr " << type << "::Trees learned_trees{learned_conditions,\n";
-  write_array(line, trees.first_conditions, "}},");
-  out << "\nlearned_leaves, " << trees.leaves.size() << "};\n\n";
-}
-
 void write_unit(Line_breaker& line, const Model::Unit& unit)
 {
   line.add("{" + std::to_string(unit.bias) + "," + std::to_string(unit.output_weight) + ",");
@@ -110,21 +92,19 @@ void write_model(std::ostream& out, const Trained_model& trained,
   out << "\nnamespace CGAL {\nnamespace Region_segmentation {\nnamespace internal {\n\n";
   const std::string type = "Merge_model<" + std::to_string(Merge_features::NUMBER_OF_FEATURES) +
                            ">";
-  write_trees(out, type, trained.trees);
   Line_breaker line(out);
   out << "inline constexpr " << type << "::Input learned_inputs[] = {\n";
-  for (const Model::Input& input : trained.network.inputs)
+  for (const Model::Input& input : trained.inputs)
     line.add("{" + std::to_string(input.center) + "," + std::to_string(input.factor) + "},");
   line.end_line();
   out << "};\n\ninline constexpr " << type << "::Unit learned_units[] = {\n";
-  for (const Model::Unit& unit : trained.network.units)
+  for (const Model::Unit& unit : trained.units)
     write_unit(line, unit);
   out << "};\n\ninline constexpr " << type << "::Weights learned_direct_weights =\n";
-  write_array(line, trained.network.direct_weights, "}}");
+  write_array(line, trained.direct_weights, "}}");
   out << ";\n\ninline constexpr " << type
-      << " learned_merge_model{\n  learned_trees, {learned_inputs, learned_units, "
-      << trained.network.units.size() << ", learned_direct_weights, " << trained.network.output_bias
-      << "}};\n"
+      << " learned_merge_model{\n  learned_inputs, learned_units, " << trained.units.size()
+      << ", learned_direct_weights, " << trained.output_bias << "};\n"
       << foot;
 }
 

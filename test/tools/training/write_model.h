@@ -3,7 +3,7 @@
 #ifndef CGAL_REGION_SEGMENTATION_TEST_TOOLS_TRAINING_WRITE_MODEL_H
 #define CGAL_REGION_SEGMENTATION_TEST_TOOLS_TRAINING_WRITE_MODEL_H
 
-#include "Trained_model.h"
+#include "Network.h"
 
 #include <iosfwd>
 #include <string>

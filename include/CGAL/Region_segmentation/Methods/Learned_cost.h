@@ -17,31 +17,22 @@ namespace Region_segmentation {
 /// What a learned model says of a section: the probability that two points, one in either region,
 /// belong to one part for people, and what its two regions weigh.
 ///
-/// The model is a function of `Merge_features`, integers \f$x_i\f$. The logarithm of the odds, in
-/// units of \f$2^{-20}\f$, is half the sum of the two following, rounded toward 0:
-/// - the sum over the decision trees of the value of the leaf to which the features lead, in
-/// \f$2^{-20}\f$. A node
-///   sends to its right branch if the feature is at least its threshold. It is stored as a
-///   condition: the threshold, the tree, and as bits the leaves, numbered from left to right, that
-///   are not in the left branch. So the value of a tree is that of its first leaf whose bit is in
-///   all of its conditions that hold;
-/// - a neural network with one hidden layer, with the inputs \f$y_i = f_i (x_i - c_i)\f$, in
-/// \f$2^{-8}\f$, rounded
-///   toward 0 and clamped to [-4, 4]: \f$b + \sum_i s_i y_i + \sum_j v_j h_j / (1 + |h_j|)\f$,
-///   \f$h_j = b_j + \sum_i w_{ji} y_i\f$. \f$s, w\f$ are integers in \f$2^{-10}\f$, \f$f\f$ in
-///   \f$2^{-16}\f$ of the units of y and x, \f$b_j\f$ in \f$2^{-18}\f$, \f$h / (1 + |h|)\f$ in
-///   \f$2^{-12}\f$, rounded toward 0, \f$v\f$ in \f$2^{-14}\f$, and \f$b\f$ and the sum in
-///   \f$2^{-26}\f$; the result is rounded toward 0 to \f$2^{-20}\f$.
+/// The model is a function of `Merge_features`, integers \f$x_i\f$: a neural network with one
+/// hidden layer. With the inputs \f$y_i = f_i (x_i - c_i)\f$, in \f$2^{-8}\f$, rounded toward 0
+/// and clamped to [-4, 4], the logarithm of the odds is \f$b + \sum_i s_i y_i + \sum_j v_j h_j / (1
+/// + |h_j|)\f$, \f$h_j = b_j + \sum_i w_{ji} y_i\f$. \f$s, w\f$ are integers in \f$2^{-10}\f$,
+/// \f$f\f$ in \f$2^{-16}\f$ of the units of y and x, \f$b_j\f$ in \f$2^{-18}\f$, \f$h / (1 +
+/// |h|)\f$ in \f$2^{-12}\f$, rounded toward 0, \f$v\f$ in \f$2^{-14}\f$, and \f$b\f$ and the sum
+/// in \f$2^{-26}\f$; the result is rounded toward 0 to \f$2^{-20}\f$.
 ///
 /// \f$p = 1 / (1 + e^{-o})\f$, \f$o\f$ the logarithm of the odds clamped to [-16, 16]. An
 /// exponential \f$e^x\f$ is computed as \f$(1 + x / 2^{16})^{2^{16}}\f$ by squaring 16 times, here
 /// and in the costs.
 ///
-/// The constants of the trees and the network are those of the header
-/// `internal/model/learned_merge_model.h`. They were trained on half of the Princeton benchmark
-/// and on furniture, see `doc/accuracy.md`. Since features are rounded, constants are integers, and
-/// what follows uses only arithmetic operations whose rounding is prescribed, the last bits of
-/// logarithms, which differ between libraries, do not decide.
+/// The constants are those of the header `internal/model/learned_merge_model.h`. They were trained
+/// on half of the Princeton benchmark and on furniture, see `doc/accuracy.md`. Since features are
+/// rounded, constants are integers, and what follows uses only arithmetic operations whose rounding
+/// is prescribed, the last bits of logarithms, which differ between libraries, do not decide.
 class Merge_estimate
 {
 public:

@@ -3,8 +3,6 @@
 #ifndef CGAL_REGION_SEGMENTATION_INTERNAL_MODEL_MERGE_MODEL_H
 #define CGAL_REGION_SEGMENTATION_INTERNAL_MODEL_MERGE_MODEL_H
 
-#include <CGAL/Region_segmentation/internal/model/Decision_trees.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,29 +13,27 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// A function from features to the logarithm of the odds of a merge: the mean of a sum of decision
-/// trees and a neural network with one hidden layer.
+/// A function from features to the logarithm of the odds of a merge: a neural network with one
+/// hidden layer.
 ///
 /// Features, constants and results are integers, so that every processor computes the same: a
 /// feature x stands for x / 2^9, a result y for y / 2^20.
 ///
-/// The network, in real numbers: with y_i = f_i (x_i - c_i), clamped to [-4, 4] and rounded to
-/// 2^-8, \f$b + \sum_i s_i y_i + \sum_j v_j h_j / (1 + |h_j|)\f$, \f$h_j = b_j + \sum_i w_{ji}
-/// y_i\f$.
+/// In real numbers: with y_i = f_i (x_i - c_i), clamped to [-4, 4] and rounded to 2^-8,
+/// \f$b + \sum_i s_i y_i + \sum_j v_j h_j / (1 + |h_j|)\f$, \f$h_j = b_j + \sum_i w_{ji} y_i\f$.
 ///
 /// The constants belong to others, such as the generated tables.
 ///
-/// Complexity: that of the trees, and O(number of features * number of units).
+/// Complexity: O(number of features * number of units).
 template <std::size_t number_of_features>
 struct Merge_model
 {
-  using Trees = Decision_trees<number_of_features>;
-  using Feature = typename Trees::Feature;
-  using Features = typename Trees::Features;
+  using Feature = std::int16_t;
+  using Features = std::array<Feature, number_of_features>;
 
   static constexpr int feature_bits = 9, result_bits = 20;
 
-  /// \name Bits of the fractions in the network
+  /// \name Bits of the fractions
   /// @{
   static constexpr int input_bits = 8, weight_bits = 10, factor_bits = 16; ///< y; w and s; f
   static constexpr int activation_bits = 12, output_weight_bits = 14;      ///< h / (1 + |h|); v
@@ -54,10 +50,7 @@ struct Merge_model
     std::int32_t factor; ///< f_i, in 2^(feature_bits - factor_bits - input_bits)
   };
 
-  /// The inputs, filled up by zeros: sums of a constant multiple of 8 products of 16 bits are
-  /// vectorized.
-  static constexpr std::size_t padded_number = (number_of_features + 15) / 16 * 16;
-  using Weights = std::array<std::int16_t, padded_number>;
+  using Weights = std::array<std::int16_t, number_of_features>;
 
   struct Unit
   {
@@ -66,29 +59,21 @@ struct Merge_model
     Weights weights;            ///< w_ji, in 2^-weight_bits
   };
 
-  struct Network
-  {
-    const Input* inputs; ///< one for each feature
-    const Unit* units;
-    std::size_t number_of_units;
-    Weights direct_weights;   ///< s_i, in 2^-weight_bits
-    std::int64_t output_bias; ///< b, in 2^-(activation_bits + output_weight_bits)
-  };
-
-  Trees trees; ///< leaves in 2^-result_bits
-  Network network;
+  const Input* inputs; ///< one for each feature
+  const Unit* units;
+  std::size_t number_of_units;
+  Weights direct_weights;   ///< s_i, in 2^-weight_bits
+  std::int64_t output_bias; ///< b, in 2^-(activation_bits + output_weight_bits)
 
   /// The logarithm of the odds that two regions belong to one part, in 2^-result_bits.
-  std::int64_t operator()(const Features& x) const { return (trees(x) + network_output(x)) / 2; }
-
-  std::int64_t network_output(const Features& x) const
+  std::int64_t operator()(const Features& x) const
   {
     const Weights y = inputs_of(x);
     constexpr int output_bits = activation_bits + output_weight_bits;
-    std::int64_t output = network.output_bias;
-    output += std::int64_t(product(network.direct_weights, y)) * (1 << (output_bits - sum_bits));
-    for (std::size_t j = 0; j < network.number_of_units; ++j) {
-      const Unit& unit = network.units[j];
+    std::int64_t output = output_bias;
+    output += std::int64_t(product(direct_weights, y)) * (1 << (output_bits - sum_bits));
+    for (std::size_t j = 0; j < number_of_units; ++j) {
+      const Unit& unit = units[j];
       output += std::int64_t(unit.output_weight) * activation(unit.bias + product(unit.weights, y));
     }
     return output / (1 << (output_bits - result_bits));
@@ -99,8 +84,7 @@ private:
   {
     Weights y{};
     for (std::size_t i = 0; i < number_of_features; ++i) {
-      const Input& input = network.inputs[i];
-      const std::int64_t scaled = std::int64_t(x[i] - input.center) * input.factor /
+      const std::int64_t scaled = std::int64_t(x[i] - inputs[i].center) * inputs[i].factor /
                                   (1 << factor_bits);
       y[i] = std::int16_t(
         (std::max)(std::int64_t(-input_bound), (std::min)(std::int64_t(input_bound), scaled)));
@@ -111,7 +95,7 @@ private:
   static std::int32_t product(const Weights& w, const Weights& y)
   {
     std::int32_t sum = 0;
-    for (std::size_t i = 0; i < padded_number; ++i)
+    for (std::size_t i = 0; i < number_of_features; ++i)
       sum += std::int32_t(w[i]) * y[i];
     return sum;
   }
