@@ -5,7 +5,7 @@
 
 #include <CGAL/Region_segmentation/Methods/Region_growing.h>
 #include <CGAL/Region_segmentation/Methods/Superfacets.h>
-#include <CGAL/Region_segmentation/evaluation/rand_index_distance.h>
+#include <CGAL/Region_segmentation/evaluation/overlap_measures.h>
 #include <CGAL/Region_segmentation/internal/cells/Patch_builder.h>
 #include <CGAL/Region_segmentation/internal/regions/Farthest_point_seeding.h>
 #include <CGAL/Region_segmentation/internal/support/Float_key.h>

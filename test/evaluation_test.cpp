@@ -742,23 +742,6 @@ TEST(Measures, ignore_what_was_removed)
   EXPECT_NEAR(*before.cut, *after.cut, 1e-14);
 }
 
-TEST(Measures, know_the_centroid_of_a_concave_polygon)
-{
-  // 5--4
-  // |  |
-  // |  3--2   area 3: two unit squares below (centroid 1, 1/2), one above (1/2, 3/2)
-  // 0-----1
-  std::vector<RS::Double_3> polygon = {{0, 0, 7}, {2, 0, 7}, {2, 1, 7},
-                                       {1, 1, 7}, {1, 2, 7}, {0, 2, 7}};
-  for (std::size_t first = 0; first < polygon.size(); ++first) {
-    const auto c = RS::internal::centroid(polygon);
-    EXPECT_DOUBLE_EQ(c.x, 2.5 / 3);
-    EXPECT_DOUBLE_EQ(c.y, 2.5 / 3);
-    EXPECT_DOUBLE_EQ(c.z, 7);
-    std::rotate(polygon.begin(), polygon.begin() + 1, polygon.end());
-  }
-}
-
 // ------------------------------------------------------------------------------- special cases
 
 TEST(Cut_discrepancy, there_is_none_when_a_side_has_no_cut)

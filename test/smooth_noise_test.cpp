@@ -5,7 +5,7 @@
 
 #include <CGAL/Region_segmentation/Methods/Learned_merging.h>
 #include <CGAL/Region_segmentation/Request.h>
-#include <CGAL/Region_segmentation/evaluation/rand_index_distance.h>
+#include <CGAL/Region_segmentation/evaluation/overlap_measures.h>
 #include <CGAL/Region_segmentation/internal/surface/smooth_noise.h>
 #include <CGAL/Region_segmentation/make_surface.h>
 

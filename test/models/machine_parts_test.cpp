@@ -6,7 +6,7 @@
 #include "soup/link_corners.h"
 
 #include <CGAL/Region_segmentation/Methods/Smooth_faces.h>
-#include <CGAL/Region_segmentation/evaluation/rand_index_distance.h>
+#include <CGAL/Region_segmentation/evaluation/overlap_measures.h>
 #include <CGAL/Region_segmentation/segment.h>
 
 #include <CGAL/Polygon_mesh_processing/measure.h>

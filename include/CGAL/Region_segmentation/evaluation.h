@@ -20,9 +20,7 @@
 /// Source: X. Chen, A. Golovinskiy, T. Funkhouser, "A Benchmark for 3D Mesh Segmentation", ACM
 /// Trans. Graph. 28(3), 2009; where its text and its evaluator differ, the evaluator is followed.
 
-#include <CGAL/Region_segmentation/evaluation/consistency_error.h>
 #include <CGAL/Region_segmentation/evaluation/cut_discrepancy.h>
-#include <CGAL/Region_segmentation/evaluation/hamming_distance.h>
-#include <CGAL/Region_segmentation/evaluation/rand_index_distance.h>
+#include <CGAL/Region_segmentation/evaluation/overlap_measures.h>
 
 #endif // CGAL_REGION_SEGMENTATION_EVALUATION_H

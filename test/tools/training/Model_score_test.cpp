@@ -9,7 +9,7 @@
 
 #include <CGAL/Region_segmentation/Methods/Learned_merging.h>
 #include <CGAL/Region_segmentation/Methods/Superfacets.h>
-#include <CGAL/Region_segmentation/evaluation/rand_index_distance.h>
+#include <CGAL/Region_segmentation/evaluation/overlap_measures.h>
 #include <CGAL/Region_segmentation/segment.h>
 
 #include <gtest/gtest.h>

@@ -5,7 +5,7 @@
 #include "Training_rows.h"
 #include "write_model.h"
 
-#include <CGAL/Region_segmentation/evaluation/rand_index_distance.h>
+#include <CGAL/Region_segmentation/evaluation/overlap_measures.h>
 
 #include <gtest/gtest.h>
 

@@ -3,10 +3,13 @@
 #ifndef CGAL_REGION_SEGMENTATION_EVALUATION_CUT_DISCREPANCY_H
 #define CGAL_REGION_SEGMENTATION_EVALUATION_CUT_DISCREPANCY_H
 
-#include <CGAL/Region_segmentation/internal/measures/Edge_graph.h>
-#include <CGAL/Region_segmentation/internal/measures/mean_distance_to_centroid.h>
-#include <CGAL/Region_segmentation/parameters.h>
+#include <CGAL/Region_segmentation/Double_3.h>
+#include <CGAL/Region_segmentation/Surface.h>
+#include <CGAL/Region_segmentation/internal/support/Grouped_items.h>
+#include <CGAL/Region_segmentation/internal/support/shortest_paths.h>
+#include <CGAL/Region_segmentation/internal/surface/Mesh_order.h>
 #include <CGAL/Region_segmentation/make_surface.h>
+#include <CGAL/Region_segmentation/parameters.h>
 
 #include <CGAL/boost/graph/helpers.h>
 
@@ -15,8 +18,10 @@
 
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -26,8 +31,8 @@ namespace internal {
 
 /// The end points, in order, of the edges whose two faces have different labels.
 template <typename FaceGraph, typename Pack, typename FaceLabelMap>
-std::vector<Edge_graph::Index> cut_vertices(const Mesh_order<FaceGraph, Pack>& order,
-                                            const FaceLabelMap& label_map)
+std::vector<Surface::Index> cut_vertices(const Mesh_order<FaceGraph, Pack>& order,
+                                         const FaceLabelMap& label_map)
 {
   using Label = typename boost::property_traits<FaceLabelMap>::value_type;
   static_assert(std::is_integral<Label>::value, "labels are integral");
@@ -42,11 +47,66 @@ std::vector<Edge_graph::Index> cut_vertices(const Mesh_order<FaceGraph, Pack>& o
       is_on_cut[order.vertex_rank(source(h, mesh))] = is_on_cut[order.vertex_rank(
         source(o, mesh))] = true;
   }
-  std::vector<Edge_graph::Index> result;
+  std::vector<Surface::Index> result;
   for (std::size_t v = 0; v < is_on_cut.size(); ++v)
     if (is_on_cut[v])
-      result.push_back(Edge_graph::Index(v));
+      result.push_back(Surface::Index(v));
   return result;
+}
+
+/// By vertex, the vertices at the other ends of its edges, with the lengths of these. Made from the
+/// range of edges, so a vertex where several fans of faces meet has the edges of all.
+using Edge_graph = Grouped_items<std::pair<Surface::Index, double>>;
+
+template <typename FaceGraph, typename Pack>
+Edge_graph edge_graph(const Mesh_order<FaceGraph, Pack>& order, const Surface& surface)
+{
+  return Edge_graph(order.number_of_vertices(), [&](const auto& add) {
+    for (auto e : edges(order.mesh())) {
+      const auto h = halfedge(e, order.mesh());
+      const Surface::Index v = order.vertex_rank(source(h, order.mesh())),
+                           w = order.vertex_rank(target(h, order.mesh()));
+      const double length = norm(surface.point(v) - surface.point(w));
+      add(v, {w, length});
+      add(w, {v, length});
+    }
+  });
+}
+
+/// The sum over `targets`, which are different, of the length of the shortest path along edges to
+/// the nearest of `sources`; infinite where a target has no path. O(E log E).
+inline double sum_of_distances(const Edge_graph& graph, const std::vector<Surface::Index>& sources,
+                               const std::vector<Surface::Index>& targets)
+{
+  std::vector<double> distances(graph.number_of_groups(), std::numeric_limits<double>::infinity());
+  find_shortest_paths(
+    sources, distances, [](Surface::Index) { return true; },
+    [&](Surface::Index v, const auto& enter) {
+      for (const auto& [w, length] : graph[v])
+        enter(w, length);
+    });
+  double sum = 0;
+  for (const Surface::Index t : targets)
+    sum += distances[t];
+  return sum;
+}
+
+/// The mean distance of the surface to its centroid: the centroids of the faces stand for them,
+/// weighted by area. 0 where the surface has no area.
+inline double mean_distance_to_centroid(const Surface& surface)
+{
+  double area = 0, sum = 0;
+  Double_3 centroid{0, 0, 0};
+  for (std::size_t f = 0; f < surface.number_of_faces(); ++f) {
+    area += surface.area(f);
+    centroid = centroid + surface.area(f) * surface.centroid(f);
+  }
+  if (!(area > 0))
+    return 0;
+  centroid = 1 / area * centroid;
+  for (std::size_t f = 0; f < surface.number_of_faces(); ++f)
+    sum += surface.area(f) * norm(surface.centroid(f) - centroid);
+  return sum / area;
 }
 
 } // namespace internal
@@ -62,8 +122,9 @@ std::vector<Edge_graph::Index> cut_vertices(const Mesh_order<FaceGraph, Pack>& o
 /// \f[ CD = \frac{1}{R \, (|V_a| + |V_b|)} \Big(\sum_{v \in V_a} \min_{w \in V_b} d(v, w) +
 ///     \sum_{w \in V_b} \min_{v \in V_a} d(v, w)\Big), \f]
 ///
-/// where R is the mean distance of the surface to its centroid (the centroids of the faces stand
-/// for them, weighted by area). CD has no unit and does not change with the scale of the mesh.
+/// where R is the mean distance of the surface to its centroid (the means of the corners of the
+/// faces stand for them, weighted by area). CD has no unit and does not change with the scale of
+/// the mesh.
 ///
 /// The range is [0, infinity): 0 if and only if the cut vertices are the same (edges of length 0
 /// aside). Symmetric, to the bit. It is undefined if one segmentation has no cut (so on a mesh with
@@ -111,8 +172,9 @@ std::optional<double> cut_discrepancy(const FaceGraph& mesh, const FaceLabelMapA
   if (cut_a.empty() || cut_b.empty() || size == 0)
     return std::nullopt;
 
-  const internal::Edge_graph graph(order, surface);
-  const double sum = graph.sum_of_distances(cut_b, cut_a) + graph.sum_of_distances(cut_a, cut_b);
+  const internal::Edge_graph graph = internal::edge_graph(order, surface);
+  const double sum = internal::sum_of_distances(graph, cut_b, cut_a) +
+                     internal::sum_of_distances(graph, cut_a, cut_b);
   if (!std::isfinite(sum))
     return std::nullopt;
   return sum / (size * double(cut_a.size() + cut_b.size()));
