@@ -160,7 +160,7 @@ TEST(Learned_cost_test, is_the_formula_of_its_documentation)
                 z * std::pow(w / 0.01, z < 0 ? 0.1 : 0.2) +
                   0.1 * RS::Visibility_cost()(graph, *range.first),
                 0.02);
-    EXPECT_NEAR(expected(graph, *range.first) / w, 2 * (0.4 - p), 0.02);
+    EXPECT_NEAR(expected(graph, *range.first) / w, 1 - 2 * p, 0.02);
   }
 }
 

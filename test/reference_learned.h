@@ -393,7 +393,7 @@ inline double expected_cost(const Learned_region& a, const Learned_region& b,
                             const Learned_section& s)
 {
   const Features x = features(a, b, s);
-  return 2 * power_of_e(double(x[13]) / 512 + double(x[14]) / 512) * (0.4 - probability(x));
+  return power_of_e(double(x[13]) / 512 + double(x[14]) / 512) * (1 - 2 * probability(x));
 }
 
 /// All merges of the regions.

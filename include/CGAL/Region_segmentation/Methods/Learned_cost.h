@@ -121,18 +121,17 @@ private:
 };
 
 /// \ingroup PkgRegionSegmentationPolicies
-/// What a merge is expected to cost: w (2 t - 2 p), w and p as in `Learned_cost`. A model of
-/// `SectionCost`, for graphs annotated by `Learned_annotator`.
+/// What a merge is expected to cost: w (1 - 2 p), w and p as in `Learned_cost`; half the expected
+/// change of the Rand index distance. A model of `SectionCost`, for graphs annotated by
+/// `Learned_annotator`.
 ///
-/// With t = 1/2 it is half the expected change of the Rand index distance. The sum of several
-/// merges is the cost of all.
+/// The sum of several merges is the cost of all.
 struct Expected_merge_cost
 {
   using RegionData = Learned_region_data;
   using SectionData = Learned_section_data;
 
   const Merge_features::Model* model; ///< which must exist as long as the cost
-  double threshold = 0.4;             ///< t, in [0, 1]: the probability from which on a merge pays
 
   explicit Expected_merge_cost(const Merge_features::Model& model_)
     : model(&model_)
@@ -142,7 +141,7 @@ struct Expected_merge_cost
   double operator()(const Graph& graph, typename Graph::section_descriptor s) const
   {
     const Merge_estimate estimate(*model, graph, s);
-    return 2 * estimate.share_of_pairs() * (threshold - estimate.probability());
+    return estimate.share_of_pairs() * (1 - 2 * estimate.probability());
   }
 };
 
