@@ -3,8 +3,7 @@
 #include "meshes.h"
 
 #include <CGAL/Region_segmentation/Graph/Region_adjacency_graph.h>
-#include <CGAL/Region_segmentation/Methods/Learned_annotator.h>
-#include <CGAL/Region_segmentation/Methods/Merge_features.h>
+#include <CGAL/Region_segmentation/Methods/Learned_merging.h>
 #include <CGAL/Region_segmentation/build_region_adjacency_graph.h>
 #include <CGAL/Region_segmentation/internal/cells/Patch_builder.h>
 #include <CGAL/Region_segmentation/Methods/Region_rays.h>
@@ -19,6 +18,7 @@
 #include <numeric>
 #include <random>
 #include <set>
+#include <utility>
 #include <vector>
 
 namespace RS = CGAL::Region_segmentation;
@@ -370,13 +370,8 @@ TEST(Merge_features_test, do_not_depend_on_motion_and_size)
 TEST(Merge_features_test, do_not_depend_on_the_numbering)
 {
   // Of blocks, faces at the same distance from a centroid cast rays in the order of their numbers.
-  std::set<std::size_t> by_rays = {Merge_features::COST, Merge_features::LENGTH_FOR_THICKNESS,
-                                   Merge_features::WIDTH_FOR_THICKNESS_M,
-                                   Merge_features::WIDTH_FOR_THICKNESS_L};
-  for (std::size_t i = Merge_features::THICKNESS_STEP; i <= Merge_features::THICKNESS_DEVIATION_U;
-       ++i)
-    by_rays.insert(i);
-  for (std::size_t i = Merge_features::VISIBILITY_M; i <= Merge_features::OWN_VISIBILITY_U; ++i)
+  std::set<std::size_t> by_rays = {0}; // the cost, thicknesses and visibilities
+  for (std::size_t i = 23; i < 40; ++i)
     by_rays.insert(i);
   for (Family family : {Family::SPHERE, Family::BLOCKS, Family::SHEET})
     for (unsigned seed = 0; seed < 3; ++seed) {
@@ -435,42 +430,40 @@ TEST(Merge_features_test, of_two_regions_made_by_hand)
   graph.add_region(large);
   graph.add_region(small);
   const auto x = Merge_features::of(graph, graph.add_section(0, 1, section));
-  const auto value = [&](Merge_features::Feature f) { return x[f] / 512.0; };
-  const double step = 0.5 / 512 + 1e-12;
-  EXPECT_NEAR(value(Merge_features::COST), RS::Visibility_cost()(graph, *graph.section(0, 1)),
-              step);
-  EXPECT_NEAR(value(Merge_features::LOG_DEPTH), std::log(0.222), step);
-  EXPECT_NEAR(value(Merge_features::CONCAVE), 0.2, step);
-  EXPECT_NEAR(value(Merge_features::WEAKLY_CONCAVE), 0.5, step);
-  EXPECT_NEAR(value(Merge_features::SQUARED_DEVIATION), 0.4, step);
-  EXPECT_NEAR(value(Merge_features::LOG_AREA_M), std::log(0.1), step);
-  EXPECT_NEAR(value(Merge_features::LOG_AREA_U), std::log(0.5), step);
-  EXPECT_NEAR(value(Merge_features::LOG_LENGTH_L), std::log(0.25 / 0.4), step);
-  EXPECT_NEAR(value(Merge_features::PERIMETER_SHARE_M), 0.5, step);
-  EXPECT_NEAR(value(Merge_features::LOG_PERIMETER_U), std::log(4 / 0.5), step);
-  EXPECT_NEAR(value(Merge_features::THICKNESS_DIFFERENCE), -1, step);
-  EXPECT_NEAR(value(Merge_features::SECTION_THICKNESS_M), 0.5, step);
-  EXPECT_NEAR(value(Merge_features::THICKNESS_DEVIATION_M), 0.5, step);
-  EXPECT_NEAR(value(Merge_features::THICKNESS_DEVIATION_L), 0, step);
-  EXPECT_NEAR(value(Merge_features::VISIBILITY_M), 0.25, step);
-  EXPECT_NEAR(value(Merge_features::VISIBILITY_L), 0.1, step);
-  EXPECT_NEAR(value(Merge_features::OWN_VISIBILITY_M), 0.5, step);
-  EXPECT_NEAR(value(Merge_features::OWN_VISIBILITY_U), 2 * (0.05 + 0.2 + 0.05) / 0.7, step);
-  EXPECT_NEAR(value(Merge_features::FLATNESS_M), 0.5, step);
-  EXPECT_NEAR(value(Merge_features::NORMALS), 0, step);
-  EXPECT_NEAR(value(Merge_features::OUTWARD), 1,
-              step); // the larger one faces away from the smaller one
-  EXPECT_NEAR(value(Merge_features::DISTANCE), 3 / std::sqrt(0.5), step);
-  EXPECT_NEAR(value(Merge_features::ELONGATION_M), 0.001, step);
-  EXPECT_NEAR(value(Merge_features::CLOSEDNESS), std::log(0.25 / (4 * CGAL_PI * CGAL_PI * 0.01)),
-              step);
-  EXPECT_NEAR(value(Merge_features::SECTION_ALONG), 0, step);
-  EXPECT_NEAR(value(Merge_features::LOG_FILLING_M), std::log(0.1 / CGAL_PI), step);
-  EXPECT_NEAR(value(Merge_features::WHOLE_LOG_FILLING), -0.5, step);
-  EXPECT_NEAR(value(Merge_features::WHOLE_FLATNESS), 0.75, step);
-  EXPECT_NEAR(value(Merge_features::WHOLE_STRONGLY_CONCAVE), 0.125, step);
-  EXPECT_NEAR(value(Merge_features::WHOLE_RIGHT_ANGLES), 0.625, step);
-  EXPECT_NEAR(value(Merge_features::WHOLE_OUTWARD), 0.25, step);
+  const std::vector<std::pair<std::size_t, double>> expected = {
+    {0, RS::Visibility_cost()(graph, *graph.section(0, 1))},
+    {1, std::log(0.222)},
+    {2, 0.2},
+    {5, 0.5},
+    {8, 0.4},
+    {13, std::log(0.1)},
+    {15, std::log(0.5)},
+    {17, std::log(0.25 / 0.4)},
+    {18, 0.5},
+    {22, std::log(4 / 0.5)},
+    {24, -1},
+    {27, 0.5},
+    {29, 0.5},
+    {30, 0},
+    {35, 0.25},
+    {36, 0.1},
+    {37, 0.5},
+    {39, 2 * (0.05 + 0.2 + 0.05) / 0.7},
+    {40, 0.5},
+    {43, 0},
+    {44, 1},
+    {45, 3 / std::sqrt(0.5)},
+    {46, 0.001},
+    {9, std::log(0.25 / (4 * CGAL_PI * CGAL_PI * 0.01))},
+    {53, 0},
+    {56, std::log(0.1 / CGAL_PI)},
+    {59, -0.5},
+    {60, 0.75},
+    {61, 0.125},
+    {62, 0.625},
+    {63, 0.25}};
+  for (const auto& [i, value] : expected)
+    EXPECT_NEAR(x[i] / 512.0, value, 0.5 / 512 + 1e-12) << "feature " << i;
 }
 
 } // namespace Learned_annotator_test

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Region_segmentation/Graph/Region_adjacency_graph.h>
-#include <CGAL/Region_segmentation/Methods/Learned_cost.h>
+#include <CGAL/Region_segmentation/Methods/Learned_merging.h>
 #include <CGAL/Region_segmentation/Methods/Lowest_cost_first.h>
-#include <CGAL/Region_segmentation/Methods/Lowest_order_first.h>
-#include <CGAL/Region_segmentation/Methods/Number_from_expected_costs.h>
-#include <CGAL/Region_segmentation/internal/model/Merge_model.h>
 #include <CGAL/Region_segmentation/merge_regions.h>
 
 #include <gtest/gtest.h>
@@ -21,8 +18,8 @@ namespace RS = CGAL::Region_segmentation;
 
 namespace Learned_cost_test {
 
-constexpr std::size_t number_of_features = 7;
-using Model = RS::internal::Merge_model<number_of_features>;
+using Model = RS::Merge_features::Model;
+constexpr std::size_t number_of_features = Model::number_of_features;
 
 int any_of(std::mt19937& random, int from, int to)
 {
@@ -92,18 +89,15 @@ Graph random_graph(std::mt19937& random)
 /// A model that knows one feature: the log odds are 1 - 4 times the concavity.
 struct Concavity_model
 {
-  std::vector<RS::Merge_features::Model::Input>
-    inputs = std::vector<RS::Merge_features::Model::Input>(RS::Merge_features::NUMBER_OF_FEATURES,
-                                                           {0, 0});
-  RS::Merge_features::Model model;
+  static constexpr std::size_t concave = 2; // its place
+  std::vector<Model::Input> inputs = std::vector<Model::Input>(number_of_features, {0, 0});
+  Model model;
 
   Concavity_model()
   {
-    using Full_model = RS::Merge_features::Model;
-    inputs[RS::Merge_features::CONCAVE].factor = 1 << (Full_model::factor_bits +
-                                                       Full_model::input_bits - 9);
-    Full_model::Weights direct{};
-    direct[RS::Merge_features::CONCAVE] = -4 * 1024;
+    inputs[concave].factor = 1 << (Model::factor_bits + Model::input_bits - 9);
+    Model::Weights direct{};
+    direct[concave] = -4 * 1024;
     model = {inputs.data(), nullptr, 0, direct, std::int64_t(1) << 26};
   }
 };
@@ -152,7 +146,7 @@ TEST(Learned_cost_test, is_the_formula_of_its_documentation)
   for (auto range = edges(graph); range.first != range.second; ++range.first) {
     const auto& section = graph[*range.first];
     const double p = 1 / (1 + std::exp(-(1 - 4 * section.concave / section.length)));
-    EXPECT_NEAR(RS::Merge_estimate(concavity.model, graph, *range.first).probability(), p, 6e-3);
+    EXPECT_NEAR(RS::Merge_estimate(concavity.model, graph, *range.first).probability, p, 6e-3);
     const double w = graph[graph.source(*range.first)].area *
                      graph[graph.target(*range.first)].area;
     const double z = 1 - 2 * p;

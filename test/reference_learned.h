@@ -232,7 +232,7 @@ inline double root(double a, double b, double e)
 
 using Features = std::array<std::int64_t, 64>;
 
-/// In the order of `Merge_features::Feature`. `a` has a lower id than `b`.
+/// In the order of `Merge_features`. `a` has a lower id than `b`.
 inline Features features(const Learned_region& a, const Learned_region& b, const Learned_section& s)
 {
   const double pi = std::acos(-1.0);
@@ -258,6 +258,9 @@ inline Features features(const Learned_region& a, const Learned_region& b, const
   };
   const auto own = [&](const Learned_region& r) {
     return quotient(2 * r.own_visibility, r.visibility);
+  };
+  const auto perimeter = [](const Learned_region& r) {
+    return 2 * ln(std::max(r.perimeter, 1e-6)) - ln(r.area);
   };
   const auto flatness = [&](const Learned_region& r) { return norm(r.area_vector) / area(r); };
   const auto elongation = [&](const Learned_region& r) {
@@ -295,9 +298,9 @@ inline Features features(const Learned_region& a, const Learned_region& b, const
     2 * ln(s.length) - ln(M.area),
     quotient(s.length, m.perimeter),
     quotient(s.length, M.perimeter),
-    2 * ln(m.perimeter) - ln(m.area),
-    2 * ln(M.perimeter) - ln(M.area),
-    2 * ln(std::max(u.perimeter, 1e-6)) - ln(u.area),
+    perimeter(m),
+    perimeter(M),
+    perimeter(u),
     std::abs(t_m - t_M),
     t_m - t_M,
     t_m,

@@ -33,7 +33,7 @@ class Standardization
 public:
   explicit Standardization(const Training_rows& rows)
   {
-    constexpr std::size_t n = Merge_features::NUMBER_OF_FEATURES;
+    constexpr std::size_t n = Model::number_of_features;
     Eigen::VectorXd mean = Eigen::VectorXd::Zero(n), variance = mean;
     for (const auto& x : rows.features)
       for (std::size_t i = 0; i < n; ++i)

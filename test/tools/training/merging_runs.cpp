@@ -2,7 +2,7 @@
 
 #include "merging_runs.h"
 
-#include <CGAL/Region_segmentation/Methods/Learned_cost.h>
+#include <CGAL/Region_segmentation/Methods/Learned_merging.h>
 #include <CGAL/Region_segmentation/Methods/Lowest_cost_first.h>
 #include <CGAL/Region_segmentation/Methods/Visibility_cost.h>
 
@@ -91,10 +91,9 @@ struct Recorded_learned_cost
 
   double operator()(const Graph& graph, Section s) const
   {
-    const RS::Merge_estimate estimate(*cost.model, graph, s);
     if (recorder->takes_next())
-      recorder->add(graph, s, estimate.features());
-    return cost.of(estimate);
+      recorder->add(graph, s, Merge_features::of(graph, s));
+    return cost(graph, s);
   }
 };
 

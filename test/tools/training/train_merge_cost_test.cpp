@@ -19,7 +19,7 @@ using namespace train_merge_cost;
 
 namespace {
 
-constexpr std::size_t number_of_features = Merge_features::NUMBER_OF_FEATURES;
+constexpr std::size_t number_of_features = Model::number_of_features;
 
 /// Of random features.
 double true_log_odds(const Merge_features::Values& x)

@@ -16,7 +16,7 @@ using princeton_benchmark::Table;
 
 namespace {
 
-constexpr std::array<const char*, Merge_features::NUMBER_OF_FEATURES> feature_names = {
+constexpr std::array<const char*, Model::number_of_features> feature_names = {
   "cost",
   "log depth",
   "concave",
@@ -250,7 +250,7 @@ double mean_loss(const Cross_validation& validation)
 
 Table importance_table(const Cross_validation& validation, unsigned seed)
 {
-  std::array<double, Merge_features::NUMBER_OF_FEATURES> loss{};
+  std::array<double, Model::number_of_features> loss{};
   double weight = 0, unchanged = 0;
   std::mt19937 random(seed);
   for_each_out_of_fold(validation, [&](const Model& model, const Training_rows& rows) {

@@ -90,8 +90,7 @@ void write_model(std::ostream& out, const Trained_model& trained,
   for (const std::string& line : provenance)
     out << "// " << line << '\n';
   out << "\nnamespace CGAL {\nnamespace Region_segmentation {\nnamespace internal {\n\n";
-  const std::string type = "Merge_model<" + std::to_string(Merge_features::NUMBER_OF_FEATURES) +
-                           ">";
+  const std::string type = "Merge_model";
   Line_breaker line(out);
   out << "inline constexpr " << type << "::Input learned_inputs[] = {\n";
   for (const Model::Input& input : trained.inputs)

@@ -4,9 +4,9 @@
 #define CGAL_REGION_SEGMENTATION_METHODS_MERGE_FEATURES_H
 
 #include <CGAL/Region_segmentation/Double_3.h>
-#include <CGAL/Region_segmentation/Methods/Learned_data.h>
 #include <CGAL/Region_segmentation/Methods/Visibility_cost.h>
-#include <CGAL/Region_segmentation/Methods/Whole_shape.h>
+#include <CGAL/Region_segmentation/Methods/Visibility_data.h>
+#include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/internal/model/Merge_model.h>
 #include <CGAL/Region_segmentation/internal/support/Second_moments.h>
 
@@ -22,6 +22,106 @@
 namespace CGAL {
 namespace Region_segmentation {
 
+/// \ingroup PkgRegionSegmentationGraph
+/// In addition to `Visibility_section_data`: how lengths are distributed over angles, the thickness
+/// beside the section, and its shape; filled by `Learned_annotator`. A model of `SectionData`.
+///
+/// All are sums over the edges, in units of the square root of the area of the surface.
+struct Learned_section_data : Visibility_section_data
+{
+  /// \name Bounds of the deviation, in radians
+  /// @{
+  static constexpr double weakly_concave = 0.1, strongly_concave = 0.4, strongly_convex = 0.3;
+  /// @}
+
+  double weakly_concave_length = 0;   ///< of concave edges with a deviation above `weakly_concave`
+  double strongly_concave_length = 0; ///< of concave edges with a deviation above
+                                      ///< `strongly_concave`
+  double strongly_convex_length = 0;  ///< of convex edges with a deviation above `strongly_convex`
+  double squared_deviation = 0; ///< integral of the square of the deviation, negative on convex
+                                ///< edges
+  double log_thickness = 0;     ///< integral of the mean of the mean log thickness of the two first
+                                ///< regions
+  internal::Second_moments moments; ///< of the edges, each at the mean of the centroids of its
+                                    ///< faces
+
+  /// Accounts for a dual edge of the mesh.
+  void add_adjacency(const Surface& mesh, std::size_t a)
+  {
+    const double unit = mesh.length_unit(), l = mesh.length(a) / unit;
+    const double deviation = signed_deviation(mesh, a);
+    add(l, deviation);
+    const Double_3 center = 0.5 * (mesh.centroid(mesh.lower_face(a)) +
+                                   mesh.centroid(mesh.higher_face(a)));
+    moments.add(l, (1 / unit) * (center - mesh.centroid(0)));
+    squared_deviation += l * deviation * std::abs(deviation);
+    if (deviation > weakly_concave)
+      weakly_concave_length += l;
+    if (deviation > strongly_concave)
+      strongly_concave_length += l;
+    if (deviation < -strongly_convex)
+      strongly_convex_length += l;
+  }
+
+  /// Adds another section between the same two regions.
+  void absorb(const Learned_section_data& other)
+  {
+    Visibility_section_data::absorb(other);
+    weakly_concave_length += other.weakly_concave_length;
+    strongly_concave_length += other.strongly_concave_length;
+    strongly_convex_length += other.strongly_convex_length;
+    squared_deviation += other.squared_deviation;
+    log_thickness += other.log_thickness;
+    moments.add(other.moments);
+  }
+};
+
+/// \ingroup PkgRegionSegmentationGraph
+/// What kind of shape a surface is, of which regions are parts.
+///
+/// Sums are over the regions from which merging starts, of area a, area vector V and centroid c,
+/// relative to that of the surface, or over their sections. A quotient of 0 by 0 is 0.
+struct Whole_shape
+{
+  double log_filling = 0;      ///< \f$\ln(1 / (\pi W^2))\f$, \f$W^2\f$ the trace of the covariance
+                               ///< of the area: -0.45 for a disc
+  double flatness = 0;         ///< \f$\sum |V| / \sum a\f$; in [0, 1], 1 where all are flat
+  double strongly_concave = 0; ///< share of the length of the sections, see `Learned_section_data`
+  double right_angles = 0;     ///< 1 minus the mean of \f$\sin^2 2 \alpha\f$ over all pairs of
+                               ///< regions, by \f$|V|\f$, \f$\alpha\f$ the angle between their
+                               ///< area vectors: 1 for a box, 7/15 for a sphere
+  double outward = 0;          ///< \f$\sum V \cdot c / \sum |V| |c|\f$; in [-1, 1], 1 for a sphere
+};
+
+/// \ingroup PkgRegionSegmentationGraph
+/// In addition to `Visibility_region_data`: how the thickness varies, what a region sees of itself,
+/// its shape, and that of the surface; filled by `Learned_annotator`. A model of `RegionData`.
+///
+/// Lengths are in units of the square root of the area of the surface.
+struct Learned_region_data : Visibility_region_data
+{
+  double squared_log_thickness = 0; ///< integral over the area of the square of the first regions'
+                                    ///< mean log thickness
+  double own_visibility = 0;        ///< weight of the rays that start and end in the region
+  double perimeter = 0;             ///< length of the sections with other regions
+  Double_3 area_vector{0, 0, 0};    ///< integral of the normal
+  internal::Second_moments moments; ///< of the area
+  Whole_shape whole;                ///< that of all regions
+
+  /// Adds the region on the other side of a section. All data are added; but the visibility of the
+  /// section is added to `own_visibility`, twice its length is taken from `perimeter`, and `whole`
+  /// remains.
+  void absorb(const Learned_region_data& other, const Learned_section_data& between)
+  {
+    Visibility_region_data::absorb(other, between);
+    squared_log_thickness += other.squared_log_thickness;
+    own_visibility += other.own_visibility + between.visibility;
+    perimeter += other.perimeter - 2 * between.length;
+    area_vector = area_vector + other.area_vector;
+    moments.add(other.moments);
+  }
+};
+
 /// \ingroup PkgRegionSegmentationPolicies
 /// The features of a section, its two regions and the whole surface from which the probability of a
 /// merge is computed.
@@ -32,286 +132,84 @@ namespace Region_segmentation {
 /// area of the surface. Of a section, L is the length, C, X and B are its `concave`, `convex` and
 /// `bend`, \f$s_{mM}\f$ its `visibility`, \f$t_s\f$ its `log_thickness` by L, and c the covariance
 /// of its moments, \f$c_1 \geq c_2 \geq c_3\f$ its eigenvalues. Of a region, a is the area, P the
-/// perimeter, t the `log_thickness` by a, s the `visibility`, V the area vector, \f$c_m\f$ (of m)
-/// the centroid of its moments, w their covariance, \f$w_1 \geq w_2 \geq w_3\f$ its eigenvalues,
-/// and \f$W = \sqrt{\mathrm{tr}\, w}\f$. Of moments with the sums \f$S_0, S_1, S_2\f$, the centroid
-/// is \f$S_1 / S_0\f$ and the covariance \f$S_2 / S_0 - S_1 S_1^T / S_0^2\f$. The standard
-/// deviation of the log thickness is \f$\sqrt{q / a - t^2}\f$, q the `squared_log_thickness`. The
-/// model reads the features in the order in which they are listed. Conventions:
+/// perimeter, t the `log_thickness` by a, s the `visibility`, o the `own_visibility`, V the area
+/// vector, z the centroid of its moments, w their covariance, \f$w_1 \geq w_2 \geq w_3\f$ its
+/// eigenvalues, and \f$W = \sqrt{\mathrm{tr}\, w}\f$. Of moments with the sums \f$S_0, S_1, S_2\f$,
+/// the centroid is \f$S_1 / S_0\f$ and the covariance \f$S_2 / S_0 - S_1 S_1^T / S_0^2\f$.
+///
+/// - 0, 1: the `Visibility_cost`; ln d, its depth;
+/// - 2 .. 4: C / L; X / L; B / L;
+/// - 5 .. 8: `weakly_concave_length`, `strongly_concave_length`, `strongly_convex_length`,
+///   `squared_deviation`, by L;
+/// - 9: \f$\ln(L^2 / (4 \pi^2 \mathrm{tr}\, c))\f$ (0 for a circle, -1.19 for a segment);
+/// - 10, 11: \f$\sqrt{c_2 / c_1}\f$; \f$\sqrt{c_3 / c_1}\f$;
+/// - 12: \f$\ln(2 \pi \sqrt{c_1 c_2 + c_1 c_3 + c_2 c_3} / a_m + 10^{-4})\f$ (the area of an
+///   ellipse);
+/// - 13 .. 15: ln a of m, M, u;
+/// - 16, 17: \f$\ln(L^2 / a)\f$ of m, M;
+/// - 18, 19: L / P of m, M;
+/// - 20 .. 22: \f$\ln(P^2 / a)\f$ of m, M, u;
+/// - 23, 24: \f$|t_m - t_M|\f$; \f$t_m - t_M\f$;
+/// - 25, 26: t of m, M;
+/// - 27, 28: \f$t_s - t\f$ of m, M;
+/// - 29 .. 31: \f$\sqrt{q / a - t^2}\f$ of m, M, u, q the `squared_log_thickness` (standard
+///   deviation of the log thickness);
+/// - 32: \f$\ln L - \min(t_m, t_M)\f$;
+/// - 33, 34: \f$\ln W - t\f$ of m, M;
+/// - 35, 36: \f$s_{mM} / \min(s_m, s_M)\f$; \f$s_{mM} / \max(s_m, s_M)\f$;
+/// - 37 .. 39: 2 o / s of m, M, u (share of the rays that start and end in the region);
+/// - 40 .. 42: \f$|V| / a\f$ of m, M, u (1 where it is flat);
+/// - 43: the cosine between \f$V_m\f$ and \f$V_M\f$;
+/// - 44: \f$(V_m / |V_m| - V_M / |V_M|) \cdot (z_m - z_M) / |z_m - z_M|\f$ (below 0 where they face
+///   each other);
+/// - 45: \f$|z_m - z_M| / \sqrt{a_u}\f$;
+/// - 46 .. 48: \f$\sqrt{w_2 / w_1}\f$ of m, M, u (elongation);
+/// - 49 .. 51: \f$\sqrt{w_3 / w_2}\f$ of m, M, u (roundness);
+/// - 52: \f$\mathrm{tr}(w_m w_M) / (\mathrm{tr}\, w_m \, \mathrm{tr}\, w_M)\f$;
+/// - 53: the share of the variance of the section along the line through \f$z_m\f$ and \f$z_M\f$;
+/// - 54, 55: \f$W_u / (W_m + W_M)\f$; \f$W_u / W_M\f$;
+/// - 56 .. 58: \f$\ln(a / (\pi W^2))\f$ of m, M, u (-0.45 for a disc);
+/// - 59 .. 63: the members of `Whole_shape`.
+///
+/// Conventions:
 /// - A feature x is rounded to \f$\lfloor 512 x + 1/2 \rfloor\f$, an integer within [-32767,
-/// 32767], so that the last
-///   bits of sums and logarithms do not matter.
+///   32767], so that the last bits of sums and logarithms do not matter.
 /// - A logarithm is that of at least \f$10^{-12}\f$; a quotient whose denominator is at most
-/// \f$10^{-12}\f$ is 0; a
-///   negative number under a root counts as 0; areas of regions count as at least \f$10^{-12}\f$
-///   except in ln a_m, ln P and ln L, where the logarithm does this.
+///   \f$10^{-12}\f$ is 0; a negative number under a root counts as 0; areas of regions count as at
+///   least \f$10^{-12}\f$, perimeters in logarithms as at least \f$10^{-6}\f$.
 /// - Eigenvalues are computed by Viete's formula, with errors of up to \f$10^{-7}\f$ of the largest
-/// one.
+///   one.
 /// - A root of two eigenvalues, \f$\sqrt{a / b}\f$, is \f$\sqrt{(a + o) / (b + o)}\f$ with
 ///   \f$o = 10^{-6} e + 10^{-12}\f$, e the largest eigenvalue.
-/// - The perimeter of u is at least \f$10^{-6}\f$ in its logarithm.
 class Merge_features
 {
 public:
-  enum Feature : std::size_t {
-    // The section: L its length
-    COST,              ///< `Visibility_cost`
-    LOG_DEPTH,         ///< ln d, the depth of `Visibility_cost`
-    CONCAVE,           ///< C / L, see `Visibility_section_data`
-    CONVEX,            ///< X / L
-    BEND,              ///< B / L
-    WEAKLY_CONCAVE,    ///< share of the length, see `Learned_section_data`; in [0, 1]
-    STRONGLY_CONCAVE,  ///< share of the length; in [0, 1]
-    STRONGLY_CONVEX,   ///< share of the length; in [0, 1]
-    SQUARED_DEVIATION, ///< mean of the signed square of the deviation; in [-pi^2, pi^2]
-    // The shape of the section: c the covariance of its points, c1 >= c2 >= c3 its eigenvalues
-    CLOSEDNESS,       ///< ln(L^2 / (4 pi^2 tr c)): 0 for a circle, -1.19 for a segment
-    SECTION_WIDTH,    ///< sqrt(c2 / c1); in [0, 1]
-    SECTION_DEPTH,    ///< sqrt(c3 / c1); in [0, 1]
-    LOG_SECTION_AREA, ///< ln(2 pi sqrt(c1 c2 + c1 c3 + c2 c3) / a_m + 10^-4): the area of an
-                      ///< ellipse
-    // Sizes: a the area, P the perimeter
-    LOG_AREA_M,        ///< ln a_m
-    LOG_AREA_L,        ///< ln a_M
-    LOG_AREA_U,        ///< ln a_u
-    LOG_LENGTH_M,      ///< ln(L^2 / a_m)
-    LOG_LENGTH_L,      ///< ln(L^2 / a_M)
-    PERIMETER_SHARE_M, ///< L / P_m; in [0, 1]
-    PERIMETER_SHARE_L, ///< L / P_M; in [0, 1]
-    LOG_PERIMETER_M,   ///< ln(P_m^2 / a_m)
-    LOG_PERIMETER_L,   ///< ln(P_M^2 / a_M)
-    LOG_PERIMETER_U,   ///< ln(P_u^2 / a_u)
-    // Thickness: t the mean log thickness of a region, t_s that along the section
-    THICKNESS_STEP,        ///< |t_m - t_M|
-    THICKNESS_DIFFERENCE,  ///< t_m - t_M
-    THICKNESS_M,           ///< t_m
-    THICKNESS_L,           ///< t_M
-    SECTION_THICKNESS_M,   ///< t_s - t_m
-    SECTION_THICKNESS_L,   ///< t_s - t_M
-    THICKNESS_DEVIATION_M, ///< standard deviation of the log thickness of the first regions of m
-    THICKNESS_DEVIATION_L, ///< the same of M
-    THICKNESS_DEVIATION_U, ///< the same of u
-    LENGTH_FOR_THICKNESS,  ///< ln L - min(t_m, t_M)
-    WIDTH_FOR_THICKNESS_M, ///< ln W_m - t_m
-    WIDTH_FOR_THICKNESS_L, ///< ln W_M - t_M
-    // Visibility: s the weight of the rays that end in a region, s_mM of those between the two; all
-    // in [0, 1]
-    VISIBILITY_M,     ///< s_mM / min(s_m, s_M)
-    VISIBILITY_L,     ///< s_mM / max(s_m, s_M)
-    OWN_VISIBILITY_M, ///< share of s_m by rays that start and end in m
-    OWN_VISIBILITY_L, ///< the same of M
-    OWN_VISIBILITY_U, ///< the same of u
-    // Shape: V the area vector; w1 >= w2 >= w3 the eigenvalues of the covariance of the area, W^2
-    // their sum
-    FLATNESS_M, ///< |V_m| / a_m; in [0, 1], 1 where it is flat
-    FLATNESS_L, ///< |V_M| / a_M
-    FLATNESS_U, ///< |V_u| / a_u
-    NORMALS,    ///< cosine between V_m and V_M; in [-1, 1]
-    OUTWARD,  ///< (V_m / |V_m| - V_M / |V_M|) . (c_m - c_M) / |c_m - c_M|: below 0 where they face
-              ///< each other
-    DISTANCE, ///< |c_m - c_M| / sqrt(a_u), c the centroids
-    ELONGATION_M,  ///< sqrt(w2 / w1) of m; in [0, 1]
-    ELONGATION_L,  ///< of M
-    ELONGATION_U,  ///< of u
-    ROUNDNESS_M,   ///< sqrt(w3 / w2) of m; in [0, 1]
-    ROUNDNESS_L,   ///< of M
-    ROUNDNESS_U,   ///< of u
-    ALIGNMENT,     ///< tr(w_m w_M) / (tr w_m tr w_M); in [0, 1]
-    SECTION_ALONG, ///< share of the variance of the section along the line of the centroids; in [0,
-                   ///< 1]
-    WIDTH_OF_BOTH, ///< W_u / (W_m + W_M)
-    WIDTH_OF_LARGER, ///< W_u / W_M
-    LOG_FILLING_M,   ///< ln(a_m / (pi W_m^2)): -0.45 for a disc
-    LOG_FILLING_L,   ///< of M
-    LOG_FILLING_U,   ///< of u
-    // The whole surface, the same for all sections
-    WHOLE_LOG_FILLING,      ///< `Whole_shape::log_filling`
-    WHOLE_FLATNESS,         ///< `Whole_shape::flatness`
-    WHOLE_STRONGLY_CONCAVE, ///< `Whole_shape::strongly_concave`
-    WHOLE_RIGHT_ANGLES,     ///< `Whole_shape::right_angles`
-    WHOLE_OUTWARD,          ///< `Whole_shape::outward`
-    NUMBER_OF_FEATURES
-  };
-
-  using Model = internal::Merge_model<NUMBER_OF_FEATURES>;
+  using Model = internal::Merge_model;
   using Values = Model::Features;
+
+  /// The places of features that costs read: of `Visibility_cost`, ln a_m and ln a_M.
+  static constexpr std::size_t cost = 0, log_area_m = 13, log_area_l = 14;
 
   /// \tparam Graph a `Region_adjacency_graph` with the data of `Learned_annotator`
   template <typename Graph>
   static Values of(const Graph& graph, typename Graph::section_descriptor s)
   {
     auto m = graph.source(s), l = graph.target(s);
-    if (graph[l].area < graph[m].area || (graph[l].area == graph[m].area && l < m))
+    if (std::make_pair(graph[l].area, l) < std::make_pair(graph[m].area, m))
       std::swap(m, l);
-    Merge_features features(graph[m], graph[l], graph[s]);
-    features.set(COST, Visibility_cost()(graph, s));
-    return features.rounded();
+    Learned_region_data u = graph[m];
+    u.absorb(graph[l], graph[s]);
+    return rounded(of(Visibility_cost()(graph, s), graph[s], {graph[m]}, {graph[l]}, {u}));
   }
 
 private:
-  /// A region, and what several features need of it.
-  struct Shape
-  {
-    double area, thickness, own_visibility, normal_length, width;
-    Double_3 area_vector, centroid;
-    internal::Symmetric_3 covariance;
+  using Numbers = std::array<double, Model::number_of_features>;
 
-    explicit Shape(const Learned_region_data& region)
-      : area((std::max)(region.area, smallest))
-      , thickness(region.mean_log_thickness())
-      , own_visibility(ratio(2 * region.own_visibility, region.visibility))
-      , normal_length(norm(region.area_vector))
-      , area_vector(region.area_vector)
-      , centroid(region.moments.centroid())
-      , covariance(region.moments.covariance())
-    {
-      width = std::sqrt((std::max)(0.0, covariance.trace()));
-    }
-  };
-
-  Merge_features(const Learned_region_data& m, const Learned_region_data& l,
-                 const Learned_section_data& section)
-  {
-    Learned_region_data u = m;
-    u.absorb(l, section);
-    const Shape shape_m(m), shape_l(l), shape_u(u);
-    set_section(section);
-    set_shape_of_section(section, shape_m, shape_l);
-    set_sizes(section, m, l, u);
-    set_thickness(section, m, l, u);
-    set_widths(section, shape_m, shape_l, shape_u);
-    set_visibility(section, m, l);
-    set_regions({&shape_m, &shape_l, &shape_u});
-    set_pair(shape_m, shape_l, shape_u);
-    set_whole(m.whole);
-  }
-
-  void set_section(const Learned_section_data& section)
-  {
-    const Visibility_cost cost;
-    set(LOG_DEPTH, log(cost.depth(section)));
-    set(CONCAVE, ratio(section.concave, section.length));
-    set(CONVEX, ratio(section.convex, section.length));
-    set(BEND, ratio(section.bend, section.length));
-    set(WEAKLY_CONCAVE, ratio(section.weakly_concave_length, section.length));
-    set(STRONGLY_CONCAVE, ratio(section.strongly_concave_length, section.length));
-    set(STRONGLY_CONVEX, ratio(section.strongly_convex_length, section.length));
-    set(SQUARED_DEVIATION, ratio(section.squared_deviation, section.length));
-  }
-
-  void set_shape_of_section(const Learned_section_data& section, const Shape& m, const Shape& l)
-  {
-    const internal::Symmetric_3 covariance = section.moments.covariance();
-    const auto c = internal::eigenvalues(covariance);
-    set(CLOSEDNESS,
-        log(section.length * section.length) - log(4 * CGAL_PI * CGAL_PI * covariance.trace()));
-    set(SECTION_WIDTH, root_of_ratio(c[1], c[0], c[0]));
-    set(SECTION_DEPTH, root_of_ratio(c[2], c[0], c[0]));
-    const double squared_area = 4 * CGAL_PI * CGAL_PI *
-                                (std::max)(0.0, covariance.second_invariant());
-    set(LOG_SECTION_AREA, std::log(std::sqrt(squared_area) / m.area + 1e-4));
-    const Double_3 line = l.centroid - m.centroid;
-    set(SECTION_ALONG, ratio(covariance.along(line), covariance.trace() * squared_norm(line)));
-  }
-
-  void set_sizes(const Learned_section_data& section, const Learned_region_data& m,
-                 const Learned_region_data& l, const Learned_region_data& u)
-  {
-    const double length = 2 * log(section.length);
-    set(LOG_AREA_M, log(m.area));
-    set(LOG_AREA_L, log(l.area));
-    set(LOG_AREA_U, log(u.area));
-    set(LOG_LENGTH_M, length - log(m.area));
-    set(LOG_LENGTH_L, length - log(l.area));
-    set(PERIMETER_SHARE_M, ratio(section.length, m.perimeter));
-    set(PERIMETER_SHARE_L, ratio(section.length, l.perimeter));
-    set(LOG_PERIMETER_M, 2 * log(m.perimeter) - log(m.area));
-    set(LOG_PERIMETER_L, 2 * log(l.perimeter) - log(l.area));
-    set(LOG_PERIMETER_U, 2 * log((std::max)(u.perimeter, least_perimeter)) - log(u.area));
-  }
-
-  void set_thickness(const Learned_section_data& section, const Learned_region_data& m,
-                     const Learned_region_data& l, const Learned_region_data& u)
-  {
-    const double t_m = m.mean_log_thickness(), t_l = l.mean_log_thickness();
-    const double t_s = ratio(section.log_thickness, section.length);
-    set(THICKNESS_STEP, std::abs(t_m - t_l));
-    set(THICKNESS_DIFFERENCE, t_m - t_l);
-    set(THICKNESS_M, t_m);
-    set(THICKNESS_L, t_l);
-    set(SECTION_THICKNESS_M, t_s - t_m);
-    set(SECTION_THICKNESS_L, t_s - t_l);
-    set(THICKNESS_DEVIATION_M, thickness_deviation(m));
-    set(THICKNESS_DEVIATION_L, thickness_deviation(l));
-    set(THICKNESS_DEVIATION_U, thickness_deviation(u));
-  }
-
-  void set_widths(const Learned_section_data& section, const Shape& m, const Shape& l,
-                  const Shape& u)
-  {
-    set(LENGTH_FOR_THICKNESS, log(section.length) - (std::min)(m.thickness, l.thickness));
-    set(WIDTH_FOR_THICKNESS_M, log(m.width) - m.thickness);
-    set(WIDTH_FOR_THICKNESS_L, log(l.width) - l.thickness);
-    set(WIDTH_OF_BOTH, ratio(u.width, m.width + l.width));
-    set(WIDTH_OF_LARGER, ratio(u.width, l.width));
-  }
-
-  void set_visibility(const Learned_section_data& section, const Learned_region_data& m,
-                      const Learned_region_data& l)
-  {
-    set(VISIBILITY_M, ratio(section.visibility, (std::min)(m.visibility, l.visibility)));
-    set(VISIBILITY_L, ratio(section.visibility, (std::max)(m.visibility, l.visibility)));
-  }
-
-  /// The features that are the same for m, M and u.
-  void set_regions(const std::array<const Shape*, 3>& shapes)
-  {
-    for (std::size_t i = 0; i < shapes.size(); ++i) {
-      const Shape& shape = *shapes[i];
-      set(OWN_VISIBILITY_M + i, shape.own_visibility);
-      set(FLATNESS_M + i, ratio(shape.normal_length, shape.area));
-      const auto w = internal::eigenvalues(shape.covariance);
-      set(ELONGATION_M + i, root_of_ratio(w[1], w[0], w[0]));
-      set(ROUNDNESS_M + i, root_of_ratio(w[2], w[1], w[0]));
-      set(LOG_FILLING_M + i, log(shape.area) - log(CGAL_PI * shape.covariance.trace()));
-    }
-  }
-
-  void set_pair(const Shape& m, const Shape& l, const Shape& u)
-  {
-    const Double_3 line = m.centroid - l.centroid;
-    const double distance = norm(line);
-    set(NORMALS, ratio(dot(m.area_vector, l.area_vector), m.normal_length * l.normal_length));
-    set(OUTWARD, ratio(dot(m.area_vector, line), m.normal_length * distance) -
-                   ratio(dot(l.area_vector, line), l.normal_length * distance));
-    set(DISTANCE, distance / std::sqrt(u.area));
-    set(ALIGNMENT, ratio(internal::trace_of_product(m.covariance, l.covariance),
-                         m.covariance.trace() * l.covariance.trace()));
-  }
-
-  void set_whole(const Whole_shape& whole)
-  {
-    set(WHOLE_LOG_FILLING, whole.log_filling);
-    set(WHOLE_FLATNESS, whole.flatness);
-    set(WHOLE_STRONGLY_CONCAVE, whole.strongly_concave);
-    set(WHOLE_RIGHT_ANGLES, whole.right_angles);
-    set(WHOLE_OUTWARD, whole.outward);
-  }
-
-  void set(std::size_t feature, double value) { m_values[feature] = value; }
-
-  Values rounded() const
-  {
-    constexpr double bound = 32767, steps = 1 << Model::feature_bits;
-    Values result;
-    for (std::size_t i = 0; i < m_values.size(); ++i) {
-      const double nearest = std::floor(m_values[i] * steps + 0.5);
-      result[i] = std::int16_t((std::max)(-bound, (std::min)(bound, nearest)));
-    }
-    return result;
-  }
+  static constexpr double smallest = 1e-12;
 
   static double log(double x) { return std::log((std::max)(x, smallest)); }
+
+  static double root(double x) { return std::sqrt((std::max)(x, 0.0)); }
 
   static double ratio(double a, double b) { return b > smallest ? a / b : 0; }
 
@@ -322,17 +220,82 @@ private:
     return std::sqrt(((std::max)(a, 0.0) + offset) / ((std::max)(b, 0.0) + offset));
   }
 
-  static double thickness_deviation(const Learned_region_data& region)
+  /// A region, and what features need of it.
+  struct Shape
   {
-    const double mean = region.mean_log_thickness();
-    return std::sqrt(
-      (std::max)(0.0, ratio(region.squared_log_thickness, region.area) - mean * mean));
+    const Learned_region_data& data;
+
+    double area = (std::max)(data.area, smallest), log_area = log(area);
+    double log_perimeter = 2 * log((std::max)(data.perimeter, 1e-6)) - log_area; ///< ln(P^2 / a)
+    double t = data.mean_log_thickness();
+    double deviation = root(ratio(data.squared_log_thickness, data.area) - t * t);
+    double own_visibility = ratio(2 * data.own_visibility, data.visibility);
+    double normal_length = norm(data.area_vector), flatness = ratio(normal_length, area);
+    Double_3 centroid = data.moments.centroid();
+    internal::Symmetric_3 covariance = data.moments.covariance();
+    double width = root(covariance.trace());
+    double log_filling = log_area - log(CGAL_PI * covariance.trace());
+    std::array<double, 3> w = internal::eigenvalues(covariance);
+    double elongation = root_of_ratio(w[1], w[0], w[0]);
+    double roundness = root_of_ratio(w[2], w[1], w[0]);
+  };
+
+  static Numbers of(double visibility_cost, const Learned_section_data& s, const Shape& m,
+                    const Shape& l, const Shape& u)
+  {
+    const auto mean = [&](double integral) { return ratio(integral, s.length); };
+    const double log_length = log(s.length), t_s = mean(s.log_thickness);
+    const internal::Symmetric_3 covariance = s.moments.covariance();
+    const auto c = internal::eigenvalues(covariance);
+    const double area_of_section = 2 * CGAL_PI * root(covariance.second_invariant());
+    const Double_3 line = m.centroid - l.centroid;
+    const double distance = norm(line);
+    const auto outward = [&](const Shape& shape) {
+      return ratio(dot(shape.data.area_vector, line), shape.normal_length * distance);
+    };
+    const Whole_shape& whole = m.data.whole;
+    return {
+      // The section, and its shape.
+      visibility_cost, log(Visibility_cost().depth(s)), mean(s.concave), mean(s.convex),
+      mean(s.bend), mean(s.weakly_concave_length), mean(s.strongly_concave_length),
+      mean(s.strongly_convex_length), mean(s.squared_deviation),
+      log(s.length * s.length) - log(4 * CGAL_PI * CGAL_PI * covariance.trace()),
+      root_of_ratio(c[1], c[0], c[0]), root_of_ratio(c[2], c[0], c[0]),
+      std::log(area_of_section / m.area + 1e-4),
+      // Sizes.
+      m.log_area, l.log_area, u.log_area, 2 * log_length - m.log_area, 2 * log_length - l.log_area,
+      ratio(s.length, m.data.perimeter), ratio(s.length, l.data.perimeter), m.log_perimeter,
+      l.log_perimeter, u.log_perimeter,
+      // Thickness.
+      std::abs(m.t - l.t), m.t - l.t, m.t, l.t, t_s - m.t, t_s - l.t, m.deviation, l.deviation,
+      u.deviation, log_length - (std::min)(m.t, l.t), log(m.width) - m.t, log(l.width) - l.t,
+      // Visibility.
+      ratio(s.visibility, (std::min)(m.data.visibility, l.data.visibility)),
+      ratio(s.visibility, (std::max)(m.data.visibility, l.data.visibility)), m.own_visibility,
+      l.own_visibility, u.own_visibility,
+      // The shape of the regions.
+      m.flatness, l.flatness, u.flatness,
+      ratio(dot(m.data.area_vector, l.data.area_vector), m.normal_length * l.normal_length),
+      outward(m) - outward(l), distance / std::sqrt(u.area), m.elongation, l.elongation,
+      u.elongation, m.roundness, l.roundness, u.roundness,
+      ratio(internal::trace_of_product(m.covariance, l.covariance),
+            m.covariance.trace() * l.covariance.trace()),
+      ratio(covariance.along(line), covariance.trace() * squared_norm(line)),
+      ratio(u.width, m.width + l.width), ratio(u.width, l.width), m.log_filling, l.log_filling,
+      u.log_filling,
+      // The whole surface.
+      whole.log_filling, whole.flatness, whole.strongly_concave, whole.right_angles, whole.outward};
   }
 
-  static constexpr double smallest = 1e-12;
-  static constexpr double least_perimeter = 1e-6; // of a component that is merged entirely
-
-  std::array<double, NUMBER_OF_FEATURES> m_values;
+  static Values rounded(const Numbers& x)
+  {
+    constexpr double bound = 32767, steps = 1 << Model::feature_bits;
+    Values result;
+    for (std::size_t i = 0; i < x.size(); ++i)
+      result[i] = std::int16_t(
+        (std::max)(-bound, (std::min)(bound, std::floor(x[i] * steps + 0.5))));
+    return result;
+  }
 };
 
 } // namespace Region_segmentation

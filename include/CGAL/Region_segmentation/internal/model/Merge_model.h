@@ -25,9 +25,9 @@ namespace internal {
 /// The constants belong to others, such as the generated tables.
 ///
 /// Complexity: O(number of features * number of units).
-template <std::size_t number_of_features>
 struct Merge_model
 {
+  static constexpr std::size_t number_of_features = 64;
   using Feature = std::int16_t;
   using Features = std::array<Feature, number_of_features>;
 

@@ -15,7 +15,7 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-inline constexpr Merge_model<64>::Input learned_inputs[] = {
+inline constexpr Merge_model::Input learned_inputs[] = {
 {-8108,6405},{-760,35206},{151,169597},{3,811990},{-21,55768},{385,97080},{178,81260},{2,842170},{160,56327},{605,5774},
 {194,102463},{78,118955},{-1621,10691},{-2696,18300},{-1264,20354},{-1168,21710},{270,19742},{-1162,14408},{179,143595},
 {64,220627},{1626,36516},{1574,33441},{1596,19656},{184,80047},{-30,60544},{-1296,33725},{-1266,31388},{26,110802},
@@ -25,7 +25,7 @@ inline constexpr Merge_model<64>::Input learned_inputs[] = {
 {578,165185},{154,56541},{378,61642},{364,60507},{608,77678},{452,413246},{45,320453},{298,235015},{171,147540},
 };
 
-inline constexpr Merge_model<64>::Unit learned_units[] = {
+inline constexpr Merge_model::Unit learned_units[] = {
 {101406,-5210,{{183,137,-21,-37,201,281,-187,44,-196,-354,-158,-172,-23,1,48,64,-24,-69,-34,137,-96,79,34,-69,-25,94,
 120,83,-27,76,-55,153,-81,-26,-101,-60,-11,-129,-93,11,-83,6,-5,-52,-177,-197,205,21,-94,-7,-83,63,-12,180,-110,-26,
 -151,143,244,-187,-784,-364,28,-139}}},
@@ -170,12 +170,12 @@ inline constexpr Merge_model<64>::Unit learned_units[] = {
 194,-22,35,-343,253,-82,-266,210}}},
 };
 
-inline constexpr Merge_model<64>::Weights learned_direct_weights =
+inline constexpr Merge_model::Weights learned_direct_weights =
 {{-268,167,22,-48,-18,40,97,-16,51,73,-59,-63,44,-115,-483,-430,-50,190,-72,147,-79,45,27,95,-2,-91,-320,121,-8,27,-147,
 150,-200,-134,-81,-78,128,208,64,-43,191,13,-132,-134,-411,-144,-9,25,-121,-7,-108,-311,246,-8,-57,-127,-93,169,260,159,
 38,254,-598,442}};
 
-inline constexpr Merge_model<64> learned_merge_model{
+inline constexpr Merge_model learned_merge_model{
   learned_inputs, learned_units, 48, learned_direct_weights, 21230849};
 
 } // namespace internal
