@@ -6,7 +6,7 @@
 #include "dumbbell.h"
 
 #include <CGAL/Region_segmentation/Methods/Lowest_cost_first.h>
-#include <CGAL/Region_segmentation/Methods/Number_below_cost.h>
+#include <CGAL/Region_segmentation/Methods/number_choosers.h>
 #include <CGAL/Region_segmentation/Methods/Region_growing.h>
 #include <CGAL/Region_segmentation/Segmenter.h>
 #include <CGAL/Region_segmentation/build_region_adjacency_graph.h>

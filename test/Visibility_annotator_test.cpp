@@ -5,7 +5,7 @@
 #include <CGAL/Region_segmentation/Graph/Region_adjacency_graph.h>
 #include <CGAL/Region_segmentation/Methods/Region_growing.h>
 #include <CGAL/Region_segmentation/Methods/Superfacets.h>
-#include <CGAL/Region_segmentation/Methods/Visibility_annotator.h>
+#include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
 #include <CGAL/Region_segmentation/build_region_adjacency_graph.h>
 #include <CGAL/Region_segmentation/internal/cells/Patch_builder.h>
 #include <CGAL/Region_segmentation/Methods/Region_rays.h>

@@ -5,7 +5,6 @@
 
 #include "input_mesh.h"
 
-#include <CGAL/Region_segmentation/Methods/Scalar_annotator.h>
 #include <CGAL/Region_segmentation/Methods/Scalar_cost.h>
 #include <CGAL/region_segmentation.h>
 

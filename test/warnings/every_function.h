@@ -7,7 +7,6 @@
 // warnings and for other versions of CGAL, language standards and compilers.
 
 #include <CGAL/Region_segmentation/IO/labels.h>
-#include <CGAL/Region_segmentation/Methods/Scalar_annotator.h>
 #include <CGAL/Region_segmentation/Methods/Scalar_cost.h>
 #include <CGAL/Region_segmentation/Segments/close_segments.h>
 #include <CGAL/Region_segmentation/Segments/compute_segment_topology.h>

@@ -6,9 +6,9 @@
 #include <CGAL/Region_segmentation/Double_3.h>
 #include <CGAL/Region_segmentation/Methods/Lowest_order_first.h>
 #include <CGAL/Region_segmentation/Methods/Merge_features.h>
-#include <CGAL/Region_segmentation/Methods/Number_from_expected_costs.h>
 #include <CGAL/Region_segmentation/Methods/Superfacet_merging.h>
 #include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
+#include <CGAL/Region_segmentation/Methods/number_choosers.h>
 #include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/internal/concepts/Method_calls.h>

@@ -5,7 +5,6 @@
 
 #include <CGAL/Region_segmentation/Double_3.h>
 #include <CGAL/Region_segmentation/Methods/Visibility_cost.h>
-#include <CGAL/Region_segmentation/Methods/Visibility_data.h>
 #include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/internal/model/Merge_model.h>
 #include <CGAL/Region_segmentation/internal/support/Second_moments.h>

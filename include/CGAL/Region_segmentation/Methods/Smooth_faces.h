@@ -6,8 +6,8 @@
 #include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/Hierarchy.h>
 #include <CGAL/Region_segmentation/Methods/Lowest_cost_first.h>
-#include <CGAL/Region_segmentation/Methods/Number_below_cost.h>
 #include <CGAL/Region_segmentation/Methods/Surface_face_cost.h>
+#include <CGAL/Region_segmentation/Methods/number_choosers.h>
 #include <CGAL/Region_segmentation/Request.h>
 #include <CGAL/Region_segmentation/Segments/Surface_faces.h>
 #include <CGAL/Region_segmentation/Surface.h>

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_METHODS_NUMBER_CHOOSERS_H
+#define CGAL_REGION_SEGMENTATION_METHODS_NUMBER_CHOOSERS_H
+
+#include <CGAL/Region_segmentation/Execution.h>
+#include <CGAL/Region_segmentation/Graph/Merge_tree.h>
+#include <CGAL/Region_segmentation/Partition.h>
+#include <CGAL/Region_segmentation/Surface.h>
+#include <CGAL/Region_segmentation/internal/regions/is_convex.h>
+#include <CGAL/Region_segmentation/internal/support/label_components.h>
+#include <CGAL/Region_segmentation/internal/surface/find_crumbs.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+namespace CGAL {
+namespace Region_segmentation {
+
+/// \ingroup PkgRegionSegmentationPolicies
+/// chooses the number of segments before the first merge that costs more than a bound. A model of
+/// `NumberChooser`, for costs that mean the same on every mesh, such as `Surface_face_cost`.
+///
+/// Complexity: O(R).
+struct Number_below_cost
+{
+  double bound; ///< in the units of the costs
+
+  std::size_t operator()(const Merge_tree& tree, const Surface&) const
+  {
+    const auto& merges = tree.merges();
+    const auto above = std::find_if(merges.begin(), merges.end(),
+                                    [&](const Merge_tree::Merge& m) { return m.cost > bound; });
+    return tree.number_of_regions() - std::size_t(above - merges.begin());
+  }
+};
+
+/// \ingroup PkgRegionSegmentationPolicies
+/// What `Number_from_costs` and `Number_from_expected_costs` have in common. The number is at least
+/// `minimum_number`, if the tree has as many, and at least the number of connected components,
+/// where components also are what constrained edges separate: a drawn loop adds one. A surface that
+/// is convex is one segment a component, where the chooser sees the mesh.
+class Number_range
+{
+public:
+  std::size_t maximum_number; ///< of segments, at least `minimum_number`; see `largest_number()`
+  std::size_t minimum_number = 2; ///< of segments, at least 1
+  /// How much finer, more than 0: 1 as fits the method, 2 finer, 0.5 coarser. The number never
+  /// falls when it rises.
+  double granularity = 1;
+
+  explicit Number_range(std::size_t maximum_number_)
+    : maximum_number(maximum_number_)
+  {}
+
+  /// The largest number that is chosen for a tree: `maximum_number`, or the number of connected
+  /// components if there are more, and at most the number of first regions. Where this number was
+  /// chosen, there may be more parts.
+  std::size_t largest_number(const Merge_tree& tree) const
+  {
+    return (std::min)(tree.number_of_regions(), (std::max)(maximum_number, number_of_pieces(tree)));
+  }
+
+protected:
+  /// That merging leaves.
+  static std::size_t number_of_pieces(const Merge_tree& tree)
+  {
+    return tree.number_of_regions() - tree.merges().size();
+  }
+
+  /// The least and the largest number to choose from.
+  std::pair<std::size_t, std::size_t> range(const Merge_tree& tree, const Surface& mesh) const
+  {
+    const std::size_t pieces = number_of_pieces(tree);
+    if (internal::is_convex(mesh)) {
+      // The components, and as many more as constrained edges keep apart.
+      std::size_t number = pieces;
+      if (mesh.has_seams_or_links())
+        number += internal::Bodies(mesh).number() -
+                  internal::label_components(
+                    mesh, [](std::size_t) { return true; }, Execution())
+                    .number_of_parts();
+      return {number, number};
+    }
+    const std::size_t least = (std::max)((std::min)(tree.number_of_regions(), minimum_number),
+                                         pieces);
+    return {least, (std::max)(least, largest_number(tree))};
+  }
+
+  /// Of the merge from `number` regions to one less.
+  static double cost_of_merge(const Merge_tree& tree, std::size_t number)
+  {
+    return tree.merges()[tree.number_of_regions() - number].cost;
+  }
+};
+
+/// \ingroup PkgRegionSegmentationPolicies
+/// chooses the number of segments from a merge tree: merging ends where costs become high, compared
+/// with the highest cost of all. A model of `NumberChooser`, for costs on a logarithmic scale such
+/// as `Visibility_cost`.
+///
+/// With \f$c_k\f$ the largest cost of a merge down to \f$k - 1\f$ regions, from `maximum_number`
+/// regions on, and \f$c\f$ that of the last merge, the number is the largest \f$k\f$ for which all
+/// of \f$c_2 .. c_k\f$ are above the mean of \f$c\f$ and `level`, less the logarithm of
+/// `granularity`, by whose factor costs count as larger; within `Number_range`.
+///
+/// Complexity: O(m), m the larger of `maximum_number` and the number of connected pieces.
+class Number_from_costs : public Number_range
+{
+public:
+  double level; ///< in the units of the costs
+
+  explicit Number_from_costs(double level_, std::size_t maximum_number_ = 40)
+    : Number_range(maximum_number_)
+    , level(level_)
+  {}
+
+  std::size_t operator()(const Merge_tree& tree, const Surface& mesh = Surface()) const
+  {
+    const auto [least, largest] = range(tree, mesh);
+    double highest = Merge_tree::least_cost;
+    for (std::size_t n = largest; n > number_of_pieces(tree); --n)
+      highest = (std::max)(highest, cost_of_merge(tree, n));
+    const double threshold = (level + highest) / 2 - std::log(granularity);
+    std::size_t number = largest;
+    while (number > least && !(cost_of_merge(tree, number) > threshold))
+      --number;
+    return number;
+  }
+};
+
+/// \ingroup PkgRegionSegmentationPolicies
+/// chooses the number of segments from a merge tree whose costs can be added: that at which the sum
+/// of the costs, from `maximum_number` regions on, is lowest. A model of `NumberChooser`, for costs
+/// that are below 0 where a merge pays, such as `Expected_merge_cost`.
+///
+/// The number is within `Number_range`. It is the largest of several. Costs above 0, of merges that
+/// do not pay, are multiplied by `granularity`.
+///
+/// Complexity: O(m), m the larger of `maximum_number` and the number of connected components.
+class Number_from_expected_costs : public Number_range
+{
+public:
+  explicit Number_from_expected_costs(std::size_t maximum_number_ = 40)
+    : Number_range(maximum_number_)
+  {}
+
+  std::size_t operator()(const Merge_tree& tree, const Surface& mesh = Surface()) const
+  {
+    const auto [least, largest] = range(tree, mesh);
+    std::size_t best = largest;
+    double sum = 0, lowest = 0;
+    for (std::size_t n = largest; n > least; --n) {
+      const double cost = cost_of_merge(tree, n);
+      const bool is_of_crumbs = cost == Merge_tree::least_cost;
+      if (!is_of_crumbs)
+        sum += cost > 0 ? granularity * cost : cost;
+      if (sum < lowest || is_of_crumbs) {
+        lowest = sum;
+        best = n - 1;
+      }
+    }
+    return best;
+  }
+};
+
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_METHODS_NUMBER_CHOOSERS_H
