@@ -195,26 +195,6 @@ TEST(Whole_shape_test, of_a_ball_and_a_box_on_a_plate)
   EXPECT_LT(boxes.outward, 0.95);
 }
 
-/// By the definition, over all pairs.
-TEST(Whole_shape_test, right_angles_are_those_of_all_pairs)
-{
-  for (Family family : {Family::SPHERE, Family::BLOCKS, Family::SHEET}) {
-    SCOPED_TRACE(name(family));
-    std::mt19937 random(7);
-    const Soup soup = random_mesh(family, 7);
-    const Graph graph = annotated(soup, random_regions(soup, 15, random));
-    double sum = 0, weights = 0;
-    for (Region r = 0; r < graph.number_of_regions(); ++r)
-      for (Region s = 0; s < graph.number_of_regions(); ++s) {
-        const Double_3 &v = graph[r].area_vector, &w = graph[s].area_vector;
-        const double sine = std::sin(2 * std::atan2(norm(cross(v, w)), dot(v, w)));
-        sum += norm(v) * norm(w) * sine * sine;
-        weights += norm(v) * norm(w);
-      }
-    EXPECT_NEAR(graph[0].whole.right_angles, 1 - sum / weights, 1e-9);
-  }
-}
-
 TEST(Learned_annotator_test, the_concave_edges_of_an_l_are_weakly_and_strongly_concave)
 {
   const Soup soup = box_on_plate();
@@ -276,29 +256,6 @@ TEST(Learned_annotator_test, data_of_merged_regions_is_that_of_their_union)
           }
       }
     }
-}
-
-TEST(Learned_annotator_test, the_thickness_of_first_regions_has_no_deviation)
-{
-  for (Family family : {Family::SPHERE, Family::BLOCKS, Family::TORUS}) {
-    SCOPED_TRACE(name(family));
-    std::mt19937 random(4);
-    const Soup soup = random_mesh(family, 4);
-    const Graph graph = annotated(soup, random_regions(soup, 12, random));
-    for (auto range = vertices(graph); range.first != range.second; ++range.first) {
-      const auto& region = graph[*range.first];
-      EXPECT_NE(region.log_thickness, 0);
-      EXPECT_NEAR(region.squared_log_thickness,
-                  region.log_thickness * region.log_thickness / region.area, 1e-12);
-    }
-    for (auto range = edges(graph); range.first != range.second; ++range.first) {
-      const auto &a = graph[graph.source(*range.first)], &b = graph[graph.target(*range.first)];
-      const auto& section = graph[*range.first];
-      EXPECT_NEAR(section.log_thickness,
-                  section.length * (a.log_thickness / a.area + b.log_thickness / b.area) / 2,
-                  1e-12);
-    }
-  }
 }
 
 TEST(Learned_annotator_test, the_whole_surface_sees_itself_alone)
