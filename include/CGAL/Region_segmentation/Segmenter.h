@@ -123,8 +123,9 @@ public:
   /// \cgalNamedParamsEnd
   ///
   /// \throws Invalid_input if a point is not finite, equal seeds cannot be joined, or the type of
-  ///         `region_map` does not hold the labels;
-  ///         Segmentation_cancelled if the visitor cancels; all maps are unchanged
+  ///         `region_map` does not hold the labels; Invalid_method if a constant of the method is
+  ///         not in its range; Segmentation_cancelled if the visitor cancels; all maps are
+  ///         unchanged
   ///
   /// Complexity: that of the method.
   template <typename FaceGraph, typename NamedParameters = parameters::Default_named_parameters,
