@@ -40,6 +40,7 @@ struct Facet_merging
 
   Prepared prepare(const RS::Surface& surface, const RS::Execution& execution) const
   {
+    growing.check_constants();
     return {growing(surface, execution.stage("regions"))};
   }
 

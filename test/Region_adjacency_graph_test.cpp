@@ -547,7 +547,7 @@ TEST(Build_region_adjacency_graph_test, of_a_surface_and_a_partition)
 
     const std::vector<int> too_few(soup.polygons.size() - 1, 0);
     EXPECT_THROW(RS::build_region_adjacency_graph(surface, RS::Partition::from_labels(too_few)),
-                 RS::Invalid_input);
+                 RS::Invalid_method);
   }
 }
 

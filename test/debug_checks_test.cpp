@@ -63,33 +63,26 @@ TEST_F(Debug_checks_test, number_of_segments_is_at_least_one)
 
 TEST_F(Debug_checks_test, maximum_angle_is_between_0_and_180)
 {
-  for (double angle : {-0.001, 180.001, std::nan("")}) {
-    RS::Two_step method;
-    method.growing.maximum_angle = angle;
-    EXPECT_THROW(RS::segment(mesh, labels, RP::number_of_segments(2).method(method)),
-                 Precondition_exception);
+  for (double angle : {-0.001, 180.001, std::nan("")})
     EXPECT_THROW(RS::detect_feature_edges(mesh, features, RP::maximum_angle(angle)),
                  Precondition_exception);
-  }
-}
-
-TEST_F(Debug_checks_test, constants_of_superfacets)
-{
-  for (const RS::Superfacets& wrong :
-       {RS::Superfacets(0), RS::Superfacets(10, -1), RS::Superfacets(10, 80, -1),
-        RS::Superfacets(10, std::nan(""))}) {
-    RS::Visibility_merging method;
-    method.superfacets = wrong;
-    EXPECT_THROW(RS::segment(mesh, labels, RP::number_of_segments(2).method(method)),
-                 Precondition_exception);
-  }
 }
 
 TEST_F(Debug_checks_test, a_segmenter_gives_at_least_one_segment)
 {
   const RS::Segmenter segmenter(mesh);
   EXPECT_THROW(segmenter.segment(labels, 0), Precondition_exception);
+  EXPECT_THROW(segmenter.segment(labels, -1), Precondition_exception);
   EXPECT_THROW(RS::Segmenter(mesh, RP::number_of_segments(0)), Precondition_exception);
+}
+
+TEST_F(Debug_checks_test, partitions_are_numbered_by_their_first_elements)
+{
+  using Numbers = std::vector<int>;
+  EXPECT_EQ(RS::Partition(Numbers{0, 1, 0, 2}, 3).size(), 4u);
+  EXPECT_THROW(RS::Partition(Numbers{0, 1, 0, 3}, 3), Precondition_exception) << "too high";
+  EXPECT_THROW(RS::Partition(Numbers{0, 2, 1}, 3), Precondition_exception) << "in another order";
+  EXPECT_THROW(RS::Partition(Numbers{0, 1, 0}, 3), Precondition_exception) << "one is empty";
 }
 
 TEST_F(Debug_checks_test, composed_partitions_fit)

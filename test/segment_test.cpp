@@ -19,6 +19,8 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <initializer_list>
+#include <limits>
 #include <random>
 #include <set>
 #include <string>
@@ -124,6 +126,72 @@ TEST(Segment_test, constrained_edges_are_never_merged_across)
   for (const auto& entry : faces_of_edges(cube()))
     closed.constrained_edges.insert(entry.first);
   EXPECT_EQ(run(cube(), closed).number_of_segments, 6u);
+}
+
+/// What is said of a method with a constant outside of its range.
+template <typename Method>
+std::string refusal(const Method& method)
+{
+  const Surface_mesh mesh = to_surface_mesh(cube());
+  auto map = face_map(mesh, 77);
+  try {
+    RS::segment(mesh, map, RS::parameters::number_of_segments(2).method(method));
+  } catch (const RS::Invalid_method& error) {
+    EXPECT_EQ(labels_of(mesh, map), Labels(6, 77));
+    return error.what();
+  }
+  return "taken";
+}
+
+/// The same for each value of a constant, which `set(method, value)` sets.
+template <typename Method, typename Set>
+void expect_refused(const std::string& name, std::initializer_list<double> values, const Set& set)
+{
+  for (const double value : values) {
+    Method method;
+    set(method, value);
+    EXPECT_EQ(refusal(method).find(name + " is "), 0u) << name << ' ' << value;
+  }
+  EXPECT_EQ(refusal(Method()), "taken");
+}
+
+TEST(Segment_test, constants_are_in_their_ranges)
+{
+  const double nan = std::nan(""), inf = std::numeric_limits<double>::infinity();
+  using Two = RS::Two_step;
+  expect_refused<Two>("Two_step: beta", {7, -1e-9, nan}, [](Two& m, double x) { m.beta = x; });
+  expect_refused<Two>("Two_step: gamma", {-3, 1.1, nan}, [](Two& m, double x) { m.gamma = x; });
+  expect_refused<Two>("Two_step: factor", {0, .9, nan}, [](Two& m, double x) { m.factor = x; });
+  expect_refused<Two>("Region_growing: maximum_angle", {-.001, 180.001, nan},
+                      [](Two& m, double x) { m.growing.maximum_angle = x; });
+  using Visibility = RS::Visibility_merging;
+  expect_refused<Visibility>("Superfacets: number", {0}, [](Visibility& m, double x) {
+    m.superfacets.number = std::size_t(x);
+  });
+  expect_refused<Visibility>("Superfacets: concave_weight", {-1, nan, inf},
+                             [](Visibility& m, double x) { m.superfacets.concave_weight = x; });
+  expect_refused<Visibility>("Superfacets: maximum_deviation", {-1, nan},
+                             [](Visibility& m, double x) { m.superfacets.maximum_deviation = x; });
+  expect_refused<Visibility>("Border_cost: concave_gain", {-1, nan, inf},
+                             [](Visibility& m, double x) { m.border_cost.concave_gain = x; });
+  expect_refused<Visibility>("Border_straightening: width", {-1, nan},
+                             [](Visibility& m, double x) { m.straightening.width = x; });
+  expect_refused<Visibility>("granularity", {0, -1, nan},
+                             [](Visibility& m, double x) { m.chooser.granularity = x; });
+  expect_refused<Visibility>("minimum_number", {0}, [](Visibility& m, double x) {
+    m.chooser.minimum_number = std::size_t(x);
+  });
+  expect_refused<Visibility>("an offset of Visibility_cost", {0, nan}, [](Visibility& m, double x) {
+    RS::Visibility_cost cost;
+    cost.depth_offset = x;
+    m = Visibility(cost);
+  });
+  using Learned = RS::Learned_merging;
+  expect_refused<Learned>("granularity", {0, nan},
+                          [](Learned& m, double x) { m.chooser.granularity = x; });
+  EXPECT_EQ(refusal(Two{{}, 7, -3, 0}), "Two_step: beta is 7, which is not in [0, 1]");
+  EXPECT_THROW(RS::Smallest_region_first{nan}, RS::Invalid_method);
+  EXPECT_THROW(RS::Least_compact_region_first(0.1, -3), RS::Invalid_method);
 }
 
 TEST(Segment_test, takes_other_makers_of_regions)

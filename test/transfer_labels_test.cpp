@@ -15,8 +15,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <iterator>
 #include <limits>
+#include <numeric>
 #include <random>
 #include <set>
 #include <string>
@@ -66,6 +68,34 @@ TEST(Transfer_labels_test, a_copy_of_any_type_has_the_same_labels)
       EXPECT_EQ(transferred(mesh, labels, copy), labels);
       EXPECT_EQ(transferred(copy, labels, mesh), labels);
     }
+}
+
+/// Into a map of the type T.
+template <typename T>
+std::size_t number_in(const Surface_mesh& mesh, const Labels& labels, std::vector<T>& into)
+{
+  into.assign(labels.size(), 77);
+  return RS::transfer_labels(
+    mesh, face_labels(mesh, labels), mesh,
+    boost::make_iterator_property_map(into.begin(), get(CGAL::face_index, mesh)));
+}
+
+TEST(Transfer_labels_test, a_type_that_does_not_hold_the_labels_is_refused)
+{
+  const Surface_mesh mesh = to_surface_mesh(grid(20, 20));
+  Labels labels(400);
+  std::iota(labels.begin(), labels.end(), std::size_t(0));
+  std::vector<std::uint8_t> bytes;
+  std::vector<std::uint16_t> shorts;
+  EXPECT_THROW(number_in(mesh, labels, bytes), RS::Invalid_input);
+  EXPECT_EQ(bytes, std::vector<std::uint8_t>(400, 77));
+  EXPECT_EQ(number_in(mesh, labels, shorts), 400u);
+  for (std::size_t& label : labels)
+    label = label % 256 == 255 ? std::size_t(-1) : label % 256;
+  EXPECT_EQ(number_in(mesh, labels, bytes), 256u) << "-1 is none in both types";
+  EXPECT_EQ(bytes[255], 255);
+  labels.back() = 255;
+  EXPECT_THROW(number_in(mesh, labels, bytes), RS::Invalid_input) << "it would be none";
 }
 
 TEST(Transfer_labels_test, a_remeshed_copy_and_back)

@@ -335,6 +335,25 @@ struct Method_of_two_faces
   }
 };
 
+/// Its regions are not numbered by their first faces: one does not exist, or has no face.
+template <std::size_t last_number>
+struct Method_of_wrong_numbers
+{
+  int prepare(const RS::Surface&, const RS::Execution&) const { return 0; }
+  RS::Hierarchy merge(const RS::Surface& surface, int, const RS::Request& request,
+                      const RS::Execution&) const
+  {
+    RS::Partition::Numbers numbers(surface.number_of_faces(), 0);
+    numbers.back() = last_number;
+    RS::Partition regions(std::move(numbers), 2);
+    if (request.number_of_segments == 3) {
+      regions = RS::requested_regions(surface, regions, request.seeds).regions;
+      RS::build_region_adjacency_graph(surface, regions);
+    }
+    return RS::Hierarchy(regions, RS::Merge_tree(2), 2);
+  }
+};
+
 /// Its merges are not those of its regions.
 struct Method_of_other_merges
 {
@@ -353,6 +372,14 @@ TEST(Archetypes_test, methods_that_break_their_promise)
   auto map = test::face_map(mesh, 77);
   EXPECT_THROW(RS::segment(mesh, map, 2, RP::method(Method_of_two_faces())), RS::Invalid_method);
   EXPECT_THROW(RS::segment(mesh, map, 2, RP::method(Method_of_other_merges())), RS::Invalid_method);
+#ifdef NDEBUG // else it is a precondition of Partition
+  for (int k : {2, 3}) {
+    EXPECT_THROW(RS::segment(mesh, map, k, RP::method(Method_of_wrong_numbers<100000000>())),
+                 RS::Invalid_method);
+    EXPECT_THROW(RS::segment(mesh, map, k, RP::method(Method_of_wrong_numbers<0>())),
+                 RS::Invalid_method);
+  }
+#endif
   EXPECT_THROW(RS::Segmenter(mesh, RP::method(Method_of_two_faces())), RS::Invalid_method);
   const RS::Segmenter of_other_merges(mesh, RP::method(Method_of_other_merges()));
   EXPECT_THROW(of_other_merges.segment(map, 2), RS::Invalid_method);

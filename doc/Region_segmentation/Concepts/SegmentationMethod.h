@@ -24,7 +24,9 @@ public:
 
   /// computes what depends on the surface alone, and on no request. First regions do not cross
   /// adjacencies that are `Surface::CONSTRAINED`. A `Segmenter` calls it once, and again for more
-  /// constraints.
+  /// constraints. It begins by checking the constants, those of the parts of the package by their
+  /// `check_constants()`.
+  /// \throws CGAL::Region_segmentation::Invalid_method if a constant is not in its range
   Prepared prepare(const Surface& surface, const Execution& execution) const;
 
   /*!

@@ -3,6 +3,8 @@
 #ifndef CGAL_REGION_SEGMENTATION_BORDER_COST_H
 #define CGAL_REGION_SEGMENTATION_BORDER_COST_H
 
+#include <CGAL/Region_segmentation/internal/support/check_constants.h>
+
 #include <algorithm>
 
 namespace CGAL {
@@ -16,6 +18,13 @@ struct Border_cost
 {
   double concave_gain = 10; ///< g, 1/radian, at least 0: how much cheaper a border in a valley is
   double maximum_deviation = 0.6; ///< m, radian, at least 0: deviations above it count as this one
+
+  /// \throws Invalid_method if a constant is not in its range
+  void check_constants() const
+  {
+    internal::check_constant("Border_cost: concave_gain", concave_gain, 0);
+    internal::check_constant("Border_cost: maximum_deviation", maximum_deviation, 0);
+  }
 
   double operator()(double length, double concave_deviation) const
   {

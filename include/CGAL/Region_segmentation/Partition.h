@@ -3,6 +3,7 @@
 #ifndef CGAL_REGION_SEGMENTATION_PARTITION_H
 #define CGAL_REGION_SEGMENTATION_PARTITION_H
 
+#include <CGAL/Region_segmentation/exceptions.h>
 #include <CGAL/Region_segmentation/internal/support/Key_numbering.h>
 #include <CGAL/Region_segmentation/internal/support/Large_array.h>
 
@@ -14,6 +15,7 @@
 #include <limits>
 #include <memory>
 #include <numeric>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -37,12 +39,13 @@ public:
   /// No elements.
   Partition() = default;
 
-  /// \pre the numbers are those of a partition: below `number_of_parts`, each one used, by the
-  ///      first element
+  /// \pre `is_valid()`
   Partition(Numbers part_of, std::size_t number_of_parts)
     : m_part_of(std::move(part_of))
     , m_number_of_parts(number_of_parts)
-  {}
+  {
+    CGAL_precondition(is_valid());
+  }
   /// As above, copied from a range.
   template <typename IndexRange>
   Partition(const IndexRange& part_of, std::size_t number_of_parts)
@@ -93,6 +96,19 @@ public:
     return result;
   }
 
+  /// Whether the numbers are those of a partition: below `number_of_parts()`, each one used, and by
+  /// the first element.
+  bool is_valid() const
+  {
+    std::size_t used = 0;
+    for (const Index part : m_part_of) {
+      if (part > used)
+        return false;
+      used += part == used;
+    }
+    return used == m_number_of_parts;
+  }
+
   std::size_t size() const { return m_part_of.size(); }
   std::size_t number_of_parts() const { return m_number_of_parts; }
 
@@ -111,6 +127,18 @@ private:
   Numbers m_part_of;
   std::size_t m_number_of_parts = 0;
 };
+
+namespace internal {
+/// \throws Invalid_method unless the regions are a partition of so many faces
+inline void check_regions(const Partition& regions, std::size_t number_of_faces)
+{
+  if (regions.size() != number_of_faces || !regions.is_valid())
+    throw Invalid_method("the regions are " + std::to_string(regions.number_of_parts()) + " of " +
+                         std::to_string(regions.size()) + " faces" +
+                         (regions.is_valid() ? "" : ", not numbered by their first faces") +
+                         "; the mesh has " + std::to_string(number_of_faces) + " faces");
+}
+} // namespace internal
 
 /// \ingroup PkgRegionSegmentationData
 /// The partition of the elements of `fine` that joins its parts as `coarse` does.

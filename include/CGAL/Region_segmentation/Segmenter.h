@@ -123,8 +123,9 @@ public:
   /// \cgalNamedParamsEnd
   ///
   /// \throws Invalid_input if a point is not finite, equal seeds cannot be joined, or the type of
-  ///         `region_map` does not hold the labels;
-  ///         Segmentation_cancelled if the visitor cancels; all maps are unchanged
+  ///         `region_map` does not hold the labels; Invalid_method if a constant of the method is
+  ///         not in its range; Segmentation_cancelled if the visitor cancels; all maps are
+  ///         unchanged
   ///
   /// Complexity: that of the method.
   template <typename FaceGraph, typename NamedParameters = parameters::Default_named_parameters,
@@ -212,7 +213,7 @@ public:
   /// segments the mesh into a given number, or the nearest possible one; see `segment()`.
   ///
   /// \param segment_map every key is written: ids 0 .. n-1, numbered by the first face
-  /// \param number_of_segments at least 1
+  /// \param number_of_segments an integer, at least 1
   /// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters": `visitor`,
   ///        for a method that merges for each number
   ///
@@ -222,12 +223,15 @@ public:
   ///
   /// Complexity: O(F) with a method that has one tree for all numbers, and O(F log F) where regions
   /// are split; else that of merging.
-  template <typename SegmentMap, typename NamedParameters = parameters::Default_named_parameters>
-  std::size_t segment(SegmentMap&& segment_map, std::size_t number_of_segments,
+  template <typename SegmentMap, typename Number,
+            typename NamedParameters = parameters::Default_named_parameters>
+  std::size_t segment(SegmentMap&& segment_map, Number number_of_segments,
                       const NamedParameters& np = parameters::default_values()) const
   {
+    static_assert(std::is_integral<Number>::value, "the number of segments is an integer");
     CGAL_precondition_msg(number_of_segments >= 1, "number_of_segments is at least 1");
-    return write(segments_of(number_of_segments, execution_of_request(np)), segment_map);
+    return write(segments_of(std::size_t(number_of_segments), execution_of_request(np)),
+                 segment_map);
   }
 
   /// adds edges that are always borders and are never merged across to those that are constrained

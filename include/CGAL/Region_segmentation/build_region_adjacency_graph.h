@@ -8,7 +8,6 @@
 #include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/Request.h>
 #include <CGAL/Region_segmentation/Surface.h>
-#include <CGAL/Region_segmentation/exceptions.h>
 #include <CGAL/Region_segmentation/internal/graph/build_graph.h>
 #include <CGAL/Region_segmentation/internal/segmenting/Face_graph_input.h>
 #include <CGAL/Region_segmentation/internal/support/make_execution.h>
@@ -18,7 +17,6 @@
 
 #include <CGAL/tags.h>
 
-#include <string>
 #include <type_traits>
 
 namespace CGAL {
@@ -40,7 +38,7 @@ using Graph_parameters = Tag_list<internal_np::component_links_t,
 /// \param execution threads and visitor: reports the progress of the stage that it is of
 ///
 /// \returns a `Region_adjacency_graph`; its regions are the parts of `regions`
-/// \throws Invalid_input if the numbers of elements of `regions` and of faces differ
+/// \throws Invalid_method if `regions` is no partition of the faces
 ///
 /// Complexity: O(F) expected. Deterministic: the sums over a section run by higher, then by lower
 /// face.
@@ -49,9 +47,7 @@ Region_adjacency_graph<RegionData, SectionData>
 build_region_adjacency_graph(const Surface& surface, const Partition& regions,
                              const Execution& execution = Execution())
 {
-  if (regions.size() != surface.number_of_faces())
-    throw Invalid_input("a partition of " + std::to_string(regions.size()) + " elements for " +
-                        std::to_string(surface.number_of_faces()) + " faces");
+  internal::check_regions(regions, surface.number_of_faces());
   return internal::build_graph<RegionData, SectionData>(surface, regions, execution);
 }
 

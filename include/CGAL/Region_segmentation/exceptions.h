@@ -29,8 +29,9 @@ public:
 
 /// \ingroup PkgRegionSegmentationExceptions
 /// Thrown, in every build, when a method or a part of it violates its concept in a way that cannot
-/// be detected at compile time: its regions are not those of the faces, or a policy proposes a
-/// merge across a removed section or at a cost that is not a number. Outputs are unchanged.
+/// be detected at compile time: a constant is not in its range, its regions are not those of the
+/// faces, or a policy proposes a merge across a removed section or at a cost that is not a number.
+/// Outputs are unchanged.
 class Invalid_method : public std::logic_error
 {
 public:

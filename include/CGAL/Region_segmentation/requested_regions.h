@@ -27,10 +27,12 @@ struct Requested_regions
 /// \ingroup PkgRegionSegmentationData
 /// splits regions that have faces of several seeds, and joins regions of equal seeds along the
 /// cheapest path.
-/// \throws Invalid_input if the faces of a seed cannot be joined
+/// \throws Invalid_input if the faces of a seed cannot be joined, Invalid_method if `regions` is no
+///         partition of the faces
 inline Requested_regions requested_regions(const Surface& surface, const Partition& regions,
                                            const Seeds& seeds)
 {
+  internal::check_regions(regions, surface.number_of_faces());
   if (seeds.empty())
     return {regions, Seeds()};
   Requested_regions result{internal::apply_seeds(surface, regions, seeds), Seeds()};

@@ -118,10 +118,11 @@ auto with_number(Number number_of_segments, const NamedParameters& np)
 ///      an unspecified number of segments
 /// \post every segment is connected by edges, seams and links where every first region is
 /// \throws Invalid_input if a point is not finite, equal seeds cannot be joined, or the type of a
-///         map does not hold the labels and -1 beside them; `Segmentation_cancelled` if the visitor
-///         cancels; all maps are unchanged. What `put()` of a map throws: `segment_map` is written
-///         first, in the order of the faces, then `region_map`, then `merge_tree`; what precedes
-///         keeps its final value, the rest is unchanged
+///         map does not hold the labels and -1 beside them; Invalid_method if a constant of the
+///         method is not in its range; `Segmentation_cancelled` if the visitor cancels; all maps
+///         are unchanged. What `put()` of a map throws: `segment_map` is written first, in the
+///         order of the faces, then `region_map`, then `merge_tree`; what precedes keeps its final
+///         value, the rest is unchanged
 ///
 /// Complexity: that of its parts; O(F log F) in practice for `Learned_merging`, O(F + R log R +
 /// k^2) expected for `Two_step`. Deterministic: identical results from every mesh type. Concurrent

@@ -13,8 +13,7 @@
 #include <CGAL/Region_segmentation/internal/regions/Dual_graph.h>
 #include <CGAL/Region_segmentation/internal/regions/border_costs.h>
 #include <CGAL/Region_segmentation/internal/support/Function_ref.h>
-
-#include <CGAL/assertions.h>
+#include <CGAL/Region_segmentation/internal/support/check_constants.h>
 
 #include <algorithm>
 #include <cmath>
@@ -66,6 +65,13 @@ struct Border_straightening
   double width_of_segment = 0.2; ///< q, at least 0: at most this part of the square root of the
                                  ///< smaller area
 
+  /// \throws Invalid_method if a constant is not in its range
+  void check_constants() const
+  {
+    internal::check_constant("Border_straightening: width", width, 0);
+    internal::check_constant("Border_straightening: width_of_segment", width_of_segment, 0);
+  }
+
   /// The region of each cell after moving borders, by its former number; or, if
   /// `number_of_segments` is less than the number of regions that are left, the segment of each
   /// cell in that segmentation (or the one nearest to it), named by its lowest region: the other
@@ -81,8 +87,6 @@ struct Border_straightening
                                          std::size_t number_of_segments,
                                          const Execution& execution) const
   {
-    CGAL_precondition_msg(width >= 0 && width_of_segment >= 0,
-                          "Border_straightening: constants are at least 0");
     const double length_unit = surface.length_unit();
     std::vector<double> areas;
     std::vector<Surface::Index> region_of;

@@ -16,6 +16,7 @@
 #include <CGAL/Region_segmentation/internal/model/learned_merge_model.h>
 #include <CGAL/Region_segmentation/internal/regions/Region_shapes.h>
 #include <CGAL/Region_segmentation/internal/support/Second_moments.h>
+#include <CGAL/Region_segmentation/internal/support/check_constants.h>
 
 #include <CGAL/number_type_config.h>
 
@@ -195,11 +196,19 @@ struct Learned_cost
   const Merge_features::Model* model;  ///< which must exist as long as the cost
   double exponent_of_gains = 0.1;      ///< in [0, 1]
   double exponent_of_losses = 0.2;     ///< in [0, 1]
-  double visibility_cost_weight = 0.1; ///< c
+  double visibility_cost_weight = 0.1; ///< c, at least 0
 
   explicit Learned_cost(const Merge_features::Model& model_)
     : model(&model_)
   {}
+
+  /// \throws Invalid_method if a constant is not in its range
+  void check_constants() const
+  {
+    internal::check_constant("Learned_cost: exponent_of_gains", exponent_of_gains, 0, 1);
+    internal::check_constant("Learned_cost: exponent_of_losses", exponent_of_losses, 0, 1);
+    internal::check_constant("Learned_cost: visibility_cost_weight", visibility_cost_weight, 0);
+  }
 
   template <typename Graph>
   double operator()(const Graph& graph, typename Graph::section_descriptor s) const

@@ -6,6 +6,7 @@
 #include <CGAL/Region_segmentation/Methods/Longest_flattest_section.h>
 #include <CGAL/Region_segmentation/Graph/Merge_candidate.h>
 #include <CGAL/Region_segmentation/Graph/geometry_data.h>
+#include <CGAL/Region_segmentation/internal/support/check_constants.h>
 #include <CGAL/Region_segmentation/internal/support/share.h>
 
 #include <CGAL/number_type_config.h>
@@ -56,10 +57,13 @@ public:
 
   /// `beta`: see `Longest_flattest_section`; `gamma`: the weight of planarity, in [0, 1]; that of
   /// the area is 1 - gamma
+  /// \throws Invalid_method if a constant is not in its range
   explicit Least_compact_region_first(double beta = 0.1, double gamma = 0.6)
     : m_section_of(beta)
     , m_gamma(gamma)
-  {}
+  {
+    internal::check_constant("Least_compact_region_first: gamma", gamma, 0, 1);
+  }
 
   template <typename Graph>
   void initialize(const Graph& graph)

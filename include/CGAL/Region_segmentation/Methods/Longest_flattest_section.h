@@ -4,6 +4,7 @@
 #define CGAL_REGION_SEGMENTATION_METHODS_LONGEST_FLATTEST_SECTION_H
 
 #include <CGAL/Region_segmentation/Graph/Section_descriptor.h>
+#include <CGAL/Region_segmentation/internal/support/check_constants.h>
 #include <CGAL/Region_segmentation/internal/support/share.h>
 
 #include <algorithm>
@@ -33,9 +34,12 @@ class Longest_flattest_section
 {
 public:
   /// `beta`: the weight of the length, in [0, 1]; that of the angle is 1 - beta
+  /// \throws Invalid_method if a constant is not in its range
   explicit Longest_flattest_section(double beta = 0.1)
     : m_beta(beta)
-  {}
+  {
+    internal::check_constant("Longest_flattest_section: beta", beta, 0, 1);
+  }
 
   /// The section, seen from the region; empty if the region has none that is mergeable.
   template <typename Graph>

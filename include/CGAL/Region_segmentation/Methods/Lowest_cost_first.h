@@ -5,6 +5,7 @@
 
 #include <CGAL/Region_segmentation/Graph/Merge_candidate.h>
 #include <CGAL/Region_segmentation/internal/concepts/check_parts.h>
+#include <CGAL/Region_segmentation/internal/support/check_constants.h>
 
 #include <algorithm>
 #include <cmath>
@@ -46,6 +47,8 @@ public:
   explicit Lowest_cost_first(Cost cost = Cost())
     : m_cost(std::move(cost))
   {}
+
+  void check_constants() const { internal::check_constants(m_cost); }
 
   template <typename Graph>
   void initialize(const Graph& graph)

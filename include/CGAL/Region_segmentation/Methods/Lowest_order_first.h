@@ -34,6 +34,12 @@ public:
     , m_cost(std::move(cost))
   {}
 
+  void check_constants() const
+  {
+    Lowest_cost_first<Order>::check_constants();
+    internal::check_constants(m_cost);
+  }
+
   template <typename Graph>
   std::optional<Merge_candidate> next(const Graph& graph)
   {

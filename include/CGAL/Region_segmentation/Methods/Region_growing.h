@@ -10,8 +10,7 @@
 #include <CGAL/Region_segmentation/Request.h>
 #include <CGAL/Region_segmentation/internal/regions/grow.h>
 #include <CGAL/Region_segmentation/internal/regions/mark_feature_edges.h>
-
-#include <CGAL/assertions.h>
+#include <CGAL/Region_segmentation/internal/support/check_constants.h>
 
 #include <utility>
 
@@ -35,11 +34,15 @@ struct Region_growing
   /// Which edges can be feature edges.
   Feature_convexity feature_convexity = Feature_convexity::CONCAVE;
 
+  /// \throws Invalid_method if a constant is not in its range
+  void check_constants() const
+  {
+    internal::check_constant("Region_growing: maximum_angle", maximum_angle, 0, 180);
+  }
+
   /// The regions of the faces.
   Partition operator()(const Surface& surface, const Execution& execution = Execution()) const
   {
-    CGAL_precondition_msg(maximum_angle >= 0 && maximum_angle <= 180,
-                          "maximum_angle is in [0, 180] degrees");
     auto is_feature = internal::mark_feature_edges(surface, maximum_angle, feature_convexity,
                                                    execution.step(0, 0.5));
     return internal::grow(surface, std::move(is_feature), execution.step(0.5, 1));

@@ -8,6 +8,7 @@
 #include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/exceptions.h>
+#include <CGAL/Region_segmentation/internal/support/check_constants.h>
 
 #include <cmath>
 #include <cstddef>
@@ -124,6 +125,13 @@ struct Scalar_cost
     : weight(weight_)
     , cost(std::move(cost_))
   {}
+
+  /// \throws Invalid_method if a constant is not finite
+  void check_constants() const
+  {
+    internal::check_constant("Scalar_cost: weight", weight, -internal::greatest_finite);
+    internal::check_constants(cost);
+  }
 
   template <typename Graph>
   double operator()(const Graph& graph, typename Graph::section_descriptor s) const

@@ -14,10 +14,9 @@
 #include <CGAL/Region_segmentation/internal/concepts/Method_calls.h>
 #include <CGAL/Region_segmentation/internal/faces/find_faces.h>
 #include <CGAL/Region_segmentation/internal/graph/build_graph.h>
+#include <CGAL/Region_segmentation/internal/support/check_constants.h>
 #include <CGAL/Region_segmentation/merge_requested_regions.h>
 #include <CGAL/Region_segmentation/requested_regions.h>
-
-#include <CGAL/assertions.h>
 
 #include <cstddef>
 #include <utility>
@@ -47,7 +46,8 @@ struct Smooth_faces
 
   Prepared prepare(const Surface& surface, const Execution& execution = Execution()) const
   {
-    CGAL_precondition_msg(tolerance >= 0, "tolerance is not negative");
+    internal::check_constant("Smooth_faces: tolerance", tolerance, 0);
+    chooser.check_constants();
     return {internal::find_faces(surface, tolerance / surface.unit(), execution.stage("regions"))};
   }
 

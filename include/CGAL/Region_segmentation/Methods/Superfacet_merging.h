@@ -17,6 +17,7 @@
 #include <CGAL/Region_segmentation/internal/graph/build_graph.h>
 #include <CGAL/Region_segmentation/internal/graph/renumber_tree.h>
 #include <CGAL/Region_segmentation/internal/regions/join_degenerate_regions.h>
+#include <CGAL/Region_segmentation/internal/support/check_constants.h>
 #include <CGAL/Region_segmentation/internal/surface/smooth_noise.h>
 #include <CGAL/Region_segmentation/merge_requested_regions.h>
 #include <CGAL/Region_segmentation/requested_regions.h>
@@ -103,6 +104,11 @@ struct Superfacet_merging
 
   Prepared prepare(const Surface& given, const Execution& execution = Execution()) const
   {
+    internal::check_constants(policy);
+    internal::check_constants(chooser);
+    superfacets.check_constants();
+    border_cost.check_constants();
+    straightening.check_constants();
     std::optional<Surface> smoothed = internal::without_noise(given, execution.silent());
     const Surface& surface = smoothed ? *smoothed : given;
     const Execution stage = execution.stage("regions");

@@ -13,9 +13,8 @@
 #include <CGAL/Region_segmentation/internal/regions/Farthest_point_seeding.h>
 #include <CGAL/Region_segmentation/internal/regions/Region_shapes.h>
 #include <CGAL/Region_segmentation/internal/regions/border_costs.h>
+#include <CGAL/Region_segmentation/internal/support/check_constants.h>
 #include <CGAL/Region_segmentation/internal/surface/find_crumbs.h>
-
-#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -78,13 +77,19 @@ public:
     , maximum_deviation(maximum_deviation_)
   {}
 
+  /// \throws Invalid_method if a constant is not in its range
+  void check_constants() const
+  {
+    internal::check_constant("Superfacets: number", double(number), 1);
+    internal::check_constant("Superfacets: concave_weight", concave_weight, 0);
+    internal::check_constant("Superfacets: maximum_deviation", maximum_deviation, 0);
+  }
+
   /// The regions of the fine patches of a surface.
   Partition operator()(const Surface& surface, const Surface_patches& patches,
                        const Border_cost& border_cost = Border_cost(),
                        const Execution& execution = Execution()) const
   {
-    CGAL_precondition_msg(number >= 1 && concave_weight >= 0 && maximum_deviation >= 0,
-                          "Superfacets: number is at least 1, the other constants at least 0");
     if (surface.number_of_faces() == 0)
       return Partition();
     const internal::Dual_graph costs = internal::border_costs(surface, patches.fine, border_cost,

@@ -13,6 +13,7 @@
 #include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/internal/concepts/Method_calls.h>
 #include <CGAL/Region_segmentation/internal/graph/build_graph.h>
+#include <CGAL/Region_segmentation/internal/support/check_constants.h>
 #include <CGAL/Region_segmentation/merge_requested_regions.h>
 #include <CGAL/Region_segmentation/requested_regions.h>
 
@@ -48,6 +49,10 @@ struct Two_step
 
   Prepared prepare(const Surface& surface, const Execution& execution = Execution()) const
   {
+    growing.check_constants();
+    internal::check_constant("Two_step: beta", beta, 0, 1);
+    internal::check_constant("Two_step: gamma", gamma, 0, 1);
+    internal::check_constant("Two_step: factor", factor, 1);
     return {growing(surface, execution.stage("regions"))};
   }
 

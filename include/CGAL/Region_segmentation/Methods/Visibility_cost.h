@@ -4,6 +4,7 @@
 #define CGAL_REGION_SEGMENTATION_METHODS_VISIBILITY_COST_H
 
 #include <CGAL/Region_segmentation/Surface.h>
+#include <CGAL/Region_segmentation/internal/support/check_constants.h>
 
 #include <CGAL/number_type_config.h>
 
@@ -134,6 +135,16 @@ struct Visibility_cost
     cost.length_exponent = 0.87;
     cost.visibility_exponent = 0.49;
     return cost;
+  }
+
+  /// \throws Invalid_method if a constant is not finite, or an offset not above 0
+  void check_constants() const
+  {
+    for (double c : {depth_exponent, area_exponent, harmonic_share, length_exponent,
+                     thickness_exponent, visibility_exponent, convex_weight, bend_weight})
+      internal::check_constant("a constant of Visibility_cost", c, -internal::greatest_finite);
+    for (double offset : {depth_offset, thickness_offset, visibility_offset})
+      internal::check_constant("an offset of Visibility_cost", offset, internal::least_positive);
   }
 
   /// d, the depth of the valley along a section, in radians.

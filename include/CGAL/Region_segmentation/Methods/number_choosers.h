@@ -8,6 +8,7 @@
 #include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/internal/regions/is_convex.h>
+#include <CGAL/Region_segmentation/internal/support/check_constants.h>
 #include <CGAL/Region_segmentation/internal/support/label_components.h>
 #include <CGAL/Region_segmentation/internal/surface/find_crumbs.h>
 
@@ -27,6 +28,12 @@ namespace Region_segmentation {
 struct Number_below_cost
 {
   double bound; ///< in the units of the costs
+
+  /// \throws Invalid_method if a constant is not in its range
+  void check_constants() const
+  {
+    internal::check_constant("Number_below_cost: bound", bound, -internal::greatest_finite);
+  }
 
   std::size_t operator()(const Merge_tree& tree, const Surface&) const
   {
@@ -54,6 +61,14 @@ public:
   explicit Number_range(std::size_t maximum_number_)
     : maximum_number(maximum_number_)
   {}
+
+  /// \throws Invalid_method if a constant is not in its range
+  void check_constants() const
+  {
+    internal::check_constant("minimum_number", double(minimum_number), 1);
+    internal::check_constant("maximum_number", double(maximum_number), double(minimum_number));
+    internal::check_constant("granularity", granularity, internal::least_positive);
+  }
 
   /// The largest number that is chosen for a tree: `maximum_number`, or the number of connected
   /// components if there are more, and at most the number of first regions. Where this number was
@@ -116,6 +131,13 @@ public:
     : Number_range(maximum_number_)
     , level(level_)
   {}
+
+  /// \throws Invalid_method if a constant is not in its range
+  void check_constants() const
+  {
+    Number_range::check_constants();
+    internal::check_constant("Number_from_costs: level", level, -internal::greatest_finite);
+  }
 
   std::size_t operator()(const Merge_tree& tree, const Surface& mesh = Surface()) const
   {

@@ -101,8 +101,8 @@ segments_of_nearest_faces(const Surface_as_given& to, const Surface_as_given& fr
 /// \tparam FromGraph, ToGraph models of `FaceListGraph` and `HalfedgeListGraph`, of any two types
 /// \tparam FromMap a model of `ReadablePropertyMap` with the face descriptor of `from` as key and
 ///         an integral value type of at most 64 bits
-/// \tparam ToMap a model of `WritablePropertyMap` with the face descriptor of `to` as key and a
-///         value type constructible from that of `FromMap`
+/// \tparam ToMap a model of `WritablePropertyMap` with the face descriptor of `to` as key and an
+///         integral value type
 /// \param from an oriented 2-manifold with or without boundary, its faces polygons of any size
 /// \param from_map the labels, any integers; those of `no_segment` are transferred, too
 /// \param to as `from`; its place in space is that of `from`, and it is oriented as it is
@@ -118,8 +118,8 @@ segments_of_nearest_faces(const Surface_as_given& to, const Surface_as_given& fr
 /// \cgalNamedParamsEnd
 ///
 /// \returns the number of different labels on `to`
-/// \throws Invalid_input if a point is not finite, or `from` has no face and `to` has one; the map
-///         is unchanged
+/// \throws Invalid_input if a point is not finite, `from` has no face and `to` has one, or the type
+///         of `to_map` does not hold the labels, and -1 beside them; the map is unchanged
 ///
 /// Complexity: O((F + G) log F) in practice, G the number of faces of `to`. Deterministic.
 /// Concurrent calls on different maps are safe.
@@ -146,6 +146,8 @@ std::size_t transfer_labels(const FromGraph& from, const FromMap& from_map, cons
   std::vector<Label> labels; // by segment
   const std::vector<Index> segment_of_face = internal::number_labels(face_values(from, from_map),
                                                                      labels);
+  for (const Label label : labels)
+    internal::check_label<typename boost::property_traits<ToMap>::value_type>(label);
   std::vector<Index> result = internal::segments_of_nearest_faces(to_surface, from_surface,
                                                                   segment_of_face);
   const Partition components = internal::components_of_labels(from_surface.surface,

@@ -83,12 +83,11 @@ Merged_by<Method> Method_calls<Method>::merge(const Method& method, const Surfac
   Merged result = method.merge(surface, prepared, request, execution);
   const Partition& regions = result.regions();
   const std::size_t number_of_regions = result.merge_tree().number_of_regions();
-  if (regions.size() != surface.number_of_faces() || regions.number_of_parts() != number_of_regions)
+  check_regions(regions, surface.number_of_faces());
+  if (regions.number_of_parts() != number_of_regions)
     throw Invalid_method("merge() of the SegmentationMethod returns " +
-                         std::to_string(regions.number_of_parts()) + " regions of " +
-                         std::to_string(regions.size()) + " faces, and merges " +
-                         std::to_string(number_of_regions) + "; the mesh has " +
-                         std::to_string(surface.number_of_faces()) + " faces");
+                         std::to_string(regions.number_of_parts()) + " regions, and merges " +
+                         std::to_string(number_of_regions));
   return result;
 }
 

@@ -51,6 +51,16 @@ void check_labels(std::size_t n, const char* what = "labels")
                         ", and -1 for none");
 }
 
+/// \throws Invalid_input if a type does not hold a label that is not none, or takes it for none
+template <typename To, typename Label>
+void check_label(Label label)
+{
+  static_assert(std::is_integral<To>::value, "labels are written to a map of an integral type");
+  if (Label(To(label)) != label || (To(label) == To(-1) && !std::is_same<To, bool>::value))
+    throw Invalid_input("label " + std::to_string(label) +
+                        ": the type of the map does not hold it, and -1 for none beside it");
+}
+
 template <typename Map, typename FaceGraph>
 constexpr bool check_edge_map()
 {
