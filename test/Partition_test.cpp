@@ -2,10 +2,14 @@
 
 #include "oracles.h"
 
+#include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/Partition.h>
+#include <CGAL/Region_segmentation/internal/support/for_each_in_part.h>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -89,6 +93,57 @@ TEST(Partition_test, a_composed_one_is_looked_up)
   for (std::size_t i = 0; i < both.size(); ++i)
     EXPECT_EQ(both[i], expected[i]);
   EXPECT_EQ(Partition(both), expected);
+}
+
+/// Parts that count how often they are looked up.
+struct Counted_parts
+{
+  const Partition& parts;
+  std::size_t& number;
+
+  std::size_t size() const { return parts.size(); }
+  std::size_t number_of_parts() const { return parts.number_of_parts(); }
+  std::size_t operator[](std::size_t i) const
+  {
+    ++number;
+    return parts[i];
+  }
+};
+
+/// Eight threads, of which the last one comes first.
+constexpr RS::internal::Threads eight_threads = {
+  [](std::size_t first, std::size_t last, RS::internal::Function_ref<void(std::size_t)> f) {
+    while (last > first)
+      f(--last);
+  },
+  [] { return std::size_t(8); }};
+
+TEST(Partition_test, threads_together_look_at_each_element_a_few_times)
+{
+  std::mt19937 random(1);
+  for (const std::size_t size : {0, 1, 3, 7, 8, 9, 1000}) {
+    SCOPED_TRACE(size);
+    std::vector<int> labels(size);
+    for (int& label : labels)
+      label = int(random() % 37);
+    const auto parts = Partition::from_labels(labels);
+    for (const RS::Execution& execution : {RS::Execution(), RS::Execution(&eight_threads)}) {
+      std::size_t number = 0;
+      std::vector<std::vector<std::size_t>> elements(parts.number_of_parts());
+      RS::internal::for_each_in_part(
+        execution, Counted_parts{parts, number},
+        [&](std::size_t part, std::size_t i) { elements[part].push_back(i); });
+      EXPECT_LE(number, 3 * size);
+      std::size_t sum = 0;
+      for (std::size_t part = 0; part < elements.size(); ++part) {
+        sum += elements[part].size();
+        EXPECT_TRUE(std::is_sorted(elements[part].begin(), elements[part].end()));
+        for (const std::size_t i : elements[part])
+          EXPECT_EQ(parts[i], part);
+      }
+      EXPECT_EQ(sum, size);
+    }
+  }
 }
 
 } // namespace Partition_test

@@ -132,21 +132,6 @@ TEST(smooth_noise_test, gives_the_surface_of_the_moved_points)
   }
 }
 
-// Seen from some of the faces, as from all.
-TEST(smooth_noise_test, is_found_from_a_part_of_the_faces)
-{
-  const Soup clean = sphere(6);
-  for (const std::size_t stride : {1, 2, 3, 7, 20}) {
-    SCOPED_TRACE(stride);
-    const RS::Surface surface = surface_of(clean), rough = surface_of(noisy(clean, 0.005, 1));
-    EXPECT_TRUE(
-      RS::internal::Vertex_heights(rough, stride, RS::Execution()).are_opposite(0.42, stride));
-    EXPECT_TRUE(RS::internal::Vertex_heights(rough, 1, RS::Execution()).are_opposite(0.42, stride));
-    EXPECT_FALSE(
-      RS::internal::Vertex_heights(surface, stride, RS::Execution()).are_opposite(0.42, stride));
-  }
-}
-
 /// Two balls that overlap a little; `truth`: the ball of each face.
 Soup two_balls(Labels& truth)
 {

@@ -42,8 +42,8 @@ namespace Region_segmentation {
 /// \throws Invalid_input if a point, or one of the mesh, is not finite, or the mesh has no faces;
 ///         nothing is output
 ///
-/// Complexity: O(F) and O(log F) in practice for each point. Deterministic. Read-only; concurrent
-/// calls are safe.
+/// Complexity: O(F log F), and O(log F) in practice for each point. Deterministic. Read-only;
+/// concurrent calls are safe.
 template <typename FaceGraph, typename PointRange, typename FaceOutputIterator,
           typename NamedParameters = parameters::Default_named_parameters>
 std::size_t find_nearest_faces(const FaceGraph& mesh, const PointRange& points,
@@ -66,7 +66,7 @@ std::size_t find_nearest_faces(const FaceGraph& mesh, const PointRange& points,
   }
   if (positions.empty())
     return 0;
-  internal::Nearest_face_finder finder(surface);
+  const internal::Nearest_face_finder finder(surface);
   for (const Double_3& p : positions)
     *nearest_faces++ = all[finder.find(p, [](auto) { return true; })];
   return positions.size();

@@ -62,7 +62,7 @@ segments_of_nearest_faces(const Surface_as_given& to, const Surface_as_given& fr
   using Index = Surface::Index;
   const Surface& surface = to.surface;
   const double scale = surface.unit() / from.surface.unit();
-  Nearest_face_finder finder(from.surface);
+  const Nearest_face_finder finder(from.surface);
   std::vector<Index> result;
   for (Index f = 0; f < surface.number_of_faces(); ++f) {
     const Double_3 center = surface.centroid(f);

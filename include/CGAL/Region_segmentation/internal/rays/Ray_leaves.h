@@ -53,7 +53,7 @@ private:
 class Ray_leaves
 {
   using Index = Surface::Index;
-  using Box = Axis_box_of<float>;
+  using Box = Axis_box;
 
 public:
   static constexpr std::size_t most_stored_faces = std::size_t(1) << 19;

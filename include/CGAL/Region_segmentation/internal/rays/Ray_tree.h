@@ -97,7 +97,7 @@ public:
 private:
   static constexpr std::size_t width = 4;
 
-  using Box = Axis_box_of<float>;
+  using Box = Axis_box;
 
   /// A leaf to be sorted into the tree.
   struct Item

@@ -14,19 +14,19 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// An axis-parallel box; empty by default. Coordinates that are not numbers are ignored.
-template <typename Number>
-struct Axis_box_of
+/// An axis-parallel box; empty by default. Coordinates are rounded, so boxes that overlap still do.
+/// Those that are not numbers are ignored.
+struct Axis_box
 {
-  using Coordinates = std::array<Number, 3>;
+  using Coordinates = std::array<float, 3>;
 
-  Coordinates low = all(std::numeric_limits<Number>::infinity());
-  Coordinates high = all(-std::numeric_limits<Number>::infinity());
+  Coordinates low = all(std::numeric_limits<float>::infinity());
+  Coordinates high = all(-std::numeric_limits<float>::infinity());
 
-  static constexpr Coordinates all(Number x) { return {x, x, x}; }
+  static constexpr Coordinates all(float x) { return {x, x, x}; }
 
   void add_point(const Coordinates& p) { add(p, p); }
-  void add(const Axis_box_of& b) { add(b.low, b.high); }
+  void add(const Axis_box& b) { add(b.low, b.high); }
   void add(const Coordinates& other_low, const Coordinates& other_high)
   {
     for (std::size_t i = 0; i < 3; ++i) {
@@ -34,8 +34,8 @@ struct Axis_box_of
       high[i] = (std::max)(high[i], other_high[i]);
     }
   }
-  Number extent(std::size_t axis) const { return high[axis] - low[axis]; }
-  Number center(std::size_t axis) const { return low[axis] + extent(axis) / 2; }
+  float extent(std::size_t axis) const { return high[axis] - low[axis]; }
+  float center(std::size_t axis) const { return low[axis] + extent(axis) / 2; }
   std::size_t longest_axis() const
   {
     const std::size_t axis = extent(1) > extent(0) ? 1 : 0;
@@ -43,14 +43,22 @@ struct Axis_box_of
   }
 };
 
-using Axis_box = Axis_box_of<double>;
-
 inline double squared_gap(const Axis_box& a, const Axis_box& b)
 {
   double sum = 0;
   for (std::size_t i = 0; i < 3; ++i) {
-    const double gap = (std::max)({a.low[i] - b.high[i], b.low[i] - a.high[i], 0.0});
+    const double gap = (std::max)({a.low[i] - b.high[i], b.low[i] - a.high[i], 0.0f});
     sum += gap * gap;
+  }
+  return sum;
+}
+
+inline double squared_distance_of_centers(const Axis_box& a, const Axis_box& b)
+{
+  double sum = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double difference = b.center(i) - a.center(i);
+    sum += difference * difference;
   }
   return sum;
 }
@@ -61,7 +69,7 @@ Axis_box box_of(const Points& points)
 {
   Axis_box result;
   for (const Double_3& p : points)
-    result.add_point({p.x, p.y, p.z});
+    result.add_point({float(p.x), float(p.y), float(p.z)});
   return result;
 }
 

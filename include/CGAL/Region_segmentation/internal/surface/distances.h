@@ -70,20 +70,16 @@ inline double nearest_parameter(const Double_3& a, const Double_3& b, const Doub
   return uu > 0 ? in_unit_interval((uv * in_unit_interval(y) - uw) / uu) : 0;
 }
 
-/// Calls `f(point)` where an edge of `s` goes through `t`.
-inline void for_each_piercing(const Triangle& s, const Triangle& t,
-                              Function_ref<void(const Double_3&)> f)
+/// Whether an edge of `s` goes through `t`.
+inline bool is_pierced(const Triangle& s, const Triangle& t)
 {
   const Double_3 n = cross(t[1] - t[0], t[2] - t[0]);
   const double h[3] = {dot(s[0] - t[0], n), dot(s[1] - t[0], n), dot(s[2] - t[0], n)};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t j = (i + 1) % 3;
-    if ((h[i] > 0) == (h[j] > 0))
-      continue;
-    const Double_3 p = s[i] + (h[i] / (h[i] - h[j])) * (s[j] - s[i]);
-    if (is_above(p, t, n))
-      f(p);
-  }
+  for (std::size_t i = 0; i < 3; ++i)
+    if (const std::size_t j = (i + 1) % 3;
+        (h[i] > 0) != (h[j] > 0) && is_above(s[i] + (h[i] / (h[i] - h[j])) * (s[j] - s[i]), t, n))
+      return true;
+  return false;
 }
 
 /// Between two triangles along the line through their centroids: at most their distance.
@@ -96,37 +92,21 @@ inline double squared_separation(const Triangle& s, const Triangle& t)
   return gap > 0 ? gap / squared_norm(along) * gap : 0;
 }
 
-/// The least of `least` and the distances of the points of a triangle to the plane of another one
-/// that they are above.
-inline double least_height(const Triangle& s, const Triangle& t, double least)
-{
-  const Double_3 n = cross(t[1] - t[0], t[2] - t[0]);
-  const double nn = squared_norm(n);
-  for (const Double_3& p : s)
-    if (const double h = dot(p - t[0], n); nn > 0 && is_above(p, t, n))
-      least = (std::min)(least, h / nn * h);
-  return least;
-}
-
 /// Between two triangles.
 inline double squared_distance(const Triangle& s, const Triangle& t)
 {
-  if (squared_separation(s, t) == 0) {
-    bool cross_each_other = false;
-    const auto note = [&](const Double_3&) { cross_each_other = true; };
-    for_each_piercing(s, t, note);
-    for_each_piercing(t, s, note);
-    if (cross_each_other)
-      return 0;
-  }
+  if (is_pierced(s, t) || is_pierced(t, s))
+    return 0;
   double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < 3; ++i)
+  for (std::size_t i = 0; i < 3; ++i) {
+    least = (std::min)({least, squared_distance(s[i], t), squared_distance(t[i], s)});
     for (std::size_t j = 0; j < 3; ++j) {
       const Double_3 &a = s[i], &b = s[(i + 1) % 3], &c = t[j], &d = t[(j + 1) % 3];
       const double x = nearest_parameter(a, b, c, d);
       least = (std::min)(least, squared_distance(a + x * (b - a), c, d));
     }
-  return least_height(s, t, least_height(t, s, least));
+  }
+  return least;
 }
 
 } // namespace internal

@@ -6,51 +6,194 @@
 #include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/Surface.h>
+#include <CGAL/Region_segmentation/internal/support/Lowest_root_forest.h>
 #include <CGAL/Region_segmentation/internal/support/part_areas.h>
-#include <CGAL/Region_segmentation/internal/surface/Component_tree.h>
 #include <CGAL/Region_segmentation/internal/surface/Added_adjacency.h>
-#include <CGAL/Region_segmentation/internal/surface/contact_lengths.h>
-#include <CGAL/Region_segmentation/internal/surface/find_contacts.h>
-#include <CGAL/Region_segmentation/internal/surface/join_nearest.h>
+#include <CGAL/Region_segmentation/internal/surface/Face_tree.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// By component: 1/250 of the square root of its area. Two faces are in contact within the least of
-/// those of their components and the square roots of their own areas. So neither a large body nor a
-/// crumb far away changes what parts touch each other, and a face is compared with few others.
-inline std::vector<double> contact_tolerances(const Surface& surface,
-                                              const Partition& component_of_face)
+/// Finds the links between components: between faces that are in contact, and between the nearest
+/// faces of components that are not connected by these.
+class Link_finder
 {
-  std::vector<double> result = part_areas(surface, component_of_face);
-  for (double& area : result)
-    area = std::sqrt(area) / 250;
-  return result;
-}
+public:
+  using Index = Surface::Index;
 
-/// Links between components: where they are in contact, with the length of contact, and between the
-/// nearest ones, with length 0, until all are connected.
+  /// \pre there are two components or more
+  Link_finder(const Surface& surface, const Partition& component_of, const Execution& execution)
+    : m_surface(surface)
+    , m_component_of(component_of)
+    , m_tree(surface)
+    , m_groups(component_of.number_of_parts())
+    , m_number_of_groups(component_of.number_of_parts())
+    , m_number_left(64 * component_of.size() + 1000000)
+    , m_counter(execution, m_number_left)
+  {}
+
+  std::vector<Added_adjacency> find()
+  {
+    add_contacts();
+    while (m_number_of_groups > 1)
+      join_nearest();
+    return std::move(m_links);
+  }
+
+private:
+  static constexpr Index none = (std::numeric_limits<Index>::max)();
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+  /// Two faces, or none, closer than a bound.
+  struct Nearest
+  {
+    double squared_distance; ///< or the bound
+    Index face = none, other = none;
+  };
+
+  /// Links each face with the nearest one of another component that is in contact with it. Two
+  /// faces are in contact within the least of the square roots of their areas, and 1/250 of those
+  /// of the areas of their components: so neither a large body nor a crumb far away changes what
+  /// parts touch each other. The lengths of all links come to about the border of the area of
+  /// contact, of which each side counts by halves, however fine the faces are.
+  void add_contacts()
+  {
+    std::vector<double> bounds = part_areas(m_surface, m_component_of); // squared
+    for (double& bound : bounds)
+      bound /= 250 * 250;
+    const auto bound_of_face = [&](Index f) {
+      return (std::min)(bounds[m_component_of[f]], m_surface.area(f));
+    };
+    std::vector<Nearest> nearest;
+    for (Index f = 0; f < m_component_of.size(); ++f)
+      nearest.push_back({bound_of_face(f)});
+    search(
+      [&](Index component, Index node) {
+        return m_tree.boxes().is_leaf(node) ? nearest[m_tree.face(node)].squared_distance
+                                            : bounds[component];
+      },
+      [&](Index, Index node, Index other) {
+        Nearest& n = nearest[m_tree.face(node)];
+        compare(node, other, (std::min)(n.squared_distance, bound_of_face(m_tree.face(other))), n);
+      });
+    const std::vector<double> borders = border_lengths(nearest);
+    for (const Nearest& n : nearest)
+      if (n.face != none)
+        add_link(n, (std::min)(borders[n.face], perimeter(n.other)) / 2);
+  }
+
+  /// By face in contact: the length of its sides to faces that are not in contact with the same
+  /// component.
+  std::vector<double> border_lengths(const std::vector<Nearest>& nearest) const
+  {
+    const auto partner = [&](Index f) {
+      return nearest[f].face == none ? none : m_component_of[nearest[f].other];
+    };
+    std::vector<double> result;
+    for (Index f = 0; f < nearest.size(); ++f)
+      result.push_back(partner(f) == none ? 0 : perimeter(f));
+    for (std::size_t a = 0; a < m_surface.number_of_adjacencies(); ++a) {
+      const Index f = m_surface.lower_face(a), g = m_surface.higher_face(a);
+      if (partner(f) != none && partner(f) == partner(g))
+        for (const Index face : {f, g})
+          result[face] = (std::max)(result[face] - m_surface.length(a), 0.0);
+    }
+    return result;
+  }
+
+  double perimeter(Index face) const
+  {
+    double result = 0;
+    for_each_side(m_surface, face, [&](Index v, Index w) {
+      result += norm(m_surface.point(w) - m_surface.point(v));
+    });
+    return result;
+  }
+
+  /// A round of the algorithm of Boruvka: links each group of components with the nearest other
+  /// one, where that does not close a cycle.
+  void join_nearest()
+  {
+    std::vector<Nearest> nearest(m_component_of.number_of_parts(), Nearest{infinity}); // by group
+    search([&](Index group, Index) { return nearest[group].squared_distance; },
+           [&](Index group, Index node, Index other) {
+             compare(node, other, nearest[group].squared_distance, nearest[group]);
+           });
+    for (const Nearest& n : nearest)
+      if (n.face != none &&
+          m_groups.root(m_component_of[n.face]) != m_groups.root(m_component_of[n.other]))
+        add_link(n, 0);
+  }
+
+  /// Calls `f(group, leaf, other)` for leaves of the tree, one in a group and one in another group,
+  /// if the squared distance of their boxes, and of those of the nodes above them, is below
+  /// `bound(group, node)`, for the leaf and the nodes above it. `f` may lower bounds. Once too many
+  /// leaves are compared, as where thousands of triangles cross each other, only infinite bounds
+  /// count.
+  template <typename Bound, typename F>
+  void search(const Bound& bound, const F& f)
+  {
+    const Box_tree& boxes = m_tree.boxes();
+    const std::vector<Index> groups = boxes.values(
+      [&](Index leaf) { return m_groups.root(m_component_of[m_tree.face(leaf)]); },
+      [](Index g, Index h) { return g == h ? g : none; });
+    boxes.for_each_topmost(
+      [&](Index node) { return groups[node] != none; },
+      [&](Index top) {
+        const Index group = groups[top];
+        const auto is_left_out = [&](Index a, Index b) {
+          const double largest = bound(group, a);
+          return groups[b] == group || squared_gap(boxes.box(a), boxes.box(b)) >= largest ||
+                 (m_number_left == 0 && largest < infinity);
+        };
+        boxes.for_each_pair(top, 0, is_left_out, [&](Index a, Index b) { f(group, a, b); });
+      });
+  }
+
+  /// Replaces `nearest` if two leaves are closer than `bound`, a square.
+  void compare(Index leaf, Index other, double bound, Nearest& nearest)
+  {
+    m_counter.advance();
+    m_number_left -= m_number_left > 0;
+    const Triangle s = m_tree.triangle(leaf), t = m_tree.triangle(other);
+    if (squared_separation(s, t) >= bound)
+      return;
+    if (const double squared = squared_distance(s, t); squared < bound)
+      nearest = {squared, m_tree.face(leaf), m_tree.face(other)};
+  }
+
+  void add_link(const Nearest& n, double length)
+  {
+    m_links.push_back(link_of(n.face, n.other, length));
+    m_number_of_groups -= m_groups.unite(m_component_of[n.face], m_component_of[n.other]);
+  }
+
+  const Surface& m_surface;
+  const Partition& m_component_of;
+  const Face_tree m_tree;
+  std::vector<Added_adjacency> m_links;
+  Lowest_root_forest m_groups; // of components with a link
+  std::size_t m_number_of_groups, m_number_left;
+  Step_counter m_counter;
+};
+
+/// The links between components, of which `component_of` tells those across edges and seams.
 ///
-/// \pre the surface has its edges and seams, and `component_of_face` is its connected components
-///
-/// Nothing is done for one component. Otherwise O(F log F), see `Contact_finder` and
-/// `Nearest_joiner`.
+/// Nothing is done for one component. Otherwise O(F log F) in practice.
 inline std::vector<Added_adjacency>
-find_links(const Surface& surface, const Partition& component_of_face, const Execution& execution)
+find_links(const Surface& surface, const Partition& component_of, const Execution& execution)
 {
-  if (component_of_face.number_of_parts() < 2)
+  if (component_of.number_of_parts() < 2)
     return {};
-  const std::vector<double> tolerances = contact_tolerances(surface, component_of_face);
-  Component_tree tree(surface, component_of_face, tolerances);
-  Contact_finder finder(surface, tree, component_of_face);
-  std::vector<Added_adjacency> links = links_of_contacts(surface, component_of_face, tolerances,
-                                                         finder.find(execution.step(0, 0.5)));
-  Nearest_joiner(surface, tree, component_of_face, links).run(execution.step(0.5, 1));
-  return links;
+  return Link_finder(surface, component_of, execution).find();
 }
 
 } // namespace internal

@@ -78,7 +78,8 @@ inline void orient_components(Raw_surface& raw, const Partition& component_of,
   }
   if (!is_any_inside_out)
     return;
-  const auto outermost = Nesting_finder(raw.surface, component_of, is_closed).outermost();
+  const std::vector<Surface::Index> outermost = find_outermost(raw.surface, component_of,
+                                                               is_closed);
   const auto is_turned = [&](std::size_t face) {
     const Surface::Index c = component_of[face];
     return is_closed[c] && is_inside_out[outermost[c]];

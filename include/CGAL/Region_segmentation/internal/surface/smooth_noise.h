@@ -13,7 +13,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -22,55 +21,55 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// How far the neighbors of vertices lie above them on average, along the normal: what noise
+/// How far the neighbors of each vertex lie above it on average, along the normal: what noise
 /// changes most.
 class Vertex_heights
 {
 public:
   using Points = Large_array<Double_3>;
 
-  /// Of the vertices of every `stride`th face.
-  Vertex_heights(const Surface& surface, std::size_t stride, const Execution& execution)
+  /// With the vertices of the surface at these points.
+  Vertex_heights(const Surface& surface, const Points& points)
     : m_surface(surface)
-    , m_execution(execution.silent())
+    , m_normals(points.size())
+    , m_heights(points.size())
   {
-    if (stride > 1)
-      choose_vertices(stride);
-    else
-      m_vertices.resize(surface.number_of_vertices());
-    update(arrays_of(surface).points);
+    std::vector<Double_3> to_neighbors(points.size()); // sums over the faces, to both neighbors
+    std::vector<std::uint32_t> numbers(points.size());
+    for (std::size_t f = 0; f < surface.number_of_faces(); ++f) {
+      const auto corners = corners_of(surface, f);
+      const Double_3& first = points[*corners.begin()];
+      Double_3 twice_area{}, to_previous = points[*(corners.end() - 1)] - first;
+      for (const Index* corner = corners.begin(); corner != corners.end(); ++corner) {
+        const bool is_last = corner + 1 == corners.end();
+        const Double_3 &at = points[*corner], &next = is_last ? first : points[corner[1]];
+        twice_area = twice_area + cross(at - first, next - first);
+        to_neighbors[*corner] = to_neighbors[*corner] + to_previous + (next - at);
+        ++numbers[*corner];
+        to_previous = at - next;
+      }
+      if (!surface.is_degenerate(f))
+        for (const Index v : corners)
+          m_normals[v] = m_normals[v] + twice_area;
+    }
+    constexpr double flat = 1e-5; // height^2 / area of the faces around: smaller heights are 0
+    for (std::size_t v = 0; v < points.size(); ++v)
+      if (const double twice_area = norm(m_normals[v]); twice_area > 0) {
+        m_normals[v] = (1 / twice_area) * m_normals[v];
+        const double height = dot(to_neighbors[v], m_normals[v]) / (2 * numbers[v]);
+        m_heights[v] = 2 * (height * height) > flat * twice_area ? height : 0;
+      }
   }
 
-  /// After the points of the surface moved to these. Each thread has some of the vertices, and
-  /// looks at all faces: so sums are in the order of the faces.
-  void update(const Points& points)
-  {
-    const std::size_t ranges = m_execution.number_of_threads();
-    const std::size_t size = number_of_blocks(m_vertices.size(), ranges);
-    m_execution.for_each(0, ranges, [&](std::size_t range) {
-      const std::size_t begin = (std::min)(range * size, m_vertices.size()),
-                        end = (std::min)(begin + size, m_vertices.size());
-      for (std::size_t p = begin; p < end; ++p)
-        m_vertices[p] = Vertex();
-      const bool has_all = end - begin == m_surface.number_of_vertices();
-      for (std::size_t f = 0; f < m_surface.number_of_faces(); ++f)
-        if (has_all || has_vertex_between(f, begin, end))
-          add_face(f, points, begin, end);
-      for (std::size_t p = begin; p < end; ++p)
-        set_height(m_vertices[p]);
-    });
-  }
-
-  /// Whether more than this share of the edges join heights of opposite signs. Looks at every
-  /// `stride`th face.
+  /// Whether more than this share of the sides of faces join heights of opposite signs.
   /// Independent noise of the points makes it 4/7 of the edges; of 190 models of the Princeton
   /// benchmark, and of 47 of them with faces split into four, none has more than .41.
-  bool are_opposite(double share, std::size_t stride) const
+  bool are_opposite(double share) const
   {
     std::size_t all = 0, opposite = 0;
-    for (std::size_t f = 0; f < m_surface.number_of_faces(); f += stride)
-      for_each_side(m_surface, f, [&](Index p, Index q) {
-        const double product = m_vertices[place(p)].height * m_vertices[place(q)].height;
+    for (std::size_t f = 0; f < m_surface.number_of_faces(); ++f)
+      for_each_side(m_surface, f, [&](Index v, Index w) {
+        const double product = m_heights[v] * m_heights[w];
         all += product != 0;
         opposite += product < 0;
       });
@@ -78,43 +77,25 @@ public:
   }
 
   /// Moves the points along their normals to the heights of their neighbors, but at creases.
-  /// \pre these are the heights of all vertices
   void smooth(Points& points) const
   {
     const double largest = largest_of_noise();
-    for_each_index(m_execution, points.size(), [&](std::size_t v) {
-      if (std::fabs(m_vertices[v].height) <= largest)
-        points[v] = points[v] + m_vertices[v].height * m_vertices[v].normal;
-    });
+    for (std::size_t v = 0; v < points.size(); ++v)
+      if (std::fabs(m_heights[v]) <= largest)
+        points[v] = points[v] + m_heights[v] * m_normals[v];
   }
 
 private:
   using Index = Surface::Index;
-  static constexpr Index none = (std::numeric_limits<Index>::max)();
-
-  void choose_vertices(std::size_t stride)
-  {
-    m_places.assign(m_surface.number_of_vertices(), none);
-    Index number = 0;
-    for (std::size_t f = 0; f < m_surface.number_of_faces(); f += stride)
-      for_each_side(m_surface, f, [&](Index p, Index) {
-        if (m_places[p] == none)
-          m_places[p] = number++;
-      });
-    m_vertices.resize(number);
-  }
-
-  Index place(Index vertex) const { return m_places.empty() ? vertex : m_places[vertex]; }
 
   /// Larger heights stand out of the noise: they are those of creases. 3 times the median of those
   /// that are not 0.
   double largest_of_noise() const
   {
     std::vector<double> heights;
-    heights.reserve(m_vertices.size());
-    for (const Vertex& v : m_vertices)
-      if (v.height != 0)
-        heights.push_back(std::fabs(v.height));
+    for (const double height : m_heights)
+      if (height != 0)
+        heights.push_back(std::fabs(height));
     if (heights.empty())
       return 0;
     const auto median = heights.begin() + std::ptrdiff_t(heights.size() / 2);
@@ -122,94 +103,10 @@ private:
     return 3 * *median;
   }
 
-  static constexpr double flat = 1e-5; // height^2 / area of the faces around: smaller heights are 0
-
-  struct Vertex
-  {
-    Double_3 to_neighbors{0, 0, 0}; // the sum over the faces, to the next and the previous corner
-    Double_3 normal{0, 0, 0};
-    double height = 0;
-    std::uint32_t number_of_faces = 0;
-  };
-
-  bool has_vertex_between(std::size_t face, std::size_t begin, std::size_t end) const
-  {
-    for (const Index corner : corners_of(m_surface, face))
-      if (place(corner) - begin < end - begin)
-        return true;
-    return false;
-  }
-
-  /// To its vertices whose places are between `begin` and `end`.
-  void add_face(std::size_t face, const Points& points, std::size_t begin, std::size_t end)
-  {
-    const std::size_t n = m_surface.number_of_corners(face);
-    const Index* const corners = corners_of(m_surface, face).begin();
-    const auto point = [&](std::size_t i) { return points[corners[i]]; };
-    const Double_3 first = point(0);
-    Double_3 twice_area{0, 0, 0}; // by Newell's formula
-    for (std::size_t i = 2; i < n && !m_surface.is_degenerate(face); ++i)
-      twice_area = twice_area + cross(point(i - 1) - first, point(i) - first);
-    Double_3 from_previous = first - point(n - 1), at = first;
-    for (std::size_t i = 0; i < n; ++i) {
-      const Double_3 next = i + 1 < n ? point(i + 1) : first, to_next = next - at;
-      if (const std::size_t p = place(corners[i]); p - begin < end - begin) {
-        Vertex& v = m_vertices[p];
-        v.to_neighbors = i == 0 ? v.to_neighbors + to_next - from_previous
-                                : v.to_neighbors - from_previous + to_next;
-        v.normal = v.normal + twice_area;
-        ++v.number_of_faces;
-      }
-      from_previous = to_next;
-      at = next;
-    }
-  }
-
-  static void set_height(Vertex& v)
-  {
-    const double twice_area = norm(v.normal);
-    if (twice_area == 0)
-      return;
-    v.normal = (1 / twice_area) * v.normal;
-    const double height = dot(v.to_neighbors, v.normal) / (2 * v.number_of_faces);
-    if (2 * (height * height) > flat * twice_area)
-      v.height = height;
-  }
-
   const Surface& m_surface;
-  const Execution m_execution; // silent
-  Large_array<Index> m_places; // by vertex: in the array of those that are chosen; empty: all are
-  Large_array<Vertex> m_vertices;
+  std::vector<Double_3> m_normals;
+  std::vector<double> m_heights;
 };
-
-/// The points of a surface moved to the height of their neighbors, but at creases, until little
-/// noise is left; none where there is not more noise than curvature. So angles are measured over a
-/// width that the noise asks for.
-///
-/// O(F); with a small constant where there is no noise, which is seen from some 20,000 faces.
-inline std::optional<Large_array<Double_3>> points_without_noise(const Surface& surface,
-                                                                 const Execution& execution)
-{
-  constexpr std::size_t enough_faces = 20000;
-  constexpr int most_rounds = 5;
-  constexpr double share_of_noise = 0.42, share_left = 0.2; // of edges
-  const std::size_t stride = (std::max)(surface.number_of_faces() / enough_faces, std::size_t(1));
-  std::optional<Vertex_heights> heights(std::in_place, surface, stride, execution);
-  if (!heights->are_opposite(share_of_noise, stride))
-    return std::nullopt;
-  if (stride > 1)
-    heights.emplace(surface, 1, execution);
-  Large_array<Double_3> points = arrays_of(surface).points;
-  for (int round = 1;; ++round) {
-    heights->smooth(points);
-    if (round == most_rounds)
-      break;
-    heights->update(points);
-    if (!heights->are_opposite(share_left, stride))
-      break;
-  }
-  return points;
-}
 
 /// Moves the points of a surface, and with them normals, areas and the signs of angles. Degenerate
 /// faces and the lengths of adjacencies remain as they are.
@@ -238,14 +135,25 @@ inline void move_points(Surface& surface, Large_array<Double_3> points, const Ex
   });
 }
 
-/// The surface with less noise; none if it has no more noise than curvature.
+/// The surface with its points moved to the height of their neighbors, but at creases, until little
+/// noise is left; none where there is not more noise than curvature. So angles are measured over a
+/// width that the noise asks for. O(F).
 inline std::optional<Surface> without_noise(const Surface& surface, const Execution& execution)
 {
-  auto points = points_without_noise(surface, execution);
-  if (!points)
-    return std::nullopt;
+  constexpr int most_rounds = 5;
+  Large_array<Double_3> points = arrays_of(surface).points;
+  for (int round = 0; round < most_rounds; ++round) {
+    const Vertex_heights heights(surface, points);
+    const double share_of_noise = round == 0 ? 0.42 : 0.2; // of edges
+    const bool is_noisy = heights.are_opposite(share_of_noise);
+    if (!is_noisy && round == 0)
+      return std::nullopt;
+    if (!is_noisy)
+      break;
+    heights.smooth(points);
+  }
   Surface result = surface;
-  move_points(result, std::move(*points), execution);
+  move_points(result, std::move(points), execution);
   return result;
 }
 
