@@ -39,11 +39,10 @@ RS::Surface_patches patches_of(const RS::Surface& surface)
 }
 
 /// The regions of the faces.
-RS::Partition regions_of(const RS::Surface& surface, const RS::Superfacets& superfacets,
-                         const RS::Border_cost& cost = RS::Border_cost())
+RS::Partition regions_of(const RS::Surface& surface, const RS::Superfacets& superfacets)
 {
   const RS::Surface_patches patches = patches_of(surface);
-  return composed(patches.fine.of_elements(), superfacets(surface, patches, cost));
+  return composed(patches.fine.of_elements(), superfacets(surface, patches));
 }
 
 bool is_edge(const RS::Surface& surface, std::size_t adjacency)
@@ -279,61 +278,7 @@ TEST(Farthest_point_seeding_test, splitting_separates_the_face_farthest_from_its
     }
 }
 
-/// A face that moves to another region, and how much less the borders cost then.
-struct Move
-{
-  double gain = 0;
-  std::size_t face = 0, to = 0;
-};
-
-/// The definition: all faces with one neighbor in their region, and all regions that they can move
-/// to.
-Move best_move(const RS::internal::Dual_graph& costs, const std::vector<std::size_t>& region_of)
-{
-  Move best;
-  for (std::size_t f = 0; f < region_of.size(); ++f) {
-    std::map<std::size_t, double> cost;
-    double all = 0;
-    std::size_t inside = 0;
-    for (const auto& step : costs.steps(f)) {
-      cost[region_of[step.face]] += double(step.length);
-      all += double(step.length);
-      inside += region_of[step.face] == region_of[f];
-    }
-    if (inside == 1)
-      for (const auto& [region, c] : cost)
-        if (const double gain = c - cost[region_of[f]]; gain > best.gain && gain > 1e-3 * all)
-          best = {gain, f, region};
-  }
-  return best;
-}
-
-TEST(Border_shortening_test, moves_the_face_with_the_largest_gain_until_there_is_none)
-{
-  std::size_t moves = 0;
-  for (Family family : {Family::SHEET, Family::SPHERE, Family::TORUS, Family::BLOCKS})
-    for (unsigned seed = 1; seed <= 3; ++seed) {
-      SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
-      const RS::Surface mesh = surface_of(random_mesh(family, seed));
-      RS::internal::Farthest_point_seeding seeding(dual_graph_of(mesh, 0.4));
-      seeding.run(distances_from_centroid(mesh), 15, RS::Execution());
-      const RS::Partition before = seeding.regions();
-      const RS::internal::Dual_graph costs(
-        mesh, [&](std::size_t e) { return is_edge(mesh, e); },
-        [&](std::size_t e) { return mesh.length(e); });
-      std::vector<std::size_t> expected(before.begin(), before.end());
-      for (Move move = best_move(costs, expected); move.gain > 0;
-           move = best_move(costs, expected)) {
-        expected[move.face] = move.to;
-        ++moves;
-      }
-      EXPECT_EQ(RS::internal::Border_shortening(costs, before).take_regions(),
-                RS::Partition::from_labels(expected));
-    }
-  EXPECT_GT(moves, 20u);
-}
-
-TEST(Superfacets_test, are_seeded_on_the_patches_and_shortened)
+TEST(Superfacets_test, are_seeded_on_the_patches)
 {
   for (Family family : {Family::SHEET, Family::SPHERE, Family::TORUS})
     for (unsigned seed = 1; seed <= 3; ++seed) {
@@ -343,17 +288,7 @@ TEST(Superfacets_test, are_seeded_on_the_patches_and_shortened)
       ASSERT_EQ(patches_of(mesh).fine.size(), mesh.number_of_faces());
       RS::internal::Farthest_point_seeding seeding(dual_graph_of(mesh, 0.4));
       seeding.run(distances_from_centroid(mesh), 15, RS::Execution());
-      const RS::internal::Dual_graph costs(
-        mesh, [&](std::size_t e) { return is_edge(mesh, e); },
-        [&](std::size_t e) {
-          const double concavity = mesh.has_flag(e, RS::Surface::CONCAVE)
-                                     ? std::min(mesh.deviation(e), 0.6)
-                                     : 0;
-          return mesh.length(e) / mesh.length_unit() / (1 + 10 * concavity);
-        });
-      EXPECT_LT(RS::rand_index_distance(
-                  regions_of(mesh, RS::Superfacets(15)),
-                  RS::internal::Border_shortening(costs, seeding.regions()).take_regions()),
+      EXPECT_LT(RS::rand_index_distance(regions_of(mesh, RS::Superfacets(15)), seeding.regions()),
                 0.02); // but for rounding
     }
 }
@@ -400,10 +335,7 @@ TEST(Superfacets_test, are_seeded_on_coarse_patches_where_there_are_four_for_eac
         seeds.push_back(coarse[seed].center);
       seeding.run(seeds);
     }
-    const RS::internal::Dual_graph costs = RS::internal::border_costs(
-      mesh, fine, RS::Border_cost(), RS::internal::Dual_graph::EDGES);
-    const RS::Partition expected = RS::internal::Border_shortening(costs, seeding.regions())
-                                     .take_regions();
+    const RS::Partition expected = seeding.regions();
     ASSERT_EQ(expected.number_of_parts(), number);
     EXPECT_LT(RS::rand_index_distance(regions_of(mesh, RS::Superfacets(number)),
                                       composed(fine.of_elements(), expected)),
@@ -585,10 +517,7 @@ TEST(Superfacets_test,
   const double first = step(0, 1) + step(1, 2) + step(2, 3), second = step(5, 4) + step(4, 3);
   ASSERT_LT(second, first);
   ASSERT_EQ(second + step(3, 6), first + step(3, 6));
-  RS::Border_cost cost;
-  cost.concave_gain = 0;
-  EXPECT_EQ(labels_of(regions_of(mesh, RS::Superfacets(2, 0), cost)),
-            (Labels{0, 0, 0, 1, 1, 1, 1}));
+  EXPECT_EQ(labels_of(regions_of(mesh, RS::Superfacets(2, 0))), (Labels{0, 0, 0, 1, 1, 1, 1}));
 }
 
 // The area of the surface is that of one tiny face, so that steps between the others are longer

@@ -107,8 +107,6 @@ std::size_t compare_hits(const Soup& soup, unsigned seed)
   const RS::Surface mesh = RS::make_surface(to_surface_mesh(soup),
                                             RS::parameters::component_links(false));
   const RS::internal::Ray_tree tree = tree_of(mesh);
-  const RS::internal::Ray_tree gathering(mesh, patches_of(mesh), mesh.centroid(0), RS::Execution(),
-                                         0);
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> any(-1, 1);
   std::size_t hits = 0;
@@ -122,9 +120,6 @@ std::size_t compare_hits(const Soup& soup, unsigned seed)
       if (f != skipped)
         nearest = std::min(nearest, distance_to_face(mesh, f, source, d));
     const auto hit = tree.first_hit(mesh, source, d, RS::Surface::Index(skipped));
-    const auto same = gathering.first_hit(mesh, source, d, RS::Surface::Index(skipped));
-    EXPECT_EQ(same.face, hit.face);
-    EXPECT_EQ(same.distance, hit.distance);
     if (std::isinf(nearest)) {
       EXPECT_EQ(hit.face, RS::internal::Ray_tree::no_face);
     } else {

@@ -474,11 +474,6 @@ public:
   Superfacets(const Mesh& mesh, const Patches& patches, std::size_t number)
     : m_patches(patches)
   {
-    for (const auto& [pair, length] : patches.lengths) {
-      const auto [i, j] = pair;
-      const double concavity = std::min(patches.concave_deviation(i, j), 0.6);
-      m_costs[i][j] = m_costs[j][i] = float(length / mesh.unit_of_length() / (1 + 10 * concavity));
-    }
     const Patches coarse = patches.coarse(mesh);
     Seeding seeding(mesh, patches);
     if (coarse.areas.size() / 4 < number)
@@ -492,7 +487,6 @@ public:
       seeding.place_all(seeds);
     }
     m_region = seeding.regions();
-    shorten_borders();
   }
 
   std::vector<std::size_t> of_face() const
@@ -504,48 +498,7 @@ public:
   }
 
 private:
-  void shorten_borders()
-  {
-    using Move = std::tuple<double, std::size_t, std::size_t>; // -gain, patch, region
-    std::vector<Move> moves;
-    for (std::size_t p = 0; p < m_region.size(); ++p)
-      moves.push_back(best_move(p));
-    std::set<Move> sorted(moves.begin(), moves.end());
-    while (!sorted.empty() && std::get<0>(*sorted.begin()) < 0) {
-      const auto [gain, patch, region] = *sorted.begin();
-      m_region[patch] = region;
-      std::vector<std::size_t> changed{patch};
-      for (const auto& entry : m_costs[patch])
-        changed.push_back(entry.first);
-      for (std::size_t p : changed) {
-        sorted.erase(moves[p]);
-        moves[p] = best_move(p);
-        sorted.insert(moves[p]);
-      }
-    }
-  }
-
-  std::tuple<double, std::size_t, std::size_t> best_move(std::size_t patch)
-  {
-    std::map<std::size_t, double> cost_of;
-    double all = 0;
-    std::size_t inside = 0;
-    for (const auto& [p, cost] : m_costs[patch]) {
-      cost_of[m_region[p]] += double(cost);
-      all += double(cost);
-      inside += m_region[p] == m_region[patch];
-    }
-    std::tuple<double, std::size_t, std::size_t> best{0, patch, m_region[patch]};
-    if (inside == 1)
-      for (const auto& [region, cost] : cost_of)
-        if (const double gain = cost - cost_of[m_region[patch]];
-            region != m_region[patch] && gain > 1e-3 * all)
-          best = std::min(best, {-gain, patch, region});
-    return best;
-  }
-
   const Patches& m_patches;
-  Neighbors m_costs;
   std::vector<std::size_t> m_region;
 };
 

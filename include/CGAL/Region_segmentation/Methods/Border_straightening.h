@@ -11,7 +11,7 @@
 #include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/internal/cuts/Nested_borders.h>
 #include <CGAL/Region_segmentation/internal/regions/Dual_graph.h>
-#include <CGAL/Region_segmentation/internal/regions/border_costs.h>
+#include <CGAL/Region_segmentation/internal/regions/Dual_graph.h>
 #include <CGAL/Region_segmentation/internal/support/Function_ref.h>
 #include <CGAL/Region_segmentation/internal/support/check_constants.h>
 
@@ -101,8 +101,10 @@ struct Border_straightening
       const double result = (std::min)(width, width_of_segment * std::sqrt(area));
       return result >= narrowest_band ? result : 0;
     };
-    const internal::Dual_graph costs = internal::border_costs(
-      surface, cells, border_cost, internal::Dual_graph::EDGES_AND_CONTACTS);
+    const internal::Dual_graph costs(cells, internal::Dual_graph::EDGES_AND_CONTACTS,
+                                     [&](const Patches::Adjacency& a, double deviation) {
+                                       return border_cost(a.length / length_unit, deviation);
+                                     });
     internal::Nested_borders borders(costs, distance, areas, region_of, tree);
     borders.run(number_of_cuts, number_of_segments, band_width, is_fixed, execution);
     return borders.take_labels();

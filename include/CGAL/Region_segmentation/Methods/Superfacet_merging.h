@@ -86,7 +86,7 @@ struct Superfacet_merging
   MergingPolicy policy;
   NumberChooser chooser;
   Superfacets superfacets = Superfacets();
-  Border_cost border_cost = Border_cost(); ///< for superfacets and for the borders of segments
+  Border_cost border_cost = Border_cost(); ///< of the borders of segments
   Border_straightening straightening = Border_straightening();
 
   /// What does not depend on the request.
@@ -113,8 +113,7 @@ struct Superfacet_merging
     const Surface& surface = smoothed ? *smoothed : given;
     const Execution stage = execution.stage("regions");
     Surface_patches patches = internal::Patch_builder::build(surface, stage.step(0, 0.6));
-    const Partition regions_of_patches = superfacets(surface, patches, border_cost,
-                                                     stage.step(0.6, 1));
+    const Partition regions_of_patches = superfacets(surface, patches, stage.step(0.6, 1));
     Partition regions = internal::join_degenerate_regions(
       surface, composed(patches.fine.of_elements(), regions_of_patches));
     Region_rays rays(surface, patches, regions, execution.stage("rays"));

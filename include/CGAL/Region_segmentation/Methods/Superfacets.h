@@ -3,16 +3,13 @@
 #ifndef CGAL_REGION_SEGMENTATION_METHODS_SUPERFACETS_H
 #define CGAL_REGION_SEGMENTATION_METHODS_SUPERFACETS_H
 
-#include <CGAL/Region_segmentation/Border_cost.h>
 #include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/Patches.h>
-#include <CGAL/Region_segmentation/internal/regions/Border_shortening.h>
 #include <CGAL/Region_segmentation/internal/regions/Dual_graph.h>
 #include <CGAL/Region_segmentation/internal/regions/Farthest_point_seeding.h>
 #include <CGAL/Region_segmentation/internal/regions/Region_shapes.h>
-#include <CGAL/Region_segmentation/internal/regions/border_costs.h>
 #include <CGAL/Region_segmentation/internal/support/check_constants.h>
 #include <CGAL/Region_segmentation/internal/surface/find_crumbs.h>
 
@@ -26,7 +23,7 @@ namespace CGAL {
 namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationInitializers
-/// makes regions of bounded size whose borders are short and follow concave edges: each patch of
+/// makes regions of bounded size whose borders follow concave edges: each patch of
 /// the surface (see `Surface_patches`) belongs to the nearest seed. Only edges are crossed, neither
 /// seams nor links.
 ///
@@ -47,12 +44,7 @@ namespace Region_segmentation {
 /// nearest seed, of several to the one placed first. Regions are connected, and are numbered by
 /// their lowest patch.
 ///
-/// Then borders are shortened, by their costs (see `Border_cost`), rounded to `float`. A
-/// patch that is adjacent to exactly one patch of its own region can move to an adjacent region;
-/// its gain is the cost of its borders to that region minus that of the border to the one patch.
-/// The move with the largest gain is made first (of equal ones that of the lowest patch, and to the
-/// lowest region), as long as there is one whose gain is above 1/1000 of the cost of all borders of
-/// its patch. Finally regions are numbered by their first face.
+/// Finally regions are numbered by their first face.
 ///
 /// Since concavity is added to a step, not multiplied, and angles are those between patches, the
 /// regions of a surface depend little on the resolution of its mesh.
@@ -87,15 +79,11 @@ public:
 
   /// The regions of the fine patches of a surface.
   Partition operator()(const Surface& surface, const Surface_patches& patches,
-                       const Border_cost& border_cost = Border_cost(),
                        const Execution& execution = Execution()) const
   {
     if (surface.number_of_faces() == 0)
       return Partition();
-    const internal::Dual_graph costs = internal::border_costs(surface, patches.fine, border_cost,
-                                                              internal::Dual_graph::EDGES);
-    return internal::Border_shortening(costs, nearest_seeds(surface, patches, execution))
-      .take_regions();
+    return nearest_seeds(surface, patches, execution);
   }
 
   /// The partition into `number_of_parts` that splits connected regions of the faces further: the

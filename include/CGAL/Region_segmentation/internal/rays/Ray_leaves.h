@@ -8,19 +8,82 @@
 #include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/Patches.h>
 #include <CGAL/Region_segmentation/Surface.h>
-#include <CGAL/Region_segmentation/internal/rays/Four_triangles.h>
 #include <CGAL/Region_segmentation/internal/support/Grouped_items.h>
 #include <CGAL/Region_segmentation/internal/support/Large_array.h>
 #include <CGAL/Region_segmentation/internal/support/for_each_in_part.h>
 #include <CGAL/Region_segmentation/internal/surface/Axis_box.h>
 
+#include <array>
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
+
+using Float_3 = std::array<float, 3>;
+
+/// A ray and the first face hit so far.
+struct Ray
+{
+  using Index = Surface::Index;
+  static constexpr Index no_face = Surface::none;
+
+  Float_3 source, direction, inverse;     // of the direction, infinite for 0
+  std::array<std::size_t, 3> entry, exit; // by which of the six bounds it enters and leaves a box
+  Index skipped;                          // is not hit
+  Index face = no_face;
+  float distance = (std::numeric_limits<float>::max)();
+
+  Ray(const Float_3& source_, const Float_3& direction_, Index skipped_)
+    : source(source_)
+    , direction(direction_)
+    , skipped(skipped_)
+  {
+    for (std::size_t k = 0; k < 3; ++k) {
+      inverse[k] = 1 / direction[k];
+      entry[k] = inverse[k] < 0 ? 3 + k : k;
+      exit[k] = inverse[k] < 0 ? k : 3 + k;
+    }
+  }
+
+  /// Intersects the ray with a triangle of a face; of faces at the same distance the lowest is hit.
+  /// Moeller and Trumbore 1997, with a margin of one millionth against gaps.
+  void intersect(const Float_3& corner, const Float_3& second, const Float_3& third, Index f)
+  {
+    constexpr float rim = -1e-6f;
+    const Float_3 a = difference(second, corner), b = difference(third, corner),
+                  p = product(direction, b);
+    const float determinant = dot(a, p), scale = 1 / determinant;
+    const Float_3 from_corner = difference(source, corner);
+    const float u = dot(from_corner, p) * scale;
+    if (u < rim || u > 1 - rim)
+      return;
+    const Float_3 q = product(from_corner, a);
+    const float v = dot(direction, q) * scale, t = dot(b, q) * scale;
+    const bool is_hit = !(u < rim) && !(v < rim) && !(u + v > 1 - rim) && determinant != 0 && t > 0;
+    if (is_hit && f != skipped && (t < distance || (t == distance && f < face))) {
+      distance = t;
+      face = f;
+    }
+  }
+
+private:
+  static Float_3 difference(const Float_3& a, const Float_3& b)
+  {
+    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+  }
+  static float dot(const Float_3& a, const Float_3& b)
+  {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+  }
+  static Float_3 product(const Float_3& a, const Float_3& b)
+  {
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+  }
+};
 
 /// The leaf of a `Ray_tree` that each face belongs to: its fine patch, or the coarse patch of that.
 class Leaf_of_face
@@ -43,31 +106,24 @@ private:
   const Partition* m_coarse;
 };
 
-/// The triangles (polygons as fans) of the leaves of a `Ray_tree`, which are patches.
-///
-/// Those of a mesh of few faces are stored four by four, 40 bytes each, by coarse patches (gathered
-/// for each ray, tree and rays take 1.26 times as long at 3,000 faces, 1.28 times at 28,000, 1.9
-/// times at 160,000). On large meshes this would be a quarter of the memory of a segmentation, for
-/// rays that meet each triangle once or never: there they are gathered from the mesh, by fine
-/// patches. Else 10 bytes a face.
+/// The triangles (polygons as fans) of the leaves of a `Ray_tree`: the coarse patches of a mesh of
+/// few faces, else the fine ones. 16 bytes a vertex and 4 bytes a face, with its boxes.
 class Ray_leaves
 {
   using Index = Surface::Index;
   using Box = Axis_box;
 
 public:
-  static constexpr std::size_t most_stored_faces = std::size_t(1) << 19;
+  static constexpr std::size_t few_faces = std::size_t(1) << 19;
 
-  /// `origin`, `scale`: of the relative coordinates; `most_stored`: triangles of meshes of more
-  /// faces are gathered
+  /// `origin`, `scale`: of the relative coordinates
   Ray_leaves(const Surface& mesh, const Surface_patches& patches, const Double_3& origin,
-             double scale, std::size_t most_stored, const Execution& execution)
+             double scale, const Execution& execution)
     : m_origin(origin)
     , m_scale(scale)
     , m_points(mesh.number_of_vertices())
   {
-    const bool are_stored = mesh.number_of_faces() <= most_stored;
-    const Leaf_of_face leaf_of_face(patches, are_stored);
+    const Leaf_of_face leaf_of_face(patches, mesh.number_of_faces() <= few_faces);
     for_each_index(execution, m_points.size(),
                    [&](std::size_t v) { m_points[v] = relative(mesh.point(v)); });
     find_boxes(mesh, leaf_of_face, execution);
@@ -76,11 +132,7 @@ public:
         if (!mesh.is_crumb(f)) // rays pass through crumbs
           add(leaf_of_face[f], Index(f));
     });
-    if (are_stored)
-      store(mesh);
   }
-
-  std::size_t size() const { return m_faces.number_of_groups(); }
 
   Float_3 relative(const Double_3& point) const
   {
@@ -91,10 +143,8 @@ public:
   /// Around the corners of the faces of each leaf. Can be called once.
   std::vector<Box> take_boxes() { return std::move(m_boxes); }
 
-  /// Calls `f(p, q, r, face)` for the triangles of a leaf: the first corner of a fan, and two
-  /// others.
-  template <typename F>
-  void for_each_triangle(const Surface& mesh, std::size_t leaf, const F& f) const
+  /// Intersects a ray with the triangles of a leaf. `mesh`: that of the leaves
+  void intersect(const Surface& mesh, std::size_t leaf, Ray& ray) const
   {
     for (const Index face : m_faces[leaf]) {
       const std::size_t n = mesh.number_of_corners(face), first = first_of_fan(mesh, face);
@@ -102,18 +152,8 @@ public:
         return m_points[mesh.corner(face, i < n ? i : i - n)];
       };
       for (std::size_t i = 1; i + 1 < n; ++i)
-        f(corner(first), corner(first + i), corner(first + i + 1), face);
+        ray.intersect(corner(first), corner(first + i), corner(first + i + 1), face);
     }
-  }
-
-  /// Intersects a ray with the triangles of a leaf. `mesh`: that of the leaves
-  void intersect(const Surface& mesh, std::size_t leaf, Ray& ray) const
-  {
-    if (m_stored.empty())
-      for_each_group(mesh, leaf, [&](const Four_triangles& group) { group.intersect(ray); });
-    else
-      for (std::size_t i = m_first[leaf]; i < m_first[leaf + 1]; ++i)
-        m_stored[i].intersect(ray);
   }
 
 private:
@@ -127,34 +167,6 @@ private:
         for (const Index corner : corners_of(mesh, f))
           m_boxes[leaf].add_point(m_points[corner]);
     });
-  }
-
-  void store(const Surface& mesh)
-  {
-    m_stored.reserve(mesh.number_of_faces() / 4 + size());
-    for (std::size_t leaf = 0; leaf < size(); ++leaf) {
-      m_first.push_back(Index(m_stored.size()));
-      for_each_group(mesh, leaf, [&](const Four_triangles& group) { m_stored.push_back(group); });
-    }
-    m_first.push_back(Index(m_stored.size()));
-  }
-
-  template <typename F>
-  void for_each_group(const Surface& mesh, std::size_t leaf, const F& f) const
-  {
-    Four_triangles group;
-    std::size_t lane = 0;
-    for_each_triangle(mesh, leaf,
-                      [&](const Float_3& p, const Float_3& q, const Float_3& r, Index face) {
-                        group.set(lane, p, q, r, face);
-                        if (++lane == 4) {
-                          f(group);
-                          group = Four_triangles();
-                          lane = 0;
-                        }
-                      });
-    if (lane > 0)
-      f(group);
   }
 
   /// The corner of a polygon farthest from its centroid, of several the first: so that polygons
@@ -180,8 +192,6 @@ private:
   Large_array<Float_3> m_points; // of vertices, relative
   std::vector<Box> m_boxes;      // by leaf, until they are taken
   Grouped_items<Index> m_faces;  // by leaf
-  std::vector<Index> m_first;    // by leaf: of its stored groups; and the end of the last one
-  Large_array<Four_triangles> m_stored;
 };
 
 } // namespace internal

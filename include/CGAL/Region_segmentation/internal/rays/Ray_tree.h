@@ -6,7 +6,6 @@
 #include <CGAL/Region_segmentation/Double_3.h>
 #include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/Surface.h>
-#include <CGAL/Region_segmentation/internal/rays/Four_triangles.h>
 #include <CGAL/Region_segmentation/internal/rays/Ray_leaves.h>
 #include <CGAL/Region_segmentation/internal/support/Float_key.h>
 #include <CGAL/Region_segmentation/internal/surface/Axis_box.h>
@@ -44,12 +43,11 @@ public:
   };
   static constexpr Index no_face = Ray::no_face;
 
-  /// `origin`: the centroid of the surface; `most_stored_faces`: see `Ray_leaves`
+  /// `origin`: the centroid of the surface
   Ray_tree(const Surface& mesh, const Surface_patches& patches, const Double_3& origin,
-           const Execution& execution,
-           std::size_t most_stored_faces = Ray_leaves::most_stored_faces)
+           const Execution& execution)
     : m_unit(unit_of(mesh, patches.fine, origin))
-    , m_leaves(mesh, patches, origin, 1 / m_unit, most_stored_faces, execution)
+    , m_leaves(mesh, patches, origin, 1 / m_unit, execution)
   {
     execution.report(0.5);
     std::vector<Box> boxes = m_leaves.take_boxes();
@@ -96,6 +94,8 @@ public:
 
 private:
   static constexpr std::size_t width = 4;
+  /// Values of the children of a node.
+  using Lanes = std::array<float, width>;
 
   using Box = Axis_box;
 
