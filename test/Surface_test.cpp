@@ -400,6 +400,28 @@ TEST(Surface_of_polygons_test, equal_points_are_one)
   EXPECT_EQ(surface_of(two).number_of_adjacencies(), 1u);
 }
 
+// Two boxes that share a side, an edge, a corner, or all of them; an open one instead; with one
+// more apart.
+TEST(Surface_of_polygons_test, closed_components_that_share_points_are_as_in_a_face_graph)
+{
+  const Soup box = triangulated(cube());
+  Soup open = box, mirrored = box; // so that diagonals of a shared side cross each other
+  open.polygons.pop_back();
+  for (Polygon& polygon : mirrored.polygons)
+    std::reverse(polygon.begin(), polygon.end());
+  for (Point& p : mirrored.points)
+    p[0] = 1 - p[0];
+  std::vector<Soup> soups;
+  for (const Point& place : {Point{1, 0, 0}, Point{1, 1, 0}, Point{1, 1, 1}, Point{0, 0, 0}})
+    for (const Soup& other : {box, open, mirrored})
+      soups.push_back(joined(joined(box, translated(other, place[0], place[1], place[2])),
+                             translated(box, 3, 0, 0)));
+  for (const Soup& soup : soups) {
+    SCOPED_TRACE(std::to_string(&soup - soups.data()));
+    expect_equal(surface_of(soup), RS::make_surface(to_surface_mesh(soup)));
+  }
+}
+
 TEST(Surface_of_polygons_test, points_of_no_polygon_may_be_anything)
 {
   Soup soup = cube();

@@ -117,7 +117,9 @@ Surface make_surface(const FaceGraph& mesh,
 /// makes a surface of points and polygons. They need not be manifold, oriented, connected or free
 /// of duplicates.
 ///
-/// - Points with equal coordinates are one vertex.
+/// - Points with equal coordinates are one vertex, where they are at a side that has not exactly
+/// one partner with the same two indices: closed components keep vertices of their own, as those of
+/// a face graph.
 /// - Two sides of polygons with the same two vertices are an edge. Where there are more of them,
 /// they are seams, see
 ///   `Surface`, but for those of degenerate faces, which are edges to the lowest other face.

@@ -44,6 +44,44 @@ struct Seam
   double share;                    ///< of the length of the edge
 };
 
+/// An open side from or to the lower one of its vertices.
+struct Side_at_vertex
+{
+  Surface::Index other_vertex, face, corner;
+
+  friend bool operator<(const Side_at_vertex& a, const Side_at_vertex& b)
+  {
+    return std::tie(a.other_vertex, a.corner) < std::tie(b.other_vertex, b.corner);
+  }
+};
+
+/// Calls `f(sides)` for the open sides between the same two vertices, in order.
+template <typename F>
+void for_each_open_edge(const Raw_surface& raw, const F& f)
+{
+  using Index = Surface::Index;
+  const Surface_arrays& arrays = arrays_of(raw.surface);
+  Grouped_items<Side_at_vertex> by_vertex(arrays.points.size(), [&](const auto& add) {
+    for_each_open_side(raw, [&](Index face, Index side, Index next) {
+      const Index v = arrays.corners[side], w = arrays.corners[next];
+      if (v != w)
+        add((std::min)(v, w), {(std::max)(v, w), face, side});
+    });
+  });
+  std::vector<Side_of_edge> of_edge;
+  for (std::size_t v = 0; v < by_vertex.number_of_groups(); ++v) {
+    const auto sides = by_vertex[v];
+    std::sort(sides.begin(), sides.end());
+    for (auto side = sides.begin(); side != sides.end();) {
+      of_edge.clear();
+      for (const Index w = side->other_vertex; side != sides.end() && side->other_vertex == w;
+           ++side)
+        of_edge.push_back(side_at(arrays, side->face, side->corner));
+      f(of_edge);
+    }
+  }
+}
+
 /// Finds what is adjacent across sides with the same two vertices.
 ///
 /// Two sides make an edge. Of more of them, those of degenerate faces are edges to the first of the
@@ -62,25 +100,7 @@ public:
   /// Sets the neighbors of open sides, and collects the seams.
   void match()
   {
-    Grouped_items<Side_at_vertex> by_vertex(m_arrays.points.size(), [&](const auto& add) {
-      for_each_open_side(m_raw, [&](Index face, Index side, Index next) {
-        const Index v = m_arrays.corners[side], w = m_arrays.corners[next];
-        if (v != w)
-          add((std::min)(v, w), {(std::max)(v, w), face, side});
-      });
-    });
-    std::vector<Side_of_edge> of_edge;
-    for (std::size_t v = 0; v < by_vertex.number_of_groups(); ++v) {
-      const auto sides = by_vertex[v];
-      std::sort(sides.begin(), sides.end());
-      for (auto side = sides.begin(); side != sides.end();) {
-        of_edge.clear();
-        for (const Index w = side->other_vertex; side != sides.end() && side->other_vertex == w;
-             ++side)
-          of_edge.push_back(side_at(m_arrays, side->face, side->corner));
-        match_edge(of_edge);
-      }
-    }
+    for_each_open_edge(m_raw, [&](const std::vector<Side_of_edge>& sides) { match_edge(sides); });
   }
 
   /// The sides of edges whose two sides run in the same direction: one of the faces is to be
@@ -89,17 +109,6 @@ public:
   const std::vector<Seam>& seams() const { return m_seams; }
 
 private:
-  /// An open side from or to the lower one of its vertices.
-  struct Side_at_vertex
-  {
-    Index other_vertex, face, corner;
-
-    friend bool operator<(const Side_at_vertex& a, const Side_at_vertex& b)
-    {
-      return std::tie(a.other_vertex, a.corner) < std::tie(b.other_vertex, b.corner);
-    }
-  };
-
   /// `sides`: of the edge, in order
   void match_edge(const std::vector<Side_of_edge>& sides)
   {

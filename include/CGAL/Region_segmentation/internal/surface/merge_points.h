@@ -8,6 +8,7 @@
 #include <CGAL/Region_segmentation/internal/support/Large_array.h>
 #include <CGAL/Region_segmentation/internal/support/for_each_repetition.h>
 #include <CGAL/Region_segmentation/internal/surface/Raw_surface.h>
+#include <CGAL/Region_segmentation/internal/surface/match_sides.h>
 
 #include <boost/functional/hash.hpp>
 
@@ -48,15 +49,16 @@ inline std::vector<Surface::Index> lowest_of_equal_points(const Large_array<Doub
   return lowest;
 }
 
-/// Makes equal points one vertex, the lowest, as far as they are at sides whose neighbor is not
-/// known.
+/// Makes equal points one vertex, the lowest, as far as they are at open sides that do not make an
+/// edge of two faces: so closed components keep their vertices, of a face graph and of polygons.
 inline void merge_points_of_open_sides(Raw_surface& raw)
 {
   using Index = Surface::Index;
   Surface_arrays& arrays = arrays_of(raw.surface);
   std::vector<bool> is_at_open_side(arrays.points.size());
-  for_each_open_side(raw, [&](Index, Index side, Index next) {
-    is_at_open_side[arrays.corners[side]] = is_at_open_side[arrays.corners[next]] = true;
+  for_each_open_edge(raw, [&](const std::vector<Side_of_edge>& sides) {
+    if (sides.size() != 2)
+      is_at_open_side[sides[0].lower_vertex] = is_at_open_side[sides[0].higher_vertex] = true;
   });
   const std::vector<Index> lowest = lowest_of_equal_points(
     arrays.points, [&](std::size_t v) { return is_at_open_side[v]; });
