@@ -83,8 +83,8 @@ public:
   template <typename... Policies>
   bool run(Policy_phases<Policies...>& phases)
   {
-    return std::apply([this](auto&... phase) { return (run(phase.first, phase.second) && ...); },
-                      phases);
+    return std::apply(
+      [this](auto&... phase) { return (this->run(phase.first, phase.second) && ...); }, phases);
   }
 
   Merge_tree take_tree() { return std::move(m_tree); }
