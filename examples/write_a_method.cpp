@@ -10,7 +10,7 @@
 #include <CGAL/Region_segmentation/Methods/Region_growing.h>
 #include <CGAL/Region_segmentation/Segmenter.h>
 #include <CGAL/Region_segmentation/build_region_adjacency_graph.h>
-#include <CGAL/Region_segmentation/merge_requested_regions.h>
+#include <CGAL/Region_segmentation/requested_regions.h>
 #include <CGAL/Region_segmentation/segment.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

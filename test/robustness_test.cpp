@@ -14,7 +14,7 @@
 #include <CGAL/Region_segmentation/Segments/extract_segment_borders.h>
 #include <CGAL/Region_segmentation/Segments/mark_segment_seams.h>
 #include <CGAL/Region_segmentation/Segments/split_into_segments.h>
-#include <CGAL/Region_segmentation/merge_requested_regions.h>
+#include <CGAL/Region_segmentation/requested_regions.h>
 #include <CGAL/Region_segmentation/make_surface.h>
 #include <CGAL/Region_segmentation/segment.h>
 #ifdef TEST_EIGEN

@@ -10,7 +10,7 @@ set(data internal/support/ exceptions.h Execution.h parameters.h version.h Doubl
 set(surface internal/surface/ make_surface.h face_values.h)
 set(cells internal/cells/)
 set(graph internal/concepts/ internal/regions/ internal/graph/ Graph/ Border_cost.h Hierarchy.h merge_regions.h
-  merge_requested_regions.h requested_regions.h)
+  requested_regions.h)
 set(measures evaluation/ evaluation.h IO/)
 set(segments internal/segments/ internal/faces/ Segments/ find_surface_faces.h
   find_common_surfaces.h)

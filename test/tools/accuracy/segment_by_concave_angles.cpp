@@ -6,7 +6,7 @@
 #include <CGAL/Region_segmentation/Graph/geometry_data.h>
 #include <CGAL/Region_segmentation/Methods/Lowest_cost_first.h>
 #include <CGAL/Region_segmentation/build_region_adjacency_graph.h>
-#include <CGAL/Region_segmentation/merge_requested_regions.h>
+#include <CGAL/Region_segmentation/requested_regions.h>
 #include <CGAL/Region_segmentation/segment.h>
 
 #include <algorithm>

@@ -15,7 +15,6 @@
 #include <CGAL/Region_segmentation/internal/faces/find_faces.h>
 #include <CGAL/Region_segmentation/internal/graph/build_graph.h>
 #include <CGAL/Region_segmentation/internal/support/check_constants.h>
-#include <CGAL/Region_segmentation/merge_requested_regions.h>
 #include <CGAL/Region_segmentation/requested_regions.h>
 
 #include <cstddef>

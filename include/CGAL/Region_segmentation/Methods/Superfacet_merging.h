@@ -19,7 +19,6 @@
 #include <CGAL/Region_segmentation/internal/regions/join_degenerate_regions.h>
 #include <CGAL/Region_segmentation/internal/support/check_constants.h>
 #include <CGAL/Region_segmentation/internal/surface/smooth_noise.h>
-#include <CGAL/Region_segmentation/merge_requested_regions.h>
 #include <CGAL/Region_segmentation/requested_regions.h>
 
 #include <algorithm>

@@ -14,7 +14,6 @@
 #include <CGAL/Region_segmentation/internal/concepts/Method_calls.h>
 #include <CGAL/Region_segmentation/internal/graph/build_graph.h>
 #include <CGAL/Region_segmentation/internal/support/check_constants.h>
-#include <CGAL/Region_segmentation/merge_requested_regions.h>
 #include <CGAL/Region_segmentation/requested_regions.h>
 
 #include <CGAL/assertions.h>
