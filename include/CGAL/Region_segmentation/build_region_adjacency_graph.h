@@ -56,7 +56,8 @@ build_region_adjacency_graph(const Surface& surface, const Partition& regions,
 /// read in parallel, see above.)
 ///
 /// \tparam RegionData, SectionData see above
-/// \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \tparam FaceGraph a model of `FaceListGraph`, `HalfedgeListGraph` and `VertexListGraph`; also of
+///         `EdgeListGraph` where there is an `edge_is_constrained_map`
 /// \tparam FaceRegionMap a model of `ReadablePropertyMap` with the face descriptor as key and an
 ///         integral value type
 /// \param mesh see `segment()`

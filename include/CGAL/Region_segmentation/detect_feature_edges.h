@@ -34,7 +34,8 @@ using Feature_edge_parameters = Tag_list<
 /// degenerate face have no angle and are no feature edges, unless they are borders or constrained.
 ///
 /// \tparam ConcurrencyTag `Sequential_tag` or, with TBB, `Parallel_tag`; see `segment()`
-/// \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \tparam FaceGraph a model of `FaceListGraph`, `HalfedgeListGraph` and `VertexListGraph`; also of
+///         `EdgeListGraph` where there is an `edge_is_constrained_map`
 /// \tparam EdgeIsFeatureMap a model of `WritablePropertyMap` with the edge descriptor as key and a
 ///         value type that is constructible from `bool`
 /// \param mesh an oriented 2-manifold with or without boundary, its faces polygons of any size

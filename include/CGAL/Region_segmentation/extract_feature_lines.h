@@ -94,7 +94,8 @@ struct Polyline_collector
 /// degenerate face that growing does not cross.
 ///
 /// \tparam ConcurrencyTag `Sequential_tag` or, with TBB, `Parallel_tag`; see `segment()`
-/// \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \tparam FaceGraph a model of `FaceListGraph`, `HalfedgeListGraph`, `VertexListGraph` and
+///         `EdgeListGraph`
 /// \tparam EdgeIsFeatureMap a model of `ReadWritePropertyMap` with the edge descriptor as key and a
 ///         value type convertible to and constructible from `bool`
 /// \tparam PolylineOutputIterator a model of `OutputIterator` that takes

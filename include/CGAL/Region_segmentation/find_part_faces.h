@@ -75,7 +75,7 @@ void add_neighbors(const Surface& surface, const Surface_faces& faces,
 ///
 /// `#include <CGAL/Region_segmentation/find_part_faces.h>`, which requires Eigen.
 ///
-/// \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \tparam FaceGraph a model of `FaceListGraph`, `HalfedgeListGraph` and `VertexListGraph`
 /// \tparam PartFaceMap a model of `WritablePropertyMap` with the face descriptor as key and an
 ///         integral value type that holds the number of faces of the part
 /// \tparam PartFaceOutputIterator a model of `OutputIterator` that takes `Part_face<Kernel>`:

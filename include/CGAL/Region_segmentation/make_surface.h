@@ -94,7 +94,7 @@ using Surface_parameters = Tag_list<internal_np::component_links_t, CGAL::intern
 /// a void, and stays. Open components are read as they are.
 ///
 /// \tparam ConcurrencyTag `Sequential_tag` or, with TBB, `Parallel_tag`
-/// \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \tparam FaceGraph a model of `FaceListGraph`, `HalfedgeListGraph` and `VertexListGraph`
 /// \param mesh its faces are polygons of any size
 /// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
 ///        `component_links`, `visitor` (stage "reading"), `vertex_point_map`, `face_index_map`,

@@ -42,7 +42,8 @@ auto with_number(Number number_of_segments, const NamedParameters& np)
 /// \tparam ConcurrencyTag `Sequential_tag` or, with TBB, `Parallel_tag`: loops over all faces or
 ///         edges run in parallel, with bitwise equal results. Maps that are read must then support
 ///         concurrent reads; maps are written by one thread
-/// \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \tparam FaceGraph a model of `FaceListGraph`, `HalfedgeListGraph` and `VertexListGraph`; also of
+///         `EdgeListGraph` where there is an `edge_is_constrained_map`
 /// \tparam FaceSegmentMap a model of `WritablePropertyMap` with the face descriptor as key and an
 ///         integral value type that holds the ids and -1 beside them
 /// \param mesh its faces are polygons of any size. Border edges that coincide are joined, and

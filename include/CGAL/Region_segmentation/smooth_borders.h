@@ -137,7 +137,8 @@ private:
 ///
 /// \tparam ConcurrencyTag `Sequential_tag` or, with TBB, `Parallel_tag`: the mesh is read in
 ///         parallel; see `segment()`
-/// \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \tparam FaceGraph a model of `FaceListGraph`, `HalfedgeListGraph` and `VertexListGraph`; also of
+///         `EdgeListGraph` where there is an `edge_is_constrained_map`
 /// \tparam FaceSegmentMap a model of `ReadWritePropertyMap` with the face descriptor as key and an
 ///         integral value type of at most 64 bits
 /// \param mesh an oriented 2-manifold with or without boundary, its faces polygons of any size

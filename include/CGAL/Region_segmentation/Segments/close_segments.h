@@ -96,7 +96,7 @@ struct Elements_of_solids
 /// \tparam SegmentMesh the type of the solids, a model of `MutableFaceGraph` whose elements are
 ///         iterated in the order of their creation, with a point map of vertices. Default:
 ///         `FaceGraph`
-/// \tparam FaceGraph a model of `FaceListGraph`, `VertexListGraph` and `HalfedgeListGraph`
+/// \tparam FaceGraph a model of `FaceListGraph`, `HalfedgeListGraph` and `VertexListGraph`
 /// \tparam FaceSegmentMap a model of `ReadablePropertyMap` with the face descriptor as key and an
 ///         integral value type of at most 64 bits
 /// \tparam SolidOutputIterator a model of `OutputIterator` that takes `Segment_piece<SegmentMesh,
@@ -110,6 +110,7 @@ struct Elements_of_solids
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamVertexPointMap
+///   \cgalParamIndexMap{face}
 ///   \cgalParamIndexMap{vertex}
 ///   \cgalParamIndexMap{halfedge}
 ///   \cgalParamNBegin{clearance}

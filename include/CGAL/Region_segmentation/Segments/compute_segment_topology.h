@@ -94,7 +94,7 @@ inline std::vector<Topology_counts> count_topology(const Segmented_halfedges& me
 /// computes the Euler characteristic, the number of border loops and the number of components of
 /// every segment.
 ///
-/// \tparam FaceGraph a model of `FaceListGraph`, `VertexListGraph` and `HalfedgeListGraph`
+/// \tparam FaceGraph a model of `FaceListGraph`, `HalfedgeListGraph` and `VertexListGraph`
 /// \tparam FaceSegmentMap a model of `ReadablePropertyMap` with the face descriptor as key and an
 ///         integral value type of at most 64 bits
 /// \tparam TopologyOutputIterator a model of `OutputIterator` that takes `Segment_topology<Label>`,
@@ -105,6 +105,7 @@ inline std::vector<Topology_counts> count_topology(const Segmented_halfedges& me
 /// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
 ///
 /// \cgalNamedParamsBegin
+///   \cgalParamIndexMap{face}
 ///   \cgalParamIndexMap{vertex}
 ///   \cgalParamIndexMap{halfedge}
 /// \cgalNamedParamsEnd

@@ -43,7 +43,7 @@ namespace Region_segmentation {
 /// square root away are not considered, nor are cones whose half angle is within 0.01 radians of 0
 /// or \f$\pi/2\f$.
 ///
-/// \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \tparam FaceGraph a model of `FaceListGraph`, `HalfedgeListGraph` and `VertexListGraph`
 /// \tparam FaceSegmentMap a model of `ReadablePropertyMap` with the face descriptor as key and an
 ///         integral value type of at most 64 bits
 /// \tparam DescriptionOutputIterator a model of `OutputIterator` that takes

@@ -44,7 +44,7 @@ struct Segment_border
 /// A *junction* is a vertex where the number of edges between segments is not 2, or on the border
 /// of the mesh. Every edge that `mark_segment_borders()` marks is in one polyline.
 ///
-/// \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \tparam FaceGraph a model of `FaceListGraph`, `HalfedgeListGraph` and `VertexListGraph`
 /// \tparam FaceSegmentMap a model of `ReadablePropertyMap` with the face descriptor as key and an
 ///         integral value type of at most 64 bits
 /// \tparam BorderOutputIterator a model of `OutputIterator` that takes `Segment_border<FaceGraph,
@@ -56,6 +56,7 @@ struct Segment_border
 /// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
 ///
 /// \cgalNamedParamsBegin
+///   \cgalParamIndexMap{face}
 ///   \cgalParamIndexMap{vertex}
 ///   \cgalParamIndexMap{halfedge}
 /// \cgalNamedParamsEnd

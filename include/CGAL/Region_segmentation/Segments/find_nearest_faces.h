@@ -23,7 +23,7 @@ namespace Region_segmentation {
 /// finds the face nearest to each of several points in space: so seeds and strokes can be given by
 /// points, for `face_seed_map`.
 ///
-/// \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \tparam FaceGraph a model of `FaceListGraph`, `HalfedgeListGraph` and `VertexListGraph`
 /// \tparam PointRange a range whose value type is a model of `Kernel::Point_3`, or has `operator[]`
 ///         for its coordinates
 /// \tparam FaceOutputIterator a model of `OutputIterator` that takes face descriptors

@@ -25,7 +25,7 @@ namespace Region_segmentation {
 /// mesh separate no two segments and are not marked: functions of \cgal that protect constrained
 /// edges know borders, or have a parameter for them.
 ///
-/// \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \tparam FaceGraph a model of `FaceGraph` and `EdgeListGraph`
 /// \tparam FaceSegmentMap a model of `ReadablePropertyMap` with the face descriptor as key and an
 ///         equality comparable value type
 /// \tparam EdgeIsBorderMap a model of `WritablePropertyMap` with the edge descriptor as key and a

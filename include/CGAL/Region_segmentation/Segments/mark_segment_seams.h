@@ -35,7 +35,8 @@ namespace Region_segmentation {
 /// Paths are those of a shortest path tree and its dual (tree-cotree decomposition): two shortest
 /// paths from an edge to the border each.
 ///
-/// \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \tparam FaceGraph a model of `FaceListGraph`, `HalfedgeListGraph`, `VertexListGraph` and
+///         `EdgeListGraph`
 /// \tparam FaceSegmentMap a model of `ReadablePropertyMap` with the face descriptor as key and an
 ///         integral value type of at most 64 bits
 /// \tparam EdgeIsSeamMap a model of `WritablePropertyMap` with the edge descriptor as key and a

@@ -48,7 +48,7 @@ struct Segment_piece
 /// \tparam SegmentMesh the type of the copies, a model of `MutableFaceGraph` whose elements are
 ///         iterated in the order of their creation, with a point map of vertices. Default:
 ///         `FaceGraph`
-/// \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \tparam FaceGraph a model of `FaceListGraph`, `HalfedgeListGraph` and `VertexListGraph`
 /// \tparam FaceSegmentMap a model of `ReadablePropertyMap` with the face descriptor as key and an
 ///         integral value type of at most 64 bits
 /// \tparam PieceOutputIterator a model of `OutputIterator` that takes `Segment_piece<SegmentMesh,
@@ -67,6 +67,7 @@ struct Segment_piece
 ///     \cgalParamDefault{no edge}
 ///   \cgalParamNEnd
 ///   \cgalParamVertexPointMap
+///   \cgalParamIndexMap{face}
 ///   \cgalParamIndexMap{vertex}
 ///   \cgalParamIndexMap{halfedge}
 /// \cgalNamedParamsEnd

@@ -98,7 +98,8 @@ segments_of_nearest_faces(const Surface_as_given& to, const Surface_as_given& fr
 /// segments stay connected, also where borders are narrower than faces. A segment smaller than the
 /// faces of `to` may be lost.
 ///
-/// \tparam FromGraph, ToGraph models of `FaceListGraph` and `HalfedgeListGraph`, of any two types
+/// \tparam FromGraph, ToGraph models of `FaceListGraph`, `HalfedgeListGraph` and `VertexListGraph`,
+///         of any two types
 /// \tparam FromMap a model of `ReadablePropertyMap` with the face descriptor of `from` as key and
 ///         an integral value type of at most 64 bits
 /// \tparam ToMap a model of `WritablePropertyMap` with the face descriptor of `to` as key and an

@@ -131,7 +131,8 @@ inline double mean_distance_to_centroid(const Surface& surface)
 /// no face or one), if a cut vertex has no path to the cuts of the other (on a mesh with several
 /// components), and if the surface has no area.
 ///
-/// \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \tparam FaceGraph a model of `FaceListGraph`, `HalfedgeListGraph`, `VertexListGraph` and
+///         `EdgeListGraph`
 /// \tparam FaceLabelMapA a model of `ReadablePropertyMap` with the face descriptor as key and an
 ///         integral value type
 /// \tparam FaceLabelMapB the same

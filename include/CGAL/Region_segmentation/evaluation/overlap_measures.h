@@ -262,7 +262,7 @@ double rand_index_distance(const LabelRangeA& a, const LabelRangeB& b)
 /// a refinement of `b`, the missing rate if `b` is one of `a`. The distance is symmetric to the
 /// bit; the rates swap with the arguments. A mesh without faces or without area: 0.
 ///
-/// \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \tparam FaceGraph a model of `FaceListGraph`, `HalfedgeListGraph` and `VertexListGraph`
 /// \tparam FaceLabelMapA a model of `ReadablePropertyMap` with the face descriptor as key and an
 ///         integral value type of at most 64 bits
 /// \tparam FaceLabelMapB the same
@@ -317,7 +317,7 @@ Hamming_distance hamming_distance(const FaceGraph& mesh, const FaceLabelMapA& a,
 /// meaningless. LCE is 0 if and only if of any two segments that share a face, one contains the
 /// other. Symmetric up to rounding. A mesh without faces: 0.
 ///
-/// \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \tparam FaceGraph a model of `FaceListGraph`, `HalfedgeListGraph` and `VertexListGraph`
 /// \tparam FaceLabelMapA a model of `ReadablePropertyMap` with the face descriptor as key and an
 ///         integral value type of at most 64 bits
 /// \tparam FaceLabelMapB the same
