@@ -32,7 +32,15 @@
 namespace graph_archetypes_test {
 
 namespace RS = CGAL::Region_segmentation;
-using namespace graph_archetypes;
+using graph_archetypes::Edge;
+using graph_archetypes::Face;
+using graph_archetypes::Graph;
+using graph_archetypes::Graph_with_edges;
+using graph_archetypes::Halfedge;
+using graph_archetypes::Index_map;
+using graph_archetypes::Mesh;
+using graph_archetypes::Values;
+using graph_archetypes::Vertex;
 
 template <typename G>
 struct Archetypes
