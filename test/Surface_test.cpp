@@ -8,6 +8,7 @@
 
 #include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/internal/segmenting/Face_graph_input.h>
+#include <CGAL/Region_segmentation/internal/segmenting/Polygon_input.h>
 #include <CGAL/Region_segmentation/internal/support/for_each_repetition.h>
 #include <CGAL/Region_segmentation/make_surface.h>
 
@@ -873,6 +874,28 @@ TEST(For_each_repetition_test, compares_few_items_of_different_hashes)
       [&](std::size_t, std::size_t) { return ++comparisons == 0; },
       [&](std::size_t, std::size_t) { FAIL(); });
     EXPECT_EQ(comparisons, 0) << shift;
+  }
+}
+
+// Two sheets of paper along two edges of equal length: of a polygon soup and of a face graph.
+TEST(Constraints_test, bar_the_edge_that_they_name_and_no_other_of_its_faces)
+{
+  const Soup soup = {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}},
+                     {{0, 1, 2, 3}, {1, 4, 5, 6, 3, 2}}};
+  const Surface_mesh mesh = to_surface_mesh(soup);
+  const auto np = RS::internal::pack(RS::parameters::default_values());
+  RS::Surface of_mesh = RS::make_surface(mesh),
+              of_polygons = RS::make_surface(soup.points, soup.polygons);
+  RS::internal::Face_graph_input<Surface_mesh>(mesh).add_constraints(
+    of_mesh, edge_map(mesh, std::set<Edge>{make_edge(1, 2)}), np);
+  RS::internal::Polygon_input(2).add_constraints(of_polygons,
+                                                 std::vector<std::pair<int, int>>{{2, 1}}, np);
+  for (const RS::Surface* surface : {&of_mesh, &of_polygons}) {
+    ASSERT_EQ(surface->number_of_adjacencies(), 2u);
+    EXPECT_EQ(surface->squared_length(0), surface->squared_length(1));
+    const std::size_t across_1_2 = surface->adjacency(0, 1), across_2_3 = surface->adjacency(0, 2);
+    EXPECT_TRUE(surface->has_flag(across_1_2, RS::Surface::CONSTRAINED));
+    EXPECT_FALSE(surface->has_flag(across_2_3, RS::Surface::CONSTRAINED));
   }
 }
 

@@ -73,6 +73,21 @@ TEST(Triangulate_polygon, covers_concave_polygons)
   }
 }
 
+// A square with a square hole, joined by a bridge: two corners are visited twice.
+TEST(Triangulate_polygon, leaves_a_hole_open)
+{
+  expect_cover({{0, 0, 0},
+                {4, 0, 0},
+                {4, 4, 0},
+                {0, 4, 0},
+                {0, 0, 0},
+                {1, 1, 0},
+                {1, 3, 0},
+                {3, 3, 0},
+                {3, 1, 0},
+                {1, 1, 0}});
+}
+
 TEST(Triangulate_polygon, gives_triangles_of_any_polygon)
 {
   triangulate({{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}});

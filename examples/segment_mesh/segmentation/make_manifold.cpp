@@ -9,8 +9,11 @@
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <map>
 #include <numeric>
+#include <set>
+#include <vector>
 
 namespace segment_mesh {
 
@@ -39,7 +42,8 @@ Manifold of_manifold(const Polygon_soup& soup, const Corner_links& links)
   return result;
 }
 
-/// Polygons with equal points merged, and points that they use.
+/// Polygons with equal points merged, and points that they use. A polygon that comes back to a
+/// point, as around a hole that a bridge joins to its boundary, gets a copy of it.
 class Repair
 {
 public:
@@ -50,12 +54,10 @@ public:
   Manifold run()
   {
     for (std::size_t f = 0; f < m_soup.polygons.size(); ++f) {
-      const auto& polygon = m_soup.polygons[f];
-      if (polygon.size() < 3 || !has_different_points(polygon))
+      const std::vector<std::size_t> corners = corners_of(m_soup.polygons[f]);
+      if (corners.size() < 3)
         continue;
-      m_polygons.emplace_back();
-      for (std::size_t i : polygon)
-        m_polygons.back().push_back(index_of(i));
+      m_polygons.push_back(corners);
       m_result.face_of_mesh_face.push_back(f);
     }
     PMP::orient_polygon_soup(m_points, m_polygons); // keeps the order of the faces
@@ -68,13 +70,30 @@ public:
   }
 
 private:
+  /// The merged points at the corners; none if fewer than three are different.
   template <typename Polygon>
-  bool has_different_points(const Polygon& polygon) const
+  std::vector<std::size_t> corners_of(const Polygon& polygon)
   {
-    std::vector<Point> points;
+    const auto point = [&](std::size_t i) -> const Point& { return m_soup.points[i]; };
+    std::vector<std::size_t> ends; // of sides that are no points
+    std::set<Point> different;
     for (std::size_t i : polygon)
-      points.push_back(m_soup.points[i]);
-    return are_different(std::move(points));
+      if (ends.empty() || point(ends.back()) != point(i))
+        ends.push_back(i);
+    while (ends.size() > 1 && point(ends.front()) == point(ends.back()))
+      ends.pop_back();
+    for (std::size_t i : ends)
+      different.insert(point(i));
+    std::vector<std::size_t> corners;
+    std::set<std::size_t> visited;
+    for (std::size_t i = 0; i < ends.size() && different.size() > 2; ++i) {
+      const std::size_t corner = index_of(ends[i]);
+      const bool comes_back = !visited.insert(corner).second;
+      corners.push_back(comes_back ? m_points.size() : corner);
+      if (comes_back)
+        m_points.push_back(m_points[corner]);
+    }
+    return corners;
   }
 
   std::size_t index_of(std::size_t point)

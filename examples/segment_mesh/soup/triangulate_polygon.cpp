@@ -69,9 +69,10 @@ private:
     const std::size_t a = before(i), b = m_rest[i], c = after(i);
     if (turn(a, b, c) <= 0)
       return false;
+    const auto is_at = [&](std::size_t p, std::size_t q) { return m_corners[p] == m_corners[q]; };
     return std::none_of(m_rest.begin(), m_rest.end(), [&](std::size_t p) {
-      return p != a && p != b && p != c && turn(a, b, p) >= 0 && turn(b, c, p) >= 0 &&
-             turn(c, a, p) >= 0;
+      return !is_at(p, a) && !is_at(p, b) && !is_at(p, c) && turn(a, b, p) >= 0 &&
+             turn(b, c, p) >= 0 && turn(c, a, p) >= 0;
     });
   }
 
