@@ -16,6 +16,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <algorithm>
 #include <cmath>
 #include <ctime>
@@ -96,6 +97,8 @@ TEST(Segment_test, isolated_vertices_do_not_matter)
 {
   Surface_mesh mesh = to_surface_mesh(dumbbell());
   mesh.add_vertex(Kernel::Point_3(100, 100, 100));
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  mesh.add_vertex(Kernel::Point_3(nan, 1e300, std::numeric_limits<double>::infinity()));
   EXPECT_EQ(run(mesh, Options(3)).segments, run(dumbbell(), Options(3)).segments);
 }
 

@@ -99,7 +99,8 @@ using Surface_parameters = Tag_list<internal_np::component_links_t, CGAL::intern
 /// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
 ///        `component_links`, `visitor` (stage "reading"), `vertex_point_map`, `face_index_map`,
 ///        `vertex_index_map`; see `segment()`
-/// \throws Invalid_input if a point is not finite, Segmentation_cancelled if the visitor cancels
+/// \throws Invalid_input if a point of a face is not finite, Segmentation_cancelled if the visitor
+/// cancels
 ///
 /// Complexity: O(F), O(F log F) with several components.
 template <typename ConcurrencyTag = CGAL::Sequential_tag, typename FaceGraph,

@@ -100,27 +100,25 @@ inline std::vector<Surface::Index> faces_with_open_sides(const Raw_surface& raw)
   return faces;
 }
 
-/// Chooses the unit of the points, and scales them.
-/// \throws Invalid_input if a point is not finite
-inline void set_unit(Surface& surface, const Execution& execution)
+/// Chooses the unit of the points, and scales them. Those that no face uses may be anything, and
+/// become the origin.
+/// \throws Invalid_input if another one is not finite
+inline void set_unit(Surface& surface)
 {
   Surface_arrays& arrays = arrays_of(surface);
-  const std::size_t size = arrays.points.size();
-  std::vector<double> largest(number_of_blocks(size));
-  for_each_block(execution, size, [&](std::size_t block, std::size_t begin, std::size_t end) {
-    for (std::size_t v = begin; v < end; ++v) {
-      const Double_3& p = arrays.points[v];
-      largest[block] = is_finite(p)
-                         ? (std::max)({largest[block], std::abs(p.x), std::abs(p.y), std::abs(p.z)})
-                         : std::numeric_limits<double>::infinity();
-    }
-  });
-  const double of_all = largest.empty() ? 0 : *std::max_element(largest.begin(), largest.end());
-  if (!std::isfinite(of_all))
-    for (std::size_t v = 0; v < size; ++v)
-      if (!is_finite(arrays.points[v]))
-        throw Invalid_input("the point of vertex " + std::to_string(v) + " is not finite");
-  arrays.unit = unit_of_coordinates(of_all);
+  std::vector<bool> is_used(arrays.points.size());
+  for (const Surface::Index v : arrays.corners)
+    is_used[v] = true;
+  double largest = 0;
+  for (std::size_t v = 0; v < arrays.points.size(); ++v) {
+    Double_3& p = arrays.points[v];
+    if (!is_used[v])
+      p = {0, 0, 0};
+    if (!is_finite(p))
+      throw Invalid_input("the point of vertex " + std::to_string(v) + " is not finite");
+    largest = (std::max)({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  }
+  arrays.unit = unit_of_coordinates(largest);
   if (arrays.unit != 1)
     for (Double_3& p : arrays.points)
       p = (1 / arrays.unit) * p;

@@ -17,8 +17,7 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// The points of the vertices; finite ones of isolated vertices become the origin. A vertex point
-/// map may return points by value.
+/// The points of the vertices. A vertex point map may return points by value.
 template <typename FaceGraph, typename Pack>
 void read_points(const Mesh_order<FaceGraph, Pack>& order, const Pack& np, Surface_arrays& arrays,
                  const Execution& execution)
@@ -26,7 +25,6 @@ void read_points(const Mesh_order<FaceGraph, Pack>& order, const Pack& np, Surfa
   const auto point_map = CGAL::parameters::choose_parameter(
     CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_point),
     get_const_property_map(vertex_point, order.mesh()));
-  const auto no_halfedge = boost::graph_traits<FaceGraph>::null_halfedge();
   arrays.points.resize(order.number_of_vertices());
   for_each_block(execution, order.number_of_vertices(),
                  [&](std::size_t, std::size_t begin, std::size_t end) {
@@ -35,8 +33,6 @@ void read_points(const Mesh_order<FaceGraph, Pack>& order, const Pack& np, Surfa
                      const auto& p = get(point_map, v);
                      Double_3& q = arrays.points[i];
                      q = {CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2])};
-                     if (halfedge(v, order.mesh()) == no_halfedge && is_finite(q))
-                       q = {0, 0, 0};
                    }
                  });
 }
@@ -84,9 +80,9 @@ Raw_surface read_face_graph(const Mesh_order<FaceGraph, Pack>& order, const Pack
                             const Execution& execution)
 {
   Raw_surface raw;
-  read_points(order, np, arrays_of(raw.surface), execution.step(0, 0.2));
-  set_unit(raw.surface, execution.step(0.2, 0.3));
+  read_points(order, np, arrays_of(raw.surface), execution.step(0, 0.3));
   read_corners(order, raw, execution.step(0.3, 1));
+  set_unit(raw.surface);
   return raw;
 }
 

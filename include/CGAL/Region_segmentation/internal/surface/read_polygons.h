@@ -35,7 +35,6 @@ Raw_surface read_polygons(const PointRange& points, const PolygonRange& polygons
   arrays.corners.reserve(3 * size); // for triangles
   for (const auto& p : points)
     arrays.points.push_back({CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2])});
-  std::vector<bool> is_used(arrays.points.size());
   arrays.first_corners.push_back(0);
   for (const auto& polygon : polygons) {
     const auto place = [&] { return "polygon " + std::to_string(arrays.first_corners.size() - 1); };
@@ -46,7 +45,6 @@ Raw_surface read_polygons(const PointRange& points, const PolygonRange& polygons
         throw Invalid_input(place() + " has a corner " + std::to_string(v) + ", but there are " +
                             std::to_string(arrays.points.size()) + " points");
       arrays.corners.push_back(Index(v));
-      is_used[std::size_t(v)] = true;
     }
     if (arrays.corners.size() == arrays.first_corners.back())
       throw Invalid_input(place() + " has no corners");
@@ -54,10 +52,7 @@ Raw_surface read_polygons(const PointRange& points, const PolygonRange& polygons
       throw Invalid_input("the polygons have fewer than 2^32 - 1 corners");
     arrays.first_corners.push_back(Index(arrays.corners.size()));
   }
-  for (std::size_t v = 0; v < is_used.size(); ++v)
-    if (!is_used[v])
-      arrays.points[v] = {0, 0, 0}; // may have been anything
-  set_unit(raw.surface, execution);
+  set_unit(raw.surface);
   raw.neighbors.assign(arrays.corners.size(), Raw_surface::none);
   begin_at_lowest_vertices(raw, execution);
   return raw;
