@@ -7,6 +7,7 @@
 #include <CGAL/Region_segmentation/internal/surface/find_nesting.h>
 #include <CGAL/Region_segmentation/internal/surface/orient_faces.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -17,9 +18,9 @@ namespace internal {
 /// What decides whether a component is closed, and its orientation.
 struct Component_volume
 {
-  Double_3 origin{}, area_vector{};
+  Double_3 area_vector{};
   double area = 0, volume = 0; // the volume times 3
-  bool has_origin = false, has_border = false, has_seam = false;
+  bool has_border = false, has_seam = false;
 
   /// The area vectors of a closed surface sum to zero; this decides where a component is closed
   /// only together with its seams.
@@ -28,37 +29,7 @@ struct Component_volume
     constexpr double largest_gap = 1e-9;
     return !has_border && (!has_seam || norm(area_vector) <= largest_gap * area);
   }
-
-  void add_face(const Surface& surface, std::size_t f)
-  {
-    const Double_3& point = surface.point(surface.corner(f, 0));
-    if (!has_origin)
-      origin = point;
-    has_origin = true;
-    const Double_3 face = surface.area(f) * surface.normal(f);
-    area += surface.area(f);
-    area_vector = area_vector + face;
-    volume += dot(point - origin, face);
-  }
 };
-
-/// With volumes of the components without border alone.
-inline std::vector<Component_volume>
-component_volumes(const Raw_surface& raw, const Partition& component_of,
-                  const std::vector<Surface::Index>& faces_at_borders,
-                  const std::vector<Seam>& seams)
-{
-  std::vector<Component_volume> components(component_of.number_of_parts());
-  for (const Surface::Index face : faces_at_borders)
-    components[component_of[face]].has_border = true;
-  for (const Seam& seam : seams)
-    for (const Surface::Index face : {seam.face, seam.other_face})
-      components[component_of[face]].has_seam = true;
-  for (std::size_t f = 0; f < component_of.size(); ++f)
-    if (Component_volume& c = components[component_of[f]]; !c.has_border)
-      c.add_face(raw.surface, f);
-  return components;
-}
 
 /// Turns the outermost closed components of negative signed volume, together with the closed
 /// components inside them.
@@ -67,16 +38,25 @@ inline void orient_components(Raw_surface& raw, const Partition& component_of,
                               const std::vector<Seam>& seams)
 {
   Surface_arrays& arrays = arrays_of(raw.surface);
-  const std::vector<Component_volume> components = component_volumes(raw, component_of,
-                                                                     faces_at_borders, seams);
-  std::vector<bool> is_closed(components.size()), is_inside_out(components.size());
-  bool is_any_inside_out = false;
-  for (std::size_t c = 0; c < components.size(); ++c) {
-    is_closed[c] = components[c].is_closed();
-    is_inside_out[c] = is_closed[c] && components[c].volume < 0;
-    is_any_inside_out = is_any_inside_out || is_inside_out[c];
+  std::vector<Component_volume> components(component_of.number_of_parts());
+  for (const Surface::Index face : faces_at_borders)
+    components[component_of[face]].has_border = true;
+  for (const Seam& seam : seams)
+    for (const Surface::Index face : {seam.face, seam.other_face})
+      components[component_of[face]].has_seam = true;
+  for (std::size_t f = 0; f < component_of.size(); ++f) {
+    Component_volume& component = components[component_of[f]];
+    const Double_3 face = arrays.areas[f] * arrays.normals[f];
+    component.area += arrays.areas[f];
+    component.area_vector = component.area_vector + face;
+    component.volume += dot(raw.surface.point(raw.surface.corner(f, 0)), face);
   }
-  if (!is_any_inside_out)
+  std::vector<bool> is_closed, is_inside_out;
+  for (const Component_volume& component : components) {
+    is_closed.push_back(component.is_closed());
+    is_inside_out.push_back(component.is_closed() && component.volume < 0);
+  }
+  if (std::find(is_inside_out.begin(), is_inside_out.end(), true) == is_inside_out.end())
     return;
   const std::vector<Surface::Index> outermost = find_outermost(raw.surface, component_of,
                                                                is_closed);
