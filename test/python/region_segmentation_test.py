@@ -163,7 +163,7 @@ def test_descriptions_of_faces_with_a_point_twice():
     described = region_segmentation.describe_segments(points, faces, labels)
     assert [d["segment"] for d in described] == [7, 0, 2]
     assert [d["number_of_faces"] for d in described] == [1, 3, 1]
-    assert [d["area"] for d in described] == [0, 1, 0]
+    assert [d["area"] for d in described] == [0, 1, 0.5]
     assert [d["primitive"]["type"] for d in described] == ["plane"] * 3
 
 

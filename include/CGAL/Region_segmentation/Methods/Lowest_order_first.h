@@ -29,7 +29,7 @@ template <typename Order, typename Cost>
 class Lowest_order_first : public Lowest_cost_first<Order>
 {
 public:
-  explicit Lowest_order_first(Order order = Order(), Cost cost = Cost())
+  Lowest_order_first(Order order, Cost cost)
     : Lowest_cost_first<Order>(std::move(order))
     , m_cost(std::move(cost))
   {}
