@@ -877,6 +877,40 @@ TEST(For_each_repetition_test, compares_few_items_of_different_hashes)
   }
 }
 
+// A polygon with a triangle at each side, as the first and as the last face.
+TEST(Sides_test, know_the_adjacency_across_them)
+{
+  constexpr std::size_t n = 9;
+  for (const bool is_last : {false, true}) {
+    Soup soup;
+    Polygon corners;
+    for (std::size_t i = 0; i < 2 * n; ++i) {
+      const double angle = double(i % n + (i < n ? 0 : 0.5)) * 2 * 3.14159265358979 / n;
+      soup.points.push_back({std::cos(angle), std::sin(angle), i < n ? 0.0 : 0.1});
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+      corners.push_back(i);
+      soup.polygons.push_back({(i + 1) % n, i, n + i});
+    }
+    soup.polygons.insert(is_last ? soup.polygons.end() : soup.polygons.begin(), corners);
+    const RS::Surface surface = RS::make_surface(soup.points, soup.polygons);
+    ASSERT_EQ(surface.number_of_adjacencies(), n);
+    for (std::size_t f = 0; f <= n; ++f)
+      for (std::size_t i = 0; i < surface.number_of_corners(f); ++i) {
+        const std::size_t v = surface.corner(f, i),
+                          w = surface.corner(f, (i + 1) % surface.number_of_corners(f));
+        const std::size_t triangle = (v + 1) % n == w ? v : w; // at the side, if both are below n
+        const std::size_t a = surface.adjacency(f, i);
+        if (v >= n || w >= n) {
+          EXPECT_EQ(a, std::size_t(RS::Surface::none));
+        } else {
+          EXPECT_EQ(surface.lower_face(a), is_last ? triangle : 0);
+          EXPECT_EQ(surface.higher_face(a), is_last ? n : triangle + 1);
+        }
+      }
+  }
+}
+
 // Two sheets of paper along two edges of equal length: of a polygon soup and of a face graph.
 TEST(Constraints_test, bar_the_edge_that_they_name_and_no_other_of_its_faces)
 {

@@ -10,6 +10,7 @@
 #include <CGAL/Region_segmentation/internal/surface/compute_normals.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <limits>
 #include <tuple>
@@ -51,6 +52,12 @@ inline void collect_adjacencies(Raw_surface& raw, const Execution& execution)
   arrays.adjacencies.resize(arrays.corners.size());
   for_each_index(execution.silent(), arrays.corners.size(),
                  [&](std::size_t side) { arrays.adjacencies[side] = Surface::none; });
+  // Of two faces that with fewer corners is searched for their common side.
+  std::atomic<bool> has_large_face(false);
+  const auto has_fewer_corners = [&](std::size_t f, std::size_t g) {
+    return arrays.first_corners[f + 1] - arrays.first_corners[f] <
+           arrays.first_corners[g + 1] - arrays.first_corners[g];
+  };
   const auto number_in = [&](std::size_t, std::size_t begin, std::size_t end) {
     std::size_t result = 0;
     for (std::size_t f = begin; f < end; ++f)
@@ -75,7 +82,10 @@ inline void collect_adjacencies(Raw_surface& raw, const Execution& execution)
         arrays.higher_faces[a] = Index(f);
         arrays.squared_lengths[a] = squared_norm(direction);
         arrays.adjacencies[side] = Index(a);
-        arrays.adjacencies[side_across(raw, Index(f), side)] = Index(a);
+        if (has_fewer_corners(f, lower)) // the side of the lower face follows below
+          has_large_face = true;
+        else
+          arrays.adjacencies[side_across(raw, Index(f), side)] = Index(a);
         arrays.flags[a++] = sign_of_edge(arrays.normals[f], arrays.normals[lower], direction);
       }
     }
@@ -83,6 +93,11 @@ inline void collect_adjacencies(Raw_surface& raw, const Execution& execution)
   };
   resize_adjacencies(arrays,
                      for_each_block_of_output(execution, arrays.normals.size(), number_in, write));
+  for (Index f = 0; has_large_face && f < arrays.normals.size(); ++f)
+    for (Index side = arrays.first_corners[f]; side < arrays.first_corners[f + 1]; ++side)
+      if (const Index g = raw.neighbors[side];
+          Raw_surface::is_face(g) && g > f && has_fewer_corners(g, f))
+        arrays.adjacencies[side] = arrays.adjacencies[side_across(raw, f, side)];
 }
 
 /// Inserts adjacencies behind those of the same two faces.
