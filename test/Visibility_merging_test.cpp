@@ -193,7 +193,8 @@ TEST(Visibility_merging_test, constants_are_members_of_its_parts)
   method.superfacets.number = 30;
   method.chooser.level = 1000; // above all costs: as few as possible
   const Result few = run(mesh, RS::parameters::method(method));
-  EXPECT_EQ(few.tree.number_of_regions(), 30u);
+  EXPECT_LE(few.tree.number_of_regions(), 30u);
+  EXPECT_GE(few.tree.number_of_regions(), 25u) << "few lose all of their elements to neighbors";
   EXPECT_EQ(few.number_of_segments, 2u);
   method.chooser.level = -1000;
   method.chooser.maximum_number = 7;

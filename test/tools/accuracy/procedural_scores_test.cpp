@@ -29,13 +29,13 @@ constexpr Bound bounds[] = {{"articulated_figure", 0.010, 0.010, 0.010},
                             {"shaft", 0.010, 0.010, 0.010},
                             {"screwdriver", 0.010, 0.010, 0.010},
                             {"table", 0.010, 0.010, 0.010},
-                            {"chair", 0.044, 0.251, 0.084},
-                            {"bracket", 0.010, 0.015, 0.029},
+                            {"chair", 0.049, 0.251, 0.084},
+                            {"bracket", 0.062, 0.036, 0.029},
                             {"gear", 0.063, 0.160, 0.277},
                             {"mug", 0.010, 0.010, 0.010},
                             {"hammer", 0.018, 0.018, 0.015},
                             {"octopus", 0.010, 0.010, 0.010},
-                            {"hand", 0.019, 0.020, 0.021},
+                            {"hand", 0.027, 0.022, 0.021},
                             {"quadruped", 0.016, 0.017, 0.017}};
 
 class Procedural : public testing::TestWithParam<const char*>
