@@ -622,6 +622,30 @@ TEST(find_links_test, a_face_has_one_link_of_contact)
   EXPECT_LE(links.size(), 2 * number);
 }
 
+// Each touches all others in one point.
+TEST(find_links_test, thousands_of_triangles_share_a_vertex)
+{
+  constexpr Index number = 15000;
+  Soup soup;
+  soup.points.push_back({0, 0, 0});
+  for (Index i = 0; i < 2 * number; ++i)
+    soup.points.push_back({std::cos(i), std::sin(i), i / (2.0 * number)});
+  for (Index i = 0; i < number; ++i)
+    soup.polygons.push_back({0, 2 * i + 1, 2 * i + 2});
+  const Model m(soup);
+  const std::clock_t start = std::clock();
+  const auto links = m.links();
+  EXPECT_LT(double(std::clock() - start) / CLOCKS_PER_SEC, 1);
+  check(m, links);
+  EXPECT_LE(links.size(), 2 * number);
+  std::vector<std::size_t> degrees(number);
+  for (const Added_adjacency& l : links) {
+    ++degrees[l.lower];
+    ++degrees[l.higher];
+  }
+  EXPECT_LT(*std::max_element(degrees.begin(), degrees.end()), 1000u) << "a hub is slow to merge";
+}
+
 // Most boxes are inside most larger ones.
 TEST(find_links_test, triangles_of_all_sizes)
 {
