@@ -4,7 +4,6 @@
 #define CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_BUILD_SURFACE_H
 
 #include <CGAL/Region_segmentation/Execution.h>
-#include <CGAL/Region_segmentation/internal/support/Lowest_root_forest.h>
 #include <CGAL/Region_segmentation/internal/support/compiled.h>
 #include <CGAL/Region_segmentation/internal/support/label_components.h>
 #include <CGAL/Region_segmentation/internal/surface/collect_adjacencies.h>
@@ -56,16 +55,10 @@ inline Added_adjacency adjacency_of_seam(const Surface& surface, const Seam& sea
 }
 
 /// Adds links between what is not connected by edges and seams, and marks crumbs.
-inline void insert_links(Surface& surface, const Partition& edge_component_of,
-                         const Execution& execution)
+inline void insert_links(Surface& surface, const Execution& execution)
 {
-  if (edge_component_of.number_of_parts() < 2)
-    return;
-  Lowest_root_forest joined(edge_component_of.number_of_parts());
-  for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a)
-    joined.unite(edge_component_of[surface.lower_face(a)],
-                 edge_component_of[surface.higher_face(a)]);
-  const Partition connected = composed(edge_component_of, joined.take_partition());
+  const Partition connected = label_components(
+    surface, [](std::size_t) { return true; }, execution.silent());
   insert_adjacencies(surface, find_links(surface, connected, execution));
   mark_crumbs(surface, edge_components(surface, execution.silent()));
 }
@@ -103,7 +96,8 @@ Surface build_surface(Raw_surface&& raw, const Execution& execution)
   insert_adjacencies(raw.surface, added);
   join_degenerate_faces(raw.surface);
   if constexpr (wanted == Adjacency_of::COMPONENTS)
-    insert_links(raw.surface, component_of, execution.step(0.9, 1));
+    if (component_of.number_of_parts() > 1)
+      insert_links(raw.surface, execution.step(0.9, 1));
   sum_up(raw.surface);
   return std::move(raw.surface);
 }
