@@ -9,5 +9,5 @@
 #include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
 #include <CGAL/Region_segmentation/make_surface.h>
 #if __has_include(<Eigen/Core>)
-#include <CGAL/Region_segmentation/Methods/Smooth_faces.h>
+#include <CGAL/Region_segmentation/Part_faces/Smooth_faces.h>
 #endif

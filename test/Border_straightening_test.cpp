@@ -6,12 +6,12 @@
 
 #include <CGAL/Region_segmentation/Methods/Border_straightening.h>
 #include <CGAL/Region_segmentation/Methods/Learned_merging.h>
+#include <CGAL/Region_segmentation/Methods/Superfacet_merging.h>
 #include <CGAL/Region_segmentation/Methods/Superfacets.h>
 #include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
 #include <CGAL/Region_segmentation/Segmenter.h>
-#include <CGAL/Region_segmentation/internal/cells/Patch_builder.h>
-#include <CGAL/Region_segmentation/internal/cuts/Tree_elements.h>
-#include <CGAL/Region_segmentation/internal/graph/renumber_tree.h>
+#include <CGAL/Region_segmentation/internal/superfacets/Nested_borders.h>
+#include <CGAL/Region_segmentation/internal/superfacets/Patch_builder.h>
 #include <CGAL/Region_segmentation/make_surface.h>
 
 #include <gtest/gtest.h>

@@ -4,10 +4,10 @@
 
 #include <CGAL/Region_segmentation/Graph/Region_adjacency_graph.h>
 #include <CGAL/Region_segmentation/Methods/Learned_merging.h>
-#include <CGAL/Region_segmentation/build_region_adjacency_graph.h>
-#include <CGAL/Region_segmentation/internal/cells/Patch_builder.h>
 #include <CGAL/Region_segmentation/Methods/Region_rays.h>
-#include <CGAL/Region_segmentation/internal/support/Second_moments.h>
+#include <CGAL/Region_segmentation/build_region_adjacency_graph.h>
+#include <CGAL/Region_segmentation/internal/superfacets/Patch_builder.h>
+#include <CGAL/Region_segmentation/internal/superfacets/Region_shapes.h>
 #include <CGAL/Region_segmentation/make_surface.h>
 
 #include <gtest/gtest.h>

@@ -4,7 +4,7 @@
 
 #include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/Partition.h>
-#include <CGAL/Region_segmentation/internal/support/for_each_in_part.h>
+#include <CGAL/Region_segmentation/internal/support/components.h>
 
 #include <gtest/gtest.h>
 

@@ -3,12 +3,12 @@
 #include "meshes.h"
 #include "oracles.h"
 
-#include <CGAL/Region_segmentation/Methods/Region_growing.h>
 #include <CGAL/Region_segmentation/Methods/Superfacets.h>
 #include <CGAL/Region_segmentation/evaluation/overlap_measures.h>
-#include <CGAL/Region_segmentation/internal/cells/Patch_builder.h>
-#include <CGAL/Region_segmentation/internal/regions/Farthest_point_seeding.h>
-#include <CGAL/Region_segmentation/internal/support/Float_key.h>
+#include <CGAL/Region_segmentation/grow_regions.h>
+#include <CGAL/Region_segmentation/internal/superfacets/Farthest_point_seeding.h>
+#include <CGAL/Region_segmentation/internal/superfacets/Patch_builder.h>
+#include <CGAL/Region_segmentation/internal/support/arrays.h>
 #include <CGAL/Region_segmentation/make_surface.h>
 
 #include <gtest/gtest.h>

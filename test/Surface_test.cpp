@@ -9,7 +9,7 @@
 #include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/internal/segmenting/Face_graph_input.h>
 #include <CGAL/Region_segmentation/internal/segmenting/Polygon_input.h>
-#include <CGAL/Region_segmentation/internal/support/for_each_repetition.h>
+#include <CGAL/Region_segmentation/internal/support/arrays.h>
 #include <CGAL/Region_segmentation/make_surface.h>
 
 #include <gtest/gtest.h>

@@ -6,13 +6,13 @@
 #include "oracles.h"
 #include "shapes_with_faces.h"
 
-#include <CGAL/Region_segmentation/find_part_faces.h>
-#include <CGAL/Region_segmentation/find_surface_faces.h>
+#include <CGAL/Region_segmentation/Part_faces/find_part_faces.h>
+#include <CGAL/Region_segmentation/Part_faces/find_surface_faces.h>
 
-#include <CGAL/Region_segmentation/Methods/Surface_face_cost.h>
+#include <CGAL/Region_segmentation/Part_faces/Smooth_faces.h>
 #include <CGAL/Region_segmentation/build_region_adjacency_graph.h>
 
-#include <CGAL/Region_segmentation/find_common_surfaces.h>
+#include <CGAL/Region_segmentation/Part_faces/find_common_surfaces.h>
 #include <CGAL/Region_segmentation/make_surface.h>
 
 #include <CGAL/Polyhedron_3.h>

@@ -33,7 +33,7 @@
 #include <CGAL/Region_segmentation/merge_regions.h>
 #include <CGAL/Region_segmentation/segment.h>
 #ifdef TEST_EIGEN
-#include <CGAL/Region_segmentation/Methods/Smooth_faces.h>
+#include <CGAL/Region_segmentation/Part_faces/Smooth_faces.h>
 #endif
 
 #include <gtest/gtest.h>

@@ -4,13 +4,10 @@
 
 #include "oracles.h"
 
-#include <CGAL/Region_segmentation/Methods/Least_compact_region_first.h>
-#include <CGAL/Region_segmentation/Methods/Longest_flattest_section.h>
-#include <CGAL/Region_segmentation/Methods/Lowest_cost_first.h>
 #include <CGAL/Region_segmentation/Graph/Region_adjacency_graph.h>
-#include <CGAL/Region_segmentation/Methods/Smallest_region_first.h>
-#include <CGAL/Region_segmentation/merge_regions.h>
+#include <CGAL/Region_segmentation/Methods/Lowest_cost_first.h>
 #include <CGAL/Region_segmentation/Methods/Two_step.h>
+#include <CGAL/Region_segmentation/merge_regions.h>
 
 #include <gtest/gtest.h>
 

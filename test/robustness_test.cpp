@@ -14,11 +14,11 @@
 #include <CGAL/Region_segmentation/Segments/extract_segment_borders.h>
 #include <CGAL/Region_segmentation/Segments/mark_segment_seams.h>
 #include <CGAL/Region_segmentation/Segments/split_into_segments.h>
-#include <CGAL/Region_segmentation/requested_regions.h>
 #include <CGAL/Region_segmentation/make_surface.h>
+#include <CGAL/Region_segmentation/requested_regions.h>
 #include <CGAL/Region_segmentation/segment.h>
 #ifdef TEST_EIGEN
-#include <CGAL/Region_segmentation/Methods/Smooth_faces.h>
+#include <CGAL/Region_segmentation/Part_faces/Smooth_faces.h>
 #endif
 
 #include <boost/property_map/property_map.hpp>

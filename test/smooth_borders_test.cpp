@@ -3,8 +3,7 @@
 #include "meshes.h"
 #include "oracles.h"
 
-#include <CGAL/Region_segmentation/internal/cuts/Border_cut.h>
-#include <CGAL/Region_segmentation/internal/cuts/Minimum_cut.h>
+#include <CGAL/Region_segmentation/internal/superfacets/Border_cut.h>
 #include <CGAL/Region_segmentation/make_surface.h>
 #include <CGAL/Region_segmentation/smooth_borders.h>
 

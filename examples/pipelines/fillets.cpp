@@ -4,7 +4,7 @@
 
 #include "input_mesh.h"
 
-#include <CGAL/Region_segmentation/find_surface_faces.h>
+#include <CGAL/Region_segmentation/Part_faces/find_surface_faces.h>
 #include <CGAL/Region_segmentation/make_surface.h>
 
 #include <limits>

@@ -5,7 +5,7 @@
 
 #include "input_mesh.h"
 
-#include <CGAL/Region_segmentation/find_part_faces.h>
+#include <CGAL/Region_segmentation/Part_faces/find_part_faces.h>
 
 #include <iterator>
 #include <vector>

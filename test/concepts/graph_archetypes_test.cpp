@@ -5,6 +5,7 @@
 #include "concepts/Face_graph_archetype.h"
 
 #include <CGAL/Region_segmentation/IO/labels.h>
+#include <CGAL/Region_segmentation/Part_faces/find_part_faces.h>
 #include <CGAL/Region_segmentation/Segments/close_segments.h>
 #include <CGAL/Region_segmentation/Segments/compute_segment_topology.h>
 #include <CGAL/Region_segmentation/Segments/extract_segment_borders.h>
@@ -14,7 +15,6 @@
 #include <CGAL/Region_segmentation/Segments/split_into_segments.h>
 #include <CGAL/Region_segmentation/Segments/transfer_labels.h>
 #include <CGAL/Region_segmentation/evaluation.h>
-#include <CGAL/Region_segmentation/find_part_faces.h>
 #include <CGAL/region_segmentation.h>
 #include <CGAL/region_segmentation_stages.h>
 #ifdef TEST_EIGEN

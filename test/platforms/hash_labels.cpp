@@ -4,7 +4,7 @@
 // write_meshes and each method, and `done` after the last. Equal lines are equal labels, of a
 // chosen and of given numbers.
 
-#include <CGAL/Region_segmentation/Methods/Smooth_faces.h>
+#include <CGAL/Region_segmentation/Part_faces/Smooth_faces.h>
 #include <CGAL/region_segmentation.h>
 
 #include <array>

@@ -2,25 +2,21 @@
 # Windows' headers; and CONTRIBUTING.md has a line for every folder.
 cmake_minimum_required(VERSION 3.16)
 
-# The rooms in order: a header includes headers of its own room and of those before it. Headers by their paths below
-# include/CGAL/Region_segmentation.
-set(rooms data surface cells graph measures segments rays cuts model methods segmenting pipeline)
-set(data internal/support/ exceptions.h Execution.h parameters.h version.h Double_3.h
-  Feature_convexity.h Partition.h Patches.h Request.h Surface.h)
+# The rooms in order, first those of the core, then the wings: a header includes headers of its own room and of those before
+# it, so the core includes no wing. Headers by their paths below include/CGAL/Region_segmentation.
+set(rooms data surface graph input superfacets stages methods interface part_faces segments evaluation)
+set(data internal/support/ exceptions.h Execution.h parameters.h version.h Double_3.h Partition.h Patches.h Surface.h)
 set(surface internal/surface/ make_surface.h face_values.h)
-set(cells internal/cells/)
-set(graph internal/concepts/ internal/regions/ internal/graph/ Graph/ Border_cost.h Hierarchy.h merge_regions.h
-  requested_regions.h)
-set(measures evaluation/ evaluation.h IO/)
-set(segments internal/segments/ internal/faces/ Segments/ find_surface_faces.h
-  find_common_surfaces.h)
-set(rays internal/rays/)
-set(cuts internal/cuts/)
-set(model internal/model/)
-set(methods Methods/)
-set(segmenting internal/segmenting/)
-set(pipeline segment.h Segmenter.h detect_feature_edges.h extract_feature_lines.h grow_regions.h
-  build_region_adjacency_graph.h smooth_borders.h find_part_faces.h)
+set(graph internal/graph/ Graph/ Border_cost.h Hierarchy.h)
+set(input internal/segmenting/)
+set(superfacets internal/superfacets/)
+set(stages detect_feature_edges.h extract_feature_lines.h grow_regions.h build_region_adjacency_graph.h merge_regions.h
+  requested_regions.h smooth_borders.h)
+set(methods Methods/ internal/model/)
+set(interface segment.h Segmenter.h)
+set(part_faces Part_faces/ internal/part_faces/)
+set(segments Segments/ internal/segments/)
+set(evaluation evaluation/ evaluation.h IO/)
 
 function(find_room header result)
   foreach(room IN LISTS rooms)
@@ -33,7 +29,7 @@ function(find_room header result)
     endforeach()
   endforeach()
   message(SEND_ERROR "${header} has no room: add it to ${CMAKE_CURRENT_LIST_FILE}")
-  set(${result} pipeline PARENT_SCOPE)
+  set(${result} interface PARENT_SCOPE)
 endfunction()
 
 set(library ${ROOT}/include/CGAL/Region_segmentation)

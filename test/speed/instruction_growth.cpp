@@ -9,7 +9,7 @@
 #include <CGAL/Region_segmentation/Methods/Two_step.h>
 #include <CGAL/Region_segmentation/segment.h>
 #ifdef TEST_EIGEN
-#include <CGAL/Region_segmentation/Methods/Smooth_faces.h>
+#include <CGAL/Region_segmentation/Part_faces/Smooth_faces.h>
 #endif
 
 #include <valgrind/callgrind.h>

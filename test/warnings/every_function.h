@@ -20,10 +20,10 @@
 #include <CGAL/region_segmentation.h>
 #include <CGAL/region_segmentation_stages.h>
 #ifdef TEST_EIGEN
-#include <CGAL/Region_segmentation/Methods/Smooth_faces.h>
+#include <CGAL/Region_segmentation/Part_faces/Smooth_faces.h>
+#include <CGAL/Region_segmentation/Part_faces/find_common_surfaces.h>
+#include <CGAL/Region_segmentation/Part_faces/find_surface_faces.h>
 #include <CGAL/Region_segmentation/Segments/describe_segments.h>
-#include <CGAL/Region_segmentation/find_common_surfaces.h>
-#include <CGAL/Region_segmentation/find_surface_faces.h>
 #endif
 
 #include <boost/graph/graph_traits.hpp>

@@ -2,9 +2,9 @@
 
 #include "segmentation/Machine_part.h"
 
-#include <CGAL/Region_segmentation/Methods/Surface_face_cost.h>
+#include <CGAL/Region_segmentation/Part_faces/Smooth_faces.h>
+#include <CGAL/Region_segmentation/Part_faces/find_common_surfaces.h>
 #include <CGAL/Region_segmentation/build_region_adjacency_graph.h>
-#include <CGAL/Region_segmentation/find_common_surfaces.h>
 
 #include <limits>
 #include <utility>

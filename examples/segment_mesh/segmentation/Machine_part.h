@@ -5,8 +5,8 @@
 
 #include "segmentation/Segmentation_details.h"
 
+#include <CGAL/Region_segmentation/Part_faces/find_surface_faces.h>
 #include <CGAL/Region_segmentation/Surface.h>
-#include <CGAL/Region_segmentation/find_surface_faces.h>
 
 #include <cstddef>
 #include <map>

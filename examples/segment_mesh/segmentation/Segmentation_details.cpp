@@ -7,6 +7,7 @@
 
 #include <CGAL/number_type_config.h>
 
+#include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/Segments/describe_segments.h>
 #include <CGAL/Region_segmentation/Segments/extract_segment_borders.h>
 #include <CGAL/Region_segmentation/Segments/no_segment.h>
@@ -14,7 +15,6 @@
 #include <CGAL/Region_segmentation/detect_feature_edges.h>
 #include <CGAL/Region_segmentation/extract_feature_lines.h>
 #include <CGAL/Region_segmentation/grow_regions.h>
-#include <CGAL/Region_segmentation/internal/support/make_execution.h>
 #include <CGAL/Region_segmentation/make_surface.h>
 
 #include <boost/property_map/property_map.hpp>

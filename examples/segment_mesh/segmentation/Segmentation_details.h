@@ -7,7 +7,7 @@
 #include "soup/Polygon_soup.h"
 #include "view/segment_colors.h"
 
-#include <CGAL/Region_segmentation/Segments/Fitted_surface.h>
+#include <CGAL/Region_segmentation/Part_faces/Fitted_surface.h>
 #include <CGAL/Region_segmentation/Segments/Segment_description.h>
 #include <CGAL/Simple_cartesian.h>
 

@@ -3,7 +3,7 @@
 #ifndef CGAL_REGION_SEGMENTATION_SEGMENT_MESH_SEGMENTATION_SETTINGS_H
 #define CGAL_REGION_SEGMENTATION_SEGMENT_MESH_SEGMENTATION_SETTINGS_H
 
-#include <CGAL/Region_segmentation/Feature_convexity.h>
+#include <CGAL/Region_segmentation/detect_feature_edges.h>
 
 #include <cstddef>
 #include <optional>

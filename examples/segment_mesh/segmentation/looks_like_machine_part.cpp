@@ -4,7 +4,7 @@
 
 #include "soup/vector_algebra.h"
 
-#include <CGAL/Region_segmentation/Methods/Region_growing.h>
+#include <CGAL/Region_segmentation/grow_regions.h>
 #include <CGAL/Region_segmentation/make_surface.h>
 
 #include <algorithm>

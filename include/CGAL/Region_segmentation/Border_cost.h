@@ -3,7 +3,7 @@
 #ifndef CGAL_REGION_SEGMENTATION_BORDER_COST_H
 #define CGAL_REGION_SEGMENTATION_BORDER_COST_H
 
-#include <CGAL/Region_segmentation/internal/support/check_constants.h>
+#include <CGAL/Region_segmentation/internal/support/concept_checks.h>
 
 #include <algorithm>
 

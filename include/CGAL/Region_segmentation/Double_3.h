@@ -3,7 +3,9 @@
 #ifndef CGAL_REGION_SEGMENTATION_DOUBLE_3_H
 #define CGAL_REGION_SEGMENTATION_DOUBLE_3_H
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #if defined(__FAST_MATH__) || defined(_M_FP_FAST) ||                                               \
   (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
@@ -63,7 +65,22 @@ inline bool is_finite(const Double_3& a)
 {
   return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
 }
+namespace internal {
 
+/// The power of two by which coordinates are divided so that the largest of them is in [1, 2): the
+/// division is exact, so results that do not depend on scale are bitwise the same, and areas stay
+/// in the range of double. But 1 if squares of areas are in the range of double: then lengths are
+/// in units of the mesh, which is the usual case.
+inline double unit_of_coordinates(double largest_coordinate)
+{
+  constexpr int lowest_exponent = -1000; // the inverse of the result is finite
+  if (!(largest_coordinate > 0))
+    return 1;
+  const int exponent = (std::max)(std::ilogb(largest_coordinate), lowest_exponent);
+  return std::abs(exponent) <= 64 ? 1 : std::ldexp(1.0, exponent);
+}
+
+} // namespace internal
 } // namespace Region_segmentation
 } // namespace CGAL
 

@@ -4,16 +4,26 @@
 #define CGAL_REGION_SEGMENTATION_EXECUTION_H
 
 #include <CGAL/Region_segmentation/exceptions.h>
-#include <CGAL/Region_segmentation/internal/support/Function_ref.h>
+#include <CGAL/Region_segmentation/internal/support/arrays.h>
+#include <CGAL/Region_segmentation/internal/support/concept_checks.h>
+#include <CGAL/Region_segmentation/parameters.h>
+
+#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
+#include <type_traits>
+#include <utility>
 #include <vector>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+#endif
 
 namespace CGAL {
 namespace Region_segmentation {
-
 namespace internal {
 
 /// Threads, as plain functions, so that no stage depends on a library of threads.
@@ -204,6 +214,51 @@ private:
   Execution m_execution;
   std::size_t m_number, m_done = 0, m_next_report = 0;
 };
+
+} // namespace internal
+namespace internal {
+
+/// The threads of a concurrency tag; null for `Sequential_tag`.
+template <typename ConcurrencyTag>
+const Threads* threads_of()
+{
+  if constexpr (std::is_convertible<ConcurrencyTag, CGAL::Parallel_tag>::value) {
+#ifdef CGAL_LINKED_WITH_TBB
+    static const Threads threads = {
+      [](std::size_t first, std::size_t last, Function_ref<void(std::size_t)> f) {
+        tbb::parallel_for(first, last, [=](std::size_t i) { f(i); });
+      },
+      [] { return std::size_t(tbb::this_task_arena::max_concurrency()); }};
+    return &threads;
+#else
+    static_assert(!std::is_convertible<ConcurrencyTag, CGAL::Parallel_tag>::value,
+                  "Parallel_tag needs TBB: link CGAL::TBB_support");
+#endif
+  }
+  return nullptr;
+}
+
+template <typename T>
+using Goes_further = std::enable_if_t<
+  std::is_convertible<decltype(std::declval<T&>().go_further("", double())), bool>::value>;
+
+/// The execution with the threads of a tag and the visitor of a pack, if it has one.
+template <typename ConcurrencyTag, typename Pack>
+Execution make_execution(const Pack& np)
+{
+  const Execution execution(threads_of<ConcurrencyTag>());
+  if constexpr (!has_parameter<Pack, CGAL::internal_np::visitor_t>)
+    return execution;
+  else {
+    auto&& visitor = CGAL::parameters::get_parameter_reference(np, CGAL::internal_np::visitor);
+    static_assert(
+      satisfies<Goes_further, std::remove_reference_t<decltype(visitor)>>,
+      "a SegmentationVisitor needs: bool go_further(const char* stage, double fraction)");
+    static_assert(std::is_lvalue_reference<decltype(visitor)>::value,
+                  "a SegmentationVisitor is not copied: pass it as visitor(std::ref(v))");
+    return execution.with_visitor(visitor);
+  }
+}
 
 } // namespace internal
 } // namespace Region_segmentation

@@ -4,8 +4,8 @@
 #define CGAL_REGION_SEGMENTATION_PARTITION_H
 
 #include <CGAL/Region_segmentation/exceptions.h>
-#include <CGAL/Region_segmentation/internal/support/Key_numbering.h>
-#include <CGAL/Region_segmentation/internal/support/Large_array.h>
+#include <CGAL/Region_segmentation/internal/support/arrays.h>
+#include <CGAL/Region_segmentation/internal/support/number_labels.h>
 
 #include <CGAL/assertions.h>
 

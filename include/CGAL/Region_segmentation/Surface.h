@@ -4,7 +4,7 @@
 #define CGAL_REGION_SEGMENTATION_SURFACE_H
 
 #include <CGAL/Region_segmentation/Double_3.h>
-#include <CGAL/Region_segmentation/internal/support/Large_array.h>
+#include <CGAL/Region_segmentation/internal/support/arrays.h>
 
 #include <CGAL/Iterator_range.h>
 

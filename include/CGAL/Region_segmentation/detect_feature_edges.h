@@ -3,20 +3,60 @@
 #ifndef CGAL_REGION_SEGMENTATION_DETECT_FEATURE_EDGES_H
 #define CGAL_REGION_SEGMENTATION_DETECT_FEATURE_EDGES_H
 
-#include <CGAL/Region_segmentation/Feature_convexity.h>
-#include <CGAL/Region_segmentation/internal/regions/mark_feature_edges.h>
-#include <CGAL/Region_segmentation/internal/segmenting/Stage_input.h>
-#include <CGAL/Region_segmentation/internal/support/make_execution.h>
+#include <CGAL/Region_segmentation/Execution.h>
+#include <CGAL/Region_segmentation/Surface.h>
+#include <CGAL/Region_segmentation/internal/segmenting/Face_graph_input.h>
+#include <CGAL/Region_segmentation/internal/support/components.h>
 #include <CGAL/Region_segmentation/parameters.h>
 
 #include <CGAL/assertions.h>
+#include <CGAL/number_type_config.h>
 #include <CGAL/tags.h>
 
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <type_traits>
 
 namespace CGAL {
 namespace Region_segmentation {
+
+/// \ingroup PkgRegionSegmentationStages
+/// Which edges can be feature edges, by the sign of \f$(N_i \times N_j) \cdot d\f$, where \f$d\f$
+/// points along the halfedge of the first face. An edge whose sign is exactly 0 is selected by
+/// `ALL` only.
+enum class Feature_convexity {
+  CONVEX,  ///< ridges
+  CONCAVE, ///< valleys: the joints of scanned and organic models
+  ALL      ///< both: machine parts
+};
+
+/// \ingroup PkgRegionSegmentationStages
+/// The bound of the paper, 3.12 rad for the dihedral angle, as a deviation: 1.2372... degrees.
+inline constexpr double default_maximum_angle = 180 - 3.12 * (180 / CGAL_PI);
+namespace internal {
+
+/// Marks the adjacencies whose deviation is above `maximum_angle`, in degrees, and whose sign is
+/// wanted: feature edges.
+inline Edge_marks mark_feature_edges(const Surface& surface, double maximum_angle,
+                                     Feature_convexity convexity, const Execution& execution)
+{
+  const double bound = std::cos(maximum_angle * (CGAL_PI / 180));
+  const std::uint8_t wanted_signs = convexity == Feature_convexity::CONVEX    ? Surface::CONVEX
+                                    : convexity == Feature_convexity::CONCAVE ? Surface::CONCAVE
+                                                                              : 0; // whatever the
+                                                                                   // sign
+  Edge_marks is_feature(surface.number_of_adjacencies());
+  for_each_block(execution, is_feature.size(),
+                 [&](std::size_t, std::size_t begin, std::size_t end) {
+                   for (std::size_t a = begin; a < end; ++a)
+                     is_feature[a] = (wanted_signs == 0 || surface.has_flag(a, wanted_signs)) &&
+                                     surface.has_angle(a) && surface.cosine(a) < bound;
+                 });
+  return is_feature;
+}
+
+} // namespace internal
 
 namespace internal {
 using Feature_edge_parameters = Tag_list<

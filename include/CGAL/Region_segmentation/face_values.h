@@ -3,7 +3,8 @@
 #ifndef CGAL_REGION_SEGMENTATION_FACE_VALUES_H
 #define CGAL_REGION_SEGMENTATION_FACE_VALUES_H
 
-#include <CGAL/Region_segmentation/internal/support/check_maps.h>
+#include <CGAL/Region_segmentation/Partition.h>
+#include <CGAL/Region_segmentation/internal/support/concept_checks.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -56,7 +57,20 @@ void write_face_values(const FaceGraph& mesh, const Values& values, FaceMap map)
   for (auto f : faces(mesh))
     put(map, f, Value(values[i++]));
 }
+namespace internal {
 
+/// The partition of the faces of a mesh, in iteration order, by the labels that a property map
+/// gives to them.
+template <typename FaceGraph, typename FaceLabelMap>
+Partition read_face_labels(const FaceGraph& mesh, const FaceLabelMap& label_map)
+{
+  static_assert(check_face_map<FaceLabelMap, FaceGraph>());
+  using Label = typename boost::property_traits<FaceLabelMap>::value_type;
+  return Partition::from_labels(faces(mesh), num_faces(mesh),
+                                [&](const auto& f) -> Label { return get(label_map, f); });
+}
+
+} // namespace internal
 } // namespace Region_segmentation
 } // namespace CGAL
 

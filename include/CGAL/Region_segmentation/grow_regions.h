@@ -3,20 +3,74 @@
 #ifndef CGAL_REGION_SEGMENTATION_GROW_REGIONS_H
 #define CGAL_REGION_SEGMENTATION_GROW_REGIONS_H
 
+#include <CGAL/Region_segmentation/Execution.h>
+#include <CGAL/Region_segmentation/Hierarchy.h>
 #include <CGAL/Region_segmentation/Partition.h>
+#include <CGAL/Region_segmentation/Surface.h>
+#include <CGAL/Region_segmentation/detect_feature_edges.h>
 #include <CGAL/Region_segmentation/face_values.h>
-#include <CGAL/Region_segmentation/internal/regions/grow.h>
-#include <CGAL/Region_segmentation/internal/segmenting/Stage_input.h>
-#include <CGAL/Region_segmentation/internal/support/make_execution.h>
+#include <CGAL/Region_segmentation/internal/segmenting/Face_graph_input.h>
+#include <CGAL/Region_segmentation/internal/support/components.h>
+#include <CGAL/Region_segmentation/internal/support/concept_checks.h>
+#include <CGAL/Region_segmentation/internal/surface/collect_adjacencies.h>
 #include <CGAL/Region_segmentation/parameters.h>
 
 #include <CGAL/tags.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <type_traits>
+#include <utility>
 
 namespace CGAL {
 namespace Region_segmentation {
+namespace internal {
+
+/// The connected components of the faces across edges that are neither features nor constrained. A
+/// degenerate face joins the component across its longest edge that is not constrained.
+/// `marks`: 1 for a feature, or 0
+inline Partition grow(const Surface& surface, Edge_marks marks, const Execution& execution)
+{
+  for_each_index(execution, marks.size(),
+                 [mark = marks.data(), flags = arrays_of(surface).flags.data()](std::size_t a) {
+                   mark[a] |= (flags[a] & (Surface::barrier | Surface::CLOSED)) != 0;
+                 });
+  return label_components(surface, marks, 1, execution);
+}
+
+} // namespace internal
+
+/// \ingroup PkgRegionSegmentationInitializers
+/// The regions of the paper: the connected components of the faces across edges that are not
+/// feature edges.
+///
+/// The feature edges are those that `detect_feature_edges()` marks. A degenerate face joins the
+/// region across its longest interior edge.
+///
+/// Complexity: O(F). Deterministic. Parallel with `Parallel_tag`, with bitwise equal results.
+///
+/// Source: \cgalCite{YZWLL14}, sections 3.1 and 3.2.
+struct Region_growing
+{
+  /// The deviation above which an edge is a feature edge, in degrees, in [0, 180].
+  double maximum_angle = default_maximum_angle;
+  /// Which edges can be feature edges.
+  Feature_convexity feature_convexity = Feature_convexity::CONCAVE;
+
+  /// \throws Invalid_method if a constant is not in its range
+  void check_constants() const
+  {
+    internal::check_constant("Region_growing: maximum_angle", maximum_angle, 0, 180);
+  }
+
+  /// The regions of the faces.
+  Partition operator()(const Surface& surface, const Execution& execution = Execution()) const
+  {
+    auto is_feature = internal::mark_feature_edges(surface, maximum_angle, feature_convexity,
+                                                   execution.step(0, 0.5));
+    return internal::grow(surface, std::move(is_feature), execution.step(0.5, 1));
+  }
+};
 
 /// \ingroup PkgRegionSegmentationStages
 /// grows regions between feature edges: the connected components of the faces across edges that are

@@ -10,7 +10,7 @@
 /// so \cgal's look-up functions read it, and every function of the package accepts packs made by
 /// `CGAL::parameters`.
 
-#include <CGAL/Region_segmentation/internal/support/satisfies.h>
+#include <CGAL/Region_segmentation/internal/support/concept_checks.h>
 
 #include <CGAL/Named_function_parameters.h>
 

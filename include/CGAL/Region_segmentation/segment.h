@@ -8,7 +8,6 @@
 #include <CGAL/Region_segmentation/internal/segmenting/Face_graph_input.h>
 #include <CGAL/Region_segmentation/internal/segmenting/Polygon_input.h>
 #include <CGAL/Region_segmentation/internal/segmenting/run_method.h>
-#include <CGAL/Region_segmentation/internal/support/make_execution.h>
 #include <CGAL/Region_segmentation/make_surface.h>
 #include <CGAL/Region_segmentation/parameters.h>
 

@@ -4,7 +4,7 @@
 #define CGAL_REGION_SEGMENTATION_GRAPH_MERGE_TREE_H
 
 #include <CGAL/Region_segmentation/Partition.h>
-#include <CGAL/Region_segmentation/internal/support/Lowest_root_forest.h>
+#include <CGAL/Region_segmentation/internal/support/components.h>
 
 #include <CGAL/assertions.h>
 

@@ -3,9 +3,7 @@
 #ifndef CGAL_REGION_SEGMENTATION_GRAPH_REGION_ADJACENCY_GRAPH_H
 #define CGAL_REGION_SEGMENTATION_GRAPH_REGION_ADJACENCY_GRAPH_H
 
-#include <CGAL/Region_segmentation/Graph/Section_descriptor.h>
 #include <CGAL/Region_segmentation/Graph/geometry_data.h>
-#include <CGAL/Region_segmentation/internal/graph/region_graph_iterators.h>
 #include <CGAL/Region_segmentation/internal/graph/Section_lists.h>
 
 #include <CGAL/Iterator_range.h>
@@ -13,17 +11,115 @@
 
 #include <boost/graph/adjacency_iterator.hpp>
 #include <boost/graph/graph_traits.hpp>
+#include <boost/iterator/counting_iterator.hpp>
+#include <boost/iterator/filter_iterator.hpp>
+#include <boost/iterator/transform_iterator.hpp>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <limits>
 #include <numeric>
 #include <optional>
+#include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Region_segmentation {
+
+/// \ingroup PkgRegionSegmentationGraph
+/// A section as seen from one of its two regions. The two views of a section are equal.
+class Section_descriptor
+{
+public:
+  Section_descriptor() = default;
+  explicit Section_descriptor(std::uint32_t half)
+    : m_half(half)
+  {}
+
+  /// The index of the section, and of its view.
+  std::uint32_t id() const { return m_half / 2; }
+  std::uint32_t half() const { return m_half; }
+
+  friend bool operator==(Section_descriptor a, Section_descriptor b) { return a.id() == b.id(); }
+  friend bool operator!=(Section_descriptor a, Section_descriptor b) { return a.id() != b.id(); }
+  friend bool operator<(Section_descriptor a, Section_descriptor b) { return a.id() < b.id(); }
+  friend std::size_t hash_value(Section_descriptor s) { return s.id(); }
+
+private:
+  std::uint32_t m_half = (std::numeric_limits<std::uint32_t>::max)();
+};
+
+/// \ingroup PkgRegionSegmentationPolicies
+/// The section across which a policy proposes to merge next, and its cost in the units of the
+/// policy.
+struct Merge_candidate
+{
+  Section_descriptor section;
+  double cost; ///< a number, possibly infinite
+};
+
+/// \ingroup PkgRegionSegmentationPolicies
+/// Policies one after the other, each with the number of regions at which the next one takes over:
+/// what merges by a policy takes these, too. Where a policy has no further candidate before,
+/// merging ends.
+///
+/// \code
+/// RS::merge_regions(graph, RS::Policy_phases<RS::Smallest_region_first, My_policy>{
+///                            {RS::Smallest_region_first(), 100}, {My_policy(), 1}}, 8);
+/// \endcode
+///
+/// \tparam Policies models of `MergingPolicy`
+template <typename... Policies>
+using Policy_phases = std::tuple<std::pair<Policies, std::size_t>...>;
+namespace internal {
+
+template <typename Graph>
+struct Is_there
+{
+  const Graph* graph = nullptr;
+
+  template <typename Descriptor>
+  bool operator()(Descriptor d) const
+  {
+    return !graph->is_removed(d);
+  }
+};
+
+/// A section as seen from one of its regions, by the number of the half.
+struct Section_of_half
+{
+  Section_descriptor operator()(std::uint32_t half) const { return Section_descriptor(half); }
+};
+/// The first half of a section.
+struct Section_of_number
+{
+  Section_descriptor operator()(std::uint32_t s) const { return Section_descriptor(2 * s); }
+};
+
+using Number_iterator = boost::counting_iterator<std::uint32_t>;
+template <typename Graph>
+using Region_iterator = boost::filter_iterator<Is_there<Graph>, Number_iterator>;
+template <typename Graph>
+using Section_iterator = boost::filter_iterator<
+  Is_there<Graph>, boost::transform_iterator<Section_of_number, Number_iterator>>;
+template <typename Graph>
+using Out_section_iterator = boost::filter_iterator<
+  Is_there<Graph>, boost::transform_iterator<Section_of_half, const std::uint32_t*>>;
+
+/// Those of a range of numbers or of halves that are not removed.
+template <typename Iterator, typename Graph, typename Base>
+std::pair<Iterator, Iterator> remaining(const Graph& graph, const Base& begin, const Base& end)
+{
+  using All = std::decay_t<decltype(std::declval<const Iterator&>().base())>;
+  const Is_there<Graph> is_there{&graph};
+  return {Iterator(is_there, All(begin), All(end)), Iterator(is_there, All(end), All(end))};
+}
+
+} // namespace internal
 
 /// \ingroup PkgRegionSegmentationGraph
 /// Regions and the sections between them, with data on both; two regions can be merged across a
@@ -229,6 +325,14 @@ private:
 
 } // namespace Region_segmentation
 } // namespace CGAL
+
+namespace std {
+template <>
+struct hash<CGAL::Region_segmentation::Section_descriptor>
+{
+  std::size_t operator()(CGAL::Region_segmentation::Section_descriptor s) const { return s.id(); }
+};
+} // namespace std
 
 #include <CGAL/Region_segmentation/internal/graph/region_graph_bgl.h>
 

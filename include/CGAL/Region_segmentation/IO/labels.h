@@ -4,7 +4,7 @@
 #define CGAL_REGION_SEGMENTATION_IO_LABELS_H
 
 #include <CGAL/Region_segmentation/exceptions.h>
-#include <CGAL/Region_segmentation/internal/support/check_maps.h>
+#include <CGAL/Region_segmentation/internal/support/concept_checks.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>

@@ -9,11 +9,10 @@
 #include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/Patches.h>
 #include <CGAL/Region_segmentation/Surface.h>
-#include <CGAL/Region_segmentation/internal/cuts/Nested_borders.h>
-#include <CGAL/Region_segmentation/internal/regions/Dual_graph.h>
-#include <CGAL/Region_segmentation/internal/regions/Dual_graph.h>
-#include <CGAL/Region_segmentation/internal/support/Function_ref.h>
-#include <CGAL/Region_segmentation/internal/support/check_constants.h>
+#include <CGAL/Region_segmentation/internal/superfacets/Dual_graph.h>
+#include <CGAL/Region_segmentation/internal/superfacets/Nested_borders.h>
+#include <CGAL/Region_segmentation/internal/support/arrays.h>
+#include <CGAL/Region_segmentation/internal/support/concept_checks.h>
 
 #include <algorithm>
 #include <cmath>

@@ -4,19 +4,18 @@
 #define CGAL_REGION_SEGMENTATION_METHODS_LEARNED_MERGING_H
 
 #include <CGAL/Region_segmentation/Double_3.h>
-#include <CGAL/Region_segmentation/Methods/Lowest_order_first.h>
+#include <CGAL/Region_segmentation/Methods/Lowest_cost_first.h>
 #include <CGAL/Region_segmentation/Methods/Merge_features.h>
 #include <CGAL/Region_segmentation/Methods/Superfacet_merging.h>
 #include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
 #include <CGAL/Region_segmentation/Methods/number_choosers.h>
 #include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/Surface.h>
-#include <CGAL/Region_segmentation/internal/concepts/Method_calls.h>
 #include <CGAL/Region_segmentation/internal/model/Merge_model.h>
 #include <CGAL/Region_segmentation/internal/model/learned_merge_model.h>
-#include <CGAL/Region_segmentation/internal/regions/Region_shapes.h>
-#include <CGAL/Region_segmentation/internal/support/Second_moments.h>
-#include <CGAL/Region_segmentation/internal/support/check_constants.h>
+#include <CGAL/Region_segmentation/internal/segmenting/run_method.h>
+#include <CGAL/Region_segmentation/internal/superfacets/Region_shapes.h>
+#include <CGAL/Region_segmentation/internal/support/concept_checks.h>
 
 #include <CGAL/number_type_config.h>
 

@@ -3,9 +3,9 @@
 #ifndef CGAL_REGION_SEGMENTATION_METHODS_LOWEST_COST_FIRST_H
 #define CGAL_REGION_SEGMENTATION_METHODS_LOWEST_COST_FIRST_H
 
-#include <CGAL/Region_segmentation/Graph/Merge_candidate.h>
-#include <CGAL/Region_segmentation/internal/concepts/check_parts.h>
-#include <CGAL/Region_segmentation/internal/support/check_constants.h>
+#include <CGAL/Region_segmentation/Graph/Region_adjacency_graph.h>
+#include <CGAL/Region_segmentation/internal/graph/check_parts.h>
+#include <CGAL/Region_segmentation/internal/support/concept_checks.h>
 
 #include <algorithm>
 #include <cmath>
@@ -118,6 +118,47 @@ private:
   Queue m_queue;
   std::vector<Key> m_keys;           // by section
   std::vector<std::uint32_t> m_lags; // by region: its merges since its costs were computed
+};
+
+/// \ingroup PkgRegionSegmentationPolicies
+/// Merges in the order of one cost, and records another one as the costs of the merges. A model of
+/// `MergingPolicy`.
+///
+/// The best next merge is not always the one whose cost should be added up to choose a number of
+/// segments.
+///
+/// Complexity: that of `Lowest_cost_first<Order>`, and one evaluation of `Cost` per merge.
+///
+/// \tparam Order a model of `SectionCost`: the section for which it is lowest is merged across next
+/// \tparam Cost a model of `SectionCost`, recorded for each merge; a number for every section that
+///         `Order` does not bar
+template <typename Order, typename Cost>
+class Lowest_order_first : public Lowest_cost_first<Order>
+{
+public:
+  Lowest_order_first(Order order, Cost cost)
+    : Lowest_cost_first<Order>(std::move(order))
+    , m_cost(std::move(cost))
+  {}
+
+  void check_constants() const
+  {
+    Lowest_cost_first<Order>::check_constants();
+    internal::check_constants(m_cost);
+  }
+
+  template <typename Graph>
+  std::optional<Merge_candidate> next(const Graph& graph)
+  {
+    static_assert(internal::check_section_cost<Cost, Graph>());
+    std::optional<Merge_candidate> candidate = Lowest_cost_first<Order>::next(graph);
+    if (candidate)
+      candidate->cost = m_cost(graph, candidate->section);
+    return candidate;
+  }
+
+private:
+  Cost m_cost;
 };
 
 } // namespace Region_segmentation

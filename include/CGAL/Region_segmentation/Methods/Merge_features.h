@@ -7,7 +7,7 @@
 #include <CGAL/Region_segmentation/Methods/Visibility_cost.h>
 #include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/internal/model/Merge_model.h>
-#include <CGAL/Region_segmentation/internal/support/Second_moments.h>
+#include <CGAL/Region_segmentation/internal/superfacets/Region_shapes.h>
 
 #include <CGAL/number_type_config.h>
 

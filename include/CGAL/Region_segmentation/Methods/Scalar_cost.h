@@ -8,7 +8,7 @@
 #include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/exceptions.h>
-#include <CGAL/Region_segmentation/internal/support/check_constants.h>
+#include <CGAL/Region_segmentation/internal/support/concept_checks.h>
 
 #include <cmath>
 #include <cstddef>

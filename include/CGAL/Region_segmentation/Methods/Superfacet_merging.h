@@ -5,24 +5,24 @@
 
 #include <CGAL/Region_segmentation/Border_cost.h>
 #include <CGAL/Region_segmentation/Execution.h>
+#include <CGAL/Region_segmentation/Graph/Merge_tree.h>
 #include <CGAL/Region_segmentation/Hierarchy.h>
 #include <CGAL/Region_segmentation/Methods/Border_straightening.h>
 #include <CGAL/Region_segmentation/Methods/Region_rays.h>
 #include <CGAL/Region_segmentation/Methods/Superfacets.h>
+#include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/Patches.h>
-#include <CGAL/Region_segmentation/Request.h>
 #include <CGAL/Region_segmentation/Surface.h>
-#include <CGAL/Region_segmentation/internal/cells/Patch_builder.h>
-#include <CGAL/Region_segmentation/internal/concepts/check_parts.h>
-#include <CGAL/Region_segmentation/internal/graph/build_graph.h>
-#include <CGAL/Region_segmentation/internal/graph/renumber_tree.h>
-#include <CGAL/Region_segmentation/internal/regions/join_degenerate_regions.h>
-#include <CGAL/Region_segmentation/internal/support/check_constants.h>
+#include <CGAL/Region_segmentation/build_region_adjacency_graph.h>
+#include <CGAL/Region_segmentation/internal/graph/check_parts.h>
+#include <CGAL/Region_segmentation/internal/superfacets/Patch_builder.h>
+#include <CGAL/Region_segmentation/internal/support/concept_checks.h>
 #include <CGAL/Region_segmentation/internal/surface/smooth_noise.h>
 #include <CGAL/Region_segmentation/requested_regions.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <type_traits>
@@ -31,6 +31,41 @@
 
 namespace CGAL {
 namespace Region_segmentation {
+namespace internal {
+
+/// The tree of regions that have new numbers, or no elements any more (the highest number): their
+/// merges are left out.
+inline Merge_tree renumber_tree(const Merge_tree& tree, std::vector<Partition::Index> new_numbers)
+{
+  constexpr Partition::Index none = (std::numeric_limits<Partition::Index>::max)();
+  Merge_tree result(std::size_t(std::count_if(new_numbers.begin(), new_numbers.end(),
+                                              [](auto number) { return number != none; })));
+  for (const Merge_tree::Merge& merge : tree.merges()) {
+    // Of each segment, the lowest of the new numbers.
+    Partition::Index& kept = new_numbers[merge.kept];
+    const Partition::Index removed = new_numbers[merge.removed];
+    if (kept != none && removed != none)
+      result.push_back({(std::min)(kept, removed), (std::max)(kept, removed), merge.cost});
+    kept = (std::min)(kept, removed);
+  }
+  return result;
+}
+
+/// The hierarchy of regions whose faces were moved between them: `region_of` gives the region of
+/// each face by the numbers of `tree`.
+inline Hierarchy renumbered_hierarchy(const std::vector<Partition::Index>& region_of,
+                                      const Merge_tree& tree, std::size_t number_of_segments)
+{
+  constexpr Partition::Index none = (std::numeric_limits<Partition::Index>::max)();
+  Partition regions = Partition::from_labels(region_of);
+  std::vector<Partition::Index> new_numbers(tree.number_of_regions(), none);
+  for (std::size_t f = 0; f < region_of.size(); ++f)
+    new_numbers[region_of[f]] = regions[f];
+  return Hierarchy(std::move(regions), renumber_tree(tree, std::move(new_numbers)),
+                   number_of_segments);
+}
+
+} // namespace internal
 
 /// \ingroup PkgRegionSegmentationData
 /// A hierarchy whose first regions can be split further: so there are as many segments as are asked

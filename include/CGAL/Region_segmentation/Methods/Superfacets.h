@@ -4,23 +4,61 @@
 #define CGAL_REGION_SEGMENTATION_METHODS_SUPERFACETS_H
 
 #include <CGAL/Region_segmentation/Execution.h>
-#include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/Patches.h>
-#include <CGAL/Region_segmentation/internal/regions/Dual_graph.h>
-#include <CGAL/Region_segmentation/internal/regions/Farthest_point_seeding.h>
-#include <CGAL/Region_segmentation/internal/regions/Region_shapes.h>
-#include <CGAL/Region_segmentation/internal/support/check_constants.h>
-#include <CGAL/Region_segmentation/internal/surface/find_crumbs.h>
+#include <CGAL/Region_segmentation/Surface.h>
+#include <CGAL/Region_segmentation/internal/superfacets/Dual_graph.h>
+#include <CGAL/Region_segmentation/internal/superfacets/Farthest_point_seeding.h>
+#include <CGAL/Region_segmentation/internal/superfacets/Region_shapes.h>
+#include <CGAL/Region_segmentation/internal/support/components.h>
+#include <CGAL/Region_segmentation/internal/support/concept_checks.h>
+#include <CGAL/Region_segmentation/internal/surface/find_links.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Region_segmentation {
+namespace internal {
+
+/// The number of faces that are not degenerate.
+inline std::size_t number_of_proper_faces(const Surface& surface)
+{
+  std::size_t number = 0;
+  for (std::size_t f = 0; f < surface.number_of_faces(); ++f)
+    number += !surface.is_degenerate(f);
+  return number;
+}
+
+/// Joins regions so that none consists of degenerate faces alone, if possible: across the edges
+/// that join these, then across their other edges.
+inline Partition join_degenerate_regions(const Surface& surface, const Partition& regions)
+{
+  std::vector<bool> is_proper(regions.number_of_parts()); // by root
+  for (std::size_t f = 0; f < regions.size(); ++f)
+    if (!surface.is_degenerate(f))
+      is_proper[regions[f]] = true;
+  if (std::find(is_proper.begin(), is_proper.end(), false) == is_proper.end())
+    return regions;
+  Lowest_root_forest forest(is_proper.size());
+  for (const std::uint8_t flag : {Surface::JOINING, Surface::CLOSED})
+    for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a) {
+      const auto r = forest.root(regions[surface.lower_face(a)]),
+                 s = forest.root(regions[surface.higher_face(a)]);
+      if (!surface.has_flag(a, flag) || surface.has_flag(a, Surface::CONSTRAINED) ||
+          (is_proper[r] && is_proper[s]))
+        continue;
+      is_proper[(std::min)(r, s)] = is_proper[r] || is_proper[s];
+      forest.unite(r, s);
+    }
+  return composed(regions, forest.take_partition());
+}
+
+} // namespace internal
 
 /// \ingroup PkgRegionSegmentationInitializers
 /// makes regions of bounded size whose borders follow concave edges: each patch of

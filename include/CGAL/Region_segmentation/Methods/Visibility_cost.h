@@ -4,7 +4,7 @@
 #define CGAL_REGION_SEGMENTATION_METHODS_VISIBILITY_COST_H
 
 #include <CGAL/Region_segmentation/Surface.h>
-#include <CGAL/Region_segmentation/internal/support/check_constants.h>
+#include <CGAL/Region_segmentation/internal/support/concept_checks.h>
 
 #include <CGAL/number_type_config.h>
 

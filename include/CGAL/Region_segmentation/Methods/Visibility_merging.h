@@ -11,8 +11,8 @@
 #include <CGAL/Region_segmentation/Methods/number_choosers.h>
 #include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/Surface.h>
-#include <CGAL/Region_segmentation/internal/concepts/Method_calls.h>
-#include <CGAL/Region_segmentation/internal/regions/Region_shapes.h>
+#include <CGAL/Region_segmentation/internal/segmenting/run_method.h>
+#include <CGAL/Region_segmentation/internal/superfacets/Region_shapes.h>
 
 #include <cmath>
 #include <cstddef>

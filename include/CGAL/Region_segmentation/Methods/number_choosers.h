@@ -7,10 +7,10 @@
 #include <CGAL/Region_segmentation/Graph/Merge_tree.h>
 #include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/Surface.h>
-#include <CGAL/Region_segmentation/internal/regions/is_convex.h>
-#include <CGAL/Region_segmentation/internal/support/check_constants.h>
-#include <CGAL/Region_segmentation/internal/support/label_components.h>
-#include <CGAL/Region_segmentation/internal/surface/find_crumbs.h>
+#include <CGAL/Region_segmentation/internal/superfacets/Region_shapes.h>
+#include <CGAL/Region_segmentation/internal/support/components.h>
+#include <CGAL/Region_segmentation/internal/support/concept_checks.h>
+#include <CGAL/Region_segmentation/internal/surface/find_links.h>
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #ifndef CGAL_REGION_SEGMENTATION_SEGMENTS_SEGMENT_DESCRIPTION_H
 #define CGAL_REGION_SEGMENTATION_SEGMENTS_SEGMENT_DESCRIPTION_H
 
-#include <CGAL/Region_segmentation/Segments/Fitted_surface.h>
+#include <CGAL/Region_segmentation/Part_faces/Fitted_surface.h>
 
 #include <CGAL/Origin.h>
 

@@ -3,7 +3,7 @@
 #ifndef CGAL_REGION_SEGMENTATION_SEGMENTS_MARK_SEGMENT_BORDERS_H
 #define CGAL_REGION_SEGMENTATION_SEGMENTS_MARK_SEGMENT_BORDERS_H
 
-#include <CGAL/Region_segmentation/internal/support/check_maps.h>
+#include <CGAL/Region_segmentation/internal/support/concept_checks.h>
 
 #include <CGAL/boost/graph/helpers.h>
 

@@ -5,9 +5,9 @@
 
 #include <CGAL/Region_segmentation/Double_3.h>
 #include <CGAL/Region_segmentation/Surface.h>
-#include <CGAL/Region_segmentation/internal/support/Grouped_items.h>
+#include <CGAL/Region_segmentation/internal/support/arrays.h>
 #include <CGAL/Region_segmentation/internal/support/shortest_paths.h>
-#include <CGAL/Region_segmentation/internal/surface/Mesh_order.h>
+#include <CGAL/Region_segmentation/internal/surface/read_face_graph.h>
 #include <CGAL/Region_segmentation/make_surface.h>
 #include <CGAL/Region_segmentation/parameters.h>
 

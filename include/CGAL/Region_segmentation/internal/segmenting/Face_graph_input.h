@@ -3,12 +3,18 @@
 #ifndef CGAL_REGION_SEGMENTATION_INTERNAL_SEGMENTING_FACE_GRAPH_INPUT_H
 #define CGAL_REGION_SEGMENTATION_INTERNAL_SEGMENTING_FACE_GRAPH_INPUT_H
 
-#include <CGAL/Region_segmentation/Request.h>
+#include <CGAL/Region_segmentation/Execution.h>
+#include <CGAL/Region_segmentation/Hierarchy.h>
+#include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/face_values.h>
-#include <CGAL/Region_segmentation/internal/surface/Mesh_order.h>
-#include <CGAL/Region_segmentation/internal/surface/mark_constraints.h>
+#include <CGAL/Region_segmentation/internal/surface/collect_adjacencies.h>
+#include <CGAL/Region_segmentation/internal/surface/read_face_graph.h>
 #include <CGAL/Region_segmentation/make_surface.h>
+#include <CGAL/Region_segmentation/parameters.h>
 
+#include <boost/property_map/property_map.hpp>
+
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -75,6 +81,89 @@ public:
 
 private:
   const FaceGraph* m_mesh;
+};
+
+/// A face graph as the input of a single stage, whose maps have edges as keys: its surface, without
+/// links, which no stage crosses.
+template <typename FaceGraph, typename Pack>
+class Stage_input
+{
+public:
+  Stage_input(const FaceGraph& mesh, const Pack& np, const Execution& execution)
+    : m_order(mesh, np)
+    , m_surface(component_links(np)
+                  ? make_unlinked_surface(m_order, np, execution.stage("reading"))
+                  : make_surface_of_neighbors(m_order, np, execution.stage("reading")))
+  {
+    constrain(Face_graph_input<FaceGraph>(mesh), m_surface, np);
+  }
+
+  const FaceGraph& mesh() const { return m_order.mesh(); }
+  const Surface& surface() const { return m_surface; }
+  bool is_constrained(std::size_t adjacency) const
+  {
+    return m_surface.has_flag(adjacency, Surface::CONSTRAINED);
+  }
+
+  /// Calls `f(halfedge, adjacency)` for each edge, with the adjacency across it: `Surface::none`
+  /// for a border, and for an edge with the same face on both sides. In the order of the higher
+  /// faces.
+  template <typename F>
+  void for_each_edge(const F& f) const
+  {
+    for (Surface::Index face = 0; face < m_order.number_of_faces(); ++face) {
+      std::size_t i = 0;
+      const auto first = m_order.first_halfedge(m_order.ordered_faces()[face]);
+      for (auto h : CGAL::halfedges_around_face(first, mesh())) {
+        const Surface::Index across = m_order.face_rank(opposite(h, mesh()));
+        if (across <= face || across == m_order.none)
+          f(h, adjacency(face, i, h));
+        ++i;
+      }
+    }
+  }
+
+  /// The number of a vertex, by iteration.
+  template <typename Vertex>
+  std::size_t rank(const Vertex& v) const
+  {
+    return m_order.vertex_rank(v);
+  }
+
+  /// Writes `value(adjacency)` for the edges with an adjacency, `true` for the other border edges,
+  /// `false` for the rest. Returns the number of edges with `true`.
+  template <typename EdgeMap, typename Value>
+  std::size_t write(EdgeMap& map, const Value& value) const
+  {
+    using Mapped = typename boost::property_traits<EdgeMap>::value_type;
+    std::size_t number = 0;
+    for_each_edge([&](auto h, Surface::Index a) {
+      const auto e = edge(h, mesh());
+      const bool is_true = a == Surface::none ? CGAL::is_border(e, mesh()) : value(a);
+      put(map, e, Mapped(is_true));
+      number += is_true;
+    });
+    return number;
+  }
+
+private:
+  /// Across the side of a face at a halfedge: the i-th, unless the surface has turned the face, or
+  /// begins it at another vertex.
+  template <typename Halfedge>
+  Surface::Index adjacency(Surface::Index face, std::size_t i, const Halfedge& h) const
+  {
+    const Point_pair wanted = point_pair(m_surface.point(rank(source(h, mesh()))),
+                                         m_surface.point(rank(target(h, mesh()))));
+    const std::size_t n = m_surface.number_of_corners(face);
+    for (std::size_t tries = 0; tries < n; ++tries, i = (i + 1) % n)
+      if (point_pair(m_surface.point(m_surface.corner(face, i)),
+                     m_surface.point(m_surface.corner(face, (i + 1) % n))) == wanted)
+        return m_surface.adjacency(face, i);
+    return Surface::none;
+  }
+
+  Mesh_order<FaceGraph, Pack> m_order;
+  Surface m_surface;
 };
 
 } // namespace internal

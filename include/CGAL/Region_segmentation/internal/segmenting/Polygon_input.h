@@ -3,10 +3,10 @@
 #ifndef CGAL_REGION_SEGMENTATION_INTERNAL_SEGMENTING_POLYGON_INPUT_H
 #define CGAL_REGION_SEGMENTATION_INTERNAL_SEGMENTING_POLYGON_INPUT_H
 
-#include <CGAL/Region_segmentation/Request.h>
+#include <CGAL/Region_segmentation/Hierarchy.h>
 #include <CGAL/Region_segmentation/exceptions.h>
-#include <CGAL/Region_segmentation/internal/support/check_maps.h>
-#include <CGAL/Region_segmentation/internal/surface/mark_constraints.h>
+#include <CGAL/Region_segmentation/internal/support/concept_checks.h>
+#include <CGAL/Region_segmentation/internal/surface/collect_adjacencies.h>
 #include <CGAL/Region_segmentation/parameters.h>
 
 #include <boost/property_map/property_map.hpp>

@@ -4,10 +4,9 @@
 #define CGAL_REGION_SEGMENTATION_INTERNAL_SEGMENTS_SEGMENT_FITTER_H
 
 #include <CGAL/Region_segmentation/Double_3.h>
-#include <CGAL/Region_segmentation/Segments/Fitted_surface.h>
-#include <CGAL/Region_segmentation/internal/faces/fit_surface.h>
-#include <CGAL/Region_segmentation/internal/faces/initial_surfaces.h>
-#include <CGAL/Region_segmentation/internal/support/eigenvectors.h>
+#include <CGAL/Region_segmentation/Part_faces/Fitted_surface.h>
+#include <CGAL/Region_segmentation/internal/part_faces/fit_surface.h>
+#include <CGAL/Region_segmentation/internal/part_faces/initial_surfaces.h>
 
 #include <CGAL/number_type_config.h>
 

@@ -3,17 +3,174 @@
 #ifndef CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_BOX_TREE_H
 #define CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_BOX_TREE_H
 
-#include <CGAL/Region_segmentation/internal/surface/Axis_box.h>
+#include <CGAL/Region_segmentation/Double_3.h>
+#include <CGAL/Region_segmentation/Surface.h>
+#include <CGAL/Region_segmentation/internal/support/arrays.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
+
+/// An axis-parallel box; empty by default. Coordinates are rounded, so boxes that overlap still do.
+/// Those that are not numbers are ignored.
+struct Axis_box
+{
+  using Coordinates = std::array<float, 3>;
+
+  Coordinates low = all(std::numeric_limits<float>::infinity());
+  Coordinates high = all(-std::numeric_limits<float>::infinity());
+
+  static constexpr Coordinates all(float x) { return {x, x, x}; }
+
+  void add_point(const Coordinates& p) { add(p, p); }
+  void add(const Axis_box& b) { add(b.low, b.high); }
+  void add(const Coordinates& other_low, const Coordinates& other_high)
+  {
+    for (std::size_t i = 0; i < 3; ++i) {
+      low[i] = (std::min)(low[i], other_low[i]);
+      high[i] = (std::max)(high[i], other_high[i]);
+    }
+  }
+  float extent(std::size_t axis) const { return high[axis] - low[axis]; }
+  float center(std::size_t axis) const { return low[axis] + extent(axis) / 2; }
+  std::size_t longest_axis() const
+  {
+    const std::size_t axis = extent(1) > extent(0) ? 1 : 0;
+    return extent(2) > extent(axis) ? 2 : axis;
+  }
+};
+
+inline double squared_gap(const Axis_box& a, const Axis_box& b)
+{
+  double sum = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double gap = (std::max)({a.low[i] - b.high[i], b.low[i] - a.high[i], 0.0f});
+    sum += gap * gap;
+  }
+  return sum;
+}
+
+inline double squared_distance_of_centers(const Axis_box& a, const Axis_box& b)
+{
+  double sum = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double difference = b.center(i) - a.center(i);
+    sum += difference * difference;
+  }
+  return sum;
+}
+
+/// Of an array of points.
+template <typename Points>
+Axis_box box_of(const Points& points)
+{
+  Axis_box result;
+  for (const Double_3& p : points)
+    result.add_point({float(p.x), float(p.y), float(p.z)});
+  return result;
+}
+
+/// Three corners; may be degenerate.
+using Triangle = std::array<Double_3, 3>;
+
+inline double in_unit_interval(double x)
+{
+  return (std::min)((std::max)(x, 0.0), 1.0);
+}
+
+/// From a point to a segment.
+inline double squared_distance(const Double_3& p, const Double_3& a, const Double_3& b)
+{
+  const Double_3 along = b - a;
+  const double squared_length = squared_norm(along);
+  const double x = squared_length > 0 ? in_unit_interval(dot(p - a, along) / squared_length) : 0;
+  return squared_norm(p - a - x * along);
+}
+
+/// Whether the projection of a point to the plane of a triangle with the given area vector is in
+/// the triangle.
+inline bool is_above(const Double_3& p, const Triangle& t, const Double_3& n)
+{
+  return dot(cross(t[1] - t[0], p - t[0]), n) >= 0 && dot(cross(t[2] - t[1], p - t[1]), n) >= 0 &&
+         dot(cross(t[0] - t[2], p - t[2]), n) >= 0;
+}
+
+/// From a point to a triangle.
+inline double squared_distance(const Double_3& p, const Triangle& t)
+{
+  const Double_3 n = cross(t[1] - t[0], t[2] - t[0]);
+  const double nn = squared_norm(n);
+  if (nn > 0 && is_above(p, t, n)) {
+    const double h = dot(p - t[0], n);
+    return h / nn * h;
+  }
+  return (std::min)({squared_distance(p, t[0], t[1]), squared_distance(p, t[1], t[2]),
+                     squared_distance(p, t[2], t[0])});
+}
+
+/// The x for which a + x (b - a) is the point of the segment a, b nearest to the segment c, d.
+inline double nearest_parameter(const Double_3& a, const Double_3& b, const Double_3& c,
+                                const Double_3& d)
+{
+  const Double_3 u = b - a, v = d - c, w = a - c;
+  const double uu = squared_norm(u), uv = dot(u, v), vv = squared_norm(v), uw = dot(u, w),
+               vw = dot(v, w);
+  const double determinant = uu * vv - uv * uv;
+  const double x = determinant > 1e-14 * uu * vv
+                     ? in_unit_interval((uv * vw - vv * uw) / determinant)
+                     : 0;
+  const double y = vv > 0 ? (uv * x + vw) / vv : 0;
+  if (y >= 0 && y <= 1)
+    return x;
+  return uu > 0 ? in_unit_interval((uv * in_unit_interval(y) - uw) / uu) : 0;
+}
+
+/// Whether an edge of `s` goes through `t`.
+inline bool is_pierced(const Triangle& s, const Triangle& t)
+{
+  const Double_3 n = cross(t[1] - t[0], t[2] - t[0]);
+  const double h[3] = {dot(s[0] - t[0], n), dot(s[1] - t[0], n), dot(s[2] - t[0], n)};
+  for (std::size_t i = 0; i < 3; ++i)
+    if (const std::size_t j = (i + 1) % 3;
+        (h[i] > 0) != (h[j] > 0) && is_above(s[i] + (h[i] / (h[i] - h[j])) * (s[j] - s[i]), t, n))
+      return true;
+  return false;
+}
+
+/// Between two triangles along the line through their centroids: at most their distance.
+inline double squared_separation(const Triangle& s, const Triangle& t)
+{
+  const Double_3 along = (t[0] - s[0]) + (t[1] - s[1]) + (t[2] - s[2]);
+  const auto position = [&](const Double_3& p) { return dot(along, p - s[0]); };
+  const double gap = (std::min)({position(t[0]), position(t[1]), position(t[2])}) -
+                     (std::max)({0.0, position(s[1]), position(s[2])});
+  return gap > 0 ? gap / squared_norm(along) * gap : 0;
+}
+
+/// Between two triangles.
+inline double squared_distance(const Triangle& s, const Triangle& t)
+{
+  if (is_pierced(s, t) || is_pierced(t, s))
+    return 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < 3; ++i) {
+    least = (std::min)({least, squared_distance(s[i], t), squared_distance(t[i], s)});
+    for (std::size_t j = 0; j < 3; ++j) {
+      const Double_3 &a = s[i], &b = s[(i + 1) % 3], &c = t[j], &d = t[(j + 1) % 3];
+      const double x = nearest_parameter(a, b, c, d);
+      least = (std::min)(least, squared_distance(a + x * (b - a), c, d));
+    }
+  }
+  return least;
+}
 
 /// A balanced binary tree of boxes. A leaf has one item; a node is divided at the median of the
 /// centers of its items, along the axis where these are farthest from each other. Building takes
@@ -146,6 +303,55 @@ private:
   }
 
   std::vector<Node> m_nodes;
+};
+
+/// The faces of a surface, divided into triangles from their first corner, and a tree of their
+/// boxes.
+class Face_tree
+{
+public:
+  using Index = Surface::Index;
+
+  explicit Face_tree(const Surface& surface)
+    : m_surface(surface)
+    , m_parts(parts(surface))
+    , m_tree(m_parts.size(), [&](Index item) { return box_of(triangle(m_parts[item])); })
+  {}
+
+  const Box_tree& boxes() const { return m_tree; }
+
+  /// Of a leaf.
+  Index face(Index leaf) const { return m_parts[m_tree.item(leaf)].face; }
+  Triangle triangle(Index leaf) const { return triangle(m_parts[m_tree.item(leaf)]); }
+
+private:
+  struct Part
+  {
+    Index face, second_corner;
+  };
+
+  static std::vector<Part> parts(const Surface& surface)
+  {
+    std::vector<Part> result;
+    result.reserve(surface.number_of_faces());
+    for (Index f = 0; f < surface.number_of_faces(); ++f)
+      for (std::size_t i = 1; i == 1 || i + 1 < surface.number_of_corners(f); ++i)
+        result.push_back({f, Index(i)});
+    return result;
+  }
+
+  Triangle triangle(const Part& part) const
+  {
+    const auto point = [&](std::size_t i) {
+      const std::size_t last = m_surface.number_of_corners(part.face) - 1;
+      return m_surface.point(m_surface.corner(part.face, (std::min)(i, last)));
+    };
+    return {point(0), point(part.second_corner), point(part.second_corner + 1)};
+  }
+
+  const Surface& m_surface;
+  std::vector<Part> m_parts;
+  Box_tree m_tree;
 };
 
 } // namespace internal

@@ -4,14 +4,18 @@
 #define CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_COLLECT_ADJACENCIES_H
 
 #include <CGAL/Region_segmentation/Execution.h>
-#include <CGAL/Region_segmentation/internal/support/Function_ref.h>
-#include <CGAL/Region_segmentation/internal/surface/Added_adjacency.h>
+#include <CGAL/Region_segmentation/Surface.h>
+#include <CGAL/Region_segmentation/internal/support/arrays.h>
 #include <CGAL/Region_segmentation/internal/surface/Raw_surface.h>
 #include <CGAL/Region_segmentation/internal/surface/compute_normals.h>
 
+#include <boost/functional/hash.hpp>
+
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <tuple>
 #include <utility>
@@ -20,6 +24,27 @@
 namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
+
+/// An adjacency that is added to those across edges.
+struct Added_adjacency
+{
+  Surface::Index lower, higher; ///< faces
+  double squared_length;
+  std::uint8_t flags;
+  Surface::Index side = Surface::none, other_side = Surface::none; ///< of a seam: its corners
+  Surface::Index place = Surface::none;                            ///< once it is inserted
+
+  friend bool operator<(const Added_adjacency& a, const Added_adjacency& b)
+  {
+    return a.higher != b.higher ? a.higher < b.higher : a.lower < b.lower;
+  }
+};
+
+/// A link between two faces, with the length of contact; 0 for a gap.
+inline Added_adjacency link_of(Surface::Index f, Surface::Index g, double length)
+{
+  return {(std::min)(f, g), (std::max)(f, g), length * length, Surface::LINK};
+}
 
 inline void resize_adjacencies(Surface_arrays& arrays, std::size_t size)
 {
@@ -166,6 +191,117 @@ inline void join_degenerate_faces(Surface& surface)
   for (const Index a : longest)
     if (a != Surface::none)
       arrays.flags[a] = Surface::JOINING;
+}
+
+/// Whether two faces have the same vertices in the same cyclic order, or in the reverse one. Each
+/// begins at its vertex of lowest index.
+inline bool are_equal_faces(const Surface& s, Surface::Index f, Surface::Index g)
+{
+  const std::size_t n = s.number_of_corners(f);
+  if (s.number_of_corners(g) != n)
+    return false;
+  bool is_same = true, is_reverse = true;
+  for (std::size_t i = 0; i < n && (is_same || is_reverse); ++i) {
+    is_same = is_same && s.corner(f, i) == s.corner(g, i);
+    is_reverse = is_reverse && s.corner(f, i) == s.corner(g, (n - i) % n);
+  }
+  return is_same || is_reverse;
+}
+
+/// A number for the sides of a face, whatever their order and directions.
+inline std::size_t key_of_sides(const Surface& s, Surface::Index f)
+{
+  std::size_t sum = 0;
+  for_each_side(s, f, [&](Surface::Index v, Surface::Index w) {
+    sum += boost::hash<std::pair<Surface::Index, Surface::Index>>()(std::minmax(v, w));
+  });
+  return sum;
+}
+
+/// Lets the sides of a face lead to itself. Those of its neighbors that led to it are open then.
+inline void separate_from_neighbors(Raw_surface& raw, Surface::Index face)
+{
+  const auto& first_corners = arrays_of(raw.surface).first_corners;
+  for (Surface::Index side = first_corners[face]; side < first_corners[face + 1]; ++side) {
+    const Surface::Index neighbor = raw.neighbors[side];
+    raw.neighbors[side] = face;
+    if (!Raw_surface::is_face(neighbor) || neighbor == face)
+      continue;
+    for (Surface::Index s = first_corners[neighbor]; s < first_corners[neighbor + 1]; ++s)
+      if (raw.neighbors[s] == face)
+        raw.neighbors[s] = Raw_surface::none;
+  }
+}
+
+/// Makes faces degenerate that were given before, in any orientation, and gives them an adjacency
+/// to the first of their kind alone. Only faces with open sides are looked at. O(n log n) for n of
+/// them.
+inline void find_doubled_faces(Raw_surface& raw, std::vector<Added_adjacency>& added)
+{
+  using Index = Surface::Index;
+  Surface_arrays& arrays = arrays_of(raw.surface);
+  const std::vector<Index> faces = faces_with_open_sides(raw);
+  for_each_repetition(
+    faces.size(),
+    [&](const auto& add) {
+      for (const Index f : faces)
+        add(f, key_of_sides(raw.surface, f));
+    },
+    [&](Index f, Index g) { return are_equal_faces(raw.surface, f, g); },
+    [&](Index f, Index first) {
+      separate_from_neighbors(raw, f);
+      arrays.normals[f] = {0, 0, 0};
+      arrays.areas[f] = 0;
+      added.push_back({first, f, 1, 0});
+    });
+}
+
+/// Two vertices.
+using Vertex_pair = std::pair<Surface::Index, Surface::Index>;
+
+/// The coordinates of two points, the lower one first.
+using Point_pair = std::array<std::array<double, 3>, 2>;
+
+inline Point_pair point_pair(const Double_3& p, const Double_3& q)
+{
+  const std::array<double, 3> a{p.x, p.y, p.z}, b{q.x, q.y, q.z};
+  return a < b ? Point_pair{a, b} : Point_pair{b, a};
+}
+
+/// Constrains the edges and seams between pairs of vertices. A vertex that no face uses, since its
+/// point is that of another one, stands for all vertices with this point. O(F log C) for C pairs.
+inline void mark_constraints(Surface& surface, const std::vector<Vertex_pair>& pairs)
+{
+  using Index = Surface::Index;
+  if (pairs.empty())
+    return;
+  Surface_arrays& arrays = arrays_of(surface);
+  std::vector<bool> is_used(surface.number_of_vertices());
+  for (const Index v : arrays.corners)
+    is_used[v] = true;
+  std::vector<std::pair<Point_pair, Vertex_pair>> constrained;
+  for (const Vertex_pair& pair : pairs)
+    constrained.push_back(
+      {point_pair(surface.point(pair.first), surface.point(pair.second)), pair});
+  std::sort(constrained.begin(), constrained.end());
+  const auto is_constrained = [&](Index v, Index w) {
+    const auto is = [&](Index end, Index vertex) { return end == vertex || !is_used[end]; };
+    const Point_pair points = point_pair(surface.point(v), surface.point(w));
+    auto c = std::lower_bound(constrained.begin(), constrained.end(),
+                              std::make_pair(points, Vertex_pair(0, 0)));
+    for (; c != constrained.end() && c->first == points; ++c)
+      if (const auto& [p, q] = c->second; (is(p, v) && is(q, w)) || (is(p, w) && is(q, v)))
+        return true;
+    return false;
+  };
+  for (Index f = 0; f < surface.number_of_faces(); ++f) {
+    Index side = arrays.first_corners[f];
+    for_each_side(surface, f, [&](Index v, Index w) {
+      if (const Index a = arrays.adjacencies[side++]; a != Surface::none && is_constrained(v, w))
+        arrays.flags[a] |= Surface::CONSTRAINED;
+    });
+  }
+  join_degenerate_faces(surface);
 }
 
 } // namespace internal

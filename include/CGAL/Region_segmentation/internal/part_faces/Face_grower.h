@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_PART_FACES_FACE_GROWER_H
+#define CGAL_REGION_SEGMENTATION_INTERNAL_PART_FACES_FACE_GROWER_H
+
+#include <CGAL/Region_segmentation/Part_faces/Fitted_surface.h>
+#include <CGAL/Region_segmentation/internal/part_faces/Face_neighbors.h>
+#include <CGAL/Region_segmentation/internal/part_faces/fit_surface.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Region_segmentation {
+namespace internal {
+
+/// Whether a face lies on a surface: its vertices do, within a tolerance, and its normal is that of
+/// the surface, within some 37 degrees, unless it is thin.
+class Face_test
+{
+public:
+  Face_test(const Surface& surface, const Face_neighbors& neighbors, double tolerance)
+    : m_surface(surface)
+    , m_neighbors(neighbors)
+    , m_tolerance(tolerance)
+  {}
+
+  double tolerance() const { return m_tolerance; }
+
+  bool operator()(const Fitted_surface<>& s, std::size_t face) const
+  {
+    return has_vertices_on(s, face) && has_normal_of(s, face);
+  }
+
+  bool has_vertices_on(const Fitted_surface<>& s, std::size_t face) const
+  {
+    const Surface_distance distance(s);
+    for (std::size_t i = 0; i < m_surface.number_of_corners(face); ++i)
+      if (!(std::fabs(distance(corner(face, i))) <= m_tolerance))
+        return false;
+    return true;
+  }
+
+  bool has_normal_of(const Fitted_surface<>& s, std::size_t face,
+                     double cosine = usual_cosine) const
+  {
+    return m_neighbors.is_thin(face) ||
+           dot(m_surface.normal(face), surface_normal(s, m_surface.centroid(face))) > cosine;
+  }
+
+  /// The mean distance of the midpoints of the edges of a face to a surface: how much the face
+  /// deviates from it.
+  double deviation(const Fitted_surface<>& s, std::size_t face) const
+  {
+    const Surface_distance distance(s);
+    const std::size_t n = m_surface.number_of_corners(face);
+    double sum = 0;
+    for (std::size_t i = 0; i < n; ++i)
+      sum += std::fabs(distance(0.5 * (corner(face, i) + corner(face, (i + 1) % n))));
+    return sum / double(n);
+  }
+
+private:
+  static constexpr double usual_cosine = 0.8;
+
+  const Double_3& corner(std::size_t face, std::size_t i) const
+  {
+    return m_surface.point(m_surface.corner(face, i));
+  }
+
+  const Surface& m_surface;
+  const Face_neighbors& m_neighbors;
+  double m_tolerance;
+};
+
+/// The vertex of a face that is farthest from its side to another face, as the foot of the
+/// perpendicular on the line of that side, and the perpendicular.
+struct Perpendicular
+{
+  Double_3 foot, vector{0, 0, 0};
+
+  Perpendicular(const Surface& surface, Surface::Index face, Surface::Index other)
+  {
+    const Shared_side side(surface, face, other);
+    for (std::size_t i = 0; i < surface.number_of_corners(face); ++i) {
+      const Double_3 p = surface.point(surface.corner(face, i)), d = p - side.middle,
+                     across = d - dot(d, side.along) * side.along;
+      if (i == 0 || squared_norm(across) > squared_norm(vector)) {
+        foot = p - across;
+        vector = across;
+      }
+    }
+  }
+};
+
+/// Whether the neighbor of a face that is on a curved surface leaves it little by little: it
+/// departs from the surface less than a plane that is tangent to it where they meet would, and more
+/// than the tolerance. Else its curvature is another one.
+inline bool departs_gradually(const Surface& surface, const Face_test& test,
+                              const Fitted_surface<>& s, Surface::Index face,
+                              Surface::Index neighbor)
+{
+  constexpr double much_less = 0.7, along_tube = 0.02;
+  if (s.kind == Surface_kind::PLANE || !test.has_normal_of(s, neighbor))
+    return false;
+  const Perpendicular p(surface, neighbor, face);
+  const double height = norm(p.vector);
+  const Double_3 normal = surface_normal(s, p.foot),
+                 tangent = p.vector - dot(p.vector, normal) * normal;
+  const Surface_distance distance(s);
+  const double apart = std::fabs(distance(p.foot + p.vector));
+  if (!(norm(tangent) > 0) || apart <= test.tolerance())
+    return false;
+  const double radius = s.kind == Surface_kind::TORUS ? s.minor_radius : s.radius,
+               of_plane = std::fabs(distance(p.foot + (height / norm(tangent)) * tangent) -
+                                    distance(p.foot)),
+               of_tube = std::sqrt(height * height + radius * radius) - radius;
+  return apart < (std::max)(much_less * of_plane, along_tube * of_tube);
+}
+
+/// Grows a face over all that lies on its surface, and fits the surface again whenever the face has
+/// doubled, and at the end: then those that did not lie on the former surface are tested again.
+class Face_grower
+{
+public:
+  using Index = Surface::Index;
+
+  Face_grower(const Surface& surface, const Face_neighbors& neighbors, const Face_test& test)
+    : m_surface(surface)
+    , m_neighbors(neighbors)
+    , m_test(test)
+    , m_taken(surface)
+    , m_visited(surface.number_of_faces())
+  {}
+
+  /// From those of the faces `seeds` that lie on `s`, over faces that `is_free(face)`. Improves
+  /// `s`.
+  template <typename IsFree>
+  void grow(Fitted_surface<>& s, const std::vector<Index>& seeds, const IsFree& is_free)
+  {
+    m_taken.clear();
+    m_visited.clear();
+    m_rejected.clear();
+    m_area = 0;
+    for (const Index f : seeds)
+      visit(s, f);
+    std::size_t next_fit = 2 * points().size();
+    for (std::size_t next = 0, tested = faces().size(); next < faces().size();) {
+      for (; next < faces().size(); ++next) {
+        if (points().size() >= next_fit) {
+          refine(s);
+          next_fit = 2 * points().size();
+        }
+        for (const Face_neighbors::Neighbor& n : m_neighbors[faces()[next]])
+          if (!m_visited.has(n.face) && is_free(n.face))
+            visit(s, n.face);
+      }
+      refine(s);
+      if (faces().size() > tested) { // the surface is another one now
+        tested = faces().size();
+        std::vector<Index> rejected;
+        rejected.swap(m_rejected);
+        for (const Index f : rejected)
+          take_if_on(s, f);
+      }
+    }
+  }
+
+  /// The share of the border where the mesh leaves the surface little by little: growing has
+  /// stopped in the middle of a face that is not on this surface, but only osculated by it.
+  double gradual_border(const Fitted_surface<>& s) const
+  {
+    double gradual = 0, all = 0;
+    for (const Index f : faces())
+      for (const Face_neighbors::Neighbor& n : m_neighbors[f])
+        if (!is_taken(n.face)) {
+          const double length = m_surface.length(n.adjacency);
+          all += length;
+          if (departs_gradually(m_surface, m_test, s, f, n.face))
+            gradual += length;
+        }
+    return all > 0 ? gradual / all : 0;
+  }
+
+  /// Facets of a fillet turn by twice the angle that there is between the fillet and the face to
+  /// which it is tangent; chamfers turn by the same angle. Whether the mean deviation across the
+  /// border, where it is not sharp, is less than 3/4 of that inside.
+  bool is_tangent_to_neighbors() const
+  {
+    double sum[2] = {0, 0}, length[2] = {0, 0};
+    for (const Index f : faces())
+      for (const Face_neighbors::Neighbor& n : m_neighbors[f]) {
+        const double cosine = m_surface.cosine(n.adjacency);
+        if (m_neighbors.is_smooth(n.adjacency) && cosine < 1 - 1e-9) {
+          sum[is_taken(n.face)] += m_surface.length(n.adjacency) * std::acos(cosine);
+          length[is_taken(n.face)] += m_surface.length(n.adjacency);
+        }
+      }
+    return length[0] > 0 && sum[0] * length[1] < 0.75 * sum[1] * length[0];
+  }
+
+  /// The number of plane facets of which the faces consist, or less if there are vertices inside
+  /// facets.
+  std::size_t number_of_facets() const
+  {
+    std::size_t flat = 0;
+    for (const Index f : faces())
+      for (const Face_neighbors::Neighbor& n : m_neighbors[f])
+        flat += n.face < f && is_taken(n.face) && m_neighbors.is_coplanar(n.adjacency);
+    return faces().size() > flat ? faces().size() - flat : 1;
+  }
+
+  /// The share of the area that is coplanar with the largest face.
+  double share_of_largest_facet() const
+  {
+    Index largest = faces()[0];
+    for (const Index f : faces())
+      if (m_surface.area(f) > m_surface.area(largest))
+        largest = f;
+    double area = 0;
+    for (const Index f : faces())
+      if (dot(m_surface.normal(f), m_surface.normal(largest)) > 1 - 1e-9)
+        area += m_surface.area(f);
+    return area / m_area;
+  }
+
+  const std::vector<Index>& faces() const { return m_taken.faces(); }
+  bool is_taken(Index face) const { return m_taken.has(face); }
+  const std::vector<Double_3>& points() const { return m_taken.points(); }
+  double area() const { return m_area; }
+
+private:
+  void visit(const Fitted_surface<>& s, Index face)
+  {
+    if (m_visited.mark(face))
+      take_if_on(s, face);
+  }
+
+  void take_if_on(const Fitted_surface<>& s, Index face)
+  {
+    if (!m_test(s, face)) {
+      m_rejected.push_back(face);
+      return;
+    }
+    m_taken.add(face);
+    m_area += m_surface.area(face);
+  }
+
+  void refine(Fitted_surface<>& s) const
+  {
+    refine_surface(s, points(), m_test.tolerance(), 1e-3 * m_test.tolerance());
+  }
+
+  const Surface& m_surface;
+  const Face_neighbors& m_neighbors;
+  const Face_test& m_test;
+  Face_set m_taken;
+  Element_marks m_visited;
+  std::vector<Index> m_rejected;
+  double m_area = 0;
+};
+
+} // namespace internal
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_INTERNAL_PART_FACES_FACE_GROWER_H

@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_PART_FACES_FACE_SEARCH_H
+#define CGAL_REGION_SEGMENTATION_INTERNAL_PART_FACES_FACE_SEARCH_H
+
+#include <CGAL/Region_segmentation/Execution.h>
+#include <CGAL/Region_segmentation/internal/part_faces/Face_grower.h>
+#include <CGAL/Region_segmentation/internal/part_faces/Face_neighbors.h>
+#include <CGAL/Region_segmentation/internal/support/components.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Region_segmentation {
+namespace internal {
+
+/// What the phases of finding faces share: the tolerance, and the faces found so far, by their
+/// labels, with their surfaces.
+class Face_search
+{
+public:
+  using Index = Surface::Index;
+  static constexpr Index none = Index(-1);
+
+  const Surface& surface;
+  const Face_neighbors neighbors;
+  Face_set patch; ///< some faces around a face
+  const Face_test test;
+  Face_grower grower;
+  std::vector<Index> labels;              ///< by face of the mesh; none: not found yet
+  std::vector<Fitted_surface<>> surfaces; ///< by label
+  std::vector<std::uint8_t> is_tried;     ///< by face of the mesh: no seed in this phase
+  std::vector<std::uint8_t> is_on_found;  ///< by vertex: a face that is found has it
+
+  Face_search(const Surface& s, double tolerance)
+    : surface(s)
+    , neighbors(s)
+    , patch(s)
+    , test(s, neighbors, tolerance)
+    , grower(s, neighbors, test)
+    , labels(s.number_of_faces(), none)
+    , is_on_found(s.number_of_vertices(), 0)
+  {}
+
+  /// Whether vertices lie on their surfaces, to rounding.
+  bool is_exact() const { return test.tolerance() < 2e-5 * surface.length_unit(); }
+
+  bool is_found(Index face) const { return labels[face] != none; }
+  const Fitted_surface<>& surface_of(Index face) const { return surfaces[labels[face]]; }
+
+  /// Adds a face of the part, without those of its facets that are flat.
+  void add(const Fitted_surface<>& s, const std::vector<Index>& faces)
+  {
+    const Index label = Index(surfaces.size());
+    surfaces.push_back(s);
+    m_largest_deviations.push_back(largest_deviation(s, faces));
+    for (const Index f : faces)
+      if (!is_flat(label, f)) {
+        labels[f] = label;
+        for (std::size_t i = 0; i < surface.number_of_corners(f); ++i)
+          is_on_found[surface.corner(f, i)] = 1;
+      }
+  }
+
+  /// Whether a face is one of several of a plane that deviate much more from a curved surface than
+  /// its other faces do, though their vertices lie on it: a flat of a shaft.
+  bool is_flat(Index label, Index face) const
+  {
+    const auto deviates = [&](Index f) {
+      return test.deviation(surfaces[label], f) > m_largest_deviations[label];
+    };
+    const auto around = neighbors[face];
+    return deviates(face) && std::any_of(around.begin(), around.end(), [&](const auto& n) {
+             return neighbors.is_coplanar(n.adjacency) && deviates(n.face);
+           });
+  }
+
+  /// The number of vertices of some faces that no face that is found has.
+  std::size_t number_of_new_vertices(const std::vector<Index>& faces) const
+  {
+    std::vector<Index> vertices;
+    for (const Index f : faces)
+      for (std::size_t i = 0; i < surface.number_of_corners(f); ++i)
+        if (!is_on_found[surface.corner(f, i)])
+          vertices.push_back(surface.corner(f, i));
+    std::sort(vertices.begin(), vertices.end());
+    return std::size_t(std::unique(vertices.begin(), vertices.end()) - vertices.begin());
+  }
+
+  /// Faces that are neither found nor thin, the largest first: so what is found does not depend on
+  /// their order.
+  std::vector<Index> seeds() const
+  {
+    std::vector<Index> result;
+    for (Index f = 0; f < labels.size(); ++f)
+      if (!is_found(f) && !neighbors.is_thin(f))
+        result.push_back(f);
+    std::stable_sort(result.begin(), result.end(),
+                     [&](Index a, Index b) { return surface.area(a) > surface.area(b); });
+    return result;
+  }
+
+  /// Starts a phase.
+  void clear_tried() { is_tried.assign(labels.size(), 0); }
+
+private:
+  /// A tessellation is equally accurate everywhere.
+  double largest_deviation(const Fitted_surface<>& s, const std::vector<Index>& faces) const
+  {
+    if (!is_exact() || s.kind == Surface_kind::PLANE)
+      return std::numeric_limits<double>::infinity();
+    constexpr double much = 10;
+    std::vector<double> deviations;
+    for (const Index f : faces)
+      deviations.push_back(test.deviation(s, f));
+    const auto most = deviations.begin() + std::ptrdiff_t(deviations.size() * 3 / 4);
+    std::nth_element(deviations.begin(), most, deviations.end());
+    return (std::max)(much * *most, test.tolerance());
+  }
+
+  std::vector<double> m_largest_deviations; // by label
+};
+
+/// The share of the border of the faces that were grown where the surface goes on smoothly to faces
+/// that are not found, and not much smaller than several faces.
+inline double share_of_smooth_border(const Face_search& search)
+{
+  const Surface& surface = search.surface;
+  double smooth = 0, all = 0;
+  for (const Surface::Index f : search.grower.faces())
+    for (const Face_neighbors::Neighbor& n : search.neighbors[f])
+      if (!search.grower.is_taken(n.face)) {
+        const double length = surface.length(n.adjacency);
+        all += length;
+        if (!search.is_found(n.face) && search.neighbors.may_be_smooth(n.adjacency) &&
+            (search.grower.faces().size() == 1 ||
+             surface.area(n.face) > 0.2 * search.grower.area()))
+          smooth += length;
+      }
+  return all > 0 ? smooth / all : 0;
+}
+
+/// Makes each connected component of a label a face of its own, and those of what was not found
+/// freeform faces, which end where the mesh does not go on smoothly.
+inline void separate_components(Face_search& search, const Execution& execution)
+{
+  const Surface& surface = search.surface;
+  const Partition components = label_components(
+    surface,
+    [&](std::size_t a) {
+      const Surface::Index label = search.labels[surface.lower_face(a)];
+      return label == search.labels[surface.higher_face(a)] &&
+             !surface.has_flag(a, Surface::LINK | Surface::CONSTRAINED) &&
+             (label != Face_search::none || search.neighbors.may_be_smooth(a));
+    },
+    execution);
+  std::vector<Fitted_surface<>> surfaces(components.number_of_parts());
+  for (Surface::Index f = 0; f < surface.number_of_faces(); ++f)
+    if (search.is_found(f))
+      surfaces[components[f]] = search.surface_of(f);
+  search.labels.assign(components.begin(), components.end());
+  search.surfaces = std::move(surfaces);
+}
+
+/// The label of the surface, of those of a face and its neighbors, from which the face deviates
+/// least.
+inline Surface::Index nearest_label(const Face_search& search, Surface::Index face)
+{
+  const Surface::Index own = search.labels[face];
+  const auto neighbors = search.neighbors[face];
+  if (std::all_of(neighbors.begin(), neighbors.end(),
+                  [&](const auto& n) { return search.labels[n.face] == own; }))
+    return own;
+  Surface::Index best = own;
+  double least = own == Face_search::none ? std::numeric_limits<double>::infinity()
+                                          : search.test.deviation(search.surfaces[own], face);
+  for (const Face_neighbors::Neighbor& n : neighbors) {
+    const Surface::Index label = search.labels[n.face];
+    if (label == Face_search::none || label == own || label == best ||
+        !search.test(search.surfaces[label], face))
+      continue;
+    const double deviation = search.test.deviation(search.surfaces[label], face);
+    if (deviation < 0.9 * least - 1e-3 * search.test.tolerance()) {
+      least = deviation;
+      best = label;
+    }
+  }
+  return best;
+}
+
+/// Faces at borders go to the neighboring surface from which they deviate least.
+inline void compete_at_borders(Face_search& search)
+{
+  constexpr int rounds = 4;
+  bool is_changed = true;
+  for (int round = 0; round < rounds && is_changed; ++round) {
+    is_changed = false;
+    for (Surface::Index f = 0; f < search.labels.size(); ++f) {
+      const Surface::Index best = nearest_label(search, f);
+      is_changed = is_changed || best != search.labels[f];
+      search.labels[f] = best;
+    }
+  }
+}
+
+/// Whether a face of which all vertices are on faces that are found can have the label of one of
+/// them: its vertices lie on that surface, and its normal is that of the surface within some 53
+/// degrees, as long triangles across a fillet may have it; with a tolerance above rounding always.
+inline bool may_join(const Face_search& search, Surface::Index face, Surface::Index label)
+{
+  constexpr double least_cosine = 0.6;
+  const Fitted_surface<>& s = search.surfaces[label];
+  return !search.is_exact() ||
+         (search.test.has_vertices_on(s, face) &&
+          search.test.has_normal_of(s, face, least_cosine) && !search.is_flat(label, face));
+}
+
+/// Faces of which all vertices are on faces that are found go to that neighbor from whose surface
+/// they deviate least, beginning with those that have such a neighbor. Where a mesh does not follow
+/// the creases, as after remeshing, faces cross them.
+inline void join_remaining_faces(Face_search& search)
+{
+  using Index = Surface::Index;
+  std::vector<Index> left;
+  for (Index f = 0; f < search.labels.size(); ++f) {
+    bool remains = !search.is_found(f);
+    for (std::size_t i = 0; i < search.surface.number_of_corners(f); ++i)
+      remains = remains && search.is_on_found[search.surface.corner(f, i)];
+    if (remains)
+      left.push_back(f);
+  }
+  std::vector<std::pair<Index, Index>> joined; // faces and their labels
+  do {
+    joined.clear();
+    for (const Index f : left) {
+      double least = std::numeric_limits<double>::infinity();
+      Index best = Face_search::none;
+      if (!search.is_found(f))
+        for (const Face_neighbors::Neighbor& n : search.neighbors[f])
+          if (search.is_found(n.face) && may_join(search, f, search.labels[n.face])) {
+            const double deviation = search.test.deviation(search.surface_of(n.face), f);
+            if (deviation < least) {
+              least = deviation;
+              best = search.labels[n.face];
+            }
+          }
+      if (best != Face_search::none)
+        joined.push_back({f, best});
+    }
+    for (const auto& [face, label] : joined)
+      search.labels[face] = label;
+  } while (!joined.empty());
+}
+
+} // namespace internal
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_INTERNAL_PART_FACES_FACE_SEARCH_H

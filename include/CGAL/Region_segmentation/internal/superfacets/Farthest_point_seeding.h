@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_SUPERFACETS_FARTHEST_POINT_SEEDING_H
+#define CGAL_REGION_SEGMENTATION_INTERNAL_SUPERFACETS_FARTHEST_POINT_SEEDING_H
+
+#include <CGAL/Region_segmentation/Execution.h>
+#include <CGAL/Region_segmentation/Partition.h>
+#include <CGAL/Region_segmentation/internal/superfacets/Dual_graph.h>
+#include <CGAL/Region_segmentation/internal/support/arrays.h>
+#include <CGAL/Region_segmentation/internal/support/components.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <queue>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Region_segmentation {
+namespace internal {
+
+/// Farthest-point seeding on a dual graph: every connected component gets a seed, then seeds are
+/// placed one after another, each at the face farthest from all seeds so far, of several at the
+/// lower one; a new seed updates the distances only where it is nearer. The region of a seed is the
+/// faces that are nearest to it, and is connected.
+///
+/// The faces are those of a mesh, or patches.
+class Farthest_point_seeding
+{
+  using Index = Dual_graph::Index;
+
+public:
+  explicit Farthest_point_seeding(Dual_graph graph)
+    : m_graph(std::move(graph))
+    , m_reached(m_graph.number_of_faces(), Reached{unreached, 0, 0})
+  {}
+
+  /// Places `number` seeds, or more if there are more components, or fewer if all faces are seeds.
+  /// `remoteness`: by face; each component gets its first seed where it is highest, of several at
+  /// the lower face, and components in this order
+  /// \pre there are faces
+  void run(const std::vector<double>& remoteness, std::size_t number, const Execution& execution)
+  {
+    Step_counter seeds(execution, number);
+    seed_components(remoteness, seeds);
+    for (std::size_t f = 0; f < m_reached.size(); f += faces_per_bound)
+      m_bounds.push_back(farthest_in_block(f));
+    std::make_heap(m_bounds.begin(), m_bounds.end(), is_nearer);
+    while (m_seeds.size() < number) {
+      const std::size_t seed = farthest();
+      if (m_reached[seed].distance <= 0)
+        break;
+      grow_from(seed);
+      seeds.advance();
+    }
+  }
+
+  /// Places the given seeds alone, all at once: of several seeds at the same distance a face
+  /// belongs to that of the neighbor that was nearer to its own, of these the lower one.
+  void run(const std::vector<Index>& seeds)
+  {
+    for (const Index seed : seeds)
+      place(seed);
+    grow();
+  }
+
+  /// In the order in which they were placed.
+  const std::vector<Index>& seeds() const { return m_seeds; }
+
+  Partition regions() const
+  {
+    return Partition::from_labels(m_reached, m_reached.size(),
+                                  [](const Reached& r) { return r.seed; });
+  }
+
+  /// The regions split further: the face farthest from its seed is separated first, with the faces
+  /// that were reached through it; of several, the higher one; those that `is_joined(face)` only
+  /// after all others.
+  Partition split_regions(std::size_t number_of_parts, Function_ref<bool(Index)> is_joined) const
+  {
+    const auto order = sorted_indices(m_reached.size(), [&](Index a, Index b) {
+      const auto key = [&](Index f) {
+        return std::make_tuple(!is_joined(f), m_reached[f].distance, f);
+      };
+      return key(a) < key(b);
+    });
+    std::size_t to_join = order.size() - (std::min)(number_of_parts, order.size());
+    Lowest_root_forest forest(order.size());
+    for (const Index f : order)
+      if (to_join > 0 && m_reached[f].predecessor != f) {
+        forest.unite(f, m_reached[f].predecessor);
+        --to_join;
+      }
+    return forest.take_partition();
+  }
+
+private:
+  /// All data of a face, stored together, since faces are accessed at random.
+  struct Reached
+  {
+    double distance;
+    Index seed, predecessor;
+  };
+  using Entry = std::pair<double, Index>; // distance, face
+
+  void seed_components(const std::vector<double>& remoteness, Step_counter& seeds)
+  {
+    grow_from(
+      std::size_t(std::max_element(remoteness.begin(), remoteness.end()) - remoteness.begin()));
+    std::vector<Index> others; // none where there is one component
+    for (std::size_t f = 0; f < m_reached.size(); ++f)
+      if (m_reached[f].distance == unreached)
+        others.push_back(Index(f));
+    const auto order = sorted_indices(others.size(), [&](Index i, Index j) {
+      const double r = remoteness[others[i]], s = remoteness[others[j]];
+      return r != s ? r > s : i < j;
+    });
+    for (const Index i : order)
+      if (const Index f = others[i]; m_reached[f].distance == unreached) {
+        grow_from(f);
+        seeds.advance();
+      }
+  }
+
+  /// The farthest of all, the lower face of several, as the last of a heap's order.
+  static bool is_nearer(const Entry& a, const Entry& b)
+  {
+    return a.first != b.first ? a.first < b.first : a.second > b.second;
+  }
+
+  /// Of the block of faces that `face` is in.
+  Entry farthest_in_block(std::size_t face) const
+  {
+    const std::size_t first = face - face % faces_per_bound;
+    const std::size_t last = (std::min)(first + faces_per_bound, m_reached.size());
+    std::size_t farthest = first;
+    for (std::size_t f = first + 1; f < last; ++f)
+      if (m_reached[f].distance > m_reached[farthest].distance)
+        farthest = f;
+    return {m_reached[farthest].distance, Index(farthest)};
+  }
+
+  /// Distances only shrink, so a former farthest face of a block is an upper bound: it is updated
+  /// when it is popped.
+  std::size_t farthest()
+  {
+    while (m_bounds.front().first != m_reached[m_bounds.front().second].distance) {
+      std::pop_heap(m_bounds.begin(), m_bounds.end(), is_nearer);
+      m_bounds.back() = farthest_in_block(m_bounds.back().second);
+      std::push_heap(m_bounds.begin(), m_bounds.end(), is_nearer);
+    }
+    return m_bounds.front().second;
+  }
+
+  void grow_from(std::size_t seed)
+  {
+    place(seed);
+    grow();
+  }
+
+  void place(std::size_t seed)
+  {
+    m_reached[seed] = {0, Index(m_seeds.size()), Index(seed)};
+    m_seeds.push_back(Index(seed));
+    m_front.push(make_float_key(0, Index(seed)));
+  }
+
+  /// The front is ordered by distances rounded to float. This cannot change a distance, since a
+  /// face whose distance shrinks is pushed again.
+  void grow()
+  {
+    while (!m_front.empty()) {
+      const Float_key top = m_front.top();
+      m_front.pop();
+      const Index face = index_of(top);
+      const double distance = m_reached[face].distance;
+      const Index label = m_reached[face].seed;
+      if (top != make_float_key(float(distance), face))
+        continue;
+      for (const auto& step : m_graph.steps(face)) {
+        const double longer = distance + double(step.length);
+        Reached& next = m_reached[step.face];
+        // A face follows its predecessor to another seed even if rounding hides that it is nearer:
+        // so regions are connected.
+        if (longer < next.distance || (next.predecessor == face && next.seed != label)) {
+          next = {longer, label, face};
+          m_front.push(make_float_key(float(longer), step.face));
+        }
+      }
+    }
+  }
+
+  static constexpr double unreached = (std::numeric_limits<double>::max)();
+  static constexpr std::size_t faces_per_bound = 64;
+
+  Dual_graph m_graph;
+  Large_array<Reached> m_reached;
+  std::vector<Entry> m_bounds; // a block of faces each
+  // Distances, rounded, and faces.
+  std::priority_queue<Float_key, std::vector<Float_key>, std::greater<Float_key>> m_front;
+  std::vector<Index> m_seeds; // faces
+};
+
+} // namespace internal
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_INTERNAL_SUPERFACETS_FARTHEST_POINT_SEEDING_H
