@@ -8,7 +8,7 @@
 #include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/face_values.h>
 #include <CGAL/Region_segmentation/internal/surface/collect_adjacencies.h>
-#include <CGAL/Region_segmentation/internal/surface/read_face_graph.h>
+#include <CGAL/Region_segmentation/internal/surface/read_surface.h>
 #include <CGAL/Region_segmentation/make_surface.h>
 #include <CGAL/Region_segmentation/parameters.h>
 
@@ -91,9 +91,9 @@ class Stage_input
 public:
   Stage_input(const FaceGraph& mesh, const Pack& np, const Execution& execution)
     : m_order(mesh, np)
-    , m_surface(component_links(np)
-                  ? make_unlinked_surface(m_order, np, execution.stage("reading"))
-                  : make_surface_of_neighbors(m_order, np, execution.stage("reading")))
+    , m_surface(make_surface(
+        m_order, np, component_links(np) ? Adjacency_of::COINCIDING_SIDES : Adjacency_of::NEIGHBORS,
+        execution.stage("reading")))
   {
     constrain(Face_graph_input<FaceGraph>(mesh), m_surface, np);
   }
@@ -112,20 +112,18 @@ public:
   void for_each_edge(const F& f) const
   {
     for (Surface::Index face = 0; face < m_order.number_of_faces(); ++face) {
-      std::size_t i = 0;
       const auto first = m_order.first_halfedge(m_order.ordered_faces()[face]);
       for (auto h : CGAL::halfedges_around_face(first, mesh())) {
         const Surface::Index across = m_order.face_rank(opposite(h, mesh()));
         if (across <= face || across == m_order.none)
-          f(h, adjacency(face, i, h));
-        ++i;
+          f(h, adjacency(face, h));
       }
     }
   }
 
   /// The number of a vertex, by iteration.
   template <typename Vertex>
-  std::size_t rank(const Vertex& v) const
+  Surface::Index rank(const Vertex& v) const
   {
     return m_order.vertex_rank(v);
   }
@@ -147,19 +145,13 @@ public:
   }
 
 private:
-  /// Across the side of a face at a halfedge: the i-th, unless the surface has turned the face, or
-  /// begins it at another vertex.
+  /// Across the side of a face at a halfedge.
   template <typename Halfedge>
-  Surface::Index adjacency(Surface::Index face, std::size_t i, const Halfedge& h) const
+  Surface::Index adjacency(Surface::Index face, const Halfedge& h) const
   {
-    const Point_pair wanted = point_pair(m_surface.point(rank(source(h, mesh()))),
-                                         m_surface.point(rank(target(h, mesh()))));
-    const std::size_t n = m_surface.number_of_corners(face);
-    for (std::size_t tries = 0; tries < n; ++tries, i = (i + 1) % n)
-      if (point_pair(m_surface.point(m_surface.corner(face, i)),
-                     m_surface.point(m_surface.corner(face, (i + 1) % n))) == wanted)
-        return m_surface.adjacency(face, i);
-    return Surface::none;
+    return arrays_of(m_surface)
+      .adjacencies[side_between(m_surface, face, merged_vertex(m_surface, rank(source(h, mesh()))),
+                                merged_vertex(m_surface, rank(target(h, mesh()))))];
   }
 
   Mesh_order<FaceGraph, Pack> m_order;
