@@ -26,6 +26,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -41,8 +42,8 @@ namespace internal {
 /// constrained edges; `width(a, b)`: of the band between two pieces on each side. `piece_of` is
 /// changed; `label_of_piece`: two pieces of one segment have no border to be moved.
 inline void smooth_piece_borders(const Dual_graph& costs, const Dual_graph& constrained,
-                                 Function_ref<double(Surface::Index, Surface::Index)> distance,
-                                 Function_ref<double(Surface::Index, Surface::Index)> width,
+                                 std::function<double(Surface::Index, Surface::Index)> distance,
+                                 std::function<double(Surface::Index, Surface::Index)> width,
                                  const std::vector<Surface::Index>& label_of_piece,
                                  std::vector<Surface::Index>& piece_of, const Execution& execution)
 {

@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace CGAL {
@@ -82,7 +83,7 @@ struct Border_straightening
   std::vector<Surface::Index> operator()(const Surface& surface, const Patches& cells,
                                          const Border_cost& border_cost, const Partition& regions,
                                          const Merge_tree& tree,
-                                         internal::Function_ref<bool(Surface::Index)> is_fixed,
+                                         std::function<bool(Surface::Index)> is_fixed,
                                          std::size_t number_of_segments,
                                          const Execution& execution) const
   {

@@ -10,7 +10,6 @@
 #include <CGAL/Region_segmentation/face_values.h>
 #include <CGAL/Region_segmentation/internal/support/arrays.h>
 #include <CGAL/Region_segmentation/internal/support/components.h>
-#include <CGAL/Region_segmentation/internal/support/number_labels.h>
 #include <CGAL/Region_segmentation/internal/surface/read_surface.h>
 
 #include <CGAL/boost/graph/iterator.h>

@@ -18,6 +18,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -169,7 +170,7 @@ public:
 
   /// `costs`: of the borders between adjacent elements; `distance(i, j)`: of two of these, is kept
   /// by reference; `piece_of`: by element, is changed by `move_border()`
-  Border_cut(const Dual_graph& costs, Function_ref<double(Index, Index)> distance,
+  Border_cut(const Dual_graph& costs, std::function<double(Index, Index)> distance,
              std::vector<Index>& piece_of)
     : m_costs(costs)
     , m_distance(distance)
@@ -186,7 +187,7 @@ public:
   ///
   /// `border`: the elements of both pieces that are adjacent to the other one, or some of them.
   std::vector<Index> move_border(Index a, Index b, const std::vector<Index>& border, double width,
-                                 Function_ref<bool(Index)> must_stay)
+                                 std::function<bool(Index)> must_stay)
   {
     grow_band(border, width);
     Minimum_cut cut;
@@ -265,7 +266,7 @@ private:
   }
 
   /// Returns whether there are elements that stay in both pieces.
-  bool add_nodes(Minimum_cut& cut, Index a, Function_ref<bool(Index)> must_stay)
+  bool add_nodes(Minimum_cut& cut, Index a, std::function<bool(Index)> must_stay)
   {
     bool stays_in_a = false, stays_in_b = false;
     for (const Index element : m_band) {
@@ -318,7 +319,7 @@ private:
   }
 
   const Dual_graph& m_costs;
-  Function_ref<double(Index, Index)> m_distance;
+  std::function<double(Index, Index)> m_distance;
   std::vector<Index>& m_piece_of;
   std::vector<double> m_distances; // of the elements of the band to the border
   std::vector<Index> m_nodes;      // of the elements of the band

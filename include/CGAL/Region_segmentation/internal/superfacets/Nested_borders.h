@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -180,7 +181,7 @@ public:
 
   /// `costs`: of the borders between adjacent elements; `areas`: of the elements; `region_of`: by
   /// element
-  Nested_borders(const Dual_graph& costs, Function_ref<double(Index, Index)> distance,
+  Nested_borders(const Dual_graph& costs, std::function<double(Index, Index)> distance,
                  const std::vector<double>& areas, const std::vector<Index>& region_of,
                  const Merge_tree& tree)
     : m_costs(costs)
@@ -208,7 +209,7 @@ public:
   /// `is_fixed(region)`: whether its elements stay in the segments of the region; at most one
   /// region of a tree
   void run(std::size_t number_of_cuts, std::size_t number_of_segments,
-           Function_ref<double(double)> width, Function_ref<bool(Index)> is_fixed,
+           std::function<double(double)> width, std::function<bool(Index)> is_fixed,
            const Execution& execution)
   {
     const std::size_t merges = m_tree.merges().size();
@@ -232,7 +233,7 @@ private:
   static constexpr Index none = (std::numeric_limits<Index>::max)();
 
   /// Undoes a merge: labels the elements of its segment by the two parts; returns the guests.
-  std::vector<Index> divide(std::size_t i, Function_ref<bool(Index)> is_fixed)
+  std::vector<Index> divide(std::size_t i, std::function<bool(Index)> is_fixed)
   {
     const Index a = m_tree.merges()[i].kept, b = m_tree.merges()[i].removed;
     std::vector<Index> guests = std::exchange(m_guests[a], {});
@@ -258,7 +259,7 @@ private:
   /// A part of several components keeps that with fixed elements, else the largest by area; of
   /// equal ones that of the lowest element. The others become guests.
   void make_connected(Index label, const Tree_elements::Part& part, std::vector<Index>& guests,
-                      Function_ref<bool(Index)> is_fixed)
+                      std::function<bool(Index)> is_fixed)
   {
     if (m_cut.is_connected(label, m_elements.lost(part)))
       return;
@@ -321,8 +322,8 @@ private:
     return is_adjacent ? cost : -1;
   }
 
-  void move_border(std::size_t i, std::vector<Index>& guests, Function_ref<double(double)> width,
-                   Function_ref<bool(Index)> is_fixed)
+  void move_border(std::size_t i, std::vector<Index>& guests, std::function<double(double)> width,
+                   std::function<bool(Index)> is_fixed)
   {
     const Index a = m_tree.merges()[i].kept, b = m_tree.merges()[i].removed;
     std::vector<Index> elements_of_b, border;

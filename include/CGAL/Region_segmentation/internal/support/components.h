@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -67,17 +68,6 @@ public:
   /// The lowest face of a tree.
   Index root(Index i) { return root_in_forest(m_parents, i); }
 
-  /// Unites the tree of the root `r` with that of `a`; returns their root. Branch-free, since it is
-  /// unpredictable whether they are united already.
-  Index unite_with_root(Index r, Index a)
-  {
-    a = root(a);
-    const Index lower = (std::min)(a, r);
-    Index unused;
-    *(a == r ? &unused : &m_parents[(std::max)(a, r)]) = lower;
-    return lower;
-  }
-
   /// Numbers the trees by their roots. The forest is empty afterwards.
   Partition take_partition()
   {
@@ -111,15 +101,11 @@ inline Partition label_components(const Surface& surface, const Edge_marks& mark
                                                     std::size_t end) {
     const std::size_t first_of_range = execution.is_parallel() ? begin : 0;
     const std::size_t past = surface.first_adjacency(end);
-    Index face = 0, root = 0;
     for (std::size_t a = surface.first_adjacency(begin); a < past; ++a) {
-      const Index lower = surface.lower_face(a), higher = surface.higher_face(a);
-      root = higher == face ? root : higher;
-      face = higher;
       if ((mark[a] & barring) != 0)
         continue;
-      if (lower >= first_of_range)
-        root = forest.unite_with_root(root, lower);
+      if (surface.lower_face(a) >= first_of_range)
+        forest.unite(surface.lower_face(a), surface.higher_face(a));
       else
         between_ranges[range].push_back(Index(a));
     }
@@ -132,7 +118,8 @@ inline Partition label_components(const Surface& surface, const Edge_marks& mark
 }
 
 /// The connected components of the faces across the adjacencies that `joins(adjacency)`.
-inline Partition label_components(const Surface& surface, Function_ref<bool(std::size_t)> joins,
+inline Partition label_components(const Surface& surface,
+                                  const std::function<bool(std::size_t)>& joins,
                                   const Execution& execution)
 {
   Edge_marks is_barred(surface.number_of_adjacencies());
@@ -157,34 +144,18 @@ inline std::vector<double> part_areas(const Surface& surface, const Partition& p
 }
 
 /// Calls `f(part, element)` for all elements of a partition; those of a part in order, by one
-/// thread, so that sums are the same in parallel. Each thread first sorts a range of the elements
-/// by ranges of parts, then has one of these.
+/// thread, so that sums are the same in parallel. Each thread has a range of the parts.
 ///
 /// \tparam Parts a `Partition` or a `Composed_partition`
 template <typename Parts, typename F>
 void for_each_in_part(const Execution& execution, const Parts& parts, const F& f)
 {
-  const std::size_t ranges = execution.number_of_threads();
-  if (ranges == 1) {
-    for (std::size_t i = 0; i < parts.size(); ++i)
-      f(parts[i], i);
-    return;
-  }
-  using Index = Partition::Index;
-  const std::size_t size = number_of_blocks(parts.size(), ranges),
+  const std::size_t ranges = execution.number_of_threads(),
                     number = number_of_blocks(parts.number_of_parts(), ranges); // in a range
-  std::vector<Grouped_items<Index>> elements(ranges);
   execution.for_each(0, ranges, [&](std::size_t range) {
-    const std::size_t end = (std::min)((range + 1) * size, parts.size());
-    elements[range] = Grouped_items<Index>(ranges, [&](const auto& add) {
-      for (std::size_t i = range * size; i < end; ++i)
-        add(parts[i] / number, Index(i));
-    });
-  });
-  execution.for_each(0, ranges, [&](std::size_t range_of_parts) {
-    for (const Grouped_items<Index>& of_range : elements)
-      for (const Index i : of_range[range_of_parts])
-        f(parts[i], i);
+    for (std::size_t i = 0; i < parts.size(); ++i)
+      if (const std::size_t part = parts[i]; part >= range * number && part < (range + 1) * number)
+        f(part, i);
   });
 }
 
