@@ -49,7 +49,7 @@ struct Named_parameters;
 
 namespace internal {
 
-/// A pack with a value more.
+/// A pack with one value more.
 template <typename Tag, typename T, typename... Base>
 Named_parameters<T, Tag, Base...> with(const T& value, const Base&... others)
 {
@@ -156,7 +156,7 @@ pack(const CGAL::Named_function_parameters<T, Tag, Base>& np)
   return np;
 }
 
-/// For all other arguments: reports them, and only them.
+/// All other arguments do not compile, with this message alone.
 template <typename T>
 CGAL::Named_function_parameters<bool, CGAL::internal_np::all_default_t> pack(const T&)
 {
@@ -178,21 +178,17 @@ constexpr bool is_pack = decltype(is_pack_of(std::declval<const T&>()))::value;
 template <typename Pack, typename Tag>
 constexpr bool has_parameter = !CGAL::parameters::is_default_parameter<Pack, Tag>::value;
 
-template <typename T, typename = void>
-struct Is_range : std::false_type
-{};
 template <typename T>
-struct Is_range<T, std::void_t<decltype(std::begin(std::declval<const T&>()),
-                                        std::end(std::declval<const T&>()))>> : std::true_type
-{};
+using Iterators_of_range = decltype(std::pair(std::begin(std::declval<const T&>()),
+                                              std::end(std::declval<const T&>())));
 
 template <typename T>
-constexpr bool is_range = Is_range<T>::value;
+constexpr bool is_range = satisfies<Iterators_of_range, T>;
 
 template <typename T>
 using Key_of_map = typename boost::property_traits<T>::key_type;
 
-/// Distinguishes polygons, a range of ranges, from property maps, also those with iterators, and
+/// Whether a type is a range of ranges, as polygons are, and neither a property map nor a pack of
 /// named parameters.
 template <typename T>
 constexpr bool is_polygon_range()

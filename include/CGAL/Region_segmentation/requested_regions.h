@@ -9,7 +9,6 @@
 #include <CGAL/Region_segmentation/exceptions.h>
 #include <CGAL/Region_segmentation/internal/support/arrays.h>
 #include <CGAL/Region_segmentation/internal/support/components.h>
-#include <CGAL/Region_segmentation/internal/support/shortest_paths.h>
 #include <CGAL/Region_segmentation/internal/surface/find_links.h>
 #include <CGAL/Region_segmentation/merge_regions.h>
 

@@ -228,8 +228,6 @@ std::size_t close_segments(const FaceGraph& mesh, const FaceSegmentMap& segment_
   using CGAL::parameters::get_parameter;
   using Target = std::conditional_t<std::is_void<SegmentMesh>::value, FaceGraph, SegmentMesh>;
   using Label = typename boost::property_traits<FaceSegmentMap>::value_type;
-  static_assert(internal::check_output_of_labels<SolidOutputIterator,
-                                                 Segment_piece<Target, FaceGraph, Label>>());
   const auto& pack = internal::pack(np);
   internal::check_parameters<std::decay_t<decltype(pack)>,
                              internal::Tag_list<internal_np::clearance_t>>();

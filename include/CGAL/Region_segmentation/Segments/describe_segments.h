@@ -79,8 +79,6 @@ std::size_t describe_segments(const FaceGraph& mesh, const FaceSegmentMap& segme
   using Pack = std::decay_t<decltype(pack)>;
   using Kernel = internal::Kernel_of_points<
     typename GetVertexPointMap<FaceGraph, Pack>::const_type>;
-  static_assert(internal::check_output_of_labels<DescriptionOutputIterator,
-                                                 Segment_description<Label, Kernel>>());
   internal::check_parameters<Pack, internal::Tag_list<>>();
   const internal::Segmented_mesh segmented(mesh, segment_map, pack);
   const Surface surface = internal::make_surface_of_neighbors(mesh, pack);

@@ -4,7 +4,6 @@
 #define CGAL_REGION_SEGMENTATION_SEGMENTS_EXTRACT_SEGMENT_BORDERS_H
 
 #include <CGAL/Region_segmentation/internal/segments/Segmented_mesh.h>
-#include <CGAL/Region_segmentation/internal/support/concept_checks.h>
 #include <CGAL/Region_segmentation/parameters.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -140,8 +139,6 @@ std::size_t extract_segment_borders(const FaceGraph& mesh, const FaceSegmentMap&
                                     const NamedParameters& np = parameters::default_values())
 {
   using Label = typename boost::property_traits<FaceSegmentMap>::value_type;
-  static_assert(
-    internal::check_output_of_labels<BorderOutputIterator, Segment_border<FaceGraph, Label>>());
   const auto& pack = internal::pack(np);
   internal::check_parameters<std::decay_t<decltype(pack)>, internal::Tag_list<>>();
   const internal::Segmented_mesh segmented(mesh, segment_map, pack);

@@ -247,8 +247,6 @@ std::size_t split_into_segments(const FaceGraph& mesh, const FaceSegmentMap& seg
   using CGAL::parameters::get_parameter;
   using Target = std::conditional_t<std::is_void<SegmentMesh>::value, FaceGraph, SegmentMesh>;
   using Label = typename boost::property_traits<FaceSegmentMap>::value_type;
-  static_assert(internal::check_output_of_labels<PieceOutputIterator,
-                                                 Segment_piece<Target, FaceGraph, Label>>());
   const auto& pack = internal::pack(np);
   using Pack = std::decay_t<decltype(pack)>;
   internal::check_parameters<Pack, internal::Tag_list<CGAL::internal_np::edge_is_constrained_t>>();

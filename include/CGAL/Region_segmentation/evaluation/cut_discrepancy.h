@@ -6,7 +6,7 @@
 #include <CGAL/Region_segmentation/Double_3.h>
 #include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/internal/support/arrays.h>
-#include <CGAL/Region_segmentation/internal/support/shortest_paths.h>
+#include <CGAL/Region_segmentation/internal/support/components.h>
 #include <CGAL/Region_segmentation/internal/surface/read_surface.h>
 #include <CGAL/Region_segmentation/make_surface.h>
 #include <CGAL/Region_segmentation/parameters.h>
