@@ -291,7 +291,8 @@ RS::Surface sheets_at_one_side()
   }
   soup = joined(joined(soup, translated(grid(4, 4), 5, 0, 0)),
                 translated(scaled(grid(1, 1), 3000), 20, 0, 0));
-  return RS::make_surface(soup.points, soup.polygons, RS::parameters::component_links(false));
+  return RS::make_surface_of_polygon_soup(soup.points, soup.polygons,
+                                          RS::parameters::component_links(false));
 }
 
 TEST(Patches_test, are_not_joined_across_seams)

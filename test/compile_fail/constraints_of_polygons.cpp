@@ -10,5 +10,5 @@ using Points = std::vector<CGAL::Simple_cartesian<double>::Point_3>;
 void test(const Points& points, const std::vector<std::vector<int>>& polygons,
           std::vector<int>& labels, const Drawn& drawn)
 {
-  RS::segment(points, polygons, labels, RS::parameters::edge_is_constrained_map(drawn));
+  RS::segment_polygon_soup(points, polygons, labels, RS::parameters::constrained_edges(drawn));
 }

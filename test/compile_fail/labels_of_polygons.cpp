@@ -11,5 +11,5 @@ void test(const std::vector<std::array<double, 3>>& points,
 #else
   std::vector<int> labels(polygons.size());
 #endif
-  RS::segment(points, polygons, labels);
+  RS::segment_polygon_soup(points, polygons, labels);
 }

@@ -8,7 +8,7 @@ void test(const Mesh& mesh, Labels labels)
   RS::segment(mesh, labels, RS::parameters::number_of_segments(3).maximum_angle(5));
 #else
   RS::Two_step method;
-  method.growing.maximum_angle = 5;
+  method.maximum_angle = 5;
   RS::segment(mesh, labels, RS::parameters::number_of_segments(3).method(method));
 #endif
 }

@@ -10,5 +10,5 @@ using Points = std::vector<CGAL::Simple_cartesian<double>::Point_3>;
 void test(const Points& points, const std::vector<std::vector<Index>>& polygons,
           std::vector<int>& labels)
 {
-  RS::segment(points, polygons, labels);
+  RS::segment_polygon_soup(points, polygons, labels);
 }

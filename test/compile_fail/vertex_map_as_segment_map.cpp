@@ -8,5 +8,5 @@ using Map = Labels;
 #endif
 void test(const Mesh& mesh, Map map)
 {
-  RS::segment(mesh, map, 8);
+  RS::segment(mesh, map, RS::parameters::number_of_segments(8));
 }

@@ -27,6 +27,9 @@ namespace internal {
 class Polygon_input
 {
 public:
+  /// The named parameter of constraints.
+  static constexpr auto constraints = internal_np::constrained_edges;
+
   explicit Polygon_input(std::size_t number_of_polygons)
     : m_number(number_of_polygons)
   {}

@@ -93,13 +93,11 @@ private:
   Partition::Numbers m_parents;
 };
 
-/// One byte per adjacency of a surface.
-using Edge_marks = Large_array<std::uint8_t>;
-
 /// The connected components of the faces across the adjacencies with none of the marks `barring`.
+/// `marks`: a byte for each adjacency
 /// Each thread unites the faces of a range of blocks; adjacencies between two ranges follow at the
 /// end.
-inline Partition label_components(const Surface& surface, const Edge_marks& marks,
+inline Partition label_components(const Surface& surface, const std::uint8_t* marks,
                                   std::uint8_t barring, const Execution& execution)
 {
   using Index = Surface::Index;
@@ -107,7 +105,7 @@ inline Partition label_components(const Surface& surface, const Edge_marks& mark
   const std::size_t size = surface.number_of_faces();
   std::vector<std::vector<Index>> between_ranges(number_of_blocks(size, size_of_range));
   Lowest_root_forest forest(size);
-  const auto unite_range = [&, mark = marks.data()](std::size_t range, std::size_t begin,
+  const auto unite_range = [&](std::size_t range, std::size_t begin,
                                                     std::size_t end) {
     const std::size_t first_of_range = execution.is_parallel() ? begin : 0;
     const std::size_t past = surface.first_adjacency(end);
@@ -116,7 +114,7 @@ inline Partition label_components(const Surface& surface, const Edge_marks& mark
       const Index lower = surface.lower_face(a), higher = surface.higher_face(a);
       root = higher == face ? root : higher;
       face = higher;
-      if ((mark[a] & barring) != 0)
+      if ((marks[a] & barring) != 0)
         continue;
       if (lower >= first_of_range)
         root = forest.unite_with_root(root, lower);
@@ -135,15 +133,15 @@ inline Partition label_components(const Surface& surface, const Edge_marks& mark
 inline Partition label_components(const Surface& surface, Function_ref<bool(std::size_t)> joins,
                                   const Execution& execution)
 {
-  Edge_marks is_barred(surface.number_of_adjacencies());
+  Large_array<std::uint8_t> is_barred(surface.number_of_adjacencies());
   for_each_index(execution, is_barred.size(), [&](std::size_t a) { is_barred[a] = !joins(a); });
-  return label_components(surface, is_barred, 1, execution);
+  return label_components(surface, is_barred.data(), 1, execution);
 }
 
 /// The connected components across edges.
 inline Partition edge_components(const Surface& surface, const Execution& execution)
 {
-  return label_components(surface, arrays_of(surface).flags, Surface::SEAM | Surface::LINK,
+  return label_components(surface, arrays_of(surface).flags.data(), Surface::SEAM | Surface::LINK,
                           execution);
 }
 
