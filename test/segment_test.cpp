@@ -175,9 +175,10 @@ TEST(Segment_test, constants_are_in_their_ranges)
                              [](Visibility& m, double x) { m.superfacets.concave_weight = x; });
   expect_refused<Visibility>("Superfacets: maximum_deviation", {-1, nan},
                              [](Visibility& m, double x) { m.superfacets.maximum_deviation = x; });
-  expect_refused<Visibility>("Border_cost: concave_gain", {-1, nan, inf},
-                             [](Visibility& m, double x) { m.border_cost.concave_gain = x; });
-  expect_refused<Visibility>("Border_straightening: width", {-1, nan},
+  expect_refused<Visibility>(
+    "Border_cost: concave_gain", {-1, nan, inf},
+    [](Visibility& m, double x) { m.straightening.cost.concave_gain = x; });
+  expect_refused<Visibility>("Minimum_cut_borders: width", {-1, nan},
                              [](Visibility& m, double x) { m.straightening.width = x; });
   expect_refused<Visibility>("granularity", {0, -1, nan},
                              [](Visibility& m, double x) { m.chooser.granularity = x; });

@@ -151,9 +151,9 @@ public:
   /// to different ones.
   ///
   /// The number of different seeds is the least number of segments. Equal seeds that are not
-  /// adjacent are joined along the cheapest path of regions, or, if there is none, of faces, that
-  /// avoids all other seeds: a step costs about its length, and 80 times as much for each radian of
-  /// the deviation of concave edges that it crosses.
+  /// adjacent are joined along the cheapest path of faces that avoids all other seeds: a step costs
+  /// its length, and 80 times as much for each radian of the deviation of a concave edge that it
+  /// crosses.
   ///
   /// \param face_seed_map the seed of a face: as the named parameter of `segment()`
   /// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters": `visitor`
@@ -162,7 +162,8 @@ public:
   ///         components without links; Segmentation_cancelled if the visitor cancels; nothing has
   ///         changed then
   ///
-  /// Complexity: O(F), and that of annotating the regions and of merging.
+  /// Complexity: O(F log F) for each seed at worst, and that of annotating the regions and of
+  /// merging.
   template <typename FaceSeedMap, typename NamedParameters = parameters::Default_named_parameters>
   void set_seeds(const FaceSeedMap& face_seed_map,
                  const NamedParameters& np = parameters::default_values())
