@@ -330,7 +330,7 @@ void expect_division(RS::Surface mesh, double x, std::mt19937& random)
 {
   for (std::size_t a = 0; a < mesh.number_of_adjacencies(); ++a)
     if (mesh.centroid(mesh.lower_face(a)).x < x && random() % 10 == 0)
-      RS::internal::arrays_of(mesh).flags[a] |= RS::Surface::CONSTRAINED;
+      arrays_of(mesh).flags[a] |= RS::Surface::CONSTRAINED;
   const RS::Patches patches = patches_of(mesh).fine;
   const RS::Partition& patch_of = patches.of_elements();
   Labels labels;

@@ -140,7 +140,7 @@ template <typename ConcurrencyTag>
 std::vector<double> numbers_read(const Surface_mesh& mesh)
 {
   const RS::Surface flat = RS::make_surface<ConcurrencyTag>(mesh);
-  const RS::Execution execution(RS::internal::threads_of<ConcurrencyTag>());
+  const RS::Execution execution{ConcurrencyTag()};
   const RS::Surface_patches both = RS::internal::Patch_builder::build(flat, execution);
   std::vector<double> result = {flat.unit(), flat.area()};
   const auto add = [&](const RS::Double_3& p) { result.insert(result.end(), {p.x, p.y, p.z}); };
@@ -195,7 +195,7 @@ Surface_mesh bumpy_torus(unsigned seed)
 template <typename ConcurrencyTag>
 std::vector<double> hits_found(const RS::Surface& surface, unsigned seed)
 {
-  const RS::Execution execution(RS::internal::threads_of<ConcurrencyTag>());
+  const RS::Execution execution{ConcurrencyTag()};
   const RS::Surface_patches patches = RS::internal::Patch_builder::build(surface, execution);
   const RS::internal::Ray_tree tree(surface, patches, surface.centroid(0), execution);
   std::mt19937 random(seed);

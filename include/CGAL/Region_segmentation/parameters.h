@@ -219,24 +219,14 @@ struct Takes_all<CGAL::Named_function_parameters<T, Tag, Base>, Taken>
       Takes_all<Base, Taken>>
 {};
 
-template <typename Pack, typename... Seen>
-struct Are_different : std::true_type
-{};
-template <typename T, typename Tag, typename Base, typename... Seen>
-struct Are_different<CGAL::Named_function_parameters<T, Tag, Base>, Seen...>
-  : std::conjunction<std::negation<Is_in<Tag, Tag_list<Seen...>>>,
-                     Are_different<Base, Tag, Seen...>>
-{};
-
 /// Does not compile if a pack has one of the watched parameters that is not among the accepted
-/// ones, or a parameter twice.
+/// ones.
 template <typename Pack, typename Taken>
 constexpr void check_parameters()
 {
   static_assert(Takes_all<Pack, Taken>::value, "one of the named parameters is not taken by this "
                                                "function (constants of a method are members of "
                                                "its parts)");
-  static_assert(Are_different<Pack>::value, "one of the named parameters is given twice");
 }
 
 } // namespace internal

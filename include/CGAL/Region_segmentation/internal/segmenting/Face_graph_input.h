@@ -8,7 +8,7 @@
 #include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/face_values.h>
 #include <CGAL/Region_segmentation/internal/surface/collect_adjacencies.h>
-#include <CGAL/Region_segmentation/internal/surface/read_face_graph.h>
+#include <CGAL/Region_segmentation/internal/surface/read_surface.h>
 #include <CGAL/Region_segmentation/make_surface.h>
 #include <CGAL/Region_segmentation/parameters.h>
 
@@ -98,11 +98,12 @@ class Stage_input
 public:
   Stage_input(const FaceGraph& mesh, const Pack& np, const Execution& execution)
     : m_order(mesh, np)
-    , m_surface(constrained(Face_graph_input<FaceGraph>(mesh),
-                            component_links(np)
-                              ? make_unlinked_surface(m_order, np, execution.stage("reading"))
-                              : make_surface_of_neighbors(m_order, np, execution.stage("reading")),
-                            np))
+    , m_surface(constrained(
+        Face_graph_input<FaceGraph>(mesh),
+        make_surface(m_order, np,
+                     component_links(np) ? Adjacency_of::COINCIDING_SIDES : Adjacency_of::NEIGHBORS,
+                     execution.stage("reading")),
+        np))
   {}
 
   const FaceGraph& mesh() const { return m_order.mesh(); }

@@ -53,7 +53,7 @@ public:
   /// \throws Invalid_input if a range has another number of elements, or does not hold labels below
   /// `n`
   template <typename Map>
-  void check(const Map& map, std::size_t n, const char* what = "labels") const
+  void check(const Map& map, std::size_t n, const char* what = "label") const
   {
     static_assert(holds_labels<Map>(), "labels of polygons are a range or a property map of an "
                                        "integral type other than bool");

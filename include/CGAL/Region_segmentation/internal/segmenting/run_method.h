@@ -8,9 +8,9 @@
 #include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/exceptions.h>
-#include <CGAL/Region_segmentation/internal/support/compiled.h>
 #include <CGAL/Region_segmentation/internal/support/concept_checks.h>
 #include <CGAL/Region_segmentation/parameters.h>
+#include <CGAL/Region_segmentation/version.h>
 
 #include <CGAL/assertions.h>
 
@@ -53,7 +53,7 @@ constexpr bool check_method()
 }
 
 /// All that is called of a method. Members are defined outside of the class, thus not inline, so
-/// that `extern template` keeps them out of a translation unit (see `compiled.h`).
+/// that `extern template` keeps them out of a translation unit (see `version.h`).
 template <typename Method>
 struct Method_calls
 {
@@ -202,7 +202,7 @@ std::size_t run_method(const Input& input, Surface surface, SegmentMap& segment_
   const Composed_partition segments = Calls::segments(result, surface, result.number_of_segments());
   if constexpr (has_parameter<Pack, internal_np::region_map_t>)
     input.check(CGAL::parameters::get_parameter(np, internal_np::region_map),
-                result.regions().number_of_parts(), "labels of first regions");
+                result.regions().number_of_parts(), "first region");
   input.write(segments, segment_map);
   write_outputs(input, result, np);
   return segments.number_of_parts();
