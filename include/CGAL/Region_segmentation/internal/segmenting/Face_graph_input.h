@@ -26,7 +26,7 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// A surface with the constraints of a pack.
+/// Returns a surface with the constraints that a pack of named parameters has.
 template <typename Input, typename Pack>
 Surface constrained([[maybe_unused]] const Input& input, Surface surface,
                     [[maybe_unused]] const Pack& np)
@@ -53,7 +53,7 @@ public:
 
   const FaceGraph& mesh() const { return *m_mesh; }
 
-  /// Constrains the edges of a map.
+  /// Constrains the edges for which a map has the value `true`.
   template <typename EdgeMap, typename Pack>
   void add_constraints(Surface& surface, const EdgeMap& map, const Pack& np) const
   {
