@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -42,9 +43,9 @@ public:
   /// `costs`: of the borders between adjacent elements; `distance`: see `Border_cut`; `areas` and
   /// `region_of`: by element; `is_fixed(region)`: whether its elements stay in the segments of the
   /// region, of at most one region of a tree
-  Nested_borders(const Dual_graph& costs, Function_ref<double(Index, Index)> distance,
+  Nested_borders(const Dual_graph& costs, std::function<double(Index, Index)> distance,
                  const std::vector<double>& areas, std::vector<Index> region_of,
-                 const Merge_tree& tree, Function_ref<bool(Index)> is_fixed)
+                 const Merge_tree& tree, std::function<bool(Index)> is_fixed)
     : m_costs(costs)
     , m_areas(areas)
     , m_region_of(std::move(region_of))
@@ -79,7 +80,7 @@ public:
   /// last `number_of_cuts` merges are moved. `width(area)`: of the band, by the smaller area of the
   /// two parts. Returns, by element, the lowest region of its segment.
   std::vector<Index> run(std::size_t number_of_cuts, std::size_t number_of_segments,
-                         Function_ref<double(double)> width, const Execution& execution)
+                         std::function<double(double)> width, const Execution& execution)
   {
     const std::size_t merges = m_tree.merges().size();
     std::size_t segments = m_tree.number_of_regions() - merges;
@@ -207,7 +208,7 @@ private:
 
   /// The elements that move have no region any more.
   void move_border(const std::vector<Index>& elements, Index a, Index b,
-                   Function_ref<double(double)> width)
+                   std::function<double(double)> width)
   {
     double area_of_a = 0, area_of_b = 0;
     std::vector<Index> border;
@@ -231,7 +232,7 @@ private:
   const Dual_graph& m_costs;
   const std::vector<double>& m_areas;
   std::vector<Index> m_region_of; // by element; none if it has moved
-  Function_ref<bool(Index)> m_is_fixed;
+  std::function<bool(Index)> m_is_fixed;
   const Merge_tree& m_tree;
   std::vector<std::size_t> m_numbers_of_removed;         // by merge: of the regions
   std::vector<std::vector<Index>> m_regions, m_elements; // by segment

@@ -187,7 +187,7 @@ struct Superfacet_merging
   {
     static_assert(internal::check_annotator<GraphAnnotator>());
     const Surface& surface = prepared.shape(given);
-    auto graph = internal::build_graph<typename GraphAnnotator::RegionData,
+    auto graph = build_region_adjacency_graph<typename GraphAnnotator::RegionData,
                                        typename GraphAnnotator::SectionData>(surface, regions,
                                                                              execution);
     if (regions == prepared.regions)

@@ -19,6 +19,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -168,7 +169,7 @@ public:
   /// `costs`: of the borders between adjacent elements; `distance(i, j)`: between two adjacent
   /// elements; `piece_of`: by element, changed by `move_border()`. All three must exist as long as
   /// the object.
-  Border_cut(const Dual_graph& costs, Function_ref<double(Index, Index)> distance,
+  Border_cut(const Dual_graph& costs, std::function<double(Index, Index)> distance,
              std::vector<Index>& piece_of)
     : m_costs(costs)
     , m_distance(distance)
@@ -186,7 +187,7 @@ public:
   ///
   /// `border`: elements of either piece that are adjacent to the other piece, all or some of them.
   std::vector<Index> move_border(Index a, Index b, const std::vector<Index>& border, double width,
-                                 Function_ref<bool(Index)> must_stay)
+                                 std::function<bool(Index)> must_stay)
   {
     std::vector<Index> moved;
     if (!(width >= narrowest_band))
@@ -257,7 +258,7 @@ private:
   bool is_in_band(Index element) const { return m_distances[element] != unreached; }
 
   /// Returns whether elements of both pieces stay.
-  bool add_nodes(Minimum_cut& cut, Index a, Function_ref<bool(Index)> must_stay)
+  bool add_nodes(Minimum_cut& cut, Index a, std::function<bool(Index)> must_stay)
   {
     bool stays_in_a = false, stays_in_b = false;
     for (const Index element : m_band) {
@@ -311,7 +312,7 @@ private:
   }
 
   const Dual_graph& m_costs;
-  Function_ref<double(Index, Index)> m_distance;
+  std::function<double(Index, Index)> m_distance;
   std::vector<Index>& m_piece_of;
   std::vector<double> m_distances; // of the elements of the band to the border
   std::vector<Index> m_nodes;      // of the elements of the band
