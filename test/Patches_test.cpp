@@ -291,7 +291,8 @@ RS::Surface sheets_at_one_side()
   }
   soup = joined(joined(soup, translated(grid(4, 4), 5, 0, 0)),
                 translated(scaled(grid(1, 1), 3000), 20, 0, 0));
-  return RS::make_surface(soup.points, soup.polygons, RS::parameters::component_links(false));
+  return RS::make_surface_of_polygon_soup(soup.points, soup.polygons,
+                                          RS::parameters::component_links(false));
 }
 
 TEST(Patches_test, are_not_joined_across_seams)
@@ -329,7 +330,7 @@ void expect_division(RS::Surface mesh, double x, std::mt19937& random)
 {
   for (std::size_t a = 0; a < mesh.number_of_adjacencies(); ++a)
     if (mesh.centroid(mesh.lower_face(a)).x < x && random() % 10 == 0)
-      RS::internal::arrays_of(mesh).flags[a] |= RS::Surface::CONSTRAINED;
+      arrays_of(mesh).flags[a] |= RS::Surface::CONSTRAINED;
   const RS::Patches patches = patches_of(mesh).fine;
   const RS::Partition& patch_of = patches.of_elements();
   Labels labels;

@@ -69,6 +69,11 @@ struct Soup
   }
 };
 
+bool is_before(const Added_adjacency& a, const Added_adjacency& b)
+{
+  return std::tie(a.higher, a.lower) < std::tie(b.higher, b.lower);
+}
+
 /// A surface with edges, and its components.
 struct Model
 {
@@ -79,7 +84,7 @@ struct Model
   std::vector<Added_adjacency> links() const
   {
     auto result = RS::internal::find_links(surface, component_of, RS::Execution());
-    std::sort(result.begin(), result.end());
+    std::sort(result.begin(), result.end(), is_before);
     return result;
   }
 
@@ -99,7 +104,7 @@ struct Model
 private:
   Partition fill(const Soup& soup)
   {
-    RS::internal::Surface_arrays& to = RS::internal::arrays_of(surface);
+    RS::internal::Surface_arrays& to = arrays_of(surface);
     double largest = 0;
     for (const Double_3& p : soup.points)
       largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
@@ -239,7 +244,7 @@ void check(const Model& m, const std::vector<Added_adjacency>& links)
     EXPECT_NE(m.component_of[l.lower], m.component_of[l.higher]);
     EXPECT_GE(std::sqrt(l.squared_length), 0);
     EXPECT_TRUE(std::isfinite(std::sqrt(l.squared_length)));
-    EXPECT_FALSE(i > 0 && l < links[i - 1]);
+    EXPECT_FALSE(i > 0 && is_before(l, links[i - 1]));
     number -= forest.unite(m.component_of[l.lower], m.component_of[l.higher]);
   }
   EXPECT_EQ(number, m.component_of.number_of_parts() > 0 ? 1u : 0u);

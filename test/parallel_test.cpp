@@ -60,8 +60,8 @@ Outputs run(const Surface_mesh& mesh, const Parameters& np)
 RS::Two_step two_step(RS::Feature_convexity convexity)
 {
   RS::Two_step method;
-  method.growing.maximum_angle = 3;
-  method.growing.feature_convexity = convexity;
+  method.maximum_angle = 3;
+  method.feature_convexity = convexity;
   return method;
 }
 
@@ -140,7 +140,7 @@ template <typename ConcurrencyTag>
 std::vector<double> numbers_read(const Surface_mesh& mesh)
 {
   const RS::Surface flat = RS::make_surface<ConcurrencyTag>(mesh);
-  const RS::Execution execution(RS::internal::threads_of<ConcurrencyTag>());
+  const RS::Execution execution{ConcurrencyTag()};
   const RS::Surface_patches both = RS::internal::Patch_builder::build(flat, execution);
   std::vector<double> result = {flat.unit(), flat.area()};
   const auto add = [&](const RS::Double_3& p) { result.insert(result.end(), {p.x, p.y, p.z}); };
@@ -193,7 +193,7 @@ Surface_mesh bumpy_torus(unsigned seed)
 template <typename ConcurrencyTag>
 std::vector<double> hits_found(const RS::Surface& surface, unsigned seed)
 {
-  const RS::Execution execution(RS::internal::threads_of<ConcurrencyTag>());
+  const RS::Execution execution{ConcurrencyTag()};
   const RS::Surface_patches patches = RS::internal::Patch_builder::build(surface, execution);
   const RS::internal::Ray_tree tree(surface, patches, surface.centroid(0), execution);
   std::mt19937 random(seed);
@@ -260,8 +260,8 @@ TEST(Parallel, a_segmenter_is_asked_from_several_threads)
 {
   const Surface_mesh mesh = to_surface_mesh(torus(60, 30));
   RS::Two_step method;
-  method.growing.maximum_angle = 1;
-  method.growing.feature_convexity = RS::Feature_convexity::ALL;
+  method.maximum_angle = 1;
+  method.feature_convexity = RS::Feature_convexity::ALL;
   const RS::Segmenter by_default(mesh);
   const RS::Segmenter two_step(mesh, RS::parameters::method(method));
   constexpr std::size_t n = 24;

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <numeric>
 #include <type_traits>
 #include <utility>
@@ -29,9 +30,29 @@ namespace internal {
 /// Threads, as plain functions, so that no stage depends on a library of threads.
 struct Threads
 {
-  void (*for_each)(std::size_t first, std::size_t last, Function_ref<void(std::size_t)> f);
+  void (*for_each)(std::size_t first, std::size_t last, const std::function<void(std::size_t)>& f);
   std::size_t (*number)();
 };
+
+/// The threads of a concurrency tag; null for `Sequential_tag`.
+template <typename ConcurrencyTag>
+const Threads* threads_of()
+{
+  if constexpr (std::is_convertible<ConcurrencyTag, CGAL::Parallel_tag>::value) {
+#ifdef CGAL_LINKED_WITH_TBB
+    static const Threads threads = {
+      [](std::size_t first, std::size_t last, const std::function<void(std::size_t)>& f) {
+        tbb::parallel_for(first, last, f);
+      },
+      [] { return std::size_t(tbb::this_task_arena::max_concurrency()); }};
+    return &threads;
+#else
+    static_assert(!std::is_convertible<ConcurrencyTag, CGAL::Parallel_tag>::value,
+                  "Parallel_tag needs TBB: link CGAL::TBB_support");
+#endif
+  }
+  return nullptr;
+}
 
 } // namespace internal
 
@@ -44,9 +65,10 @@ class Execution
 public:
   /// Sequential, without a visitor.
   Execution() = default;
-  /// `threads`: null if sequential
-  explicit Execution(const internal::Threads* threads)
-    : m_threads(threads)
+  /// By the threads of a tag: `CGAL::Sequential_tag` or, with TBB, `CGAL::Parallel_tag`.
+  template <typename ConcurrencyTag>
+  explicit Execution(ConcurrencyTag)
+    : m_threads(internal::threads_of<ConcurrencyTag>())
   {}
 
   /// With a model of `SegmentationVisitor`, stored by reference.
@@ -60,7 +82,12 @@ public:
   }
 
   /// The same threads; reports nothing.
-  Execution silent() const { return Execution(m_threads); }
+  Execution silent() const
+  {
+    Execution result = *this;
+    result.m_go_further = nullptr;
+    return result;
+  }
 
   bool is_parallel() const { return m_threads != nullptr; }
   std::size_t number_of_threads() const { return m_threads ? m_threads->number() : 1; }
@@ -98,7 +125,7 @@ public:
 
   /// Calls `f(i)` for i = `first` .. `last - 1`, in order or in parallel.
   void for_each(std::size_t first, std::size_t last,
-                internal::Function_ref<void(std::size_t)> f) const
+                const std::function<void(std::size_t)>& f) const
   {
     if (m_threads && last - first > 1)
       m_threads->for_each(first, last, f);
@@ -138,7 +165,7 @@ inline std::size_t number_of_blocks(std::size_t number_of_elements, std::size_t 
 /// Calls `f(block, begin, end)` for the blocks of elements 0 .. `number_of_elements - 1`, and
 /// reports the progress.
 inline void for_each_block(const Execution& execution, std::size_t number_of_elements,
-                           Function_ref<void(std::size_t, std::size_t, std::size_t)> f,
+                           const std::function<void(std::size_t, std::size_t, std::size_t)>& f,
                            std::size_t size = block_size)
 {
   constexpr std::size_t number_of_reports = 50;
@@ -163,8 +190,8 @@ inline void for_each_block(const Execution& execution, std::size_t number_of_ele
 /// `number_in(block, begin, end)`: the size of a part; is asked first, and in parallel only.
 inline std::size_t for_each_block_of_output(
   const Execution& execution, std::size_t number_of_elements,
-  Function_ref<std::size_t(std::size_t, std::size_t, std::size_t)> number_in,
-  Function_ref<std::size_t(std::size_t, std::size_t, std::size_t, std::size_t)> write)
+  const std::function<std::size_t(std::size_t, std::size_t, std::size_t)>& number_in,
+  const std::function<std::size_t(std::size_t, std::size_t, std::size_t, std::size_t)>& write)
 {
   std::vector<std::size_t> places(number_of_blocks(number_of_elements) + 1);
   if (execution.is_parallel())
@@ -215,29 +242,6 @@ private:
   std::size_t m_number, m_done = 0, m_next_report = 0;
 };
 
-} // namespace internal
-namespace internal {
-
-/// The threads of a concurrency tag; null for `Sequential_tag`.
-template <typename ConcurrencyTag>
-const Threads* threads_of()
-{
-  if constexpr (std::is_convertible<ConcurrencyTag, CGAL::Parallel_tag>::value) {
-#ifdef CGAL_LINKED_WITH_TBB
-    static const Threads threads = {
-      [](std::size_t first, std::size_t last, Function_ref<void(std::size_t)> f) {
-        tbb::parallel_for(first, last, [=](std::size_t i) { f(i); });
-      },
-      [] { return std::size_t(tbb::this_task_arena::max_concurrency()); }};
-    return &threads;
-#else
-    static_assert(!std::is_convertible<ConcurrencyTag, CGAL::Parallel_tag>::value,
-                  "Parallel_tag needs TBB: link CGAL::TBB_support");
-#endif
-  }
-  return nullptr;
-}
-
 template <typename T>
 using Goes_further = std::enable_if_t<
   std::is_convertible<decltype(std::declval<T&>().go_further("", double())), bool>::value>;
@@ -246,7 +250,7 @@ using Goes_further = std::enable_if_t<
 template <typename ConcurrencyTag, typename Pack>
 Execution make_execution(const Pack& np)
 {
-  const Execution execution(threads_of<ConcurrencyTag>());
+  const Execution execution{ConcurrencyTag()};
   if constexpr (!has_parameter<Pack, CGAL::internal_np::visitor_t>)
     return execution;
   else {

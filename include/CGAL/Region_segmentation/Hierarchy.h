@@ -6,7 +6,6 @@
 #include <CGAL/Region_segmentation/Graph/Merge_tree.h>
 #include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/Surface.h>
-#include <CGAL/Region_segmentation/internal/support/number_labels.h>
 
 #include <cstddef>
 #include <limits>

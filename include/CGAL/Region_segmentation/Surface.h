@@ -4,6 +4,7 @@
 #define CGAL_REGION_SEGMENTATION_SURFACE_H
 
 #include <CGAL/Region_segmentation/Double_3.h>
+#include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/internal/support/arrays.h>
 
 #include <CGAL/Iterator_range.h>
@@ -13,13 +14,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Region_segmentation {
-
-class Surface;
 
 namespace internal {
 
@@ -38,29 +36,12 @@ struct Surface_arrays
   Large_array<double> squared_lengths; // 8 bytes an adjacency
   Large_array<std::uint8_t> flags;     // 1 byte an adjacency
   Large_array<Index> adjacencies;      // 4 bytes a corner: across the side that leaves it
-  // Of polygons of more than `many_corners`, by face, once the surface is complete: computed for
-  // each of their adjacencies they would take quadratic time.
-  static constexpr Index many_corners = 64;
-  std::vector<std::pair<Index, Double_3>> centroids;
-  double unit = 1, area = 0, length_unit = 1;
+  std::vector<Index> merged_vertices;  // by vertex: the lowest one with its point; empty: itself
+  Partition component_of;              // 4 bytes a face
+  std::vector<bool> crumbs;            // by component: whether it is a crumb; empty: none is
+  double unit = 1, area = 0;
   bool has_seams_or_links = false;
-  std::vector<char> is_crumb; // by face; empty: none is
 };
-
-/// `points`: by vertex, those of the surface or others
-inline Double_3 mean_of_corners(const Surface_arrays& arrays, const Large_array<Double_3>& points,
-                                std::size_t face)
-{
-  const Surface_arrays::Index first = arrays.first_corners[face],
-                              end = arrays.first_corners[face + 1];
-  Double_3 sum{};
-  for (Surface_arrays::Index c = first; c < end; ++c)
-    sum = sum + points[arrays.corners[c]];
-  return (1.0 / double(end - first)) * sum;
-}
-
-Surface_arrays& arrays_of(Surface& surface);
-const Surface_arrays& arrays_of(const Surface& surface);
 
 } // namespace internal
 
@@ -89,7 +70,8 @@ const Surface_arrays& arrays_of(const Surface& surface);
 /// Corners of a face run counterclockwise seen from the side to which its normal points. Closed
 /// components that are inside out are turned, see `make_surface()`.
 ///
-/// Bytes: 60 per face, 4 per side and 17 per adjacency, so 97.5 per face on a closed triangle mesh.
+/// Bytes: 64 per face, 4 per side and 17 per adjacency, so 101.5 per face on a closed triangle
+/// mesh.
 class Surface
 {
 public:
@@ -122,7 +104,7 @@ public:
   /// The sum of the weights of the faces, in their order.
   double area() const { return m_arrays.area; }
   /// The square root of the area of the surface; 1 if that is 0.
-  double length_unit() const { return m_arrays.length_unit; }
+  double length_unit() const { return m_arrays.area > 0 ? std::sqrt(m_arrays.area) : 1; }
 
   /// \name Vertices and corners
   /// @{
@@ -136,6 +118,12 @@ public:
   {
     return m_arrays.corners[m_arrays.first_corners[face] + i];
   }
+  /// The vertices at the corners of a face, in order.
+  Iterator_range<const Index*> corners(std::size_t face) const
+  {
+    return {m_arrays.corners.data() + m_arrays.first_corners[face],
+            m_arrays.corners.data() + m_arrays.first_corners[face + 1]};
+  }
   /// @}
 
   /// \name Faces
@@ -148,7 +136,13 @@ public:
   /// largest one, where components are linked.
   bool is_crumb(std::size_t face) const
   {
-    return !m_arrays.is_crumb.empty() && m_arrays.is_crumb[face];
+    return !m_arrays.crumbs.empty() && m_arrays.crumbs[m_arrays.component_of[face]];
+  }
+  /// The number of components: sets of faces that are connected by edges.
+  std::size_t number_of_components() const { return m_arrays.component_of.number_of_parts(); }
+  std::size_t number_of_crumbs() const
+  {
+    return std::size_t(std::count(m_arrays.crumbs.begin(), m_arrays.crumbs.end(), true));
   }
   /// The area, but 0 for a face of a crumb: so crumbs do not change how the rest is segmented.
   double weight(std::size_t face) const { return is_crumb(face) ? 0 : m_arrays.areas[face]; }
@@ -162,14 +156,10 @@ public:
   /// The mean of the corners; its members are `x`, `y` and `z`, whatever the kernel of the mesh.
   Double_3 centroid(std::size_t face) const
   {
-    if (number_of_corners(face) > internal::Surface_arrays::many_corners) {
-      const auto found = std::lower_bound(m_arrays.centroids.begin(), m_arrays.centroids.end(),
-                                          face,
-                                          [](const auto& c, std::size_t f) { return c.first < f; });
-      if (found != m_arrays.centroids.end() && found->first == face)
-        return found->second;
-    }
-    return internal::mean_of_corners(m_arrays, m_arrays.points, face);
+    Double_3 sum{};
+    for (const Index v : corners(face))
+      sum = sum + point(v);
+    return (1.0 / double(number_of_corners(face))) * sum;
   }
   /// @}
 
@@ -230,36 +220,22 @@ public:
   /// @}
 
 private:
-  friend internal::Surface_arrays& internal::arrays_of(Surface& surface);
-  friend const internal::Surface_arrays& internal::arrays_of(const Surface& surface);
+  friend internal::Surface_arrays& arrays_of(Surface& surface) { return surface.m_arrays; }
+  friend const internal::Surface_arrays& arrays_of(const Surface& surface)
+  {
+    return surface.m_arrays;
+  }
 
   internal::Surface_arrays m_arrays;
 };
 
 namespace internal {
 
-inline Surface_arrays& arrays_of(Surface& surface)
-{
-  return surface.m_arrays;
-}
-inline const Surface_arrays& arrays_of(const Surface& surface)
-{
-  return surface.m_arrays;
-}
-
-/// The vertices at the corners of a face, in order.
-inline Iterator_range<const Surface::Index*> corners_of(const Surface& surface, std::size_t face)
-{
-  const Surface_arrays& arrays = arrays_of(surface);
-  return {arrays.corners.data() + arrays.first_corners[face],
-          arrays.corners.data() + arrays.first_corners[face + 1]};
-}
-
 /// Calls `f(v, w)` for the sides of a face, which run from vertex v to vertex w, in order.
 template <typename F>
 void for_each_side(const Surface& surface, std::size_t face, const F& f)
 {
-  const auto [first, end] = corners_of(surface, face);
+  const auto [first, end] = surface.corners(face);
   for (const Surface::Index* corner = first; corner != end; ++corner)
     f(*corner, corner + 1 != end ? corner[1] : *first);
 }

@@ -5,16 +5,14 @@
 
 #include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/Surface.h>
-#include <CGAL/Region_segmentation/internal/support/compiled.h>
 #include <CGAL/Region_segmentation/internal/support/components.h>
-#include <CGAL/Region_segmentation/internal/surface/Raw_surface.h>
 #include <CGAL/Region_segmentation/internal/surface/collect_adjacencies.h>
-#include <CGAL/Region_segmentation/internal/surface/compute_normals.h>
 #include <CGAL/Region_segmentation/internal/surface/find_links.h>
 #include <CGAL/Region_segmentation/internal/surface/match_sides.h>
 #include <CGAL/Region_segmentation/internal/surface/orient_components.h>
-#include <CGAL/Region_segmentation/internal/surface/read_face_graph.h>
+#include <CGAL/Region_segmentation/internal/surface/read_surface.h>
 #include <CGAL/Region_segmentation/parameters.h>
+#include <CGAL/Region_segmentation/version.h>
 
 #include <CGAL/tags.h>
 
@@ -28,95 +26,46 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// What is adjacent beyond the neighbors that are known.
+/// What is adjacent: the neighbors that are known, what has coinciding sides too, or components
+/// too.
 enum class Adjacency_of { NEIGHBORS, COINCIDING_SIDES, COMPONENTS };
 
-/// A seam as an adjacency: with the sign of its angle if its faces are oriented consistently; an
-/// edge if one of them is degenerate.
-inline Added_adjacency adjacency_of_seam(const Surface& surface, const Seam& seam)
+/// From points and corners to a surface. A template, so that `extern template` keeps it out of a
+/// translation unit.
+/// \tparam Raw `Raw_surface`
+template <typename Raw>
+Surface build_surface(Raw raw, Adjacency_of wanted, const Execution& execution)
 {
-  const auto side_of = [&](Surface::Index face) {
-    return side_between(surface, face, seam.lower_vertex, seam.higher_vertex);
-  };
-  const Surface::Index lower = (std::min)(seam.face, seam.other_face),
-                       higher = (std::max)(seam.face, seam.other_face);
-  const Double_3 direction = surface.point(seam.higher_vertex) - surface.point(seam.lower_vertex);
-  Added_adjacency result = {lower,
-                            higher,
-                            seam.share * seam.share * squared_norm(direction),
-                            0,
-                            side_of(seam.face),
-                            side_of(seam.other_face)};
-  if (surface.is_degenerate(lower) || surface.is_degenerate(higher))
-    return result;
-  result.flags = Surface::SEAM;
-  const bool is_forward = runs_along(surface, higher, seam.lower_vertex, seam.higher_vertex);
-  if (is_forward != runs_along(surface, lower, seam.lower_vertex, seam.higher_vertex))
-    result.flags |= sign_of_edge(surface.normal(higher), surface.normal(lower),
-                                 (is_forward ? 1.0 : -1.0) * direction);
-  return result;
-}
-
-/// Adds links between what is not connected by edges and seams, and marks crumbs.
-inline void insert_links(Surface& surface, const Execution& execution)
-{
-  const Partition connected = label_components(
-    surface, [](std::size_t) { return true; }, execution.silent());
-  insert_adjacencies(surface, find_links(surface, connected, execution));
-  mark_crumbs(surface, edge_components(surface, execution.silent()));
-}
-
-/// From points and corners to a surface.
-/// \tparam wanted what is adjacent; what others need is not compiled
-template <Adjacency_of wanted>
-Surface build_surface(Raw_surface&& raw, const Execution& execution)
-{
+  Surface& surface = raw.surface;
   std::vector<Added_adjacency> added;
-  std::vector<Seam> seams;
-  const bool has_open_sides = std::find(raw.neighbors.begin(), raw.neighbors.end(),
-                                        Raw_surface::none) != raw.neighbors.end();
-  if constexpr (wanted != Adjacency_of::NEIGHBORS)
-    if (has_open_sides)
-      merge_points_of_open_sides(raw);
-  compute_normals(raw.surface, execution.step(0, 0.3));
-  if constexpr (wanted != Adjacency_of::NEIGHBORS)
-    if (has_open_sides) {
-      find_doubled_faces(raw, added);
-      Side_matcher matcher(raw);
-      matcher.match();
-      seams = matcher.seams();
-      orient_faces(raw, matcher.parallel_sides(), seams);
-    }
-  std::vector<Surface::Index> faces_at_borders; // as long as neighbors are known
-  if (has_open_sides)
-    faces_at_borders = faces_with_open_sides(raw);
+  const bool is_open = wanted != Adjacency_of::NEIGHBORS &&
+                       std::find(raw.neighbors.begin(), raw.neighbors.end(), Raw::none) !=
+                         raw.neighbors.end();
+  if (is_open)
+    merge_points_of_open_sides(raw);
+  compute_normals(surface, execution.step(0, 0.3));
+  if (is_open) {
+    find_doubled_faces(raw, added);
+    const std::vector<bool> is_parallel = Side_matcher(raw, added).match();
+    orient_faces(raw, is_parallel, added);
+  }
   collect_adjacencies(raw, execution.step(0.3, 0.8));
   raw.neighbors = Large_array<Surface::Index>(); // later steps need the memory
-  const Partition component_of = edge_components(raw.surface, execution.step(0.8, 0.9));
-  orient_components(raw, component_of, faces_at_borders, seams);
-  for (const Seam& seam : seams)
-    added.push_back(adjacency_of_seam(raw.surface, seam));
-  insert_adjacencies(raw.surface, added);
-  join_degenerate_faces(raw.surface);
-  if constexpr (wanted == Adjacency_of::COMPONENTS)
-    if (component_of.number_of_parts() > 1)
-      insert_links(raw.surface, execution.step(0.9, 1));
-  sum_up(raw.surface);
-  return std::move(raw.surface);
+  insert_adjacencies(surface, std::move(added));
+  arrays_of(surface).component_of = edge_components(surface, execution.step(0.8, 0.9));
+  if (orient_components(surface) || surface.has_seams_or_links())
+    set_signs(surface);
+  join_degenerate_faces(surface);
+  if (wanted == Adjacency_of::COMPONENTS && surface.number_of_components() > 1)
+    insert_links(surface, execution.step(0.9, 1));
+  sum_up(surface);
+  return std::move(surface);
 }
 
 #ifdef CGAL_REGION_SEGMENTATION_COMPILED
-CGAL_REGION_SEGMENTATION_EXTERN template Surface
-build_surface<Adjacency_of::NEIGHBORS>(Raw_surface&&, const Execution&);
-CGAL_REGION_SEGMENTATION_EXTERN template Surface
-build_surface<Adjacency_of::COINCIDING_SIDES>(Raw_surface&&, const Execution&);
-CGAL_REGION_SEGMENTATION_EXTERN template Surface
-build_surface<Adjacency_of::COMPONENTS>(Raw_surface&&, const Execution&);
+CGAL_REGION_SEGMENTATION_EXTERN template Surface build_surface(Raw_surface, Adjacency_of,
+                                                               const Execution&);
 #endif
-
-} // namespace internal
-
-namespace internal {
 
 /// The value of `component_links` in a pack.
 template <typename Pack>
@@ -126,55 +75,39 @@ bool component_links(const Pack& np)
     CGAL::parameters::get_parameter(np, internal_np::component_links), true);
 }
 
-/// With links, or with what is adjacent without them.
-template <Adjacency_of unlinked, typename Pack>
-Surface build_linked_surface(Raw_surface&& raw, const Pack& np, const Execution& execution)
+template <typename FaceGraph, typename Pack>
+Surface make_surface(const Mesh_order<FaceGraph, Pack>& order, const Pack& np, Adjacency_of wanted,
+                     const Execution& execution)
 {
-  if constexpr (has_parameter<Pack, internal_np::component_links_t>)
-    if (!component_links(np))
-      return build_surface<unlinked>(std::move(raw), execution);
-  return build_surface<Adjacency_of::COMPONENTS>(std::move(raw), execution);
+  return build_surface(read_face_graph(order, np, execution.step(0, 0.5)), wanted,
+                       execution.step(0.5, 1));
 }
 
 template <typename FaceGraph, typename Pack>
 Surface make_surface(const FaceGraph& mesh, const Pack& np, const Execution& execution)
 {
-  const Execution reading = execution.stage("reading");
-  Raw_surface raw = read_face_graph(Mesh_order<FaceGraph, Pack>(mesh, np), np,
-                                    reading.step(0, 0.5));
-  return build_linked_surface<Adjacency_of::NEIGHBORS>(std::move(raw), np, reading.step(0.5, 1));
+  return make_surface(Mesh_order<FaceGraph, Pack>(mesh, np), np,
+                      component_links(np) ? Adjacency_of::COMPONENTS : Adjacency_of::NEIGHBORS,
+                      execution.stage("reading"));
 }
 
 /// For functions that read a face graph as it is: without links and coinciding borders.
 template <typename FaceGraph, typename Pack>
-Surface make_surface_of_neighbors(const Mesh_order<FaceGraph, Pack>& order, const Pack& np,
-                                  const Execution& execution = Execution())
-{
-  return build_surface<Adjacency_of::NEIGHBORS>(read_face_graph(order, np, execution.step(0, 0.5)),
-                                                execution.step(0.5, 1));
-}
-/// For single stages: without links.
-template <typename FaceGraph, typename Pack>
-Surface make_unlinked_surface(const Mesh_order<FaceGraph, Pack>& order, const Pack& np,
-                              const Execution& execution)
-{
-  return build_surface<Adjacency_of::COINCIDING_SIDES>(
-    read_face_graph(order, np, execution.step(0, 0.5)), execution.step(0.5, 1));
-}
-
-template <typename FaceGraph, typename Pack>
 Surface make_surface_of_neighbors(const FaceGraph& mesh, const Pack& np)
 {
-  return make_surface_of_neighbors(Mesh_order<FaceGraph, Pack>(mesh, np), np);
+  return make_surface(Mesh_order<FaceGraph, Pack>(mesh, np), np, Adjacency_of::NEIGHBORS,
+                      Execution());
 }
 
 template <typename PointRange, typename PolygonRange, typename Pack>
-Surface make_surface(const PointRange& points, const PolygonRange& polygons, const Pack& np,
-                     const Execution& execution)
+Surface make_surface_of_polygon_soup(const PointRange& points, const PolygonRange& polygons,
+                                     const Pack& np, const Execution& execution)
 {
   const Execution reading = execution.stage("reading");
-  return build_linked_surface<Adjacency_of::COINCIDING_SIDES>(
-    read_polygons(points, polygons, reading.step(0, 0.5)), np, reading.step(0.5, 1));
+  return build_surface(read_polygons(points, polygons, reading.step(0, 0.5)),
+                       component_links(np) ? Adjacency_of::COMPONENTS
+                                           : Adjacency_of::COINCIDING_SIDES,
+                       reading.step(0.5, 1));
 }
 
 using Surface_parameters = Tag_list<internal_np::component_links_t, CGAL::internal_np::visitor_t>;
@@ -202,8 +135,7 @@ using Surface_parameters = Tag_list<internal_np::component_links_t, CGAL::intern
 ///
 /// Complexity: O(F), O(F log F) with several components.
 template <typename ConcurrencyTag = CGAL::Sequential_tag, typename FaceGraph,
-          typename NamedParameters = parameters::Default_named_parameters,
-          std::enable_if_t<internal::is_pack<NamedParameters>, int> = 0>
+          typename NamedParameters = parameters::Default_named_parameters>
 Surface make_surface(const FaceGraph& mesh,
                      const NamedParameters& np = parameters::default_values())
 {
@@ -238,15 +170,14 @@ Surface make_surface(const FaceGraph& mesh,
 ///
 /// Complexity: O(F log F); O(F) for a connected face graph without borders.
 template <typename ConcurrencyTag = CGAL::Sequential_tag, typename PointRange,
-          typename PolygonRange, typename NamedParameters = parameters::Default_named_parameters,
-          std::enable_if_t<internal::is_polygon_range<PolygonRange>(), int> = 0>
-Surface make_surface(const PointRange& points, const PolygonRange& polygons,
-                     const NamedParameters& np = parameters::default_values())
+          typename PolygonRange, typename NamedParameters = parameters::Default_named_parameters>
+Surface make_surface_of_polygon_soup(const PointRange& points, const PolygonRange& polygons,
+                                     const NamedParameters& np = parameters::default_values())
 {
   const auto& pack = internal::pack(np);
   internal::check_parameters<std::decay_t<decltype(pack)>, internal::Surface_parameters>();
-  return internal::make_surface(points, polygons, pack,
-                                internal::make_execution<ConcurrencyTag>(pack));
+  return internal::make_surface_of_polygon_soup(points, polygons, pack,
+                                                internal::make_execution<ConcurrencyTag>(pack));
 }
 
 } // namespace Region_segmentation

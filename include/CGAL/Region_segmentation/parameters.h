@@ -28,6 +28,7 @@
   ADD(method_t, method)                                                                            \
   ADD(face_seed_map_t, face_seed_map)                                                              \
   ADD(component_links_t, component_links)                                                          \
+  ADD(constrained_edges_t, constrained_edges)                                                      \
   ADD(feature_convexity_t, feature_convexity)                                                      \
   ADD(region_map_t, region_map)                                                                    \
   ADD(clearance_t, clearance)
@@ -166,14 +167,6 @@ CGAL::Named_function_parameters<bool, CGAL::internal_np::all_default_t> pack(con
   return {};
 }
 
-template <typename T, typename Tag, typename Base>
-std::true_type is_pack_of(const CGAL::Named_function_parameters<T, Tag, Base>&);
-std::false_type is_pack_of(...);
-
-/// Whether a type is a pack of named parameters.
-template <typename T>
-constexpr bool is_pack = decltype(is_pack_of(std::declval<const T&>()))::value;
-
 /// Whether a pack has a parameter.
 template <typename Pack, typename Tag>
 constexpr bool has_parameter = !CGAL::parameters::is_default_parameter<Pack, Tag>::value;
@@ -191,17 +184,6 @@ constexpr bool is_range = Is_range<T>::value;
 
 template <typename T>
 using Key_of_map = typename boost::property_traits<T>::key_type;
-
-/// Distinguishes polygons, a range of ranges, from property maps, also those with iterators, and
-/// named parameters.
-template <typename T>
-constexpr bool is_polygon_range()
-{
-  if constexpr (is_range<T> && !satisfies<Key_of_map, T>)
-    return is_range<std::decay_t<decltype(*std::begin(std::declval<const T&>()))>>;
-  else
-    return false;
-}
 
 template <typename... Tags>
 struct Tag_list
@@ -237,24 +219,14 @@ struct Takes_all<CGAL::Named_function_parameters<T, Tag, Base>, Taken>
       Takes_all<Base, Taken>>
 {};
 
-template <typename Pack, typename... Seen>
-struct Are_different : std::true_type
-{};
-template <typename T, typename Tag, typename Base, typename... Seen>
-struct Are_different<CGAL::Named_function_parameters<T, Tag, Base>, Seen...>
-  : std::conjunction<std::negation<Is_in<Tag, Tag_list<Seen...>>>,
-                     Are_different<Base, Tag, Seen...>>
-{};
-
 /// Does not compile if a pack has one of the watched parameters that is not among the accepted
-/// ones, or a parameter twice.
+/// ones.
 template <typename Pack, typename Taken>
 constexpr void check_parameters()
 {
   static_assert(Takes_all<Pack, Taken>::value, "one of the named parameters is not taken by this "
                                                "function (constants of a method are members of "
                                                "its parts)");
-  static_assert(Are_different<Pack>::value, "one of the named parameters is given twice");
 }
 
 } // namespace internal

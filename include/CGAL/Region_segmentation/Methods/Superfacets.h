@@ -12,7 +12,6 @@
 #include <CGAL/Region_segmentation/internal/superfacets/Region_shapes.h>
 #include <CGAL/Region_segmentation/internal/support/components.h>
 #include <CGAL/Region_segmentation/internal/support/concept_checks.h>
-#include <CGAL/Region_segmentation/internal/surface/find_links.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -161,7 +160,8 @@ private:
                           const Execution& execution) const
   {
     const Patches& coarse = patches.coarse;
-    const std::size_t number_of_seeds = number + number_of_crumbs(surface);
+    // Each crumb has a seed of its own, which does not count.
+    const std::size_t number_of_seeds = number + surface.number_of_crumbs();
     internal::Farthest_point_seeding from_patches(steps(surface, patches.fine));
     std::size_t number_of_coarse = 0; // not those of crumbs
     for (std::size_t p = 0; p < coarse.size(); ++p)
@@ -177,15 +177,6 @@ private:
       from_patches.run(seeds);
     }
     return from_patches.regions();
-  }
-
-  /// Each has a seed of its own, which does not count.
-  static std::size_t number_of_crumbs(const Surface& surface)
-  {
-    if (!surface.has_seams_or_links())
-      return 0;
-    const internal::Bodies bodies(surface);
-    return bodies.areas.size() - bodies.number();
   }
 
   internal::Dual_graph steps(const Surface& mesh, const Patches& patches) const

@@ -10,7 +10,6 @@
 #include <CGAL/Region_segmentation/internal/superfacets/Region_shapes.h>
 #include <CGAL/Region_segmentation/internal/support/components.h>
 #include <CGAL/Region_segmentation/internal/support/concept_checks.h>
-#include <CGAL/Region_segmentation/internal/surface/find_links.h>
 
 #include <algorithm>
 #include <cmath>
@@ -93,7 +92,7 @@ protected:
       // The components, and as many more as constrained edges keep apart.
       std::size_t number = pieces;
       if (mesh.has_seams_or_links())
-        number += internal::Bodies(mesh).number() -
+        number += mesh.number_of_components() - mesh.number_of_crumbs() -
                   internal::label_components(
                     mesh, [](std::size_t) { return true; }, Execution())
                     .number_of_parts();

@@ -14,9 +14,8 @@
 #include <CGAL/Region_segmentation/internal/support/arrays.h>
 #include <CGAL/Region_segmentation/internal/support/components.h>
 #include <CGAL/Region_segmentation/internal/support/concept_checks.h>
-#include <CGAL/Region_segmentation/internal/support/number_labels.h>
-#include <CGAL/Region_segmentation/internal/surface/compute_normals.h>
-#include <CGAL/Region_segmentation/internal/surface/read_face_graph.h>
+#include <CGAL/Region_segmentation/internal/surface/collect_adjacencies.h>
+#include <CGAL/Region_segmentation/internal/surface/read_surface.h>
 #include <CGAL/Region_segmentation/make_surface.h>
 #include <CGAL/Region_segmentation/parameters.h>
 
@@ -117,7 +116,7 @@ struct Surface_as_given
     Raw_surface raw = read_face_graph(Mesh_order<FaceGraph, Pack>(mesh, np), np, Execution());
     compute_normals(raw.surface, Execution());
     normals = arrays_of(raw.surface).normals;
-    surface = build_surface<Adjacency_of::NEIGHBORS>(std::move(raw), Execution());
+    surface = build_surface(std::move(raw), Adjacency_of::NEIGHBORS, Execution());
   }
 };
 

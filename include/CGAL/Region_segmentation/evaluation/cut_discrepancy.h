@@ -7,7 +7,7 @@
 #include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/internal/support/arrays.h>
 #include <CGAL/Region_segmentation/internal/support/shortest_paths.h>
-#include <CGAL/Region_segmentation/internal/surface/read_face_graph.h>
+#include <CGAL/Region_segmentation/internal/surface/read_surface.h>
 #include <CGAL/Region_segmentation/make_surface.h>
 #include <CGAL/Region_segmentation/parameters.h>
 
@@ -167,7 +167,8 @@ std::optional<double> cut_discrepancy(const FaceGraph& mesh, const FaceLabelMapA
   const auto& pack = internal::pack(np);
   internal::check_parameters<std::decay_t<decltype(pack)>, internal::Tag_list<>>();
   const internal::Mesh_order<FaceGraph, std::decay_t<decltype(pack)>> order(mesh, pack);
-  const Surface surface = internal::make_surface_of_neighbors(order, pack);
+  const Surface surface = internal::make_surface(order, pack, internal::Adjacency_of::NEIGHBORS,
+                                                 Execution());
   const auto cut_a = internal::cut_vertices(order, a), cut_b = internal::cut_vertices(order, b);
   const double size = internal::mean_distance_to_centroid(surface);
   if (cut_a.empty() || cut_b.empty() || size == 0)

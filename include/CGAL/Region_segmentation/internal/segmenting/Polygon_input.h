@@ -27,6 +27,9 @@ namespace internal {
 class Polygon_input
 {
 public:
+  /// The named parameter of constraints.
+  static constexpr auto constraints = internal_np::constrained_edges;
+
   explicit Polygon_input(std::size_t number_of_polygons)
     : m_number(number_of_polygons)
   {}
@@ -50,7 +53,7 @@ public:
   /// \throws Invalid_input if a range has another number of elements, or does not hold labels below
   /// `n`
   template <typename Map>
-  void check(const Map& map, std::size_t n, const char* what = "labels") const
+  void check(const Map& map, std::size_t n, const char* what = "label") const
   {
     static_assert(holds_labels<Map>(), "labels of polygons are a range or a property map of an "
                                        "integral type other than bool");

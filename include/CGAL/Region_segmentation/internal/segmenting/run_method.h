@@ -8,9 +8,9 @@
 #include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/exceptions.h>
-#include <CGAL/Region_segmentation/internal/support/compiled.h>
 #include <CGAL/Region_segmentation/internal/support/concept_checks.h>
 #include <CGAL/Region_segmentation/parameters.h>
+#include <CGAL/Region_segmentation/version.h>
 
 #include <CGAL/assertions.h>
 
@@ -53,7 +53,7 @@ constexpr bool check_method()
 }
 
 /// All that is called of a method. Members are defined outside of the class, thus not inline, so
-/// that `extern template` keeps them out of a translation unit (see `compiled.h`).
+/// that `extern template` keeps them out of a translation unit (see `version.h`).
 template <typename Method>
 struct Method_calls
 {
@@ -131,10 +131,11 @@ Method method_of_pack(const Pack& np)
   }
 }
 
+template <typename Input>
 using Segmenting_parameters = Tag_list<
   internal_np::number_of_segments_t, internal_np::method_t, internal_np::face_seed_map_t,
   internal_np::component_links_t, internal_np::region_map_t, internal_np::merge_tree_t,
-  CGAL::internal_np::edge_is_constrained_t, CGAL::internal_np::visitor_t>;
+  std::decay_t<decltype(Input::constraints)>, CGAL::internal_np::visitor_t>;
 
 /// The seeds in a map.
 template <typename Input, typename SeedMap>
@@ -185,12 +186,13 @@ std::size_t run_method(const Input& input, Surface surface, SegmentMap& segment_
                        const Execution& execution)
 {
   using Method = Method_of_pack<Pack>;
+  check_parameters<Pack, Segmenting_parameters<Input>>();
   static_assert(check_method<Method>());
   static_assert(!needs_number<Method>() || has_parameter<Pack, internal_np::number_of_segments_t>,
                 "segment() with this method needs the named parameter number_of_segments");
   input.check(segment_map, 0);
   const Method method = method_of_pack<Method>(np);
-  constrain(input, surface, np);
+  surface = constrained(input, std::move(surface), np);
   Request request = request_of_pack(input, np);
   if constexpr (!has_outputs<Pack>)
     request.numbers = Request::Numbers::ONE;
@@ -200,7 +202,7 @@ std::size_t run_method(const Input& input, Surface surface, SegmentMap& segment_
   const Composed_partition segments = Calls::segments(result, surface, result.number_of_segments());
   if constexpr (has_parameter<Pack, internal_np::region_map_t>)
     input.check(CGAL::parameters::get_parameter(np, internal_np::region_map),
-                result.regions().number_of_parts(), "labels of first regions");
+                result.regions().number_of_parts(), "first region");
   input.write(segments, segment_map);
   write_outputs(input, result, np);
   return segments.number_of_parts();

@@ -10,8 +10,7 @@
 #include <CGAL/Region_segmentation/face_values.h>
 #include <CGAL/Region_segmentation/internal/support/arrays.h>
 #include <CGAL/Region_segmentation/internal/support/components.h>
-#include <CGAL/Region_segmentation/internal/support/number_labels.h>
-#include <CGAL/Region_segmentation/internal/surface/read_face_graph.h>
+#include <CGAL/Region_segmentation/internal/surface/read_surface.h>
 
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/named_params_helper.h>

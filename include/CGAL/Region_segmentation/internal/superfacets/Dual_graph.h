@@ -11,6 +11,7 @@
 #include <CGAL/number_type_config.h>
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace CGAL {
@@ -32,8 +33,8 @@ public:
   };
 
   /// Of the adjacencies for which `is_step(adjacency)`.
-  Dual_graph(const Surface& surface, Function_ref<bool(std::size_t)> is_step,
-             Function_ref<double(std::size_t)> length)
+  Dual_graph(const Surface& surface, std::function<bool(std::size_t)> is_step,
+             std::function<double(std::size_t)> length)
   {
     std::vector<Edge> edges;
     for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a)
@@ -48,7 +49,7 @@ public:
   /// Of patches in place of faces. `length(adjacency, deviation)`: by the concave deviation of the
   /// two patches; a right angle at a contact, where there is a valley
   Dual_graph(const Patches& patches, Across across,
-             Function_ref<double(const Patches::Adjacency&, double)> length)
+             std::function<double(const Patches::Adjacency&, double)> length)
   {
     std::vector<Edge> edges;
     edges.reserve(patches.adjacencies().size() + patches.contacts().size());

@@ -79,7 +79,7 @@ public:
   /// The regions split further: the face farthest from its seed is separated first, with the faces
   /// that were reached through it; of several, the higher one; those that `is_joined(face)` only
   /// after all others.
-  Partition split_regions(std::size_t number_of_parts, Function_ref<bool(Index)> is_joined) const
+  Partition split_regions(std::size_t number_of_parts, std::function<bool(Index)> is_joined) const
   {
     const auto order = sorted_indices(m_reached.size(), [&](Index a, Index b) {
       const auto key = [&](Index f) {

@@ -167,7 +167,7 @@ private:
     m_boxes.resize(leaf_of_face.number_of_parts());
     for_each_in_part(execution, leaf_of_face, [&](std::size_t leaf, std::size_t f) {
       if (!mesh.is_crumb(f))
-        for (const Index corner : corners_of(mesh, f))
+        for (const Index corner : mesh.corners(f))
           m_boxes[leaf].add_point(m_points[corner]);
     });
   }

@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <functional>
 #include <memory>
 #include <numeric>
 #include <utility>
@@ -137,38 +138,14 @@ void for_each_repetition(std::size_t most_items, const ForEach& for_each, const 
   }
 }
 
-template <typename Signature>
-class Function_ref;
-
-/// A function object by reference, as parameter of functions that are not templates of it: they
-/// are compiled once, and each call is indirect.
-template <typename Result, typename... Arguments>
-class Function_ref<Result(Arguments...)>
-{
-public:
-  template <typename F>
-  Function_ref(const F& f)
-    : m_function(&f)
-    , m_call([](const void* function, Arguments... arguments) -> Result {
-      return (*static_cast<const F*>(function))(arguments...);
-    })
-  {}
-
-  Result operator()(Arguments... arguments) const { return m_call(m_function, arguments...); }
-
-private:
-  const void* m_function;
-  Result (*m_call)(const void*, Arguments...);
-};
-
 /// 0 .. `size` - 1 in the order of `less(i, j)`: one sort, compiled once, for all that is seldom
 /// sorted.
 inline std::vector<std::uint32_t>
-sorted_indices(std::size_t size, Function_ref<bool(std::uint32_t, std::uint32_t)> less)
+sorted_indices(std::size_t size, const std::function<bool(std::uint32_t, std::uint32_t)>& less)
 {
   std::vector<std::uint32_t> result(size);
   std::iota(result.begin(), result.end(), std::uint32_t(0));
-  std::sort(result.begin(), result.end(), less);
+  std::sort(result.begin(), result.end(), std::cref(less));
   return result;
 }
 

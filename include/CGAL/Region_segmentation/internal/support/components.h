@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -67,17 +68,6 @@ public:
   /// The lowest face of a tree.
   Index root(Index i) { return root_in_forest(m_parents, i); }
 
-  /// Unites the tree of the root `r` with that of `a`; returns their root. Branch-free, since it is
-  /// unpredictable whether they are united already.
-  Index unite_with_root(Index r, Index a)
-  {
-    a = root(a);
-    const Index lower = (std::min)(a, r);
-    Index unused;
-    *(a == r ? &unused : &m_parents[(std::max)(a, r)]) = lower;
-    return lower;
-  }
-
   /// Numbers the trees by their roots. The forest is empty afterwards.
   Partition take_partition()
   {
@@ -93,13 +83,11 @@ private:
   Partition::Numbers m_parents;
 };
 
-/// One byte per adjacency of a surface.
-using Edge_marks = Large_array<std::uint8_t>;
-
 /// The connected components of the faces across the adjacencies with none of the marks `barring`.
+/// `marks`: a byte for each adjacency
 /// Each thread unites the faces of a range of blocks; adjacencies between two ranges follow at the
 /// end.
-inline Partition label_components(const Surface& surface, const Edge_marks& marks,
+inline Partition label_components(const Surface& surface, const std::uint8_t* marks,
                                   std::uint8_t barring, const Execution& execution)
 {
   using Index = Surface::Index;
@@ -107,19 +95,14 @@ inline Partition label_components(const Surface& surface, const Edge_marks& mark
   const std::size_t size = surface.number_of_faces();
   std::vector<std::vector<Index>> between_ranges(number_of_blocks(size, size_of_range));
   Lowest_root_forest forest(size);
-  const auto unite_range = [&, mark = marks.data()](std::size_t range, std::size_t begin,
-                                                    std::size_t end) {
+  const auto unite_range = [&](std::size_t range, std::size_t begin, std::size_t end) {
     const std::size_t first_of_range = execution.is_parallel() ? begin : 0;
     const std::size_t past = surface.first_adjacency(end);
-    Index face = 0, root = 0;
     for (std::size_t a = surface.first_adjacency(begin); a < past; ++a) {
-      const Index lower = surface.lower_face(a), higher = surface.higher_face(a);
-      root = higher == face ? root : higher;
-      face = higher;
-      if ((mark[a] & barring) != 0)
+      if ((marks[a] & barring) != 0)
         continue;
-      if (lower >= first_of_range)
-        root = forest.unite_with_root(root, lower);
+      if (surface.lower_face(a) >= first_of_range)
+        forest.unite(surface.lower_face(a), surface.higher_face(a));
       else
         between_ranges[range].push_back(Index(a));
     }
@@ -132,18 +115,19 @@ inline Partition label_components(const Surface& surface, const Edge_marks& mark
 }
 
 /// The connected components of the faces across the adjacencies that `joins(adjacency)`.
-inline Partition label_components(const Surface& surface, Function_ref<bool(std::size_t)> joins,
+inline Partition label_components(const Surface& surface,
+                                  const std::function<bool(std::size_t)>& joins,
                                   const Execution& execution)
 {
-  Edge_marks is_barred(surface.number_of_adjacencies());
+  Large_array<std::uint8_t> is_barred(surface.number_of_adjacencies());
   for_each_index(execution, is_barred.size(), [&](std::size_t a) { is_barred[a] = !joins(a); });
-  return label_components(surface, is_barred, 1, execution);
+  return label_components(surface, is_barred.data(), 1, execution);
 }
 
 /// The connected components across edges.
 inline Partition edge_components(const Surface& surface, const Execution& execution)
 {
-  return label_components(surface, arrays_of(surface).flags, Surface::SEAM | Surface::LINK,
+  return label_components(surface, arrays_of(surface).flags.data(), Surface::SEAM | Surface::LINK,
                           execution);
 }
 

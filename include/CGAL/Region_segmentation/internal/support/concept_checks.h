@@ -84,30 +84,24 @@ constexpr bool check_face_map()
 template <typename Values>
 using Number_of_parts = decltype(std::declval<const Values&>().number_of_parts());
 
-/// \throws Invalid_input if a type does not hold the labels below `n`, and -1 for none beside them
-/// `what`: is written
-template <typename Label>
-void check_labels(std::size_t n, const char* what = "labels")
-{
-  static_assert(std::is_integral<Label>::value,
-                "labels are written to a map or range of an integral type, such as std::size_t");
-  constexpr auto greatest = (std::numeric_limits<Label>::max)();
-  constexpr bool is_greatest_none = greatest == Label(-1) && !std::is_same<Label, bool>::value;
-  constexpr std::size_t highest = std::size_t(greatest) - is_greatest_none;
-  if (n > 0 && n - 1 > highest)
-    throw Invalid_input(std::to_string(n) + " " + what +
-                        ": the type of their map holds those from 0 to " + std::to_string(highest) +
-                        ", and -1 for none");
-}
-
 /// \throws Invalid_input if a type does not hold a label that is not none, or takes it for none
 template <typename To, typename Label>
-void check_label(Label label)
+void check_label(Label label, const char* what = "label")
 {
-  static_assert(std::is_integral<To>::value, "labels are written to a map of an integral type");
+  static_assert(std::is_integral<To>::value,
+                "labels are written to a map or range of an integral type, such as std::size_t");
   if (Label(To(label)) != label || (To(label) == To(-1) && !std::is_same<To, bool>::value))
-    throw Invalid_input("label " + std::to_string(label) +
+    throw Invalid_input(std::string(what) + " " + std::to_string(label) +
                         ": the type of the map does not hold it, and -1 for none beside it");
+}
+
+/// \throws Invalid_input if a type does not hold the labels below `n`, and -1 for none beside them
+/// `what`: is written
+template <typename To>
+void check_labels(std::size_t n, const char* what = "label")
+{
+  if (n > 0)
+    check_label<To>(n - 1, what);
 }
 
 template <typename Map, typename FaceGraph>

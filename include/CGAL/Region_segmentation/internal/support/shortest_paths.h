@@ -26,10 +26,11 @@ void find_shortest_paths(const std::vector<Index>& sources, std::vector<double>&
 {
   using Entry = std::pair<double, Index>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> front;
-  for (const Index source : sources) {
-    distances[source] = 0;
-    front.push({0, source});
-  }
+  for (const Index source : sources)
+    if (distances[source] > 0) { // so that a source that is given twice is visited once
+      distances[source] = 0;
+      front.push({0, source});
+    }
   while (!front.empty()) {
     const auto [distance, node] = front.top();
     front.pop();

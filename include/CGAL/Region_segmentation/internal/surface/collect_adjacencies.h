@@ -3,20 +3,18 @@
 #ifndef CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_COLLECT_ADJACENCIES_H
 #define CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_COLLECT_ADJACENCIES_H
 
+#include <CGAL/Region_segmentation/Double_3.h>
 #include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/internal/support/arrays.h>
-#include <CGAL/Region_segmentation/internal/surface/Raw_surface.h>
-#include <CGAL/Region_segmentation/internal/surface/compute_normals.h>
-
-#include <boost/functional/hash.hpp>
+#include <CGAL/Region_segmentation/internal/surface/read_surface.h>
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -25,25 +23,88 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
+/// The area vector of a polygon, by Newell's formula relative to the first corner, A = 1/2 sum
+/// (p_i - p_0) x (p_i+1 - p_0), which avoids cancellation far from the origin.
+/// `first`, `past`: its corners; `points`: by vertex
+inline Double_3 area_vector(const Double_3* points, const Surface::Index* first,
+                            const Surface::Index* past)
+{
+  const Double_3& origin = points[*first];
+  Double_3 twice_area{};
+  for (const Surface::Index* c = first + 1; c + 1 < past; ++c)
+    twice_area = twice_area + cross(points[c[0]] - origin, points[c[1]] - origin);
+  return 0.5 * twice_area;
+}
+
+/// The areas and normals of the faces. The normal of a face is zero, and the face thereby
+/// degenerate, if its area is at most 1e-12 times the square of its longest edge.
+inline void compute_normals(Surface& surface, const Execution& execution)
+{
+  Surface_arrays& arrays = arrays_of(surface);
+  const std::size_t size = arrays.first_corners.size() - 1;
+  arrays.normals.resize(size);
+  arrays.areas.resize(size);
+  // Through references to the arrays it takes twice as long.
+  const Double_3* const points = arrays.points.data();
+  const Surface::Index *const corners = arrays.corners.data(),
+                              *const first_corners = arrays.first_corners.data();
+  double* const areas = arrays.areas.data();
+  Double_3* const normals = arrays.normals.data();
+  for_each_block(execution, size, [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t f = begin; f < end; ++f) {
+      const Surface::Index *const first = corners + first_corners[f],
+                                  *const past = corners + first_corners[f + 1];
+      double squared_longest_edge = 0;
+      for (const Surface::Index *previous = past - 1, *c = first; c != past; previous = c++)
+        squared_longest_edge = (std::max)(squared_longest_edge,
+                                          squared_norm(points[*c] - points[*previous]));
+      const Double_3 vector = area_vector(points, first, past);
+      const double area = areas[f] = norm(vector);
+      const bool has_normal = area > 1e-12 * squared_longest_edge &&
+                              area >= (std::numeric_limits<double>::min)();
+      normals[f] = has_normal ? (1 / area) * vector : Double_3{};
+    }
+  });
+}
+
+/// The flag of the sign of the angle between two faces, from the normals of the higher and the
+/// lower face, and the direction in which the boundary of the higher face runs along their edge.
+inline std::uint8_t sign_of_edge(const Double_3& higher, const Double_3& lower,
+                                 const Double_3& direction)
+{
+  const double sign = dot(cross(higher, lower), direction);
+  return std::uint8_t((sign > 0) * Surface::CONVEX + (sign < 0) * Surface::CONCAVE);
+}
+
 /// An adjacency that is added to those across edges.
 struct Added_adjacency
 {
   Surface::Index lower, higher; ///< faces
   double squared_length;
   std::uint8_t flags;
-  Surface::Index side = Surface::none, other_side = Surface::none; ///< of a seam: its corners
-  Surface::Index place = Surface::none;                            ///< once it is inserted
-
-  friend bool operator<(const Added_adjacency& a, const Added_adjacency& b)
-  {
-    return a.higher != b.higher ? a.higher < b.higher : a.lower < b.lower;
-  }
+  Surface::Index face = Surface::none; ///< whose side between `v` and `w` has it; else none has
+  Surface::Index v = 0, w = 0;         ///< vertices
 };
 
 /// A link between two faces, with the length of contact; 0 for a gap.
 inline Added_adjacency link_of(Surface::Index f, Surface::Index g, double length)
 {
   return {(std::min)(f, g), (std::max)(f, g), length * length, Surface::LINK};
+}
+
+/// The seam across the side of a face f between the vertices v and w, with a share of its length;
+/// an edge if one of the faces is degenerate.
+inline Added_adjacency seam_between(const Surface& surface, Surface::Index f, Surface::Index g,
+                                    Surface::Index v, Surface::Index w, double share)
+{
+  const bool is_edge = surface.is_degenerate(f) || surface.is_degenerate(g);
+  return {(std::min)(f, g),
+          (std::max)(f, g),
+          share * share * squared_norm(surface.point(w) - surface.point(v)),
+          std::uint8_t(is_edge ? 0 : Surface::SEAM),
+          f,
+          v,
+          w};
 }
 
 inline void resize_adjacencies(Surface_arrays& arrays, std::size_t size)
@@ -67,22 +128,14 @@ inline Surface::Index side_between(const Surface& surface, Surface::Index face, 
   return result;
 }
 
-/// The adjacencies across edges, from the faces across the sides of each face. Those of a face by
-/// the lower faces, of several to one in the order of the boundary.
+/// The adjacencies across edges, from the faces across the sides of each face. Those of a face are
+/// ordered by the lower faces, several adjacencies to one face by the boundary.
 inline void collect_adjacencies(Raw_surface& raw, const Execution& execution)
 {
   using Index = Surface::Index;
   Surface_arrays& arrays = arrays_of(raw.surface);
   resize_adjacencies(arrays, arrays.corners.size() / 2); // each one has two sides
-  arrays.adjacencies.resize(arrays.corners.size());
-  for_each_index(execution.silent(), arrays.corners.size(),
-                 [&](std::size_t side) { arrays.adjacencies[side] = Surface::none; });
-  // Of two faces that with fewer corners is searched for their common side.
-  std::atomic<bool> has_large_face(false);
-  const auto has_fewer_corners = [&](std::size_t f, std::size_t g) {
-    return arrays.first_corners[f + 1] - arrays.first_corners[f] <
-           arrays.first_corners[g + 1] - arrays.first_corners[g];
-  };
+  arrays.adjacencies.assign(arrays.corners.size(), Surface::none);
   const auto number_in = [&](std::size_t, std::size_t begin, std::size_t end) {
     std::size_t result = 0;
     for (std::size_t f = begin; f < end; ++f)
@@ -94,8 +147,7 @@ inline void collect_adjacencies(Raw_surface& raw, const Execution& execution)
     std::vector<std::pair<Index, Index>> sides; // of a face: the lower face across, and the side
     for (std::size_t f = begin; f < end; ++f) {
       sides.clear();
-      const Index end_of_face = arrays.first_corners[f + 1];
-      for (Index side = arrays.first_corners[f]; side < end_of_face; ++side)
+      for (Index side = arrays.first_corners[f]; side < arrays.first_corners[f + 1]; ++side)
         if (const Index lower = raw.neighbors[side]; lower < f)
           sides.push_back({lower, side});
       if (sides.size() > 1)
@@ -106,11 +158,7 @@ inline void collect_adjacencies(Raw_surface& raw, const Execution& execution)
         arrays.lower_faces[a] = lower;
         arrays.higher_faces[a] = Index(f);
         arrays.squared_lengths[a] = squared_norm(direction);
-        arrays.adjacencies[side] = Index(a);
-        if (has_fewer_corners(f, lower)) // the side of the lower face follows below
-          has_large_face = true;
-        else
-          arrays.adjacencies[side_across(raw, Index(f), side)] = Index(a);
+        arrays.adjacencies[side] = arrays.adjacencies[side_across(raw, Index(f), side)] = Index(a);
         arrays.flags[a++] = sign_of_edge(arrays.normals[f], arrays.normals[lower], direction);
       }
     }
@@ -118,52 +166,54 @@ inline void collect_adjacencies(Raw_surface& raw, const Execution& execution)
   };
   resize_adjacencies(arrays,
                      for_each_block_of_output(execution, arrays.normals.size(), number_in, write));
-  for (Index f = 0; has_large_face && f < arrays.normals.size(); ++f)
-    for (Index side = arrays.first_corners[f]; side < arrays.first_corners[f + 1]; ++side)
-      if (const Index g = raw.neighbors[side];
-          Raw_surface::is_face(g) && g > f && has_fewer_corners(g, f))
-        arrays.adjacencies[side] = arrays.adjacencies[side_across(raw, f, side)];
 }
 
 /// Inserts adjacencies behind those of the same two faces.
 inline void insert_adjacencies(Surface& surface, std::vector<Added_adjacency> added)
 {
+  using Index = Surface::Index;
   if (added.empty())
     return;
-  std::stable_sort(added.begin(), added.end());
   Surface_arrays& arrays = arrays_of(surface);
-  std::size_t from = arrays.flags.size(), to = from + added.size();
-  std::vector<Surface::Index> new_places(from); // of the adjacencies that there are
-  resize_adjacencies(arrays, to);
-  for (std::size_t i = added.size(); i > 0;) {
-    --to;
+  std::stable_sort(added.begin(), added.end(), [](const auto& a, const auto& b) {
+    return std::tie(a.higher, a.lower) < std::tie(b.higher, b.lower);
+  });
+  std::size_t from = arrays.flags.size();
+  resize_adjacencies(arrays, from + added.size());
+  std::vector<Index> new_places(from), places(added.size()); // of those that there are, and of
+                                                             // added
+  const auto write = [&](std::size_t to, Index lower, Index higher, double squared_length,
+                         std::uint8_t flags) {
+    arrays.lower_faces[to] = lower;
+    arrays.higher_faces[to] = higher;
+    arrays.squared_lengths[to] = squared_length;
+    arrays.flags[to] = flags;
+    return Index(to);
+  };
+  for (std::size_t i = added.size(); i > 0;) { // from the last one on, so that nothing is
+                                               // overwritten
     const Added_adjacency& a = added[i - 1];
-    if (from > 0 && std::tie(a.higher, a.lower) <
-                      std::tie(arrays.higher_faces[from - 1], arrays.lower_faces[from - 1])) {
+    if (const std::size_t to = from + i - 1, f = from - 1;
+        from > 0 &&
+        std::tie(a.higher, a.lower) < std::tie(arrays.higher_faces[f], arrays.lower_faces[f])) {
+      new_places[f] = write(to, arrays.lower_faces[f], arrays.higher_faces[f],
+                            arrays.squared_lengths[f], arrays.flags[f]);
       --from;
-      new_places[from] = Surface::Index(to);
-      arrays.lower_faces[to] = arrays.lower_faces[from];
-      arrays.higher_faces[to] = arrays.higher_faces[from];
-      arrays.squared_lengths[to] = arrays.squared_lengths[from];
-      arrays.flags[to] = arrays.flags[from];
     } else {
-      arrays.lower_faces[to] = a.lower;
-      arrays.higher_faces[to] = a.higher;
-      arrays.squared_lengths[to] = a.squared_length;
-      arrays.flags[to] = a.flags;
-      added[--i].place = Surface::Index(to);
+      places[--i] = write(to, a.lower, a.higher, a.squared_length, a.flags);
       arrays.has_seams_or_links |= (a.flags & (Surface::SEAM | Surface::LINK)) != 0;
     }
   }
-  std::iota(new_places.begin(), new_places.begin() + std::ptrdiff_t(from), Surface::Index(0));
-  for (Surface::Index& a : arrays.adjacencies)
+  std::iota(new_places.begin(), new_places.begin() + std::ptrdiff_t(from), Index(0));
+  for (Index& a : arrays.adjacencies)
     a = a == Surface::none ? a : new_places[a];
-  for (const Added_adjacency& a : added)
-    if (a.side != Surface::none)
-      arrays.adjacencies[a.side] = a.place;
-  for (const Added_adjacency& a : added)
-    if (a.other_side != Surface::none && arrays.adjacencies[a.other_side] == Surface::none)
-      arrays.adjacencies[a.other_side] = a.place;
+  for (const bool is_other : {false, true}) // a side of the other face has it if it has none yet
+    for (std::size_t i = 0; i < added.size(); ++i)
+      if (const Added_adjacency& s = added[i]; s.face != Surface::none) {
+        const Index face = is_other ? s.lower + s.higher - s.face : s.face;
+        Index& a = arrays.adjacencies[side_between(surface, face, s.v, s.w)];
+        a = is_other && a != Surface::none ? a : places[i];
+      }
 }
 
 /// Marks the adjacencies of degenerate faces: the longest edge of each that is not constrained
@@ -193,111 +243,63 @@ inline void join_degenerate_faces(Surface& surface)
       arrays.flags[a] = Surface::JOINING;
 }
 
-/// Whether two faces have the same vertices in the same cyclic order, or in the reverse one. Each
-/// begins at its vertex of lowest index.
-inline bool are_equal_faces(const Surface& s, Surface::Index f, Surface::Index g)
-{
-  const std::size_t n = s.number_of_corners(f);
-  if (s.number_of_corners(g) != n)
-    return false;
-  bool is_same = true, is_reverse = true;
-  for (std::size_t i = 0; i < n && (is_same || is_reverse); ++i) {
-    is_same = is_same && s.corner(f, i) == s.corner(g, i);
-    is_reverse = is_reverse && s.corner(f, i) == s.corner(g, (n - i) % n);
-  }
-  return is_same || is_reverse;
-}
-
-/// A number for the sides of a face, whatever their order and directions.
-inline std::size_t key_of_sides(const Surface& s, Surface::Index f)
-{
-  std::size_t sum = 0;
-  for_each_side(s, f, [&](Surface::Index v, Surface::Index w) {
-    sum += boost::hash<std::pair<Surface::Index, Surface::Index>>()(std::minmax(v, w));
-  });
-  return sum;
-}
-
-/// Lets the sides of a face lead to itself. Those of its neighbors that led to it are open then.
-inline void separate_from_neighbors(Raw_surface& raw, Surface::Index face)
-{
-  const auto& first_corners = arrays_of(raw.surface).first_corners;
-  for (Surface::Index side = first_corners[face]; side < first_corners[face + 1]; ++side) {
-    const Surface::Index neighbor = raw.neighbors[side];
-    raw.neighbors[side] = face;
-    if (!Raw_surface::is_face(neighbor) || neighbor == face)
-      continue;
-    for (Surface::Index s = first_corners[neighbor]; s < first_corners[neighbor + 1]; ++s)
-      if (raw.neighbors[s] == face)
-        raw.neighbors[s] = Raw_surface::none;
-  }
-}
-
-/// Makes faces degenerate that were given before, in any orientation, and gives them an adjacency
-/// to the first of their kind alone. Only faces with open sides are looked at. O(n log n) for n of
-/// them.
-inline void find_doubled_faces(Raw_surface& raw, std::vector<Added_adjacency>& added)
+/// Sets the signs of all angles by the normals. A seam has a sign if the boundaries of its faces
+/// run along it in opposite directions.
+inline void set_signs(Surface& surface)
 {
   using Index = Surface::Index;
-  Surface_arrays& arrays = arrays_of(raw.surface);
-  const std::vector<Index> faces = faces_with_open_sides(raw);
-  for_each_repetition(
-    faces.size(),
-    [&](const auto& add) {
-      for (const Index f : faces)
-        add(f, key_of_sides(raw.surface, f));
-    },
-    [&](Index f, Index g) { return are_equal_faces(raw.surface, f, g); },
-    [&](Index f, Index first) {
-      separate_from_neighbors(raw, f);
-      arrays.normals[f] = {0, 0, 0};
-      arrays.areas[f] = 0;
-      added.push_back({first, f, 1, 0});
+  Surface_arrays& arrays = arrays_of(surface);
+  for (Index f = 0; f < surface.number_of_faces(); ++f) {
+    Index side = arrays.first_corners[f];
+    for_each_side(surface, f, [&](Index v, Index w) {
+      const Index a = arrays.adjacencies[side++];
+      if (a == Surface::none || surface.has_flag(a, Surface::without_angle))
+        return;
+      const Index lower = arrays.lower_faces[a], higher = arrays.higher_faces[a];
+      const Double_3 direction = surface.point(w) - surface.point(v);
+      arrays.flags[a] &= std::uint8_t(~(Surface::CONVEX | Surface::CONCAVE));
+      if (!surface.has_flag(a, Surface::SEAM) ||
+          arrays.corners[side_between(surface, lower + higher - f, v, w)] == w)
+        arrays.flags[a] |= sign_of_edge(surface.normal(higher), surface.normal(lower),
+                                        (f == higher ? 1.0 : -1.0) * direction);
     });
+  }
+}
+
+/// Sets the area of the surface, the sum of the weights of the faces.
+inline void sum_up(Surface& surface)
+{
+  arrays_of(surface).area = 0;
+  for (std::size_t f = 0; f < surface.number_of_faces(); ++f)
+    arrays_of(surface).area += surface.weight(f);
+}
+
+/// The vertex of the surface at the point of a vertex of the input.
+inline Surface::Index merged_vertex(const Surface& surface, Surface::Index v)
+{
+  const auto& merged = arrays_of(surface).merged_vertices;
+  return merged.empty() ? v : merged[v];
 }
 
 /// Two vertices.
 using Vertex_pair = std::pair<Surface::Index, Surface::Index>;
 
-/// The coordinates of two points, the lower one first.
-using Point_pair = std::array<std::array<double, 3>, 2>;
-
-inline Point_pair point_pair(const Double_3& p, const Double_3& q)
-{
-  const std::array<double, 3> a{p.x, p.y, p.z}, b{q.x, q.y, q.z};
-  return a < b ? Point_pair{a, b} : Point_pair{b, a};
-}
-
-/// Constrains the edges and seams between pairs of vertices. A vertex that no face uses, since its
-/// point is that of another one, stands for all vertices with this point. O(F log C) for C pairs.
-inline void mark_constraints(Surface& surface, const std::vector<Vertex_pair>& pairs)
+/// Constrains the edges and seams between pairs of vertices of the input. O(F log C) for C pairs.
+inline void mark_constraints(Surface& surface, std::vector<Vertex_pair> pairs)
 {
   using Index = Surface::Index;
   if (pairs.empty())
     return;
   Surface_arrays& arrays = arrays_of(surface);
-  std::vector<bool> is_used(surface.number_of_vertices());
-  for (const Index v : arrays.corners)
-    is_used[v] = true;
-  std::vector<std::pair<Point_pair, Vertex_pair>> constrained;
-  for (const Vertex_pair& pair : pairs)
-    constrained.push_back(
-      {point_pair(surface.point(pair.first), surface.point(pair.second)), pair});
-  std::sort(constrained.begin(), constrained.end());
-  const auto is_constrained = [&](Index v, Index w) {
-    const auto is = [&](Index end, Index vertex) { return end == vertex || !is_used[end]; };
-    const Point_pair points = point_pair(surface.point(v), surface.point(w));
-    auto c = std::lower_bound(constrained.begin(), constrained.end(),
-                              std::make_pair(points, Vertex_pair(0, 0)));
-    for (; c != constrained.end() && c->first == points; ++c)
-      if (const auto& [p, q] = c->second; (is(p, v) && is(q, w)) || (is(p, w) && is(q, v)))
-        return true;
-    return false;
-  };
+  for (auto& [v, w] : pairs)
+    std::tie(v, w) = std::minmax({merged_vertex(surface, v), merged_vertex(surface, w)});
+  std::sort(pairs.begin(), pairs.end());
   for (Index f = 0; f < surface.number_of_faces(); ++f) {
     Index side = arrays.first_corners[f];
     for_each_side(surface, f, [&](Index v, Index w) {
-      if (const Index a = arrays.adjacencies[side++]; a != Surface::none && is_constrained(v, w))
+      if (const Index a = arrays.adjacencies[side++];
+          a != Surface::none &&
+          std::binary_search(pairs.begin(), pairs.end(), Vertex_pair(std::minmax(v, w))))
         arrays.flags[a] |= Surface::CONSTRAINED;
     });
   }

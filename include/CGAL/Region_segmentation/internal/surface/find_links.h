@@ -197,89 +197,62 @@ find_links(const Surface& surface, const Partition& component_of, const Executio
   return Link_finder(surface, component_of, execution).find();
 }
 
-/// Marks the faces of the components that are crumbs, if there are any.
-inline void mark_crumbs(Surface& surface, const Partition& component_of)
+/// Adds links between what is not connected by edges and seams, and marks crumbs: components of
+/// less than 1/1000 of the area of the largest one.
+inline void insert_links(Surface& surface, const Execution& execution)
 {
-  constexpr double largest = 1e-3; // share of the area of the largest component
-  const std::vector<double> areas = part_areas(surface, component_of);
-  const auto bounds = std::minmax_element(areas.begin(), areas.end());
-  const double bound = largest * *bounds.second;
-  if (*bounds.first < bound)
-    for (const Partition::Index component : component_of)
-      arrays_of(surface).is_crumb.push_back(areas[component] < bound);
+  const Partition connected = label_components(
+    surface, [](std::size_t) { return true; }, execution.silent());
+  insert_adjacencies(surface, find_links(surface, connected, execution));
+  Surface_arrays& arrays = arrays_of(surface);
+  const std::vector<double> areas = part_areas(surface, arrays.component_of);
+  const auto [least, greatest] = std::minmax_element(areas.begin(), areas.end());
+  if (const double bound = 1e-3 * *greatest; *least < bound)
+    for (const double area : areas)
+      arrays.crumbs.push_back(area < bound);
 }
 
-/// The components across edges, and which of them are crumbs.
-struct Bodies
-{
-  Partition component_of; // of the faces
-  std::vector<double> areas;
-  std::vector<bool> is_crumb;
-
-  explicit Bodies(const Surface& surface)
-    : component_of(edge_components(surface, Execution()))
-    , areas(part_areas(surface, component_of))
-    , is_crumb(areas.size(), true)
-  {
-    for (std::size_t f = 0; f < component_of.size(); ++f)
-      if (!surface.is_crumb(f))
-        is_crumb[component_of[f]] = false;
-  }
-
-  /// Of those that are no crumbs.
-  std::size_t number() const
-  {
-    return std::size_t(std::count(is_crumb.begin(), is_crumb.end(), false));
-  }
-};
-
 /// The pairs of regions to be merged first, so that each crumb is one region and joins another
-/// component: that with the longest contact, of equal ones the nearest; smallest crumbs first.
-/// Crumbs that join each other go on until they reach a component that is none.
+/// component: that with the longest contact, of equal ones the nearest. The smallest crumb is
+/// first. Crumbs that join each other are joined to further components until one of these is no
+/// crumb.
 inline std::vector<std::pair<Partition::Index, Partition::Index>>
 merges_of_crumbs(const Surface& surface, const Partition& regions)
 {
   using Index = Partition::Index;
   std::vector<std::pair<Index, Index>> result;
-  if (!surface.has_seams_or_links())
+  if (surface.number_of_crumbs() == 0)
     return result;
-  const Bodies bodies(surface);
-  // Out of crumbs, in the order to be taken: area of the crumb, crumb, -length, distance, the two
-  // regions, the component.
+  const Surface_arrays& arrays = arrays_of(surface);
+  const Partition& component_of = arrays.component_of;
+  const std::vector<double> areas = part_areas(surface, component_of);
+  // Out of crumbs: area of the crumb, crumb, -length, distance, the two regions, the component.
   std::vector<std::tuple<double, Index, double, double, Index, Index, Index>> ways;
-  for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a) {
-    const Index f = surface.lower_face(a), g = surface.higher_face(a);
-    const Index c = bodies.component_of[f], d = bodies.component_of[g];
-    if (c == d && regions[f] != regions[g] && bodies.is_crumb[c])
-      result.push_back({regions[f], regions[g]});
-    if (c == d || !(bodies.is_crumb[c] || bodies.is_crumb[d]))
-      continue;
-    const double length = surface.length(a),
-                 distance = norm(surface.centroid(f) - surface.centroid(g));
-    if (bodies.is_crumb[c])
-      ways.push_back({bodies.areas[c], c, -length, distance, regions[f], regions[g], d});
-    if (bodies.is_crumb[d])
-      ways.push_back({bodies.areas[d], d, -length, distance, regions[g], regions[f], c});
-  }
-  const auto order = sorted_indices(ways.size(),
-                                    [&](Index i, Index j) { return ways[i] < ways[j]; });
-
-  Lowest_root_forest joined(bodies.areas.size());
-  std::vector<bool> has_arrived(bodies.areas.size()); // by root: one of its components is no crumb
-  for (std::size_t c = 0; c < has_arrived.size(); ++c)
-    has_arrived[c] = !bodies.is_crumb[c];
-  for (bool is_any = true; std::exchange(is_any, false);)
-    for (const Index way : order) {
-      const auto& [area, crumb, length, distance, region, other, component] = ways[way];
-      const Index from = joined.root(crumb), to = joined.root(component);
-      if (from == to || has_arrived[from])
+  for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a)
+    for (const bool is_reverse : {false, true}) {
+      Index f = surface.lower_face(a), g = surface.higher_face(a);
+      if (is_reverse)
+        std::swap(f, g);
+      if (!surface.is_crumb(f))
         continue;
-      const bool arrives = has_arrived[to];
-      joined.unite(from, to);
-      has_arrived[joined.root(from)] = arrives;
-      result.push_back({region, other});
-      is_any = true;
+      if (const Index c = component_of[f], d = component_of[g]; c != d)
+        ways.push_back({areas[c], c, -surface.length(a),
+                        norm(surface.centroid(f) - surface.centroid(g)), regions[f], regions[g],
+                        d});
+      else if (regions[f] != regions[g])
+        result.push_back({regions[f], regions[g]});
     }
+  std::sort(ways.begin(), ways.end());
+  Lowest_root_forest joined(areas.size());
+  std::vector<bool> is_crumb = arrays.crumbs; // by root: all of its components are crumbs
+  for (const auto& [area, crumb, length, distance, region, other, component] : ways) {
+    const Index from = joined.root(crumb), to = joined.root(component);
+    if (from == to || !is_crumb[from])
+      continue;
+    joined.unite(from, to);
+    is_crumb[joined.root(from)] = is_crumb[to];
+    result.push_back({region, other});
+  }
   return result;
 }
 

@@ -3,10 +3,11 @@
 #ifndef CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_MATCH_SIDES_H
 #define CGAL_REGION_SEGMENTATION_INTERNAL_SURFACE_MATCH_SIDES_H
 
-#include <CGAL/Region_segmentation/Double_3.h>
+#include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/internal/support/arrays.h>
-#include <CGAL/Region_segmentation/internal/surface/Raw_surface.h>
+#include <CGAL/Region_segmentation/internal/surface/collect_adjacencies.h>
+#include <CGAL/Region_segmentation/internal/surface/read_surface.h>
 
 #include <boost/functional/hash.hpp>
 
@@ -23,70 +24,44 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// A side of a face: between two vertices, the lower one first.
-struct Side_of_edge
+/// A side whose neighbor is not known, at the lower one of its two vertices.
+struct Open_side
 {
-  Surface::Index lower_vertex, higher_vertex, face, corner;
-  bool is_forward; ///< whether the boundary of the face runs from the lower to the higher vertex
+  Surface::Index higher_vertex, face, corner;
 };
 
-/// The side that leaves a corner of a face.
-inline Side_of_edge side_at(const Surface_arrays& arrays, Surface::Index face,
-                            Surface::Index corner)
-{
-  const Surface::Index v = arrays.corners[corner],
-                       w = arrays.corners[next_corner(arrays, face, corner)];
-  return {(std::min)(v, w), (std::max)(v, w), face, corner, v < w};
-}
-
-/// Two faces that are adjacent across an edge with more faces, or with neighbors that cannot be
-/// oriented.
-struct Seam
-{
-  Surface::Index lower_vertex, higher_vertex;
-  Surface::Index face, other_face; ///< the side of `face` has this seam
-  double share;                    ///< of the length of the edge
-};
-
-/// An open side from or to the lower one of its vertices.
-struct Side_at_vertex
-{
-  Surface::Index other_vertex, face, corner;
-
-  friend bool operator<(const Side_at_vertex& a, const Side_at_vertex& b)
-  {
-    return std::tie(a.other_vertex, a.corner) < std::tie(b.other_vertex, b.corner);
-  }
-};
-
-/// Calls `f(sides)` for the open sides between the same two vertices, in order.
+/// Calls `f(v, sides)` for each pair of vertices with open sides between them: `v` is the lower
+/// vertex, `sides` the open sides in the order of their corners.
 template <typename F>
 void for_each_open_edge(const Raw_surface& raw, const F& f)
 {
   using Index = Surface::Index;
   const Surface_arrays& arrays = arrays_of(raw.surface);
-  Grouped_items<Side_at_vertex> by_vertex(arrays.points.size(), [&](const auto& add) {
-    for_each_open_side(raw, [&](Index face, Index side, Index next) {
-      const Index v = arrays.corners[side], w = arrays.corners[next];
-      if (v != w)
-        add((std::min)(v, w), {(std::max)(v, w), face, side});
-    });
+  Grouped_items<Open_side> by_vertex(arrays.points.size(), [&](const auto& add) {
+    for (Index face = 0; face + 1 < arrays.first_corners.size(); ++face)
+      for (Index side = arrays.first_corners[face]; side < arrays.first_corners[face + 1]; ++side)
+        if (raw.neighbors[side] == Raw_surface::none) {
+          const auto [v, w] = std::minmax(arrays.corners[side],
+                                          arrays.corners[next_corner(arrays, face, side)]);
+          if (v != w)
+            add(v, {w, face, side});
+        }
   });
-  std::vector<Side_of_edge> of_edge;
-  for (std::size_t v = 0; v < by_vertex.number_of_groups(); ++v) {
+  for (Index v = 0; v < by_vertex.number_of_groups(); ++v) {
     const auto sides = by_vertex[v];
-    std::sort(sides.begin(), sides.end());
-    for (auto side = sides.begin(); side != sides.end();) {
-      of_edge.clear();
-      for (const Index w = side->other_vertex; side != sides.end() && side->other_vertex == w;
-           ++side)
-        of_edge.push_back(side_at(arrays, side->face, side->corner));
-      f(of_edge);
+    std::sort(sides.begin(), sides.end(), [](const Open_side& a, const Open_side& b) {
+      return std::tie(a.higher_vertex, a.corner) < std::tie(b.higher_vertex, b.corner);
+    });
+    for (auto first = sides.begin(), last = first; first != sides.end(); first = last) {
+      last = std::find_if(first, sides.end(), [w = first->higher_vertex](const Open_side& s) {
+        return s.higher_vertex != w;
+      });
+      f(v, make_range(first, last));
     }
   }
 }
 
-/// Finds what is adjacent across sides with the same two vertices.
+/// Finds what is adjacent across open sides with the same two vertices.
 ///
 /// Two sides make an edge. Of more of them, those of degenerate faces are edges to the first of the
 /// others; the others make seams, in the cyclic order of the directions in which their faces leave
@@ -96,83 +71,84 @@ class Side_matcher
   using Index = Surface::Index;
 
 public:
-  explicit Side_matcher(Raw_surface& raw)
+  explicit Side_matcher(Raw_surface& raw, std::vector<Added_adjacency>& added)
     : m_raw(raw)
     , m_arrays(arrays_of(raw.surface))
+    , m_added(added)
+    , m_is_parallel(m_arrays.corners.size())
   {}
 
-  /// Sets the neighbors of open sides, and collects the seams.
-  void match()
+  /// Sets the neighbors of open sides, and adds seams. Returns for each side whether that of its
+  /// neighbor runs in the same direction, so that one of their faces is to be turned.
+  std::vector<bool> match()
   {
-    for_each_open_edge(m_raw, [&](const std::vector<Side_of_edge>& sides) { match_edge(sides); });
+    for_each_open_edge(m_raw, [&](Index v, const auto& sides) {
+      const auto number = sides.end() - sides.begin();
+      number == 2 ? join(sides.begin()[0], sides.begin()[1]) : match_sides(v, sides);
+    });
+    return std::move(m_is_parallel);
   }
 
-  /// The sides of edges whose two sides run in the same direction: one of the faces is to be
-  /// turned.
-  const std::vector<Index>& parallel_sides() const { return m_parallel; }
-  const std::vector<Seam>& seams() const { return m_seams; }
-
 private:
-  /// `sides`: of the edge, in order
-  void match_edge(const std::vector<Side_of_edge>& sides)
+  template <typename Sides>
+  void match_sides(Index v, const Sides& sides)
   {
-    if (sides.size() == 2)
-      return join(sides[0], sides[1]);
     m_proper.clear();
-    for (const Side_of_edge& s : sides)
+    for (const Open_side& s : sides)
       if (!m_raw.surface.is_degenerate(s.face))
         m_proper.push_back(s);
-    const Side_of_edge base = m_proper.empty() ? sides.front() : m_proper.front();
-    for (const Side_of_edge& s : sides)
-      if (s.corner != base.corner && m_raw.surface.is_degenerate(s.face) && s.face != base.face)
-        add_seam(s, base, 1);
+    const Open_side base = m_proper.empty() ? *sides.begin() : m_proper.front();
+    for (const Open_side& s : sides)
+      if (m_raw.surface.is_degenerate(s.face) && s.face != base.face)
+        add_seam(v, s, base, 1);
     if (m_proper.size() == 2)
       join(m_proper[0], m_proper[1]);
     else if (m_proper.size() > 2)
-      sew();
+      sew(v);
   }
 
-  void join(const Side_of_edge& a, const Side_of_edge& b)
+  void join(const Open_side& a, const Open_side& b)
   {
     if (a.face == b.face)
       return;
     m_raw.neighbors[a.corner] = b.face;
     m_raw.neighbors[b.corner] = a.face;
-    if (a.is_forward == b.is_forward)
-      m_parallel.insert(m_parallel.end(), {a.corner, b.corner});
+    m_is_parallel[a.corner] = m_is_parallel[b.corner] = is_forward(a) == is_forward(b);
   }
 
-  /// Seams between the proper sides, each to the next one around the edge.
-  void sew()
+  /// Seams between the proper sides at the edge from the vertex v, each to the next one around it.
+  void sew(Index v)
   {
-    const Double_3 axis = m_arrays.points[m_proper[0].higher_vertex] -
-                          m_arrays.points[m_proper[0].lower_vertex];
-    const Double_3 first = inward(m_proper[0], axis),
-                   second = (1 / norm(axis)) * cross(axis, first);
-    std::vector<std::pair<double, Index>> around;
-    for (Index i = 0; i < m_proper.size(); ++i) {
-      const Double_3 d = inward(m_proper[i], axis);
-      around.push_back({i == 0 ? 0 : pseudo_angle(dot(d, first), dot(d, second)), i});
+    const Double_3 axis = m_arrays.points[m_proper[0].higher_vertex] - m_arrays.points[v];
+    // The direction from the edge into a face, perpendicular to the edge.
+    const auto inward = [&](const Open_side& s) {
+      return cross(m_arrays.normals[s.face], (is_forward(s) ? 1.0 : -1.0) * axis);
+    };
+    const Double_3 first = inward(m_proper[0]), second = (1 / norm(axis)) * cross(axis, first);
+    std::vector<std::pair<double, Index>> around{{0, 0}};
+    for (Index i = 1; i < m_proper.size(); ++i) {
+      const Double_3 d = inward(m_proper[i]);
+      around.push_back({pseudo_angle(dot(d, first), dot(d, second)), i});
     }
-    std::sort(around.data(), around.data() + around.size());
+    std::sort(around.begin(), around.end());
     for (std::size_t i = 0; i < around.size(); ++i) {
-      const Side_of_edge &a = m_proper[around[i].second],
-                         &b = m_proper[around[(i + 1) % around.size()].second];
+      const Open_side &a = m_proper[around[i].second],
+                      &b = m_proper[around[(i + 1) % around.size()].second];
       if (a.face != b.face)
-        add_seam(a, b, 0.5);
+        add_seam(v, a, b, 0.5);
     }
   }
 
-  void add_seam(const Side_of_edge& a, const Side_of_edge& b, double share)
+  void add_seam(Index v, const Open_side& a, const Open_side& b, double share)
   {
     m_raw.neighbors[a.corner] = m_raw.neighbors[b.corner] = Raw_surface::at_seam;
-    m_seams.push_back({a.lower_vertex, a.higher_vertex, a.face, b.face, share});
+    m_added.push_back(seam_between(m_raw.surface, a.face, b.face, v, a.higher_vertex, share));
   }
 
-  /// The direction from an edge into its face, perpendicular to the edge.
-  Double_3 inward(const Side_of_edge& s, const Double_3& axis) const
+  /// Whether the boundary of the face runs from the lower to the higher vertex.
+  bool is_forward(const Open_side& s) const
   {
-    return cross(m_arrays.normals[s.face], (s.is_forward ? 1.0 : -1.0) * axis);
+    return m_arrays.corners[s.corner] != s.higher_vertex;
   }
 
   /// Grows with the angle of (x, y), from 0 to 4.
@@ -183,39 +159,11 @@ private:
   }
 
   Raw_surface& m_raw;
-  Surface_arrays& m_arrays;
-  std::vector<Side_of_edge> m_proper; // of an edge
-  std::vector<Index> m_parallel;
-  std::vector<Seam> m_seams;
+  const Surface_arrays& m_arrays;
+  std::vector<Added_adjacency>& m_added;
+  std::vector<bool> m_is_parallel; // by side
+  std::vector<Open_side> m_proper; // those of the faces at an edge that are not degenerate
 };
-
-/// For each point that counts the lowest one equal to it, of those; -0 is 0. For each other one
-/// itself. Empty if all are different.
-inline std::vector<Surface::Index> lowest_of_equal_points(const Large_array<Double_3>& points,
-                                                          Function_ref<bool(std::size_t)> counts)
-{
-  using Index = Surface::Index;
-  const auto coordinates = [&](Index v) {
-    return std::array{points[v].x + 0.0, points[v].y + 0.0, points[v].z + 0.0};
-  };
-  std::vector<Index> lowest;
-  for_each_repetition(
-    points.size(),
-    [&](const auto& add) {
-      for (Index v = 0; v < points.size(); ++v)
-        if (counts(v))
-          add(v, boost::hash<std::array<double, 3>>()(coordinates(v)));
-    },
-    [&](Index v, Index w) { return coordinates(v) == coordinates(w); },
-    [&](Index v, Index first) {
-      if (lowest.empty()) {
-        lowest.resize(points.size());
-        std::iota(lowest.begin(), lowest.end(), Index(0));
-      }
-      lowest[v] = first;
-    });
-  return lowest;
-}
 
 /// Makes equal points one vertex, the lowest, as far as they are at open sides that do not make an
 /// edge of two faces: so closed components keep their vertices, of a face graph and of polygons.
@@ -223,18 +171,86 @@ inline void merge_points_of_open_sides(Raw_surface& raw)
 {
   using Index = Surface::Index;
   Surface_arrays& arrays = arrays_of(raw.surface);
-  std::vector<bool> is_at_open_side(arrays.points.size());
-  for_each_open_edge(raw, [&](const std::vector<Side_of_edge>& sides) {
-    if (sides.size() != 2)
-      is_at_open_side[sides[0].lower_vertex] = is_at_open_side[sides[0].higher_vertex] = true;
+  const std::size_t size = arrays.points.size();
+  std::vector<bool> is_at_open_side(size);
+  for_each_open_edge(raw, [&](Index v, const auto& sides) {
+    if (sides.end() - sides.begin() != 2)
+      is_at_open_side[v] = is_at_open_side[sides.begin()->higher_vertex] = true;
   });
-  const std::vector<Index> lowest = lowest_of_equal_points(
-    arrays.points, [&](std::size_t v) { return is_at_open_side[v]; });
-  if (lowest.empty())
+  const auto coordinates = [&](Index v) { // -0 becomes 0
+    const Double_3& p = arrays.points[v];
+    return std::array{p.x + 0.0, p.y + 0.0, p.z + 0.0};
+  };
+  std::vector<Index>& merged = arrays.merged_vertices;
+  for_each_repetition(
+    size,
+    [&](const auto& add) {
+      for (Index v = 0; v < size; ++v)
+        if (is_at_open_side[v])
+          add(v, boost::hash<std::array<double, 3>>()(coordinates(v)));
+    },
+    [&](Index v, Index w) { return coordinates(v) == coordinates(w); },
+    [&](Index v, Index first) {
+      if (merged.empty()) {
+        merged.resize(size);
+        std::iota(merged.begin(), merged.end(), Index(0));
+      }
+      merged[v] = first;
+    });
+  if (merged.empty())
     return;
   for (Index& v : arrays.corners)
-    v = lowest[v];
+    v = merged[v];
   begin_at_lowest_vertices(raw, Execution());
+}
+
+/// Lets the sides of a face lead to itself. The sides of its neighbors that led to it become open.
+inline void separate_from_neighbors(Raw_surface& raw, Surface::Index face)
+{
+  const auto& first_corners = arrays_of(raw.surface).first_corners;
+  for (Surface::Index side = first_corners[face]; side < first_corners[face + 1]; ++side) {
+    const Surface::Index neighbor = raw.neighbors[side];
+    raw.neighbors[side] = face;
+    if (!Raw_surface::is_face(neighbor) || neighbor == face)
+      continue;
+    for (Surface::Index s = first_corners[neighbor]; s < first_corners[neighbor + 1]; ++s)
+      if (raw.neighbors[s] == face)
+        raw.neighbors[s] = Raw_surface::none;
+  }
+}
+
+/// Makes a face degenerate whose sides are those of a lower face, and gives it an adjacency to that
+/// face alone. Only faces with open sides are looked at. O(n log n) for n of them.
+inline void find_doubled_faces(Raw_surface& raw, std::vector<Added_adjacency>& added)
+{
+  using Index = Surface::Index;
+  Surface_arrays& arrays = arrays_of(raw.surface);
+  const auto key = [&](Index f) { // is independent of the order of the sides
+    std::size_t sum = 0;
+    for_each_side(raw.surface, f, [&](Index v, Index w) {
+      sum += boost::hash<std::pair<Index, Index>>()(std::minmax(v, w));
+    });
+    return sum;
+  };
+  for_each_repetition(
+    arrays.normals.size(),
+    [&](const auto& add) {
+      for (Index f = 0; f < arrays.normals.size(); ++f)
+        if (const auto sides = raw.neighbors.begin() + arrays.first_corners[f],
+            end = raw.neighbors.begin() + arrays.first_corners[f + 1];
+            std::find(sides, end, Raw_surface::none) != end)
+          add(f, key(f));
+    },
+    [&](Index f, Index g) {
+      const auto a = raw.surface.corners(f), b = raw.surface.corners(g);
+      return key(f) == key(g) && std::is_permutation(a.begin(), a.end(), b.begin(), b.end());
+    },
+    [&](Index f, Index first) {
+      separate_from_neighbors(raw, f);
+      arrays.normals[f] = {0, 0, 0};
+      arrays.areas[f] = 0;
+      added.push_back({first, f, 1, 0});
+    });
 }
 
 } // namespace internal

@@ -22,66 +22,61 @@ namespace Region_segmentation {
 namespace internal {
 
 /// Reverses the boundary of a face, which still begins at its vertex of lowest index.
-inline void turn_face(Raw_surface& raw, std::size_t face)
+/// `across`: an array by side, which follows
+inline void turn_face(Surface_arrays& arrays, Large_array<Surface::Index>& across, std::size_t face)
 {
-  Surface_arrays& arrays = arrays_of(raw.surface);
   const auto first = std::ptrdiff_t(arrays.first_corners[face]),
              past = std::ptrdiff_t(arrays.first_corners[face + 1]);
   arrays.normals[face] = -1.0 * arrays.normals[face];
   std::reverse(arrays.corners.begin() + first + 1, arrays.corners.begin() + past);
-  for (auto* sides : {&raw.neighbors, &arrays.adjacencies})
-    if (!sides->empty())
-      std::reverse(sides->begin() + first, sides->begin() + past);
+  std::reverse(across.begin() + first, across.begin() + past);
 }
 
 /// Turns faces so that neighbors across edges run in opposite directions along them. Of each
 /// component the part of larger area (of equal ones that with the lowest face) remains as it is.
 /// Edges whose two faces cannot be oriented consistently become seams.
-inline void orient_faces(Raw_surface& raw, const std::vector<Surface::Index>& parallel_sides,
-                         std::vector<Seam>& seams)
+/// `is_parallel`: by side, whether that of the neighbor runs in the same direction
+inline void orient_faces(Raw_surface& raw, const std::vector<bool>& is_parallel,
+                         std::vector<Added_adjacency>& added)
 {
   using Index = Surface::Index;
   Surface_arrays& arrays = arrays_of(raw.surface);
   const std::size_t size = arrays.normals.size();
-  if (parallel_sides.empty())
+  if (std::find(is_parallel.begin(), is_parallel.end(), true) == is_parallel.end())
     return;
-  std::vector<bool> is_parallel(arrays.corners.size()), is_reached(size), is_turned(size);
-  for (const Index side : parallel_sides)
-    is_parallel[side] = true;
-
+  enum : char { AS_IT_IS, TURNED, NOT_REACHED };
+  std::vector<char> state(size, NOT_REACHED);
   for (Index seed = 0; seed < size; ++seed) {
-    if (is_reached[seed])
+    if (state[seed] != NOT_REACHED)
       continue;
     std::vector<Index> component{seed};
     double areas[2] = {0, 0}; // of the faces that are not turned, and of those that are
-    is_reached[seed] = true;
+    state[seed] = AS_IT_IS;
     for (std::size_t i = 0; i < component.size(); ++i) {
       const Index f = component[i];
-      areas[is_turned[f]] += arrays.areas[f];
+      areas[int(state[f])] += arrays.areas[f];
       for (Index c = arrays.first_corners[f]; c < arrays.first_corners[f + 1]; ++c)
-        if (const Index g = raw.neighbors[c]; Raw_surface::is_face(g) && !is_reached[g]) {
-          is_reached[g] = true;
-          is_turned[g] = is_turned[f] != is_parallel[c];
+        if (const Index g = raw.neighbors[c]; Raw_surface::is_face(g) && state[g] == NOT_REACHED) {
+          state[g] = (state[f] == TURNED) != is_parallel[c] ? TURNED : AS_IT_IS;
           component.push_back(g);
         }
     }
-    if (areas[1] > areas[0])
+    if (areas[TURNED] > areas[AS_IT_IS])
       for (const Index f : component)
-        is_turned[f] = !is_turned[f];
+        state[f] = state[f] == TURNED ? AS_IT_IS : TURNED;
   }
-  for (Index f = 0; f < size; ++f)
-    for (Index c = arrays.first_corners[f]; c < arrays.first_corners[f + 1]; ++c) {
-      const Index g = raw.neighbors[c];
-      if (!Raw_surface::is_face(g) || g <= f || (is_turned[f] != is_turned[g]) == is_parallel[c])
-        continue;
-      const Side_of_edge a = side_at(arrays, f, c);
-      raw.neighbors[side_across(raw, f, c)] = Raw_surface::at_seam;
-      raw.neighbors[c] = Raw_surface::at_seam;
-      seams.push_back({a.lower_vertex, a.higher_vertex, f, g, 1});
-    }
-  for (Index f = 0; f < size; ++f)
-    if (is_turned[f])
-      turn_face(raw, f);
+  for (Index f = 0; f < size; ++f) {
+    for (Index c = arrays.first_corners[f]; c < arrays.first_corners[f + 1]; ++c)
+      if (const Index g = raw.neighbors[c];
+          Raw_surface::is_face(g) && g > f && (state[f] != state[g]) != is_parallel[c]) {
+        added.push_back(seam_between(raw.surface, f, g, arrays.corners[c],
+                                     arrays.corners[next_corner(arrays, f, c)], 1));
+        raw.neighbors[side_across(raw, f, c)] = Raw_surface::at_seam;
+        raw.neighbors[c] = Raw_surface::at_seam;
+      }
+    if (state[f] == TURNED)
+      turn_face(arrays, raw.neighbors, f);
+  }
 }
 
 inline bool is_lower(const Double_3& p, const Double_3& q)
@@ -130,13 +125,10 @@ inline std::vector<Surface::Index> find_outermost(const Surface& surface,
           lowest[component(node)] = p;
     }
 
-  const auto size = [&](Index c) {
-    return boxes[c].extent(0) + boxes[c].extent(1) + boxes[c].extent(2);
-  };
   const auto is_in_box_of = [&](Index c, Index d) {
     Axis_box both = boxes[d];
     both.add(boxes[c]);
-    return both.low == boxes[d].low && both.high == boxes[d].high && size(c) < size(d);
+    return both.low == boxes[d].low && both.high == boxes[d].high;
   };
   std::vector<Index> result;
   for (Index c = 0; c < is_closed.size(); ++c) {
@@ -150,11 +142,11 @@ inline std::vector<Surface::Index> find_outermost(const Surface& surface,
                         (std::numeric_limits<double>::min)(),
                         [&](Index leaf) {
                           const Index d = component(leaf);
-                          if (is_closed[d] && is_in_box_of(c, d))
+                          if (d != c && is_closed[d] && is_in_box_of(c, d))
                             contains[d] ^= is_above_point(tree.triangle(leaf), lowest[c]);
                         });
     for (const auto& [d, is_inside] : contains)
-      if (is_inside && (result[c] == c || size(d) > size(result[c])))
+      if (is_inside && is_in_box_of(result[c], d))
         result[c] = d;
   }
   return result;
@@ -177,45 +169,38 @@ struct Component_volume
 };
 
 /// Turns the outermost closed components of negative signed volume, together with the closed
-/// components inside them.
-inline void orient_components(Raw_surface& raw, const Partition& component_of,
-                              const std::vector<Surface::Index>& faces_at_borders,
-                              const std::vector<Seam>& seams)
+/// components inside them. Returns whether there are any.
+inline bool orient_components(Surface& surface)
 {
-  Surface_arrays& arrays = arrays_of(raw.surface);
+  using Index = Surface::Index;
+  Surface_arrays& arrays = arrays_of(surface);
+  const Partition& component_of = arrays.component_of;
   std::vector<Component_volume> components(component_of.number_of_parts());
-  for (const Surface::Index face : faces_at_borders)
-    components[component_of[face]].has_border = true;
-  for (const Seam& seam : seams)
-    for (const Surface::Index face : {seam.face, seam.other_face})
-      components[component_of[face]].has_seam = true;
   for (std::size_t f = 0; f < component_of.size(); ++f) {
     Component_volume& component = components[component_of[f]];
     const Double_3 face = arrays.areas[f] * arrays.normals[f];
     component.area += arrays.areas[f];
     component.area_vector = component.area_vector + face;
-    component.volume += dot(raw.surface.point(raw.surface.corner(f, 0)), face);
+    component.volume += dot(surface.point(surface.corner(f, 0)), face);
+    for (std::size_t i = 0; i < surface.number_of_corners(f) && !surface.is_degenerate(f); ++i)
+      component.has_border |= surface.adjacency(f, i) == Surface::none;
   }
+  for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a)
+    if (surface.has_flag(a, Surface::SEAM))
+      for (const Index f : {surface.lower_face(a), surface.higher_face(a)})
+        components[component_of[f]].has_seam = true;
   std::vector<bool> is_closed, is_inside_out;
   for (const Component_volume& component : components) {
     is_closed.push_back(component.is_closed());
     is_inside_out.push_back(component.is_closed() && component.volume < 0);
   }
   if (std::find(is_inside_out.begin(), is_inside_out.end(), true) == is_inside_out.end())
-    return;
-  const std::vector<Surface::Index> outermost = find_outermost(raw.surface, component_of,
-                                                               is_closed);
-  const auto is_turned = [&](std::size_t face) {
-    const Surface::Index c = component_of[face];
-    return is_closed[c] && is_inside_out[outermost[c]];
-  };
+    return false;
+  const std::vector<Index> outermost = find_outermost(surface, component_of, is_closed);
   for (std::size_t f = 0; f < component_of.size(); ++f)
-    if (is_turned(f))
-      turn_face(raw, f);
-  for (std::size_t a = 0; a < arrays.flags.size(); ++a)
-    if (is_turned(arrays.lower_faces[a]) &&
-        (arrays.flags[a] & (Surface::CONVEX | Surface::CONCAVE)))
-      arrays.flags[a] ^= Surface::CONVEX | Surface::CONCAVE;
+    if (const Index c = component_of[f]; is_closed[c] && is_inside_out[outermost[c]])
+      turn_face(arrays, arrays.adjacencies, f);
+  return true;
 }
 
 } // namespace internal

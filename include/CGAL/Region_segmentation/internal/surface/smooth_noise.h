@@ -7,7 +7,7 @@
 #include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/internal/support/arrays.h>
-#include <CGAL/Region_segmentation/internal/surface/compute_normals.h>
+#include <CGAL/Region_segmentation/internal/surface/collect_adjacencies.h>
 
 #include <algorithm>
 #include <cmath>
@@ -37,20 +37,17 @@ public:
     std::vector<Double_3> to_neighbors(points.size()); // sums over the faces, to both neighbors
     std::vector<std::uint32_t> numbers(points.size());
     for (std::size_t f = 0; f < surface.number_of_faces(); ++f) {
-      const auto corners = corners_of(surface, f);
-      const Double_3& first = points[*corners.begin()];
-      Double_3 twice_area{}, to_previous = points[*(corners.end() - 1)] - first;
-      for (const Index* corner = corners.begin(); corner != corners.end(); ++corner) {
-        const bool is_last = corner + 1 == corners.end();
-        const Double_3 &at = points[*corner], &next = is_last ? first : points[corner[1]];
-        twice_area = twice_area + cross(at - first, next - first);
-        to_neighbors[*corner] = to_neighbors[*corner] + to_previous + (next - at);
-        ++numbers[*corner];
-        to_previous = at - next;
-      }
-      if (!surface.is_degenerate(f))
-        for (const Index v : corners)
-          m_normals[v] = m_normals[v] + twice_area;
+      for_each_side(surface, f, [&](Index v, Index w) {
+        const Double_3 along = points[w] - points[v];
+        to_neighbors[v] = to_neighbors[v] + along;
+        to_neighbors[w] = to_neighbors[w] - along;
+        ++numbers[v];
+      });
+      const auto corners = surface.corners(f);
+      const Double_3 area = area_vector(points.data(), corners.begin(), corners.end());
+      for (const Index v : corners)
+        if (!surface.is_degenerate(f))
+          m_normals[v] = m_normals[v] + 2 * area;
     }
     constexpr double flat = 1e-5; // height^2 / area of the faces around: smaller heights are 0
     for (std::size_t v = 0; v < points.size(); ++v)
@@ -108,33 +105,6 @@ private:
   std::vector<double> m_heights;
 };
 
-/// Moves the points of a surface, and with them normals, areas and the signs of angles. Degenerate
-/// faces and the lengths of adjacencies remain as they are.
-inline void move_points(Surface& surface, Large_array<Double_3> points, const Execution& execution)
-{
-  Surface_arrays& arrays = arrays_of(surface);
-  arrays.points = std::move(points);
-  std::vector<std::pair<std::size_t, double>> degenerate; // faces and their areas
-  for (std::size_t f = 0; f < arrays.areas.size(); ++f)
-    if (surface.is_degenerate(f))
-      degenerate.push_back({f, arrays.areas[f]});
-  compute_normals(surface, execution);
-  for (const auto& [face, area] : degenerate) {
-    arrays.normals[face] = {0, 0, 0};
-    arrays.areas[face] = area;
-  }
-  sum_up(surface);
-  for_each_index(execution, arrays.flags.size(), [&](std::size_t a) {
-    if (!surface.has_angle(a))
-      return;
-    const Surface::Index lower = surface.lower_face(a), higher = surface.higher_face(a);
-    const auto [direction, number] = common_edges(surface, lower, higher);
-    if (number > 0)
-      arrays.flags[a] = with_sign(
-        arrays.flags[a], sign_of_edge(surface.normal(higher), surface.normal(lower), direction));
-  });
-}
-
 /// The surface with its points moved to the height of their neighbors, but at creases, until little
 /// noise is left; none where there is not more noise than curvature. So angles are measured over a
 /// width that the noise asks for. O(F).
@@ -153,7 +123,16 @@ inline std::optional<Surface> without_noise(const Surface& surface, const Execut
     heights.smooth(points);
   }
   Surface result = surface;
-  move_points(result, std::move(points), execution);
+  Surface_arrays& arrays = arrays_of(result);
+  arrays.points = std::move(points);
+  compute_normals(result, execution);
+  for (std::size_t f = 0; f < surface.number_of_faces(); ++f)
+    if (surface.is_degenerate(f)) { // remains so
+      arrays.normals[f] = {0, 0, 0};
+      arrays.areas[f] = surface.area(f);
+    }
+  sum_up(result);
+  set_signs(result);
   return result;
 }
 

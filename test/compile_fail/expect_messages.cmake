@@ -1,0 +1,22 @@
+# Parses SOURCE, with the command of COMMANDS, as it is, which must work, and with the faults: each message of a line `expect:`
+# must be among the errors.
+include(${CMAKE_CURRENT_LIST_DIR}/../compile_command.cmake)
+compile_command(command)
+
+execute_process(COMMAND ${command} -fsyntax-only RESULT_VARIABLE result ERROR_VARIABLE output)
+if(NOT result EQUAL 0)
+  message(FATAL_ERROR "without the faults it does not compile:\n${output}")
+endif()
+execute_process(COMMAND ${command} -fsyntax-only -DWITH_FAULT RESULT_VARIABLE result ERROR_VARIABLE output)
+if(result EQUAL 0)
+  message(FATAL_ERROR "the faults compile")
+endif()
+string(REGEX MATCHALL "error: [^\n]*" errors "${output}")
+file(STRINGS ${SOURCE} messages REGEX "^// expect: ")
+foreach(message IN LISTS messages)
+  string(REPLACE "// expect: " "" message "${message}")
+  string(FIND "${errors}" "${message}" position)
+  if(position EQUAL -1)
+    message(SEND_ERROR "not among the errors: ${message}")
+  endif()
+endforeach()
