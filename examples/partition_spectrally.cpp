@@ -128,7 +128,8 @@ int main()
 {
   Mesh mesh = make_dumbbell<Mesh, Point>();
   auto segment_id = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:segment").first;
-  std::cout << RS::segment(mesh, segment_id, 3, RS::parameters::method(Spectral_partitioning()))
+  std::cout << RS::segment(mesh, segment_id,
+                           RS::parameters::number_of_segments(3).method(Spectral_partitioning()))
             << " segments:";
   for (std::size_t s = 0; s < 3; ++s)
     std::cout << ' ' << std::count(segment_id.begin(), segment_id.end(), s) << " faces";

@@ -58,8 +58,8 @@ int main()
 
   std::vector<int> labels(soup.polygons.size());
   for (std::size_t k : {1, 2, 3})
-    std::cout << RS::segment(soup.points, soup.polygons, labels,
-                             RS::parameters::number_of_segments(k))
+    std::cout << RS::segment_polygon_soup(soup.points, soup.polygons, labels,
+                                          RS::parameters::number_of_segments(k))
               << " segments\n";
 
   std::vector<std::size_t> sizes(3);
@@ -69,5 +69,6 @@ int main()
 
   // Components are kept apart on demand.
   const auto apart = RS::parameters::number_of_segments(1).component_links(false);
-  std::cout << RS::segment(soup.points, soup.polygons, labels, apart) << " components\n";
+  std::cout << RS::segment_polygon_soup(soup.points, soup.polygons, labels, apart)
+            << " components\n";
 }

@@ -9,6 +9,7 @@
 #include <CGAL/Region_segmentation/Methods/number_choosers.h>
 #include <CGAL/Region_segmentation/Segmenter.h>
 #include <CGAL/Region_segmentation/build_region_adjacency_graph.h>
+#include <CGAL/Region_segmentation/detect_feature_edges.h>
 #include <CGAL/Region_segmentation/grow_regions.h>
 #include <CGAL/Region_segmentation/requested_regions.h>
 #include <CGAL/Region_segmentation/segment.h>
@@ -30,7 +31,7 @@ namespace RS = CGAL::Region_segmentation;
 /// long and flat borders merged first, small ones before large ones.
 struct Facet_merging
 {
-  RS::Region_growing growing = {2, RS::Feature_convexity::ALL};
+  double maximum_angle = 2;   // of the edges inside a facet, in degrees
   double maximum_cost = 0.15; // of what is merged where no number is given, in lengths of the unit
 
   struct Prepared
@@ -40,8 +41,9 @@ struct Facet_merging
 
   Prepared prepare(const RS::Surface& surface, const RS::Execution& execution) const
   {
-    growing.check_constants();
-    return {growing(surface, execution.stage("regions"))};
+    return {RS::grow_regions(
+      surface, RS::mark_feature_edges(surface, maximum_angle, RS::Feature_convexity::ALL),
+      execution.stage("regions"))};
   }
 
   RS::Hierarchy merge(const RS::Surface& surface, const Prepared& prepared,

@@ -126,6 +126,7 @@ int main()
             << " segments chosen by the costs\n";
   RS::Superfacet_merging by_policy{Normal_annotator(), Flattest_first(), Largest_jump()};
   by_policy.superfacets = RS::Superfacets(200);
-  std::cout << RS::segment(mesh, segment_id, 3, RS::parameters::method(by_policy))
+  std::cout << RS::segment(mesh, segment_id,
+                           RS::parameters::number_of_segments(3).method(by_policy))
             << " segments by a policy\n";
 }

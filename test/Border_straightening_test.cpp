@@ -10,7 +10,6 @@
 #include <CGAL/Region_segmentation/Methods/Superfacets.h>
 #include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
 #include <CGAL/Region_segmentation/Segmenter.h>
-#include <CGAL/Region_segmentation/internal/superfacets/Nested_borders.h>
 #include <CGAL/Region_segmentation/internal/superfacets/Patch_builder.h>
 #include <CGAL/Region_segmentation/make_surface.h>
 
@@ -87,18 +86,12 @@ struct Merged_surface
     return Merged_surface(std::move(surface), regions, std::move(tree));
   }
 
-  /// By default for all numbers of segments.
-  template <typename IsFixed>
+  /// By default for all numbers of segments. `seeds`: of the regions
   std::vector<Index> straightened(const RS::Border_straightening& straightening,
-                                  const IsFixed& is_fixed,
-                                  std::size_t number = std::size_t(-1)) const
+                                  std::size_t number = std::size_t(-1),
+                                  const RS::Seeds& seeds = RS::Seeds()) const
   {
-    return straightening(surface, patches, RS::Border_cost(), regions, tree, is_fixed, number,
-                         RS::Execution());
-  }
-  std::vector<Index> straightened(const RS::Border_straightening& straightening) const
-  {
-    return straightened(straightening, [](Index) { return false; });
+    return straightening(surface, patches, {regions, seeds}, tree, number, RS::Execution());
   }
 };
 
@@ -117,9 +110,9 @@ reference::Straightening_input input_of(const Merged_surface& m,
   reference::Straightening_input input;
   input.costs.resize(patches.size());
   input.lengths.resize(patches.size());
-  for (std::size_t i = 0; i < patches.adjacencies().size(); ++i) {
-    const auto& [lower, higher, length] = patches.adjacencies()[i];
-    const double concavity = std::min(patches.concave_deviation(i), 0.6);
+  for (const RS::Patches::Adjacency& adjacency : patches.adjacencies()) {
+    const auto& [lower, higher, length] = adjacency;
+    const double concavity = std::min(patches.concave_deviation(adjacency), 0.6);
     const float cost = float(length / m.surface.length_unit() / (1 + 10 * concavity));
     const double step = norm(patches[lower].centroid - patches[higher].centroid) /
                         m.surface.length_unit();
@@ -136,85 +129,6 @@ reference::Straightening_input input_of(const Merged_surface& m,
   input.width = straightening.width;
   input.width_of_segment = straightening.width_of_segment;
   return input;
-}
-
-/// The connected components of the elements that some regions still have, by a search over the
-/// elements.
-std::set<std::vector<Index>> components_by_search(const RS::internal::Dual_graph& adjacency,
-                                                  const std::vector<Index>& region_of,
-                                                  const std::set<Index>& removed,
-                                                  const std::vector<Index>& regions)
-{
-  std::set<Index> left;
-  for (Index e = 0; e < region_of.size(); ++e)
-    if (!removed.count(e) && std::count(regions.begin(), regions.end(), region_of[e]) > 0)
-      left.insert(e);
-  std::set<std::vector<Index>> result;
-  while (!left.empty()) {
-    std::vector<Index> component = {*left.begin()};
-    left.erase(left.begin());
-    for (std::size_t i = 0; i < component.size(); ++i)
-      for (const auto& step : adjacency.steps(component[i]))
-        if (left.erase(step.face))
-          component.push_back(step.face);
-    std::sort(component.begin(), component.end());
-    result.insert(component);
-  }
-  return result;
-}
-
-/// The regions of the part that a merge keeps or removes, by the segments before it.
-std::vector<Index> regions_of_part(const RS::Merge_tree& tree, std::size_t merge, bool is_kept)
-{
-  RS::Merge_tree before(tree.number_of_regions());
-  for (std::size_t i = 0; i < merge; ++i)
-    before.push_back(tree.merges()[i]);
-  const RS::Partition segments = before.partition_at_count(1);
-  const Index first = is_kept ? tree.merges()[merge].kept : tree.merges()[merge].removed;
-  std::vector<Index> regions;
-  for (Index r = 0; r < segments.size(); ++r)
-    if (segments[r] == segments[first])
-      regions.push_back(r);
-  return regions;
-}
-
-TEST(Tree_elements_test, have_the_components_of_those_that_are_left)
-{
-  std::size_t compared = 0;
-  for (Family family : {Family::SHEET, Family::SPHERE, Family::TORUS})
-    for (unsigned seed = 1; seed <= 4; ++seed) {
-      SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
-      std::mt19937 random(seed);
-      const RS::Surface mesh = surface_of(random_mesh(family, seed));
-      const RS::internal::Dual_graph adjacency(
-        mesh, [](std::size_t) { return true; }, [](std::size_t) { return 1.0; });
-      const RS::Partition partition = superfacets_of(mesh, 8);
-      const std::vector<Index> region_of(partition.begin(), partition.end());
-      const RS::Merge_tree tree = random_tree(mesh, partition, random);
-      RS::internal::Tree_elements left(adjacency, region_of, tree);
-      std::set<Index> removed;
-      while (3 * removed.size() < 2 * region_of.size()) {
-        std::vector<Index> elements;
-        while (elements.size() < 10) {
-          const Index e = Index(random() % region_of.size());
-          if (removed.insert(e).second)
-            elements.push_back(e);
-        }
-        left.remove(elements);
-        for (int i = 0; i < 5; ++i) {
-          const std::size_t m = random() % tree.merges().size();
-          const bool is_kept = random() % 2 == 0;
-          const std::vector<Index> regions = regions_of_part(tree, m, is_kept);
-          const std::set<std::vector<Index>> expected = components_by_search(adjacency, region_of,
-                                                                             removed, regions);
-          const auto found = left.components(is_kept ? left.kept(m) : left.removed(m));
-          EXPECT_EQ(found.size(), expected.size());
-          EXPECT_EQ(std::set<std::vector<Index>>(found.begin(), found.end()), expected);
-          compared += expected.size();
-        }
-      }
-    }
-  EXPECT_GT(compared, 1000u);
 }
 
 TEST(Border_straightening_test, moves_borders_as_documented)
@@ -267,8 +181,7 @@ TEST(Border_straightening_test, for_one_number_the_segments_are_the_same)
       straightening.number_of_cuts = 10;
       const std::vector<Index> all = merged.straightened(straightening);
       for (std::size_t number = 1; number <= merged.regions.number_of_parts() + 1; ++number) {
-        const auto labels = merged.straightened(
-          straightening, [](Index) { return false; }, number);
+        const auto labels = merged.straightened(straightening, number);
         EXPECT_EQ(Labels(labels.begin(), labels.end()), segments_of(all, merged.tree, number))
           << number << " segments";
       }
@@ -314,9 +227,11 @@ TEST(Border_straightening_test, fixed_regions_keep_their_faces)
     std::mt19937 random(seed);
     const Merged_surface merged = Merged_surface::random(Family::SPHERE, seed, random);
     const Index fixed = Index(random() % merged.regions.number_of_parts());
-    const RS::Border_straightening straightening = wide_straightening();
-    const std::vector<Index> labels = merged.straightened(straightening,
-                                                          [&](Index r) { return r == fixed; });
+    RS::Seeds seeds{std::vector<Index>(merged.regions.number_of_parts(), Index(RS::Seeds::none)),
+                    {0}};
+    seeds.of[fixed] = 0;
+    const std::vector<Index> labels = merged.straightened(wide_straightening(), std::size_t(-1),
+                                                          seeds);
     for (std::size_t f = 0; f < labels.size(); ++f)
       if (merged.regions[f] == fixed) {
         EXPECT_EQ(labels[f], fixed) << "face " << f;

@@ -142,7 +142,6 @@ TEST(Learned_cost_test, is_the_formula_of_its_documentation)
   const Graph graph = random_graph(random);
   const Concavity_model concavity;
   const RS::Learned_cost cost(concavity.model);
-  const RS::Expected_merge_cost expected(concavity.model);
   for (auto range = edges(graph); range.first != range.second; ++range.first) {
     const auto& section = graph[*range.first];
     const double p = 1 / (1 + std::exp(-(1 - 4 * section.concave / section.length)));
@@ -154,22 +153,20 @@ TEST(Learned_cost_test, is_the_formula_of_its_documentation)
                 z * std::pow(w / 0.01, z < 0 ? 0.1 : 0.2) +
                   0.1 * RS::Visibility_cost()(graph, *range.first),
                 0.02);
-    EXPECT_NEAR(expected(graph, *range.first) / w, 1 - 2 * p, 0.02);
+    EXPECT_NEAR(cost.recorded_cost(graph, *range.first) / w, 1 - 2 * p, 0.02);
   }
 }
 
-TEST(Lowest_order_first_test, merges_in_one_order_and_records_another_cost)
+TEST(Learned_cost_test, records_another_cost_than_that_of_the_order)
 {
   std::mt19937 random(8);
   const Graph graph = random_graph(random);
   const Concavity_model concavity;
-  const RS::Learned_cost order(concavity.model);
-  const RS::Expected_merge_cost cost(concavity.model);
+  const RS::Learned_cost cost(concavity.model);
+  const auto order = [&](const auto& g, auto s) { return cost(g, s); };
   Graph a = graph, b = graph, c = graph;
-  const RS::Merge_tree by_order = merge_regions(a, RS::Lowest_cost_first<RS::Learned_cost>(order),
-                                                1);
-  const RS::Merge_tree both = merge_regions(
-    b, RS::Lowest_order_first<RS::Learned_cost, RS::Expected_merge_cost>(order, cost), 1);
+  const RS::Merge_tree by_order = merge_regions(a, RS::Lowest_cost_first(order), 1);
+  const RS::Merge_tree both = merge_regions(b, RS::Lowest_cost_first(cost), 1);
   ASSERT_EQ(both.merges().size(), graph.number_of_regions() - 1);
   ASSERT_EQ(both.merges().size(), by_order.merges().size());
   for (std::size_t i = 0; i < both.merges().size(); ++i) {
@@ -177,15 +174,16 @@ TEST(Lowest_order_first_test, merges_in_one_order_and_records_another_cost)
     EXPECT_EQ(x.kept, y.kept);
     EXPECT_EQ(x.removed, y.removed);
     const auto section = *c.section(y.kept, y.removed);
-    EXPECT_EQ(x.cost, order(c, section));
-    EXPECT_EQ(y.cost, cost(c, section));
+    EXPECT_EQ(x.cost, cost(c, section));
+    EXPECT_EQ(y.cost, cost.recorded_cost(c, section));
     c.merge(section);
   }
 }
 
 TEST(Number_from_expected_costs_test, is_where_the_sum_is_lowest)
 {
-  const RS::Number_from_expected_costs chooser(12);
+  RS::Number_from_expected_costs chooser;
+  chooser.maximum_number = 12;
   for (unsigned seed = 0; seed < 200; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     std::mt19937 random(seed);
@@ -233,7 +231,7 @@ TEST(Number_from_expected_costs_test, granularity_multiplies_every_cost_above_0)
 
 TEST(Number_from_expected_costs_test, of_few_regions)
 {
-  const RS::Number_from_expected_costs chooser;
+  const RS::Number_from_expected_costs chooser{};
   EXPECT_EQ(chooser(RS::Merge_tree(0)), 0u);
   EXPECT_EQ(chooser(RS::Merge_tree(1)), 1u);
   EXPECT_EQ(chooser(RS::Merge_tree(5)), 5u); // five components

@@ -92,11 +92,13 @@ TEST(Learned_merging_test, each_segment_has_a_face_that_is_neither_degenerate_no
   soup.polygons.push_back({0, 1, 1}); // degenerate
   soup.polygons.push_back({2, 2, 2});
   constexpr std::size_t proper = 12;
-  RS::Segmenter segmenter(soup.points, soup.polygons);
+  RS::Polygon_soup_segmenter segmenter(soup.points, soup.polygons);
   for (std::size_t k = 1; k <= 20; ++k) {
     std::vector<std::size_t> labels(soup.polygons.size()), again(labels.size());
     const std::size_t expected = std::min(k, proper);
-    EXPECT_EQ(RS::segment(soup.points, soup.polygons, labels, k), expected);
+    EXPECT_EQ(RS::segment_polygon_soup(soup.points, soup.polygons, labels,
+                                       RS::parameters::number_of_segments(k)),
+              expected);
     EXPECT_EQ(segmenter.segment(again, k), expected);
     EXPECT_EQ(labels, again);
     EXPECT_EQ(std::set<std::size_t>(labels.begin(), labels.begin() + proper).size(), expected);

@@ -291,7 +291,8 @@ RS::Surface sheets_at_one_side()
   }
   soup = joined(joined(soup, translated(grid(4, 4), 5, 0, 0)),
                 translated(scaled(grid(1, 1), 3000), 20, 0, 0));
-  return RS::make_surface(soup.points, soup.polygons, RS::parameters::component_links(false));
+  return RS::make_surface_of_polygon_soup(soup.points, soup.polygons,
+                                          RS::parameters::component_links(false));
 }
 
 TEST(Patches_test, are_not_joined_across_seams)
@@ -387,7 +388,8 @@ TEST(Patches_test,
     const Surface_patches patches = patches_of(mesh);
     ASSERT_EQ(patches.fine.adjacencies().size(), 1u);
     less += dot(patches.fine[0].normal, patches.fine[1].normal) < -1;
-    EXPECT_NEAR(patches.fine.concave_deviation(0), std::acos(-1.0), 1e-6);
+    EXPECT_NEAR(patches.fine.concave_deviation(patches.fine.adjacencies()[0]), std::acos(-1.0),
+                1e-6);
   }
   EXPECT_GT(less, 0u);
 }

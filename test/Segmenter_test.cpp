@@ -46,8 +46,8 @@ RS::Visibility_merging visibility(std::size_t number_of_regions = 40)
 RS::Two_step two_step(double maximum_angle = 5)
 {
   RS::Two_step method;
-  method.growing.maximum_angle = maximum_angle;
-  method.growing.feature_convexity = RS::Feature_convexity::ALL;
+  method.maximum_angle = maximum_angle;
+  method.feature_convexity = RS::Feature_convexity::ALL;
   return method;
 }
 
@@ -198,7 +198,7 @@ TEST(Segmenter_test, can_be_moved_copied_and_held_by_type)
   EXPECT_EQ(labels(moved, 3), before);
   RS::Segmenter by_default(mesh);
   const Labels by_default_before = labels(by_default, 4);
-  std::optional<decltype(RS::Segmenter(mesh))> held;
+  std::optional<RS::Segmenter<Surface_mesh, RS::Learned_merging>> held;
   held.emplace(std::move(by_default));
   EXPECT_EQ(labels(*held, 4), by_default_before);
 }
@@ -594,8 +594,9 @@ TEST(Segmenter_test, seeds_of_all_types_have_no_seed)
     seeds[3] = 0;
     seeds[90] = 1;
     Labels labels(seeds.size());
-    EXPECT_EQ(
-      RS::segment(soup.points, soup.polygons, labels, 2, RS::parameters::face_seed_map(seeds)), 2u);
+    EXPECT_EQ(RS::segment_polygon_soup(soup.points, soup.polygons, labels,
+                                       RS::parameters::number_of_segments(2).face_seed_map(seeds)),
+              2u);
     return labels;
   };
   const Labels expected = labels_with(std::size_t(-1));

@@ -295,7 +295,7 @@ double f1(const Labels& truth, const Labels& found)
 Labels labels_of_soup(const Soup& soup, const RS::Smooth_faces& method = RS::Smooth_faces())
 {
   Labels labels(soup.polygons.size());
-  RS::segment(soup.points, soup.polygons, labels, RS::parameters::method(method));
+  RS::segment_polygon_soup(soup.points, soup.polygons, labels, RS::parameters::method(method));
   return labels;
 }
 

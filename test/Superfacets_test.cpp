@@ -444,10 +444,8 @@ TEST(Superfacets_test, there_are_no_more_regions_than_faces)
 TEST(Superfacets_test, a_concave_line_is_a_border)
 {
   const RS::Surface mesh = surface_of(box_on_plate());
-  RS::Region_growing growing;
-  growing.maximum_angle = 10;
-  growing.feature_convexity = RS::Feature_convexity::CONCAVE;
-  EXPECT_EQ(regions_of(mesh, RS::Superfacets(2, 50)), growing(mesh));
+  EXPECT_EQ(regions_of(mesh, RS::Superfacets(2, 50)),
+            RS::grow_regions(mesh, RS::mark_feature_edges(mesh, 10)));
 }
 
 // Centroids of slivers whose steps differ by more than double can add: rounding hides that a seed

@@ -253,7 +253,7 @@ TEST(Unit_test, is_that_of_the_mesh_unless_coordinates_are_extreme)
 
 RS::Surface surface_of(const Soup& soup)
 {
-  return RS::make_surface(soup.points, soup.polygons);
+  return RS::make_surface_of_polygon_soup(soup.points, soup.polygons);
 }
 
 bool is_equal(const Double_3& a, const Double_3& b)
@@ -366,7 +366,7 @@ TEST(Surface_of_polygons_test, polygons_and_points_may_be_of_any_type)
     {{0, 2, 1}}, {{0, 1, 3}}, {{1, 2, 3}}, {{2, 0, 3}}};
   const Soup soup{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
                   {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
-  expect_equal(RS::make_surface(points, polygons), surface_of(soup));
+  expect_equal(RS::make_surface_of_polygon_soup(points, polygons), surface_of(soup));
 }
 
 TEST(Surface_of_polygons_test, equal_points_are_one)
@@ -438,7 +438,7 @@ TEST(Surface_of_polygons_test, what_cannot_be_read_is_told)
   const auto message = [](const std::vector<Point>& points,
                           const std::vector<std::vector<long>>& polygons) -> std::string {
     try {
-      RS::make_surface(points, polygons);
+      RS::make_surface_of_polygon_soup(points, polygons);
     } catch (const RS::Invalid_input& error) {
       return error.what();
     }
@@ -453,7 +453,9 @@ TEST(Surface_of_polygons_test, what_cannot_be_read_is_told)
   EXPECT_NE(message({{0, 0, 0}, {1, std::nan(""), 0}, {0, 1, 0}}, {{0, 1, 2}})
               .find("vertex 1 is not finite"),
             std::string::npos);
-  EXPECT_EQ(RS::make_surface(std::vector<Point>(), std::vector<Polygon>()).number_of_faces(), 0u);
+  EXPECT_EQ(RS::make_surface_of_polygon_soup(std::vector<Point>(), std::vector<Polygon>())
+              .number_of_faces(),
+            0u);
 }
 
 /// Squares of side 2 around an edge of length 2, at some angles in degrees, each once;
@@ -777,8 +779,8 @@ TEST(Doubled_faces_test, thousands_with_the_same_corners_are_told_apart_in_time)
       different.insert(polygon);
   }
   soup.polygons.assign(different.begin(), different.end());
-  const RS::Surface surface = RS::make_surface(soup.points, soup.polygons,
-                                               RS::parameters::component_links(false));
+  const RS::Surface surface = RS::make_surface_of_polygon_soup(
+    soup.points, soup.polygons, RS::parameters::component_links(false));
   std::size_t degenerate = 0;
   for (std::size_t f = 0; f < surface.number_of_faces(); ++f)
     degenerate += surface.is_degenerate(f);
@@ -825,7 +827,8 @@ TEST(Coinciding_borders_test, of_a_face_graph_are_adjacent)
     EXPECT_TRUE(surface.has_angle(a));
   }
   // In a soup always.
-  EXPECT_EQ(RS::make_surface(soup.points, soup.polygons, RS::parameters::component_links(false))
+  EXPECT_EQ(RS::make_surface_of_polygon_soup(soup.points, soup.polygons,
+                                             RS::parameters::component_links(false))
               .number_of_adjacencies(),
             31u);
   EXPECT_EQ(surface_of(soup).number_of_adjacencies(), 31u);
@@ -893,7 +896,7 @@ TEST(Sides_test, know_the_adjacency_across_them)
       soup.polygons.push_back({(i + 1) % n, i, n + i});
     }
     soup.polygons.insert(is_last ? soup.polygons.end() : soup.polygons.begin(), corners);
-    const RS::Surface surface = RS::make_surface(soup.points, soup.polygons);
+    const RS::Surface surface = RS::make_surface_of_polygon_soup(soup.points, soup.polygons);
     ASSERT_EQ(surface.number_of_adjacencies(), n);
     for (std::size_t f = 0; f <= n; ++f)
       for (std::size_t i = 0; i < surface.number_of_corners(f); ++i) {
@@ -919,7 +922,7 @@ TEST(Constraints_test, bar_the_edge_that_they_name_and_no_other_of_its_faces)
   const Surface_mesh mesh = to_surface_mesh(soup);
   const auto np = RS::internal::pack(RS::parameters::default_values());
   RS::Surface of_mesh = RS::make_surface(mesh),
-              of_polygons = RS::make_surface(soup.points, soup.polygons);
+              of_polygons = RS::make_surface_of_polygon_soup(soup.points, soup.polygons);
   RS::internal::Face_graph_input<Surface_mesh>(mesh).add_constraints(
     of_mesh, edge_map(mesh, std::set<Edge>{make_edge(1, 2)}), np);
   RS::internal::Polygon_input(2).add_constraints(of_polygons,

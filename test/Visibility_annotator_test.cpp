@@ -447,11 +447,9 @@ TEST(Visibility_annotator_test, deviations_are_integrated_by_sign_up_to_a_bound)
       soup = reversed(soup);
     }
     const RS::Surface mesh = surface_of(soup);
-    RS::Region_growing growing;
-    growing.maximum_angle = 30;
-    growing.feature_convexity = is_inside_out ? RS::Feature_convexity::CONVEX
-                                              : RS::Feature_convexity::CONCAVE;
-    const RS::Partition regions = growing(mesh);
+    const auto is_feature = RS::mark_feature_edges(
+      mesh, 30, is_inside_out ? RS::Feature_convexity::CONVEX : RS::Feature_convexity::CONCAVE);
+    const RS::Partition regions = RS::grow_regions(mesh, is_feature);
     ASSERT_EQ(regions.number_of_parts(), 2u);
     const Graph graph = annotated(mesh, regions);
     const auto& section = graph[*graph.section(0, 1)];

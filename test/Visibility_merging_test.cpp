@@ -233,7 +233,9 @@ TEST(Number_from_costs_test, ends_where_merging_becomes_dear)
   // left.
   EXPECT_EQ(RS::Number_from_costs(-20)(tree), 3u);
   EXPECT_EQ(RS::Number_from_costs(-1000)(tree), 6u);
-  EXPECT_EQ(RS::Number_from_costs(-1000, 4)(tree), 4u);
+  RS::Number_from_costs at_most_four(-1000);
+  at_most_four.maximum_number = 4;
+  EXPECT_EQ(at_most_four(tree), 4u);
   EXPECT_EQ(RS::Number_from_costs(1000)(tree), 2u);
   const double level = RS::Visibility_merging::default_level;
   EXPECT_EQ(RS::Number_from_costs(level)(RS::Merge_tree(1)), 1u);

@@ -138,7 +138,7 @@ TEST_F(Debug_checks_test, a_tree_takes_the_lower_region_first)
 TEST(Checked_build_test, right_use_passes)
 {
   RS::Two_step all_edges;
-  all_edges.growing.feature_convexity = RS::Feature_convexity::ALL;
+  all_edges.feature_convexity = RS::Feature_convexity::ALL;
   for (test::Family family : test::all_families) {
     const Surface_mesh mesh = test::to_surface_mesh(test::random_mesh(family, 3));
     auto map = get(CGAL::dynamic_face_property_t<std::size_t>(), mesh);

@@ -40,7 +40,7 @@ RS::Surface surface_of(const Shape& shape)
   std::vector<std::array<double, 3>> points;
   for (const Point& p : shape.points)
     points.push_back({p.x, p.y, p.z});
-  return RS::make_surface(points, shape.triangles);
+  return RS::make_surface_of_polygon_soup(points, shape.triangles);
 }
 
 /// Expects the faces of the shape, and returns their surfaces, in the order of the faces.

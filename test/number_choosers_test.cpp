@@ -226,7 +226,7 @@ TEST(Number_chooser_of_Segmenter, is_asked_once_for_each_change)
   EXPECT_EQ(with_number.segment(map), 5u);
   with_number.set_seeds(seeds);
   EXPECT_EQ(with_number.segment(map), 5u);
-  EXPECT_EQ(RS::segment(mesh, map, 4, RS::parameters::method(method)), 4u);
+  EXPECT_EQ(RS::segment(mesh, map, RS::parameters::number_of_segments(4).method(method)), 4u);
   EXPECT_EQ(*chooser.calls, 3) << "a number is given";
 }
 

@@ -232,8 +232,8 @@ struct Options : reference::Two_step_options
     method.beta = beta;
     method.gamma = gamma;
     method.factor = factor;
-    method.growing.maximum_angle = maximum_angle;
-    method.growing.feature_convexity = feature_convexity();
+    method.maximum_angle = maximum_angle;
+    method.feature_convexity = feature_convexity();
     return method;
   }
 

@@ -60,8 +60,8 @@ Outputs run(const Surface_mesh& mesh, const Parameters& np)
 RS::Two_step two_step(RS::Feature_convexity convexity)
 {
   RS::Two_step method;
-  method.growing.maximum_angle = 3;
-  method.growing.feature_convexity = convexity;
+  method.maximum_angle = 3;
+  method.feature_convexity = convexity;
   return method;
 }
 
@@ -163,11 +163,9 @@ std::vector<double> numbers_read(const Surface_mesh& mesh)
       add(patch.normal);
       result.insert(result.end(), {patch.area, double(patch.center)});
     }
-    for (std::size_t i = 0; i < patches->adjacencies().size(); ++i) {
-      const RS::Patches::Adjacency& adjacency = patches->adjacencies()[i];
+    for (const RS::Patches::Adjacency& adjacency : patches->adjacencies())
       result.insert(result.end(), {double(adjacency.lower), double(adjacency.higher),
-                                   adjacency.length, patches->concave_deviation(i)});
-    }
+                                   adjacency.length, patches->concave_deviation(adjacency)});
   }
   return result;
 }
@@ -262,8 +260,8 @@ TEST(Parallel, a_segmenter_is_asked_from_several_threads)
 {
   const Surface_mesh mesh = to_surface_mesh(torus(60, 30));
   RS::Two_step method;
-  method.growing.maximum_angle = 1;
-  method.growing.feature_convexity = RS::Feature_convexity::ALL;
+  method.maximum_angle = 1;
+  method.feature_convexity = RS::Feature_convexity::ALL;
   const RS::Segmenter by_default(mesh);
   const RS::Segmenter two_step(mesh, RS::parameters::method(method));
   constexpr std::size_t n = 24;

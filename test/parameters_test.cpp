@@ -77,7 +77,7 @@ TEST(Parameters_test, packs_of_cgal_are_taken)
 TEST(Parameters_test, a_pack_can_be_kept_and_used_again)
 {
   const Surface_mesh mesh = to_surface_mesh(dumbbell());
-  const auto pack = RP::number_of_segments(2).method(
+  const auto pack = RS::parameters::number_of_segments(2).method(
     Options(2, reference::Convexity::all, 30).method());
   const Labels expected = run(mesh, pack).segments;
   for (int i = 0; i < 2; ++i) {
@@ -86,7 +86,7 @@ TEST(Parameters_test, a_pack_can_be_kept_and_used_again)
     EXPECT_EQ(result.number_of_segments, 2u);
     EXPECT_EQ(result.tree.number_of_regions(), 16u) << "those of the method in the pack";
   }
-  EXPECT_NE(run(mesh, RP::number_of_segments(2)).tree.number_of_regions(), 16u);
+  EXPECT_NE(run(mesh, RS::parameters::number_of_segments(2)).tree.number_of_regions(), 16u);
 }
 
 TEST(Parameters_test, the_point_map_of_a_pack_counts_and_not_that_of_the_mesh)
@@ -107,7 +107,7 @@ TEST(Parameters_test, every_integral_type_is_a_number_of_segments)
 {
   const Surface_mesh mesh = to_surface_mesh(dumbbell());
   auto map = face_map(mesh);
-  EXPECT_EQ(RS::segment(mesh, map, RP::number_of_segments(2)), 2u);
+  EXPECT_EQ(RS::segment(mesh, map, RS::parameters::number_of_segments(2)), 2u);
   EXPECT_EQ(RS::segment(mesh, map, RP::number_of_segments(2u)), 2u);
   EXPECT_EQ(RS::segment(mesh, map, RP::number_of_segments(std::size_t(2))), 2u);
   EXPECT_EQ(RS::segment(mesh, map, RP::number_of_segments(short(2))), 2u);
@@ -122,50 +122,23 @@ TEST(Version_test, the_number_and_the_text_say_the_same)
   EXPECT_STREQ(text, CGAL_REGION_SEGMENTATION_VERSION);
 }
 
-TEST(Parameters_test, number_of_segments_as_an_argument)
+TEST(Parameters_test, number_of_segments_is_of_any_integral_type)
 {
   const Surface_mesh mesh = to_surface_mesh(dumbbell());
   const RS::Two_step method = Options(1).method();
   for (int k : {1, 2, 3}) {
-    auto named = face_map(mesh), positional = face_map(mesh), of_cgal = face_map(mesh);
-    const std::size_t n = RS::segment(mesh, named,
-                                      RS::parameters::number_of_segments(k).method(method));
-    EXPECT_EQ(n, std::size_t(k));
-    EXPECT_EQ(RS::segment(mesh, positional, k, RS::parameters::method(method)), n);
-    EXPECT_EQ(labels_of(mesh, positional), labels_of(mesh, named));
+    auto map = face_map(mesh);
     RS::Merge_tree by_reference, by_wrapper;
-    RS::segment(mesh, positional, std::size_t(k),
-                RS::parameters::merge_tree(by_reference).method(method));
-    RS::segment(mesh, positional, short(k),
-                RS::parameters::method(method).merge_tree(std::ref(by_wrapper)));
+    RS::segment(
+      mesh, map,
+      RS::parameters::number_of_segments(std::size_t(k)).merge_tree(by_reference).method(method));
+    const std::size_t n = RS::segment(
+      mesh, map,
+      RS::parameters::number_of_segments(short(k)).method(method).merge_tree(std::ref(by_wrapper)));
+    EXPECT_EQ(n, std::size_t(k));
     EXPECT_EQ(by_reference.merges().size(), 3u - std::size_t(k)) << "of three regions";
     EXPECT_EQ(by_wrapper.merges().size(), by_reference.merges().size());
-    // A pack of CGAL's own, and the default method.
-    RS::segment(mesh, of_cgal, k, CGAL::parameters::vertex_point_map(mesh.points()));
-    RS::segment(mesh, named, k);
-    EXPECT_EQ(labels_of(mesh, of_cgal), labels_of(mesh, named));
   }
-}
-
-TEST(Parameters_test, a_pack_of_cgal_after_a_number_counts)
-{
-  // Two bulbs along x, and, with other points, along z.
-  const auto bulbs = [](std::size_t axis) {
-    return to_surface_mesh(mapped(sphere(3), [axis](const Point& p) {
-      const double width = 0.1 + p[axis] * p[axis];
-      Point result;
-      for (std::size_t i = 0; i < 3; ++i)
-        result[i] = i == axis ? 2 * p[i] : width * p[i];
-      return result;
-    }));
-  };
-  const Surface_mesh mesh = bulbs(0), other = bulbs(2);
-  auto own = face_map(mesh), of_pack = face_map(mesh), expected = face_map(other);
-  RS::segment(mesh, own, 2);
-  RS::segment(mesh, of_pack, 2, CGAL::parameters::vertex_point_map(other.points()));
-  RS::segment(other, expected, 2);
-  EXPECT_EQ(labels_of(mesh, of_pack), labels_of(other, expected));
-  EXPECT_NE(labels_of(mesh, of_pack), labels_of(mesh, own));
 }
 
 } // namespace parameters_test

@@ -152,8 +152,9 @@ TEST_P(Two_step_properties_test, a_policy_that_does_not_know_k_gives_one_tree)
 {
   for_each_mesh(5, [](const Soup& soup, Options options, std::mt19937&) {
     const Surface_mesh mesh = to_surface_mesh(soup);
-    const auto method = make_user_method(options.method().growing,
-                                         RS::Lowest_cost_first<Length_cost>());
+    const auto method = make_user_method(
+      [two_step = options.method()](const RS::Surface& s) { return two_step.prepare(s).regions; },
+      RS::Lowest_cost_first<Length_cost>());
     const auto with = [&](std::size_t k) {
       return test::run(mesh, RP::number_of_segments(k).method(method));
     };

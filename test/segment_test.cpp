@@ -165,8 +165,8 @@ TEST(Segment_test, constants_are_in_their_ranges)
   expect_refused<Two>("Two_step: beta", {7, -1e-9, nan}, [](Two& m, double x) { m.beta = x; });
   expect_refused<Two>("Two_step: gamma", {-3, 1.1, nan}, [](Two& m, double x) { m.gamma = x; });
   expect_refused<Two>("Two_step: factor", {0, .9, nan}, [](Two& m, double x) { m.factor = x; });
-  expect_refused<Two>("Region_growing: maximum_angle", {-.001, 180.001, nan},
-                      [](Two& m, double x) { m.growing.maximum_angle = x; });
+  expect_refused<Two>("Two_step: maximum_angle", {-.001, 180.001, nan},
+                      [](Two& m, double x) { m.maximum_angle = x; });
   using Visibility = RS::Visibility_merging;
   expect_refused<Visibility>("Superfacets: number", {0}, [](Visibility& m, double x) {
     m.superfacets.number = std::size_t(x);
@@ -175,9 +175,10 @@ TEST(Segment_test, constants_are_in_their_ranges)
                              [](Visibility& m, double x) { m.superfacets.concave_weight = x; });
   expect_refused<Visibility>("Superfacets: maximum_deviation", {-1, nan},
                              [](Visibility& m, double x) { m.superfacets.maximum_deviation = x; });
-  expect_refused<Visibility>("Border_cost: concave_gain", {-1, nan, inf},
-                             [](Visibility& m, double x) { m.border_cost.concave_gain = x; });
-  expect_refused<Visibility>("Border_straightening: width", {-1, nan},
+  expect_refused<Visibility>(
+    "Border_cost: concave_gain", {-1, nan, inf},
+    [](Visibility& m, double x) { m.straightening.cost.concave_gain = x; });
+  expect_refused<Visibility>("Minimum_cut_borders: width", {-1, nan},
                              [](Visibility& m, double x) { m.straightening.width = x; });
   expect_refused<Visibility>("granularity", {0, -1, nan},
                              [](Visibility& m, double x) { m.chooser.granularity = x; });
@@ -192,7 +193,8 @@ TEST(Segment_test, constants_are_in_their_ranges)
   using Learned = RS::Learned_merging;
   expect_refused<Learned>("granularity", {0, nan},
                           [](Learned& m, double x) { m.chooser.granularity = x; });
-  EXPECT_EQ(refusal(Two{{}, 7, -3, 0}), "Two_step: beta is 7, which is not in [0, 1]");
+  EXPECT_EQ(refusal(Two{1, RS::Feature_convexity::ALL, 7, -3, 0}),
+            "Two_step: beta is 7, which is not in [0, 1]");
   EXPECT_THROW(RS::Smallest_region_first{nan}, RS::Invalid_method);
   EXPECT_THROW(RS::Least_compact_region_first(0.1, -3), RS::Invalid_method);
 }
@@ -246,12 +248,12 @@ void test_polygons(const Soup& soup, const Surface_mesh& mesh, const Method& met
   const auto np = RS::parameters::number_of_segments(5).method(method);
   const std::size_t size = soup.polygons.size();
   Labels segments(size, 77);
-  RS::segment(soup.points, soup.polygons, segments, np);
+  RS::segment_polygon_soup(soup.points, soup.polygons, segments, np);
   EXPECT_EQ(segments, segments_of(mesh, np));
 
   const std::set<Edge> drawn = random_edges(soup, 8, random);
-  RS::segment(soup.points, soup.polygons, segments,
-              np.edge_is_constrained_map(std::vector<Edge>(drawn.begin(), drawn.end())));
+  RS::segment_polygon_soup(soup.points, soup.polygons, segments,
+                           np.constrained_edges(std::vector<Edge>(drawn.begin(), drawn.end())));
   EXPECT_EQ(segments, segments_of(mesh, np.edge_is_constrained_map(edge_map(mesh, drawn))));
 
   Labels seeds(size, std::size_t(-1));
@@ -259,7 +261,7 @@ void test_polygons(const Soup& soup, const Surface_mesh& mesh, const Method& met
     seeds[random() % size] = 10 * i;
   auto seed_map = face_map(mesh);
   RS::write_face_values(mesh, seeds, seed_map);
-  RS::segment(soup.points, soup.polygons, segments, np.face_seed_map(seeds));
+  RS::segment_polygon_soup(soup.points, soup.polygons, segments, np.face_seed_map(seeds));
   EXPECT_EQ(segments, segments_of(mesh, np.face_seed_map(seed_map)));
 }
 
@@ -293,7 +295,7 @@ TEST(Segment_test, maps_of_too_small_a_type_are_refused_before_anything_is_writt
     auto map = copy.add_property_map<Surface_mesh::Face_index, Label>("f:small", 77).first;
     std::vector<Label> labels(soup.polygons.size(), 77);
     const RS::Segmenter segmenter(mesh);
-    const RS::Segmenter of_soup(soup.points, soup.polygons);
+    const RS::Polygon_soup_segmenter of_soup(soup.points, soup.polygons);
     for (const std::size_t k : {most, most + 1}) {
       const bool fits = k == most;
       const auto expect = [&](const auto& segment) {
@@ -305,9 +307,12 @@ TEST(Segment_test, maps_of_too_small_a_type_are_refused_before_anything_is_writt
       std::fill(labels.begin(), labels.end(), Label(77));
       for (auto f : faces(mesh))
         map[f] = Label(77);
-      expect([&] { return RS::segment(mesh, map, k); });
+      expect([&] { return RS::segment(mesh, map, RS::parameters::number_of_segments(k)); });
       expect([&] { return segmenter.segment(map, k); });
-      expect([&] { return RS::segment(soup.points, soup.polygons, labels, k); });
+      expect([&] {
+        return RS::segment_polygon_soup(soup.points, soup.polygons, labels,
+                                        RS::parameters::number_of_segments(k));
+      });
       expect([&] { return of_soup.segment(labels, k); });
       for (auto f : faces(mesh)) {
         EXPECT_TRUE(fits || map[f] == Label(77));
@@ -335,13 +340,13 @@ TEST(Segment_test, ranges_of_another_size_than_the_polygons_are_refused)
   const std::size_t size = soup.polygons.size();
   for (const std::size_t other : {std::size_t(0), size - 1, size + 1}) {
     Labels labels(other, 77), seeds(other, 0), regions(other), right(size, 77);
-    EXPECT_THROW(RS::segment(soup.points, soup.polygons, labels), RS::Invalid_input);
+    EXPECT_THROW(RS::segment_polygon_soup(soup.points, soup.polygons, labels), RS::Invalid_input);
     EXPECT_EQ(labels, Labels(other, 77));
-    EXPECT_THROW(
-      RS::segment(soup.points, soup.polygons, right, RS::parameters::face_seed_map(seeds)),
-      RS::Invalid_input);
+    EXPECT_THROW(RS::segment_polygon_soup(soup.points, soup.polygons, right,
+                                          RS::parameters::face_seed_map(seeds)),
+                 RS::Invalid_input);
     EXPECT_EQ(right, Labels(size, 77));
-    const RS::Segmenter segmenter(soup.points, soup.polygons);
+    const RS::Polygon_soup_segmenter segmenter(soup.points, soup.polygons);
     EXPECT_THROW(segmenter.segment(labels, 2), RS::Invalid_input);
     EXPECT_EQ(labels, Labels(other, 77));
   }
@@ -405,8 +410,8 @@ TEST(Segment_time_test, seeds_on_most_faces)
         else if (x < 50 || (x > 50 && !is_possible))
           seeds[y * n + x] = 1;
     const auto segment = [&] {
-      return RS::segment(soup.points, soup.polygons, labels, 2,
-                         RS::parameters::face_seed_map(seeds));
+      return RS::segment_polygon_soup(soup.points, soup.polygons, labels,
+                                      RS::parameters::number_of_segments(2).face_seed_map(seeds));
     };
     const std::clock_t start = std::clock();
     if (is_possible) {
@@ -437,7 +442,9 @@ TEST(Segment_time_test, polygons_of_many_corners)
   prism.polygons.push_back(top);
   std::vector<std::size_t> labels(prism.polygons.size());
   const std::clock_t start = std::clock();
-  EXPECT_EQ(RS::segment(prism.points, prism.polygons, labels, 3), 3u);
+  EXPECT_EQ(RS::segment_polygon_soup(prism.points, prism.polygons, labels,
+                                     RS::parameters::number_of_segments(3)),
+            3u);
   EXPECT_LT(double(std::clock() - start) / CLOCKS_PER_SEC, 8);
 }
 

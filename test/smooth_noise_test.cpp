@@ -27,7 +27,7 @@ namespace smooth_noise_test {
 
 RS::Surface surface_of(const Soup& soup)
 {
-  return RS::make_surface(soup.points, soup.polygons);
+  return RS::make_surface_of_polygon_soup(soup.points, soup.polygons);
 }
 
 std::optional<RS::Surface> smooth_noise(const RS::Surface& surface)

@@ -54,7 +54,7 @@ template <typename Method>
 std::vector<std::uint32_t> segment_by(const Method& method, const val& request)
 {
   const Soup soup = make_soup(request);
-  RS::Segmenter segmenter(
+  RS::Polygon_soup_segmenter segmenter(
     soup.points, soup.polygons,
     RS::parameters::method(method).component_links(request["componentLinks"].as<bool>()));
   const auto ends = emscripten::convertJSArrayToNumberVector<std::uint32_t>(

@@ -35,8 +35,9 @@ int main(int argc, char** argv)
   for (std::size_t i = 0; i < nearest.size(); ++i)
     seed[nearest[i]] = i;
 
-  RS::segment(mesh, segment_id, 8,
-              RS::parameters::edge_is_constrained_map(is_border).face_seed_map(seed));
+  RS::segment(
+    mesh, segment_id,
+    RS::parameters::number_of_segments(8).edge_is_constrained_map(is_border).face_seed_map(seed));
 
   std::size_t within = 0; // edges between materials within a segment
   for (auto e : edges(mesh)) {

@@ -26,7 +26,7 @@ int main(int argc, char** argv)
     const RS::Superfacet_merging method{RS::Scalar_annotator(RS::face_values(mesh, gray)),
                                         RS::Lowest_cost_first(RS::Scalar_cost(weight)),
                                         RS::Number_from_costs(-19.5)};
-    RS::segment(mesh, segment_id, 8, RS::parameters::method(method));
+    RS::segment(mesh, segment_id, RS::parameters::number_of_segments(8).method(method));
     std::size_t number = 0;
     for (auto e : edges(mesh)) {
       const auto h = halfedge(e, mesh);

@@ -67,9 +67,7 @@ public:
 template <typename Method>
 class Prepared_by : public Prepared
 {
-  using Segmenter = decltype(RS::Segmenter(std::declval<const Soup&>().points,
-                                           std::declval<const Soup&>().polygons,
-                                           RS::parameters::method(std::declval<const Method&>())));
+  using Segmenter = RS::Polygon_soup_segmenter<Method>;
 
   [[noreturn]] static void refuse(const char* what)
   {

@@ -62,7 +62,7 @@ using Points = std::vector<CGAL::Simple_cartesian<double>::Point_3>;
 void test(const Points& points, const std::vector<std::vector<int>>& polygons,
           std::vector<int>& labels, const Drawn& drawn)
 {
-  RS::segment(points, polygons, labels, RS::parameters::edge_is_constrained_map(drawn));
+  RS::segment_polygon_soup(points, polygons, labels, RS::parameters::constrained_edges(drawn));
 }
 } // namespace constraints_of_polygons
 
@@ -104,7 +104,7 @@ void test(const std::vector<std::array<double, 3>>& points,
 #else
   std::vector<int> labels(polygons.size());
 #endif
-  RS::segment(points, polygons, labels);
+  RS::segment_polygon_soup(points, polygons, labels);
 }
 } // namespace labels_of_polygons
 
@@ -227,7 +227,7 @@ void test(const Mesh& mesh, Labels labels)
   RS::segment(mesh, labels, RS::parameters::number_of_segments(3).maximum_angle(5));
 #else
   RS::Two_step method;
-  method.growing.maximum_angle = 5;
+  method.maximum_angle = 5;
   RS::segment(mesh, labels, RS::parameters::number_of_segments(3).method(method));
 #endif
 }
@@ -257,7 +257,7 @@ using Points = std::vector<CGAL::Simple_cartesian<double>::Point_3>;
 void test(const Points& points, const std::vector<std::vector<Index>>& polygons,
           std::vector<int>& labels)
 {
-  RS::segment(points, polygons, labels);
+  RS::segment_polygon_soup(points, polygons, labels);
 }
 } // namespace polygons_of_numbers
 
@@ -437,7 +437,7 @@ using Map = Labels;
 #endif
 void test(const Mesh& mesh, Map map)
 {
-  RS::segment(mesh, map, 8);
+  RS::segment(mesh, map);
 }
 } // namespace vertex_map_as_segment_map
 

@@ -370,14 +370,19 @@ TEST(Archetypes_test, methods_that_break_their_promise)
 {
   const auto mesh = test::to_surface_mesh(test::cube());
   auto map = test::face_map(mesh, 77);
-  EXPECT_THROW(RS::segment(mesh, map, 2, RP::method(Method_of_two_faces())), RS::Invalid_method);
-  EXPECT_THROW(RS::segment(mesh, map, 2, RP::method(Method_of_other_merges())), RS::Invalid_method);
+  EXPECT_THROW(RS::segment(mesh, map, RP::number_of_segments(2).method(Method_of_two_faces())),
+               RS::Invalid_method);
+  EXPECT_THROW(RS::segment(mesh, map, RP::number_of_segments(2).method(Method_of_other_merges())),
+               RS::Invalid_method);
 #ifdef NDEBUG // else it is a precondition of Partition
   for (int k : {2, 3}) {
-    EXPECT_THROW(RS::segment(mesh, map, k, RP::method(Method_of_wrong_numbers<100000000>())),
-                 RS::Invalid_method);
-    EXPECT_THROW(RS::segment(mesh, map, k, RP::method(Method_of_wrong_numbers<0>())),
-                 RS::Invalid_method);
+    EXPECT_THROW(
+      RS::segment(mesh, map,
+                  RP::number_of_segments(k).method(Method_of_wrong_numbers<100000000>())),
+      RS::Invalid_method);
+    EXPECT_THROW(
+      RS::segment(mesh, map, RP::number_of_segments(k).method(Method_of_wrong_numbers<0>())),
+      RS::Invalid_method);
   }
 #endif
   EXPECT_THROW(RS::Segmenter(mesh, RP::method(Method_of_two_faces())), RS::Invalid_method);

@@ -47,14 +47,14 @@ void check_method(const Polygon_soup& soup, const Method& method, std::size_t k)
 {
   std::vector<std::size_t> labels(soup.polygons.size()), again(labels);
   const auto np = RS::parameters::number_of_segments(k).method(method);
-  const std::size_t n = RS::segment(soup.points, soup.polygons, labels, np);
+  const std::size_t n = RS::segment_polygon_soup(soup.points, soup.polygons, labels, np);
   std::size_t number = 0;
   for (std::size_t label : labels) {
     require(label <= number, "segments are numbered by their first faces");
     number = (std::max)(number, label + 1);
   }
   require(number == n && n <= k, "as many segments as said, no more than asked for");
-  require(RS::segment(soup.points, soup.polygons, again, np) == n && again == labels,
+  require(RS::segment_polygon_soup(soup.points, soup.polygons, again, np) == n && again == labels,
           "twice the same");
 }
 

@@ -70,7 +70,7 @@ void print_labels(const Mesh& mesh, const char* method_name, const Method& metho
 {
   // Two_step takes its order of merges from the number.
   constexpr bool chooses = !std::is_same<Method, RS::Two_step>::value;
-  RS::Segmenter segmenter(mesh.points, mesh.polygons, RS::parameters::method(method));
+  RS::Polygon_soup_segmenter segmenter(mesh.points, mesh.polygons, RS::parameters::method(method));
   std::vector<std::uint64_t> labels(mesh.polygons.size());
   Hash hash;
   const auto add = [&](std::size_t number) {

@@ -47,7 +47,7 @@ bool count(const char* name, const Mesh& mesh, const SegmentationMethod& method)
 bool count_reading(const speed_benchmark::Triangles& polygons)
 {
   CALLGRIND_START_INSTRUMENTATION;
-  const RS::Surface surface = RS::make_surface(polygons.points, polygons.corners);
+  const RS::Surface surface = RS::make_surface_of_polygon_soup(polygons.points, polygons.corners);
   CALLGRIND_STOP_INSTRUMENTATION;
   CALLGRIND_DUMP_STATS_AT("reading polygons");
   return 2 * surface.number_of_adjacencies() == 3 * polygons.corners.size();

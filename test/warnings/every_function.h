@@ -66,7 +66,8 @@ void use_methods(const Mesh& mesh)
                                 .region_map(regions)
                                 .merge_tree(tree));
   RS::segment<ConcurrencyTag>(mesh, segments, RS::parameters::method(RS::Visibility_merging()));
-  RS::segment<ConcurrencyTag>(mesh, segments, 2, RS::parameters::method(RS::Two_step()));
+  RS::segment<ConcurrencyTag>(mesh, segments,
+                              RS::parameters::number_of_segments(2).method(RS::Two_step()));
   const RS::Scalar_annotator scalar(RS::face_values(mesh, seeds));
   const RS::Superfacet_merging by_scalar{scalar, RS::Lowest_cost_first(RS::Scalar_cost(1)),
                                          RS::Number_below_cost{0}};
@@ -90,11 +91,11 @@ void use_polygons()
     {0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
   const std::vector<std::array<std::size_t, 2>> drawn = {{0, 1}};
   std::vector<std::size_t> segments(polygons.size()), seeds(polygons.size());
-  RS::segment<ConcurrencyTag>(
+  RS::segment_polygon_soup<ConcurrencyTag>(
     points, polygons, segments,
-    RS::parameters::edge_is_constrained_map(drawn).face_seed_map(seeds).component_links(false));
-  RS::Segmenter segmenter(points, polygons, RS::parameters::number_of_segments(2),
-                          ConcurrencyTag());
+    RS::parameters::constrained_edges(drawn).face_seed_map(seeds).component_links(false));
+  RS::Polygon_soup_segmenter segmenter(points, polygons, RS::parameters::number_of_segments(2),
+                                       ConcurrencyTag());
   segmenter.segment(segments);
   segmenter.segment(segments, 3);
   segmenter.add_constraints(drawn);

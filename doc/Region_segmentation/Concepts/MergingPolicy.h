@@ -10,7 +10,6 @@ It may declare the data that it reads by the types `%RegionData` and `%SectionDa
 of the graph are or derive from these, the combination does not compile.
 
 \cgalHasModel `CGAL::Region_segmentation::Lowest_cost_first`
-\cgalHasModel `CGAL::Region_segmentation::Lowest_order_first`
 \cgalHasModel `CGAL::Region_segmentation::Smallest_region_first`
 \cgalHasModel `CGAL::Region_segmentation::Least_compact_region_first`
 */

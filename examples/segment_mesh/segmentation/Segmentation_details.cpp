@@ -106,7 +106,7 @@ private:
 
 RS::Surface surface_of(const Polygon_soup& soup, const Segmentation_settings& settings)
 {
-  return RS::make_surface(
+  return RS::make_surface_of_polygon_soup(
     soup.points, soup.polygons,
     RS::parameters::component_links(settings.links == Component_links::FOUND));
 }

@@ -43,11 +43,9 @@ bool looks_like_machine_part(const Polygon_soup& soup, const Segmentation& learn
   if (areas.empty() || !(*std::max_element(areas.begin(), areas.end()) > largest_share * area))
     return false;
 
-  const RS::Surface surface = RS::make_surface(soup.points, soup.polygons);
-  RS::Region_growing growing;
-  growing.maximum_angle = 20;
-  growing.feature_convexity = RS::Feature_convexity::ALL;
-  const RS::Partition regions = growing(surface);
+  const RS::Surface surface = RS::make_surface_of_polygon_soup(soup.points, soup.polygons);
+  const RS::Partition regions = RS::grow_regions(
+    surface, RS::mark_feature_edges(surface, 20, RS::Feature_convexity::ALL));
   std::vector<double> region_areas(regions.number_of_parts(), 0);
   for (std::size_t f = 0; f < regions.size(); ++f)
     region_areas[regions[f]] += surface.area(f);

@@ -90,8 +90,8 @@ Segmentation run_method(std::size_t number_of_faces, const Segment& segment,
     result.features = {settings.maximum_angle.value_or(RS::default_maximum_angle),
                        settings.features};
     RS::Two_step method;
-    method.growing.maximum_angle = result.features->maximum_angle;
-    method.growing.feature_convexity = result.features->convexity;
+    method.maximum_angle = result.features->maximum_angle;
+    method.feature_convexity = result.features->convexity;
     segment_by(method, segment, settings, listener, result);
     break;
   }

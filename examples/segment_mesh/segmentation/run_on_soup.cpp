@@ -33,12 +33,12 @@ Segmentation run_on_soup(const Polygon_soup& soup, const Marks& marks,
                          const Segmentation_settings& settings, const Progress_listener& listener)
 {
   const auto segment = [&](const auto& np, Segmentation& result) {
-    return RS::segment<CGAL::Parallel_if_available_tag>(
+    return RS::segment_polygon_soup<CGAL::Parallel_if_available_tag>(
       soup.points, soup.polygons, result.segment_of_face,
       np
         .region_map(boost::make_iterator_property_map(
           result.region_of_face.begin(), boost::typed_identity_property_map<std::size_t>()))
-        .edge_is_constrained_map(marks.constrained_edges)
+        .constrained_edges(marks.constrained_edges)
         .face_seed_map(Seeds_of_faces{&marks.seed_of_face}));
   };
   return run_method(soup.polygons.size(), segment, settings, listener);

@@ -26,31 +26,27 @@ namespace CGAL {
 namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationMain
-/// A mesh that is prepared once and can then be segmented into any number of segments.
+/// What `Segmenter` and `Polygon_soup_segmenter` have in common: an input that is prepared once and
+/// can then be segmented into any number of segments.
 ///
-/// Preparing reads the mesh and does what does not depend on seeds. If the order of
-/// merges of the method does not depend on the number of segments, the regions are also merged:
-/// each number of segments then takes only the time of writing labels, and the segmentations are
-/// nested. With another method (`Two_step`) each call of `segment()` merges.
+/// Preparing reads the input and does what does not depend on seeds. If the order of merges of the
+/// method does not depend on the number of segments, the regions are also merged: each number of
+/// segments then takes only the time of writing labels, and the segmentations are nested. With
+/// another method (`Two_step`) each call of `segment()` merges.
 ///
-/// The segmenter refers to the mesh, whose faces must not change afterwards. Coordinates are read
-/// once: later changes of points have no effect.
+/// Coordinates are read once: later changes of points have no effect.
 ///
 /// Segmenting is `const`, and thread-safe with different maps. Adding constraints or seeds requires
 /// exclusive access. A segmenter can be moved and copied.
 ///
 /// Bytes, with the default method: about 180 per face.
 ///
-/// Omit the template arguments, which are deduced: `Segmenter segmenter(mesh,
-/// parameters::method(m))`, or `Segmenter segmenter(points, polygons)`.
-///
-/// \tparam Input the form of the input, deduced: a face graph, or points and polygons
-/// \tparam Method a model of `SegmentationMethod`
-///
 /// Only the constructor runs in parallel; what is asked for later, and constraints and seeds that
 /// are added, on one thread.
+///
+/// \tparam Method a model of `SegmentationMethod`
 template <typename Input, typename Method>
-class Segmenter
+class Segmenter_base
 {
   static_assert(internal::check_method<Method>());
   using Calls = internal::Method_calls<Method>;
@@ -60,117 +56,6 @@ public:
   /// is merged anew, and there is neither a number that is chosen nor one tree for all.
   static constexpr bool needs_number = internal::needs_number<Method>();
 
-  /// prepares a mesh, which must exist as long as the segmenter.
-  ///
-  /// \tparam ConcurrencyTag `Sequential_tag` or, with TBB, `Parallel_tag`; see `segment()`
-  /// \param mesh see `segment()`
-  /// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
-  ///
-  /// \cgalNamedParamsBegin
-  ///   \cgalParamNBegin{method}
-  ///     \cgalParamDescription{how the mesh is segmented; stored by value}
-  ///     \cgalParamType{a model of `SegmentationMethod`}
-  ///     \cgalParamDefault{`Method()`}
-  ///   \cgalParamNEnd
-  ///   \cgalParamNBegin{number_of_segments}
-  ///     \cgalParamDescription{the number for `segment(segment_map)`; not with a method whose order
-  ///       of merges depends on the number}
-  ///     \cgalParamType{an integral type; at least 1}
-  ///     \cgalParamDefault{chosen by the method}
-  ///   \cgalParamNEnd
-  ///   \cgalParamNBegin{edge_is_constrained_map}
-  ///     \cgalParamDescription{edges that always are borders and are never merged across}
-  ///     \cgalParamType{a model of `ReadablePropertyMap` with the edge descriptor as key type and a
-  ///       value type convertible to `bool`}
-  ///     \cgalParamDefault{no edge}
-  ///   \cgalParamNEnd
-  ///   \cgalParamNBegin{face_seed_map}
-  ///     \cgalParamDescription{faces with equal seeds belong to one segment, faces with different
-  ///       seeds to different ones; -1 of the value type is no seed; see `Segmenter::set_seeds()`}
-  ///     \cgalParamType{a model of `ReadablePropertyMap` with the face descriptor as key type and
-  ///       an integral value type}
-  ///     \cgalParamDefault{no seeds}
-  ///   \cgalParamNEnd
-  ///   \cgalParamNBegin{component_links}
-  ///     \cgalParamDescription{whether components that touch or are near each other are adjacent,
-  ///       see `segment()`}
-  ///     \cgalParamType{`bool`}
-  ///     \cgalParamDefault{`true`}
-  ///   \cgalParamNEnd
-  ///   \cgalParamNBegin{visitor}
-  ///     \cgalParamDescription{follows the progress, and can cancel}
-  ///     \cgalParamType{a model of `SegmentationVisitor`}
-  ///     \cgalParamDefault{none}
-  ///     \cgalParamExtra{passed by `std::ref()`; used by the constructor only}
-  ///   \cgalParamNEnd
-  ///   \cgalParamVertexPointMap
-  ///   \cgalParamIndexMap{face}
-  ///   \cgalParamIndexMap{vertex}
-  ///   \cgalParamNBegin{region_map}
-  ///     \cgalParamDescription{an output: the first regions, with ids 0 .. r-1, numbered by the
-  ///       first face}
-  ///     \cgalParamType{a model of `WritablePropertyMap` with the face descriptor as key type and
-  ///       an integral value type}
-  ///     \cgalParamDefault{not written}
-  ///   \cgalParamNEnd
-  ///   \cgalParamNBegin{merge_tree}
-  ///     \cgalParamDescription{an output: the merges, with a method that has one tree for all
-  ///       numbers}
-  ///     \cgalParamType{`Merge_tree`}
-  ///     \cgalParamDefault{not written}
-  ///   \cgalParamNEnd
-  /// \cgalNamedParamsEnd
-  ///
-  /// \throws Invalid_input if a point is not finite, equal seeds cannot be joined, or the type of
-  ///         `region_map` does not hold the labels; Invalid_method if a constant of the method is
-  ///         not in its range; Segmentation_cancelled if the visitor cancels; all maps are
-  ///         unchanged
-  ///
-  /// Complexity: that of the method.
-  template <typename FaceGraph, typename NamedParameters = parameters::Default_named_parameters,
-            typename ConcurrencyTag = CGAL::Sequential_tag,
-            std::enable_if_t<!internal::is_polygon_range<NamedParameters>(), int> = 0>
-  explicit Segmenter(const FaceGraph& mesh,
-                     const NamedParameters& np = parameters::default_values(),
-                     ConcurrencyTag = ConcurrencyTag())
-    : Segmenter(Input(mesh), internal::pack(np),
-                internal::make_execution<ConcurrencyTag>(internal::pack(np)),
-                [&](const Input& input, const Execution& execution) {
-                  Surface surface = internal::make_surface(mesh, internal::pack(np), execution);
-                  internal::constrain(input, surface, internal::pack(np));
-                  return surface;
-                })
-  {}
-
-  /// Deleted, since a reference to a temporary mesh would dangle.
-  template <typename FaceGraph, typename NamedParameters = parameters::Default_named_parameters,
-            typename ConcurrencyTag = CGAL::Sequential_tag,
-            std::enable_if_t<!internal::is_polygon_range<NamedParameters>() &&
-                               !std::is_lvalue_reference<FaceGraph>::value,
-                             int> = 0>
-  explicit Segmenter(FaceGraph&& mesh, const NamedParameters& np = parameters::default_values(),
-                     ConcurrencyTag = ConcurrencyTag()) = delete;
-
-  /// prepares points and polygons, which are not referred to afterwards; see `segment()`.
-  template <typename PointRange, typename PolygonRange,
-            typename NamedParameters = parameters::Default_named_parameters,
-            typename ConcurrencyTag = CGAL::Sequential_tag,
-            std::enable_if_t<internal::is_polygon_range<PolygonRange>(), int> = 0>
-  Segmenter(const PointRange& points, const PolygonRange& polygons,
-            const NamedParameters& np = parameters::default_values(),
-            ConcurrencyTag = ConcurrencyTag())
-    : Segmenter(Input(std::size_t(std::distance(std::begin(polygons), std::end(polygons)))),
-                internal::pack(np), internal::make_execution<ConcurrencyTag>(internal::pack(np)),
-                [&](const Input& input, const Execution& execution) {
-                  Surface surface = internal::make_surface(points, polygons, internal::pack(np),
-                                                           execution);
-                  internal::constrain(input, surface, internal::pack(np));
-                  return surface;
-                })
-  {}
-
-  /// The mesh; not of a segmenter of polygons.
-  decltype(auto) mesh() const { return m_input.mesh(); }
   const Method& method() const { return m_prepared->method; }
 
   /// The mesh as arrays.
@@ -241,8 +126,8 @@ public:
   /// since its line ends there, has no effect; one between two regions bars their section from
   /// being merged across.
   ///
-  /// \param edge_is_constrained_map whether an edge becomes constrained: as the named parameter of
-  ///        `segment()`
+  /// \param constraints as the named parameter `edge_is_constrained_map` of `segment()`; of a
+  ///        polygon soup as `constrained_edges` of `segment_polygon_soup()`
   /// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters": `visitor`,
   ///        `face_index_map`, `vertex_index_map`
   ///
@@ -250,14 +135,13 @@ public:
   ///         cancels; nothing has changed then
   ///
   /// Complexity: that of the constructor without reading. The surface is copied.
-  template <typename EdgeIsConstrainedMap,
-            typename NamedParameters = parameters::Default_named_parameters>
-  void add_constraints(const EdgeIsConstrainedMap& edge_is_constrained_map,
+  template <typename Constraints, typename NamedParameters = parameters::Default_named_parameters>
+  void add_constraints(const Constraints& constraints,
                        const NamedParameters& np = parameters::default_values())
   {
     const Execution execution = execution_of_request(np);
     Surface constrained = surface();
-    m_input.add_constraints(constrained, edge_is_constrained_map, internal::pack(np));
+    m_input.add_constraints(constrained, constraints, internal::pack(np));
     auto prepared = std::make_shared<const Prepared>(method(), std::move(constrained), execution);
     m_merged = merge(*prepared, m_request, execution);
     m_prepared = std::move(prepared);
@@ -267,9 +151,9 @@ public:
   /// to different ones.
   ///
   /// The number of different seeds is the least number of segments. Equal seeds that are not
-  /// adjacent are joined along the cheapest path of regions, or, if there is none, of faces, that
-  /// avoids all other seeds: a step costs about its length, and 80 times as much for each radian of
-  /// the deviation of concave edges that it crosses.
+  /// adjacent are joined along the cheapest path of faces that avoids all other seeds: a step costs
+  /// its length, and 80 times as much for each radian of the deviation of a concave edge that it
+  /// crosses.
   ///
   /// \param face_seed_map the seed of a face: as the named parameter of `segment()`
   /// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters": `visitor`
@@ -278,7 +162,8 @@ public:
   ///         components without links; Segmentation_cancelled if the visitor cancels; nothing has
   ///         changed then
   ///
-  /// Complexity: O(F), and that of annotating the regions and of merging.
+  /// Complexity: O(F log F) for each seed at worst, and that of annotating the regions and of
+  /// merging.
   template <typename FaceSeedMap, typename NamedParameters = parameters::Default_named_parameters>
   void set_seeds(const FaceSeedMap& face_seed_map,
                  const NamedParameters& np = parameters::default_values())
@@ -289,6 +174,29 @@ public:
     m_merged = merge(*m_prepared, request, execution);
     m_request = std::move(request);
   }
+
+protected:
+  /// `read_surface(execution)`: reads the input, without its constraints
+  template <typename Pack, typename ReadSurface>
+  Segmenter_base(Input input, const Pack& np, const Execution& execution,
+                 const ReadSurface& read_surface)
+    : m_input(std::move(input))
+    , m_prepared(std::make_shared<const Prepared>(
+        internal::method_of_pack<Method>(np),
+        internal::constrained(m_input, read_surface(execution), np), execution))
+    , m_request(internal::request_of_pack(m_input, np))
+    , m_merged(merge(*m_prepared, m_request, execution))
+  {
+    internal::check_parameters<Pack, internal::Segmenting_parameters<Input>>();
+    static_assert(!needs_number ||
+                    !internal::has_parameter<Pack, internal_np::number_of_segments_t>,
+                  "this method merges for each number: give it to "
+                  "segment(segment_map, number_of_segments)");
+    if constexpr (internal::has_outputs<Pack>)
+      internal::write_outputs(m_input, merged(), np);
+  }
+
+  const Input& input() const { return m_input; }
 
 private:
   /// What is merged again only if constraints or seeds change.
@@ -307,24 +215,6 @@ private:
       , prepared(Calls::prepare(method, surface, execution))
     {}
   };
-
-  template <typename Pack, typename ReadSurface>
-  Segmenter(Input input, const Pack& np, const Execution& execution,
-            const ReadSurface& read_surface)
-    : m_input(std::move(input))
-    , m_prepared(std::make_shared<const Prepared>(internal::method_of_pack<Method>(np),
-                                                  read_surface(m_input, execution), execution))
-    , m_request(internal::request_of_pack(m_input, np))
-    , m_merged(merge(*m_prepared, m_request, execution))
-  {
-    internal::check_parameters<Pack, internal::Segmenting_parameters>();
-    static_assert(!needs_number ||
-                    !internal::has_parameter<Pack, internal_np::number_of_segments_t>,
-                  "this method merges for each number: give it to "
-                  "segment(segment_map, number_of_segments)");
-    if constexpr (internal::has_outputs<Pack>)
-      internal::write_outputs(m_input, merged(), np);
-  }
 
   /// With the visitor of the parameters, the only one of them that is watched and taken.
   template <typename NamedParameters>
@@ -382,19 +272,152 @@ private:
   Merged m_merged;
 };
 
+/// \ingroup PkgRegionSegmentationMain
+/// A mesh that is prepared once and can then be segmented into any number of segments.
+///
+/// The segmenter refers to the mesh, whose faces must not change afterwards. Template arguments are
+/// deduced: `Segmenter segmenter(mesh, parameters::method(m))`.
+///
+/// \tparam FaceGraph see `segment()`
+/// \tparam Method a model of `SegmentationMethod`
+template <typename FaceGraph, typename Method>
+class Segmenter : public Segmenter_base<internal::Face_graph_input<FaceGraph>, Method>
+{
+  using Input = internal::Face_graph_input<FaceGraph>;
+
+public:
+  /// prepares a mesh, which must exist as long as the segmenter.
+  ///
+  /// \tparam ConcurrencyTag `Sequential_tag` or, with TBB, `Parallel_tag`; see `segment()`
+  /// \param mesh see `segment()`
+  /// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
+  ///
+  /// \cgalNamedParamsBegin
+  ///   \cgalParamNBegin{method}
+  ///     \cgalParamDescription{how the mesh is segmented; stored by value}
+  ///     \cgalParamType{a model of `SegmentationMethod`}
+  ///     \cgalParamDefault{`Method()`}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{number_of_segments}
+  ///     \cgalParamDescription{the number for `segment(segment_map)`; not with a method whose order
+  ///       of merges depends on the number}
+  ///     \cgalParamType{an integral type; at least 1}
+  ///     \cgalParamDefault{chosen by the method}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{edge_is_constrained_map}
+  ///     \cgalParamDescription{edges that always are borders and are never merged across}
+  ///     \cgalParamType{a model of `ReadablePropertyMap` with the edge descriptor as key type and a
+  ///       value type convertible to `bool`}
+  ///     \cgalParamDefault{no edge}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{face_seed_map}
+  ///     \cgalParamDescription{faces with equal seeds belong to one segment, faces with different
+  ///       seeds to different ones; -1 of the value type is no seed; see `Segmenter::set_seeds()`}
+  ///     \cgalParamType{a model of `ReadablePropertyMap` with the face descriptor as key type and
+  ///       an integral value type}
+  ///     \cgalParamDefault{no seeds}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{component_links}
+  ///     \cgalParamDescription{whether components that touch or are near each other are adjacent,
+  ///       see `segment()`}
+  ///     \cgalParamType{`bool`}
+  ///     \cgalParamDefault{`true`}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{visitor}
+  ///     \cgalParamDescription{follows the progress, and can cancel}
+  ///     \cgalParamType{a model of `SegmentationVisitor`}
+  ///     \cgalParamDefault{none}
+  ///     \cgalParamExtra{passed by `std::ref()`; used by the constructor only}
+  ///   \cgalParamNEnd
+  ///   \cgalParamVertexPointMap
+  ///   \cgalParamIndexMap{face}
+  ///   \cgalParamIndexMap{vertex}
+  ///   \cgalParamNBegin{region_map}
+  ///     \cgalParamDescription{an output: the first regions, with ids 0 .. r-1, numbered by the
+  ///       first face}
+  ///     \cgalParamType{a model of `WritablePropertyMap` with the face descriptor as key type and
+  ///       an integral value type}
+  ///     \cgalParamDefault{not written}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{merge_tree}
+  ///     \cgalParamDescription{an output: the merges, with a method that has one tree for all
+  ///       numbers}
+  ///     \cgalParamType{`Merge_tree`}
+  ///     \cgalParamDefault{not written}
+  ///   \cgalParamNEnd
+  /// \cgalNamedParamsEnd
+  ///
+  /// \throws Invalid_input if a point is not finite, equal seeds cannot be joined, or the type of
+  ///         `region_map` does not hold the labels; Invalid_method if a constant of the method is
+  ///         not in its range; Segmentation_cancelled if the visitor cancels; all maps are
+  ///         unchanged
+  ///
+  /// Complexity: that of the method.
+  template <typename NamedParameters = parameters::Default_named_parameters,
+            typename ConcurrencyTag = CGAL::Sequential_tag>
+  explicit Segmenter(const FaceGraph& mesh,
+                     const NamedParameters& np = parameters::default_values(),
+                     ConcurrencyTag = ConcurrencyTag())
+    : Segmenter::Segmenter_base(Input(mesh), internal::pack(np),
+                                internal::make_execution<ConcurrencyTag>(internal::pack(np)),
+                                [&](const Execution& execution) {
+                                  return internal::make_surface(mesh, internal::pack(np),
+                                                                execution);
+                                })
+  {}
+
+  /// Deleted, since a reference to a temporary mesh would dangle.
+  template <typename NamedParameters = parameters::Default_named_parameters,
+            typename ConcurrencyTag = CGAL::Sequential_tag>
+  explicit Segmenter(FaceGraph&& mesh, const NamedParameters& np = parameters::default_values(),
+                     ConcurrencyTag = ConcurrencyTag()) = delete;
+
+  const FaceGraph& mesh() const { return this->input().mesh(); }
+};
+
 template <typename FaceGraph, typename NamedParameters = parameters::Default_named_parameters,
-          typename... ConcurrencyTag,
-          std::enable_if_t<!internal::is_polygon_range<NamedParameters>(), int> = 0>
+          typename... ConcurrencyTag>
 Segmenter(const FaceGraph&, const NamedParameters& = parameters::default_values(),
-          ConcurrencyTag...) -> Segmenter<internal::Face_graph_input<FaceGraph>,
-                                          internal::Method_of_parameters<NamedParameters>>;
+          ConcurrencyTag...)
+  -> Segmenter<FaceGraph, internal::Method_of_parameters<NamedParameters>>;
+
+/// \ingroup PkgRegionSegmentationMain
+/// Points and polygons that are prepared once and can then be segmented into any number of
+/// segments. They are not referred to afterwards.
+///
+/// The template argument is deduced: `Polygon_soup_segmenter segmenter(points, polygons)`.
+///
+/// \tparam Method a model of `SegmentationMethod`
+template <typename Method>
+class Polygon_soup_segmenter : public Segmenter_base<internal::Polygon_input, Method>
+{
+  using Input = internal::Polygon_input;
+
+public:
+  /// prepares points and polygons; see `segment_polygon_soup()`, and the constructor of `Segmenter`
+  /// for the named parameters.
+  template <typename PointRange, typename PolygonRange,
+            typename NamedParameters = parameters::Default_named_parameters,
+            typename ConcurrencyTag = CGAL::Sequential_tag>
+  Polygon_soup_segmenter(const PointRange& points, const PolygonRange& polygons,
+                         const NamedParameters& np = parameters::default_values(),
+                         ConcurrencyTag = ConcurrencyTag())
+    : Polygon_soup_segmenter::Segmenter_base(
+        Input(std::size_t(std::distance(std::begin(polygons), std::end(polygons)))),
+        internal::pack(np), internal::make_execution<ConcurrencyTag>(internal::pack(np)),
+        [&](const Execution& execution) {
+          return internal::make_surface_of_polygon_soup(points, polygons, internal::pack(np),
+                                                        execution);
+        })
+  {}
+};
+
 template <typename PointRange, typename PolygonRange,
           typename NamedParameters = parameters::Default_named_parameters,
-          typename... ConcurrencyTag,
-          std::enable_if_t<internal::is_polygon_range<PolygonRange>(), int> = 0>
-Segmenter(const PointRange&, const PolygonRange&,
-          const NamedParameters& = parameters::default_values(), ConcurrencyTag...)
-  -> Segmenter<internal::Polygon_input, internal::Method_of_parameters<NamedParameters>>;
+          typename... ConcurrencyTag>
+Polygon_soup_segmenter(const PointRange&, const PolygonRange&,
+                       const NamedParameters& = parameters::default_values(), ConcurrencyTag...)
+  -> Polygon_soup_segmenter<internal::Method_of_parameters<NamedParameters>>;
 
 } // namespace Region_segmentation
 } // namespace CGAL

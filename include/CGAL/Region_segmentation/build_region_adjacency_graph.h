@@ -21,36 +21,6 @@
 
 namespace CGAL {
 namespace Region_segmentation {
-namespace internal {
-
-/// The graph of regions: sections are numbered by their first adjacency, sums run over faces and
-/// adjacencies in order. Sections with a constrained adjacency are not mergeable. O(F) expected.
-template <typename RegionData, typename SectionData>
-Region_adjacency_graph<RegionData, SectionData>
-build_graph(const Surface& surface, const Partition& regions, const Execution& execution)
-{
-  static_assert(check_graph_data<RegionData, SectionData>());
-  Region_adjacency_graph<RegionData, SectionData> graph(regions.number_of_parts());
-  for (std::size_t f = 0; f < surface.number_of_faces(); ++f)
-    graph[regions[f]].add_face(surface, f);
-  execution.report(0.3);
-  for (std::size_t i = 0; i < surface.number_of_adjacencies(); ++i) {
-    const Surface::Index a = regions[surface.lower_face(i)], b = regions[surface.higher_face(i)];
-    if (a == b)
-      continue;
-    const auto found = graph.section(a, b);
-    const auto section = found ? *found : graph.add_section(a, b);
-    graph[a].add_border(surface, i);
-    graph[b].add_border(surface, i);
-    graph[section].add_adjacency(surface, i);
-    if (surface.has_flag(i, Surface::CONSTRAINED))
-      graph.forbid_merge(section);
-  }
-  execution.report(1);
-  return graph;
-}
-
-} // namespace internal
 
 namespace internal {
 using Graph_parameters = Tag_list<internal_np::component_links_t,
@@ -77,8 +47,26 @@ Region_adjacency_graph<RegionData, SectionData>
 build_region_adjacency_graph(const Surface& surface, const Partition& regions,
                              const Execution& execution = Execution())
 {
+  static_assert(internal::check_graph_data<RegionData, SectionData>());
   internal::check_regions(regions, surface.number_of_faces());
-  return internal::build_graph<RegionData, SectionData>(surface, regions, execution);
+  Region_adjacency_graph<RegionData, SectionData> graph(regions.number_of_parts());
+  for (std::size_t f = 0; f < surface.number_of_faces(); ++f)
+    graph[regions[f]].add_face(surface, f);
+  execution.report(0.3);
+  for (std::size_t i = 0; i < surface.number_of_adjacencies(); ++i) {
+    const Surface::Index a = regions[surface.lower_face(i)], b = regions[surface.higher_face(i)];
+    if (a == b)
+      continue;
+    const auto found = graph.section(a, b);
+    const auto section = found ? *found : graph.add_section(a, b);
+    graph[a].add_border(surface, i);
+    graph[b].add_border(surface, i);
+    graph[section].add_adjacency(surface, i);
+    if (surface.has_flag(i, Surface::CONSTRAINED))
+      graph.forbid_merge(section);
+  }
+  execution.report(1);
+  return graph;
 }
 
 /// \ingroup PkgRegionSegmentationStages
@@ -124,20 +112,17 @@ build_region_adjacency_graph(const Surface& surface, const Partition& regions,
 /// Source: \cgalCite{YZWLL14}, section 3.3 (EdgeSection).
 template <typename RegionData = Region_geometry, typename SectionData = Section_geometry,
           typename FaceGraph, typename FaceRegionMap,
-          typename NamedParameters = parameters::Default_named_parameters,
-          std::enable_if_t<internal::is_pack<NamedParameters>, int> = 0>
+          typename NamedParameters = parameters::Default_named_parameters>
 Region_adjacency_graph<RegionData, SectionData>
 build_region_adjacency_graph(const FaceGraph& mesh, FaceRegionMap region_map,
                              const NamedParameters& np = parameters::default_values())
 {
   const auto& pack = internal::pack(np);
-  using Pack = std::decay_t<decltype(pack)>;
-  internal::check_parameters<Pack, internal::Graph_parameters>();
+  internal::check_parameters<std::decay_t<decltype(pack)>, internal::Graph_parameters>();
   const Execution execution = internal::make_execution<CGAL::Sequential_tag>(pack);
-  Surface surface = internal::make_surface(mesh, pack, execution);
-  if constexpr (internal::has_parameter<Pack, CGAL::internal_np::edge_is_constrained_t>)
-    internal::Face_graph_input<FaceGraph>(mesh).add_constraints(
-      surface, CGAL::parameters::get_parameter(pack, CGAL::internal_np::edge_is_constrained), pack);
+  const Surface surface = internal::constrained(internal::Face_graph_input<FaceGraph>(mesh),
+                                                internal::make_surface(mesh, pack, execution),
+                                                pack);
   return build_region_adjacency_graph<RegionData, SectionData>(
     surface, internal::read_face_labels(mesh, region_map), execution.stage("graph"));
 }

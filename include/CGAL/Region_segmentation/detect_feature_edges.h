@@ -6,7 +6,6 @@
 #include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/internal/segmenting/Face_graph_input.h>
-#include <CGAL/Region_segmentation/internal/support/components.h>
 #include <CGAL/Region_segmentation/parameters.h>
 
 #include <CGAL/assertions.h>
@@ -17,6 +16,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
+#include <vector>
 
 namespace CGAL {
 namespace Region_segmentation {
@@ -34,29 +34,32 @@ enum class Feature_convexity {
 /// \ingroup PkgRegionSegmentationStages
 /// The bound of the paper, 3.12 rad for the dihedral angle, as a deviation: 1.2372... degrees.
 inline constexpr double default_maximum_angle = 180 - 3.12 * (180 / CGAL_PI);
-namespace internal {
 
-/// Marks the adjacencies whose deviation is above `maximum_angle`, in degrees, and whose sign is
-/// wanted: feature edges.
-inline Edge_marks mark_feature_edges(const Surface& surface, double maximum_angle,
-                                     Feature_convexity convexity, const Execution& execution)
+/// \ingroup PkgRegionSegmentationStages
+/// marks the feature edges of a surface: the adjacencies whose deviation exceeds a bound and whose
+/// sign is of the selected kind (paper, section 3.1). See `detect_feature_edges()`, which marks
+/// borders and constrained edges as well.
+///
+/// \param maximum_angle the bound of the deviation, in degrees, in [0, 180]
+/// \returns by adjacency: 1 for a feature edge, or 0
+///
+/// Complexity: O(F). Parallel with a parallel `execution`.
+inline std::vector<std::uint8_t>
+mark_feature_edges(const Surface& surface, double maximum_angle = default_maximum_angle,
+                   Feature_convexity convexity = Feature_convexity::CONCAVE,
+                   const Execution& execution = Execution())
 {
   const double bound = std::cos(maximum_angle * (CGAL_PI / 180));
-  const std::uint8_t wanted_signs = convexity == Feature_convexity::CONVEX    ? Surface::CONVEX
-                                    : convexity == Feature_convexity::CONCAVE ? Surface::CONCAVE
-                                                                              : 0; // whatever the
-                                                                                   // sign
-  Edge_marks is_feature(surface.number_of_adjacencies());
-  for_each_block(execution, is_feature.size(),
-                 [&](std::size_t, std::size_t begin, std::size_t end) {
-                   for (std::size_t a = begin; a < end; ++a)
-                     is_feature[a] = (wanted_signs == 0 || surface.has_flag(a, wanted_signs)) &&
-                                     surface.has_angle(a) && surface.cosine(a) < bound;
-                 });
+  const std::uint8_t signs = convexity == Feature_convexity::CONVEX    ? Surface::CONVEX
+                             : convexity == Feature_convexity::CONCAVE ? Surface::CONCAVE
+                                                                       : 0;
+  std::vector<std::uint8_t> is_feature(surface.number_of_adjacencies());
+  internal::for_each_index(execution, is_feature.size(), [&](std::size_t a) {
+    is_feature[a] = (signs == 0 || surface.has_flag(a, signs)) && surface.has_angle(a) &&
+                    surface.cosine(a) < bound;
+  });
   return is_feature;
 }
-
-} // namespace internal
 
 namespace internal {
 using Feature_edge_parameters = Tag_list<
@@ -144,10 +147,9 @@ std::size_t detect_feature_edges(const FaceGraph& mesh, EdgeIsFeatureMap edge_is
   const Feature_convexity convexity = choose_parameter(
     get_parameter(pack, internal_np::feature_convexity), Feature_convexity::CONCAVE);
   const internal::Stage_input input(mesh, pack, execution);
-  const auto is_feature = internal::mark_feature_edges(input.surface(), maximum_angle, convexity,
-                                                       execution.stage("features"));
-  return input.write(edge_is_feature_map,
-                     [&](std::size_t a) { return is_feature[a] != 0 || input.is_constrained(a); });
+  return input.write(
+    mark_feature_edges(input.surface(), maximum_angle, convexity, execution.stage("features")),
+    edge_is_feature_map);
 }
 
 } // namespace Region_segmentation

@@ -4,20 +4,20 @@
 #define CGAL_REGION_SEGMENTATION_EXTRACT_FEATURE_LINES_H
 
 #include <CGAL/Region_segmentation/Execution.h>
+#include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/internal/segmenting/Face_graph_input.h>
 #include <CGAL/Region_segmentation/parameters.h>
 
-#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/split_graph_into_polylines.h>
 #include <CGAL/tags.h>
 
 #include <boost/graph/adjacency_list.hpp>
-#include <boost/graph/graph_traits.hpp>
-#include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <type_traits>
 #include <utility>
@@ -34,23 +34,19 @@ enum class Feature_edge_role {
   BARRIER    ///< not a feature edge, but never crossed by growing: keeps lines that end at it
 };
 
-template <typename FaceGraph>
 struct Feature_edge
 {
-  typename boost::graph_traits<FaceGraph>::edge_descriptor mesh_edge;
+  Surface::Index adjacency; ///< `Surface::none` at a border
   Feature_edge_role role;
 };
 
-/// Feature edges as a graph; nodes and edges carry the descriptors of the mesh.
-template <typename FaceGraph>
-using Feature_graph = boost::adjacency_list<
-  boost::vecS, boost::vecS, boost::undirectedS,
-  typename boost::graph_traits<FaceGraph>::vertex_descriptor, Feature_edge<FaceGraph>>;
+/// Feature edges as a graph, whose nodes carry vertices of the surface.
+using Feature_graph = boost::adjacency_list<boost::setS, boost::vecS, boost::undirectedS,
+                                            Surface::Index, Feature_edge>;
 
 /// The nodes of the line that starts at a free end, up to the first node that does not have two
 /// edges or from which it continues as a barrier; only the free end if it starts as one.
-template <typename Graph>
-std::vector<std::size_t> line_from(std::size_t free_end, const Graph& graph)
+inline std::vector<std::size_t> line_from(std::size_t free_end, const Feature_graph& graph)
 {
   std::vector<std::size_t> nodes = {free_end};
   std::size_t previous = free_end, node = free_end;
@@ -67,8 +63,7 @@ std::vector<std::size_t> line_from(std::size_t free_end, const Graph& graph)
 }
 
 /// Removes an edge if it is removable and still exists; returns whether it did.
-template <typename Graph>
-bool remove_if_removable(std::size_t from, std::size_t to, Graph& graph)
+inline bool remove_if_removable(std::size_t from, std::size_t to, Feature_graph& graph)
 {
   const auto e = boost::edge(from, to, graph);
   if (!e.second || graph[e.first].role != Feature_edge_role::REMOVABLE)
@@ -81,8 +76,7 @@ bool remove_if_removable(std::size_t from, std::size_t to, Graph& graph)
 /// fixed edges: all at once, so that the order has no effect, and repeatedly while this creates
 /// free ends or extends a line of fixed edges. O(E) without fixed edges: a line that is long enough
 /// can only become longer, and is not traversed again.
-template <typename Graph>
-void prune_feature_graph(Graph& graph, std::size_t minimum_length)
+inline void prune_feature_graph(Feature_graph& graph, std::size_t minimum_length)
 {
   const auto is_free = [&graph](std::size_t node) { return boost::degree(node, graph) == 1; };
   std::vector<std::size_t> free_ends;
@@ -109,76 +103,82 @@ void prune_feature_graph(Graph& graph, std::size_t minimum_length)
   }
 }
 
-/// Keeps only the feature edges.
-template <typename Graph>
-void remove_barriers(Graph& graph)
+/// The marked edges of a surface, its borders, and the unmarked edges that growing does not cross.
+inline Feature_graph make_feature_graph(const Surface& surface,
+                                        const std::vector<std::uint8_t>& is_feature)
 {
-  boost::remove_edge_if(
-    [&graph](const auto& e) { return graph[e].role == Feature_edge_role::BARRIER; }, graph);
-}
-
-} // namespace internal
-
-namespace internal {
-
-using Feature_line_parameters = Tag_list<
-  CGAL::internal_np::minimum_length_t, internal_np::component_links_t,
-  CGAL::internal_np::edge_is_constrained_t, CGAL::internal_np::visitor_t>;
-
-/// The marked edges of a mesh, its borders, and the unmarked edges that are barriers for growing,
-/// with their vertices as a graph.
-template <typename FaceGraph, typename Pack, typename EdgeIsFeatureMap>
-auto make_feature_graph(const Stage_input<FaceGraph, Pack>& input,
-                        const EdgeIsFeatureMap& edge_is_feature_map)
-{
-  constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
-  const FaceGraph& mesh = input.mesh();
-  Feature_graph<FaceGraph> graph;
-  std::vector<std::size_t> node_of(input.surface().number_of_vertices(), none);
-  const auto node = [&](auto v) {
-    std::size_t& n = node_of[input.rank(v)];
-    return n == none ? n = add_vertex(v, graph) : n;
+  Feature_graph graph;
+  std::vector<Surface::Index> node_of(surface.number_of_vertices(), Surface::none);
+  const auto node = [&](Surface::Index v) {
+    return node_of[v] != Surface::none ? node_of[v]
+                                       : node_of[v] = Surface::Index(boost::add_vertex(v, graph));
   };
-  const auto add = [&](auto h, Feature_edge_role role) {
-    const std::size_t from = node(source(h, mesh)), to = node(target(h, mesh));
-    add_edge(from, to, {edge(h, mesh), role}, graph);
+  const auto role_of = [&](Surface::Index a) {
+    return a == Surface::none || surface.has_flag(a, Surface::CONSTRAINED)
+             ? Feature_edge_role::FIXED
+           : is_feature[a] ? Feature_edge_role::REMOVABLE
+                           : Feature_edge_role::BARRIER;
   };
-
-  input.for_each_edge([&](auto h, Surface::Index a) {
-    const bool is_border = CGAL::is_border(edge(h, mesh), mesh);
-    if (a == Surface::none ? is_border : input.is_constrained(a))
-      add(h, Feature_edge_role::FIXED);
-    else if (a == Surface::none)
-      return;
-    else if (get(edge_is_feature_map, edge(h, mesh)))
-      add(h, Feature_edge_role::REMOVABLE);
-    else if (input.surface().has_flag(a, Surface::CLOSED))
-      add(h, Feature_edge_role::BARRIER);
-  });
+  for (Surface::Index f = 0; f < surface.number_of_faces(); ++f) {
+    std::size_t i = 0;
+    for_each_side(surface, f, [&](Surface::Index v, Surface::Index w) {
+      const Surface::Index a = surface.adjacency(f, i++);
+      if (a == Surface::none || is_feature[a] ||
+          surface.has_flag(a, Surface::barrier | Surface::CLOSED))
+        boost::add_edge(node(v), node(w), {a, role_of(a)}, graph); // the second time without effect
+    });
+  }
   return graph;
 }
 
-/// Outputs the lines of a feature graph as lists of mesh vertices.
-template <typename Graph, typename OutputIterator>
+/// Outputs the lines of a feature graph as lists of vertices.
+template <typename OutputIterator>
 struct Polyline_collector
 {
-  const Graph& graph;
-  OutputIterator& output;
-  std::size_t& count;
-  std::vector<typename boost::vertex_bundle_type<Graph>::type> polyline = {};
+  const Feature_graph& graph;
+  OutputIterator output;
+  std::vector<Surface::Index> polyline = {};
 
   void start_new_polyline() { polyline.clear(); }
   void add_node(std::size_t node) { polyline.push_back(graph[node]); }
   void end_polyline()
   {
-    if (polyline.size() < 2) // a vertex whose lines are removed
-      return;
-    *output++ = polyline;
-    ++count;
+    if (polyline.size() >= 2) // fewer at a vertex whose lines are removed
+      *output++ = polyline;
   }
 };
 
+using Feature_line_parameters = Tag_list<
+  CGAL::internal_np::minimum_length_t, internal_np::component_links_t,
+  CGAL::internal_np::edge_is_constrained_t, CGAL::internal_np::visitor_t>;
+
 } // namespace internal
+
+/// \ingroup PkgRegionSegmentationStages
+/// removes the feature lines of a surface that end inside it, and outputs those that remain. See
+/// the function for a face graph below.
+///
+/// \param is_feature by adjacency: 1 for a feature edge, or 0; those of removed lines become 0
+/// \param polylines takes `std::vector<Surface::Index>`: the vertices of a line
+/// \returns the output iterator
+template <typename PolylineOutputIterator>
+PolylineOutputIterator
+extract_feature_lines(const Surface& surface, std::vector<std::uint8_t>& is_feature,
+                      PolylineOutputIterator polylines,
+                      std::size_t minimum_length = (std::numeric_limits<std::size_t>::max)())
+{
+  internal::Feature_graph graph = internal::make_feature_graph(surface, is_feature);
+  internal::prune_feature_graph(graph, minimum_length);
+  boost::remove_edge_if(
+    [&](const auto& e) { return graph[e].role == internal::Feature_edge_role::BARRIER; }, graph);
+  std::fill(is_feature.begin(), is_feature.end(), std::uint8_t(0));
+  for (auto range = boost::edges(graph); range.first != range.second; ++range.first)
+    if (const Surface::Index a = graph[*range.first].adjacency; a != Surface::none)
+      is_feature[a] = 1;
+  internal::Polyline_collector<PolylineOutputIterator> collector{graph, polylines};
+  CGAL::split_graph_into_polylines(graph, collector);
+  return collector.output;
+}
 
 /// \ingroup PkgRegionSegmentationStages
 /// removes the feature lines that end inside the surface, and outputs those that remain.
@@ -190,8 +190,8 @@ struct Polyline_collector
 /// degenerate face that growing does not cross.
 ///
 /// \tparam ConcurrencyTag `Sequential_tag` or, with TBB, `Parallel_tag`; see `segment()`
-/// \tparam FaceGraph a model of `FaceListGraph`, `HalfedgeListGraph`, `VertexListGraph` and
-///         `EdgeListGraph`
+/// \tparam FaceGraph a model of `FaceListGraph`, `HalfedgeListGraph` and `VertexListGraph`; also of
+///         `EdgeListGraph` where there is an `edge_is_constrained_map`
 /// \tparam EdgeIsFeatureMap a model of `ReadWritePropertyMap` with the edge descriptor as key and a
 ///         value type convertible to and constructible from `bool`
 /// \tparam PolylineOutputIterator a model of `OutputIterator` that takes
@@ -199,7 +199,8 @@ struct Polyline_collector
 /// \param mesh an oriented 2-manifold with or without boundary
 /// \param edge_is_feature_map the feature edges; every key is written. Borders of the
 ///        surface are always feature edges
-/// \param polylines receives the vertices of every line; a closed one ends with its first vertex
+/// \param polylines receives the vertices of every line; a closed one ends with its first vertex. Of
+///        vertices with equal points along coinciding borders the first one stands for all
 /// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
 ///
 /// \cgalNamedParamsBegin
@@ -232,7 +233,7 @@ struct Polyline_collector
 ///   \cgalParamIndexMap{vertex}
 /// \cgalNamedParamsEnd
 ///
-/// \returns the number of lines that remain
+/// \returns the output iterator
 /// \post every remaining line that is shorter than `minimum_length` is closed or ends at other
 ///       feature edges
 /// \throws Invalid_input if a point is not finite, Segmentation_cancelled if the visitor cancels;
@@ -244,34 +245,29 @@ struct Polyline_collector
 template <typename ConcurrencyTag = CGAL::Sequential_tag, typename FaceGraph,
           typename EdgeIsFeatureMap, typename PolylineOutputIterator,
           typename NamedParameters = parameters::Default_named_parameters>
-std::size_t extract_feature_lines(const FaceGraph& mesh, EdgeIsFeatureMap edge_is_feature_map,
-                                  PolylineOutputIterator polylines,
-                                  const NamedParameters& np = parameters::default_values())
+PolylineOutputIterator
+extract_feature_lines(const FaceGraph& mesh, EdgeIsFeatureMap edge_is_feature_map,
+                      PolylineOutputIterator polylines,
+                      const NamedParameters& np = parameters::default_values())
 {
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
-  using Value = typename boost::property_traits<EdgeIsFeatureMap>::value_type;
   const auto& pack = internal::pack(np);
   internal::check_parameters<std::decay_t<decltype(pack)>, internal::Feature_line_parameters>();
-  const std::size_t minimum_length = choose_parameter(
-    get_parameter(pack, CGAL::internal_np::minimum_length),
+  const std::size_t minimum_length = CGAL::parameters::choose_parameter(
+    CGAL::parameters::get_parameter(pack, CGAL::internal_np::minimum_length),
     (std::numeric_limits<std::size_t>::max)());
-
   const internal::Stage_input input(mesh, pack, internal::make_execution<ConcurrencyTag>(pack));
-  auto graph = internal::make_feature_graph(input, edge_is_feature_map);
-  internal::prune_feature_graph(graph, minimum_length);
-  internal::remove_barriers(graph);
+  std::vector<std::uint8_t> is_feature = input.read(edge_is_feature_map);
+  std::vector<std::vector<Surface::Index>> lines;
+  extract_feature_lines(input.surface(), is_feature, std::back_inserter(lines), minimum_length);
 
-  for (auto e : edges(mesh))
-    put(edge_is_feature_map, e, Value(false));
-  for (auto range = boost::edges(graph); range.first != range.second; ++range.first)
-    put(edge_is_feature_map, graph[*range.first].mesh_edge, Value(true));
-
-  std::size_t number_of_lines = 0;
-  internal::Polyline_collector<decltype(graph), PolylineOutputIterator> collector{graph, polylines,
-                                                                                  number_of_lines};
-  CGAL::split_graph_into_polylines(graph, collector);
-  return number_of_lines;
+  input.write(is_feature, edge_is_feature_map);
+  for (const std::vector<Surface::Index>& line : lines) {
+    std::vector<typename boost::graph_traits<FaceGraph>::vertex_descriptor> polyline;
+    for (const Surface::Index v : line)
+      polyline.push_back(input.vertices()[v]);
+    *polylines++ = polyline;
+  }
+  return polylines;
 }
 
 } // namespace Region_segmentation

@@ -7,12 +7,9 @@
 #include <CGAL/Region_segmentation/Hierarchy.h>
 #include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/Surface.h>
-#include <CGAL/Region_segmentation/detect_feature_edges.h>
 #include <CGAL/Region_segmentation/face_values.h>
 #include <CGAL/Region_segmentation/internal/segmenting/Face_graph_input.h>
 #include <CGAL/Region_segmentation/internal/support/components.h>
-#include <CGAL/Region_segmentation/internal/support/concept_checks.h>
-#include <CGAL/Region_segmentation/internal/surface/collect_adjacencies.h>
 #include <CGAL/Region_segmentation/parameters.h>
 
 #include <CGAL/tags.h>
@@ -20,57 +17,31 @@
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
-#include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Region_segmentation {
-namespace internal {
 
-/// The connected components of the faces across edges that are neither features nor constrained. A
-/// degenerate face joins the component across its longest edge that is not constrained.
-/// `marks`: 1 for a feature, or 0
-inline Partition grow(const Surface& surface, Edge_marks marks, const Execution& execution)
+/// \ingroup PkgRegionSegmentationStages
+/// grows regions between the feature edges of a surface: the connected components of the faces
+/// across edges that are neither feature edges nor constrained (paper, section 3.2). Feature lines
+/// that end inside the surface separate nothing, so they need not be removed before.
+///
+/// A degenerate face joins the region across its longest edge that is not constrained.
+///
+/// \param is_feature by adjacency: 1 for a feature edge, or 0; see `mark_feature_edges()`
+/// \returns the regions of the faces
+///
+/// Complexity: O(F). Parallel with a parallel `execution`, with the same result.
+inline Partition grow_regions(const Surface& surface, std::vector<std::uint8_t> is_feature,
+                              const Execution& execution = Execution())
 {
-  for_each_index(execution, marks.size(),
-                 [mark = marks.data(), flags = arrays_of(surface).flags.data()](std::size_t a) {
-                   mark[a] |= (flags[a] & (Surface::barrier | Surface::CLOSED)) != 0;
-                 });
-  return label_components(surface, marks, 1, execution);
+  std::vector<std::uint8_t>& is_barred = is_feature;
+  internal::for_each_index(execution, is_barred.size(), [&](std::size_t a) {
+    is_barred[a] |= surface.has_flag(a, Surface::barrier | Surface::CLOSED);
+  });
+  return internal::label_components(surface, is_barred.data(), 1, execution);
 }
-
-} // namespace internal
-
-/// \ingroup PkgRegionSegmentationInitializers
-/// The regions of the paper: the connected components of the faces across edges that are not
-/// feature edges.
-///
-/// The feature edges are those that `detect_feature_edges()` marks. A degenerate face joins the
-/// region across its longest interior edge.
-///
-/// Complexity: O(F). Deterministic. Parallel with `Parallel_tag`, with bitwise equal results.
-///
-/// Source: \cgalCite{YZWLL14}, sections 3.1 and 3.2.
-struct Region_growing
-{
-  /// The deviation above which an edge is a feature edge, in degrees, in [0, 180].
-  double maximum_angle = default_maximum_angle;
-  /// Which edges can be feature edges.
-  Feature_convexity feature_convexity = Feature_convexity::CONCAVE;
-
-  /// \throws Invalid_method if a constant is not in its range
-  void check_constants() const
-  {
-    internal::check_constant("Region_growing: maximum_angle", maximum_angle, 0, 180);
-  }
-
-  /// The regions of the faces.
-  Partition operator()(const Surface& surface, const Execution& execution = Execution()) const
-  {
-    auto is_feature = internal::mark_feature_edges(surface, maximum_angle, feature_convexity,
-                                                   execution.step(0, 0.5));
-    return internal::grow(surface, std::move(is_feature), execution.step(0.5, 1));
-  }
-};
 
 /// \ingroup PkgRegionSegmentationStages
 /// grows regions between feature edges: the connected components of the faces across edges that are
@@ -141,19 +112,13 @@ std::size_t grow_regions(const FaceGraph& mesh, EdgeIsFeatureMap edge_is_feature
   const Execution execution = internal::make_execution<ConcurrencyTag>(pack);
   const internal::Stage_input input(mesh, pack, execution);
   const Surface& surface = input.surface();
-  internal::Edge_marks is_feature(surface.number_of_adjacencies());
-  internal::for_each_index(execution, is_feature.size(), [&](std::size_t a) { is_feature[a] = 0; });
-  input.for_each_edge([&](auto h, Surface::Index a) {
-    if (a != Surface::none && get(edge_is_feature_map, edge(h, mesh)))
-      is_feature[a] = 1;
-  });
-  const Partition regions = internal::grow(surface, is_feature, execution.stage("regions"));
+  std::vector<std::uint8_t> is_feature = input.read(edge_is_feature_map);
+  const Partition regions = grow_regions(surface, is_feature, execution.stage("regions"));
+  for (std::size_t a = 0; a < is_feature.size(); ++a)
+    is_feature[a] &= regions[surface.lower_face(a)] != regions[surface.higher_face(a)];
 
   write_face_values(mesh, regions, region_map);
-  input.write(edge_is_feature_map, [&](std::size_t a) {
-    const bool is_between = regions[surface.lower_face(a)] != regions[surface.higher_face(a)];
-    return input.is_constrained(a) || (is_feature[a] && is_between);
-  });
+  input.write(is_feature, edge_is_feature_map);
   return regions.number_of_parts();
 }
 

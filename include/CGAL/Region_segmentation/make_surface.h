@@ -99,8 +99,8 @@ Surface make_surface_of_neighbors(const FaceGraph& mesh, const Pack& np)
 }
 
 template <typename PointRange, typename PolygonRange, typename Pack>
-Surface make_surface(const PointRange& points, const PolygonRange& polygons, const Pack& np,
-                     const Execution& execution)
+Surface make_surface_of_polygon_soup(const PointRange& points, const PolygonRange& polygons,
+                                     const Pack& np, const Execution& execution)
 {
   const Execution reading = execution.stage("reading");
   return build_surface(read_polygons(points, polygons, reading.step(0, 0.5)),
@@ -134,8 +134,7 @@ using Surface_parameters = Tag_list<internal_np::component_links_t, CGAL::intern
 ///
 /// Complexity: O(F), O(F log F) with several components.
 template <typename ConcurrencyTag = CGAL::Sequential_tag, typename FaceGraph,
-          typename NamedParameters = parameters::Default_named_parameters,
-          std::enable_if_t<internal::is_pack<NamedParameters>, int> = 0>
+          typename NamedParameters = parameters::Default_named_parameters>
 Surface make_surface(const FaceGraph& mesh,
                      const NamedParameters& np = parameters::default_values())
 {
@@ -169,15 +168,14 @@ Surface make_surface(const FaceGraph& mesh,
 ///
 /// Complexity: O(F log F); O(F) for a connected face graph without borders.
 template <typename ConcurrencyTag = CGAL::Sequential_tag, typename PointRange,
-          typename PolygonRange, typename NamedParameters = parameters::Default_named_parameters,
-          std::enable_if_t<internal::is_polygon_range<PolygonRange>(), int> = 0>
-Surface make_surface(const PointRange& points, const PolygonRange& polygons,
-                     const NamedParameters& np = parameters::default_values())
+          typename PolygonRange, typename NamedParameters = parameters::Default_named_parameters>
+Surface make_surface_of_polygon_soup(const PointRange& points, const PolygonRange& polygons,
+                                     const NamedParameters& np = parameters::default_values())
 {
   const auto& pack = internal::pack(np);
   internal::check_parameters<std::decay_t<decltype(pack)>, internal::Surface_parameters>();
-  return internal::make_surface(points, polygons, pack,
-                                internal::make_execution<ConcurrencyTag>(pack));
+  return internal::make_surface_of_polygon_soup(points, polygons, pack,
+                                                internal::make_execution<ConcurrencyTag>(pack));
 }
 
 } // namespace Region_segmentation

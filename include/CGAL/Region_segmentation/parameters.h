@@ -14,8 +14,6 @@
 
 #include <CGAL/Named_function_parameters.h>
 
-#include <boost/property_map/property_map.hpp>
-
 #include <functional>
 #include <iterator>
 #include <type_traits>
@@ -28,6 +26,7 @@
   ADD(method_t, method)                                                                            \
   ADD(face_seed_map_t, face_seed_map)                                                              \
   ADD(component_links_t, component_links)                                                          \
+  ADD(constrained_edges_t, constrained_edges)                                                      \
   ADD(feature_convexity_t, feature_convexity)                                                      \
   ADD(region_map_t, region_map)                                                                    \
   ADD(clearance_t, clearance)
@@ -166,14 +165,6 @@ CGAL::Named_function_parameters<bool, CGAL::internal_np::all_default_t> pack(con
   return {};
 }
 
-template <typename T, typename Tag, typename Base>
-std::true_type is_pack_of(const CGAL::Named_function_parameters<T, Tag, Base>&);
-std::false_type is_pack_of(...);
-
-/// Whether a type is a pack of named parameters.
-template <typename T>
-constexpr bool is_pack = decltype(is_pack_of(std::declval<const T&>()))::value;
-
 /// Whether a pack has a parameter.
 template <typename Pack, typename Tag>
 constexpr bool has_parameter = !CGAL::parameters::is_default_parameter<Pack, Tag>::value;
@@ -184,20 +175,6 @@ using Iterators_of_range = decltype(std::pair(std::begin(std::declval<const T&>(
 
 template <typename T>
 constexpr bool is_range = satisfies<Iterators_of_range, T>;
-
-template <typename T>
-using Key_of_map = typename boost::property_traits<T>::key_type;
-
-/// Whether a type is a range of ranges, as polygons are, and neither a property map nor a pack of
-/// named parameters.
-template <typename T>
-constexpr bool is_polygon_range()
-{
-  if constexpr (is_range<T> && !satisfies<Key_of_map, T>)
-    return is_range<std::decay_t<decltype(*std::begin(std::declval<const T&>()))>>;
-  else
-    return false;
-}
 
 template <typename... Tags>
 struct Tag_list

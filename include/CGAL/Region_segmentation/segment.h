@@ -19,21 +19,6 @@
 namespace CGAL {
 namespace Region_segmentation {
 
-namespace internal {
-
-/// A pack of named parameters and the number of segments.
-template <typename Number, typename NamedParameters>
-auto with_number(Number number_of_segments, const NamedParameters& np)
-{
-  static_assert(std::is_integral<Number>::value, "the number of segments is an integer");
-  const auto& pack = internal::pack(np);
-  using Pack = std::decay_t<decltype(pack)>;
-  return Named_parameters<Number, internal_np::number_of_segments_t, Pack>(number_of_segments,
-                                                                           pack);
-}
-
-} // namespace internal
-
 /// \ingroup PkgRegionSegmentationMain
 /// segments a surface mesh into parts: first regions are created and merged until the wanted number
 /// of segments is reached.
@@ -129,34 +114,16 @@ auto with_number(Number number_of_segments, const NamedParameters& np)
 /// calls on different maps are safe. For several numbers of segments, or when constraints and seeds
 /// change, use a `Segmenter`.
 template <typename ConcurrencyTag = CGAL::Sequential_tag, typename FaceGraph,
-          typename FaceSegmentMap, typename NamedParameters = parameters::Default_named_parameters,
-          std::enable_if_t<!std::is_arithmetic<NamedParameters>::value &&
-                             !internal::is_polygon_range<FaceSegmentMap>(),
-                           int> = 0>
+          typename FaceSegmentMap, typename NamedParameters = parameters::Default_named_parameters>
 std::size_t segment(const FaceGraph& mesh, FaceSegmentMap segment_map,
                     const NamedParameters& np = parameters::default_values())
 {
   static_assert(internal::check_face_map<FaceSegmentMap, FaceGraph>());
   const auto& pack = internal::pack(np);
-  internal::check_parameters<std::decay_t<decltype(pack)>, internal::Segmenting_parameters>();
   const Execution execution = internal::make_execution<ConcurrencyTag>(pack);
   return internal::run_method(internal::Face_graph_input<FaceGraph>(mesh),
                               internal::make_surface(mesh, pack, execution), segment_map, pack,
                               execution);
-}
-
-/// \ingroup PkgRegionSegmentationMain
-/// As above, with the named parameter `number_of_segments`: `segment(mesh, segment_map, 8)`.
-///
-/// \tparam Number an integral type
-template <typename ConcurrencyTag = CGAL::Sequential_tag, typename FaceGraph,
-          typename FaceSegmentMap, typename Number,
-          typename NamedParameters = parameters::Default_named_parameters,
-          std::enable_if_t<std::is_arithmetic<Number>::value, int> = 0>
-std::size_t segment(const FaceGraph& mesh, FaceSegmentMap segment_map, Number number_of_segments,
-                    const NamedParameters& np = parameters::default_values())
-{
-  return segment<ConcurrencyTag>(mesh, segment_map, internal::with_number(number_of_segments, np));
 }
 
 /// \ingroup PkgRegionSegmentationMain
@@ -169,45 +136,24 @@ std::size_t segment(const FaceGraph& mesh, FaceSegmentMap segment_map, Number nu
 /// \param segment_map a random access range of as many elements as there are polygons, or a model
 ///        of `WritablePropertyMap` with the index of a polygon as key; every polygon gets a
 ///        segment, a degenerate one that of a neighbor
-/// \param np `edge_is_constrained_map` is a range of pairs of indices of points, `face_seed_map`
-///        and `region_map` are random access ranges or property maps with the index of a polygon as
-///        key
+/// \param np `constrained_edges` is a range of pairs of indices of points, in place of
+///        `edge_is_constrained_map`; `face_seed_map` and `region_map` are random access ranges or
+///        property maps with the index of a polygon as key
 ///
 /// \throws Invalid_input if a polygon has no corner or one that is not a point, a point of a
 ///         polygon is not finite, or a range has not as many elements as there are polygons
 template <typename ConcurrencyTag = CGAL::Sequential_tag, typename PointRange,
           typename PolygonRange, typename PolygonSegmentMap,
-          typename NamedParameters = parameters::Default_named_parameters,
-          std::enable_if_t<internal::is_polygon_range<PolygonRange>() &&
-                             !std::is_arithmetic<NamedParameters>::value,
-                           int> = 0>
-std::size_t segment(const PointRange& points, const PolygonRange& polygons,
-                    PolygonSegmentMap&& segment_map,
-                    const NamedParameters& np = parameters::default_values())
+          typename NamedParameters = parameters::Default_named_parameters>
+std::size_t segment_polygon_soup(const PointRange& points, const PolygonRange& polygons,
+                                 PolygonSegmentMap&& segment_map,
+                                 const NamedParameters& np = parameters::default_values())
 {
   const auto& pack = internal::pack(np);
-  internal::check_parameters<std::decay_t<decltype(pack)>, internal::Segmenting_parameters>();
   const Execution execution = internal::make_execution<ConcurrencyTag>(pack);
-  Surface surface = internal::make_surface(points, polygons, pack, execution);
+  Surface surface = internal::make_surface_of_polygon_soup(points, polygons, pack, execution);
   const internal::Polygon_input input(surface.number_of_faces());
   return internal::run_method(input, std::move(surface), segment_map, pack, execution);
-}
-
-/// \ingroup PkgRegionSegmentationMain
-/// As above, with the named parameter `number_of_segments`: `segment(points, polygons, segment_map,
-/// 8)`.
-template <
-  typename ConcurrencyTag = CGAL::Sequential_tag, typename PointRange, typename PolygonRange,
-  typename PolygonSegmentMap, typename Number,
-  typename NamedParameters = parameters::Default_named_parameters,
-  std::enable_if_t<internal::is_polygon_range<PolygonRange>() && std::is_arithmetic<Number>::value,
-                   int> = 0>
-std::size_t segment(const PointRange& points, const PolygonRange& polygons,
-                    PolygonSegmentMap&& segment_map, Number number_of_segments,
-                    const NamedParameters& np = parameters::default_values())
-{
-  return segment<ConcurrencyTag>(points, polygons, segment_map,
-                                 internal::with_number(number_of_segments, np));
 }
 
 } // namespace Region_segmentation

@@ -15,7 +15,7 @@ int main()
                          Kernel::Point_3(0, 1, 0), Kernel::Point_3(0, 0, 1), mesh);
   auto segment_id = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:segment").first;
   RS::Two_step method;
-  method.growing.feature_convexity = RS::Feature_convexity::ALL;
+  method.feature_convexity = RS::Feature_convexity::ALL;
   const std::size_t n = RS::segment(mesh, segment_id,
                                     RS::parameters::number_of_segments(3).method(method));
   const std::size_t chosen = RS::segment(mesh, segment_id);

@@ -97,7 +97,7 @@ public:
       return segment_by(Learned_merging(), pipeline);
     Two_step method;
     if (pipeline.method == Method::REGIONS)
-      method.growing.feature_convexity = Feature_convexity::ALL;
+      method.feature_convexity = Feature_convexity::ALL;
     return segment_by(method, pipeline);
   }
 

@@ -28,8 +28,8 @@ double mean(const std::vector<double>& values)
 RS::Hierarchy straighten_borders(const Training_model& model, const RS::Merge_tree& tree)
 {
   const auto label_of_cell = RS::Border_straightening()(
-    model.surface, model.cells, RS::Border_cost(), model.regions, tree,
-    [](RS::Partition::Index) { return false; }, model.regions.number_of_parts(), RS::Execution());
+    model.surface, model.cells, {model.regions, RS::Seeds()}, tree, model.regions.number_of_parts(),
+    RS::Execution());
   std::vector<RS::Partition::Index> labels;
   for (const RS::Partition::Index cell : model.cells.of_elements())
     labels.push_back(label_of_cell[cell]);

@@ -41,7 +41,7 @@ Training_model make_training_model(int number, const princeton_benchmark::Model&
   result.number_of_segments = model.number_of_segments;
   for (const princeton_benchmark::Truth& truth : model.truths)
     result.segments_of_people.push_back(truth.number_of_segments);
-  result.surface = RS::make_surface(model.soup.points, model.soup.polygons);
+  result.surface = RS::make_surface_of_polygon_soup(model.soup.points, model.soup.polygons);
   RS::Learned_merging method;
   method.superfacets.number = superfacets;
   RS::Learned_merging::Prepared prepared = method.prepare(result.surface);

@@ -220,33 +220,17 @@ struct Learned_cost
            visibility_cost_weight * estimate.visibility_cost;
   }
 
-private:
-  static constexpr double log_of_usual_share = -4.605; // w_0 = 0.01
-};
-
-/// \ingroup PkgRegionSegmentationPolicies
-/// What a merge is expected to cost: w (1 - 2 p), w and p as in `Learned_cost`; half the expected
-/// change of the Rand index distance. A model of `SectionCost`, for graphs annotated by
-/// `Learned_annotator`.
-///
-/// The sum of several merges is the cost of all.
-struct Expected_merge_cost
-{
-  using RegionData = Learned_region_data;
-  using SectionData = Learned_section_data;
-
-  const Merge_features::Model* model; ///< which must exist as long as the cost
-
-  explicit Expected_merge_cost(const Merge_features::Model& model_)
-    : model(&model_)
-  {}
-
+  /// w (1 - 2 p): what a merge is expected to cost, half the expected change of the Rand index
+  /// distance. The sum over several merges is the expected cost of all of them.
   template <typename Graph>
-  double operator()(const Graph& graph, typename Graph::section_descriptor s) const
+  double recorded_cost(const Graph& graph, typename Graph::section_descriptor s) const
   {
     const Merge_estimate estimate(*model, graph, s);
     return internal::portable_exp(estimate.log_share_of_pairs) * (1 - 2 * estimate.probability);
   }
+
+private:
+  static constexpr double log_of_usual_share = -4.605; // w_0 = 0.01
 };
 
 /// \ingroup PkgRegionSegmentationMethods
@@ -254,17 +238,17 @@ struct Expected_merge_cost
 /// `Visibility_merging` until few regions are left, and those by `Learned_cost`. A model of
 /// `SegmentationMethod`.
 ///
-/// The costs of the later merges are `Expected_merge_cost`; those of the earlier ones,
-/// `Visibility_cost`, have other units.
+/// The costs of the later merges in the tree are `Learned_cost::recorded_cost()`; those of the
+/// earlier merges are `Visibility_cost`, which has another unit.
 struct Learned_merging
   : Superfacet_merging<
       Learned_annotator,
       Policy_phases<Lowest_cost_first<Visibility_cost>, Lowest_cost_first<Visibility_cost>,
-                    Lowest_order_first<Learned_cost, Expected_merge_cost>>,
+                    Lowest_cost_first<Learned_cost>>,
       Number_from_expected_costs>
 {
-  /// The number of regions from which on the learned model merges: the model was trained for it.
-  /// The largest number that is chosen.
+  /// The number of regions from which on the learned model merges, which it was trained for, and
+  /// the largest number of segments that is chosen.
   static constexpr std::size_t few = 60;
 
   /// `model`: another one than that of the package; it must exist as long as the method
@@ -272,9 +256,11 @@ struct Learned_merging
     : Superfacet_merging{Learned_annotator(),
                          {std::get<0>(Visibility_merging().policy),
                           {Lowest_cost_first(Visibility_cost()), few},
-                          {Lowest_order_first(Learned_cost(model), Expected_merge_cost(model)), 1}},
-                         Number_from_expected_costs(few)}
-  {}
+                          {Lowest_cost_first(Learned_cost(model)), 1}},
+                         Number_from_expected_costs()}
+  {
+    chooser.maximum_number = few;
+  }
 };
 
 #ifdef CGAL_REGION_SEGMENTATION_COMPILED

@@ -20,6 +20,13 @@
 
 namespace CGAL {
 namespace Region_segmentation {
+namespace internal {
+
+template <typename Cost, typename Graph>
+using Records_another_cost = decltype(double(
+  std::declval<const Cost&>().recorded_cost(std::declval<const Graph&>(), Section_descriptor())));
+
+} // namespace internal
 
 /// \ingroup PkgRegionSegmentationPolicies
 /// Turns a cost of sections into a policy: merges across the cheapest section of the graph next; of
@@ -32,6 +39,10 @@ namespace Region_segmentation {
 ///
 /// Complexity: O(min(d, `hub_degree`) log S) per merge, amortized, d the number of sections of the
 /// merged region.
+///
+/// The cost of a merge in the tree is the cost of the section, or `recorded_cost(graph, section)`
+/// if the cost has this member function: the best next merge is not always the one whose cost
+/// should be added up to choose a number of segments.
 ///
 /// A lambda is a cost, too: `Lowest_cost_first([](const auto& graph, auto s) { return
 /// graph[s].length; })`.
@@ -67,8 +78,13 @@ public:
     for (; !m_queue.empty(); m_queue.pop()) {
       const auto [key, section] = m_queue.top();
       // Seeds bar sections later.
-      if (!graph.is_removed(section) && graph.is_mergeable(section) && key == m_keys[section.id()])
-        return Merge_candidate{section, std::get<0>(key)};
+      if (!graph.is_removed(section) && graph.is_mergeable(section) &&
+          key == m_keys[section.id()]) {
+        if constexpr (internal::satisfies<internal::Records_another_cost, Cost, Graph>)
+          return Merge_candidate{section, m_cost.recorded_cost(graph, section)};
+        else
+          return Merge_candidate{section, std::get<0>(key)};
+      }
     }
     return std::nullopt;
   }
@@ -118,47 +134,6 @@ private:
   Queue m_queue;
   std::vector<Key> m_keys;           // by section
   std::vector<std::uint32_t> m_lags; // by region: its merges since its costs were computed
-};
-
-/// \ingroup PkgRegionSegmentationPolicies
-/// Merges in the order of one cost, and records another one as the costs of the merges. A model of
-/// `MergingPolicy`.
-///
-/// The best next merge is not always the one whose cost should be added up to choose a number of
-/// segments.
-///
-/// Complexity: that of `Lowest_cost_first<Order>`, and one evaluation of `Cost` per merge.
-///
-/// \tparam Order a model of `SectionCost`: the section for which it is lowest is merged across next
-/// \tparam Cost a model of `SectionCost`, recorded for each merge; a number for every section that
-///         `Order` does not bar
-template <typename Order, typename Cost>
-class Lowest_order_first : public Lowest_cost_first<Order>
-{
-public:
-  Lowest_order_first(Order order, Cost cost)
-    : Lowest_cost_first<Order>(std::move(order))
-    , m_cost(std::move(cost))
-  {}
-
-  void check_constants() const
-  {
-    Lowest_cost_first<Order>::check_constants();
-    internal::check_constants(m_cost);
-  }
-
-  template <typename Graph>
-  std::optional<Merge_candidate> next(const Graph& graph)
-  {
-    static_assert(internal::check_section_cost<Cost, Graph>());
-    std::optional<Merge_candidate> candidate = Lowest_cost_first<Order>::next(graph);
-    if (candidate)
-      candidate->cost = m_cost(graph, candidate->section);
-    return candidate;
-  }
-
-private:
-  Cost m_cost;
 };
 
 } // namespace Region_segmentation

@@ -3,7 +3,6 @@
 #ifndef CGAL_REGION_SEGMENTATION_METHODS_SUPERFACET_MERGING_H
 #define CGAL_REGION_SEGMENTATION_METHODS_SUPERFACET_MERGING_H
 
-#include <CGAL/Region_segmentation/Border_cost.h>
 #include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/Graph/Merge_tree.h>
 #include <CGAL/Region_segmentation/Hierarchy.h>
@@ -120,7 +119,6 @@ struct Superfacet_merging
   MergingPolicy policy;
   NumberChooser chooser;
   Superfacets superfacets = Superfacets();
-  Border_cost border_cost = Border_cost(); ///< of the borders of segments
   Border_straightening straightening = Border_straightening();
 
   /// What does not depend on the request.
@@ -141,7 +139,6 @@ struct Superfacet_merging
     internal::check_constants(policy);
     internal::check_constants(chooser);
     superfacets.check_constants();
-    border_cost.check_constants();
     straightening.check_constants();
     std::optional<Surface> smoothed = internal::without_noise(given, execution.silent());
     const Surface& surface = smoothed ? *smoothed : given;
@@ -190,7 +187,7 @@ struct Superfacet_merging
   {
     static_assert(internal::check_annotator<GraphAnnotator>());
     const Surface& surface = prepared.shape(given);
-    auto graph = internal::build_graph<typename GraphAnnotator::RegionData,
+    auto graph = build_region_adjacency_graph<typename GraphAnnotator::RegionData,
                                        typename GraphAnnotator::SectionData>(surface, regions,
                                                                              execution);
     if (regions == prepared.regions)
@@ -218,9 +215,8 @@ private:
     const Patches& cells = divided ? *divided : prepared.patches.fine;
     const std::size_t number = request.numbers == Request::Numbers::ONE ? number_of_segments
                                                                         : regions.number_of_parts();
-    const std::vector<Index> label_of_cell = straightening(
-      surface, cells, border_cost, regions, tree, [&](Index r) { return requested.is_fixed(r); },
-      number, execution.stage("borders"));
+    const std::vector<Index> label_of_cell = straightening(surface, cells, requested, tree, number,
+                                                           execution.stage("borders"));
     std::vector<Index> region_of;
     region_of.reserve(surface.number_of_faces());
     for (const Index cell : cells.of_elements())

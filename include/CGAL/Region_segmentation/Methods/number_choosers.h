@@ -5,7 +5,6 @@
 
 #include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/Graph/Merge_tree.h>
-#include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/internal/superfacets/Region_shapes.h>
 #include <CGAL/Region_segmentation/internal/support/components.h>
@@ -45,21 +44,17 @@ struct Number_below_cost
 
 /// \ingroup PkgRegionSegmentationPolicies
 /// What `Number_from_costs` and `Number_from_expected_costs` have in common. The number is at least
-/// `minimum_number`, if the tree has as many, and at least the number of connected components,
-/// where components also are what constrained edges separate: a drawn loop adds one. A surface that
-/// is convex is one segment a component, where the chooser sees the mesh.
-class Number_range
+/// `minimum_number`, if the tree has as many regions, and at least the number of pieces that
+/// merging leaves: the components, and what closed loops of constrained edges separate. A surface
+/// whose components are convex is one segment a component.
+struct Number_range
 {
-public:
-  std::size_t maximum_number; ///< of segments, at least `minimum_number`; see `largest_number()`
-  std::size_t minimum_number = 2; ///< of segments, at least 1
+  std::size_t maximum_number = 40; ///< of segments, at least `minimum_number`; see
+                                   ///< `largest_number()`
+  std::size_t minimum_number = 2;  ///< of segments, at least 1
   /// How much finer, more than 0: 1 as fits the method, 2 finer, 0.5 coarser. The number never
   /// falls when it rises.
   double granularity = 1;
-
-  explicit Number_range(std::size_t maximum_number_)
-    : maximum_number(maximum_number_)
-  {}
 
   /// \throws Invalid_method if a constant is not in its range
   void check_constants() const
@@ -69,16 +64,15 @@ public:
     internal::check_constant("granularity", granularity, internal::least_positive);
   }
 
-  /// The largest number that is chosen for a tree: `maximum_number`, or the number of connected
-  /// components if there are more, and at most the number of first regions. Where this number was
-  /// chosen, there may be more parts.
+  /// The largest number that is chosen for a tree: `maximum_number`, or the number of pieces if
+  /// there are more, and at most the number of first regions. Where this number was chosen, there
+  /// may be more parts.
   std::size_t largest_number(const Merge_tree& tree) const
   {
     return (std::min)(tree.number_of_regions(), (std::max)(maximum_number, number_of_pieces(tree)));
   }
 
 protected:
-  /// That merging leaves.
   static std::size_t number_of_pieces(const Merge_tree& tree)
   {
     return tree.number_of_regions() - tree.merges().size();
@@ -89,9 +83,8 @@ protected:
   {
     const std::size_t pieces = number_of_pieces(tree);
     if (internal::is_convex(mesh)) {
-      // The components, and as many more as constrained edges keep apart.
       std::size_t number = pieces;
-      if (mesh.has_seams_or_links())
+      if (mesh.has_seams_or_links()) // which join components to one piece
         number += mesh.number_of_components() - mesh.number_of_crumbs() -
                   internal::label_components(
                     mesh, [](std::size_t) { return true; }, Execution())
@@ -121,14 +114,12 @@ protected:
 /// `granularity`, by whose factor costs count as larger; within `Number_range`.
 ///
 /// Complexity: O(m), m the larger of `maximum_number` and the number of connected pieces.
-class Number_from_costs : public Number_range
+struct Number_from_costs : Number_range
 {
-public:
   double level; ///< in the units of the costs
 
-  explicit Number_from_costs(double level_, std::size_t maximum_number_ = 40)
-    : Number_range(maximum_number_)
-    , level(level_)
+  explicit Number_from_costs(double level_)
+    : level(level_)
   {}
 
   /// \throws Invalid_method if a constant is not in its range
@@ -155,19 +146,14 @@ public:
 /// \ingroup PkgRegionSegmentationPolicies
 /// chooses the number of segments from a merge tree whose costs can be added: that at which the sum
 /// of the costs, from `maximum_number` regions on, is lowest. A model of `NumberChooser`, for costs
-/// that are below 0 where a merge pays, such as `Expected_merge_cost`.
+/// that are below 0 where a merge pays, such as `Learned_cost::recorded_cost()`.
 ///
-/// The number is within `Number_range`. It is the largest of several. Costs above 0, of merges that
-/// do not pay, are multiplied by `granularity`.
+/// The number is within `Number_range`. Of several such numbers, the largest is taken. Costs above
+/// 0, of merges that do not pay, are multiplied by `granularity`.
 ///
-/// Complexity: O(m), m the larger of `maximum_number` and the number of connected components.
-class Number_from_expected_costs : public Number_range
+/// Complexity: O(m), m the larger of `maximum_number` and the number of connected pieces.
+struct Number_from_expected_costs : Number_range
 {
-public:
-  explicit Number_from_expected_costs(std::size_t maximum_number_ = 40)
-    : Number_range(maximum_number_)
-  {}
-
   std::size_t operator()(const Merge_tree& tree, const Surface& mesh = Surface()) const
   {
     const auto [least, largest] = range(tree, mesh);

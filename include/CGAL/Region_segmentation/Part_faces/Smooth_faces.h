@@ -180,7 +180,7 @@ struct Smooth_faces
   {
     Requested_regions requested = requested_regions(surface, prepared.faces.partition,
                                                     request.seeds);
-    auto graph = internal::build_graph<Surface_face_region_data, Surface_face_section_data>(
+    auto graph = build_region_adjacency_graph<Surface_face_region_data, Surface_face_section_data>(
       surface, requested.regions, execution.stage("graph"));
     annotate_surface_faces(graph, surface, requested.regions, prepared.faces);
     Merge_tree tree = merge_requested_regions(surface, requested, graph,

@@ -12,9 +12,13 @@
 #include <CGAL/Region_segmentation/make_surface.h>
 #include <CGAL/Region_segmentation/parameters.h>
 
+#include <CGAL/assertions.h>
+#include <CGAL/boost/graph/helpers.h>
+
 #include <boost/property_map/property_map.hpp>
 
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -22,14 +26,14 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// Constrains what a pack says.
+/// Returns a surface with the constraints that a pack of named parameters has.
 template <typename Input, typename Pack>
-void constrain([[maybe_unused]] const Input& input, [[maybe_unused]] Surface& surface,
-               [[maybe_unused]] const Pack& np)
+Surface constrained([[maybe_unused]] const Input& input, Surface surface,
+                    [[maybe_unused]] const Pack& np)
 {
-  if constexpr (has_parameter<Pack, CGAL::internal_np::edge_is_constrained_t>)
-    input.add_constraints(
-      surface, CGAL::parameters::get_parameter(np, CGAL::internal_np::edge_is_constrained), np);
+  if constexpr (has_parameter<Pack, std::decay_t<decltype(Input::constraints)>>)
+    input.add_constraints(surface, CGAL::parameters::get_parameter(np, Input::constraints), np);
+  return surface;
 }
 
 /// A face graph as input of a segmentation: what is read from its property maps, and where labels
@@ -40,13 +44,16 @@ class Face_graph_input
   using edge_descriptor = typename boost::graph_traits<FaceGraph>::edge_descriptor;
 
 public:
+  /// The named parameter of constraints.
+  static constexpr auto constraints = CGAL::internal_np::edge_is_constrained;
+
   explicit Face_graph_input(const FaceGraph& mesh)
     : m_mesh(&mesh)
   {}
 
   const FaceGraph& mesh() const { return *m_mesh; }
 
-  /// Constrains the edges of a map.
+  /// Constrains the edges for which a map has the value `true`.
   template <typename EdgeMap, typename Pack>
   void add_constraints(Surface& surface, const EdgeMap& map, const Pack& np) const
   {
@@ -62,7 +69,7 @@ public:
 
   /// \throws Invalid_input if a map does not hold labels below `n`
   template <typename FaceMap>
-  void check(const FaceMap&, std::size_t n, const char* what = "label") const
+  void check(const FaceMap&, std::size_t n, const char* what = "labels") const
   {
     check_labels<typename boost::property_traits<FaceMap>::value_type>(n, what);
   }
@@ -91,53 +98,42 @@ class Stage_input
 public:
   Stage_input(const FaceGraph& mesh, const Pack& np, const Execution& execution)
     : m_order(mesh, np)
-    , m_surface(make_surface(
-        m_order, np, component_links(np) ? Adjacency_of::COINCIDING_SIDES : Adjacency_of::NEIGHBORS,
-        execution.stage("reading")))
-  {
-    constrain(Face_graph_input<FaceGraph>(mesh), m_surface, np);
-  }
+    , m_surface(constrained(
+        Face_graph_input<FaceGraph>(mesh),
+        make_surface(m_order, np,
+                     component_links(np) ? Adjacency_of::COINCIDING_SIDES : Adjacency_of::NEIGHBORS,
+                     execution.stage("reading")),
+        np))
+  {}
 
   const FaceGraph& mesh() const { return m_order.mesh(); }
   const Surface& surface() const { return m_surface; }
-  bool is_constrained(std::size_t adjacency) const
+  /// The vertices of the mesh in the order of those of the surface.
+  const auto& vertices() const { return m_order.ordered_vertices(); }
+
+  /// Reads an edge map. Returns for each adjacency whether its edge has the value `true`: 1 or 0.
+  template <typename EdgeMap>
+  std::vector<std::uint8_t> read(const EdgeMap& map) const
   {
-    return m_surface.has_flag(adjacency, Surface::CONSTRAINED);
+    std::vector<std::uint8_t> marks(m_surface.number_of_adjacencies());
+    for_each_edge([&](auto e, Surface::Index a) {
+      if (a != Surface::none)
+        marks[a] = bool(get(map, e));
+    });
+    return marks;
   }
 
-  /// Calls `f(halfedge, adjacency)` for each edge, with the adjacency across it: `Surface::none`
-  /// for a border, and for an edge with the same face on both sides. In the order of the higher
-  /// faces.
-  template <typename F>
-  void for_each_edge(const F& f) const
-  {
-    for (Surface::Index face = 0; face < m_order.number_of_faces(); ++face) {
-      const auto first = m_order.first_halfedge(m_order.ordered_faces()[face]);
-      for (auto h : CGAL::halfedges_around_face(first, mesh())) {
-        const Surface::Index across = m_order.face_rank(opposite(h, mesh()));
-        if (across <= face || across == m_order.none)
-          f(h, adjacency(face, h));
-      }
-    }
-  }
-
-  /// The number of a vertex, by iteration.
-  template <typename Vertex>
-  Surface::Index rank(const Vertex& v) const
-  {
-    return m_order.vertex_rank(v);
-  }
-
-  /// Writes `value(adjacency)` for the edges with an adjacency, `true` for the other border edges,
-  /// `false` for the rest. Returns the number of edges with `true`.
-  template <typename EdgeMap, typename Value>
-  std::size_t write(EdgeMap& map, const Value& value) const
+  /// Writes an edge map: `true` for the edges whose adjacency is marked or constrained, and for
+  /// borders of the surface. Returns the number of edges with `true`.
+  template <typename EdgeMap>
+  std::size_t write(const std::vector<std::uint8_t>& marks, EdgeMap& map) const
   {
     using Mapped = typename boost::property_traits<EdgeMap>::value_type;
     std::size_t number = 0;
-    for_each_edge([&](auto h, Surface::Index a) {
-      const auto e = edge(h, mesh());
-      const bool is_true = a == Surface::none ? CGAL::is_border(e, mesh()) : value(a);
+    for_each_edge([&](auto e, Surface::Index a) {
+      const bool is_true = a == Surface::none
+                             ? CGAL::is_border(e, mesh())
+                             : marks[a] || m_surface.has_flag(a, Surface::CONSTRAINED);
       put(map, e, Mapped(is_true));
       number += is_true;
     });
@@ -145,13 +141,46 @@ public:
   }
 
 private:
-  /// Across the side of a face at a halfedge.
-  template <typename Halfedge>
-  Surface::Index adjacency(Surface::Index face, const Halfedge& h) const
+  /// Calls `f(edge, adjacency)` for each edge; `Surface::none` for a border, and for an edge with
+  /// the same face on both sides. In the order of the higher faces.
+  template <typename F>
+  void for_each_edge(const F& f) const
   {
-    return arrays_of(m_surface)
-      .adjacencies[side_between(m_surface, face, merged_vertex(m_surface, rank(source(h, mesh()))),
-                                merged_vertex(m_surface, rank(target(h, mesh()))))];
+    for (Surface::Index face = 0; face < m_order.number_of_faces(); ++face) {
+      const auto first = halfedge(m_order.ordered_faces()[face], mesh());
+      const std::size_t n = m_surface.number_of_corners(face);
+      auto [side, step] = side_of(face, first);
+      for (auto h : CGAL::halfedges_around_face(first, mesh())) {
+        const Surface::Index across = m_order.face_rank(opposite(h, mesh()));
+        if (across <= face || across == m_order.none)
+          f(edge(h, mesh()), m_surface.adjacency(face, side));
+        side = side + step < n ? side + step : side + step - n;
+      }
+    }
+  }
+
+  /// The side of a face at one of its halfedges, and the step to the side at the next one, modulo
+  /// the number n of corners: 1, or n - 1 where the surface has turned the face. The surface can
+  /// have replaced a vertex by one with an equal point.
+  template <typename Halfedge>
+  std::pair<std::size_t, std::size_t> side_of(Surface::Index face, const Halfedge& h) const
+  {
+    const std::size_t n = m_surface.number_of_corners(face);
+    const auto is_at = [&](std::size_t i, const Halfedge& leaving, bool is_replaced) {
+      const Surface::Index v = m_order.vertex_rank(source(leaving, mesh())),
+                           w = m_surface.corner(face, i % n);
+      const Double_3 &p = m_surface.point(v), &q = m_surface.point(w);
+      return v == w || (is_replaced && p.x == q.x && p.y == q.y && p.z == q.z);
+    };
+    const Halfedge second = next(h, mesh()), third = next(second, mesh());
+    for (const bool is_replaced : {false, true})
+      for (const std::size_t step : {std::size_t(1), n - 1})
+        for (std::size_t i = 0; i < n; ++i)
+          if (is_at(i, h, is_replaced) && is_at(i + step, second, is_replaced) &&
+              is_at(i + 2 * step, third, is_replaced))
+            return {step == 1 ? i : (i + step) % n, step};
+    CGAL_assertion_msg(false, "a face of the surface has the corners of that of the mesh");
+    return {0, 1};
   }
 
   Mesh_order<FaceGraph, Pack> m_order;

@@ -52,8 +52,8 @@ constexpr bool check_method()
   return true;
 }
 
-/// All that is called of a method. Members are defined outside of the class, thus not inline, so
-/// that `extern template` keeps them out of a translation unit (see `version.h`).
+/// The calls of a method. Members are defined outside of the class and are not inline, so that
+/// `extern template` keeps them out of a translation unit (see `version.h`).
 template <typename Method>
 struct Method_calls
 {
@@ -106,7 +106,7 @@ struct Learned_merging;
 
 namespace internal {
 
-/// The method of a pack, or the default one.
+/// The type of the method in a pack of named parameters, or of the default method.
 template <typename Pack>
 using Method_of_pack = std::decay_t<typename CGAL::internal_np::Lookup_named_param_def<
   internal_np::method_t, Pack, Learned_merging>::type>;
@@ -115,7 +115,8 @@ template <typename NamedParameters>
 using Method_of_parameters = Method_of_pack<
   std::decay_t<decltype(pack(std::declval<const NamedParameters&>()))>>;
 
-/// A given method need not be default constructible.
+/// Returns the method in a pack of named parameters, which need not be default constructible, or
+/// the default method.
 template <typename Method, typename Pack>
 Method method_of_pack(const Pack& np)
 {
@@ -131,12 +132,13 @@ Method method_of_pack(const Pack& np)
   }
 }
 
+template <typename Input>
 using Segmenting_parameters = Tag_list<
   internal_np::number_of_segments_t, internal_np::method_t, internal_np::face_seed_map_t,
   internal_np::component_links_t, internal_np::region_map_t, internal_np::merge_tree_t,
-  CGAL::internal_np::edge_is_constrained_t, CGAL::internal_np::visitor_t>;
+  std::decay_t<decltype(Input::constraints)>, CGAL::internal_np::visitor_t>;
 
-/// The seeds in a map.
+/// Reads seeds from a map.
 template <typename Input, typename SeedMap>
 Seeds read_seeds(const Input& input, const SeedMap& map)
 {
@@ -146,7 +148,7 @@ Seeds read_seeds(const Input& input, const SeedMap& map)
   return Seeds::from_values(values);
 }
 
-/// What a pack asks for.
+/// The request in a pack of named parameters.
 template <typename Input, typename Pack>
 Request request_of_pack(const Input& input, const Pack& np)
 {
@@ -166,7 +168,7 @@ template <typename Pack>
 constexpr bool has_outputs = has_parameter<Pack, internal_np::region_map_t> ||
                              has_parameter<Pack, internal_np::merge_tree_t>;
 
-/// Writes the outputs that a pack asks for.
+/// Writes the outputs that a pack of named parameters names: regions and merge tree.
 template <typename Input, typename Pack>
 void write_outputs([[maybe_unused]] const Input& input, [[maybe_unused]] const Hierarchy& result,
                    [[maybe_unused]] const Pack& np)
@@ -185,12 +187,13 @@ std::size_t run_method(const Input& input, Surface surface, SegmentMap& segment_
                        const Execution& execution)
 {
   using Method = Method_of_pack<Pack>;
+  check_parameters<Pack, Segmenting_parameters<Input>>();
   static_assert(check_method<Method>());
   static_assert(!needs_number<Method>() || has_parameter<Pack, internal_np::number_of_segments_t>,
                 "segment() with this method needs the named parameter number_of_segments");
   input.check(segment_map, 0);
   const Method method = method_of_pack<Method>(np);
-  constrain(input, surface, np);
+  surface = constrained(input, std::move(surface), np);
   Request request = request_of_pack(input, np);
   if constexpr (!has_outputs<Pack>)
     request.numbers = Request::Numbers::ONE;

@@ -11,6 +11,7 @@
 #include <boost/graph/compressed_sparse_row_graph.hpp>
 #include <boost/graph/graph_traits.hpp>
 #include <boost/graph/properties.hpp>
+#include <boost/iterator/counting_iterator.hpp>
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
@@ -28,30 +29,29 @@ namespace Region_segmentation {
 namespace internal {
 
 /// A graph whose nodes lie on two sides, source and sink, and the minimum cut between its two
-/// terminals; of several, one that moves the fewest nodes. Boost.Graph finds the flow, in
-/// compressed rows: in a `boost::adjacency_list`, the default method takes 8 % more instructions,
-/// and a late constraint 30 %.
+/// terminals. Of several minimum cuts, `improve()` takes one that moves the fewest nodes, and of
+/// these the one with the fewest nodes on the side of the source.
 ///
-/// Capacities are rounded to integers, their sum being about 2^51 over the number of nodes. Sums
-/// are exact, so the cut does not depend on the order of nodes and edges. None is 0: if every node
-/// has a path to both terminals, it is connected to that of its new side by nodes of that side.
+/// Boost.Graph finds the flow in a graph of compressed rows: with a `boost::adjacency_list`, the
+/// default method takes 8 % more instructions.
+///
+/// Capacities are rounded to integers whose sum is about 2^51 divided by the number of nodes. Sums
+/// of integers are exact, so the cut does not depend on the order of nodes and edges. No rounded
+/// capacity is 0. So each node is connected to the terminal of its new side by nodes of that side,
+/// if every node has a path to both terminals.
 class Minimum_cut
 {
 public:
   using Node = std::uint32_t;
   static constexpr Node source = 0, sink = 1;
 
-  Minimum_cut()
-    : m_is_on_source_side{1, 0}
-  {}
-
-  Node add_node(std::uint8_t is_on_source_side)
+  Node add_node(bool is_on_source_side)
   {
     m_is_on_source_side.push_back(is_on_source_side);
     return Node(m_is_on_source_side.size() - 1);
   }
 
-  /// Edges without effect are omitted: loops, and edges between the terminals.
+  /// Ignores loops and edges between the two terminals, which have no effect.
   void add_edge(Node a, Node b, double capacity)
   {
     if (a != b && (std::max)(a, b) > sink)
@@ -59,45 +59,59 @@ public:
   }
 
   /// Moves nodes to the other side where that lowers the capacity of the cut; returns whether any
-  /// moved.
+  /// node moved.
   bool improve()
   {
-    std::vector<boost::default_color_type> colors(m_is_on_source_side.size());
-    find_flow(colors);
-    bool has_moved = false;
-    for (std::size_t n = 0; n < colors.size(); ++n) {
-      const std::uint8_t is_on_source_side = colors[n] == boost::black_color;
-      has_moved |= is_on_source_side != m_is_on_source_side[n];
-      m_is_on_source_side[n] = is_on_source_side;
-    }
-    return has_moved;
+    const std::vector<char> before = std::exchange(m_is_on_source_side, nodes_on_source_side());
+    return m_is_on_source_side != before;
   }
 
   bool is_on_source_side(Node n) const { return m_is_on_source_side[n] != 0; }
 
 private:
   using Capacity = std::int64_t;
-  using Graph = boost::compressed_sparse_row_graph<
-    boost::directedS, boost::no_property, boost::no_property, boost::no_property, Node, Node>;
 
-  template <typename Number>
   struct Edge
   {
     Node lower, higher;
-    Number capacity;
+    double capacity;
   };
 
-  /// With capacities that are integers. Moving a node costs 1, and moving all less than the unit of
-  /// the given capacities. Boost's algorithm does not support parallel edges between a node and a
-  /// terminal: they are united.
-  std::vector<Edge<Capacity>> edges_of_network() const
+  struct Arc
+  {
+    Node index; ///< 2e and 2e + 1 for the two directions of edge e
+
+    Arc(Node index_ = 0)
+      : index(index_)
+    {}
+  };
+
+  using Graph = boost::compressed_sparse_row_graph<boost::directedS, boost::no_property, Arc,
+                                                   boost::no_property, Node, Node>;
+
+  struct Network
+  {
+    std::vector<std::pair<Node, Node>> arcs; // start, end
+    std::vector<Capacity> capacities;        // by arc
+
+    void add(Node a, Node b, Capacity capacity)
+    {
+      arcs.insert(arcs.end(), {{a, b}, {b, a}});
+      capacities.insert(capacities.end(), 2, capacity);
+    }
+  };
+
+  /// The network with integral capacities. To move a node costs 1, and to move all nodes less than
+  /// the unit of the given capacities. The edges between a node and a terminal are united, since
+  /// Boost's algorithm does not support parallel ones.
+  Network network() const
   {
     const std::size_t nodes = m_is_on_source_side.size();
     double total = 0;
-    for (const Edge<double>& e : m_edges)
+    for (const Edge& e : m_edges)
       total += e.capacity;
     const int exponent = total > 0 ? 50 - std::ilogb(total) - std::ilogb(double(nodes)) : 0;
-    std::vector<Edge<Capacity>> edges;
+    Network result;
     std::vector<std::array<Capacity, 2>> to_terminals(nodes, {0, 0});
     for (const auto& [lower, higher, capacity] : m_edges) {
       const auto rounded = Capacity(std::llround(std::scalbn(capacity, exponent)));
@@ -105,71 +119,56 @@ private:
       if (lower <= sink)
         to_terminals[higher][lower] += integral;
       else
-        edges.push_back({lower, higher, integral});
+        result.add(lower, higher, integral);
     }
     for (Node n = sink + 1; n < nodes; ++n) {
       to_terminals[n][m_is_on_source_side[n] ? source : sink] += 1;
       for (const Node terminal : {source, sink})
         if (to_terminals[n][terminal] > 0)
-          edges.push_back({terminal, n, to_terminals[n][terminal]});
+          result.add(terminal, n, to_terminals[n][terminal]);
     }
-    return edges;
+    return result;
   }
 
-  /// Finds the maximum flow. Colors: black if a node is on the side of the source in every minimum
-  /// cut, white if on that of the sink, gray otherwise.
-  void find_flow(std::vector<boost::default_color_type>& colors) const
+  /// By node, whether it is on the side of the source in every minimum cut.
+  std::vector<char> nodes_on_source_side() const
   {
-    const std::vector<Edge<Capacity>> network = edges_of_network();
-    // Arcs by where they start; 2e and 2e + 1 are those of an edge, there and back.
-    const Grouped_items<Node> by_start(colors.size(), [&](const auto& add) {
-      for (Node e = 0; e < network.size(); ++e) {
-        add(network[e].lower, 2 * e);
-        add(network[e].higher, 2 * e + 1);
-      }
-    });
-    const std::size_t size = by_start.all().size();
-    std::vector<std::pair<Node, Node>> arcs; // start, end
-    std::vector<Capacity> capacities, residual(size);
-    std::vector<Node> place(size);
-    arcs.reserve(size);
-    capacities.reserve(size);
-    for (const Node arc : by_start.all()) {
-      const auto& [lower, higher, capacity] = network[arc / 2];
-      place[arc] = Node(arcs.size());
-      arcs.push_back(arc % 2 == 0 ? std::make_pair(lower, higher) : std::make_pair(higher, lower));
-      capacities.push_back(capacity);
-    }
-    const Graph graph(boost::edges_are_sorted, arcs.begin(), arcs.end(), Node(colors.size()));
-    std::vector<boost::graph_traits<Graph>::edge_descriptor> reverse(size),
-      predecessors(colors.size());
-    const auto arc_index = get(boost::edge_index, graph);
+    const auto [arcs, capacities] = network();
+    const std::size_t nodes = m_is_on_source_side.size();
+    const Graph graph(boost::edges_are_unsorted_multi_pass, arcs.begin(), arcs.end(),
+                      boost::counting_iterator<Node>(0), nodes);
+    std::vector<boost::graph_traits<Graph>::edge_descriptor> reverse(arcs.size());
     for (auto range = edges(graph); range.first != range.second; ++range.first)
-      reverse[place[by_start.all()[get(arc_index, *range.first)] ^ 1]] = *range.first;
-    std::vector<std::size_t> distances(colors.size());
-    const auto node_index = get(boost::vertex_index, graph);
+      reverse[graph[*range.first].index ^ 1] = *range.first;
+    std::vector<Capacity> residual(arcs.size());
+    std::vector<boost::default_color_type> colors(nodes);
+    const auto arc = get(&Arc::index, graph);
+    const auto node = get(boost::vertex_index, graph);
     boost::boykov_kolmogorov_max_flow(
-      graph, boost::make_iterator_property_map(capacities.begin(), arc_index),
-      boost::make_iterator_property_map(residual.begin(), arc_index),
-      boost::make_iterator_property_map(reverse.begin(), arc_index),
-      boost::make_iterator_property_map(predecessors.begin(), node_index),
-      boost::make_iterator_property_map(colors.begin(), node_index),
-      boost::make_iterator_property_map(distances.begin(), node_index), node_index, source, sink);
+      graph, boost::make_iterator_property_map(capacities.begin(), arc),
+      boost::make_iterator_property_map(residual.begin(), arc),
+      boost::make_iterator_property_map(reverse.begin(), arc),
+      boost::make_iterator_property_map(colors.begin(), node), node, source, sink);
+    std::vector<char> result;
+    for (const boost::default_color_type color : colors)
+      result.push_back(color == boost::black_color);
+    return result;
   }
 
-  std::vector<std::uint8_t> m_is_on_source_side;
-  std::vector<Edge<double>> m_edges;
+  std::vector<char> m_is_on_source_side{1, 0};
+  std::vector<Edge> m_edges;
 };
 
-/// Moves the border between two pieces of a mesh to a minimum cut in a band around it. Elements are
-/// faces, or patches; a piece that was connected still is.
+/// Moves the border between two pieces of a mesh to a minimum cut in a band around it. The elements
+/// of pieces are faces or patches. A piece that was connected still is afterwards.
 class Border_cut
 {
 public:
   using Index = Dual_graph::Index;
 
-  /// `costs`: of the borders between adjacent elements; `distance(i, j)`: of two of these, is kept
-  /// by reference; `piece_of`: by element, is changed by `move_border()`
+  /// `costs`: of the borders between adjacent elements; `distance(i, j)`: between two adjacent
+  /// elements; `piece_of`: by element, changed by `move_border()`. All three must exist as long as
+  /// the object.
   Border_cut(const Dual_graph& costs, std::function<double(Index, Index)> distance,
              std::vector<Index>& piece_of)
     : m_costs(costs)
@@ -180,34 +179,37 @@ public:
     , m_visits(piece_of.size(), 0)
   {}
 
-  /// The band consists of the elements of the two pieces within `width` of `border`, on paths
-  /// inside their own piece. Its elements at the inner ends stay, and those that
-  /// `must_stay(element)`; if none stays in one of the pieces, nothing is moved, nor if a piece
-  /// would be disconnected. Returns the elements that were moved.
+  /// The band consists of the elements of the two pieces within `width` of `border`, measured along
+  /// paths inside their own piece. Elements at the inner ends of the band keep their piece, and so
+  /// do those for which `must_stay(element)`. Nothing is moved if the width is less than
+  /// `narrowest_band`, if no element of the band stays in one of the pieces, or if a piece would be
+  /// disconnected. Returns the elements that were moved.
   ///
-  /// `border`: the elements of both pieces that are adjacent to the other one, or some of them.
+  /// `border`: elements of either piece that are adjacent to the other piece, all or some of them.
   std::vector<Index> move_border(Index a, Index b, const std::vector<Index>& border, double width,
                                  std::function<bool(Index)> must_stay)
   {
+    std::vector<Index> moved;
+    if (!(width >= narrowest_band))
+      return moved;
     grow_band(border, width);
     Minimum_cut cut;
-    std::vector<Index> moved;
     if (add_nodes(cut, a, must_stay)) {
       add_edges(cut, a, b);
       if (cut.improve())
         moved = move_elements(cut, a, b);
     }
-    forget_band();
+    for (const Index element : std::exchange(m_band, {}))
+      m_distances[element] = unreached;
     return moved;
   }
 
-  /// Whether a piece that was connected before elements left it still is: if and only if its
-  /// elements adjacent to those are still connected to each other. Stops as soon as they are, so
-  /// usually after a local search.
+  /// Whether a piece that was connected before `moved` elements left it still is: whether its
+  /// elements adjacent to those that left are connected to each other. The search stops as soon as
+  /// it has reached all of them, which it usually does nearby.
   bool is_connected(Index piece, const std::vector<Index>& moved)
   {
-    const Index wanted = m_latest_visit + 1, reached = m_latest_visit + 2;
-    m_latest_visit += 2;
+    const Index wanted = ++m_latest_visit, reached = ++m_latest_visit;
     std::vector<Index> front;
     std::size_t missing = 0;
     for (const Index element : moved)
@@ -218,10 +220,8 @@ public:
           front.assign(1, step.face);
           ++missing;
         }
-    if (missing == 0)
+    if (missing <= 1)
       return true;
-    m_visits[front[0]] = reached;
-    --missing;
     for (std::size_t i = 0; i < front.size() && missing > 0; ++i)
       for (const auto& step : m_costs.steps(front[i]))
         if (m_piece_of[step.face] == piece && m_visits[step.face] != reached) {
@@ -233,39 +233,31 @@ public:
   }
 
 private:
+  /// Relative distances of centroids have errors of this order where the origin is far away, and
+  /// the band of a piece without area is narrower.
+  static constexpr double narrowest_band = 1e-6;
   static constexpr double unreached = (std::numeric_limits<double>::max)();
 
   void grow_band(const std::vector<Index>& border, double width)
   {
-    for (const Index element : border)
-      if (!is_in_band(element)) {
-        m_band.push_back(element);
-        m_distances[element] = 0;
-      }
     find_shortest_paths(
-      std::vector<Index>(m_band), m_distances, [](Index) { return true; },
+      border, m_distances,
+      [&](Index element) {
+        m_band.push_back(element);
+        return true;
+      },
       [&](Index element, const auto& enter) {
         for (const auto& step : m_costs.steps(element))
           if (m_piece_of[step.face] == m_piece_of[element])
             if (const double length = m_distance(element, step.face);
-                m_distances[element] + length <= width) {
-              const bool is_new = !is_in_band(step.face);
-              if (enter(step.face, length) && is_new)
-                m_band.push_back(step.face);
-            }
+                m_distances[element] + length <= width)
+              enter(step.face, length);
       });
   }
 
   bool is_in_band(Index element) const { return m_distances[element] != unreached; }
 
-  void forget_band()
-  {
-    for (const Index element : m_band)
-      m_distances[element] = unreached;
-    m_band.clear();
-  }
-
-  /// Returns whether there are elements that stay in both pieces.
+  /// Returns whether elements of both pieces stay.
   bool add_nodes(Minimum_cut& cut, Index a, std::function<bool(Index)> must_stay)
   {
     bool stays_in_a = false, stays_in_b = false;
@@ -280,10 +272,10 @@ private:
 
   bool is_at_inner_end(Index element) const
   {
-    for (const auto& step : m_costs.steps(element))
-      if (!is_in_band(step.face) && m_piece_of[step.face] == m_piece_of[element])
-        return true;
-    return false;
+    const auto steps = m_costs.steps(element);
+    return std::any_of(steps.begin(), steps.end(), [&](const auto& step) {
+      return !is_in_band(step.face) && m_piece_of[step.face] == m_piece_of[element];
+    });
   }
 
   void add_edges(Minimum_cut& cut, Index a, Index b) const
@@ -299,7 +291,8 @@ private:
       }
   }
 
-  /// Elements that a piece gains are connected to it (see `Minimum_cut`).
+  /// Moves elements to the side of the cut on which they are, unless that disconnects a piece. (The
+  /// elements that a piece gains are connected to it: see `Minimum_cut`.)
   std::vector<Index> move_elements(const Minimum_cut& cut, Index a, Index b)
   {
     std::vector<Index> moved;

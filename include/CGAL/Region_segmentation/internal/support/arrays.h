@@ -146,7 +146,7 @@ sorted_indices(std::size_t size, const std::function<bool(std::uint32_t, std::ui
 {
   std::vector<std::uint32_t> result(size);
   std::iota(result.begin(), result.end(), std::uint32_t(0));
-  std::sort(result.begin(), result.end(), std::cref(less));
+  std::sort(result.begin(), result.end(), [&](auto i, auto j) { return less(i, j); });
   return result;
 }
 

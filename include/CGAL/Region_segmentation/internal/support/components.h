@@ -85,13 +85,11 @@ private:
   Partition::Numbers m_parents;
 };
 
-/// One byte per adjacency of a surface.
-using Edge_marks = Large_array<std::uint8_t>;
-
 /// The connected components of the faces across the adjacencies without a mark that is in
 /// `barring`. Each thread unites the faces of a range of blocks; adjacencies between two ranges
 /// follow at the end.
-inline Partition label_components(const Surface& surface, const Edge_marks& marks,
+/// `marks`: a byte for each adjacency
+inline Partition label_components(const Surface& surface, const std::uint8_t* marks,
                                   std::uint8_t barring, const Execution& execution)
 {
   using Index = Surface::Index;
@@ -99,12 +97,11 @@ inline Partition label_components(const Surface& surface, const Edge_marks& mark
   const std::size_t size = surface.number_of_faces();
   std::vector<std::vector<Index>> between_ranges(number_of_blocks(size, size_of_range));
   Lowest_root_forest forest(size);
-  const auto unite_range = [&, mark = marks.data()](std::size_t range, std::size_t begin,
-                                                    std::size_t end) {
+  const auto unite_range = [&](std::size_t range, std::size_t begin, std::size_t end) {
     const std::size_t first_of_range = execution.is_parallel() ? begin : 0;
     const std::size_t past = surface.first_adjacency(end);
     for (std::size_t a = surface.first_adjacency(begin); a < past; ++a) {
-      if ((mark[a] & barring) != 0)
+      if ((marks[a] & barring) != 0)
         continue;
       if (surface.lower_face(a) >= first_of_range)
         forest.unite(surface.lower_face(a), surface.higher_face(a));
@@ -125,15 +122,15 @@ inline Partition label_components(const Surface& surface,
                                   const std::function<bool(std::size_t)>& joins,
                                   const Execution& execution)
 {
-  Edge_marks is_barred(surface.number_of_adjacencies());
+  Large_array<std::uint8_t> is_barred(surface.number_of_adjacencies());
   for_each_index(execution, is_barred.size(), [&](std::size_t a) { is_barred[a] = !joins(a); });
-  return label_components(surface, is_barred, 1, execution);
+  return label_components(surface, is_barred.data(), 1, execution);
 }
 
 /// The connected components of the faces across edges.
 inline Partition edge_components(const Surface& surface, const Execution& execution)
 {
-  return label_components(surface, arrays_of(surface).flags, Surface::SEAM | Surface::LINK,
+  return label_components(surface, arrays_of(surface).flags.data(), Surface::SEAM | Surface::LINK,
                           execution);
 }
 
@@ -176,10 +173,11 @@ void find_shortest_paths(const std::vector<Index>& sources, std::vector<double>&
 {
   using Entry = std::pair<double, Index>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> front;
-  for (const Index source : sources) {
-    distances[source] = 0;
-    front.push({0, source});
-  }
+  for (const Index source : sources)
+    if (distances[source] > 0) { // so that a source that is given twice is visited once
+      distances[source] = 0;
+      front.push({0, source});
+    }
   while (!front.empty()) {
     const auto [distance, node] = front.top();
     front.pop();
