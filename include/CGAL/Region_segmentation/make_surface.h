@@ -50,7 +50,7 @@ Surface build_surface(Raw raw, Adjacency_of wanted, const Execution& execution)
   }
   collect_adjacencies(raw, execution.step(0.3, 0.8));
   raw.neighbors = Large_array<Surface::Index>(); // the next steps need the memory
-  insert_adjacencies(surface, std::move(added));
+  insert_adjacencies(surface, added);
   arrays_of(surface).component_of = edge_components(surface, execution.step(0.8, 0.9));
   if (orient_components(surface) || surface.has_seams_or_links())
     set_signs(surface);
