@@ -8,7 +8,7 @@
 #ifndef REGION_SEGMENTATION_TEST_COMPILE_FAIL_COMMON_H
 #define REGION_SEGMENTATION_TEST_COMPILE_FAIL_COMMON_H
 
-#include <CGAL/Region_segmentation/Segments/extract_segment_borders.h>
+#include <CGAL/Region_segmentation/Segments/segment_borders.h>
 #include <CGAL/Region_segmentation/Segments/split_into_segments.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
