@@ -5,7 +5,7 @@
 #include "segments.h"
 
 #include <CGAL/Region_segmentation/Segments/compute_segment_topology.h>
-#include <CGAL/Region_segmentation/Segments/mark_segment_borders.h>
+#include <CGAL/Region_segmentation/Segments/segment_borders.h>
 #include <CGAL/Region_segmentation/Segments/mark_segment_seams.h>
 #include <CGAL/Region_segmentation/Segments/split_into_segments.h>
 
@@ -34,9 +34,7 @@ std::vector<Topology> topologies_of(const Soup& soup, const Labels& labels)
 {
   const Surface_mesh mesh = to_surface_mesh(soup);
   std::vector<Topology> result;
-  const std::size_t number = RS::compute_segment_topology(mesh, face_labels(mesh, labels),
-                                                          std::back_inserter(result));
-  EXPECT_EQ(number, result.size());
+  RS::compute_segment_topology(mesh, face_labels(mesh, labels), std::back_inserter(result));
   return result;
 }
 

@@ -8,8 +8,6 @@
 #include <CGAL/Region_segmentation/internal/part_faces/fit_surface.h>
 #include <CGAL/Region_segmentation/internal/part_faces/initial_surfaces.h>
 
-#include <CGAL/number_type_config.h>
-
 #include <Eigen/Dense>
 
 #include <algorithm>
@@ -61,8 +59,6 @@ inline Fitted_surface<> sphere_through(const Weighted_points& samples)
 class Segment_fitter
 {
 public:
-  using Errors = std::array<double, 4>; ///< by `Surface_kind`
-
   explicit Segment_fitter(std::size_t number_of_faces)
     : m_stride((number_of_faces + most_fitted_faces - 1) / most_fitted_faces)
   {}
@@ -70,39 +66,38 @@ public:
   /// `normal`: zero for a degenerate face.
   void add_face(const std::vector<Double_3>& corners, const Double_3& normal, double weight)
   {
-    const double n = double(corners.size());
+    const double share = weight / double(corners.size());
     const bool is_fitted = m_middles.points.size() % m_stride == 0;
     Double_3 sum{0, 0, 0};
     for (const Double_3& p : corners) {
       sum = sum + p;
-      m_corners.add(p, weight / n);
-      m_moments.add(weight / n, p);
+      m_corners.add(p, share);
+      m_moments.add(share, p);
       if (is_fitted)
-        m_fitted.add(p, weight / n);
+        m_fitted.add(p, share);
     }
-    m_middles.add((1 / n) * sum, weight);
+    m_middles.add(1 / double(corners.size()) * sum, weight);
     m_normals.add(weight, normal);
-    m_offsets = m_offsets + (weight * dot(normal, corners[0])) * normal;
+    m_offsets = m_offsets + weight * dot(normal, corners[0]) * normal;
   }
 
-  /// The simplest surface than which no more complex one is better by far. `errors`: the root mean
-  /// square distance of the corners to the best one of each kind; infinite where none was found.
+  /// The simplest surface than which no more complex one is better by far. `errors`: by kind, the
+  /// root mean square distance of the corners to the best surface; infinite where none was found.
   ///
   /// Surfaces are compared by the misfit: the root mean square distance of corners and middles of
   /// faces together. Corners alone do not tell a cylinder or a cone from a sphere if they lie on
   /// two circles, as on many machine parts.
-  Fitted_surface<> fit(Errors& errors) const
+  Fitted_surface<> fit(std::array<double, 4>& errors) const
   {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
     const Surface_fitter corners(m_corners.points, 0, m_corners.weights),
       middles(m_middles.points, 0, m_middles.weights), fitter(m_fitted.points, 0, m_fitted.weights);
     Fitted_surface<> best;
     double least = infinity;
     const auto accept = [&](const Fitted_surface<>& s) {
-      const double at_corners = corners.root_mean_square(s),
-                   misfit = std::hypot(at_corners, middles.root_mean_square(s)) / std::sqrt(2.0);
-      if (!is_proper(s) || !std::isfinite(misfit))
-        return;
-      errors[std::size_t(s.kind)] = at_corners;
+      double& error = errors[std::size_t(s.kind)];
+      error = corners.root_mean_square(s);
+      const double misfit = std::hypot(error, middles.root_mean_square(s)) / std::sqrt(2.0);
       if (least > tolerance && misfit < worthwhile * least) {
         least = misfit;
         best = s;
@@ -120,21 +115,10 @@ public:
   }
 
 private:
-  static constexpr double infinity = std::numeric_limits<double>::infinity();
   static constexpr std::size_t most_fitted_faces = 2000; // errors are those of all faces
   static constexpr double tolerance = 1e-4;              // misfits below are as good as none
   static constexpr double worthwhile = 0.8; // what another parameter multiplies the misfit with
   static constexpr int most_iterations = 100, most_slow_iterations = 20; // often no surface fits
-  static constexpr double largest_radius = 100;       // beyond, a surface is as good as flat
-  static constexpr double smallest_half_angle = 0.01; // radians; below, a cone is a cylinder
-
-  static bool is_proper(const Fitted_surface<>& s)
-  {
-    if (s.kind != Surface_kind::CONE)
-      return s.radius <= largest_radius;
-    return s.angle >= smallest_half_angle && s.angle <= CGAL_PI / 2 - smallest_half_angle &&
-           norm(s.apex()) <= largest_radius;
-  }
 
   Fitted_surface<> plane() const
   {
@@ -150,7 +134,7 @@ private:
   }
 
   /// The normals of a cone lie on a circle around its axis, and its tangent planes meet in the
-  /// apex.
+  /// apex. The axis leads from the apex to the centroid, which is the origin.
   Fitted_surface<> cone() const
   {
     const Eigen::Vector3d apex = to_eigen(m_normals.second)
@@ -158,7 +142,7 @@ private:
                                    .solve(Eigen::Vector3d(m_offsets.x, m_offsets.y, m_offsets.z));
     Fitted_surface<> result = surface_of_kind(Surface_kind::CONE, {apex[0], apex[1], apex[2]},
                                               eigenvectors(m_normals.covariance())[0]);
-    if (dot(result.point, result.direction) > 0) // from the apex to the centroid, the origin
+    if (dot(result.point, result.direction) > 0)
       result.direction = -1.0 * result.direction;
     result.angle = std::asin(
       (std::min)(1.0, std::fabs(dot(m_normals.centroid(), result.direction))));
