@@ -113,7 +113,7 @@ private:
     Points corners;
     for (Index face : m_faces[segment]) {
       corners.clear();
-      for (const Index v : corners_of(m_surface, face))
+      for (const Index v : m_surface.corners(face))
         corners.push_back(factor * (m_surface.point(v) - origin));
       f(face, corners);
     }
