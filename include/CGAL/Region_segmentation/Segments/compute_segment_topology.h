@@ -110,7 +110,6 @@ compute_segment_topology(const FaceGraph& mesh, const FaceSegmentMap& segment_ma
                          TopologyOutputIterator topologies,
                          const NamedParameters& np = parameters::default_values())
 {
-  using Label = typename boost::property_traits<FaceSegmentMap>::value_type;
   const auto& pack = internal::pack(np);
   internal::check_parameters<std::decay_t<decltype(pack)>, internal::Tag_list<>>();
   const auto result = internal::topologies_of(
