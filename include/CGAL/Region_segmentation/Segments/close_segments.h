@@ -10,8 +10,8 @@
 #include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/internal/segments/Segment_caps.h>
 #include <CGAL/Region_segmentation/internal/segments/Segmented_mesh.h>
-#include <CGAL/Region_segmentation/internal/surface/Raw_surface.h>
-#include <CGAL/Region_segmentation/internal/surface/compute_normals.h>
+#include <CGAL/Region_segmentation/internal/surface/collect_adjacencies.h>
+#include <CGAL/Region_segmentation/internal/surface/read_surface.h>
 #include <CGAL/Region_segmentation/parameters.h>
 
 #include <CGAL/assertions.h>
@@ -185,7 +185,7 @@ SolidOutputIterator close_segments(const FaceGraph& mesh, const FaceSegmentMap& 
   const auto points = choose_parameter(get_parameter(pack, CGAL::internal_np::vertex_point),
                                        get_const_property_map(CGAL::vertex_point, mesh));
   Surface surface;
-  auto& arrays = internal::arrays_of(surface);
+  auto& arrays = arrays_of(surface);
   for (const auto v : segmented.vertices) {
     const auto& p = get(points, v);
     arrays.points.push_back({CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2])});

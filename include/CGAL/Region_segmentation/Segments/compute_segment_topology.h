@@ -4,7 +4,6 @@
 #define CGAL_REGION_SEGMENTATION_SEGMENTS_COMPUTE_SEGMENT_TOPOLOGY_H
 
 #include <CGAL/Region_segmentation/internal/segments/Segmented_mesh.h>
-#include <CGAL/Region_segmentation/internal/support/concept_checks.h>
 #include <CGAL/Region_segmentation/parameters.h>
 
 #include <boost/property_map/property_map.hpp>
@@ -111,9 +110,6 @@ compute_segment_topology(const FaceGraph& mesh, const FaceSegmentMap& segment_ma
                          TopologyOutputIterator topologies,
                          const NamedParameters& np = parameters::default_values())
 {
-  using Label = typename boost::property_traits<FaceSegmentMap>::value_type;
-  static_assert(
-    internal::check_output_of_labels<TopologyOutputIterator, Segment_topology<Label>>());
   const auto& pack = internal::pack(np);
   internal::check_parameters<std::decay_t<decltype(pack)>, internal::Tag_list<>>();
   const auto result = internal::topologies_of(

@@ -113,7 +113,7 @@ private:
     Points corners;
     for (Index face : m_faces[segment]) {
       corners.clear();
-      for (const Index v : corners_of(m_surface, face))
+      for (const Index v : m_surface.corners(face))
         corners.push_back(factor * (m_surface.point(v) - origin));
       f(face, corners);
     }
@@ -310,8 +310,6 @@ describe_segments(const FaceGraph& mesh, const FaceSegmentMap& segment_map,
   using Pack = std::decay_t<decltype(pack)>;
   using Kernel = internal::Kernel_of_points<
     typename GetVertexPointMap<FaceGraph, Pack>::const_type>;
-  static_assert(internal::check_output_of_labels<DescriptionOutputIterator,
-                                                 Segment_description<Label, Kernel>>());
   internal::check_parameters<Pack, internal::Tag_list<>>();
   const auto segmented = internal::read_segmented_mesh(mesh, segment_map, pack);
   const Surface surface = internal::make_surface_of_neighbors(mesh, pack);

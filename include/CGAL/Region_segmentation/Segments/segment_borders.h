@@ -110,7 +110,6 @@ extract_segment_borders(const FaceGraph& mesh, const FaceSegmentMap& segment_map
 {
   using Border = Segment_border<FaceGraph,
                                 typename boost::property_traits<FaceSegmentMap>::value_type>;
-  static_assert(internal::check_output_of_labels<BorderOutputIterator, Border>());
   const auto& pack = internal::pack(np);
   internal::check_parameters<std::decay_t<decltype(pack)>, internal::Tag_list<>>();
   const auto segmented = internal::read_segmented_mesh(mesh, segment_map, pack);

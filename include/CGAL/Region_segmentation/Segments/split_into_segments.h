@@ -168,7 +168,6 @@ template <typename Piece, typename Mesh, typename OutputIterator, typename WithP
 OutputIterator output_pieces(const Mesh& mesh, const Segmented_halfedges& pieces,
                              OutputIterator output, const WithPoint& with_point)
 {
-  static_assert(check_output_of_labels<OutputIterator, Piece>());
   Piece_builder<Piece, Mesh> builder(mesh, pieces);
   for (std::size_t s = 0; s < pieces.number_of_segments; ++s)
     *output++ = builder.build(s, with_point);

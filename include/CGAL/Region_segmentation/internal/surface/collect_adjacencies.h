@@ -10,10 +10,10 @@
 #include <CGAL/Region_segmentation/internal/surface/read_surface.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <tuple>
 #include <utility>
@@ -86,7 +86,7 @@ struct Added_adjacency
   Surface::Index v = 0, w = 0;         ///< vertices
 };
 
-/// A link between two faces, with the length of contact; 0 for a gap.
+/// A link between two faces, with the length of their contact, which is 0 for a gap.
 inline Added_adjacency link_of(Surface::Index f, Surface::Index g, double length)
 {
   return {(std::min)(f, g), (std::max)(f, g), length * length, Surface::LINK};
@@ -128,8 +128,9 @@ inline Surface::Index side_between(const Surface& surface, Surface::Index face, 
   return result;
 }
 
-/// The adjacencies across edges, from the faces across the sides of each face. Those of a face are
-/// ordered by the lower faces, several adjacencies to one face by the boundary.
+/// Collects the adjacencies across edges, from the faces across the sides of each face. The
+/// adjacencies of a face are ordered by the lower faces, several adjacencies to one face by the
+/// boundary.
 inline void collect_adjacencies(Raw_surface& raw, const Execution& execution)
 {
   using Index = Surface::Index;
@@ -168,7 +169,7 @@ inline void collect_adjacencies(Raw_surface& raw, const Execution& execution)
                      for_each_block_of_output(execution, arrays.normals.size(), number_in, write));
 }
 
-/// Inserts adjacencies behind those of the same two faces.
+/// Inserts adjacencies; each is placed behind those that are there between the same two faces.
 inline void insert_adjacencies(Surface& surface, std::vector<Added_adjacency> added)
 {
   using Index = Surface::Index;
@@ -222,7 +223,7 @@ inline void join_degenerate_faces(Surface& surface)
 {
   using Index = Surface::Index;
   Surface_arrays& arrays = arrays_of(surface);
-  std::vector<Index> longest; // by face
+  std::map<Index, Index> longest; // adjacency by degenerate face
   const auto key = [&](Index a, Index face) {
     const Index lower = surface.lower_face(a);
     return std::make_pair(-surface.squared_length(a),
@@ -233,14 +234,13 @@ inline void join_degenerate_faces(Surface& surface)
       if (!surface.is_degenerate(face) || surface.has_flag(a, Surface::LINK))
         continue;
       arrays.flags[a] = std::uint8_t((arrays.flags[a] & Surface::CONSTRAINED) | Surface::CLOSED);
-      longest.resize(surface.number_of_faces(), Surface::none);
-      if (!surface.has_flag(a, Surface::CONSTRAINED) &&
-          (longest[face] == Surface::none || key(a, face) < key(longest[face], face)))
-        longest[face] = a;
+      if (surface.has_flag(a, Surface::CONSTRAINED))
+        continue;
+      Index& best = longest.emplace(face, a).first->second;
+      best = key(a, face) < key(best, face) ? a : best;
     }
-  for (const Index a : longest)
-    if (a != Surface::none)
-      arrays.flags[a] = Surface::JOINING;
+  for (const auto& [face, a] : longest)
+    arrays.flags[a] = Surface::JOINING;
 }
 
 /// Sets the signs of all angles by the normals. A seam has a sign if the boundaries of its faces
