@@ -4,8 +4,6 @@
 // is refused, and with it fails with the message of its line `expect:`. An error in a template is
 // told once for the same arguments: no two faults may share them.
 
-#include <CGAL/Region_segmentation/Segments/extract_segment_borders.h>
-#include <CGAL/Region_segmentation/Segments/split_into_segments.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/property_map.h>

@@ -56,19 +56,18 @@ struct Surface_arrays
 /// Two faces are *adjacent* across
 /// - an *edge*: an edge with exactly two faces, or two border edges that coincide;
 /// - a *seam*: an edge where a half-edge data structure would be torn. An edge with m > 2 faces has
-/// m seams, each between
-///   two faces that follow each other around it and of half its length. Neighbors that cannot be
-///   oriented consistently have one seam;
-/// - a *link*: two components that touch, cross or come near each other, with the length of their
-/// contact.
+///   m seams, each between two faces that follow each other around it, and of half its length.
+///   Neighbors that cannot be oriented consistently have one seam;
+/// - a *link*: two faces of components that touch, cross or come near each other, with the length
+///   of contact.
 ///
 /// Adjacencies are sorted by their higher, then by their lower face; several between the same two
 /// faces follow the boundary of the higher one from its first corner, edges first. The adjacencies
 /// of a face f to lower faces are `first_adjacency(f)` to `first_adjacency(f + 1) - 1`. A stage
 /// usually iterates over all adjacencies, once.
 ///
-/// Corners of a face run counterclockwise seen from the side to which its normal points. Closed
-/// components that are inside out are turned, see `make_surface()`.
+/// The corners of a face run counterclockwise, seen from the side to which its normal points.
+/// Closed components that are inside out are turned, see `make_surface()`.
 ///
 /// Bytes: 64 per face, 4 per side and 17 per adjacency, so 101.5 per face on a closed triangle
 /// mesh.

@@ -31,7 +31,8 @@ namespace internal {
 enum class Adjacency_of { NEIGHBORS, COINCIDING_SIDES, COMPONENTS };
 
 /// Makes a surface of points and corners. This is a template so that `extern template` keeps it out
-/// of a translation unit. \tparam Raw `Raw_surface`
+/// of a translation unit.
+/// \tparam Raw `Raw_surface`
 template <typename Raw>
 Surface build_surface(Raw raw, Adjacency_of wanted, const Execution& execution)
 {
@@ -50,7 +51,7 @@ Surface build_surface(Raw raw, Adjacency_of wanted, const Execution& execution)
   }
   collect_adjacencies(raw, execution.step(0.3, 0.8));
   raw.neighbors = Large_array<Surface::Index>(); // the next steps need the memory
-  insert_adjacencies(surface, std::move(added));
+  insert_adjacencies(surface, added);
   arrays_of(surface).component_of = edge_components(surface, execution.step(0.8, 0.9));
   if (orient_components(surface) || surface.has_seams_or_links())
     set_signs(surface);
@@ -147,16 +148,16 @@ Surface make_surface(const FaceGraph& mesh,
 /// makes a surface of points and polygons. They need not be manifold, oriented, connected or free
 /// of duplicates.
 ///
-/// - Points with equal coordinates are one vertex, where they are at a side that has not exactly
-/// one partner with the same two indices: closed components keep vertices of their own, as those of
-/// a face graph.
+/// - Points with equal coordinates are one vertex if they are at a side that has not exactly one
+///   partner with the same two indices. So closed components keep vertices of their own, as those
+///   of a face graph.
 /// - Two sides of polygons with the same two vertices are an edge. More than two sides are seams,
-/// see `Surface`; but the sides of degenerate faces among them are edges to the lowest other face.
+///   see `Surface`; but the sides of degenerate faces among them are edges to the lowest other
+///   face.
 /// - Faces are turned so that neighbors across edges are oriented alike; the orientation of a
-/// component is that of the
-///   larger area. An edge whose faces cannot be oriented is a seam.
+///   component is that of the larger area. An edge whose faces cannot be oriented is a seam.
 /// - A polygon with the sides of a lower one, in any orientation, is degenerate, and is adjacent to
-/// that one alone.
+///   that one alone.
 ///
 /// Closed components are turned, and components are linked, as those of a face graph.
 ///

@@ -69,7 +69,7 @@ public:
 
   /// \throws Invalid_input if a map does not hold labels below `n`
   template <typename FaceMap>
-  void check(const FaceMap&, std::size_t n, const char* what = "labels") const
+  void check(const FaceMap&, std::size_t n, const char* what = "label") const
   {
     check_labels<typename boost::property_traits<FaceMap>::value_type>(n, what);
   }

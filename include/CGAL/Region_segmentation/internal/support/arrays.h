@@ -90,8 +90,7 @@ public:
   }
 
   std::size_t number_of_groups() const { return m_first.size() - 2; }
-  const Large_array<Item>& all() const& { return m_items; }
-  Large_array<Item> all() && { return std::move(m_items); }
+  const Large_array<Item>& all() const { return m_items; }
   Iterator_range<const Item*> operator[](std::size_t group) const
   {
     return {m_items.data() + m_first[group], m_items.data() + m_first[group + 1]};

@@ -117,14 +117,12 @@ inline std::vector<Surface::Index> find_outermost(const Surface& surface,
   std::vector<Double_3> lowest(is_closed.size(), {infinity, infinity, infinity});
   const Face_tree tree(surface);
   const auto component = [&](Index leaf) { return component_of[tree.face(leaf)]; };
-  for (Index node = 0; node < tree.boxes().number_of_nodes(); ++node)
-    if (tree.boxes().is_leaf(node)) {
-      boxes[component(node)].add(tree.boxes().box(node));
-      for (const Double_3& p : tree.triangle(node))
-        if (is_lower(p, lowest[component(node)]))
-          lowest[component(node)] = p;
+  for (Index f = 0; f < component_of.size(); ++f)
+    for (const Index v : surface.corners(f)) {
+      const Index c = component_of[f];
+      boxes[c].add(box_of(std::array{surface.point(v)}));
+      lowest[c] = (std::min)(lowest[c], surface.point(v), is_lower);
     }
-
   const auto is_in_box_of = [&](Index c, Index d) {
     Axis_box both = boxes[d];
     both.add(boxes[c]);
