@@ -281,8 +281,8 @@ TEST(Border_straightening_test, a_tree_is_renumbered_without_lost_regions)
   tree.push_back({0, 1, 0.2});
   tree.push_back({2, 4, 0.3});
   tree.push_back({0, 2, 0.4});
-  constexpr Index none = Index(-1);
-  const RS::Merge_tree renumbered = RS::internal::renumber_tree(tree, {2, none, 3, 1, 0});
+  const RS::Hierarchy hierarchy = RS::internal::renumbered_hierarchy({4, 3, 0, 2}, tree, 1);
+  const RS::Merge_tree& renumbered = hierarchy.merge_tree();
   ASSERT_EQ(renumbered.number_of_regions(), 4u);
   ASSERT_EQ(renumbered.merges().size(), 3u);
   const std::vector<RS::Merge_tree::Merge> expected{{1, 2, 0.2}, {0, 3, 0.3}, {0, 1, 0.4}};

@@ -4,7 +4,7 @@
 
 #include <CGAL/Region_segmentation/Methods/Learned_merging.h>
 #include <CGAL/Region_segmentation/Methods/Lowest_cost_first.h>
-#include <CGAL/Region_segmentation/Methods/Visibility_cost.h>
+#include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
 
 #include <cmath>
 #include <random>

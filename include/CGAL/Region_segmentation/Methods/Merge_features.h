@@ -4,7 +4,7 @@
 #define CGAL_REGION_SEGMENTATION_METHODS_MERGE_FEATURES_H
 
 #include <CGAL/Region_segmentation/Double_3.h>
-#include <CGAL/Region_segmentation/Methods/Visibility_cost.h>
+#include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
 #include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/internal/model/Merge_model.h>
 #include <CGAL/Region_segmentation/internal/superfacets/Region_shapes.h>

@@ -3,7 +3,6 @@
 #ifndef CGAL_REGION_SEGMENTATION_METHODS_SCALAR_COST_H
 #define CGAL_REGION_SEGMENTATION_METHODS_SCALAR_COST_H
 
-#include <CGAL/Region_segmentation/Methods/Visibility_cost.h>
 #include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
 #include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/Surface.h>

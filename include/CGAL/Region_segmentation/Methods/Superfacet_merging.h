@@ -32,36 +32,25 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// The tree of regions that have new numbers, or no elements any more (the highest number): their
-/// merges are left out.
-inline Merge_tree renumber_tree(const Merge_tree& tree, std::vector<Partition::Index> new_numbers)
-{
-  constexpr Partition::Index none = (std::numeric_limits<Partition::Index>::max)();
-  Merge_tree result(std::size_t(std::count_if(new_numbers.begin(), new_numbers.end(),
-                                              [](auto number) { return number != none; })));
-  for (const Merge_tree::Merge& merge : tree.merges()) {
-    // Of each segment, the lowest of the new numbers.
-    Partition::Index& kept = new_numbers[merge.kept];
-    const Partition::Index removed = new_numbers[merge.removed];
-    if (kept != none && removed != none)
-      result.push_back({(std::min)(kept, removed), (std::max)(kept, removed), merge.cost});
-    kept = (std::min)(kept, removed);
-  }
-  return result;
-}
-
 /// The hierarchy of regions whose faces were moved between them: `region_of` gives the region of
-/// each face by the numbers of `tree`.
+/// each face by the numbers of `tree`. Merges of a region without faces are left out.
 inline Hierarchy renumbered_hierarchy(const std::vector<Partition::Index>& region_of,
                                       const Merge_tree& tree, std::size_t number_of_segments)
 {
   constexpr Partition::Index none = (std::numeric_limits<Partition::Index>::max)();
   Partition regions = Partition::from_labels(region_of);
-  std::vector<Partition::Index> new_numbers(tree.number_of_regions(), none);
+  // By former number: the lowest of the new numbers in the segment of a region.
+  std::vector<Partition::Index> numbers(tree.number_of_regions(), none);
   for (std::size_t f = 0; f < region_of.size(); ++f)
-    new_numbers[region_of[f]] = regions[f];
-  return Hierarchy(std::move(regions), renumber_tree(tree, std::move(new_numbers)),
-                   number_of_segments);
+    numbers[region_of[f]] = regions[f];
+  Merge_tree renumbered(regions.number_of_parts());
+  for (const Merge_tree::Merge& merge : tree.merges()) {
+    const auto [kept, removed] = std::minmax({numbers[merge.kept], numbers[merge.removed]});
+    if (removed != none)
+      renumbered.push_back({kept, removed, merge.cost});
+    numbers[merge.kept] = kept;
+  }
+  return Hierarchy(std::move(regions), std::move(renumbered), number_of_segments);
 }
 
 } // namespace internal
@@ -73,7 +62,7 @@ class Refinable_hierarchy : public Hierarchy
 {
 public:
   Refinable_hierarchy() = default;
-  /// `largest_number`: of segments
+  /// `largest_number`: of segments; 0 if regions must not be split
   Refinable_hierarchy(Hierarchy hierarchy, const Superfacets& superfacets,
                       std::size_t largest_number)
     : Hierarchy(std::move(hierarchy))
@@ -85,10 +74,10 @@ public:
   /// regions are split.
   Composed_partition segments(const Surface& surface, std::size_t number) const
   {
-    number = (std::min)(number, m_largest_number);
-    if (number <= regions().number_of_parts())
+    const std::size_t number_of_parts = (std::min)(number, m_largest_number);
+    if (number_of_parts <= regions().number_of_parts())
       return Hierarchy::segments(surface, number);
-    Partition split = m_superfacets.split(surface, regions(), number);
+    Partition split = m_superfacets.split(surface, regions(), number_of_parts);
     Partition segments = Partition::into_single_elements(split.number_of_parts());
     return {std::make_shared<const Partition>(std::move(split)), std::move(segments)};
   }
@@ -128,7 +117,6 @@ struct Superfacet_merging
     Surface_patches patches;
     Partition regions; ///< the superfacets, of the faces
     Region_rays rays;
-    std::size_t number_of_proper_faces; ///< that are not degenerate
 
     /// The surface that is measured.
     const Surface& shape(const Surface& surface) const { return smoothed ? *smoothed : surface; }
@@ -148,9 +136,7 @@ struct Superfacet_merging
     Partition regions = internal::join_degenerate_regions(
       surface, composed(patches.fine.of_elements(), regions_of_patches));
     Region_rays rays(surface, patches, regions, execution.stage("rays"));
-    const std::size_t proper_faces = internal::number_of_proper_faces(surface);
-    return {std::move(smoothed), std::move(patches), std::move(regions), std::move(rays),
-            proper_faces};
+    return {std::move(smoothed), std::move(patches), std::move(regions), std::move(rays)};
   }
 
   Refinable_hierarchy merge(const Surface& given, const Prepared& prepared, const Request& request,
@@ -165,19 +151,23 @@ struct Superfacet_merging
     auto graph = annotated_graph(surface, prepared, requested.regions, execution.stage("graph"));
     const Merge_tree tree = merge_requested_regions(surface, requested, graph, policy, 1,
                                                     execution.stage("merging"));
-    // Regions that seeds joined are not split.
-    const bool can_split = request.seeds.empty();
-    const std::size_t largest_number = can_split ? (std::max)(prepared.number_of_proper_faces,
-                                                              std::size_t(1))
-                                                 : requested.regions.number_of_parts();
-    const std::size_t number = (std::min)(
-      request.number_of_segments > 0 ? request.number_of_segments : chooser(tree, surface),
-      largest_number);
-    Hierarchy hierarchy = straightened(surface, prepared, requested, request, tree, number,
-                                       execution);
-    const std::size_t regions_left = hierarchy.regions().number_of_parts();
-    return Refinable_hierarchy(std::move(hierarchy), superfacets,
-                               can_split ? largest_number : regions_left);
+    const std::size_t number = request.number_of_segments > 0 ? request.number_of_segments
+                                                              : chooser(tree, surface);
+    std::optional<Patches> divided;
+    if (!request.seeds.empty())
+      divided = internal::Patch_builder::divided(surface, prepared.patches.fine, requested.regions);
+    const Patches& cells = divided ? *divided : prepared.patches.fine;
+    const bool is_for_one_number = request.numbers == Request::Numbers::ONE;
+    const std::vector<Surface::Index> label_of_cell = straightening(
+      surface, cells, requested, tree, is_for_one_number ? number : tree.number_of_regions(),
+      execution.stage("borders"));
+    std::vector<Surface::Index> region_of;
+    region_of.reserve(surface.number_of_faces());
+    for (const Surface::Index cell : cells.of_elements())
+      region_of.push_back(label_of_cell[cell]);
+    return Refinable_hierarchy(internal::renumbered_hierarchy(region_of, tree, number), superfacets,
+                               request.seeds.empty() ? internal::number_of_proper_faces(surface)
+                                                     : 0);
   }
 
   /// The graph of regions of the shape, with the data of the annotator; the rays of superfacets
@@ -188,40 +178,14 @@ struct Superfacet_merging
     static_assert(internal::check_annotator<GraphAnnotator>());
     const Surface& surface = prepared.shape(given);
     auto graph = build_region_adjacency_graph<typename GraphAnnotator::RegionData,
-                                       typename GraphAnnotator::SectionData>(surface, regions,
-                                                                             execution);
+                                              typename GraphAnnotator::SectionData>(
+      surface, regions, execution);
     if (regions == prepared.regions)
       annotator(graph, surface, regions, prepared.rays);
     else
       annotator(graph, surface, regions,
                 Region_rays(surface, prepared.patches, regions, execution.silent()));
     return graph;
-  }
-
-private:
-  using Index = Surface::Index;
-
-  /// The hierarchy with the borders of its segments moved: of all of them, or of one number alone
-  /// if the request says so.
-  Hierarchy straightened(const Surface& surface, const Prepared& prepared,
-                         const Requested_regions& requested, const Request& request,
-                         const Merge_tree& tree, std::size_t number_of_segments,
-                         const Execution& execution) const
-  {
-    const Partition& regions = requested.regions;
-    std::optional<Patches> divided;
-    if (!request.seeds.empty())
-      divided = internal::Patch_builder::divided(surface, prepared.patches.fine, regions);
-    const Patches& cells = divided ? *divided : prepared.patches.fine;
-    const std::size_t number = request.numbers == Request::Numbers::ONE ? number_of_segments
-                                                                        : regions.number_of_parts();
-    const std::vector<Index> label_of_cell = straightening(surface, cells, requested, tree, number,
-                                                           execution.stage("borders"));
-    std::vector<Index> region_of;
-    region_of.reserve(surface.number_of_faces());
-    for (const Index cell : cells.of_elements())
-      region_of.push_back(label_of_cell[cell]);
-    return internal::renumbered_hierarchy(region_of, tree, number_of_segments);
   }
 };
 

@@ -200,8 +200,8 @@ SolidOutputIterator close_segments(const FaceGraph& mesh, const FaceSegmentMap& 
     internal::compute_normals(surface, Execution());
     planes = internal::planes_of_vertices(closed, caps, arrays.normals);
   }
-  return internal::output_pieces<Piece>(
-    segmented, closed, solids, [&](std::uint32_t h, std::uint32_t fan, const auto& f) {
+  return internal::Piece_builder<Piece, decltype(segmented)>(segmented, closed)
+    .build(solids, [&](std::uint32_t h, std::uint32_t fan, const auto& f) {
       const Double_3 move = planes.empty() ? Double_3{0, 0, 0} : clearance / 2 * planes[fan].move();
       const std::uint32_t v = closed.source[h];
       if (squared_norm(move) == 0 && v < segmented.vertices.size())

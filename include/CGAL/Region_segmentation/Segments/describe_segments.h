@@ -27,7 +27,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <map>
 #include <numeric>
 #include <type_traits>
@@ -119,27 +118,40 @@ private:
     }
   }
 
-  /// Area, centroid, axes, extents and surface.
+  /// Describes area, centroid, axes, extents and surface.
   void describe_shape(std::size_t segment)
   {
+    const double unit = m_surface.unit();
     // Coordinates are relative to a point nearby, so that nothing cancels far from the origin.
     const Double_3 origin = m_surface.point(m_surface.corner(*m_faces[segment].begin(), 0));
     Second_moments moments;
     for_each_face(segment, origin, 1, [&](Index, const Points& p) { add_moments(p, moments); });
-    const double area = moments.weight, unit = m_surface.unit();
     const Double_3 center = origin + moments.centroid();
+    const double area = moments.weight, size = area > 0 ? std::sqrt(area) : 1;
+    Segment_fitter fitter;
+    for_each_face(segment, center, 1 / size, [&](Index f, const Points& corners) {
+      fitter.add_face(corners, m_surface.normal(f), area > 0 ? m_surface.area(f) : 1);
+    });
     Description& d = m_descriptions[segment];
     d.segment = m_segmented.labels[segment];
     d.number_of_faces = m_faces[segment].size();
     d.area = area * unit * unit; // the square of the unit may be infinite where the area is 0
     d.centroid = CGAL::ORIGIN + to_vector(unit * center);
-    describe_extents(segment, center, principal_axes(moments.covariance()));
-    fit_surface(segment, center, area);
+    const std::array<Double_3, 3> axes = principal_axes(moments.covariance());
+    for (std::size_t i = 0; i < 3; ++i) {
+      d.axes[i] = to_vector(axes[i]);
+      d.extents[i] = fitter.extent(axes[i]) * size * unit;
+    }
+    Fitted_surface<> surface = fitter.fit(d.surface_errors);
+    surface.point = surface.point + 1 / size * center;
+    d.surface = scaled<Kernel>(surface, size * unit);
+    for (double& error : d.surface_errors)
+      error *= size * unit;
   }
 
-  /// Of the triangles of a fan, each with its area as seen along the normal, so that a face may be
-  /// concave. The integral of x x^T over a triangle a, b, c of area A is
-  /// A / 12 (a a^T + b b^T + c c^T + s s^T), s = a + b + c.
+  /// Adds the moments of a face: those of the triangles of a fan, each with its area as seen along
+  /// the normal, so that the face may be concave. The integral of x x^T over a triangle a, b, c of
+  /// area A is A / 12 (a a^T + b b^T + c c^T + s s^T), s = a + b + c.
   static void add_moments(const Points& p, Second_moments& moments)
   {
     Double_3 normal{0, 0, 0};
@@ -166,43 +178,6 @@ private:
         a = -1.0 * a;
     axes[2] = cross(axes[0], axes[1]);
     return axes;
-  }
-
-  void describe_extents(std::size_t segment, const Double_3& center,
-                        const std::array<Double_3, 3>& axes)
-  {
-    for (std::size_t i = 0; i < 3; ++i) {
-      double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
-      for_each_face(segment, center, 1, [&](Index, const Points& corners) {
-        for (const Double_3& p : corners) {
-          lowest = (std::min)(lowest, dot(axes[i], p));
-          highest = (std::max)(highest, dot(axes[i], p));
-        }
-      });
-      m_descriptions[segment].axes[i] = to_vector(axes[i]);
-      m_descriptions[segment].extents[i] = (highest - lowest) * m_surface.unit();
-    }
-  }
-
-  void fit_surface(std::size_t segment, const Double_3& center, double area)
-  {
-    const double size = area > 0 ? std::sqrt(area) : 1, unit = m_surface.unit();
-    Segment_fitter fitter(m_faces[segment].size());
-    for_each_face(segment, center, 1 / size, [&](Index f, const Points& corners) {
-      fitter.add_face(corners, m_surface.normal(f), area > 0 ? m_surface.area(f) : 1);
-    });
-    Description& d = m_descriptions[segment];
-    Fitted_surface<> surface = fitter.fit(d.surface_errors);
-    surface.point = surface.point + 1 / size * center;
-    double outwards = 0;
-    for (Index f : m_faces[segment])
-      outwards += m_surface.area(f) *
-                  dot(m_surface.normal(f),
-                      surface_normal(surface, 1 / size * m_surface.centroid(f)));
-    surface.side = outwards < 0 ? -1 : 1;
-    d.surface = scaled<Kernel>(surface, size * unit);
-    for (double& error : d.surface_errors)
-      error *= size * unit;
   }
 
   void describe_volumes()
@@ -264,7 +239,7 @@ private:
 ///
 /// A plane, a sphere, a cylinder and a cone are fitted to the corners of the faces, weighted by
 /// area. Linear systems in points and normals give a start, from which Levenberg and Marquardt's
-/// method minimizes the mean square distance; of segments of more than 2000 faces, some 2000 are
+/// method minimizes the mean square distance; of more than 6000 corners, at most 6000 are
 /// fitted, spread evenly. The plane is exact, the other minima are local. The misfit of a primitive
 /// is the root mean square distance of the corners and of the middles of the faces together, since
 /// corners on two circles alone could be those of a sphere. From the simplest to the most complex,

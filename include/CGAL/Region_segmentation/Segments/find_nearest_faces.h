@@ -102,7 +102,8 @@ FaceOutputIterator find_nearest_faces(const FaceGraph& mesh, const PointRange& p
   using Pack = std::decay_t<decltype(pack)>;
   internal::check_parameters<Pack, internal::Tag_list<>>();
   const internal::Mesh_order<FaceGraph, Pack> order(mesh, pack);
-  const Surface surface = internal::make_surface_of_neighbors(order, pack);
+  const Surface surface = internal::make_surface(order, pack, internal::Adjacency_of::NEIGHBORS,
+                                                 Execution());
   if (surface.number_of_faces() == 0)
     throw Invalid_input("find_nearest_faces: the mesh has no faces");
   std::vector<Double_3> positions;

@@ -80,8 +80,9 @@ public:
       prune(v);
     for (const std::vector<Index>& component : closed_components)
       if (std::all_of(component.begin(), component.end(),
-                      [&](Index v) { return seams_at(v).empty(); }))
-        open_sphere(component);
+                      [&](Index v) { return seams_at(v).empty(); })) // a sphere
+        for (Index v = component.back(); v != component.front(); v = m_mesh.source[m_tree[v]])
+          set_seam(m_tree[v], true);
     std::vector<Index> seams;
     for (Index h = 0; h < m_mesh.size(); ++h)
       if (m_is_seam[h] && h < m_mesh.opposite[h])
@@ -152,22 +153,6 @@ private:
       set_seam(seams[0], false);
       v = m_mesh.target(seams[0]);
     }
-  }
-
-  /// Makes a seam of the path to the farthest vertex, and of another edge if this path is one edge:
-  /// a seam of one edge would give a border of two vertices.
-  void open_sphere(const std::vector<Index>& component)
-  {
-    const Index root = component.front(), farthest = component.back();
-    for (Index v = farthest; v != root; v = m_mesh.source[m_tree[v]])
-      set_seam(m_tree[v], true);
-    if (m_mesh.source[m_tree[farthest]] != root)
-      return;
-    const auto leaving = m_leaving[farthest];
-    const auto other = std::find_if(leaving.begin(), leaving.end(),
-                                    [&](Index h) { return m_mesh.target(h) != root; });
-    if (other != leaving.end())
-      set_seam(*other, true);
   }
 
   const Segmented_halfedges& m_mesh;

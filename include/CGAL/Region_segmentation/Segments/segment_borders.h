@@ -36,7 +36,7 @@ void for_each_border(const Segmented_halfedges& mesh, const F& f)
       is_waiting[h] = mesh.opposite[h] != mesh.none;
       leaving[mesh.source[h]] = h;
       for (const Index v : {mesh.source[h], mesh.target(h)})
-        degrees[v] += is_waiting[h] ? 1 : 3; // vertices on the border of the mesh are junctions
+        degrees[v] += is_waiting[h] ? 1u : 3u; // vertices on the border of the mesh are junctions
     }
   // At a vertex of degree 2 both edges separate the same segments: one arrives, the other leaves.
   for (const bool is_closed : {false, true})

@@ -81,10 +81,19 @@ public:
     , m_vertices(m_fans.number_of_parts(), Traits::null_vertex())
   {}
 
-  /// Called once for each segment.
+  /// Outputs the pieces of all segments; called once.
   /// `with_point(h, fan, f)`: calls `f(point)` for the source of a halfedge in a fan of faces
+  template <typename OutputIterator, typename WithPoint>
+  OutputIterator build(OutputIterator output, const WithPoint& with_point)
+  {
+    for (std::size_t s = 0; s < m_pieces.number_of_segments; ++s)
+      *output++ = build_piece(s, with_point);
+    return output;
+  }
+
+private:
   template <typename WithPoint>
-  Piece build(std::size_t segment, const WithPoint& with_point)
+  Piece build_piece(std::size_t segment, const WithPoint& with_point)
   {
     Piece piece;
     piece.segment = m_mesh.labels[segment];
@@ -111,7 +120,6 @@ public:
     return piece;
   }
 
-private:
   template <typename WithPoint>
   void add_vertices_and_edges(std::size_t segment, Piece& piece, const WithPoint& with_point)
   {
@@ -162,17 +170,6 @@ private:
   std::vector<Halfedge> m_copies;         // by halfedge
   std::vector<Vertex> m_vertices;         // by fan
 };
-
-/// Outputs the pieces of all segments, see `Piece_builder`.
-template <typename Piece, typename Mesh, typename OutputIterator, typename WithPoint>
-OutputIterator output_pieces(const Mesh& mesh, const Segmented_halfedges& pieces,
-                             OutputIterator output, const WithPoint& with_point)
-{
-  Piece_builder<Piece, Mesh> builder(mesh, pieces);
-  for (std::size_t s = 0; s < pieces.number_of_segments; ++s)
-    *output++ = builder.build(s, with_point);
-  return output;
-}
 
 } // namespace internal
 
@@ -231,14 +228,14 @@ PieceOutputIterator split_into_segments(const FaceGraph& mesh, const FaceSegment
     const auto is_cut = get_parameter(pack, CGAL::internal_np::edge_is_constrained);
     for (std::uint32_t h = 0; h < segmented.size(); ++h)
       if (get(is_cut, edge(segmented.halfedges[h], mesh)))
-        segmented.cut(h);
+        segmented.opposite[h] = segmented.none;
   }
   const auto points = choose_parameter(get_parameter(pack, CGAL::internal_np::vertex_point),
                                        get_const_property_map(CGAL::vertex_point, mesh));
-  return internal::output_pieces<Piece>(segmented, segmented, pieces,
-                                        [&](std::uint32_t h, std::uint32_t, const auto& f) {
-                                          f(get(points, segmented.vertices[segmented.source[h]]));
-                                        });
+  return internal::Piece_builder<Piece, decltype(segmented)>(segmented, segmented)
+    .build(pieces, [&](std::uint32_t h, std::uint32_t, const auto& f) {
+      f(get(points, segmented.vertices[segmented.source[h]]));
+    });
 }
 
 } // namespace Region_segmentation

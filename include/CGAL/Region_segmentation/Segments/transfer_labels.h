@@ -67,9 +67,9 @@ inline void dissolve_islands(const Surface& surface, std::vector<Surface::Index>
   std::vector<char> is_island;
   for (std::size_t c = 0; c < areas.size(); ++c)
     is_island.push_back(areas[c] < 0.1 * largest[labels[c]]);
-  for (bool is_changed = true; is_changed;) {
-    is_changed = false;
-    std::map<Index, std::map<Index, double>> lengths; // by island and label beside it
+  std::map<Index, std::map<Index, double>> lengths; // by island and label beside it
+  do {
+    lengths.clear();
     for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a) {
       const Index f = components[surface.lower_face(a)], g = components[surface.higher_face(a)];
       if (is_island[f] != is_island[g])
@@ -78,9 +78,8 @@ inline void dissolve_islands(const Surface& surface, std::vector<Surface::Index>
     for (const auto& [island, of_labels] : lengths) {
       labels[island] = key_of_greatest(of_labels);
       is_island[island] = false;
-      is_changed = true;
     }
-  }
+  } while (!lengths.empty());
   for (Index f = 0; f < components.size(); ++f)
     label_of_face[f] = labels[components[f]];
 }

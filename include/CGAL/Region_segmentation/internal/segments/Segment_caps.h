@@ -5,6 +5,7 @@
 
 #include <CGAL/Region_segmentation/Double_3.h>
 #include <CGAL/Region_segmentation/internal/segments/Segmented_mesh.h>
+#include <CGAL/Region_segmentation/internal/superfacets/Region_shapes.h>
 #include <CGAL/Region_segmentation/internal/support/arrays.h>
 #include <CGAL/Region_segmentation/internal/support/components.h>
 
@@ -64,20 +65,12 @@ private:
   using Pair = std::pair<Index, Index>;      // of segments
   using Edges = std::multimap<Index, Index>; // from a vertex to a vertex
 
-  /// The center of mass of edges.
-  struct Center_of_mass
+  void add_edge(Index from, Index to, Second_moments& moments) const
   {
-    Double_3 sum{0, 0, 0};
-    double weight = 0;
-
-    void add(const Double_3& from, const Double_3& to)
-    {
-      const double length = norm(to - from) + 1e-200; // so that edges of length 0 have a center
-      sum = sum + 0.5 * length * (from + to);
-      weight += length;
-    }
-    Double_3 position() const { return 1 / weight * sum; }
-  };
+    // An edge of length 0 has a small weight, so that the center of mass of such edges is defined.
+    moments.add(norm(m_points[to] - m_points[from]) + 1e-200,
+                0.5 * (m_points[from] + m_points[to]));
+  }
 
   Index add_point(const Double_3& point)
   {
@@ -97,15 +90,15 @@ private:
         --excess[{to, pair}];
         networks.unite(from, to);
       }
-    std::map<Index, Center_of_mass> centers_of_mass; // by network
+    std::map<Index, Second_moments> moments; // by network
     for (const auto& [pair, edges] : m_edges)
       for (const auto& [from, to] : edges)
-        centers_of_mass[networks.root(from)].add(m_points[from], m_points[to]);
+        add_edge(from, to, moments[networks.root(from)]);
     std::map<Index, Index> centers; // by network
     for (const auto& [place, number] : excess) {
       const auto& [v, pair] = place;
       if (number != 0 && centers.count(networks.root(v)) == 0)
-        centers[networks.root(v)] = add_point(centers_of_mass[networks.root(v)].position());
+        centers[networks.root(v)] = add_point(moments[networks.root(v)].centroid());
       for (std::ptrdiff_t i = 0; i < number; ++i)
         m_edges[pair].emplace(centers[networks.root(v)], v);
       for (std::ptrdiff_t i = number; i < 0; ++i)
@@ -146,10 +139,10 @@ private:
       return; // its two sides coincide
     Index middle = polygon[0];
     if (n > 3) {
-      Center_of_mass center;
+      Second_moments moments;
       for (std::size_t i = 0; i < n; ++i)
-        center.add(m_points[polygon[i]], m_points[polygon[(i + 1) % n]]);
-      middle = add_point(center.position());
+        add_edge(polygon[i], polygon[(i + 1) % n], moments);
+      middle = add_point(moments.centroid());
     }
     for (std::size_t i = 0; i < n; ++i)
       if (const Index from = polygon[i], to = polygon[(i + 1) % n]; from != middle && to != middle)

@@ -58,14 +58,6 @@ struct Segmented_halfedges
     first.push_back(Index(size()));
   }
 
-  /// Makes an edge a border of the mesh.
-  void cut(Index h)
-  {
-    if (opposite[h] != none)
-      opposite[opposite[h]] = none;
-    opposite[h] = none;
-  }
-
   /// The number of the segment of the face of a halfedge, and of that across.
   Index segment(Index h) const { return segment_of_face[face[h]]; }
   Index segment_across(Index h) const
