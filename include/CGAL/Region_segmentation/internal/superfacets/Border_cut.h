@@ -20,6 +20,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <functional>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -167,12 +168,11 @@ public:
   using Index = Dual_graph::Index;
 
   /// `costs`: of the borders between adjacent elements; `distance(i, j)`: between two adjacent
-  /// elements; `piece_of`: by element, changed by `move_border()`. All three must exist as long as
-  /// the object.
+  /// elements; `piece_of`: by element, changed by `move_border()`
   Border_cut(const Dual_graph& costs, std::function<double(Index, Index)> distance,
              std::vector<Index>& piece_of)
     : m_costs(costs)
-    , m_distance(distance)
+    , m_distance(std::move(distance))
     , m_piece_of(piece_of)
     , m_distances(piece_of.size(), unreached)
     , m_nodes(piece_of.size())
