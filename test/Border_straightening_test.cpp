@@ -110,9 +110,9 @@ reference::Straightening_input input_of(const Merged_surface& m,
   reference::Straightening_input input;
   input.costs.resize(patches.size());
   input.lengths.resize(patches.size());
-  for (std::size_t i = 0; i < patches.adjacencies().size(); ++i) {
-    const auto& [lower, higher, length] = patches.adjacencies()[i];
-    const double concavity = std::min(patches.concave_deviation(i), 0.6);
+  for (const RS::Patches::Adjacency& adjacency : patches.adjacencies()) {
+    const auto& [lower, higher, length] = adjacency;
+    const double concavity = std::min(patches.concave_deviation(adjacency), 0.6);
     const float cost = float(length / m.surface.length_unit() / (1 + 10 * concavity));
     const double step = norm(patches[lower].centroid - patches[higher].centroid) /
                         m.surface.length_unit();

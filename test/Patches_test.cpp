@@ -388,7 +388,8 @@ TEST(Patches_test,
     const Surface_patches patches = patches_of(mesh);
     ASSERT_EQ(patches.fine.adjacencies().size(), 1u);
     less += dot(patches.fine[0].normal, patches.fine[1].normal) < -1;
-    EXPECT_NEAR(patches.fine.concave_deviation(0), std::acos(-1.0), 1e-6);
+    EXPECT_NEAR(patches.fine.concave_deviation(patches.fine.adjacencies()[0]), std::acos(-1.0),
+                1e-6);
   }
   EXPECT_GT(less, 0u);
 }

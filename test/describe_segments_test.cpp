@@ -38,9 +38,7 @@ std::vector<Description> descriptions_of(const Soup& soup, const Labels& labels)
 {
   const Mesh mesh = to_mesh<Mesh>(soup);
   std::vector<Description> result;
-  const std::size_t number = RS::describe_segments(mesh, face_labels(mesh, labels),
-                                                   std::back_inserter(result));
-  EXPECT_EQ(number, result.size());
+  RS::describe_segments(mesh, face_labels(mesh, labels), std::back_inserter(result));
   return result;
 }
 
@@ -452,23 +450,6 @@ TEST(Describe_segments_test, finds_a_cone)
       expect_near(d.surface.apex(), moved_point({0, 0, 0}), 1e-4);
       expect_near(d.surface.direction, moved_direction({0, 0, 1}), 1e-6);
     }
-}
-
-TEST(Describe_segments_test, takes_no_cone_that_is_nearly_a_cylinder_or_a_plane)
-{
-  // Half angles of 0.005 radians, and of as much less than a right angle: each a cone but for
-  // rounding.
-  const Description steep = description_of(tube(5, 24, [](double u, double v) {
-    const double r = 1 + 0.02 * u;
-    return moved({r * std::cos(2 * pi * v), r * std::sin(2 * pi * v), 4 * u});
-  }));
-  EXPECT_EQ(steep.surface.kind, RS::Surface_kind::CYLINDER);
-  EXPECT_NEAR(steep.surface.radius, 1.01, 1e-3);
-  const Description flat = description_of(tube(5, 24, [](double u, double v) {
-    const double r = 1 + u;
-    return moved({r * std::cos(2 * pi * v), r * std::sin(2 * pi * v), 0.005 * r});
-  }));
-  EXPECT_NE(flat.surface.kind, RS::Surface_kind::CONE); // a plane, or a large sphere
 }
 
 TEST(Describe_segments_test, tells_two_circles_of_corners_from_a_sphere)

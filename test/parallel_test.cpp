@@ -163,11 +163,9 @@ std::vector<double> numbers_read(const Surface_mesh& mesh)
       add(patch.normal);
       result.insert(result.end(), {patch.area, double(patch.center)});
     }
-    for (std::size_t i = 0; i < patches->adjacencies().size(); ++i) {
-      const RS::Patches::Adjacency& adjacency = patches->adjacencies()[i];
+    for (const RS::Patches::Adjacency& adjacency : patches->adjacencies())
       result.insert(result.end(), {double(adjacency.lower), double(adjacency.higher),
-                                   adjacency.length, patches->concave_deviation(i)});
-    }
+                                   adjacency.length, patches->concave_deviation(adjacency)});
   }
   return result;
 }

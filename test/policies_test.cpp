@@ -57,7 +57,7 @@ Graph star(const std::vector<std::pair<double, double>>& sections)
 
 std::uint32_t chosen(const Graph& g, double beta, std::uint32_t region = 0)
 {
-  return target(*RS::Longest_flattest_section(beta)(g, region), g);
+  return target(*RS::longest_flattest_section(g, region, beta), g);
 }
 
 using Merges = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
@@ -101,10 +101,10 @@ TEST(Longest_flattest_section_test, what_may_not_be_merged_still_counts)
   EXPECT_EQ(chosen(g, 0.5), 3u);
   g.forbid_merge(*g.section(0, 2));
   g.forbid_merge(*g.section(0, 3));
-  EXPECT_FALSE(RS::Longest_flattest_section()(g, 0));
+  EXPECT_FALSE(RS::longest_flattest_section(g, 0, 0.1));
   Graph alone;
   add_region(alone, 1);
-  EXPECT_FALSE(RS::Longest_flattest_section()(alone, 0));
+  EXPECT_FALSE(RS::longest_flattest_section(alone, 0, 0.1));
 }
 
 TEST(Longest_flattest_section_test, agrees_with_all_pairs)
@@ -191,18 +191,17 @@ TEST(Smallest_region_first_test, is_the_greedy_order)
       }
     }
     Graph slow = g;
-    RS::Longest_flattest_section section_of;
     Merges expected;
     while (true) {
       std::set<std::pair<double, std::uint32_t>> regions;
       for (auto [it, end] = vertices(slow); it != end; ++it)
         regions.insert({slow[*it].area, *it});
       const auto best = std::find_if(regions.begin(), regions.end(), [&](const auto& r) {
-        return section_of(slow, r.second).has_value();
+        return RS::longest_flattest_section(slow, r.second, 0.1).has_value();
       });
       if (best == regions.end())
         break;
-      const auto merge = slow.merge(*section_of(slow, best->second));
+      const auto merge = slow.merge(*RS::longest_flattest_section(slow, best->second, 0.1));
       expected.push_back({merge.kept, merge.removed});
     }
     EXPECT_GT(expected.size(), n / 2);

@@ -2,8 +2,7 @@
 
 #include "segments.h"
 
-#include <CGAL/Region_segmentation/Segments/extract_segment_borders.h>
-#include <CGAL/Region_segmentation/Segments/mark_segment_borders.h>
+#include <CGAL/Region_segmentation/Segments/segment_borders.h>
 
 #include <gtest/gtest.h>
 
@@ -24,9 +23,7 @@ using Border = RS::Segment_border<Surface_mesh, std::size_t>;
 std::vector<Border> borders_of(const Surface_mesh& mesh, const Labels& labels)
 {
   std::vector<Border> borders;
-  const std::size_t number = RS::extract_segment_borders(mesh, face_labels(mesh, labels),
-                                                         std::back_inserter(borders));
-  EXPECT_EQ(number, borders.size());
+  RS::extract_segment_borders(mesh, face_labels(mesh, labels), std::back_inserter(borders));
   return borders;
 }
 

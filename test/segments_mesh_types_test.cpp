@@ -10,8 +10,7 @@
 
 #include <CGAL/Region_segmentation/Segments/close_segments.h>
 #include <CGAL/Region_segmentation/Segments/compute_segment_topology.h>
-#include <CGAL/Region_segmentation/Segments/extract_segment_borders.h>
-#include <CGAL/Region_segmentation/Segments/mark_segment_borders.h>
+#include <CGAL/Region_segmentation/Segments/segment_borders.h>
 #include <CGAL/Region_segmentation/Segments/mark_segment_seams.h>
 #include <CGAL/Region_segmentation/Segments/split_into_segments.h>
 #include <CGAL/Region_segmentation/Segments/transfer_labels.h>

@@ -28,9 +28,7 @@ void check_pieces(const Soup& soup, const Labels& labels)
 {
   const Mesh mesh = to_mesh<Mesh>(soup);
   std::vector<RS::Segment_piece<Piece_mesh, Mesh, std::size_t>> pieces;
-  const std::size_t number = RS::split_into_segments<Piece_mesh>(mesh, face_labels(mesh, labels),
-                                                                 std::back_inserter(pieces));
-  EXPECT_EQ(number, pieces.size());
+  RS::split_into_segments<Piece_mesh>(mesh, face_labels(mesh, labels), std::back_inserter(pieces));
   const Ranks<Mesh> rank(mesh);
   std::map<typename boost::graph_traits<Mesh>::face_descriptor, std::size_t> rank_of_face;
   for (auto f : faces(mesh))

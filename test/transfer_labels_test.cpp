@@ -203,7 +203,7 @@ TEST(Find_nearest_faces_test, distances_are_the_least)
     for (std::size_t i = 0; i < 200; ++i)
       points.emplace_back(coordinate(random), coordinate(random), coordinate(random));
     std::vector<Surface_mesh::Face_index> nearest;
-    EXPECT_EQ(RS::find_nearest_faces(mesh, points, std::back_inserter(nearest)), points.size());
+    RS::find_nearest_faces(mesh, points, std::back_inserter(nearest));
     ASSERT_EQ(nearest.size(), points.size());
     for (std::size_t i = 0; i < points.size(); ++i) {
       double least = std::numeric_limits<double>::infinity();

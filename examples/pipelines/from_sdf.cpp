@@ -5,7 +5,7 @@
 
 #include "input_mesh.h"
 
-#include <CGAL/Region_segmentation/Segments/mark_segment_borders.h>
+#include <CGAL/Region_segmentation/Segments/segment_borders.h>
 #include <CGAL/Region_segmentation/evaluation.h>
 #include <CGAL/Region_segmentation/smooth_borders.h>
 #include <CGAL/region_segmentation.h>

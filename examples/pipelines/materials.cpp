@@ -6,7 +6,7 @@
 #include "input_mesh.h"
 
 #include <CGAL/Region_segmentation/Segments/find_nearest_faces.h>
-#include <CGAL/Region_segmentation/Segments/mark_segment_borders.h>
+#include <CGAL/Region_segmentation/Segments/segment_borders.h>
 #include <CGAL/region_segmentation.h>
 
 #include <CGAL/Polygon_mesh_processing/bbox.h>

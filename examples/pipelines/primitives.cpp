@@ -20,7 +20,7 @@ int main(int argc, char** argv)
   RS::segment(mesh, face_id, RS::parameters::method(RS::Smooth_faces()));
 
   std::vector<RS::Segment_description<std::size_t, Kernel>> descriptions;
-  const std::size_t n = RS::describe_segments(mesh, face_id, std::back_inserter(descriptions));
+  RS::describe_segments(mesh, face_id, std::back_inserter(descriptions));
   const char* const names[] = {"plane", "cylinder", "cone", "sphere"};
   bool is_best = true;
   for (const auto& d : descriptions) {
@@ -30,5 +30,5 @@ int main(int argc, char** argv)
               << d.surface_error() << '\n';
     is_best = is_best && d.surface_error() <= d.surface_errors[int(RS::Surface_kind::PLANE)];
   }
-  return n > 0 && is_best ? EXIT_SUCCESS : EXIT_FAILURE;
+  return !descriptions.empty() && is_best ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -5,7 +5,7 @@
 #include "input_mesh.h"
 
 #include <CGAL/Region_segmentation/Part_faces/Smooth_faces.h>
-#include <CGAL/Region_segmentation/Segments/mark_segment_borders.h>
+#include <CGAL/Region_segmentation/Segments/segment_borders.h>
 #include <CGAL/Region_segmentation/segment.h>
 
 #include <CGAL/Polygon_mesh_processing/connected_components.h>

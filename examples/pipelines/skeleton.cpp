@@ -5,7 +5,7 @@
 
 #include "input_mesh.h"
 
-#include <CGAL/Region_segmentation/Segments/extract_segment_borders.h>
+#include <CGAL/Region_segmentation/Segments/segment_borders.h>
 #include <CGAL/Region_segmentation/build_region_adjacency_graph.h>
 #include <CGAL/region_segmentation.h>
 

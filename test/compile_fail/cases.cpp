@@ -4,8 +4,6 @@
 // is refused, and with it fails with the message of its line `expect:`. An error in a template is
 // told once for the same arguments: no two faults may share them.
 
-#include <CGAL/Region_segmentation/Segments/extract_segment_borders.h>
-#include <CGAL/Region_segmentation/Segments/split_into_segments.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/property_map.h>
@@ -50,20 +48,6 @@ void test(const Mesh& mesh, Labels labels)
   RS::segment(mesh, labels, RS::parameters::method(method));
 }
 } // namespace annotator
-
-// expect: whose Label is the value type of the map of segments
-namespace borders_of_another_label {
-void test(const Mesh& mesh, Labels labels)
-{
-#ifdef WITH_FAULT
-  using Label = int;
-#else
-  using Label = std::size_t;
-#endif
-  std::vector<RS::Segment_border<Mesh, Label>> borders;
-  RS::extract_segment_borders(mesh, labels, std::back_inserter(borders));
-}
-} // namespace borders_of_another_label
 
 // expect: the constraints of polygons are a range of pairs of indices of points
 namespace constraints_of_polygons {
@@ -146,19 +130,6 @@ void test(Graph& graph)
   RS::merge_regions(graph, policy, 3);
 }
 } // namespace merging_policy
-
-// expect: the output iterator does not take what this function gives: Segment_piece
-namespace meshes_as_pieces {
-void test(const Mesh& mesh, Labels labels)
-{
-#ifdef WITH_FAULT
-  std::vector<Mesh> pieces;
-#else
-  std::vector<RS::Segment_piece<Mesh, Mesh, std::size_t>> pieces;
-#endif
-  RS::split_into_segments(mesh, labels, std::back_inserter(pieces));
-}
-} // namespace meshes_as_pieces
 
 // expect: a SegmentationMethod needs: Prepared prepare(const Surface&, const Execution&) const
 namespace method {

@@ -10,9 +10,8 @@
 #include <CGAL/Region_segmentation/Methods/Scalar_cost.h>
 #include <CGAL/Region_segmentation/Segments/close_segments.h>
 #include <CGAL/Region_segmentation/Segments/compute_segment_topology.h>
-#include <CGAL/Region_segmentation/Segments/extract_segment_borders.h>
+#include <CGAL/Region_segmentation/Segments/segment_borders.h>
 #include <CGAL/Region_segmentation/Segments/find_nearest_faces.h>
-#include <CGAL/Region_segmentation/Segments/mark_segment_borders.h>
 #include <CGAL/Region_segmentation/Segments/mark_segment_seams.h>
 #include <CGAL/Region_segmentation/Segments/split_into_segments.h>
 #include <CGAL/Region_segmentation/Segments/transfer_labels.h>

@@ -9,7 +9,7 @@
 
 #include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/Segments/describe_segments.h>
-#include <CGAL/Region_segmentation/Segments/extract_segment_borders.h>
+#include <CGAL/Region_segmentation/Segments/segment_borders.h>
 #include <CGAL/Region_segmentation/Segments/no_segment.h>
 #include <CGAL/Region_segmentation/build_region_adjacency_graph.h>
 #include <CGAL/Region_segmentation/detect_feature_edges.h>

@@ -55,7 +55,7 @@ inline double squared_norm(const Double_3& a)
   return dot(a, a);
 }
 
-/// The length. Coordinates of a `Surface` are scaled so that no square overflows.
+/// The length of a vector. Coordinates of a `Surface` are scaled so that no square overflows.
 inline double norm(const Double_3& a)
 {
   return std::sqrt(squared_norm(a));
@@ -67,10 +67,10 @@ inline bool is_finite(const Double_3& a)
 }
 namespace internal {
 
-/// The power of two by which coordinates are divided so that the largest of them is in [1, 2): the
-/// division is exact, so results that do not depend on scale are bitwise the same, and areas stay
-/// in the range of double. But 1 if squares of areas are in the range of double: then lengths are
-/// in units of the mesh, which is the usual case.
+/// The power of two by which coordinates are divided so that the largest of them is in [1, 2). The
+/// division is exact, so results that do not depend on scale have the same bits, and areas stay in
+/// the range of double. The result is 1 if squares of areas are in the range of double anyway, as
+/// usual: then lengths are in units of the mesh.
 inline double unit_of_coordinates(double largest_coordinate)
 {
   constexpr int lowest_exponent = -1000; // the inverse of the result is finite

@@ -27,14 +27,14 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// Threads, as plain functions, so that no stage depends on a library of threads.
+/// What a library of threads does, as functions, so that no stage depends on that library.
 struct Threads
 {
   void (*for_each)(std::size_t first, std::size_t last, const std::function<void(std::size_t)>& f);
   std::size_t (*number)();
 };
 
-/// The threads of a concurrency tag; null for `Sequential_tag`.
+/// The functions for a concurrency tag; null for `Sequential_tag`.
 template <typename ConcurrencyTag>
 const Threads* threads_of()
 {
@@ -58,20 +58,21 @@ const Threads* threads_of()
 
 /// \ingroup PkgRegionSegmentationData
 /// How a run is executed: sequentially or in parallel, and which visitor follows its progress and
-/// may cancel it. A value that is passed to each stage. Reports come from the thread that called
+/// may cancel it. Each stage receives it as a value. Reports come from the thread that called
 /// `segment()`.
 class Execution
 {
 public:
-  /// Sequential, without a visitor.
+  /// An execution that is sequential and has no visitor.
   Execution() = default;
-  /// By the threads of a tag: `CGAL::Sequential_tag` or, with TBB, `CGAL::Parallel_tag`.
+  /// An execution of a concurrency tag, without a visitor: of `CGAL::Sequential_tag` or, with TBB,
+  /// of `CGAL::Parallel_tag`, as in `Execution execution{CGAL::Parallel_tag()}`.
   template <typename ConcurrencyTag>
   explicit Execution(ConcurrencyTag)
     : m_threads(internal::threads_of<ConcurrencyTag>())
   {}
 
-  /// With a model of `SegmentationVisitor`, stored by reference.
+  /// The same execution with a model of `SegmentationVisitor`, which is stored by reference.
   template <typename SegmentationVisitor>
   Execution with_visitor(SegmentationVisitor& visitor) const
   {
@@ -81,7 +82,7 @@ public:
     return result;
   }
 
-  /// The same threads; reports nothing.
+  /// The same execution without its visitor.
   Execution silent() const
   {
     Execution result = *this;
@@ -91,9 +92,8 @@ public:
 
   bool is_parallel() const { return m_threads != nullptr; }
   std::size_t number_of_threads() const { return m_threads ? m_threads->number() : 1; }
-  bool has_visitor() const { return m_go_further != nullptr; }
 
-  /// The execution of a stage; reports its start.
+  /// The execution of a stage. The visitor learns that the stage begins.
   /// \throws Segmentation_cancelled if the visitor cancels, here or later
   Execution stage(const char* name) const
   {
@@ -115,11 +115,11 @@ public:
     return result;
   }
 
-  /// Reports the fraction of the stage that is completed, in [0, 1].
+  /// Tells the visitor which fraction of the stage is completed, in [0, 1].
   /// \throws Segmentation_cancelled if the visitor cancels
   void report(double fraction) const
   {
-    if (has_visitor() && !m_go_further(m_visitor, m_stage, m_begin + fraction * m_share))
+    if (m_go_further && !m_go_further(m_visitor, m_stage, m_begin + fraction * m_share))
       throw Segmentation_cancelled();
   }
 
@@ -154,7 +154,8 @@ namespace internal {
 // threads: the result of a block, and so every result, is the same sequentially and in parallel.
 inline constexpr std::size_t block_size = 1 << 12;
 
-/// Consecutive blocks for one thread, where elements between two ranges cost more.
+/// The number of consecutive blocks in a range of one thread, where elements between two ranges
+/// cost more.
 inline constexpr std::size_t blocks_in_range = 16;
 
 inline std::size_t number_of_blocks(std::size_t number_of_elements, std::size_t size = block_size)
@@ -170,10 +171,8 @@ inline void for_each_block(const Execution& execution, std::size_t number_of_ele
 {
   constexpr std::size_t number_of_reports = 50;
   const std::size_t number = number_of_blocks(number_of_elements, size);
-  const std::size_t between_reports = execution.has_visitor()
-                                        ? (std::max)(number / number_of_reports + 1,
-                                                     4 * execution.number_of_threads())
-                                        : number;
+  const std::size_t between_reports = (std::max)(number / number_of_reports + 1,
+                                                 4 * execution.number_of_threads());
   for (std::size_t first = 0; first < number;) {
     const std::size_t last = (std::min)(first + between_reports, number);
     execution.for_each(first, last, [&](std::size_t block) {
@@ -184,10 +183,12 @@ inline void for_each_block(const Execution& execution, std::size_t number_of_ele
   }
 }
 
-/// For blocks that write parts of one output: calls `write(block, begin, end, place)` with the
-/// place where the part of the block begins, which returns where it ends. Returns the end of all.
+/// Lets blocks write parts of one output: calls `write(block, begin, end, place)`, where the part
+/// of the block begins at `place`, and which returns where this part ends. Returns where the output
+/// ends.
 ///
-/// `number_in(block, begin, end)`: the size of a part; is asked first, and in parallel only.
+/// `number_in(block, begin, end)`: the size of the part of a block, which is asked for beforehand,
+/// in parallel only
 inline std::size_t for_each_block_of_output(
   const Execution& execution, std::size_t number_of_elements,
   const std::function<std::size_t(std::size_t, std::size_t, std::size_t)>& number_in,
@@ -209,7 +210,7 @@ inline std::size_t for_each_block_of_output(
   return places.back();
 }
 
-/// Calls `f(i)` for i = 0 .. `n - 1`, block by block. Reports nothing.
+/// Calls `f(i)` for i = 0 .. `n - 1`, block by block. The visitor learns nothing.
 template <typename F>
 void for_each_index(const Execution& execution, std::size_t n, const F& f)
 {
@@ -220,7 +221,7 @@ void for_each_index(const Execution& execution, std::size_t n, const F& f)
   });
 }
 
-/// Reports the progress of a known number of steps, of any of them at most two hundred times.
+/// Reports the progress of a known number of steps, at most two hundred times.
 class Step_counter
 {
 public:

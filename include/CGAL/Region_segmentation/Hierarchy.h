@@ -30,7 +30,7 @@ struct Seeds
   std::size_t number() const { return values.size(); }
   bool empty() const { return values.empty(); }
 
-  /// From the values of a map; -1 of their type stands for none.
+  /// Makes seeds from the values of a map; -1 of their type stands for no seed.
   template <typename Value>
   static Seeds from_values(const std::vector<Value>& values)
   {
@@ -41,10 +41,10 @@ struct Seeds
 };
 
 /// \ingroup PkgRegionSegmentationData
-/// What a user wants of a segmentation, beyond the method.
+/// What a user asks of a method: the number of segments, and seeds.
 struct Request
 {
-  /// The numbers of segments for which labels will be asked.
+  /// Whether labels will be asked for all numbers of segments, or for one number alone.
   enum class Numbers { ALL, ONE };
 
   std::size_t number_of_segments = 0; ///< 0: chosen by the method
@@ -53,14 +53,14 @@ struct Request
 };
 
 /// \ingroup PkgRegionSegmentationData
-/// What a method gives whose order of merges does not depend on the number of segments: first
-/// regions, their merges, and the number of segments that was given or chosen. Any number of
-/// segments is at hand, and the segmentations are nested. Copies share the first regions.
+/// The result of a method that merges in one order for all numbers of segments: first regions,
+/// their merges, and the number of segments that was given or chosen. It gives the segments for any
+/// number, and these segmentations are nested. Copies share the first regions.
 class Hierarchy
 {
 public:
   Hierarchy() = default;
-  /// `regions`: of the faces; `tree`: their merges
+  /// `regions`: the first regions of the faces; `tree`: their merges
   Hierarchy(Partition regions, Merge_tree tree, std::size_t number_of_segments)
     : m_regions(std::make_shared<const Partition>(std::move(regions)))
     , m_tree(std::move(tree))
@@ -84,9 +84,9 @@ private:
 };
 
 /// \ingroup PkgRegionSegmentationData
-/// What a method gives whose order of merges depends on the number of segments: a hierarchy for one
-/// number alone. Its merges end there; if regions were not merged one pair at a time, the segments
-/// are its regions, and it has no merges.
+/// The result of a method whose order of merges depends on the number of segments: a hierarchy for
+/// one number. Its merges end at this number. A method that does not merge pairs of regions gives
+/// its segments as regions, and no merges.
 class Segmentation : public Hierarchy
 {
 public:

@@ -28,7 +28,7 @@ namespace internal {
 
 /// Numbers distinct keys 0, 1, ... in the order of their first occurrence.
 ///
-/// Keys below a bound, such as almost all labels, are looked up in a growing array, all others in a
+/// Keys below a bound, as almost all labels are, are looked up in a growing array, all others in a
 /// hash table. (For 1 million faces in random order, the hash table takes 5 times as long as the
 /// array with 10 labels, 80 times with 250,000.)
 class Key_numbering
@@ -62,9 +62,9 @@ private:
   Index m_size = 0;
 };
 
-/// The numbers of the labels of elements, by their first elements; the highest number for the label
-/// -1 of their type, which is none (there is none of `bool`). `label_of` receives the labels by
-/// number.
+/// Numbers the labels of elements in the order of their first occurrence. The label -1 of their
+/// type, which stands for none, has the highest number of 32 bits; no label of `bool` stands for
+/// none. `label_of` receives the labels by number.
 template <typename Label, typename Value>
 std::vector<std::uint32_t> number_labels(const std::vector<Label>& labels,
                                          std::vector<Value>& label_of)
@@ -97,7 +97,7 @@ public:
   /// A vector of the numbers of parts, by element; `resize()` does not initialize them.
   using Numbers = internal::Large_array<Index>;
 
-  /// No elements.
+  /// A partition without elements.
   Partition() = default;
 
   /// \pre `is_valid()`
@@ -107,13 +107,13 @@ public:
   {
     CGAL_precondition(is_valid());
   }
-  /// As above, copied from a range.
+  /// As above, the numbers copied from a range.
   template <typename IndexRange>
   Partition(const IndexRange& part_of, std::size_t number_of_parts)
     : Partition(Numbers(std::begin(part_of), std::end(part_of)), number_of_parts)
   {}
 
-  /// Each element is a part.
+  /// The partition in which each element is a part.
   static Partition into_single_elements(std::size_t size)
   {
     Numbers part_of(size);
@@ -121,7 +121,7 @@ public:
     return Partition(std::move(part_of), size);
   }
 
-  /// The elements with equal labels form a part.
+  /// The partition in which elements with equal labels form a part.
   ///
   /// \tparam LabelRange a range of forward iterators with an integral value type of at most 64 bits
   /// \pre there are fewer than 2^32 - 1 labels
@@ -135,7 +135,7 @@ public:
                        [](const Label& label) { return label; });
   }
 
-  /// As above, for the labels `label_of(element)` of a range.
+  /// As above, for a range of elements with the labels `label_of(element)`.
   template <typename Range, typename LabelOf>
   static Partition from_labels(const Range& elements, std::size_t expected_size,
                                const LabelOf& label_of)
@@ -157,8 +157,8 @@ public:
     return result;
   }
 
-  /// Whether the numbers are those of a partition: below `number_of_parts()`, each one used, and by
-  /// the first element.
+  /// Whether the numbers are those of a partition: below `number_of_parts()`, each number used, and
+  /// ordered by the first elements.
   bool is_valid() const
   {
     std::size_t used = 0;
@@ -235,11 +235,11 @@ public:
   /// The part of an element.
   Index operator[](std::size_t element) const { return m_coarse[(*m_fine)[element]]; }
 
-  /// The same with an array.
+  /// The same partition with an array of its own.
   operator Partition() const { return composed(*m_fine, m_coarse); }
 
 private:
-  std::shared_ptr<const Partition> m_fine; // shared, since it may belong to a `Hierarchy`
+  std::shared_ptr<const Partition> m_fine; // is shared, since it may belong to a `Hierarchy`
   Partition m_coarse;
 };
 

@@ -7,6 +7,8 @@
 #include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/internal/support/arrays.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 namespace CGAL {
@@ -50,9 +52,16 @@ public:
   /// Across seams and links. By the lower, then by the higher patch.
   const internal::Large_array<Adjacency>& contacts() const { return m_contacts; }
 
-  /// The angle between the normals of two adjacent patches, in radians, if they face each other,
-  /// else 0; 0, too, if one has no normal. `i`: of their adjacency across edges
-  double concave_deviation(std::size_t i) const { return m_concave_deviations[i]; }
+  /// The angle between the normals of two adjacent patches, in radians, if they face each other;
+  /// else, or if one of them has no normal, 0.
+  double concave_deviation(const Adjacency& adjacency) const
+  {
+    const Patch &a = m_patches[adjacency.lower], &b = m_patches[adjacency.higher];
+    if (!(dot(b.normal - a.normal, b.centroid - a.centroid) < 0) || squared_norm(a.normal) == 0 ||
+        squared_norm(b.normal) == 0)
+      return 0;
+    return std::acos((std::max)(-1.0, (std::min)(1.0, dot(a.normal, b.normal))));
+  }
 
 private:
   friend class internal::Patch_builder;
@@ -60,7 +69,6 @@ private:
   Partition m_of_elements;
   internal::Large_array<Patch> m_patches;
   internal::Large_array<Adjacency> m_adjacencies, m_contacts;
-  internal::Large_array<double> m_concave_deviations; // by adjacency
 };
 
 /// \ingroup PkgRegionSegmentationData
@@ -89,8 +97,7 @@ private:
 /// thousand patches and four to five thousand coarse ones. They do not depend on the numbering of
 /// faces and vertices, ties excepted.
 ///
-/// Complexity: O(F) in practice. Deterministic. Parallel with `Parallel_tag`, with bitwise equal
-/// results.
+/// Complexity: O(F) in practice. Deterministic.
 struct Surface_patches
 {
   static constexpr double maximum_area = 1. / 60000; ///< of two patches that are joined, share of

@@ -21,13 +21,13 @@ namespace Region_segmentation {
 
 namespace internal {
 
-/// What a surface consists of; for those who make one.
+/// The arrays of a surface, for the functions that make one.
 struct Surface_arrays
 {
   using Index = std::uint32_t;
 
   Large_array<Double_3> points;        // 24 bytes a vertex
-  Large_array<Index> first_corners;    // 4 bytes a face, and one more at the end
+  Large_array<Index> first_corners;    // 4 bytes a face, and 4 for the end
   Large_array<Index> corners;          // 4 bytes a corner
   Large_array<Double_3> normals;       // 24 bytes a face
   Large_array<double> areas;           // 8 bytes a face
@@ -35,8 +35,8 @@ struct Surface_arrays
   Large_array<Index> higher_faces;     // 4 bytes an adjacency
   Large_array<double> squared_lengths; // 8 bytes an adjacency
   Large_array<std::uint8_t> flags;     // 1 byte an adjacency
-  Large_array<Index> adjacencies;      // 4 bytes a corner: across the side that leaves it
-  std::vector<Index> merged_vertices;  // by vertex: the lowest one with its point; empty: itself
+  Large_array<Index> adjacencies;      // 4 bytes a corner: that across the side which leaves it
+  std::vector<Index> merged_vertices;  // by vertex: the lowest one at its point; empty: each is
   Partition component_of;              // 4 bytes a face
   std::vector<bool> crumbs;            // by component: whether it is a crumb; empty: none is
   double unit = 1, area = 0;
@@ -56,19 +56,18 @@ struct Surface_arrays
 /// Two faces are *adjacent* across
 /// - an *edge*: an edge with exactly two faces, or two border edges that coincide;
 /// - a *seam*: an edge where a half-edge data structure would be torn. An edge with m > 2 faces has
-/// m seams, each between
-///   two faces that follow each other around it and of half its length. Neighbors that cannot be
-///   oriented consistently have one seam;
-/// - a *link*: two components that touch, cross or come near each other, with the length of their
-/// contact.
+///   m seams, each between two faces that follow each other around it, and of half its length.
+///   Neighbors that cannot be oriented consistently have one seam;
+/// - a *link*: two faces of components that touch, cross or come near each other, with the length
+///   of contact.
 ///
 /// Adjacencies are sorted by their higher, then by their lower face; several between the same two
-/// faces follow the boundary of the higher one from its first corner, edges first. Those of a face
-/// to lower faces are `first_adjacency(f)` to `first_adjacency(f + 1) - 1`. A stage usually
-/// iterates over all adjacencies, once.
+/// faces follow the boundary of the higher one from its first corner, edges first. The adjacencies
+/// of a face f to lower faces are `first_adjacency(f)` to `first_adjacency(f + 1) - 1`. A stage
+/// usually iterates over all adjacencies, once.
 ///
-/// Corners of a face run counterclockwise seen from the side to which its normal points. Closed
-/// components that are inside out are turned, see `make_surface()`.
+/// The corners of a face run counterclockwise, seen from the side to which its normal points.
+/// Closed components that are inside out are turned, see `make_surface()`.
 ///
 /// Bytes: 64 per face, 4 per side and 17 per adjacency, so 101.5 per face on a closed triangle
 /// mesh.
@@ -89,21 +88,22 @@ public:
     CONSTRAINED = 64 ///< always is a border, and is never merged across
   };
   static constexpr Index none = (std::numeric_limits<Index>::max)();
-  /// Flags of what no region grows across.
+  /// No region grows across an adjacency with one of these flags.
   static constexpr std::uint8_t barrier = SEAM | LINK | CONSTRAINED;
-  static constexpr std::uint8_t without_angle = JOINING | CLOSED | LINK; ///< flags; also seams
-                                                                         ///< without a sign
+  static constexpr std::uint8_t without_angle = JOINING | CLOSED | LINK; ///< a seam without a sign
+                                                                         ///< has no angle, either
 
   std::size_t number_of_faces() const { return m_arrays.normals.size(); }
   std::size_t number_of_vertices() const { return m_arrays.points.size(); }
   std::size_t number_of_adjacencies() const { return m_arrays.higher_faces.size(); }
 
-  /// The unit of points and lengths, as a multiple of that of the mesh: 1, unless areas might
-  /// exceed the range of double; then a power of two, so that results do not depend on it.
+  /// The unit of points and lengths, as a multiple of the unit of the mesh. It is 1, unless areas
+  /// might exceed the range of double; then it is a power of two, so that results do not depend on
+  /// it.
   double unit() const { return m_arrays.unit; }
   /// The sum of the weights of the faces, in their order.
   double area() const { return m_arrays.area; }
-  /// The square root of the area of the surface; 1 if that is 0.
+  /// The square root of the area of the surface; 1 if the area is 0.
   double length_unit() const { return m_arrays.area > 0 ? std::sqrt(m_arrays.area) : 1; }
 
   /// \name Vertices and corners
@@ -129,7 +129,7 @@ public:
   /// \name Faces
   /// @{
 
-  /// The unit normal; the zero vector for a degenerate face.
+  /// The unit normal of a face, which is the zero vector if the face is degenerate.
   const Double_3& normal(std::size_t face) const { return m_arrays.normals[face]; }
   double area(std::size_t face) const { return m_arrays.areas[face]; }
   /// Whether the face belongs to a crumb: a component of less than 1/1000 of the area of the
@@ -138,22 +138,24 @@ public:
   {
     return !m_arrays.crumbs.empty() && m_arrays.crumbs[m_arrays.component_of[face]];
   }
-  /// The number of components: sets of faces that are connected by edges.
+  /// The number of components. A component is a set of faces that are connected by edges.
   std::size_t number_of_components() const { return m_arrays.component_of.number_of_parts(); }
   std::size_t number_of_crumbs() const
   {
     return std::size_t(std::count(m_arrays.crumbs.begin(), m_arrays.crumbs.end(), true));
   }
-  /// The area, but 0 for a face of a crumb: so crumbs do not change how the rest is segmented.
+  /// The area of a face; but 0 for a face of a crumb, so that crumbs do not change how the rest is
+  /// segmented.
   double weight(std::size_t face) const { return is_crumb(face) ? 0 : m_arrays.areas[face]; }
-  /// Whether the area is so small that the normal has no meaning, see \ref
-  /// RegionSegmentationTwoStep; or the face is given twice.
+  /// Whether the area of a face is so small that its normal has no meaning, see \ref
+  /// RegionSegmentationTwoStep, or the face is a copy of a lower one.
   bool is_degenerate(std::size_t face) const
   {
     const Double_3& n = m_arrays.normals[face];
     return n.x == 0 && n.y == 0 && n.z == 0;
   }
-  /// The mean of the corners; its members are `x`, `y` and `z`, whatever the kernel of the mesh.
+  /// The mean of the corners of a face; its members are `x`, `y` and `z`, whatever the kernel of
+  /// the mesh.
   Double_3 centroid(std::size_t face) const
   {
     Double_3 sum{};
@@ -182,14 +184,14 @@ public:
   }
   Index lower_face(std::size_t adjacency) const { return m_arrays.lower_faces[adjacency]; }
   Index higher_face(std::size_t adjacency) const { return m_arrays.higher_faces[adjacency]; }
-  /// The length of the edge, half of it for a seam of three and more faces, the length of contact
-  /// of a link.
+  /// The length of an edge, half the length of a seam of three and more faces, or the length of
+  /// contact of a link.
   double length(std::size_t adjacency) const
   {
     return std::sqrt(m_arrays.squared_lengths[adjacency]);
   }
   double squared_length(std::size_t adjacency) const { return m_arrays.squared_lengths[adjacency]; }
-  /// The sum of the `Flag`s.
+  /// The sum of the `Flag`s of an adjacency.
   std::uint8_t flags(std::size_t adjacency) const { return m_arrays.flags[adjacency]; }
   /// Whether an adjacency has one of several flags.
   bool has_flag(std::size_t adjacency, std::uint8_t any) const
@@ -209,7 +211,7 @@ public:
   /// The deviation in radians, in [0, pi]; 0 where there is no angle.
   double deviation(std::size_t adjacency) const { return std::acos(cosine(adjacency)); }
 
-  /// Whether there are adjacencies other than across edges.
+  /// Whether some adjacency is a seam or a link.
   bool has_seams_or_links() const { return m_arrays.has_seams_or_links; }
 
   bool has_angle(std::size_t adjacency) const

@@ -16,8 +16,8 @@ namespace CGAL {
 namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationData
-/// The values of a property map for the faces of a mesh, in iteration order, which is how parts of
-/// methods index faces. So a part can use curvatures, colors or labels of the user.
+/// returns the values of a property map for the faces of a mesh, in iteration order, as the parts
+/// of methods index faces. By it, a part can use curvatures, colors or labels of the user.
 ///
 /// \tparam FaceGraph a model of `FaceListGraph`
 /// \tparam FaceMap a model of `ReadablePropertyMap` with the face descriptor as key

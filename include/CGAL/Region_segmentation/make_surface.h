@@ -26,12 +26,12 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// What is adjacent: the neighbors that are known, what has coinciding sides too, or components
-/// too.
+/// Which faces are adjacent: the neighbors that are known; faces with coinciding sides, too; or, by
+/// links, faces of different components, too.
 enum class Adjacency_of { NEIGHBORS, COINCIDING_SIDES, COMPONENTS };
 
-/// From points and corners to a surface. A template, so that `extern template` keeps it out of a
-/// translation unit.
+/// Makes a surface of points and corners. This is a template so that `extern template` keeps it out
+/// of a translation unit.
 /// \tparam Raw `Raw_surface`
 template <typename Raw>
 Surface build_surface(Raw raw, Adjacency_of wanted, const Execution& execution)
@@ -50,8 +50,8 @@ Surface build_surface(Raw raw, Adjacency_of wanted, const Execution& execution)
     orient_faces(raw, is_parallel, added);
   }
   collect_adjacencies(raw, execution.step(0.3, 0.8));
-  raw.neighbors = Large_array<Surface::Index>(); // later steps need the memory
-  insert_adjacencies(surface, std::move(added));
+  raw.neighbors = Large_array<Surface::Index>(); // the next steps need the memory
+  insert_adjacencies(surface, added);
   arrays_of(surface).component_of = edge_components(surface, execution.step(0.8, 0.9));
   if (orient_components(surface) || surface.has_seams_or_links())
     set_signs(surface);
@@ -91,7 +91,7 @@ Surface make_surface(const FaceGraph& mesh, const Pack& np, const Execution& exe
                       execution.stage("reading"));
 }
 
-/// For functions that read a face graph as it is: without links and coinciding borders.
+/// The surface of a face graph as it is: without links, and with borders where they coincide.
 template <typename FaceGraph, typename Pack>
 Surface make_surface_of_neighbors(const FaceGraph& mesh, const Pack& np)
 {
@@ -117,8 +117,8 @@ using Surface_parameters = Tag_list<internal_np::component_links_t, CGAL::intern
 /// \ingroup PkgRegionSegmentationData
 /// makes a surface of a face graph.
 ///
-/// Neighbors are those of the graph. Unless `component_links` is `false`, border edges with equal
-/// end points are adjacent, too, and components are linked, as those of polygons are.
+/// Neighbors are those of the graph. Unless `component_links` is `false`, faces at border edges
+/// with equal end points are adjacent, too, and components are linked, as those of polygons are.
 ///
 /// An outermost closed component of negative signed volume is inside out: it is turned, together
 /// with the closed components inside it. A closed one of negative volume inside another one bounds
@@ -148,17 +148,16 @@ Surface make_surface(const FaceGraph& mesh,
 /// makes a surface of points and polygons. They need not be manifold, oriented, connected or free
 /// of duplicates.
 ///
-/// - Points with equal coordinates are one vertex, where they are at a side that has not exactly
-/// one partner with the same two indices: closed components keep vertices of their own, as those of
-/// a face graph.
-/// - Two sides of polygons with the same two vertices are an edge. Where there are more of them,
-/// they are seams, see
-///   `Surface`, but for those of degenerate faces, which are edges to the lowest other face.
+/// - Points with equal coordinates are one vertex if they are at a side that has not exactly one
+///   partner with the same two indices. So closed components keep vertices of their own, as those
+///   of a face graph.
+/// - Two sides of polygons with the same two vertices are an edge. More than two sides are seams,
+///   see `Surface`; but the sides of degenerate faces among them are edges to the lowest other
+///   face.
 /// - Faces are turned so that neighbors across edges are oriented alike; the orientation of a
-/// component is that of the
-///   larger area. An edge whose faces cannot be oriented is a seam.
-/// - A polygon that was given before, in any orientation, is degenerate, and is adjacent to that
-/// one alone.
+///   component is that of the larger area. An edge whose faces cannot be oriented is a seam.
+/// - A polygon with the sides of a lower one, in any orientation, is degenerate, and is adjacent to
+///   that one alone.
 ///
 /// Closed components are turned, and components are linked, as those of a face graph.
 ///

@@ -25,13 +25,12 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// Merges the regions of a graph, and records it. The sections between regions of different seeds
-/// are barred.
+/// Merges the regions of a graph and records the merges. Regions of different seeds are not merged.
 template <typename Graph>
 class Merger
 {
 public:
-  /// `number`: of regions, at which merging ends
+  /// `number`: merging ends when this number of regions is left
   Merger(Graph& graph, const Seeds& of_regions, std::size_t number, const Execution& execution)
     : m_graph(graph)
     , m_number(number)
@@ -45,7 +44,7 @@ public:
         bar_if_between_seeds(*range.first);
   }
 
-  /// Merges pairs of first regions, if that is possible.
+  /// Merges the given pairs of first regions, one after the other, if their section is mergeable.
   void merge_first(const std::vector<std::pair<Partition::Index, Partition::Index>>& pairs)
   {
     Lowest_root_forest kept(m_graph.index_bound_of_regions());
@@ -60,8 +59,8 @@ public:
     }
   }
 
-  /// Merges in the order of a policy until `number` regions are left, or the number at which all
-  /// merging ends. Returns whether they are: otherwise the policy has no further candidate.
+  /// Merges in the order of a policy until `number` regions are left, and at most down to the
+  /// number of the constructor. Returns `false` if the policy has no further candidate before.
   /// \throws Invalid_method if the policy proposes a section that is removed or not mergeable, or a
   ///         cost that is not a number
   template <typename Policy>
@@ -70,7 +69,7 @@ public:
     static_assert(check_merging_policy<Policy, Graph>());
     number = (std::max)(number, m_number);
     if (m_graph.number_of_regions() <= number)
-      return true; // to initialize a policy may take quadratic time
+      return true; // initializing a policy can take quadratic time
     policy.initialize(m_graph);
     while (m_graph.number_of_regions() > number) {
       const auto candidate = policy.next(m_graph);

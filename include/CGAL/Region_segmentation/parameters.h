@@ -14,8 +14,6 @@
 
 #include <CGAL/Named_function_parameters.h>
 
-#include <boost/property_map/property_map.hpp>
-
 #include <functional>
 #include <iterator>
 #include <type_traits>
@@ -50,7 +48,7 @@ struct Named_parameters;
 
 namespace internal {
 
-/// A pack with a value more.
+/// A pack with one value more.
 template <typename Tag, typename T, typename... Base>
 Named_parameters<T, Tag, Base...> with(const T& value, const Base&... others)
 {
@@ -157,7 +155,7 @@ pack(const CGAL::Named_function_parameters<T, Tag, Base>& np)
   return np;
 }
 
-/// For all other arguments: reports them, and only them.
+/// All other arguments do not compile, with this message alone.
 template <typename T>
 CGAL::Named_function_parameters<bool, CGAL::internal_np::all_default_t> pack(const T&)
 {
@@ -171,19 +169,12 @@ CGAL::Named_function_parameters<bool, CGAL::internal_np::all_default_t> pack(con
 template <typename Pack, typename Tag>
 constexpr bool has_parameter = !CGAL::parameters::is_default_parameter<Pack, Tag>::value;
 
-template <typename T, typename = void>
-struct Is_range : std::false_type
-{};
 template <typename T>
-struct Is_range<T, std::void_t<decltype(std::begin(std::declval<const T&>()),
-                                        std::end(std::declval<const T&>()))>> : std::true_type
-{};
+using Iterators_of_range = decltype(std::pair(std::begin(std::declval<const T&>()),
+                                              std::end(std::declval<const T&>())));
 
 template <typename T>
-constexpr bool is_range = Is_range<T>::value;
-
-template <typename T>
-using Key_of_map = typename boost::property_traits<T>::key_type;
+constexpr bool is_range = satisfies<Iterators_of_range, T>;
 
 template <typename... Tags>
 struct Tag_list

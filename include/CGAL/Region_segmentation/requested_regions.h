@@ -11,7 +11,7 @@
 #include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/exceptions.h>
 #include <CGAL/Region_segmentation/internal/superfacets/Dual_graph.h>
-#include <CGAL/Region_segmentation/internal/support/shortest_paths.h>
+#include <CGAL/Region_segmentation/internal/support/components.h>
 #include <CGAL/Region_segmentation/internal/surface/find_links.h>
 #include <CGAL/Region_segmentation/merge_regions.h>
 

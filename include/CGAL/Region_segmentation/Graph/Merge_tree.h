@@ -35,15 +35,15 @@ public:
   /// The cost of merges that come before those of a policy: of crumbs.
   static constexpr double least_cost = std::numeric_limits<double>::lowest();
 
-  /// A tree without merges.
+  /// Makes a tree without merges.
   explicit Merge_tree(std::size_t number_of_regions = 0)
     : m_number_of_regions(number_of_regions)
   {}
 
-  /// Of the first regions.
+  /// The number of first regions.
   std::size_t number_of_regions() const { return m_number_of_regions; }
-  /// In the order in which they were made. After `m` of them there are `number_of_regions() - m`
-  /// segments.
+  /// The merges in the order in which they were made. After `m` of them there are
+  /// `number_of_regions() - m` segments.
   const std::vector<Merge>& merges() const& { return m_merges; }
   std::vector<Merge> merges() && { return std::move(m_merges); }
 

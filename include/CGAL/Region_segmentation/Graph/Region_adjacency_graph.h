@@ -63,9 +63,9 @@ struct Merge_candidate
 };
 
 /// \ingroup PkgRegionSegmentationPolicies
-/// Policies one after the other, each with the number of regions at which the next one takes over:
-/// what merges by a policy takes these, too. Where a policy has no further candidate before,
-/// merging ends.
+/// A sequence of policies, each with the number of regions at which the next one takes over.
+/// Functions that merge by a policy take a sequence, too. Merging ends where the current policy has
+/// no further candidate.
 ///
 /// \code
 /// RS::merge_regions(graph, RS::Policy_phases<RS::Smallest_region_first, My_policy>{
@@ -89,12 +89,12 @@ struct Is_there
   }
 };
 
-/// A section as seen from one of its regions, by the number of the half.
+/// Returns a section as seen from the region of one of its halves.
 struct Section_of_half
 {
   Section_descriptor operator()(std::uint32_t half) const { return Section_descriptor(half); }
 };
-/// The first half of a section.
+/// Returns a section as seen from the region of its first half.
 struct Section_of_number
 {
   Section_descriptor operator()(std::uint32_t s) const { return Section_descriptor(2 * s); }
@@ -110,7 +110,8 @@ template <typename Graph>
 using Out_section_iterator = boost::filter_iterator<
   Is_there<Graph>, boost::transform_iterator<Section_of_half, const std::uint32_t*>>;
 
-/// Those of a range of numbers or of halves that are not removed.
+/// Returns the part of a range of numbers, or of halves of sections, whose sections and regions are
+/// not removed.
 template <typename Iterator, typename Graph, typename Base>
 std::pair<Iterator, Iterator> remaining(const Graph& graph, const Base& begin, const Base& end)
 {
@@ -128,13 +129,12 @@ std::pair<Iterator, Iterator> remaining(const Graph& graph, const Base& begin, c
 /// A model of Boost.Graph's `VertexListGraph`, `EdgeListGraph`, `IncidenceGraph` and
 /// `AdjacencyGraph` (undirected, no parallel edges, no loops): a region is a vertex, a section is
 /// an edge. As in \cgal, `num_vertices()` and `num_edges()` are upper bounds after merges: indices,
-/// in
-/// `[0, num_vertices())`, are not reused, and the descriptors of remaining elements stay valid.
+/// in `[0, num_vertices())`, are not reused, and the descriptors of remaining elements stay valid.
 /// `number_of_regions()` and `number_of_sections()` count the remaining ones.
 ///
-/// `merge()` looks up each section of the region that has fewer: in linear time, unless these lead
-/// to regions of many sections. Bytes, without the data: 84 per region and 9 per section; more for
-/// regions with more than 12 sections.
+/// `merge()` takes time in proportion to the number of sections of the region that has fewer,
+/// unless both regions of these have many. Bytes, without the data: 84 per region and 9 per
+/// section; more for regions with more than 12 sections.
 ///
 /// \tparam RegionData_ a model of `RegionData`
 /// \tparam SectionData_ a model of `SectionData`
@@ -180,7 +180,7 @@ public:
     region_descriptor kept, removed;
   };
 
-  /// Regions without sections, ids 0 .. `number_of_regions` - 1.
+  /// Makes regions without sections; their ids are 0 .. `number_of_regions` - 1.
   explicit Region_adjacency_graph(std::size_t number_of_regions = 0)
     : m_place_of(number_of_regions)
     , m_lists(number_of_regions)
@@ -286,7 +286,7 @@ public:
 private:
   static constexpr Index none = Lists::none;
 
-  /// The flags of a section; when two sections are united, the union of their flags.
+  /// The flags of a section. A section that absorbs another one also has its flags.
   enum Section_flag : std::uint8_t {
     ADJACENT = 1, ///< it has edges
     BARRED = 2    ///< it must not be merged across
@@ -313,8 +313,9 @@ private:
     --m_number_of_sections;
   }
 
-  // Small into large: the sections of a region belong to a place. The kept region takes over the
-  // place that has more of them, so that only those of the other place change.
+  // The sections of a region are in a list that has a place of its own. When two regions are
+  // merged, the shorter list is appended to the longer one, whose place the kept region takes: so
+  // merging a region of many sections with small ones takes linear time in total.
   std::vector<Index> m_place_of; // by region
   Lists m_lists;
   std::vector<RegionData> m_region_data;

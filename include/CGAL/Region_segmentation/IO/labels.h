@@ -4,6 +4,7 @@
 #define CGAL_REGION_SEGMENTATION_IO_LABELS_H
 
 #include <CGAL/Region_segmentation/exceptions.h>
+#include <CGAL/Region_segmentation/face_values.h>
 #include <CGAL/Region_segmentation/internal/support/concept_checks.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -59,21 +60,18 @@ std::vector<Label> read_labels(std::istream& in)
 /// \ingroup PkgRegionSegmentationIO
 /// reads the labels of the faces of a mesh, in iteration order.
 ///
-/// \throws Invalid_input as above, or if the number of labels is not the number of faces; the map
-///         is unchanged
+/// \throws Invalid_input if `read_labels(in)` does, or if the number of labels is not the number of
+///         faces; the map is unchanged
 template <typename FaceGraph, typename FaceLabelMap>
 void read_labels(std::istream& in, const FaceGraph& mesh, FaceLabelMap label_map)
 {
-  static_assert(internal::check_face_map<FaceLabelMap, FaceGraph>());
   using Label = typename boost::property_traits<FaceLabelMap>::value_type;
   const std::vector<Label> labels = read_labels<Label>(in);
   const std::size_t number_of_faces = faces(mesh).size(); // num_faces() may count removed ones
   if (labels.size() != number_of_faces)
     throw Invalid_input(std::to_string(labels.size()) + " labels for " +
                         std::to_string(number_of_faces) + " faces");
-  std::size_t i = 0;
-  for (auto f : faces(mesh))
-    put(label_map, f, labels[i++]);
+  write_face_values(mesh, labels, label_map);
 }
 
 /// \ingroup PkgRegionSegmentationIO

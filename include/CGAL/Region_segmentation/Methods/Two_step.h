@@ -40,94 +40,73 @@ inline double share(double a, double b)
 
 /// \ingroup PkgRegionSegmentationPolicies
 /// chooses, among the sections of a region, the one to merge across: long and flat compared with
-/// the others (paper, eq. 3).
+/// the others.
 ///
 /// The section \f$i\f$ has the largest sum over the region's other sections \f$j\f$ of
 /// \f[ P_{ij} = \beta \frac{L_i}{L_i + L_j} + (1 - \beta) \frac{A_i}{A_i + A_j}, \f]
-/// \f$L\f$ the length and \f$A\f$ the mean dihedral angle of a section; 0/0 is 1/2; the lower
-/// neighbor id of equal sums. Sections that are not mergeable count only as \f$j\f$. Sections of
-/// links alone count only if a region has no others.
+/// \f$L\f$ the length and \f$A\f$ the mean dihedral angle of a section (paper, eq. 3); 0/0 is 1/2;
+/// the lower neighbor id of equal sums. Sections that are not mergeable count only as \f$j\f$.
+/// Sections of links alone count only if a region has no others.
 ///
-/// Complexity: O(d p) for d sections, p of which are not exceeded by another one in both length and
-/// angle: usually a few.
-class Longest_flattest_section
+/// \param beta the weight of the length, in [0, 1]; that of the angle is 1 - beta
+/// \returns the section, seen from the region; empty if the region has none that is mergeable
+///
+/// Complexity: O(d (p + log d)) for d sections, of which p are longer than all flatter ones:
+/// usually a few.
+template <typename Graph>
+std::optional<Section_descriptor> longest_flattest_section(const Graph& graph, std::uint32_t region,
+                                                           double beta)
 {
-public:
-  /// `beta`: the weight of the length, in [0, 1]; that of the angle is 1 - beta
-  /// \throws Invalid_method if a constant is not in its range
-  explicit Longest_flattest_section(double beta = 0.1)
-    : m_beta(beta)
-  {
-    internal::check_constant("Longest_flattest_section: beta", beta, 0, 1);
-  }
-
-  /// The section, seen from the region; empty if the region has none that is mergeable.
-  template <typename Graph>
-  std::optional<Section_descriptor> operator()(const Graph& graph, std::uint32_t region)
-  {
-    m_sections.clear();
-    const auto sections = graph.sections(region);
-    const bool are_links = std::all_of(sections.begin(), sections.end(),
-                                       [&](auto s) { return graph[s].has_links_alone(); });
-    for (Section_descriptor s : sections)
-      if (are_links || !graph[s].has_links_alone())
-        m_sections.push_back(
-          {s, graph.target(s), graph.is_mergeable(s), graph[s].length, graph[s].mean_angle()});
-
-    const Section* best = nullptr;
-    double best_sum = 0, longest = -1;
-    // P_ij grows with A_i and L_i, so only sections that are longer than all flatter ones are
-    // compared: a region of thousands of sections would take quadratic time otherwise.
-    while (const Section* s = flattest_above(longest)) {
-      longest = s->length;
-      const double sum = sum_over_others(*s);
-      if (!best || sum > best_sum || (sum == best_sum && s->neighbor < best->neighbor)) {
-        best = s;
-        best_sum = sum;
-      }
-    }
-    return best ? std::optional(best->descriptor) : std::nullopt;
-  }
-
-private:
   struct Section
   {
     Section_descriptor descriptor;
-    std::uint32_t neighbor;
-    bool is_mergeable;
     double length, angle; // L, A
+    std::uint32_t neighbor;
   };
-
-  double sum_over_others(const Section& i) const
-  {
+  std::vector<Section> sections;
+  const auto all = graph.sections(region);
+  const bool are_links = std::all_of(all.begin(), all.end(),
+                                     [&](auto s) { return graph[s].has_links_alone(); });
+  for (const Section_descriptor s : all)
+    if (are_links || !graph[s].has_links_alone())
+      sections.push_back({s, graph[s].length, graph[s].mean_angle(), graph.target(s)});
+  const auto sum_over_others = [&](const Section& i) {
     double sum = 0;
-    for (const Section& j : m_sections)
+    for (const Section& j : sections)
       if (&j != &i)
-        sum += m_beta * internal::share(i.length, j.length) +
-               (1 - m_beta) * internal::share(i.angle, j.angle);
+        sum += beta * internal::share(i.length, j.length) +
+               (1 - beta) * internal::share(i.angle, j.angle);
     return sum;
+  };
+  // P_ij grows with A_i and L_i, so a section that is not longer than a flatter one has no larger
+  // sum. Flatter sections come first; of equally flat ones the longest, to the lowest neighbor.
+  double longest = -1;
+  const auto next = [&] {
+    const Section* s = nullptr;
+    for (const Section& t : sections)
+      if (t.length > longest && graph.is_mergeable(t.descriptor) &&
+          (!s ||
+           std::tie(t.angle, t.length, s->neighbor) > std::tie(s->angle, s->length, t.neighbor)))
+        s = &t;
+    return s;
+  };
+  const Section* best = nullptr;
+  double best_sum = 0;
+  while (const Section* s = next()) {
+    longest = s->length;
+    const double sum = sum_over_others(*s);
+    if (!best || sum > best_sum || (sum == best_sum && s->neighbor < best->neighbor)) {
+      best = s;
+      best_sum = sum;
+    }
   }
-
-  /// The flattest mergeable section longer than `length`; of equal ones the longest, to the lowest
-  /// neighbor. Null if there is none.
-  const Section* flattest_above(double length) const
-  {
-    const Section* best = nullptr;
-    for (const Section& s : m_sections)
-      if (s.is_mergeable && s.length > length &&
-          (!best || std::tie(s.angle, s.length, best->neighbor) >
-                      std::tie(best->angle, best->length, s.neighbor)))
-        best = &s;
-    return best;
-  }
-
-  double m_beta;
-  std::vector<Section> m_sections; // of the region
-};
+  return best ? std::optional(best->descriptor) : std::nullopt;
+}
 
 /// \ingroup PkgRegionSegmentationPolicies
 /// Step one of the paper: merges the region of smallest area next (the lower id of equal ones;
-/// never one whose area is NaN), across the section that `Longest_flattest_section` chooses. A
+/// never one whose area is NaN), across the section that
+/// `longest_flattest_section()` chooses. A
 /// model of `MergingPolicy`; the cost is the area of the region, in squared units of
 /// `Surface::unit()`.
 ///
@@ -138,10 +117,13 @@ public:
   using RegionData = Region_geometry;
   using SectionData = Section_geometry;
 
-  /// `beta`: see `Longest_flattest_section`
+  /// `beta`: see `longest_flattest_section()`
+  /// \throws Invalid_method if a constant is not in its range
   explicit Smallest_region_first(double beta = 0.1)
-    : m_section_of(beta)
-  {}
+    : m_beta(beta)
+  {
+    internal::check_constant("Smallest_region_first: beta", beta, 0, 1);
+  }
 
   template <typename Graph>
   void initialize(const Graph& graph)
@@ -157,8 +139,8 @@ public:
     for (; !m_queue.empty(); m_queue.pop()) {
       const auto [area, region] = m_queue.top();
       if (!graph.is_removed(region) && graph[region].area == area)
-        if (const auto section = m_section_of(graph, region)) // a region without one never gets one
-          return Merge_candidate{*section, area};
+        if (const auto section = longest_flattest_section(graph, region, m_beta))
+          return Merge_candidate{*section, area}; // a region without a section never gets one
     }
     return std::nullopt;
   }
@@ -180,7 +162,7 @@ private:
       m_queue.push({graph[region].area, region});
   }
 
-  Longest_flattest_section m_section_of;
+  double m_beta;
   Queue m_queue;
 };
 
@@ -197,7 +179,7 @@ inline double planarity(const Region_geometry& region)
 
 /// \ingroup PkgRegionSegmentationPolicies
 /// Step two of the paper: merges a small region far from a disc next, across the section that
-/// `Longest_flattest_section` chooses. A model of `MergingPolicy`.
+/// `longest_flattest_section()` chooses. A model of `MergingPolicy`.
 ///
 /// The region \f$i\f$ that has a section and the largest sum over all other regions \f$j\f$ of
 /// \f[ P_j(C_i) = 1 - \gamma \frac{e^{-\rho_i}}{e^{-\rho_i} + e^{-\rho_j}}
@@ -212,13 +194,14 @@ public:
   using RegionData = Region_geometry;
   using SectionData = Section_geometry;
 
-  /// `beta`: see `Longest_flattest_section`; `gamma`: the weight of planarity, in [0, 1]; that of
+  /// `beta`: see `longest_flattest_section()`; `gamma`: the weight of planarity, in [0, 1]; that of
   /// the area is 1 - gamma
   /// \throws Invalid_method if a constant is not in its range
   explicit Least_compact_region_first(double beta = 0.1, double gamma = 0.6)
-    : m_section_of(beta)
+    : m_beta(beta)
     , m_gamma(gamma)
   {
+    internal::check_constant("Least_compact_region_first: beta", beta, 0, 1);
     internal::check_constant("Least_compact_region_first: gamma", gamma, 0, 1);
   }
 
@@ -244,7 +227,7 @@ public:
       const auto i = *std::min_element(m_regions.begin(), m_regions.end(), is_less);
       if (m_sums[i] == without_section)
         break;
-      if (const auto section = m_section_of(graph, i)) {
+      if (const auto section = longest_flattest_section(graph, i, m_beta)) {
         const double others = double((std::max)(m_regions.size(), std::size_t(2)) - 1);
         return Merge_candidate{*section, (m_sums[i] - 0.5) / others};
       }
@@ -305,8 +288,7 @@ private:
     return sum;
   }
 
-  Longest_flattest_section m_section_of;
-  double m_gamma;
+  double m_beta, m_gamma;
   std::vector<std::uint32_t> m_regions; // those that remain, ascending
   std::vector<Shape> m_shapes;          // by region
   std::vector<double> m_sums;           // by region

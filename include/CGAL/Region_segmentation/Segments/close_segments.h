@@ -4,20 +4,23 @@
 #define CGAL_REGION_SEGMENTATION_SEGMENTS_CLOSE_SEGMENTS_H
 
 #include <CGAL/Region_segmentation/Double_3.h>
+#include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/Segments/split_into_segments.h>
+#include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/internal/segments/Segment_caps.h>
 #include <CGAL/Region_segmentation/internal/segments/Segmented_mesh.h>
+#include <CGAL/Region_segmentation/internal/surface/collect_adjacencies.h>
+#include <CGAL/Region_segmentation/internal/surface/read_surface.h>
+#include <CGAL/Region_segmentation/parameters.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/number_utils.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
+#include <cstdint>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -34,22 +37,22 @@ public:
     m_rows[0] = m_rows[0] + angle * normal.x * normal;
     m_rows[1] = m_rows[1] + angle * normal.y * normal;
     m_rows[2] = m_rows[2] + angle * normal.z * normal;
-    m_angle += angle;
     if (moves)
       m_sum = m_sum - angle * normal;
   }
 
   /// The shortest move that takes the vertex to all planes, in the sense of least squares, those of
-  /// caps being moved inwards by a distance: by conjugate gradients, which end at a direction to
-  /// which the planes are nearly parallel, so no vertex of a wedge moves far.
-  Double_3 move(double distance) const
+  /// caps being moved inwards by a distance of 1. The conjugate gradients end at a direction to
+  /// which the planes are nearly parallel, so that no vertex of a wedge moves far.
+  Double_3 move() const
   {
+    const double sum_of_angles = m_rows[0].x + m_rows[1].y + m_rows[2].z;
     Double_3 result{0, 0, 0}, residual = m_sum, direction = m_sum;
     for (int i = 0; i < 3; ++i) {
       const Double_3 product{dot(m_rows[0], direction), dot(m_rows[1], direction),
                              dot(m_rows[2], direction)};
       const double curvature = dot(direction, product);
-      if (!(curvature > least_share * m_angle * squared_norm(direction)))
+      if (!(curvature > least_share * sum_of_angles * squared_norm(direction)))
         break;
       const double step = squared_norm(residual) / curvature;
       const Double_3 next = residual - step * product;
@@ -57,7 +60,7 @@ public:
       direction = next + squared_norm(next) / squared_norm(residual) * direction;
       residual = next;
     }
-    return distance * result;
+    return result;
   }
 
 private:
@@ -65,88 +68,32 @@ private:
 
   std::array<Double_3, 3> m_rows = {Double_3{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}; // normal equations
   Double_3 m_sum{0, 0, 0};
-  double m_angle = 0;
 };
 
-/// The area vector of a face by Newell's formula, relative to its first corner. `points`: by source
-inline Double_3 area_vector(const Halfedge_table& mesh, Halfedge_table::Index face,
-                            const std::vector<Double_3>& points)
+/// By fan of the solids, the planes of its faces. `normals`: by face of the mesh
+inline std::vector<Planes_of_vertex> planes_of_vertices(const Segmented_halfedges& solids,
+                                                        const Segment_caps& caps,
+                                                        const Large_array<Double_3>& normals)
 {
-  const Halfedge_table::Index first = mesh.first[face], end = mesh.first[face + 1];
-  const Double_3 origin = points[mesh.source[first]];
-  Double_3 sum{0, 0, 0};
-  for (Halfedge_table::Index h = first + 2; h < end; ++h)
-    sum = sum + cross(points[mesh.source[h - 1]] - origin, points[mesh.source[h]] - origin);
-  return 0.5 * sum;
-}
-
-/// The moves of the vertices of solids that leave a clearance between the caps of two of them: by
-/// the halfedge that leaves the vertex. `points`: by source
-inline std::vector<Double_3> moves_for_clearance(const Closed_segments& solids,
-                                                 const std::vector<Double_3>& points,
-                                                 double clearance)
-{
-  using Index = Halfedge_table::Index;
+  using Index = Segmented_halfedges::Index;
   const Partition fans = solids.fans();
   std::vector<Planes_of_vertex> planes(fans.number_of_parts());
-  for (Index f = 0; f < solids.number_of_faces(); ++f) {
-    const Double_3 area = area_vector(solids, f, points);
-    if (!(norm(area) > 0))
-      continue;
-    for (Index h = solids.first[f]; h < solids.first[f + 1]; ++h) {
-      const Index corner = solids.next(h);
-      const Double_3 back = points[solids.source[h]] - points[solids.source[corner]];
-      const Double_3 ahead = points[solids.target(corner)] - points[solids.source[corner]];
-      planes[fans[corner]].add(1 / norm(area) * area,
-                               std::atan2(norm(cross(ahead, back)), dot(ahead, back)),
-                               solids.is_between_segments(f));
-    }
+  for (Index h = 0; h < solids.size(); ++h) {
+    const Index f = solids.face[h], next = solids.next(h);
+    const Double_3 corner = caps.points()[solids.target(h)],
+                   back = caps.points()[solids.source[h]] - corner,
+                   ahead = caps.points()[solids.target(next)] - corner;
+    const Double_3 across = cross(ahead, back);
+    const double angle = std::atan2(norm(across), dot(ahead, back));
+    if (f < normals.size())
+      planes[fans[next]].add(normals[f], angle, false);
+    else if (norm(across) > 0)
+      planes[fans[next]].add(1 / norm(across) * across, angle,
+                             caps.triangles()[(f - normals.size()) / 2].higher <=
+                               solids.number_of_segments);
   }
-  std::vector<Double_3> of_fans, result;
-  for (const Planes_of_vertex& p : planes)
-    of_fans.push_back(p.move(0.5 * clearance));
-  for (Index h = 0; h < solids.size(); ++h)
-    result.push_back(of_fans[fans[h]]);
-  return result;
+  return planes;
 }
-
-} // namespace internal
-
-namespace internal {
-
-/// Those of a graph, and null descriptors and computed points where caps have more.
-template <typename FaceGraph, typename PointMap>
-struct Elements_of_solids
-{
-  Elements_of_graph<FaceGraph, PointMap> of_graph;
-  std::vector<typename boost::graph_traits<FaceGraph>::vertex_descriptor> vertices;
-  const Segmented_halfedges& solids;
-  double unit;                            ///< of the positions
-  const std::vector<Double_3>& positions; ///< by source
-  std::vector<Double_3> moves;            ///< by halfedge; empty: none
-
-  auto vertex_of(Halfedge_table::Index h) const
-  {
-    return solids.source[h] < vertices.size() ? vertices[solids.source[h]]
-                                              : boost::graph_traits<FaceGraph>::null_vertex();
-  }
-  auto face_of(Halfedge_table::Index h) const
-  {
-    return h < of_graph.descriptors.size() ? of_graph.face_of(h)
-                                           : boost::graph_traits<FaceGraph>::null_face();
-  }
-  template <typename F>
-  void with_point(Halfedge_table::Index h, const F& f) const
-  {
-    const bool stays = moves.empty() || squared_norm(moves[h]) == 0;
-    if (stays && solids.source[h] < vertices.size()) {
-      f(get(of_graph.points, vertices[solids.source[h]]));
-      return;
-    }
-    const Double_3 p = positions[solids.source[h]] + (stays ? Double_3{0, 0, 0} : moves[h]);
-    f(std::array<double, 3>{unit * p.x, unit * p.y, unit * p.z});
-  }
-};
 
 } // namespace internal
 
@@ -211,7 +158,8 @@ struct Elements_of_solids
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \returns the number of segments
+/// \returns the output iterator
+/// \throws Invalid_input if a point is not finite
 ///
 /// \pre `clearance` is at least 0 and finite
 ///
@@ -220,56 +168,47 @@ struct Elements_of_solids
 template <typename SegmentMesh = void, typename FaceGraph, typename FaceSegmentMap,
           typename SolidOutputIterator,
           typename NamedParameters = parameters::Default_named_parameters>
-std::size_t close_segments(const FaceGraph& mesh, const FaceSegmentMap& segment_map,
-                           SolidOutputIterator solids,
-                           const NamedParameters& np = parameters::default_values())
+SolidOutputIterator close_segments(const FaceGraph& mesh, const FaceSegmentMap& segment_map,
+                                   SolidOutputIterator solids,
+                                   const NamedParameters& np = parameters::default_values())
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  using Target = std::conditional_t<std::is_void<SegmentMesh>::value, FaceGraph, SegmentMesh>;
-  using Label = typename boost::property_traits<FaceSegmentMap>::value_type;
-  static_assert(internal::check_output_of_labels<SolidOutputIterator,
-                                                 Segment_piece<Target, FaceGraph, Label>>());
+  using Piece = internal::Piece_of<SegmentMesh, FaceGraph, FaceSegmentMap>;
   const auto& pack = internal::pack(np);
   internal::check_parameters<std::decay_t<decltype(pack)>,
                              internal::Tag_list<internal_np::clearance_t>>();
   const double clearance = choose_parameter(get_parameter(pack, internal_np::clearance), 0.0);
   CGAL_precondition_msg(clearance >= 0 && std::isfinite(clearance),
                         "close_segments(): the clearance is a finite length, at least 0");
-  const internal::Segmented_mesh segmented(mesh, segment_map, pack);
+  const auto segmented = internal::read_segmented_mesh(mesh, segment_map, pack);
   const auto points = choose_parameter(get_parameter(pack, CGAL::internal_np::vertex_point),
                                        get_const_property_map(CGAL::vertex_point, mesh));
-  std::vector<Double_3> positions;
-  std::vector<typename boost::graph_traits<FaceGraph>::vertex_descriptor> ordered_vertices;
-  for (auto v : vertices(mesh)) {
+  Surface surface;
+  auto& arrays = arrays_of(surface);
+  for (const auto v : segmented.vertices) {
     const auto& p = get(points, v);
-    ordered_vertices.push_back(v);
-    positions.push_back({CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2])});
+    arrays.points.push_back({CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2])});
   }
-  double largest = 0;
-  for (const Double_3& p : positions)
-    largest = (std::max)({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-  const double unit = internal::unit_of_coordinates(largest);
-  for (Double_3& p : positions)
-    p = {p.x / unit, p.y / unit, p.z / unit};
-  const internal::Segment_caps caps(segmented, std::move(positions), [](auto) { return false; });
-  const internal::Closed_segments closed(segmented, caps);
-  const internal::Elements_of_solids<FaceGraph, std::decay_t<decltype(points)>> elements{
-    {mesh, segmented.descriptors, points},
-    std::move(ordered_vertices),
-    closed,
-    unit,
-    caps.points(),
-    clearance > 0 ? internal::moves_for_clearance(closed, caps.points(), clearance / unit)
-                  : std::vector<Double_3>()};
-  internal::Piece_builder<Target> builder(closed);
-  for (std::size_t s = 0; s < closed.number_of_segments; ++s) {
-    Segment_piece<Target, FaceGraph, Label> piece;
-    piece.segment = segmented.labels[s];
-    builder.build(s, elements, piece);
-    *solids++ = std::move(piece);
+  arrays.first_corners.assign(segmented.first.begin(), segmented.first.end());
+  arrays.corners.assign(segmented.source.begin(), segmented.source.end());
+  internal::set_unit(surface);
+  const internal::Segment_caps caps(segmented, arrays.points, [](auto) { return false; });
+  const auto closed = internal::with_caps(segmented, caps);
+  std::vector<internal::Planes_of_vertex> planes; // by fan
+  if (clearance > 0) {
+    internal::compute_normals(surface, Execution());
+    planes = internal::planes_of_vertices(closed, caps, arrays.normals);
   }
-  return closed.number_of_segments;
+  return internal::Piece_builder<Piece, decltype(segmented)>(segmented, closed)
+    .build(solids, [&](std::uint32_t h, std::uint32_t fan, const auto& f) {
+      const Double_3 move = planes.empty() ? Double_3{0, 0, 0} : clearance / 2 * planes[fan].move();
+      const std::uint32_t v = closed.source[h];
+      if (squared_norm(move) == 0 && v < segmented.vertices.size())
+        return f(get(points, segmented.vertices[v]));
+      const Double_3 p = arrays.unit * caps.points()[v] + move;
+      f(std::array<double, 3>{p.x, p.y, p.z});
+    });
 }
 
 } // namespace Region_segmentation

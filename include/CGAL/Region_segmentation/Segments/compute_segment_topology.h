@@ -4,11 +4,11 @@
 #define CGAL_REGION_SEGMENTATION_SEGMENTS_COMPUTE_SEGMENT_TOPOLOGY_H
 
 #include <CGAL/Region_segmentation/internal/segments/Segmented_mesh.h>
-#include <CGAL/Region_segmentation/internal/support/concept_checks.h>
 #include <CGAL/Region_segmentation/parameters.h>
 
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <type_traits>
 #include <vector>
@@ -23,8 +23,9 @@ template <typename Label>
 struct Segment_topology
 {
   Label segment;
-  std::size_t number_of_components; ///< connected across edges
-  /// To other segments, to faces without a segment, and of the mesh.
+  std::size_t number_of_components; ///< of faces that are connected by edges
+  /// The closed polylines of edges to other segments, to faces without a segment, and on the border
+  /// of the mesh.
   std::size_t number_of_border_loops;
   std::ptrdiff_t euler_characteristic; ///< vertices - edges + faces
 
@@ -43,49 +44,38 @@ struct Segment_topology
 
 namespace internal {
 
-/// The numbers of elements of a segment, with a vertex for each fan of its faces.
-struct Topology_counts
+/// The topology of each segment, with a vertex for each fan of its faces.
+template <typename FaceGraph, typename Label>
+std::vector<Segment_topology<Label>> topologies_of(const Segmented_mesh<FaceGraph, Label>& mesh)
 {
-  std::size_t faces = 0, halfedges = 0, border_halfedges = 0, vertices = 0, components = 0,
-              loops = 0;
-};
-
-/// Of each segment. The halfedges on its border meet in fans: a loop is a component of them.
-inline std::vector<Topology_counts> count_topology(const Segmented_halfedges& mesh)
-{
-  using Index = Halfedge_table::Index;
-  std::vector<Topology_counts> counts(mesh.number_of_segments);
-  const Partition fans = mesh.fans();
-  Lowest_root_forest components(mesh.number_of_faces()), loops(fans.number_of_parts());
-  std::vector<char> is_on_loop(fans.number_of_parts(), false);
-  const auto for_each_halfedge = [&](const auto& f) {
-    for (Index h = 0; h < mesh.size(); ++h)
-      if (mesh.segment(h) != mesh.none)
-        f(h, counts[mesh.segment(h)]);
-  };
-  for_each_halfedge([&](Index h, Topology_counts& of_segment) {
-    ++of_segment.halfedges;
-    if (!mesh.is_on_border(h))
-      components.unite(mesh.face[h], mesh.face[mesh.opposite[h]]);
-    else {
-      ++of_segment.border_halfedges;
-      is_on_loop[fans[h]] = true;
-      loops.unite(fans[h], fans[mesh.next(h)]);
-    }
-  });
-  Index next_fan = 0; // numbered by their first halfedges
-  for_each_halfedge([&](Index h, Topology_counts& of_segment) {
+  using Index = Segmented_halfedges::Index;
+  std::vector<Segment_topology<Label>> result;
+  for (const Label label : mesh.labels)
+    result.push_back({label, 0, 0, 0});
+  // Uniting two trees makes one component or vertex less.
+  Lowest_root_forest components(mesh.number_of_faces()), fans(mesh.size());
+  std::vector<char> is_on_loop(mesh.size(), false);
+  for (Index h = 0; h < mesh.size(); ++h) {
+    if (!mesh.has_segment(h))
+      continue;
+    Segment_topology<Label>& topology = result[mesh.segment(h)];
     if (h == mesh.first[mesh.face[h]]) {
-      ++of_segment.faces;
-      of_segment.components += components.root(mesh.face[h]) == mesh.face[h];
+      ++topology.number_of_components;
+      ++topology.euler_characteristic;
     }
-    if (fans[h] >= next_fan) {
-      next_fan = fans[h] + 1;
-      ++of_segment.vertices;
-      of_segment.loops += is_on_loop[fans[h]] && loops.root(fans[h]) == fans[h];
+    ++topology.euler_characteristic; // the vertex
+    const Index across = mesh.opposite[h];
+    if (!mesh.is_on_border(h)) {
+      topology.number_of_components -= components.unite(mesh.face[h], mesh.face[across]);
+      topology.euler_characteristic -= fans.unite(h, mesh.next(across)) + (h < across);
+      continue;
     }
-  });
-  return counts;
+    --topology.euler_characteristic; // the edge
+    topology.number_of_border_loops += !is_on_loop[h];
+    for (Index i = h; !is_on_loop[i]; i = mesh.next_on_border(i))
+      is_on_loop[i] = true;
+  }
+  return result;
 }
 
 } // namespace internal
@@ -110,30 +100,21 @@ inline std::vector<Topology_counts> count_topology(const Segmented_halfedges& me
 ///   \cgalParamIndexMap{halfedge}
 /// \cgalNamedParamsEnd
 ///
-/// \returns the number of segments
+/// \returns the output iterator
 ///
 /// Complexity: O(F + V) in practice. Read-only; concurrent calls are safe.
 template <typename FaceGraph, typename FaceSegmentMap, typename TopologyOutputIterator,
           typename NamedParameters = parameters::Default_named_parameters>
-std::size_t compute_segment_topology(const FaceGraph& mesh, const FaceSegmentMap& segment_map,
-                                     TopologyOutputIterator topologies,
-                                     const NamedParameters& np = parameters::default_values())
+TopologyOutputIterator
+compute_segment_topology(const FaceGraph& mesh, const FaceSegmentMap& segment_map,
+                         TopologyOutputIterator topologies,
+                         const NamedParameters& np = parameters::default_values())
 {
-  using Label = typename boost::property_traits<FaceSegmentMap>::value_type;
-  static_assert(
-    internal::check_output_of_labels<TopologyOutputIterator, Segment_topology<Label>>());
   const auto& pack = internal::pack(np);
   internal::check_parameters<std::decay_t<decltype(pack)>, internal::Tag_list<>>();
-  const internal::Segmented_mesh segmented(mesh, segment_map, pack);
-  const auto counts = internal::count_topology(segmented);
-  for (std::size_t s = 0; s < counts.size(); ++s) {
-    const auto& c = counts[s];
-    const std::size_t edges = (c.halfedges + c.border_halfedges) / 2;
-    *topologies++ = Segment_topology<Label>{segmented.labels[s], c.components, c.loops,
-                                            std::ptrdiff_t(c.vertices + c.faces) -
-                                              std::ptrdiff_t(edges)};
-  }
-  return counts.size();
+  const auto result = internal::topologies_of(
+    internal::read_segmented_mesh(mesh, segment_map, pack));
+  return std::copy(result.begin(), result.end(), topologies);
 }
 
 } // namespace Region_segmentation

@@ -6,24 +6,230 @@
 /// \file describe_segments.h
 /// Requires Eigen 3; so it is not part of region_segmentation.h.
 
+#include <CGAL/Region_segmentation/Double_3.h>
 #include <CGAL/Region_segmentation/Segments/Segment_description.h>
+#include <CGAL/Region_segmentation/Segments/describe_segments.h>
 #include <CGAL/Region_segmentation/Surface.h>
-#include <CGAL/Region_segmentation/internal/segments/Segment_describer.h>
+#include <CGAL/Region_segmentation/internal/part_faces/fit_surface.h>
+#include <CGAL/Region_segmentation/internal/segments/Segment_caps.h>
+#include <CGAL/Region_segmentation/internal/segments/Segment_fitter.h>
 #include <CGAL/Region_segmentation/internal/segments/Segmented_mesh.h>
 #include <CGAL/Region_segmentation/internal/support/concept_checks.h>
 #include <CGAL/Region_segmentation/make_surface.h>
 #include <CGAL/Region_segmentation/parameters.h>
 
+#include <CGAL/Origin.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
+#include <map>
+#include <numeric>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Region_segmentation {
+namespace internal {
+
+/// The volume of each segment with its caps, and at the end that of the faces without a segment.
+/// They add up to the volume of the mesh.
+///
+/// By the divergence theorem, a volume is the sum of the tetrahedra from any point to the triangles
+/// of the surface.
+inline std::vector<double> segment_volumes(const Segmented_halfedges& mesh, const Surface& surface)
+{
+  using Index = Segmented_halfedges::Index;
+  const Segment_caps caps(mesh, arrays_of(surface).points,
+                          [&](Index f) { return is_turned(surface, mesh, f); });
+  const auto& points = caps.points();
+  std::vector<double> volumes(mesh.number_of_segments + 2, 0);
+  const auto add = [&](Index segment, Index a, Index b, Index c) {
+    const Double_3& p = points[a];
+    volumes[segment] += dot(p - points[0], cross(points[b] - p, points[c] - p)) / 6;
+  };
+  for (Index f = 0; f < surface.number_of_faces(); ++f)
+    for (std::size_t i = 2; i < surface.number_of_corners(f); ++i)
+      add(mesh.segment_of_face[f], surface.corner(f, 0), surface.corner(f, i - 1),
+          surface.corner(f, i));
+  for (const auto& [lower, higher, corners] : caps.triangles()) {
+    add(lower, corners[0], corners[1], corners[2]);
+    add(higher, corners[0], corners[2], corners[1]);
+  }
+  volumes.pop_back(); // what the caps on the border of the mesh belong to from outside
+  return volumes;
+}
+
+/// Describes the segments of a mesh.
+///
+/// \tparam Kernel that of the results
+template <typename FaceGraph, typename Label, typename Kernel>
+class Segment_describer
+{
+  using Index = Segmented_halfedges::Index;
+
+public:
+  using Description = Segment_description<Label, Kernel>;
+
+  Segment_describer(const Segmented_mesh<FaceGraph, Label>& segmented, const Surface& surface)
+    : m_segmented(segmented)
+    , m_surface(surface)
+    , m_faces(segmented.number_of_segments + 1,
+              [&](const auto& add) {
+                for (Index f = 0; f < segmented.number_of_faces(); ++f)
+                  add(segmented.segment_of_face[f], f);
+              })
+    , m_descriptions(segmented.number_of_segments)
+  {}
+
+  std::vector<Description> describe()
+  {
+    for (std::size_t s = 0; s < m_descriptions.size(); ++s)
+      describe_shape(s);
+    describe_volumes();
+    describe_neighbors();
+    return std::move(m_descriptions);
+  }
+
+private:
+  using Points = std::vector<Double_3>;
+
+  static typename Kernel::Vector_3 to_vector(const Double_3& v)
+  {
+    using FT = typename Kernel::FT;
+    return typename Kernel::Vector_3(FT(v.x), FT(v.y), FT(v.z));
+  }
+
+  /// Calls `f(face, corners)` for the faces of a segment; a corner is factor (p - origin).
+  template <typename F>
+  void for_each_face(std::size_t segment, const Double_3& origin, double factor, const F& f) const
+  {
+    Points corners;
+    for (Index face : m_faces[segment]) {
+      corners.clear();
+      for (const Index v : m_surface.corners(face))
+        corners.push_back(factor * (m_surface.point(v) - origin));
+      f(face, corners);
+    }
+  }
+
+  /// Describes area, centroid, axes, extents and surface.
+  void describe_shape(std::size_t segment)
+  {
+    const double unit = m_surface.unit();
+    // Coordinates are relative to a point nearby, so that nothing cancels far from the origin.
+    const Double_3 origin = m_surface.point(m_surface.corner(*m_faces[segment].begin(), 0));
+    Second_moments moments;
+    for_each_face(segment, origin, 1, [&](Index, const Points& p) { add_moments(p, moments); });
+    const Double_3 center = origin + moments.centroid();
+    const double area = moments.weight, size = area > 0 ? std::sqrt(area) : 1;
+    Segment_fitter fitter;
+    for_each_face(segment, center, 1 / size, [&](Index f, const Points& corners) {
+      fitter.add_face(corners, m_surface.normal(f), area > 0 ? m_surface.area(f) : 1);
+    });
+    Description& d = m_descriptions[segment];
+    d.segment = m_segmented.labels[segment];
+    d.number_of_faces = m_faces[segment].size();
+    d.area = area * unit * unit; // the square of the unit may be infinite where the area is 0
+    d.centroid = CGAL::ORIGIN + to_vector(unit * center);
+    const std::array<Double_3, 3> axes = principal_axes(moments.covariance());
+    for (std::size_t i = 0; i < 3; ++i) {
+      d.axes[i] = to_vector(axes[i]);
+      d.extents[i] = fitter.extent(axes[i]) * size * unit;
+    }
+    Fitted_surface<> surface = fitter.fit(d.surface_errors);
+    surface.point = surface.point + 1 / size * center;
+    d.surface = scaled<Kernel>(surface, size * unit);
+    for (double& error : d.surface_errors)
+      error *= size * unit;
+  }
+
+  /// Adds the moments of a face: those of the triangles of a fan, each with its area as seen along
+  /// the normal, so that the face may be concave. The integral of x x^T over a triangle a, b, c of
+  /// area A is A / 12 (a a^T + b b^T + c c^T + s s^T), s = a + b + c.
+  static void add_moments(const Points& p, Second_moments& moments)
+  {
+    Double_3 normal{0, 0, 0};
+    for (std::size_t i = 2; i < p.size(); ++i)
+      normal = normal + cross(p[i - 1] - p[0], p[i] - p[0]);
+    const double length = norm(normal);
+    for (std::size_t i = 2; length > 0 && i < p.size(); ++i) {
+      const double a = dot(normal, cross(p[i - 1] - p[0], p[i] - p[0])) / length / 2;
+      const Double_3 sum = p[0] + p[i - 1] + p[i];
+      moments.weight += a;
+      moments.first = moments.first + a / 3 * sum;
+      for (const Double_3& v : {p[0], p[i - 1], p[i], sum})
+        moments.second.add_square(a / 12, v);
+    }
+  }
+
+  static std::array<Double_3, 3> principal_axes(const Symmetric_3& covariance)
+  {
+    std::array<Double_3, 3> axes = eigenvectors(covariance);
+    std::swap(axes[0], axes[2]); // from the largest to the smallest moment
+    const auto is_smaller = [](double x, double y) { return std::fabs(x) < std::fabs(y); };
+    for (Double_3& a : axes)
+      if ((std::max)({a.x, a.y, a.z}, is_smaller) < 0)
+        a = -1.0 * a;
+    axes[2] = cross(axes[0], axes[1]);
+    return axes;
+  }
+
+  void describe_volumes()
+  {
+    const double unit = m_surface.unit();
+    const std::vector<double> volumes = segment_volumes(m_segmented, m_surface);
+    const double whole = std::accumulate(volumes.begin(), volumes.end(), 0.0);
+    const bool has_volume = whole > 1e-12 * std::pow(m_surface.area(), 1.5);
+    for (std::size_t s = 0; s < m_descriptions.size(); ++s) {
+      m_descriptions[s].volume = volumes[s] * unit * unit * unit;
+      m_descriptions[s].volume_share = has_volume ? volumes[s] / whole : 0;
+    }
+  }
+
+  void describe_neighbors()
+  {
+    struct Joint
+    {
+      double length = 0, weighted_deviation = 0;
+    };
+    std::map<std::pair<Index, Index>, Joint> joints; // of a segment with what is across its border
+    for (Index h = 0; h < m_segmented.size(); ++h) {
+      if (!m_segmented.has_segment(h) || !m_segmented.is_on_border(h))
+        continue;
+      const double length = norm(m_surface.point(m_segmented.target(h)) -
+                                 m_surface.point(m_segmented.source[h]));
+      const Index adjacency = adjacency_across(m_surface, m_segmented, h);
+      Joint& joint = joints[{m_segmented.segment(h), m_segmented.segment_across(h)}];
+      joint.length += length;
+      if (adjacency != Surface::none)
+        joint.weighted_deviation += length * signed_deviation(m_surface, adjacency);
+    }
+    for (const auto& [segments, joint] : joints) {
+      Description& d = m_descriptions[segments.first];
+      const double length = joint.length * m_surface.unit(),
+                   mean = joint.length > 0 ? joint.weighted_deviation / joint.length : 0;
+      if (segments.second > m_segmented.number_of_segments) {
+        d.boundary_length = length;
+        continue;
+      }
+      d.neighbors.push_back({m_segmented.label(segments.second), length, mean});
+      d.border_length += length;
+    }
+  }
+
+  const Segmented_mesh<FaceGraph, Label>& m_segmented;
+  const Surface& m_surface;
+  const Grouped_items<Index> m_faces; // by segment
+  std::vector<Description> m_descriptions;
+};
+
+} // namespace internal
 
 /// \ingroup PkgRegionSegmentationSegments
 /// describes every segment: area, volume, centroid, principal axes, neighbors, and the primitive
@@ -31,16 +237,15 @@ namespace Region_segmentation {
 ///
 /// `#include <CGAL/Region_segmentation/Segments/describe_segments.h>`, which requires Eigen.
 ///
-/// A plane, sphere, cylinder and cone are fitted to the corners of the faces, weighted by area:
-/// minimum of the mean square distance (Levenberg and Marquardt), from a start by linear systems in
-/// points and normals; for large segments from 2000 faces, spread evenly. The misfit of a primitive
-/// is the root mean square distance of these corners and of the middles of the faces together,
-/// since corners on two circles alone could be those of a sphere. From the simplest to the most
-/// complex, a primitive replaces the previous choice if its misfit is below 0.8 of it, and that one
-/// was more than \f$10^{-4}\f$ of the square root of the area. Planes are exact; for the others the
-/// minimum is local. Spheres, cylinders and cones whose radius or apex is more than 100 times that
-/// square root away are not considered, nor are cones whose half angle is within 0.01 radians of 0
-/// or \f$\pi/2\f$.
+/// A plane, a sphere, a cylinder and a cone are fitted to the corners of the faces, weighted by
+/// area. Linear systems in points and normals give a start, from which Levenberg and Marquardt's
+/// method minimizes the mean square distance; of more than 6000 corners, at most 6000 are
+/// fitted, spread evenly. The plane is exact, the other minima are local. The misfit of a primitive
+/// is the root mean square distance of the corners and of the middles of the faces together, since
+/// corners on two circles alone could be those of a sphere. From the simplest to the most complex,
+/// a primitive replaces the previous choice if its misfit is below 0.8 of it, and that one was more
+/// than \f$10^{-4}\f$ of the square root of the area. Spheres and cylinders whose radius is more
+/// than 100 times the extent of the segment are not considered.
 ///
 /// \tparam FaceGraph a model of `FaceListGraph`, `HalfedgeListGraph` and `VertexListGraph`
 /// \tparam FaceSegmentMap a model of `ReadablePropertyMap` with the face descriptor as key and an
@@ -62,7 +267,7 @@ namespace Region_segmentation {
 ///   \cgalParamIndexMap{halfedge}
 /// \cgalNamedParamsEnd
 ///
-/// \returns the number of segments
+/// \returns the output iterator
 /// \throws Invalid_input if a point is not finite
 ///
 /// Complexity: O(F log F). Deterministic: the same numbers from every mesh type. Read-only;
@@ -70,24 +275,22 @@ namespace Region_segmentation {
 /// `double` if coordinates are extreme.
 template <typename FaceGraph, typename FaceSegmentMap, typename DescriptionOutputIterator,
           typename NamedParameters = parameters::Default_named_parameters>
-std::size_t describe_segments(const FaceGraph& mesh, const FaceSegmentMap& segment_map,
-                              DescriptionOutputIterator descriptions,
-                              const NamedParameters& np = parameters::default_values())
+DescriptionOutputIterator
+describe_segments(const FaceGraph& mesh, const FaceSegmentMap& segment_map,
+                  DescriptionOutputIterator descriptions,
+                  const NamedParameters& np = parameters::default_values())
 {
   using Label = typename boost::property_traits<FaceSegmentMap>::value_type;
   const auto& pack = internal::pack(np);
   using Pack = std::decay_t<decltype(pack)>;
   using Kernel = internal::Kernel_of_points<
     typename GetVertexPointMap<FaceGraph, Pack>::const_type>;
-  static_assert(internal::check_output_of_labels<DescriptionOutputIterator,
-                                                 Segment_description<Label, Kernel>>());
   internal::check_parameters<Pack, internal::Tag_list<>>();
-  const internal::Segmented_mesh segmented(mesh, segment_map, pack);
+  const auto segmented = internal::read_segmented_mesh(mesh, segment_map, pack);
   const Surface surface = internal::make_surface_of_neighbors(mesh, pack);
-  internal::Segment_describer<FaceGraph, Label, Kernel> describer(segmented, surface);
-  for (auto& description : describer.describe())
-    *descriptions++ = std::move(description);
-  return segmented.number_of_segments;
+  const auto result = internal::Segment_describer<FaceGraph, Label, Kernel>(segmented, surface)
+                        .describe();
+  return std::copy(result.begin(), result.end(), descriptions);
 }
 
 } // namespace Region_segmentation

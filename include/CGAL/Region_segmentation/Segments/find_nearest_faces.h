@@ -11,8 +11,6 @@
 
 #include <CGAL/number_utils.h>
 
-#include <boost/graph/graph_traits.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -88,7 +86,7 @@ private:
 ///   \cgalParamIndexMap{vertex}
 /// \cgalNamedParamsEnd
 ///
-/// \returns the number of points
+/// \returns the output iterator
 /// \throws Invalid_input if a point, or one of the mesh, is not finite, or the mesh has no faces;
 ///         nothing is output
 ///
@@ -96,30 +94,30 @@ private:
 /// concurrent calls are safe.
 template <typename FaceGraph, typename PointRange, typename FaceOutputIterator,
           typename NamedParameters = parameters::Default_named_parameters>
-std::size_t find_nearest_faces(const FaceGraph& mesh, const PointRange& points,
-                               FaceOutputIterator nearest_faces,
-                               const NamedParameters& np = parameters::default_values())
+FaceOutputIterator find_nearest_faces(const FaceGraph& mesh, const PointRange& points,
+                                      FaceOutputIterator nearest_faces,
+                                      const NamedParameters& np = parameters::default_values())
 {
   const auto& pack = internal::pack(np);
-  internal::check_parameters<std::decay_t<decltype(pack)>, internal::Tag_list<>>();
-  const Surface surface = internal::make_surface_of_neighbors(mesh, pack);
-  const std::vector<typename boost::graph_traits<FaceGraph>::face_descriptor> all(
-    faces(mesh).begin(), faces(mesh).end());
+  using Pack = std::decay_t<decltype(pack)>;
+  internal::check_parameters<Pack, internal::Tag_list<>>();
+  const internal::Mesh_order<FaceGraph, Pack> order(mesh, pack);
+  const Surface surface = internal::make_surface(order, pack, internal::Adjacency_of::NEIGHBORS,
+                                                 Execution());
+  if (surface.number_of_faces() == 0)
+    throw Invalid_input("find_nearest_faces: the mesh has no faces");
   std::vector<Double_3> positions;
   for (const auto& p : points) {
-    positions.push_back((1 / surface.unit()) * Double_3{CGAL::to_double(p[0]),
-                                                        CGAL::to_double(p[1]),
-                                                        CGAL::to_double(p[2])});
-    if (all.empty() || !is_finite(positions.back()))
-      throw Invalid_input(all.empty() ? "find_nearest_faces: the mesh has no faces"
-                                      : "find_nearest_faces: a point is not finite");
+    positions.push_back(
+      1 / surface.unit() *
+      Double_3{CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2])});
+    if (!is_finite(positions.back()))
+      throw Invalid_input("find_nearest_faces: a point is not finite");
   }
-  if (positions.empty())
-    return 0;
   const internal::Nearest_face_finder finder(surface);
   for (const Double_3& p : positions)
-    *nearest_faces++ = all[finder.find(p, [](auto) { return true; })];
-  return positions.size();
+    *nearest_faces++ = order.ordered_faces()[finder.find(p, [](auto) { return true; })];
+  return nearest_faces;
 }
 
 } // namespace Region_segmentation

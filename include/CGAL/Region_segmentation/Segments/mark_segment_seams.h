@@ -4,11 +4,10 @@
 #define CGAL_REGION_SEGMENTATION_SEGMENTS_MARK_SEGMENT_SEAMS_H
 
 #include <CGAL/Region_segmentation/Border_cost.h>
-#include <CGAL/Region_segmentation/Double_3.h>
-#include <CGAL/Region_segmentation/Segments/mark_segment_borders.h>
+#include <CGAL/Region_segmentation/Segments/segment_borders.h>
 #include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/internal/segments/Segmented_mesh.h>
-#include <CGAL/Region_segmentation/internal/support/shortest_paths.h>
+#include <CGAL/Region_segmentation/internal/support/components.h>
 #include <CGAL/Region_segmentation/make_surface.h>
 #include <CGAL/Region_segmentation/parameters.h>
 
@@ -19,6 +18,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <type_traits>
 #include <vector>
@@ -27,40 +27,40 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// Finds short paths that open every component of every segment to a disc, all at once, by tree and
-/// cotree: shortest path trees grow from all borders, and from the first vertex of each closed
-/// component; a spanning tree of the faces crosses edges that are in none of them, those first
-/// whose detour to the border is longest. The edges that it does not cross are the seams, without
-/// those that lead nowhere: 2 g + b - 1 arcs for genus g and b > 0 loops, or 2 g loops.
-///
-/// A sphere is opened along a shortest path, to the farthest vertex.
+/// Finds short paths that open every component of every segment to a disc, by a tree and a cotree.
+/// Trees of shortest paths grow from all borders, and from the first vertex of each closed
+/// component. A spanning tree of the faces crosses edges that are in none of these trees; edges
+/// with the longest way to the border, on both sides, come first. The edges that it does not cross
+/// are the seams, without paths that end inside a segment. They are 2 g + b - 1 arcs for genus g
+/// and b > 0 border loops, and 2 g loops for b = 0. A sphere is opened along a shortest path to the
+/// farthest vertex.
 ///
 /// Source: Erickson and Whittlesey 2005; with borders, Erickson and Har-Peled 2004.
 class Seam_finder
 {
-  using Index = Halfedge_table::Index;
+  using Index = Segmented_halfedges::Index;
 
 public:
   /// `cost(halfedge)`: of a seam along it.
   template <typename Cost>
   Seam_finder(const Segmented_halfedges& mesh, const Cost& cost)
     : m_mesh(mesh)
+    , m_costs(mesh.size())
+    , m_is_seam(mesh.size(), false)
     , m_is_border(mesh.number_of_vertices, false)
     , m_distances(mesh.number_of_vertices, infinity)
-    , m_tree_edge(mesh.number_of_vertices, Index(none))
+    , m_tree(mesh.number_of_vertices, Index(mesh.none))
   {
     for (Index h = 0; h < mesh.size(); ++h)
       if (mesh.is_on_border(h))
         m_is_border[mesh.source[h]] = m_is_border[mesh.target(h)] = true;
-      else if (h < mesh.opposite[h] && mesh.segment(h) != none) {
-        m_edges.push_back({{mesh.source[h], mesh.target(h)}, h, cost(h)});
-      }
-    m_edges_at = Grouped_items<Index>(mesh.number_of_vertices, [&](const auto& add) {
-      for (Index e = 0; e < m_edges.size(); ++e)
-        for (Index v : m_edges[e].vertices)
-          add(v, e);
+      else if (is_one_of_two(h))
+        m_costs[h] = m_costs[mesh.opposite[h]] = cost(h);
+    m_leaving = Grouped_items<Index>(mesh.number_of_vertices, [&](const auto& add) {
+      for (Index h = 0; h < mesh.size(); ++h)
+        if (mesh.has_segment(h) && !mesh.is_on_border(h))
+          add(mesh.source[h], h);
     });
-    m_is_seam.assign(m_edges.size(), false);
   }
 
   /// A halfedge of each seam edge.
@@ -71,40 +71,35 @@ public:
       if (m_is_border[v])
         vertices.push_back(v);
     grow_tree(vertices);
-    std::vector<std::vector<Index>> closed_components; // by their trees
+    std::vector<std::vector<Index>> closed_components; // their vertices
     for (Index v = 0; v < m_distances.size(); ++v)
-      if (m_distances[v] == infinity && !m_edges_at[v].empty())
+      if (m_distances[v] == infinity && !m_leaving[v].empty())
         closed_components.push_back(grow_tree({v}));
     leave_uncrossed();
     for (Index v = 0; v < m_is_border.size(); ++v)
       prune(v);
     for (const std::vector<Index>& component : closed_components)
       if (std::all_of(component.begin(), component.end(),
-                      [&](Index v) { return seams_at(v).empty(); }))
-        open_sphere(component);
+                      [&](Index v) { return seams_at(v).empty(); })) // a sphere
+        for (Index v = component.back(); v != component.front(); v = m_mesh.source[m_tree[v]])
+          set_seam(m_tree[v], true);
     std::vector<Index> seams;
-    for (Index e = 0; e < m_edges.size(); ++e)
-      if (m_is_seam[e])
-        seams.push_back(m_edges[e].halfedge);
+    for (Index h = 0; h < m_mesh.size(); ++h)
+      if (m_is_seam[h] && h < m_mesh.opposite[h])
+        seams.push_back(h);
     return seams;
   }
 
 private:
-  static constexpr Index none = Halfedge_table::none;
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 
-  /// An edge inside a segment.
-  struct Inner_edge
+  /// Whether a halfedge stands for its edge, which is inside a segment.
+  bool is_one_of_two(Index h) const
   {
-    Index vertices[2], halfedge;
-    double cost;
-  };
-
-  Index other_end(Index edge, Index vertex) const
-  {
-    const Inner_edge& e = m_edges[edge];
-    return e.vertices[0] == vertex ? e.vertices[1] : e.vertices[0];
+    return m_mesh.has_segment(h) && !m_mesh.is_on_border(h) && h < m_mesh.opposite[h];
   }
+
+  void set_seam(Index h, bool is_seam) { m_is_seam[h] = m_is_seam[m_mesh.opposite[h]] = is_seam; }
 
   /// Returns the vertices in the order of their distances.
   std::vector<Index> grow_tree(const std::vector<Index>& sources)
@@ -117,9 +112,9 @@ private:
         return true;
       },
       [&](Index v, const auto& enter) {
-        for (Index e : m_edges_at[v])
-          if (const Index w = other_end(e, v); !m_is_border[w] && enter(w, m_edges[e].cost))
-            m_tree_edge[w] = e;
+        for (Index h : m_leaving[v])
+          if (const Index w = m_mesh.target(h); !m_is_border[w] && enter(w, m_costs[h]))
+            m_tree[w] = h;
       });
     return order;
   }
@@ -128,29 +123,26 @@ private:
   void leave_uncrossed()
   {
     std::vector<Index> candidates;
-    std::vector<double> lengths(m_edges.size());
-    for (Index e = 0; e < m_edges.size(); ++e) {
-      const auto& [v, w] = m_edges[e].vertices;
-      m_is_seam[e] = true;
-      lengths[e] = m_distances[v] + m_edges[e].cost + m_distances[w];
-      if (m_tree_edge[v] != e && m_tree_edge[w] != e)
-        candidates.push_back(e);
-    }
+    std::vector<double> lengths(m_mesh.size());
+    for (Index h = 0; h < m_mesh.size(); ++h)
+      if (is_one_of_two(h)) {
+        set_seam(h, true);
+        lengths[h] = m_distances[m_mesh.source[h]] + m_costs[h] + m_distances[m_mesh.target(h)];
+        if (m_tree[m_mesh.target(h)] != h && m_tree[m_mesh.source[h]] != m_mesh.opposite[h])
+          candidates.push_back(h);
+      }
     std::stable_sort(candidates.begin(), candidates.end(),
                      [&](Index a, Index b) { return lengths[a] > lengths[b]; });
     Lowest_root_forest faces(m_mesh.number_of_faces());
-    for (Index e : candidates) {
-      const Index h = m_edges[e].halfedge;
-      m_is_seam[e] = !faces.unite(m_mesh.face[h], m_mesh.face[m_mesh.opposite[h]]);
-    }
+    for (Index h : candidates)
+      set_seam(h, !faces.unite(m_mesh.face[h], m_mesh.face[m_mesh.opposite[h]]));
   }
 
   std::vector<Index> seams_at(Index v) const
   {
     std::vector<Index> seams;
-    for (Index e : m_edges_at[v])
-      if (m_is_seam[e])
-        seams.push_back(e);
+    std::copy_if(m_leaving[v].begin(), m_leaving[v].end(), std::back_inserter(seams),
+                 [&](Index h) { return m_is_seam[h]; });
     return seams;
   }
 
@@ -158,32 +150,18 @@ private:
   void prune(Index v)
   {
     for (auto seams = seams_at(v); !m_is_border[v] && seams.size() == 1; seams = seams_at(v)) {
-      m_is_seam[seams[0]] = false;
-      v = other_end(seams[0], v);
+      set_seam(seams[0], false);
+      v = m_mesh.target(seams[0]);
     }
   }
 
-  /// Along the path to the farthest vertex; along at least two edges, where there are: one alone
-  /// would give a border of two vertices.
-  void open_sphere(const std::vector<Index>& component)
-  {
-    const Index root = component.front(), farthest = component.back();
-    for (Index v = farthest; v != root; v = other_end(m_tree_edge[v], v))
-      m_is_seam[m_tree_edge[v]] = true;
-    for (Index e : m_edges_at[farthest])
-      if (other_end(m_tree_edge[farthest], farthest) == root && other_end(e, farthest) != root) {
-        m_is_seam[e] = true;
-        return;
-      }
-  }
-
   const Segmented_halfedges& m_mesh;
-  std::vector<Inner_edge> m_edges;
-  Grouped_items<Index> m_edges_at; // by vertex
+  std::vector<double> m_costs;     // by halfedge inside a segment
+  std::vector<char> m_is_seam;     // by halfedge
   std::vector<char> m_is_border;   // by vertex
   std::vector<double> m_distances; // from the border, or from the root; by vertex
-  std::vector<Index> m_tree_edge;  // towards it
-  std::vector<char> m_is_seam;     // by edge
+  std::vector<Index> m_tree;       // the last halfedge of the shortest path; by vertex
+  Grouped_items<Index> m_leaving;  // the halfedges inside a segment; by vertex
 };
 
 } // namespace internal
@@ -238,16 +216,16 @@ std::size_t mark_segment_seams(const FaceGraph& mesh, const FaceSegmentMap& segm
   CGAL_precondition(cost.concave_gain >= 0 && cost.maximum_deviation >= 0);
   const auto& pack = internal::pack(np);
   internal::check_parameters<std::decay_t<decltype(pack)>, internal::Tag_list<>>();
-  const internal::Segmented_mesh segmented(mesh, segment_map, pack);
+  const auto segmented = internal::read_segmented_mesh(mesh, segment_map, pack);
   const Surface surface = internal::make_surface_of_neighbors(mesh, pack);
   internal::Seam_finder finder(segmented, [&](std::uint32_t h) {
-    return cost(norm(internal::direction(segmented, surface, h)),
-                (std::max)(0.0, -internal::signed_deviation(segmented, surface, h)));
+    const auto a = internal::adjacency_across(surface, segmented, h);
+    return cost(surface.length(a), (std::max)(0.0, -internal::signed_deviation(surface, a)));
   });
   const auto seams = finder.find();
   const std::size_t number_of_borders = mark_segment_borders(mesh, segment_map, edge_is_seam_map);
   for (auto h : seams)
-    put(edge_is_seam_map, edge(segmented.descriptors[h], mesh), Value(true));
+    put(edge_is_seam_map, edge(segmented.halfedges[h], mesh), Value(true));
   return number_of_borders + seams.size();
 }
 

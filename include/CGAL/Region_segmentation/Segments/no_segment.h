@@ -9,7 +9,8 @@ namespace CGAL {
 namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationSegments
-/// The type of `no_segment`, which converts to, and is compared with, labels of any integral type.
+/// The type of `no_segment`. It converts to labels of any integral type, and `label == no_segment`
+/// and `label != no_segment` compare these with it.
 struct No_segment
 {
   template <typename Label, typename = std::enable_if_t<std::is_integral<Label>::value>>
@@ -39,17 +40,7 @@ constexpr bool operator==(Label label, No_segment)
   return !is_segment(label);
 }
 template <typename Label>
-constexpr bool operator==(No_segment, Label label)
-{
-  return !is_segment(label);
-}
-template <typename Label>
 constexpr bool operator!=(Label label, No_segment)
-{
-  return is_segment(label);
-}
-template <typename Label>
-constexpr bool operator!=(No_segment, Label label)
 {
   return is_segment(label);
 }

@@ -22,165 +22,6 @@
 
 namespace CGAL {
 namespace Region_segmentation {
-namespace internal {
-
-/// Mesh types in which the halfedge of a vertex leaves it, and is on the border if the vertex is
-/// (OpenMesh).
-template <typename Mesh>
-using Has_outgoing_halfedge = decltype(std::declval<Mesh&>().adjust_outgoing_halfedge(
-  std::declval<typename boost::graph_traits<Mesh>::vertex_descriptor>()));
-
-/// The vertices, faces and points that the halfedges and faces of a table come from.
-template <typename FaceGraph, typename PointMap>
-struct Elements_of_graph
-{
-  const FaceGraph& mesh;
-  const std::vector<typename boost::graph_traits<FaceGraph>::halfedge_descriptor>& descriptors;
-  const PointMap& points;
-
-  /// The vertex that a halfedge leaves.
-  auto vertex_of(Halfedge_table::Index h) const { return source(descriptors[h], mesh); }
-  /// The face of a halfedge.
-  auto face_of(Halfedge_table::Index h) const { return face(descriptors[h], mesh); }
-  template <typename F>
-  void with_point(Halfedge_table::Index h, const F& f) const
-  {
-    f(get(points, vertex_of(h)));
-  }
-};
-
-/// Builds a mesh of each segment, one after another, with a vertex for each fan of its faces.
-///
-/// \tparam Target a model of `MutableFaceGraph`
-template <typename Target>
-class Piece_builder
-{
-  using Index = Halfedge_table::Index;
-  using Target_traits = boost::graph_traits<Target>;
-  using Halfedge = typename Target_traits::halfedge_descriptor;
-  using Vertex = typename Target_traits::vertex_descriptor;
-
-public:
-  explicit Piece_builder(const Segmented_halfedges& segmented)
-    : m_segmented(segmented)
-    , m_fans(segmented.fans())
-    , m_faces(segmented.faces_of_segments())
-    , m_copies(segmented.size(), Target_traits::null_halfedge())
-    , m_vertices(m_fans.number_of_parts())
-    , m_has_vertex(m_fans.number_of_parts(), false)
-    , m_arriving(m_fans.number_of_parts())
-  {}
-
-  /// Fills the mesh, the faces and the vertices of a piece, once for each segment.
-  /// `elements`: as `Elements_of_graph`
-  template <typename Elements, typename Piece>
-  void build(std::size_t segment, const Elements& elements, Piece& piece)
-  {
-    reserve_elements(segment, piece.mesh);
-    for_each_halfedge(segment, [&](Index h) {
-      if (std::exchange(m_has_vertex[m_fans[h]], true))
-        return;
-      m_vertices[m_fans[h]] = add_vertex(piece.mesh);
-      piece.vertices.push_back(elements.vertex_of(h));
-      const Vertex v = m_vertices[m_fans[h]];
-      elements.with_point(h, [&](const auto& p) { put_point(p, v, piece.mesh); });
-    });
-    for (Index f : m_faces[segment]) {
-      piece.faces.push_back(elements.face_of(m_segmented.first[f]));
-      copy_face(f, piece.mesh);
-    }
-    link_border(segment, piece.mesh);
-  }
-
-private:
-  template <typename F>
-  void for_each_halfedge(std::size_t segment, const F& f) const
-  {
-    for (Index face : m_faces[segment])
-      for (Index h = m_segmented.first[face]; h < m_segmented.first[face + 1]; ++h)
-        f(h);
-  }
-
-  void reserve_elements(std::size_t segment, Target& piece) const
-  {
-    std::size_t halfedges = 0;
-    for_each_halfedge(segment,
-                      [&](Index h) { halfedges += m_segmented.is_on_border(h) ? 2u : 1u; });
-    const std::size_t number_of_edges = halfedges / 2, number_of_faces = m_faces[segment].size();
-    const std::size_t number_of_vertices = number_of_edges - number_of_faces + 1; // of a disc
-    reserve(piece, typename Target_traits::vertices_size_type(number_of_vertices),
-            typename Target_traits::edges_size_type(number_of_edges),
-            typename Target_traits::faces_size_type(number_of_faces));
-  }
-
-  void copy_face(Index f, Target& piece)
-  {
-    const auto copy = add_face(piece);
-    for (Index h = m_segmented.first[f]; h < m_segmented.first[f + 1]; ++h) {
-      if (m_copies[h] == Target_traits::null_halfedge()) { // otherwise made with its opposite
-        m_copies[h] = halfedge(add_edge(piece), piece);
-        if (m_segmented.is_on_border(h))
-          set_face(opposite(m_copies[h], piece), Target_traits::null_face(), piece);
-        else
-          m_copies[m_segmented.opposite[h]] = opposite(m_copies[h], piece);
-      }
-      const Vertex v = m_vertices[m_fans[m_segmented.next(h)]];
-      set_face(m_copies[h], copy, piece);
-      set_target(m_copies[h], v, piece);
-      set_halfedge(v, m_copies[h], piece);
-    }
-    for (Index h = m_segmented.first[f]; h < m_segmented.first[f + 1]; ++h)
-      set_next(m_copies[h], m_copies[m_segmented.next(h)], piece);
-    set_halfedge(copy, m_copies[m_segmented.first[f]], piece);
-  }
-
-  /// One halfedge on the border arrives at an open fan and one leaves it: their opposites in the
-  /// piece follow each other.
-  void link_border(std::size_t segment, Target& piece)
-  {
-    for_each_halfedge(segment, [&](Index h) {
-      if (m_segmented.is_on_border(h))
-        m_arriving[m_fans[m_segmented.next(h)]] = h;
-    });
-    for_each_halfedge(segment, [&](Index h) {
-      if (!m_segmented.is_on_border(h))
-        return;
-      const Halfedge outside = opposite(m_copies[h], piece);
-      const Vertex v = m_vertices[m_fans[h]];
-      set_target(outside, v, piece);
-      set_next(outside, opposite(m_copies[m_arriving[m_fans[h]]], piece), piece);
-      set_halfedge(v, outside, piece);
-    });
-    if constexpr (satisfies<Has_outgoing_halfedge, Target>)
-      for (Vertex v : vertices(piece))
-        piece.adjust_outgoing_halfedge(v);
-  }
-
-  template <typename Point>
-  static void put_point(const Point& p, Vertex v, Target& piece)
-  {
-    const auto map = get(CGAL::vertex_point, piece);
-    using Copy = typename boost::property_traits<std::decay_t<decltype(map)>>::value_type;
-    if constexpr (std::is_convertible<Point, Copy>::value)
-      put(map, v, p);
-    else {
-      using Number = std::decay_t<decltype(std::declval<Copy>()[0])>;
-      const auto number = [](const auto& x) { return Number(CGAL::to_double(x)); };
-      put(map, v, Copy(number(p[0]), number(p[1]), number(p[2])));
-    }
-  }
-
-  const Segmented_halfedges& m_segmented;
-  const Partition m_fans;
-  const Grouped_items<Index> m_faces; // by segment
-  std::vector<Halfedge> m_copies;     // by halfedge
-  std::vector<Vertex> m_vertices;     // by fan
-  std::vector<char> m_has_vertex;     // by fan
-  std::vector<Index> m_arriving;      // by open fan: the halfedge on the border
-};
-
-} // namespace internal
-
 /// \ingroup PkgRegionSegmentationSegments
 /// A segment as a mesh of its own.
 ///
@@ -198,6 +39,139 @@ struct Segment_piece
   /// The vertex of the input for each vertex of `mesh`, in iteration order.
   std::vector<typename boost::graph_traits<FaceGraph>::vertex_descriptor> vertices;
 };
+
+namespace internal {
+
+/// The piece of a segment; `SegmentMesh` is `void` for the type of the mesh itself.
+template <typename SegmentMesh, typename FaceGraph, typename SegmentMap>
+using Piece_of = Segment_piece<
+  std::conditional_t<std::is_void<SegmentMesh>::value, FaceGraph, SegmentMesh>, FaceGraph,
+  typename boost::property_traits<SegmentMap>::value_type>;
+
+/// Mesh types in which the halfedge of a vertex leaves it, and is on the border if the vertex is
+/// (OpenMesh).
+template <typename Mesh>
+using Has_outgoing_halfedge = decltype(std::declval<Mesh&>().adjust_outgoing_halfedge(
+  std::declval<typename boost::graph_traits<Mesh>::vertex_descriptor>()));
+
+/// Builds a mesh of each segment, one after another, with a vertex for each fan of its faces.
+template <typename Piece, typename Mesh>
+class Piece_builder
+{
+  using Index = Segmented_halfedges::Index;
+  using Target = decltype(Piece::mesh);
+  using Traits = boost::graph_traits<Target>;
+  using Halfedge = typename Traits::halfedge_descriptor;
+  using Vertex = typename Traits::vertex_descriptor;
+
+public:
+  /// `mesh`: a `Segmented_mesh`, whose descriptors the pieces have
+  /// `pieces`: `mesh` itself, or the same with more vertices and faces
+  Piece_builder(const Mesh& mesh, const Segmented_halfedges& pieces)
+    : m_mesh(mesh)
+    , m_pieces(pieces)
+    , m_fans(pieces.fans())
+    , m_halfedges(pieces.number_of_segments,
+                  [&](const auto& add) {
+                    for (Index h = 0; h < pieces.size(); ++h)
+                      if (pieces.has_segment(h))
+                        add(pieces.segment(h), h);
+                  })
+    , m_copies(pieces.size(), Traits::null_halfedge())
+    , m_vertices(m_fans.number_of_parts(), Traits::null_vertex())
+  {}
+
+  /// Outputs the pieces of all segments; called once.
+  /// `with_point(h, fan, f)`: calls `f(point)` for the source of a halfedge in a fan of faces
+  template <typename OutputIterator, typename WithPoint>
+  OutputIterator build(OutputIterator output, const WithPoint& with_point)
+  {
+    for (std::size_t s = 0; s < m_pieces.number_of_segments; ++s)
+      *output++ = build_piece(s, with_point);
+    return output;
+  }
+
+private:
+  template <typename WithPoint>
+  Piece build_piece(std::size_t segment, const WithPoint& with_point)
+  {
+    Piece piece;
+    piece.segment = m_mesh.labels[segment];
+    add_vertices_and_edges(segment, piece, with_point);
+    auto copied_face = Traits::null_face();
+    for (const Index h : m_halfedges[segment]) {
+      if (const Index f = m_pieces.face[h]; h == m_pieces.first[f]) {
+        copied_face = add_face(piece.mesh);
+        set_halfedge(copied_face, m_copies[h], piece.mesh);
+        piece.faces.push_back(m_mesh.face_at(f));
+      }
+      const Index next = m_pieces.next(h);
+      link(m_copies[h], m_copies[next], next, copied_face, piece.mesh);
+    }
+    for (const Index h : m_halfedges[segment])
+      if (m_pieces.is_on_border(h)) {
+        const Index next = m_pieces.next_on_border(h);
+        link(opposite(m_copies[next], piece.mesh), opposite(m_copies[h], piece.mesh), next,
+             Traits::null_face(), piece.mesh);
+      }
+    if constexpr (satisfies<Has_outgoing_halfedge, Target>)
+      for (Vertex v : vertices(piece.mesh))
+        piece.mesh.adjust_outgoing_halfedge(v);
+    return piece;
+  }
+
+  template <typename WithPoint>
+  void add_vertices_and_edges(std::size_t segment, Piece& piece, const WithPoint& with_point)
+  {
+    for (const Index h : m_halfedges[segment]) {
+      if (Vertex& v = m_vertices[m_fans[h]]; v == Traits::null_vertex()) {
+        v = add_vertex(piece.mesh);
+        piece.vertices.push_back(m_mesh.vertex_at(m_pieces.source[h]));
+        with_point(h, m_fans[h], [&](const auto& p) { put_point(p, v, piece.mesh); });
+      }
+      if (m_copies[h] != Traits::null_halfedge())
+        continue; // made with its opposite
+      m_copies[h] = halfedge(add_edge(piece.mesh), piece.mesh);
+      if (!m_pieces.is_on_border(h))
+        m_copies[m_pieces.opposite[h]] = opposite(m_copies[h], piece.mesh);
+    }
+  }
+
+  /// Links a halfedge to the next one of a face or border, and to the vertex between them, which
+  /// `leaving` leaves.
+  void link(Halfedge h, Halfedge next, Index leaving, typename Traits::face_descriptor face,
+            Target& target) const
+  {
+    const Vertex v = m_vertices[m_fans[leaving]];
+    set_face(h, face, target);
+    set_next(h, next, target);
+    set_target(h, v, target);
+    set_halfedge(v, h, target);
+  }
+
+  template <typename Point>
+  static void put_point(const Point& p, Vertex v, Target& piece)
+  {
+    const auto map = get(CGAL::vertex_point, piece);
+    using Copy = typename boost::property_traits<std::decay_t<decltype(map)>>::value_type;
+    if constexpr (std::is_convertible<Point, Copy>::value)
+      put(map, v, p);
+    else {
+      using Number = std::decay_t<decltype(std::declval<Copy>()[0])>;
+      const auto number = [](const auto& x) { return Number(CGAL::to_double(x)); };
+      put(map, v, Copy(number(p[0]), number(p[1]), number(p[2])));
+    }
+  }
+
+  const Mesh& m_mesh;
+  const Segmented_halfedges& m_pieces;
+  const Partition m_fans;
+  const Grouped_items<Index> m_halfedges; // by segment
+  std::vector<Halfedge> m_copies;         // by halfedge
+  std::vector<Vertex> m_vertices;         // by fan
+};
+
+} // namespace internal
 
 /// \ingroup PkgRegionSegmentationSegments
 /// copies every segment to a mesh of its own.
@@ -233,45 +207,35 @@ struct Segment_piece
 ///   \cgalParamIndexMap{halfedge}
 /// \cgalNamedParamsEnd
 ///
-/// \returns the number of segments
+/// \returns the output iterator
 ///
 /// Complexity: O(F + V) for all segments together. Read-only; concurrent calls are safe.
 template <typename SegmentMesh = void, typename FaceGraph, typename FaceSegmentMap,
           typename PieceOutputIterator,
           typename NamedParameters = parameters::Default_named_parameters>
-std::size_t split_into_segments(const FaceGraph& mesh, const FaceSegmentMap& segment_map,
-                                PieceOutputIterator pieces,
-                                const NamedParameters& np = parameters::default_values())
+PieceOutputIterator split_into_segments(const FaceGraph& mesh, const FaceSegmentMap& segment_map,
+                                        PieceOutputIterator pieces,
+                                        const NamedParameters& np = parameters::default_values())
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  using Target = std::conditional_t<std::is_void<SegmentMesh>::value, FaceGraph, SegmentMesh>;
-  using Label = typename boost::property_traits<FaceSegmentMap>::value_type;
-  static_assert(internal::check_output_of_labels<PieceOutputIterator,
-                                                 Segment_piece<Target, FaceGraph, Label>>());
+  using Piece = internal::Piece_of<SegmentMesh, FaceGraph, FaceSegmentMap>;
   const auto& pack = internal::pack(np);
   using Pack = std::decay_t<decltype(pack)>;
   internal::check_parameters<Pack, internal::Tag_list<CGAL::internal_np::edge_is_constrained_t>>();
-  internal::Segmented_mesh segmented(mesh, segment_map, pack);
-  if constexpr (!CGAL::parameters::is_default_parameter<
-                  Pack, CGAL::internal_np::edge_is_constrained_t>::value) {
+  auto segmented = internal::read_segmented_mesh(mesh, segment_map, pack);
+  if constexpr (internal::has_parameter<Pack, CGAL::internal_np::edge_is_constrained_t>) {
     const auto is_cut = get_parameter(pack, CGAL::internal_np::edge_is_constrained);
     for (std::uint32_t h = 0; h < segmented.size(); ++h)
-      if (get(is_cut, edge(segmented.descriptors[h], mesh)))
-        segmented.cut(h);
+      if (get(is_cut, edge(segmented.halfedges[h], mesh)))
+        segmented.opposite[h] = segmented.none;
   }
   const auto points = choose_parameter(get_parameter(pack, CGAL::internal_np::vertex_point),
                                        get_const_property_map(CGAL::vertex_point, mesh));
-  const internal::Elements_of_graph<FaceGraph, std::decay_t<decltype(points)>> elements{
-    mesh, segmented.descriptors, points};
-  internal::Piece_builder<Target> builder(segmented);
-  for (std::size_t s = 0; s < segmented.number_of_segments; ++s) {
-    Segment_piece<Target, FaceGraph, Label> piece;
-    piece.segment = segmented.labels[s];
-    builder.build(s, elements, piece);
-    *pieces++ = std::move(piece);
-  }
-  return segmented.number_of_segments;
+  return internal::Piece_builder<Piece, decltype(segmented)>(segmented, segmented)
+    .build(pieces, [&](std::uint32_t h, std::uint32_t, const auto& f) {
+      f(get(points, segmented.vertices[segmented.source[h]]));
+    });
 }
 
 } // namespace Region_segmentation

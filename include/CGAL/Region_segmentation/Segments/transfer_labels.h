@@ -24,7 +24,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <map>
-#include <numeric>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -33,75 +32,57 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// The components of faces with equal labels.
-inline Partition components_of_labels(const Surface& surface,
-                                      const std::vector<Surface::Index>& label_of_face)
+/// The key of the greatest value of a map, of equal values the lowest key.
+inline Surface::Index key_of_greatest(const std::map<Surface::Index, double>& map)
+{
+  return std::max_element(map.begin(), map.end(),
+                          [](const auto& a, const auto& b) { return a.second < b.second; })
+    ->first;
+}
+
+/// The connected components of faces with equal labels, which are any range by face.
+template <typename Labels>
+Partition components_of_labels(const Surface& surface, const Labels& labels)
 {
   return label_components(
     surface,
-    [&](std::size_t a) {
-      return label_of_face[surface.lower_face(a)] == label_of_face[surface.higher_face(a)];
-    },
+    [&](std::size_t a) { return labels[surface.lower_face(a)] == labels[surface.higher_face(a)]; },
     Execution());
 }
 
-/// Which components are islands: all but the largest ones of their label, `numbers[label]` of them,
-/// if smaller than a tenth of the largest one. Of equal ones the first are the largest.
-inline std::vector<char> find_islands(const std::vector<Surface::Index>& label_of_component,
-                                      const std::vector<double>& areas,
-                                      const std::map<Surface::Index, std::size_t>& numbers)
-{
-  std::vector<std::size_t> by_size(areas.size());
-  std::iota(by_size.begin(), by_size.end(), std::size_t(0));
-  std::stable_sort(by_size.begin(), by_size.end(),
-                   [&](std::size_t a, std::size_t b) { return areas[a] > areas[b]; });
-  std::map<Surface::Index, std::pair<std::size_t, double>> seen; // number, largest area
-  std::vector<char> is_island(areas.size(), false);
-  for (std::size_t c : by_size) {
-    auto& [rank,
-           largest] = seen.emplace(label_of_component[c], std::pair(0, areas[c])).first->second;
-    is_island[c] = rank++ >= numbers.at(label_of_component[c]) && areas[c] < 0.1 * largest;
-  }
-  return is_island;
-}
-
 /// Gives the faces of islands the label with which they share the longest border, from outside to
-/// inside; those without a neighbor keep theirs.
-/// `numbers`: how many components of each label are expected, see `find_islands()`
-inline void dissolve_islands(const Surface& surface,
-                             const std::map<Surface::Index, std::size_t>& numbers,
-                             std::vector<Surface::Index>& label_of_face)
+/// inside; those without a neighbor keep theirs. An island is a component of less than a tenth of
+/// the area of the largest one of its label.
+inline void dissolve_islands(const Surface& surface, std::vector<Surface::Index>& label_of_face)
 {
   using Index = Surface::Index;
   const Partition components = components_of_labels(surface, label_of_face);
-  std::vector<Index> labels(components.number_of_parts());
-  for (Index f = 0; f < components.size(); ++f)
-    labels[components[f]] = label_of_face[f];
-  std::vector<char> is_island = find_islands(labels, part_areas(surface, components), numbers);
-  bool is_changed = true;
-  while (std::exchange(is_changed, false)) {
-    std::map<Index, std::map<Index, double>> lengths; // of islands with labels around them
+  const std::vector<double> areas = part_areas(surface, components);
+  std::vector<Index> labels(areas.size());
+  std::map<Index, double> largest; // component of a label
+  for (std::size_t f = 0; f < components.size(); ++f) {
+    const Index label = labels[components[f]] = label_of_face[f];
+    largest[label] = (std::max)(largest[label], areas[components[f]]);
+  }
+  std::vector<char> is_island;
+  for (std::size_t c = 0; c < areas.size(); ++c)
+    is_island.push_back(areas[c] < 0.1 * largest[labels[c]]);
+  std::map<Index, std::map<Index, double>> lengths; // by island and label beside it
+  do {
+    lengths.clear();
     for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a) {
       const Index f = components[surface.lower_face(a)], g = components[surface.higher_face(a)];
       if (is_island[f] != is_island[g])
         lengths[is_island[f] ? f : g][labels[is_island[f] ? g : f]] += surface.length(a);
     }
     for (const auto& [island, of_labels] : lengths) {
-      labels[island] = std::max_element(
-                         of_labels.begin(), of_labels.end(),
-                         [](const auto& a, const auto& b) { return a.second < b.second; })
-                         ->first;
+      labels[island] = key_of_greatest(of_labels);
       is_island[island] = false;
-      is_changed = true;
     }
-  }
+  } while (!lengths.empty());
   for (Index f = 0; f < components.size(); ++f)
     label_of_face[f] = labels[components[f]];
 }
-
-} // namespace internal
-
-namespace internal {
 
 /// A surface with the normals of its faces as they are given: it turns components that are inside
 /// out.
@@ -120,12 +101,12 @@ struct Surface_as_given
   }
 };
 
-/// A face is divided into triangles between its sides and the mean of its corners. The middle of
-/// each finds a face of the other mesh, and votes for its segment by its area; of equal votes the
-/// lowest segment counts.
+/// The parts of the faces of a surface `from` that are nearest to the faces of `to`. A face is
+/// divided into triangles between its sides and the mean of its corners. The middle of each
+/// triangle finds a face of `from`, and votes for its part by the area of the triangle; of equal
+/// votes the lowest part counts.
 inline std::vector<Surface::Index>
-segments_of_nearest_faces(const Surface_as_given& to, const Surface_as_given& from,
-                          const std::vector<Surface::Index>& segment_of_face)
+nearest_parts(const Surface_as_given& to, const Surface_as_given& from, const Partition& parts)
 {
   using Index = Surface::Index;
   const Surface& surface = to.surface;
@@ -140,12 +121,10 @@ segments_of_nearest_faces(const Surface_as_given& to, const Surface_as_given& fr
     std::map<Index, double> votes;
     for_each_side(surface, f, [&](Index v, Index w) {
       const Double_3 &p = surface.point(v), &q = surface.point(w);
-      const Index nearest = finder.find(scale / 3 * (p + q + center), agrees);
-      votes[segment_of_face[nearest]] += norm(cross(p - center, q - center));
+      votes[parts[finder.find(scale / 3 * (p + q + center), agrees)]] += norm(
+        cross(p - center, q - center));
     });
-    result.push_back(std::max_element(votes.begin(), votes.end(), [](const auto& a, const auto& b) {
-                       return a.second < b.second;
-                     })->first);
+    result.push_back(key_of_greatest(votes));
   }
   return result;
 }
@@ -160,11 +139,10 @@ segments_of_nearest_faces(const Surface_as_given& to, const Surface_as_given& fr
 /// are more than \f$\pi/2\f$ away count as farther by a twentieth of the square root of its area:
 /// so labels do not change sides of a thin wall.
 ///
-/// *Islands* are dissolved: a component of faces with equal labels is one if it is smaller than a
-/// tenth of the largest one of its label, and than as many others of this label as there are
-/// components of it on `from`. It takes the label with which it shares the longest border. So
-/// segments stay connected, also where borders are narrower than faces. A segment smaller than the
-/// faces of `to` may be lost.
+/// Each component of a segment of `from` is transferred as one: where it falls to pieces on `to`,
+/// pieces of less than a tenth of the area of the largest one are *islands*. An island takes the
+/// label with which it shares the longest border. So segments stay connected, also where they are
+/// narrower than faces. A component smaller than the faces of `to` may be lost.
 ///
 /// \tparam FromGraph, ToGraph models of `FaceListGraph`, `HalfedgeListGraph` and `VertexListGraph`,
 ///         of any two types
@@ -201,7 +179,6 @@ std::size_t transfer_labels(const FromGraph& from, const FromMap& from_map, cons
                             const ToParameters& np_to = parameters::default_values())
 {
   static_assert(internal::check_face_map<ToMap, ToGraph>());
-  using Index = Surface::Index;
   using Label = typename boost::property_traits<FromMap>::value_type;
   const auto &from_pack = internal::pack(np_from), &to_pack = internal::pack(np_to);
   internal::check_parameters<std::decay_t<decltype(from_pack)>, internal::Tag_list<>>();
@@ -212,27 +189,21 @@ std::size_t transfer_labels(const FromGraph& from, const FromMap& from_map, cons
   if (from_surface.surface.number_of_faces() == 0)
     throw Invalid_input("transfer_labels: the mesh with labels has no faces");
 
-  std::vector<Label> labels; // by segment
-  const std::vector<Index> segment_of_face = internal::number_labels(face_values(from, from_map),
-                                                                     labels);
+  // Each component of a segment is transferred as one, so that on `to` it is one, too.
+  const std::vector<Label> labels = face_values(from, from_map);
   for (const Label label : labels)
-    internal::check_label<typename boost::property_traits<ToMap>::value_type>(label);
-  std::vector<Index> result = internal::segments_of_nearest_faces(to_surface, from_surface,
-                                                                  segment_of_face);
-  const Partition components = internal::components_of_labels(from_surface.surface,
-                                                              segment_of_face);
-  std::map<Index, std::size_t> numbers;
-  for (std::size_t f = 0, next = 0; f < components.size(); ++f)
-    if (components[f] == next) { // numbered by their first faces
-      ++numbers[segment_of_face[f]];
-      ++next;
-    }
-  internal::dissolve_islands(to_surface.surface, numbers, result);
+    if (is_segment(label))
+      internal::check_label<typename boost::property_traits<ToMap>::value_type>(label);
+  const Partition components = internal::components_of_labels(from_surface.surface, labels);
+  auto nearest = internal::nearest_parts(to_surface, from_surface, components);
+  internal::dissolve_islands(to_surface.surface, nearest);
 
-  std::vector<Label> values;
-  for (Index segment : result)
-    values.push_back(segment < labels.size() ? labels[segment] : Label(no_segment));
-  write_face_values(to, values, to_map);
+  std::vector<Label> label_of(components.number_of_parts()), result;
+  for (std::size_t f = 0; f < labels.size(); ++f)
+    label_of[components[f]] = labels[f];
+  for (const Surface::Index component : nearest)
+    result.push_back(label_of[component]);
+  write_face_values(to, result, to_map);
   return Partition::from_labels(result).number_of_parts();
 }
 

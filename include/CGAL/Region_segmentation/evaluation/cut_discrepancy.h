@@ -5,20 +5,16 @@
 
 #include <CGAL/Region_segmentation/Double_3.h>
 #include <CGAL/Region_segmentation/Surface.h>
+#include <CGAL/Region_segmentation/face_values.h>
 #include <CGAL/Region_segmentation/internal/support/arrays.h>
-#include <CGAL/Region_segmentation/internal/support/shortest_paths.h>
-#include <CGAL/Region_segmentation/internal/surface/read_surface.h>
+#include <CGAL/Region_segmentation/internal/support/components.h>
 #include <CGAL/Region_segmentation/make_surface.h>
 #include <CGAL/Region_segmentation/parameters.h>
-
-#include <CGAL/boost/graph/helpers.h>
-
-#include <boost/graph/graph_traits.hpp>
-#include <boost/property_map/property_map.hpp>
 
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -26,50 +22,51 @@
 
 namespace CGAL {
 namespace Region_segmentation {
-
 namespace internal {
 
-/// The end points, in order, of the edges whose two faces have different labels.
-template <typename FaceGraph, typename Pack, typename FaceLabelMap>
-std::vector<Surface::Index> cut_vertices(const Mesh_order<FaceGraph, Pack>& order,
-                                         const FaceLabelMap& label_map)
+/// Calls `f(v, w, adjacency)` for the sides of all faces, which run from vertex v to vertex w;
+/// the adjacency across a side on the border is `Surface::none`.
+template <typename F>
+void for_each_side_of_surface(const Surface& surface, const F& f)
 {
-  using Label = typename boost::property_traits<FaceLabelMap>::value_type;
-  static_assert(std::is_integral<Label>::value, "labels are integral");
-  const FaceGraph& mesh = order.mesh();
-  std::vector<char> is_on_cut(order.number_of_vertices(), false);
-  for (auto e : edges(mesh)) {
-    const auto h = halfedge(e, mesh), o = opposite(h, mesh);
-    if (CGAL::is_border(h, mesh) || CGAL::is_border(o, mesh))
-      continue;
-    const Label label_h = get(label_map, face(h, mesh)), label_o = get(label_map, face(o, mesh));
-    if (label_h != label_o)
-      is_on_cut[order.vertex_rank(source(h, mesh))] = is_on_cut[order.vertex_rank(
-        source(o, mesh))] = true;
+  for (Surface::Index face = 0; face < surface.number_of_faces(); ++face) {
+    std::size_t i = 0;
+    for_each_side(surface, face, [&](Surface::Index v, Surface::Index w) {
+      f(v, w, surface.adjacency(face, i++));
+    });
   }
+}
+
+/// The end points, in order, of the edges whose two faces have different labels.
+template <typename Label>
+std::vector<Surface::Index> cut_vertices(const Surface& surface, const std::vector<Label>& labels)
+{
+  static_assert(std::is_integral<Label>::value, "labels are integral");
+  std::vector<char> is_on_cut(surface.number_of_vertices(), false);
+  for_each_side_of_surface(surface, [&](Surface::Index v, Surface::Index w, Surface::Index a) {
+    if (a != Surface::none && labels[surface.lower_face(a)] != labels[surface.higher_face(a)])
+      is_on_cut[v] = is_on_cut[w] = true;
+  });
   std::vector<Surface::Index> result;
-  for (std::size_t v = 0; v < is_on_cut.size(); ++v)
+  for (Surface::Index v = 0; v < is_on_cut.size(); ++v)
     if (is_on_cut[v])
-      result.push_back(Surface::Index(v));
+      result.push_back(v);
   return result;
 }
 
-/// By vertex, the vertices at the other ends of its edges, with the lengths of these. Made from the
-/// range of edges, so a vertex where several fans of faces meet has the edges of all.
+/// By vertex, the vertices at the other ends of its edges, with the lengths of these. An edge
+/// inside the surface is a side of two faces, one for each direction.
 using Edge_graph = Grouped_items<std::pair<Surface::Index, double>>;
 
-template <typename FaceGraph, typename Pack>
-Edge_graph edge_graph(const Mesh_order<FaceGraph, Pack>& order, const Surface& surface)
+inline Edge_graph edge_graph(const Surface& surface)
 {
-  return Edge_graph(order.number_of_vertices(), [&](const auto& add) {
-    for (auto e : edges(order.mesh())) {
-      const auto h = halfedge(e, order.mesh());
-      const Surface::Index v = order.vertex_rank(source(h, order.mesh())),
-                           w = order.vertex_rank(target(h, order.mesh()));
+  return Edge_graph(surface.number_of_vertices(), [&](const auto& add) {
+    for_each_side_of_surface(surface, [&](Surface::Index v, Surface::Index w, Surface::Index a) {
       const double length = norm(surface.point(v) - surface.point(w));
       add(v, {w, length});
-      add(w, {v, length});
-    }
+      if (a == Surface::none)
+        add(w, {v, length});
+    });
   });
 }
 
@@ -85,28 +82,23 @@ inline double sum_of_distances(const Edge_graph& graph, const std::vector<Surfac
       for (const auto& [w, length] : graph[v])
         enter(w, length);
     });
-  double sum = 0;
-  for (const Surface::Index t : targets)
-    sum += distances[t];
-  return sum;
+  return std::accumulate(targets.begin(), targets.end(), 0.0,
+                         [&](double sum, Surface::Index t) { return sum + distances[t]; });
 }
 
 /// The mean distance of the surface to its centroid: the centroids of the faces stand for them,
 /// weighted by area. 0 where the surface has no area.
 inline double mean_distance_to_centroid(const Surface& surface)
 {
-  double area = 0, sum = 0;
-  Double_3 centroid{0, 0, 0};
-  for (std::size_t f = 0; f < surface.number_of_faces(); ++f) {
-    area += surface.area(f);
-    centroid = centroid + surface.area(f) * surface.centroid(f);
-  }
-  if (!(area > 0))
+  if (!(surface.area() > 0))
     return 0;
-  centroid = 1 / area * centroid;
+  double sum = 0;
+  Double_3 centroid{0, 0, 0};
+  for (std::size_t f = 0; f < surface.number_of_faces(); ++f)
+    centroid = centroid + surface.area(f) / surface.area() * surface.centroid(f);
   for (std::size_t f = 0; f < surface.number_of_faces(); ++f)
     sum += surface.area(f) * norm(surface.centroid(f) - centroid);
-  return sum / area;
+  return sum / surface.area();
 }
 
 } // namespace internal
@@ -131,8 +123,7 @@ inline double mean_distance_to_centroid(const Surface& surface)
 /// no face or one), if a cut vertex has no path to the cuts of the other (on a mesh with several
 /// components), and if the surface has no area.
 ///
-/// \tparam FaceGraph a model of `FaceListGraph`, `HalfedgeListGraph`, `VertexListGraph` and
-///         `EdgeListGraph`
+/// \tparam FaceGraph a model of `FaceListGraph`, `HalfedgeListGraph` and `VertexListGraph`
 /// \tparam FaceLabelMapA a model of `ReadablePropertyMap` with the face descriptor as key and an
 ///         integral value type
 /// \tparam FaceLabelMapB the same
@@ -166,15 +157,14 @@ std::optional<double> cut_discrepancy(const FaceGraph& mesh, const FaceLabelMapA
 {
   const auto& pack = internal::pack(np);
   internal::check_parameters<std::decay_t<decltype(pack)>, internal::Tag_list<>>();
-  const internal::Mesh_order<FaceGraph, std::decay_t<decltype(pack)>> order(mesh, pack);
-  const Surface surface = internal::make_surface(order, pack, internal::Adjacency_of::NEIGHBORS,
-                                                 Execution());
-  const auto cut_a = internal::cut_vertices(order, a), cut_b = internal::cut_vertices(order, b);
+  const Surface surface = internal::make_surface_of_neighbors(mesh, pack);
+  const auto cut_a = internal::cut_vertices(surface, face_values(mesh, a)),
+             cut_b = internal::cut_vertices(surface, face_values(mesh, b));
   const double size = internal::mean_distance_to_centroid(surface);
   if (cut_a.empty() || cut_b.empty() || size == 0)
     return std::nullopt;
 
-  const internal::Edge_graph graph = internal::edge_graph(order, surface);
+  const internal::Edge_graph graph = internal::edge_graph(surface);
   const double sum = internal::sum_of_distances(graph, cut_b, cut_a) +
                      internal::sum_of_distances(graph, cut_a, cut_b);
   if (!std::isfinite(sum))

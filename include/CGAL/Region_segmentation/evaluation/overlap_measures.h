@@ -61,7 +61,7 @@ struct Face_total
 };
 
 /// The table of two partitions of the faces: n_ij faces, of area a_ij, are in part i of the first
-/// and part j of the second; n_i. and n_.j, a_i. and a_.j are the totals of its rows and columns.
+/// and part j of the second; n_i. and a_i. are the totals of row i, n_.j and a_.j of column j.
 ///
 /// Areas are added by faces in order everywhere. Rounding is monotone, so a cell is never above its
 /// row or its column, and equal to it where it has all of its faces: a_i. - a_ij is never negative,
@@ -93,7 +93,7 @@ struct Contingency_table
   }
 };
 
-/// That of two property maps of the labels of faces, with the areas of the faces.
+/// The table of two property maps of the labels of faces, with the areas of the faces.
 template <typename FaceGraph, typename FaceLabelMapA, typename FaceLabelMapB,
           typename NamedParameters>
 Contingency_table table_of_areas(const FaceGraph& mesh, const FaceLabelMapA& a,
@@ -112,7 +112,7 @@ inline std::uint64_t number_of_pairs(std::uint64_t n)
   return n == 0 ? 0 : n * (n - 1) / 2;
 }
 
-/// Exact integers up to the one division: every sum is at most 2 C(F) < 2^64.
+/// All sums are exact integers, since they are at most 2 C(F) < 2^64; one division follows.
 inline double rand_index_distance(const Partition& a, const Partition& b)
 {
   if (a.size() < 2)
@@ -127,7 +127,7 @@ inline double rand_index_distance(const Partition& a, const Partition& b)
   return double(only_in_one) / double(number_of_pairs(a.size()));
 }
 
-/// sum_i (a_i. - max_j a_ij) / sum_i a_i. : no term is negative.
+/// sum_i (a_i. - max_j a_ij) / sum_i a_i., in which no term is negative.
 inline double unmatched_part(const std::vector<Face_total>& segments,
                              const std::vector<double>& largest_cell)
 {
@@ -153,33 +153,27 @@ inline Hamming_distance hamming_distance(const Contingency_table& table)
   return result;
 }
 
-/// GCE and LCE, with `size(Face_total)` as the size of a set of faces in the errors.
-struct Mean_refinement_errors
+/// Sets GCE and LCE, with `size(Face_total)` as the size of a set of faces in the errors.
+template <typename Size>
+void set_refinement_errors(const Contingency_table& table, const Size& size, double& global,
+                           double& local)
 {
-  double global = 0, local = 0;
-
-  template <typename Size>
-  Mean_refinement_errors(const Contingency_table& table, const Size& size)
-  {
-    double a_in_b = 0, b_in_a = 0, faces = 0;
-    for (const auto& [i, j, cell] : table.cells) {
-      // 1 - part / whole, without rounding where it is 0; 0 for a whole without area.
-      const auto error = [part = size(cell)](double whole) {
-        return whole > 0 ? (whole - part) / whole : 0;
-      };
-      const double n = double(cell.count), error_ab = error(size(table.rows[i])),
-                   error_ba = error(size(table.columns[j]));
-      faces += n;
-      a_in_b += n * error_ab;
-      b_in_a += n * error_ba;
-      local += n * (std::min)(error_ab, error_ba);
-    }
-    if (faces > 0) {
-      global = (std::min)(a_in_b, b_in_a) / faces;
-      local /= faces;
-    }
+  // 1 - part / whole, without rounding where it is 0; 0 for a whole without area.
+  const auto error = [](double part, double whole) {
+    return whole > 0 ? (whole - part) / whole : 0;
+  };
+  double a_in_b = 0, b_in_a = 0, smaller = 0, faces = 0;
+  for (const auto& [i, j, cell] : table.cells) {
+    const double n = double(cell.count), error_ab = error(size(cell), size(table.rows[i])),
+                 error_ba = error(size(cell), size(table.columns[j]));
+    faces += n;
+    a_in_b += n * error_ab;
+    b_in_a += n * error_ba;
+    smaller += n * (std::min)(error_ab, error_ba);
   }
-};
+  global = faces > 0 ? (std::min)(a_in_b, b_in_a) / faces : 0;
+  local = faces > 0 ? smaller / faces : 0;
+}
 
 } // namespace internal
 
@@ -233,7 +227,7 @@ double rand_index_distance(const FaceGraph& mesh, const FaceLabelMapA& a, const 
 ///
 /// \throws Invalid_input if the ranges differ in length
 ///
-/// Otherwise as for property maps.
+/// The value is that for property maps with these labels.
 template <typename LabelRangeA, typename LabelRangeB>
 double rand_index_distance(const LabelRangeA& a, const LabelRangeB& b)
 {
@@ -349,11 +343,13 @@ Consistency_error consistency_error(const FaceGraph& mesh, const FaceLabelMapA& 
                                     const NamedParameters& np = parameters::default_values())
 {
   const internal::Contingency_table table = internal::table_of_areas(mesh, a, b, np);
-  using Total = internal::Face_total;
-  const internal::Mean_refinement_errors by_count(
-    table, [](const Total&total) { return double(total.count); }),
-    by_area(table, [](const Total&total) { return total.area; });
-  return {by_count.global, by_count.local, by_area.global, by_area.local};
+  Consistency_error result;
+  internal::set_refinement_errors(
+    table, [](const auto& total) { return double(total.count); }, result.global, result.local);
+  internal::set_refinement_errors(
+    table, [](const auto& total) { return total.area; }, result.global_by_area,
+    result.local_by_area);
+  return result;
 }
 
 } // namespace Region_segmentation

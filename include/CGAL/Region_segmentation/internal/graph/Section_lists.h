@@ -19,12 +19,13 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// The incidence of sections and places: section s has the halves 2s and 2s + 1, each in the list
-/// of one place. Two places can be united. A list is in the order of insertion; removed sections
-/// leave it when they are more than half of it.
+/// Lists of sections, each at a *place* that one region owns. Section s has two *halves*, 2s and
+/// 2s + 1, one in the list of each of its two regions. The lists of two places can be united. A
+/// list is in the order of insertion. Removed sections leave a list when they are more than half of
+/// it.
 ///
-/// Short lists are stored in the places: with `std::vector`, graph and merging take 1.3 and 1.36
-/// times as long on a noisy mesh of 1 million faces.
+/// Lists of up to 12 sections are stored inside the places: with `std::vector`, graph and merging
+/// take 1.3 and 1.36 times as long on a noisy mesh of 1 million faces.
 ///
 /// Bytes: 80 per place and 8 per section, without its data; more for lists of more than 12.
 ///
@@ -36,7 +37,7 @@ public:
   using Index = std::uint32_t;
   static constexpr Index none = (std::numeric_limits<Index>::max)();
 
-  /// Places that own themselves, as those of `add_place()`.
+  /// Makes places without sections. Place p is owned by region p.
   explicit Section_lists(std::size_t number_of_places)
     : m_places(number_of_places)
   {
@@ -44,8 +45,7 @@ public:
       set_owner(p, p);
   }
 
-  /// A place without sections; places are numbered in order. Its owner is a number given by the
-  /// caller.
+  /// Adds a place without sections. Places are numbered in order.
   void add_place(Index owner)
   {
     m_places.emplace_back();
@@ -71,7 +71,7 @@ public:
     append(q, 2 * s + 1);
   }
 
-  /// The halves in the list of a place, and those of removed sections.
+  /// The halves in the list of a place; some of them can be of removed sections.
   Iterator_range<const Index*> halves(Index place) const
   {
     const Halves& list = m_places[place].halves;
@@ -138,7 +138,7 @@ private:
     ++m_places[p].degree;
   }
 
-  /// Accounts for a section at the place that was removed.
+  /// Counts one section less at a place, and shortens its list if half of it is removed.
   void erase(Index p)
   {
     Place& place = m_places[p];

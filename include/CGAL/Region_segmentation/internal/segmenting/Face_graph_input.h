@@ -26,7 +26,7 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// A surface with the constraints of a pack.
+/// Returns a surface with the constraints that a pack of named parameters has.
 template <typename Input, typename Pack>
 Surface constrained([[maybe_unused]] const Input& input, Surface surface,
                     [[maybe_unused]] const Pack& np)
@@ -53,7 +53,7 @@ public:
 
   const FaceGraph& mesh() const { return *m_mesh; }
 
-  /// Constrains the edges of a map.
+  /// Constrains the edges for which a map has the value `true`.
   template <typename EdgeMap, typename Pack>
   void add_constraints(Surface& surface, const EdgeMap& map, const Pack& np) const
   {
@@ -69,7 +69,7 @@ public:
 
   /// \throws Invalid_input if a map does not hold labels below `n`
   template <typename FaceMap>
-  void check(const FaceMap&, std::size_t n, const char* what = "labels") const
+  void check(const FaceMap&, std::size_t n, const char* what = "label") const
   {
     check_labels<typename boost::property_traits<FaceMap>::value_type>(n, what);
   }
@@ -160,25 +160,20 @@ private:
   }
 
   /// The side of a face at one of its halfedges, and the step to the side at the next one, modulo
-  /// the number n of corners: 1, or n - 1 where the surface has turned the face. The surface can
-  /// have replaced a vertex by one with an equal point.
+  /// the number n of corners: 1, or n - 1 where the surface has turned the face.
   template <typename Halfedge>
   std::pair<std::size_t, std::size_t> side_of(Surface::Index face, const Halfedge& h) const
   {
     const std::size_t n = m_surface.number_of_corners(face);
-    const auto is_at = [&](std::size_t i, const Halfedge& leaving, bool is_replaced) {
-      const Surface::Index v = m_order.vertex_rank(source(leaving, mesh())),
-                           w = m_surface.corner(face, i % n);
-      const Double_3 &p = m_surface.point(v), &q = m_surface.point(w);
-      return v == w || (is_replaced && p.x == q.x && p.y == q.y && p.z == q.z);
+    const auto is_at = [&](std::size_t i, const Halfedge& leaving) {
+      const Surface::Index v = m_order.vertex_rank(source(leaving, mesh()));
+      return m_surface.corner(face, i % n) == merged_vertex(m_surface, v);
     };
     const Halfedge second = next(h, mesh()), third = next(second, mesh());
-    for (const bool is_replaced : {false, true})
-      for (const std::size_t step : {std::size_t(1), n - 1})
-        for (std::size_t i = 0; i < n; ++i)
-          if (is_at(i, h, is_replaced) && is_at(i + step, second, is_replaced) &&
-              is_at(i + 2 * step, third, is_replaced))
-            return {step == 1 ? i : (i + step) % n, step};
+    for (const std::size_t step : {std::size_t(1), n - 1})
+      for (std::size_t i = 0; i < n; ++i)
+        if (is_at(i, h) && is_at(i + step, second) && is_at(i + 2 * step, third))
+          return {step == 1 ? i : (i + step) % n, step};
     CGAL_assertion_msg(false, "a face of the surface has the corners of that of the mesh");
     return {0, 1};
   }

@@ -22,8 +22,8 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// Polygons as input of a segmentation. Values of polygons are in a property map or a random access
-/// range, by index.
+/// A polygon soup as input of a segmentation. Values of polygons are read from, and labels written
+/// to, a random access range or a property map by index.
 class Polygon_input
 {
 public:
@@ -34,7 +34,7 @@ public:
     : m_number(number_of_polygons)
   {}
 
-  /// Constrains the edges of a range of pairs of indices of points.
+  /// Constrains the edges between pairs of indices of points.
   template <typename PairRange, typename Pack>
   void add_constraints(Surface& surface, const PairRange& pairs, const Pack&) const
   {
@@ -107,7 +107,7 @@ private:
       return satisfies<Has_key, Map, std::size_t>;
   }
 
-  /// Not a property map with the iterators of a range of `bool`, either.
+  /// Whether a type is a range of pairs. A property map of `bool` with iterators is not one.
   template <typename Range>
   static constexpr bool is_range_of_pairs()
   {

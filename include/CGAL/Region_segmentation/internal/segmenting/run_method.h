@@ -52,8 +52,8 @@ constexpr bool check_method()
   return true;
 }
 
-/// All that is called of a method. Members are defined outside of the class, thus not inline, so
-/// that `extern template` keeps them out of a translation unit (see `version.h`).
+/// The calls of a method. Members are defined outside of the class and are not inline, so that
+/// `extern template` keeps them out of a translation unit (see `version.h`).
 template <typename Method>
 struct Method_calls
 {
@@ -106,7 +106,7 @@ struct Learned_merging;
 
 namespace internal {
 
-/// The method of a pack, or the default one.
+/// The type of the method in a pack of named parameters, or of the default method.
 template <typename Pack>
 using Method_of_pack = std::decay_t<typename CGAL::internal_np::Lookup_named_param_def<
   internal_np::method_t, Pack, Learned_merging>::type>;
@@ -115,7 +115,8 @@ template <typename NamedParameters>
 using Method_of_parameters = Method_of_pack<
   std::decay_t<decltype(pack(std::declval<const NamedParameters&>()))>>;
 
-/// A given method need not be default constructible.
+/// Returns the method in a pack of named parameters, which need not be default constructible, or
+/// the default method.
 template <typename Method, typename Pack>
 Method method_of_pack(const Pack& np)
 {
@@ -137,7 +138,7 @@ using Segmenting_parameters = Tag_list<
   internal_np::component_links_t, internal_np::region_map_t, internal_np::merge_tree_t,
   std::decay_t<decltype(Input::constraints)>, CGAL::internal_np::visitor_t>;
 
-/// The seeds in a map.
+/// Reads seeds from a map.
 template <typename Input, typename SeedMap>
 Seeds read_seeds(const Input& input, const SeedMap& map)
 {
@@ -147,7 +148,7 @@ Seeds read_seeds(const Input& input, const SeedMap& map)
   return Seeds::from_values(values);
 }
 
-/// What a pack asks for.
+/// The request in a pack of named parameters.
 template <typename Input, typename Pack>
 Request request_of_pack(const Input& input, const Pack& np)
 {
@@ -167,7 +168,7 @@ template <typename Pack>
 constexpr bool has_outputs = has_parameter<Pack, internal_np::region_map_t> ||
                              has_parameter<Pack, internal_np::merge_tree_t>;
 
-/// Writes the outputs that a pack asks for.
+/// Writes the outputs that a pack of named parameters names: regions and merge tree.
 template <typename Input, typename Pack>
 void write_outputs([[maybe_unused]] const Input& input, [[maybe_unused]] const Hierarchy& result,
                    [[maybe_unused]] const Pack& np)

@@ -8,8 +8,6 @@
 #include <CGAL/Region_segmentation/internal/part_faces/fit_surface.h>
 #include <CGAL/Region_segmentation/internal/part_faces/initial_surfaces.h>
 
-#include <CGAL/number_type_config.h>
-
 #include <Eigen/Dense>
 
 #include <algorithm>
@@ -61,48 +59,51 @@ inline Fitted_surface<> sphere_through(const Weighted_points& samples)
 class Segment_fitter
 {
 public:
-  using Errors = std::array<double, 4>; ///< by `Surface_kind`
-
-  explicit Segment_fitter(std::size_t number_of_faces)
-    : m_stride((number_of_faces + most_fitted_faces - 1) / most_fitted_faces)
-  {}
-
   /// `normal`: zero for a degenerate face.
   void add_face(const std::vector<Double_3>& corners, const Double_3& normal, double weight)
   {
-    const double n = double(corners.size());
-    const bool is_fitted = m_middles.points.size() % m_stride == 0;
+    const double share = weight / double(corners.size());
     Double_3 sum{0, 0, 0};
     for (const Double_3& p : corners) {
       sum = sum + p;
-      m_corners.add(p, weight / n);
-      m_moments.add(weight / n, p);
-      if (is_fitted)
-        m_fitted.add(p, weight / n);
+      m_corners.add(p, share);
+      m_moments.add(share, p);
     }
-    m_middles.add((1 / n) * sum, weight);
-    m_normals.add(weight, normal);
-    m_offsets = m_offsets + (weight * dot(normal, corners[0])) * normal;
+    m_middles.add(1 / double(corners.size()) * sum, weight);
+    m_normals.push_back(normal);
+    m_normal_moments.add(weight, normal);
+    m_offsets = m_offsets + weight * dot(normal, corners[0]) * normal;
   }
 
-  /// The simplest surface than which no more complex one is better by far. `errors`: the root mean
-  /// square distance of the corners to the best one of each kind; infinite where none was found.
+  /// The length of the faces along an axis.
+  double extent(const Double_3& axis) const
+  {
+    Fitted_surface<> plane = surface_of_kind(Surface_kind::PLANE, {0, 0, 0}, axis);
+    measure(plane, m_corners.points);
+    return plane.highest - plane.lowest;
+  }
+
+  /// The simplest surface than which no more complex one is better by far. `errors`: by kind, the
+  /// root mean square distance of the corners to the best surface; infinite where none was found.
   ///
   /// Surfaces are compared by the misfit: the root mean square distance of corners and middles of
   /// faces together. Corners alone do not tell a cylinder or a cone from a sphere if they lie on
   /// two circles, as on many machine parts.
-  Fitted_surface<> fit(Errors& errors) const
+  Fitted_surface<> fit(std::array<double, 4>& errors) const
   {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    Weighted_points fitted;
+    for (std::size_t i = 0; i < m_corners.points.size();
+         i += (m_corners.points.size() + most_fitted - 1) / most_fitted)
+      fitted.add(m_corners.points[i], m_corners.weights[i]);
     const Surface_fitter corners(m_corners.points, 0, m_corners.weights),
-      middles(m_middles.points, 0, m_middles.weights), fitter(m_fitted.points, 0, m_fitted.weights);
+      middles(m_middles.points, 0, m_middles.weights), fitter(fitted.points, 0, fitted.weights);
     Fitted_surface<> best;
     double least = infinity;
     const auto accept = [&](const Fitted_surface<>& s) {
-      const double at_corners = corners.root_mean_square(s),
-                   misfit = std::hypot(at_corners, middles.root_mean_square(s)) / std::sqrt(2.0);
-      if (!is_proper(s) || !std::isfinite(misfit))
-        return;
-      errors[std::size_t(s.kind)] = at_corners;
+      double& error = errors[std::size_t(s.kind)];
+      error = corners.root_mean_square(s);
+      const double misfit = std::hypot(error, middles.root_mean_square(s)) / std::sqrt(2.0);
       if (least > tolerance && misfit < worthwhile * least) {
         least = misfit;
         best = s;
@@ -111,64 +112,57 @@ public:
     errors.fill(infinity);
     accept(plane());
     if (least > 0) // else nothing can be better, and the systems are singular
-      for (Fitted_surface<> s : {sphere_through(m_fitted), cylinder(), cone()})
+      for (Fitted_surface<> s : {sphere_through(fitted), cylinder(fitted), cone()})
         if (fitter(s, most_iterations, most_slow_iterations) < infinity)
           accept(s);
     move_along_axis(best, {0, 0, 0});
     measure(best, m_corners.points);
+    double outwards = 0;
+    for (std::size_t i = 0; i < m_normals.size(); ++i)
+      outwards += m_middles.weights[i] *
+                  dot(m_normals[i], surface_normal(best, m_middles.points[i]));
+    best.side = outwards < 0 ? -1 : 1;
     return best;
   }
 
 private:
-  static constexpr double infinity = std::numeric_limits<double>::infinity();
-  static constexpr std::size_t most_fitted_faces = 2000; // errors are those of all faces
-  static constexpr double tolerance = 1e-4;              // misfits below are as good as none
+  static constexpr std::size_t most_fitted = 6000; // corners; errors are those of all
+  static constexpr double tolerance = 1e-4;        // misfits below are as good as none
   static constexpr double worthwhile = 0.8; // what another parameter multiplies the misfit with
   static constexpr int most_iterations = 100, most_slow_iterations = 20; // often no surface fits
-  static constexpr double largest_radius = 100;       // beyond, a surface is as good as flat
-  static constexpr double smallest_half_angle = 0.01; // radians; below, a cone is a cylinder
-
-  static bool is_proper(const Fitted_surface<>& s)
-  {
-    if (s.kind != Surface_kind::CONE)
-      return s.radius <= largest_radius;
-    return s.angle >= smallest_half_angle && s.angle <= CGAL_PI / 2 - smallest_half_angle &&
-           norm(s.apex()) <= largest_radius;
-  }
 
   Fitted_surface<> plane() const
   {
     const Double_3 normal = eigenvectors(m_moments.covariance())[0];
     return surface_of_kind(Surface_kind::PLANE, m_moments.centroid(),
-                           dot(normal, m_normals.first) < 0 ? -1.0 * normal : normal);
+                           dot(normal, m_normal_moments.first) < 0 ? -1.0 * normal : normal);
   }
 
   /// The normals of a cylinder are perpendicular to its axis.
-  Fitted_surface<> cylinder() const
+  Fitted_surface<> cylinder(const Weighted_points& fitted) const
   {
-    return cylinder_along(eigenvectors(m_normals.second)[0], m_fitted.points, {0, 0, 0});
+    return cylinder_along(eigenvectors(m_normal_moments.second)[0], fitted.points, {0, 0, 0});
   }
 
   /// The normals of a cone lie on a circle around its axis, and its tangent planes meet in the
-  /// apex.
+  /// apex. The axis leads from the apex to the centroid, which is the origin.
   Fitted_surface<> cone() const
   {
-    const Eigen::Vector3d apex = to_eigen(m_normals.second)
+    const Eigen::Vector3d apex = to_eigen(m_normal_moments.second)
                                    .completeOrthogonalDecomposition()
                                    .solve(Eigen::Vector3d(m_offsets.x, m_offsets.y, m_offsets.z));
     Fitted_surface<> result = surface_of_kind(Surface_kind::CONE, {apex[0], apex[1], apex[2]},
-                                              eigenvectors(m_normals.covariance())[0]);
-    if (dot(result.point, result.direction) > 0) // from the apex to the centroid, the origin
+                                              eigenvectors(m_normal_moments.covariance())[0]);
+    if (dot(result.point, result.direction) > 0)
       result.direction = -1.0 * result.direction;
     result.angle = std::asin(
-      (std::min)(1.0, std::fabs(dot(m_normals.centroid(), result.direction))));
+      (std::min)(1.0, std::fabs(dot(m_normal_moments.centroid(), result.direction))));
     return result;
   }
 
-  const std::size_t m_stride;
-  Weighted_points m_corners, m_middles; // of all faces
-  Weighted_points m_fitted;             // corners of every `m_stride`-th face
-  Second_moments m_moments, m_normals;  // of corners and of normals
+  Weighted_points m_corners, m_middles;       // of all faces
+  std::vector<Double_3> m_normals;            // by face
+  Second_moments m_moments, m_normal_moments; // of corners and of normals
   Double_3 m_offsets{0, 0, 0}; // the sum of (n.p) n: p on the plane of a face, n its normal
 };
 

@@ -5,7 +5,7 @@
 
 #include <CGAL/Region_segmentation/internal/superfacets/Dual_graph.h>
 #include <CGAL/Region_segmentation/internal/support/arrays.h>
-#include <CGAL/Region_segmentation/internal/support/shortest_paths.h>
+#include <CGAL/Region_segmentation/internal/support/components.h>
 
 #include <boost/graph/boykov_kolmogorov_max_flow.hpp>
 #include <boost/graph/compressed_sparse_row_graph.hpp>

@@ -56,9 +56,8 @@ public:
     const auto add = [&](const Patches::Adjacency& a, double deviation) {
       edges.push_back({a.lower, a.higher, float(length(a, deviation))});
     };
-    std::size_t i = 0;
     for (const Patches::Adjacency& a : patches.adjacencies())
-      add(a, patches.concave_deviation(i++));
+      add(a, patches.concave_deviation(a));
     if (across == EDGES_AND_CONTACTS)
       for (const Patches::Adjacency& contact : patches.contacts())
         add(contact, CGAL_PI / 2);

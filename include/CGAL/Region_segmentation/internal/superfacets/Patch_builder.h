@@ -3,18 +3,18 @@
 #ifndef CGAL_REGION_SEGMENTATION_INTERNAL_SUPERFACETS_PATCH_BUILDER_H
 #define CGAL_REGION_SEGMENTATION_INTERNAL_SUPERFACETS_PATCH_BUILDER_H
 
+#include <CGAL/Region_segmentation/Double_3.h>
 #include <CGAL/Region_segmentation/Execution.h>
+#include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/Patches.h>
 #include <CGAL/Region_segmentation/Surface.h>
-#include <CGAL/Region_segmentation/internal/superfacets/Patch_selection.h>
-#include <CGAL/Region_segmentation/internal/superfacets/patch_data.h>
 #include <CGAL/Region_segmentation/internal/support/arrays.h>
 #include <CGAL/Region_segmentation/internal/support/components.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -22,69 +22,67 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
+/// The partition that joins elements along the trees of `parents`, in which a root is its own
+/// parent. Whole trees would join the patches of a graded mesh in chains without bound; so the
+/// trees are cut below the elements of even depth, and a leaf of even depth joins its grandparent:
+///
+///     depth  0  1  2  3  4
+///            o--o  o--o--o      the last one is a leaf
+///
+/// O(size).
+inline Partition join_every_second_level(const Large_array<Partition::Index>& parents)
+{
+  using Index = Partition::Index;
+  constexpr std::uint8_t unknown = 2;
+  std::vector<std::uint8_t> parities(parents.size(), unknown), has_child(parents.size(), 0);
+  for (Index i = 0; i < parents.size(); ++i) {
+    has_child[parents[i]] = 1; // The mark of a root without children has no effect.
+    std::size_t depth = 0;     // below the first element whose parity is known, or the root
+    Index j = i;
+    for (; parities[j] == unknown && parents[j] != j; j = parents[j])
+      ++depth;
+    depth += parities[j] == 1;
+    for (j = i; parities[j] == unknown; j = parents[j])
+      parities[j] = depth-- % 2;
+  }
+  Lowest_root_forest joined(parents.size());
+  for (Index i = 0; i < parents.size(); ++i)
+    if (parities[i] == 1 || !has_child[i])
+      joined.unite(i, parities[i] == 1 ? parents[i] : parents[parents[i]]);
+  return joined.take_partition();
+}
+
 /// Makes the patches of a surface, the fine ones and the coarse ones, in rounds, see
 /// `Surface_patches`.
 ///
-/// What is summed for a patch or between two of them is summed by one thread, in the order of the
-/// elements: so the result is the same in parallel.
+/// In parallel, sums over elements are made by one thread for each patch, in the order of the
+/// elements: so they are the same.
 class Patch_builder
 {
   using Index = Surface::Index;
   using Adjacency = Patches::Adjacency;
 
 public:
-  /// \name The patches so far
-  /// Their adjacencies in ranges for threads: calls `f(lower, higher, length)`, patches and a
-  /// function. Those of the first round are not stored, but found from their faces: they would take
-  /// more memory than all else at that time.
-  /// @{
-  std::size_t size() const { return m_places.size(); }
-  double area(std::size_t p) const { return m_places[p].area; }
-  const Double_3& centroid(std::size_t p) const { return m_places[p].centroid; }
-  const Double_3& normal(std::size_t p) const { return m_directions[p].normal; }
-  std::size_t number_of_ranges() const
-  {
-    return m_adjacencies.empty() ? number_of_edge_ranges() : m_adjacencies.size();
-  }
-  template <typename F>
-  void for_each_adjacency(std::size_t range, const F& f) const
-  {
-    if (!m_adjacencies.empty()) {
-      for (const Adjacency& a : m_adjacencies[range])
-        f(a.lower, a.higher, [&] { return a.length; });
-      return;
-    }
-    const Partition& patch_of = m_rounds.front();
-    for_each_edge(range, [&](Index lower, Index higher, const auto& length) {
-      const Index a = patch_of[lower], b = patch_of[higher];
-      if (a != b)
-        f((std::min)(a, b), (std::max)(a, b), length);
-    });
-  }
-  /// @}
-
   static Surface_patches build(const Surface& surface, const Execution& execution)
   {
     Patch_builder builder(surface, execution);
     // A round takes a time proportional to the number of patches before it.
     const auto report = [&] {
       const double faces = double((std::max)(surface.number_of_faces(), std::size_t(1)));
-      execution.report(1 - double(builder.m_places.size()) / faces);
+      execution.report(1 - double(builder.m_patches.size()) / faces);
     };
-    const bool is_worth_another = builder.join_faces(std::nullopt);
+    const bool is_worth_another = builder.join_faces();
     report();
     if (is_worth_another)
-      builder.join_patches(Surface_patches::maximum_area * surface.area(), report);
+      builder.join_patches(Surface_patches::maximum_area, report);
     Surface_patches result;
     result.fine = builder.finish_fine();
-    builder.m_adjacencies.push_back(result.fine.m_adjacencies);
-    builder.join_patches(Surface_patches::maximum_coarse_area * surface.area(), report);
-    result.coarse = builder.finish();
     const Patches& fine = result.fine;
-    const auto has_no_normal = [&](std::size_t p) { return squared_norm(fine[p].normal) == 0; };
-    Patch_centers coarse_centers(result.coarse.m_patches);
-    for (std::size_t p = 0; p < fine.size(); ++p)
-      coarse_centers.offer(result.coarse.m_of_elements[p], p, fine[p].centroid, has_no_normal);
+    builder.join_patches(Surface_patches::maximum_coarse_area, report);
+    result.coarse = builder.finish();
+    builder.set_centers(
+      result.coarse, [&](std::size_t p) { return fine[p].centroid; },
+      [&](std::size_t p) { return squared_norm(fine[p].normal) == 0; });
     return result;
   }
 
@@ -93,7 +91,7 @@ public:
   {
     Patch_builder builder(surface, Execution());
     const Partition& patch_of = patches.of_elements();
-    builder.join_faces(label_components(
+    builder.replace_faces(label_components(
       surface,
       [&](std::size_t a) {
         const Index f = surface.lower_face(a), g = surface.higher_face(a);
@@ -105,115 +103,83 @@ public:
   }
 
 private:
+  /// An element to be joined, a face or a patch.
+  struct Element
+  {
+    Double_3 centroid, normal;   // the normal has length 1, or is zero
+    double area, projected_area; // the latter on the plane of the normal
+  };
+
   Patch_builder(const Surface& surface, const Execution& execution)
     : m_surface(surface)
     , m_execution(execution.silent())
-    , m_unit(surface.length_unit())
   {}
 
-  static void set_contacts(Patches& patches, const Surface& surface)
+  Element face(std::size_t f, const Double_3& centroid) const
   {
-    if (!surface.has_seams_or_links())
-      return;
-    for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a) {
-      const Index p = patches.m_of_elements[surface.lower_face(a)],
-                  q = patches.m_of_elements[surface.higher_face(a)];
-      if (surface.has_flag(a, Surface::SEAM | Surface::LINK) && p != q &&
-          !surface.has_flag(a, Surface::CONSTRAINED))
-        patches.m_contacts.push_back({(std::min)(p, q), (std::max)(p, q), surface.length(a)});
-    }
-    sort_and_unite(patches.m_contacts);
+    return {centroid, m_surface.normal(f), m_surface.weight(f), m_surface.weight(f)};
   }
 
-  /// The edges of the mesh that can be crossed, as above.
-  template <typename F>
-  void for_each_edge(std::size_t range, const F& f) const
+  /// The first round. Returns whether another one is worth it.
+  bool join_faces()
   {
-    const std::size_t end = (std::min)((range + 1) * edges_in_range(),
-                                       m_surface.number_of_adjacencies());
-    for (std::size_t e = range * edges_in_range(); e < end; ++e)
-      if (!m_surface.has_flag(e, Surface::barrier))
-        f(m_surface.lower_face(e), m_surface.higher_face(e), [&] { return m_surface.length(e); });
-  }
-
-  std::size_t number_of_edge_ranges() const
-  {
-    return number_of_blocks(m_surface.number_of_adjacencies(), edges_in_range());
-  }
-
-  std::size_t edges_in_range() const
-  {
-    constexpr std::size_t for_threads = std::size_t(1) << 16;
-    return m_execution.is_parallel()
-             ? for_threads
-             : (std::max)(m_surface.number_of_adjacencies(), std::size_t(1));
-  }
-
-  /// The faces as the patches of the first round. Centroids are stored: the first round of 3
-  /// million faces whose neighbors are far apart in memory takes .75 of the time without.
-  class Faces
-  {
-  public:
-    explicit Faces(const Patch_builder& builder)
-      : m_builder(builder)
-      , m_mesh(builder.m_surface)
-      , m_centroids(size())
-    {
-      for_each_index(builder.m_execution, size(),
-                     [&](std::size_t f) { m_centroids[f] = m_mesh.centroid(f); });
-    }
-
-    std::size_t size() const { return m_mesh.number_of_faces(); }
-    double area(std::size_t f) const { return m_mesh.weight(f); }
-    const Double_3& centroid(std::size_t f) const { return m_centroids[f]; }
-    const Double_3& normal(std::size_t f) const { return m_mesh.normal(f); }
-    std::size_t number_of_ranges() const { return m_builder.number_of_edge_ranges(); }
-    template <typename F>
-    void for_each_adjacency(std::size_t range, const F& f) const
-    {
-      m_builder.for_each_edge(range, f);
-    }
-
-  private:
-    const Patch_builder& m_builder;
-    const Surface& m_mesh;
-    Large_array<Double_3> m_centroids;
-  };
-
-  /// The first round, which joins the faces of `given` patches, or those that it selects. Returns
-  /// whether another one is worth it.
-  bool join_faces(std::optional<Partition> given)
-  {
-    const auto area_of = [this](std::size_t f) { return m_surface.weight(f); };
-    {
-      const Faces faces(*this);
-      m_rounds.push_back(given ? std::move(*given)
-                               : select(faces, Surface_patches::maximum_area * m_surface.area()));
-      replace_places(m_rounds.back(), area_of, [&](std::size_t f) { return faces.centroid(f); });
-    } // the memory of the centroids is needed
-    replace_directions(m_rounds.back(),
-                       [&](std::size_t f) { return area_of(f) * m_surface.normal(f); });
+    // The first round of 3 million faces whose neighbors are far apart in memory takes .75 of the
+    // time with an array of the centroids.
+    Large_array<Double_3> centroids(m_surface.number_of_faces());
+    for_each_index(m_execution, centroids.size(),
+                   [&](std::size_t f) { centroids[f] = m_surface.centroid(f); });
+    const auto for_each_adjacency = [&](const auto& f) {
+      for (std::size_t a = 0; a < m_surface.number_of_adjacencies(); ++a)
+        if (!m_surface.has_flag(a, Surface::barrier))
+          f(m_surface.lower_face(a), m_surface.higher_face(a));
+    };
+    Large_array<Index> parents = select(
+      centroids.size(), [&](std::size_t f) { return face(f, centroids[f]); }, for_each_adjacency,
+      Surface_patches::maximum_area);
+    centroids = Large_array<Double_3>(); // Its memory is needed.
+    replace_faces(join_every_second_level(parents));
     return has_joined_enough(m_rounds.back());
   }
 
   template <typename Report>
   void join_patches(double maximum_area, const Report& report)
   {
+    const auto patch = [&](std::size_t p) -> const Element& { return m_patches[p]; };
+    const auto for_each_adjacency = [&](const auto& f) {
+      for (const Adjacency& a : m_adjacencies)
+        f(a.lower, a.higher);
+    };
     for (bool is_worth_another = true; is_worth_another;) {
-      Partition joined = select(*this, maximum_area);
+      Partition joined = join_every_second_level(
+        select(m_patches.size(), patch, for_each_adjacency, maximum_area));
       is_worth_another = has_joined_enough(joined);
       if (joined.number_of_parts() == joined.size())
         return;
-      replace_places( // first, since it frees most memory
-        joined, [this](std::size_t p) { return area(p); },
-        [this](std::size_t p) { return centroid(p); });
-      replace_directions(joined, [this](std::size_t p) {
-        return m_directions[p].projected_area * m_directions[p].normal;
-      });
-      replace_adjacencies(joined.number_of_parts(), [&](Index patch) { return joined[patch]; });
+      sum_up(joined, patch);
+      std::size_t n = 0;
+      for (const Adjacency& a : m_adjacencies) {
+        const Index p = joined[a.lower], q = joined[a.higher];
+        m_adjacencies[n] = {(std::min)(p, q), (std::max)(p, q), a.length};
+        n += p != q;
+      }
+      m_adjacencies.resize(n);
       m_rounds.push_back(std::move(joined));
       report();
     }
+  }
+
+  /// Joins the faces of the parts to patches.
+  void replace_faces(Partition joined)
+  {
+    m_patches.resize(joined.number_of_parts());
+    sum_up(joined, [&](std::size_t f) { return face(f, m_surface.centroid(f)); });
+    m_adjacencies.reserve(m_surface.number_of_adjacencies());
+    for (std::size_t a = 0; a < m_surface.number_of_adjacencies(); ++a) {
+      const Index p = joined[m_surface.lower_face(a)], q = joined[m_surface.higher_face(a)];
+      if (p != q && !m_surface.has_flag(a, Surface::barrier))
+        m_adjacencies.push_back({(std::min)(p, q), (std::max)(p, q), m_surface.length(a)});
+    }
+    m_rounds.push_back(std::move(joined));
   }
 
   static bool has_joined_enough(const Partition& joined)
@@ -222,159 +188,150 @@ private:
     return fewer > 0 && fewer >= joined.size() / 32;
   }
 
-  template <typename Elements>
-  Partition select(const Elements& elements, double maximum_area) const
+  /// The element that each one selects, or itself. `maximum_area`: of both, share of the surface
+  template <typename ElementOf, typename ForEachAdjacency>
+  Large_array<Index> select(std::size_t size, const ElementOf& element_of,
+                            const ForEachAdjacency& for_each_adjacency, double maximum_area) const
   {
-    return Patch_selection(elements, maximum_area, m_unit, Surface_patches::deviation_weight,
-                           m_execution)
-      .joined();
-  }
-
-  template <typename AreaOf, typename CentroidOf>
-  void replace_places(const Partition& joined, const AreaOf& area_of, const CentroidOf& centroid_of)
-  {
-    constexpr Index none = (std::numeric_limits<Index>::max)();
-    Large_array<Patch_place> places(joined.number_of_parts());
-    Large_array<Index> firsts(places.size());
-    for_each_index(m_execution, places.size(), [&](std::size_t p) {
-      places[p] = Patch_place{};
-      firsts[p] = none;
+    const double largest = maximum_area * m_surface.area(), scale = 1 / m_surface.length_unit();
+    Large_array<Float_key> selected(size); // the smallest steps, and the elements at their ends
+    for (std::size_t i = 0; i < size; ++i)
+      selected[i] = make_float_key(std::numeric_limits<float>::infinity(), Index(i));
+    const auto offer = [&](Index i, Float_key key) { // branch-free: the order of steps is random
+      const Float_key lowest = selected[i];
+      selected[i] = key < lowest ? key : lowest;
+    };
+    for_each_adjacency([&](Index i, Index j) {
+      const Element &a = element_of(i), &b = element_of(j);
+      if (!(a.area + b.area <= largest))
+        return;
+      const float step = float(scale * norm(a.centroid - b.centroid) +
+                               Surface_patches::deviation_weight * norm(a.normal - b.normal));
+      offer(i, make_float_key(step, j));
+      offer(j, make_float_key(step, i));
     });
-    for_each_in_part(m_execution, joined, [&](std::size_t part, std::size_t p) {
-      firsts[part] = (std::min)(firsts[part], Index(p)); // unpredictable
-      places[part].add(area_of(p), centroid_of(p) - centroid_of(firsts[part]));
-    });
-    for_each_index(m_execution, places.size(),
-                   [&](std::size_t p) { places[p].end(centroid_of(firsts[p])); });
-    m_places = std::move(places);
-  }
-
-  template <typename AreaVector>
-  void replace_directions(const Partition& joined, const AreaVector& area_vector)
-  {
-    Large_array<Patch_direction> directions(joined.number_of_parts());
-    for_each_index(m_execution, directions.size(),
-                   [&](std::size_t p) { directions[p] = Patch_direction{}; });
-    for_each_in_part(m_execution, joined, [&](std::size_t part, std::size_t p) {
-      directions[part].add(area_vector(p));
-    });
-    for_each_index(m_execution, directions.size(), [&](std::size_t p) { directions[p].end(); });
-    m_directions = std::move(directions);
-  }
-
-  /// By those between the parts `part_of(patch)`; in place, once they are stored.
-  template <typename PartOf>
-  void replace_adjacencies(std::size_t number_of_parts, const PartOf& part_of)
-  {
-    if (m_adjacencies.empty()) {
-      store_adjacencies(number_of_parts, part_of);
-      return;
+    // Of two that select each other, the larger one is a root; of equal ones, the lower one.
+    Large_array<Index> parents(size);
+    for (Index i = 0; i < size; ++i) {
+      const Index j = index_of(selected[i]);
+      const bool is_larger = i < j ? !(element_of(j).area > element_of(i).area)
+                                   : element_of(i).area > element_of(j).area;
+      parents[i] = index_of(selected[j]) == i && is_larger ? i : j;
     }
-    m_execution.for_each(0, m_adjacencies.size(), [&](std::size_t range) {
-      Large_array<Adjacency>& adjacencies = m_adjacencies[range];
-      std::size_t n = 0;
-      for (std::size_t i = 0; i < adjacencies.size(); ++i) {
-        const Index a = part_of(adjacencies[i].lower), b = part_of(adjacencies[i].higher);
-        adjacencies[n] = {(std::min)(a, b), (std::max)(a, b), adjacencies[i].length};
-        n += a != b; // unpredictable
-      }
-      adjacencies.resize(n);
-    });
+    return parents;
   }
 
-  template <typename PartOf>
-  void store_adjacencies(std::size_t number_of_parts, const PartOf& part_of)
+  /// Makes the patches of joined elements. Centroids are summed relative to that of the first
+  /// element, to avoid cancellation far from the origin. The elements may be the patches so far:
+  /// the number of a part is at most that of its first element, so that what is overwritten was
+  /// read before.
+  template <typename ElementOf>
+  void sum_up(const Partition& joined, const ElementOf& element_of)
   {
-    std::vector<Large_array<Adjacency>> result(number_of_ranges());
-    m_execution.for_each(0, result.size(), [&](std::size_t range) {
-      Large_array<Adjacency>& adjacencies = result[range];
-      adjacencies.resize(4 * number_of_parts / result.size() + 1); // usually enough
-      std::size_t n = 0;
-      for_each_adjacency(range, [&](Index lower, Index higher, const auto& length) {
-        const Index a = part_of(lower), b = part_of(higher);
-        if (a == b)
-          return;
-        if (n == adjacencies.size())
-          adjacencies.resize(2 * n);
-        adjacencies[n++] = {(std::min)(a, b), (std::max)(a, b), length()};
-      });
-      adjacencies.resize(n);
-    });
-    m_adjacencies = std::move(result);
+    std::vector<Double_3> firsts; // the centroids of the first elements
+    firsts.reserve(joined.number_of_parts());
+    for (std::size_t i = 0; i < joined.size(); ++i) {
+      const Element e = element_of(i);
+      Element& sum = m_patches[joined[i]];
+      if (joined[i] == firsts.size()) {
+        firsts.push_back(e.centroid);
+        sum = Element{};
+      }
+      sum.centroid = sum.centroid + e.area * (e.centroid - firsts[joined[i]]);
+      sum.normal = sum.normal + e.projected_area * e.normal;
+      sum.area += e.area;
+    }
+    m_patches.resize(firsts.size());
+    const auto inverse = [](double x) { return x > 0 ? 1 / x : 0; };
+    for (std::size_t p = 0; p < m_patches.size(); ++p) {
+      Element& e = m_patches[p];
+      e.centroid = firsts[p] + inverse(e.area) * e.centroid;
+      e.projected_area = norm(e.normal);
+      e.normal = inverse(e.projected_area) * e.normal;
+    }
   }
 
-  /// The patches of the faces, with their centers and contacts.
+  /// The patches of the faces.
   Patches finish_fine()
   {
     Patches result = finish();
-    const auto is_degenerate = [&](std::size_t f) { return m_surface.is_degenerate(f); };
-    Patch_centers centers(result.m_patches);
-    for_each_in_part(m_execution, result.m_of_elements, [&](std::size_t p, std::size_t f) {
-      centers.offer(p, f, m_surface.centroid(f), is_degenerate);
-    });
-    set_contacts(result, m_surface);
+    set_centers(
+      result, [&](std::size_t f) { return m_surface.centroid(f); },
+      [&](std::size_t f) { return m_surface.is_degenerate(f); });
+    if (!m_surface.has_seams_or_links())
+      return result;
+    for (std::size_t a = 0; a < m_surface.number_of_adjacencies(); ++a) {
+      const Index p = result.m_of_elements[m_surface.lower_face(a)],
+                  q = result.m_of_elements[m_surface.higher_face(a)];
+      if (m_surface.has_flag(a, Surface::SEAM | Surface::LINK) && p != q &&
+          !m_surface.has_flag(a, Surface::CONSTRAINED))
+        result.m_contacts.push_back({(std::min)(p, q), (std::max)(p, q), m_surface.length(a)});
+    }
+    unite(result.m_contacts);
     return result;
   }
 
-  /// The patches of the rounds since the last call.
+  /// The patches of the rounds since the last call, of the patches before them.
   Patches finish()
   {
-    if (m_adjacencies.empty())
-      replace_adjacencies(m_places.size(), [](Index patch) { return patch; });
+    m_patches.shrink_to_fit(); // The first round leaves room for most of the faces.
     Patches result;
-    result.m_of_elements = take_rounds();
-    result.m_adjacencies = united_adjacencies();
-    result.m_patches.resize(m_places.size());
-    for_each_index(m_execution, m_places.size(), [&](std::size_t p) {
-      result.m_patches[p] = {m_places[p].centroid, m_directions[p].normal, m_places[p].area,
-                             no_center};
-    });
-    result.m_concave_deviations = concave_deviations(result.m_patches, result.m_adjacencies,
-                                                     m_execution);
-    return result;
-  }
-
-  /// The partition that the rounds make together: composed from the last one on, so that the faces
-  /// are relabelled once.
-  Partition take_rounds()
-  {
-    Partition result = Partition::into_single_elements(m_places.size());
+    // Composed from the last round on, so that the faces are relabelled once.
+    result.m_of_elements = Partition::into_single_elements(m_patches.size());
     for (; !m_rounds.empty(); m_rounds.pop_back())
-      result = composed(m_rounds.back(), result);
+      result.m_of_elements = composed(m_rounds.back(), result.m_of_elements);
+    unite(m_adjacencies);
+    result.m_adjacencies = m_adjacencies;
+    for (const Element& e : m_patches)
+      result.m_patches.push_back({e.centroid, e.normal, e.area, 0});
     return result;
   }
 
-  /// One for each two patches, sorted: a radix sort of two digits, since the order of those to be
-  /// summed must be kept.
-  Large_array<Adjacency> united_adjacencies()
+  /// Sorts adjacencies by both patches, and adds up the lengths of those of the same two.
+  void unite(Large_array<Adjacency>& adjacencies) const
   {
-    const Grouped_items<Adjacency> by_higher(m_places.size(), [&](const auto& add) {
-      for (const Large_array<Adjacency>& range : m_adjacencies)
-        for (const Adjacency& a : range)
-          add(a.higher, a);
+    // A radix sort of two digits: it keeps the order of the lengths to be added.
+    const Grouped_items<Adjacency> by_higher(m_patches.size(), [&](const auto& add) {
+      for (const Adjacency& a : adjacencies)
+        add(a.higher, a);
     });
-    m_adjacencies.clear();
-    Grouped_items<Adjacency> by_lower(m_places.size(), [&](const auto& add) {
+    const Grouped_items<Adjacency> by_lower(m_patches.size(), [&](const auto& add) {
       for (const Adjacency& a : by_higher.all())
         add(a.lower, a);
     });
-    Large_array<Adjacency> united = std::move(by_lower).all();
-    unite(united);
-    return united;
+    adjacencies.clear();
+    for (const Adjacency& a : by_lower.all())
+      if (!adjacencies.empty() && adjacencies.back().lower == a.lower &&
+          adjacencies.back().higher == a.higher)
+        adjacencies.back().length += a.length;
+      else
+        adjacencies.push_back(a);
+    adjacencies.shrink_to_fit();
+  }
+
+  template <typename CentroidOf, typename IsDegenerate>
+  void set_centers(Patches& patches, const CentroidOf& centroid_of,
+                   const IsDegenerate& is_degenerate) const
+  {
+    constexpr double infinity = std::numeric_limits<double>::infinity(),
+                     last_choice = (std::numeric_limits<double>::max)();
+    std::vector<double> distances(patches.size(), infinity); // of the centers, squared
+    for_each_in_part(m_execution, patches.m_of_elements, [&](std::size_t p, std::size_t i) {
+      const double distance = is_degenerate(i) ? last_choice
+                                               : squared_norm(centroid_of(i) - patches[p].centroid);
+      if (distance < distances[p]) {
+        distances[p] = distance;
+        patches.m_patches[p].center = Index(i);
+      }
+    });
   }
 
   const Surface& m_surface;
-  const Execution m_execution; // silent
-  const double m_unit;
+  const Execution m_execution;     // silent
   std::vector<Partition> m_rounds; // of the faces or the fine patches, then of the patches of the
                                    // round before
-  /// Of the patches, while there are many of them. In two arrays, which are replaced one after the
-  /// other: memory is used most then.
-  Large_array<Patch_place> m_places;
-  Large_array<Patch_direction> m_directions;
-  /// By range of edges of the mesh; several between two patches, until the end. Empty before the
-  /// second round.
-  std::vector<Large_array<Adjacency>> m_adjacencies;
+  Large_array<Element> m_patches;
+  Large_array<Adjacency> m_adjacencies; // of the patches; until the end several of the same two
 };
 
 } // namespace internal

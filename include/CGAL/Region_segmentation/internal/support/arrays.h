@@ -60,14 +60,14 @@ struct Large_page_allocator : std::allocator<T>
 template <typename T>
 using Large_array = std::vector<T, boost::noinit_adaptor<Large_page_allocator<T>>>;
 
-/// Items by their group, in one array, those of a group in the order of insertion: a counting sort.
-/// Groups are numbered from 0.
+/// An array of items, sorted by the numbers of their groups, in the order of insertion within a
+/// group. The algorithm is a counting sort.
 ///
-/// Sorting by comparison, superfacets take 1.2 times as long at 10,000 and at 160,000 faces,
-/// tracing rays 1.17 times at 160,000. (A small vector for each face takes the same time, and 16
+/// With a sort by comparison, superfacets of 10,000 and of 160,000 faces take 1.2 times as long,
+/// and rays at 160,000 faces 1.17 times. (A small vector for each face takes the same time, and 16
 /// bytes more per face.)
 ///
-/// Bytes: those of the items, and 8 per group.
+/// The array takes the bytes of the items, and 8 per group.
 template <typename Item>
 class Grouped_items
 {
@@ -76,7 +76,8 @@ public:
     : m_first(2, 0)
   {}
 
-  /// The items for which `for_each(add)` calls `add(group, item)`; it is called twice.
+  /// Sorts the items for which `for_each(add)` calls `add(group, item)`; `for_each` is called
+  /// twice.
   template <typename ForEach>
   Grouped_items(std::size_t number_of_groups, const ForEach& for_each)
     : m_first(number_of_groups + 2, 0)
@@ -89,8 +90,7 @@ public:
   }
 
   std::size_t number_of_groups() const { return m_first.size() - 2; }
-  const Large_array<Item>& all() const& { return m_items; }
-  Large_array<Item> all() && { return std::move(m_items); }
+  const Large_array<Item>& all() const { return m_items; }
   Iterator_range<const Item*> operator[](std::size_t group) const
   {
     return {m_items.data() + m_first[group], m_items.data() + m_first[group + 1]};
@@ -105,26 +105,26 @@ private:
   Large_array<Item> m_items;
 };
 
-/// Calls `f(item, first)` for each item that equals a lower one, with the lowest of those. The
-/// items are the numbers below 2^32 for which `for_each(add)` calls `add(item, hash)`; equal ones
-/// have equal hashes.
+/// Calls `f(item, first)` for each item that equals a lower one, where `first` is the lowest item
+/// that it equals. Items are the numbers below 2^32 for which `for_each(add)` calls `add(item,
+/// hash)`; equal items have equal hashes.
 ///
-/// O(n log n) for n items if few different ones have equal hashes, by sorting. (With a hash table
-/// of the points, reading takes 1.8 times as long at 1 million triangles, 2.6 times at 4 million.)
+/// Sorting takes O(n log n) for n items if few different items have equal hashes. (With a hash
+/// table of points, reading 1 million triangles takes 1.8 times as long, 4 million 2.6 times.)
 template <typename ForEach, typename AreEqual, typename F>
 void for_each_repetition(std::size_t most_items, const ForEach& for_each, const AreEqual& are_equal,
                          const F& f)
 {
   using Item = std::uint32_t;
-  using Key = std::uint64_t; // a hash folded to 32 bits, and the item
+  using Key = std::uint64_t; // a hash that is folded to 32 bits, and the item
   constexpr int bits = 32;
   Large_array<Key> keys;
   keys.reserve(most_items);
-  for_each([&](std::size_t item, std::uint64_t hash) { // of 32 or 64 bits
+  for_each([&](std::size_t item, std::uint64_t hash) { // a hash has 32 or 64 bits
     keys.push_back((hash ^ hash >> bits) << bits | Key(item));
   });
   boost::sort::spreadsort::integer_sort(keys.begin(), keys.end());
-  std::vector<Item> distinct; // those of a hash
+  std::vector<Item> distinct; // different items of the same hash
   for (std::size_t i = 0; i < keys.size(); ++i) {
     if (i > 0 && keys[i] >> bits != keys[i - 1] >> bits)
       distinct.clear();
@@ -138,14 +138,14 @@ void for_each_repetition(std::size_t most_items, const ForEach& for_each, const 
   }
 }
 
-/// 0 .. `size` - 1 in the order of `less(i, j)`: one sort, compiled once, for all that is seldom
-/// sorted.
+/// The numbers 0 .. `size` - 1 in the order of `less(i, j)`. This sort is compiled once, and slower
+/// than one that is compiled for its order.
 inline std::vector<std::uint32_t>
 sorted_indices(std::size_t size, const std::function<bool(std::uint32_t, std::uint32_t)>& less)
 {
   std::vector<std::uint32_t> result(size);
   std::iota(result.begin(), result.end(), std::uint32_t(0));
-  std::sort(result.begin(), result.end(), std::cref(less));
+  std::sort(result.begin(), result.end(), [&](auto i, auto j) { return less(i, j); });
   return result;
 }
 

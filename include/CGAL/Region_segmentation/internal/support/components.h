@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <functional>
 #include <numeric>
+#include <queue>
 #include <utility>
 #include <vector>
 
@@ -20,7 +21,8 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// The root of an element of a forest, in which a root is its own parent. Halves the path.
+/// The root of an element of a forest, in which a root is its own parent. The path to the root is
+/// halved.
 template <typename Parents, typename Index>
 Index root_in_forest(Parents& parents, Index i)
 {
@@ -36,7 +38,7 @@ Index root_in_forest(Parents& parents, Index i)
 /// A forest over the faces in which a parent is never above its child: the root of a tree is its
 /// lowest face, independently of the order of unions, so the array of parents becomes the array of
 /// labels, numbered by first faces.
-/// (`boost::disjoint_sets` keeps a second array and any root.)
+/// (`boost::disjoint_sets` keeps a second array, and its roots depend on the order of unions.)
 ///
 /// Threads may unite concurrently, each within its own range of faces.
 class Lowest_root_forest
@@ -49,12 +51,12 @@ public:
   {
     std::iota(m_parents.begin(), m_parents.end(), Index(0));
   }
-  /// `roots`: of the tree of each face
+  /// Has trees already: `roots` are the roots of the faces.
   explicit Lowest_root_forest(Partition::Numbers roots)
     : m_parents(std::move(roots))
   {}
 
-  /// Returns whether they were in different trees.
+  /// Unites the trees of two faces. Returns whether these were different.
   bool unite(Index a, Index b)
   {
     a = root(a);
@@ -65,10 +67,10 @@ public:
     return true;
   }
 
-  /// The lowest face of a tree.
+  /// The lowest face of the tree of a face.
   Index root(Index i) { return root_in_forest(m_parents, i); }
 
-  /// Numbers the trees by their roots. The forest is empty afterwards.
+  /// The trees as parts. The forest is empty afterwards.
   Partition take_partition()
   {
     Index number = 0;
@@ -83,10 +85,10 @@ private:
   Partition::Numbers m_parents;
 };
 
-/// The connected components of the faces across the adjacencies with none of the marks `barring`.
+/// The connected components of the faces across the adjacencies without a mark that is in
+/// `barring`. Each thread unites the faces of a range of blocks; adjacencies between two ranges
+/// follow at the end.
 /// `marks`: a byte for each adjacency
-/// Each thread unites the faces of a range of blocks; adjacencies between two ranges follow at the
-/// end.
 inline Partition label_components(const Surface& surface, const std::uint8_t* marks,
                                   std::uint8_t barring, const Execution& execution)
 {
@@ -114,7 +116,8 @@ inline Partition label_components(const Surface& surface, const std::uint8_t* ma
   return forest.take_partition();
 }
 
-/// The connected components of the faces across the adjacencies that `joins(adjacency)`.
+/// The connected components of the faces across the adjacencies for which `joins(adjacency)` is
+/// true.
 inline Partition label_components(const Surface& surface,
                                   const std::function<bool(std::size_t)>& joins,
                                   const Execution& execution)
@@ -124,14 +127,14 @@ inline Partition label_components(const Surface& surface,
   return label_components(surface, is_barred.data(), 1, execution);
 }
 
-/// The connected components across edges.
+/// The connected components of the faces across edges.
 inline Partition edge_components(const Surface& surface, const Execution& execution)
 {
   return label_components(surface, arrays_of(surface).flags.data(), Surface::SEAM | Surface::LINK,
                           execution);
 }
 
-/// By part of the faces: the sum of their areas, in their order.
+/// The area of each part of the faces: the sum of the areas of its faces, in their order.
 inline std::vector<double> part_areas(const Surface& surface, const Partition& parts)
 {
   std::vector<double> areas(parts.number_of_parts());
@@ -140,36 +143,57 @@ inline std::vector<double> part_areas(const Surface& surface, const Partition& p
   return areas;
 }
 
-/// Calls `f(part, element)` for all elements of a partition; those of a part in order, by one
-/// thread, so that sums are the same in parallel. Each thread first sorts a range of the elements
-/// by ranges of parts, then has one of these.
+/// Calls `f(part, element)` for all elements of a partition. Each thread has a range of the parts,
+/// and goes through their elements in order, so that sums are the same in parallel.
 ///
 /// \tparam Parts a `Partition` or a `Composed_partition`
 template <typename Parts, typename F>
 void for_each_in_part(const Execution& execution, const Parts& parts, const F& f)
 {
-  const std::size_t ranges = execution.number_of_threads();
-  if (ranges == 1) {
-    for (std::size_t i = 0; i < parts.size(); ++i)
-      f(parts[i], i);
-    return;
-  }
-  using Index = Partition::Index;
-  const std::size_t size = number_of_blocks(parts.size(), ranges),
+  const std::size_t ranges = execution.number_of_threads(),
                     number = number_of_blocks(parts.number_of_parts(), ranges); // in a range
-  std::vector<Grouped_items<Index>> elements(ranges);
   execution.for_each(0, ranges, [&](std::size_t range) {
-    const std::size_t end = (std::min)((range + 1) * size, parts.size());
-    elements[range] = Grouped_items<Index>(ranges, [&](const auto& add) {
-      for (std::size_t i = range * size; i < end; ++i)
-        add(parts[i] / number, Index(i));
+    for (std::size_t i = 0; i < parts.size(); ++i)
+      if (const std::size_t part = parts[i]; part >= range * number && part < (range + 1) * number)
+        f(part, i);
+  });
+}
+
+/// Dijkstra's algorithm from several sources, for a graph that is given by the steps from each
+/// node. Nodes at the same distance are visited by index.
+///
+/// `distances`: by node; infinite, or a bound: a node is entered below it.
+/// `visit(node)`: called for each node that is reached, when its distance is final; returns whether
+/// to go on. `for_each_step(node, enter)`: calls `enter(neighbor, length)` for the steps
+/// from a node, which returns whether the neighbor became nearer. A length that leads back to a
+/// distance of 0 makes a source of a node; it is visited again.
+template <typename Index, typename Visit, typename ForEachStep>
+void find_shortest_paths(const std::vector<Index>& sources, std::vector<double>& distances,
+                         const Visit& visit, const ForEachStep& for_each_step)
+{
+  using Entry = std::pair<double, Index>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> front;
+  for (const Index source : sources)
+    if (distances[source] > 0) { // so that a source that is given twice is visited once
+      distances[source] = 0;
+      front.push({0, source});
+    }
+  while (!front.empty()) {
+    const auto [distance, node] = front.top();
+    front.pop();
+    if (distance > distances[node]) // a shorter path was found later
+      continue;
+    if (!visit(node))
+      return;
+    for_each_step(node, [&, from = distance](Index neighbor, double length) {
+      const double longer = from + length;
+      if (!(longer < distances[neighbor]))
+        return false;
+      distances[neighbor] = longer;
+      front.push({longer, neighbor});
+      return true;
     });
-  });
-  execution.for_each(0, ranges, [&](std::size_t range_of_parts) {
-    for (const Grouped_items<Index>& of_range : elements)
-      for (const Index i : of_range[range_of_parts])
-        f(parts[i], i);
-  });
+  }
 }
 
 } // namespace internal

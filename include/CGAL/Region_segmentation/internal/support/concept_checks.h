@@ -61,7 +61,7 @@ void check_constants(const Part& part)
     part.check_constants();
 }
 
-/// Those of `Policy_phases`.
+/// Checks the constants of the policies of `Policy_phases`.
 template <typename... Policies>
 void check_constants(const std::tuple<std::pair<Policies, std::size_t>...>& phases)
 {
@@ -84,7 +84,8 @@ constexpr bool check_face_map()
 template <typename Values>
 using Number_of_parts = decltype(std::declval<const Values&>().number_of_parts());
 
-/// \throws Invalid_input if a type does not hold a label that is not none, or takes it for none
+/// \throws Invalid_input if the type `To` does not hold a label, or the label becomes -1, which
+/// stands for none
 template <typename To, typename Label>
 void check_label(Label label, const char* what = "label")
 {
@@ -95,8 +96,8 @@ void check_label(Label label, const char* what = "label")
                         ": the type of the map does not hold it, and -1 for none beside it");
 }
 
-/// \throws Invalid_input if a type does not hold the labels below `n`, and -1 for none beside them
-/// `what`: is written
+/// \throws Invalid_input if the type `To` does not hold the labels below `n` beside -1, which
+/// stands for none
 template <typename To>
 void check_labels(std::size_t n, const char* what = "label")
 {
@@ -112,22 +113,6 @@ constexpr bool check_edge_map()
     "a property map of the edges is needed: its key is the edge descriptor of the mesh. (One of a "
     "function f is boost::make_function_property_map<edge_descriptor>(f), one of a std::set s is "
     "CGAL::Boolean_property_map<decltype(s)>(s))");
-  return true;
-}
-
-template <typename OutputIterator, typename Value>
-using Takes_value = decltype(*std::declval<OutputIterator&>()++ = std::declval<Value>());
-
-/// For functions that output a value for each segment or border, of a type with the label type of
-/// the map as its argument.
-template <typename OutputIterator, typename Value>
-constexpr bool check_output_of_labels()
-{
-  static_assert(satisfies<Takes_value, OutputIterator, Value>,
-                "the output iterator does not take what this function gives: "
-                "Segment_piece<SegmentMesh, FaceGraph, Label>, Segment_border<FaceGraph, Label> or "
-                "Segment_description<Label, Kernel>, whose Label is the value type of the map of "
-                "segments");
   return true;
 }
 

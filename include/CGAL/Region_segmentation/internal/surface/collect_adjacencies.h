@@ -10,10 +10,10 @@
 #include <CGAL/Region_segmentation/internal/surface/read_surface.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <tuple>
 #include <utility>
@@ -86,7 +86,7 @@ struct Added_adjacency
   Surface::Index v = 0, w = 0;         ///< vertices
 };
 
-/// A link between two faces, with the length of contact; 0 for a gap.
+/// A link between two faces, with the length of their contact, which is 0 for a gap.
 inline Added_adjacency link_of(Surface::Index f, Surface::Index g, double length)
 {
   return {(std::min)(f, g), (std::max)(f, g), length * length, Surface::LINK};
@@ -128,8 +128,9 @@ inline Surface::Index side_between(const Surface& surface, Surface::Index face, 
   return result;
 }
 
-/// The adjacencies across edges, from the faces across the sides of each face. Those of a face are
-/// ordered by the lower faces, several adjacencies to one face by the boundary.
+/// Collects the adjacencies across edges, from the faces across the sides of each face. The
+/// adjacencies of a face are ordered by the lower faces, several adjacencies to one face by the
+/// boundary.
 inline void collect_adjacencies(Raw_surface& raw, const Execution& execution)
 {
   using Index = Surface::Index;
@@ -168,52 +169,59 @@ inline void collect_adjacencies(Raw_surface& raw, const Execution& execution)
                      for_each_block_of_output(execution, arrays.normals.size(), number_in, write));
 }
 
-/// Inserts adjacencies behind those of the same two faces.
-inline void insert_adjacencies(Surface& surface, std::vector<Added_adjacency> added)
+/// Lets the sides of added adjacencies lead to them: that of `face` always, that of the other face
+/// if it leads nowhere. `places`: those of the added adjacencies
+inline void set_sides(Surface& surface, const std::vector<Added_adjacency>& added,
+                      const Surface::Index* places)
+{
+  Large_array<Surface::Index>& adjacencies = arrays_of(surface).adjacencies;
+  for (const bool is_other : {false, true})
+    for (std::size_t i = 0; i < added.size(); ++i)
+      if (const Added_adjacency& s = added[i]; s.face != Surface::none) {
+        const Surface::Index face = is_other ? s.lower + s.higher - s.face : s.face;
+        Surface::Index& a = adjacencies[side_between(surface, face, s.v, s.w)];
+        a = is_other && a != Surface::none ? a : places[i];
+      }
+}
+
+/// Inserts adjacencies; each is placed behind those that are there between the same two faces.
+inline void insert_adjacencies(Surface& surface, const std::vector<Added_adjacency>& added)
 {
   using Index = Surface::Index;
   if (added.empty())
     return;
   Surface_arrays& arrays = arrays_of(surface);
-  std::stable_sort(added.begin(), added.end(), [](const auto& a, const auto& b) {
-    return std::tie(a.higher, a.lower) < std::tie(b.higher, b.lower);
-  });
-  std::size_t from = arrays.flags.size();
-  resize_adjacencies(arrays, from + added.size());
-  std::vector<Index> new_places(from), places(added.size()); // of those that there are, and of
-                                                             // added
-  const auto write = [&](std::size_t to, Index lower, Index higher, double squared_length,
-                         std::uint8_t flags) {
-    arrays.lower_faces[to] = lower;
-    arrays.higher_faces[to] = higher;
-    arrays.squared_lengths[to] = squared_length;
-    arrays.flags[to] = flags;
-    return Index(to);
-  };
-  for (std::size_t i = added.size(); i > 0;) { // from the last one on, so that nothing is
-                                               // overwritten
-    const Added_adjacency& a = added[i - 1];
-    if (const std::size_t to = from + i - 1, f = from - 1;
-        from > 0 &&
-        std::tie(a.higher, a.lower) < std::tie(arrays.higher_faces[f], arrays.lower_faces[f])) {
-      new_places[f] = write(to, arrays.lower_faces[f], arrays.higher_faces[f],
-                            arrays.squared_lengths[f], arrays.flags[f]);
-      --from;
-    } else {
-      places[--i] = write(to, a.lower, a.higher, a.squared_length, a.flags);
-      arrays.has_seams_or_links |= (a.flags & (Surface::SEAM | Surface::LINK)) != 0;
-    }
+  const std::size_t size = arrays.flags.size();
+  for (const Added_adjacency& a : added) {
+    arrays.lower_faces.push_back(a.lower);
+    arrays.higher_faces.push_back(a.higher);
+    arrays.squared_lengths.push_back(a.squared_length);
+    arrays.flags.push_back(a.flags);
+    arrays.has_seams_or_links |= (a.flags & (Surface::SEAM | Surface::LINK)) != 0;
   }
-  std::iota(new_places.begin(), new_places.begin() + std::ptrdiff_t(from), Index(0));
+  std::vector<Index> order(arrays.flags.size()), places(order.size());
+  std::iota(order.begin(), order.end(), Index(0));
+  const auto middle = order.begin() + std::ptrdiff_t(size);
+  const auto is_before = [&](Index a, Index b) {
+    return std::tie(arrays.higher_faces[a], arrays.lower_faces[a]) <
+           std::tie(arrays.higher_faces[b], arrays.lower_faces[b]);
+  };
+  std::stable_sort(middle, order.end(), is_before);
+  std::inplace_merge(order.begin(), middle, order.end(), is_before);
+  const auto reorder = [&](auto& array) {
+    auto old = array;
+    for (std::size_t i = 0; i < order.size(); ++i)
+      array[i] = old[order[i]];
+  };
+  reorder(arrays.lower_faces);
+  reorder(arrays.higher_faces);
+  reorder(arrays.squared_lengths);
+  reorder(arrays.flags);
+  for (std::size_t i = 0; i < order.size(); ++i)
+    places[order[i]] = Index(i);
   for (Index& a : arrays.adjacencies)
-    a = a == Surface::none ? a : new_places[a];
-  for (const bool is_other : {false, true}) // a side of the other face has it if it has none yet
-    for (std::size_t i = 0; i < added.size(); ++i)
-      if (const Added_adjacency& s = added[i]; s.face != Surface::none) {
-        const Index face = is_other ? s.lower + s.higher - s.face : s.face;
-        Index& a = arrays.adjacencies[side_between(surface, face, s.v, s.w)];
-        a = is_other && a != Surface::none ? a : places[i];
-      }
+    a = a == Surface::none ? a : places[a];
+  set_sides(surface, added, places.data() + size);
 }
 
 /// Marks the adjacencies of degenerate faces: the longest edge of each that is not constrained
@@ -222,7 +230,7 @@ inline void join_degenerate_faces(Surface& surface)
 {
   using Index = Surface::Index;
   Surface_arrays& arrays = arrays_of(surface);
-  std::vector<Index> longest; // by face
+  std::map<Index, Index> longest; // adjacency by degenerate face
   const auto key = [&](Index a, Index face) {
     const Index lower = surface.lower_face(a);
     return std::make_pair(-surface.squared_length(a),
@@ -233,14 +241,13 @@ inline void join_degenerate_faces(Surface& surface)
       if (!surface.is_degenerate(face) || surface.has_flag(a, Surface::LINK))
         continue;
       arrays.flags[a] = std::uint8_t((arrays.flags[a] & Surface::CONSTRAINED) | Surface::CLOSED);
-      longest.resize(surface.number_of_faces(), Surface::none);
-      if (!surface.has_flag(a, Surface::CONSTRAINED) &&
-          (longest[face] == Surface::none || key(a, face) < key(longest[face], face)))
-        longest[face] = a;
+      if (surface.has_flag(a, Surface::CONSTRAINED))
+        continue;
+      Index& best = longest.emplace(face, a).first->second;
+      best = key(a, face) < key(best, face) ? a : best;
     }
-  for (const Index a : longest)
-    if (a != Surface::none)
-      arrays.flags[a] = Surface::JOINING;
+  for (const auto& [face, a] : longest)
+    arrays.flags[a] = Surface::JOINING;
 }
 
 /// Sets the signs of all angles by the normals. A seam has a sign if the boundaries of its faces

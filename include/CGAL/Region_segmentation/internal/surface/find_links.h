@@ -12,7 +12,6 @@
 #include <CGAL/Region_segmentation/internal/surface/collect_adjacencies.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <tuple>
@@ -53,7 +52,7 @@ private:
   static constexpr Index none = (std::numeric_limits<Index>::max)();
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 
-  /// Two faces, or none, closer than a bound.
+  /// Two faces whose distance is below a bound, or none.
   struct Nearest
   {
     double squared_distance; ///< or the bound
@@ -91,8 +90,8 @@ private:
         add_link(n, (std::min)(borders[n.face], perimeter(n.other)) / 2);
   }
 
-  /// By face in contact: the length of its sides to faces that are not in contact with the same
-  /// component.
+  /// By face in contact with a component: the length of its sides to faces that are not in contact
+  /// with the same component.
   std::vector<double> border_lengths(const std::vector<Nearest>& nearest) const
   {
     const auto partner = [&](Index f) {
@@ -119,8 +118,8 @@ private:
     return result;
   }
 
-  /// A round of the algorithm of Boruvka: links each group of components with the nearest other
-  /// one, where that does not close a cycle.
+  /// A round of Boruvka's algorithm: links each group of linked components with the nearest other
+  /// group, where that does not close a cycle.
   void join_nearest()
   {
     std::vector<Nearest> nearest(m_component_of.number_of_parts(), Nearest{infinity}); // by group
@@ -134,11 +133,11 @@ private:
         add_link(n, 0);
   }
 
-  /// Calls `f(group, leaf, other)` for leaves of the tree, one in a group and one in another group,
-  /// if the squared distance of their boxes, and of those of the nodes above them, is below
-  /// `bound(group, node)`, for the leaf and the nodes above it. `f` may lower bounds. Once too many
-  /// leaves are compared, as where thousands of triangles cross each other, only infinite bounds
-  /// count.
+  /// Calls `f(group, leaf, other)` for pairs of leaves of the tree, `leaf` in the group and `other`
+  /// in another group, if the squared distance of their boxes is below `bound(group, leaf)`, and
+  /// the same is true of the nodes above them. `f` may lower bounds. Once too many leaves are
+  /// compared, as where thousands of triangles cross each other, only nodes with an infinite bound
+  /// are visited.
   template <typename Bound, typename F>
   void search(const Bound& bound, const F& f)
   {
@@ -159,7 +158,7 @@ private:
       });
   }
 
-  /// Replaces `nearest` if two leaves are closer than `bound`, a square.
+  /// Replaces `nearest` if the squared distance of two leaves is below `bound`.
   void compare(Index leaf, Index other, double bound, Nearest& nearest)
   {
     m_counter.advance();
@@ -181,14 +180,14 @@ private:
   const Partition& m_component_of;
   const Face_tree m_tree;
   std::vector<Added_adjacency> m_links;
-  Lowest_root_forest m_groups; // of components with a link
+  Lowest_root_forest m_groups; // sets of components with links between them
   std::size_t m_number_of_groups, m_number_left;
   Step_counter m_counter;
 };
 
-/// The links between components, of which `component_of` tells those across edges and seams.
+/// The links between components, which are connected by edges and seams.
 ///
-/// Nothing is done for one component. Otherwise O(F log F) in practice.
+/// One component has no links, which takes no time; more take O(F log F) in practice.
 inline std::vector<Added_adjacency>
 find_links(const Surface& surface, const Partition& component_of, const Execution& execution)
 {
@@ -226,7 +225,8 @@ merges_of_crumbs(const Surface& surface, const Partition& regions)
   const Surface_arrays& arrays = arrays_of(surface);
   const Partition& component_of = arrays.component_of;
   const std::vector<double> areas = part_areas(surface, component_of);
-  // Out of crumbs: area of the crumb, crumb, -length, distance, the two regions, the component.
+  // The ways out of crumbs: area of the crumb, crumb, -length of contact, distance, the region in
+  // the crumb, that in the other component, this component.
   std::vector<std::tuple<double, Index, double, double, Index, Index, Index>> ways;
   for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a)
     for (const bool is_reverse : {false, true}) {

@@ -84,12 +84,12 @@ inline bool is_lower(const Double_3& p, const Double_3& q)
   return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z);
 }
 
-/// Whether a triangle is above a point. Comparisons are half-open and computed alike from both
-/// sides of an edge, so an upward ray passes through exactly one of the faces around an edge or a
+/// Whether a triangle is above a point. Comparisons are half-open, and give the same for both faces
+/// of an edge, so that an upward ray passes through exactly one of the faces around an edge or a
 /// vertex.
 inline bool is_above_point(const Triangle& t, const Double_3& at)
 {
-  // Whether a side passes the point in the plane on the side of larger y.
+  // Whether a side of the triangle passes the point, in the plane of x and y, at larger y.
   const auto passes = [&](Double_3 p, Double_3 q) {
     if ((p.x <= at.x) == (q.x <= at.x))
       return false;
@@ -103,10 +103,10 @@ inline bool is_above_point(const Triangle& t, const Double_3& at)
   return n.z != 0 && t[0].z - (n.x * d.x + n.y * d.y) / n.z > at.z;
 }
 
-/// For each component the closed one with the largest box, of several the lowest, in which it lies;
-/// itself if there is none or if it is open. A component lies in another one if its box does and an
-/// odd number of faces of the other one are above its lowest vertex; so of two that cross either,
-/// neither or one may lie in the other. O(F log F) in practice.
+/// For each component the outermost closed component in which it lies; the component itself if
+/// there is none or if it is open. A component lies in another one if its box is in that of the
+/// other, smaller, and an odd number of faces of the other are above its lowest vertex. O(F log F)
+/// in practice.
 inline std::vector<Surface::Index> find_outermost(const Surface& surface,
                                                   const Partition& component_of,
                                                   const std::vector<bool>& is_closed)
@@ -117,18 +117,19 @@ inline std::vector<Surface::Index> find_outermost(const Surface& surface,
   std::vector<Double_3> lowest(is_closed.size(), {infinity, infinity, infinity});
   const Face_tree tree(surface);
   const auto component = [&](Index leaf) { return component_of[tree.face(leaf)]; };
-  for (Index node = 0; node < tree.boxes().number_of_nodes(); ++node)
-    if (tree.boxes().is_leaf(node)) {
-      boxes[component(node)].add(tree.boxes().box(node));
-      for (const Double_3& p : tree.triangle(node))
-        if (is_lower(p, lowest[component(node)]))
-          lowest[component(node)] = p;
+  for (Index f = 0; f < component_of.size(); ++f)
+    for (const Index v : surface.corners(f)) {
+      const Index c = component_of[f];
+      boxes[c].add(box_of(std::array{surface.point(v)}));
+      lowest[c] = (std::min)(lowest[c], surface.point(v), is_lower);
     }
-
   const auto is_in_box_of = [&](Index c, Index d) {
     Axis_box both = boxes[d];
     both.add(boxes[c]);
-    return both.low == boxes[d].low && both.high == boxes[d].high;
+    const auto is_both = [&](const Axis_box& b) {
+      return both.low == b.low && both.high == b.high;
+    };
+    return is_both(boxes[d]) && !is_both(boxes[c]);
   };
   std::vector<Index> result;
   for (Index c = 0; c < is_closed.size(); ++c) {
@@ -137,12 +138,12 @@ inline std::vector<Surface::Index> find_outermost(const Surface& surface,
       continue;
     Axis_box above = box_of(std::array{lowest[c]});
     above.high[2] = std::numeric_limits<float>::infinity();
-    std::map<Index, bool> contains; // by component: the parity of its faces above
+    std::map<Index, bool> contains; // by component: whether the number of its faces above is odd
     tree.boxes().search([&](Index node) { return squared_gap(tree.boxes().box(node), above); },
                         (std::numeric_limits<double>::min)(),
                         [&](Index leaf) {
                           const Index d = component(leaf);
-                          if (d != c && is_closed[d] && is_in_box_of(c, d))
+                          if (is_closed[d] && is_in_box_of(c, d))
                             contains[d] ^= is_above_point(tree.triangle(leaf), lowest[c]);
                         });
     for (const auto& [d, is_inside] : contains)
@@ -152,15 +153,15 @@ inline std::vector<Surface::Index> find_outermost(const Surface& surface,
   return result;
 }
 
-/// What decides whether a component is closed, and its orientation.
+/// The sums over a component that tell whether it is closed, and how it is oriented.
 struct Component_volume
 {
   Double_3 area_vector{};
   double area = 0, volume = 0; // the volume times 3
   bool has_border = false, has_seam = false;
 
-  /// The area vectors of a closed surface sum to zero; this decides where a component is closed
-  /// only together with its seams.
+  /// Whether the component is closed. The area vectors of a closed surface sum to zero, which
+  /// decides for a component that has seams.
   bool is_closed() const
   {
     constexpr double largest_gap = 1e-9;
@@ -169,7 +170,7 @@ struct Component_volume
 };
 
 /// Turns the outermost closed components of negative signed volume, together with the closed
-/// components inside them. Returns whether there are any.
+/// components inside them. Returns whether any face is turned.
 inline bool orient_components(Surface& surface)
 {
   using Index = Surface::Index;

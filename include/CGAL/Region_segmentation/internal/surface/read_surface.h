@@ -30,8 +30,8 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// A surface as it is read: its points and corners, and the face across each side, as far as it is
-/// known.
+/// A surface as it is read: its points and corners, and the face across each side, as far as this
+/// is known.
 ///
 /// A *side* of a face leads from one of its corners to the next one, and has the index of that
 /// corner.
@@ -41,7 +41,8 @@ struct Raw_surface
   static constexpr Index none = Surface::none, at_seam = none - 1;
 
   Surface surface;
-  /// By side: the face across; `none`: of a border, or not known; or `at_seam`.
+  /// By side: the face across it, or `none`, if the side is at a border or its face is not known,
+  /// or `at_seam`.
   Large_array<Index> neighbors;
 
   static bool is_face(Index neighbor) { return neighbor < at_seam; }
@@ -68,7 +69,7 @@ inline Surface::Index next_corner(const Surface_arrays& arrays, std::size_t face
                                                                      : corner + 1);
 }
 
-/// The side of the neighbor of a face across one of its sides.
+/// The side of the neighbor across a side of a face.
 /// \pre there is a neighbor
 inline Surface::Index side_across(const Raw_surface& raw, Surface::Index face, Surface::Index side)
 {
@@ -85,9 +86,8 @@ inline Surface::Index side_across(const Raw_surface& raw, Surface::Index face, S
   return s;
 }
 
-/// Chooses the unit of the points, and scales them. Those that no face uses may be anything, and
-/// become the origin.
-/// \throws Invalid_input if another one is not finite
+/// Chooses the unit of the points, and scales them. A point that no face uses becomes the origin.
+/// \throws Invalid_input if a point of a face is not finite
 inline void set_unit(Surface& surface)
 {
   Surface_arrays& arrays = arrays_of(surface);
@@ -109,7 +109,7 @@ inline void set_unit(Surface& surface)
       p = (1 / arrays.unit) * p;
 }
 
-/// The points and the corners of polygons. No neighbor is known yet.
+/// Reads points and the corners of polygons. No neighbor is known yet.
 /// \throws Invalid_input if a polygon has no corner or one that is not a point, or a point is not
 ///         finite
 template <typename PointRange, typename PolygonRange>
@@ -122,7 +122,7 @@ Raw_surface read_polygons(const PointRange& points, const PolygonRange& polygons
   const auto size = std::size_t(std::distance(std::begin(polygons), std::end(polygons)));
   arrays.points.reserve(std::size_t(std::distance(std::begin(points), std::end(points))));
   arrays.first_corners.reserve(size + 1);
-  arrays.corners.reserve(3 * size); // for triangles
+  arrays.corners.reserve(3 * size); // enough for triangles
   for (const auto& p : points)
     arrays.points.push_back({CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2])});
   arrays.first_corners.push_back(0);
@@ -148,9 +148,10 @@ Raw_surface read_polygons(const PointRange& points, const PolygonRange& polygons
   return raw;
 }
 
-/// The elements of a range by position, and the position of each, found by an index map of any
-/// numbering. Takes a descriptor per element, and 4 bytes unless the index is the position. (With
-/// these always, a mesh in random order of 320,000 faces is read in twice the time.)
+/// The elements of a range by position, and the position of each element, which is found by an
+/// index map of any numbering. It takes a descriptor per element, and 4 bytes unless the index is
+/// the position. (If these were always taken, a mesh of 320,000 faces in random order would be read
+/// in twice the time.)
 ///
 /// The descriptors are stored since the latencies of traversing a linked list add up, while those
 /// of several handles overlap.
@@ -169,8 +170,6 @@ public:
       is_identity &= std::size_t(get(m_index_map, d)) == size();
       m_elements.push_back(d);
     }
-    CGAL_precondition_msg(size() < (std::numeric_limits<Surface::Index>::max)(),
-                          "a mesh has fewer than 2^32 - 1 vertices and faces");
     if (!is_identity)
       m_ranks.resize(capacity);
     for (std::size_t rank = 0; rank < size() && !is_identity; ++rank) {
@@ -190,7 +189,7 @@ public:
 
 private:
   IndexMap m_index_map;
-  Large_array<Surface::Index> m_ranks; // by index; empty: the same
+  Large_array<Surface::Index> m_ranks; // by index; empty if each rank is the index
   std::vector<Descriptor> m_elements;
 };
 
@@ -254,27 +253,7 @@ private:
   Iteration_ranks<Vertex_index_map, vertex_descriptor> m_vertices;
 };
 
-/// The points of the vertices. A vertex point map may return points by value.
-template <typename FaceGraph, typename Pack>
-void read_points(const Mesh_order<FaceGraph, Pack>& order, const Pack& np, Surface_arrays& arrays,
-                 const Execution& execution)
-{
-  const auto point_map = CGAL::parameters::choose_parameter(
-    CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_point),
-    get_const_property_map(vertex_point, order.mesh()));
-  arrays.points.resize(order.number_of_vertices());
-  for_each_block(execution, order.number_of_vertices(),
-                 [&](std::size_t, std::size_t begin, std::size_t end) {
-                   for (std::size_t i = begin; i < end; ++i) {
-                     const auto v = order.ordered_vertices()[i];
-                     const auto& p = get(point_map, v);
-                     Double_3& q = arrays.points[i];
-                     q = {CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2])};
-                   }
-                 });
-}
-
-/// The corners of the faces, and the faces across their sides.
+/// Reads the corners of the faces, and the faces across their sides.
 template <typename FaceGraph, typename Pack>
 void read_corners(const Mesh_order<FaceGraph, Pack>& order, Raw_surface& raw,
                   const Execution& execution)
@@ -308,17 +287,29 @@ void read_corners(const Mesh_order<FaceGraph, Pack>& order, Raw_surface& raw,
   arrays.first_corners.back() = Surface::Index(number);
   arrays.corners.resize(number);
   raw.neighbors.resize(number);
-  // Not face by face above: what is unpredictable waits for memory there.
+  // A loop of its own: the search for the lowest vertex, whose branches are random, would make the
+  // loop above wait for memory.
   begin_at_lowest_vertices(raw, execution);
 }
 
+/// Reads the points of the vertices and the corners of the faces. A vertex point map may return
+/// points by value.
 template <typename FaceGraph, typename Pack>
 Raw_surface read_face_graph(const Mesh_order<FaceGraph, Pack>& order, const Pack& np,
                             const Execution& execution)
 {
   Raw_surface raw;
-  read_points(order, np, arrays_of(raw.surface), execution.step(0, 0.3));
-  read_corners(order, raw, execution.step(0.3, 1));
+  const auto point_map = CGAL::parameters::choose_parameter(
+    CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_point),
+    get_const_property_map(vertex_point, order.mesh()));
+  Large_array<Double_3>& points = arrays_of(raw.surface).points;
+  points.resize(order.number_of_vertices());
+  for_each_index(execution, points.size(), [&](std::size_t i) {
+    const auto v = order.ordered_vertices()[i];
+    const auto& p = get(point_map, v);
+    points[i] = {CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2])};
+  });
+  read_corners(order, raw, execution);
   set_unit(raw.surface);
   return raw;
 }

@@ -21,113 +21,103 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// How far the neighbors of each vertex lie above it on average, along the normal: what noise
-/// changes most.
-class Vertex_heights
+/// The normal of a vertex, and how far its neighbors lie above it on average, along this normal:
+/// what noise changes most.
+struct Vertex_height
 {
-public:
-  using Points = Large_array<Double_3>;
-
-  /// With the vertices of the surface at these points.
-  Vertex_heights(const Surface& surface, const Points& points)
-    : m_surface(surface)
-    , m_normals(points.size())
-    , m_heights(points.size())
-  {
-    std::vector<Double_3> to_neighbors(points.size()); // sums over the faces, to both neighbors
-    std::vector<std::uint32_t> numbers(points.size());
-    for (std::size_t f = 0; f < surface.number_of_faces(); ++f) {
-      for_each_side(surface, f, [&](Index v, Index w) {
-        const Double_3 along = points[w] - points[v];
-        to_neighbors[v] = to_neighbors[v] + along;
-        to_neighbors[w] = to_neighbors[w] - along;
-        ++numbers[v];
-      });
-      const auto corners = surface.corners(f);
-      const Double_3 area = area_vector(points.data(), corners.begin(), corners.end());
-      for (const Index v : corners)
-        if (!surface.is_degenerate(f))
-          m_normals[v] = m_normals[v] + 2 * area;
-    }
-    constexpr double flat = 1e-5; // height^2 / area of the faces around: smaller heights are 0
-    for (std::size_t v = 0; v < points.size(); ++v)
-      if (const double twice_area = norm(m_normals[v]); twice_area > 0) {
-        m_normals[v] = (1 / twice_area) * m_normals[v];
-        const double height = dot(to_neighbors[v], m_normals[v]) / (2 * numbers[v]);
-        m_heights[v] = 2 * (height * height) > flat * twice_area ? height : 0;
-      }
-  }
-
-  /// Whether more than this share of the sides of faces join heights of opposite signs.
-  /// Independent noise of the points makes it 4/7 of the edges; of 190 models of the Princeton
-  /// benchmark, and of 47 of them with faces split into four, none has more than .41.
-  bool are_opposite(double share) const
-  {
-    std::size_t all = 0, opposite = 0;
-    for (std::size_t f = 0; f < m_surface.number_of_faces(); ++f)
-      for_each_side(m_surface, f, [&](Index v, Index w) {
-        const double product = m_heights[v] * m_heights[w];
-        all += product != 0;
-        opposite += product < 0;
-      });
-    return double(opposite) > share * double(all) + std::sqrt(double(all)); // not by chance
-  }
-
-  /// Moves the points along their normals to the heights of their neighbors, but at creases.
-  void smooth(Points& points) const
-  {
-    const double largest = largest_of_noise();
-    for (std::size_t v = 0; v < points.size(); ++v)
-      if (std::fabs(m_heights[v]) <= largest)
-        points[v] = points[v] + m_heights[v] * m_normals[v];
-  }
-
-private:
-  using Index = Surface::Index;
-
-  /// Larger heights stand out of the noise: they are those of creases. 3 times the median of those
-  /// that are not 0.
-  double largest_of_noise() const
-  {
-    std::vector<double> heights;
-    for (const double height : m_heights)
-      if (height != 0)
-        heights.push_back(std::fabs(height));
-    if (heights.empty())
-      return 0;
-    const auto median = heights.begin() + std::ptrdiff_t(heights.size() / 2);
-    std::nth_element(heights.begin(), median, heights.end());
-    return 3 * *median;
-  }
-
-  const Surface& m_surface;
-  std::vector<Double_3> m_normals;
-  std::vector<double> m_heights;
+  Double_3 normal{};
+  double height = 0;
 };
 
-/// The surface with its points moved to the height of their neighbors, but at creases, until little
-/// noise is left; none where there is not more noise than curvature. So angles are measured over a
-/// width that the noise asks for. O(F).
+/// The heights of the vertices of a surface, if these are at the given points. A height is 0 if its
+/// square is less than 1e-5 times the area of the faces around the vertex.
+inline std::vector<Vertex_height> vertex_heights(const Surface& surface,
+                                                 const Large_array<Double_3>& points)
+{
+  using Index = Surface::Index;
+  std::vector<Vertex_height> result(points.size());
+  std::vector<Double_3> to_neighbors(points.size()); // sums over the faces, to both neighbors
+  std::vector<std::uint32_t> numbers(points.size());
+  for (std::size_t f = 0; f < surface.number_of_faces(); ++f) {
+    for_each_side(surface, f, [&](Index v, Index w) {
+      const Double_3 along = points[w] - points[v];
+      to_neighbors[v] = to_neighbors[v] + along;
+      to_neighbors[w] = to_neighbors[w] - along;
+      ++numbers[v];
+    });
+    const auto corners = surface.corners(f);
+    const Double_3 area = area_vector(points.data(), corners.begin(), corners.end());
+    for (const Index v : corners)
+      if (!surface.is_degenerate(f))
+        result[v].normal = result[v].normal + 2 * area;
+  }
+  for (std::size_t v = 0; v < points.size(); ++v)
+    if (const double twice_area = norm(result[v].normal); twice_area > 0) {
+      result[v].normal = (1 / twice_area) * result[v].normal;
+      const double height = dot(to_neighbors[v], result[v].normal) / (2 * numbers[v]);
+      result[v].height = 2 * (height * height) > 1e-5 * twice_area ? height : 0;
+    }
+  return result;
+}
+
+/// Whether more than this share of the sides of faces join heights of opposite signs. Independent
+/// noise of the points makes it 4/7 of the edges; of 190 models of the Princeton benchmark, and of
+/// 47 of them with faces split into four, none has more than .41.
+inline bool are_opposite(const Surface& surface, const std::vector<Vertex_height>& heights,
+                         double share)
+{
+  std::size_t all = 0, opposite = 0;
+  for (std::size_t f = 0; f < surface.number_of_faces(); ++f)
+    for_each_side(surface, f, [&](Surface::Index v, Surface::Index w) {
+      const double product = heights[v].height * heights[w].height;
+      all += product != 0;
+      opposite += product < 0;
+    });
+  return double(opposite) > share * double(all) + std::sqrt(double(all)); // the last term excludes
+                                                                          // chance
+}
+
+/// Moves the points along their normals to the heights of their neighbors. Points at creases stay:
+/// their heights are more than 3 times the median of those that are not 0.
+inline void smooth_points(const std::vector<Vertex_height>& heights, Large_array<Double_3>& points)
+{
+  std::vector<double> sizes;
+  for (const Vertex_height& h : heights)
+    if (h.height != 0)
+      sizes.push_back(std::fabs(h.height));
+  if (sizes.empty())
+    return;
+  const auto median = sizes.begin() + std::ptrdiff_t(sizes.size() / 2);
+  std::nth_element(sizes.begin(), median, sizes.end());
+  for (std::size_t v = 0; v < points.size(); ++v)
+    if (std::fabs(heights[v].height) <= 3 * *median)
+      points[v] = points[v] + heights[v].height * heights[v].normal;
+}
+
+/// The surface with its points moved to the height of their neighbors, except at creases, until
+/// little noise is left; nothing if there is not more noise than curvature. The more noise there
+/// is, the wider is the part of the surface over which an angle is then measured. O(F).
 inline std::optional<Surface> without_noise(const Surface& surface, const Execution& execution)
 {
   constexpr int most_rounds = 5;
   Large_array<Double_3> points = arrays_of(surface).points;
   for (int round = 0; round < most_rounds; ++round) {
-    const Vertex_heights heights(surface, points);
-    const double share_of_noise = round == 0 ? 0.42 : 0.2; // of edges
-    const bool is_noisy = heights.are_opposite(share_of_noise);
-    if (!is_noisy && round == 0)
+    const std::vector<Vertex_height> heights = vertex_heights(surface, points);
+    const double share_of_noise = round == 0 ? 0.42 : 0.2; // of the sides between vertices with
+                                                           // heights
+    if (are_opposite(surface, heights, share_of_noise))
+      smooth_points(heights, points);
+    else if (round == 0)
       return std::nullopt;
-    if (!is_noisy)
+    else
       break;
-    heights.smooth(points);
   }
   Surface result = surface;
   Surface_arrays& arrays = arrays_of(result);
   arrays.points = std::move(points);
   compute_normals(result, execution);
   for (std::size_t f = 0; f < surface.number_of_faces(); ++f)
-    if (surface.is_degenerate(f)) { // remains so
+    if (surface.is_degenerate(f)) { // a degenerate face remains degenerate
       arrays.normals[f] = {0, 0, 0};
       arrays.areas[f] = surface.area(f);
     }
