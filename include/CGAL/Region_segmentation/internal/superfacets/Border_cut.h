@@ -33,8 +33,8 @@ namespace internal {
 /// terminals. Of several minimum cuts, `improve()` takes one that moves the fewest nodes, and of
 /// these the one with the fewest nodes on the side of the source.
 ///
-/// Boost.Graph finds the flow in a graph of compressed rows: with a `boost::adjacency_list`, the
-/// default method takes 8 % more instructions.
+/// Boost.Graph finds the flow in a graph of compressed rows: with a `boost::adjacency_list`, a
+/// `Segmenter` with the default method takes 5 % more instructions, and `segment()` 1.5 %.
 ///
 /// Capacities are rounded to integers whose sum is about 2^51 divided by the number of nodes. Sums
 /// of integers are exact, so the cut does not depend on the order of nodes and edges. No rounded
