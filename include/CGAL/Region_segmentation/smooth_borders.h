@@ -75,11 +75,13 @@ move_borders_of_pieces(const Surface& surface, const Minimum_cut_borders& border
 
   const std::vector<double> areas = part_areas(surface, pieces);
   const std::vector<bool> is_fixed = faces_at_constrained_borders(surface, label_of);
-  const auto distance = [&](Index f, Index g) {
-    return norm(surface.centroid(f) - surface.centroid(g)) / surface.length_unit();
-  };
   std::vector<Index> piece_of(pieces.begin(), pieces.end());
-  Border_cut cut(costs, distance, piece_of);
+  Border_cut cut(
+    costs,
+    [&](Index f, Index g) {
+      return norm(surface.centroid(f) - surface.centroid(g)) / surface.length_unit();
+    },
+    piece_of);
   Step_counter counter(execution, sides.size());
   for (const auto& [ab, faces] : sides) {
     std::vector<Index> border; // what the moves of earlier pairs have left of it

@@ -40,24 +40,28 @@ class Nested_borders
 public:
   using Index = Dual_graph::Index;
 
-  /// `costs`: of the borders between adjacent elements; `distance`: see `Border_cut`; `areas` and
-  /// `region_of`: by element; `is_fixed(region)`: whether its elements stay in the segments of the
-  /// region, of at most one region of a tree
-  Nested_borders(const Dual_graph& costs, std::function<double(Index, Index)> distance,
-                 const std::vector<double>& areas, std::vector<Index> region_of,
-                 const Merge_tree& tree, std::function<bool(Index)> is_fixed)
-    : m_costs(costs)
-    , m_areas(areas)
-    , m_region_of(std::move(region_of))
-    , m_is_fixed(is_fixed)
+  /// See `Border_straightening::operator()`; the cells are the elements.
+  Nested_borders(const Minimum_cut_borders& borders, const Surface& surface, const Patches& cells,
+                 const Requested_regions& requested, const Merge_tree& tree)
+    : m_borders(borders)
+    , m_unit(surface.length_unit())
+    , m_cells(cells)
+    , m_requested(requested)
     , m_tree(tree)
+    , m_costs(cells, Dual_graph::EDGES_AND_CONTACTS,
+              [&](const Patches::Adjacency& a, double deviation) {
+                return borders.cost(a.length / m_unit, deviation);
+              })
     , m_regions(tree.number_of_regions())
     , m_elements(tree.number_of_regions())
     , m_lost(tree.number_of_regions())
     , m_part_of(tree.number_of_regions())
-    , m_label_of(m_region_of.size())
-    , m_component_of(m_region_of.size(), none)
-    , m_cut(costs, distance, m_label_of)
+    , m_label_of(cells.size())
+    , m_component_of(cells.size(), none)
+    , m_cut(
+        m_costs,
+        [&](Index p, Index q) { return norm(cells[p].centroid - cells[q].centroid) / m_unit; },
+        m_label_of)
   {
     for (Index r = 0; r < m_regions.size(); ++r)
       m_regions[r] = {r};
@@ -70,17 +74,17 @@ public:
     for (Index segment = 0; segment < m_regions.size(); ++segment)
       for (const Index r : m_regions[segment])
         m_part_of[r] = segment;
-    for (Index e = 0; e < m_region_of.size(); ++e) {
+    for (Index e = 0; e < cells.size(); ++e) {
+      m_region_of.push_back(requested.regions[cells[e].center]);
       m_label_of[e] = m_part_of[m_region_of[e]];
       m_elements[m_label_of[e]].push_back(e);
     }
   }
 
   /// Undoes merges until there are `number_of_segments` that have elements. The borders of the
-  /// last `number_of_cuts` merges are moved. `width(area)`: of the band, by the smaller area of the
-  /// two parts. Returns, by element, the lowest region of its segment.
+  /// last `number_of_cuts` merges are moved. Returns, by element, the lowest region of its segment.
   std::vector<Index> run(std::size_t number_of_cuts, std::size_t number_of_segments,
-                         std::function<double(double)> width, const Execution& execution)
+                         const Execution& execution)
   {
     const std::size_t merges = m_tree.merges().size();
     std::size_t segments = m_tree.number_of_regions() - merges;
@@ -91,7 +95,7 @@ public:
       divide_regions(a, b, m_numbers_of_removed[i]);
       divide(elements, a, b);
       if (merges - i <= number_of_cuts)
-        move_border(elements, a, b, width);
+        move_border(elements, a, b);
       const auto of_b = std::stable_partition(elements.begin(), elements.end(),
                                               [&](Index e) { return m_label_of[e] == a; });
       m_elements[b].assign(of_b, elements.end());
@@ -106,9 +110,14 @@ public:
 private:
   static constexpr Index none = (std::numeric_limits<Index>::max)();
 
+  /// The share of the area of the surface.
+  double area(Index element) const { return m_cells[element].area / m_unit / m_unit; }
+
+  /// Whether the element stays in the segments of its region, of which there is at most one in a
+  /// tree.
   bool is_fixed(Index element) const
   {
-    return m_region_of[element] != none && m_is_fixed(m_region_of[element]);
+    return m_region_of[element] != none && m_requested.is_fixed(m_region_of[element]);
   }
 
   /// Undoes the merge of two parts. The regions of b are the last ones of the segment.
@@ -153,8 +162,7 @@ private:
           label_component(e, Index(areas.size()));
           areas.push_back(0);
         }
-        areas[m_component_of[e]] += is_fixed(e) ? std::numeric_limits<double>::infinity()
-                                                : m_areas[e];
+        areas[m_component_of[e]] += is_fixed(e) ? std::numeric_limits<double>::infinity() : area(e);
       }
     const auto largest = std::max_element(areas.begin(), areas.end()) - areas.begin();
     for (const Index e : elements)
@@ -207,19 +215,19 @@ private:
   }
 
   /// The elements that move have no region any more.
-  void move_border(const std::vector<Index>& elements, Index a, Index b,
-                   std::function<double(double)> width)
+  void move_border(const std::vector<Index>& elements, Index a, Index b)
   {
     double area_of_a = 0, area_of_b = 0;
     std::vector<Index> border;
     for (const Index e : elements) {
-      (m_label_of[e] == a ? area_of_a : area_of_b) += m_areas[e];
+      (m_label_of[e] == a ? area_of_a : area_of_b) += area(e);
       for (const auto& step : m_costs.steps(e))
         if (m_label_of[e] == b && m_label_of[step.face] == a)
           border.insert(border.end(), {e, step.face});
     }
-    for (const Index e : m_cut.move_border(a, b, border, width((std::min)(area_of_a, area_of_b)),
-                                           [&](Index e) { return is_fixed(e); }))
+    const double width = m_borders.band_width((std::min)(area_of_a, area_of_b));
+    for (const Index e :
+         m_cut.move_border(a, b, border, width, [&](Index element) { return is_fixed(element); }))
       take_from_region(e);
   }
 
@@ -229,11 +237,13 @@ private:
       m_lost[r].push_back(element);
   }
 
-  const Dual_graph& m_costs;
-  const std::vector<double>& m_areas;
-  std::vector<Index> m_region_of; // by element; none if it has moved
-  std::function<bool(Index)> m_is_fixed;
+  const Minimum_cut_borders& m_borders;
+  const double m_unit; // of lengths
+  const Patches& m_cells;
+  const Requested_regions& m_requested;
   const Merge_tree& m_tree;
+  Dual_graph m_costs;                                    // of the borders between elements
+  std::vector<Index> m_region_of;                        // by element; none if it has moved
   std::vector<std::size_t> m_numbers_of_removed;         // by merge: of the regions
   std::vector<std::vector<Index>> m_regions, m_elements; // by segment
   std::vector<std::vector<Index>> m_lost;                // by region: the elements that it has lost
@@ -302,25 +312,8 @@ struct Border_straightening : Minimum_cut_borders
                                          std::size_t number_of_segments,
                                          const Execution& execution) const
   {
-    const double length_unit = surface.length_unit();
-    std::vector<double> areas;
-    std::vector<Surface::Index> region_of;
-    for (std::size_t c = 0; c < cells.size(); ++c) {
-      areas.push_back(cells[c].area / length_unit / length_unit);
-      region_of.push_back(requested.regions[cells[c].center]);
-    }
-    const auto distance = [&](Surface::Index p, Surface::Index q) {
-      return norm(cells[p].centroid - cells[q].centroid) / length_unit;
-    };
-    const internal::Dual_graph costs(cells, internal::Dual_graph::EDGES_AND_CONTACTS,
-                                     [&](const Patches::Adjacency& a, double deviation) {
-                                       return cost(a.length / length_unit, deviation);
-                                     });
-    const auto is_fixed = [&](Surface::Index r) { return requested.is_fixed(r); };
-    return internal::Nested_borders(costs, distance, areas, std::move(region_of), tree, is_fixed)
-      .run(
-        number_of_cuts, number_of_segments, [&](double area) { return band_width(area); },
-        execution);
+    return internal::Nested_borders(*this, surface, cells, requested, tree)
+      .run(number_of_cuts, number_of_segments, execution);
   }
 };
 

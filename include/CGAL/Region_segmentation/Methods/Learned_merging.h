@@ -29,8 +29,8 @@ namespace CGAL {
 namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationAnnotators
-/// fills, in addition to `Visibility_annotator`, the data of which `Merge_features` are made:
-/// for graphs with `Learned_region_data` and `Learned_section_data`.
+/// fills the data of which `Merge_features` are made, those of `Visibility_annotator` included, of
+/// graphs with `Learned_region_data` and `Learned_section_data`.
 ///
 /// A face of area \f$a\f$ (share of the surface), unit normal \f$N\f$ and centroid \f$c\f$ adds to
 /// its region
@@ -45,14 +45,14 @@ namespace Region_segmentation {
 /// Coordinates are relative to the centroid of the first face, in units of \f$\sqrt{A}\f$. Each
 /// region has the `Whole_shape` of all of them.
 ///
-/// Complexity: that of `Visibility_annotator`, and O(F + S). Deterministic.
+/// Complexity: O(F + S) beyond that of `Visibility_annotator`. Deterministic.
 class Learned_annotator : public Visibility_annotator
 {
 public:
   using RegionData = Learned_region_data;
   using SectionData = Learned_section_data;
 
-  /// `rays`: of the regions
+  /// Fills the data of `graph`. `rays` are those of `regions`.
   template <typename Graph>
   void operator()(Graph& graph, const Surface& surface, const Partition& regions,
                   const Region_rays& rays) const
@@ -89,15 +89,15 @@ private:
   static Whole_shape whole_shape(const Graph& graph)
   {
     internal::Second_moments moments;
-    double area = 0, area_vectors = 0, outward = 0, distances = 0, strongly_concave = 0, length = 0;
-    // The sums of w n n and w n n n n, of the area vectors w n: their squared norms are the sums of
-    // the second and fourth powers of the cosines over all pairs.
+    double area_vectors = 0, outward = 0, distances = 0, strongly_concave = 0, length = 0;
+    // With the area vectors written as w n, n of length 1, these are the sums of the tensors w n n
+    // and w n n n n. Their squared norms are the sums over all pairs of regions of the second and
+    // fourth powers of the cosine between two normals, weighted by w.
     std::array<double, 9> squares{};
     std::array<double, 81> fourth_powers{};
     for (auto range = vertices(graph); range.first != range.second; ++range.first) {
       const Learned_region_data& region = graph[*range.first];
       moments.add(region.moments);
-      area += region.area;
       const double weight = norm(region.area_vector);
       if (!(weight > 0))
         continue;
@@ -119,20 +119,21 @@ private:
       strongly_concave += graph[*range.first].strongly_concave_length;
       length += graph[*range.first].length;
     }
-    double squared_sines = 0; // of the doubled angles, by 4
+    double squared_sines = 0; // the sum of sin^2(2 alpha) / 4 over all pairs
     for (const double s : squares)
       squared_sines += s * s;
     for (const double f : fourth_powers)
       squared_sines -= f * f;
     const auto ratio = [](double a, double b) { return b > 0 ? a / b : 0; };
     return {-std::log((std::max)(1e-12, CGAL_PI * moments.covariance().trace())),
-            ratio(area_vectors, area), ratio(strongly_concave, length),
+            ratio(area_vectors, moments.weight), ratio(strongly_concave, length),
             1 - 4 * ratio(squared_sines, area_vectors * area_vectors), ratio(outward, distances)};
   }
 };
 
 /// \ingroup PkgRegionSegmentationPolicies
-/// What a learned model says of a section.
+/// The probability that a learned model gives to a merge, and the features that costs need beside
+/// it.
 ///
 /// The model is a function of `Merge_features`, integers \f$x_i\f$: a neural network with one
 /// hidden layer. With the inputs \f$y_i = f_i (x_i - c_i)\f$, in \f$2^{-8}\f$, rounded toward 0
@@ -148,14 +149,14 @@ private:
 ///
 /// The constants are those of the header `internal/model/learned_merge_model.h`. They were trained
 /// on half of the Princeton benchmark and on furniture, see `doc/accuracy.md`. Since features are
-/// rounded, constants are integers, and what follows uses only arithmetic operations whose rounding
-/// is prescribed, the last bits of logarithms, which differ between libraries, do not decide.
+/// rounded, constants are integers, and all later operations have a prescribed rounding, costs do
+/// not depend on the last bits of logarithms, which differ between libraries.
 struct Merge_estimate
 {
-  double probability;        ///< p, that two points, one in either region, belong to one part for
-                             ///< people; that of the least odds where two components do not touch
+  double probability;        ///< p: the probability that two points, one in either region, belong
+                             ///< to one part for people; the least one if the section has no length
   double log_share_of_pairs; ///< ln w, w the product of the shares of the area of the two regions
-  double visibility_cost;    ///< v
+  double visibility_cost;    ///< v: the `Visibility_cost`, rounded as a feature
 
   /// \tparam Graph a `Region_adjacency_graph` with the data of `Learned_annotator`
   template <typename Graph>
@@ -181,18 +182,19 @@ struct Merge_estimate
 /// The order in which a learned model merges. A model of `SectionCost`, for graphs annotated by
 /// `Learned_annotator`.
 ///
-/// With p the probability that two points, one in either region, belong to one part, and w the
-/// product of the shares of the area of the two regions, the cost is \f[ (1 - 2 p) (w / w_0)^e + c
+/// With \f$p\f$ the probability that two points, one in either region, belong to one part, and
+/// \f$w\f$ the product of the shares of the area of the two regions, the cost is \f[ (1 - 2 p) (w /
+/// w_0)^e + c
 /// \, v, \f] \f$w_0 = e^{-4.605}\f$ (0.01), \f$e\f$ the exponent of gains if p > 1/2, else that of
 /// losses, \f$v\f$ the `Visibility_cost`. \f$w\f$ and \f$v\f$ are those of the rounded features. A
-/// merge changes the expected Rand index distance by 2 w (1 - 2 p); but the lowest powers of w give
-/// the best order.
+/// merge changes the expected Rand index distance by \f$2 w (1 - 2 p)\f$; lower powers of \f$w\f$
+/// give a better order of merges.
 struct Learned_cost
 {
   using RegionData = Learned_region_data;
   using SectionData = Learned_section_data;
 
-  const Merge_features::Model* model;  ///< which must exist as long as the cost
+  const Merge_features::Model* model;  ///< must exist as long as the cost
   double exponent_of_gains = 0.1;      ///< in [0, 1]
   double exponent_of_losses = 0.2;     ///< in [0, 1]
   double visibility_cost_weight = 0.1; ///< c, at least 0
@@ -230,13 +232,12 @@ struct Learned_cost
   }
 
 private:
-  static constexpr double log_of_usual_share = -4.605; // w_0 = 0.01
+  static constexpr double log_of_usual_share = -4.605; // ln w_0, w_0 = 0.01
 };
 
 /// \ingroup PkgRegionSegmentationMethods
-/// The default method: superfacets, annotated by `Learned_annotator`, merged as in
-/// `Visibility_merging` until few regions are left, and those by `Learned_cost`. A model of
-/// `SegmentationMethod`.
+/// The default method: it merges superfacets as `Visibility_merging` does until few regions are
+/// left, and these at the lowest `Learned_cost` first. A model of `SegmentationMethod`.
 ///
 /// The costs of the later merges in the tree are `Learned_cost::recorded_cost()`; those of the
 /// earlier merges are `Visibility_cost`, which has another unit.
@@ -251,7 +252,7 @@ struct Learned_merging
   /// the largest number of segments that is chosen.
   static constexpr std::size_t few = 60;
 
-  /// `model`: another one than that of the package; it must exist as long as the method
+  /// `model` must exist as long as the method.
   explicit Learned_merging(const Merge_features::Model& model = internal::learned_merge_model)
     : Superfacet_merging{Learned_annotator(),
                          {std::get<0>(Visibility_merging().policy),

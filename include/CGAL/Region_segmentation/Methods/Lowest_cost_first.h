@@ -32,10 +32,11 @@ using Records_another_cost = decltype(double(
 /// Turns a cost of sections into a policy: merges across the cheapest section of the graph next; of
 /// equal ones, the one between the lower regions. A model of `MergingPolicy`.
 ///
-/// A merge changes only the costs of the sections of the merged region: a cost may depend on a
-/// section and on its two regions. These are computed anew after each merge; those of a region of
-/// more than `hub_degree` sections after every (degree / `hub_degree`)th, rounded down. So a hub
-/// takes linear time, while costs at it lag behind by a small share of its merges.
+/// A cost may depend on a section and on its two regions. So a merge changes only the costs of the
+/// sections of the merged region, which are computed anew after each merge; but after every
+/// \f$d / h\f$th merge alone, rounded down, if the region has \f$d > h\f$ sections, \f$h\f$ the
+/// `hub_degree`. So the merges of a region with many sections take linear time, while the costs of
+/// these sections lag behind by a small share of the merges.
 ///
 /// Complexity: O(min(d, `hub_degree`) log S) per merge, amortized, d the number of sections of the
 /// merged region.
@@ -77,7 +78,7 @@ public:
   {
     for (; !m_queue.empty(); m_queue.pop()) {
       const auto [key, section] = m_queue.top();
-      // Seeds bar sections later.
+      // A section may have been barred by seeds since it was pushed.
       if (!graph.is_removed(section) && graph.is_mergeable(section) &&
           key == m_keys[section.id()]) {
         if constexpr (internal::satisfies<internal::Records_another_cost, Cost, Graph>)
@@ -99,7 +100,7 @@ public:
     lag = 0;
     for (Section_descriptor s : graph.sections(merge.kept))
       update(graph, s);
-    if (m_queue.size() > 4 * graph.number_of_sections() + 1024) { // most of a hub, and outdated
+    if (m_queue.size() > 4 * graph.number_of_sections() + 1024) { // most entries are outdated
       m_queue = Queue();
       for (auto range = edges(graph); range.first != range.second; ++range.first)
         push(*range.first);

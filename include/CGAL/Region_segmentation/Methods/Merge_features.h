@@ -22,10 +22,11 @@ namespace CGAL {
 namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationGraph
-/// In addition to `Visibility_section_data`: how lengths are distributed over angles, the thickness
-/// beside the section, and its shape; filled by `Learned_annotator`. A model of `SectionData`.
+/// Extends `Visibility_section_data` by how the length of a section is distributed over angles, the
+/// thickness beside the section, and its shape. Filled by `Learned_annotator`. A model of
+/// `SectionData`.
 ///
-/// All are sums over the edges, in units of the square root of the area of the surface.
+/// All data are sums over the adjacencies, in units of the square root of the area of the surface.
 struct Learned_section_data : Visibility_section_data
 {
   /// \name Bounds of the deviation, in radians
@@ -37,14 +38,14 @@ struct Learned_section_data : Visibility_section_data
   double strongly_concave_length = 0; ///< of concave edges with a deviation above
                                       ///< `strongly_concave`
   double strongly_convex_length = 0;  ///< of convex edges with a deviation above `strongly_convex`
-  double squared_deviation = 0; ///< integral of the square of the deviation, negative on convex
-                                ///< edges
-  double log_thickness = 0;     ///< integral of the mean of the mean log thickness of the two first
-                                ///< regions
+  double squared_deviation = 0;     ///< integral of the square of the deviation, negative on convex
+                                    ///< edges
+  double log_thickness = 0;         ///< integral of the mean log thickness, averaged over the two
+                                    ///< regions beside an edge from which merging starts
   internal::Second_moments moments; ///< of the edges, each at the mean of the centroids of its
                                     ///< faces
 
-  /// Accounts for a dual edge of the mesh.
+  /// Adds an adjacency of two faces to the section.
   void add_adjacency(const Surface& mesh, std::size_t a)
   {
     const double unit = mesh.length_unit(), l = mesh.length(a) / unit;
@@ -76,10 +77,11 @@ struct Learned_section_data : Visibility_section_data
 };
 
 /// \ingroup PkgRegionSegmentationGraph
-/// What kind of shape a surface is, of which regions are parts.
+/// What kind of shape a whole surface is.
 ///
-/// Sums are over the regions from which merging starts, of area a, area vector V and centroid c,
-/// relative to that of the surface, or over their sections. A quotient of 0 by 0 is 0.
+/// Sums are over the regions from which merging starts, or over their sections. A region has the
+/// area a, the area vector V, and the centroid c relative to the centroid of the surface. A
+/// quotient of 0 by 0 is 0.
 struct Whole_shape
 {
   double log_filling = 0;      ///< \f$\ln(1 / (\pi W^2))\f$, \f$W^2\f$ the trace of the covariance
@@ -93,23 +95,23 @@ struct Whole_shape
 };
 
 /// \ingroup PkgRegionSegmentationGraph
-/// In addition to `Visibility_region_data`: how the thickness varies, what a region sees of itself,
-/// its shape, and that of the surface; filled by `Learned_annotator`. A model of `RegionData`.
+/// Extends `Visibility_region_data` by how the thickness varies, what a region sees of itself, its
+/// shape, and the shape of the surface. Filled by `Learned_annotator`. A model of `RegionData`.
 ///
 /// Lengths are in units of the square root of the area of the surface.
 struct Learned_region_data : Visibility_region_data
 {
-  double squared_log_thickness = 0; ///< integral over the area of the square of the first regions'
-                                    ///< mean log thickness
+  double squared_log_thickness = 0; ///< integral over the area of the square of the mean log
+                                    ///< thickness of the regions from which merging starts
   double own_visibility = 0;        ///< weight of the rays that start and end in the region
   double perimeter = 0;             ///< length of the sections with other regions
   Double_3 area_vector{0, 0, 0};    ///< integral of the normal
   internal::Second_moments moments; ///< of the area
-  Whole_shape whole;                ///< that of all regions
+  Whole_shape whole;                ///< the shape of the surface
 
-  /// Adds the region on the other side of a section. All data are added; but the visibility of the
-  /// section is added to `own_visibility`, twice its length is taken from `perimeter`, and `whole`
-  /// remains.
+  /// Adds the region on the other side of a section. All data are added, and `whole` remains. The
+  /// visibility of the section is added to `own_visibility`, and twice its length is subtracted
+  /// from `perimeter`.
   void absorb(const Learned_region_data& other, const Learned_section_data& between)
   {
     Visibility_region_data::absorb(other, between);
@@ -126,15 +128,15 @@ struct Learned_region_data : Visibility_region_data
 /// merge is computed.
 ///
 /// Of the two regions, m is the smaller and M the larger (of equal ones, m is the one of lower id),
-/// u is their union. The data of u are those of m and M merged across the section. All features are
-/// invariant under motion, scaling and renumbering. Lengths are in units of the square root of the
-/// area of the surface. Of a section, L is the length, C, X and B are its `concave`, `convex` and
-/// `bend`, \f$s_{mM}\f$ its `visibility`, \f$t_s\f$ its `log_thickness` by L, and c the covariance
-/// of its moments, \f$c_1 \geq c_2 \geq c_3\f$ its eigenvalues. Of a region, a is the area, P the
-/// perimeter, t the `log_thickness` by a, s the `visibility`, o the `own_visibility`, V the area
-/// vector, z the centroid of its moments, w their covariance, \f$w_1 \geq w_2 \geq w_3\f$ its
-/// eigenvalues, and \f$W = \sqrt{\mathrm{tr}\, w}\f$. Of moments with the sums \f$S_0, S_1, S_2\f$,
-/// the centroid is \f$S_1 / S_0\f$ and the covariance \f$S_2 / S_0 - S_1 S_1^T / S_0^2\f$.
+/// and u is their union. The data of u are those of m and M merged across the section. All features
+/// are invariant under motion, scaling and renumbering. Lengths are in units of the square root of
+/// the area of the surface. Of a section, L is the length, C, X and B are its `concave`, `convex`
+/// and `bend`, \f$s_{mM}\f$ its `visibility`, \f$t_s\f$ its `log_thickness` by L, and c the
+/// covariance of its moments, \f$c_1 \geq c_2 \geq c_3\f$ its eigenvalues. Of a region, a is the
+/// area, P the perimeter, t the `log_thickness` by a, s the `visibility`, o the `own_visibility`, V
+/// the area vector, z the centroid of its moments, w their covariance, \f$w_1 \geq w_2 \geq w_3\f$
+/// its eigenvalues, and \f$W = \sqrt{\mathrm{tr}\, w}\f$. Of moments with the sums \f$S_0, S_1,
+/// S_2\f$, the centroid is \f$S_1 / S_0\f$ and the covariance \f$S_2 / S_0 - S_1 S_1^T / S_0^2\f$.
 ///
 /// - 0, 1: the `Visibility_cost`; ln d, its depth;
 /// - 2 .. 4: C / L; X / L; B / L;
@@ -186,7 +188,7 @@ public:
   using Model = internal::Merge_model;
   using Values = Model::Features;
 
-  /// The places of features that costs read: of `Visibility_cost`, ln a_m and ln a_M.
+  /// The places of the features that `Learned_cost` reads: the `Visibility_cost`, ln a_m, ln a_M.
   static constexpr std::size_t cost = 0, log_area_m = 13, log_area_l = 14;
 
   /// \tparam Graph a `Region_adjacency_graph` with the data of `Learned_annotator`
@@ -212,14 +214,15 @@ private:
 
   static double ratio(double a, double b) { return b > smallest ? a / b : 0; }
 
-  /// sqrt(a / b) of two eigenvalues; those that are nearly 0 beside the largest count as equal.
+  /// The square root of the quotient of two eigenvalues. Eigenvalues that are nearly 0 beside the
+  /// largest one count as equal.
   static double root_of_ratio(double a, double b, double largest)
   {
     const double offset = 1e-6 * largest + smallest;
     return std::sqrt(((std::max)(a, 0.0) + offset) / ((std::max)(b, 0.0) + offset));
   }
 
-  /// A region, and what features need of it.
+  /// What features need to know of a region.
   struct Shape
   {
     const Learned_region_data& data;

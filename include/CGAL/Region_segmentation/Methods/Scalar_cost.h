@@ -22,16 +22,16 @@ namespace CGAL {
 namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationGraph
-/// Data of a region, and the mean of a scalar of its faces. A model of `RegionData`.
+/// Extends the data of a region by the mean of a scalar of its faces. A model of `RegionData`.
 ///
 /// \tparam Base a model of `RegionData` that is a class
 template <typename Base>
 struct Scalar_region_data : Base
 {
   double scalar = 0;         ///< integral over the area of the faces
-  double area_of_scalar = 0; ///< this area, in squared units of `Surface::unit()`
+  double area_of_scalar = 0; ///< the area of the faces, in squared units of `Surface::unit()`
 
-  /// 0 if the area is 0.
+  /// The mean over the area, or 0 if the area is 0.
   double mean_scalar() const { return area_of_scalar > 0 ? scalar / area_of_scalar : 0; }
 
   /// Adds the region on the other side of a section.
@@ -75,7 +75,7 @@ public:
     static_assert(std::is_arithmetic<Number>::value, "the scalar of a face is a number");
   }
 
-  /// Takes what `Base` takes.
+  /// Fills the scalar of each region, and calls the annotator `Base` with the same arguments.
   /// \throws Invalid_input if there is not one value for each face, or one is not finite
   template <typename Graph, typename... Rest>
   void operator()(Graph& graph, const Surface& surface, const Partition& regions,
@@ -106,8 +106,8 @@ private:
 };
 
 /// \ingroup PkgRegionSegmentationPolicies
-/// Another cost, and the difference of the mean scalars of the two regions, times a weight. A model
-/// of `SectionCost`, for graphs annotated by `Scalar_annotator`.
+/// The sum of another cost and of the difference of the mean scalars of the two regions times a
+/// weight. A model of `SectionCost`, for graphs annotated by `Scalar_annotator`.
 ///
 /// \tparam Cost the other cost, a model of `SectionCost` that names its data
 template <typename Cost = Visibility_cost>
@@ -116,8 +116,8 @@ struct Scalar_cost
   using RegionData = Scalar_region_data<typename Cost::RegionData>;
   using SectionData = typename Cost::SectionData;
 
-  double weight; ///< what a difference of 1 costs, in the units of `cost`. Of `Visibility_cost`, 2
-                 ///< is much
+  double weight; ///< the cost of a difference of 1, in the units of `cost`; with `Visibility_cost`,
+                 ///< 2 is a large weight
   Cost cost;
 
   explicit Scalar_cost(double weight_ = 1, Cost cost_ = Cost())

@@ -56,7 +56,7 @@ inline Hierarchy renumbered_hierarchy(const std::vector<Partition::Index>& regio
 } // namespace internal
 
 /// \ingroup PkgRegionSegmentationData
-/// A hierarchy whose first regions can be split further: so there are as many segments as are asked
+/// A hierarchy whose regions can be split further, so that there are as many segments as are asked
 /// for, up to the number of faces that are not degenerate.
 class Refinable_hierarchy : public Hierarchy
 {
@@ -88,15 +88,14 @@ private:
 };
 
 /// \ingroup PkgRegionSegmentationMethods
-/// Merges superfacets: `Superfacets` on the patches of the surface, annotated with what rays from
-/// them see, merged by a policy, and the borders of the segments moved to minimum cuts. A model of
-/// `SegmentationMethod`.
+/// Merges superfacets: divides the surface into `Superfacets`, annotates them with what rays from
+/// them see, merges them by a policy, and moves the borders of the segments to minimum cuts. A
+/// model of `SegmentationMethod`.
 ///
-/// Where the surface has noise, all of this is measured on a smoothed one (\ref
-/// RegionSegmentationNoise).
+/// A surface with noise is smoothed first (\ref RegionSegmentationNoise).
 ///
-/// The order of merges does not depend on the number of segments. Where none is given, a chooser
-/// chooses it. A number that exceeds that of the superfacets splits them.
+/// The order of merges does not depend on the number of segments. If no number is given, a chooser
+/// chooses it. If more segments are wanted than there are superfacets, superfacets are split.
 ///
 /// \tparam GraphAnnotator a model of `GraphAnnotator`
 /// \tparam MergingPolicy a model of `MergingPolicy`, or `Policy_phases`
@@ -110,7 +109,7 @@ struct Superfacet_merging
   Superfacets superfacets = Superfacets();
   Border_straightening straightening = Border_straightening();
 
-  /// What does not depend on the request.
+  /// What does not depend on the wanted number of segments and on seeds.
   struct Prepared
   {
     std::optional<Surface> smoothed; ///< the surface without its noise, if it has any
@@ -118,7 +117,7 @@ struct Superfacet_merging
     Partition regions; ///< the superfacets, of the faces
     Region_rays rays;
 
-    /// The surface that is measured.
+    /// The smoothed surface if there is one, else the given one.
     const Surface& shape(const Surface& surface) const { return smoothed ? *smoothed : surface; }
   };
 
@@ -170,8 +169,8 @@ struct Superfacet_merging
                                                      : 0);
   }
 
-  /// The graph of regions of the shape, with the data of the annotator; the rays of superfacets
-  /// among them are not traced again.
+  /// The graph of the regions, with the data of the annotator. The rays of superfacets that are
+  /// regions are not traced again.
   auto annotated_graph(const Surface& given, const Prepared& prepared, const Partition& regions,
                        const Execution& execution) const
   {

@@ -26,8 +26,8 @@ namespace CGAL {
 namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationGraph
-/// Length, angles and visibility of a section, filled by `Visibility_annotator`. A model of
-/// `SectionData`.
+/// The length, the angles and the visibility of a section, filled by `Visibility_annotator`. A
+/// model of `SectionData`.
 ///
 /// Lengths are in units of the square root of the area of the surface.
 struct Visibility_section_data
@@ -35,12 +35,13 @@ struct Visibility_section_data
   double length = 0;
   double concave = 0;    ///< integral of the deviation of concave edges, at most 0.6 rad each
   double convex = 0;     ///< integral of the deviation of convex edges, at most 2 rad each
-  double bend = 0;       ///< integral of the angle between the mean normals of the first regions,
-                         ///< positive where they face each other
+  double bend = 0;       ///< integral of the angle between the mean normals of the regions from
+                         ///< which merging starts, positive where these face each other
   double visibility = 0; ///< weight of the rays between the two regions
-  std::size_t number_of_adjacencies = 0; ///< 0: the regions see each other, but are not adjacent
+  /// It is 0 if the regions see each other, but are not adjacent.
+  std::size_t number_of_adjacencies = 0;
 
-  /// Accounts for a dual edge of the mesh. An edge of a degenerate face counts as flat.
+  /// Adds an adjacency of two faces to the section. An edge of a degenerate face counts as flat.
   void add_adjacency(const Surface& surface, std::size_t adjacency)
   {
     add(surface.length(adjacency) / surface.length_unit(), signed_deviation(surface, adjacency));
@@ -59,7 +60,8 @@ struct Visibility_section_data
 
 protected:
   /// The deviation of an adjacency in radians: positive if it is concave, negative if it is convex.
-  /// Where components touch there is a valley: a link counts as one of a right angle.
+  /// A link counts as a concave edge of a right angle, since there is a valley where components
+  /// touch.
   static double signed_deviation(const Surface& surface, std::size_t adjacency)
   {
     return surface.has_flag(adjacency, Surface::LINK)      ? CGAL_PI / 2
@@ -68,7 +70,7 @@ protected:
                                                            : 0;
   }
 
-  /// Accounts for an edge by its length and signed deviation.
+  /// Adds an adjacency by its length and its signed deviation.
   void add(double l, double deviation)
   {
     length += l;
@@ -81,13 +83,13 @@ protected:
 };
 
 /// \ingroup PkgRegionSegmentationGraph
-/// Area, thickness and visibility of a region, filled by `Visibility_annotator`. A model of
-/// `RegionData`.
+/// The area, the thickness and the visibility of a region, filled by `Visibility_annotator`. A
+/// model of `RegionData`.
 struct Visibility_region_data
 {
   double area = 0;          ///< share of the area of the surface
   double log_thickness = 0; ///< integral over the area of the logarithm of the thickness
-  double visibility = 0;    ///< weight of the ends of rays in the region
+  double visibility = 0;    ///< weight of the rays that start in the region, and of those that end
 
   double mean_log_thickness() const { return area > 0 ? log_thickness / area : 0; }
 
@@ -134,8 +136,8 @@ struct Visibility_cost
   double convex_weight = 0.3;         ///< w_x
   double bend_weight = 0.08;          ///< w_b
 
-  /// The constants while regions are many and small: regions that see each other belong together,
-  /// and depth and area count less.
+  /// The constants for the first merges, when regions are many and small: that two regions see each
+  /// other counts more, and depth and area count less.
   static Visibility_cost for_many_regions()
   {
     Visibility_cost cost;
@@ -157,7 +159,7 @@ struct Visibility_cost
       internal::check_constant("an offset of Visibility_cost", offset, internal::least_positive);
   }
 
-  /// d, the depth of the valley along a section, in radians.
+  /// The depth d of the valley along a section, in radians.
   double depth(const Visibility_section_data& section) const
   {
     const double length = (std::max)(section.length, smallest);
@@ -189,7 +191,8 @@ struct Visibility_cost
   }
 
 private:
-  static constexpr double smallest = 1e-12; // relative lengths and areas below it count as this one
+  // Relative lengths and areas that are smaller count as this one.
+  static constexpr double smallest = 1e-12;
 };
 
 /// \ingroup PkgRegionSegmentationAnnotators
@@ -209,14 +212,13 @@ private:
 /// \f$-\cos(a) N + \sin(a) (\cos(b) u + \sin(b) v)\f$, with \f$a = 0.9 \sqrt{i / (q - 1)}\f$ and
 /// \f$b = 2.399963229728653 \, i + k\f$ radians (a spiral of the golden angle). \f$N\f$ is the unit
 /// normal; \f$u\f$ is the direction in the plane of the face that leads away from the centroid of
-/// the surface, or, if less than 1/1000 of the vector from there lies in this plane, to the corner
-/// farthest from the centroid of the face; and \f$v = -N \times u\f$. Degenerate faces cast none.
+/// the surface, or, if less than 1/1000 of the vector from there lies in this plane, to the first
+/// corner of the face; and \f$v = -N \times u\f$. Degenerate faces cast no rays.
 ///
 /// A ray ends at the first other face, whichever side it hits, of several the lower one; where
-/// thousands of faces overlap, at the first one found in bounded time. This is computed in `float`,
-/// relative to the centroid of the surface (\cgalCite{MT97}, polygons as fans from the corner
-/// farthest from their centroid, of several the first, with a margin of \f$10^{-6}\f$ in the
-/// barycentric coordinates); so distances have relative errors of about \f$10^{-6}\f$.
+/// thousands of faces overlap, at the first one found in bounded time. Triangles are intersected as
+/// in \cgalCite{MT97}, with a margin of \f$10^{-6}\f$ in the barycentric coordinates; a polygon is
+/// a fan of triangles from its first corner.
 /// - The *thickness* of a region is the mean of \f$\ln(x / \sqrt{A} + 10^{-4})\f$, \f$x\f$ the
 /// lengths of
 ///   its rays; that of a region without rays that hit is the mean of the others' thicknesses.
@@ -248,7 +250,7 @@ public:
   using RegionData = Visibility_region_data;
   using SectionData = Visibility_section_data;
 
-  /// `rays`: of the regions
+  /// Fills the data of `graph`. `rays` are those of `regions`.
   template <typename Graph>
   void operator()(Graph& graph, const Surface& surface, const Partition& regions,
                   const Region_rays& rays) const
@@ -270,7 +272,7 @@ public:
   }
 
 private:
-  /// Of the normals, positive where the regions face each other.
+  /// The angle between the normals of two regions, positive where the regions face each other.
   static double angle_between(const internal::Region_shape& a, const internal::Region_shape& b)
   {
     const double angle = std::atan2(norm(cross(a.normal, b.normal)), dot(a.normal, b.normal));
@@ -318,9 +320,9 @@ private:
 };
 
 /// \ingroup PkgRegionSegmentationMethods
-/// The method with a hand-crafted cost: superfacets, annotated by `Visibility_annotator`, merged at
-/// the lowest `Visibility_cost` first, with different constants while there are more than 150
-/// regions. A model of `SegmentationMethod`.
+/// The method with a hand-crafted cost: it merges superfacets at the lowest `Visibility_cost`
+/// first, with different constants while there are more than 150 regions. A model of
+/// `SegmentationMethod`.
 struct Visibility_merging
   : Superfacet_merging<
       Visibility_annotator,
@@ -330,7 +332,8 @@ struct Visibility_merging
   /// The level of `Number_from_costs` for the constants of `Visibility_cost()`.
   static constexpr double default_level = -19.5;
 
-  /// `cost`: for few regions; `cost_of_many`: while there are more than `many` regions
+  /// `cost_of_many` determines the order of merges while there are more than `many` regions, `cost`
+  /// from then on.
   explicit Visibility_merging(
     const Visibility_cost& cost = Visibility_cost(),
     const Visibility_cost& cost_of_many = Visibility_cost::for_many_regions(),

@@ -52,8 +52,8 @@ struct Number_range
   std::size_t maximum_number = 40; ///< of segments, at least `minimum_number`; see
                                    ///< `largest_number()`
   std::size_t minimum_number = 2;  ///< of segments, at least 1
-  /// How much finer, more than 0: 1 as fits the method, 2 finer, 0.5 coarser. The number never
-  /// falls when it rises.
+  /// How much finer the segmentation is than usual, more than 0: with 1 as usual, with 2 finer,
+  /// with 0.5 coarser. A larger granularity never gives a smaller number.
   double granularity = 1;
 
   /// \throws Invalid_method if a constant is not in its range
@@ -96,7 +96,7 @@ protected:
     return {least, (std::max)(least, largest_number(tree))};
   }
 
-  /// Of the merge from `number` regions to one less.
+  /// The cost of the merge after which there is one region less than `number`.
   static double cost_of_merge(const Merge_tree& tree, std::size_t number)
   {
     return tree.merges()[tree.number_of_regions() - number].cost;
@@ -108,10 +108,10 @@ protected:
 /// with the highest cost of all. A model of `NumberChooser`, for costs on a logarithmic scale such
 /// as `Visibility_cost`.
 ///
-/// With \f$c_k\f$ the largest cost of a merge down to \f$k - 1\f$ regions, from `maximum_number`
-/// regions on, and \f$c\f$ that of the last merge, the number is the largest \f$k\f$ for which all
-/// of \f$c_2 .. c_k\f$ are above the mean of \f$c\f$ and `level`, less the logarithm of
-/// `granularity`, by whose factor costs count as larger; within `Number_range`.
+/// Let \f$c_k\f$ be the cost of the merge from \f$k\f$ regions to \f$k - 1\f$, \f$c\f$ the highest
+/// of these costs from `maximum_number` regions on, and \f$g\f$ the `granularity`. The number is
+/// the largest \f$k\f$ in `Number_range` for which \f$c_k > (c + l) / 2 - \ln g\f$, \f$l\f$ the
+/// `level`, or the least number of the range if there is none.
 ///
 /// Complexity: O(m), m the larger of `maximum_number` and the number of connected pieces.
 struct Number_from_costs : Number_range

@@ -22,7 +22,7 @@ namespace internal {
 /// In real numbers: with y_i = f_i (x_i - c_i), clamped to [-4, 4] and rounded to 2^-8,
 /// \f$b + \sum_i s_i y_i + \sum_j v_j h_j / (1 + |h_j|)\f$, \f$h_j = b_j + \sum_i w_{ji} y_i\f$.
 ///
-/// The constants belong to others, such as the generated tables.
+/// A model points to its constants, such as those of the generated table.
 ///
 /// Complexity: O(number of features * number of units).
 struct Merge_model
@@ -33,17 +33,17 @@ struct Merge_model
 
   static constexpr int feature_bits = 9, result_bits = 20;
 
-  /// \name Bits of the fractions
+  /// \name Bits after the binary point of y, w and s, f, h / (1 + |h|), v
   /// @{
-  static constexpr int input_bits = 8, weight_bits = 10, factor_bits = 16; ///< y; w and s; f
-  static constexpr int activation_bits = 12, output_weight_bits = 14;      ///< h / (1 + |h|); v
+  static constexpr int input_bits = 8, weight_bits = 10, factor_bits = 16;
+  static constexpr int activation_bits = 12, output_weight_bits = 14;
   static constexpr int sum_bits = input_bits + weight_bits;
   /// @}
   static constexpr std::int32_t input_bound = 4 << input_bits;
-  /// Of w and s, so that no sum exceeds 32 bits.
+  /// The largest absolute value of w and s with which no sum exceeds 32 bits.
   static constexpr std::int32_t weight_bound = 8 << weight_bits;
 
-  /// How a feature enters the network.
+  /// The constants by which a feature becomes an input of the network.
   struct Input
   {
     std::int32_t center; ///< c_i, in 2^-feature_bits
@@ -100,7 +100,8 @@ private:
     return sum;
   }
 
-  /// h / (1 + |h|): one division of two numbers without rounding errors, so all processors agree.
+  /// Computes h / (1 + |h|) by a single division of two exact numbers, which all processors round
+  /// in the same way.
   static std::int32_t activation(std::int32_t h)
   {
     const double exact = h;
@@ -108,8 +109,8 @@ private:
   }
 };
 
-/// e^x up to a relative error of x^2 / 2^17, for |x| <= 64: by additions and multiplications alone,
-/// which every processor rounds in the same way.
+/// Computes e^x with a relative error of at most x^2 / 2^17, for |x| <= 64, by additions and
+/// multiplications alone, which all processors round in the same way.
 inline double portable_exp(double x)
 {
   constexpr int number_of_squarings = 16;

@@ -20,6 +20,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <functional>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -32,8 +33,8 @@ namespace internal {
 /// terminals. Of several minimum cuts, `improve()` takes one that moves the fewest nodes, and of
 /// these the one with the fewest nodes on the side of the source.
 ///
-/// Boost.Graph finds the flow in a graph of compressed rows: with a `boost::adjacency_list`, the
-/// default method takes 8 % more instructions.
+/// Boost.Graph finds the flow in a graph of compressed rows: with a `boost::adjacency_list`, a
+/// `Segmenter` with the default method takes 5 % more instructions, and `segment()` 1.5 %.
 ///
 /// Capacities are rounded to integers whose sum is about 2^51 divided by the number of nodes. Sums
 /// of integers are exact, so the cut does not depend on the order of nodes and edges. No rounded
@@ -167,12 +168,11 @@ public:
   using Index = Dual_graph::Index;
 
   /// `costs`: of the borders between adjacent elements; `distance(i, j)`: between two adjacent
-  /// elements; `piece_of`: by element, changed by `move_border()`. All three must exist as long as
-  /// the object.
+  /// elements; `piece_of`: by element, changed by `move_border()`
   Border_cut(const Dual_graph& costs, std::function<double(Index, Index)> distance,
              std::vector<Index>& piece_of)
     : m_costs(costs)
-    , m_distance(distance)
+    , m_distance(std::move(distance))
     , m_piece_of(piece_of)
     , m_distances(piece_of.size(), unreached)
     , m_nodes(piece_of.size())

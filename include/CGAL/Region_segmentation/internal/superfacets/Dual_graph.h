@@ -18,9 +18,9 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// The adjacency of faces, or of patches, in both directions, with a length for each step.
-/// 8 bytes per face, and 8 for each side of a dual edge: searches
-/// over all faces are memory-bound, so lengths are float.
+/// The adjacency of faces, or of patches, in both directions, with a length for each step. Lengths
+/// are float, since searches over all faces are bound by memory: a face takes 8 bytes, and so does
+/// each step.
 class Dual_graph
 {
 public:
@@ -32,7 +32,7 @@ public:
     float length;
   };
 
-  /// Of the adjacencies for which `is_step(adjacency)`.
+  /// Has a step in both directions for each adjacency of faces with `is_step(adjacency)`.
   Dual_graph(const Surface& surface, std::function<bool(std::size_t)> is_step,
              std::function<double(std::size_t)> length)
   {
@@ -43,11 +43,11 @@ public:
     set_steps(surface.number_of_faces(), edges);
   }
 
-  /// What patches are adjacent across: edges, or also seams and links.
+  /// Whether patches are adjacent across edges alone, or also across seams and links.
   enum Across { EDGES, EDGES_AND_CONTACTS };
 
-  /// Of patches in place of faces. `length(adjacency, deviation)`: by the concave deviation of the
-  /// two patches; a right angle at a contact, where there is a valley
+  /// Has patches in place of faces. `length(adjacency, deviation)`: by the concave deviation of the
+  /// two patches, which counts as a right angle at a seam or link, where there is a valley
   Dual_graph(const Patches& patches, Across across,
              std::function<double(const Patches::Adjacency&, double)> length)
   {
