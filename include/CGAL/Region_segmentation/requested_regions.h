@@ -36,8 +36,7 @@ inline Dual_graph steps_of_seeds(const Surface& surface, const Partition& region
 {
   constexpr double concave_weight = 80;
   const auto regions_of = [&](std::size_t a) {
-    return std::minmax<Partition::Index>(regions[surface.lower_face(a)],
-                                         regions[surface.higher_face(a)]);
+    return std::minmax({regions[surface.lower_face(a)], regions[surface.higher_face(a)]});
   };
   std::set<std::pair<Partition::Index, Partition::Index>> barred;
   for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a)
