@@ -61,7 +61,7 @@ inline std::vector<double> segment_volumes(const Segmented_halfedges& mesh, cons
     add(lower, corners[0], corners[1], corners[2]);
     add(higher, corners[0], corners[2], corners[1]);
   }
-  volumes.pop_back(); // what the caps on the border of the mesh belong to from outside
+  volumes.pop_back(); // that of what is beyond the border of the mesh
   return volumes;
 }
 

@@ -24,9 +24,9 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// Finds the nearest face of a surface. A face that does not agree counts as farther by a twentieth
-/// of the square root of the area: so the other side of a thin wall is not taken, but any face is
-/// if none near agrees.
+/// Finds the nearest face of a surface. A face that does not agree with the caller counts as
+/// farther by a twentieth of the square root of the area of the surface: so the other side of a
+/// thin wall is not found, unless no face nearby agrees.
 ///
 /// O(log F) in practice for a point, after O(F log F).
 class Nearest_face_finder
@@ -40,12 +40,13 @@ public:
     , m_disagreement(0.05 * surface.length_unit())
   {}
 
-  /// Of several the lowest. `p` is in the unit of the surface.
+  /// The nearest face; of several the one of lowest number. `p` is in the unit of the surface, and
+  /// `agrees(face)` returns whether a face agrees.
   template <typename Agrees>
   Index find(const Double_3& p, const Agrees& agrees) const
   {
     std::pair<double, Index> nearest(std::numeric_limits<double>::infinity(), 0);
-    double bound = nearest.first; // a little above its square
+    double bound = nearest.first; // a little above the square of the least distance
     const Box_tree& boxes = m_tree.boxes();
     boxes.search(
       [&, at = box_of(std::array{p})](Index node) { return squared_gap(boxes.box(node), at); },
@@ -76,8 +77,8 @@ private:
 ///         for its coordinates
 /// \tparam FaceOutputIterator a model of `OutputIterator` that takes face descriptors
 /// \param mesh an oriented 2-manifold with or without boundary, its faces polygons of any size
-/// \param points in the coordinates of the mesh
-/// \param nearest_faces receives a face for each point; of several the first one
+/// \param points the points, in the coordinates of the mesh
+/// \param nearest_faces receives a face for each point: of several nearest faces the first one
 /// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
 ///
 /// \cgalNamedParamsBegin

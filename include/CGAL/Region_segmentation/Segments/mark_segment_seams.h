@@ -41,7 +41,7 @@ class Seam_finder
   using Index = Segmented_halfedges::Index;
 
 public:
-  /// `cost(halfedge)`: of a seam along it.
+  /// `cost(halfedge)`: the cost of a seam along a halfedge
   template <typename Cost>
   Seam_finder(const Segmented_halfedges& mesh, const Cost& cost)
     : m_mesh(mesh)
@@ -172,7 +172,8 @@ private:
 ///
 /// A component of genus \f$g\f$ with \f$b > 0\f$ border loops is opened along \f$2g + b - 1\f$
 /// paths from border to border, a closed one of genus \f$g > 0\f$ along \f$2g\f$ loops through a
-/// vertex, and a sphere along a path between two vertices far from each other. A disc has no seam.
+/// vertex, and a sphere along a shortest path from a vertex to the one farthest from it. A disc has
+/// no seam.
 /// Paths are those of a shortest path tree and its dual (tree-cotree decomposition): two shortest
 /// paths from an edge to the border each.
 ///
@@ -185,8 +186,9 @@ private:
 /// \param mesh an oriented 2-manifold with or without boundary, its faces polygons of any size
 /// \param segment_map the segments, by any labels; faces with the label `no_segment` are not opened
 /// \param edge_is_seam_map every key is written. Edges on the border of the mesh are not marked
-/// \param cost of the edges of a seam: so seams are short, and hidden in valleys of any depth; as
-///        short as possible with a gain of 0
+/// \param cost the cost of the edges of a seam. By default seams are short, and hidden in valleys
+/// of
+///        any depth; with a gain of 0 they are as short as possible
 /// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
 ///
 /// \cgalNamedParamsBegin

@@ -66,7 +66,7 @@ class Piece_builder
 
 public:
   /// `mesh`: a `Segmented_mesh`, whose descriptors the pieces have
-  /// `pieces`: `mesh` itself, or the same with more vertices and faces
+  /// `pieces`: the halfedges to be copied: those of `mesh`, or these with more faces
   Piece_builder(const Mesh& mesh, const Segmented_halfedges& pieces)
     : m_mesh(mesh)
     , m_pieces(pieces)
@@ -130,7 +130,7 @@ private:
         with_point(h, m_fans[h], [&](const auto& p) { put_point(p, v, piece.mesh); });
       }
       if (m_copies[h] != Traits::null_halfedge())
-        continue; // made with its opposite
+        continue; // the edge was made with the opposite halfedge
       m_copies[h] = halfedge(add_edge(piece.mesh), piece.mesh);
       if (!m_pieces.is_on_border(h))
         m_copies[m_pieces.opposite[h]] = opposite(m_copies[h], piece.mesh);

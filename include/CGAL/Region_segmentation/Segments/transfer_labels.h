@@ -84,8 +84,8 @@ inline void dissolve_islands(const Surface& surface, std::vector<Surface::Index>
     label_of_face[f] = labels[components[f]];
 }
 
-/// A surface with the normals of its faces as they are given: it turns components that are inside
-/// out.
+/// A surface, and the normals of its faces as the mesh orients them: the surface turns components
+/// that are inside out.
 struct Surface_as_given
 {
   Surface surface;

@@ -17,7 +17,6 @@
 #include <numeric>
 #include <optional>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -54,33 +53,33 @@ std::vector<Surface::Index> cut_vertices(const Surface& surface, const std::vect
   return result;
 }
 
-/// By vertex, the vertices at the other ends of its edges, with the lengths of these. An edge
-/// inside the surface is a side of two faces, one for each direction.
-using Edge_graph = Grouped_items<std::pair<Surface::Index, double>>;
+/// By vertex, the vertices at the other ends of its edges. An edge inside the surface is a side of
+/// two faces, one for each direction.
+using Edge_graph = Grouped_items<Surface::Index>;
 
 inline Edge_graph edge_graph(const Surface& surface)
 {
   return Edge_graph(surface.number_of_vertices(), [&](const auto& add) {
     for_each_side_of_surface(surface, [&](Surface::Index v, Surface::Index w, Surface::Index a) {
-      const double length = norm(surface.point(v) - surface.point(w));
-      add(v, {w, length});
+      add(v, w);
       if (a == Surface::none)
-        add(w, {v, length});
+        add(w, v);
     });
   });
 }
 
 /// The sum over `targets`, which are different, of the length of the shortest path along edges to
 /// the nearest of `sources`; infinite where a target has no path. O(E log E).
-inline double sum_of_distances(const Edge_graph& graph, const std::vector<Surface::Index>& sources,
+inline double sum_of_distances(const Surface& surface, const Edge_graph& graph,
+                               const std::vector<Surface::Index>& sources,
                                const std::vector<Surface::Index>& targets)
 {
   std::vector<double> distances(graph.number_of_groups(), std::numeric_limits<double>::infinity());
   find_shortest_paths(
     sources, distances, [](Surface::Index) { return true; },
     [&](Surface::Index v, const auto& enter) {
-      for (const auto& [w, length] : graph[v])
-        enter(w, length);
+      for (const Surface::Index w : graph[v])
+        enter(w, norm(surface.point(v) - surface.point(w)));
     });
   return std::accumulate(targets.begin(), targets.end(), 0.0,
                          [&](double sum, Surface::Index t) { return sum + distances[t]; });
@@ -165,8 +164,8 @@ std::optional<double> cut_discrepancy(const FaceGraph& mesh, const FaceLabelMapA
     return std::nullopt;
 
   const internal::Edge_graph graph = internal::edge_graph(surface);
-  const double sum = internal::sum_of_distances(graph, cut_b, cut_a) +
-                     internal::sum_of_distances(graph, cut_a, cut_b);
+  const double sum = internal::sum_of_distances(surface, graph, cut_b, cut_a) +
+                     internal::sum_of_distances(surface, graph, cut_a, cut_b);
   if (!std::isfinite(sum))
     return std::nullopt;
   return sum / (size * double(cut_a.size() + cut_b.size()));

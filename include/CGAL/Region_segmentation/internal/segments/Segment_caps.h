@@ -41,7 +41,8 @@ public:
   using Index = Segmented_halfedges::Index;
   using Points = Large_array<Double_3>;
 
-  /// `points`: by vertex of the mesh. `is_turned(face)`: whether a face is read the other way round
+  /// `points`: the points of the vertices of the mesh
+  /// `is_turned(face)`: whether the corners of a face are taken in reverse order
   template <typename IsTurned>
   Segment_caps(const Segmented_halfedges& mesh, Points points, const IsTurned& is_turned)
     : m_points(std::move(points))
@@ -58,7 +59,7 @@ public:
   }
 
   const std::vector<Cap_triangle>& triangles() const { return m_triangles; }
-  /// By vertex of the mesh, and by further vertices of the caps.
+  /// The points of the vertices of the mesh, then of those that only caps have.
   const Points& points() const { return m_points; }
 
 private:
@@ -81,7 +82,7 @@ private:
   /// Adds a center to each network of border edges with junctions, and the inner edges to it.
   void join_junctions()
   {
-    // What leaves a vertex less what arrives there.
+    // The number of edges of a pair that leave a vertex less the number of those that arrive.
     std::map<std::pair<Index, Pair>, std::ptrdiff_t> excess;
     Lowest_root_forest networks(m_points.size());
     for (const auto& [pair, edges] : m_edges)
@@ -112,7 +113,8 @@ private:
     std::map<Index, std::size_t> places; // on the way
     std::vector<Index> way;
     while (!edges.empty()) {
-      if (way.empty() || edges.count(way.back()) == 0) { // done with it: flows are conserved
+      if (way.empty() || edges.count(way.back()) == 0) { // all edges of this way are in polygons,
+                                                         // since flows are conserved
         way.assign(1, edges.begin()->first);
         places = {{way[0], 0}};
       }
@@ -136,7 +138,7 @@ private:
   {
     const std::size_t n = polygon.size();
     if (n < 3)
-      return; // its two sides coincide
+      return; // the two sides of the polygon coincide
     Index middle = polygon[0];
     if (n > 3) {
       Second_moments moments;
