@@ -28,8 +28,9 @@ public:
 
   struct Patch
   {
-    Double_3 centroid; ///< the mean of the centroids of its faces, by area
-    Double_3 normal;   ///< the mean normal by area, of length 1, or zero
+    Double_3 centroid; ///< the mean of the centroids of its faces, weighted by area
+    Double_3 normal;   ///< the mean of the normals of its faces, weighted by area: of length 1, or
+                       ///< zero
     double area;
     /// The element whose centroid is nearest to that of the patch, not a degenerate face if
     /// possible; of several, the lower one.
@@ -47,9 +48,9 @@ public:
   const Patch& operator[](std::size_t patch) const { return m_patches[patch]; }
   /// The patch of each element.
   const Partition& of_elements() const { return m_of_elements; }
-  /// Across edges. By the lower, then by the higher patch.
+  /// The adjacencies across edges, sorted by the lower, then by the higher patch.
   const internal::Large_array<Adjacency>& adjacencies() const { return m_adjacencies; }
-  /// Across seams and links. By the lower, then by the higher patch.
+  /// The adjacencies across seams and links, in the same order.
   const internal::Large_array<Adjacency>& contacts() const { return m_contacts; }
 
   /// The angle between the normals of two adjacent patches, in radians, if they face each other;

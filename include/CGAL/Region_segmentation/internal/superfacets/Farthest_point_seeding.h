@@ -35,7 +35,7 @@ class Farthest_point_seeding
 public:
   explicit Farthest_point_seeding(Dual_graph graph)
     : m_graph(std::move(graph))
-    , m_reached(m_graph.number_of_faces(), Reached{unreached, 0, 0})
+    , m_reached(m_graph.number_of_faces(), Reached{unreached, 0})
   {}
 
   /// Places `number` seeds, or more if there are more components, or fewer if all faces are seeds.
@@ -67,13 +67,16 @@ public:
     grow();
   }
 
-  /// In the order in which they were placed.
+  /// The seeds in the order in which they were placed.
   const std::vector<Index>& seeds() const { return m_seeds; }
 
+  /// The faces that are reached from each seed.
   Partition regions() const
   {
-    return Partition::from_labels(m_reached, m_reached.size(),
-                                  [](const Reached& r) { return r.seed; });
+    Lowest_root_forest forest(m_reached.size());
+    for (Index f = 0; f < m_reached.size(); ++f)
+      forest.unite(f, m_reached[f].predecessor);
+    return forest.take_partition();
   }
 
   /// The regions split further: the face farthest from its seed is separated first, with the faces
@@ -98,11 +101,11 @@ public:
   }
 
 private:
-  /// All data of a face, stored together, since faces are accessed at random.
+  /// What is known of a face, stored together, since faces are accessed at random.
   struct Reached
   {
     double distance;
-    Index seed, predecessor;
+    Index predecessor; // that of a seed is the seed
   };
   using Entry = std::pair<double, Index>; // distance, face
 
@@ -125,13 +128,13 @@ private:
       }
   }
 
-  /// The farthest of all, the lower face of several, as the last of a heap's order.
+  /// The order of a heap whose first entry is the farthest face, of several the lower one.
   static bool is_nearer(const Entry& a, const Entry& b)
   {
     return a.first != b.first ? a.first < b.first : a.second > b.second;
   }
 
-  /// Of the block of faces that `face` is in.
+  /// The farthest face of the block of faces that `face` is in, and its distance.
   Entry farthest_in_block(std::size_t face) const
   {
     const std::size_t first = face - face % faces_per_bound;
@@ -163,7 +166,7 @@ private:
 
   void place(std::size_t seed)
   {
-    m_reached[seed] = {0, Index(m_seeds.size()), Index(seed)};
+    m_reached[seed] = {0, Index(seed)};
     m_seeds.push_back(Index(seed));
     m_front.push(make_float_key(0, Index(seed)));
   }
@@ -177,16 +180,13 @@ private:
       m_front.pop();
       const Index face = index_of(top);
       const double distance = m_reached[face].distance;
-      const Index label = m_reached[face].seed;
       if (top != make_float_key(float(distance), face))
         continue;
       for (const auto& step : m_graph.steps(face)) {
         const double longer = distance + double(step.length);
         Reached& next = m_reached[step.face];
-        // A face follows its predecessor to another seed even if rounding hides that it is nearer:
-        // so regions are connected.
-        if (longer < next.distance || (next.predecessor == face && next.seed != label)) {
-          next = {longer, label, face};
+        if (longer < next.distance) {
+          next = {longer, face};
           m_front.push(make_float_key(float(longer), step.face));
         }
       }
@@ -198,8 +198,8 @@ private:
 
   Dual_graph m_graph;
   Large_array<Reached> m_reached;
-  std::vector<Entry> m_bounds; // a block of faces each
-  // Distances, rounded, and faces.
+  std::vector<Entry> m_bounds; // a heap with an entry for each block of faces
+  // The rounded distances of the faces from which steps are to be made.
   std::priority_queue<Float_key, std::vector<Float_key>, std::greater<Float_key>> m_front;
   std::vector<Index> m_seeds; // faces
 };

@@ -86,7 +86,7 @@ public:
     return result;
   }
 
-  /// The connected pieces of patches in regions of the faces.
+  /// Divides patches by the borders of regions of the faces, into connected patches.
   static Patches divided(const Surface& surface, const Patches& patches, const Partition& regions)
   {
     Patch_builder builder(surface, Execution());
@@ -103,11 +103,12 @@ public:
   }
 
 private:
-  /// An element to be joined, a face or a patch.
+  /// A face or a patch that is to be joined to others.
   struct Element
   {
-    Double_3 centroid, normal;   // the normal has length 1, or is zero
-    double area, projected_area; // the latter on the plane of the normal
+    Double_3 centroid, normal; // the normal has length 1, or is zero
+    double area;
+    double projected_area; // the area of its projection along the normal
   };
 
   Patch_builder(const Surface& surface, const Execution& execution)
@@ -120,7 +121,7 @@ private:
     return {centroid, m_surface.normal(f), m_surface.weight(f), m_surface.weight(f)};
   }
 
-  /// The first round. Returns whether another one is worth it.
+  /// Joins faces in the first round. Returns whether another round is worth its time.
   bool join_faces()
   {
     // The first round of 3 million faces whose neighbors are far apart in memory takes .75 of the
@@ -168,7 +169,7 @@ private:
     }
   }
 
-  /// Joins the faces of the parts to patches.
+  /// Replaces the faces by the patches of a partition.
   void replace_faces(Partition joined)
   {
     m_patches.resize(joined.number_of_parts());
@@ -251,7 +252,7 @@ private:
     }
   }
 
-  /// The patches of the faces.
+  /// The patches of the rounds so far, with their centers among the faces, and contacts.
   Patches finish_fine()
   {
     Patches result = finish();
@@ -271,7 +272,8 @@ private:
     return result;
   }
 
-  /// The patches of the rounds since the last call, of the patches before them.
+  /// The patches of the rounds since the last call, without centers; their elements are the faces,
+  /// or the patches of the last call.
   Patches finish()
   {
     m_patches.shrink_to_fit(); // The first round leaves room for most of the faces.

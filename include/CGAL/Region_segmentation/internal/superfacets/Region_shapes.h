@@ -134,10 +134,10 @@ struct Second_moments
 struct Region_shape
 {
   double area = 0;
-  Double_3 normal{0, 0, 0};   // of length 1, or zero
+  Double_3 normal{0, 0, 0};   // the mean normal: of length 1, or zero
   Double_3 centroid{0, 0, 0}; // that of a region without area is the first face's of the mesh
 
-  /// See `Learned_annotator`; not of a surface without area.
+  /// The sums of `Learned_annotator`; zero for a surface without area.
   Double_3 area_vector{0, 0, 0};
   Second_moments moments;
 };
@@ -170,7 +170,7 @@ private:
   /// sqrt(3)).
   static constexpr double variance_of_triangle = 0.096225044864937627;
 
-  /// Sums over the faces, in order.
+  /// Sums up what the faces of each region add to its shape, in the order of the faces.
   void sum_up(const Surface& mesh, const Partition& region_of, const Execution& execution)
   {
     const Double_3 origin = mesh.centroid(0); // avoids cancellation far from the origin
@@ -193,7 +193,7 @@ private:
     });
   }
 
-  /// Sums become means.
+  /// Divides the sums of normals and centroids, so that they become means.
   void divide(const Surface& mesh)
   {
     for (Region_shape& region : regions) {
@@ -223,9 +223,10 @@ inline bool counts_for_convexity(const Surface& mesh, std::size_t edge)
          !mesh.is_crumb(mesh.lower_face(edge));
 }
 
-/// Whether concave edges have more than that share, by bounds of their angles, which are expensive:
-/// an angle is at least the distance of the unit normals, at most pi / 2 times that, and at most
-/// pi. So half of the edges of a fine mesh are sufficient. True of no convex surface.
+/// Whether concave edges surely have more than `largest_concave_share_of_convex`. Angles are
+/// expensive; so they are bounded: an angle is at least the distance of the unit normals, at most
+/// pi / 2 times this distance, and at most pi. Half of the edges of a fine mesh are sufficient for
+/// that. The result is false for each convex surface.
 inline bool is_clearly_concave(const Surface& mesh)
 {
   double squared_lengths = 0; // of the edges that are not known yet
@@ -253,9 +254,9 @@ inline bool is_clearly_concave(const Surface& mesh)
   return is_exceeded(n);
 }
 
-/// Whether all components of a surface but crumbs bound convex bodies: it is closed, and has no
-/// concave edges. (A closed surface that is convex at all edges is convex: van Heijenoort 1952.)
-/// False for one without area. O(F).
+/// Whether all components of a surface but crumbs bound convex bodies: the surface is closed, and
+/// has no concave edges. (A closed surface that is convex at all edges is convex: van Heijenoort
+/// 1952.) The result is false for a surface without area. O(F).
 inline bool is_convex(const Surface& mesh)
 {
   if (mesh.area() == 0 || is_clearly_concave(mesh))

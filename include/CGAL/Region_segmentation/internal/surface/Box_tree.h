@@ -19,8 +19,8 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// An axis-parallel box; empty by default. Coordinates are rounded, so boxes that overlap still do.
-/// Those that are not numbers are ignored.
+/// An axis-parallel box; empty by default. Coordinates are rounded, which keeps their order: boxes
+/// of points that overlap still overlap. Coordinates that are not numbers are ignored.
 struct Axis_box
 {
   using Coordinates = std::array<float, 3>;
@@ -70,7 +70,7 @@ inline double squared_distance_of_centers(const Axis_box& a, const Axis_box& b)
   return sum;
 }
 
-/// Of an array of points.
+/// The smallest box around the points of an array.
 template <typename Points>
 Axis_box box_of(const Points& points)
 {
@@ -80,7 +80,7 @@ Axis_box box_of(const Points& points)
   return result;
 }
 
-/// Three corners; may be degenerate.
+/// The three corners of a triangle, which may be degenerate.
 using Triangle = std::array<Double_3, 3>;
 
 inline double in_unit_interval(double x)
@@ -88,7 +88,7 @@ inline double in_unit_interval(double x)
   return (std::min)((std::max)(x, 0.0), 1.0);
 }
 
-/// From a point to a segment.
+/// The squared distance of a point from a line segment.
 inline double squared_distance(const Double_3& p, const Double_3& a, const Double_3& b)
 {
   const Double_3 along = b - a;
@@ -105,7 +105,7 @@ inline bool is_above(const Double_3& p, const Triangle& t, const Double_3& n)
          dot(cross(t[0] - t[2], p - t[2]), n) >= 0;
 }
 
-/// From a point to a triangle.
+/// The squared distance of a point from a triangle.
 inline double squared_distance(const Double_3& p, const Triangle& t)
 {
   const Double_3 n = cross(t[1] - t[0], t[2] - t[0]);
@@ -147,7 +147,8 @@ inline bool is_pierced(const Triangle& s, const Triangle& t)
   return false;
 }
 
-/// Between two triangles along the line through their centroids: at most their distance.
+/// The square of the gap between two triangles along the line through their centroids, which is at
+/// most their distance.
 inline double squared_separation(const Triangle& s, const Triangle& t)
 {
   const Double_3 along = (t[0] - s[0]) + (t[1] - s[1]) + (t[2] - s[2]);
@@ -157,7 +158,7 @@ inline double squared_separation(const Triangle& s, const Triangle& t)
   return gap > 0 ? gap / squared_norm(along) * gap : 0;
 }
 
-/// Between two triangles.
+/// The squared distance of two triangles.
 inline double squared_distance(const Triangle& s, const Triangle& t)
 {
   if (is_pierced(s, t) || is_pierced(t, s))
@@ -188,7 +189,7 @@ public:
   using Index = std::uint32_t;
 
   Box_tree() = default;
-  /// Of the items 0 to `size - 1` with the boxes `box_of(item)`.
+  /// Builds the tree of the items 0 to `size - 1` with the boxes `box_of(item)`.
   template <typename BoxOf>
   Box_tree(std::size_t size, const BoxOf& box_of)
   {
@@ -274,14 +275,14 @@ private:
   struct Node
   {
     Axis_box box;
-    Index past; ///< all that is below
-    Index item; ///< of a leaf
+    Index past; ///< the first node that is not below this one
+    Index item; ///< the item of a leaf
   };
   using Iterator = std::vector<Node>::iterator;
 
   double longest(Index node) const { return box(node).extent(box(node).longest_axis()); }
 
-  /// Adds the node of these leaves, and what is below it.
+  /// Adds the node above some leaves, and all nodes below it.
   void add(Iterator begin, Iterator end)
   {
     const std::size_t node = m_nodes.size();
@@ -317,25 +318,25 @@ public:
 
   explicit Face_tree(const Surface& surface)
     : m_surface(surface)
-    , m_parts(parts(surface))
-    , m_tree(m_parts.size(), [&](Index item) { return box_of(triangle(m_parts[item])); })
+    , m_triangles(fan_triangles(surface))
+    , m_tree(m_triangles.size(), [&](Index item) { return box_of(triangle(m_triangles[item])); })
   {}
 
   const Box_tree& boxes() const { return m_tree; }
 
-  /// Of a leaf.
-  Index face(Index leaf) const { return m_parts[m_tree.item(leaf)].face; }
-  Triangle triangle(Index leaf) const { return triangle(m_parts[m_tree.item(leaf)]); }
+  /// The face that the triangle of a leaf is a part of.
+  Index face(Index leaf) const { return m_triangles[m_tree.item(leaf)].face; }
+  Triangle triangle(Index leaf) const { return triangle(m_triangles[m_tree.item(leaf)]); }
 
 private:
-  struct Part
+  struct Fan_triangle
   {
     Index face, second_corner;
   };
 
-  static std::vector<Part> parts(const Surface& surface)
+  static std::vector<Fan_triangle> fan_triangles(const Surface& surface)
   {
-    std::vector<Part> result;
+    std::vector<Fan_triangle> result;
     result.reserve(surface.number_of_faces());
     for (Index f = 0; f < surface.number_of_faces(); ++f)
       for (std::size_t i = 1; i == 1 || i + 1 < surface.number_of_corners(f); ++i)
@@ -343,17 +344,17 @@ private:
     return result;
   }
 
-  Triangle triangle(const Part& part) const
+  Triangle triangle(const Fan_triangle& t) const
   {
     const auto point = [&](std::size_t i) {
-      const std::size_t last = m_surface.number_of_corners(part.face) - 1;
-      return m_surface.point(m_surface.corner(part.face, (std::min)(i, last)));
+      const std::size_t last = m_surface.number_of_corners(t.face) - 1;
+      return m_surface.point(m_surface.corner(t.face, (std::min)(i, last)));
     };
-    return {point(0), point(part.second_corner), point(part.second_corner + 1)};
+    return {point(0), point(t.second_corner), point(t.second_corner + 1)};
   }
 
   const Surface& m_surface;
-  std::vector<Part> m_parts;
+  std::vector<Fan_triangle> m_triangles;
   Box_tree m_tree;
 };
 
