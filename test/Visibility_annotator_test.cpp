@@ -7,6 +7,7 @@
 #include <CGAL/Region_segmentation/Methods/Superfacets.h>
 #include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
 #include <CGAL/Region_segmentation/build_region_adjacency_graph.h>
+#include <CGAL/Region_segmentation/detect_feature_edges.h>
 #include <CGAL/Region_segmentation/grow_regions.h>
 #include <CGAL/Region_segmentation/internal/superfacets/Patch_builder.h>
 #include <CGAL/Region_segmentation/make_surface.h>
@@ -86,7 +87,7 @@ Soup needles(std::size_t number, unsigned seed)
 
 RS::internal::Ray_tree tree_of(const RS::Surface& surface, const Double_3& origin)
 {
-  return RS::internal::Ray_tree(surface, patches_of(surface), origin, RS::Execution());
+  return RS::internal::Ray_tree(surface, patches_of(surface), origin);
 }
 
 RS::internal::Ray_tree tree_of(const RS::Surface& surface)
@@ -119,7 +120,7 @@ std::size_t compare_hits(const Soup& soup, unsigned seed)
     for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
       if (f != skipped)
         nearest = std::min(nearest, distance_to_face(mesh, f, source, d));
-    const auto hit = tree.first_hit(mesh, source, d, RS::Surface::Index(skipped));
+    const auto hit = tree.first_hit(source, d, RS::Surface::Index(skipped));
     if (std::isinf(nearest)) {
       EXPECT_EQ(hit.face, RS::internal::Ray_tree::no_face);
     } else {
@@ -156,7 +157,7 @@ TEST(Ray_tree_test, a_ray_that_is_not_a_number_hits_nothing)
   for (const auto& [source, direction] :
        {std::make_pair(Double_3{nan, nan, nan}, Double_3{0, 0, 1}),
         std::make_pair(Double_3{0, 0, 0}, Double_3{nan, nan, nan})})
-    EXPECT_EQ(tree.first_hit(mesh, source, direction, RS::internal::Ray_tree::no_face).face,
+    EXPECT_EQ(tree.first_hit(source, direction, RS::internal::Ray_tree::no_face).face,
               RS::internal::Ray_tree::no_face);
 }
 
@@ -168,7 +169,7 @@ TEST(Ray_tree_test, finds_needles_up_to_their_tips)
     for (std::size_t i = 0; i < 3; ++i) {
       const Double_3& corner = mesh.point(mesh.corner(f, i));
       const Double_3 target = corner + 0.02 * (mesh.centroid(f) - corner);
-      const auto hit = tree.first_hit(mesh, target + 0.5 * mesh.normal(f), -1.0 * mesh.normal(f),
+      const auto hit = tree.first_hit(target + 0.5 * mesh.normal(f), -1.0 * mesh.normal(f),
                                       RS::internal::Ray_tree::no_face);
       ASSERT_NE(hit.face, RS::internal::Ray_tree::no_face) << f;
       EXPECT_LE(hit.distance, 0.5 + 1e-4) << f; // or another one before
@@ -185,7 +186,7 @@ TEST(Ray_tree_test, finds_faces_right_in_front_of_a_source)
   for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
     for (const double side : {1.0, -1.0}) {
       const Double_3 away = side * mesh.normal(f);
-      const auto hit = tree.first_hit(mesh, mesh.centroid(f) + 1e-6 * away, -1.0 * away,
+      const auto hit = tree.first_hit(mesh.centroid(f) + 1e-6 * away, -1.0 * away,
                                       RS::internal::Ray_tree::no_face);
       EXPECT_EQ(hit.face, f) << side;
       EXPECT_LT(hit.distance, 2e-6) << side;
@@ -201,8 +202,8 @@ TEST(Ray_tree_test, of_faces_hit_at_the_same_distance_it_is_the_lowest)
   std::size_t ties = 0;
   for (double x = 1; x < 16; x += 0.5)
     for (double y = 1; y < 16; y += 0.5) {
-      const auto hit = tree.first_hit(mesh, {x, y, 3}, {0, 0, -1}, RS::internal::Ray_tree::no_face);
-      const auto next = tree.first_hit(mesh, {x, y, 3}, {0, 0, -1}, hit.face);
+      const auto hit = tree.first_hit({x, y, 3}, {0, 0, -1}, RS::internal::Ray_tree::no_face);
+      const auto next = tree.first_hit({x, y, 3}, {0, 0, -1}, hit.face);
       ASSERT_NE(next.face, RS::internal::Ray_tree::no_face);
       EXPECT_GE(next.distance, hit.distance);
       if (next.distance == hit.distance) {
@@ -211,18 +212,6 @@ TEST(Ray_tree_test, of_faces_hit_at_the_same_distance_it_is_the_lowest)
       }
     }
   EXPECT_GT(ties, 100u);
-}
-
-TEST(Ray_tree_test, of_corners_equally_far_from_the_centroid_a_fan_starts_at_the_first)
-{
-  // A square whose corners are in turn above and below its plane: folded along the diagonal from
-  // the first corner.
-  const Soup soup{{{-1, -1, 0.5}, {1, -1, -0.5}, {1, 1, 0.5}, {-1, 1, -0.5}}, {{0, 1, 2, 3}}};
-  const RS::Surface mesh = surface_of(soup);
-  const RS::internal::Ray_tree tree = tree_of(mesh);
-  EXPECT_NEAR(
-    tree.first_hit(mesh, {0.1, 0, 5}, {0, 0, -1}, RS::internal::Ray_tree::no_face).distance,
-    5 - 0.45, 1e-6);
 }
 
 TEST(Region_shapes_test, are_those_of_the_faces_and_of_the_first_face_where_there_is_no_area)

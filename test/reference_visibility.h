@@ -667,12 +667,8 @@ private:
     const Vector normal = m_mesh.normals[face], center = m_mesh.centroids[face];
     const auto in_plane = [&](const Vector& v) { return v - dot(v, normal) * normal; };
     Vector u = in_plane(center - m_center);
-    if (!(norm(u) > 1e-3 * norm(center - m_center))) {
-      u = {};
-      for (std::size_t v : m_mesh.faces[face])
-        if (const Vector w = in_plane(m_mesh.points[v] - center); dot(w, w) > dot(u, u))
-          u = w;
-    }
+    if (!(norm(u) > 1e-3 * norm(center - m_center)))
+      u = in_plane(m_mesh.points[m_mesh.faces[face][0]] - center);
     u = unit(u);
     const Vector v = cross(-1.0 * normal, u);
     return -std::cos(a) * normal + std::sin(a) * (std::cos(b) * u + std::sin(b) * v);
@@ -690,51 +686,16 @@ private:
     return {best.second, best.first};
   }
 
-  using Float_vector = std::array<float, 3>;
-
-  static Float_vector to_float(const Vector& v) { return {float(v[0]), float(v[1]), float(v[2])}; }
-  static Float_vector minus(const Float_vector& a, const Float_vector& b)
+  /// To triangle i of the fan of a face; infinite if the ray misses it.
+  double distance_to(std::size_t face, std::size_t i, const Vector& source, const Vector& d) const
   {
-    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-  }
-  static float times(const Float_vector& a, const Float_vector& b)
-  {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-  }
-  static Float_vector cross_product(const Float_vector& a, const Float_vector& b)
-  {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-  }
-
-  /// To triangle i of the fan of a face, in float relative to the centroid of the surface; infinite
-  /// if the ray misses it.
-  double distance_to(std::size_t face, std::size_t i, const Vector& source,
-                     const Vector& direction) const
-  {
-    const auto& vertices = m_mesh.faces[face];
-    std::size_t first = 0;
-    for (std::size_t j = 1; vertices.size() > 3 && j < vertices.size(); ++j)
-      if (distance_from_centroid(face, j) > distance_from_centroid(face, first))
-        first = j;
-    const auto corner = [&](std::size_t j) {
-      return to_float(m_mesh.points[vertices[(first + j) % vertices.size()]] - m_center);
-    };
-    const Float_vector d = to_float(direction), e = minus(corner(i), corner(0)),
-                       g = minus(corner(i + 1), corner(0));
-    const Float_vector to_source = minus(to_float(source - m_center), corner(0));
-    const Float_vector p = cross_product(d, g), q = cross_product(to_source, e);
-    const float determinant = times(e, p), inverse = 1 / determinant;
-    const float u = times(to_source, p) * inverse, v = times(d, q) * inverse,
-                distance = times(g, q) * inverse;
-    const bool is_outside = u < -1e-6f || v < -1e-6f || u + v > 1 + 1e-6f;
-    const bool is_hit = !is_outside && determinant != 0 && distance > 0;
-    return is_hit ? double(distance) : std::numeric_limits<double>::infinity();
-  }
-
-  double distance_from_centroid(std::size_t face, std::size_t corner) const
-  {
-    const Vector away = m_mesh.points[m_mesh.faces[face][corner]] - m_mesh.centroids[face];
-    return dot(away, away);
+    const auto corner = [&](std::size_t j) { return m_mesh.points[m_mesh.faces[face][j]]; };
+    const Vector e = corner(i) - corner(0), g = corner(i + 1) - corner(0),
+                 to_source = source - corner(0), p = cross(d, g), q = cross(to_source, e);
+    const double inverse = 1 / dot(e, p), u = dot(to_source, p) * inverse, v = dot(d, q) * inverse,
+                 distance = dot(g, q) * inverse;
+    const bool is_hit = u >= -1e-6 && v >= -1e-6 && u + v <= 1 + 1e-6 && distance > 0;
+    return is_hit ? distance : std::numeric_limits<double>::infinity();
   }
 
   const Mesh& m_mesh;

@@ -290,62 +290,9 @@ public:
   ///
   /// \tparam ConcurrencyTag `Sequential_tag` or, with TBB, `Parallel_tag`; see `segment()`
   /// \param mesh see `segment()`
-  /// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
-  ///
-  /// \cgalNamedParamsBegin
-  ///   \cgalParamNBegin{method}
-  ///     \cgalParamDescription{how the mesh is segmented; stored by value}
-  ///     \cgalParamType{a model of `SegmentationMethod`}
-  ///     \cgalParamDefault{`Method()`}
-  ///   \cgalParamNEnd
-  ///   \cgalParamNBegin{number_of_segments}
-  ///     \cgalParamDescription{the number for `segment(segment_map)`; not with a method whose order
-  ///       of merges depends on the number}
-  ///     \cgalParamType{an integral type; at least 1}
-  ///     \cgalParamDefault{chosen by the method}
-  ///   \cgalParamNEnd
-  ///   \cgalParamNBegin{edge_is_constrained_map}
-  ///     \cgalParamDescription{edges that always are borders and are never merged across}
-  ///     \cgalParamType{a model of `ReadablePropertyMap` with the edge descriptor as key type and a
-  ///       value type convertible to `bool`}
-  ///     \cgalParamDefault{no edge}
-  ///   \cgalParamNEnd
-  ///   \cgalParamNBegin{face_seed_map}
-  ///     \cgalParamDescription{faces with equal seeds belong to one segment, faces with different
-  ///       seeds to different ones; -1 of the value type is no seed; see `Segmenter::set_seeds()`}
-  ///     \cgalParamType{a model of `ReadablePropertyMap` with the face descriptor as key type and
-  ///       an integral value type}
-  ///     \cgalParamDefault{no seeds}
-  ///   \cgalParamNEnd
-  ///   \cgalParamNBegin{component_links}
-  ///     \cgalParamDescription{whether components that touch or are near each other are adjacent,
-  ///       see `segment()`}
-  ///     \cgalParamType{`bool`}
-  ///     \cgalParamDefault{`true`}
-  ///   \cgalParamNEnd
-  ///   \cgalParamNBegin{visitor}
-  ///     \cgalParamDescription{follows the progress, and can cancel}
-  ///     \cgalParamType{a model of `SegmentationVisitor`}
-  ///     \cgalParamDefault{none}
-  ///     \cgalParamExtra{passed by `std::ref()`; used by the constructor only}
-  ///   \cgalParamNEnd
-  ///   \cgalParamVertexPointMap
-  ///   \cgalParamIndexMap{face}
-  ///   \cgalParamIndexMap{vertex}
-  ///   \cgalParamNBegin{region_map}
-  ///     \cgalParamDescription{an output: the first regions, with ids 0 .. r-1, numbered by the
-  ///       first face}
-  ///     \cgalParamType{a model of `WritablePropertyMap` with the face descriptor as key type and
-  ///       an integral value type}
-  ///     \cgalParamDefault{not written}
-  ///   \cgalParamNEnd
-  ///   \cgalParamNBegin{merge_tree}
-  ///     \cgalParamDescription{an output: the merges, with a method that has one tree for all
-  ///       numbers}
-  ///     \cgalParamType{`Merge_tree`}
-  ///     \cgalParamDefault{not written}
-  ///   \cgalParamNEnd
-  /// \cgalNamedParamsEnd
+  /// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters": those of
+  ///        `segment()`. `number_of_segments` is the number for `segment(segment_map)`, not with a
+  ///        method whose order of merges depends on the number; `visitor` follows the constructor
   ///
   /// \throws Invalid_input if a point is not finite, equal seeds cannot be joined, or the type of
   ///         `region_map` does not hold the labels; Invalid_method if a constant of the method is

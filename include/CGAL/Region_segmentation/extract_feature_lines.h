@@ -199,7 +199,8 @@ extract_feature_lines(const Surface& surface, std::vector<std::uint8_t>& is_feat
 /// \param mesh an oriented 2-manifold with or without boundary
 /// \param edge_is_feature_map the feature edges; every key is written. Borders of the
 ///        surface are always feature edges
-/// \param polylines receives the vertices of every line; a closed one ends with its first vertex. Of
+/// \param polylines receives the vertices of every line; a closed one ends with its first vertex.
+/// Of
 ///        vertices with equal points along coinciding borders the first one stands for all
 /// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
 ///

@@ -212,14 +212,13 @@ private:
 /// \f$-\cos(a) N + \sin(a) (\cos(b) u + \sin(b) v)\f$, with \f$a = 0.9 \sqrt{i / (q - 1)}\f$ and
 /// \f$b = 2.399963229728653 \, i + k\f$ radians (a spiral of the golden angle). \f$N\f$ is the unit
 /// normal; \f$u\f$ is the direction in the plane of the face that leads away from the centroid of
-/// the surface, or, if less than 1/1000 of the vector from there lies in this plane, to the corner
-/// farthest from the centroid of the face; and \f$v = -N \times u\f$. Degenerate faces cast none.
+/// the surface, or, if less than 1/1000 of the vector from there lies in this plane, to the first
+/// corner of the face; and \f$v = -N \times u\f$. Degenerate faces cast no rays.
 ///
 /// A ray ends at the first other face, whichever side it hits, of several the lower one; where
-/// thousands of faces overlap, at the first one found in bounded time. This is computed in `float`,
-/// relative to the centroid of the surface (\cgalCite{MT97}, polygons as fans from the corner
-/// farthest from their centroid, of several the first, with a margin of \f$10^{-6}\f$ in the
-/// barycentric coordinates); so distances have relative errors of about \f$10^{-6}\f$.
+/// thousands of faces overlap, at the first one found in bounded time. Triangles are intersected as
+/// in \cgalCite{MT97}, with a margin of \f$10^{-6}\f$ in the barycentric coordinates; a polygon is
+/// a fan of triangles from its first corner.
 /// - The *thickness* of a region is the mean of \f$\ln(x / \sqrt{A} + 10^{-4})\f$, \f$x\f$ the
 /// lengths of
 ///   its rays; that of a region without rays that hit is the mean of the others' thicknesses.

@@ -30,7 +30,9 @@ struct Axis_box
 
   static constexpr Coordinates all(float x) { return {x, x, x}; }
 
-  void add_point(const Coordinates& p) { add(p, p); }
+  static Coordinates rounded(const Double_3& p) { return {float(p.x), float(p.y), float(p.z)}; }
+
+  void add_point(const Double_3& p) { add(rounded(p), rounded(p)); }
   void add(const Axis_box& b) { add(b.low, b.high); }
   void add(const Coordinates& other_low, const Coordinates& other_high)
   {
@@ -74,7 +76,7 @@ Axis_box box_of(const Points& points)
 {
   Axis_box result;
   for (const Double_3& p : points)
-    result.add_point({float(p.x), float(p.y), float(p.z)});
+    result.add_point(p);
   return result;
 }
 
@@ -185,6 +187,7 @@ class Box_tree
 public:
   using Index = std::uint32_t;
 
+  Box_tree() = default;
   /// Of the items 0 to `size - 1` with the boxes `box_of(item)`.
   template <typename BoxOf>
   Box_tree(std::size_t size, const BoxOf& box_of)
