@@ -9,6 +9,7 @@
 #include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
 #include <CGAL/Region_segmentation/Segmenter.h>
 #include <CGAL/Region_segmentation/make_surface.h>
+#include <CGAL/Region_segmentation/requested_regions.h>
 #include <CGAL/Region_segmentation/segment.h>
 #ifdef TEST_EIGEN
 #include <CGAL/Region_segmentation/Part_faces/Smooth_faces.h>
@@ -640,6 +641,23 @@ TEST(Segmenter_test, seeds_that_cannot_be_joined_are_refused_by_name)
   put(corners, face_near(sheet, 0, 6, 0), 1);
   RS::Segmenter of_sheet(sheet);
   EXPECT_NE(refusal(of_sheet, corners), "");
+}
+
+TEST(Segmenter_test, seeds_do_not_join_regions_with_a_constrained_edge_between_them)
+{
+  const Surface_mesh sheet = to_surface_mesh(grid(4, 2));
+  const RS::Partition halves = RS::Partition::from_labels(Labels{0, 0, 1, 1, 0, 0, 1, 1});
+  Labels values(8, no_seed);
+  values.front() = values.back() = 7;
+  const auto number_of_regions = [&](const std::set<Edge>& constrained) {
+    const RS::Segmenter segmenter(
+      sheet,
+      RS::parameters::method(two_step()).edge_is_constrained_map(edge_map(sheet, constrained)));
+    return RS::requested_regions(segmenter.surface(), halves, RS::Seeds::from_values(values))
+      .regions.number_of_parts();
+  };
+  EXPECT_EQ(number_of_regions({}), 1u);
+  EXPECT_THROW(number_of_regions({make_edge(2, 7)}), RS::Invalid_input);
 }
 
 TEST(Segmenter_test, seeds_within_one_region_split_it)
