@@ -195,7 +195,7 @@ std::vector<double> hits_found(const RS::Surface& surface, unsigned seed)
 {
   const RS::Execution execution{ConcurrencyTag()};
   const RS::Surface_patches patches = RS::internal::Patch_builder::build(surface, execution);
-  const RS::internal::Ray_tree tree(surface, patches, surface.centroid(0), execution);
+  const RS::internal::Ray_tree tree(surface, patches, surface.centroid(0));
   std::mt19937 random(seed);
   std::vector<double> result;
   for (int i = 0; i < 1000; ++i) {
@@ -204,7 +204,7 @@ std::vector<double> hits_found(const RS::Surface& surface, unsigned seed)
                              surface.centroid(face);
     if (norm(way) == 0)
       continue;
-    const auto hit = tree.first_hit(surface, surface.centroid(face), (1 / norm(way)) * way,
+    const auto hit = tree.first_hit(surface.centroid(face), (1 / norm(way)) * way,
                                     RS::Surface::Index(face));
     result.insert(result.end(), {double(hit.face), hit.distance});
   }

@@ -238,7 +238,7 @@ private:
 ///
 /// Complexity: O(P log P + 12 R log P) in practice, P patches, rays included (see `Region_rays`);
 /// at worst, where most faces are long and overlap, O(F) for each of at most 102,400 rays.
-/// Deterministic. With `Parallel_tag` the tree of the rays is built, and they are traced, in
+/// Deterministic. With `Parallel_tag` the rays are traced in
 /// parallel, with bitwise equal results.
 ///
 /// Source: thickness \cgalCite{SSC08}.
