@@ -242,4 +242,15 @@ TEST(Extract_feature_lines_test, borders_hold_lines_though_they_are_not_marked)
   EXPECT_EQ(regions(sheet, result.features, {}), regions(sheet, across, {}));
 }
 
+TEST(Extract_feature_lines_test, an_edge_of_three_faces_is_a_line)
+{
+  const std::vector<Point> points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0.5}, {0, 0, 1}};
+  const std::vector<Polygon> pages = {{0, 1, 2}, {0, 1, 3}, {1, 0, 4}};
+  const RS::Surface surface = RS::make_surface_of_polygon_soup(points, pages);
+  auto is_feature = RS::mark_feature_edges(surface, 1, RS::Feature_convexity::ALL);
+  std::vector<std::vector<RS::Surface::Index>> lines;
+  RS::extract_feature_lines(surface, is_feature, std::back_inserter(lines));
+  EXPECT_EQ(lines.size(), 4u) << "the borders of the pages, and their common edge";
+}
+
 } // namespace extract_feature_lines_test

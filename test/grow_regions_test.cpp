@@ -267,4 +267,15 @@ TEST(Grow_regions_test, regions_are_the_components_between_features)
     }
 }
 
+TEST(Grow_regions_test, one_of_two_coinciding_edges_can_be_the_feature)
+{
+  const Soup soup{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 0}, {0, -1, 0}},
+                  {{0, 1, 2}, {3, 4, 5}}};
+  const Surface_mesh mesh = to_surface_mesh(soup);
+  for (const std::set<Edge>& features : {std::set<Edge>{}, {{0, 1}}, {{3, 4}}}) {
+    auto is_feature = edge_map(mesh, features);
+    EXPECT_EQ(RS::grow_regions(mesh, is_feature, face_map(mesh)), features.empty() ? 1u : 2u);
+  }
+}
+
 } // namespace grow_regions_test

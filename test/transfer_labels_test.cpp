@@ -183,6 +183,19 @@ TEST(Transfer_labels_test, islands_are_dissolved)
     }
 }
 
+TEST(Find_nearest_faces_test, boxes_of_rounded_coordinates_leave_out_nothing)
+{
+  const double far = 1 << 23; // floats are integers there
+  const auto triangle = [&](double x) {
+    return Soup{{{far + x, 0, 0}, {far + x, 1, 0}, {far + x, 0, 1}}, {{0, 1, 2}}};
+  };
+  const Surface_mesh mesh = to_surface_mesh(joined(triangle(1.2), triangle(0.4)));
+  std::vector<Surface_mesh::Face_index> nearest;
+  RS::find_nearest_faces(mesh, std::vector<Kernel::Point_3>{{far + 0.6, 0.2, 0.2}},
+                         std::back_inserter(nearest));
+  EXPECT_EQ(nearest, std::vector<Surface_mesh::Face_index>{Surface_mesh::Face_index(1)});
+}
+
 TEST(Find_nearest_faces_test, distances_are_the_least)
 {
   const auto squared_distance = [](const Soup& soup, std::size_t f, const Kernel::Point_3& p) {

@@ -154,8 +154,8 @@ namespace internal {
 // threads: the result of a block, and so every result, is the same sequentially and in parallel.
 inline constexpr std::size_t block_size = 1 << 12;
 
-/// The number of consecutive blocks in a range of one thread, where elements between two ranges
-/// cost more.
+/// The number of blocks that one thread labels as a range. Adjacencies between ranges are processed
+/// sequentially, so ranges are long.
 inline constexpr std::size_t blocks_in_range = 16;
 
 inline std::size_t number_of_blocks(std::size_t number_of_elements, std::size_t size = block_size)
@@ -183,9 +183,9 @@ inline void for_each_block(const Execution& execution, std::size_t number_of_ele
   }
 }
 
-/// Lets blocks write parts of one output: calls `write(block, begin, end, place)`, where the part
-/// of the block begins at `place`, and which returns where this part ends. Returns where the output
-/// ends.
+/// Fills one output by blocks of elements, each of which writes a contiguous part: calls
+/// `write(block, begin, end, place)`, where the part of the block begins at `place`, and which
+/// returns where this part ends. Returns where the output ends.
 ///
 /// `number_in(block, begin, end)`: the size of the part of a block, which is asked for beforehand,
 /// in parallel only

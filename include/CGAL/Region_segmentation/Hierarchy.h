@@ -25,7 +25,7 @@ struct Seeds
   static constexpr Index none = (std::numeric_limits<Index>::max)();
 
   std::vector<Index> of;           ///< by element: 0 .. number() - 1, or none
-  std::vector<std::size_t> values; ///< of the user's map, by seed
+  std::vector<std::size_t> values; ///< the value of each seed in the user's map
 
   std::size_t number() const { return values.size(); }
   bool empty() const { return values.empty(); }

@@ -199,10 +199,10 @@ protected:
   const Input& input() const { return m_input; }
 
 private:
-  /// What is merged again only if constraints or seeds change.
+  /// The merges, which are made again only if constraints or seeds change.
   using Merged = std::conditional_t<needs_number, std::monostate, typename Calls::Merged>;
 
-  /// What only constraints change. Copies of a segmenter share it.
+  /// The prepared surface, which only `add_constraints()` replaces. Copies of a segmenter share it.
   struct Prepared
   {
     Method method;
@@ -216,7 +216,7 @@ private:
     {}
   };
 
-  /// With the visitor of the parameters, the only one of them that is watched and taken.
+  /// Makes the execution of a later call, for which `visitor` is the only named parameter.
   template <typename NamedParameters>
   static Execution execution_of_request(const NamedParameters& np)
   {

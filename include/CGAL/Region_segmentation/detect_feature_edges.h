@@ -40,7 +40,10 @@ inline constexpr double default_maximum_angle = 180 - 3.12 * (180 / CGAL_PI);
 /// sign is of the selected kind (paper, section 3.1). See `detect_feature_edges()`, which marks
 /// borders and constrained edges as well.
 ///
+/// \param surface the surface
 /// \param maximum_angle the bound of the deviation, in degrees, in [0, 180]
+/// \param convexity which edges can be feature edges
+/// \param execution sequential or parallel; reports the progress of the stage that it is of
 /// \returns by adjacency: 1 for a feature edge, or 0
 ///
 /// Complexity: O(F). Parallel with a parallel `execution`.

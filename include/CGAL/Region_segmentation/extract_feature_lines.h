@@ -36,11 +36,11 @@ enum class Feature_edge_role {
 
 struct Feature_edge
 {
-  Surface::Index adjacency; ///< `Surface::none` at a border
   Feature_edge_role role;
 };
 
-/// Feature edges as a graph, whose nodes carry vertices of the surface.
+/// Feature edges as a graph, whose nodes carry vertices of the surface. Several edges of the
+/// surface between the same two vertices are one edge of the graph.
 using Feature_graph = boost::adjacency_list<boost::setS, boost::vecS, boost::undirectedS,
                                             Surface::Index, Feature_edge>;
 
@@ -103,32 +103,50 @@ inline void prune_feature_graph(Feature_graph& graph, std::size_t minimum_length
   }
 }
 
-/// The marked edges of a surface, its borders, and the unmarked edges that growing does not cross.
-inline Feature_graph make_feature_graph(const Surface& surface,
-                                        const std::vector<std::uint8_t>& is_feature)
+/// Adds the edges of a surface that are marked, its borders, and the edges that growing does not
+/// cross. `node_of`: by vertex; what was added
+inline void add_feature_edges(const Surface& surface, const std::vector<std::uint8_t>& is_feature,
+                              Feature_graph& graph, std::vector<Surface::Index>& node_of)
 {
-  Feature_graph graph;
-  std::vector<Surface::Index> node_of(surface.number_of_vertices(), Surface::none);
   const auto node = [&](Surface::Index v) {
     return node_of[v] != Surface::none ? node_of[v]
                                        : node_of[v] = Surface::Index(boost::add_vertex(v, graph));
   };
-  const auto role_of = [&](Surface::Index a) {
-    return a == Surface::none || surface.has_flag(a, Surface::CONSTRAINED)
-             ? Feature_edge_role::FIXED
-           : is_feature[a] ? Feature_edge_role::REMOVABLE
-                           : Feature_edge_role::BARRIER;
+  const auto add = [&](Surface::Index v, Surface::Index w, Feature_edge_role role) {
+    const auto [e, is_new] = boost::add_edge(node(v), node(w), {role}, graph);
+    if (!is_new && graph[e].role != role)
+      graph[e].role = Feature_edge_role::FIXED;
   };
   for (Surface::Index f = 0; f < surface.number_of_faces(); ++f) {
     std::size_t i = 0;
     for_each_side(surface, f, [&](Surface::Index v, Surface::Index w) {
       const Surface::Index a = surface.adjacency(f, i++);
-      if (a == Surface::none || is_feature[a] ||
-          surface.has_flag(a, Surface::barrier | Surface::CLOSED))
-        boost::add_edge(node(v), node(w), {a, role_of(a)}, graph); // the second time without effect
+      if (a == Surface::none || surface.has_flag(a, Surface::CONSTRAINED))
+        add(v, w, Feature_edge_role::FIXED);
+      else if (surface.has_flag(a, Surface::barrier)) // a seam
+        add(v, w, is_feature[a] ? Feature_edge_role::FIXED : Feature_edge_role::BARRIER);
+      else if (is_feature[a])
+        add(v, w, Feature_edge_role::REMOVABLE);
+      else if (surface.has_flag(a, Surface::CLOSED))
+        add(v, w, Feature_edge_role::BARRIER);
     });
   }
-  return graph;
+}
+
+/// Keeps the marks of the edges that are still in a feature graph, and marks constrained ones.
+inline void keep_marks(const Surface& surface, const Feature_graph& graph,
+                       const std::vector<Surface::Index>& node_of,
+                       std::vector<std::uint8_t>& is_feature)
+{
+  for (Surface::Index f = 0; f < surface.number_of_faces(); ++f) {
+    std::size_t i = 0;
+    for_each_side(surface, f, [&](Surface::Index v, Surface::Index w) {
+      const Surface::Index a = surface.adjacency(f, i++);
+      if (a != Surface::none)
+        is_feature[a] = surface.has_flag(a, Surface::CONSTRAINED) ||
+                        (is_feature[a] && boost::edge(node_of[v], node_of[w], graph).second);
+    });
+  }
 }
 
 /// Outputs the lines of a feature graph as lists of vertices.
@@ -158,8 +176,10 @@ using Feature_line_parameters = Tag_list<
 /// removes the feature lines of a surface that end inside it, and outputs those that remain. See
 /// the function for a face graph below.
 ///
+/// \param surface the surface
 /// \param is_feature by adjacency: 1 for a feature edge, or 0; those of removed lines become 0
 /// \param polylines takes `std::vector<Surface::Index>`: the vertices of a line
+/// \param minimum_length lines of at least this number of edges are kept
 /// \returns the output iterator
 template <typename PolylineOutputIterator>
 PolylineOutputIterator
@@ -167,14 +187,13 @@ extract_feature_lines(const Surface& surface, std::vector<std::uint8_t>& is_feat
                       PolylineOutputIterator polylines,
                       std::size_t minimum_length = (std::numeric_limits<std::size_t>::max)())
 {
-  internal::Feature_graph graph = internal::make_feature_graph(surface, is_feature);
+  internal::Feature_graph graph;
+  std::vector<Surface::Index> node_of(surface.number_of_vertices(), Surface::none);
+  internal::add_feature_edges(surface, is_feature, graph, node_of);
   internal::prune_feature_graph(graph, minimum_length);
   boost::remove_edge_if(
     [&](const auto& e) { return graph[e].role == internal::Feature_edge_role::BARRIER; }, graph);
-  std::fill(is_feature.begin(), is_feature.end(), std::uint8_t(0));
-  for (auto range = boost::edges(graph); range.first != range.second; ++range.first)
-    if (const Surface::Index a = graph[*range.first].adjacency; a != Surface::none)
-      is_feature[a] = 1;
+  internal::keep_marks(surface, graph, node_of, is_feature);
   internal::Polyline_collector<PolylineOutputIterator> collector{graph, polylines};
   CGAL::split_graph_into_polylines(graph, collector);
   return collector.output;

@@ -4,7 +4,6 @@
 #define CGAL_REGION_SEGMENTATION_GROW_REGIONS_H
 
 #include <CGAL/Region_segmentation/Execution.h>
-#include <CGAL/Region_segmentation/Hierarchy.h>
 #include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/face_values.h>
@@ -29,18 +28,19 @@ namespace Region_segmentation {
 ///
 /// A degenerate face joins the region across its longest edge that is not constrained.
 ///
+/// \param surface the surface
 /// \param is_feature by adjacency: 1 for a feature edge, or 0; see `mark_feature_edges()`
+/// \param execution sequential or parallel; reports the progress of the stage that it is of
 /// \returns the regions of the faces
 ///
 /// Complexity: O(F). Parallel with a parallel `execution`, with the same result.
 inline Partition grow_regions(const Surface& surface, std::vector<std::uint8_t> is_feature,
                               const Execution& execution = Execution())
 {
-  std::vector<std::uint8_t>& is_barred = is_feature;
-  internal::for_each_index(execution, is_barred.size(), [&](std::size_t a) {
-    is_barred[a] |= surface.has_flag(a, Surface::barrier | Surface::CLOSED);
+  internal::for_each_index(execution, is_feature.size(), [&](std::size_t a) {
+    is_feature[a] |= surface.has_flag(a, Surface::barrier | Surface::CLOSED);
   });
-  return internal::label_components(surface, is_barred.data(), 1, execution);
+  return internal::label_components(surface, is_feature.data(), 1, execution);
 }
 
 /// \ingroup PkgRegionSegmentationStages

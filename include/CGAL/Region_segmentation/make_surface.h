@@ -26,8 +26,8 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// Which faces are adjacent: the neighbors that are known; faces with coinciding sides, too; or, by
-/// links, faces of different components, too.
+/// Which adjacencies a surface has: those of neighbors in the input, also those across coinciding
+/// sides, or also links between components.
 enum class Adjacency_of { NEIGHBORS, COINCIDING_SIDES, COMPONENTS };
 
 /// Makes a surface of points and corners. This is a template so that `extern template` keeps it out

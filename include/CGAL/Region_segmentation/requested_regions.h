@@ -28,10 +28,10 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// The steps between faces that seeds may make, by their costs. A step from face i to face j costs
-/// |c_i - c_j| (1 + 80 d), c the centroids, d the deviation in radians if the edge is concave, else
-/// 0. There are none across constrained edges, nor between two regions with a constrained edge
-/// between them.
+/// The graph of faces on which paths between the faces of a seed are searched. A step from face i
+/// to face j costs |c_i - c_j| (1 + 80 d), c the centroids, d the deviation in radians if the edge
+/// is concave, else 0. There are no steps across constrained edges, nor between two regions with a
+/// constrained edge between them.
 inline Dual_graph steps_of_seeds(const Surface& surface, const Partition& regions)
 {
   constexpr double concave_weight = 80;
@@ -63,8 +63,11 @@ inline bool connect_seed(const Dual_graph& steps, const std::vector<Partition::I
 {
   using Index = Partition::Index;
   const Index first = faces.front(), seed = seed_of[first];
+  if (faces.size() == 1)
+    return true;
   std::vector<double> distances(seed_of.size(), std::numeric_limits<double>::infinity());
-  std::vector<Index> predecessors(seed_of.size()), path; // a connected face is its own predecessor
+  std::vector<Index> predecessors(seed_of.size()), path; // a face that is connected to the seed is
+                                                         // its own
   predecessors[first] = first;
   std::size_t left = faces.size() - 1;
   find_shortest_paths(

@@ -6,7 +6,6 @@
 #include <CGAL/Region_segmentation/Border_cost.h>
 #include <CGAL/Region_segmentation/Double_3.h>
 #include <CGAL/Region_segmentation/Execution.h>
-#include <CGAL/Region_segmentation/Hierarchy.h>
 #include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/face_values.h>
@@ -84,7 +83,7 @@ move_borders_of_pieces(const Surface& surface, const Minimum_cut_borders& border
     piece_of);
   Step_counter counter(execution, sides.size());
   for (const auto& [ab, faces] : sides) {
-    std::vector<Index> border; // what the moves of earlier pairs have left of it
+    std::vector<Index> border; // the faces that are still at this border
     for (const auto& [f, g] : faces)
       if (Pair(piece_of[f], piece_of[g]) == ab)
         border.insert(border.end(), {f, g});

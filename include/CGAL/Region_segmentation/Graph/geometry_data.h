@@ -21,7 +21,7 @@ namespace Region_segmentation {
 struct Section_geometry
 {
   double length = 0;                     ///< in units of `Surface::unit()`
-  double link_length = 0;                ///< of the links among them
+  double link_length = 0;                ///< the length of the links of the section
   double sum_of_angles = 0;              ///< of the dihedral angle theta, in radians; pi for a link
   std::size_t number_of_adjacencies = 0; ///< edges, seams and links
   std::size_t number_of_links = 0;

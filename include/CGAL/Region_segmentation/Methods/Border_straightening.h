@@ -242,9 +242,10 @@ private:
   const Patches& m_cells;
   const Requested_regions& m_requested;
   const Merge_tree& m_tree;
-  Dual_graph m_costs;                                    // of the borders between elements
-  std::vector<Index> m_region_of;                        // by element; none if it has moved
-  std::vector<std::size_t> m_numbers_of_removed;         // by merge: of the regions
+  Dual_graph m_costs;                            // of the borders between elements
+  std::vector<Index> m_region_of;                // by element; none if it has moved
+  std::vector<std::size_t> m_numbers_of_removed; // by merge: the number of first regions of the
+                                                 // removed segment
   std::vector<std::vector<Index>> m_regions, m_elements; // by segment
   std::vector<std::vector<Index>> m_lost;                // by region: the elements that it has lost
   std::vector<Index> m_part_of;                          // by region: its segment

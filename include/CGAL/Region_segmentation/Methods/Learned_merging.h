@@ -202,6 +202,7 @@ struct Learned_cost
   explicit Learned_cost(const Merge_features::Model& model_)
     : model(&model_)
   {}
+  explicit Learned_cost(Merge_features::Model&&) = delete; // a reference to it would dangle
 
   /// \throws Invalid_method if a constant is not in its range
   void check_constants() const
@@ -262,6 +263,7 @@ struct Learned_merging
   {
     chooser.maximum_number = few;
   }
+  explicit Learned_merging(Merge_features::Model&&) = delete; // a reference to it would dangle
 };
 
 #ifdef CGAL_REGION_SEGMENTATION_COMPILED

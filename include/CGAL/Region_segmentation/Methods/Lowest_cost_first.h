@@ -56,7 +56,8 @@ class Lowest_cost_first
 public:
   static constexpr std::size_t hub_degree = 1024;
 
-  explicit Lowest_cost_first(Cost cost = Cost())
+  Lowest_cost_first() = default;
+  explicit Lowest_cost_first(Cost cost)
     : m_cost(std::move(cost))
   {}
 

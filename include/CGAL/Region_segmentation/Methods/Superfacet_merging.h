@@ -74,10 +74,11 @@ public:
   /// regions are split.
   Composed_partition segments(const Surface& surface, std::size_t number) const
   {
-    const std::size_t number_of_parts = (std::min)(number, m_largest_number);
-    if (number_of_parts <= regions().number_of_parts())
+    if (m_largest_number > 0)
+      number = (std::min)(number, m_largest_number);
+    if (m_largest_number == 0 || number <= regions().number_of_parts())
       return Hierarchy::segments(surface, number);
-    Partition split = m_superfacets.split(surface, regions(), number_of_parts);
+    Partition split = m_superfacets.split(surface, regions(), number);
     Partition segments = Partition::into_single_elements(split.number_of_parts());
     return {std::make_shared<const Partition>(std::move(split)), std::move(segments)};
   }
@@ -127,10 +128,10 @@ struct Superfacet_merging
     internal::check_constants(chooser);
     superfacets.check_constants();
     straightening.check_constants();
-    std::optional<Surface> smoothed = internal::without_noise(given, execution.silent());
-    const Surface& surface = smoothed ? *smoothed : given;
     const Execution stage = execution.stage("regions");
-    Surface_patches patches = internal::Patch_builder::build(surface, stage.step(0, 0.6));
+    std::optional<Surface> smoothed = internal::without_noise(given, stage.step(0, 0.1));
+    const Surface& surface = smoothed ? *smoothed : given;
+    Surface_patches patches = internal::Patch_builder::build(surface, stage.step(0.1, 0.6));
     const Partition regions_of_patches = superfacets(surface, patches, stage.step(0.6, 1));
     Partition regions = internal::join_degenerate_regions(
       surface, composed(patches.fine.of_elements(), regions_of_patches));
@@ -164,9 +165,10 @@ struct Superfacet_merging
     region_of.reserve(surface.number_of_faces());
     for (const Surface::Index cell : cells.of_elements())
       region_of.push_back(label_of_cell[cell]);
+    const std::size_t largest_number = (std::max)(internal::number_of_proper_faces(surface),
+                                                  std::size_t(1));
     return Refinable_hierarchy(internal::renumbered_hierarchy(region_of, tree, number), superfacets,
-                               request.seeds.empty() ? internal::number_of_proper_faces(surface)
-                                                     : 0);
+                               request.seeds.empty() ? largest_number : 0);
   }
 
   /// The graph of the regions, with the data of the annotator. The rays of superfacets that are
@@ -183,7 +185,7 @@ struct Superfacet_merging
       annotator(graph, surface, regions, prepared.rays);
     else
       annotator(graph, surface, regions,
-                Region_rays(surface, prepared.patches, regions, execution.silent()));
+                Region_rays(surface, prepared.patches, regions, execution.step(0.5, 1)));
     return graph;
   }
 };

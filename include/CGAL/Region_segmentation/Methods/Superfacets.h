@@ -163,7 +163,7 @@ private:
     // Each crumb has a seed of its own, which does not count.
     const std::size_t number_of_seeds = number + surface.number_of_crumbs();
     internal::Farthest_point_seeding from_patches(steps(surface, patches.fine));
-    std::size_t number_of_coarse = 0; // not those of crumbs
+    std::size_t number_of_coarse = 0; // patches that are not in crumbs
     for (std::size_t p = 0; p < coarse.size(); ++p)
       number_of_coarse += coarse[p].area > 0;
     if (number_of_coarse / coarse_patches_of_region < number)
@@ -213,7 +213,7 @@ private:
     return faces;
   }
 
-  /// Squared, from that of the surface.
+  /// Returns the squared distance of each patch from the centroid of the surface.
   static std::vector<double> distances_from_centroid(const Patches& patches)
   {
     // Relative to a point of the mesh, to avoid cancellation far from the origin.

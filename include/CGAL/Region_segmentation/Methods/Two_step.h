@@ -48,6 +48,8 @@ inline double share(double a, double b)
 /// the lower neighbor id of equal sums. Sections that are not mergeable count only as \f$j\f$.
 /// Sections of links alone count only if a region has no others.
 ///
+/// \param graph a `Region_adjacency_graph`
+/// \param region the region
 /// \param beta the weight of the length, in [0, 1]; that of the angle is 1 - beta
 /// \returns the section, seen from the region; empty if the region has none that is mergeable
 ///
@@ -79,7 +81,8 @@ std::optional<Section_descriptor> longest_flattest_section(const Graph& graph, s
     return sum;
   };
   // P_ij grows with A_i and L_i, so a section that is not longer than a flatter one has no larger
-  // sum. Flatter sections come first; of equally flat ones the longest, to the lowest neighbor.
+  // sum. `next()` returns the flattest section that is longer than those before, of equally flat
+  // ones the longest, of these the one to the lowest neighbor.
   double longest = -1;
   const auto next = [&] {
     const Section* s = nullptr;
@@ -140,7 +143,7 @@ public:
       const auto [area, region] = m_queue.top();
       if (!graph.is_removed(region) && graph[region].area == area)
         if (const auto section = longest_flattest_section(graph, region, m_beta))
-          return Merge_candidate{*section, area}; // a region without a section never gets one
+          return Merge_candidate{*section, area}; // (a region without a section never gets one)
     }
     return std::nullopt;
   }
@@ -152,7 +155,8 @@ public:
   }
 
 private:
-  using Entry = std::pair<double, std::uint32_t>; // area, region: stale once the area has changed
+  using Entry = std::pair<double, std::uint32_t>; // area, region; outdated if the region has
+                                                  // another area
   using Queue = std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>>;
 
   template <typename Graph>
@@ -289,7 +293,7 @@ private:
   }
 
   double m_beta, m_gamma;
-  std::vector<std::uint32_t> m_regions; // those that remain, ascending
+  std::vector<std::uint32_t> m_regions; // the regions that are not merged away, ascending
   std::vector<Shape> m_shapes;          // by region
   std::vector<double> m_sums;           // by region
 };

@@ -52,7 +52,7 @@ std::vector<Segment_topology<Label>> topologies_of(const Segmented_mesh<FaceGrap
   std::vector<Segment_topology<Label>> result;
   for (const Label label : mesh.labels)
     result.push_back({label, 0, 0, 0});
-  // Uniting two trees makes one component or vertex less.
+  // Each union of two trees reduces the number of components, or of vertices, by one.
   Lowest_root_forest components(mesh.number_of_faces()), fans(mesh.size());
   std::vector<char> is_on_loop(mesh.size(), false);
   for (Index h = 0; h < mesh.size(); ++h) {

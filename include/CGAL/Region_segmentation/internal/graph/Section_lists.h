@@ -90,8 +90,8 @@ public:
 
   /// Removes the section s between two places and unites them: the one with more remaining sections
   /// (`to`, of equal ones) takes over those of the other. If both have a section to a third place,
-  /// calls `absorb(kept, removed)`. Returns the remaining place. Each section of the other is
-  /// looked up by `find()`.
+  /// calls `absorb(kept, removed)`. Returns the remaining place. Each section of the removed
+  /// place is looked up by `find()`.
   template <typename Absorb>
   Index unite(Index s, Index from, Index to, const Absorb& absorb)
   {

@@ -4,7 +4,6 @@
 #define CGAL_REGION_SEGMENTATION_INTERNAL_SEGMENTING_FACE_GRAPH_INPUT_H
 
 #include <CGAL/Region_segmentation/Execution.h>
-#include <CGAL/Region_segmentation/Hierarchy.h>
 #include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/face_values.h>
 #include <CGAL/Region_segmentation/internal/surface/collect_adjacencies.h>
@@ -90,8 +89,8 @@ private:
   const FaceGraph* m_mesh;
 };
 
-/// A face graph as the input of a single stage, whose maps have edges as keys: its surface, without
-/// links, which no stage crosses.
+/// The input of a stage that has edge maps: a face graph, and its surface without links, since no
+/// stage crosses links.
 template <typename FaceGraph, typename Pack>
 class Stage_input
 {
@@ -118,7 +117,7 @@ public:
     std::vector<std::uint8_t> marks(m_surface.number_of_adjacencies());
     for_each_edge([&](auto e, Surface::Index a) {
       if (a != Surface::none)
-        marks[a] = bool(get(map, e));
+        marks[a] |= bool(get(map, e)); // coinciding edges have one adjacency
     });
     return marks;
   }
@@ -142,7 +141,7 @@ public:
 
 private:
   /// Calls `f(edge, adjacency)` for each edge; `Surface::none` for a border, and for an edge with
-  /// the same face on both sides. In the order of the higher faces.
+  /// the same face on both sides. Edges are visited in the order of the higher of their faces.
   template <typename F>
   void for_each_edge(const F& f) const
   {

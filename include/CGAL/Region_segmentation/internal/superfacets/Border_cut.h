@@ -233,8 +233,8 @@ public:
   }
 
 private:
-  /// Relative distances of centroids have errors of this order where the origin is far away, and
-  /// the band of a piece without area is narrower.
+  /// A narrower band is not moved in: far from the origin, rounding of distances reaches this
+  /// share, and the band of a piece without area is narrower.
   static constexpr double narrowest_band = 1e-6;
   static constexpr double unreached = (std::numeric_limits<double>::max)();
 

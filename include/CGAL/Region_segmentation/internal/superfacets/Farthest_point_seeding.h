@@ -113,7 +113,7 @@ private:
   {
     grow_from(
       std::size_t(std::max_element(remoteness.begin(), remoteness.end()) - remoteness.begin()));
-    std::vector<Index> others; // none where there is one component
+    std::vector<Index> others; // faces that the first seed does not reach
     for (std::size_t f = 0; f < m_reached.size(); ++f)
       if (m_reached[f].distance == unreached)
         others.push_back(Index(f));

@@ -189,7 +189,8 @@ private:
     return fewer > 0 && fewer >= joined.size() / 32;
   }
 
-  /// The element that each one selects, or itself. `maximum_area`: of both, share of the surface
+  /// Returns for each element the element that it selects, or itself. `maximum_area`: the bound of
+  /// the area of both together, as a share of the surface
   template <typename ElementOf, typename ForEachAdjacency>
   Large_array<Index> select(std::size_t size, const ElementOf& element_of,
                             const ForEachAdjacency& for_each_adjacency, double maximum_area) const

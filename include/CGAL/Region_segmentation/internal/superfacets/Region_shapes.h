@@ -135,7 +135,7 @@ struct Region_shape
 {
   double area = 0;
   Double_3 normal{0, 0, 0};   // the mean normal: of length 1, or zero
-  Double_3 centroid{0, 0, 0}; // that of a region without area is the first face's of the mesh
+  Double_3 centroid{0, 0, 0}; // of a region without area: that of face 0
 
   /// The sums of `Learned_annotator`; zero for a surface without area.
   Double_3 area_vector{0, 0, 0};

@@ -51,7 +51,7 @@ public:
   {
     std::iota(m_parents.begin(), m_parents.end(), Index(0));
   }
-  /// Has trees already: `roots` are the roots of the faces.
+  /// Makes a forest of existing trees: `roots[f]` is the root of face f.
   explicit Lowest_root_forest(Partition::Numbers roots)
     : m_parents(std::move(roots))
   {}
@@ -87,7 +87,7 @@ private:
 
 /// The connected components of the faces across the adjacencies without a mark that is in
 /// `barring`. Each thread unites the faces of a range of blocks; adjacencies between two ranges
-/// follow at the end.
+/// are united sequentially afterwards.
 /// `marks`: a byte for each adjacency
 inline Partition label_components(const Surface& surface, const std::uint8_t* marks,
                                   std::uint8_t barring, const Execution& execution)
@@ -173,8 +173,8 @@ void for_each_in_part(const Execution& execution, const Parts& parts, const F& f
 /// `distances`: by node; infinite, or a bound: a node is entered below it.
 /// `visit(node)`: called for each node that is reached, when its distance is final; returns whether
 /// to go on. `for_each_step(node, enter)`: calls `enter(neighbor, length)` for the steps
-/// from a node, which returns whether the neighbor became nearer. A length that leads back to a
-/// distance of 0 makes a source of a node; it is visited again.
+/// from a node, which returns whether the neighbor became nearer. A step of negative
+/// length that gives a node the distance 0 makes it a source, which is visited again.
 template <typename Index, typename Visit, typename ForEachStep>
 void find_shortest_paths(const std::vector<Index>& sources, std::vector<double>& distances,
                          const Visit& visit, const ForEachStep& for_each_step)

@@ -50,11 +50,17 @@ struct Axis_box
   }
 };
 
+/// A lower bound of the squared distance of what the boxes were made of, whose coordinates were
+/// rounded: each by at most half of the distance to the next float.
 inline double squared_gap(const Axis_box& a, const Axis_box& b)
 {
   double sum = 0;
   for (std::size_t i = 0; i < 3; ++i) {
-    const double gap = (std::max)({a.low[i] - b.high[i], b.low[i] - a.high[i], 0.0f});
+    const auto gap_of = [i](const Axis_box& lower, const Axis_box& upper) {
+      const double high = lower.high[i], low = upper.low[i];
+      return low - high - 6e-8 * (std::abs(low) + std::abs(high));
+    };
+    const double gap = (std::max)({gap_of(a, b), gap_of(b, a), 0.0});
     sum += gap * gap;
   }
   return sum;

@@ -82,7 +82,7 @@ struct Added_adjacency
   Surface::Index lower, higher; ///< faces
   double squared_length;
   std::uint8_t flags;
-  Surface::Index face = Surface::none; ///< whose side between `v` and `w` has it; else none has
+  Surface::Index face = Surface::none; ///< the face whose side between `v` and `w` has it, if any
   Surface::Index v = 0, w = 0;         ///< vertices
 };
 
@@ -169,8 +169,8 @@ inline void collect_adjacencies(Raw_surface& raw, const Execution& execution)
                      for_each_block_of_output(execution, arrays.normals.size(), number_in, write));
 }
 
-/// Lets the sides of added adjacencies lead to them: that of `face` always, that of the other face
-/// if it leads nowhere. `places`: those of the added adjacencies
+/// Stores added adjacencies at the sides of their faces: always at that of `face`, and at that of
+/// the other face if it has none. `places`: the indices of the added adjacencies
 inline void set_sides(Surface& surface, const std::vector<Added_adjacency>& added,
                       const Surface::Index* places)
 {
@@ -184,7 +184,7 @@ inline void set_sides(Surface& surface, const std::vector<Added_adjacency>& adde
       }
 }
 
-/// Inserts adjacencies; each is placed behind those that are there between the same two faces.
+/// Inserts adjacencies. Each follows the existing ones between the same two faces.
 inline void insert_adjacencies(Surface& surface, const std::vector<Added_adjacency>& added)
 {
   using Index = Surface::Index;

@@ -55,7 +55,7 @@ private:
   /// Two faces whose distance is below a bound, or none.
   struct Nearest
   {
-    double squared_distance; ///< or the bound
+    double squared_distance; ///< of the faces; before a pair is found, the bound of the search
     Index face = none, other = none;
   };
 
@@ -196,8 +196,8 @@ find_links(const Surface& surface, const Partition& component_of, const Executio
   return Link_finder(surface, component_of, execution).find();
 }
 
-/// Adds links between what is not connected by edges and seams, and marks crumbs: components of
-/// less than 1/1000 of the area of the largest one.
+/// Adds links between sets of faces that edges and seams do not connect, and marks crumbs:
+/// components of less than 1/1000 of the area of the largest one.
 inline void insert_links(Surface& surface, const Execution& execution)
 {
   const Partition connected = label_components(

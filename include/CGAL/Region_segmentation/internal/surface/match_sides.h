@@ -24,7 +24,7 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// A side whose neighbor is not known, at the lower one of its two vertices.
+/// A side whose neighbor is not known. Open sides are grouped by their lower vertex.
 struct Open_side
 {
   Surface::Index higher_vertex, face, corner;
@@ -63,9 +63,9 @@ void for_each_open_edge(const Raw_surface& raw, const F& f)
 
 /// Finds what is adjacent across open sides with the same two vertices.
 ///
-/// Two sides make an edge. Of more of them, those of degenerate faces are edges to the first of the
-/// others; the others make seams, in the cyclic order of the directions in which their faces leave
-/// the edge, unless there are only two.
+/// Two sides make an edge. Where there are more, each side of a degenerate face makes an edge with
+/// the first side of a proper face; the sides of proper faces make seams, in the cyclic order of
+/// the directions in which their faces leave the edge, unless there are only two.
 class Side_matcher
 {
   using Index = Surface::Index;
@@ -162,7 +162,7 @@ private:
   const Surface_arrays& m_arrays;
   std::vector<Added_adjacency>& m_added;
   std::vector<bool> m_is_parallel; // by side
-  std::vector<Open_side> m_proper; // those of the faces at an edge that are not degenerate
+  std::vector<Open_side> m_proper; // the sides at the current edge of proper faces
 };
 
 /// Makes equal points one vertex, the lowest, as far as they are at open sides that do not make an
@@ -249,7 +249,7 @@ inline void find_doubled_faces(Raw_surface& raw, std::vector<Added_adjacency>& a
       separate_from_neighbors(raw, f);
       arrays.normals[f] = {0, 0, 0};
       arrays.areas[f] = 0;
-      added.push_back({first, f, 1, 0});
+      added.push_back({first, f, arrays.areas[first], 0}); // some length in the unit of the surface
     });
 }
 

@@ -22,7 +22,7 @@ namespace Region_segmentation {
 namespace internal {
 
 /// Reverses the boundary of a face, which still begins at its vertex of lowest index.
-/// `across`: an array by side, which follows
+/// `across`: an array by side, which is reversed like the corners
 inline void turn_face(Surface_arrays& arrays, Large_array<Surface::Index>& across, std::size_t face)
 {
   const auto first = std::ptrdiff_t(arrays.first_corners[face]),
