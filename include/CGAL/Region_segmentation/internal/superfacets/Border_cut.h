@@ -137,7 +137,7 @@ private:
     const auto [arcs, capacities] = network();
     const std::size_t nodes = m_is_on_source_side.size();
     const Graph graph(boost::edges_are_unsorted_multi_pass, arcs.begin(), arcs.end(),
-                      boost::counting_iterator<Node>(0), nodes);
+                      boost::counting_iterator<Node>(0), Node(nodes));
     std::vector<boost::graph_traits<Graph>::edge_descriptor> reverse(arcs.size());
     for (auto range = edges(graph); range.first != range.second; ++range.first)
       reverse[graph[*range.first].index ^ 1] = *range.first;

@@ -159,7 +159,9 @@ inline void collect_adjacencies(Raw_surface& raw, const Execution& execution)
         arrays.lower_faces[a] = lower;
         arrays.higher_faces[a] = Index(f);
         arrays.squared_lengths[a] = squared_norm(direction);
-        arrays.adjacencies[side] = arrays.adjacencies[side_across(raw, Index(f), side)] = Index(a);
+        arrays.adjacencies[side] = Index(a);
+        if (raw.surface.number_of_corners(lower) <= raw.surface.number_of_corners(f))
+          arrays.adjacencies[side_across(raw, Index(f), side)] = Index(a);
         arrays.flags[a++] = sign_of_edge(arrays.normals[f], arrays.normals[lower], direction);
       }
     }
@@ -167,6 +169,13 @@ inline void collect_adjacencies(Raw_surface& raw, const Execution& execution)
   };
   resize_adjacencies(arrays,
                      for_each_block_of_output(execution, arrays.normals.size(), number_in, write));
+  // The sides of lower faces with more corners than their neighbors: searching for each of these
+  // sides would take quadratic time.
+  for_each_index(execution.silent(), arrays.normals.size(), [&](std::size_t f) {
+    for (Index side = arrays.first_corners[f]; side < arrays.first_corners[f + 1]; ++side)
+      if (arrays.adjacencies[side] == Surface::none && Raw_surface::is_face(raw.neighbors[side]))
+        arrays.adjacencies[side] = arrays.adjacencies[side_across(raw, Index(f), side)];
+  });
 }
 
 /// Stores added adjacencies at the sides of their faces: always at that of `face`, and at that of
