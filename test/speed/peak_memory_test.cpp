@@ -27,7 +27,7 @@ speed_benchmark::Triangles large_torus()
   return torus;
 }
 
-TEST(Peak_memory, of_the_default_method_is_143_bytes_a_face_on_large_meshes)
+TEST(Peak_memory, of_the_default_method_is_159_bytes_a_face_on_large_meshes)
 {
   const speed_benchmark::Mesh mesh = speed_benchmark::make_mesh(large_torus());
   ASSERT_EQ(num_faces(mesh), 4147200u);
@@ -37,7 +37,7 @@ TEST(Peak_memory, of_the_default_method_is_143_bytes_a_face_on_large_meshes)
     [&] { CGAL::Region_segmentation::segment(mesh, map); });
   const double a_face = double(peak) / double(num_faces(mesh));
   RecordProperty("bytes_a_face", std::to_string(a_face));
-  EXPECT_LE(a_face, 143);
+  EXPECT_LE(a_face, 159);
   EXPECT_GE(a_face, 57.5) << "fewer than the arrays of the mesh: allocations are not counted";
 }
 

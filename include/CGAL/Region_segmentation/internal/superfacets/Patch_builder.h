@@ -174,12 +174,20 @@ private:
   {
     m_patches.resize(joined.number_of_parts());
     sum_up(joined, [&](std::size_t f) { return face(f, m_surface.centroid(f)); });
-    m_adjacencies.reserve(m_surface.number_of_adjacencies());
-    for (std::size_t a = 0; a < m_surface.number_of_adjacencies(); ++a) {
-      const Index p = joined[m_surface.lower_face(a)], q = joined[m_surface.higher_face(a)];
-      if (p != q && !m_surface.has_flag(a, Surface::barrier))
-        m_adjacencies.push_back({(std::min)(p, q), (std::max)(p, q), m_surface.length(a)});
-    }
+    const auto is_between = [&](std::size_t a) {
+      return joined[m_surface.lower_face(a)] != joined[m_surface.higher_face(a)] &&
+             !m_surface.has_flag(a, Surface::barrier);
+    };
+    std::size_t number = 0;
+    for (std::size_t a = 0; a < m_surface.number_of_adjacencies(); ++a)
+      number += is_between(a);
+    m_adjacencies.reserve(number);
+    for (std::size_t a = 0; a < m_surface.number_of_adjacencies(); ++a)
+      if (is_between(a)) {
+        const auto [p, q] = std::minmax(
+          {joined[m_surface.lower_face(a)], joined[m_surface.higher_face(a)]});
+        m_adjacencies.push_back({p, q, m_surface.length(a)});
+      }
     m_rounds.push_back(std::move(joined));
   }
 
