@@ -14,6 +14,8 @@
 #include <CGAL/assertions.h>
 #include <CGAL/number_type_config.h>
 
+#include <boost/container/small_vector.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -65,7 +67,7 @@ std::optional<Section_descriptor> longest_flattest_section(const Graph& graph, s
     double length, angle; // L, A
     std::uint32_t neighbor;
   };
-  std::vector<Section> sections;
+  boost::container::small_vector<Section, 16> sections;
   const auto all = graph.sections(region);
   const bool are_links = std::all_of(all.begin(), all.end(),
                                      [&](auto s) { return graph[s].has_links_alone(); });
