@@ -211,6 +211,12 @@ public:
   /// The deviation in radians, in [0, pi]; 0 where there is no angle.
   double deviation(std::size_t adjacency) const { return std::acos(cosine(adjacency)); }
 
+  /// The deviation if the sign is that of a concave edge, else 0.
+  double concave_deviation(std::size_t adjacency) const
+  {
+    return has_flag(adjacency, CONCAVE) ? deviation(adjacency) : 0;
+  }
+
   /// Whether some adjacency is a seam or a link.
   bool has_seams_or_links() const { return m_arrays.has_seams_or_links; }
 
@@ -240,6 +246,19 @@ void for_each_side(const Surface& surface, std::size_t face, const F& f)
   const auto [first, end] = surface.corners(face);
   for (const Surface::Index* corner = first; corner != end; ++corner)
     f(*corner, corner + 1 != end ? corner[1] : *first);
+}
+
+/// Calls `f(face, v, w, adjacency)` for the sides of all faces, which run from vertex v to vertex
+/// w. The adjacency across a side on the border is `Surface::none`.
+template <typename F>
+void for_each_side_of_surface(const Surface& surface, const F& f)
+{
+  for (Surface::Index face = 0; face < surface.number_of_faces(); ++face) {
+    std::size_t i = 0;
+    for_each_side(surface, face, [&](Surface::Index v, Surface::Index w) {
+      f(face, v, w, surface.adjacency(face, i++));
+    });
+  }
 }
 
 } // namespace internal

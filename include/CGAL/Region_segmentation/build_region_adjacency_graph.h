@@ -21,12 +21,6 @@
 namespace CGAL {
 namespace Region_segmentation {
 
-namespace internal {
-using Graph_parameters = Tag_list<internal_np::component_links_t,
-                                  CGAL::internal_np::edge_is_constrained_t,
-                                  CGAL::internal_np::visitor_t>;
-}
-
 /// \ingroup PkgRegionSegmentationStages
 /// builds the graph of the regions of a surface and the sections between them.
 ///
@@ -117,7 +111,7 @@ build_region_adjacency_graph(const FaceGraph& mesh, FaceRegionMap region_map,
                              const NamedParameters& np = parameters::default_values())
 {
   const auto& pack = internal::pack(np);
-  internal::check_parameters<std::decay_t<decltype(pack)>, internal::Graph_parameters>();
+  internal::check_parameters<std::decay_t<decltype(pack)>, internal::Reading_parameters>();
   const Execution execution = internal::make_execution<CGAL::Sequential_tag>(pack);
   const Surface surface = internal::constrained(internal::Face_graph_input<FaceGraph>(mesh),
                                                 internal::make_surface(mesh, pack, execution),

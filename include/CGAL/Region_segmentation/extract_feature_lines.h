@@ -34,15 +34,10 @@ enum class Feature_edge_role {
   BARRIER    ///< not a feature edge, but never crossed by growing: keeps lines that end at it
 };
 
-struct Feature_edge
-{
-  Feature_edge_role role;
-};
-
 /// Feature edges as a graph, whose nodes carry vertices of the surface. Several edges of the
 /// surface between the same two vertices are one edge of the graph.
 using Feature_graph = boost::adjacency_list<boost::setS, boost::vecS, boost::undirectedS,
-                                            Surface::Index, Feature_edge>;
+                                            Surface::Index, Feature_edge_role>;
 
 /// The nodes of the line that starts at a free end, up to the first node that does not have two
 /// edges or from which it continues as a barrier; only the free end if it starts as one.
@@ -54,7 +49,7 @@ inline std::vector<std::size_t> line_from(std::size_t free_end, const Feature_gr
     auto next = boost::adjacent_vertices(node, graph).first;
     if (node != free_end && *next == previous)
       ++next;
-    if (graph[boost::edge(node, *next, graph).first].role == Feature_edge_role::BARRIER)
+    if (graph[boost::edge(node, *next, graph).first] == Feature_edge_role::BARRIER)
       break;
     previous = std::exchange(node, *next);
     nodes.push_back(node);
@@ -66,7 +61,7 @@ inline std::vector<std::size_t> line_from(std::size_t free_end, const Feature_gr
 inline bool remove_if_removable(std::size_t from, std::size_t to, Feature_graph& graph)
 {
   const auto e = boost::edge(from, to, graph);
-  if (!e.second || graph[e.first].role != Feature_edge_role::REMOVABLE)
+  if (!e.second || graph[e.first] != Feature_edge_role::REMOVABLE)
     return false;
   boost::remove_edge(e.first, graph);
   return true;
@@ -104,7 +99,7 @@ inline void prune_feature_graph(Feature_graph& graph, std::size_t minimum_length
 }
 
 /// Adds the edges of a surface that are marked, its borders, and the edges that growing does not
-/// cross. `node_of`: by vertex; what was added
+/// cross. `node_of`: the node of each vertex, `Surface::none` before it is added
 inline void add_feature_edges(const Surface& surface, const std::vector<std::uint8_t>& is_feature,
                               Feature_graph& graph, std::vector<Surface::Index>& node_of)
 {
@@ -113,24 +108,20 @@ inline void add_feature_edges(const Surface& surface, const std::vector<std::uin
                                        : node_of[v] = Surface::Index(boost::add_vertex(v, graph));
   };
   const auto add = [&](Surface::Index v, Surface::Index w, Feature_edge_role role) {
-    const auto [e, is_new] = boost::add_edge(node(v), node(w), {role}, graph);
-    if (!is_new && graph[e].role != role)
-      graph[e].role = Feature_edge_role::FIXED;
+    const auto [e, is_new] = boost::add_edge(node(v), node(w), role, graph);
+    if (!is_new && graph[e] != role)
+      graph[e] = Feature_edge_role::FIXED;
   };
-  for (Surface::Index f = 0; f < surface.number_of_faces(); ++f) {
-    std::size_t i = 0;
-    for_each_side(surface, f, [&](Surface::Index v, Surface::Index w) {
-      const Surface::Index a = surface.adjacency(f, i++);
-      if (a == Surface::none || surface.has_flag(a, Surface::CONSTRAINED))
-        add(v, w, Feature_edge_role::FIXED);
-      else if (surface.has_flag(a, Surface::barrier)) // a seam
-        add(v, w, is_feature[a] ? Feature_edge_role::FIXED : Feature_edge_role::BARRIER);
-      else if (is_feature[a])
-        add(v, w, Feature_edge_role::REMOVABLE);
-      else if (surface.has_flag(a, Surface::CLOSED))
-        add(v, w, Feature_edge_role::BARRIER);
-    });
-  }
+  for_each_side_of_surface(surface, [&](auto, auto v, auto w, Surface::Index a) {
+    if (a == Surface::none || surface.has_flag(a, Surface::CONSTRAINED))
+      add(v, w, Feature_edge_role::FIXED);
+    else if (surface.has_flag(a, Surface::barrier)) // a seam
+      add(v, w, is_feature[a] ? Feature_edge_role::FIXED : Feature_edge_role::BARRIER);
+    else if (is_feature[a])
+      add(v, w, Feature_edge_role::REMOVABLE);
+    else if (surface.has_flag(a, Surface::CLOSED))
+      add(v, w, Feature_edge_role::BARRIER);
+  });
 }
 
 /// Keeps the marks of the edges that are still in a feature graph, and marks constrained ones.
@@ -138,15 +129,11 @@ inline void keep_marks(const Surface& surface, const Feature_graph& graph,
                        const std::vector<Surface::Index>& node_of,
                        std::vector<std::uint8_t>& is_feature)
 {
-  for (Surface::Index f = 0; f < surface.number_of_faces(); ++f) {
-    std::size_t i = 0;
-    for_each_side(surface, f, [&](Surface::Index v, Surface::Index w) {
-      const Surface::Index a = surface.adjacency(f, i++);
-      if (a != Surface::none)
-        is_feature[a] = surface.has_flag(a, Surface::CONSTRAINED) ||
-                        (is_feature[a] && boost::edge(node_of[v], node_of[w], graph).second);
-    });
-  }
+  for_each_side_of_surface(surface, [&](auto, auto v, auto w, Surface::Index a) {
+    if (a != Surface::none)
+      is_feature[a] = surface.has_flag(a, Surface::CONSTRAINED) ||
+                      (is_feature[a] && boost::edge(node_of[v], node_of[w], graph).second);
+  });
 }
 
 /// Outputs the lines of a feature graph as lists of vertices.
@@ -192,7 +179,7 @@ extract_feature_lines(const Surface& surface, std::vector<std::uint8_t>& is_feat
   internal::add_feature_edges(surface, is_feature, graph, node_of);
   internal::prune_feature_graph(graph, minimum_length);
   boost::remove_edge_if(
-    [&](const auto& e) { return graph[e].role == internal::Feature_edge_role::BARRIER; }, graph);
+    [&](const auto& e) { return graph[e] == internal::Feature_edge_role::BARRIER; }, graph);
   internal::keep_marks(surface, graph, node_of, is_feature);
   internal::Polyline_collector<PolylineOutputIterator> collector{graph, polylines};
   CGAL::split_graph_into_polylines(graph, collector);

@@ -48,10 +48,9 @@ inline Dual_graph steps_of_seeds(const Surface& surface, const Partition& region
       return !surface.has_flag(a, Surface::CONSTRAINED) && barred.count(regions_of(a)) == 0;
     },
     [&](std::size_t a) {
-      const double concavity = surface.has_flag(a, Surface::CONCAVE) ? surface.deviation(a) : 0;
       return norm(surface.centroid(surface.lower_face(a)) -
                   surface.centroid(surface.higher_face(a))) *
-             (1 + concave_weight * concavity);
+             (1 + concave_weight * surface.concave_deviation(a));
     });
 }
 
@@ -66,8 +65,8 @@ inline bool connect_seed(const Dual_graph& steps, const std::vector<Partition::I
   if (faces.size() == 1)
     return true;
   std::vector<double> distances(seed_of.size(), std::numeric_limits<double>::infinity());
-  std::vector<Index> predecessors(seed_of.size()), path; // a face that is connected to the seed is
-                                                         // its own
+  // A face that is connected to the seed is its own predecessor.
+  std::vector<Index> predecessors(seed_of.size()), path;
   predecessors[first] = first;
   std::size_t left = faces.size() - 1;
   find_shortest_paths(
@@ -149,8 +148,8 @@ struct Requested_regions
 
 /// \ingroup PkgRegionSegmentationData
 /// connects equal seeds along the cheapest paths of faces, splits regions that have faces of
-/// several seeds, and joins regions of equal seeds. \throws Invalid_input if the faces of a seed
-/// cannot be joined, Invalid_method if `regions` is no
+/// several seeds, and joins regions of equal seeds.
+/// \throws Invalid_input if the faces of a seed cannot be joined, Invalid_method if `regions` is no
 ///         partition of the faces
 inline Requested_regions requested_regions(const Surface& surface, const Partition& regions,
                                            const Seeds& seeds)

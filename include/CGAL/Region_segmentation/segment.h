@@ -14,7 +14,7 @@
 #include <CGAL/tags.h>
 
 #include <cstddef>
-#include <type_traits>
+#include <utility>
 
 namespace CGAL {
 namespace Region_segmentation {

@@ -38,8 +38,8 @@ inline Dual_graph costs_of_face_borders(const Surface& surface, const Border_cos
   return Dual_graph(
     surface, [&](std::size_t a) { return !surface.has_flag(a, Surface::CONSTRAINED); },
     [&](std::size_t a) {
-      const double concavity = surface.has_flag(a, Surface::CONCAVE) ? surface.deviation(a) : 0;
-      return (std::min)(cost(surface.length(a) / surface.length_unit(), concavity), longest);
+      return (std::min)(
+        cost(surface.length(a) / surface.length_unit(), surface.concave_deviation(a)), longest);
     });
 }
 

@@ -61,27 +61,28 @@ public:
     const std::size_t wanted = number_of_segments < m_number_of_regions
                                  ? m_number_of_regions - number_of_segments
                                  : 0;
-    return partition_after((std::min)(wanted, m_merges.size()));
-  }
-
-  /// The partition before the first merge that costs more than `maximum_cost`. O(R).
-  Partition partition_at_cost(double maximum_cost) const
-  {
-    const auto first_above = std::find_if(
-      m_merges.begin(), m_merges.end(),
-      [maximum_cost](const Merge& m) { return m.cost > maximum_cost; });
-    return partition_after(std::size_t(first_above - m_merges.begin()));
-  }
-
-private:
-  Partition partition_after(std::size_t number_of_merges) const
-  {
     internal::Lowest_root_forest segments(m_number_of_regions);
-    for (std::size_t i = 0; i < number_of_merges; ++i)
+    for (std::size_t i = 0; i < (std::min)(wanted, m_merges.size()); ++i)
       segments.unite(m_merges[i].kept, m_merges[i].removed);
     return segments.take_partition();
   }
 
+  /// The number of segments before the first merge that costs more than `maximum_cost`. O(R).
+  std::size_t number_at_cost(double maximum_cost) const
+  {
+    const auto first_above = std::find_if(
+      m_merges.begin(), m_merges.end(),
+      [maximum_cost](const Merge& m) { return m.cost > maximum_cost; });
+    return m_number_of_regions - std::size_t(first_above - m_merges.begin());
+  }
+
+  /// The partition into `number_at_cost(maximum_cost)` segments. O(R).
+  Partition partition_at_cost(double maximum_cost) const
+  {
+    return partition_at_count(number_at_cost(maximum_cost));
+  }
+
+private:
   std::size_t m_number_of_regions;
   std::vector<Merge> m_merges;
 };

@@ -267,11 +267,10 @@ private:
 /// -# The elements of either part's regions belong to it. If they are not connected, the elements
 ///    outside of the component of largest area (of equal ones, that with the lowest element) lose
 ///    their region.
-/// -# In rounds, elements of the segment without a region that are adjacent to elements of the
-/// parts
-///    join the part to which their border costs more, of equal ones the kept one. If no element of
-///    the segment has a region, all join the kept part. Costs are those of `Border_cost`, rounded
-///    to `float`.
+/// -# In rounds, elements of the segment without a region that are adjacent to elements of the two
+///    parts join the part to which their border costs more, of equal ones the kept one. If no
+///    element of the segment has a region, all join the kept part. Costs are those of
+///    `Border_cost`, rounded to `float`.
 /// -# In the last \f$n\f$ merges, the border between the parts moves. Its band contains the
 ///    elements of both within \f$\min(D_0, q \sqrt{a / A})\f$ of it, \f$a\f$ the area of the
 ///    smaller part and \f$A\f$ that of the surface; if this width is below \f$10^{-6}\f$, the

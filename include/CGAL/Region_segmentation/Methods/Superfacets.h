@@ -140,11 +140,10 @@ public:
                !surface.has_flag(a, Surface::CONSTRAINED);
       },
       [&](std::size_t a) {
-        const double concavity = surface.has_flag(a, Surface::CONCAVE) ? surface.deviation(a) : 0;
         return step(
           surface,
           norm(surface.centroid(surface.lower_face(a)) - surface.centroid(surface.higher_face(a))),
-          concavity);
+          surface.concave_deviation(a));
       });
     internal::Farthest_point_seeding seeding(std::move(graph));
     seeding.run(central_faces(surface, regions));

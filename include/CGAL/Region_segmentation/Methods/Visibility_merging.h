@@ -3,7 +3,6 @@
 #ifndef CGAL_REGION_SEGMENTATION_METHODS_VISIBILITY_MERGING_H
 #define CGAL_REGION_SEGMENTATION_METHODS_VISIBILITY_MERGING_H
 
-#include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/Methods/Lowest_cost_first.h>
 #include <CGAL/Region_segmentation/Methods/Region_rays.h>
 #include <CGAL/Region_segmentation/Methods/Superfacet_merging.h>
@@ -220,15 +219,14 @@ private:
 /// in \cgalCite{MT97}, with a margin of \f$10^{-6}\f$ in the barycentric coordinates; a polygon is
 /// a fan of triangles from its first corner.
 /// - The *thickness* of a region is the mean of \f$\ln(x / \sqrt{A} + 10^{-4})\f$, \f$x\f$ the
-/// lengths of
-///   its rays; that of a region without rays that hit is the mean of the others' thicknesses.
+///   lengths of its rays; that of a region without rays that hit is the mean of the others'
+///   thicknesses.
 /// - Each ray has a weight: the share of its region in the area of the surface, divided by 12, or
-/// by 1 if the region
-///   casts one. It is added to the visibility of the region where it starts, to that of the region
-///   where it ends (so twice if they are the same), and to that of the section between the two.
-///   Opposite sides of a limb see each other; two limbs do not. Two regions without a common border
-///   that see each other get a section of no edges, which is never merged across, and counts when
-///   their unions become adjacent.
+///   by 1 if the region casts one. It is added to the visibility of the region where it starts, to
+///   that of the region where it ends (so twice if they are the same), and to that of the section
+///   between the two. Opposite sides of a limb see each other; two limbs do not. Two regions
+///   without a common border that see each other get a section of no edges, which is never merged
+///   across, and counts when their unions become adjacent.
 /// - The *bend* of a section is its length times the angle between the mean normals of its two
 ///   regions, positive if these face each other: \f$(n_j - n_i) \cdot (c_j - c_i) < 0\f$, \f$c\f$
 ///   the centroids of the regions.

@@ -35,10 +35,7 @@ struct Number_below_cost
 
   std::size_t operator()(const Merge_tree& tree, const Surface&) const
   {
-    const auto& merges = tree.merges();
-    const auto above = std::find_if(merges.begin(), merges.end(),
-                                    [&](const Merge_tree::Merge& m) { return m.cost > bound; });
-    return tree.number_of_regions() - std::size_t(above - merges.begin());
+    return tree.number_at_cost(bound);
   }
 };
 

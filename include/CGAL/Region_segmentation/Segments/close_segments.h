@@ -187,8 +187,7 @@ SolidOutputIterator close_segments(const FaceGraph& mesh, const FaceSegmentMap& 
   Surface surface;
   auto& arrays = arrays_of(surface);
   for (const auto v : segmented.vertices) {
-    const auto& p = get(points, v);
-    arrays.points.push_back({CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2])});
+    arrays.points.push_back(internal::to_double_3(get(points, v)));
   }
   arrays.first_corners.assign(segmented.first.begin(), segmented.first.end());
   arrays.corners.assign(segmented.source.begin(), segmented.source.end());

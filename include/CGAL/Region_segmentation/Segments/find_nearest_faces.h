@@ -6,10 +6,9 @@
 #include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/exceptions.h>
 #include <CGAL/Region_segmentation/internal/surface/Box_tree.h>
+#include <CGAL/Region_segmentation/internal/surface/read_surface.h>
 #include <CGAL/Region_segmentation/make_surface.h>
 #include <CGAL/Region_segmentation/parameters.h>
-
-#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
@@ -109,9 +108,7 @@ FaceOutputIterator find_nearest_faces(const FaceGraph& mesh, const PointRange& p
     throw Invalid_input("find_nearest_faces: the mesh has no faces");
   std::vector<Double_3> positions;
   for (const auto& p : points) {
-    positions.push_back(
-      1 / surface.unit() *
-      Double_3{CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2])});
+    positions.push_back(1 / surface.unit() * internal::to_double_3(p));
     if (!is_finite(positions.back()))
       throw Invalid_input("find_nearest_faces: a point is not finite");
   }

@@ -222,7 +222,7 @@ std::size_t mark_segment_seams(const FaceGraph& mesh, const FaceSegmentMap& segm
   const Surface surface = internal::make_surface_of_neighbors(mesh, pack);
   internal::Seam_finder finder(segmented, [&](std::uint32_t h) {
     const auto a = internal::adjacency_across(surface, segmented, h);
-    return cost(surface.length(a), (std::max)(0.0, -internal::signed_deviation(surface, a)));
+    return cost(surface.length(a), surface.concave_deviation(a));
   });
   const auto seams = finder.find();
   const std::size_t number_of_borders = mark_segment_borders(mesh, segment_map, edge_is_seam_map);

@@ -23,26 +23,13 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// Calls `f(v, w, adjacency)` for the sides of all faces, which run from vertex v to vertex w;
-/// the adjacency across a side on the border is `Surface::none`.
-template <typename F>
-void for_each_side_of_surface(const Surface& surface, const F& f)
-{
-  for (Surface::Index face = 0; face < surface.number_of_faces(); ++face) {
-    std::size_t i = 0;
-    for_each_side(surface, face, [&](Surface::Index v, Surface::Index w) {
-      f(v, w, surface.adjacency(face, i++));
-    });
-  }
-}
-
 /// The end points, in order, of the edges whose two faces have different labels.
 template <typename Label>
 std::vector<Surface::Index> cut_vertices(const Surface& surface, const std::vector<Label>& labels)
 {
   static_assert(std::is_integral<Label>::value, "labels are integral");
   std::vector<char> is_on_cut(surface.number_of_vertices(), false);
-  for_each_side_of_surface(surface, [&](Surface::Index v, Surface::Index w, Surface::Index a) {
+  for_each_side_of_surface(surface, [&](auto, Surface::Index v, Surface::Index w, auto a) {
     if (a != Surface::none && labels[surface.lower_face(a)] != labels[surface.higher_face(a)])
       is_on_cut[v] = is_on_cut[w] = true;
   });
@@ -60,7 +47,7 @@ using Edge_graph = Grouped_items<Surface::Index>;
 inline Edge_graph edge_graph(const Surface& surface)
 {
   return Edge_graph(surface.number_of_vertices(), [&](const auto& add) {
-    for_each_side_of_surface(surface, [&](Surface::Index v, Surface::Index w, Surface::Index a) {
+    for_each_side_of_surface(surface, [&](auto, Surface::Index v, Surface::Index w, auto a) {
       add(v, w);
       if (a == Surface::none)
         add(w, v);

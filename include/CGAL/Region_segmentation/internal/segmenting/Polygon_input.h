@@ -3,7 +3,6 @@
 #ifndef CGAL_REGION_SEGMENTATION_INTERNAL_SEGMENTING_POLYGON_INPUT_H
 #define CGAL_REGION_SEGMENTATION_INTERNAL_SEGMENTING_POLYGON_INPUT_H
 
-#include <CGAL/Region_segmentation/Hierarchy.h>
 #include <CGAL/Region_segmentation/exceptions.h>
 #include <CGAL/Region_segmentation/internal/support/concept_checks.h>
 #include <CGAL/Region_segmentation/internal/surface/collect_adjacencies.h>

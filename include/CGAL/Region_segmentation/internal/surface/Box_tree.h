@@ -208,7 +208,6 @@ public:
       add(leaves.begin(), leaves.end());
   }
 
-  std::size_t number_of_nodes() const { return m_nodes.size(); }
   const Axis_box& box(Index node) const { return m_nodes[node].box; }
   bool is_leaf(Index node) const { return m_nodes[node].past == node + 1; }
   /// \pre the node is a leaf

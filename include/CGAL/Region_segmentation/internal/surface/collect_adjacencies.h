@@ -265,21 +265,17 @@ inline void set_signs(Surface& surface)
 {
   using Index = Surface::Index;
   Surface_arrays& arrays = arrays_of(surface);
-  for (Index f = 0; f < surface.number_of_faces(); ++f) {
-    Index side = arrays.first_corners[f];
-    for_each_side(surface, f, [&](Index v, Index w) {
-      const Index a = arrays.adjacencies[side++];
-      if (a == Surface::none || surface.has_flag(a, Surface::without_angle))
-        return;
-      const Index lower = arrays.lower_faces[a], higher = arrays.higher_faces[a];
-      const Double_3 direction = surface.point(w) - surface.point(v);
-      arrays.flags[a] &= std::uint8_t(~(Surface::CONVEX | Surface::CONCAVE));
-      if (!surface.has_flag(a, Surface::SEAM) ||
-          arrays.corners[side_between(surface, lower + higher - f, v, w)] == w)
-        arrays.flags[a] |= sign_of_edge(surface.normal(higher), surface.normal(lower),
-                                        (f == higher ? 1.0 : -1.0) * direction);
-    });
-  }
+  for_each_side_of_surface(surface, [&](Index f, Index v, Index w, Index a) {
+    if (a == Surface::none || surface.has_flag(a, Surface::without_angle))
+      return;
+    const Index lower = arrays.lower_faces[a], higher = arrays.higher_faces[a];
+    const Double_3 direction = surface.point(w) - surface.point(v);
+    arrays.flags[a] &= std::uint8_t(~(Surface::CONVEX | Surface::CONCAVE));
+    if (!surface.has_flag(a, Surface::SEAM) ||
+        arrays.corners[side_between(surface, lower + higher - f, v, w)] == w)
+      arrays.flags[a] |= sign_of_edge(surface.normal(higher), surface.normal(lower),
+                                      (f == higher ? 1.0 : -1.0) * direction);
+  });
 }
 
 /// Sets the area of the surface, the sum of the weights of the faces.
@@ -310,15 +306,11 @@ inline void mark_constraints(Surface& surface, std::vector<Vertex_pair> pairs)
   for (auto& [v, w] : pairs)
     std::tie(v, w) = std::minmax({merged_vertex(surface, v), merged_vertex(surface, w)});
   std::sort(pairs.begin(), pairs.end());
-  for (Index f = 0; f < surface.number_of_faces(); ++f) {
-    Index side = arrays.first_corners[f];
-    for_each_side(surface, f, [&](Index v, Index w) {
-      if (const Index a = arrays.adjacencies[side++];
-          a != Surface::none &&
-          std::binary_search(pairs.begin(), pairs.end(), Vertex_pair(std::minmax(v, w))))
-        arrays.flags[a] |= Surface::CONSTRAINED;
-    });
-  }
+  for_each_side_of_surface(surface, [&](Index, Index v, Index w, Index a) {
+    if (a != Surface::none &&
+        std::binary_search(pairs.begin(), pairs.end(), Vertex_pair(std::minmax(v, w))))
+      arrays.flags[a] |= Surface::CONSTRAINED;
+  });
   join_degenerate_faces(surface);
 }
 

@@ -61,6 +61,13 @@ inline void begin_at_lowest_vertices(Raw_surface& raw, const Execution& executio
   });
 }
 
+/// A point of any kernel, or of any type with `operator[]` for its coordinates, in doubles.
+template <typename Point>
+Double_3 to_double_3(const Point& p)
+{
+  return {CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2])};
+}
+
 /// The corner of a face that follows another one around it.
 inline Surface::Index next_corner(const Surface_arrays& arrays, std::size_t face,
                                   std::size_t corner)
@@ -124,7 +131,7 @@ Raw_surface read_polygons(const PointRange& points, const PolygonRange& polygons
   arrays.first_corners.reserve(size + 1);
   arrays.corners.reserve(3 * size); // enough for triangles
   for (const auto& p : points)
-    arrays.points.push_back({CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2])});
+    arrays.points.push_back(to_double_3(p));
   arrays.first_corners.push_back(0);
   for (const auto& polygon : polygons) {
     const auto place = [&] { return "polygon " + std::to_string(arrays.first_corners.size() - 1); };
@@ -306,8 +313,7 @@ Raw_surface read_face_graph(const Mesh_order<FaceGraph, Pack>& order, const Pack
   points.resize(order.number_of_vertices());
   for_each_index(execution, points.size(), [&](std::size_t i) {
     const auto v = order.ordered_vertices()[i];
-    const auto& p = get(point_map, v);
-    points[i] = {CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2])};
+    points[i] = to_double_3(get(point_map, v));
   });
   read_corners(order, raw, execution);
   set_unit(raw.surface);
