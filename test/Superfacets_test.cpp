@@ -206,7 +206,7 @@ TEST(Farthest_point_seeding_test,
     }
 }
 
-TEST(Farthest_point_seeding_test, given_seeds_are_placed_all_at_once)
+TEST(Farthest_point_seeding_test, given_seeds_are_placed_beside_others)
 {
   for (Family family : {Family::SHEET, Family::SPHERE, Family::TORUS, Family::TWO_COMPONENTS})
     for (unsigned seed = 1; seed <= 4; ++seed) {
@@ -220,7 +220,10 @@ TEST(Farthest_point_seeding_test, given_seeds_are_placed_all_at_once)
             std::find(seeds.begin(), seeds.end(), f) == seeds.end())
           seeds.push_back(f);
       RS::internal::Farthest_point_seeding seeding(dual_graph_of(mesh, 0.4));
-      seeding.run(std::vector<RS::Surface::Index>(seeds.begin(), seeds.end()));
+      // In two parts: what is nearer to a later seed moves to it.
+      seeding.add({seeds.begin(), seeds.begin() + 5});
+      EXPECT_EQ(seeding.regions().number_of_parts(), 5u);
+      seeding.add({seeds.begin() + 5, seeds.end()});
       const RS::Partition regions = seeding.regions();
       ASSERT_EQ(regions.number_of_parts(), seeds.size());
       EXPECT_TRUE(is_connected(soup, labels_of(regions)));
@@ -324,23 +327,25 @@ TEST(Superfacets_test, are_seeded_on_coarse_patches_where_there_are_four_for_eac
     return result;
   };
   for (const std::size_t number : {1ul, 40ul, coarse.size() / 4, coarse.size() / 4 + 1}) {
-    RS::internal::Farthest_point_seeding seeding(dual_graph_of(fine, mesh));
-    if (number > coarse.size() / 4)
-      seeding.run(remoteness(fine), number, RS::Execution());
-    else {
-      RS::internal::Farthest_point_seeding on_coarse(dual_graph_of(coarse, mesh));
-      on_coarse.run(remoteness(coarse), number, RS::Execution());
+    const bool is_on_coarse = number <= coarse.size() / 4;
+    const RS::Patches& places = is_on_coarse ? coarse : fine;
+    RS::internal::Farthest_point_seeding placing(dual_graph_of(places, mesh));
+    placing.run(remoteness(places), number, RS::Execution());
+    const std::vector<RS::Partition> draws = RS::Superfacets(number).draws(mesh, patches, 3);
+    ASSERT_EQ(draws.size(), number == 1 ? 1u : 3u);
+    EXPECT_EQ(regions_of(mesh, RS::Superfacets(number)).number_of_parts(), number);
+    std::size_t n = number;
+    for (const RS::Partition& draw : draws) {
       std::vector<RS::Surface::Index> seeds;
-      for (const RS::Surface::Index seed : on_coarse.seeds())
-        seeds.push_back(coarse[seed].center);
-      seeding.run(seeds);
+      for (std::size_t i = 0; i < n; ++i)
+        seeds.push_back(is_on_coarse ? coarse[placing.seeds()[i]].center : placing.seeds()[i]);
+      RS::internal::Farthest_point_seeding seeding(dual_graph_of(fine, mesh));
+      seeding.add(seeds);
+      EXPECT_EQ(draw.number_of_parts(), n);
+      EXPECT_LT(RS::rand_index_distance(draw, seeding.regions()), 0.001)
+        << n << " regions"; // but for rounding
+      n = n * 15 / 16;
     }
-    const RS::Partition expected = seeding.regions();
-    ASSERT_EQ(expected.number_of_parts(), number);
-    EXPECT_LT(RS::rand_index_distance(regions_of(mesh, RS::Superfacets(number)),
-                                      composed(fine.of_elements(), expected)),
-              0.001)
-      << number << " regions"; // but for rounding
   }
 }
 

@@ -266,6 +266,7 @@ TEST(User_parts_test, a_number_chooser)
   RS::Superfacet_merging method{RS::Visibility_annotator(), RS::Visibility_merging().policy,
                                 A_third()};
   method.superfacets.number = 60;
+  method.number_of_draws = 1;
   auto map = face_map(mesh);
   EXPECT_EQ(RS::segment(mesh, map, RS::parameters::method(method)), 20u);
 }

@@ -52,12 +52,21 @@ double distance_to_triangle(const Double_3& o, const Double_3& d, const Double_3
 
 using Graph = RS::Region_adjacency_graph<RS::Visibility_region_data, RS::Visibility_section_data>;
 
+/// By the rays of these regions.
+void annotate(Graph& graph, const RS::Surface& mesh, const RS::Partition& regions)
+{
+  const RS::Surface_patches patches = patches_of(mesh);
+  const auto rays = RS::internal::Inward_rays(mesh, patches, regions).trace(RS::Execution());
+  RS::Visibility_annotator()(
+    graph, mesh, regions,
+    RS::Region_rays{rays, RS::internal::Region_shapes(mesh, patches.fine, regions)});
+}
+
 Graph annotated(const RS::Surface& mesh, const RS::Partition& regions)
 {
   auto graph = RS::build_region_adjacency_graph<RS::Visibility_region_data,
                                                 RS::Visibility_section_data>(mesh, regions);
-  RS::Visibility_annotator()(graph, mesh, regions,
-                             RS::Region_rays(mesh, patches_of(mesh), regions));
+  annotate(graph, mesh, regions);
   return graph;
 }
 
@@ -217,26 +226,27 @@ TEST(Ray_tree_test, of_faces_hit_at_the_same_distance_it_is_the_lowest)
 TEST(Region_shapes_test, are_those_of_the_faces_and_of_the_first_face_where_there_is_no_area)
 {
   const Soup point{{{7, 8, 9}, {7, 8, 9}, {7, 8, 9}}, {{0, 1, 2}}};
-  const RS::Surface mesh = surface_of(joined(grid(2, 1), point));
-  const RS::internal::Region_shapes shapes(mesh,
+  const RS::Surface mesh = surface_of(joined(grid(2, 1), point)),
+                    of_square = surface_of(grid(1, 1));
+  const RS::internal::Region_shapes shapes(mesh, patches_of(mesh).fine,
                                            RS::Partition::from_labels(std::vector<int>{0, 0, 1}));
   ASSERT_EQ(shapes.regions.size(), 2u);
-  EXPECT_EQ(shapes.regions[0].area, 2);
-  EXPECT_EQ(shapes.regions[1].area, 0);
+  EXPECT_EQ(shapes.regions[0].moments.weight, 1);
+  EXPECT_EQ(shapes.regions[1].moments.weight, 0);
   const auto expect_equal = [](const Double_3& a, const Double_3& b) {
-    EXPECT_EQ(norm(a - b), 0) << a.x << ' ' << b.x;
+    EXPECT_NEAR(norm(a - b), 0, 1e-15) << a.x << ' ' << b.x;
   };
-  expect_equal(shapes.regions[0].normal, {0, 0, 1});
-  expect_equal(shapes.regions[1].normal, {0, 0, 0});
-  expect_equal(shapes.regions[0].centroid, {1, 0.5, 0});
-  expect_equal(shapes.regions[1].centroid, {0.5, 0.5, 0});
-  expect_equal(shapes.surface_centroid, {1, 0.5, 0});
+  expect_equal(shapes.regions[0].normal(), {0, 0, 1});
+  expect_equal(shapes.regions[1].normal(), {0, 0, 0});
+  expect_equal(shapes.centroid(shapes.regions[0].moments), {1, 0.5, 0});
+  expect_equal(shapes.centroid(shapes.regions[1].moments), {0.5, 0.5, 0});
+  expect_equal(shapes.centroid(shapes.surface), {1, 0.5, 0});
 
-  const RS::internal::Region_shapes of_one(surface_of(grid(1, 1)),
+  const RS::internal::Region_shapes of_one(of_square, patches_of(of_square).fine,
                                            RS::Partition::from_labels(std::vector<int>{0}));
-  EXPECT_EQ(of_one.regions.at(0).area, 1);
-  expect_equal(of_one.regions[0].centroid, {0.5, 0.5, 0});
-  expect_equal(of_one.surface_centroid, {0.5, 0.5, 0});
+  EXPECT_EQ(of_one.regions.at(0).moments.weight, 1);
+  expect_equal(of_one.centroid(of_one.regions[0].moments), {0.5, 0.5, 0});
+  expect_equal(of_one.centroid(of_one.surface), {0.5, 0.5, 0});
 }
 
 /// A bumpy sheet of faces that are joined to patches, above a large slanted square, whose two
@@ -264,7 +274,7 @@ TEST(Inward_rays_test, small_regions_cast_one_ray_or_none)
   EXPECT_EQ(number_of_rays(25601), 0u);
 }
 
-TEST(Inward_rays_test, start_from_patches_where_a_region_has_their_centers)
+TEST(Inward_rays_test, start_from_the_centers_of_patches)
 {
   const Soup soup = sheet_above_square();
   const std::size_t small = soup.polygons.size() - 2;
@@ -273,13 +283,11 @@ TEST(Inward_rays_test, start_from_patches_where_a_region_has_their_centers)
   std::vector<int> labels(soup.polygons.size(), 0);
   labels[small] = labels[small + 1] = 1;
   const RS::Partition regions = RS::Partition::from_labels(labels);
-  const RS::Patches patches = patches_of(mesh).fine;
+  const RS::Surface_patches patches_of_mesh = patches_of(mesh);
+  const RS::Patches& patches = patches_of_mesh.fine;
   ASSERT_LT(patches.size(), small / 8);
-
-  const RS::internal::Region_shapes shapes(mesh, regions);
-  const RS::internal::Ray_tree tree = tree_of(mesh, shapes.surface_centroid);
-  const std::vector<RS::internal::Inward_rays::Hits>
-    hits = RS::internal::Inward_rays(mesh, patches, regions, shapes, tree).trace(RS::Execution());
+  const std::vector<RS::Inward_ray> rays = RS::internal::Inward_rays(mesh, patches_of_mesh, regions)
+                                             .trace(RS::Execution());
 
   std::vector<std::pair<double, std::size_t>> centers; // distance to the centroid of the sheet,
                                                        // face
@@ -299,44 +307,10 @@ TEST(Inward_rays_test, start_from_patches_where_a_region_has_their_centers)
     for (std::size_t g : {small, small + 1})
       nearest = std::min(nearest,
                          distance_to_face(mesh, g, mesh.centroid(f), -1.0 * mesh.normal(f)));
-    EXPECT_NEAR(hits[0][4 * k].distance, nearest, 1e-3 * nearest);
-  }
-}
-
-TEST(Inward_rays_test, start_from_any_face_where_a_region_has_no_center_of_a_patch)
-{
-  // Some faces of the sheet are regions of their own.
-  const RS::Surface mesh = surface_of(sheet_above_square());
-  const std::size_t small = mesh.number_of_faces() - 2;
-  const RS::Patches patches = patches_of(mesh).fine;
-  std::vector<bool> is_center(mesh.number_of_faces());
-  for (std::size_t p = 0; p < patches.size(); ++p)
-    is_center[patches[p].center] = true;
-  std::vector<std::size_t> labels(mesh.number_of_faces(), 0);
-  std::vector<std::size_t> alone; // their faces
-  for (std::size_t f = 0; f < small; f += 50)
-    if (!is_center[f]) {
-      alone.push_back(f);
-      labels[f] = alone.size();
-    }
-  ASSERT_GT(alone.size(), 10u);
-  const RS::Partition regions = RS::Partition::from_labels(labels);
-
-  // As if these were a larger part of the surface: small ones cast no rays.
-  RS::internal::Region_shapes shapes(mesh, regions);
-  for (RS::internal::Region_shape& region : shapes.regions)
-    region.area = mesh.area();
-  const RS::internal::Ray_tree tree = tree_of(mesh, shapes.surface_centroid);
-  const std::vector<RS::internal::Inward_rays::Hits>
-    hits = RS::internal::Inward_rays(mesh, patches, regions, shapes, tree).trace(RS::Execution());
-  for (std::size_t f : alone) { // the first ray goes against the normal
-    double nearest = std::numeric_limits<double>::infinity();
-    for (std::size_t g = 0; g < mesh.number_of_faces(); ++g)
-      if (g != f)
-        nearest = std::min(nearest,
-                           distance_to_face(mesh, g, mesh.centroid(f), -1.0 * mesh.normal(f)));
-    ASSERT_LT(nearest, std::numeric_limits<double>::infinity());
-    EXPECT_NEAR(hits[regions[f]][0].distance, nearest, 1e-3 * nearest) << f;
+    const auto ray = std::find_if(rays.begin(), rays.end(),
+                                  [&](const auto& r) { return r.source == f; });
+    ASSERT_NE(ray, rays.end());
+    EXPECT_NEAR(ray->distance, nearest, 1e-3 * nearest);
   }
 }
 
@@ -466,7 +440,7 @@ TEST(Visibility_annotator_test, annotating_again_changes_nothing)
                                          RS::Superfacets(30)(mesh, patches));
   const Graph once = annotated(mesh, regions);
   Graph twice = once;
-  RS::Visibility_annotator()(twice, mesh, regions, RS::Region_rays(mesh, patches, regions));
+  annotate(twice, mesh, regions);
   ASSERT_EQ(twice.number_of_sections(), once.number_of_sections());
   for (auto range = vertices(once); range.first != range.second; ++range.first) {
     EXPECT_EQ(twice[*range.first].area, once[*range.first].area);

@@ -5,12 +5,18 @@
 
 #include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
 #include <CGAL/Region_segmentation/evaluation.h>
+#include <CGAL/Region_segmentation/make_surface.h>
 #include <CGAL/Region_segmentation/segment.h>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <random>
+#include <set>
+#include <string>
+#include <vector>
 
 namespace RS = CGAL::Region_segmentation;
 using namespace test;
@@ -113,6 +119,76 @@ TEST(Visibility_merging_test, segmentations_nest_down_to_the_faces)
     EXPECT_EQ(number_of(segment_into(soup, faces)), faces);
     EXPECT_EQ(number_of(segment_into(soup, 2 * faces)), faces);
   }
+}
+
+TEST(Most_central_test, is_the_partition_with_the_smallest_sum_of_distances)
+{
+  const unsigned seed = std::random_device()();
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  std::mt19937 random(seed);
+  std::set<std::size_t> places;
+  for (int round = 0; round < 200; ++round) {
+    std::vector<RS::Partition> partitions;
+    std::vector<std::int64_t> weights;
+    const std::size_t size = 1 + random() % 20;
+    for (std::size_t e = 0; e < size; ++e)
+      weights.push_back(std::int64_t(random() % 5));
+    for (int i = 0; i < 5; ++i) {
+      std::vector<std::size_t> labels;
+      for (std::size_t e = 0; e < size; ++e)
+        labels.push_back(random() % 4);
+      partitions.push_back(RS::Partition::from_labels(labels));
+    }
+    std::vector<std::int64_t> sums(partitions.size());
+    for (std::size_t i = 0; i < partitions.size(); ++i)
+      for (const RS::Partition& other : partitions)
+        for (std::size_t e = 0; e < size; ++e)
+          for (std::size_t f = 0; f < size; ++f)
+            if ((partitions[i][e] == partitions[i][f]) != (other[e] == other[f]))
+              sums[i] += weights[e] * weights[f];
+    const std::size_t place = RS::internal::most_central(partitions, weights);
+    EXPECT_EQ(place, std::size_t(std::min_element(sums.begin(), sums.end()) - sums.begin()));
+    places.insert(place);
+  }
+  EXPECT_EQ(places.size(), 5u);
+}
+
+/// The result is that of one of the draws alone, with its tree; not always of the same one.
+TEST(Visibility_merging_test, gives_the_draw_on_which_the_draws_agree_best)
+{
+  std::set<std::size_t> places;
+  for (unsigned seed = 1; seed <= 8; ++seed) {
+    SCOPED_TRACE(seed);
+    std::mt19937 random(seed);
+    Soup soup = triangulated(torus(60, 30));
+    bump(soup, 0.05, random);
+    const RS::Surface surface = RS::make_surface(to_surface_mesh(soup));
+    const RS::Visibility_merging method;
+    RS::Visibility_merging::Prepared prepared = method.prepare(surface);
+    ASSERT_EQ(prepared.draws.size(), 5u);
+    const auto labels = [&](const RS::Hierarchy& hierarchy, std::size_t k) {
+      const auto segments = hierarchy.segments(surface, k);
+      Labels result;
+      for (std::size_t f = 0; f < surface.number_of_faces(); ++f)
+        result.push_back(segments[f]);
+      return result;
+    };
+    const RS::Hierarchy result = method.merge(surface, prepared, RS::Request());
+    std::size_t equal = 0;
+    for (std::size_t i = 0; i < 5; ++i) {
+      auto alone = prepared;
+      alone.draws = {prepared.draws[i]};
+      const RS::Hierarchy of_draw = method.merge(surface, alone, RS::Request());
+      bool is_equal = of_draw.number_of_segments() == result.number_of_segments();
+      for (std::size_t k : {2, 5, 12, 40})
+        is_equal = is_equal && labels(of_draw, k) == labels(result, k);
+      if (is_equal)
+        places.insert(i);
+      equal += is_equal;
+    }
+    EXPECT_GE(equal, 1u);
+  }
+  EXPECT_GT(places.size(), 1u);
 }
 
 TEST(Visibility_merging_test, splits_superfacets_where_more_are_wanted)

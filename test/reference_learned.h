@@ -49,11 +49,6 @@ inline double trace_of_product(const Matrix& a, const Matrix& b)
   return result;
 }
 
-inline double along(const Matrix& m, const Vector& v)
-{
-  return trace_of_product(m, square(v));
-}
-
 /// By Viete's formula, the largest first.
 inline Vector eigenvalues(const Matrix& m)
 {
@@ -98,17 +93,13 @@ struct Moments
 
 struct Learned_section : Section
 {
-  double weakly_concave = 0, strongly_concave = 0, strongly_convex = 0, squared = 0,
-         log_thickness = 0;
-  Moments moments;
+  double strongly_concave = 0, log_thickness = 0;
 
   void add(const Learned_section& other)
   {
     Section::add(other);
-    weakly_concave += other.weakly_concave, strongly_concave += other.strongly_concave;
-    strongly_convex += other.strongly_convex, squared += other.squared,
-      log_thickness += other.log_thickness;
-    moments.add(other.moments);
+    strongly_concave += other.strongly_concave;
+    log_thickness += other.log_thickness;
   }
 };
 
@@ -198,14 +189,7 @@ inline Learned_graph annotate(const Mesh& mesh, const Graph& graph,
     const Pair pair = ordered(region_of[e.lower], region_of[e.higher]);
     if (pair.first == pair.second)
       continue;
-    Learned_section& section = result.sections[pair];
-    const double l = e.length / unit, d = e.signed_deviation;
-    section.weakly_concave += d > 0.1 ? l : 0;
-    section.strongly_concave += d > 0.4 ? l : 0;
-    section.strongly_convex += d < -0.3 ? l : 0;
-    section.squared += l * d * std::abs(d);
-    const Vector middle = relative(0.5 * (mesh.centroids[e.lower] + mesh.centroids[e.higher]));
-    section.moments.add(l, middle, square(middle));
+    result.sections[pair].strongly_concave += e.signed_deviation > 0.4 ? e.length / unit : 0;
   }
   const std::array<double, 5> whole = features_of_whole(result);
   for (auto& [r, region] : result.regions)
@@ -230,7 +214,7 @@ inline double root(double a, double b, double e)
   return std::sqrt((std::max(a, 0.0) + o) / (std::max(b, 0.0) + o));
 }
 
-using Features = std::array<std::int64_t, 64>;
+using Features = std::array<std::int64_t, 35>;
 
 /// In the order of `Merge_features`. `a` has a lower id than `b`.
 inline Features features(const Learned_region& a, const Learned_region& b, const Learned_section& s)
@@ -240,19 +224,9 @@ inline Features features(const Learned_region& a, const Learned_region& b, const
   const Learned_region &m = is_a_smaller ? a : b, &M = is_a_smaller ? b : a;
   Learned_region u = m;
   u.add(M, s);
-  const auto q = [&](double x) { return quotient(x, s.length); };
   const double d = std::max(0.0, (s.concave - 0.3 * s.convex + 0.08 * s.bend) /
                                    std::max(s.length, tiny)) +
                    0.022;
-  const Matrix c = s.moments.covariance();
-  const Vector e = eigenvalues(c);
-  const double e_sums = c[0][0] * c[1][1] + c[1][1] * c[2][2] + c[2][2] * c[0][0] -
-                        c[0][1] * c[0][1] - c[1][2] * c[1][2] - c[0][2] * c[0][2];
-  const auto area = [](const Learned_region& r) { return std::max(r.area, tiny); };
-  const auto deviation = [&](const Learned_region& r) {
-    return std::sqrt(
-      std::max(0.0, quotient(r.squared_log_thickness, r.area) - r.thickness() * r.thickness()));
-  };
   const auto width = [](const Learned_region& r) {
     return std::sqrt(std::max(0.0, trace(r.moments.covariance())));
   };
@@ -262,82 +236,50 @@ inline Features features(const Learned_region& a, const Learned_region& b, const
   const auto perimeter = [](const Learned_region& r) {
     return 2 * ln(std::max(r.perimeter, 1e-6)) - ln(r.area);
   };
-  const auto flatness = [&](const Learned_region& r) { return norm(r.area_vector) / area(r); };
-  const auto elongation = [&](const Learned_region& r) {
-    const Vector w = eigenvalues(r.moments.covariance());
-    return root(w[1], w[0], w[0]);
-  };
-  const auto roundness = [&](const Learned_region& r) {
-    const Vector w = eigenvalues(r.moments.covariance());
-    return root(w[2], w[1], w[0]);
+  const auto flatness = [&](const Learned_region& r) {
+    return norm(r.area_vector) / std::max(r.area, tiny);
   };
   const auto filling = [&](const Learned_region& r) {
-    return ln(area(r)) - ln(pi * trace(r.moments.covariance()));
+    return ln(r.area) - ln(pi * trace(r.moments.covariance()));
   };
   const Vector line = m.moments.centroid() - M.moments.centroid();
-  const double t_m = m.thickness(), t_M = M.thickness(), t_s = q(s.log_thickness);
-  const Matrix w_m = m.moments.covariance(), w_M = M.moments.covariance();
-  const std::array<double, 64> values = {
+  const auto outward = [&](const Learned_region& r) {
+    return quotient(dot(r.area_vector, line), norm(r.area_vector) * norm(line));
+  };
+  const double t_m = m.thickness(), t_M = M.thickness(), t_u = u.thickness(),
+               t_s = quotient(s.log_thickness, s.length);
+  const Vector w = eigenvalues(u.moments.covariance());
+  const std::array<double, 35> values = {
     cost(a, b, s, false),
     ln(d),
-    q(s.concave),
-    q(s.convex),
-    q(s.bend),
-    q(s.weakly_concave),
-    q(s.strongly_concave),
-    q(s.strongly_convex),
-    q(s.squared),
-    ln(s.length * s.length) - ln(4 * pi * pi * trace(c)),
-    root(e[1], e[0], e[0]),
-    root(e[2], e[0], e[0]),
-    std::log(2 * pi * std::sqrt(std::max(0.0, e_sums)) / area(m) + 1e-4),
+    quotient(s.concave, s.length),
     ln(m.area),
     ln(M.area),
-    ln(u.area),
-    2 * ln(s.length) - ln(m.area),
     2 * ln(s.length) - ln(M.area),
-    quotient(s.length, m.perimeter),
-    quotient(s.length, M.perimeter),
     perimeter(m),
     perimeter(M),
     perimeter(u),
     std::abs(t_m - t_M),
-    t_m - t_M,
     t_m,
     t_M,
     t_s - t_m,
     t_s - t_M,
-    deviation(m),
-    deviation(M),
-    deviation(u),
+    std::sqrt(std::max(0.0, quotient(u.squared_log_thickness, u.area) - t_u * t_u)),
     ln(s.length) - std::min(t_m, t_M),
-    ln(width(m)) - t_m,
     ln(width(M)) - t_M,
     quotient(s.visibility, std::min(m.visibility, M.visibility)),
     quotient(s.visibility, std::max(m.visibility, M.visibility)),
     own(m),
     own(M),
-    own(u),
     flatness(m),
-    flatness(M),
     flatness(u),
-    quotient(dot(m.area_vector, M.area_vector), norm(m.area_vector) * norm(M.area_vector)),
-    quotient(dot(m.area_vector, line), norm(m.area_vector) * norm(line)) -
-      quotient(dot(M.area_vector, line), norm(M.area_vector) * norm(line)),
-    norm(line) / std::sqrt(area(u)),
-    elongation(m),
-    elongation(M),
-    elongation(u),
-    roundness(m),
-    roundness(M),
-    roundness(u),
-    quotient(trace_of_product(w_m, w_M), trace(w_m) * trace(w_M)),
-    quotient(along(c, line), trace(c) * dot(line, line)),
+    outward(m) - outward(M),
+    norm(line) / std::sqrt(std::max(u.area, tiny)),
+    root(w[1], w[0], w[0]),
+    root(w[2], w[1], w[0]),
     quotient(width(u), width(m) + width(M)),
-    quotient(width(u), width(M)),
     filling(m),
     filling(M),
-    filling(u),
     m.whole[0],
     m.whole[1],
     m.whole[2],
@@ -388,7 +330,7 @@ inline double probability(const Features& x)
 inline double order_of(const Learned_region& a, const Learned_region& b, const Learned_section& s)
 {
   const Features x = features(a, b, s);
-  const double z = 1 - 2 * probability(x), log_share = double(x[13]) / 512 + double(x[14]) / 512;
+  const double z = 1 - 2 * probability(x), log_share = double(x[3]) / 512 + double(x[4]) / 512;
   return z * power_of_e((z < 0 ? 0.1 : 0.2) * (log_share + 4.605)) + 0.1 * double(x[0]) / 512;
 }
 
@@ -396,31 +338,27 @@ inline double expected_cost(const Learned_region& a, const Learned_region& b,
                             const Learned_section& s)
 {
   const Features x = features(a, b, s);
-  return power_of_e(double(x[13]) / 512 + double(x[14]) / 512) * (1 - 2 * probability(x));
+  return power_of_e(double(x[3]) / 512 + double(x[4]) / 512) * (1 - 2 * probability(x));
 }
 
-/// All merges of the regions.
-struct Result
+/// As `Learned_merging`.
+struct Learned_result : Result
 {
-  std::vector<std::size_t> region_of;
-  std::vector<Merge> merges;
-  std::size_t chosen_number;
-
-  Result(const Mesh& mesh, const Annotated& annotated)
-  {
-    Learned_graph graph = annotate(mesh, annotated.graph, annotated.region_of);
-    merge_by_visibility(60, graph, merges);
-    merge_down_to(1, graph, order_of, expected_cost, merges);
-    chosen_number = choose_number(number_of(annotated.region_of));
-    const visibility::Straightened straightened(mesh, annotated, merges);
-    region_of = straightened.region_of;
-    merges = straightened.merges;
-  }
+  Learned_result(const Mesh& mesh, const Annotated& annotated)
+    : Result(mesh, annotated, [&](const Draw& draw) {
+      Learned_graph graph = annotate(mesh, draw.graph, draw.region_of);
+      Run run;
+      merge_by_visibility(60, graph, run.merges);
+      merge_down_to(1, graph, order_of, expected_cost, run.merges);
+      run.chosen_number = mesh.is_convex() ? graph.regions.size()
+                                           : choose_number(number_of(draw.region_of), run.merges);
+      return run;
+    })
+  {}
 
 private:
-  /// The largest number, from 60 down to 2, at which the sum of the costs is lowest, as regions are
-  /// before borders move.
-  std::size_t choose_number(std::size_t regions) const
+  /// The largest number, from 60 down to 2, at which the sum of the costs is lowest.
+  static std::size_t choose_number(std::size_t regions, const std::vector<Merge>& merges)
   {
     const std::size_t least = std::max(regions - merges.size(), std::min<std::size_t>(regions, 2));
     std::size_t best = std::max(least, std::min<std::size_t>(regions, 60));

@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <map>
 #include <set>
@@ -365,6 +366,7 @@ class Seeding
 public:
   Seeding(const Mesh& mesh, const Patches& patches)
     : m_patches(patches)
+    , m_distance(patches.areas.size(), unreached)
     , m_seed_of(patches.areas.size())
   {
     for (const auto& [pair, length] : patches.lengths) {
@@ -387,45 +389,49 @@ public:
       area += m_patches.areas[p];
     }
     center = (1 / area) * center;
-    std::vector<double> distance(n, unreached);
-    while (std::count(distance.begin(), distance.end(), unreached) > 0) {
+    while (std::count(m_distance.begin(), m_distance.end(), unreached) > 0) {
       std::size_t next = n;
       for (std::size_t p = 0; p < n; ++p)
-        if (distance[p] == unreached && (next == n || norm(m_patches.centroids[p] - center) >
-                                                        norm(m_patches.centroids[next] - center)))
+        if (m_distance[p] == unreached && (next == n || norm(m_patches.centroids[p] - center) >
+                                                          norm(m_patches.centroids[next] - center)))
           next = p;
-      place(next, distance);
+      m_seeds.push_back(next);
+      relax({next});
     }
+    number_of_components = m_seeds.size();
     while (m_seeds.size() < number) {
-      const std::size_t next = std::size_t(std::max_element(distance.begin(), distance.end()) -
-                                           distance.begin());
-      if (!(distance[next] > 0))
+      const std::size_t next = std::size_t(std::max_element(m_distance.begin(), m_distance.end()) -
+                                           m_distance.begin());
+      if (!(m_distance[next] > 0))
         break;
-      place(next, distance);
+      m_seeds.push_back(next);
+      relax({next});
     }
   }
 
-  /// Given seeds, all at once.
+  /// Given seeds, all at once, beside those before. A patch that does not become nearer keeps its
+  /// seed.
   void place_all(const std::vector<std::size_t>& seeds)
   {
-    m_seeds = seeds;
-    std::vector<double> distance(m_patches.areas.size(), unreached);
-    relax(seeds, distance, [](std::size_t, std::size_t) {});
+    const std::vector<double> before = m_distance;
+    relax(seeds);
     std::vector<std::size_t> order;
-    for (std::size_t p = 0; p < distance.size(); ++p)
+    for (std::size_t p = 0; p < m_distance.size(); ++p)
       order.push_back(p);
     std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t p, std::size_t q) { return distance[p] < distance[q]; });
+                     [&](std::size_t p, std::size_t q) { return m_distance[p] < m_distance[q]; });
     for (const std::size_t p : order) {
+      if (m_distance[p] == before[p])
+        continue;
       std::pair<float, std::size_t> through{std::numeric_limits<float>::infinity(), 0};
       for (const auto& [q, step] : m_steps[p])
-        if (distance[q] + double(step) == distance[p])
-          through = std::min(through, {float(distance[q]), q});
-      m_seed_of[p] = distance[p] == 0
-                       ? std::size_t(std::find(seeds.begin(), seeds.end(), p) - seeds.begin())
-                       : m_seed_of[through.second];
+        if (m_distance[q] + double(step) == m_distance[p])
+          through = std::min(through, {float(m_distance[q]), q});
+      m_seed_of[p] = m_distance[p] == 0 ? p : m_seed_of[through.second];
     }
   }
+
+  std::size_t number_of_components = 0;
 
   const std::vector<std::size_t>& seeds() const { return m_seeds; }
   std::vector<std::size_t> regions() const { return numbered(m_seed_of); }
@@ -433,74 +439,59 @@ public:
 private:
   static constexpr double unreached = std::numeric_limits<double>::infinity();
 
-  void place(std::size_t seed, std::vector<double>& distance)
-  {
-    const std::size_t label = m_seeds.size();
-    m_seeds.push_back(seed);
-    m_seed_of[seed] = label;
-    relax({seed}, distance, [&](std::size_t, std::size_t q) { m_seed_of[q] = label; });
-  }
-
-  template <typename F>
-  void relax(const std::vector<std::size_t>& seeds, std::vector<double>& distance, const F& on_step)
+  void relax(const std::vector<std::size_t>& seeds)
   {
     std::set<std::pair<double, std::size_t>> front;
     for (const std::size_t seed : seeds) {
-      distance[seed] = 0;
+      m_distance[seed] = 0;
       front.insert({0, seed});
     }
     while (!front.empty()) {
       const auto [d, p] = *front.begin();
       front.erase(front.begin());
       for (const auto& [q, step] : m_steps[p])
-        if (d + double(step) < distance[q]) {
-          front.erase({distance[q], q});
-          distance[q] = d + double(step);
-          on_step(p, q);
-          front.insert({distance[q], q});
+        if (d + double(step) < m_distance[q]) {
+          front.erase({m_distance[q], q});
+          m_distance[q] = d + double(step);
+          front.insert({m_distance[q], q});
         }
     }
   }
 
   const Patches& m_patches;
   Neighbors m_steps;
+  std::vector<double> m_distance;
   std::vector<std::size_t> m_seeds, m_seed_of;
 };
 
-/// The regions of `Superfacets`, by patch.
-class Superfacets
+/// The draws of `Superfacets`, that of most regions first: the regions of the faces.
+inline std::vector<std::vector<std::size_t>> draws(const Mesh& mesh, const Patches& patches,
+                                                   const Patches& coarse)
 {
-public:
-  Superfacets(const Mesh& mesh, const Patches& patches, std::size_t number)
-    : m_patches(patches)
-  {
-    const Patches coarse = patches.coarse(mesh);
-    Seeding seeding(mesh, patches);
-    if (coarse.areas.size() / 4 < number)
-      seeding.place_farthest(number);
-    else {
-      Seeding first(mesh, coarse);
-      first.place_farthest(number);
-      std::vector<std::size_t> seeds;
-      for (const std::size_t seed : first.seeds())
-        seeds.push_back(coarse.center[seed]);
-      seeding.place_all(seeds);
-    }
-    m_region = seeding.regions();
-  }
-
-  std::vector<std::size_t> of_face() const
-  {
+  std::vector<std::size_t> numbers{480};
+  while (numbers.size() < 5)
+    numbers.push_back(numbers.back() * 15 / 16);
+  const bool is_on_coarse = coarse.areas.size() / 4 >= numbers.front();
+  Seeding places(mesh, is_on_coarse ? coarse : patches), seeding(mesh, patches);
+  places.place_farthest(numbers.front());
+  std::vector<std::vector<std::size_t>> result;
+  std::size_t begin = 0;
+  for (std::size_t i = numbers.size(); i-- > 0;) {
+    const std::size_t end = std::min(std::max(numbers[i], places.number_of_components),
+                                     places.seeds().size());
+    if (end == begin)
+      continue;
+    std::vector<std::size_t> seeds;
+    for (; begin < end; ++begin)
+      seeds.push_back(is_on_coarse ? coarse.center[places.seeds()[begin]] : places.seeds()[begin]);
+    seeding.place_all(seeds);
     std::vector<std::size_t> labels;
-    for (std::size_t p : m_patches.of_element)
-      labels.push_back(m_region[p]);
-    return numbered(labels);
+    for (const std::size_t p : patches.of_element)
+      labels.push_back(seeding.regions()[p]);
+    result.insert(result.begin(), numbered(labels));
   }
-
-private:
-  const Patches& m_patches;
-  std::vector<std::size_t> m_region;
-};
+  return result;
+}
 
 struct Section
 {
@@ -534,106 +525,75 @@ struct Basic_graph
 };
 using Graph = Basic_graph<Region, Section>;
 
-/// The annotated graph of regions of faces.
-class Annotation
+/// The shapes of regions of faces.
+struct Shapes
 {
-public:
-  Annotation(const Mesh& mesh, const Patches& patches, const std::vector<std::size_t>& region_of)
-    : m_mesh(mesh)
-    , m_patches(patches)
-    , m_region_of(region_of)
-    , m_shapes(number_of(region_of))
-  {
-    set_shapes();
-    set_sections();
-    set_rays();
-  }
-
-  Graph graph;
-
-private:
   struct Shape
   {
     double area = 0;
     Vector normal{}, centroid{};
   };
 
-  void set_shapes()
+  std::vector<Shape> regions;
+  Vector center{}; // of the surface
+
+  Shapes(const Mesh& mesh, const std::vector<std::size_t>& region_of)
+    : regions(number_of(region_of))
   {
-    for (std::size_t f = 0; f < m_region_of.size(); ++f) {
-      Shape& shape = m_shapes[m_region_of[f]];
-      shape.area += m_mesh.areas[f];
-      shape.normal = shape.normal + m_mesh.areas[f] * m_mesh.normals[f];
-      shape.centroid = shape.centroid + m_mesh.areas[f] * m_mesh.centroids[f];
+    for (std::size_t f = 0; f < region_of.size(); ++f) {
+      Shape& shape = regions[region_of[f]];
+      shape.area += mesh.areas[f];
+      shape.normal = shape.normal + mesh.areas[f] * mesh.normals[f];
+      shape.centroid = shape.centroid + mesh.areas[f] * mesh.centroids[f];
     }
-    for (std::size_t r = 0; r < m_shapes.size(); ++r) {
-      Shape& shape = m_shapes[r];
-      m_center = m_center + (1 / m_mesh.area) * shape.centroid;
+    for (Shape& shape : regions) {
+      center = center + (1 / mesh.area) * shape.centroid;
       shape.normal = unit(shape.normal);
-      shape.centroid = shape.area > 0 ? (1 / shape.area) * shape.centroid : m_mesh.centroids[0];
-      graph.regions[r].area = shape.area / m_mesh.area;
+      shape.centroid = shape.area > 0 ? (1 / shape.area) * shape.centroid : mesh.centroids[0];
     }
   }
+};
 
-  void set_sections()
+struct Ray
+{
+  std::size_t source, end; // faces
+  double distance, weight;
+};
+
+/// The rays of regions of faces that hit a face.
+class Rays
+{
+public:
+  Rays(const Mesh& mesh, const Patches& patches, const std::vector<std::size_t>& region_of)
+    : m_mesh(mesh)
+    , m_patches(patches)
+    , m_region_of(region_of)
+    , m_shapes(mesh, region_of)
   {
-    for (const Edge& e : m_mesh.edges) {
-      const auto [r, s] = ordered(m_region_of[e.lower], m_region_of[e.higher]);
-      if (r == s)
-        continue;
-      Section& section = graph.sections[{r, s}];
-      const double l = e.length / m_mesh.unit_of_length();
-      section.length += l;
-      ++section.number_of_edges;
-      section.concave += e.signed_deviation > 0 ? l * std::min(e.signed_deviation, 0.6) : 0;
-      section.convex += e.signed_deviation < 0 ? l * std::min(-e.signed_deviation, 2.0) : 0;
-    }
-    for (auto& [pair, section] : graph.sections) {
-      const Shape &i = m_shapes[pair.first], &j = m_shapes[pair.second];
-      const double bend = std::atan2(norm(cross(i.normal, j.normal)), dot(i.normal, j.normal));
-      section.bend = section.length *
-                     (face_each_other(i.normal, j.normal, i.centroid, j.centroid) ? bend : -bend);
-    }
+    for (std::size_t r = 0; r < m_shapes.regions.size(); ++r)
+      cast(r);
   }
 
-  void set_rays()
-  {
-    std::vector<double> sum(m_shapes.size(), 0), thickness;
-    std::vector<std::size_t> hits(m_shapes.size(), 0);
-    for (std::size_t r = 0; r < m_shapes.size(); ++r)
-      cast_rays(r, sum[r], hits[r]);
-    double mean = 0, regions = 0;
-    for (std::size_t r = 0; r < m_shapes.size(); ++r)
-      if (hits[r] > 0) {
-        mean += sum[r] / double(hits[r]);
-        ++regions;
-      }
-    mean = regions > 0 ? mean / regions : 0;
-    for (std::size_t r = 0; r < m_shapes.size(); ++r)
-      graph.regions[r].log_thickness = graph.regions[r].area *
-                                       (hits[r] > 0 ? sum[r] / double(hits[r]) : mean);
-  }
+  std::vector<Ray> all;
 
+private:
   std::vector<std::pair<double, std::size_t>> candidates(std::size_t region) const
   {
-    std::vector<std::pair<double, std::size_t>> centers, all;
-    for (std::size_t f = 0; f < m_region_of.size(); ++f)
+    std::vector<std::pair<double, std::size_t>> result;
+    for (const std::size_t f : m_patches.center)
       if (m_region_of[f] == region) {
-        const Vector away = m_mesh.centroids[f] - m_shapes[region].centroid;
-        all.push_back({dot(away, away), f});
-        if (m_patches.center[m_patches.of_element[f]] == f)
-          centers.push_back(all.back());
+        const Vector away = m_mesh.centroids[f] - m_shapes.regions[region].centroid;
+        result.push_back({dot(away, away), f});
       }
-    auto& result = centers.empty() ? all : centers;
     std::sort(result.begin(), result.end());
     return result;
   }
 
-  void cast_rays(std::size_t region, double& sum, std::size_t& hits)
+  void cast(std::size_t region)
   {
     const auto from = candidates(region);
     const std::size_t n = from.size(), m = std::min<std::size_t>(n, 3);
-    const double share = graph.regions[region].area;
+    const double share = m_shapes.regions[region].area / m_mesh.area;
     if (share < 1. / 25600)
       return;
     const bool is_small = share < 1. / 6400;
@@ -647,27 +607,17 @@ private:
         const auto [end, distance] = first_hit(face, direction(face, a, b));
         if (end == m_mesh.faces.size())
           continue;
-        sum += std::log(distance / m_mesh.unit_of_length() + 1e-4);
-        ++hits;
-        add_ray(region, m_region_of[end], graph.regions[region].area / (is_small ? 1 : 12));
+        all.push_back({face, end, distance, share / (is_small ? 1 : 12)});
       }
     }
-  }
-
-  void add_ray(std::size_t from, std::size_t to, double weight)
-  {
-    graph.regions[from].visibility += weight;
-    graph.regions[to].visibility += weight;
-    if (from != to)
-      graph.sections[ordered(from, to)].visibility += weight;
   }
 
   Vector direction(std::size_t face, double a, double b) const
   {
     const Vector normal = m_mesh.normals[face], center = m_mesh.centroids[face];
     const auto in_plane = [&](const Vector& v) { return v - dot(v, normal) * normal; };
-    Vector u = in_plane(center - m_center);
-    if (!(norm(u) > 1e-3 * norm(center - m_center)))
+    Vector u = in_plane(center - m_shapes.center);
+    if (!(norm(u) > 1e-3 * norm(center - m_shapes.center)))
       u = in_plane(m_mesh.points[m_mesh.faces[face][0]] - center);
     u = unit(u);
     const Vector v = cross(-1.0 * normal, u);
@@ -701,8 +651,77 @@ private:
   const Mesh& m_mesh;
   const Patches& m_patches;
   const std::vector<std::size_t>& m_region_of;
-  std::vector<Shape> m_shapes;
-  Vector m_center{};
+  const Shapes m_shapes;
+};
+
+/// The annotated graph of regions of faces, by the rays of these or of other regions.
+class Annotation
+{
+public:
+  Annotation(const Mesh& mesh, const std::vector<std::size_t>& region_of,
+             const std::vector<Ray>& rays)
+    : m_mesh(mesh)
+    , m_region_of(region_of)
+    , m_shapes(mesh, region_of)
+  {
+    for (std::size_t r = 0; r < m_shapes.regions.size(); ++r)
+      graph.regions[r].area = m_shapes.regions[r].area / mesh.area;
+    set_sections();
+    set_rays(rays);
+  }
+
+  Graph graph;
+
+private:
+  void set_sections()
+  {
+    for (const Edge& e : m_mesh.edges) {
+      const auto [r, s] = ordered(m_region_of[e.lower], m_region_of[e.higher]);
+      if (r == s)
+        continue;
+      Section& section = graph.sections[{r, s}];
+      const double l = e.length / m_mesh.unit_of_length();
+      section.length += l;
+      ++section.number_of_edges;
+      section.concave += e.signed_deviation > 0 ? l * std::min(e.signed_deviation, 0.6) : 0;
+      section.convex += e.signed_deviation < 0 ? l * std::min(-e.signed_deviation, 2.0) : 0;
+    }
+    for (auto& [pair, section] : graph.sections) {
+      const Shapes::Shape &i = m_shapes.regions[pair.first], &j = m_shapes.regions[pair.second];
+      const double bend = std::atan2(norm(cross(i.normal, j.normal)), dot(i.normal, j.normal));
+      section.bend = section.length *
+                     (face_each_other(i.normal, j.normal, i.centroid, j.centroid) ? bend : -bend);
+    }
+  }
+
+  void set_rays(const std::vector<Ray>& rays)
+  {
+    const std::size_t n = graph.regions.size();
+    std::vector<double> sum(n, 0), hits(n, 0);
+    for (const Ray& ray : rays) {
+      const std::size_t r = m_region_of[ray.source], s = m_region_of[ray.end];
+      sum[r] += std::log(ray.distance / m_mesh.unit_of_length() + 1e-4);
+      hits[r] += 1;
+      graph.regions[r].visibility += ray.weight;
+      graph.regions[s].visibility += ray.weight;
+      if (r != s)
+        graph.sections[ordered(r, s)].visibility += ray.weight;
+    }
+    double mean = 0, regions = 0;
+    for (std::size_t r = 0; r < n; ++r)
+      if (hits[r] > 0) {
+        mean += sum[r] / hits[r];
+        ++regions;
+      }
+    mean = regions > 0 ? mean / regions : 0;
+    for (std::size_t r = 0; r < n; ++r)
+      graph.regions[r].log_thickness = graph.regions[r].area *
+                                       (hits[r] > 0 ? sum[r] / hits[r] : mean);
+  }
+
+  const Mesh& m_mesh;
+  const std::vector<std::size_t>& m_region_of;
+  const Shapes m_shapes;
 };
 
 inline double cost(const Region& a, const Region& b, const Section& s, bool are_many)
@@ -795,20 +814,64 @@ inline std::vector<std::size_t> labels_after(const std::vector<std::size_t>& reg
   return numbered(result);
 }
 
-/// The first regions of a mesh, and their annotated graph.
-struct Annotated
+/// The first regions of a draw, and their annotated graph.
+struct Draw
 {
-  Patches patches;
   std::vector<std::size_t> region_of;
   Graph graph;
+};
+
+/// The draws of a mesh, with the rays of the first one.
+struct Annotated
+{
+  Patches patches, coarse;
+  std::vector<Draw> draws;
 
   explicit Annotated(const Mesh& mesh)
     : patches(mesh)
+    , coarse(patches.coarse(mesh))
   {
-    region_of = Superfacets(mesh, patches, 480).of_face();
-    graph = Annotation(mesh, patches, region_of).graph;
+    const auto regions = visibility::draws(mesh, patches, coarse);
+    const Rays rays(mesh, patches, regions.front());
+    for (const std::vector<std::size_t>& region_of : regions)
+      draws.push_back({region_of, Annotation(mesh, region_of, rays.all).graph});
   }
 };
+
+/// All merges of a draw.
+struct Run
+{
+  std::vector<Merge> merges;
+  std::size_t chosen_number; // as regions are before borders move
+};
+
+/// The draw whose chosen segmentation differs least from those of all others, by the pairs of
+/// coarse patches that are in one segment in one of the two.
+inline std::size_t central_draw(const Mesh& mesh, const Annotated& annotated,
+                                const std::vector<Run>& runs)
+{
+  const Patches& coarse = annotated.coarse;
+  const std::size_t n = coarse.areas.size();
+  std::vector<std::vector<std::size_t>> labels(runs.size());
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const auto of_faces = labels_after(annotated.draws[i].region_of, runs[i].merges,
+                                       runs[i].chosen_number);
+    for (std::size_t c = 0; c < n; ++c)
+      labels[i].push_back(of_faces[annotated.patches.center[coarse.center[c]]]);
+  }
+  std::vector<std::int64_t> areas, sums(runs.size());
+  for (const double area : coarse.areas)
+    areas.push_back(std::int64_t(area / mesh.area * (1 << 26)));
+  for (std::size_t i = 0; i < runs.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      for (std::size_t p = 0; p < n; ++p)
+        for (std::size_t q = 0; q < n; ++q)
+          if ((labels[i][p] == labels[i][q]) != (labels[j][p] == labels[j][q])) {
+            sums[i] += areas[p] * areas[q];
+            sums[j] += areas[p] * areas[q];
+          }
+  return std::size_t(std::min_element(sums.begin(), sums.end()) - sums.begin());
+}
 
 /// The regions of the faces, and their merges, after borders are straightened.
 struct Straightened
@@ -816,10 +879,10 @@ struct Straightened
   std::vector<std::size_t> region_of;
   std::vector<Merge> merges;
 
-  Straightened(const Mesh& mesh, const Annotated& annotated,
+  Straightened(const Mesh& mesh, const Patches& patches,
+               const std::vector<std::size_t>& region_of_face,
                const std::vector<Merge>& merges_before)
   {
-    const Patches& patches = annotated.patches;
     const std::size_t n = patches.areas.size();
     Straightening_input input;
     input.costs.resize(n);
@@ -836,7 +899,7 @@ struct Straightened
       input.areas.push_back(area / mesh.area);
     input.region_of.resize(n);
     for (std::size_t f = 0; f < patches.of_element.size(); ++f)
-      input.region_of[patches.of_element[f]] = annotated.region_of[f];
+      input.region_of[patches.of_element[f]] = region_of_face[f];
     for (const Merge& merge : merges_before)
       input.merges.push_back({merge.kept, merge.removed});
     const Straightening straightening(input);
@@ -864,26 +927,45 @@ struct Straightened
   }
 };
 
-/// All merges of the regions.
+/// The regions of the faces and their merges: of the draw that is nearest to all others.
 struct Result
 {
   std::vector<std::size_t> region_of;
   std::vector<Merge> merges;
   std::size_t chosen_number;
 
-  Result(const Mesh& mesh, const Annotated& annotated)
+  /// `run`: of a draw
+  template <typename Run_of>
+  Result(const Mesh& mesh, const Annotated& annotated, const Run_of& run)
   {
-    Graph graph = annotated.graph;
-    merge_by_visibility(1, graph, merges);
-    chosen_number = choose_number(number_of(annotated.region_of));
-    const Straightened straightened(mesh, annotated, merges);
+    std::vector<Run> runs;
+    for (const Draw& draw : annotated.draws)
+      runs.push_back(run(draw));
+    const std::size_t i = central_draw(mesh, annotated, runs);
+    const Straightened straightened(mesh, annotated.patches, annotated.draws[i].region_of,
+                                    runs[i].merges);
     region_of = straightened.region_of;
     merges = straightened.merges;
+    chosen_number = runs[i].chosen_number;
   }
+};
+
+/// As `Visibility_merging`.
+struct Visibility_result : Result
+{
+  Visibility_result(const Mesh& mesh, const Annotated& annotated)
+    : Result(mesh, annotated, [&](const Draw& draw) {
+      Graph graph = draw.graph;
+      Run run;
+      merge_by_visibility(1, graph, run.merges);
+      run.chosen_number = mesh.is_convex() ? graph.regions.size()
+                                           : choose_number(number_of(draw.region_of), run.merges);
+      return run;
+    })
+  {}
 
 private:
-  /// As regions are before borders move.
-  std::size_t choose_number(std::size_t regions) const
+  static std::size_t choose_number(std::size_t regions, const std::vector<Merge>& merges)
   {
     const std::size_t least = regions - merges.size();
     const std::size_t first = regions - std::min(regions, std::max<std::size_t>(40, least));

@@ -505,8 +505,8 @@ std::vector<std::string> stages_of(const Visitor& visitor)
 }
 
 const std::vector<std::string> stages_of_two_step = {"reading", "regions", "graph", "merging"};
-const std::vector<std::string> stages_of_default = {"reading", "regions", "rays",
-                                                    "graph",   "merging", "borders"};
+const std::vector<std::string> stages_of_default = {"reading", "regions", "rays", "merging",
+                                                    "borders"};
 
 /// Cancels at every call in turn.
 template <typename Parameters>

@@ -72,7 +72,7 @@ public:
   {
     EXPECT_EQ(graph.number_of_regions(), regions.number_of_parts());
     EXPECT_EQ(regions.size(), surface.number_of_faces());
-    EXPECT_EQ(rays.hits().size(), regions.number_of_parts());
+    EXPECT_EQ(rays.shapes.regions.size(), regions.number_of_parts());
   }
 };
 

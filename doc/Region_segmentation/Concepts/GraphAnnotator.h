@@ -20,13 +20,13 @@ public:
 
   /*!
   sets data of the regions and sections of a graph. Those that sum up faces and borders, by
-  `RegionData::add_face()` and the like, are set before. It is called again, for another graph, when
-  constraints or seeds divide regions.
+  `RegionData::add_face()` and the like, are set before. It is called for the graph of each draw, of
+  several at the same time with `CGAL::Parallel_tag`.
 
   \param graph a `Region_adjacency_graph<RegionData, SectionData>`; its vertices are the regions
   \param surface the surface that is measured
   \param regions of the faces of the surface
-  \param rays what the regions see
+  \param rays from the superfacets of the first draw, and the shapes of the regions
   */
   void operator()(Graph& graph, const Surface& surface, const Partition& regions,
                   const Region_rays& rays) const;

@@ -25,17 +25,6 @@ double mean(const std::vector<double>& values)
   return std::accumulate(values.begin(), values.end(), 0.0) / double(values.size());
 }
 
-RS::Hierarchy straighten_borders(const Training_model& model, const RS::Merge_tree& tree)
-{
-  const auto label_of_cell = RS::Border_straightening()(
-    model.surface, model.cells, {model.regions, RS::Seeds()}, tree, model.regions.number_of_parts(),
-    RS::Execution());
-  std::vector<RS::Partition::Index> labels;
-  for (const RS::Partition::Index cell : model.cells.of_elements())
-    labels.push_back(label_of_cell[cell]);
-  return RS::internal::renumbered_hierarchy(labels, tree, model.regions.number_of_parts());
-}
-
 /// The distances to each person, by the number of segments, from the least number of the tree on,
 /// which has `few` at most.
 class Distances
@@ -93,22 +82,16 @@ void set_paper_scores(Model_score& score, const Training_model& model,
     }
 }
 
-/// `policy`: merges from the first merges of the model on
-template <typename Policy, typename Chooser>
-Model_score score(const Training_model& model, Policy policy, const Chooser& choose)
+template <typename Method>
+Model_score score(const Training_model& model, const Method& method)
 {
-  Graph graph = model.graph;
-  RS::Merge_tree tree = model.first_merges;
-  const RS::Merge_tree last_merges = RS::merge_regions(graph, policy, 1);
-  for (const RS::Merge_tree::Merge& merge : last_merges.merges())
-    tree.push_back(merge);
-  const RS::Hierarchy segments = straighten_borders(model, tree);
+  const RS::Hierarchy segments = method.merge(model.surface, model.prepared, RS::Request());
   const Distances distances(model, segments);
   Model_score result;
   result.given = mean(distances(model.number_of_segments));
   set_paper_scores(result, model, distances(model.number_of_segments));
   result.best = distances.lowest_mean();
-  result.chosen_number = choose(tree); // before borders are moved, as `segment()`
+  result.chosen_number = segments.number_of_segments();
   result.automatic = mean(distances(result.chosen_number));
   return result;
 }
@@ -117,15 +100,7 @@ Model_score score(const Training_model& model, Policy policy, const Chooser& cho
 
 Model_score score_learned(const Training_model& model, const Model& learned)
 {
-  const RS::Learned_merging method(learned);
-  return score(model, std::get<2>(method.policy).first,
-               [&](const RS::Merge_tree& tree) { return method.chooser(tree, model.surface); });
-}
-
-Model_score score_visibility(const Training_model& model)
-{
-  const RS::Visibility_merging method;
-  return score(model, std::get<1>(method.policy).first, method.chooser);
+  return score(model, RS::Learned_merging(learned));
 }
 
 } // namespace train_merge_cost

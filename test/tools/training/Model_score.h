@@ -24,9 +24,6 @@ struct Model_score
 /// As `Learned_merging` with a model.
 Model_score score_learned(const Training_model& model, const Model& learned);
 
-/// As `Visibility_merging`.
-Model_score score_visibility(const Training_model& model);
-
 } // namespace train_merge_cost
 
 #endif // CGAL_REGION_SEGMENTATION_TEST_TOOLS_TRAINING_MODEL_SCORE_H

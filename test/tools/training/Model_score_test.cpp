@@ -8,7 +8,6 @@
 #include "model_sources.h"
 
 #include <CGAL/Region_segmentation/Methods/Learned_merging.h>
-#include <CGAL/Region_segmentation/Methods/Superfacets.h>
 #include <CGAL/Region_segmentation/evaluation/overlap_measures.h>
 #include <CGAL/Region_segmentation/segment.h>
 
@@ -46,8 +45,8 @@ double distance_of_segments(const NamedParameters& np)
 TEST(Model_score_test, is_that_of_segment)
 {
   const std::size_t k = procedural_model().number_of_segments;
-  const Training_model model = make_training_model(2, procedural_model(), RS::Superfacets().number,
-                                                   RS::Learned_merging::few);
+  const Training_model model = make_training_model(2, procedural_model(), RS::Learned_merging());
+  EXPECT_GT(model.prepared.draws.size(), 1u);
   const Model_score score = score_learned(model, RS::internal::learned_merge_model);
   EXPECT_NEAR(score.given, distance_of_segments(RS::parameters::number_of_segments(k)), 1e-12);
   EXPECT_NEAR(score.automatic, distance_of_segments(RS::parameters::default_values()), 1e-12);
@@ -60,7 +59,9 @@ TEST(Model_score_test, is_that_of_segment)
 TEST(Cross_validation_test, learns_from_variants_with_the_fold_of_their_model)
 {
   const auto make = [](int number, std::size_t superfacets) {
-    return make_training_model(number, procedural_model(), superfacets, RS::Learned_merging::few);
+    RS::Learned_merging method;
+    method.superfacets.number = superfacets;
+    return make_training_model(number, procedural_model(), method);
   };
   Training_plan plan;
   plan.noisy_runs = plan.learned_runs = 0;

@@ -34,30 +34,24 @@ std::vector<std::vector<int>> numbered_labels(const princeton_benchmark::Model& 
 } // namespace
 
 Training_model make_training_model(int number, const princeton_benchmark::Model& model,
-                                   std::size_t superfacets, std::size_t few)
+                                   const Training_model::Method& method)
 {
   Training_model result;
   result.number = number;
   result.number_of_segments = model.number_of_segments;
   for (const princeton_benchmark::Truth& truth : model.truths)
     result.segments_of_people.push_back(truth.number_of_segments);
+  result.people = numbered_labels(model);
   result.surface = RS::make_surface_of_polygon_soup(model.soup.points, model.soup.polygons);
-  RS::Learned_merging method;
-  method.superfacets.number = superfacets;
-  RS::Learned_merging::Prepared prepared = method.prepare(result.surface);
-  result.graph = method.annotated_graph(result.surface, prepared, prepared.regions,
-                                        RS::Execution());
-  for (const std::vector<int>& labels : numbered_labels(model)) {
-    result.people.emplace_back(labels.begin(), labels.end());
-  }
-  result.surface = prepared.shape(result.surface);
-  result.regions = std::move(prepared.regions);
-  result.cells = std::move(prepared.patches.fine);
-  result.first_merges = RS::merge_regions(result.graph, RS::Visibility_merging().policy, few);
-  result.counts = Label_counts(
-    std::vector<std::size_t>(result.regions.begin(), result.regions.end()),
-    result.regions.number_of_parts(), result.people);
-  for (const RS::Merge_tree::Merge& merge : result.first_merges.merges())
+  result.prepared = method.prepare(result.surface);
+  const RS::Partition regions = result.prepared.regions(0);
+  result.graph = method.annotated_graph(result.surface, result.prepared,
+                                        result.prepared.patches.fine, regions, RS::Execution());
+  result.counts = Label_counts(std::vector<std::size_t>(regions.begin(), regions.end()),
+                               regions.number_of_parts(), result.people);
+  const RS::Merge_tree first_merges = RS::merge_regions(
+    result.graph, RS::Visibility_merging().policy, Training_model::Method::few);
+  for (const RS::Merge_tree::Merge& merge : first_merges.merges())
     result.counts.merge(merge.kept, merge.removed);
   return result;
 }

@@ -7,11 +7,8 @@
 
 #include "model_sources.h"
 
-#include <CGAL/Region_segmentation/Graph/Merge_tree.h>
 #include <CGAL/Region_segmentation/Graph/Region_adjacency_graph.h>
-#include <CGAL/Region_segmentation/Methods/Merge_features.h>
-#include <CGAL/Region_segmentation/Partition.h>
-#include <CGAL/Region_segmentation/Patches.h>
+#include <CGAL/Region_segmentation/Methods/Learned_merging.h>
 #include <CGAL/Region_segmentation/Surface.h>
 
 #include <cstddef>
@@ -31,29 +28,25 @@ struct Training_graph
   Label_counts counts;
 };
 
-/// A model, of the benchmark or furniture, at the number of regions from which the learned cost
-/// merges.
+/// A model, of the benchmark or furniture; the graph is that of the first draw.
 struct Training_model : Training_graph
 {
+  using Method = CGAL::Region_segmentation::Learned_merging;
+
   int number = 0; ///< in the benchmark, or above all of them: of its seeds
   std::string category;
   bool is_furniture = false;
   double weight = 1;                  ///< of what is learned from it
   std::size_t number_of_segments = 0; ///< k of the standard protocol
   std::vector<std::size_t> segments_of_people;
-  std::vector<std::vector<int>> people;       ///< the labels of the faces by each person, from 0 on
-  CGAL::Region_segmentation::Surface surface; ///< without noise
-  CGAL::Region_segmentation::Partition regions;       ///< the first ones
-  CGAL::Region_segmentation::Patches cells;           ///< of the regions
-  CGAL::Region_segmentation::Merge_tree first_merges; ///< before the graph and the counts
-  std::vector<Training_graph> variants; ///< of the same model, to learn from: of other first
-                                        ///< regions, or finer faces
+  std::vector<std::vector<int>> people; ///< the labels of the faces by each person, from 0 on
+  CGAL::Region_segmentation::Surface surface;
+  Method::Prepared prepared;
+  std::vector<Training_graph> variants; ///< of the same model, to learn from: with other faces
 };
 
-/// `superfacets`: the number of first regions; `few`: of regions to merge down to, by the hand-made
-/// cost
 Training_model make_training_model(int number, const princeton_benchmark::Model& model,
-                                   std::size_t superfacets, std::size_t few);
+                                   const Training_model::Method& method);
 
 } // namespace train_merge_cost
 

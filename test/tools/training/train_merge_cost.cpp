@@ -42,40 +42,31 @@ namespace {
 
 using segment_mesh::Labelled_model;
 
-/// What is learned from in addition to every other model: the same with `superfacets` times as many
-/// first regions, or with other faces, whose labels are those of the faces that they come from.
+/// What is learned from in addition to every other model: the same with other faces, whose labels
+/// are those of the faces that they come from.
 struct Variant
 {
   std::string name;
-  double superfacets;
   Labelled_model (*change)(Labelled_model model, unsigned seed);
 };
-
-Labelled_model unchanged(Labelled_model model, unsigned)
-{
-  return model;
-}
 
 std::vector<Variant> variants_of_models()
 {
   using namespace princeton_benchmark;
   return {
-    {"11/12 of the superfacets", 11. / 12, unchanged},
-    {"13/12 of the superfacets", 13. / 12, unchanged},
-    {"faces split into four", 1,
+    {"faces split into four",
      [](Labelled_model model, unsigned) { return split_into_four(model); }},
-    {"noise of 1/8 of the mean edge", 1,
+    {"noise of 1/8 of the mean edge",
      [](Labelled_model model, unsigned seed) {
        return with_noise(std::move(model), 1. / 8, seed);
      }},
-    {"noise of 1/16 of the mean edge", 1,
+    {"noise of 1/16 of the mean edge",
      [](Labelled_model model, unsigned seed) {
        return with_noise(std::move(model), 1. / 16, seed);
      }},
-    {"a tenth of the edges", 1,
-     [](Labelled_model model, unsigned) { return decimated(model, 0.1); }},
-    {"half of the edges", 1, [](Labelled_model model, unsigned) { return decimated(model, 0.5); }},
-    {"holes of 1 % of the faces", 1,
+    {"a tenth of the edges", [](Labelled_model model, unsigned) { return decimated(model, 0.1); }},
+    {"half of the edges", [](Labelled_model model, unsigned) { return decimated(model, 0.5); }},
+    {"holes of 1 % of the faces",
      [](Labelled_model model, unsigned seed) { return with_holes(model, 0.01, seed); }}};
 }
 
@@ -83,8 +74,7 @@ struct Options
 {
   std::string data_folder, furniture_folder, header;
   bool has_report = false;
-  std::size_t superfacets = CGAL::Region_segmentation::Superfacets().number;
-  std::size_t few = CGAL::Region_segmentation::Learned_merging::few;
+  CGAL::Region_segmentation::Learned_merging method;
   std::vector<Variant> variants = variants_of_models();
   std::size_t folds = 5;
   double furniture_weight = 0.4; // 44 pieces weigh as 18 of the 190 models
@@ -117,16 +107,14 @@ std::variant<Options, int> parse_command_line(int argc, char** argv)
   app.add_option("--seed", options.plan.seed, "Of all that is random. Default: 1")
     ->check(CLI::Range(1, 1000));
   app
-    .add_option("--superfacets", options.superfacets, "First regions. Default: that of Superfacets")
+    .add_option("--superfacets", options.method.superfacets.number,
+                "Regions of the first draw. Default: that of Superfacets")
     ->check(CLI::Range(1, 100000));
-  app
-    .add_option("--few", options.few,
-                "Regions from which on the model merges. Default: that of Learned_merging")
-    ->check(CLI::Range(2, 100000));
+  app.add_option("--draws", options.method.number_of_draws, "Default: that of Superfacet_merging")
+    ->check(CLI::Range(1, 1000));
   app.add_flag_callback(
     "--no-variants", [&options] { options.variants.clear(); },
-    "Learn from the models alone, not from noisy, coarser, finer and open ones and other "
-    "superfacets, too");
+    "Learn from the models alone, not from noisy, coarser, finer and open ones, too");
   app.add_option("--folds", options.folds, "Of the models, for cross-validation. Default: 5")
     ->check(CLI::Range(2, 1000));
   try {
@@ -154,11 +142,6 @@ princeton_benchmark::Model changed(princeton_benchmark::Model model, const Varia
     truth.labels = std::move(labels);
   }
   return model;
-}
-
-std::size_t superfacets_of(const Variant& variant, const Options& options)
-{
-  return std::size_t(std::llround(variant.superfacets * double(options.superfacets)));
 }
 
 /// A model that is learned from.
@@ -191,16 +174,14 @@ std::vector<Training_model> load_models(const std::vector<Source>& sources, cons
   std::vector<Training_model> models;
   for (std::size_t i = 0; i < sources.size(); ++i) {
     const princeton_benchmark::Model model = sources[i].model.load();
-    models.push_back(
-      make_training_model(sources[i].number, model, options.superfacets, options.few));
+    models.push_back(make_training_model(sources[i].number, model, options.method));
     models.back().category = sources[i].model.category;
     models.back().is_furniture = sources[i].is_furniture;
     models.back().weight = sources[i].is_furniture ? options.furniture_weight : 1;
     for (std::size_t v = i % 2; v < options.variants.size(); v += 2) // half of them, which is
                                                                      // enough of each
-      models.back().variants.push_back(
-        make_training_model(sources[i].number, changed(model, options.variants[v], unsigned(i)),
-                            superfacets_of(options.variants[v], options), options.few));
+      models.back().variants.push_back(make_training_model(
+        sources[i].number, changed(model, options.variants[v], unsigned(i)), options.method));
   }
   return models;
 }
@@ -214,9 +195,8 @@ std::vector<Model_score> scores_of_variant(const std::vector<Source>& sources,
   for (std::size_t i = 0; i < sources.size(); ++i) {
     const princeton_benchmark::Model model = changed(sources[i].model.load(), variant,
                                                      unsigned(sources.size() + i));
-    scores.push_back(score_learned(
-      make_training_model(sources[i].number, model, superfacets_of(variant, options), options.few),
-      validation.without(i)));
+    scores.push_back(score_learned(make_training_model(sources[i].number, model, options.method),
+                                   validation.without(i)));
   }
   return scores;
 }
@@ -259,8 +239,9 @@ std::string in_digits(double value)
 
 std::string names_of_variants(const Options& options)
 {
-  std::string names = "With " + std::to_string(options.superfacets) +
-                      " superfacets; variants, each of every other model: ";
+  std::string names = "With " + std::to_string(options.method.number_of_draws) + " draws from " +
+                      std::to_string(options.method.superfacets.number) +
+                      " superfacets on; variants, each of every other model: ";
   for (const Variant& variant : options.variants)
     names += (&variant == &options.variants.front() ? "" : ", ") + variant.name;
   return names + (options.variants.empty() ? "none." : ".");
@@ -307,12 +288,10 @@ void write_report(const Options& options, const std::vector<Source>& sources,
                   const Trained_model& final_model)
 {
   using princeton_benchmark::write_text;
-  const std::vector<Model_score> by_hand = scores_of(models, score_visibility);
   const Model model = final_model.model();
   const std::vector<Model_score> in_sample = scores_of(
     models, [&](const Training_model& m) { return score_learned(m, model); });
-  std::vector<Scored_way> ways = {
-    {"hand-made", &by_hand}, {"in sample", &in_sample}, {"out of fold", &validation.scores}};
+  std::vector<Scored_way> ways = {{"in sample", &in_sample}, {"out of fold", &validation.scores}};
   write_text(std::cout, means_table(models, ways));
   std::cout.flush();
   if (!options.has_report)

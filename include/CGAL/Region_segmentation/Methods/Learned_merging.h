@@ -32,12 +32,11 @@ namespace Region_segmentation {
 /// fills the data of which `Merge_features` are made, those of `Visibility_annotator` included, of
 /// graphs with `Learned_region_data` and `Learned_section_data`.
 ///
-/// A face of area \f$a\f$ (share of the surface), unit normal \f$N\f$ and centroid \f$c\f$ adds to
-/// its region
+/// A fine patch of area \f$a\f$ (share of the surface), unit normal \f$N\f$ and centroid \f$c\f$
+/// adds to its region
 /// - \f$a N\f$ to the area vector, and
-/// - \f$a\f$, \f$a c\f$ and \f$a (c c^T + \sigma a (I - N N^T))\f$ to the moments, \f$\sigma = 1 /
-/// (6 \sqrt{3})\f$: those
-///   of an equilateral triangle of its area.
+/// - \f$a\f$, \f$a c\f$ and \f$a (c c^T + \sigma a (I - N N^T))\f$ to the moments,
+///   \f$\sigma = 1 / (6 \sqrt{3})\f$: those of an equilateral triangle of its area.
 ///
 /// The perimeter is the sum of the lengths of the region's sections; borders of the mesh do not
 /// count. The own visibility is the weight of the rays that start and end in the region. The log
@@ -45,14 +44,14 @@ namespace Region_segmentation {
 /// Coordinates are relative to the centroid of the first face, in units of \f$\sqrt{A}\f$. Each
 /// region has the `Whole_shape` of all of them.
 ///
-/// Complexity: O(F + S) beyond that of `Visibility_annotator`. Deterministic.
+/// Complexity: O(P + S) beyond that of `Visibility_annotator`. Deterministic.
 class Learned_annotator : public Visibility_annotator
 {
 public:
   using RegionData = Learned_region_data;
   using SectionData = Learned_section_data;
 
-  /// Fills the data of `graph`. `rays` are those of `regions`.
+  /// Fills the data of `graph`.
   template <typename Graph>
   void operator()(Graph& graph, const Surface& surface, const Partition& regions,
                   const Region_rays& rays) const
@@ -62,8 +61,8 @@ public:
       return;
     for (Surface::Index r = 0; r < regions.number_of_parts(); ++r) {
       Learned_region_data& region = graph[r];
-      region.area_vector = rays.shapes().regions[r].area_vector;
-      region.moments = rays.shapes().regions[r].moments;
+      region.area_vector = rays.shapes.regions[r].area_vector;
+      region.moments = rays.shapes.regions[r].moments;
       region.squared_log_thickness = region.log_thickness * region.mean_log_thickness();
       region.own_visibility = region.visibility / 2;
       region.perimeter = 0;

@@ -22,57 +22,34 @@ namespace CGAL {
 namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationGraph
-/// Extends `Visibility_section_data` by how the length of a section is distributed over angles, the
-/// thickness beside the section, and its shape. Filled by `Learned_annotator`. A model of
-/// `SectionData`.
+/// Extends `Visibility_section_data` by the thickness beside the section, and by how much of it is
+/// a deep valley. Filled by `Learned_annotator`. A model of `SectionData`.
 ///
 /// All data are sums over the adjacencies, in units of the square root of the area of the surface.
 struct Learned_section_data : Visibility_section_data
 {
-  /// \name Bounds of the deviation, in radians
-  /// @{
-  static constexpr double weakly_concave = 0.1, strongly_concave = 0.4, strongly_convex = 0.3;
-  /// @}
+  static constexpr double strongly_concave = 0.4; ///< deviation, in radians
 
-  double weakly_concave_length = 0;   ///< of concave edges with a deviation above `weakly_concave`
   double strongly_concave_length = 0; ///< of concave edges with a deviation above
                                       ///< `strongly_concave`
-  double strongly_convex_length = 0;  ///< of convex edges with a deviation above `strongly_convex`
-  double squared_deviation = 0;     ///< integral of the square of the deviation, negative on convex
-                                    ///< edges
-  double log_thickness = 0;         ///< integral of the mean log thickness, averaged over the two
-                                    ///< regions beside an edge from which merging starts
-  internal::Second_moments moments; ///< of the edges, each at the mean of the centroids of its
-                                    ///< faces
+  double log_thickness = 0;           ///< integral of the mean log thickness, averaged over the two
+                                      ///< regions beside an edge from which merging starts
 
   /// Adds an adjacency of two faces to the section.
   void add_adjacency(const Surface& mesh, std::size_t a)
   {
-    const double unit = mesh.length_unit(), l = mesh.length(a) / unit;
-    const double deviation = signed_deviation(mesh, a);
+    const double l = mesh.length(a) / mesh.length_unit(), deviation = signed_deviation(mesh, a);
     add(l, deviation);
-    const Double_3 center = 0.5 * (mesh.centroid(mesh.lower_face(a)) +
-                                   mesh.centroid(mesh.higher_face(a)));
-    moments.add(l, (1 / unit) * (center - mesh.centroid(0)));
-    squared_deviation += l * deviation * std::abs(deviation);
-    if (deviation > weakly_concave)
-      weakly_concave_length += l;
     if (deviation > strongly_concave)
       strongly_concave_length += l;
-    if (deviation < -strongly_convex)
-      strongly_convex_length += l;
   }
 
   /// Adds another section between the same two regions.
   void absorb(const Learned_section_data& other)
   {
     Visibility_section_data::absorb(other);
-    weakly_concave_length += other.weakly_concave_length;
     strongly_concave_length += other.strongly_concave_length;
-    strongly_convex_length += other.strongly_convex_length;
-    squared_deviation += other.squared_deviation;
     log_thickness += other.log_thickness;
-    moments.add(other.moments);
   }
 };
 
@@ -130,47 +107,36 @@ struct Learned_region_data : Visibility_region_data
 /// Of the two regions, m is the smaller and M the larger (of equal ones, m is the one of lower id),
 /// and u is their union. The data of u are those of m and M merged across the section. All features
 /// are invariant under motion, scaling and renumbering. Lengths are in units of the square root of
-/// the area of the surface. Of a section, L is the length, C, X and B are its `concave`, `convex`
-/// and `bend`, \f$s_{mM}\f$ its `visibility`, \f$t_s\f$ its `log_thickness` by L, and c the
-/// covariance of its moments, \f$c_1 \geq c_2 \geq c_3\f$ its eigenvalues. Of a region, a is the
-/// area, P the perimeter, t the `log_thickness` by a, s the `visibility`, o the `own_visibility`, V
-/// the area vector, z the centroid of its moments, w their covariance, \f$w_1 \geq w_2 \geq w_3\f$
-/// its eigenvalues, and \f$W = \sqrt{\mathrm{tr}\, w}\f$. Of moments with the sums \f$S_0, S_1,
-/// S_2\f$, the centroid is \f$S_1 / S_0\f$ and the covariance \f$S_2 / S_0 - S_1 S_1^T / S_0^2\f$.
+/// the area of the surface. Of a section, L is the length, C its `concave`, \f$s_{mM}\f$ its
+/// `visibility` and \f$t_s\f$ its `log_thickness` by L. Of a region, a is the area, P the
+/// perimeter, t the `log_thickness` by a, s the `visibility`, o the `own_visibility`, V the area
+/// vector, z the centroid of its moments, w their covariance, \f$w_1 \geq w_2 \geq w_3\f$ its
+/// eigenvalues, and \f$W = \sqrt{\mathrm{tr}\, w}\f$. Of moments with the sums \f$S_0, S_1, S_2\f$,
+/// the centroid is \f$S_1 / S_0\f$ and the covariance \f$S_2 / S_0 - S_1 S_1^T / S_0^2\f$.
 ///
-/// - 0, 1: the `Visibility_cost`; ln d, its depth;
-/// - 2 .. 4: C / L; X / L; B / L;
-/// - 5 .. 8: `weakly_concave_length`, `strongly_concave_length`, `strongly_convex_length`,
-///   `squared_deviation`, by L;
-/// - 9: \f$\ln(L^2 / (4 \pi^2 \mathrm{tr}\, c))\f$ (0 for a circle, -1.19 for a segment);
-/// - 10, 11: \f$\sqrt{c_2 / c_1}\f$; \f$\sqrt{c_3 / c_1}\f$;
-/// - 12: \f$\ln(2 \pi \sqrt{c_1 c_2 + c_1 c_3 + c_2 c_3} / a_m + 10^{-4})\f$ (the area of an
-///   ellipse);
-/// - 13 .. 15: ln a of m, M, u;
-/// - 16, 17: \f$\ln(L^2 / a)\f$ of m, M;
-/// - 18, 19: L / P of m, M;
-/// - 20 .. 22: \f$\ln(P^2 / a)\f$ of m, M, u;
-/// - 23, 24: \f$|t_m - t_M|\f$; \f$t_m - t_M\f$;
-/// - 25, 26: t of m, M;
-/// - 27, 28: \f$t_s - t\f$ of m, M;
-/// - 29 .. 31: \f$\sqrt{q / a - t^2}\f$ of m, M, u, q the `squared_log_thickness` (standard
-///   deviation of the log thickness);
-/// - 32: \f$\ln L - \min(t_m, t_M)\f$;
-/// - 33, 34: \f$\ln W - t\f$ of m, M;
-/// - 35, 36: \f$s_{mM} / \min(s_m, s_M)\f$; \f$s_{mM} / \max(s_m, s_M)\f$;
-/// - 37 .. 39: 2 o / s of m, M, u (share of the rays that start and end in the region);
-/// - 40 .. 42: \f$|V| / a\f$ of m, M, u (1 where it is flat);
-/// - 43: the cosine between \f$V_m\f$ and \f$V_M\f$;
-/// - 44: \f$(V_m / |V_m| - V_M / |V_M|) \cdot (z_m - z_M) / |z_m - z_M|\f$ (below 0 where they face
+/// - 0 .. 2: the `Visibility_cost`; ln d, d its depth; C / L;
+/// - 3, 4: ln a of m, M;
+/// - 5: \f$\ln(L^2 / a_M)\f$;
+/// - 6 .. 8: \f$\ln(P^2 / a)\f$ of m, M, u;
+/// - 9: \f$|t_m - t_M|\f$;
+/// - 10, 11: t of m, M;
+/// - 12, 13: \f$t_s - t\f$ of m, M;
+/// - 14: \f$\sqrt{q / a - t^2}\f$ of u, q the `squared_log_thickness` (standard deviation of the
+/// log
+///   thickness);
+/// - 15: \f$\ln L - \min(t_m, t_M)\f$;
+/// - 16: \f$\ln W - t\f$ of M;
+/// - 17, 18: \f$s_{mM} / \min(s_m, s_M)\f$; \f$s_{mM} / \max(s_m, s_M)\f$;
+/// - 19, 20: 2 o / s of m, M (share of the rays that start and end in the region);
+/// - 21, 22: \f$|V| / a\f$ of m, u (1 where it is flat);
+/// - 23: \f$(V_m / |V_m| - V_M / |V_M|) \cdot (z_m - z_M) / |z_m - z_M|\f$ (below 0 where they face
 ///   each other);
-/// - 45: \f$|z_m - z_M| / \sqrt{a_u}\f$;
-/// - 46 .. 48: \f$\sqrt{w_2 / w_1}\f$ of m, M, u (elongation);
-/// - 49 .. 51: \f$\sqrt{w_3 / w_2}\f$ of m, M, u (roundness);
-/// - 52: \f$\mathrm{tr}(w_m w_M) / (\mathrm{tr}\, w_m \, \mathrm{tr}\, w_M)\f$;
-/// - 53: the share of the variance of the section along the line through \f$z_m\f$ and \f$z_M\f$;
-/// - 54, 55: \f$W_u / (W_m + W_M)\f$; \f$W_u / W_M\f$;
-/// - 56 .. 58: \f$\ln(a / (\pi W^2))\f$ of m, M, u (-0.45 for a disc);
-/// - 59 .. 63: the members of `Whole_shape`.
+/// - 24: \f$|z_m - z_M| / \sqrt{a_u}\f$;
+/// - 25: \f$\sqrt{w_2 / w_1}\f$ of u (elongation);
+/// - 26: \f$\sqrt{w_3 / w_2}\f$ of u (roundness);
+/// - 27: \f$W_u / (W_m + W_M)\f$;
+/// - 28, 29: \f$\ln(a / (\pi W^2))\f$ of m, M (-0.45 for a disc);
+/// - 30 .. 34: the members of `Whole_shape`.
 ///
 /// Conventions:
 /// - A feature x is rounded to \f$\lfloor 512 x + 1/2 \rfloor\f$, an integer within [-32767,
@@ -189,7 +155,7 @@ public:
   using Values = Model::Features;
 
   /// The places of the features that `Learned_cost` reads: the `Visibility_cost`, ln a_m, ln a_M.
-  static constexpr std::size_t cost = 0, log_area_m = 13, log_area_l = 14;
+  static constexpr std::size_t cost = 0, log_area_m = 3, log_area_l = 4;
 
   /// \tparam Graph a `Region_adjacency_graph` with the data of `Learned_annotator`
   template <typename Graph>
@@ -230,63 +196,44 @@ private:
     double area = (std::max)(data.area, smallest), log_area = log(area);
     double log_perimeter = 2 * log((std::max)(data.perimeter, 1e-6)) - log_area; ///< ln(P^2 / a)
     double t = data.mean_log_thickness();
-    double deviation = root(ratio(data.squared_log_thickness, data.area) - t * t);
     double own_visibility = ratio(2 * data.own_visibility, data.visibility);
-    double normal_length = norm(data.area_vector), flatness = ratio(normal_length, area);
+    double normal_length = norm(data.area_vector), flatness = normal_length / area;
     Double_3 centroid = data.moments.centroid();
     internal::Symmetric_3 covariance = data.moments.covariance();
     double width = root(covariance.trace());
     double log_filling = log_area - log(CGAL_PI * covariance.trace());
-    std::array<double, 3> w = internal::eigenvalues(covariance);
-    double elongation = root_of_ratio(w[1], w[0], w[0]);
-    double roundness = root_of_ratio(w[2], w[1], w[0]);
   };
 
   static Numbers of(double visibility_cost, const Learned_section_data& s, const Shape& m,
                     const Shape& l, const Shape& u)
   {
-    const auto mean = [&](double integral) { return ratio(integral, s.length); };
-    const double log_length = log(s.length), t_s = mean(s.log_thickness);
-    const internal::Symmetric_3 covariance = s.moments.covariance();
-    const auto c = internal::eigenvalues(covariance);
-    const double area_of_section = 2 * CGAL_PI * root(covariance.second_invariant());
+    const double log_length = log(s.length), t_s = ratio(s.log_thickness, s.length);
     const Double_3 line = m.centroid - l.centroid;
-    const double distance = norm(line);
     const auto outward = [&](const Shape& shape) {
-      return ratio(dot(shape.data.area_vector, line), shape.normal_length * distance);
+      return ratio(dot(shape.data.area_vector, line), shape.normal_length * norm(line));
     };
+    const auto w = internal::eigenvalues(u.covariance);
     const Whole_shape& whole = m.data.whole;
-    return {
-      // The section, and its shape.
-      visibility_cost, log(Visibility_cost().depth(s)), mean(s.concave), mean(s.convex),
-      mean(s.bend), mean(s.weakly_concave_length), mean(s.strongly_concave_length),
-      mean(s.strongly_convex_length), mean(s.squared_deviation),
-      log(s.length * s.length) - log(4 * CGAL_PI * CGAL_PI * covariance.trace()),
-      root_of_ratio(c[1], c[0], c[0]), root_of_ratio(c[2], c[0], c[0]),
-      std::log(area_of_section / m.area + 1e-4),
-      // Sizes.
-      m.log_area, l.log_area, u.log_area, 2 * log_length - m.log_area, 2 * log_length - l.log_area,
-      ratio(s.length, m.data.perimeter), ratio(s.length, l.data.perimeter), m.log_perimeter,
-      l.log_perimeter, u.log_perimeter,
-      // Thickness.
-      std::abs(m.t - l.t), m.t - l.t, m.t, l.t, t_s - m.t, t_s - l.t, m.deviation, l.deviation,
-      u.deviation, log_length - (std::min)(m.t, l.t), log(m.width) - m.t, log(l.width) - l.t,
-      // Visibility.
-      ratio(s.visibility, (std::min)(m.data.visibility, l.data.visibility)),
-      ratio(s.visibility, (std::max)(m.data.visibility, l.data.visibility)), m.own_visibility,
-      l.own_visibility, u.own_visibility,
-      // The shape of the regions.
-      m.flatness, l.flatness, u.flatness,
-      ratio(dot(m.data.area_vector, l.data.area_vector), m.normal_length * l.normal_length),
-      outward(m) - outward(l), distance / std::sqrt(u.area), m.elongation, l.elongation,
-      u.elongation, m.roundness, l.roundness, u.roundness,
-      ratio(internal::trace_of_product(m.covariance, l.covariance),
-            m.covariance.trace() * l.covariance.trace()),
-      ratio(covariance.along(line), covariance.trace() * squared_norm(line)),
-      ratio(u.width, m.width + l.width), ratio(u.width, l.width), m.log_filling, l.log_filling,
-      u.log_filling,
-      // The whole surface.
-      whole.log_filling, whole.flatness, whole.strongly_concave, whole.right_angles, whole.outward};
+    return {// The section.
+            visibility_cost, log(Visibility_cost().depth(s)), ratio(s.concave, s.length),
+            // Sizes.
+            m.log_area, l.log_area, 2 * log_length - l.log_area, m.log_perimeter, l.log_perimeter,
+            u.log_perimeter,
+            // Thickness.
+            std::abs(m.t - l.t), m.t, l.t, t_s - m.t, t_s - l.t,
+            root(ratio(u.data.squared_log_thickness, u.data.area) - u.t * u.t),
+            log_length - (std::min)(m.t, l.t), log(l.width) - l.t,
+            // Visibility.
+            ratio(s.visibility, (std::min)(m.data.visibility, l.data.visibility)),
+            ratio(s.visibility, (std::max)(m.data.visibility, l.data.visibility)), m.own_visibility,
+            l.own_visibility,
+            // The shape of the regions.
+            m.flatness, u.flatness, outward(m) - outward(l), norm(line) / std::sqrt(u.area),
+            root_of_ratio(w[1], w[0], w[0]), root_of_ratio(w[2], w[1], w[0]),
+            ratio(u.width, m.width + l.width), m.log_filling, l.log_filling,
+            // The whole surface.
+            whole.log_filling, whole.flatness, whole.strongly_concave, whole.right_angles,
+            whole.outward};
   }
 
   static Values rounded(const Numbers& x)

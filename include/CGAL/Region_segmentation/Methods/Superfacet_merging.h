@@ -20,9 +20,12 @@
 #include <CGAL/Region_segmentation/requested_regions.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -51,6 +54,39 @@ inline Hierarchy renumbered_hierarchy(const std::vector<Partition::Index>& regio
     numbers[merge.kept] = kept;
   }
   return Hierarchy(std::move(regions), std::move(renumbered), number_of_segments);
+}
+
+/// The sum of the squared weights of the intersections of the parts of two partitions.
+inline std::int64_t squared_intersections(const Partition& a, const Partition& b,
+                                          const std::vector<std::int64_t>& weights)
+{
+  std::vector<std::uint64_t> pairs;
+  for (std::size_t e = 0; e < a.size(); ++e)
+    pairs.push_back(std::uint64_t(a[e]) * b.number_of_parts() + b[e]);
+  const Partition intersections = Partition::from_labels(pairs);
+  std::vector<std::int64_t> sums(intersections.number_of_parts());
+  for (std::size_t e = 0; e < a.size(); ++e)
+    sums[intersections[e]] += weights[e];
+  return std::inner_product(sums.begin(), sums.end(), sums.begin(), std::int64_t(0));
+}
+
+/// The place of the partition with the smallest sum of Rand index distances to the others, of
+/// several the first. `weights`: of the elements; integers, so that no order of sums matters
+inline std::size_t most_central(const std::vector<Partition>& partitions,
+                                const std::vector<std::int64_t>& weights)
+{
+  std::vector<std::int64_t> own, sums(partitions.size());
+  for (std::size_t i = 0; i < partitions.size(); ++i) {
+    own.push_back(squared_intersections(partitions[i], partitions[i], weights));
+    for (std::size_t j = 0; j < i; ++j) {
+      const std::int64_t distance = own[i] + own[j] -
+                                    2 *
+                                      squared_intersections(partitions[i], partitions[j], weights);
+      sums[i] += distance;
+      sums[j] += distance;
+    }
+  }
+  return std::size_t(std::min_element(sums.begin(), sums.end()) - sums.begin());
 }
 
 } // namespace internal
@@ -95,6 +131,13 @@ private:
 ///
 /// A surface with noise is smoothed first (\ref RegionSegmentationNoise).
 ///
+/// Which of nearly equal merges comes first hangs on the superfacets, and so on chance. So several
+/// draws of them (`Superfacets::draws()`) are merged, each by itself; the result is the draw whose
+/// segmentation into its chosen number of segments has the smallest sum of Rand index distances to
+/// those of the others, of several the one with most superfacets. (Segmentations are compared on
+/// the centers of the coarse patches, by the areas of these in \f$2^{-26}\f$ of the surface,
+/// rounded down.) Rays are those of the superfacets of the first draw.
+///
 /// The order of merges does not depend on the number of segments. If no number is given, a chooser
 /// chooses it. If more segments are wanted than there are superfacets, superfacets are split.
 ///
@@ -109,17 +152,23 @@ struct Superfacet_merging
   NumberChooser chooser;
   Superfacets superfacets = Superfacets();
   Border_straightening straightening = Border_straightening();
+  std::size_t number_of_draws = 5; ///< at least 1
 
   /// What does not depend on the wanted number of segments and on seeds.
   struct Prepared
   {
     std::optional<Surface> smoothed; ///< the surface without its noise, if it has any
     Surface_patches patches;
-    Partition regions; ///< the superfacets, of the faces
-    Region_rays rays;
+    std::vector<Partition> draws; ///< the superfacets of each draw, of the fine patches
+    std::vector<Inward_ray> rays; ///< of the superfacets of the first draw
 
     /// The smoothed surface if there is one, else the given one.
     const Surface& shape(const Surface& surface) const { return smoothed ? *smoothed : surface; }
+    /// The superfacets of a draw, of the faces.
+    Partition regions(std::size_t draw) const
+    {
+      return composed(patches.fine.of_elements(), draws[draw]);
+    }
   };
 
   Prepared prepare(const Surface& given, const Execution& execution = Execution()) const
@@ -128,15 +177,18 @@ struct Superfacet_merging
     internal::check_constants(chooser);
     superfacets.check_constants();
     straightening.check_constants();
+    internal::check_constant("Superfacet_merging: number_of_draws", double(number_of_draws), 1);
     const Execution stage = execution.stage("regions");
-    std::optional<Surface> smoothed = internal::without_noise(given, stage.step(0, 0.1));
-    const Surface& surface = smoothed ? *smoothed : given;
-    Surface_patches patches = internal::Patch_builder::build(surface, stage.step(0.1, 0.6));
-    const Partition regions_of_patches = superfacets(surface, patches, stage.step(0.6, 1));
-    Partition regions = internal::join_degenerate_regions(
-      surface, composed(patches.fine.of_elements(), regions_of_patches));
-    Region_rays rays(surface, patches, regions, execution.stage("rays"));
-    return {std::move(smoothed), std::move(patches), std::move(regions), std::move(rays)};
+    Prepared result;
+    result.smoothed = internal::without_noise(given, stage.step(0, 0.1));
+    const Surface& surface = result.shape(given);
+    result.patches = internal::Patch_builder::build(surface, stage.step(0.1, 0.6));
+    result.draws = superfacets.draws(surface, result.patches, number_of_draws, stage.step(0.6, 1));
+    for (Partition& draw : result.draws)
+      draw = internal::join_degenerate_regions(surface, result.patches.fine, draw);
+    if (const Execution rays = execution.stage("rays"); surface.area() > 0)
+      result.rays = internal::Inward_rays(surface, result.patches, result.regions(0)).trace(rays);
+    return result;
   }
 
   Refinable_hierarchy merge(const Surface& given, const Prepared& prepared, const Request& request,
@@ -147,46 +199,91 @@ struct Superfacet_merging
       std::is_invocable_r<std::size_t, const NumberChooser&, const Merge_tree&,
                           const Surface&>::value,
       "a NumberChooser needs: std::size_t operator()(const Merge_tree&, const Surface&) const");
-    const Requested_regions requested = requested_regions(surface, prepared.regions, request.seeds);
-    auto graph = annotated_graph(surface, prepared, requested.regions, execution.stage("graph"));
-    const Merge_tree tree = merge_requested_regions(surface, requested, graph, policy, 1,
-                                                    execution.stage("merging"));
+    const Draw draw = central_draw(surface, prepared, request, execution.stage("merging"));
     const std::size_t number = request.number_of_segments > 0 ? request.number_of_segments
-                                                              : chooser(tree, surface);
-    std::optional<Patches> divided;
-    if (!request.seeds.empty())
-      divided = internal::Patch_builder::divided(surface, prepared.patches.fine, requested.regions);
-    const Patches& cells = divided ? *divided : prepared.patches.fine;
+                                                              : draw.chosen_number;
+    const Patches& cells = draw.cells ? *draw.cells : prepared.patches.fine;
     const bool is_for_one_number = request.numbers == Request::Numbers::ONE;
     const std::vector<Surface::Index> label_of_cell = straightening(
-      surface, cells, requested, tree, is_for_one_number ? number : tree.number_of_regions(),
-      execution.stage("borders"));
+      surface, cells, draw.requested, draw.tree,
+      is_for_one_number ? number : draw.tree.number_of_regions(), execution.stage("borders"));
     std::vector<Surface::Index> region_of;
     region_of.reserve(surface.number_of_faces());
     for (const Surface::Index cell : cells.of_elements())
       region_of.push_back(label_of_cell[cell]);
     const std::size_t largest_number = (std::max)(internal::number_of_proper_faces(surface),
                                                   std::size_t(1));
-    return Refinable_hierarchy(internal::renumbered_hierarchy(region_of, tree, number), superfacets,
-                               request.seeds.empty() ? largest_number : 0);
+    return Refinable_hierarchy(internal::renumbered_hierarchy(region_of, draw.tree, number),
+                               superfacets, request.seeds.empty() ? largest_number : 0);
   }
 
-  /// The graph of the regions, with the data of the annotator. The rays of superfacets that are
-  /// regions are not traced again.
-  auto annotated_graph(const Surface& given, const Prepared& prepared, const Partition& regions,
-                       const Execution& execution) const
+  /// The graph of regions of the faces, each a union of `cells`, with the data of the annotator.
+  auto annotated_graph(const Surface& given, const Prepared& prepared, const Patches& cells,
+                       const Partition& regions, const Execution& execution) const
   {
     static_assert(internal::check_annotator<GraphAnnotator>());
     const Surface& surface = prepared.shape(given);
     auto graph = build_region_adjacency_graph<typename GraphAnnotator::RegionData,
                                               typename GraphAnnotator::SectionData>(
       surface, regions, execution);
-    if (regions == prepared.regions)
-      annotator(graph, surface, regions, prepared.rays);
-    else
-      annotator(graph, surface, regions,
-                Region_rays(surface, prepared.patches, regions, execution.step(0.5, 1)));
+    annotator(graph, surface, regions,
+              Region_rays{prepared.rays, internal::Region_shapes(surface, cells, regions)});
     return graph;
+  }
+
+private:
+  struct Draw
+  {
+    Requested_regions requested;
+    std::optional<Patches> cells; // of the regions, where seeds divide patches
+    Merge_tree tree;
+    std::size_t chosen_number = 0;
+    Partition segments; // of the coarse patches, into the chosen number
+  };
+
+  Draw merged_draw(const Surface& surface, const Prepared& prepared, std::size_t i,
+                   const Request& request, const Execution& execution) const
+  {
+    const Patches &fine = prepared.patches.fine, &coarse = prepared.patches.coarse;
+    Draw draw;
+    draw.requested = requested_regions(surface, prepared.regions(i), request.seeds);
+    const Partition& regions = draw.requested.regions;
+    if (!request.seeds.empty())
+      draw.cells = internal::Patch_builder::divided(surface, fine, regions);
+    auto graph = annotated_graph(surface, prepared, draw.cells ? *draw.cells : fine, regions,
+                                 execution.step(0, 0.2));
+    draw.tree = merge_requested_regions(surface, draw.requested, graph, policy, 1,
+                                        execution.step(0.2, 1));
+    draw.chosen_number = chooser(draw.tree, surface);
+    const Partition segments = draw.tree.partition_at_count(draw.chosen_number);
+    std::vector<Partition::Index> labels;
+    for (std::size_t c = 0; c < coarse.size(); ++c)
+      labels.push_back(segments[regions[fine[coarse[c].center].center]]);
+    draw.segments = Partition::from_labels(labels);
+    return draw;
+  }
+
+  /// The draw whose segmentation is nearest to those of the others.
+  Draw central_draw(const Surface& surface, const Prepared& prepared, const Request& request,
+                    const Execution& execution) const
+  {
+    const std::size_t n = prepared.draws.size();
+    std::vector<Draw> draws(n);
+    execution.for_each(0, n, [&](std::size_t i) {
+      draws[i] = merged_draw(surface, prepared, i, request,
+                             execution.is_parallel()
+                               ? execution.silent()
+                               : execution.step(double(i) / double(n), double(i + 1) / double(n)));
+    });
+    const Patches& coarse = prepared.patches.coarse;
+    std::vector<std::int64_t> areas; // in 2^-26 of the surface
+    for (std::size_t c = 0; c < coarse.size(); ++c)
+      areas.push_back(
+        std::int64_t(std::ldexp(coarse[c].area * internal::inverse(surface.area()), 26)));
+    std::vector<Partition> segmentations;
+    for (const Draw& draw : draws)
+      segmentations.push_back(draw.segments);
+    return std::move(draws[internal::most_central(segmentations, areas)]);
   }
 };
 

@@ -33,21 +33,23 @@ inline std::size_t number_of_proper_faces(const Surface& surface)
   return number;
 }
 
-/// Joins regions so that none consists of degenerate faces alone, if possible: across the edges
-/// that join these, then across their other edges.
-inline Partition join_degenerate_regions(const Surface& surface, const Partition& regions)
+/// Joins regions of patches so that none consists of degenerate faces alone, if possible: across
+/// the edges that join these, then across their other edges.
+inline Partition join_degenerate_regions(const Surface& surface, const Patches& patches,
+                                         const Partition& regions)
 {
+  const Partition& patch_of = patches.of_elements();
   std::vector<bool> is_proper(regions.number_of_parts()); // by root
-  for (std::size_t f = 0; f < regions.size(); ++f)
-    if (!surface.is_degenerate(f))
-      is_proper[regions[f]] = true;
+  for (std::size_t p = 0; p < regions.size(); ++p)
+    if (!surface.is_degenerate(patches[p].center))
+      is_proper[regions[p]] = true;
   if (std::find(is_proper.begin(), is_proper.end(), false) == is_proper.end())
     return regions;
   Lowest_root_forest forest(is_proper.size());
   for (const std::uint8_t flag : {Surface::JOINING, Surface::CLOSED})
     for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a) {
-      const auto r = forest.root(regions[surface.lower_face(a)]),
-                 s = forest.root(regions[surface.higher_face(a)]);
+      const auto r = forest.root(regions[patch_of[surface.lower_face(a)]]),
+                 s = forest.root(regions[patch_of[surface.higher_face(a)]]);
       if (!surface.has_flag(a, flag) || surface.has_flag(a, Surface::CONSTRAINED) ||
           (is_proper[r] && is_proper[s]))
         continue;
@@ -74,14 +76,16 @@ inline Partition join_degenerate_regions(const Surface& surface, const Partition
 /// further one at the patch farthest from all seeds so far; of several, at the lower one.
 ///
 /// Seeds are placed like this on the coarse patches, if there are at least four for each region,
-/// and moved to their centers: a patch belongs to the nearest of these. It is reached through a
-/// neighbor; of several through which its distance is the same, through that with the smallest
-/// distance, rounded to `float`, then the lowest one; and belongs to the seed of this neighbor. If
-/// there are fewer coarse patches, seeds are placed on the patches, and a patch belongs to the
-/// nearest seed, of several to the one placed first. Regions are connected, and are numbered by
-/// their lowest patch.
+/// and moved to their centers; else on the patches. A patch belongs to the nearest seed. It is
+/// reached through a neighbor; of several through which its distance is the same, through that with
+/// the smallest distance, rounded to `float`, then the lowest one; and belongs to the seed of this
+/// neighbor. Regions are connected, and are numbered by their first face.
 ///
-/// Finally regions are numbered by their first face.
+/// Several draws are such partitions with fewer and fewer seeds: \f$n_1\f$ is the `number`,
+/// \f$n_{i+1}\f$ is \f$15/16 \, n_i\f$, rounded down, at least 1. Each takes the first ones of
+/// the same sequence of seeds. Where a patch is as near to two seeds, that which the smaller draw
+/// has comes first. A draw that has as many seeds as another one, since there are as many
+/// components or no more patches, is left out.
 ///
 /// Since concavity is added to a step, not multiplied, and angles are those between patches, the
 /// regions of a surface depend little on the resolution of its mesh.
@@ -118,9 +122,47 @@ public:
   Partition operator()(const Surface& surface, const Surface_patches& patches,
                        const Execution& execution = Execution()) const
   {
+    return draws(surface, patches, 1, execution).front();
+  }
+
+  /// At most `number_of_draws` such partitions, at least one, that of most regions first.
+  std::vector<Partition> draws(const Surface& surface, const Surface_patches& patches,
+                               std::size_t number_of_draws,
+                               const Execution& execution = Execution()) const
+  {
     if (surface.number_of_faces() == 0)
-      return Partition();
-    return nearest_seeds(surface, patches, execution);
+      return {Partition()};
+    const Patches &fine = patches.fine, &coarse = patches.coarse;
+    std::size_t number_of_coarse = 0; // patches that are not in crumbs
+    for (std::size_t p = 0; p < coarse.size(); ++p)
+      number_of_coarse += coarse[p].area > 0;
+    const bool is_on_coarse = number_of_coarse / coarse_patches_of_region >= number;
+    const Patches& places = is_on_coarse ? coarse : fine;
+    internal::Farthest_point_seeding placing(steps(surface, places)), nearest(steps(surface, fine));
+    // Each crumb has a seed of its own, which does not count.
+    const std::size_t crumbs = surface.number_of_crumbs();
+    placing.run(distances_from_centroid(places), number + crumbs, execution);
+    std::vector<Index> seeds = placing.seeds();
+    if (is_on_coarse)
+      for (Index& seed : seeds)
+        seed = coarse[seed].center;
+
+    std::vector<std::size_t> ends{seeds.size()}; // by draw: the number of its seeds
+    for (std::size_t i = 1, n = number; i < number_of_draws; ++i) {
+      n = (std::max)(n * 15 / 16, std::size_t(1));
+      if (const auto end = (std::max)(n + crumbs, placing.number_of_components());
+          end < ends.back())
+        ends.push_back(end);
+    }
+    std::vector<Partition> draws(ends.size());
+    auto begin = seeds.begin();
+    for (std::size_t i = ends.size(); i-- > 0;) {
+      const auto end = seeds.begin() + std::ptrdiff_t(ends[i]);
+      nearest.add({begin, end});
+      draws[i] = nearest.regions();
+      begin = end;
+    }
+    return draws;
   }
 
   /// The partition into `number_of_parts` that splits connected regions of the faces further: the
@@ -146,37 +188,13 @@ public:
           surface.concave_deviation(a));
       });
     internal::Farthest_point_seeding seeding(std::move(graph));
-    seeding.run(central_faces(surface, regions));
+    seeding.add(central_faces(surface, regions));
     return seeding.split_regions(number_of_parts,
                                  [&](Index f) { return surface.is_degenerate(f); });
   }
 
 private:
   using Index = Surface::Index;
-
-  /// The partition of the patches by the seed to which each belongs.
-  Partition nearest_seeds(const Surface& surface, const Surface_patches& patches,
-                          const Execution& execution) const
-  {
-    const Patches& coarse = patches.coarse;
-    // Each crumb has a seed of its own, which does not count.
-    const std::size_t number_of_seeds = number + surface.number_of_crumbs();
-    internal::Farthest_point_seeding from_patches(steps(surface, patches.fine));
-    std::size_t number_of_coarse = 0; // patches that are not in crumbs
-    for (std::size_t p = 0; p < coarse.size(); ++p)
-      number_of_coarse += coarse[p].area > 0;
-    if (number_of_coarse / coarse_patches_of_region < number)
-      from_patches.run(distances_from_centroid(patches.fine), number_of_seeds, execution);
-    else {
-      internal::Farthest_point_seeding from_coarse(steps(surface, coarse));
-      from_coarse.run(distances_from_centroid(coarse), number_of_seeds, execution);
-      std::vector<Index> seeds;
-      for (const Index seed : from_coarse.seeds())
-        seeds.push_back(coarse[seed].center);
-      from_patches.run(seeds);
-    }
-    return from_patches.regions();
-  }
 
   internal::Dual_graph steps(const Surface& mesh, const Patches& patches) const
   {
@@ -198,12 +216,15 @@ private:
   /// The face of each region nearest to its centroid.
   static std::vector<Index> central_faces(const Surface& mesh, const Partition& regions)
   {
-    const internal::Region_shapes shapes(mesh, regions);
     std::vector<Index> faces(regions.number_of_parts());
     std::vector<double> distances(faces.size(), (std::numeric_limits<double>::max)());
+    std::vector<internal::Second_moments> moments(faces.size());
+    const auto place = [&](std::size_t f) { return mesh.centroid(f) - mesh.centroid(0); };
+    for (std::size_t f = 0; f < regions.size(); ++f)
+      moments[regions[f]].add(mesh.weight(f), place(f));
     for (std::size_t f = 0; f < regions.size(); ++f) {
       const Index r = regions[f];
-      const double distance = squared_norm(mesh.centroid(f) - shapes.regions[r].centroid);
+      const double distance = squared_norm(place(f) - moments[r].centroid());
       if (distance < distances[r]) {
         distances[r] = distance;
         faces[r] = Index(f);
@@ -216,18 +237,13 @@ private:
   static std::vector<double> distances_from_centroid(const Patches& patches)
   {
     // Relative to a point of the mesh, to avoid cancellation far from the origin.
-    const Double_3 origin = patches[0].centroid;
-    Double_3 center{0, 0, 0};
-    double area = 0;
-    for (std::size_t p = 0; p < patches.size(); ++p) {
-      center = center + patches[p].area * (patches[p].centroid - origin);
-      area += patches[p].area;
-    }
-    center = origin + (area > 0 ? 1 / area : 0) * center;
-    std::vector<double> distances;
-    distances.reserve(patches.size());
+    const auto place = [&](std::size_t p) { return patches[p].centroid - patches[0].centroid; };
+    internal::Second_moments moments;
     for (std::size_t p = 0; p < patches.size(); ++p)
-      distances.push_back(squared_norm(patches[p].centroid - center));
+      moments.add(patches[p].area, place(p));
+    std::vector<double> distances;
+    for (std::size_t p = 0; p < patches.size(); ++p)
+      distances.push_back(squared_norm(place(p) - moments.centroid()));
     return distances;
   }
 

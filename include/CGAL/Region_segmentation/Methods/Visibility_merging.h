@@ -18,7 +18,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -195,17 +194,17 @@ private:
 };
 
 /// \ingroup PkgRegionSegmentationAnnotators
-/// measures by rays from every region into the body its thickness there, and which regions see each
-/// other: for graphs with `Visibility_region_data` and `Visibility_section_data`.
+/// measures by rays into the body its thickness in every region, and which regions see each other:
+/// for graphs with `Visibility_region_data` and `Visibility_section_data`.
 ///
-/// Each region casts 12 rays into the body. The candidates to start from are the faces at the
-/// centers (`Patch::center`) of the patches (see `Surface_patches`) in the region, or, if there is
-/// none, all of its faces, in the order of the distance of their centroids to that of the region,
+/// Each superfacet of the first draw (see `Superfacet_merging`) casts 12 rays into the body. The
+/// candidates to start from are the faces at the centers (`Patch::center`) of its patches (see
+/// `Surface_patches`), in the order of the distance of their centroids to that of the superfacet,
 /// then of their indices. Of \f$n\f$ candidates those at the places \f$\lfloor 9 k n / (10 m)
 /// \rfloor\f$ are used, \f$m = \min(n, 3)\f$, \f$k = 0 .. m - 1\f$, counted from 0: the one nearest
 /// to the centroid, and those at 3/10 and 6/10 in the order. Each casts \f$q = 12 / m\f$ rays. A
-/// region of less than 1/6400 of the surface casts a single ray, that with \f$k = i = 0\f$; one of
-/// less than 1/25600 casts none.
+/// superfacet of less than 1/6400 of the surface casts a single ray, that with \f$k = i = 0\f$; one
+/// of less than 1/25600 casts none.
 ///
 /// Ray \f$i\f$ of candidate \f$k\f$ leaves the centroid of the face in the direction
 /// \f$-\cos(a) N + \sin(a) (\cos(b) u + \sin(b) v)\f$, with \f$a = 0.9 \sqrt{i / (q - 1)}\f$ and
@@ -219,17 +218,17 @@ private:
 /// in \cgalCite{MT97}, with a margin of \f$10^{-6}\f$ in the barycentric coordinates; a polygon is
 /// a fan of triangles from its first corner.
 /// - The *thickness* of a region is the mean of \f$\ln(x / \sqrt{A} + 10^{-4})\f$, \f$x\f$ the
-///   lengths of its rays; that of a region without rays that hit is the mean of the others'
-///   thicknesses.
-/// - Each ray has a weight: the share of its region in the area of the surface, divided by 12, or
-///   by 1 if the region casts one. It is added to the visibility of the region where it starts, to
-///   that of the region where it ends (so twice if they are the same), and to that of the section
-///   between the two. Opposite sides of a limb see each other; two limbs do not. Two regions
-///   without a common border that see each other get a section of no edges, which is never merged
-///   across, and counts when their unions become adjacent.
+///   lengths of the rays that start in it; that of a region without rays that hit is the mean of
+///   the others' thicknesses.
+/// - Each ray has a weight: the share of its superfacet in the area of the surface, divided by 12,
+///   or by 1 if the superfacet casts one. It is added to the visibility of the region where it
+///   starts, to that of the region where it ends (so twice if they are the same), and to that of
+///   the section between the two. Opposite sides of a limb see each other; two limbs do not. Two
+///   regions without a common border that see each other get a section of no edges, which is never
+///   merged across, and counts when their unions become adjacent.
 /// - The *bend* of a section is its length times the angle between the mean normals of its two
 ///   regions, positive if these face each other: \f$(n_j - n_i) \cdot (c_j - c_i) < 0\f$, \f$c\f$
-///   the centroids of the regions.
+///   the centroids of the regions: means over the fine patches, by area.
 ///
 /// Lengths are relative to \f$\sqrt{A}\f$ and areas to \f$A\f$, the area of the surface. If that is
 /// 0, all data are 0.
@@ -248,16 +247,16 @@ public:
   using RegionData = Visibility_region_data;
   using SectionData = Visibility_section_data;
 
-  /// Fills the data of `graph`. `rays` are those of `regions`.
+  /// Fills the data of `graph`.
   template <typename Graph>
   void operator()(Graph& graph, const Surface& surface, const Partition& regions,
                   const Region_rays& rays) const
   {
     if (surface.area() == 0)
       return;
-    const std::vector<internal::Region_shape>& shapes = rays.shapes().regions;
+    const std::vector<internal::Region_shape>& shapes = rays.shapes.regions;
     for (Index r = 0; r < regions.number_of_parts(); ++r) {
-      graph[r].area = shapes[r].area / surface.area();
+      graph[r].area = shapes[r].moments.weight;
       graph[r].visibility = 0;
     }
     for (auto range = edges(graph); range.first != range.second; ++range.first) {
@@ -273,34 +272,30 @@ private:
   /// The angle between the normals of two regions, positive where the regions face each other.
   static double angle_between(const internal::Region_shape& a, const internal::Region_shape& b)
   {
-    const double angle = std::atan2(norm(cross(a.normal, b.normal)), dot(a.normal, b.normal));
-    return dot(b.normal - a.normal, b.centroid - a.centroid) < 0 ? angle : -angle;
+    const Double_3 m = a.normal(), n = b.normal();
+    const double angle = std::atan2(norm(cross(m, n)), dot(m, n));
+    return dot(n - m, b.moments.centroid() - a.moments.centroid()) < 0 ? angle : -angle;
   }
 
   template <typename Graph>
   static void set_rays(Graph& graph, const Partition& regions, const Region_rays& rays, double unit)
   {
-    std::vector<std::optional<double>> thickness(regions.number_of_parts());
-    double sum_of_all = 0, number_of_all = 0;
-    for (Index r = 0; r < regions.number_of_parts(); ++r) {
-      const double area = graph[r].area;
-      double sum = 0, number = 0;
-      for (const internal::Ray_tree::Hit& hit : rays.hits()[r])
-        if (hit.face != internal::Ray_tree::no_face) {
-          sum += std::log(hit.distance / unit + 1e-4);
-          ++number;
-          add_ray(graph, r, regions[hit.face],
-                  area / double(internal::Inward_rays::number_of_rays(area)));
-        }
-      if (number > 0) {
-        thickness[r] = sum / number;
-        sum_of_all += *thickness[r];
+    std::vector<double> sums(regions.number_of_parts()), numbers(sums.size()); // of log thickness
+    for (const Inward_ray& ray : rays.rays) {
+      const Index r = regions[ray.source];
+      sums[r] += std::log(ray.distance / unit + 1e-4);
+      ++numbers[r];
+      add_ray(graph, r, regions[ray.hit], ray.weight);
+    }
+    double sum_of_all = 0, number_of_all = 0; // over the regions from which rays hit
+    for (Index r = 0; r < sums.size(); ++r)
+      if (numbers[r] > 0) {
+        sum_of_all += sums[r] / numbers[r];
         ++number_of_all;
       }
-    }
     const double mean = number_of_all > 0 ? sum_of_all / number_of_all : 0;
-    for (Index r = 0; r < regions.number_of_parts(); ++r)
-      graph[r].log_thickness = graph[r].area * thickness[r].value_or(mean);
+    for (Index r = 0; r < sums.size(); ++r)
+      graph[r].log_thickness = graph[r].area * (numbers[r] > 0 ? sums[r] / numbers[r] : mean);
   }
 
   template <typename Graph>

@@ -27,7 +27,7 @@ namespace internal {
 /// Complexity: O(number of features * number of units).
 struct Merge_model
 {
-  static constexpr std::size_t number_of_features = 64;
+  static constexpr std::size_t number_of_features = 35;
   using Feature = std::int16_t;
   using Features = std::array<Feature, number_of_features>;
 

@@ -46,29 +46,41 @@ public:
   {
     Step_counter seeds(execution, number);
     seed_components(remoteness, seeds);
-    for (std::size_t f = 0; f < m_reached.size(); f += faces_per_bound)
-      m_bounds.push_back(farthest_in_block(f));
-    std::make_heap(m_bounds.begin(), m_bounds.end(), is_nearer);
+    m_number_of_components = m_seeds.size();
+    // Distances only shrink, so a former one is an upper bound.
+    const auto is_nearer = [](const Entry& a, const Entry& b) {
+      return a.first != b.first ? a.first < b.first : a.second > b.second;
+    };
+    std::priority_queue<Entry, std::vector<Entry>, decltype(is_nearer)> farthest(is_nearer);
+    for (Index f = 0; f < m_reached.size(); ++f)
+      farthest.push({m_reached[f].distance, f});
     while (m_seeds.size() < number) {
-      const std::size_t seed = farthest();
-      if (m_reached[seed].distance <= 0)
+      const auto [bound, face] = farthest.top();
+      if (const double distance = m_reached[face].distance; distance < bound) {
+        farthest.pop();
+        farthest.push({distance, face});
+        continue;
+      }
+      if (bound <= 0)
         break;
-      grow_from(seed);
+      grow_from(face);
       seeds.advance();
     }
   }
 
-  /// Places the given seeds alone, all at once: of several seeds at the same distance a face
-  /// belongs to that of the neighbor that was nearer to its own, of these the lower one.
-  void run(const std::vector<Index>& seeds)
+  /// Places given seeds, all at once, beside those so far: of several seeds at the same distance a
+  /// face belongs to one placed earlier, else to that of the neighbor that was nearer to its own,
+  /// of these the lower one.
+  void add(const std::vector<Index>& seeds)
   {
     for (const Index seed : seeds)
       place(seed);
     grow();
   }
 
-  /// The seeds in the order in which they were placed.
+  /// The seeds in the order in which they were placed by `run()`, those of the components first.
   const std::vector<Index>& seeds() const { return m_seeds; }
+  std::size_t number_of_components() const { return m_number_of_components; }
 
   /// The faces that are reached from each seed.
   Partition regions() const
@@ -128,36 +140,6 @@ private:
       }
   }
 
-  /// The order of a heap whose first entry is the farthest face, of several the lower one.
-  static bool is_nearer(const Entry& a, const Entry& b)
-  {
-    return a.first != b.first ? a.first < b.first : a.second > b.second;
-  }
-
-  /// The farthest face of the block of faces that `face` is in, and its distance.
-  Entry farthest_in_block(std::size_t face) const
-  {
-    const std::size_t first = face - face % faces_per_bound;
-    const std::size_t last = (std::min)(first + faces_per_bound, m_reached.size());
-    std::size_t farthest = first;
-    for (std::size_t f = first + 1; f < last; ++f)
-      if (m_reached[f].distance > m_reached[farthest].distance)
-        farthest = f;
-    return {m_reached[farthest].distance, Index(farthest)};
-  }
-
-  /// Distances only shrink, so a former farthest face of a block is an upper bound: it is updated
-  /// when it is popped.
-  std::size_t farthest()
-  {
-    while (m_bounds.front().first != m_reached[m_bounds.front().second].distance) {
-      std::pop_heap(m_bounds.begin(), m_bounds.end(), is_nearer);
-      m_bounds.back() = farthest_in_block(m_bounds.back().second);
-      std::push_heap(m_bounds.begin(), m_bounds.end(), is_nearer);
-    }
-    return m_bounds.front().second;
-  }
-
   void grow_from(std::size_t seed)
   {
     place(seed);
@@ -194,14 +176,13 @@ private:
   }
 
   static constexpr double unreached = (std::numeric_limits<double>::max)();
-  static constexpr std::size_t faces_per_bound = 64;
 
   Dual_graph m_graph;
   Large_array<Reached> m_reached;
-  std::vector<Entry> m_bounds; // a heap with an entry for each block of faces
   // The rounded distances of the faces from which steps are to be made.
   std::priority_queue<Float_key, std::vector<Float_key>, std::greater<Float_key>> m_front;
   std::vector<Index> m_seeds; // faces
+  std::size_t m_number_of_components = 0;
 };
 
 } // namespace internal

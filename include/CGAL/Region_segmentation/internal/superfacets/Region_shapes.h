@@ -4,8 +4,8 @@
 #define CGAL_REGION_SEGMENTATION_INTERNAL_SUPERFACETS_REGION_SHAPES_H
 
 #include <CGAL/Region_segmentation/Double_3.h>
-#include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/Partition.h>
+#include <CGAL/Region_segmentation/Patches.h>
 #include <CGAL/Region_segmentation/Surface.h>
 #include <CGAL/Region_segmentation/internal/support/components.h>
 
@@ -32,19 +32,6 @@ struct Symmetric_3
   double determinant() const
   {
     return xx * (yy * zz - yz * yz) - xy * (xy * zz - yz * xz) + xz * (xy * yz - yy * xz);
-  }
-
-  /// The sum of the products of two different eigenvalues.
-  double second_invariant() const
-  {
-    return xx * yy + yy * zz + zz * xx - xy * xy - yz * yz - xz * xz;
-  }
-
-  /// v^T M v
-  double along(const Double_3& v) const
-  {
-    return xx * v.x * v.x + yy * v.y * v.y + zz * v.z * v.z +
-           2 * (xy * v.x * v.y + xz * v.x * v.z + yz * v.y * v.z);
   }
 
   /// Adds weight * v v^T.
@@ -130,83 +117,67 @@ struct Second_moments
   }
 };
 
-/// The shape of a region.
+/// 1 / area; 0 if the area is so small that this would be infinite.
+inline double inverse(double area)
+{
+  return area >= (std::numeric_limits<double>::min)() ? 1 / area : 0;
+}
+
+/// The shape of a region: the sums of `Learned_annotator`; zero for a surface without area.
 struct Region_shape
 {
-  double area = 0;
-  Double_3 normal{0, 0, 0};   // the mean normal: of length 1, or zero
-  Double_3 centroid{0, 0, 0}; // of a region without area: that of face 0
-
-  /// The sums of `Learned_annotator`; zero for a surface without area.
   Double_3 area_vector{0, 0, 0};
   Second_moments moments;
+
+  /// Of length 1, or zero.
+  Double_3 normal() const
+  {
+    const double length = norm(area_vector);
+    return length > 0 ? (1 / length) * area_vector : Double_3{0, 0, 0};
+  }
 };
 
-/// The shape of every region, and the centroid of the surface.
+/// The shape of every region, and the moments of the surface.
 struct Region_shapes
 {
-  using Index = Partition::Index;
-
   std::vector<Region_shape> regions;
-  Double_3 surface_centroid{0, 0, 0};
+  Second_moments surface;
+  Double_3 origin{0, 0, 0}; // of moments: close to the surface, which avoids cancellation
+  double unit = 1;          // of lengths
 
   Region_shapes() = default;
 
-  Region_shapes(const Surface& mesh, const Partition& region_of,
-                const Execution& execution = Execution())
+  /// `cells`: of the surface, of which each region of the faces is a union
+  Region_shapes(const Surface& mesh, const Patches& cells, const Partition& region_of)
     : regions(region_of.number_of_parts())
+    , unit(mesh.length_unit())
   {
-    if (mesh.number_of_faces() == 0)
-      return;
-    sum_up(mesh, region_of, execution);
-    for (const Region_shape& sums : regions)
-      surface_centroid = surface_centroid + sums.centroid;
-    surface_centroid = mesh.centroid(0) + inverse(mesh.area()) * surface_centroid;
-    divide(mesh);
-  }
-
-private:
-  /// The variance of an equilateral triangle of area 1 along a direction in its plane: 1 / (6
-  /// sqrt(3)).
-  static constexpr double variance_of_triangle = 0.096225044864937627;
-
-  /// Sums up what the faces of each region add to its shape, in the order of the faces.
-  void sum_up(const Surface& mesh, const Partition& region_of, const Execution& execution)
-  {
-    const Double_3 origin = mesh.centroid(0); // avoids cancellation far from the origin
-    const double per_area = inverse(mesh.area()), per_length = 1 / mesh.length_unit();
-    for_each_in_part(execution, region_of, [&](std::size_t r, std::size_t f) {
-      const double area = mesh.weight(f), share = per_area * area;
-      const Double_3 &normal = mesh.normal(f), centroid = mesh.centroid(f) - origin;
-      Region_shape& region = regions[r];
-      region.area += area;
-      region.normal = region.normal + area * normal;
-      region.centroid = region.centroid + area * centroid;
+    // The variance of an equilateral triangle of area 1 along a direction in its plane: 1 / (6
+    // sqrt(3)).
+    constexpr double variance_of_triangle = 0.096225044864937627;
+    if (mesh.number_of_faces() > 0)
+      origin = mesh.centroid(0);
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+      const double share = inverse(mesh.area()) * cells[c].area,
+                   variance = share * variance_of_triangle;
+      const Double_3& normal = cells[c].normal;
+      Region_shape& region = regions[region_of[cells[c].center]];
       region.area_vector = region.area_vector + share * normal;
-      region.moments.add(share, per_length * centroid);
-      const double variance = share * variance_of_triangle;
+      region.moments.add(share, (1 / unit) * (cells[c].centroid - origin));
       Symmetric_3& second = region.moments.second;
       second.xx += share * variance;
       second.yy += share * variance;
       second.zz += share * variance;
       second.add_square(-share * variance, normal);
-    });
-  }
-
-  /// Divides the sums of normals and centroids, so that they become means.
-  void divide(const Surface& mesh)
-  {
-    for (Region_shape& region : regions) {
-      const double length = norm(region.normal);
-      region.normal = length > 0 ? (1 / length) * region.normal : Double_3{};
-      region.centroid = mesh.centroid(0) + inverse(region.area) * region.centroid;
     }
+    for (const Region_shape& region : regions)
+      surface.add(region.moments);
   }
 
-  /// 0 if the area is so small that its inverse would be infinite.
-  static double inverse(double area)
+  /// The centroid of moments, in the coordinates of the surface.
+  Double_3 centroid(const Second_moments& moments) const
   {
-    return area >= (std::numeric_limits<double>::min)() ? 1 / area : 0;
+    return origin + unit * moments.centroid();
   }
 };
 
