@@ -168,26 +168,29 @@ struct Segmentations
   std::size_t number; ///< that is chosen
 };
 
-Segmentations segmentations(const Polygon_soup& soup, std::size_t k)
+Segmentations segmentations(const Polygon_soup& soup, std::size_t k,
+                            const RS::Learned_merging& method)
 {
   using Point_3 = CGAL::Simple_cartesian<double>::Point_3;
   std::vector<Point_3> points;
   for (const Point& p : soup.points)
     points.emplace_back(p[0], p[1], p[2]);
-  const RS::Polygon_soup_segmenter<RS::Learned_merging> segmenter(points, soup.polygons);
+  const RS::Polygon_soup_segmenter<RS::Learned_merging> segmenter(points, soup.polygons,
+                                                                  RS::parameters::method(method));
   Segmentations result{Labels(soup.polygons.size()), Labels(soup.polygons.size()), 0};
   segmenter.segment(result.given, k);
   result.number = segmenter.segment(result.chosen);
   return result;
 }
 
-void measure(const Model& model, unsigned seed, std::vector<Kind>& kinds)
+void measure(const Model& model, const RS::Learned_merging& method, unsigned seed,
+             std::vector<Kind>& kinds)
 {
-  const Segmentations of_model = segmentations(model.soup, model.number_of_segments);
+  const Segmentations of_model = segmentations(model.soup, model.number_of_segments, method);
   for (Kind& kind : kinds) {
     Engine random(seed);
     const Copy copy = kind.make(model.soup, random);
-    const Segmentations of_copy = segmentations(copy.soup, model.number_of_segments);
+    const Segmentations of_copy = segmentations(copy.soup, model.number_of_segments, method);
     const auto distance = [&](const Labels& labels, const Labels& labels_of_copy) {
       Labels by_face;
       for (const std::size_t face : copy.face)
@@ -231,6 +234,7 @@ int run_program(int argc, char** argv)
 {
   std::string folder;
   std::size_t step = 1;
+  RS::Learned_merging method;
   CLI::App app("Compares the labels of copies of meshes, by the default method.",
                "label_stability");
   app
@@ -240,6 +244,8 @@ int run_program(int argc, char** argv)
     ->check(CLI::ExistingDirectory)
     ->type_name("DIR");
   app.add_option("--every", step, "One of so many models. Default: 1")->check(CLI::Range(1, 1000));
+  app.add_option("--draws", method.number_of_draws, "Default: that of the method")
+    ->check(CLI::Range(1, 1000));
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -259,7 +265,7 @@ int run_program(int argc, char** argv)
       return with_deviates(soup, i == 3 ? 1e-7 : 1e-5, random);
     };
   for (std::size_t i = 0; i < sources.size(); i += step)
-    measure(sources[i].load(), unsigned(i + 1), kinds);
+    measure(sources[i].load(), method, unsigned(i + 1), kinds);
   write_text(std::cout, table(kinds));
   return 0;
 }

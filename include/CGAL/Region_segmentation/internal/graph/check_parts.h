@@ -17,7 +17,7 @@
 namespace CGAL {
 namespace Region_segmentation {
 
-class Region_rays;
+struct Region_rays;
 template <typename RegionData, typename SectionData>
 class Region_adjacency_graph;
 
