@@ -257,7 +257,7 @@ struct Cancelling_visitor
 TEST(Segmenter_test, can_be_cancelled_in_every_stage)
 {
   const Surface_mesh mesh = fine_dumbbell();
-  for (const char* stage : {"reading", "regions", "rays", "merging", "borders"})
+  for (const char* stage : {"reading", "regions", "rays", "draws", "borders"})
     for (double fraction : {0.0, 0.5}) {
       Cancelling_visitor visitor{stage, fraction};
       auto regions = face_map(mesh);

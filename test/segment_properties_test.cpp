@@ -505,7 +505,7 @@ std::vector<std::string> stages_of(const Visitor& visitor)
 }
 
 const std::vector<std::string> stages_of_two_step = {"reading", "regions", "graph", "merging"};
-const std::vector<std::string> stages_of_default = {"reading", "regions", "rays", "merging",
+const std::vector<std::string> stages_of_default = {"reading", "regions", "rays", "draws",
                                                     "borders"};
 
 /// Cancels at every call in turn.

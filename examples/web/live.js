@@ -81,7 +81,7 @@ class LivePage extends Page {
 
   /// Stages take the same part of the bar each.
   report(stage, fraction) {
-    const stages = ["reading", "regions", "rays", "merging", "borders"];
+    const stages = ["reading", "regions", "rays", "draws", "merging", "borders"];
     element("stage").textContent = stage;
     element("progress").value = (Math.max(0, stages.indexOf(stage)) + fraction) / stages.length;
   }

@@ -21,7 +21,7 @@ public:
   /*!
   sets data of the regions and sections of a graph. Those that sum up faces and borders, by
   `RegionData::add_face()` and the like, are set before. It is called for the graph of each draw, of
-  several at the same time with `CGAL::Parallel_tag`.
+  several at the same time with `CGAL::Parallel_tag`, and again when seeds divide regions.
 
   \param graph a `Region_adjacency_graph<RegionData, SectionData>`; its vertices are the regions
   \param surface the surface that is measured

@@ -10,8 +10,9 @@ class SegmentationVisitor
 public:
   /*!
   is called at the start of each stage, and repeatedly within it. The stages are, in this order,
-  "reading", "regions", "rays", "graph", "merging", "borders", as far as the method has them: the
-  methods on superfacets build the region graphs of their draws in "merging".
+  "reading", "regions", "rays", "draws", "graph", "merging", "borders", as far as the method has them:
+  the methods on superfacets merge their draws in "draws", and again in "merging" where there are
+  seeds.
   `detect_feature_edges()` has "features" after "reading", `smooth_borders()` has "borders".
   `fraction` is in [0, 1] and does not decrease within a stage.
 

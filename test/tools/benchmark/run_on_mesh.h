@@ -59,10 +59,7 @@ struct Counting : Method
                const CGAL::Region_segmentation::Execution& execution) const
   {
     auto prepared = Method::prepare(surface, execution);
-    if constexpr (std::is_same<Method, CGAL::Region_segmentation::Two_step>::value)
-      clock->set_number_of_regions(prepared.regions.number_of_parts());
-    else
-      clock->set_number_of_regions(prepared.draws.front().number_of_parts());
+    clock->set_number_of_regions(prepared.regions.number_of_parts());
     return prepared;
   }
 };

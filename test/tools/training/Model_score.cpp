@@ -82,10 +82,13 @@ void set_paper_scores(Model_score& score, const Training_model& model,
     }
 }
 
-template <typename Method>
-Model_score score(const Training_model& model, const Method& method)
+} // namespace
+
+Model_score score_learned(const Training_model& model, const Model& learned)
 {
-  const RS::Hierarchy segments = method.merge(model.surface, model.prepared, RS::Request());
+  const RS::Learned_merging method(learned);
+  const RS::Hierarchy segments = method.merge(model.surface, method.prepare(model.surface),
+                                              RS::Request());
   const Distances distances(model, segments);
   Model_score result;
   result.given = mean(distances(model.number_of_segments));
@@ -94,13 +97,6 @@ Model_score score(const Training_model& model, const Method& method)
   result.chosen_number = segments.number_of_segments();
   result.automatic = mean(distances(result.chosen_number));
   return result;
-}
-
-} // namespace
-
-Model_score score_learned(const Training_model& model, const Model& learned)
-{
-  return score(model, RS::Learned_merging(learned));
 }
 
 } // namespace train_merge_cost

@@ -41,10 +41,10 @@ struct Training_model : Training_graph
   std::vector<std::size_t> segments_of_people;
   std::vector<std::vector<int>> people; ///< the labels of the faces by each person, from 0 on
   CGAL::Region_segmentation::Surface surface;
-  Method::Prepared prepared;
   std::vector<Training_graph> variants; ///< of the same model, to learn from: with other faces
 };
 
+/// `method`: that of the first draw
 Training_model make_training_model(int number, const princeton_benchmark::Model& model,
                                    const Training_model::Method& method);
 

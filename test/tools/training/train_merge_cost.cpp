@@ -74,7 +74,6 @@ struct Options
 {
   std::string data_folder, furniture_folder, header;
   bool has_report = false;
-  CGAL::Region_segmentation::Learned_merging method;
   std::vector<Variant> variants = variants_of_models();
   std::size_t folds = 5;
   double furniture_weight = 0.4; // 44 pieces weigh as 18 of the 190 models
@@ -105,12 +104,6 @@ std::variant<Options, int> parse_command_line(int argc, char** argv)
   app.add_flag("--report", options.has_report,
                "Variants, categories left out, calibration and the importance of features, too");
   app.add_option("--seed", options.plan.seed, "Of all that is random. Default: 1")
-    ->check(CLI::Range(1, 1000));
-  app
-    .add_option("--superfacets", options.method.superfacets.number,
-                "Regions of the first draw. Default: that of Superfacets")
-    ->check(CLI::Range(1, 100000));
-  app.add_option("--draws", options.method.number_of_draws, "Default: that of Superfacet_merging")
     ->check(CLI::Range(1, 1000));
   app.add_flag_callback(
     "--no-variants", [&options] { options.variants.clear(); },
@@ -174,29 +167,31 @@ std::vector<Training_model> load_models(const std::vector<Source>& sources, cons
   std::vector<Training_model> models;
   for (std::size_t i = 0; i < sources.size(); ++i) {
     const princeton_benchmark::Model model = sources[i].model.load();
-    models.push_back(make_training_model(sources[i].number, model, options.method));
+    models.push_back(make_training_model(sources[i].number, model, Training_model::Method()));
     models.back().category = sources[i].model.category;
     models.back().is_furniture = sources[i].is_furniture;
     models.back().weight = sources[i].is_furniture ? options.furniture_weight : 1;
     for (std::size_t v = i % 2; v < options.variants.size(); v += 2) // half of them, which is
                                                                      // enough of each
-      models.back().variants.push_back(make_training_model(
-        sources[i].number, changed(model, options.variants[v], unsigned(i)), options.method));
+      models.back().variants.push_back(
+        make_training_model(sources[i].number, changed(model, options.variants[v], unsigned(i)),
+                            Training_model::Method()));
   }
   return models;
 }
 
 /// Out of fold; with another seed than those that are learned from.
 std::vector<Model_score> scores_of_variant(const std::vector<Source>& sources,
-                                           const Options& options, const Variant& variant,
+                                           const Variant& variant,
                                            const Cross_validation& validation)
 {
   std::vector<Model_score> scores;
   for (std::size_t i = 0; i < sources.size(); ++i) {
     const princeton_benchmark::Model model = changed(sources[i].model.load(), variant,
                                                      unsigned(sources.size() + i));
-    scores.push_back(score_learned(make_training_model(sources[i].number, model, options.method),
-                                   validation.without(i)));
+    scores.push_back(
+      score_learned(make_training_model(sources[i].number, model, Training_model::Method()),
+                    validation.without(i)));
   }
   return scores;
 }
@@ -239,9 +234,7 @@ std::string in_digits(double value)
 
 std::string names_of_variants(const Options& options)
 {
-  std::string names = "With " + std::to_string(options.method.number_of_draws) + " draws from " +
-                      std::to_string(options.method.superfacets.number) +
-                      " superfacets on; variants, each of every other model: ";
+  std::string names = "Variants, each of every other model: ";
   for (const Variant& variant : options.variants)
     names += (&variant == &options.variants.front() ? "" : ", ") + variant.name;
   return names + (options.variants.empty() ? "none." : ".");
@@ -297,8 +290,7 @@ void write_report(const Options& options, const std::vector<Source>& sources,
   if (!options.has_report)
     return;
   for (const Variant& variant : options.variants) {
-    const std::vector<Model_score> scores = scores_of_variant(sources, options, variant,
-                                                              validation);
+    const std::vector<Model_score> scores = scores_of_variant(sources, variant, validation);
     write_text(std::cout, means_table(models, {{"out of fold, " + variant.name, &scores}}));
     std::cout.flush();
   }

@@ -136,7 +136,8 @@ private:
 /// segmentation into its chosen number of segments has the smallest sum of Rand index distances to
 /// those of the others, of several the one with most superfacets. (Segmentations are compared on
 /// the centers of the coarse patches, by the areas of these in \f$2^{-26}\f$ of the surface,
-/// rounded down.) Rays are those of the superfacets of the first draw.
+/// rounded down.) Rays are those of the superfacets of the first draw. Seeds do not change which
+/// draw is taken.
 ///
 /// The order of merges does not depend on the number of segments. If no number is given, a chooser
 /// chooses it. If more segments are wanted than there are superfacets, superfacets are split.
@@ -159,16 +160,13 @@ struct Superfacet_merging
   {
     std::optional<Surface> smoothed; ///< the surface without its noise, if it has any
     Surface_patches patches;
-    std::vector<Partition> draws; ///< the superfacets of each draw, of the fine patches
-    std::vector<Inward_ray> rays; ///< of the superfacets of the first draw
+    std::vector<Inward_ray> rays;  ///< of the superfacets of the first draw
+    Partition regions;             ///< the superfacets of the draw that is taken, of the faces
+    Merge_tree tree;               ///< their merges without seeds
+    std::size_t chosen_number = 0; ///< of segments
 
     /// The smoothed surface if there is one, else the given one.
     const Surface& shape(const Surface& surface) const { return smoothed ? *smoothed : surface; }
-    /// The superfacets of a draw, of the faces.
-    Partition regions(std::size_t draw) const
-    {
-      return composed(patches.fine.of_elements(), draws[draw]);
-    }
   };
 
   Prepared prepare(const Surface& given, const Execution& execution = Execution()) const
@@ -178,16 +176,24 @@ struct Superfacet_merging
     superfacets.check_constants();
     straightening.check_constants();
     internal::check_constant("Superfacet_merging: number_of_draws", double(number_of_draws), 1);
+    static_assert(
+      std::is_invocable_r<std::size_t, const NumberChooser&, const Merge_tree&,
+                          const Surface&>::value,
+      "a NumberChooser needs: std::size_t operator()(const Merge_tree&, const Surface&) const");
     const Execution stage = execution.stage("regions");
     Prepared result;
     result.smoothed = internal::without_noise(given, stage.step(0, 0.1));
     const Surface& surface = result.shape(given);
     result.patches = internal::Patch_builder::build(surface, stage.step(0.1, 0.6));
-    result.draws = superfacets.draws(surface, result.patches, number_of_draws, stage.step(0.6, 1));
-    for (Partition& draw : result.draws)
-      draw = internal::join_degenerate_regions(surface, result.patches.fine, draw);
+    const Patches& cells = result.patches.fine;
+    std::vector<Partition> draws; // of the faces
+    for (const Partition& draw :
+         superfacets.draws(surface, result.patches, number_of_draws, stage.step(0.6, 1)))
+      draws.push_back(
+        composed(cells.of_elements(), internal::join_degenerate_regions(surface, cells, draw)));
     if (const Execution rays = execution.stage("rays"); surface.area() > 0)
-      result.rays = internal::Inward_rays(surface, result.patches, result.regions(0)).trace(rays);
+      result.rays = internal::Inward_rays(surface, result.patches, draws.front()).trace(rays);
+    take_central_draw(surface, draws, result, execution.stage("draws"));
     return result;
   }
 
@@ -195,95 +201,83 @@ struct Superfacet_merging
                             const Execution& execution = Execution()) const
   {
     const Surface& surface = prepared.shape(given);
-    static_assert(
-      std::is_invocable_r<std::size_t, const NumberChooser&, const Merge_tree&,
-                          const Surface&>::value,
-      "a NumberChooser needs: std::size_t operator()(const Merge_tree&, const Surface&) const");
-    const Draw draw = central_draw(surface, prepared, request, execution.stage("merging"));
+    const Requested_regions requested = requested_regions(surface, prepared.regions, request.seeds);
+    Merge_tree tree = prepared.tree;
+    std::optional<Patches> divided;
+    if (!request.seeds.empty()) {
+      divided = internal::Patch_builder::divided(surface, prepared.patches.fine, requested.regions);
+      tree = merged(surface, prepared.rays, *divided, requested, execution.stage("merging"));
+    }
     const std::size_t number = request.number_of_segments > 0 ? request.number_of_segments
-                                                              : draw.chosen_number;
-    const Patches& cells = draw.cells ? *draw.cells : prepared.patches.fine;
+                               : request.seeds.empty()        ? prepared.chosen_number
+                                                              : chooser(tree, surface);
+    const Patches& cells = divided ? *divided : prepared.patches.fine;
     const bool is_for_one_number = request.numbers == Request::Numbers::ONE;
     const std::vector<Surface::Index> label_of_cell = straightening(
-      surface, cells, draw.requested, draw.tree,
-      is_for_one_number ? number : draw.tree.number_of_regions(), execution.stage("borders"));
+      surface, cells, requested, tree, is_for_one_number ? number : tree.number_of_regions(),
+      execution.stage("borders"));
     std::vector<Surface::Index> region_of;
     region_of.reserve(surface.number_of_faces());
     for (const Surface::Index cell : cells.of_elements())
       region_of.push_back(label_of_cell[cell]);
     const std::size_t largest_number = (std::max)(internal::number_of_proper_faces(surface),
                                                   std::size_t(1));
-    return Refinable_hierarchy(internal::renumbered_hierarchy(region_of, draw.tree, number),
-                               superfacets, request.seeds.empty() ? largest_number : 0);
+    return Refinable_hierarchy(internal::renumbered_hierarchy(region_of, tree, number), superfacets,
+                               request.seeds.empty() ? largest_number : 0);
   }
 
   /// The graph of regions of the faces, each a union of `cells`, with the data of the annotator.
-  auto annotated_graph(const Surface& given, const Prepared& prepared, const Patches& cells,
-                       const Partition& regions, const Execution& execution) const
+  auto annotated_graph(const Surface& surface, const std::vector<Inward_ray>& rays,
+                       const Patches& cells, const Partition& regions,
+                       const Execution& execution) const
   {
     static_assert(internal::check_annotator<GraphAnnotator>());
-    const Surface& surface = prepared.shape(given);
     auto graph = build_region_adjacency_graph<typename GraphAnnotator::RegionData,
                                               typename GraphAnnotator::SectionData>(
       surface, regions, execution);
     annotator(graph, surface, regions,
-              Region_rays{prepared.rays, internal::Region_shapes(surface, cells, regions)});
+              Region_rays{rays, internal::Region_shapes(surface, cells, regions)});
     return graph;
   }
 
 private:
-  struct Draw
-  {
-    Requested_regions requested;
-    std::optional<Patches> cells; // of the regions, where seeds divide patches
-    Merge_tree tree;
-    std::size_t chosen_number = 0;
-    Partition segments; // of the coarse patches, into the chosen number
-  };
-
-  Draw merged_draw(const Surface& surface, const Prepared& prepared, std::size_t i,
-                   const Request& request, const Execution& execution) const
-  {
-    const Patches &fine = prepared.patches.fine, &coarse = prepared.patches.coarse;
-    Draw draw;
-    draw.requested = requested_regions(surface, prepared.regions(i), request.seeds);
-    const Partition& regions = draw.requested.regions;
-    if (!request.seeds.empty())
-      draw.cells = internal::Patch_builder::divided(surface, fine, regions);
-    auto graph = annotated_graph(surface, prepared, draw.cells ? *draw.cells : fine, regions,
-                                 execution.step(0, 0.2));
-    draw.tree = merge_requested_regions(surface, draw.requested, graph, policy, 1,
-                                        execution.step(0.2, 1));
-    draw.chosen_number = chooser(draw.tree, surface);
-    const Partition segments = draw.tree.partition_at_count(draw.chosen_number);
-    std::vector<Partition::Index> labels;
-    for (std::size_t c = 0; c < coarse.size(); ++c)
-      labels.push_back(segments[regions[fine[coarse[c].center].center]]);
-    draw.segments = Partition::from_labels(labels);
-    return draw;
-  }
-
-  /// The draw whose segmentation is nearest to those of the others.
-  Draw central_draw(const Surface& surface, const Prepared& prepared, const Request& request,
+  Merge_tree merged(const Surface& surface, const std::vector<Inward_ray>& rays,
+                    const Patches& cells, const Requested_regions& requested,
                     const Execution& execution) const
   {
-    const std::size_t n = prepared.draws.size();
-    std::vector<Draw> draws(n);
+    auto graph = annotated_graph(surface, rays, cells, requested.regions, execution.step(0, 0.2));
+    return merge_requested_regions(surface, requested, graph, policy, 1, execution.step(0.2, 1));
+  }
+
+  /// Merges each draw, and takes that whose segmentation is nearest to those of the others.
+  void take_central_draw(const Surface& surface, std::vector<Partition>& draws, Prepared& result,
+                         const Execution& execution) const
+  {
+    const Patches &fine = result.patches.fine, &coarse = result.patches.coarse;
+    const std::size_t n = draws.size();
+    std::vector<Merge_tree> trees(n);
+    std::vector<std::size_t> numbers(n);
+    std::vector<Partition> segmentations(n); // of the coarse patches
     execution.for_each(0, n, [&](std::size_t i) {
-      draws[i] = merged_draw(surface, prepared, i, request,
-                             execution.is_parallel()
+      const Execution step = execution.is_parallel()
                                ? execution.silent()
-                               : execution.step(double(i) / double(n), double(i + 1) / double(n)));
+                               : execution.step(double(i) / double(n), double(i + 1) / double(n));
+      trees[i] = merged(surface, result.rays, fine, {draws[i], Seeds()}, step);
+      numbers[i] = chooser(trees[i], surface);
+      const Partition segments = trees[i].partition_at_count(numbers[i]);
+      std::vector<Partition::Index> labels;
+      for (std::size_t c = 0; c < coarse.size(); ++c)
+        labels.push_back(segments[draws[i][fine[coarse[c].center].center]]);
+      segmentations[i] = Partition::from_labels(labels);
     });
-    const Patches& coarse = prepared.patches.coarse;
     std::vector<std::int64_t> areas; // in 2^-26 of the surface
     for (std::size_t c = 0; c < coarse.size(); ++c)
       areas.push_back(
         std::int64_t(std::ldexp(coarse[c].area * internal::inverse(surface.area()), 26)));
-    std::vector<Partition> segmentations;
-    for (const Draw& draw : draws)
-      segmentations.push_back(draw.segments);
-    return std::move(draws[internal::most_central(segmentations, areas)]);
+    const std::size_t central = internal::most_central(segmentations, areas);
+    result.regions = std::move(draws[central]);
+    result.tree = std::move(trees[central]);
+    result.chosen_number = numbers[central];
   }
 };
 
