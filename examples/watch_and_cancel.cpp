@@ -22,7 +22,7 @@ struct Impatient_visitor
   bool go_further(const char* stage, double fraction)
   {
     std::cout << stage << ": " << 100 * fraction << " %\n";
-    return std::strcmp(stage, "merging") != 0 || fraction < 0.5;
+    return std::strcmp(stage, "draws") != 0 || fraction < 0.5;
   }
 };
 

@@ -390,7 +390,7 @@ TEST(Segmenter_test, constraints_that_are_cancelled_change_nothing)
   const std::set<Edge> loop = loop_at(mesh, 11);
   RS::Segmenter segmenter(mesh, RS::parameters::method(visibility()));
   const Labels before = labels(segmenter, 4);
-  Cancelling_visitor visitor{"merging", 0.5};
+  Cancelling_visitor visitor{"draws", 0.5};
   EXPECT_THROW(
     segmenter.add_constraints(edge_map(mesh, loop), RS::parameters::visitor(std::ref(visitor))),
     RS::Segmentation_cancelled);

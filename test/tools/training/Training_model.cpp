@@ -43,14 +43,16 @@ Training_model make_training_model(int number, const princeton_benchmark::Model&
     result.segments_of_people.push_back(truth.number_of_segments);
   result.people = numbered_labels(model);
   result.surface = RS::make_surface_of_polygon_soup(model.soup.points, model.soup.polygons);
-  Training_model::Method one_draw = method;
-  one_draw.number_of_draws = 1;
-  const Training_model::Method::Prepared prepared = one_draw.prepare(result.surface);
-  result.graph = method.annotated_graph(prepared.shape(result.surface), prepared.rays,
-                                        prepared.patches.fine, prepared.regions, RS::Execution());
-  result.counts = Label_counts(
-    std::vector<std::size_t>(prepared.regions.begin(), prepared.regions.end()),
-    prepared.regions.number_of_parts(), result.people);
+  const Training_model::Method::Prepared prepared = method.prepare(result.surface);
+  const RS::Surface& shape = prepared.shape(result.surface);
+  const RS::Patches& cells = prepared.patches.fine;
+  const std::vector<RS::Partition> draws = method.superfacets.draws(shape, prepared.patches,
+                                                                    method.number_of_draws);
+  const RS::Partition regions = composed(
+    cells.of_elements(), RS::internal::join_degenerate_regions(shape, cells, draws.front()));
+  result.graph = method.annotated_graph(shape, prepared.rays, cells, regions, RS::Execution());
+  result.counts = Label_counts(std::vector<std::size_t>(regions.begin(), regions.end()),
+                               regions.number_of_parts(), result.people);
   const RS::Merge_tree first_merges = RS::merge_regions(
     result.graph, RS::Visibility_merging().policy, Training_model::Method::few);
   for (const RS::Merge_tree::Merge& merge : first_merges.merges())
