@@ -54,7 +54,7 @@ bool count_reading(const speed_benchmark::Triangles& polygons)
 }
 
 /// A number of segments, and a drawn line, of a mesh that is prepared.
-/// \returns whether there are 8 segments, and the line divides regions
+/// \returns whether there are 8 segments, and the line is a border
 bool count_segmenter(const Mesh& mesh)
 {
   std::vector<std::uint32_t> segments(num_faces(mesh));
@@ -64,8 +64,6 @@ bool count_segmenter(const Mesh& mesh)
   const std::size_t number = segmenter.segment(map, 8);
   CALLGRIND_STOP_INSTRUMENTATION;
   CALLGRIND_DUMP_STATS_AT("number of a segmenter");
-  const std::size_t before = segmenter.regions().number_of_parts();
-
   const auto is_right = [&](Mesh::Face_index f) {
     double x = 0;
     for (const auto v : CGAL::vertices_around_face(halfedge(f, mesh), mesh))
@@ -80,9 +78,13 @@ bool count_segmenter(const Mesh& mesh)
   segmenter.add_constraints(line);
   CALLGRIND_STOP_INSTRUMENTATION;
   CALLGRIND_DUMP_STATS_AT("line in a segmenter");
-  const std::size_t after = segmenter.regions().number_of_parts();
-  std::cout << "drawn line: " << after - before << " regions more\n";
-  return number == 8 && after > before;
+  segmenter.segment(map, 8);
+  std::size_t crossed = 0;
+  for (const auto e : edges(mesh))
+    crossed += get(line, e) && get(map, face(halfedge(e, mesh), mesh)) ==
+                                 get(map, face(opposite(halfedge(e, mesh), mesh), mesh));
+  std::cout << "drawn line: " << crossed << " of its edges inside a segment\n";
+  return number == 8 && crossed == 0;
 }
 
 } // namespace
