@@ -41,8 +41,8 @@ using segment_mesh::Polygon_soup;
 using Labels = std::vector<std::size_t>;
 using Engine = std::mt19937;
 
-/// The mean of 12 evenly distributed numbers, nearly normal, with a deviation of 1: the standard
-/// does not fix its distributions.
+/// The sum of 12 evenly distributed numbers less 6, nearly normal, with a deviation of 1: the
+/// standard does not fix its distributions.
 double deviate(Engine& random)
 {
   double sum = -6;
@@ -255,15 +255,16 @@ int run_program(int argc, char** argv)
   if (!folder.empty())
     data.emplace(folder);
   const std::vector<Model_source> sources = data ? princeton_sources(*data) : procedural_sources();
-  std::vector<Kind> kinds(5);
-  kinds[0].name = "renumbered", kinds[0].make = renumbered;
-  kinds[1].name = "moved and scaled", kinds[1].make = moved;
-  kinds[2].name = "5 digits", kinds[2].make = in_five_digits;
-  kinds[3].name = "noise of 1e-7", kinds[4].name = "noise of 1e-5";
-  for (std::size_t i : {3, 4})
-    kinds[i].make = [i](const Polygon_soup& soup, Engine& random) {
-      return with_deviates(soup, i == 3 ? 1e-7 : 1e-5, random);
+  const auto noise = [](double share) {
+    return [share](const Polygon_soup& soup, Engine& random) {
+      return with_deviates(soup, share, random);
     };
+  };
+  std::vector<Kind> kinds = {{"renumbered", renumbered, {}, {}},
+                             {"moved and scaled", moved, {}, {}},
+                             {"5 digits", in_five_digits, {}, {}},
+                             {"noise of 1e-7", noise(1e-7), {}, {}},
+                             {"noise of 1e-5", noise(1e-5), {}, {}}};
   for (std::size_t i = 0; i < sources.size(); i += step)
     measure(sources[i].load(), method, unsigned(i + 1), kinds);
   write_text(std::cout, table(kinds));

@@ -3,16 +3,11 @@
 #include "Model_score.h"
 
 #include <CGAL/Region_segmentation/Methods/Learned_merging.h>
-#include <CGAL/Region_segmentation/Methods/Superfacet_merging.h>
-#include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
-#include <CGAL/Region_segmentation/merge_regions.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <tuple>
-#include <utility>
 
 namespace train_merge_cost {
 

@@ -7,7 +7,6 @@
 #include <CGAL/Region_segmentation/make_surface.h>
 #include <CGAL/Region_segmentation/merge_regions.h>
 
-#include <algorithm>
 #include <map>
 #include <utility>
 

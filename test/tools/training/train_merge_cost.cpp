@@ -20,12 +20,10 @@
 #include "io/errors.h"
 
 #include <CGAL/Region_segmentation/Methods/Learned_merging.h>
-#include <CGAL/Region_segmentation/Methods/Superfacets.h>
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdio>
 #include <exception>

@@ -186,13 +186,15 @@ struct Superfacet_merging
     const Surface& surface = result.shape(given);
     result.patches = internal::Patch_builder::build(surface, stage.step(0.1, 0.6));
     const Patches& cells = result.patches.fine;
-    std::vector<Partition> draws; // of the faces
+    std::vector<Requested_regions> draws; // without seeds
     for (const Partition& draw :
          superfacets.draws(surface, result.patches, number_of_draws, stage.step(0.6, 1)))
       draws.push_back(
-        composed(cells.of_elements(), internal::join_degenerate_regions(surface, cells, draw)));
+        {composed(cells.of_elements(), internal::join_degenerate_regions(surface, cells, draw)),
+         Seeds()});
     if (const Execution rays = execution.stage("rays"); surface.area() > 0)
-      result.rays = internal::Inward_rays(surface, result.patches, draws.front()).trace(rays);
+      result.rays = internal::Inward_rays(surface, result.patches, draws.front().regions)
+                      .trace(rays);
     take_central_draw(surface, draws, result, execution.stage("draws"));
     return result;
   }
@@ -250,8 +252,8 @@ private:
   }
 
   /// Merges each draw, and takes that whose segmentation is nearest to those of the others.
-  void take_central_draw(const Surface& surface, std::vector<Partition>& draws, Prepared& result,
-                         const Execution& execution) const
+  void take_central_draw(const Surface& surface, std::vector<Requested_regions>& draws,
+                         Prepared& result, const Execution& execution) const
   {
     const Patches &fine = result.patches.fine, &coarse = result.patches.coarse;
     const std::size_t n = draws.size();
@@ -262,12 +264,12 @@ private:
       const Execution step = execution.is_parallel()
                                ? execution.silent()
                                : execution.step(double(i) / double(n), double(i + 1) / double(n));
-      trees[i] = merged(surface, result.rays, fine, {draws[i], Seeds()}, step);
+      trees[i] = merged(surface, result.rays, fine, draws[i], step);
       numbers[i] = chooser(trees[i], surface);
       const Partition segments = trees[i].partition_at_count(numbers[i]);
       std::vector<Partition::Index> labels;
       for (std::size_t c = 0; c < coarse.size(); ++c)
-        labels.push_back(segments[draws[i][fine[coarse[c].center].center]]);
+        labels.push_back(segments[draws[i].regions[fine[coarse[c].center].center]]);
       segmentations[i] = Partition::from_labels(labels);
     });
     std::vector<std::int64_t> areas; // in 2^-26 of the surface
@@ -275,7 +277,7 @@ private:
       areas.push_back(
         std::int64_t(std::ldexp(coarse[c].area * internal::inverse(surface.area()), 26)));
     const std::size_t central = internal::most_central(segmentations, areas);
-    result.regions = std::move(draws[central]);
+    result.regions = std::move(draws[central].regions);
     result.tree = std::move(trees[central]);
     result.chosen_number = numbers[central];
   }

@@ -7,7 +7,6 @@
 #include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/Patches.h>
 #include <CGAL/Region_segmentation/Surface.h>
-#include <CGAL/Region_segmentation/internal/support/components.h>
 
 #include <CGAL/number_type_config.h>
 
