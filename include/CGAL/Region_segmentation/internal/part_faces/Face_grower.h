@@ -5,11 +5,14 @@
 
 #include <CGAL/Region_segmentation/Part_faces/Fitted_surface.h>
 #include <CGAL/Region_segmentation/internal/part_faces/Face_neighbors.h>
+#include <CGAL/Region_segmentation/internal/part_faces/Face_set.h>
 #include <CGAL/Region_segmentation/internal/part_faces/fit_surface.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -17,7 +20,7 @@ namespace Region_segmentation {
 namespace internal {
 
 /// Whether a face lies on a surface: its vertices do, within a tolerance, and its normal is that of
-/// the surface, within some 37 degrees, unless it is thin.
+/// the surface, within some 37 degrees.
 class Face_test
 {
 public:
@@ -46,8 +49,37 @@ public:
   bool has_normal_of(const Fitted_surface<>& s, std::size_t face,
                      double cosine = usual_cosine) const
   {
-    return m_neighbors.is_thin(face) ||
-           dot(m_surface.normal(face), surface_normal(s, m_surface.centroid(face))) > cosine;
+    return dot(m_surface.normal(face), surface_normal(s, m_surface.centroid(face))) > cosine;
+  }
+
+  /// The distance of the center of its facet from a surface: that of facets of one tessellation is
+  /// alike, but a cap, or the flat of a shaft, deviates more though its vertices lie on the
+  /// surface. Of a facet that leaves the surface, where faces meet smoothly, that of the face
+  /// itself.
+  double deviation_of_facet(const Fitted_surface<>& s, std::size_t face) const
+  {
+    const Surface_distance distance(s);
+    const bool is_on = std::fabs(distance(m_neighbors.end_of_facet(face, 0))) <= m_tolerance &&
+                       std::fabs(distance(m_neighbors.end_of_facet(face, 1))) <= m_tolerance;
+    return std::fabs(
+      distance(is_on ? m_neighbors.center_of_facet(face) : m_surface.centroid(face)));
+  }
+
+  /// The largest `deviation_of_facet()` of the facets of a face of the part, of which some are
+  /// known.
+  double largest_deviation(const Fitted_surface<>& s,
+                           const std::vector<Surface::Index>& faces) const
+  {
+    constexpr double much = 10, least = 0.01, most = 0.16; // 1 - cos of 8 and 33 degrees
+    std::vector<std::pair<double, Surface::Index>> deviations;
+    for (const Surface::Index f : faces)
+      deviations.push_back({deviation_of_facet(s, f), m_neighbors.facet(f)});
+    std::sort(deviations.begin(), deviations.end());
+    deviations.erase(std::unique(deviations.begin(), deviations.end()), deviations.end());
+    const double radius = s.radius + s.minor_radius,
+                 typical = (std::max)({much * deviations[deviations.size() * 3 / 4].first,
+                                       least * radius, m_tolerance});
+    return s.kind == Surface_kind::SPHERE ? (std::min)(typical, most * radius) : typical;
   }
 
   /// The mean distance of the midpoints of the edges of a face to a surface: how much the face
@@ -127,10 +159,15 @@ class Face_grower
 public:
   using Index = Surface::Index;
 
-  Face_grower(const Surface& surface, const Face_neighbors& neighbors, const Face_test& test)
+  /// \param crosses_creases as where vertices are noisy: then the normals of small faces are, too
+  /// \param stop see `Surface_fitter`
+  Face_grower(const Surface& surface, const Face_neighbors& neighbors, const Face_test& test,
+              bool crosses_creases, double stop)
     : m_surface(surface)
     , m_neighbors(neighbors)
     , m_test(test)
+    , m_crosses_creases(crosses_creases)
+    , m_stop(stop)
     , m_taken(surface)
     , m_visited(surface.number_of_faces())
   {}
@@ -144,6 +181,8 @@ public:
     m_visited.clear();
     m_rejected.clear();
     m_area = 0;
+    m_largest_deviation = m_crosses_creases ? std::numeric_limits<double>::infinity()
+                                            : m_test.largest_deviation(s, seeds);
     for (const Index f : seeds)
       visit(s, f);
     std::size_t next_fit = 2 * points().size();
@@ -154,7 +193,8 @@ public:
           next_fit = 2 * points().size();
         }
         for (const Face_neighbors::Neighbor& n : m_neighbors[faces()[next]])
-          if (!m_visited.has(n.face) && is_free(n.face))
+          if (!m_visited.has(n.face) && is_free(n.face) &&
+              (m_crosses_creases || m_neighbors.is_smooth(n.adjacency)))
             visit(s, n.face);
       }
       refine(s);
@@ -184,34 +224,6 @@ public:
     return all > 0 ? gradual / all : 0;
   }
 
-  /// Facets of a fillet turn by twice the angle that there is between the fillet and the face to
-  /// which it is tangent; chamfers turn by the same angle. Whether the mean deviation across the
-  /// border, where it is not sharp, is less than 3/4 of that inside.
-  bool is_tangent_to_neighbors() const
-  {
-    double sum[2] = {0, 0}, length[2] = {0, 0};
-    for (const Index f : faces())
-      for (const Face_neighbors::Neighbor& n : m_neighbors[f]) {
-        const double cosine = m_surface.cosine(n.adjacency);
-        if (m_neighbors.is_smooth(n.adjacency) && cosine < 1 - 1e-9) {
-          sum[is_taken(n.face)] += m_surface.length(n.adjacency) * std::acos(cosine);
-          length[is_taken(n.face)] += m_surface.length(n.adjacency);
-        }
-      }
-    return length[0] > 0 && sum[0] * length[1] < 0.75 * sum[1] * length[0];
-  }
-
-  /// The number of plane facets of which the faces consist, or less if there are vertices inside
-  /// facets.
-  std::size_t number_of_facets() const
-  {
-    std::size_t flat = 0;
-    for (const Index f : faces())
-      for (const Face_neighbors::Neighbor& n : m_neighbors[f])
-        flat += n.face < f && is_taken(n.face) && m_neighbors.is_coplanar(n.adjacency);
-    return faces().size() > flat ? faces().size() - flat : 1;
-  }
-
   /// The share of the area that is coplanar with the largest face.
   double share_of_largest_facet() const
   {
@@ -230,6 +242,8 @@ public:
   bool is_taken(Index face) const { return m_taken.has(face); }
   const std::vector<Double_3>& points() const { return m_taken.points(); }
   double area() const { return m_area; }
+  /// See `Face_test`.
+  double largest_deviation() const { return m_largest_deviation; }
 
 private:
   void visit(const Fitted_surface<>& s, Index face)
@@ -240,7 +254,7 @@ private:
 
   void take_if_on(const Fitted_surface<>& s, Index face)
   {
-    if (!m_test(s, face)) {
+    if (!m_test(s, face) || m_test.deviation_of_facet(s, face) > m_largest_deviation) {
       m_rejected.push_back(face);
       return;
     }
@@ -250,16 +264,18 @@ private:
 
   void refine(Fitted_surface<>& s) const
   {
-    refine_surface(s, points(), m_test.tolerance(), 1e-3 * m_test.tolerance());
+    refine_surface(s, points(), m_test.tolerance(), m_stop);
   }
 
   const Surface& m_surface;
   const Face_neighbors& m_neighbors;
   const Face_test& m_test;
+  bool m_crosses_creases;
+  double m_stop;
   Face_set m_taken;
   Element_marks m_visited;
   std::vector<Index> m_rejected;
-  double m_area = 0;
+  double m_area = 0, m_largest_deviation = 0;
 };
 
 } // namespace internal

@@ -6,6 +6,7 @@
 #include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/internal/part_faces/Face_grower.h>
 #include <CGAL/Region_segmentation/internal/part_faces/Face_neighbors.h>
+#include <CGAL/Region_segmentation/internal/part_faces/Face_set.h>
 #include <CGAL/Region_segmentation/internal/support/components.h>
 
 #include <algorithm>
@@ -36,48 +37,53 @@ public:
   std::vector<Fitted_surface<>> surfaces; ///< by label
   std::vector<std::uint8_t> is_tried;     ///< by face of the mesh: no seed in this phase
   std::vector<std::uint8_t> is_on_found;  ///< by vertex: a face that is found has it
+  Element_marks is_tried_whole;           ///< faces: see `find_whole_beside()`
 
-  Face_search(const Surface& s, double tolerance)
+  /// \param resolution of the coordinates
+  /// \param is_noisy whether vertices deviate from surfaces by more than that
+  Face_search(const Surface& s, double tolerance, double resolution, bool is_noisy)
     : surface(s)
-    , neighbors(s)
+    , neighbors(s, resolution)
     , patch(s)
     , test(s, neighbors, tolerance)
-    , grower(s, neighbors, test)
+    , grower(s, neighbors, test, is_noisy, (std::max)(1e-3 * tolerance, 0.3 * resolution))
     , labels(s.number_of_faces(), none)
     , is_on_found(s.number_of_vertices(), 0)
+    , is_tried_whole(s.number_of_faces())
+    , m_resolution(resolution)
+    , m_is_noisy(is_noisy)
   {}
 
   /// Whether vertices lie on their surfaces, to rounding.
-  bool is_exact() const { return test.tolerance() < 2e-5 * surface.length_unit(); }
+  bool is_exact() const { return !m_is_noisy; }
+
+  /// The root mean square distance below which a fit is good enough.
+  double goal() const
+  {
+    return m_is_noisy ? 0.1 * test.tolerance()
+                      : (std::max)(1e-2 * test.tolerance(), 0.3 * m_resolution);
+  }
 
   bool is_found(Index face) const { return labels[face] != none; }
   const Fitted_surface<>& surface_of(Index face) const { return surfaces[labels[face]]; }
 
-  /// Adds a face of the part, without those of its facets that are flat.
+  /// Adds a face of the part that was just grown.
   void add(const Fitted_surface<>& s, const std::vector<Index>& faces)
   {
     const Index label = Index(surfaces.size());
     surfaces.push_back(s);
-    m_largest_deviations.push_back(largest_deviation(s, faces));
-    for (const Index f : faces)
-      if (!is_flat(label, f)) {
-        labels[f] = label;
-        for (std::size_t i = 0; i < surface.number_of_corners(f); ++i)
-          is_on_found[surface.corner(f, i)] = 1;
-      }
+    m_largest_deviations.push_back(grower.largest_deviation());
+    for (const Index f : faces) {
+      labels[f] = label;
+      for (const Index v : surface.corners(f))
+        is_on_found[v] = 1;
+    }
   }
 
-  /// Whether a face is one of several of a plane that deviate much more from a curved surface than
-  /// its other faces do, though their vertices lie on it: a flat of a shaft.
+  /// Whether a facet deviates much more from a surface that is found than the facets of its face.
   bool is_flat(Index label, Index face) const
   {
-    const auto deviates = [&](Index f) {
-      return test.deviation(surfaces[label], f) > m_largest_deviations[label];
-    };
-    const auto around = neighbors[face];
-    return deviates(face) && std::any_of(around.begin(), around.end(), [&](const auto& n) {
-             return neighbors.is_coplanar(n.adjacency) && deviates(n.face);
-           });
+    return test.deviation_of_facet(surfaces[label], face) > m_largest_deviations[label];
   }
 
   /// The number of vertices of some faces that no face that is found has.
@@ -92,13 +98,13 @@ public:
     return std::size_t(std::unique(vertices.begin(), vertices.end()) - vertices.begin());
   }
 
-  /// Faces that are neither found nor thin, the largest first: so what is found does not depend on
-  /// their order.
+  /// Faces that are not found and have no other host, the largest first: so what is found does not
+  /// depend on their order.
   std::vector<Index> seeds() const
   {
     std::vector<Index> result;
     for (Index f = 0; f < labels.size(); ++f)
-      if (!is_found(f) && !neighbors.is_thin(f))
+      if (!is_found(f) && neighbors.host(f) == f)
         result.push_back(f);
     std::stable_sort(result.begin(), result.end(),
                      [&](Index a, Index b) { return surface.area(a) > surface.area(b); });
@@ -109,20 +115,8 @@ public:
   void clear_tried() { is_tried.assign(labels.size(), 0); }
 
 private:
-  /// A tessellation is equally accurate everywhere.
-  double largest_deviation(const Fitted_surface<>& s, const std::vector<Index>& faces) const
-  {
-    if (!is_exact() || s.kind == Surface_kind::PLANE)
-      return std::numeric_limits<double>::infinity();
-    constexpr double much = 10;
-    std::vector<double> deviations;
-    for (const Index f : faces)
-      deviations.push_back(test.deviation(s, f));
-    const auto most = deviations.begin() + std::ptrdiff_t(deviations.size() * 3 / 4);
-    std::nth_element(deviations.begin(), most, deviations.end());
-    return (std::max)(much * *most, test.tolerance());
-  }
-
+  double m_resolution;
+  bool m_is_noisy;
   std::vector<double> m_largest_deviations; // by label
 };
 
@@ -137,7 +131,7 @@ inline double share_of_smooth_border(const Face_search& search)
       if (!search.grower.is_taken(n.face)) {
         const double length = surface.length(n.adjacency);
         all += length;
-        if (!search.is_found(n.face) && search.neighbors.may_be_smooth(n.adjacency) &&
+        if (!search.is_found(n.face) && search.neighbors.is_smooth(n.adjacency) &&
             (search.grower.faces().size() == 1 ||
              surface.area(n.face) > 0.2 * search.grower.area()))
           smooth += length;
@@ -145,18 +139,109 @@ inline double share_of_smooth_border(const Face_search& search)
   return all > 0 ? smooth / all : 0;
 }
 
+/// By label: whether it is of a curved surface, and no vertex is inside its face.
+inline std::vector<std::uint8_t> single_rows(const Face_search& search)
+{
+  using Index = Surface::Index;
+  std::vector<std::uint8_t> result(search.surfaces.size());
+  for (std::size_t label = 0; label < result.size(); ++label)
+    result[label] = search.surfaces[label].kind != Surface_kind::PLANE;
+  for (Index v = 0; v < search.surface.number_of_vertices(); ++v) {
+    const auto [first, end] = search.neighbors.around(v);
+    if (first != end && search.is_found(*first) &&
+        std::all_of(first, end, [&](Index f) { return search.labels[f] == search.labels[*first]; }))
+      result[search.labels[*first]] = 0;
+  }
+  return result;
+}
+
+/// Which labels of `among` go on smoothly, at most of their border, to faces that are not found,
+/// or, by less than 11 degrees, to labels of `uncertain`.
+inline std::vector<std::uint8_t> surrounded(const Face_search& search,
+                                            const std::vector<std::uint8_t>& among,
+                                            const std::vector<std::uint8_t>& uncertain)
+{
+  constexpr double most = 0.5, cosine = 0.98;
+  std::vector<double> smooth(among.size(), 0), all(among.size(), 0);
+  for (Surface::Index f = 0; f < search.labels.size(); ++f)
+    if (search.is_found(f) && among[search.labels[f]])
+      for (const Face_neighbors::Neighbor& n : search.neighbors[f])
+        if (search.labels[n.face] != search.labels[f]) {
+          const double length = search.surface.length(n.adjacency);
+          all[search.labels[f]] += length;
+          if (search.is_found(n.face)
+                ? uncertain[search.labels[n.face]] && search.neighbors.cosine(n.adjacency) > cosine
+                : search.neighbors.is_smooth(n.adjacency))
+            smooth[search.labels[f]] += length;
+        }
+  std::vector<std::uint8_t> result(among.size());
+  for (std::size_t label = 0; label < result.size(); ++label)
+    result[label] = among[label] && smooth[label] > most * all[label];
+  return result;
+}
+
+/// Of a freeform face, single rows of facets may lie on cylinders, cones and more. Drops the
+/// surfaces of those between others, or beside what is not found. Returns whether there were some.
+inline bool drop_uncertain_surfaces(Face_search& search)
+{
+  const std::vector<std::uint8_t> rows = single_rows(search),
+                                  between = surrounded(search, rows, rows),
+                                  dropped = surrounded(search, between, between);
+  bool some = false;
+  for (Surface::Index& label : search.labels)
+    if (label != Face_search::none && dropped[label]) {
+      label = Face_search::none;
+      some = true;
+    }
+  return some;
+}
+
+/// Gives thin faces the label, of those of their hosts and of the faces beside them, on whose
+/// surface their vertices lie best.
+inline void label_thin_faces(Face_search& search)
+{
+  using Index = Surface::Index;
+  const Surface& surface = search.surface;
+  const Face_neighbors& neighbors = search.neighbors;
+  for (Index f = 0; f < surface.number_of_faces(); ++f) {
+    if (neighbors.host(f) == f)
+      continue;
+    double least = std::numeric_limits<double>::infinity();
+    const auto try_label = [&](Index label) {
+      if (label == Face_search::none)
+        return;
+      double distance = 0;
+      for (const Index v : surface.corners(f))
+        distance = (std::max)(
+          distance, std::fabs(Surface_distance(search.surfaces[label])(surface.point(v))));
+      if (distance < least - 1e-3 * search.test.tolerance()) {
+        least = distance;
+        search.labels[f] = label;
+      }
+    };
+    try_label(search.labels[neighbors.host(f)]);
+    for (std::size_t i = 0; i < surface.number_of_corners(f); ++i)
+      if (const Index across = neighbors.across(f, i); across != Surface::none)
+        try_label(search.labels[across]);
+  }
+}
+
 /// Makes each connected component of a label a face of its own, and those of what was not found
 /// freeform faces, which end where the mesh does not go on smoothly.
 inline void separate_components(Face_search& search, const Execution& execution)
 {
   const Surface& surface = search.surface;
+  const Face_neighbors& neighbors = search.neighbors;
+  label_thin_faces(search);
   const Partition components = label_components(
     surface,
     [&](std::size_t a) {
-      const Surface::Index label = search.labels[surface.lower_face(a)];
-      return label == search.labels[surface.higher_face(a)] &&
-             !surface.has_flag(a, Surface::LINK | Surface::CONSTRAINED) &&
-             (label != Face_search::none || search.neighbors.may_be_smooth(a));
+      const Surface::Index f = surface.lower_face(a), g = surface.higher_face(a),
+                           label = search.labels[f];
+      if (label == search.labels[g] && neighbors.host(f) == neighbors.host(g))
+        return true;
+      return label == search.labels[g] && !surface.has_flag(a, Surface::barrier) &&
+             (label != Face_search::none || neighbors.is_smooth(a));
     },
     execution);
   std::vector<Fitted_surface<>> surfaces(components.number_of_parts());

@@ -6,9 +6,9 @@
 #include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/Part_faces/Fitted_surface.h>
 #include <CGAL/Region_segmentation/internal/part_faces/Face_search.h>
+#include <CGAL/Region_segmentation/internal/part_faces/coordinate_resolution.h>
 #include <CGAL/Region_segmentation/internal/part_faces/find_face_roles.h>
 #include <CGAL/Region_segmentation/internal/part_faces/find_faces_from_patches.h>
-#include <CGAL/Region_segmentation/internal/part_faces/join_by_curvature.h>
 #include <CGAL/Region_segmentation/internal/part_faces/merge_equal_surfaces.h>
 #include <CGAL/Region_segmentation/internal/part_faces/surface_evidence.h>
 
@@ -24,18 +24,19 @@ namespace internal {
 
 /// The faces of a surface as it is, without deviations and extents. `tolerance`: in units of the
 /// surface
-inline Surface_faces find_faces_within(const Surface& surface, double tolerance,
-                                       const Execution& execution)
+inline Surface_faces find_faces_within(const Surface& surface, double tolerance, double resolution,
+                                       bool is_noisy, const Execution& execution)
 {
-  Face_search search(surface, tolerance);
+  Face_search search(surface, tolerance, resolution, is_noisy);
   find_faces_from_patches(search, execution.step(0, 0.7));
   join_remaining_faces(search);
   find_small_planes(search, execution.step(0.7, 0.85));
   find_pairs_of_planes(search, execution.step(0.85, 0.9));
+  while (search.is_exact() && drop_uncertain_surfaces(search)) {
+  }
   merge_equal_surfaces(search);
   compete_at_borders(search);
   separate_components(search, execution.step(0.9, 1));
-  join_by_curvature(search);
 
   Surface_faces result;
   result.partition = Partition::from_labels(search.labels);
@@ -106,7 +107,7 @@ inline Described_faces find_inexact_faces(const Surface& surface, double roundin
   Described_faces best;
   for (int i = 0; i < tolerances; ++i) {
     Surface_faces faces = find_faces_within(
-      surface, std::ldexp(largest * rounding, -i),
+      surface, std::ldexp(largest * rounding, -i), 0, true,
       execution.step(double(i) / tolerances, double(i + 1) / tolerances));
     const double length = description_length(surface, faces, rounding);
     // Where vertices are not noisy, or below the noise, most patches fail, which takes time.
@@ -127,7 +128,7 @@ inline Described_faces find_inexact_faces(const Surface& surface, double roundin
 inline bool is_noise(const Surface& surface, const Described_faces& exact,
                      const Described_faces& inexact)
 {
-  constexpr double half = 0.45, some = 0.1, hardly_more = 1.3;
+  constexpr double half = 0.45, some = 0.1, hardly_more = 1.6;
   const double opposite = share_of_opposite_sides(surface, inexact.faces);
   return inexact.length < exact.length &&
          (opposite >= half ||
@@ -140,29 +141,20 @@ inline bool is_noise(const Surface& surface, const Described_faces& exact,
 inline Surface_faces find_faces(const Surface& surface, double tolerance,
                                 const Execution& execution)
 {
+  constexpr double little = 0.05;
+  const double resolution = coordinate_resolution(surface), rounding = 1e-6 * surface.length_unit(),
+               exact = (std::max)(rounding, resolution);
   if (tolerance > 0)
-    return find_faces_within(surface, tolerance, execution);
-  constexpr double most = 0.9, much = 0.5, more = 0.1, little = 0.05;
-  const double rounding = 1e-6 * surface.length_unit();
-  const auto find = [&](double within, const Execution& step) {
-    Described_faces result{find_faces_within(surface, within, step)};
-    result.length = description_length(surface, result.faces, rounding);
-    return result;
-  };
-  const auto curved = [&](const Described_faces& found) {
-    return Areas_of_kinds(surface, found.faces).share_of_curved();
-  };
-  Described_faces found = find(rounding, execution.step(0, 0.2));
-  const double curved_exactly = curved(found);
-  if (curved_exactly < much) {
-    Described_faces rounded = find(10 * rounding, execution.step(0.2, 0.4));
-    if (curved(rounded) > curved_exactly + more && rounded.length < found.length)
-      found = std::move(rounded);
-  }
-  if (curved_exactly <= little && curved(found) < most) {
+    return find_faces_within(surface, tolerance, resolution, tolerance > 20 * exact, execution);
+  Described_faces found{
+    find_faces_within(surface, exact, resolution, false, execution.step(0, 0.4))};
+  found.length = description_length(surface, found.faces, rounding);
+  const bool is_freeform = Areas_of_kinds(surface, found.faces).share_of_curved() <= little;
+  if (is_freeform || resolution > 10 * rounding) { // or facets may be as small as steps
     Described_faces inexact = find_inexact_faces(surface, rounding, found.length,
                                                  execution.step(0.4, 1));
-    if (is_noise(surface, found, inexact))
+    const bool are_few = 2 * inexact.faces.surfaces.size() < found.faces.surfaces.size();
+    if (is_noise(surface, found, inexact) && (is_freeform || are_few))
       found = std::move(inexact);
   }
   execution.report(1);

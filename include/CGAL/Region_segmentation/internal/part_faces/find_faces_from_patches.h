@@ -5,8 +5,11 @@
 
 #include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/internal/part_faces/Face_search.h>
+#include <CGAL/Region_segmentation/internal/part_faces/Face_set.h>
 #include <CGAL/Region_segmentation/internal/part_faces/fit_surface.h>
 #include <CGAL/Region_segmentation/internal/part_faces/initial_surfaces.h>
+#include <CGAL/Region_segmentation/internal/part_faces/surface_evidence.h>
+#include <CGAL/Region_segmentation/internal/support/components.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,29 +25,42 @@ inline constexpr Surface_kind kinds_of_surfaces[] = {Surface_kind::PLANE, Surfac
                                                      Surface_kind::CONE, Surface_kind::SPHERE,
                                                      Surface_kind::TORUS};
 
-/// Fits a surface of a kind to points near `origin` with approximate normal `normal`, from the
-/// three initial surfaces that are nearest to them, the nearest first; until one has a root mean
-/// square distance below `stop`. Returns the smallest one.
+/// Fits surfaces of all kinds to a patch of faces: from the initial surfaces of a kind that are
+/// nearest to its vertices, the nearest first, until one has a root mean square distance below
+/// `stop`.
 class Surface_proposer
 {
 public:
-  /// \param axis to which the normals are most orthogonal; 0 if not known
-  Surface_proposer(const std::vector<Double_3>& points, const Double_3& origin,
-                   const Double_3& normal, const Double_3& axis, double stop)
-    : m_points(points)
-    , m_axis(axis)
-    , m_fitter(points, stop)
+  Surface_proposer(const Surface& surface, const Face_neighbors& neighbors, const Face_set& patch,
+                   double stop)
+    : m_points(evenly_spread(patch.points(), most_points))
+    , m_fitter(m_points, stop)
     , m_stop(stop)
-    , m_origin(origin)
-    , m_normal(normal)
-    , m_paraboloid(osculating_paraboloid(points, origin, normal))
-  {}
+    , m_origin(surface.centroid(patch.faces()[0]))
+    , m_line(axis_line(
+        m_points, evenly_spread(vertex_normals(surface, neighbors, patch), most_points), m_origin))
+  {
+    Symmetric_3 squares, around_mean;
+    Double_3 sum{0, 0, 0};
+    double area = 0;
+    for (const Surface::Index f : patch.faces()) {
+      squares.add_square(surface.area(f), surface.normal(f));
+      sum = sum + surface.area(f) * surface.normal(f);
+      area += surface.area(f);
+    }
+    around_mean = squares;
+    around_mean.add_square(-1 / area, sum);
+    m_normal = norm(sum) > 0 ? (1 / norm(sum)) * sum : surface.normal(patch.faces()[0]);
+    m_orthogonal = eigenvectors(squares)[0];
+    m_equal_angles = eigenvectors(around_mean)[0];
+    m_paraboloid = osculating_paraboloid(m_points, m_origin, m_normal);
+  }
 
   double operator()(Surface_kind kind, Fitted_surface<>& best) const
   {
     constexpr std::size_t most_tried = 3;
     double least = 1e300;
-    if (int(m_points.size()) < degrees_of_freedom(kind) + 2)
+    if (int(m_points.size()) <= degrees_of_freedom(kind))
       return least;
     std::vector<std::pair<double, Fitted_surface<>>> initial; // with their distances to the points
     for (const Fitted_surface<>& s : initial_surfaces(kind))
@@ -67,43 +83,46 @@ public:
 private:
   std::vector<Fitted_surface<>> initial_surfaces(Surface_kind kind) const
   {
-    const Osculating_paraboloid& o = m_paraboloid;
     std::vector<Fitted_surface<>> result;
     switch (kind) {
     case Surface_kind::PLANE:
-      result.push_back(surface_of_kind(Surface_kind::PLANE, m_origin, m_normal));
-      break;
+      return {surface_of_kind(Surface_kind::PLANE, m_origin, m_normal)};
     case Surface_kind::CYLINDER:
-      result.push_back(initial_cylinder(o));
-      if (squared_norm(m_axis) > 0)
-        result.push_back(cylinder_along(m_axis, m_points, m_origin));
-      break;
-    case Surface_kind::SPHERE:
-      result.push_back(initial_sphere(o));
-      break;
+      for (const Double_3& axis : {m_orthogonal, m_equal_angles, m_line.direction})
+        result.push_back(cylinder_along(axis, m_points, m_origin));
+      return result;
     case Surface_kind::CONE:
-      for (const double angle : {0.1, 0.5, -0.5, 1.0, -1.0})
-        result.push_back(initial_cone(o, angle));
-      break;
-    case Surface_kind::TORUS:
+      for (const Double_3& axis : {m_equal_angles, m_line.direction, m_orthogonal})
+        result.push_back(cone_along(axis, m_points, m_origin));
+      return result;
+    case Surface_kind::SPHERE:
+      return {sphere_with_axis(m_line.direction, m_points, m_origin)};
+    default:
+      result.push_back(torus_around(m_line, m_points));
       for (int meridian = 0; meridian < 2; ++meridian)
         for (const double angle : {0.0, 0.5, -0.5, 1.0, -1.0})
-          if (std::fabs(o.curvature[meridian]) > 0.05 * std::fabs(o.curvature[0]))
-            result.push_back(initial_torus(o, meridian, angle));
-      break;
-    default:
-      break;
+          if (std::fabs(m_paraboloid.curvature[meridian]) >
+              0.05 * std::fabs(m_paraboloid.curvature[0]))
+            result.push_back(initial_torus(m_paraboloid, meridian, angle));
+      return result;
     }
-    return result;
   }
 
-  const std::vector<Double_3>& m_points;
-  Double_3 m_axis;
+  static constexpr std::size_t most_points = 80;
+
+  std::vector<Double_3> m_points;
   Surface_fitter m_fitter;
   double m_stop;
   Double_3 m_origin, m_normal;
-  Osculating_paraboloid m_paraboloid;
+  Osculating_paraboloid m_paraboloid;    ///< where vertices are noisy, it tells more
+  Axis_line m_line;                      ///< that the normals meet
+  Double_3 m_orthogonal, m_equal_angles; ///< to the normals, with the normals
 };
+
+/// As the number of vertices of a patch: all faces that go on smoothly.
+inline constexpr std::size_t whole = std::size_t(-1);
+
+void find_whole_beside(Face_search& search, std::vector<Surface::Index> faces);
 
 /// Fits surfaces to patches of faces that are not found yet, and grows faces of them.
 class Patch_seeding
@@ -114,12 +133,9 @@ public:
   struct Options
   {
     std::size_t vertices; ///< of a patch
-    /// Of the edges that a patch crosses, as a multiple of the longest one of the seed: so patches
-    /// stay on narrow strips of long triangles.
-    double least_length;
-    /// Whether patches are tried only where they end at an edge or at a face that is found: in the
-    /// midst of what is left, larger ones were.
-    bool only_at_borders;
+    /// Whether patches are strips: they cross edges in one direction alone, and those between
+    /// coplanar faces. So they stay on a face of one row of facets.
+    bool is_strip = false;
   };
 
   Patch_seeding(Face_search& search, const Options& options)
@@ -133,134 +149,134 @@ public:
   void find(const Execution& execution)
   {
     m_search.clear_tried();
+    const Partition components = smooth_components();
+    std::vector<std::size_t> in_vain(components.number_of_parts(), 0); // patches since a face
     const std::vector<Index> seeds = m_search.seeds();
-    if (seeds.size() > many && !some_patch_fits(seeds))
-      return;
     Step_counter progress(execution, seeds.size());
     for (const Index seed : seeds) {
       progress.advance();
-      if (m_grown_in_vain > 16 * m_surface.number_of_faces() + 50000)
-        return; // a bound of the time: 150 meshes grow at most 6 times their faces in vain
-      if (!m_search.is_found(seed) && !m_search.is_tried[seed] && !find_from(seed))
+      std::size_t& tried = in_vain[components[seed]];
+      if (m_search.is_found(seed) || m_search.is_tried[seed] || tried > most_in_vain)
+        continue;
+      for (const Double_3& direction : directions(seed)) {
+        collect(seed, direction);
+        if (find_from_patch(seed)) {
+          tried = 0;
+          find_whole_beside(m_search, m_found);
+          break;
+        }
+        ++tried;
         mark_patch();
+      }
     }
   }
+
+  /// Whether all faces that go on smoothly from the seed are a face, unless they have more vertices
+  /// than a patch.
+  bool find_whole(Index seed)
+  {
+    collect(seed, {0, 0, 0});
+    return m_patch.points().size() < m_options.vertices && find_from_patch(seed);
+  }
+  const std::vector<Index>& found() const { return m_found; }
 
 private:
-  /// Whether one of some patches from seeds of all sizes lies on a surface. If not, vertices are
-  /// noisy, or the part is freeform: nothing would be found in much more time.
-  bool some_patch_fits(const std::vector<Index>& seeds)
+  /// Of faces that are not found.
+  Partition smooth_components() const
   {
-    for (std::size_t i = 0; i < seeds.size(); i += seeds.size() / sampled) {
-      if (m_search.is_tried[seeds[i]])
-        continue;
-      collect(seeds[i]);
-      const Surface_proposer propose = proposer(seeds[i]);
-      Fitted_surface<> s;
-      for (const Surface_kind kind : kinds_of_surfaces)
-        if (fits(propose, kind, s))
-          return true;
-      if (is_crowded())
-        mark_patch();
-    }
-    return false;
+    return label_components(
+      m_surface,
+      [&](std::size_t a) {
+        const Index f = m_search.neighbors.host(m_surface.lower_face(a)),
+                    g = m_search.neighbors.host(m_surface.higher_face(a));
+        return !m_surface.has_flag(a, Surface::barrier) && !m_search.is_found(f) &&
+               !m_search.is_found(g) && m_search.neighbors.is_smooth(a);
+      },
+      Execution());
   }
 
-  bool find_from(Index seed)
+  bool find_from_patch(Index seed)
   {
-    collect(seed);
-    if (m_options.only_at_borders && !is_at_border())
+    if (m_patch.points().size() < fewest_points)
       return false;
     Fitted_surface<> best;
     std::vector<Index> best_faces;
     double best_area = 0;
-    const Surface_proposer propose = proposer(seed);
+    const Surface_proposer propose = proposer();
     for (const Surface_kind kind : kinds_of_surfaces) {
       Fitted_surface<> s;
       if (!fits(propose, kind, s))
         continue;
       orient(s, seed);
       m_grower.grow(s, m_patch.faces(), [&](Index f) { return !m_search.is_found(f); });
-      if (!is_face(s)) {
-        m_grown_in_vain += m_grower.faces().size();
-        mark_as_tried_if_many();
-        continue;
-      }
-      if (m_grower.area() > 1.1 * best_area) {
+      if (!is_face(s))
+        mark_grown();
+      else if (m_grower.area() > 1.1 * best_area) {
         best = s;
         best_area = m_grower.area();
         best_faces = m_grower.faces();
       }
-      if (m_search.is_exact())
+      if (m_search.is_exact() && best_area > 0)
         break;
     }
     if (best_area == 0)
       return false;
     m_search.add(best, best_faces);
+    m_found = std::move(best_faces);
     return true;
   }
 
-  void collect(Index seed)
+  /// The directions of strips: of the edges of the seed. Without strips one, which is 0.
+  std::vector<Double_3> directions(Index seed) const
   {
-    const double shortest = m_options.least_length * longest_edge(seed);
-    m_patch.collect(
-      m_search.neighbors, seed, m_options.vertices, [&](const Face_neighbors::Neighbor& n) {
-        return !m_search.is_found(n.face) && m_surface.length(n.adjacency) >= shortest &&
-               m_search.neighbors.may_be_smooth(n.adjacency) &&
-               m_surface.area(n.face) < largest_area * m_surface.area(seed);
-      });
+    std::vector<Double_3> result;
+    if (m_options.is_strip)
+      for (const Face_neighbors::Neighbor& n : m_search.neighbors[seed])
+        if (may_cross(seed, n) && !m_search.neighbors.is_coplanar(n.adjacency))
+          result.push_back(Shared_side(m_surface, seed, n.face).along);
+    return result.empty() ? std::vector<Double_3>{{0, 0, 0}} : result;
   }
 
-  Surface_proposer proposer(Index seed) const
+  bool may_cross(Index seed, const Face_neighbors::Neighbor& n) const
   {
-    return {m_patch.points(), m_surface.centroid(seed), mean_normal(), axis_of_normals(),
-            (m_search.is_exact() ? 1e-2 : 0.1) * m_search.test.tolerance()};
+    return !m_search.is_found(n.face) && m_search.neighbors.is_smooth(n.adjacency) &&
+           m_surface.area(n.face) < largest_area * m_surface.area(seed);
+  }
+
+  /// \param direction of a strip: edges that are crossed are within 37 degrees of those crossed
+  ///        before
+  void collect(Index seed, const Double_3& direction)
+  {
+    constexpr double cosine = 0.8;
+    if (!m_options.is_strip)
+      return m_patch.collect(m_search.neighbors, seed, m_options.vertices,
+                             [&](const Face_neighbors::Neighbor& n) { return may_cross(seed, n); });
+    m_patch.clear();
+    m_patch.add(seed);
+    std::vector<Double_3> crossed{direction}; // by face of the patch
+    for (std::size_t next = 0;
+         next < m_patch.faces().size() && m_patch.points().size() < m_options.vertices; ++next)
+      for (const Face_neighbors::Neighbor& n : m_search.neighbors[m_patch.faces()[next]]) {
+        if (m_patch.has(n.face) || !may_cross(seed, n))
+          continue;
+        const Double_3 along = Shared_side(m_surface, m_patch.faces()[next], n.face).along;
+        const bool is_coplanar = m_search.neighbors.is_coplanar(n.adjacency);
+        if (!is_coplanar && std::fabs(dot(along, crossed[next])) < cosine)
+          continue;
+        m_patch.add(n.face);
+        crossed.push_back(is_coplanar ? crossed[next] : along);
+      }
+  }
+
+  Surface_proposer proposer() const
+  {
+    return {m_surface, m_search.neighbors, m_patch, m_search.goal()};
   }
 
   bool fits(const Surface_proposer& propose, Surface_kind kind, Fitted_surface<>& s) const
   {
     const double tolerance = m_search.test.tolerance();
     return propose(kind, s) <= tolerance && largest_distance(s, m_patch.points()) <= tolerance;
-  }
-
-  /// Whether the faces share few vertices. Those of a manifold do not: only patches of fewer
-  /// vertices than are wanted grow, so they have some three faces for each. Most patches of such
-  /// faces are all of them: one is tried.
-  bool is_crowded() const { return m_patch.faces().size() > 4 * m_options.vertices; }
-
-  bool is_at_border() const
-  {
-    for (const Index f : m_patch.faces())
-      for (const Face_neighbors::Neighbor& n : m_search.neighbors[f])
-        if (m_search.is_found(n.face) || !m_search.neighbors.may_be_smooth(n.adjacency))
-          return true;
-    return false;
-  }
-
-  double longest_edge(Index face) const
-  {
-    double longest = 0;
-    for (const Face_neighbors::Neighbor& n : m_search.neighbors[face])
-      longest = (std::max)(longest, m_surface.length(n.adjacency));
-    return longest;
-  }
-
-  Double_3 mean_normal() const
-  {
-    Double_3 sum{0, 0, 0};
-    for (const Index f : m_patch.faces())
-      sum = sum + m_surface.area(f) * m_surface.normal(f);
-    const double length = norm(sum);
-    return length > 0 ? (1 / length) * sum : Double_3{0, 0, 1};
-  }
-
-  /// The direction to which the normals of the patch are most orthogonal.
-  Double_3 axis_of_normals() const
-  {
-    Symmetric_3 sum;
-    for (const Index f : m_patch.faces())
-      sum.add_square(m_surface.area(f), m_surface.normal(f));
-    return eigenvectors(sum)[0];
   }
 
   void orient(Fitted_surface<>& s, Index seed) const
@@ -278,10 +294,9 @@ private:
   bool is_face(const Fitted_surface<>& s) const
   {
     const std::size_t points = m_grower.points().size();
-    if (int(points) < degrees_of_freedom(s.kind) + 2 ||
-        m_grower.faces().size() < m_patch.faces().size() * 3 / 4)
+    if (int(points) <= degrees_of_freedom(s.kind))
       return false;
-    if (s.kind == Surface_kind::PLANE ? points < fewest_points_of_plane : is_chain_of_planes())
+    if (s.kind == Surface_kind::PLANE ? points < fewest_points_of_plane : !has_evidence(s))
       return false;
     // Faces that cross a crease lie on many surfaces, with vertices of the faces beside it alone.
     return m_search.is_exact()
@@ -289,32 +304,27 @@ private:
              : int(m_search.number_of_new_vertices(m_grower.faces())) >= degrees_of_freedom(s.kind);
   }
 
-  /// Whether the faces are two planes, or three of several triangles each, such as chamfers, rather
-  /// than facets of a curved face; or mostly one plane, with the first facets of the fillets beside
-  /// it.
-  bool is_chain_of_planes() const
+  /// Whether the faces are more than planes beside each other, or mostly one plane, with the first
+  /// facets of the fillets beside it.
+  bool has_evidence(const Fitted_surface<>& s) const
   {
-    if (m_grower.share_of_largest_facet() > 0.6)
-      return true;
-    const std::size_t facets = m_grower.number_of_facets();
-    const bool are_few = facets <= 2 || (facets == 3 && m_grower.faces().size() > 2 * facets);
-    return are_few && !m_grower.is_tangent_to_neighbors();
+    return m_grower.share_of_largest_facet() <= 0.6 &&
+           (!m_search.is_exact() ||
+            is_evident(m_surface, m_search.neighbors, m_grower, s, m_search.test.tolerance()));
   }
 
-  /// Seeds in a large set of faces that was grown in vain, or from a crowded patch, would grow it
-  /// again: so the time of all growing stays near linear.
-  void mark_as_tried_if_many()
+  /// Other seeds in a large set of faces that was grown in vain would grow it again.
+  void mark_grown()
   {
-    if (is_crowded() || m_grower.faces().size() > 4 * m_patch.faces().size())
+    if (!m_options.is_strip && m_grower.faces().size() > 4 * m_patch.faces().size())
       for (const Index f : m_grower.faces())
         m_search.is_tried[f] = 1;
   }
 
-  /// The innermost faces of a patch that fits no surface are not tried again, nor any of a crowded
-  /// one.
+  /// The innermost faces of a patch that fits no surface are not tried again.
   void mark_patch()
   {
-    const std::size_t share = is_crowded() ? 1 : m_options.vertices > 12 ? 4 : 2;
+    const std::size_t share = m_options.vertices == whole ? 1 : m_options.vertices > 12 ? 4 : 2;
     const std::size_t number = (std::max)(m_patch.faces().size() / share, std::size_t(1));
     for (std::size_t i = 0; i < number; ++i)
       m_search.is_tried[m_patch.faces()[i]] = 1;
@@ -322,30 +332,51 @@ private:
 
   static constexpr double largest_area = 8; // of a face of a patch, as a multiple of that of the
                                             // seed
-  static constexpr std::size_t fewest_points_of_plane = 8;
-  static constexpr std::size_t many = 5000, sampled = 500; // seeds
+  static constexpr std::size_t fewest_points = 6, fewest_points_of_plane = 8;
+  /// After as many patches, what goes on smoothly is taken to be freeform.
+  static constexpr std::size_t most_in_vain = 1000;
 
   Face_search& m_search;
   const Surface& m_surface;
   Face_set& m_patch;
   Face_grower& m_grower;
   Options m_options;
-  std::size_t m_grown_in_vain = 0; // faces
+  std::vector<Index> m_found;
 };
+
+/// What goes on smoothly beside faces that were just found may be a face as a whole, now that it
+/// ends at them.
+inline void find_whole_beside(Face_search& search, std::vector<Surface::Index> faces)
+{
+  constexpr std::size_t most = 2000; // vertices
+  if (!search.is_exact())
+    return;
+  search.is_tried_whole.clear();
+  while (!faces.empty()) {
+    const Surface::Index f = faces.back();
+    faces.pop_back();
+    for (const Face_neighbors::Neighbor& n : search.neighbors[f])
+      if (!search.is_found(n.face) && search.neighbors.is_smooth(n.adjacency) &&
+          !search.is_tried_whole.has(n.face)) {
+        Patch_seeding seeding(search, {most});
+        if (seeding.find_whole(n.face))
+          faces.insert(faces.end(), seeding.found().begin(), seeding.found().end());
+        else
+          for (const Surface::Index g : search.patch.faces())
+            search.is_tried_whole.mark(g);
+      }
+  }
+}
 
 /// Larger patches first: they tell surfaces apart that small ones do not.
 inline void find_faces_from_patches(Face_search& search, const Execution& execution)
 {
-  const std::vector<Patch_seeding::Options> of_exact = {{24, 0, false},
-                                                        {12, 0, true},
-                                                        {8, 0.5, true}},
-                                            of_noisy = {
-                                              {80, 0, false}, {40, 0, false}, {20, 0, false}};
+  const std::vector<Patch_seeding::Options> of_exact = {{whole}, {24}, {12}, {8, true}},
+                                            of_noisy = {{80}, {40}, {20}};
   const std::vector<Patch_seeding::Options>& phases = search.is_exact() ? of_exact : of_noisy;
+  const double n = double(phases.size());
   for (std::size_t i = 0; i < phases.size(); ++i)
-    Patch_seeding(search, phases[i])
-      .find(
-        execution.step(double(i) / double(phases.size()), double(i + 1) / double(phases.size())));
+    Patch_seeding(search, phases[i]).find(execution.step(double(i) / n, double(i + 1) / n));
 }
 
 } // namespace internal

@@ -38,26 +38,30 @@ inline std::array<Double_3, 3> eigenvectors(const Symmetric_3& m)
 }
 
 /// Solves a x = b by the decomposition a = l d l^T, without pivoting; only the lower triangle of
-/// `a` is read. Unknowns that the equations do not determine are 0. Eigen's decompositions sum in
+/// `a` is read. Unknowns that those before them determine are 0. Eigen's decompositions sum in
 /// the order of the vector unit, and fuse products and sums where it can: their last bits, and
 /// through them faces, would depend on the processor.
 template <typename Matrix, typename Vector>
 Vector solve_positive_definite(Matrix a, Vector b)
 {
-  const auto quotient = [](double x, double d) { return d > 0 ? x / d : 0; };
+  constexpr double rounding = 1e-13;
   const int n = int(b.size());
+  const Vector diagonal = a.diagonal();
+  const auto quotient = [&](double x, int j) {
+    return a(j, j) > rounding * diagonal[j] ? x / a(j, j) : 0;
+  };
   for (int j = 0; j < n; ++j) // below the diagonal l, on it d
     for (int i = j; i < n; ++i) {
       for (int k = 0; k < j; ++k)
         a(i, j) -= a(i, k) * a(j, k) * a(k, k);
       if (i > j)
-        a(i, j) = quotient(a(i, j), a(j, j));
+        a(i, j) = quotient(a(i, j), j);
     }
   for (int i = 0; i < n; ++i)
     for (int k = 0; k < i; ++k)
       b[i] -= a(i, k) * b[k];
   for (int i = n - 1; i >= 0; --i) {
-    b[i] = quotient(b[i], a(i, i));
+    b[i] = quotient(b[i], i);
     for (int k = i + 1; k < n; ++k)
       b[i] -= a(k, i) * b[k];
   }
@@ -235,7 +239,7 @@ private:
     }
     const bool cone = s.kind != Surface_kind::CONE || (s.angle > 1e-4 && s.angle < 1.5);
     const bool torus = s.kind != Surface_kind::TORUS ||
-                       (s.minor_radius > 0 && s.radius > 1e-6 * m_size &&
+                       (s.minor_radius > 0 && s.radius > 0.01 * s.minor_radius &&
                         s.minor_radius < 50 * m_size);
     const bool size = s.kind == Surface_kind::PLANE || (s.radius > 0 && s.radius < 100 * m_size);
     return is_finite(s.point) && is_finite(s.direction) && (size || s.kind == Surface_kind::CONE) &&
@@ -249,17 +253,28 @@ private:
   double m_size = 0, m_weight = 0;
 };
 
-/// Fits a surface to points, from the values that it has, and to 300 of them, spread evenly, where
-/// there are more. The values stay if those found are not within the tolerance.
+/// At most so many of several points, or of what belongs to them, at multiples of the golden ratio:
+/// in the order of vertices, every second or third one may lie on one circle.
+inline std::vector<Double_3> evenly_spread(const std::vector<Double_3>& points, std::size_t most)
+{
+  constexpr double golden = 0.618033988749895;
+  if (points.size() <= most)
+    return points;
+  std::vector<Double_3> result;
+  for (std::size_t i = 0; i < most; ++i) {
+    const double x = golden * double(i);
+    result.push_back(points[std::size_t((x - std::floor(x)) * double(points.size()))]);
+  }
+  return result;
+}
+
+/// Fits a surface to some of the points, from the values that it has. They stay if those found are
+/// not within the tolerance.
 /// \param stop see `Surface_fitter`
 inline void refine_surface(Fitted_surface<>& s, const std::vector<Double_3>& points,
                            double tolerance, double stop)
 {
-  constexpr std::size_t most_points = 300;
-  std::vector<Double_3> sample;
-  const std::size_t step = (points.size() + most_points - 1) / most_points;
-  for (std::size_t i = 0; i < points.size(); i += step)
-    sample.push_back(points[i]);
+  const std::vector<Double_3> sample = evenly_spread(points, 300);
   if (int(sample.size()) < degrees_of_freedom(s.kind))
     return;
   Fitted_surface<> better = s;

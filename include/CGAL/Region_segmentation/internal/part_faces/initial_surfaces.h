@@ -4,11 +4,15 @@
 #define CGAL_REGION_SEGMENTATION_INTERNAL_PART_FACES_INITIAL_SURFACES_H
 
 #include <CGAL/Region_segmentation/Part_faces/Fitted_surface.h>
+#include <CGAL/Region_segmentation/Surface.h>
+#include <CGAL/Region_segmentation/internal/part_faces/Face_neighbors.h>
+#include <CGAL/Region_segmentation/internal/part_faces/Face_set.h>
 #include <CGAL/Region_segmentation/internal/part_faces/fit_surface.h>
 
 #include <Eigen/Dense>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -78,55 +82,177 @@ inline Osculating_paraboloid osculating_paraboloid(const std::vector<Double_3>& 
   return result;
 }
 
-inline Fitted_surface<> initial_cylinder(const Osculating_paraboloid& o)
+/// The solution of the linear equations with coefficients `row(p)` and right sides `value(p)` at
+/// points, in the sense of least squares.
+template <int n, typename Row, typename Value>
+Eigen::Matrix<double, n, 1, Eigen::DontAlign> least_squares(const std::vector<Double_3>& points,
+                                                            const Row& row, const Value& value)
 {
-  Fitted_surface<> s = surface_of_kind(Surface_kind::CYLINDER,
-                                       o.point + (1 / o.curvature[0]) * o.normal, o.direction[1]);
-  s.radius = 1 / std::fabs(o.curvature[0]);
+  Eigen::Matrix<double, n, n, Eigen::DontAlign> a = Eigen::Matrix<double, n, n>::Zero();
+  Eigen::Matrix<double, n, 1, Eigen::DontAlign> b = Eigen::Matrix<double, n, 1>::Zero();
+  for (const Double_3& p : points) {
+    const std::array<double, n> r = row(p);
+    for (int i = 0; i < n; ++i) {
+      b[i] += value(p) * r[i];
+      for (int j = 0; j <= i; ++j)
+        a(i, j) += r[i] * r[j];
+    }
+  }
+  return solve_positive_definite(a, b);
+}
+
+/// The sphere with the least algebraic distance to points. `axis`: that of its parallels, if they
+/// are on any
+inline Fitted_surface<> sphere_with_axis(const Double_3& axis, const std::vector<Double_3>& points,
+                                         const Double_3& origin)
+{
+  const auto c = least_squares<4>(
+    points,
+    [&](const Double_3& p) {
+      const Double_3 d = p - origin;
+      return std::array<double, 4>{2 * d.x, 2 * d.y, 2 * d.z, 1};
+    },
+    [&](const Double_3& p) { return squared_norm(p - origin); });
+  const Double_3 center{c[0], c[1], c[2]};
+  Fitted_surface<> s = surface_of_kind(Surface_kind::SPHERE, origin + center, axis);
+  s.radius = std::sqrt((std::max)(0.0, c[3] + squared_norm(center)));
   return s;
 }
 
-/// The cylinder along `axis` whose section is the circle with the least algebraic distance to the
+/// The cylinder along `axis` whose section is the circle with the least algebraic distance to
 /// points.
 inline Fitted_surface<> cylinder_along(const Double_3& axis, const std::vector<Double_3>& points,
                                        const Double_3& origin)
 {
   const Double_3 u = any_perpendicular(axis), v = cross(axis, u);
-  Eigen::Matrix<double, 3, 3, Eigen::DontAlign> a = Eigen::Matrix3d::Zero();
-  Eigen::Matrix<double, 3, 1, Eigen::DontAlign> b = Eigen::Vector3d::Zero();
-  for (const Double_3& p : points) {
-    const double x = dot(p - origin, u), y = dot(p - origin, v);
-    const Eigen::Matrix<double, 3, 1, Eigen::DontAlign> row(2 * x, 2 * y, 1);
-    a += row * row.transpose();
-    b += (x * x + y * y) * row;
-  }
-  const Eigen::Matrix<double, 3, 1, Eigen::DontAlign> c = solve_positive_definite(a, b);
+  const auto c = least_squares<3>(
+    points,
+    [&](const Double_3& p) {
+      return std::array<double, 3>{2 * dot(p - origin, u), 2 * dot(p - origin, v), 1};
+    },
+    [&](const Double_3& p) {
+      const double x = dot(p - origin, u), y = dot(p - origin, v);
+      return x * x + y * y;
+    });
   Fitted_surface<> s = surface_of_kind(Surface_kind::CYLINDER, origin + c[0] * u + c[1] * v, axis);
   s.radius = std::sqrt((std::max)(0.0, c[2] + c[0] * c[0] + c[1] * c[1]));
   return s;
 }
 
-inline Fitted_surface<> initial_sphere(const Osculating_paraboloid& o)
+/// The cone along `axis` with the least algebraic distance to points.
+inline Fitted_surface<> cone_along(const Double_3& axis, const std::vector<Double_3>& points,
+                                   const Double_3& origin)
 {
-  const double k = (o.curvature[0] + o.curvature[1]) / 2;
-  Fitted_surface<> s = surface_of_kind(Surface_kind::SPHERE, o.point + (1 / k) * o.normal,
-                                       o.normal);
-  s.radius = 1 / std::fabs(k);
+  const Double_3 u = any_perpendicular(axis), v = cross(axis, u);
+  // x^2 + y^2 = 2 c0 x + 2 c1 y + c2 + c3 z + c4 z^2, c4 the squared tangent of the angle
+  const auto c = least_squares<5>(
+    points,
+    [&](const Double_3& p) {
+      const Double_3 d = p - origin;
+      const double z = dot(d, axis);
+      return std::array<double, 5>{2 * dot(d, u), 2 * dot(d, v), 1, z, z * z};
+    },
+    [&](const Double_3& p) {
+      const double x = dot(p - origin, u), y = dot(p - origin, v);
+      return x * x + y * y;
+    });
+  Fitted_surface<> s = surface_of_kind(Surface_kind::CONE, origin + c[0] * u + c[1] * v, axis);
+  s.radius = std::sqrt((std::max)(0.0, c[2] + c[0] * c[0] + c[1] * c[1]));
+  // of a band of two circles, z and z^2 are dependent: then c4 is 0
+  const double slope = s.radius > 0 ? c[3] / (2 * s.radius) : 0;
+  s.angle = std::atan(c[4] > 0 ? std::copysign(std::sqrt(c[4]), c[3]) : slope);
   return s;
 }
 
-/// The axis of a cone meets the normal at the center of curvature; `angle` is that between axis and
-/// ruling, of any sign.
-inline Fitted_surface<> initial_cone(const Osculating_paraboloid& o, double angle)
+/// A line that the normals of a surface of revolution meet: its axis.
+struct Axis_line
 {
-  const Double_3 axis = std::cos(angle) * o.direction[1] + std::sin(angle) * o.normal;
-  const double distance = 1 / o.curvature[0];
-  const Double_3 on_axis = o.point + distance * o.normal;
-  Fitted_surface<> s = surface_of_kind(Surface_kind::CONE, on_axis, axis);
-  const double z = dot(o.point - on_axis, axis);
-  s.point = on_axis + z * axis;
-  s.radius = norm(o.point - s.point);
-  s.angle = distance > 0 ? angle : -angle;
+  Double_3 point, direction;
+};
+
+/// The normals at the vertices of faces, of length 1, by position: the mean of those of the faces
+/// around, if no crease is between, with the weights by which it is that of a sphere through the
+/// vertices, area over the squared lengths of both edges (Max, "Weights for computing vertex
+/// normals from facet normals", Journal of Graphics Tools 4(2), 1999).
+inline std::vector<Double_3> vertex_normals(const Surface& surface, const Face_neighbors& neighbors,
+                                            const Face_set& faces)
+{
+  using Index = Surface::Index;
+  const auto weight = [&](Index f, Index v) {
+    const std::size_t n = surface.number_of_corners(f);
+    std::size_t i = 0;
+    while (surface.corner(f, i) != v)
+      ++i;
+    const auto squared = [&](std::size_t j) {
+      return squared_norm(surface.point(surface.corner(f, j % n)) - surface.point(v));
+    };
+    return surface.area(f) / (squared(i + 1) * squared(i + n - 1));
+  };
+  std::vector<Double_3> result(faces.points().size(), Double_3{0, 0, 0});
+  for (const Index f : faces.faces())
+    for (const Index v : surface.corners(f)) {
+      Double_3& normal = result[faces.position(v)];
+      if (squared_norm(normal) > 0)
+        continue;
+      for (const Index g : neighbors.around(v))
+        if (const double w = weight(g, v); neighbors.are_smooth(f, g) && std::isfinite(w))
+          normal = normal + w * surface.normal(g);
+      normal = (1 / norm(normal)) * normal;
+    }
+  return result;
+}
+
+/// The line that is nearest to meeting the normals at points: the linear complex of lines with the
+/// least sum of squares, without its pitch (Pottmann and Randrup, "Rotational and helical surface
+/// approximation for reverse engineering", Computing 60, 1998).
+inline Axis_line axis_line(const std::vector<Double_3>& points,
+                           const std::vector<Double_3>& normals, const Double_3& origin)
+{
+  using Matrix = Eigen::Matrix<double, 3, 3, Eigen::DontAlign>;
+  using Vector = Eigen::Matrix<double, 3, 1, Eigen::DontAlign>;
+  Matrix nn = Matrix::Zero(), nm = Matrix::Zero(), mm = Matrix::Zero(); // sums of products
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    const Double_3 n = normals[p], m = cross(points[p] - origin, n);
+    const double a[] = {n.x, n.y, n.z}, b[] = {m.x, m.y, m.z};
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) {
+        nn(i, j) += a[i] * a[j];
+        nm(i, j) += a[i] * b[j];
+        mm(i, j) += b[i] * b[j];
+      }
+  }
+  Matrix x;
+  for (int j = 0; j < 3; ++j)
+    x.col(j) = solve_positive_definite(nn, Vector(nm.col(j)));
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      for (int k = 0; k < 3; ++k)
+        mm(i, j) -= nm(k, i) * x(k, j);
+  const Double_3 c = eigenvectors(
+    Symmetric_3{mm(0, 0), mm(0, 1), mm(0, 2), mm(1, 1), mm(1, 2), mm(2, 2)})[0];
+  const auto times = [&](int i) { return -(x(i, 0) * c.x + x(i, 1) * c.y + x(i, 2) * c.z); };
+  return {origin + cross(c, Double_3{times(0), times(1), times(2)}), c};
+}
+
+/// The torus around an axis whose meridian is the circle with the least algebraic distance to
+/// points.
+inline Fitted_surface<> torus_around(const Axis_line& axis, const std::vector<Double_3>& points)
+{
+  const Fitted_surface<> frame = surface_of_kind(Surface_kind::TORUS, axis.point, axis.direction);
+  const auto c = least_squares<3>(
+    points,
+    [&](const Double_3& p) {
+      const Meridian_point m = meridian_point(frame, p);
+      return std::array<double, 3>{2 * m.r, 2 * m.z, 1};
+    },
+    [&](const Double_3& p) {
+      const Meridian_point m = meridian_point(frame, p);
+      return m.r * m.r + m.z * m.z;
+    });
+  Fitted_surface<> s = frame;
+  s.point = axis.point + c[1] * axis.direction;
+  s.radius = c[0];
+  s.minor_radius = std::sqrt((std::max)(0.0, c[2] + c[0] * c[0] + c[1] * c[1]));
   return s;
 }
 

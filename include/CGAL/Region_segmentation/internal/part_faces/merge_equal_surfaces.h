@@ -5,6 +5,7 @@
 
 #include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/internal/part_faces/Face_search.h>
+#include <CGAL/Region_segmentation/internal/part_faces/find_faces_from_patches.h>
 #include <CGAL/Region_segmentation/internal/support/components.h>
 
 #include <algorithm>
@@ -94,9 +95,10 @@ inline void find_small_planes(Face_search& search, const Execution& execution)
                                          search.surface.normal(seed));
     search.grower.grow(s, {seed}, [&](Surface::Index f) { return !search.is_found(f); });
     const std::vector<Surface::Index>& faces = search.grower.faces();
-    if (share_of_smooth_border(search) < (search.grower.points().size() < few_points ? 0.1 : 0.5))
+    if (share_of_smooth_border(search) < (search.grower.points().size() < few_points ? 0.1 : 0.5)) {
       search.add(s, faces);
-    else
+      find_whole_beside(search, std::vector<Surface::Index>(faces));
+    } else
       for (const Surface::Index f : faces)
         search.is_tried[f] = 1;
   }
@@ -111,14 +113,13 @@ inline void find_pairs_of_planes(Face_search& search, const Execution& execution
     return label_components(
       surface,
       [&](std::size_t a) {
-        return !surface.has_flag(a, Surface::LINK | Surface::CONSTRAINED) &&
-               !search.is_found(surface.lower_face(a)) &&
+        return !surface.has_flag(a, Surface::barrier) && !search.is_found(surface.lower_face(a)) &&
                !search.is_found(surface.higher_face(a)) && joins(a);
       },
       step);
   };
   const Partition components = label_left(
-    [&](std::size_t a) { return search.neighbors.may_be_smooth(a); }, execution.step(0, 0.5));
+    [&](std::size_t a) { return search.neighbors.is_smooth(a); }, execution.step(0, 0.5));
   const Partition facets = label_left(
     [&](std::size_t a) { return search.neighbors.is_coplanar(a); }, execution.step(0.5, 1));
   std::vector<Index> largest(facets.number_of_parts(), Face_search::none); // face of a facet

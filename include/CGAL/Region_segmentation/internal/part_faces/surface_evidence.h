@@ -5,8 +5,11 @@
 
 #include <CGAL/Region_segmentation/Part_faces/Fitted_surface.h>
 #include <CGAL/Region_segmentation/Surface.h>
-#include <CGAL/Region_segmentation/internal/part_faces/Face_search.h>
+#include <CGAL/Region_segmentation/internal/part_faces/Face_grower.h>
+#include <CGAL/Region_segmentation/internal/part_faces/Face_neighbors.h>
 #include <CGAL/Region_segmentation/internal/part_faces/fit_surface.h>
+
+#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <cmath>
@@ -63,114 +66,142 @@ inline double description_length(const Surface& surface, const Surface_faces& fa
   return of_face * double(sums.size()) + bits / vertices;
 }
 
-/// The number of different angles that points have around the circle in the tube of a torus, up to
-/// 1/1000 of their range.
-inline int number_of_parallels(const Fitted_surface<>& torus, const std::vector<Double_3>& points)
+/// The angle of a point around the axis of a cylinder or cone; of a torus, around the circle in its
+/// tube; of a sphere, the elevation.
+inline double profile_angle(const Fitted_surface<>& s, const Double_3& p)
 {
-  std::vector<double> angles;
-  for (const Double_3& p : points) {
-    const Meridian_point m = meridian_point(torus, p);
-    angles.push_back(std::atan2(m.z, m.r - torus.radius));
-  }
-  std::sort(angles.begin(), angles.end());
-  const double same = 1e-3 * (angles.back() - angles.front());
-  int number = 1;
-  for (std::size_t i = 1; i < angles.size(); ++i)
-    number += angles[i] - angles[i - 1] > same;
-  return number;
+  const Meridian_point m = meridian_point(s, p);
+  if (s.kind == Surface_kind::SPHERE)
+    return std::atan2(m.z, m.r);
+  if (s.kind == Surface_kind::TORUS)
+    return std::atan2(m.z, m.r - s.radius);
+  const Double_3 u = any_perpendicular(s.direction);
+  return std::atan2(dot(m.outward, cross(s.direction, u)), dot(m.outward, u));
 }
 
-/// How much a surface says of its faces: few vertices lie on one by chance where the part is
-/// freeform.
-enum class Evidence : std::uint8_t { NONE, WEAK, STRONG };
-
-/// The vertices of each label of a surface.
-struct Label_vertices
+/// The lines of vertices on a surface that have the same profile angle: rulings of a cylinder or
+/// cone, parallels of a torus.
+class Profile_lines
 {
-  int number = 0, inside = 0;   ///< inside: all faces around it have the label
-  std::vector<Double_3> points; ///< of tori
+public:
+  /// \param tolerance of the points
+  Profile_lines(const Fitted_surface<>& s, const std::vector<Double_3>& points, double tolerance)
+    : m_surface(s)
+  {
+    std::vector<double> angles;
+    for (const Double_3& p : points)
+      angles.push_back(profile_angle(s, p));
+    std::sort(angles.begin(), angles.end());
+    double widest = angles.front() + 2 * CGAL_PI - angles.back();
+    m_first = angles.front();
+    for (std::size_t i = 1; i < angles.size(); ++i)
+      if (angles[i] - angles[i - 1] > widest) {
+        widest = angles[i] - angles[i - 1];
+        m_first = angles[i];
+      }
+    m_range = 2 * CGAL_PI - widest;
+    const double radius = s.kind == Surface_kind::TORUS ? s.minor_radius : s.radius;
+    m_same = (std::max)(1e-3 * m_range, radius > 0 ? 4 * tolerance / radius : 0);
+    for (double& a : angles)
+      a = from_first(a);
+    std::sort(angles.begin(), angles.end());
+    for (std::size_t i = 1; i < angles.size(); ++i)
+      m_number += angles[i] - angles[i - 1] > m_same;
+  }
+
+  int number() const { return m_number; }
+  /// The mean angle from one to the next.
+  double step() const { return m_range / (std::max)(1, m_number - 1); }
+  /// 0 or 1 for a point on the first or last one, else 2.
+  int end(const Double_3& p) const
+  {
+    const double a = from_first(profile_angle(m_surface, p));
+    return a < m_same ? 0 : a > m_range - m_same ? 1 : 2;
+  }
+
+private:
+  double from_first(double angle) const
+  {
+    const double a = angle - m_first;
+    return a < -1e-9 ? a + 2 * CGAL_PI : a;
+  }
+
+  const Fitted_surface<>& m_surface;
+  double m_first, m_range, m_same;
+  int m_number = 1;
 };
 
-inline std::vector<Label_vertices> vertices_of_labels(const Face_search& search)
+/// The border of the faces that were grown.
+struct Grown_border
 {
-  using Index = Surface::Index;
-  const Surface& surface = search.surface;
-  const std::vector<std::pair<Index, Index>> pairs = labels_of_vertices(surface, search.labels);
-  std::vector<Index> number_of_labels(surface.number_of_vertices(), 0);
-  for (const auto& pair : pairs)
-    ++number_of_labels[pair.second];
-  std::vector<Label_vertices> result(search.surfaces.size());
-  for (const auto& [label, vertex] : pairs) {
-    ++result[label].number;
-    result[label].inside += number_of_labels[vertex] == 1;
-    if (search.surfaces[label].kind == Surface_kind::TORUS)
-      result[label].points.push_back(surface.point(vertex));
+  double length[3] = {0, 0, 0}, tangent[3] = {0, 0, 0}; ///< at the ends and elsewhere
+  std::size_t vertices = 0;
+
+  /// The number of ends at which the surface is tangent to most of the faces beside it.
+  int number_of_tangent_ends() const
+  {
+    return (tangent[0] > 0.5 * length[0]) + (tangent[1] > 0.5 * length[1]);
   }
-  return result;
-}
-
-/// By label, of the vertices alone. Places of freeform faces lie on surfaces by chance: three
-/// vertices on a plane, those of two circles on a cone, sphere or torus, and of three of its
-/// parallels on a torus. With fewer than 4 vertices for each degree of freedom, they may.
-inline std::vector<Evidence> evidence_of_vertices(const Face_search& search,
-                                                  const std::vector<Label_vertices>& vertices)
-{
-  const auto is_by_chance = [&](std::size_t label) {
-    const Label_vertices& v = vertices[label];
-    switch (search.surfaces[label].kind) {
-    case Surface_kind::PLANE:
-    case Surface_kind::CYLINDER:
-      return v.number < 4;
-    case Surface_kind::TORUS:
-      return v.inside == 0 || number_of_parallels(search.surfaces[label], v.points) <= 3;
-    default:
-      return v.inside == 0;
-    }
-  };
-  std::vector<Evidence> result(vertices.size(), Evidence::NONE);
-  for (std::size_t label = 0; label < result.size(); ++label) {
-    const Surface_kind kind = search.surfaces[label].kind;
-    if (kind != Surface_kind::FREEFORM && !is_by_chance(label))
-      result[label] = vertices[label].number < 4 * degrees_of_freedom(kind) ? Evidence::WEAK
-                                                                            : Evidence::STRONG;
+  bool is_tangent() const
+  {
+    return tangent[0] + tangent[1] + tangent[2] > 0.5 * (length[0] + length[1] + length[2]);
   }
+};
+
+/// \param end of a side: 0, 1 or 2
+/// \param angle between the normals of the surface and of a face beside it up to which they are
+///        tangent
+template <typename End>
+Grown_border border_of_grown(const Surface& surface, const Face_neighbors& neighbors,
+                             const Face_grower& grower, const Fitted_surface<>& s, const End& end,
+                             double angle)
+{
+  Grown_border result;
+  std::vector<Surface::Index> vertices;
+  for (const Surface::Index f : grower.faces()) {
+    std::size_t i = 0;
+    for_each_side(surface, f, [&](Surface::Index v, Surface::Index w) {
+      const Surface::Index other = neighbors.across(f, i++);
+      if (other != Surface::none && grower.is_taken(other))
+        return;
+      const Double_3 p = surface.point(v), q = surface.point(w);
+      const int e = end(p) == end(q) ? end(p) : 2;
+      const double length = norm(q - p);
+      vertices.push_back(v);
+      vertices.push_back(w);
+      result.length[e] += length;
+      if (other != Surface::none &&
+          dot(surface.normal(other), surface_normal(s, 0.5 * (p + q))) > std::cos(angle))
+        result.tangent[e] += length;
+    });
+  }
+  std::sort(vertices.begin(), vertices.end());
+  result.vertices = std::size_t(std::unique(vertices.begin(), vertices.end()) - vertices.begin());
   return result;
 }
 
-/// By label: the share of its border across which it may go on smoothly to labels whose evidence is
-/// not strong.
-inline std::vector<double> shares_of_uncertain_border(const Face_search& search,
-                                                      const std::vector<Evidence>& evidence)
+/// Whether the surface on which faces lie is more than a coincidence: the number of lines of
+/// vertices, and of ends where it is tangent to the faces beside it, as a fillet is, is at least 5,
+/// of a sphere 4. There always is a circle through 3 of them, and one through 4 by symmetry. A
+/// single row of facets is no evidence of a sphere or torus.
+inline bool is_evident(const Surface& surface, const Face_neighbors& neighbors,
+                       const Face_grower& grower, const Fitted_surface<>& s, double tolerance)
 {
-  const Surface& surface = search.surface;
-  std::vector<double> uncertain(evidence.size(), 0), all(evidence.size(), 0);
-  for_each_border(surface, search.labels, [&](std::size_t a, std::size_t i, std::size_t j) {
-    const double length = surface.length(a),
-                 smooth = search.neighbors.may_be_smooth(a) ? length : 0;
-    all[i] += length;
-    all[j] += length;
-    uncertain[i] += evidence[j] == Evidence::STRONG ? 0 : smooth;
-    uncertain[j] += evidence[i] == Evidence::STRONG ? 0 : smooth;
-  });
-  for (std::size_t label = 0; label < all.size(); ++label)
-    uncertain[label] /= all[label] > 0 ? all[label] : 1;
-  return uncertain;
-}
-
-/// By label. Places of freeform faces border on them: where most of the border is sharp, or meets
-/// surfaces of strong evidence, 4 vertices are enough, as for a chamfer along planes and arcs.
-inline std::vector<Evidence> evidence_of_surfaces(const Face_search& search)
-{
-  constexpr double little = 0.25;
-  constexpr int fewest_vertices = 4;
-  const std::vector<Label_vertices> vertices = vertices_of_labels(search);
-  std::vector<Evidence> result = evidence_of_vertices(search, vertices);
-  const std::vector<double> uncertain = shares_of_uncertain_border(search, result);
-  for (std::size_t label = 0; label < result.size(); ++label)
-    if (search.surfaces[label].kind != Surface_kind::FREEFORM && uncertain[label] < little &&
-        vertices[label].number >= fewest_vertices)
-      result[label] = Evidence::STRONG;
-  return result;
+  constexpr double of_step = 0.15;
+  constexpr int fewest_surplus = 3; // points
+  const bool is_ruled = s.kind == Surface_kind::CYLINDER || s.kind == Surface_kind::CONE;
+  const int fewest = s.kind == Surface_kind::SPHERE ? 4 : 5;
+  const Profile_lines lines(s, grower.points(), tolerance);
+  const int surplus = int(grower.points().size()) - degrees_of_freedom(s.kind);
+  if (is_ruled && lines.number() >= fewest && surplus >= fewest_surplus)
+    return true;
+  const Grown_border border = border_of_grown(
+    surface, neighbors, grower, s, [&](const Double_3& p) { return lines.end(p); },
+    of_step * lines.step());
+  return lines.number() + border.number_of_tangent_ends() >= fewest &&
+         surplus + border.number_of_tangent_ends() >= fewest_surplus &&
+         (is_ruled || border.vertices < grower.points().size() ||
+          (s.kind == Surface_kind::SPHERE && border.is_tangent()));
 }
 
 } // namespace internal
