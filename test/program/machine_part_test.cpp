@@ -3,10 +3,10 @@
 // What the outputs tell of the faces of machine parts.
 
 #include "../shapes_with_faces.h"
+#include "Program.h"
 #include "io/write_segmentation.h"
 #include "page/write_page.h"
 #include "segmentation/Segmentation_details.h"
-#include "segmentation/looks_like_machine_part.h"
 #include "view/render_view.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
+#include <iomanip>
 #include <iterator>
 #include <optional>
 #include <sstream>
@@ -125,19 +125,22 @@ shapes_with_faces::Shape shaft()
                                      32);
 }
 
+/// What all segments have at a place of their JSON.
+std::string words(const nlohmann::json& segments, const std::string& place)
+{
+  std::string result;
+  for (const auto& segment : segments)
+    result += segment.at(nlohmann::json::json_pointer(place)).get<std::string>() + " ";
+  return result;
+}
+
 TEST(MachinePart, json_has_faces)
 {
   const nlohmann::json s = Part(shaft()).segments();
   ASSERT_EQ(s.size(), 10u);
-  const auto words = [&](const std::string& member) {
-    std::string result;
-    for (const auto& segment : s)
-      result += segment.at(nlohmann::json::json_pointer(member)).get<std::string>() + " ";
-    return result;
-  };
-  EXPECT_EQ(words("/primitive/type"),
+  EXPECT_EQ(words(s, "/primitive/type"),
             "plane cylinder plane cylinder plane cylinder cone plane cylinder plane ");
-  EXPECT_EQ(words("/role"), "none none none none none none none none hole hole ");
+  EXPECT_EQ(words(s, "/role"), "none none none none none none none none hole hole ");
   std::vector<std::size_t> surfaces, axes;
   for (const auto& segment : s) {
     surfaces.push_back(segment["same_surface"]);
@@ -264,18 +267,31 @@ TEST(MachinePart, colors_tell_kinds)
   EXPECT_GT(green_over_red(Coloring::KINDS), 1.5 * double(green_over_red(Coloring::SEGMENTS)));
 }
 
-TEST(MachinePart, is_recognized)
+// A cylinder that widens half way, by less than a tolerance of 0.05.
+TEST_F(Program, finds_faces_within_a_tolerance)
 {
-  const auto looks_like_one = [](const shapes_with_faces::Shape& shape, std::size_t other_faces) {
-    std::vector<std::int64_t> labels(shape.triangles.size(), 0);
-    std::fill_n(labels.begin(), other_faces, 1);
-    return looks_like_machine_part(soup_of(shape), segmentation_from_labels(labels));
+  const shapes_with_faces::Shape shape = shapes_with_faces::revolved(
+    {{0, 0}, {2, 0}, {2, 1}, {2.02, 1.1}, {2.02, 2}, {0, 2}}, 32);
+  std::ostringstream mesh;
+  mesh << std::setprecision(17) << "OFF\n"
+       << shape.points.size() << " " << shape.triangles.size() << " 0\n";
+  for (const auto& p : shape.points)
+    mesh << p.x << " " << p.y << " " << p.z << "\n";
+  for (const auto& t : shape.triangles)
+    mesh << "3 " << t[0] << " " << t[1] << " " << t[2] << "\n";
+  folder.write("a.off", mesh.str());
+  const auto segments = [&](const std::string& arguments) {
+    const Outcome outcome = run("a.off --method smooth-faces -o a.json " + arguments);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return nlohmann::json::parse(folder.read("a.json"))["segments"];
   };
-  const shapes_with_faces::Shape part = shaft();
-  EXPECT_TRUE(looks_like_one(part, 0));
-  EXPECT_TRUE(looks_like_one(part, 4));
-  EXPECT_FALSE(looks_like_one(part, part.triangles.size() / 2));           // its parts are known
-  EXPECT_FALSE(looks_like_one(shapes_with_faces::torus(3, 1, 40, 40), 0)); // it has no creases
+  for (const char* found : {"", "--tolerance 0", "--tolerance 1e-5"})
+    EXPECT_EQ(words(segments(found), "/primitive/type"), "plane cylinder cone cylinder plane ")
+      << found;
+  const nlohmann::json s = segments("--tolerance 0.05");
+  EXPECT_EQ(words(s, "/primitive/type"), "plane cylinder plane ");
+  // A segment has a role where it is one of the faces that are found again for outputs.
+  EXPECT_EQ(words(s, "/role"), "none none none ");
 }
 
 TEST(MachinePart, page_has_kinds)

@@ -316,6 +316,13 @@ TEST_F(Program, knows_wrong_usage)
                      "--features: --method learned has no feature edges");
   expect_wrong_usage("a.off -k 2 --method two-step --max-angle nan",
                      "--max-angle: an angle from 0 to 180 degrees");
+  for (const std::string method : {"learned", "visibility", "two-step -k 2"})
+    expect_wrong_usage("a.off --tolerance 0 --method " + method,
+                       "--tolerance: --method " + method.substr(0, method.find(' ')) +
+                         " fits no surfaces to faces");
+  for (const std::string distance : {"-0.5", "nan", "inf"})
+    expect_wrong_usage("a.off --method smooth-faces --tolerance " + distance,
+                       "--tolerance: a finite distance, not negative");
   expect_wrong_usage("a.off -k 2 -o a.xyz", "a.xyz" + endings);
   expect_wrong_usage("a.off -k 2 -o a.gif", "a.gif" + endings);
   expect_wrong_usage("a.off -k 2 -o ./a.off", "-o ./a.off: would replace an input");
@@ -327,8 +334,10 @@ TEST_F(Program, knows_wrong_usage)
                      "--truth c.seg: with several inputs it holds {stem}");
   expect_wrong_usage("a.off a.off -k 2 -o '{stem}.seg'", "-o a.seg: would be written twice");
   expect_wrong_usage("a.off -k 2 -o a.seg -o ./a.seg", "-o ./a.seg: would be written twice");
-  for (const char* arguments : {"a.off -k", "--frobnicate", "--mesh soup",
-                                "a.off -k 2 --features some", "a.off -k 2 --method magic"}) {
+  for (const char* arguments :
+       {"a.off -k", "--frobnicate", "--mesh soup", "a.off -k 2 --features some",
+        "a.off -k 2 --method magic", "a.off --method smooth-faces --tolerance wide",
+        "a.off --method smooth-faces --tolerance 1e999"}) {
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.status, 2) << arguments;
     EXPECT_EQ(outcome.out, "") << arguments;
@@ -586,6 +595,8 @@ TEST_F(Program, tells_its_settings_in_json)
             expected("visibility", "null", "polyhedron", ""));
   EXPECT_EQ(settings("--method smooth-faces -k 2"),
             expected("smooth-faces", "2", "polygon_soup", ""));
+  EXPECT_EQ(settings("--method smooth-faces --tolerance 0.25"),
+            expected("smooth-faces", "null", "polygon_soup", ",\"tolerance\":0.25"));
   EXPECT_EQ(settings("-k 2 --seeds a.txt"),
             expected("learned", "2", "polygon_soup", ",\"seeds\":\"a.txt\""));
   for (const std::string kind : {"concave", "convex", "all"})

@@ -9,7 +9,6 @@
 #include "io/read_marks.h"
 #include "io/read_mesh.h"
 #include "io/write_segmentation.h"
-#include "segmentation/looks_like_machine_part.h"
 
 #include <CGAL/Region_segmentation/exceptions.h>
 
@@ -122,18 +121,6 @@ std::string describe(const Job& job, const Case& input, const Segmentation& segm
          seconds + "\n";
 }
 
-/// A line that names another method if that is likely to be better; empty if not.
-std::string hint(const Job& job, const Case& input, const Segmentation& segmentation,
-                 const Segmentation_settings& settings)
-{
-  const bool is_chosen = job.side_files.labels.empty() && settings.method == Method::LEARNED &&
-                         !settings.number_of_segments;
-  return is_chosen && looks_like_machine_part(input.mesh.soup, segmentation)
-           ? one_line(job.input) + ": looks like a machine part: --method smooth-faces finds its " +
-               "faces\n"
-           : "";
-}
-
 void write_outputs(const Job& job, const Result& result, Job_report& report)
 {
   for (const Output& output : job.outputs) {
@@ -157,11 +144,9 @@ void run(const Job& job, const Options& options, const Progress_listener& listen
   const Segmentation segmentation = job.side_files.labels.empty()
                                       ? segment(job, input, settings, listener)
                                       : read_labels(job.side_files.labels, input.mesh);
-  if (options.verbosity == Verbosity::NORMAL) {
+  if (options.verbosity == Verbosity::NORMAL)
     for (const std::string& remark : input.mesh.remarks)
       report.err += remark + "\n";
-    report.err += hint(job, input, segmentation, settings);
-  }
 
   const std::string lines = describe(job, input, segmentation, settings) +
                             describe_scores(input.mesh, segmentation.segment_of_face, input.truths);

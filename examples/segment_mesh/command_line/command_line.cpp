@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <iostream>
 #include <limits>
 #include <map>
@@ -53,7 +54,7 @@ struct Raw_options
   Options options;
   std::vector<std::string> outputs, borders;
   std::string output_format;
-  double maximum_angle = 0;
+  double maximum_angle = 0, tolerance = 0;
   std::string number_of_segments, number_of_threads = "0"; ///< CLI11 would cut off large numbers
   std::string method = "learned", features = "concave", mesh_type = "polygon_soup";
   std::string coloring = "segment";
@@ -200,6 +201,10 @@ void add_segmentation(CLI::App& app, Raw_options& raw)
                    "For two-step: the angle between the normals of two faces above which their "
                    "edge is a feature. Default: "
                    "1.2372.");
+  segmentation.add("--tolerance", raw.tolerance, "DISTANCE",
+                   "For smooth-faces: the largest distance of a vertex from the surface of its "
+                   "face, in units of the mesh; for a scan, some times its noise. Default: 0, "
+                   "found from the mesh.");
   segmentation
     .add("--mesh", raw.mesh_type, "TYPE",
          "What to run on, with the same labels (unless --no-links is given): polygon_soup "
@@ -219,7 +224,7 @@ void add_run_options(CLI::App& app, Raw_options& raw)
     .add("--threads", raw.number_of_threads, "N",
          "Most threads for a mesh. Default: 0, one for each core.")
     ->take_last();
-  run.add_flag("-q,--quiet", "No progress, remarks and hints on stderr.");
+  run.add_flag("-q,--quiet", "No progress and remarks on stderr.");
   app.set_help_flag("-h,--help", "Print this and exit.")->group("Run");
   app
     .set_version_flag("--version", "segment_mesh " CGAL_REGION_SEGMENTATION_VERSION,
@@ -264,6 +269,8 @@ void check_combinations(const CLI::App& app, const Raw_options& raw)
   for (const char* option : {"--features", "--max-angle"})
     if (raw.method != "two-step" && app.count(option) > 0)
       throw Usage_error(std::string(option) + ": --method " + raw.method + " has no feature edges");
+  if (methods.at(raw.method) != Method::SMOOTH_FACES && app.count("--tolerance") > 0)
+    throw Usage_error("--tolerance: --method " + raw.method + " fits no surfaces to faces");
   if (colorings.at(raw.coloring) == Coloring::KINDS &&
       methods.at(raw.method) != Method::SMOOTH_FACES)
     throw Usage_error("--color kind: --method smooth-faces alone finds kinds of surfaces");
@@ -306,6 +313,9 @@ Options checked(const CLI::App& app, const Raw_options& raw)
       throw Usage_error("--max-angle: an angle from 0 to 180 degrees");
     options.settings.maximum_angle = raw.maximum_angle;
   }
+  if (!(raw.tolerance >= 0 && std::isfinite(raw.tolerance)))
+    throw Usage_error("--tolerance: a finite distance, not negative");
+  options.settings.tolerance = raw.tolerance;
   if (!raw.input_format.empty())
     options.input_format = formats.at(raw.input_format);
   options.settings.method = methods.at(raw.method);

@@ -11,7 +11,8 @@
 //                 mesh: the mesh type; links: whether components are adjacent; smooth_borders:
 //                 whether borders were smoothed; constraints, seeds: the names of the files, if
 //                 given; and of two-step features: "concave", "convex" or "all"; max_angle: in
-//                 degrees. Of a segmentation that was read, labels alone: the name of its file
+//                 degrees; of smooth-faces tolerance: in units of the mesh, if given and not 0. Of
+//                 a segmentation that was read, labels alone: the name of its file
 //   times         in seconds: total, from the mesh in memory to the labels, and its stages, each
 //                 with stage and seconds, in order
 //   segments      for each segment, by its id, what `Segment_description` has, with angles in
@@ -109,6 +110,8 @@ ordered_json settings_json(const Result& result)
     json["features"] = name_of(features->convexity);
     json["max_angle"] = features->maximum_angle;
   }
+  if (settings.tolerance > 0)
+    json["tolerance"] = settings.tolerance;
   return json;
 }
 

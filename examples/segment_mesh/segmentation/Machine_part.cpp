@@ -13,9 +13,9 @@ namespace segment_mesh {
 
 namespace RS = CGAL::Region_segmentation;
 
-Machine_part::Machine_part(RS::Surface surface)
+Machine_part::Machine_part(RS::Surface surface, double tolerance)
   : m_surface(std::move(surface))
-  , m_faces(RS::find_surface_faces(m_surface))
+  , m_faces(RS::find_surface_faces(m_surface, tolerance))
   , m_common_surfaces(RS::find_common_surfaces(m_surface, m_faces))
   , m_common_axes(RS::find_common_axes(m_faces))
 {}

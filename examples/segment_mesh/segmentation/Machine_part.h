@@ -19,7 +19,8 @@ namespace segment_mesh {
 class Machine_part
 {
 public:
-  explicit Machine_part(CGAL::Region_segmentation::Surface surface);
+  /// `tolerance`: that of the method, in units of the mesh; 0: found from the mesh
+  Machine_part(CGAL::Region_segmentation::Surface surface, double tolerance);
 
   /// Of each label that is of one face, or of a piece of it, alone.
   std::map<std::size_t, Surface_face> faces(const std::vector<std::size_t>& labels) const;

@@ -140,7 +140,8 @@ const Manifold& Segmentation_details::manifold() const
 const Machine_part* Segmentation_details::machine_part() const
 {
   if (!m_machine_part && m_settings.method == Method::SMOOTH_FACES)
-    m_machine_part = std::make_unique<const Machine_part>(surface_of(m_soup, m_settings));
+    m_machine_part = std::make_unique<const Machine_part>(surface_of(m_soup, m_settings),
+                                                          m_settings.tolerance);
   return m_machine_part.get();
 }
 

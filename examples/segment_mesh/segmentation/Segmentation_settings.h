@@ -34,6 +34,7 @@ struct Segmentation_settings
   CGAL::Region_segmentation::Feature_convexity
     features = CGAL::Region_segmentation::Feature_convexity::CONCAVE;
   std::optional<double> maximum_angle; ///< in degrees; the method's own if empty
+  double tolerance = 0; ///< of `SMOOTH_FACES`, in units of the mesh; 0: found from the mesh
   Border_treatment borders = Border_treatment::NONE;
   Mesh_type mesh_type = Mesh_type::POLYGON_SOUP;
   Component_links links = Component_links::FOUND;

@@ -95,9 +95,12 @@ Segmentation run_method(std::size_t number_of_faces, const Segment& segment,
     segment_by(method, segment, settings, listener, result);
     break;
   }
-  case Method::SMOOTH_FACES:
-    segment_by(RS::Smooth_faces(), segment, settings, listener, result);
+  case Method::SMOOTH_FACES: {
+    RS::Smooth_faces method;
+    method.tolerance = settings.tolerance;
+    segment_by(method, segment, settings, listener, result);
     break;
+  }
   case Method::VISIBILITY:
     segment_by(RS::Visibility_merging(), segment, settings, listener, result);
     break;
