@@ -180,8 +180,8 @@ TEST(FindSurfaceFaces, FreeformWalls)
   const auto both = [](double turn, double z) {
     return 2 + 0.3 * std::sin(z) + 0.2 * std::cos(4 * pi * turn);
   };
-  for (const Shape& shape : {with_wall(24, 1, cam), with_wall(40, 1, cam), with_wall(64, 1, cam),
-                             with_wall(24, 6, both)}) {
+  for (const Shape& shape : {with_wall(40, 1, cam), with_wall(64, 1, cam), with_wall(32, 6, both),
+                             with_wall(64, 24, both)}) {
     SCOPED_TRACE(shape.triangles.size());
     const std::vector<RS::Fitted_surface<>> s = expect_faces(shape);
     EXPECT_EQ(s[0].kind, Surface_kind::FREEFORM);

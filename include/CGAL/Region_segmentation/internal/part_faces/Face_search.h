@@ -120,10 +120,11 @@ private:
   std::vector<double> m_largest_deviations; // by label
 };
 
-/// The share of the border of the faces that were grown where the surface goes on smoothly to faces
-/// that are not found, and not much smaller than several faces.
+/// The share of the border of the faces that were grown where the surface goes on, as facets of a
+/// freeform face do, to faces that are not found, and not much smaller than several faces.
 inline double share_of_smooth_border(const Face_search& search)
 {
+  constexpr double least_cosine = 0.94; // 20 degrees
   const Surface& surface = search.surface;
   double smooth = 0, all = 0;
   for (const Surface::Index f : search.grower.faces())
@@ -131,7 +132,7 @@ inline double share_of_smooth_border(const Face_search& search)
       if (!search.grower.is_taken(n.face)) {
         const double length = surface.length(n.adjacency);
         all += length;
-        if (!search.is_found(n.face) && search.neighbors.is_smooth(n.adjacency) &&
+        if (!search.is_found(n.face) && search.neighbors.cosine(n.adjacency) > least_cosine &&
             (search.grower.faces().size() == 1 ||
              surface.area(n.face) > 0.2 * search.grower.area()))
           smooth += length;
