@@ -156,13 +156,13 @@ inline std::vector<std::uint8_t> single_rows(const Face_search& search)
   return result;
 }
 
-/// Which labels of `among` go on smoothly, at most of their border, to faces that are not found,
+/// Which labels of `among` go on smoothly, at .6 of their border, to faces that are not found,
 /// or, by less than 11 degrees, to labels of `uncertain`.
 inline std::vector<std::uint8_t> surrounded(const Face_search& search,
                                             const std::vector<std::uint8_t>& among,
                                             const std::vector<std::uint8_t>& uncertain)
 {
-  constexpr double most = 0.5, cosine = 0.98;
+  constexpr double most = 0.6, cosine = 0.98;
   std::vector<double> smooth(among.size(), 0), all(among.size(), 0);
   for (Surface::Index f = 0; f < search.labels.size(); ++f)
     if (search.is_found(f) && among[search.labels[f]])
