@@ -159,14 +159,15 @@ class Face_grower
 public:
   using Index = Surface::Index;
 
-  /// \param crosses_creases as where vertices are noisy: then the normals of small faces are, too
+  /// \param is_noisy whether vertices deviate from surfaces by more than rounding: then normals of
+  ///        small faces tell little, and creases are crossed
   /// \param stop see `Surface_fitter`
   Face_grower(const Surface& surface, const Face_neighbors& neighbors, const Face_test& test,
-              bool crosses_creases, double stop)
+              bool is_noisy, double stop)
     : m_surface(surface)
     , m_neighbors(neighbors)
     , m_test(test)
-    , m_crosses_creases(crosses_creases)
+    , m_is_noisy(is_noisy)
     , m_stop(stop)
     , m_taken(surface)
     , m_visited(surface.number_of_faces())
@@ -181,8 +182,8 @@ public:
     m_visited.clear();
     m_rejected.clear();
     m_area = 0;
-    m_largest_deviation = m_crosses_creases ? std::numeric_limits<double>::infinity()
-                                            : m_test.largest_deviation(s, seeds);
+    m_largest_deviation = m_is_noisy ? std::numeric_limits<double>::infinity()
+                                     : m_test.largest_deviation(s, seeds);
     for (const Index f : seeds)
       visit(s, f);
     std::size_t next_fit = 2 * points().size();
@@ -194,7 +195,7 @@ public:
         }
         for (const Face_neighbors::Neighbor& n : m_neighbors[faces()[next]])
           if (!m_visited.has(n.face) && is_free(n.face) &&
-              (m_crosses_creases || m_neighbors.is_smooth(n.adjacency)))
+              (m_is_noisy || m_neighbors.is_smooth(n.adjacency)))
             visit(s, n.face);
       }
       refine(s);
@@ -262,15 +263,19 @@ private:
     m_area += m_surface.area(face);
   }
 
+  /// Where vertices lie on surfaces to rounding, those that were taken stay within the tolerance.
   void refine(Fitted_surface<>& s) const
   {
-    refine_surface(s, points(), m_test.tolerance(), m_stop);
+    Fitted_surface<> better = s;
+    refine_surface(better, points(), m_test.tolerance(), m_stop);
+    if (m_is_noisy || largest_distance(better, points()) <= m_test.tolerance())
+      s = better;
   }
 
   const Surface& m_surface;
   const Face_neighbors& m_neighbors;
   const Face_test& m_test;
-  bool m_crosses_creases;
+  bool m_is_noisy;
   double m_stop;
   Face_set m_taken;
   Element_marks m_visited;

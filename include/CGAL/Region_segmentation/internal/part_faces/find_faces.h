@@ -34,8 +34,8 @@ inline Surface_faces find_faces_within(const Surface& surface, double tolerance,
   find_pairs_of_planes(search, execution.step(0.85, 0.9));
   while (search.is_exact() && drop_uncertain_surfaces(search)) {
   }
-  merge_equal_surfaces(search);
   compete_at_borders(search);
+  merge_equal_surfaces(search);
   separate_components(search, execution.step(0.9, 1));
 
   Surface_faces result;
