@@ -245,12 +245,24 @@ merges_of_crumbs(const Surface& surface, const Partition& regions)
   std::sort(ways.begin(), ways.end());
   Lowest_root_forest joined(areas.size());
   std::vector<bool> is_crumb = arrays.crumbs; // by root: all of its components are crumbs
+  const auto unite = [&](Index c, Index d) {
+    const Index from = joined.root(c), to = joined.root(d);
+    const bool both = is_crumb[from] && is_crumb[to];
+    joined.unite(from, to);
+    is_crumb[joined.root(from)] = both;
+  };
+  // Regions of several components, as a face of a machine part with a sliver on its border.
+  std::vector<Index> first_of(regions.number_of_parts(), Surface::none);
+  for (std::size_t f = 0; f < surface.number_of_faces(); ++f) {
+    Index& first = first_of[regions[f]];
+    first = first == Surface::none ? component_of[f] : first;
+    unite(first, component_of[f]);
+  }
   for (const auto& [area, crumb, length, distance, region, other, component] : ways) {
     const Index from = joined.root(crumb), to = joined.root(component);
     if (from == to || !is_crumb[from])
       continue;
-    joined.unite(from, to);
-    is_crumb[joined.root(from)] = is_crumb[to];
+    unite(from, to);
     result.push_back({region, other});
   }
   return result;
