@@ -165,6 +165,23 @@ TEST(Smooth_faces_test, faces_without_area_are_no_bridges)
   EXPECT_TRUE(is_refinement(found, cylinder.truth) && is_refinement(cylinder.truth, found));
 }
 
+/// A third triangle on an edge of a cube: it is a component of its own, so small that it is a
+/// crumb, and belongs to one of the planes, which join nothing else.
+TEST(Smooth_faces_test, slivers_on_edges_join_no_planes)
+{
+  Soup soup;
+  soup.points = {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0},       {0, 0, 4},
+                 {4, 0, 4}, {4, 4, 4}, {0, 4, 4}, {4, 0, 4.000001}};
+  soup.polygons = {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5},
+                   {2, 3, 7, 6}, {3, 0, 4, 7}, {4, 5, 8}};
+  Labels labels(soup.polygons.size());
+  EXPECT_EQ(RS::segment_polygon_soup(soup.points, soup.polygons, labels,
+                                     RS::parameters::method(RS::Smooth_faces())),
+            6u);
+  labels.pop_back();
+  EXPECT_EQ(number_of_labels(labels), 6u);
+}
+
 TEST(Smooth_faces_test, separates_the_sides_of_a_prism)
 {
   for (std::size_t sides : {3, 4, 6, 7}) {
