@@ -148,10 +148,12 @@ inline std::vector<std::uint8_t> single_rows(const Face_search& search)
   for (std::size_t label = 0; label < result.size(); ++label)
     result[label] = search.surfaces[label].kind != Surface_kind::PLANE;
   for (Index v = 0; v < search.surface.number_of_vertices(); ++v) {
-    const auto [first, end] = search.neighbors.around(v);
-    if (first != end && search.is_found(*first) &&
-        std::all_of(first, end, [&](Index f) { return search.labels[f] == search.labels[*first]; }))
-      result[search.labels[*first]] = 0;
+    const auto around = search.neighbors.around(v);
+    const Index label = around.empty() ? Face_search::none : search.labels[*around.begin()];
+    if (label != Face_search::none && std::all_of(around.begin(), around.end(), [&](Index f) {
+          return search.labels[f] == label;
+        }))
+      result[label] = 0;
   }
   return result;
 }
