@@ -120,7 +120,7 @@ private:
 };
 
 /// As the number of vertices of a patch: all faces that go on smoothly.
-inline constexpr std::size_t whole = std::size_t(-1);
+inline constexpr std::size_t all_vertices = std::size_t(-1);
 
 void find_whole_beside(Face_search& search, std::vector<Surface::Index> faces);
 
@@ -324,7 +324,9 @@ private:
   /// The innermost faces of a patch that fits no surface are not tried again.
   void mark_patch()
   {
-    const std::size_t share = m_options.vertices == whole ? 1 : m_options.vertices > 12 ? 4 : 2;
+    const std::size_t share = m_options.vertices == all_vertices ? 1
+                              : m_options.vertices > 12          ? 4
+                                                                 : 2;
     const std::size_t number = (std::max)(m_patch.faces().size() / share, std::size_t(1));
     for (std::size_t i = 0; i < number; ++i)
       m_search.is_tried[m_patch.faces()[i]] = 1;
@@ -371,7 +373,7 @@ inline void find_whole_beside(Face_search& search, std::vector<Surface::Index> f
 /// Larger patches first: they tell surfaces apart that small ones do not.
 inline void find_faces_from_patches(Face_search& search, const Execution& execution)
 {
-  const std::vector<Patch_seeding::Options> of_exact = {{whole}, {24}, {12}, {8, true}},
+  const std::vector<Patch_seeding::Options> of_exact = {{all_vertices}, {24}, {12}, {8, true}},
                                             of_noisy = {{80}, {40}, {20}};
   const std::vector<Patch_seeding::Options>& phases = search.is_exact() ? of_exact : of_noisy;
   const double n = double(phases.size());

@@ -91,11 +91,11 @@ Eigen::Matrix<double, n, 1, Eigen::DontAlign> least_squares(const std::vector<Do
   Eigen::Matrix<double, n, n, Eigen::DontAlign> a = Eigen::Matrix<double, n, n>::Zero();
   Eigen::Matrix<double, n, 1, Eigen::DontAlign> b = Eigen::Matrix<double, n, 1>::Zero();
   for (const Double_3& p : points) {
-    const std::array<double, n> r = row(p);
+    const std::array<double, std::size_t(n)> r = row(p);
     for (int i = 0; i < n; ++i) {
-      b[i] += value(p) * r[i];
+      b[i] += value(p) * r[std::size_t(i)];
       for (int j = 0; j <= i; ++j)
-        a(i, j) += r[i] * r[j];
+        a(i, j) += r[std::size_t(i)] * r[std::size_t(j)];
     }
   }
   return solve_positive_definite(a, b);
@@ -178,15 +178,19 @@ inline std::vector<Double_3> vertex_normals(const Surface& surface, const Face_n
                                             const Face_set& faces)
 {
   using Index = Surface::Index;
+  constexpr std::size_t most = 64; // corners and faces around a vertex: so the time is linear
   const auto weight = [&](Index f, Index v) {
     const std::size_t n = surface.number_of_corners(f);
     std::size_t i = 0;
-    while (surface.corner(f, i) != v)
-      ++i;
+    while (i < most && surface.corner(f, i) != v)
+      i = i + 1 < n ? i + 1 : most;
+    if (i == most)
+      return 0.0;
     const auto squared = [&](std::size_t j) {
       return squared_norm(surface.point(surface.corner(f, j % n)) - surface.point(v));
     };
-    return surface.area(f) / (squared(i + 1) * squared(i + n - 1));
+    const double w = surface.area(f) / (squared(i + 1) * squared(i + n - 1));
+    return std::isfinite(w) ? w : 0;
   };
   std::vector<Double_3> result(faces.points().size(), Double_3{0, 0, 0});
   for (const Index f : faces.faces())
@@ -194,10 +198,11 @@ inline std::vector<Double_3> vertex_normals(const Surface& surface, const Face_n
       Double_3& normal = result[faces.position(v)];
       if (squared_norm(normal) > 0)
         continue;
-      for (const Index g : neighbors.around(v))
-        if (const double w = weight(g, v); neighbors.are_smooth(f, g) && std::isfinite(w))
-          normal = normal + w * surface.normal(g);
-      normal = (1 / norm(normal)) * normal;
+      const auto around = neighbors.around(v);
+      for (std::size_t i = 0; i < (std::min)(most, around.size()); ++i)
+        if (const Index g = around.begin()[i]; neighbors.are_smooth(f, g))
+          normal = normal + weight(g, v) * surface.normal(g);
+      normal = norm(normal) > 0 ? (1 / norm(normal)) * normal : surface.normal(f);
     }
   return result;
 }
