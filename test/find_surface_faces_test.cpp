@@ -356,24 +356,6 @@ TEST(FindSurfaceFaces, ToleranceOfSmallDeviations)
   }
 }
 
-/// The points (r, z) of a profile, upwards or inwards: outside is on the right.
-using Profile = std::vector<std::array<double, 2>>;
-
-/// A body of revolution around the z axis, of a face for each profile, and a row of facets between
-/// two points of it.
-Shape revolved_faces(const std::vector<Profile>& profiles, int turns)
-{
-  Shape shape;
-  for (const Profile& profile : profiles) {
-    const int rows = int(profile.size()) - 1;
-    shape.add_face(turns, rows, [&](double u, double v) {
-      const std::array<double, 2>& p = profile[std::size_t(std::lround(v * rows))];
-      return around(p[0], u, p[1]);
-    });
-  }
-  return shape;
-}
-
 Profile line(double r, double z, double next_r, double next_z, int rows = 1)
 {
   Profile profile;

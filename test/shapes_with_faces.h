@@ -141,17 +141,31 @@ inline Shape filleted_bar(double size, double radius, double length, int facets,
   return s;
 }
 
-/// The surface of revolution of a polygon of pairs r, z around the z axis: a face for each side.
-/// Outside is to the right.
-inline Shape revolved(const std::vector<std::array<double, 2>>& polygon, int turns)
+/// Pairs r, z.
+using Profile = std::vector<std::array<double, 2>>;
+
+/// The surface of revolution of profiles around the z axis: a face for each, and of it a row of
+/// facets for each side. Outside is to the right.
+inline Shape revolved_faces(const std::vector<Profile>& profiles, int turns)
 {
   Shape s;
-  for (std::size_t i = 1; i < polygon.size(); ++i)
-    s.add_face(turns, 1, [&](double a, double b) {
-      return around((1 - b) * polygon[i - 1][0] + b * polygon[i][0], a,
-                    (1 - b) * polygon[i - 1][1] + b * polygon[i][1]);
+  for (const Profile& profile : profiles) {
+    const int rows = int(profile.size()) - 1;
+    s.add_face(turns, rows, [&](double a, double b) {
+      const std::array<double, 2>& p = profile[std::size_t(std::lround(b * rows))];
+      return around(p[0], a, p[1]);
     });
+  }
   return s;
+}
+
+/// The same of a polygon, with a face for each side.
+inline Shape revolved(const Profile& polygon, int turns)
+{
+  std::vector<Profile> sides;
+  for (std::size_t i = 1; i < polygon.size(); ++i)
+    sides.push_back({polygon[i - 1], polygon[i]});
+  return revolved_faces(sides, turns);
 }
 
 inline Shape torus(double major, double minor, int m, int n)

@@ -209,20 +209,29 @@ public:
     }
   }
 
+  /// The share of the border between a face that was taken and a neighbor for which `f(face,
+  /// neighbor)`.
+  template <typename F>
+  double share_of_border(const F& f) const
+  {
+    double share = 0, all = 0;
+    for (const Index face : faces())
+      for (const Face_neighbors::Neighbor& n : m_neighbors[face])
+        if (!is_taken(n.face)) {
+          const double length = m_surface.length(n.adjacency);
+          all += length;
+          share += f(face, n) ? length : 0;
+        }
+    return all > 0 ? share / all : 0;
+  }
+
   /// The share of the border where the mesh leaves the surface little by little: growing has
   /// stopped in the middle of a face that is not on this surface, but only osculated by it.
   double gradual_border(const Fitted_surface<>& s) const
   {
-    double gradual = 0, all = 0;
-    for (const Index f : faces())
-      for (const Face_neighbors::Neighbor& n : m_neighbors[f])
-        if (!is_taken(n.face)) {
-          const double length = m_surface.length(n.adjacency);
-          all += length;
-          if (departs_gradually(m_surface, m_test, s, f, n.face))
-            gradual += length;
-        }
-    return all > 0 ? gradual / all : 0;
+    return share_of_border([&](Index face, const Face_neighbors::Neighbor& n) {
+      return departs_gradually(m_surface, m_test, s, face, n.face);
+    });
   }
 
   /// The share of the area that is coplanar with the largest face.

@@ -135,6 +135,12 @@ private:
         m_hosts[f] = f;
     // First across long sides: what is on both sides of a thin face is adjacent there.
     for (const double share : {0.5, 0.0}) {
+      std::vector<Index> front;
+      for (Index f = 0; f < n; ++f)
+        if (m_hosts[f] == Surface::none)
+          front.push_back(f);
+      if (front.empty())
+        return;
       const Grouped_items<Index> around_thin(n, [&](const auto& add) {
         for (Index a = 0; a < m_surface.number_of_adjacencies(); ++a)
           if (!m_surface.has_flag(a, Surface::LINK | Surface::CONSTRAINED))
@@ -145,10 +151,6 @@ private:
                   m_surface.length(a) >= share * range_of_sides(f).second)
                 add(f, g);
       });
-      std::vector<Index> front;
-      for (Index f = 0; f < n; ++f)
-        if (m_hosts[f] == Surface::none)
-          front.push_back(f);
       while (!front.empty())
         front = find_hosts(front, around_thin);
     }

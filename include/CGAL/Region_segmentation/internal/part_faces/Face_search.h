@@ -29,6 +29,7 @@ public:
   static constexpr Index none = Index(-1);
 
   const Surface& surface;
+  const bool is_exact; ///< whether vertices lie on their surfaces, to rounding
   const Face_neighbors neighbors;
   Face_set patch; ///< some faces around a face
   const Face_test test;
@@ -40,28 +41,24 @@ public:
   Element_marks is_tried_whole;           ///< faces: see `find_whole_beside()`
 
   /// \param resolution of the coordinates
-  /// \param is_noisy whether vertices deviate from surfaces by more than that
-  Face_search(const Surface& s, double tolerance, double resolution, bool is_noisy)
+  Face_search(const Surface& s, double tolerance, double resolution)
     : surface(s)
+    , is_exact(tolerance <= 20 * (std::max)(1e-6 * s.length_unit(), resolution))
     , neighbors(s, resolution)
     , patch(s)
     , test(s, neighbors, tolerance)
-    , grower(s, neighbors, test, is_noisy, (std::max)(1e-3 * tolerance, 0.3 * resolution))
+    , grower(s, neighbors, test, !is_exact, (std::max)(1e-3 * tolerance, 0.3 * resolution))
     , labels(s.number_of_faces(), none)
     , is_on_found(s.number_of_vertices(), 0)
     , is_tried_whole(s.number_of_faces())
     , m_resolution(resolution)
-    , m_is_noisy(is_noisy)
   {}
-
-  /// Whether vertices lie on their surfaces, to rounding.
-  bool is_exact() const { return !m_is_noisy; }
 
   /// The root mean square distance below which a fit is good enough.
   double goal() const
   {
-    return m_is_noisy ? 0.1 * test.tolerance()
-                      : (std::max)(1e-2 * test.tolerance(), 0.3 * m_resolution);
+    return is_exact ? (std::max)(1e-2 * test.tolerance(), 0.3 * m_resolution)
+                    : 0.1 * test.tolerance();
   }
 
   bool is_found(Index face) const { return labels[face] != none; }
@@ -116,7 +113,6 @@ public:
 
 private:
   double m_resolution;
-  bool m_is_noisy;
   std::vector<double> m_largest_deviations; // by label
 };
 
@@ -125,19 +121,28 @@ private:
 inline double share_of_smooth_border(const Face_search& search)
 {
   constexpr double least_cosine = 0.94; // 20 degrees
-  const Surface& surface = search.surface;
-  double smooth = 0, all = 0;
-  for (const Surface::Index f : search.grower.faces())
-    for (const Face_neighbors::Neighbor& n : search.neighbors[f])
-      if (!search.grower.is_taken(n.face)) {
-        const double length = surface.length(n.adjacency);
-        all += length;
-        if (!search.is_found(n.face) && search.neighbors.cosine(n.adjacency) > least_cosine &&
-            (search.grower.faces().size() == 1 ||
-             surface.area(n.face) > 0.2 * search.grower.area()))
-          smooth += length;
-      }
-  return all > 0 ? smooth / all : 0;
+  const bool is_single = search.grower.faces().size() == 1;
+  return search.grower.share_of_border([&](Surface::Index, const Face_neighbors::Neighbor& n) {
+    return !search.is_found(n.face) && search.neighbors.cosine(n.adjacency) > least_cosine &&
+           (is_single || search.surface.area(n.face) > 0.2 * search.grower.area());
+  });
+}
+
+/// The components of the faces that are not found, of which two are connected where they go on
+/// smoothly.
+inline Partition smooth_components_left(const Face_search& search, const Execution& execution)
+{
+  return label_components(
+    search.surface,
+    [&](std::size_t a) {
+      const auto is_left = [&](std::size_t face) {
+        return !search.is_found(search.neighbors.host(face));
+      };
+      return !search.surface.has_flag(a, Surface::barrier) &&
+             is_left(search.surface.lower_face(a)) && is_left(search.surface.higher_face(a)) &&
+             search.neighbors.is_smooth(a);
+    },
+    execution);
 }
 
 /// By label: whether it is of a curved surface, and no vertex is inside its face.
@@ -213,12 +218,12 @@ inline void label_thin_faces(Face_search& search)
     const auto try_label = [&](Index label) {
       if (label == Face_search::none)
         return;
-      double distance = 0;
+      const Surface_distance distance(search.surfaces[label]);
+      double largest = 0;
       for (const Index v : surface.corners(f))
-        distance = (std::max)(
-          distance, std::fabs(Surface_distance(search.surfaces[label])(surface.point(v))));
-      if (distance < least - 1e-3 * search.test.tolerance()) {
-        least = distance;
+        largest = (std::max)(largest, std::fabs(distance(surface.point(v))));
+      if (largest < least - 1e-3 * search.test.tolerance()) {
+        least = largest;
         search.labels[f] = label;
       }
     };
@@ -303,7 +308,7 @@ inline bool may_join(const Face_search& search, Surface::Index face, Surface::In
 {
   constexpr double least_cosine = 0.6;
   const Fitted_surface<>& s = search.surfaces[label];
-  return !search.is_exact() ||
+  return !search.is_exact ||
          (search.test.has_vertices_on(s, face) &&
           search.test.has_normal_of(s, face, least_cosine) && !search.is_flat(label, face));
 }

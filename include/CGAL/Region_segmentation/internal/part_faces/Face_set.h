@@ -70,8 +70,8 @@ public:
       }
   }
 
-  /// Makes it the faces around `seed` in breadth first order, across `may_cross(neighbor)`, until
-  /// they have `wanted` vertices.
+  /// Makes it the faces around `seed` in breadth first order, until they have `wanted` vertices:
+  /// those beside the i-th one for which `may_cross(i, neighbor)`.
   template <typename MayCross>
   void collect(const Face_neighbors& neighbors, Index seed, std::size_t wanted,
                const MayCross& may_cross)
@@ -80,7 +80,7 @@ public:
     add(seed);
     for (std::size_t next = 0; next < faces().size() && points().size() < wanted; ++next)
       for (const Face_neighbors::Neighbor& n : neighbors[faces()[next]])
-        if (!has(n.face) && may_cross(n))
+        if (!has(n.face) && may_cross(next, n))
           add(n.face);
   }
 

@@ -25,14 +25,14 @@ namespace internal {
 /// The faces of a surface as it is, without deviations and extents. `tolerance`: in units of the
 /// surface
 inline Surface_faces find_faces_within(const Surface& surface, double tolerance, double resolution,
-                                       bool is_noisy, const Execution& execution)
+                                       const Execution& execution)
 {
-  Face_search search(surface, tolerance, resolution, is_noisy);
+  Face_search search(surface, tolerance, resolution);
   find_faces_from_patches(search, execution.step(0, 0.7));
   join_remaining_faces(search);
   find_small_planes(search, execution.step(0.7, 0.85));
   find_pairs_of_planes(search, execution.step(0.85, 0.9));
-  while (search.is_exact() && drop_uncertain_surfaces(search)) {
+  while (search.is_exact && drop_uncertain_surfaces(search)) {
   }
   compete_at_borders(search);
   merge_equal_surfaces(search);
@@ -107,7 +107,7 @@ inline Described_faces find_inexact_faces(const Surface& surface, double roundin
   Described_faces best;
   for (int i = 0; i < tolerances; ++i) {
     Surface_faces faces = find_faces_within(
-      surface, std::ldexp(largest * rounding, -i), 0, true,
+      surface, std::ldexp(largest * rounding, -i), 0,
       execution.step(double(i) / tolerances, double(i + 1) / tolerances));
     const double length = description_length(surface, faces, rounding);
     // Where vertices are not noisy, or below the noise, most patches fail, which takes time.
@@ -145,9 +145,8 @@ inline Surface_faces find_faces(const Surface& surface, double tolerance,
   const double resolution = coordinate_resolution(surface), rounding = 1e-6 * surface.length_unit(),
                exact = (std::max)(rounding, resolution);
   if (tolerance > 0)
-    return find_faces_within(surface, tolerance, resolution, tolerance > 20 * exact, execution);
-  Described_faces found{
-    find_faces_within(surface, exact, resolution, false, execution.step(0, 0.4))};
+    return find_faces_within(surface, tolerance, resolution, execution);
+  Described_faces found{find_faces_within(surface, exact, resolution, execution.step(0, 0.4))};
   found.length = description_length(surface, found.faces, rounding);
   const bool is_freeform = Areas_of_kinds(surface, found.faces).share_of_curved() <= little;
   if (is_freeform || resolution > 10 * rounding) { // or facets may be as small as steps

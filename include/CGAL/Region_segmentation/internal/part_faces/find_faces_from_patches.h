@@ -9,7 +9,6 @@
 #include <CGAL/Region_segmentation/internal/part_faces/fit_surface.h>
 #include <CGAL/Region_segmentation/internal/part_faces/initial_surfaces.h>
 #include <CGAL/Region_segmentation/internal/part_faces/surface_evidence.h>
-#include <CGAL/Region_segmentation/internal/support/components.h>
 
 #include <algorithm>
 #include <cmath>
@@ -149,7 +148,7 @@ public:
   void find(const Execution& execution)
   {
     m_search.clear_tried();
-    const Partition components = smooth_components();
+    const Partition components = smooth_components_left(m_search, Execution());
     std::vector<std::size_t> in_vain(components.number_of_parts(), 0); // patches since a face
     const std::vector<Index> seeds = m_search.seeds();
     Step_counter progress(execution, seeds.size());
@@ -181,20 +180,6 @@ public:
   const std::vector<Index>& found() const { return m_found; }
 
 private:
-  /// Of faces that are not found.
-  Partition smooth_components() const
-  {
-    return label_components(
-      m_surface,
-      [&](std::size_t a) {
-        const Index f = m_search.neighbors.host(m_surface.lower_face(a)),
-                    g = m_search.neighbors.host(m_surface.higher_face(a));
-        return !m_surface.has_flag(a, Surface::barrier) && !m_search.is_found(f) &&
-               !m_search.is_found(g) && m_search.neighbors.is_smooth(a);
-      },
-      Execution());
-  }
-
   bool find_from_patch(Index seed)
   {
     if (m_patch.points().size() < fewest_points)
@@ -216,7 +201,7 @@ private:
         best_area = m_grower.area();
         best_faces = m_grower.faces();
       }
-      if (m_search.is_exact() && best_area > 0)
+      if (m_search.is_exact && best_area > 0)
         break;
     }
     if (best_area == 0)
@@ -248,24 +233,18 @@ private:
   void collect(Index seed, const Double_3& direction)
   {
     constexpr double cosine = 0.8;
-    if (!m_options.is_strip)
-      return m_patch.collect(m_search.neighbors, seed, m_options.vertices,
-                             [&](const Face_neighbors::Neighbor& n) { return may_cross(seed, n); });
-    m_patch.clear();
-    m_patch.add(seed);
-    std::vector<Double_3> crossed{direction}; // by face of the patch
-    for (std::size_t next = 0;
-         next < m_patch.faces().size() && m_patch.points().size() < m_options.vertices; ++next)
-      for (const Face_neighbors::Neighbor& n : m_search.neighbors[m_patch.faces()[next]]) {
-        if (m_patch.has(n.face) || !may_cross(seed, n))
-          continue;
-        const Double_3 along = Shared_side(m_surface, m_patch.faces()[next], n.face).along;
-        const bool is_coplanar = m_search.neighbors.is_coplanar(n.adjacency);
-        if (!is_coplanar && std::fabs(dot(along, crossed[next])) < cosine)
-          continue;
-        m_patch.add(n.face);
-        crossed.push_back(is_coplanar ? crossed[next] : along);
-      }
+    std::vector<Double_3> crossed{direction}; // by face of a strip
+    const auto crosses = [&](std::size_t i, const Face_neighbors::Neighbor& n) {
+      if (!may_cross(seed, n) || !m_options.is_strip)
+        return may_cross(seed, n);
+      const Double_3 along = Shared_side(m_surface, m_patch.faces()[i], n.face).along;
+      const bool is_coplanar = m_search.neighbors.is_coplanar(n.adjacency);
+      if (!is_coplanar && std::fabs(dot(along, crossed[i])) < cosine)
+        return false;
+      crossed.push_back(is_coplanar ? crossed[i] : along);
+      return true;
+    };
+    m_patch.collect(m_search.neighbors, seed, m_options.vertices, crosses);
   }
 
   Surface_proposer proposer() const
@@ -299,7 +278,7 @@ private:
     if (s.kind == Surface_kind::PLANE ? points < fewest_points_of_plane : !has_evidence(s))
       return false;
     // Faces that cross a crease lie on many surfaces, with vertices of the faces beside it alone.
-    return m_search.is_exact()
+    return m_search.is_exact
              ? m_grower.gradual_border(s) <= 0.1
              : int(m_search.number_of_new_vertices(m_grower.faces())) >= degrees_of_freedom(s.kind);
   }
@@ -309,7 +288,7 @@ private:
   bool has_evidence(const Fitted_surface<>& s) const
   {
     return m_grower.share_of_largest_facet() <= 0.6 &&
-           (!m_search.is_exact() ||
+           (!m_search.is_exact ||
             is_evident(m_surface, m_search.neighbors, m_grower, s, m_search.test.tolerance()));
   }
 
@@ -351,7 +330,7 @@ private:
 inline void find_whole_beside(Face_search& search, std::vector<Surface::Index> faces)
 {
   constexpr std::size_t most = 2000; // vertices
-  if (!search.is_exact())
+  if (!search.is_exact)
     return;
   search.is_tried_whole.clear();
   while (!faces.empty()) {
@@ -375,7 +354,7 @@ inline void find_faces_from_patches(Face_search& search, const Execution& execut
 {
   const std::vector<Patch_seeding::Options> of_exact = {{all_vertices}, {24}, {12}, {8, true}},
                                             of_noisy = {{80}, {40}, {20}};
-  const std::vector<Patch_seeding::Options>& phases = search.is_exact() ? of_exact : of_noisy;
+  const std::vector<Patch_seeding::Options>& phases = search.is_exact ? of_exact : of_noisy;
   const double n = double(phases.size());
   for (std::size_t i = 0; i < phases.size(); ++i)
     Patch_seeding(search, phases[i]).find(execution.step(double(i) / n, double(i + 1) / n));

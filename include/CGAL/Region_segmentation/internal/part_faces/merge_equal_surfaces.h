@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -109,29 +110,17 @@ inline void find_pairs_of_planes(Face_search& search, const Execution& execution
 {
   using Index = Surface::Index;
   const Surface& surface = search.surface;
-  const auto label_left = [&](const auto& joins, const Execution& step) {
-    return label_components(
-      surface,
-      [&](std::size_t a) {
-        return !surface.has_flag(a, Surface::barrier) && !search.is_found(surface.lower_face(a)) &&
-               !search.is_found(surface.higher_face(a)) && joins(a);
-      },
-      step);
-  };
-  const Partition components = label_left(
-    [&](std::size_t a) { return search.neighbors.is_smooth(a); }, execution.step(0, 0.5));
-  const Partition facets = label_left(
-    [&](std::size_t a) { return search.neighbors.is_coplanar(a); }, execution.step(0.5, 1));
-  std::vector<Index> largest(facets.number_of_parts(), Face_search::none); // face of a facet
+  const Partition components = smooth_components_left(search, execution);
+  std::vector<Index> largest; // of each facet, the face that is left
+  std::vector<std::uint8_t> is_counted(surface.number_of_faces(), 0); // by facet
   for (const Index f : search.seeds())
-    if (largest[facets[f]] == Face_search::none)
-      largest[facets[f]] = f;
+    if (!std::exchange(is_counted[search.neighbors.facet(f)], std::uint8_t(1)))
+      largest.push_back(f);
   std::vector<std::size_t> number(components.number_of_parts(), 0); // of facets
   for (const Index f : largest)
-    if (f != Face_search::none)
-      ++number[components[f]];
+    ++number[components[f]];
   for (const Index f : largest)
-    if (f != Face_search::none && !search.is_found(f) && number[components[f]] <= 2) {
+    if (!search.is_found(f) && number[components[f]] <= 2) {
       Fitted_surface<> s = surface_of_kind(Surface_kind::PLANE, surface.centroid(f),
                                            surface.normal(f));
       search.grower.grow(s, {f}, [&](Index g) { return !search.is_found(g); });

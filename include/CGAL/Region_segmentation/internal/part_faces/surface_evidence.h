@@ -157,6 +157,7 @@ Grown_border border_of_grown(const Surface& surface, const Face_neighbors& neigh
                              double angle)
 {
   Grown_border result;
+  const double cosine = std::cos(angle);
   std::vector<Surface::Index> vertices;
   for (const Surface::Index f : grower.faces()) {
     std::size_t i = 0;
@@ -165,13 +166,13 @@ Grown_border border_of_grown(const Surface& surface, const Face_neighbors& neigh
       if (other != Surface::none && grower.is_taken(other))
         return;
       const Double_3 p = surface.point(v), q = surface.point(w);
-      const int e = end(p) == end(q) ? end(p) : 2;
+      const int at = end(p), e = at == end(q) ? at : 2;
       const double length = norm(q - p);
       vertices.push_back(v);
       vertices.push_back(w);
       result.length[e] += length;
       if (other != Surface::none &&
-          dot(surface.normal(other), surface_normal(s, 0.5 * (p + q))) > std::cos(angle))
+          dot(surface.normal(other), surface_normal(s, 0.5 * (p + q))) > cosine)
         result.tangent[e] += length;
     });
   }

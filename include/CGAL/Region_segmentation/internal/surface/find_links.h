@@ -255,8 +255,10 @@ merges_of_crumbs(const Surface& surface, const Partition& regions)
   std::vector<Index> first_of(regions.number_of_parts(), Surface::none);
   for (std::size_t f = 0; f < surface.number_of_faces(); ++f) {
     Index& first = first_of[regions[f]];
-    first = first == Surface::none ? component_of[f] : first;
-    unite(first, component_of[f]);
+    if (first == Surface::none)
+      first = component_of[f];
+    else if (first != component_of[f])
+      unite(first, component_of[f]);
   }
   for (const auto& [area, crumb, length, distance, region, other, component] : ways) {
     const Index from = joined.root(crumb), to = joined.root(component);
