@@ -50,7 +50,7 @@ for target in $targets; do
   esac
   echo "fuzz target $target"
   # By default libFuzzer exits with 77, too.
-  common="-error_exitcode=1 -timeout_exitcode=1 -max_len=$length -timeout=10 -rss_limit_mb=1000 -print_final_stats=1 -artifact_prefix=$target-"
+  common="-error_exitcode=1 -timeout_exitcode=1 -max_len=$length -timeout=60 -rss_limit_mb=1000 -print_final_stats=1 -artifact_prefix=$target-"
   if [ $# -eq 0 ]; then
     "$dir/bin/$target" $common -runs=$runs -seed=1 "$dir/seeds/$target"
   else
