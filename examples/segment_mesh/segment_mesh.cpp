@@ -6,8 +6,8 @@
 #include "batch/run_batch.h"
 #include "command_line/command_line.h"
 #include "demo/articulated_figure.h"
-#include "io/errors.h"
-#include "io/standard_streams.h"
+#include "read/errors.h"
+#include "write/standard_streams.h"
 
 #include <tbb/global_control.h>
 

@@ -5,7 +5,7 @@
 
 #include "command_line/command_line.h"
 #include "batch/plan_jobs.h"
-#include "io/errors.h"
+#include "read/errors.h"
 #include "require.h"
 
 #include <algorithm>

@@ -2,8 +2,8 @@
 
 // Any bytes, read as a gzip file.
 
-#include "io/errors.h"
-#include "io/inflate.h"
+#include "read/errors.h"
+#include "read/inflate.h"
 #include "require.h"
 
 #include <algorithm>

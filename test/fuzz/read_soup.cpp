@@ -2,8 +2,8 @@
 
 // Any bytes, read as a file of one format: a usable soup, or one line that names file and cause.
 
-#include "io/read_soup.h"
-#include "io/errors.h"
+#include "read/read_soup.h"
+#include "read/errors.h"
 #include "require.h"
 #include "soup/vector_algebra.h"
 

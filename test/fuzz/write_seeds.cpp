@@ -114,7 +114,7 @@ void write_command_lines(Corpus corpus)
   corpus.add("a.off\nb.ply.gz\n-k\n7\n-o\nparts/{stem}.obj\n--quiet\n--threads\n2");
   corpus.add("-\n--input-format\nstl\n-k\n3\n--method\ntwo-step\n--features\nall\n--max-angle\n20."
              "5\n-o\n{stem}.json");
-  corpus.add("a.obj\n--truth\n{stem}.seg\n--truth\nb.seg\n--mesh\npolyhedron\n--method="
+  corpus.add("a.obj\n--truth\n{stem}.seg\n--truth\nb.seg\n--method="
              "visibility\n-o=x.png\n-o\nx.seg\n-o\nx.off");
   corpus.add("--help");
   corpus.add("--version");

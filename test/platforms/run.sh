@@ -57,7 +57,7 @@ fi
 cd "$root"
 g++ -O1 -std=c++17 -I test -I examples/segment_mesh test/platforms/write_meshes.cpp \
   $(ls test/models/*.cpp | grep -v _test) examples/segment_mesh/soup/*.cpp \
-  examples/segment_mesh/io/read_off.cpp examples/segment_mesh/io/Text_scanner.cpp -o "$work/write_meshes"
+  examples/segment_mesh/read/read_off.cpp examples/segment_mesh/read/Text_scanner.cpp -o "$work/write_meshes"
 "$work/write_meshes" $files >"$work/meshes"
 
 # build NAME ENDING: hash_labels for a platform. CMake's target CGAL::Region_segmentation has

@@ -5,8 +5,8 @@
 // bits of a double, and the polygons, each after its number of corners; all numbers are
 // hexadecimal.
 
-#include "io/errors.h"
-#include "io/read_soup.h"
+#include "read/errors.h"
+#include "read/read_soup.h"
 #include "models/machine_parts.h"
 #include "models/procedural_models.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "io/Whole_file.h"
+#include "write/Whole_file.h"
 
 #include "Temporary_folder.h"
-#include "io/errors.h"
+#include "read/errors.h"
 
 #include <gtest/gtest.h>
 

@@ -4,8 +4,8 @@
 #define CGAL_REGION_SEGMENTATION_TEST_BAD_INPUT_H
 
 #include "Temporary_folder.h"
-#include "io/errors.h"
-#include "io/read_mesh.h"
+#include "read/errors.h"
+#include "read/read_mesh.h"
 
 #include <gtest/gtest.h>
 

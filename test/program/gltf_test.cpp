@@ -3,7 +3,7 @@
 // Reading of .glb and .gltf.
 
 #include "bad_input.h"
-#include "io/write_mesh.h"
+#include "write/write_mesh.h"
 #include "sample_files.h"
 
 #include <gtest/gtest.h>

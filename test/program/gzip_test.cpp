@@ -4,9 +4,9 @@
 
 #include "Temporary_folder.h"
 #include "batch/scores.h"
-#include "io/errors.h"
-#include "io/inflate.h"
-#include "io/load_bytes.h"
+#include "read/errors.h"
+#include "read/inflate.h"
+#include "read/load_bytes.h"
 
 #include <zlib.h>
 

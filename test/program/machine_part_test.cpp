@@ -4,7 +4,7 @@
 
 #include "../shapes_with_faces.h"
 #include "Program.h"
-#include "io/write_segmentation.h"
+#include "write/write_segmentation.h"
 #include "page/write_page.h"
 #include "segmentation/Segmentation_details.h"
 #include "view/render_view.h"

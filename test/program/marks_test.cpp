@@ -53,15 +53,13 @@ TEST_F(Program, keeps_faces_together_and_apart_by_seeds)
 {
   folder.write("a.off", grid());
   folder.write("a.txt", "0 7 # a face and its seed\n4 7\n3 2\n7 2\n");
-  for (const std::string type : {"polygon_soup", "surface_mesh", "polyhedron"}) {
-    EXPECT_EQ(run("a.off -k 2 --seeds a.txt -o a.seg --mesh " + type).status, 0);
-    const std::string labels = folder.read("a.seg");
-    EXPECT_EQ(labels[0], '0');
-    EXPECT_EQ(labels[2 * 4], '0');
-    EXPECT_EQ(labels[2 * 3], '1');
-    EXPECT_EQ(labels[2 * 7], '1');
-    EXPECT_EQ(labels.size(), 16u);
-  }
+  EXPECT_EQ(run("a.off -k 2 --seeds a.txt -o a.seg").status, 0);
+  const std::string labels = folder.read("a.seg");
+  EXPECT_EQ(labels[0], '0');
+  EXPECT_EQ(labels[2 * 4], '0');
+  EXPECT_EQ(labels[2 * 3], '1');
+  EXPECT_EQ(labels[2 * 7], '1');
+  EXPECT_EQ(labels.size(), 16u);
   EXPECT_NE(run("a.off -k 1 --seeds a.txt -o a.seg").out.find("2 segments of 1 (constraints"),
             std::string::npos);
   EXPECT_EQ(run("a.off -k 2 --seeds a.txt -o a.png").status, 0);

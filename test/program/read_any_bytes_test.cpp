@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "Temporary_folder.h"
-#include "io/errors.h"
-#include "io/read_mesh.h"
+#include "read/errors.h"
+#include "read/read_mesh.h"
 #include "sample_files.h"
 
 #include <gtest/gtest.h>

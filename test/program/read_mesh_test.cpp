@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "io/read_mesh.h"
+#include "read/read_mesh.h"
 
 #include "Temporary_folder.h"
-#include "io/errors.h"
+#include "read/errors.h"
 #include "sample_files.h"
 
 #include <boost/algorithm/string/case_conv.hpp>

@@ -2,9 +2,9 @@
 
 // The readers against CGAL's on random files.
 
-#include "io/errors.h"
-#include "io/little_endian.h"
-#include "io/read_soup.h"
+#include "read/errors.h"
+#include "read/little_endian.h"
+#include "read/read_soup.h"
 
 #include <CGAL/IO/OBJ.h>
 #include <CGAL/IO/OFF.h>

@@ -3,8 +3,8 @@
 // Reading must take less time than CGAL's own reader does, although it also checks the mesh.
 
 #include "Temporary_folder.h"
-#include "io/read_mesh.h"
-#include "io/write_mesh.h"
+#include "read/read_mesh.h"
+#include "write/write_mesh.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>

@@ -3,7 +3,7 @@
 #ifndef CGAL_REGION_SEGMENTATION_TEST_SAMPLE_FILES_H
 #define CGAL_REGION_SEGMENTATION_TEST_SAMPLE_FILES_H
 
-#include "io/little_endian.h"
+#include "read/little_endian.h"
 
 #include <algorithm>
 #include <cstdint>

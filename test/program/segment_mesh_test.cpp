@@ -3,7 +3,7 @@
 // The program as its users meet it: what it prints, writes and returns.
 
 #include "Program.h"
-#include "io/read_mesh.h"
+#include "read/read_mesh.h"
 #include "sample_files.h"
 
 #include <cmath>
@@ -135,18 +135,6 @@ TEST_F(Program, colors_by_kind)
   EXPECT_NE(outcome.err.find("--color kind: --method smooth-faces alone"), std::string::npos);
 }
 
-TEST_F(Program, gives_the_same_labels_on_every_mesh_type)
-{
-  ASSERT_EQ(run("--demo -o a.seg").status, 0);
-  for (const std::string type : {"polyhedron", "openmesh"}) {
-    const Outcome outcome = run("--demo -o b.seg --mesh " + type);
-    if (outcome.status == 2 && type == "openmesh")
-      continue; // built without
-    EXPECT_EQ(outcome.status, 0) << outcome.err;
-    EXPECT_EQ(folder.read("b.seg"), folder.read("a.seg")) << type;
-  }
-}
-
 TEST_F(Program, goes_on_after_a_bad_input)
 {
   folder.write("a.off", sample::off());
@@ -200,11 +188,6 @@ TEST_F(Program, segments_what_is_no_manifold)
   EXPECT_NE(apart.out.find("2 segments of 1 (the mesh has 2 connected pieces)"), std::string::npos)
     << apart.out;
   EXPECT_EQ(folder.read("a.seg"), "0\n0\n0\n0\n1\n1\n1\n1\n");
-  folder.write("b.off",
-               "OFF\n5 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 -1 0\n3 0 1 2\n3 0 1 3\n3 0 1 4\n");
-  for (const char* type : {"surface_mesh", "polyhedron"})
-    EXPECT_EQ(run(std::string("b.off -k 1 --mesh ") + type).err,
-              "b.off: is not an oriented 2-manifold: omit --mesh\n");
 }
 
 TEST_F(Program, compares_with_truths)
@@ -335,7 +318,7 @@ TEST_F(Program, knows_wrong_usage)
   expect_wrong_usage("a.off a.off -k 2 -o '{stem}.seg'", "-o a.seg: would be written twice");
   expect_wrong_usage("a.off -k 2 -o a.seg -o ./a.seg", "-o ./a.seg: would be written twice");
   for (const char* arguments :
-       {"a.off -k", "--frobnicate", "--mesh soup", "a.off -k 2 --features some",
+       {"a.off -k", "--frobnicate", "--mesh polyhedron", "a.off -k 2 --features some",
         "a.off -k 2 --method magic", "a.off --method smooth-faces --tolerance wide",
         "a.off --method smooth-faces --tolerance 1e999"}) {
     const Outcome outcome = run(arguments);
@@ -586,27 +569,19 @@ TEST_F(Program, tells_its_settings_in_json)
     return outcome.status == 0 ? json.substr(start, json.find('\n', start) - start) : outcome.err;
   };
   const auto expected = [](const std::string& method, const std::string& number,
-                           const std::string& mesh, const std::string& more) {
-    return "{\"method\":\"" + method + "\",\"segments\":" + number + ",\"mesh\":\"" + mesh +
-           "\",\"links\":true,\"smooth_borders\":false" + more + "},";
+                           const std::string& more) {
+    return "{\"method\":\"" + method + "\",\"segments\":" + number +
+           ",\"links\":true,\"smooth_borders\":false" + more + "},";
   };
-  EXPECT_EQ(settings(""), expected("learned", "null", "polygon_soup", ""));
-  EXPECT_EQ(settings("--method visibility --mesh polyhedron"),
-            expected("visibility", "null", "polyhedron", ""));
-  EXPECT_EQ(settings("--method smooth-faces -k 2"),
-            expected("smooth-faces", "2", "polygon_soup", ""));
+  EXPECT_EQ(settings(""), expected("learned", "null", ""));
+  EXPECT_EQ(settings("--method visibility"), expected("visibility", "null", ""));
+  EXPECT_EQ(settings("--method smooth-faces -k 2"), expected("smooth-faces", "2", ""));
   EXPECT_EQ(settings("--method smooth-faces --tolerance 0.25"),
-            expected("smooth-faces", "null", "polygon_soup", ",\"tolerance\":0.25"));
-  EXPECT_EQ(settings("-k 2 --seeds a.txt"),
-            expected("learned", "2", "polygon_soup", ",\"seeds\":\"a.txt\""));
+            expected("smooth-faces", "null", ",\"tolerance\":0.25"));
+  EXPECT_EQ(settings("-k 2 --seeds a.txt"), expected("learned", "2", ",\"seeds\":\"a.txt\""));
   for (const std::string kind : {"concave", "convex", "all"})
     EXPECT_EQ(settings("--method two-step -k 1 --max-angle 20 --features " + kind),
-              expected("two-step", "1", "polygon_soup",
-                       ",\"features\":\"" + kind + "\",\"max_angle\":20.0"));
-  const std::string open_mesh = settings("--mesh openmesh");
-  EXPECT_TRUE(open_mesh == expected("learned", "null", "openmesh", "") ||
-              open_mesh.find("this program was built without it") != std::string::npos)
-    << open_mesh;
+              expected("two-step", "1", ",\"features\":\"" + kind + "\",\"max_angle\":20.0"));
 }
 
 TEST_F(Program, draws_a_mesh_as_seen_from_a_place)

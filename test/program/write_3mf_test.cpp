@@ -2,8 +2,8 @@
 
 // A .3mf file, read by lib3mf.
 
-#include "io/Segment_triangles.h"
-#include "io/write_mesh.h"
+#include "write/Segment_triangles.h"
+#include "write/write_mesh.h"
 
 #include <Model/COM/NMR_DLLInterfaces.h>
 

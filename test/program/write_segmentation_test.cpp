@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "io/write_mesh.h"
-#include "io/write_segmentation.h"
+#include "write/write_mesh.h"
+#include "write/write_segmentation.h"
 
 #include "Temporary_folder.h"
 #include "demo/articulated_figure.h"
@@ -336,20 +336,6 @@ TEST_F(Written, gzip_is_undone_by_gzip)
   write("b.obj.gz");
   ASSERT_EQ(std::system(("gzip -d '" + m_folder.path("b.obj.gz") + "'").c_str()), 0);
   EXPECT_EQ(m_folder.read("b.obj"), plain);
-}
-
-TEST_F(Written, all_mesh_types_give_the_same)
-{
-  for (const Mesh_type type :
-       {Mesh_type::SURFACE_MESH, Mesh_type::POLYHEDRON, Mesh_type::OPENMESH}) {
-    if (!is_available(type))
-      continue;
-    Segmentation_settings settings = s_settings;
-    settings.mesh_type = type;
-    const Segmentation other = run_segmentation(s_input.soup, {}, settings, {});
-    EXPECT_EQ(other.segment_of_face, s_segmentation.segment_of_face);
-    EXPECT_EQ(other.region_of_face, s_segmentation.region_of_face);
-  }
 }
 
 /// By two-step, which does not move borders itself.

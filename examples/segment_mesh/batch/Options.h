@@ -3,9 +3,9 @@
 #ifndef CGAL_REGION_SEGMENTATION_SEGMENT_MESH_OPTIONS_H
 #define CGAL_REGION_SEGMENTATION_SEGMENT_MESH_OPTIONS_H
 
-#include "io/Mesh_format.h"
-#include "io/Side_files.h"
-#include "io/output_format.h"
+#include "read/Mesh_format.h"
+#include "read/Side_files.h"
+#include "write/output_format.h"
 #include "segmentation/Segmentation_settings.h"
 #include "view/Viewpoint.h"
 #include "view/segment_colors.h"

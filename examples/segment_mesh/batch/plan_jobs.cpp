@@ -2,10 +2,10 @@
 
 #include "batch/plan_jobs.h"
 
-#include "io/Mesh_format.h"
-#include "io/errors.h"
-#include "io/output_format.h"
-#include "io/resolve_links.h"
+#include "read/Mesh_format.h"
+#include "read/errors.h"
+#include "write/output_format.h"
+#include "write/resolve_links.h"
 
 #include <algorithm>
 #include <map>

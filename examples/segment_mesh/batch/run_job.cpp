@@ -4,11 +4,11 @@
 
 #include "batch/scores.h"
 #include "demo/articulated_figure.h"
-#include "io/Text_scanner.h"
-#include "io/errors.h"
-#include "io/read_marks.h"
-#include "io/read_mesh.h"
-#include "io/write_segmentation.h"
+#include "read/Text_scanner.h"
+#include "read/errors.h"
+#include "read/read_marks.h"
+#include "read/read_mesh.h"
+#include "write/write_segmentation.h"
 
 #include <CGAL/Region_segmentation/exceptions.h>
 
@@ -75,8 +75,6 @@ Segmentation segment(const Job& job, const Case& input, const Segmentation_setti
 {
   try {
     return run_segmentation(input.mesh.soup, input.marks, settings, listener);
-  } catch (const Not_a_manifold& error) {
-    throw Input_error(job.input, error.what());
   } catch (const CGAL::Region_segmentation::Invalid_input& error) {
     throw Input_error(job.input, error.what());
   }

@@ -2,9 +2,9 @@
 
 #include "batch/scores.h"
 
-#include "io/Text_scanner.h"
-#include "io/errors.h"
-#include "io/load_bytes.h"
+#include "read/Text_scanner.h"
+#include "read/errors.h"
+#include "read/load_bytes.h"
 #include "segmentation/Manifold.h"
 
 #include <CGAL/Region_segmentation/evaluation.h>

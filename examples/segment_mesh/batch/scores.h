@@ -3,7 +3,7 @@
 #ifndef CGAL_REGION_SEGMENTATION_SEGMENT_MESH_SCORES_H
 #define CGAL_REGION_SEGMENTATION_SEGMENT_MESH_SCORES_H
 
-#include "io/read_mesh.h"
+#include "read/read_mesh.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -3,7 +3,7 @@
 #include "command_line/command_line.h"
 
 #include "command_line/format_help.h"
-#include "io/errors.h"
+#include "read/errors.h"
 #include "view/choose_viewpoint.h"
 
 #include <CGAL/Region_segmentation/version.h>
@@ -38,11 +38,6 @@ const std::map<std::string, Feature_convexity> features = {{"concave", Feature_c
 const std::map<std::string, Coloring> colorings = {{"segment", Coloring::SEGMENTS},
                                                    {"kind", Coloring::KINDS}};
 
-const std::map<std::string, Mesh_type> mesh_types = {{"polygon_soup", Mesh_type::POLYGON_SOUP},
-                                                     {"surface_mesh", Mesh_type::SURFACE_MESH},
-                                                     {"polyhedron", Mesh_type::POLYHEDRON},
-                                                     {"openmesh", Mesh_type::OPENMESH}};
-
 const std::map<std::string, Mesh_format> formats(mesh_formats().begin(), mesh_formats().end());
 
 /// More would be a slip of the hand.
@@ -56,7 +51,7 @@ struct Raw_options
   std::string output_format;
   double maximum_angle = 0, tolerance = 0;
   std::string number_of_segments, number_of_threads = "0"; ///< CLI11 would cut off large numbers
-  std::string method = "learned", features = "concave", mesh_type = "polygon_soup";
+  std::string method = "learned", features = "concave";
   std::string coloring = "segment";
   std::string input_format;
   std::pair<double, double> view; ///< azimuth and elevation, in degrees
@@ -205,12 +200,6 @@ void add_segmentation(CLI::App& app, Raw_options& raw)
                    "For smooth-faces: the largest distance of a vertex from the surface of its "
                    "face, in units of the mesh; for a scan, some times its noise. Default: 0, "
                    "found from the mesh.");
-  segmentation
-    .add("--mesh", raw.mesh_type, "TYPE",
-         "What to run on, with the same labels (unless --no-links is given): polygon_soup "
-         "(default; any mesh), or, for an oriented 2-manifold, surface_mesh, polyhedron or "
-         "openmesh.")
-    ->check(one_of(mesh_types));
 }
 
 void add_run_options(CLI::App& app, Raw_options& raw)
@@ -274,8 +263,8 @@ void check_combinations(const CLI::App& app, const Raw_options& raw)
   if (colorings.at(raw.coloring) == Coloring::KINDS &&
       methods.at(raw.method) != Method::SMOOTH_FACES)
     throw Usage_error("--color kind: --method smooth-faces alone finds kinds of surfaces");
-  for (const char* option : {"--segments", "--method", "--mesh", "--no-links", "--smooth-borders",
-                             "--constraints", "--seeds"})
+  for (const char* option :
+       {"--segments", "--method", "--no-links", "--smooth-borders", "--constraints", "--seeds"})
     if (app.count("--labels") > 0 && app.count(option) > 0)
       throw Usage_error(std::string(option) + ": with --labels nothing is segmented");
   if (app.count("--seeds") > 0 && app.count("--smooth-borders") > 0)
@@ -324,9 +313,6 @@ Options checked(const CLI::App& app, const Raw_options& raw)
                                                                : Border_treatment::NONE;
   options.settings.links = app.count("--no-links") > 0 ? Component_links::NONE
                                                        : Component_links::FOUND;
-  options.settings.mesh_type = mesh_types.at(raw.mesh_type);
-  if (!is_available(options.settings.mesh_type))
-    throw Usage_error("--mesh " + raw.mesh_type + ": this program was built without it");
   if (app.count("--view") > 0)
     options.viewpoint = checked_viewpoint(raw.view.first, raw.view.second);
   options.coloring = colorings.at(raw.coloring);

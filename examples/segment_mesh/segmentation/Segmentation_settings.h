@@ -10,13 +10,6 @@
 
 namespace segment_mesh {
 
-/// What the segmentation runs on: any polygons, or a mesh type, for oriented 2-manifolds alone. All
-/// have double coordinates; the labels are the same.
-enum class Mesh_type { POLYGON_SOUP, SURFACE_MESH, POLYHEDRON, OPENMESH };
-
-/// Whether the program was built with what a mesh type needs.
-bool is_available(Mesh_type type);
-
 enum class Method { TWO_STEP, VISIBILITY, LEARNED, SMOOTH_FACES };
 
 /// What becomes of the borders that a method gives.
@@ -36,7 +29,6 @@ struct Segmentation_settings
   std::optional<double> maximum_angle; ///< in degrees; the method's own if empty
   double tolerance = 0; ///< of `SMOOTH_FACES`, in units of the mesh; 0: found from the mesh
   Border_treatment borders = Border_treatment::NONE;
-  Mesh_type mesh_type = Mesh_type::POLYGON_SOUP;
   Component_links links = Component_links::FOUND;
 };
 

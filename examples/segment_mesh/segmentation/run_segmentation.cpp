@@ -14,29 +14,13 @@ namespace {
 
 using CGAL::Region_segmentation::no_segment;
 
-Segmentation run_on(Mesh_type type, const Polygon_soup& soup, const Marks& marks,
-                    const Segmentation_settings& settings, const Progress_listener& listener)
-{
-  switch (type) {
-  case Mesh_type::POLYGON_SOUP:
-    return run_on_soup(soup, marks, settings, listener);
-  case Mesh_type::SURFACE_MESH:
-    return run_on_surface_mesh(soup, marks, settings, listener);
-  case Mesh_type::POLYHEDRON:
-    return run_on_polyhedron(soup, marks, settings, listener);
-  case Mesh_type::OPENMESH:
-    return run_on_openmesh(soup, marks, settings, listener);
-  }
-  return {};
-}
-
 } // namespace
 
 Segmentation run_segmentation(const Polygon_soup& soup, const Marks& marks,
                               const Segmentation_settings& settings,
                               const Progress_listener& listener)
 {
-  Segmentation result = run_on(settings.mesh_type, soup, marks, settings, listener);
+  Segmentation result = run_on_soup(soup, marks, settings, listener);
   if (settings.borders == Border_treatment::SMOOTHING)
     smooth_borders(soup, marks, listener, result);
   return result;

@@ -13,7 +13,6 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -53,17 +52,8 @@ struct Segmentation
 /// Hears of a stage and of how much of it is done, from 0 to 1; false cancels.
 using Progress_listener = std::function<bool(const char* stage, double fraction)>;
 
-/// A mesh that a mesh type cannot hold.
-struct Not_a_manifold : std::runtime_error
-{
-  Not_a_manifold()
-    : std::runtime_error("is not an oriented 2-manifold: omit --mesh")
-  {}
-};
-
 /// Segments a soup.
-/// \pre `is_available(settings.mesh_type)`, and a number of segments is given or can be chosen
-/// \throws Not_a_manifold if a mesh type is chosen that does not hold the soup
+/// \pre a number of segments is given or can be chosen
 Segmentation run_segmentation(const Polygon_soup& soup, const Marks& marks,
                               const Segmentation_settings& settings,
                               const Progress_listener& listener);
@@ -72,20 +62,9 @@ Segmentation run_segmentation(const Polygon_soup& soup, const Marks& marks,
 /// a last one of the faces with the label -1, which are in no segment.
 Segmentation segmentation_from_labels(const std::vector<std::int64_t>& labels);
 
-/// \name The same on one type
-/// @{
+/// The same without the smoothing of borders.
 Segmentation run_on_soup(const Polygon_soup& soup, const Marks& marks,
                          const Segmentation_settings& settings, const Progress_listener& listener);
-Segmentation run_on_surface_mesh(const Polygon_soup& soup, const Marks& marks,
-                                 const Segmentation_settings& settings,
-                                 const Progress_listener& listener);
-Segmentation run_on_polyhedron(const Polygon_soup& soup, const Marks& marks,
-                               const Segmentation_settings& settings,
-                               const Progress_listener& listener);
-Segmentation run_on_openmesh(const Polygon_soup& soup, const Marks& marks,
-                             const Segmentation_settings& settings,
-                             const Progress_listener& listener);
-/// @}
 
 } // namespace segment_mesh
 

@@ -7,7 +7,7 @@
 #include "Table.h"
 #include "model_sources.h"
 
-#include "io/errors.h"
+#include "read/errors.h"
 
 #include <CGAL/Region_segmentation/Methods/Learned_merging.h>
 #include <CGAL/Region_segmentation/Segmenter.h>

@@ -2,7 +2,7 @@
 
 #include "model_sources.h"
 
-#include "io/read_mesh.h"
+#include "read/read_mesh.h"
 #include "models/procedural_models.h"
 
 #include <algorithm>

@@ -14,8 +14,8 @@
 #include "write_report.h"
 
 #include "batch/Progress_bar.h"
-#include "io/Whole_file.h"
-#include "io/errors.h"
+#include "write/Whole_file.h"
+#include "read/errors.h"
 
 #include <exception>
 #include <iostream>

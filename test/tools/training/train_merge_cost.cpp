@@ -16,8 +16,8 @@
 #include "training_sources_hash.h"
 #include "write_model.h"
 
-#include "io/Whole_file.h"
-#include "io/errors.h"
+#include "write/Whole_file.h"
+#include "read/errors.h"
 
 #include <CGAL/Region_segmentation/Methods/Learned_merging.h>
 

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "read/Text_scanner.h"
+
+#include "read/errors.h"
+
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+
+#ifndef __cpp_lib_to_chars // from_chars() of double is not in every library of C++
+#include <fast_float/fast_float.h>
+#endif
+
+namespace segment_mesh {
+
+namespace {
+
+#ifdef __cpp_lib_to_chars
+using std::from_chars;
+#else
+using fast_float::from_chars;
+#endif
+
+bool is_blank(char c)
+{
+  return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
+}
+
+} // namespace
+
+Text_scanner::Text_scanner(const std::string& file, std::string_view text, char comment,
+                           Continuation continuation)
+  : m_file(file)
+  , m_text(text)
+  , m_comment(comment)
+  , m_continuation(continuation)
+  , m_next(text.size() - without_byte_order_mark(text).size())
+{}
+
+/// \pre there is one
+void Text_scanner::take_line()
+{
+  const std::size_t end = (std::min)(m_text.find('\n', m_next), m_text.size());
+  m_line = m_text.substr(m_next, end - m_next);
+  m_next = (std::min)(end + 1, m_text.size());
+  m_line_number = m_next_line_number++;
+  if (m_comment != no_comments)
+    m_line = m_line.substr(0, m_line.find(m_comment));
+  m_goes_on = false;
+  if (m_continuation == Continuation::BACKSLASH) {
+    std::size_t size = m_line.size();
+    while (size > 0 && is_blank(m_line[size - 1]))
+      --size;
+    m_goes_on = size > 0 && m_line[size - 1] == '\\';
+    if (m_goes_on)
+      m_line = m_line.substr(0, size - 1);
+  }
+}
+
+bool Text_scanner::next_line()
+{
+  while (m_goes_on && m_next < m_text.size())
+    take_line();
+  m_line = {};
+  while (m_next < m_text.size()) {
+    take_line();
+    if (has_word())
+      return true;
+  }
+  return false;
+}
+
+bool Text_scanner::has_word()
+{
+  for (;;) {
+    std::size_t start = 0;
+    while (start < m_line.size() && is_blank(m_line[start]))
+      ++start;
+    m_line.remove_prefix(start);
+    if (!m_line.empty() || !m_goes_on || m_next == m_text.size())
+      return !m_line.empty();
+    take_line();
+  }
+}
+
+std::string_view Text_scanner::word()
+{
+  if (!has_word())
+    return {};
+  std::size_t end = 1;
+  while (end < m_line.size() && !is_blank(m_line[end]))
+    ++end;
+  const std::string_view result = m_line.substr(0, end);
+  m_line.remove_prefix(end);
+  return result;
+}
+
+std::string_view Text_scanner::word_of_any_line()
+{
+  return has_word() || next_line() ? word() : std::string_view();
+}
+
+std::string Text_scanner::not_read() const
+{
+  return one_line(m_file + ":" + std::to_string(m_line_number) + ": not read, nor what follows");
+}
+
+void Text_scanner::fail(const std::string& cause) const
+{
+  throw Input_error(m_file, m_line_number, cause);
+}
+
+double Text_scanner::finite_number(std::string_view word) const
+{
+  double fast_value = 0;
+  const auto [fast_end, error] = from_chars(word.data(), word.data() + word.size(), fast_value);
+  if (error == std::errc() && fast_end == word.data() + word.size() && std::isfinite(fast_value))
+    return fast_value;
+
+  // strtod() takes some words more, with a sign or too close to 0, but has to copy them.
+  const std::string text(word);
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  // strtod() also takes hexadecimal numbers, which CGAL's readers do not.
+  const bool is_number = !text.empty() && *end == '\0' &&
+                         text.size() == std::size_t(end - &text[0]) &&
+                         text.find_first_of("xX") == std::string::npos;
+  if (!is_number)
+    fail(in_quotes(word) + " is not a number");
+  if (!std::isfinite(value))
+    fail(in_quotes(word) + " is not a finite number");
+  return value;
+}
+
+std::int64_t Text_scanner::integer(std::string_view word, const char* what) const
+{
+  const std::string_view digits = word.substr(!word.empty() && word[0] == '+' ? 1 : 0);
+  std::int64_t value = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (error != std::errc() || end != digits.data() + digits.size())
+    fail(in_quotes(word) + " is not " + what);
+  return value;
+}
+
+std::string_view without_byte_order_mark(std::string_view text)
+{
+  constexpr std::string_view mark = "\xef\xbb\xbf";
+  return text.substr(text.substr(0, mark.size()) == mark ? mark.size() : 0);
+}
+
+std::string in_quotes(std::string_view word)
+{
+  constexpr std::size_t longest = 24;
+  const std::string text(word.substr(0, longest));
+  return "'" + text + (word.size() > longest ? "...'" : "'");
+}
+
+std::string bytes_not_read(const std::string& file, std::size_t count)
+{
+  return one_line(file + ": not read: " + counted(count, "byte"));
+}
+
+std::string counted(std::size_t count, const std::string& singular)
+{
+  if (count == 1)
+    return "1 " + singular;
+  const bool is_irregular = singular == "vertex";
+  return std::to_string(count) + " " + (is_irregular ? "vertices" : singular + "s");
+}
+
+} // namespace segment_mesh

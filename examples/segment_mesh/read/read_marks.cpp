@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "read/read_marks.h"
+
+#include "read/Text_scanner.h"
+#include "read/load_bytes.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <map>
+#include <string>
+
+namespace segment_mesh {
+
+namespace {
+
+/// The value of a word that is the index of one of `number` elements.
+std::size_t index_below(const Text_scanner& scan, std::string_view word, std::size_t number,
+                        const std::string& what)
+{
+  const std::int64_t index = scan.integer(word, ("the index of a " + what).c_str());
+  if (index < 0 || std::uint64_t(index) >= number)
+    scan.fail(in_quotes(word) + " is out of range: there are " + counted(number, what));
+  return std::size_t(index);
+}
+
+Vertex_pair sorted_pair(std::size_t a, std::size_t b)
+{
+  const auto [low, high] = std::minmax(a, b);
+  return {low, high};
+}
+
+/// The edges of polygons. Points at the same place are one.
+class Edge_list
+{
+public:
+  explicit Edge_list(const Polygon_soup& soup)
+  {
+    std::map<Point, std::size_t> first;
+    for (std::size_t i = 0; i < soup.points.size(); ++i)
+      m_first.push_back(first.emplace(soup.points[i], i).first->second);
+    for (const Polygon_soup::Polygon& polygon : soup.polygons)
+      for (std::size_t i = 0; i < polygon.size(); ++i)
+        m_edges.push_back(edge(polygon[i], polygon[(i + 1) % polygon.size()]));
+    std::sort(m_edges.begin(), m_edges.end());
+  }
+
+  bool has(std::size_t a, std::size_t b) const
+  {
+    return std::binary_search(m_edges.begin(), m_edges.end(), edge(a, b));
+  }
+
+private:
+  Vertex_pair edge(std::size_t a, std::size_t b) const
+  {
+    return sorted_pair(m_first[a], m_first[b]);
+  }
+
+  std::vector<std::size_t> m_first; // for each point the first one at its place
+  std::vector<Vertex_pair> m_edges;
+};
+
+std::vector<Vertex_pair> read_constraints(const std::string& file, Input_mesh& input)
+{
+  const std::string bytes = load_bytes(file, input.remarks);
+  const Edge_list edges(input.soup);
+  Text_scanner scan(file, bytes, '#');
+  const auto next_point = [&] {
+    return index_below(scan, scan.word(), input.soup.points.size(), "point");
+  };
+  std::vector<Vertex_pair> result;
+  while (scan.next_line()) {
+    std::size_t from = next_point();
+    if (!scan.has_word())
+      scan.fail("a line of 1 point");
+    while (scan.has_word()) {
+      const std::size_t to = next_point();
+      if (!edges.has(from, to))
+        scan.fail("no edge joins the points " + std::to_string(from) + " and " +
+                  std::to_string(to));
+      result.push_back(sorted_pair(from, to));
+      from = to;
+    }
+  }
+  std::sort(result.begin(), result.end());
+  result.erase(std::unique(result.begin(), result.end()), result.end());
+  return result;
+}
+
+std::vector<std::size_t> read_seeds(const std::string& file, Input_mesh& input)
+{
+  const std::string bytes = load_bytes(file, input.remarks);
+  Text_scanner scan(file, bytes, '#');
+  std::vector<std::size_t> result(input.soup.polygons.size(), no_seed);
+  while (scan.next_line()) {
+    const std::size_t face = index_below(scan, scan.word(), input.soup.polygons.size(), "face");
+    if (!scan.has_word())
+      scan.fail("a face without a seed");
+    const std::int64_t seed = scan.integer(scan.word(), "a seed");
+    if (seed < 0)
+      scan.fail("a seed is at least 0");
+    if (scan.has_word())
+      scan.fail("more than a face and a seed on a line");
+    std::size_t& seed_of_face = result[face];
+    if (seed_of_face != no_seed && seed_of_face != std::size_t(seed))
+      scan.fail("face " + std::to_string(face) + " has the seed " + std::to_string(seed_of_face) +
+                " already");
+    seed_of_face = std::size_t(seed);
+  }
+  return result;
+}
+
+} // namespace
+
+Marks read_marks(const Side_files& files, Input_mesh& input)
+{
+  Marks marks;
+  if (!files.constraints.empty())
+    marks.constrained_edges = read_constraints(files.constraints, input);
+  if (!files.seeds.empty())
+    marks.seed_of_face = read_seeds(files.seeds, input);
+  return marks;
+}
+
+std::vector<Vertex_pair> lines_of_marks(const Marks& marks, const Input_mesh& input)
+{
+  std::vector<Vertex_pair> lines = marks.constrained_edges;
+  for (std::size_t f = 0; f < input.soup.polygons.size() && !marks.seed_of_face.empty(); ++f) {
+    const Polygon_soup::Polygon& polygon = input.soup.polygons[f];
+    if (marks.seed_of_face[f] != no_seed)
+      for (std::size_t i = 0; i < polygon.size(); ++i)
+        lines.push_back({polygon[i], polygon[(i + 1) % polygon.size()]});
+  }
+  return lines;
+}
+
+} // namespace segment_mesh

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "read/Text_scanner.h"
+#include "read/errors.h"
+#include "read/little_endian.h"
+#include "read/read_soup.h"
+#include "soup/merge_equal_points.h"
+#include "soup/vector_algebra.h"
+
+#include <boost/algorithm/string/predicate.hpp>
+
+#include <algorithm>
+
+namespace segment_mesh {
+
+namespace {
+
+constexpr std::size_t header_size = 80;
+constexpr std::size_t data_offset = header_size + 4;
+constexpr std::size_t normal_size = 12;
+constexpr std::size_t triangle_size = 50; // a normal and 3 points as floats, 2 bytes of attributes
+
+std::size_t promised_triangles(std::string_view bytes)
+{
+  return bytes.size() < data_offset ? 0 : read_little_endian<std::uint32_t>(&bytes[header_size]);
+}
+
+/// Some programs write words in capitals.
+bool is(std::string_view word, const char* expected)
+{
+  return boost::algorithm::iequals(word, expected);
+}
+
+/// Binary files whose header starts with "solid" do exist.
+bool is_text(std::string_view bytes)
+{
+  const bool has_size_of_binary = bytes.size() >= data_offset &&
+                                  bytes.size() ==
+                                    data_offset + triangle_size * promised_triangles(bytes);
+  const std::string_view text = without_byte_order_mark(bytes);
+  const std::size_t start = (std::min)(text.find_first_not_of(" \t\r\n"), text.size());
+  return !has_size_of_binary && is(text.substr(start, 5), "solid") &&
+         text.find('\0') == std::string_view::npos;
+}
+
+/// The triangles as polygons on three points each.
+Polygon_soup triangles_on(std::vector<Point> points)
+{
+  Polygon_soup soup;
+  soup.polygons.reserve(points.size() / 3);
+  for (std::size_t i = 0; i + 2 < points.size(); i += 3)
+    soup.polygons.push_back({i, i + 1, i + 2});
+  soup.points = std::move(points);
+  return soup;
+}
+
+Polygon_soup read_binary(const std::string& file, std::string_view bytes, Remarks& remarks)
+{
+  if (bytes.size() < data_offset)
+    throw Input_error(file,
+                      "neither a text that starts with 'solid' nor long enough for a binary STL");
+  const std::size_t promised = promised_triangles(bytes);
+  const std::size_t available = (bytes.size() - data_offset) / triangle_size;
+  if (promised > available)
+    throw Input_error(file, "the header promises " + counted(promised, "triangle") +
+                              ", the file ends after " + std::to_string(available));
+  if (const std::size_t rest = bytes.size() - data_offset - triangle_size * promised; rest > 0)
+    remarks.push_back(bytes_not_read(file, rest) + " at the end: the header promises " +
+                      counted(promised, "triangle"));
+  std::vector<Point> points;
+  points.reserve(3 * promised);
+  for (std::size_t i = 0; i < promised; ++i)
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      const char* const
+        at = &bytes[data_offset + triangle_size * i + normal_size + 3 * sizeof(float) * corner];
+      Point& point = points.emplace_back();
+      for (std::size_t j = 0; j < 3; ++j)
+        point[j] = read_little_endian<float>(at + sizeof(float) * j);
+      if (!is_finite(point))
+        throw Input_error(file, "triangle " + std::to_string(i) +
+                                  ", from 0, has a coordinate that is not a finite number");
+    }
+  return triangles_on(std::move(points));
+}
+
+/// The rest of a facet, after its first word.
+void read_facet(Text_scanner& scan, std::vector<Point>& points)
+{
+  const auto due_word = [&scan] {
+    const std::string_view word = scan.word_of_any_line();
+    if (word.empty())
+      scan.fail("the file ends within a facet");
+    return word;
+  };
+  std::size_t size = 0;
+  for (std::string_view word = due_word(); !is(word, "endfacet"); word = due_word()) {
+    if (!is(word, "vertex"))
+      continue;
+    if (++size > 3)
+      scan.fail("a facet with more than 3 vertices");
+    Point& point = points.emplace_back();
+    for (double& coordinate : point)
+      coordinate = scan.finite_number(due_word());
+  }
+  if (size < 3)
+    scan.fail("a face with " + counted(size, "vertex") + ", fewer than 3");
+}
+
+/// Names of solids may hold any word, and solids may be several.
+Polygon_soup read_text(const std::string& file, std::string_view bytes)
+{
+  Text_scanner scan(file, bytes, Text_scanner::no_comments);
+  std::vector<Point> points;
+  bool is_in_solid = false;
+  while (scan.next_line()) {
+    const std::string_view word = scan.word();
+    if (is(word, "solid") && !is_in_solid)
+      is_in_solid = true;
+    else if (is(word, "endsolid") && is_in_solid)
+      is_in_solid = false;
+    else if (is(word, "facet") && is_in_solid)
+      read_facet(scan, points);
+    else
+      scan.fail(in_quotes(word) +
+                (is_in_solid ? " where 'facet' or 'endsolid' is due" : " where 'solid' is due"));
+  }
+  if (is_in_solid)
+    scan.fail("the file ends before 'endsolid'");
+  return triangles_on(std::move(points));
+}
+
+} // namespace
+
+Polygon_soup read_stl(const std::string& file, std::string_view bytes, Remarks& remarks)
+{
+  Polygon_soup soup = is_text(bytes) ? read_text(file, bytes) : read_binary(file, bytes, remarks);
+  if (soup.polygons.empty())
+    throw Input_error(file, "no faces");
+  merge_equal_points(soup);
+  return soup;
+}
+
+} // namespace segment_mesh

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "write/output_format.h"
+
+#include "read/errors.h"
+#include "read/file_endings.h"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace segment_mesh {
+
+namespace {
+
+Output_format format_of_ending(const std::string& file, const std::string& ending)
+{
+  const std::vector<std::string>& names = output_format_names();
+  const auto found = std::find(names.begin(), names.end(), ending);
+  if (found == names.end())
+    throw Usage_error(file + ": unknown extension of an output, not " + list_of_endings(names));
+  return Output_format(found - names.begin());
+}
+
+bool is_mesh(Output_format format)
+{
+  return format == Output_format::PLY || format == Output_format::OFF ||
+         format == Output_format::OBJ || format == Output_format::VTP;
+}
+
+void check(const Output& output)
+{
+  const bool is_polyline_format = output.format == Output_format::OBJ ||
+                                  output.format == Output_format::VTP;
+  if (output.content == Output_content::BORDERS && !is_polyline_format)
+    throw Usage_error("--borders " + output.file + ": polylines are written as .obj or .vtp");
+  if (output.is_for_each_segment()) {
+    if (output.content == Output_content::BORDERS)
+      throw Usage_error("--borders " + output.file + ": {segment} is for -o alone");
+    if (!is_mesh(output.format))
+      throw Usage_error(output.file + ": a file for each segment is .ply, .off, .obj or .vtp");
+    if (std::filesystem::path(output.file).filename().string().find(segment_placeholder) ==
+        std::string::npos)
+      throw Usage_error(output.file +
+                        ": {segment} belongs to the name of the file, not of its folder");
+  }
+}
+
+} // namespace
+
+const std::vector<std::string>& output_format_names()
+{
+  static const std::vector<std::string> names = {"seg", "ply", "off",  "obj", "vtp", "json",
+                                                 "csv", "png", "html", "glb", "3mf"};
+  return names;
+}
+
+std::string with_segment(std::string file, const std::string& number)
+{
+  const std::string placeholder = segment_placeholder;
+  for (std::size_t at = file.find(placeholder); at != std::string::npos;
+       at = file.find(placeholder, at))
+    file.replace(at, placeholder.size(), number);
+  return file;
+}
+
+bool is_segment_file(const std::string& pattern, const std::string& name)
+{
+  const std::size_t first = pattern.find(segment_placeholder);
+  for (std::size_t end = first; end < name.size() && name[end] >= '0' && name[end] <= '9'; ++end)
+    if (with_segment(pattern, name.substr(first, end + 1 - first)) == name)
+      return true;
+  return false;
+}
+
+Output make_output(const std::string& file, Output_content content,
+                   const std::optional<Output_format>& format)
+{
+  Output output{file, Output_format::SEG, content, Compression::NONE};
+  std::filesystem::path name = file;
+  if (ending_of(file) == "gz") {
+    output.compression = Compression::GZIP;
+    name.replace_extension();
+  }
+  if (output.is_stdout() && content == Output_content::BORDERS)
+    throw Usage_error("--borders -: borders are written to a file");
+  if (output.is_stdout() && !format)
+    throw Usage_error("-o -: needs --output-format");
+  output.format = format ? *format : format_of_ending(file, ending_of(name.string()));
+  check(output);
+  return output;
+}
+
+} // namespace segment_mesh
