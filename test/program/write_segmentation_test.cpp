@@ -146,7 +146,6 @@ TEST_F(Written, json_has_all)
   EXPECT_EQ(json["input"]["name"], s_name);
   EXPECT_EQ(json["settings"]["method"], "two-step");
   EXPECT_EQ(json["settings"]["segments"], 10);
-  EXPECT_EQ(json["settings"]["mesh"], "polygon_soup");
   EXPECT_EQ(json["settings"]["smooth_borders"], false);
   EXPECT_EQ(json["settings"]["features"], "concave");
   EXPECT_NEAR(json["settings"]["max_angle"], 1.2372, 1e-4);
