@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Breaks the library at sites drawn by a seed and says which tests notice.
+"""Breaks the library, the program or the Python module at sites drawn by a seed and says which tests notice.
 
-One build serves all: in a copy of include/ each site is `(::mutant(17) ? broken : original)`, and an environment variable
+One build serves all: in a copy of the sources each site is `(::mutant(17) ? broken : original)`, and an environment variable
 selects the mutant of a run. What can only change the running time (reserving, progress) is not broken, nor
 what the compiler evaluates. Survivors that change no result are listed in equivalent.txt, with the reason. What was
-compiled and run is kept in DIR: a run that was stopped continues there, as long as neither the library nor the tests
-change.
+compiled and run is kept in DIR: a run that was stopped continues there, as long as neither what is broken nor the tests
+change. Beside its own headers, what is broken is not: the program is tested with the library as it is.
 
-    python3 test/mutation/mutate.py --work DIR [--seed 1] [--sites 300] [--headers PART...] [--tests FILE...] [--jobs 2]
+    python3 test/mutation/mutate.py --work DIR [--of library|program|python] [--seed 1] [--sites 300] [--files PART...] [--tests FILE...] [--jobs 2]
 """
 
 import argparse
@@ -23,7 +23,6 @@ import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-LIBRARY = pathlib.PurePath("CGAL/Region_segmentation")
 # Nothing of these is executed, or only to say what is wrong.
 NOT_BROKEN = ("internal/model/learned_merge_model.h", "parameters.h", "version.h",
               "exceptions.h")
@@ -67,7 +66,7 @@ def matching(tokens, i, step=1):
 
 
 class Site:
-    """A piece of a header and what replaces it; `%d` in it becomes the number of the mutant."""
+    """A piece of a file and what replaces it; `%d` in it becomes the number of the mutant."""
 
     def __init__(self, file, line, start, end, original, broken, replacement):
         self.file, self.line, self.start, self.end = file, line, start, end
@@ -248,12 +247,9 @@ def matching_depth(tokens, begin, i):
 
 
 def equivalent_mutants():
-    """Why some mutants cannot be noticed, by header, original and replacement: blocks of four lines."""
+    """Why some mutants cannot be noticed, by file, original and replacement: blocks of four lines."""
     text = (pathlib.Path(__file__).parent / "equivalent.txt").read_text()
     blocks = [[line.strip() for line in block.splitlines() if not line.startswith("#")] for block in text.split("\n\n")]
-    for header, original, *_ in [block for block in blocks if len(block) == 4]:
-        if original not in one_line((ROOT / "include" / LIBRARY / header).read_text()):
-            raise SystemExit("equivalent.txt: %s does not contain %s" % (header, original))
     return {tuple(block[:3]): block[3] for block in blocks if len(block) == 4}
 
 
@@ -274,13 +270,14 @@ def draw(headers, number, seed):
     return len(everything), drawn
 
 
-def write(copy, headers, sites):
+def write(folder, headers, sites):
     for header in headers:
         text = header.text
         mine = sorted((s for s in sites if s.file == header.file), key=lambda s: -s.start)
         for site in mine:
             text = text[:site.start] + site.replacement % site.number + text[site.end:]
-        (copy / header.file).write_text(text)
+        if (folder / header.file).read_text() != text:
+            (folder / header.file).write_text(text)
 
 
 MUTANT_H = """#pragma once
@@ -293,43 +290,138 @@ inline bool mutant(int number)
 """
 
 
-def compile_all(options, copy, sources, sites):
-    """Compiles; returns the sites in lines with errors, and the sources that failed."""
-    compiler = [os.environ.get("CXX", "g++"), "-std=c++17", "-O1", "-w", "-fmax-errors=200", "-I", str(copy), "-I",
-                str(ROOT / "test"), "-I", "/usr/include/eigen3", "-include", str(options.work / "mutant.h")]
+class Library:
+    """What is broken: the library, all whose tests are compiled here. Each of the others has the same members."""
 
-    def compile_one(source):
-        target = options.work / (source.stem + ".o")
-        if target.exists():
-            return source, 0, ""
-        part = target.with_suffix(".part")
-        result = subprocess.run(compiler + ["-c", str(source), "-o", str(part)], capture_output=True, text=True)
-        if result.returncode == 0:
-            part.rename(target)
-        return source, result.returncode, result.stderr
+    folder = pathlib.PurePath("include/CGAL/Region_segmentation")
+    test_files = ("*.h", "*.cpp")
 
-    bad, failed, unknown = set(), [], []
-    with concurrent.futures.ThreadPoolExecutor(options.compile_jobs) as pool:
-        for source, code, errors in pool.map(compile_one, sources):
-            if code == 0:
-                continue
-            failed.append(source)
-            found = set()
-            for file, line in re.findall(r"^\S*?(CGAL/Region_segmentation\S*?):(\d+):\d+: error", errors, re.M):
-                found |= {s for s in sites if str(s.file) == file and s.line <= int(line) <= s.last_line}
-            if not found:  # the errors are elsewhere; what leads there is a site
-                for file, line in re.findall(r"(CGAL/Region_segmentation\S*?):(\d+):\d+:", errors):
-                    found |= {s for s in sites if str(s.file) == file and s.line <= int(line) <= s.last_line}
-            if not found:  # what a declaration lacks shows further down
-                for file, line in re.findall(r"(CGAL/Region_segmentation\S*?):(\d+):\d+: error", errors):
-                    above = [s for s in sites if str(s.file) == file and s.line <= int(line)]
-                    found |= {max(above, key=lambda s: s.line)} if above else set()
-            if not found:
-                unknown.append(source.name + ":\n" + errors[:3000])
-            bad |= found
-    if unknown and not bad:
-        sys.exit("does not compile: " + unknown[0])
-    return bad, failed
+    def __init__(self, options):
+        self.options = options
+        names = options.tests or self.test_names()
+        self.tests = [ROOT / "test" / name for name in names + ["meshes.cpp", "oracles.cpp"]]
+
+    @staticmethod
+    def test_names():
+        """The files of the test programs of methods and of segments, and of what needs Eigen."""
+        text = (ROOT / "test/CMakeLists.txt").read_text()
+        return [name for start in (r"list\(APPEND optional_tests", r"add_executable\(region_segmentation_tests",
+                                   r"add_executable\(region_segmentation_segments_test")
+                for name in re.findall(r"[\w/]+_test\.cpp", re.search(start + r"(.*?)\)", text, re.S).group(1))]
+
+    def sources(self):
+        """Translation units of up to nine files, which instantiate the same templates (see test/CMakeLists.txt)."""
+        number = -(-len(self.tests) // 9)
+        sources = [self.options.work / ("unit_%d.cpp" % i) for i in range(number)]
+        for i, source in enumerate(sources):
+            source.write_text("".join('#include "%s"\n' % path for path in self.tests[i::number]))
+        return sources
+
+    def compile(self):
+        """The messages of each unit that does not compile; all is linked if there are none."""
+        work = self.options.work
+        compiler = [os.environ.get("CXX", "g++"), "-std=c++17", "-O1", "-w", "-fmax-errors=200", "-I",
+                    str(work / "copy/include"), "-I", str(ROOT / "test"), "-I", "/usr/include/eigen3", "-include",
+                    str(work / "mutant.h")]
+
+        def compile_one(source):
+            target = source.with_suffix(".o")
+            if target.exists():
+                return ""
+            part = target.with_suffix(".part")
+            result = subprocess.run(compiler + ["-c", str(source), "-o", str(part)], capture_output=True, text=True)
+            if result.returncode == 0:
+                part.rename(target)
+                return ""
+            return result.stderr
+
+        sources = self.sources()
+        with concurrent.futures.ThreadPoolExecutor(self.options.compile_jobs) as pool:
+            errors = [text for text in pool.map(compile_one, sources) if text]
+        if not errors:
+            subprocess.run(["g++", *(str(s.with_suffix(".o")) for s in sources), "-o", str(work / "tests"), "-lgtest",
+                            "-lgtest_main", "-lgmp", "-lmpfr", "-lpthread"], check=True)
+        return errors
+
+    def test_program(self):
+        return self.options.work / "tests"
+
+    def run(self, number, tests, seconds):
+        """How the tests of a filter of GoogleTest end: the output, and the first that fails, or another end, or None."""
+        command = [str(self.test_program()), "--gtest_fail_fast", "--gtest_filter=" + tests]
+        return run(self.options, command, number, seconds, r"\[  FAILED  \] ([^,\s]+)")
+
+    def groups(self):
+        """The tests in groups with a bound of time for each, which doubles: most mutants are noticed in less than a second."""
+        output, failed = self.run(0, self.options.filter, 3600)
+        if failed:
+            sys.exit("the tests fail without a mutant: " + failed)
+        times = re.findall(r"^\[       OK \] ([^,\s]+).*\((\d+) ms\)$", output, re.M)
+        groups, seconds = [[[], 0]], 0.3
+        for time, name in sorted((int(ms) / 1000, name) for name, ms in times):
+            if groups[-1][1] > seconds:
+                groups.append([[], 0])
+                seconds *= 2
+            groups[-1][0].append(name)
+            groups[-1][1] += time
+        return [(":".join(names), 20 + 6 * total) for names, total in groups]
+
+
+class Program(Library):
+    folder = pathlib.PurePath("examples/segment_mesh")
+    test_files = ("program/*",)
+
+    def compile(self):
+        build = self.options.work / "build"
+        subprocess.run(["cmake", "-S", str(self.options.work / "copy"), "-B", str(build), "-DCMAKE_BUILD_TYPE=None",
+                        "-DREGION_SEGMENTATION_BUILD_EXAMPLES=OFF",
+                        "-DCMAKE_CXX_FLAGS=-O1 -w -fmax-errors=200 -include %s" % (self.options.work / "mutant.h")],
+                       check=True, stdout=subprocess.DEVNULL)
+        result = subprocess.run(["cmake", "--build", str(build), "-j", str(self.options.compile_jobs), "--target",
+                                 "program_test", "--", "-k"], capture_output=True, text=True)
+        return [result.stderr] if result.returncode else []
+
+    def test_program(self):
+        return self.options.work / "build/bin/program_test"
+
+
+class Python(Library):
+    folder = pathlib.PurePath("examples/python")
+    test_files = ("python/*",)
+
+    def compile(self):
+        flags = "-O1 -g0 -w -fmax-errors=200 -include %s" % (self.options.work / "mutant.h")
+        result = subprocess.run([sys.executable, "setup.py", "build_ext", "--build-lib", str(self.options.work / "module")],
+                                cwd=self.options.work / "copy" / self.folder, capture_output=True, text=True,
+                                env=dict(os.environ, CFLAGS=flags))
+        return [result.stderr] if result.returncode else []
+
+    def run(self, number, tests, seconds):
+        command = [sys.executable, "-m", "pytest", "-x", "-q", "-p", "no:cacheprovider", tests]
+        return run(self.options, command, number, seconds, r"FAILED \S*?::(\S+)", str(self.options.work / "module"))
+
+    def groups(self):
+        tests = str(ROOT / "test/python")
+        if self.run(0, tests, 3600)[1]:
+            sys.exit("the tests fail without a mutant")
+        return [(tests, 600)]
+
+
+def sites_in_lines_with_errors(messages, sites):
+    def at(pattern):
+        found = set()
+        for file, line in re.findall(r"([\w/.]+?):(\d+):\d+:" + pattern, messages, re.M):
+            found |= {s for s in sites if ("/" + file).endswith("/" + str(s.file)) and s.line <= int(line) <= s.last_line}
+        return found
+
+    found = at(" error") or at("")  # if the errors are elsewhere, what leads there is a site
+    if not found:  # what a declaration lacks shows further down
+        for file, line in re.findall(r"([\w/.]+?):(\d+):\d+: error", messages):
+            above = [s for s in sites if ("/" + file).endswith("/" + str(s.file)) and s.line <= int(line)]
+            found |= {max(above, key=lambda s: s.line)} if above else set()
+    if not found:
+        sys.exit("does not compile: " + messages[:3000])
+    return found
 
 
 class Record:
@@ -349,6 +441,7 @@ class Record:
             self.file.write_text(key + "\n")
             for old in options.work.glob("*.o"):
                 old.unlink()
+            shutil.rmtree(options.work / "copy", ignore_errors=True)
 
     def add(self, site, result):
         self.results[site.number] = result
@@ -356,18 +449,18 @@ class Record:
             out.write("%d %s\n" % (site.number, result or ""))
 
 
-def key_of(options, sources):
+def key_of(options, subject):
     """Of all that the results depend on."""
-    digest = hashlib.sha256(repr((options.seed, options.sites, options.headers, options.filter)).encode())
-    for path in sorted([*(ROOT / "include").rglob("*.h"), *(ROOT / "test").glob("*.h"), *sources, pathlib.Path(__file__)]):
+    digest = hashlib.sha256(repr((options.of, options.seed, options.sites, options.files, options.filter)).encode())
+    tests = [path for pattern in subject.test_files for path in (ROOT / "test").glob(pattern) if path.is_file()]
+    for path in sorted([*(ROOT / "include").rglob("*.h"), *(p for p in (ROOT / subject.folder).rglob("*.*")), *tests,
+                        pathlib.Path(__file__)]):
         digest.update(path.read_bytes())
     return digest.hexdigest()
 
 
-def run(options, number, tests, seconds):
-    """How the tests of a filter of GoogleTest end: the output, and the first that fails, or another end, or None."""
-    environment = dict(os.environ, MUTANT=str(number))
-    command = [str(options.work / "tests"), "--gtest_fail_fast", "--gtest_filter=" + tests]
+def run(options, command, number, seconds, failure, python_path=""):
+    environment = dict(os.environ, MUTANT=str(number), PYTHONPATH=python_path)
     try:
         result = subprocess.run(command, capture_output=True, text=True, errors="replace", env=environment,
                                 timeout=seconds, cwd=options.work)
@@ -375,41 +468,8 @@ def run(options, number, tests, seconds):
         return "", "(no end)"
     if result.returncode == 0:
         return result.stdout, None
-    failed = re.search(r"\[  FAILED  \] ([^,\s]+)", result.stdout)
+    failed = re.search(failure, result.stdout)
     return result.stdout, failed.group(1) if failed else "(ends with %d)" % result.returncode
-
-
-def cheapest_first(options):
-    """The tests in groups with a bound of time for each, which doubles: most mutants are noticed in less than a second."""
-    output, failed = run(options, 0, options.filter, 3600)
-    if failed:
-        sys.exit("the tests fail without a mutant: " + failed)
-    times = re.findall(r"^\[       OK \] ([^,\s]+).*\((\d+) ms\)$", output, re.M)
-    groups, seconds = [[[], 0]], 0.3
-    for time, name in sorted((int(ms) / 1000, name) for name, ms in times):
-        if groups[-1][1] > seconds:
-            groups.append([[], 0])
-            seconds *= 2
-        groups[-1][0].append(name)
-        groups[-1][1] += time
-    return [(":".join(names), 20 + 6 * total) for names, total in groups]
-
-
-def tests_of_headers():
-    """The files of the test programs of methods and of segments, and of what needs Eigen."""
-    text = (ROOT / "test/CMakeLists.txt").read_text()
-    return [name for start in (r"list\(APPEND optional_tests", r"add_executable\(region_segmentation_tests",
-                               r"add_executable\(region_segmentation_segments_test")
-            for name in re.findall(r"[\w/]+_test\.cpp", re.search(start + r"(.*?)\)", text, re.S).group(1))]
-
-
-def together(work, tests):
-    """Translation units of up to nine files, which instantiate the same templates (see test/CMakeLists.txt)."""
-    number = -(-len(tests) // 9)
-    sources = [work / ("unit_%d.cpp" % i) for i in range(number)]
-    for i, source in enumerate(sources):
-        source.write_text("".join('#include "%s"\n' % path for path in tests[i::number]))
-    return sources
 
 
 def limit_memory():
@@ -422,8 +482,9 @@ def main():
     parser.add_argument("--work", type=pathlib.Path, required=True, help="folder of the copy, the build and the list")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--sites", type=int, default=300)
-    parser.add_argument("--headers", nargs="*", default=[""], help="beginnings of paths in the library")
-    parser.add_argument("--tests", nargs="*", default=[], help="files of test/; if none, all of headers")
+    parser.add_argument("--of", choices=("library", "program", "python"), default="library")
+    parser.add_argument("--files", nargs="*", default=[""], help="beginnings of paths in the folder of what is broken")
+    parser.add_argument("--tests", nargs="*", default=[], help="of the library, files of test/; if none, all of headers")
     parser.add_argument("--filter", default="-*Real_meshes*", help="of GoogleTest")
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--at-least", type=float, default=0, help="percent to be noticed of those that are not equivalent, else the exit status is 1")
@@ -434,52 +495,49 @@ def main():
     limit_memory()
     reasons = equivalent_mutants()
 
-    copy = options.work / "include"
-    shutil.rmtree(copy, ignore_errors=True)
-    shutil.copytree(ROOT / "include", copy)
+    subject = {"library": Library, "program": Program, "python": Python}[options.of](options)
+    record = Record(options, key_of(options, subject))  # of an earlier state: begins anew
+    folder = options.work / "copy" / subject.folder
+    if not folder.exists():
+        for name in subprocess.check_output(["git", "ls-files"], cwd=ROOT, text=True).splitlines():
+            (options.work / "copy" / name).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy(ROOT / name, options.work / "copy" / name)
     (options.work / "mutant.h").write_text(MUTANT_H)
     headers = []
-    for path in sorted((copy / LIBRARY).rglob("*.h")):
-        name = path.relative_to(copy / LIBRARY).as_posix()
-        if name.startswith(tuple(options.headers)) and not name.startswith(NOT_BROKEN):
-            headers.append(Header(path.relative_to(copy), path.read_text()))
+    for path in sorted((ROOT / subject.folder).rglob("*")):
+        name = path.relative_to(ROOT / subject.folder).as_posix()
+        if path.suffix in (".h", ".cpp") and name.startswith(tuple(options.files)) and not name.startswith(NOT_BROKEN):
+            headers.append(Header(pathlib.PurePath(name), path.read_text()))
     possible, sites = draw(headers, options.sites, options.seed)
     for number, site in enumerate(sites, 1):
         site.number = number
     print("seed %d: %d of %d possible sites" % (options.seed, len(sites), possible), flush=True)
 
-    names = options.tests or tests_of_headers()
-    tests = [ROOT / "test" / name for name in names + ["meshes.cpp", "oracles.cpp"]]
-    record = Record(options, key_of(options, tests))
-    sources = together(options.work, tests)
     sites = [s for s in sites if record.results.get(s.number) != Record.NOT_COMPILED]
-    to_compile = sources
-    for _ in range(6):
-        write(copy, headers, sites)
-        bad, to_compile = compile_all(options, copy, to_compile, sites)
-        if not bad:
+    while True:
+        write(folder, headers, sites)
+        errors = subject.compile()
+        if not errors:
             break
+        bad = set().union(*(sites_in_lines_with_errors(messages, sites) for messages in errors))
         print("%d sites do not compile and are left out" % len(bad), flush=True)
         for site in bad:
             record.add(site, Record.NOT_COMPILED)
         sites = [s for s in sites if s not in bad]
-    objects = [str(options.work / (s.stem + ".o")) for s in sources]
-    subprocess.run(["g++", *objects, "-o", str(options.work / "tests"), "-lgtest", "-lgtest_main", "-lgmp", "-lmpfr",
-                    "-lpthread"], check=True)
 
-    groups = cheapest_first(options)
+    groups = subject.groups()
     survivors, noticed = [], 0
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
         def result_of(site):
             if site.number in record.results:
                 return site, record.results[site.number]
-            ends = (run(options, site.number, tests, seconds)[1] for tests, seconds in groups)
+            ends = (subject.run(site.number, tests, seconds)[1] for tests, seconds in groups)
             return site, next((end for end in ends if end), None)
 
         for site, failed in pool.map(result_of, sites):
             if site.number not in record.results:
                 record.add(site, failed)
-            where = "%s:%d" % (site.file.relative_to(LIBRARY), site.line)
+            where = "%s:%d" % (site.file, site.line)
             print("%3d %-60s %s" % (site.number, where, failed or "SURVIVES"), flush=True)
             noticed += failed is not None
             if failed is None:
@@ -487,7 +545,7 @@ def main():
     equivalent = 0
     print("\nSurvivors:")
     for site in survivors:
-        header, original, broken = site.file.relative_to(LIBRARY), one_line(site.original), one_line(site.broken)
+        header, original, broken = site.file, one_line(site.original), one_line(site.broken)
         reason = reasons.get((header.as_posix(), original, broken), "A HOLE IN THE TESTS")
         equivalent += (header.as_posix(), original, broken) in reasons
         print("%3d %s:%d\n      %s\n   -> %s\n      %s" % (site.number, header, site.line, original, broken, reason))
