@@ -313,6 +313,9 @@ def test(program, picture, folder):
         assert page.labels() == labels
         page.press("#undo")
         assert partition_of(page.labels()) == before
+        page.press("#redo")
+        assert page.labels() == labels
+        page.press("#undo")
 
         # Hovering names a segment, selecting describes it.
         page.press("[data-tool=select]")
@@ -323,6 +326,13 @@ def test(program, picture, folder):
         page.click(place)
         description = browser.find_element(By.CSS_SELECTOR, "#list li.selected dl").text
         assert "Area" in description and "Neighbors" in description, description
+
+        # What is selected is hidden, shown alone, and shown with all others.
+        seen = set(page.places())
+        for key, expected in (("h", seen - {segment}), ("i", {segment}), ("a", seen)):
+            page.element("view").send_keys(key, "f")
+            time.sleep(0.3)
+            assert set(page.places()) == expected, (key, set(page.places()), expected)
 
         check_keys(page, browser)
         check_looks(browser)

@@ -34,13 +34,12 @@ class MeshView {
     this.facesOfTriangles = facesOfTriangles;
     for (const scene of [this.surface, this.regions]) scene.children[0].geometry = geometry;
     this.radius = geometry.boundingSphere.radius || 1;
-    this.center = MeshView.centerOfView(geometry, view);
     this.toward = new THREE.Vector3(...view.toward);
     Object.assign(this.camera, {near: 0.01 * this.radius, far: 100 * this.radius});
     this.camera.up.set(...view.up);
     Object.assign(this.controls, {minDistance: 0.3 * this.radius, maxDistance: 30 * this.radius});
-    this.controls.target.copy(this.center);
     this.isPlaced = false;
+    this.isHidden = null;
   }
 
   /// \param regions by face
@@ -53,6 +52,7 @@ class MeshView {
     this.tables.tableSize.value.set(width, height);
     const ofCorners = this.geometry.getAttribute("region");
     this.facesOfTriangles.forEach((face, t) => ofCorners.array.fill(regions[face], 3 * t, 3 * t + 3));
+    this.isHidden = new Uint8Array(numberOfRegions);
     ofCorners.needsUpdate = true;
     this.resize();
   }
@@ -118,29 +118,45 @@ class MeshView {
     this.areIdsStale = this.isStale = true;
   }
 
-  /// Where the whole mesh is seen, with a margin.
+  /// All that is not hidden, seen from the same side.
+  fit() {
+    this.toward = this.camera.position.clone().sub(this.controls.target).normalize();
+    this.camera.up.addScaledVector(this.toward, -this.camera.up.dot(this.toward)).normalize();
+    this.place();
+  }
+
+  /// Where all that is not hidden is seen, with a margin.
   place() {
     const margin = 0.86, slope = margin * Math.tan(this.camera.fov / 2 * Math.PI / 180), aspect = this.camera.aspect;
     const right = new THREE.Vector3().crossVectors(this.camera.up, this.toward);
-    const positions = this.geometry.getAttribute("position"), p = new THREE.Vector3();
+    const positions = this.geometry.getAttribute("position"), regions = this.geometry.getAttribute("region").array;
+    const isSeen = i => !this.isHidden || !this.isHidden[regions[i]];
+    this.center = MeshView.centerOfView(this.geometry, this.toward, this.camera.up, isSeen);
+    this.controls.target.copy(this.center);
+    const p = new THREE.Vector3();
     let distance = 0;
     for (let i = 0; i < positions.count; ++i) {
+      if (!isSeen(i)) continue;
       p.fromBufferAttribute(positions, i).sub(this.center);
       const sideways = Math.max(Math.abs(p.dot(right)) / aspect, Math.abs(p.dot(this.camera.up)));
       distance = Math.max(distance, p.dot(this.toward) + sideways / slope);
     }
     this.camera.position.copy(this.center).addScaledVector(this.toward, distance || 4 * this.radius);
     this.isPlaced = true;
+    this.areIdsStale = this.isStale = true;
   }
 
   /// \param colorOfRegion red, green, blue, from 0 to 255
-  show(segmentOfRegion, colorOfRegion, glowOfRegion) {
+  /// \param isHidden by region
+  show(segmentOfRegion, colorOfRegion, glowOfRegion, isHidden) {
     const colors = this.tables.colors.value.image.data, segments = this.tables.segments.value.image.data;
     segmentOfRegion.forEach((segment, region) => {
       colors.set(colorOfRegion(region), 4 * region);
       colors[4 * region + 3] = glowOfRegion(region);
-      segments.set([segment & 255, segment >> 8 & 255, segment >> 16 & 255, 255], 4 * region);
+      segments.set([segment & 255, segment >> 8 & 255, segment >> 16 & 255, isHidden[region] ? 0 : 255], 4 * region);
     });
+    this.areIdsStale = this.areIdsStale || isHidden.some((hides, region) => hides !== this.isHidden[region]);
+    this.isHidden = isHidden.slice();
     this.tables.colors.value.needsUpdate = this.tables.segments.value.needsUpdate = true;
     this.isStale = true;
   }
@@ -177,11 +193,11 @@ class MeshView {
   }
 
   /// The center of the box whose sides are parallel to those of the picture.
-  static centerOfView(geometry, view) {
-    const toward = new THREE.Vector3(...view.toward), up = new THREE.Vector3(...view.up);
+  static centerOfView(geometry, toward, up, isSeen) {
     const axes = [new THREE.Vector3().crossVectors(up, toward), up, toward];
     const positions = geometry.getAttribute("position"), p = new THREE.Vector3(), box = new THREE.Box3();
     for (let i = 0; i < positions.count; ++i) {
+      if (!isSeen(i)) continue;
       p.fromBufferAttribute(positions, i);
       box.expandByPoint(p.set(...axes.map(axis => p.dot(axis))));
     }
@@ -273,13 +289,18 @@ MeshView.tableLookup = `
   vec4 entry(sampler2D table, float region)
   {
     return texture2D(table, (vec2(mod(region, tableSize.x), floor(region / tableSize.x)) + 0.5) / tableSize);
+  }
+  /// A place in the picture; outside of it where the region is hidden.
+  vec4 placeOf(vec4 place, sampler2D segments, float region)
+  {
+    return entry(segments, region).a > 0.5 ? place : vec4(2.0, 2.0, 2.0, 1.0);
   }`;
 
 /// Lights that move with the viewer: one from the upper left, a weak one from the right, and the sky.
 MeshView.surfaceShader = {
   vertexShader: `
     attribute float region;
-    uniform sampler2D colors;
+    uniform sampler2D colors, segments;
     varying vec3 shownNormal, shownPosition, color;
     varying float glow;
     ${MeshView.tableLookup}
@@ -291,7 +312,7 @@ MeshView.surfaceShader = {
       vec4 position4 = modelViewMatrix * vec4(position, 1.0);
       shownNormal = normalMatrix * normal;
       shownPosition = position4.xyz;
-      gl_Position = projectionMatrix * position4;
+      gl_Position = placeOf(projectionMatrix * position4, segments, region);
     }`,
   fragmentShader: `
     varying vec3 shownNormal, shownPosition, color;
@@ -316,11 +337,13 @@ MeshView.surfaceShader = {
 MeshView.regionShader = {
   vertexShader: `
     attribute float region;
+    uniform sampler2D segments;
     varying float number;
+    ${MeshView.tableLookup}
     void main()
     {
       number = region + 1.0;
-      gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
+      gl_Position = placeOf(projectionMatrix * modelViewMatrix * vec4(position, 1.0), segments, region);
     }`,
   fragmentShader: `
     varying float number;

@@ -57,6 +57,8 @@ class Page {
     if (content.coloring) element("coloring").value = content.coloring;
     this.view.setRegions(arrays.regions, content.regions);
     this.history = [];
+    this.future = [];
+    this.isHidden = new Uint8Array(content.regions);
     this.hovered = this.selected = this.firstToJoin = null;
     this.describeMesh();
     this.setNodes(first);
@@ -95,6 +97,7 @@ class Page {
       if (!nodes.includes(this[name])) this[name] = null;
     element("slider").value = element("count").value = nodes.length - this.otherNodes;
     element("undo").disabled = this.history.length === 0;
+    element("redo").disabled = this.future.length === 0;
     this.measure();
     this.list();
     this.paint();
@@ -116,13 +119,51 @@ class Page {
   }
 
   change(nodes, selected) {
-    this.history.push(this.nodes);
+    this.remember();
     this.selected = selected;
+    this.hide(selected, false);
     this.setNodes(nodes);
   }
 
-  undo() {
-    if (this.history.length > 0) this.setNodes(this.history.pop());
+  remember() {
+    this.history.push(this.nodes);
+    this.future = [];
+  }
+
+  undo() { this.step(this.history, this.future); }
+  redo() { this.step(this.future, this.history); }
+
+  step(from, to) {
+    if (from.length === 0) return;
+    to.push(this.nodes);
+    this.setNodes(from.pop());
+  }
+
+  // What is hidden.
+
+  isConcealed(node) {
+    let isConcealed = true;
+    this.tree.forEachRegion(node, region => { isConcealed = isConcealed && this.isHidden[region] === 1; });
+    return isConcealed;
+  }
+
+  hide(node, isHidden) { this.tree.forEachRegion(node, region => { this.isHidden[region] = isHidden ? 1 : 0; }); }
+
+  isolate(node) {
+    this.isHidden.fill(1);
+    this.hide(node, false);
+    this.showHidden();
+    this.view.fit();
+  }
+
+  showAll() {
+    this.isHidden.fill(0);
+    this.showHidden();
+  }
+
+  showHidden() {
+    this.list();
+    this.paint();
   }
 
   setNumber(number) {
@@ -131,7 +172,7 @@ class Page {
     if (!isFinite(number)) return this.setNodes(this.nodes);
     const isEdited = this.nodes.join() !== tree.partition(this.nodes.length).join();
     if (isEdited) {
-      this.history.push(this.nodes);
+      this.remember();
       this.toast("Your splits and joins are undone by another number. Undo brings them back.");
     }
     this.setNodes(tree.partition(number));
@@ -168,7 +209,7 @@ class Page {
   paint() {
     const glows = this.nodes.map(node => node === this.hovered ? 120 : node === this.firstToJoin ? 160 : node === this.selected ? 60 : 0);
     const colors = this.nodes.map(node => this.colorOf(node));
-    this.view.show(this.segmentOfRegion, r => colors[this.segmentOfRegion[r]], r => glows[this.segmentOfRegion[r]]);
+    this.view.show(this.segmentOfRegion, r => colors[this.segmentOfRegion[r]], r => glows[this.segmentOfRegion[r]], this.isHidden);
     for (const item of element("list").children) {
       item.classList.toggle("hovered", Number(item.dataset.node) === this.hovered);
       item.classList.toggle("selected", Number(item.dataset.node) === this.selected);
@@ -188,11 +229,30 @@ class Page {
       more.textContent = "and " + counted(bySize.length - longest, "smaller segment");
       items.push(more);
     }
+    element("show-all").hidden = !this.isHidden.includes(1);
+    this.explainColors();
     const list = element("list"), active = document.activeElement;
     const focused = list.contains(active) ? active.closest("li").dataset.node : null;
     list.replaceChildren(...items);
     if (focused !== null)
       (list.querySelector(`[data-node="${focused}"]`) || list.querySelector(".selected") || list.firstChild).focus();
+  }
+
+  /// Kinds of surface are offered where most of the area has one, and explained where they are shown.
+  explainColors() {
+    const isKind = node => !["not described", "other surface"].includes(this.kindOf(node));
+    const area = this.nodes.reduce((sum, node) => sum + (isKind(node) ? this.tree.areas[node] : 0), 0);
+    const coloring = element("coloring"), legend = element("legend");
+    element("coloring-line").hidden = area < this.totalArea / 2 && coloring.value !== "kinds";
+    legend.hidden = coloring.value !== "kinds";
+    const kinds = new Set(this.nodes.map(node => this.kindOf(node)));
+    legend.replaceChildren(...Object.keys(kindColors).filter(kind => kinds.has(kind)).map(kind => {
+      const entry = document.createElement("span"), swatch = document.createElement("span");
+      swatch.className = "swatch";
+      swatch.style.background = "rgb(" + kindColors[kind].join() + ")";
+      entry.append(swatch, kind);
+      return entry;
+    }));
   }
 
   item(node, largest) {
@@ -212,6 +272,7 @@ class Page {
     bar.firstChild.style.cssText = "width:" + 100 * this.tree.areas[node] / largest + "%;background:" + this.cssColor(node);
     item.append(row, bar);
     item.classList.toggle("selected", node === this.selected);
+    item.classList.toggle("concealed", this.isConcealed(node));
     if (node === this.selected) item.append(this.description(node), this.actions(node));
     return item;
   }
@@ -257,7 +318,10 @@ class Page {
       actions.append(button);
     };
     add("Split", this.tree.split(node) !== null, () => this.split(node));
-    add("Join with …", this.nodes.length > 1, () => { this.setTool("join"); this.startJoin(node); });
+    add("Join …", this.nodes.length > 1, () => { this.setTool("join"); this.startJoin(node); });
+    const isConcealed = this.isConcealed(node);
+    add(isConcealed ? "Show" : "Hide", true, () => { this.hide(node, !isConcealed); this.showHidden(); });
+    add("Isolate", this.nodes.length > 1, () => this.isolate(node));
     return actions;
   }
 
@@ -274,7 +338,7 @@ class Page {
 
   helpOf(tool) {
     return {
-      select: "Drag or arrow keys to turn · scroll or + − to zoom · right drag to move · click a segment",
+      select: "Drag or arrow keys to turn · scroll or + − to zoom · right drag to move · F: the whole mesh · click a segment: H hides it, I isolates it",
       split: "Click a segment to split it in two",
       join: "Click a segment, then the one to join it with"
     }[tool];
@@ -360,6 +424,8 @@ class Page {
     element("count").addEventListener("change", () => this.setNumber(parseFloat(element("count").value)));
     element("coloring").addEventListener("change", () => { this.list(); this.paint(); });
     element("undo").addEventListener("click", () => this.undo());
+    element("redo").addEventListener("click", () => this.redo());
+    element("show-all").addEventListener("click", () => this.showAll());
     for (const button of document.querySelectorAll("[data-tool]"))
       button.addEventListener("click", () => this.setTool(button.dataset.tool));
     const list = element("list"), nodeOf = event => {
@@ -422,11 +488,13 @@ class Page {
   key(event) {
     if (event.target.matches("input[type=number], select")) return;
     if (event.ctrlKey || event.metaKey || event.altKey) {
-      if (event.key !== "z" || event.altKey) return;
-      this.undo();
+      const key = event.key.toLowerCase();
+      if ((key !== "z" && key !== "y") || event.altKey) return;
+      if (key === "y" || event.shiftKey) this.redo();
+      else this.undo();
     } else {
       const isForView = event.target.matches("body, #view");
-      if (!this.keyOfTool(event.key) && !(isForView && this.keyOfView(event.key))) return;
+      if (!this.keyOfTool(event.key) && !this.keyOfHiding(event.key) && !(isForView && this.keyOfView(event.key))) return;
     }
     event.preventDefault();
   }
@@ -438,6 +506,16 @@ class Page {
     return tool;
   }
 
+  keyOfHiding(key) {
+    if (key === "a") this.showAll();
+    else if (this.selected !== null && key === "i") this.isolate(this.selected);
+    else if (this.selected !== null && key === "h") {
+      this.hide(this.selected, !this.isConcealed(this.selected));
+      this.showHidden();
+    } else return false;
+    return true;
+  }
+
   /// \param part of a step
   keyOfView(key, part = 1) {
     const angle = part * 5 * Math.PI / 180, factor = 0.9 ** part;
@@ -445,6 +523,7 @@ class Page {
     const zooms = {"+": factor, "=": factor, "-": 1 / factor};
     if (turns[key]) this.view.turn(...turns[key].map(x => x * angle));
     if (zooms[key]) this.view.zoom(zooms[key]);
-    return turns[key] || zooms[key];
+    if (key === "f") this.view.fit();
+    return turns[key] || zooms[key] || key === "f";
   }
 }
